@@ -1,0 +1,33 @@
+#ifndef WF_DATA_MODEL_H
+#define WF_DATA_MODEL_H
+/* A tree model (models/ *.yaml): the architecture, to be clothed with a species' materials. */
+#include "base/arena.h"
+#include "base/diag.h"
+#include "base/err.h"
+#include "data/species.h"
+#include "data/tree.h"
+
+enum wf_taper {
+    WF_TAPER_TABLE,  /* radius at relative heights              */
+    WF_TAPER_LINEAR, /* r(s) = r0 (1 - (1-t) s), t = top / base */
+    WF_TAPER_POWER   /* r(s) = r0 ((1-s) + t (1-s)... see wf_model schema: r = rtip + (r0-rtip)(1-s)^p */
+};
+
+struct wf_model {
+    const char *key, *name, *note, *source, *file;
+    double height;               /* stem height [m]                                    */
+    double lean;                 /* from the vertical, towards lean_azimuth [rad]      */
+    double lean_azimuth;         /* from +x towards +y [rad]                           */
+    double radius;               /* outer radius at the base [m]; NAN: the species' level 0 */
+    enum wf_taper taper;
+    double tip_ratio, power;     /* for linear and power taper [-]                     */
+    struct wf_along profile;     /* for table taper: s, r/radius                       */
+    size_t segments;             /* rows of the tree                                   */
+    double crown_base, crown_top;/* heights of the crown's limits [m]                  */
+    double leaf_area;            /* one-sided, whole crown [m2]                        */
+    struct wf_along crown_shape; /* relative leaf area density over the crown, s from crown base to top */
+};
+
+enum wf_status wf_model_read(const char *path, struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
+                             struct wf_err *e);
+#endif

@@ -1,0 +1,78 @@
+#ifndef WF_DATA_SPECIES_H
+#define WF_DATA_SPECIES_H
+/* A species table: material and section per branching level, and how the crown meets the wind.
+ * SI throughout; every value carries its range, source and standing. */
+#include "base/arena.h"
+#include "base/diag.h"
+#include "base/err.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+enum wf_standing {
+    WF_ASSUMED,  /* no source: an assumption of this table                  */
+    WF_BORROWED, /* measured on another species or part                     */
+    WF_HANDBOOK, /* from a handbook or review, not traced to its experiment */
+    WF_MEASURED, /* measured on this species and part                       */
+    WF_PRINTED   /* as a paper prints it, known or suspected not to be physical */
+};
+
+struct wf_value {
+    double value, low, high; /* SI; low = high = value when no range is given */
+    enum wf_standing standing;
+    const char *source;      /* NULL only when standing is WF_ASSUMED */
+    bool given;              /* false: the file does not name it; value is the documented default */
+};
+
+/* A quantity along an axis: value v[i] at relative position s[i] in 0..1, linear between. */
+struct wf_along {
+    size_t n;
+    double *s, *v;
+};
+
+struct wf_level {
+    const char *name;                    /* "culm", "branch", ... */
+    struct wf_value youngs_modulus;      /* longitudinal, green [Pa]             */
+    struct wf_value shear_modulus;       /* longitudinal-transverse [Pa]         */
+    struct wf_value density;             /* green, as it stands [kg m-3]         */
+    struct wf_value modulus_of_rupture;  /* green, bending [Pa]; not given: no breakage check */
+    struct wf_value radius;              /* typical outer radius at the axis' base [m] */
+    struct wf_value damping_ratio;       /* of critical, internal [-]            */
+    struct wf_value knot_factor;         /* strength of the stem / clear wood, 0..1 [-] */
+    struct wf_value drag_coefficient;    /* of the bare axis, cross-flow; not given: Reynolds law [-] */
+    struct wf_value lift_coefficient;    /* across wind and axis, default 0 [-]  */
+    struct wf_along wall;                /* wall thickness / local outer radius, along the axis [-];
+                                            n == 0: solid                        */
+    struct wf_value wall_note;           /* source and standing of `wall`        */
+};
+
+/* Streamlining of the crown: frontal area times drag coefficient as a share of the still-air value. */
+struct wf_streamlining {
+    const char *law;           /* a row of load/streamline.h: "none", "vogel", "table" */
+    struct wf_value exponent;  /* Vogel exponent V: force ~ U^(2+V) [-]              */
+    double reference_speed;    /* speed below which the crown is rigid [m/s]         */
+    double speed_low, speed_high; /* speeds the source covers [m/s]                  */
+    struct wf_along table;     /* "table": s = speed [m/s], v = share of still-air Cd*A [-] */
+    const char *source;
+};
+
+struct wf_species {
+    const char *key, *name, *latin, *name_zh, *note, *file;
+    const char *preset;             /* "corrected" or the paper whose numbers are printed */
+    size_t levels;
+    struct wf_level *level;
+    struct wf_value crown_drag;         /* crown drag coefficient on still-air frontal area [-] */
+    struct wf_value leaf_mass_per_area; /* fresh leaf mass per one-sided leaf area [kg m-2]   */
+    struct wf_value leaf_frontal_share; /* still-air frontal area per one-sided leaf area [-] */
+    struct wf_streamlining streamlining;
+};
+
+/* Read a species table. Given: path, arena for all it keeps, findings list. Returned: WF_OK and *out,
+ * or WF_EINPUT with every mistake in `d`. */
+enum wf_status wf_species_read(const char *path, struct wf_arena *a, struct wf_species *out,
+                               struct wf_diag *d, struct wf_err *e);
+
+/* Value of an along-table at relative position s (clamped to its ends); `fallback` when empty. */
+double wf_along_at(const struct wf_along *a, double s, double fallback);
+
+const char *wf_standing_text(enum wf_standing s);
+#endif

@@ -1,0 +1,42 @@
+#ifndef WF_DATA_TREE_H
+#define WF_DATA_TREE_H
+/* A tree as columns: one row a segment, base to tip, every parent before its children.
+ * All lengths in metres, z up, ground at z = 0, SI throughout. Quantities with 0/1 vary linearly from
+ * the segment's base (0) to its end (1). */
+#include "base/arena.h"
+#include "base/diag.h"
+#include "base/err.h"
+#include <stddef.h>
+#include <stdint.h>
+
+struct wf_tree {
+    const char *name;
+    size_t n;              /* segments                                              */
+    int32_t *parent;       /* row of the segment below; -1 = clamped to the ground  */
+    int32_t *level;        /* branching level, 0 = stem                             */
+    int64_t *id;           /* the user's id of the row, for messages                */
+    double *x0, *y0, *z0;  /* base [m]                                              */
+    double *x1, *y1, *z1;  /* end [m]                                               */
+    double *bend;          /* 3n: initial curvature vector of the axis, global [1/m]; NULL = straight rows */
+    double *r0, *r1;       /* outer radius [m]                                      */
+    double *i0, *i1;       /* inner radius [m]; 0 = solid                           */
+    double *youngs, *shear, *density, *strength; /* E, G [Pa], [kg m-3], MOR*knot factor [Pa] (0: unknown) */
+    double *drag;          /* cross-flow drag coefficient; NAN = Reynolds law [-]   */
+    double *lift;          /* lift coefficient [-]                                  */
+    double *damping;       /* damping ratio [-]                                     */
+    double *sail0, *sail1; /* still-air crown frontal area times crown Cd per axis length [m] */
+    double *leaf0, *leaf1; /* one-sided leaf area per axis length [m]               */
+    double *burden0, *burden1; /* added mass per axis length: leaves, twigs not drawn, water, snow [kg/m] */
+};
+
+/* Columns for n segments from the arena, zeroed (parent -1, drag NAN). WF_ENOMEM when there is no room. */
+enum wf_status wf_tree_alloc(struct wf_tree *t, size_t n, struct wf_arena *a, struct wf_err *e);
+
+/* Refuse what no solver can take: a parent not before its child, two roots where `roots` is 1, a zero-length
+ * segment, a radius that is not positive, an inner radius not below the outer, a value that is not finite.
+ * Every bad row becomes a line in `d`, named by its id. */
+enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct wf_err *e);
+
+double wf_tree_height(const struct wf_tree *t);             /* highest point above the lowest base [m] */
+double wf_tree_length(const struct wf_tree *t, size_t i);   /* arc length of row i [m] */
+#endif

@@ -1,0 +1,28 @@
+#ifndef WF_FAIL_BREAKAGE_H
+#define WF_FAIL_BREAKAGE_H
+/* Stem breakage: outer-fibre stress against the modulus of rupture, at both ends of every row. */
+#include "base/arena.h"
+#include "base/err.h"
+#include "data/tree.h"
+#include "solve/solve.h"
+
+struct wf_breakage {
+    size_t n;
+    double *shear0, *shear1;     /* force across the axis [N]                                    */
+    double *axial0, *axial1;     /* along the axis, tension positive [N]                          */
+    double *bending0, *bending1; /* bending moment (across the axis) [N m]                         */
+    double *torsion0, *torsion1; /* moment about the axis [N m]                                   */
+    double *stress0, *stress1;   /* |M| r / I + |N| / A, thin or thick ring [Pa]                   */
+    double *safety0, *safety1;   /* strength / stress [-]; INFINITY where unstressed, NAN where strength is unknown */
+    double least_safety;         /* smallest safety factor [-]; NAN when no row has a strength    */
+    int32_t governing;           /* its row; -1 when none                                         */
+    double governing_s;          /* 0 = at the row's base, 1 = at its end                         */
+    double largest_stress;       /* [Pa]                                                          */
+    int32_t largest_stress_row;
+};
+enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, struct wf_arena *a,
+                                 struct wf_breakage *out, struct wf_err *e);
+
+double wf_ring_area(double outer, double inner);   /* radii [m] -> [m2] */
+double wf_ring_inertia(double outer, double inner);/* radii [m] -> second moment of area [m4] */
+#endif

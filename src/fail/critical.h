@@ -1,0 +1,28 @@
+#ifndef WF_FAIL_CRITICAL_H
+#define WF_FAIL_CRITICAL_H
+/* Critical wind speed: the lowest speed at which a criterion (load / resistance) reaches 1. */
+#include "base/err.h"
+#include <stddef.h>
+
+enum wf_critical_outcome {
+    WF_CRITICAL_FOUND,
+    WF_CRITICAL_ABOVE,       /* criterion stays below 1 up to the highest speed searched     */
+    WF_CRITICAL_SELF_WEIGHT, /* fails without wind                                            */
+    WF_CRITICAL_NO_STRENGTH, /* no row has a modulus of rupture                               */
+    WF_CRITICAL_UNSOLVED     /* the model had no answer beyond `speed_low`: bracket is reported */
+};
+struct wf_critical {
+    enum wf_critical_outcome outcome;
+    double speed;                 /* [m/s]; NAN unless found                               */
+    double speed_low, speed_high; /* bracket at the end, or range searched [m/s]           */
+    double gradient;              /* d criterion / d speed at the answer [s/m]              */
+    size_t evaluations;
+};
+/* Given: criterion(ctx, speed, &value) returning WF_OK, or a failure where no equilibrium exists; speeds searched
+ * from 0 to speed_max on a coarse ladder first (so that the lowest crossing is found), then bracketed (Brent) to
+ * `tolerance` relative. */
+enum wf_status wf_critical_search(enum wf_status (*criterion)(void *ctx, double speed, double *value, struct wf_err *e),
+                                  void *ctx, double speed_max, double tolerance, struct wf_critical *out,
+                                  struct wf_err *e);
+const char *wf_critical_text(enum wf_critical_outcome o);
+#endif

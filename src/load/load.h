@@ -1,0 +1,57 @@
+#ifndef WF_LOAD_LOAD_H
+#define WF_LOAD_LOAD_H
+/* What acts on a tree. A case is read-only while a solver runs; the solver samples it on the bent shape. */
+#include "base/err.h"
+#include "data/tree.h"
+#include "load/streamline.h"
+#include "wind/wind.h"
+#include <stddef.h>
+
+enum wf_point_kind {
+    WF_POINT_DEAD,    /* keeps its global direction                    */
+    WF_POINT_FOLLOWER /* turns with the section it acts on             */
+};
+struct wf_point_load {
+    int32_t segment;  /* acts at this row's end                        */
+    enum wf_point_kind kind;
+    double force[3], moment[3]; /* at the undeformed shape [N, N m]    */
+};
+
+struct wf_loads {
+    const struct wf_wind *wind;      /* NULL = still air                               */
+    double air_density;              /* [kg m-3]                                       */
+    double gravity;                  /* [m s-2]; 0 = weightless                        */
+    double wind_scale, weight_scale, point_scale; /* factors for continuation, normally 1 */
+    const struct wf_streamline_law *streamline;   /* crown's law; NULL = rigid crown  */
+    struct wf_streamline_par streamline_par;
+    const struct wf_point_load *point;
+    size_t points;
+};
+void wf_loads_default(struct wf_loads *l);  /* still air 1.225 kg/m3, 9.81 m/s2, scales 1 */
+
+/* One point of an axis, per unit reference length. */
+struct wf_line_point {
+    double diameter; /* outer [m]                                              */
+    double drag;     /* cross-flow coefficient; NAN = Reynolds law [-]         */
+    double lift;     /* [-]                                                    */
+    double sail;     /* still-air crown area times its Cd per length [m]       */
+    double mass;     /* wood and burden per length [kg/m]                      */
+};
+struct wf_line_load {
+    double force[3];    /* total per reference length [N/m]                                  */
+    double by_place[9]; /* d force / d position [N/m2], row-major                            */
+    double by_turn[9];  /* d force / d (spin of the axis, rotating tangent t' = spin x t) [N/m] */
+};
+/* Cross-flow drag and lift of the axis, drag of the crown, weight, at position x with unit tangent t.
+ * Source: Hoerner 1965 (cross-flow principle): 1/2 rho Cd D |Un| Un, Un = U - (U.t)t; lift 1/2 rho Cl D
+ * |Un| (t x Un); crown 1/2 rho (Cd A)(|U|) |U| U along the wind. Derivatives are exact. */
+void wf_line_load(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
+                  const double t[3], struct wf_line_load *out);
+
+/* The same split into its parts, for reports [N/m]: along-wind drag of axis, of crown, across-wind lift, weight. */
+struct wf_line_parts {
+    double drag_axis[3], drag_crown[3], lift[3], weight[3];
+};
+void wf_line_parts(const struct wf_loads *l, const struct wf_line_point *p, const double x[3], const double t[3],
+                   struct wf_line_parts *out);
+#endif

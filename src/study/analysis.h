@@ -1,0 +1,73 @@
+#ifndef WF_STUDY_ANALYSIS_H
+#define WF_STUDY_ANALYSIS_H
+/* One tree in a list of winds: wind -> load -> solve -> fail, and the critical wind speed. */
+#include "base/arena.h"
+#include "base/diag.h"
+#include "base/err.h"
+#include "data/model.h"
+#include "data/species.h"
+#include "data/tree.h"
+#include "fail/breakage.h"
+#include "fail/critical.h"
+#include "load/load.h"
+#include "solve/solve.h"
+#include "wind/wind.h"
+
+struct wf_scenario {
+    const char *profile;     /* row of wf_profiles */
+    double reference_height; /* height of the named wind speeds [m] */
+    double roughness, displacement, exponent;
+    double azimuth;          /* direction the wind blows towards, from +x towards +y [rad] */
+    double temperature, altitude; /* [K], [m] */
+    double air_density;      /* [kg m-3]; NAN: from temperature and altitude */
+    double gravity;
+};
+void wf_scenario_default(struct wf_scenario *s); /* power law 0.16, 10 m, +x, 15 C, sea level, 9.81 */
+
+/* What one segment bears, columns. */
+struct wf_figures {
+    double *projected_area; /* of axis and crown across the wind, bent shape [m2] */
+    double *drag, *lift;    /* along and across the wind [N]                      */
+    double *deflection;     /* of the end, distance from the unloaded place [m]   */
+    double *slope;          /* of the end, turn of the axis from its unloaded direction [rad] */
+};
+
+struct wf_at_speed {
+    double speed;            /* at reference height [m/s] */
+    enum wf_status status;   /* WF_OK, or why there is no answer (load_factor tells how far it stood) */
+    struct wf_response response;
+    struct wf_breakage breakage;
+    struct wf_figures figures;
+    double drag, lift, weight;       /* whole tree [N] */
+    double tip_deflection;           /* horizontal and vertical together [m], of the stem's highest point */
+    double tip_deflection_share;     /* of tree height [-] */
+    double tip_angle;                /* between unloaded and loaded axis at the stem tip [rad] */
+    double base_shear, base_moment;  /* [N], [N m] */
+};
+
+struct wf_analysis {
+    const struct wf_species *species;
+    const struct wf_model *model;
+    const struct wf_solver *solver;
+    struct wf_scenario scenario;
+    struct wf_tree tree;
+    struct wf_loads loads;
+    struct wf_wind wind;
+    size_t n;
+    struct wf_at_speed *at;       /* the speeds asked for                            */
+    size_t sweep_n;
+    struct wf_at_speed *sweep;    /* evenly spaced from 0, for curves (totals only)  */
+    struct wf_critical critical;
+    int32_t critical_row;         /* governing section at the critical speed, -1 none */
+    double critical_height;       /* its height above ground on the unbent tree [m]   */
+    double tallness;              /* height [m] */
+    struct wf_diag *diag;         /* validity warnings                               */
+};
+
+/* Given: species, model, scenario, solver, options, n speeds [m/s]. Returned: WF_OK and *out, even where single
+ * speeds have no answer (their status says why); another code when nothing could be computed. */
+enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
+                          const struct wf_solver *solver, const struct wf_solve_options *o, const double *speeds,
+                          size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_analysis *out,
+                          struct wf_err *e);
+#endif

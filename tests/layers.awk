@@ -1,0 +1,17 @@
+# Rooms from the ground up. A file includes its own room or a lower one; never a higher one or a sibling (a|b).
+BEGIN {
+    n = split("base data grow wind load solve fail stand study fit|out cmd", room, " ")
+    for (i = 1; i <= n; i++) {
+        k = split(room[i], side, "|")
+        for (j = 1; j <= k; j++) rank[side[j]] = i
+    }
+}
+/^[ \t]*#[ \t]*include[ \t]*"/ {
+    split(FILENAME, path, "/"); split($0, quoted, "\""); split(quoted[2], target, "/")
+    from = path[2]; to = target[1]; why = ""
+    if (from == "main.c") next
+    if (!(to in rank))                               why = "names no room"
+    else if (to != from && rank[to] >= rank[from])   why = "points up or sideways"
+    if (why) { printf "%s:%d: include \"%s\" %s\n", FILENAME, FNR, quoted[2], why; bad = 1 }
+}
+END { exit bad }
