@@ -27,6 +27,9 @@ struct wf_tree {
     double *sail0, *sail1; /* still-air crown frontal area times crown Cd per axis length [m] */
     double *leaf0, *leaf1; /* one-sided leaf area per axis length [m]               */
     double *burden0, *burden1; /* added mass per axis length: leaves, twigs not drawn, water, snow [kg/m] */
+    double *mass1;         /* n: point mass at the row's end, without rotary inertia [kg]; NULL = none */
+    double *stiff;         /* 4n: EA, GA [N], EI, GJ [N m2] of a row, constant along it, in place of those of E, G and
+                            * the radii (GA as used: any shear factor is in it); NULL = from the section */
 };
 
 /* Columns for n segments from the arena, zeroed (parent -1, drag NAN). WF_ENOMEM when there is no room. */

@@ -26,6 +26,8 @@ struct wf_loads {
     struct wf_streamline_par streamline_par;
     const struct wf_point_load *point;
     size_t points;
+    const double *line; /* 6n: dead load per unit reference length at a row's base (3) and end (3), linear between,
+                         * keeping its global direction [N/m]; NULL = none. Scaled by point_scale. */
 };
 void wf_loads_default(struct wf_loads *l);  /* still air 1.225 kg/m3, 9.81 m/s2, scales 1 */
 
