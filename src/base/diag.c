@@ -1,0 +1,63 @@
+#include "base/diag.h"
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Findings are counted even when there is no room left to keep their words. */
+static void keep(struct wf_diag *d, struct wf_finding f, const char *text)
+{
+    *(f.severity == WF_ERROR ? &d->errors : &d->warnings) += 1;
+    struct wf_finding *node = WF_TAKE(d->arena, 1, struct wf_finding);
+    if (!node) return;
+    f.text = wf_arena_text(d->arena, text);
+    if (f.file) f.file = wf_arena_text(d->arena, f.file);
+    if (f.code) f.code = wf_arena_text(d->arena, f.code);
+    if (!f.text) return;
+    *node = f;
+    if (d->last)
+        d->last->next = node;
+    else
+        d->first = node;
+    d->last = node;
+}
+
+void wf_diag_error(struct wf_diag *d, const char *file, size_t line, size_t column, const char *fmt, ...)
+{
+    char text[2048];
+    va_list args;
+    va_start(args, fmt);
+    (void)vsnprintf(text, sizeof text, fmt, args);
+    va_end(args);
+    keep(d, (struct wf_finding){ .severity = WF_ERROR, .file = file, .line = line, .column = column }, text);
+}
+
+static bool known(const struct wf_diag *d, const char *code, const char *text)
+{
+    for (const struct wf_finding *f = d->first; f; f = f->next)
+        if (f->severity == WF_WARNING && f->code && !strcmp(f->code, code) && !strcmp(f->text, text))
+            return true;
+    return false;
+}
+
+void wf_diag_warn(struct wf_diag *d, const char *code, const char *fmt, ...)
+{
+    char text[2048];
+    va_list args;
+    va_start(args, fmt);
+    (void)vsnprintf(text, sizeof text, fmt, args);
+    va_end(args);
+    if (!known(d, code, text)) keep(d, (struct wf_finding){ .severity = WF_WARNING, .code = code }, text);
+}
+
+char *wf_finding_print(const struct wf_finding *f, char *buf, size_t size)
+{
+    char place[48] = "";
+    if (f->line && f->column)
+        (void)snprintf(place, sizeof place, "%zu:%zu:", f->line, f->column);
+    else if (f->line)
+        (void)snprintf(place, sizeof place, "%zu:", f->line);
+    (void)snprintf(buf, size, "%s%s%s%s%s%s%s%s: %s", f->file ? f->file : "", f->file ? ":" : "", place,
+                   f->file || *place ? " " : "", f->severity == WF_ERROR ? "error" : "warning",
+                   f->code ? " [" : "", f->code ? f->code : "", f->code ? "]" : "", f->text);
+    return buf;
+}
