@@ -1,0 +1,46 @@
+#ifndef WF_OUT_RESULTS_H
+#define WF_OUT_RESULTS_H
+/* One results document, many readers: results.json and tables/ *.csv of a run. Keys, units and meanings
+ * are described in docs/results.md. */
+#include "base/arena.h"
+#include "base/err.h"
+#include "base/sha256.h"
+#include "study/analysis.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+struct wf_input_file {
+    const char *role, *path;     /* "species", "model", ...; the path as the user wrote it */
+    char sha256[WF_SHA256_TEXT]; /* of the file's bytes                                    */
+};
+
+/* Everything one run found. The analyses share the list of wind speeds, in the same order. */
+struct wf_run {
+    const char *title;   /* the user's own title; NULL: the report composes one */
+    const char *command; /* command line as given                               */
+    const char *version; /* of the program                                      */
+    const char *date;    /* ISO 8601, UTC: 2026-11-23T09:45:00Z                 */
+    size_t n;
+    const struct wf_analysis *analysis; /* one per species                      */
+    size_t inputs;
+    const struct wf_input_file *input;
+    bool random;   /* random numbers were drawn, from `seed` */
+    uint64_t seed;
+};
+
+/* Fill *out for an input file: role and path are copied to the arena, the file is hashed.
+ * Errors: WF_EINPUT when it cannot be read, WF_ENOMEM. */
+enum wf_status wf_input_file_note(const char *role, const char *path, struct wf_arena *a,
+                                  struct wf_input_file *out, struct wf_err *e);
+
+/* Now, as wf_run.date wants it. The environment's SOURCE_DATE_EPOCH [s since 1970], when it is a number,
+ * takes the place of the clock, so that a rerun can give the same bytes. Returned: text, or NULL without room. */
+const char *wf_run_date(struct wf_arena *a);
+
+/* Write FOLDER/results.json and FOLDER/tables/{summary,segments,shape,sweep}.csv; the folder is made.
+ * All five are complete or none is replaced. Numbers that are not finite become null with a reason
+ * (JSON) or an empty cell (CSV).
+ * Errors: WF_EUSAGE for a run without analyses or with differing wind lists, WF_EOUTPUT, WF_ENOMEM. */
+enum wf_status wf_results_write(const struct wf_run *run, const char *folder, struct wf_err *e);
+#endif
