@@ -17,12 +17,14 @@ struct wf_scenario {
     const char *profile;     /* row of wf_profiles */
     double reference_height; /* height of the named wind speeds [m] */
     double roughness, displacement, exponent;
-    double azimuth;          /* direction the wind blows towards, from +x towards +y [rad] */
+    double azimuth;               /* direction the wind blows towards, from +x towards +y [rad] */
     double temperature, altitude; /* [K], [m] */
-    double air_density;      /* [kg m-3]; NAN: from temperature and altitude */
+    double air_density;           /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
+    double speed_max; /* the critical wind speed is searched for up to here [m/s] */
 };
-void wf_scenario_default(struct wf_scenario *s); /* power law 0.16, 10 m, +x, 15 C, sea level, 9.81 */
+/* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2, search up to 100 m/s. */
+void wf_scenario_default(struct wf_scenario *s);
 
 /* What one segment bears, columns. */
 struct wf_figures {
@@ -33,16 +35,16 @@ struct wf_figures {
 };
 
 struct wf_at_speed {
-    double speed;            /* at reference height [m/s] */
-    enum wf_status status;   /* WF_OK, or why there is no answer (load_factor tells how far it stood) */
+    double speed;          /* at reference height [m/s] */
+    enum wf_status status; /* WF_OK, or why there is no answer (load_factor tells how far it stood) */
     struct wf_response response;
     struct wf_breakage breakage;
     struct wf_figures figures;
-    double drag, lift, weight;       /* whole tree [N] */
-    double tip_deflection;           /* horizontal and vertical together [m], of the stem's highest point */
-    double tip_deflection_share;     /* of tree height [-] */
-    double tip_angle;                /* between unloaded and loaded axis at the stem tip [rad] */
-    double base_shear, base_moment;  /* [N], [N m] */
+    double drag, lift, weight;      /* whole tree [N] */
+    double tip_deflection;          /* horizontal and vertical together [m], of the stem's highest point */
+    double tip_deflection_share;    /* of tree height [-] */
+    double tip_angle;               /* between unloaded and loaded axis at the stem tip [rad] */
+    double base_shear, base_moment; /* [N], [N m] */
 };
 
 struct wf_analysis {
@@ -54,20 +56,20 @@ struct wf_analysis {
     struct wf_loads loads;
     struct wf_wind wind;
     size_t n;
-    struct wf_at_speed *at;       /* the speeds asked for                            */
+    struct wf_at_speed *at; /* the speeds asked for                            */
     size_t sweep_n;
-    struct wf_at_speed *sweep;    /* evenly spaced from 0, for curves (totals only)  */
+    struct wf_at_speed *sweep; /* evenly spaced from 0, for curves (totals only)  */
     struct wf_critical critical;
-    int32_t critical_row;         /* governing section at the critical speed, -1 none */
-    double critical_height;       /* its height above ground on the unbent tree [m]   */
-    double tallness;              /* height [m] */
-    struct wf_diag *diag;         /* validity warnings                               */
+    int32_t critical_row;   /* governing section at the critical speed, -1 none */
+    double critical_height; /* its height above ground on the unbent tree [m]   */
+    double tallness;        /* height [m] */
+    struct wf_diag *diag;   /* validity warnings                               */
 };
 
-/* Given: species, model, scenario, solver, options, n speeds [m/s]. Returned: WF_OK and *out, even where single
- * speeds have no answer (their status says why); another code when nothing could be computed. */
+/* Given: species, model, scenario, solver, options, n speeds [m/s]. Returned: WF_OK and *out, even where
+ * single speeds have no answer (their status says why); another code when nothing could be computed. */
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
-                          const struct wf_solver *solver, const struct wf_solve_options *o, const double *speeds,
-                          size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_analysis *out,
-                          struct wf_err *e);
+                          const struct wf_solver *solver, const struct wf_solve_options *o,
+                          const double *speeds, size_t n, struct wf_arena *a, struct wf_diag *d,
+                          struct wf_analysis *out, struct wf_err *e);
 #endif

@@ -1,0 +1,125 @@
+#include "study/analysis.h"
+#include "grow/stem.h"
+#include "study/limits.h"
+#include "study/scenario.h"
+#include "study/speed.h"
+#include <math.h>
+
+static enum wf_status check_call(const struct wf_scenario *sc, const double *speeds, size_t n,
+                                 struct wf_err *e)
+{
+    if (n == 0) return wf_fail(e, WF_EUSAGE, "no wind speed is given");
+    for (size_t k = 0; k < n; k++)
+        if (!(speeds[k] >= 0.0 && speeds[k] <= 200.0))
+            return wf_fail(e, WF_EUSAGE, "wind speed %.6g m/s is outside 0..200 m/s", speeds[k]);
+    return wf_scenario_check(sc, e);
+}
+
+/* The tree, the wind field and what acts: everything but the answers. */
+static enum wf_status set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    const struct wf_streamlining *law = &an->species->streamlining;
+    enum wf_status s = wf_grow_stem(an->model, an->species, a, &an->tree, e);
+    if (s || (s = wf_tree_check(&an->tree, d, e))) return s;
+    an->tallness = an->tree.z1[wf_tip_row(&an->tree)];
+    wf_scenario_wind(&an->scenario, &an->wind);
+    wf_loads_default(&an->loads);
+    an->loads.wind = &an->wind;
+    an->loads.air_density = wf_scenario_air_density(&an->scenario);
+    an->loads.gravity = an->scenario.gravity;
+    if (!law->law) return WF_OK;
+    an->loads.streamline = wf_streamline_named(law->law);
+    if (!an->loads.streamline)
+        return wf_fail(e, WF_EINPUT, "%s: no streamlining law is called '%s'", an->species->key, law->law);
+    an->loads.streamline_par = (struct wf_streamline_par){
+        .exponent = law->exponent.value,
+        .reference_speed = law->reference_speed,
+        .n = law->table.n,
+        .speed = law->table.s,
+        .share = law->table.v,
+    };
+    return WF_OK;
+}
+
+struct search {
+    const struct wf_analysis *an;
+    const struct wf_solve_options *o;
+};
+
+/* Stress over strength at the worst section. */
+static enum wf_status utilisation(void *ctx, double speed, double *value, struct wf_err *e)
+{
+    const struct search *s = ctx;
+    struct wf_at_speed at;
+    enum wf_status status = wf_speed_totals(s->an, s->o, speed, &at, e);
+    if (status) return status;
+    if (at.status) return wf_fail(e, at.status, "no equilibrium at %.6g m/s", speed);
+    *value = 1.0 / at.breakage.least_safety;
+    return WF_OK;
+}
+
+static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solve_options *o,
+                                    struct wf_err *e)
+{
+    struct search search = { an, o };
+    struct wf_critical *c = &an->critical;
+    struct wf_at_speed at;
+    bool strength = false;
+    an->critical_row = -1;
+    an->critical_height = NAN;
+    for (size_t i = 0; i < an->tree.n; i++) strength = strength || an->tree.strength[i] > 0.0;
+    if (!strength) {
+        *c = (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
+        return WF_OK;
+    }
+    enum wf_status s = wf_critical_search(utilisation, &search, an->scenario.speed_max, 1e-6, c, e);
+    if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
+    s = wf_speed_totals(an, o, c->outcome == WF_CRITICAL_FOUND ? c->speed : 0.0, &at, e);
+    if (s || at.status || at.breakage.governing < 0) return s;
+    size_t row = (size_t)at.breakage.governing;
+    an->critical_row = at.breakage.governing;
+    an->critical_height = an->tree.z0[row] + at.breakage.governing_s * (an->tree.z1[row] - an->tree.z0[row]);
+    return WF_OK;
+}
+
+/* Evenly spaced speeds from 0 past the asked and the critical ones, at a step a reader can name. */
+static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                            struct wf_err *e)
+{
+    static const double steps[] = { 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0 };
+    double top = 1.0, step = 0.0;
+    for (size_t k = 0; k < an->n; k++) top = fmax(top, an->at[k].speed);
+    if (an->critical.outcome == WF_CRITICAL_FOUND)
+        top = fmax(top, fmin(1.1 * an->critical.speed, an->scenario.speed_max));
+    for (size_t k = 0; k < sizeof steps / sizeof *steps; k++)
+        if ((step = steps[k]) * 60.0 >= top) break;
+    an->sweep_n = (size_t)ceil(top / step - 1e-9) + 1;
+    if (!(an->sweep = WF_TAKE(a, an->sweep_n, struct wf_at_speed)))
+        return wf_fail(e, WF_ENOMEM, "no room for a sweep of %zu speeds", an->sweep_n);
+    for (size_t k = 0; k < an->sweep_n; k++) {
+        enum wf_status s = wf_speed_totals(an, o, step * (double)k, &an->sweep[k], e);
+        if (s) return s;
+    }
+    return WF_OK;
+}
+
+enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
+                          const struct wf_solver *solver, const struct wf_solve_options *o,
+                          const double *speeds, size_t n, struct wf_arena *a, struct wf_diag *d,
+                          struct wf_analysis *out, struct wf_err *e)
+{
+    enum wf_status s = check_call(sc, speeds, n, e);
+    if (s) return s;
+    *out = (struct wf_analysis){
+        .species = sp, .model = m, .solver = solver, .scenario = *sc, .n = n, .diag = d
+    };
+    if ((s = set_up(out, a, d, e))) return s;
+    if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
+        return wf_fail(e, WF_ENOMEM, "no room for %zu speeds", n);
+    for (size_t k = 0; k < n; k++)
+        if ((s = wf_speed_solve(out, o, speeds[k], a, d, &out->at[k], e))) return s;
+    if ((s = find_critical(out, o, e))) return s;
+    if ((s = sweep(out, o, a, e))) return s;
+    wf_limits_check(out, d);
+    return WF_OK;
+}

@@ -1,0 +1,184 @@
+#include "study/limits.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define DEGREES (180.0 / M_PI)
+
+/* Speeds whose `test` holds, as "15, 25", into buf; returned: how many. */
+static size_t speeds_where(const struct wf_analysis *an, bool (*test)(const struct wf_at_speed *), char *buf,
+                           size_t size)
+{
+    size_t found = 0, used = 0;
+    buf[0] = '\0';
+    for (size_t k = 0; k < an->n; k++) {
+        if (!test(&an->at[k])) continue;
+        found++;
+        if (used < size)
+            used += (size_t)snprintf(buf + used, size - used, "%s%.6g", used ? ", " : "", an->at[k].speed);
+    }
+    return found;
+}
+
+static double largest_turn(const struct wf_at_speed *at)
+{
+    double largest = 0.0;
+    for (size_t i = 0; i < at->response.n; i++) largest = fmax(largest, at->figures.slope[i]);
+    return largest;
+}
+
+static bool solved(const struct wf_at_speed *at) { return at->status == WF_OK; }
+static bool unsolved(const struct wf_at_speed *at) { return !solved(at); }
+
+static bool too_large_for_linear(const struct wf_at_speed *at)
+{
+    return solved(at) && at->response.small_deflection &&
+           (at->tip_deflection_share > WF_SMALL_DEFLECTION_SHARE ||
+            largest_turn(at) > WF_SMALL_DEFLECTION_TURN);
+}
+
+static void check_small_deflection(const struct wf_analysis *an, struct wf_diag *d)
+{
+    char speeds[160];
+    double share = 0.0, turn = 0.0;
+    if (!speeds_where(an, too_large_for_linear, speeds, sizeof speeds)) return;
+    for (size_t k = 0; k < an->n; k++)
+        if (too_large_for_linear(&an->at[k])) {
+            share = fmax(share, an->at[k].tip_deflection_share);
+            turn = fmax(turn, largest_turn(&an->at[k]));
+        }
+    wf_diag_warn(
+        d, "small-deflection",
+        "%s: the small-deflection answers of solver '%s' at %s m/s are outside their validity: tip "
+        "deflection up to %.0f %% of the height (limit %.0f %%), slope up to %.0f deg (limit %.0f deg); use "
+        "the large-deflection solver 'beam'",
+        an->species->name, an->solver->name, speeds, 100.0 * share, 100.0 * WF_SMALL_DEFLECTION_SHARE,
+        turn * DEGREES, WF_SMALL_DEFLECTION_TURN * DEGREES);
+}
+
+static void check_equilibrium(const struct wf_analysis *an, struct wf_diag *d)
+{
+    char speeds[160];
+    double share = 1.0;
+    if (!speeds_where(an, unsolved, speeds, sizeof speeds)) return;
+    for (size_t k = 0; k < an->n; k++)
+        if (unsolved(&an->at[k])) share = fmin(share, an->at[k].response.load_factor);
+    wf_diag_warn(
+        d, "no-equilibrium",
+        "%s: no equilibrium was found at %s m/s; the least share of the load that still stood is %.3g",
+        an->species->name, speeds, share);
+}
+
+static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_critical *c = &an->critical;
+    const char *who = an->species->name;
+    if (c->outcome == WF_CRITICAL_NO_STRENGTH)
+        wf_diag_warn(d, "no-strength",
+                     "%s: the species table gives no modulus of rupture, so there is no safety factor and no "
+                     "critical wind speed",
+                     who);
+    if (c->outcome == WF_CRITICAL_ABOVE)
+        wf_diag_warn(d, "critical-above-range",
+                     "%s: no section reaches its strength up to %.6g m/s, the highest speed searched", who,
+                     an->scenario.speed_max);
+    if (c->outcome == WF_CRITICAL_UNSOLVED)
+        wf_diag_warn(d, "no-equilibrium",
+                     "%s: the critical wind speed could not be bracketed: no equilibrium was found between "
+                     "%.4g and %.4g m/s",
+                     who, c->speed_low, c->speed_high);
+}
+
+static void check_as_printed(const struct wf_analysis *an, struct wf_diag *d)
+{
+    if (an->solver->as_printed)
+        wf_diag_warn(d, "as-printed", "solver '%s' reproduces a published formula, not mechanics: %s",
+                     an->solver->name, an->solver->validity);
+    if (an->species->preset && strcmp(an->species->preset, "corrected") != 0)
+        wf_diag_warn(d, "as-printed",
+                     "%s: the table holds the numbers printed in '%s'; some are not physical (see its notes)",
+                     an->species->name, an->species->preset);
+}
+
+/* Names of the assumed values of one part, as "; culm: density, shear_modulus". */
+struct named_value {
+    const char *name;
+    const struct wf_value *value;
+};
+
+static void add_assumed(char *buf, size_t size, const char *part, const struct named_value *v, size_t n)
+{
+    size_t used = strlen(buf);
+    bool first = true;
+    for (size_t i = 0; i < n; i++) {
+        if (v[i].value->standing != WF_ASSUMED || used >= size) continue;
+        if (first)
+            used += (size_t)snprintf(buf + used, size - used, "%s%s: ", used ? "; " : "", part);
+        else
+            used += (size_t)snprintf(buf + used, size - used, ", ");
+        if (used < size) used += (size_t)snprintf(buf + used, size - used, "%s", v[i].name);
+        first = false;
+    }
+}
+
+static bool level_grown(const struct wf_tree *t, size_t level)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (t->level[i] >= 0 && (size_t)t->level[i] == level) return true;
+    return false;
+}
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+char *wf_limits_assumed(const struct wf_species *sp, const struct wf_tree *t, char *buf, size_t size)
+{
+    buf[0] = '\0';
+    for (size_t i = 0; i < sp->levels; i++) {
+        if (!level_grown(t, i)) continue;
+        const struct wf_level *l = &sp->level[i];
+        const struct named_value all[] = {
+            { "youngs_modulus", &l->youngs_modulus },
+            { "shear_modulus", &l->shear_modulus },
+            { "density", &l->density },
+            { "radius", &l->radius },
+            { "modulus_of_rupture", &l->modulus_of_rupture },
+            { "knot_factor", &l->knot_factor },
+            { "drag_coefficient", &l->drag_coefficient },
+            { "lift_coefficient", &l->lift_coefficient },
+        };
+        struct named_value used[COUNT(all) + 1];
+        size_t n = 0;
+        for (size_t k = 0; k < COUNT(all);
+             k++) /* a default nobody wrote is an assumption only where it acts */
+            if (all[k].value->given || k < 4) used[n++] = all[k];
+        if (l->wall.n) used[n++] = (struct named_value){ "wall", &l->wall_note };
+        add_assumed(buf, size, l->name, used, n);
+    }
+    const struct named_value crown[] = {
+        { "drag_coefficient", &sp->crown_drag },
+        { "leaf_mass_per_area", &sp->leaf_mass_per_area },
+        { "frontal_share", &sp->leaf_frontal_share },
+        { "streamlining exponent", &sp->streamlining.exponent },
+    };
+    bool vogel = sp->streamlining.law && strcmp(sp->streamlining.law, "vogel") == 0;
+    add_assumed(buf, size, "crown", crown, COUNT(crown) - (vogel ? 0 : 1));
+    return buf;
+}
+
+static void check_assumed(const struct wf_analysis *an, struct wf_diag *d)
+{
+    char list[900];
+    if (*wf_limits_assumed(an->species, &an->tree, list, sizeof list))
+        wf_diag_warn(d, "assumed-values", "%s: these values are assumptions without a source: %s",
+                     an->species->name, list);
+}
+
+void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
+{
+    check_equilibrium(an, d);
+    check_small_deflection(an, d);
+    wf_limits_wind(an, d);
+    check_critical(an, d);
+    check_as_printed(an, d);
+    check_assumed(an, d);
+}

@@ -1,0 +1,22 @@
+#ifndef WF_STUDY_LIMITS_H
+#define WF_STUDY_LIMITS_H
+/* Validity of a finished analysis: each limit that was passed becomes a warning that states by how much.
+ * Stable codes: small-deflection, reynolds-range, streamline-range, profile-range, assumed-values,
+ * as-printed, no-strength, no-equilibrium, critical-above-range. */
+#include "base/diag.h"
+#include "study/analysis.h"
+
+/* Limits of a small-deflection answer: share of tree height [-] and turn of the axis [rad] (15 deg). */
+#define WF_SMALL_DEFLECTION_SHARE 0.10
+#define WF_SMALL_DEFLECTION_TURN 0.26179938779914943
+
+/* Given: an analysis complete but for its warnings. Returned: the warnings added to `d`. */
+void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d);
+
+/* The part of it that looks at the wind: streamline-range, profile-range, reynolds-range. */
+void wf_limits_wind(const struct wf_analysis *an, struct wf_diag *d);
+
+/* The values of the species that are assumptions and take part in the tree, as one text ("culm: density,
+ * shear_modulus; crown: ..."), or "" when there is none. Returned: buf. */
+char *wf_limits_assumed(const struct wf_species *sp, const struct wf_tree *t, char *buf, size_t size);
+#endif

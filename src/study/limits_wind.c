@@ -1,0 +1,82 @@
+#include "load/cylinder.h"
+#include "study/limits.h"
+#include <math.h>
+#include <string.h>
+
+/* Wind at the unloaded end of a row when the speed at reference height is `speed` [m/s]. */
+static double wind_at_end(const struct wf_analysis *an, size_t i, double speed)
+{
+    struct wf_wind wind = an->wind;
+    const double x[3] = { an->tree.x1[i], an->tree.y1[i], an->tree.z1[i] };
+    double u[3], gradient[9];
+    wind.speed = speed;
+    wind.sample(&wind, x, u, gradient);
+    return sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+}
+
+/* Least and largest wind the crown meets at one speed; false without a crown. */
+static bool crown_wind(const struct wf_analysis *an, double speed, double *low, double *high)
+{
+    *low = INFINITY;
+    *high = 0.0;
+    for (size_t i = 0; i < an->tree.n; i++) {
+        if (an->tree.sail1[i] <= 0.0) continue;
+        double u = wind_at_end(an, i, speed);
+        *low = fmin(*low, u);
+        *high = fmax(*high, u);
+    }
+    return *high > 0.0;
+}
+
+static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_streamlining *law = &an->species->streamlining;
+    double least = INFINITY, largest = 0.0, low, high;
+    bool critical = an->critical.outcome == WF_CRITICAL_FOUND;
+    if (!law->law || strcmp(law->law, "none") == 0 || !(law->speed_high > 0.0)) return;
+    for (size_t k = 0; k < an->n + critical; k++) {
+        double speed = k < an->n ? an->at[k].speed : an->critical.speed;
+        if (!crown_wind(an, speed, &low, &high)) continue;
+        least = fmin(least, low);
+        largest = fmax(largest, high);
+    }
+    if (largest > law->speed_high)
+        wf_diag_warn(
+            d, "streamline-range",
+            "%s: the crown meets wind up to %.1f m/s%s; the evidence for its streamlining law '%s' ends at "
+            "%.3g m/s (%.0f %% beyond)",
+            an->species->name, largest, critical ? " (critical speed included)" : "", law->law,
+            law->speed_high, 100.0 * (largest / law->speed_high - 1.0));
+    if (least < law->speed_low)
+        wf_diag_warn(
+            d, "streamline-range",
+            "%s: the crown meets wind down to %.1f m/s; the evidence for its streamlining law '%s' begins "
+            "at %.3g m/s (%.0f %% below)",
+            an->species->name, least, law->law, law->speed_low, 100.0 * (1.0 - least / law->speed_low));
+}
+
+/* The logarithmic profile holds above its zero plane and inside the surface layer, some 100 m deep (Stull
+ * 1988, An Introduction to Boundary Layer Meteorology); power-law exponents are fitted up to some 200 m
+ * (Davenport 1960). */
+static void check_profile(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_scenario *s = &an->scenario;
+    bool logarithmic = strcmp(s->profile, "log") == 0, power = strcmp(s->profile, "power") == 0;
+    double bottom = s->displacement + s->roughness, top = logarithmic ? 100.0 : 200.0;
+    if (logarithmic && bottom > 0.05 * an->tallness)
+        wf_diag_warn(
+            d, "profile-range",
+            "%s: the lowest %.2f m of the tree (%.0f %% of its height) stand below displacement + roughness "
+            "length, where the logarithmic profile gives no wind",
+            an->model->name, fmin(bottom, an->tallness), fmin(100.0, 100.0 * bottom / an->tallness));
+    if ((logarithmic || power) && an->tallness > top)
+        wf_diag_warn(d, "profile-range",
+                     "%s: the tree is %.0f m high; the '%s' profile holds up to some %.0f m", an->model->name,
+                     an->tallness, s->profile, top);
+}
+
+void wf_limits_wind(const struct wf_analysis *an, struct wf_diag *d)
+{
+    check_streamline(an, d);
+    check_profile(an, d);
+}

@@ -1,0 +1,70 @@
+#include "study/scenario.h"
+#include <math.h>
+
+void wf_scenario_default(struct wf_scenario *s)
+{
+    *s = (struct wf_scenario){
+        .profile = "power",
+        .reference_height = 10.0,
+        .roughness = 0.03, /* open grassland (Davenport class 3) for who asks for the log profile */
+        .displacement = 0.0,
+        .exponent = 0.16,
+        .azimuth = 0.0,
+        .temperature = 288.15,
+        .altitude = 0.0,
+        .air_density = NAN,
+        .gravity = 9.81,
+        .speed_max = 100.0,
+    };
+}
+
+/* A field of the scenario and what it may hold. */
+struct limit {
+    const char *name, *unit;
+    double value, low, high;
+};
+
+enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
+{
+    const struct limit limits[] = {
+        { "reference height", "m", s->reference_height, 0.01, 1000.0 },
+        { "roughness length", "m", s->roughness, 1e-6, 10.0 },
+        { "displacement height", "m", s->displacement, 0.0, 100.0 },
+        { "power-law exponent", "", s->exponent, 0.0, 1.0 },
+        { "azimuth", "rad", s->azimuth, -4.0 * M_PI, 4.0 * M_PI },
+        { "temperature", "K", s->temperature, 200.0, 340.0 },
+        { "altitude", "m", s->altitude, -500.0, 11000.0 },
+        { "air density", "kg/m3", isnan(s->air_density) ? 1.0 : s->air_density, 1e-6, 2000.0 },
+        { "gravity", "m/s2", s->gravity, 0.0, 100.0 },
+        { "highest speed searched", "m/s", s->speed_max, 1.0, 200.0 },
+    };
+    if (!s->profile || !wf_profile_named(s->profile))
+        return wf_fail(e, WF_EUSAGE, "no wind profile is called '%s'", s->profile ? s->profile : "");
+    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
+        if (!(limits[i].value >= limits[i].low && limits[i].value <= limits[i].high))
+            return wf_fail(e, WF_EUSAGE, "%s %.6g %s is outside %.6g..%.6g", limits[i].name, limits[i].value,
+                           limits[i].unit, limits[i].low, limits[i].high);
+    if (wf_profile_named(s->profile) == wf_profile_named("log") &&
+        s->reference_height <= s->displacement + s->roughness)
+        return wf_fail(e, WF_EUSAGE,
+                       "the reference height %.6g m must lie above displacement + roughness length (%.6g m)",
+                       s->reference_height, s->displacement + s->roughness);
+    return WF_OK;
+}
+
+void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
+{
+    *out = (struct wf_wind){
+        .sample = wf_profile_named(s->profile)->sample,
+        .direction = { cos(s->azimuth), sin(s->azimuth), 0.0 },
+        .reference_height = s->reference_height,
+        .roughness = s->roughness,
+        .displacement = s->displacement,
+        .exponent = s->exponent,
+    };
+}
+
+double wf_scenario_air_density(const struct wf_scenario *s)
+{
+    return isnan(s->air_density) ? wf_air_density(s->temperature, s->altitude) : s->air_density;
+}
