@@ -12,24 +12,26 @@ enum wf_point_kind {
     WF_POINT_FOLLOWER /* turns with the section it acts on             */
 };
 struct wf_point_load {
-    int32_t segment;  /* acts at this row's end                        */
+    int32_t segment; /* acts at this row's end                        */
     enum wf_point_kind kind;
     double force[3], moment[3]; /* at the undeformed shape [N, N m]    */
 };
 
 struct wf_loads {
-    const struct wf_wind *wind;      /* NULL = still air                               */
-    double air_density;              /* [kg m-3]                                       */
-    double gravity;                  /* [m s-2]; 0 = weightless                        */
+    const struct wf_wind *wind;                   /* NULL = still air                               */
+    double air_density;                           /* [kg m-3]                                       */
+    double air_viscosity;                         /* kinematic [m2/s], for the Reynolds law         */
+    double gravity;                               /* [m s-2]; 0 = weightless                        */
     double wind_scale, weight_scale, point_scale; /* factors for continuation, normally 1 */
     const struct wf_streamline_law *streamline;   /* crown's law; NULL = rigid crown  */
     struct wf_streamline_par streamline_par;
     const struct wf_point_load *point;
     size_t points;
-    const double *line; /* 6n: dead load per unit reference length at a row's base (3) and end (3), linear between,
-                         * keeping its global direction [N/m]; NULL = none. Scaled by point_scale. */
+    const double *line; /* 6n: dead load per unit reference length at a row's base (3) and end (3), linear
+                         * between, keeping its global direction [N/m]; NULL = none. Scaled by point_scale. */
 };
-void wf_loads_default(struct wf_loads *l);  /* still air 1.225 kg/m3, 9.81 m/s2, scales 1 */
+void wf_loads_default(
+    struct wf_loads *l); /* still air 1.225 kg/m3, 1.4607e-5 m2/s (15 C), 9.81 m/s2, scales 1 */
 
 /* One point of an axis, per unit reference length. */
 struct wf_line_point {
@@ -50,10 +52,11 @@ struct wf_line_load {
 void wf_line_load(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
                   const double t[3], struct wf_line_load *out);
 
-/* The same split into its parts, for reports [N/m]: along-wind drag of axis, of crown, across-wind lift, weight. */
+/* The same split into its parts, for reports [N/m]: along-wind drag of axis, of crown, across-wind lift,
+ * weight. */
 struct wf_line_parts {
     double drag_axis[3], drag_crown[3], lift[3], weight[3];
 };
-void wf_line_parts(const struct wf_loads *l, const struct wf_line_point *p, const double x[3], const double t[3],
-                   struct wf_line_parts *out);
+void wf_line_parts(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
+                   const double t[3], struct wf_line_parts *out);
 #endif
