@@ -9,9 +9,9 @@ enum wf_severity { WF_WARNING, WF_ERROR };
 
 struct wf_finding {
     enum wf_severity severity;
-    const char *file;      /* NULL when not about a file */
-    size_t line, column;   /* 1-based; 0 = unknown */
-    const char *code;      /* short stable name for warnings, e.g. "small-deflection"; NULL for errors */
+    const char *file;    /* NULL when not about a file */
+    size_t line, column; /* 1-based; 0 = unknown */
+    const char *code;    /* short stable name for warnings, e.g. "small-deflection"; NULL for errors */
     const char *text;
     struct wf_finding *next;
 };

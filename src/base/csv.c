@@ -1,0 +1,170 @@
+#include "base/csv.h"
+#include "base/file.h"
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+static bool at_line_end(const struct wf_csv *c)
+{
+    return c->at == c->end || *c->at == '\n' || *c->at == '\r';
+}
+
+/* Step over one line end of any system. */
+static void line_end(struct wf_csv *c)
+{
+    if (c->at < c->end && *c->at == '\r') c->at++;
+    if (c->at < c->end && *c->at == '\n') c->at++;
+    c->line++;
+}
+
+static void skip_line(struct wf_csv *c)
+{
+    while (!at_line_end(c)) c->at++;
+    if (c->at < c->end) line_end(c);
+}
+
+/* To the next line that carries cells; false at the end. */
+static bool seek_row(struct wf_csv *c)
+{
+    while (c->at < c->end) {
+        const char *p = c->at;
+        while (p < c->end && (*p == ' ' || (*p == '\t' && c->separator != '\t'))) p++;
+        if (p < c->end && *p != '\n' && *p != '\r' && *c->at != '#') return true;
+        skip_line(c);
+    }
+    return false;
+}
+
+/* Resolve a quoted cell in place, from its opening quote. Returned: what is wrong, or NULL. Nothing is
+ * written before the closing quote is found, so that reading can go on behind a broken line. */
+static const char *quoted(struct wf_csv *c, struct wf_cell *cell)
+{
+    char *close = c->at + 1;
+    while (close < c->end && (*close != '"' || (close + 1 < c->end && close[1] == '"')))
+        close += *close == '"' ? 2 : 1;
+    if (close >= c->end) return "a quote is opened here and never closed";
+    char *after = close + 1;
+    while (after < c->end && *after == ' ') after++;
+    if (after < c->end && *after != c->separator && *after != '\n' && *after != '\r')
+        return "text follows a closing quote";
+    char *to = c->at;
+    cell->text = to;
+    for (const char *p = c->at + 1; p < close; p++) {
+        c->line += *p == '\n';
+        p += *p == '"';
+        *to++ = *p;
+    }
+    cell->size = (size_t)(to - cell->text);
+    c->at = after;
+    return NULL;
+}
+
+static const char *unquoted(struct wf_csv *c, struct wf_cell *cell)
+{
+    const char *trouble = NULL;
+    cell->text = c->at;
+    for (; !at_line_end(c) && *c->at != c->separator; c->at++)
+        if (*c->at == '"') trouble = "a quote inside a cell that does not start with one";
+    char *to = c->at;
+    while (to > cell->text && (to[-1] == ' ' || to[-1] == '\t')) to--;
+    cell->size = (size_t)(to - cell->text);
+    return trouble;
+}
+
+/* Split one line into at most `max` cells and end each with a NUL. Returned: number of cells met (may be
+ * larger than max), 0 after a finding. The line is consumed in any case. */
+static size_t split(struct wf_csv *c, struct wf_cell *cell, size_t max)
+{
+    const char *start = c->at;
+    c->row_line = c->line;
+    for (size_t n = 0;;) {
+        while (c->at < c->end && (*c->at == ' ' || (*c->at == '\t' && c->separator != '\t'))) c->at++;
+        char *from = c->at;
+        struct wf_cell spare, *k = n < max ? &cell[n] : &spare;
+        *k = (struct wf_cell){ .line = c->line,
+                               .column = c->line == c->row_line ? (size_t)(from - start) + 1 : 0 };
+        const char *wrong = from < c->end && *from == '"' ? quoted(c, k) : unquoted(c, k);
+        if (wrong) {
+            c->at = from;
+            wf_csv_report(c, k->line, k->column, wrong);
+            skip_line(c);
+            return 0;
+        }
+        n++;
+        bool more = c->at < c->end && *c->at == c->separator;
+        if (more)
+            c->at++;
+        else if (c->at < c->end)
+            line_end(c);
+        k->text[k->size] = '\0';
+        if (!more) return n;
+    }
+}
+
+/* The separator is the most frequent of the three in the header outside quotes. */
+static char detect(const struct wf_csv *c)
+{
+    size_t comma = 0, semicolon = 0, tab = 0;
+    bool inside = false;
+    for (const char *p = c->at; p < c->end && (inside || (*p != '\n' && *p != '\r')); p++) {
+        if (*p == '"') inside = !inside;
+        if (inside) continue;
+        comma += *p == ',';
+        semicolon += *p == ';';
+        tab += *p == '\t';
+    }
+    if (tab >= comma && tab >= semicolon && tab) return '\t';
+    return semicolon >= comma && semicolon ? ';' : ',';
+}
+
+static void check_names(struct wf_csv *c)
+{
+    char text[256];
+    for (size_t i = 0; i < c->columns; i++)
+        for (size_t j = 0; *c->name[i].text && j < i; j++)
+            if (!strcasecmp(c->name[i].text, c->name[j].text)) {
+                (void)snprintf(text, sizeof text, "column '%.100s' is there twice", c->name[i].text);
+                wf_csv_report(c, c->name[i].line, c->name[i].column, text);
+                break;
+            }
+}
+
+enum wf_status wf_csv_open(struct wf_csv *c, const char *file, struct wf_arena *a, struct wf_diag *d,
+                           struct wf_err *e)
+{
+    struct wf_bytes b;
+    *c = (struct wf_csv){ .file = file, .line = 1, .separator = ',', .diag = d };
+    enum wf_status code = wf_file_read_text(file, a, &b, e);
+    if (code) return code;
+    c->at = b.data;
+    c->end = b.data + b.size;
+    if (!seek_row(c)) return wf_fail(e, WF_EINPUT, "%s: the table is empty: a header row is expected", file);
+    c->separator = detect(c);
+    struct wf_cell *wide = WF_TAKE(a, WF_CSV_COLUMNS, struct wf_cell);
+    if (!wide) return wf_fail(e, WF_ENOMEM, "%s: no memory for the header", file);
+    size_t before = c->mistakes;
+    c->columns = split(c, wide, WF_CSV_COLUMNS);
+    if (c->columns > WF_CSV_COLUMNS)
+        return wf_fail(e, WF_EINPUT, "%s:%zu: error: more than %d columns", file, c->row_line,
+                       (int)WF_CSV_COLUMNS);
+    c->name = wide;
+    c->cell = WF_TAKE(a, c->columns, struct wf_cell);
+    if (!c->cell) return wf_fail(e, WF_ENOMEM, "%s: no memory for %zu columns", file, c->columns);
+    check_names(c);
+    if (c->mistakes > before) return wf_fail(e, WF_EINPUT, "%s: the header row is not usable", file);
+    return WF_OK;
+}
+
+bool wf_csv_next(struct wf_csv *c)
+{
+    while (seek_row(c)) {
+        size_t n = split(c, c->cell, c->columns);
+        c->row++;
+        if (n == c->columns) return true;
+        if (!n) continue;
+        char text[128];
+        (void)snprintf(text, sizeof text, "%zu cells, the header has %zu", n, c->columns);
+        wf_csv_report(c, c->row_line, 0, text);
+    }
+    return false;
+}

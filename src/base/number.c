@@ -1,0 +1,74 @@
+#include "base/number.h"
+#include <errno.h>
+#include <locale.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool digit(const char *s, const char *end) { return s < end && *s >= '0' && *s <= '9'; }
+
+/* Digits in any number: copied with a '.' and given to the C library under the "C" locale. */
+static bool slow(const char *s, const char *end, char point, double *value)
+{
+    char local[128], *copy = local;
+    size_t n = (size_t)(end - s);
+    if (n >= sizeof local && !(copy = malloc(n + 1))) return false;
+    memcpy(copy, s, n);
+    copy[n] = '\0';
+    char *p = strchr(copy, point);
+    if (p) *p = '.';
+    locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    errno = 0;
+    *value = c ? strtod_l(copy, NULL, c) : NAN;
+    bool ok = errno == 0 && isfinite(*value);
+    if (c) freelocale(c);
+    if (copy != local) free(copy);
+    return ok;
+}
+
+const char *wf_number_read(const char *s, const char *end, char point, double *value)
+{
+    static const double power[] = { 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
+    const char *start = s;
+    bool negative = s < end && *s == '-';
+    if (s < end && (*s == '-' || *s == '+')) s++;
+    uint64_t m = 0;
+    int digits = 0, seen = 0, scale = 0, ten = 0;
+    for (; digit(s, end); s++, seen = 1) {
+        if (digits < 19) m = m * 10 + (uint64_t)(*s - '0');
+        digits += digits > 0 || *s != '0';
+    }
+    if (s < end && *s == point && (seen || digit(s + 1, end)))
+        for (s++; digit(s, end); s++, seen = 1, scale--) {
+            if (digits < 19) m = m * 10 + (uint64_t)(*s - '0');
+            digits += digits > 0 || *s != '0';
+            if (scale < -100000) return NULL;
+        }
+    if (!seen) return NULL;
+    if (s < end && (*s == 'e' || *s == 'E')) {
+        const char *x = s + 1;
+        bool down = x < end && *x == '-';
+        if (x < end && (*x == '-' || *x == '+')) x++;
+        if (digit(x, end)) {
+            for (; digit(x, end); x++)
+                if (ten < 100000) ten = ten * 10 + (*x - '0');
+            ten = down ? -ten : ten;
+            s = x;
+        }
+    }
+    int e10 = scale + ten;
+    if (digits <= 19 && m <= (UINT64_C(1) << 53) && e10 >= -22 && e10 <= 22) {
+        double v = (double)m;
+        v = e10 < 0 ? v / power[-e10] : v * power[e10];
+        *value = negative ? -v : v;
+        return s;
+    }
+    if (digits == 0) {
+        *value = negative ? -0.0 : 0.0;
+        return s;
+    }
+    return slow(start, s, point, value) ? s : NULL;
+}

@@ -1,0 +1,198 @@
+#include "base/units.h"
+#include "base/number.h"
+#include <ctype.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <udunits2.h>
+
+static const struct wf_dimension_row rows[WF_DIM_COUNT] = {
+    [WF_DIM_NONE] = { "a plain number", "1", "%" },
+    [WF_DIM_LENGTH] = { "a length", "m", "m, cm, mm" },
+    [WF_DIM_AREA] = { "an area", "m2", "m2, cm2, ha" },
+    [WF_DIM_SPEED] = { "a speed", "m/s", "m/s, km/h, knot" },
+    [WF_DIM_TIME] = { "a time", "s", "s, min, h" },
+    [WF_DIM_FREQUENCY] = { "a frequency", "s-1", "Hz, s-1" },
+    [WF_DIM_MASS] = { "a mass", "kg", "kg, g, t" },
+    [WF_DIM_FORCE] = { "a force", "N", "N, kN, kgf" },
+    [WF_DIM_PRESSURE] = { "a pressure (stress, modulus)", "Pa", "GPa, MPa, Pa, N/mm2" },
+    [WF_DIM_DENSITY] = { "a density", "kg/m3", "kg/m3, g/cm3" },
+    [WF_DIM_MASS_PER_AREA] = { "a mass per area", "kg/m2", "kg/m2, g/m2" },
+    [WF_DIM_ANGLE] = { "an angle", "radian", "deg, rad" },
+    [WF_DIM_TEMPERATURE] = { "a temperature", "K", "degC, K" },
+    [WF_DIM_ROTATIONAL_STIFFNESS] = { "a rotational stiffness", "N m/radian", "N m/rad, kN m/rad" },
+    [WF_DIM_BENDING_STIFFNESS] = { "a bending stiffness", "N m2", "N m2, kN m2" },
+    [WF_DIM_VISCOSITY] = { "a kinematic viscosity", "m2/s", "m2/s, mm2/s" },
+    [WF_DIM_ACCELERATION] = { "an acceleration", "m/s2", "m/s2" },
+    [WF_DIM_MOMENT] = { "a moment", "N m", "N m, kN m" },
+    [WF_DIM_FORCE_PER_LENGTH] = { "a force per length", "N/m", "N/m, kN/m" },
+    [WF_DIM_MASS_PER_LENGTH] = { "a mass per length", "kg/m", "kg/m, g/m" },
+};
+
+/* Usual spellings that the database lacks or reads as something else (mph: milliphot). */
+static const struct {
+    const char *spelling, *meaning;
+} aliases[] = {
+    { "deg", "degree" },
+    { "mph", "mile/hour" },
+    { "kph", "km/hour" },
+    { "kmh", "km/hour" },
+};
+
+struct wf_units {
+    ut_system *system;
+    ut_unit *si[WF_DIM_COUNT];
+};
+
+const struct wf_dimension_row *wf_dimension_row(enum wf_dimension d)
+{
+    return &rows[(unsigned)d < WF_DIM_COUNT ? d : WF_DIM_NONE];
+}
+
+enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
+{
+    (void)ut_set_error_message_handler(ut_ignore); /* UDUNITS writes to stderr unless told not to */
+    struct wf_units *u = calloc(1, sizeof *u);
+    *out = u;
+    if (!u) return wf_fail(e, WF_ENOMEM, "no memory for the units table");
+    u->system = ut_read_xml(NULL);
+    bool ok = u->system != NULL;
+    for (size_t i = 0; ok && i < WF_DIM_COUNT; i++)
+        ok = (u->si[i] = ut_parse(u->system, rows[i].si, UT_UTF8)) != NULL;
+    if (ok) return WF_OK;
+    wf_units_close(u);
+    *out = NULL;
+    return wf_fail(e, WF_EMISSING,
+                   "the units database of UDUNITS-2 cannot be read (package libudunits2-data)");
+}
+
+void wf_units_close(struct wf_units *u)
+{
+    if (!u) return;
+    for (size_t i = 0; i < WF_DIM_COUNT; i++)
+        if (u->si[i]) ut_free(u->si[i]);
+    if (u->system) ut_free_system(u->system);
+    free(u);
+}
+
+/* A unit as people write it: letters, products, quotients and small powers. UDUNITS also reads factors,
+ * origins and logarithms ("2 GPa", "m @ 3", "lg(re 1 mW)"), which in a quantity would be slips. */
+static bool plain_unit(const char *s)
+{
+    if (strlen(s) > 60) return false;
+    for (size_t i = 0; s[i]; i++) {
+        unsigned char c = (unsigned char)s[i];
+        char before = i ? s[i - 1] : '\0';
+        bool power = before == '^' || before == '-' || isalpha((unsigned char)before);
+        if (isdigit(c) ? !power || isdigit((unsigned char)s[i + 1])
+                       : !(isalpha(c) || c >= 0x80 || strchr(" ./*^-%", c)))
+            return false;
+    }
+    return true;
+}
+
+/* Angles and plain numbers have the same dimension for UDUNITS; whether radians are there tells them apart.
+ */
+static bool angle_spelling(const char *s)
+{
+    static const char *const known[] = { "deg", "degree", "degrees", "\xC2\xB0", "rad", "radian", "radians" };
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (!strcmp(s, known[i])) return true;
+    return false;
+}
+
+/* The unit meant by `text`, NULL when it is not one of dimension d. Freed by the caller. */
+static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dimension d)
+{
+    if (!plain_unit(text)) return NULL;
+    if (d == WF_DIM_NONE && strcmp(text, "%") != 0 && strcmp(text, "percent") != 0) return NULL;
+    if (d == WF_DIM_ANGLE && !angle_spelling(text)) return NULL;
+    for (size_t i = 0; i < sizeof aliases / sizeof *aliases; i++)
+        if (!strcmp(text, aliases[i].spelling)) text = aliases[i].meaning;
+    ut_unit *unit = ut_parse(u->system, text, UT_UTF8);
+    if (!unit) return NULL;
+    /* "convertible" includes reciprocals (m3/kg to kg/m3): the quotient must be a pure number */
+    ut_unit *ratio = ut_divide(unit, u->si[d]);
+    bool fits = ratio && ut_is_dimensionless(ratio) && ut_are_convertible(unit, u->si[d]);
+    if (ratio) ut_free(ratio);
+    if (fits) return unit;
+    ut_free(unit);
+    return NULL;
+}
+
+static double convert(ut_unit *from, ut_unit *to, double v)
+{
+    cv_converter *c = ut_get_converter(from, to);
+    if (!c) return NAN;
+    v = cv_convert_double(c, v);
+    cv_free(c);
+    return v;
+}
+
+static enum wf_status refuse_unit(const struct wf_units *u, const char *text, const char *unit,
+                                  enum wf_dimension d, struct wf_err *e)
+{
+    if (d == WF_DIM_NONE)
+        return wf_fail(e, WF_EINPUT, "'%s': a plain number is expected, without '%s'", text, unit);
+    ut_unit *other = plain_unit(unit) ? ut_parse(u->system, unit, UT_UTF8) : NULL;
+    if (other) ut_free(other);
+    return wf_fail(e, WF_EINPUT, "'%s': '%s' is not %s %s; use one of: %s", text, unit,
+                   other ? "a unit of" : "a known unit for", rows[d].name, rows[d].units);
+}
+
+static enum wf_status refuse_number(const char *text, enum wf_dimension d, struct wf_err *e)
+{
+    const char *units = rows[d].units;
+    if (isdigit((unsigned char)text[strspn(text, "+-.")]))
+        return wf_fail(e, WF_EINPUT, "'%s' is beyond the range of numbers", text);
+    if (d == WF_DIM_NONE) return wf_fail(e, WF_EINPUT, "'%s' is not a number; write for example '0.5'", text);
+    return wf_fail(e, WF_EINPUT, "'%s' is not %s; write for example '1.5 %.*s'", text, rows[d].name,
+                   (int)strcspn(units, ","), units);
+}
+
+enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_dimension d, double *si,
+                                struct wf_err *e)
+{
+    char t[96];
+    const char *from = text + strspn(text, " \t\n");
+    size_t n = strlen(from);
+    while (n && strchr(" \t\n", from[n - 1])) n--;
+    if (!n) return wf_fail(e, WF_EINPUT, "the value is empty; %s is expected", rows[d].name);
+    if (n >= sizeof t) return wf_fail(e, WF_EINPUT, "'%.40s...' is too long for a quantity", from);
+    memcpy(t, from, n);
+    t[n] = '\0';
+
+    double v;
+    const char *p = wf_number_read(t, t + n, '.', &v);
+    if (!p) return refuse_number(t, d, e);
+    if (*p == ',' && isdigit((unsigned char)p[1]))
+        return wf_fail(e, WF_EINPUT, "'%s' has a comma; write the decimals after a point", t);
+    p += strspn(p, " \t");
+    if (!*p && d != WF_DIM_NONE) {
+        const char *units = rows[d].units;
+        return wf_fail(e, WF_EINPUT, "'%s' has no unit; write for example '%s %.*s'", t, t,
+                       (int)strcspn(units, ","), units);
+    }
+    if (*p) {
+        ut_unit *unit = unit_of(u, p, d);
+        if (!unit) return refuse_unit(u, t, p, d, e);
+        v = convert(unit, u->si[d], v);
+        ut_free(unit);
+    }
+    if (!isfinite(v)) return wf_fail(e, WF_EINPUT, "'%s' is beyond the range of numbers", t);
+    *si = v;
+    return WF_OK;
+}
+
+char *wf_quantity_print(struct wf_units *u, double si, enum wf_dimension d, const char *unit, char *buf,
+                        size_t size)
+{
+    ut_unit *to = *unit ? unit_of(u, unit, d) : NULL;
+    double v = to ? convert(u->si[d], to, si) : si;
+    if (!to) unit = d == WF_DIM_NONE ? "" : rows[d].si;
+    if (to) ut_free(to);
+    (void)snprintf(buf, size, "%.6g%s%s", v, *unit ? " " : "", unit);
+    return buf;
+}

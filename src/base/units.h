@@ -1,0 +1,55 @@
+#ifndef WF_BASE_UNITS_H
+#define WF_BASE_UNITS_H
+/* Quantities at the door: "10 GPa" to SI and back, through UDUNITS-2. */
+#include "base/err.h"
+#include <stddef.h>
+
+enum wf_dimension {
+    WF_DIM_NONE, /* a plain number or a percentage */
+    WF_DIM_LENGTH,
+    WF_DIM_AREA,
+    WF_DIM_SPEED,
+    WF_DIM_TIME,
+    WF_DIM_FREQUENCY,
+    WF_DIM_MASS,
+    WF_DIM_FORCE,
+    WF_DIM_PRESSURE,
+    WF_DIM_DENSITY,
+    WF_DIM_MASS_PER_AREA,
+    WF_DIM_ANGLE,
+    WF_DIM_TEMPERATURE,
+    WF_DIM_ROTATIONAL_STIFFNESS,
+    WF_DIM_BENDING_STIFFNESS,
+    WF_DIM_VISCOSITY, /* kinematic */
+    WF_DIM_ACCELERATION,
+    WF_DIM_MOMENT,
+    WF_DIM_FORCE_PER_LENGTH,
+    WF_DIM_MASS_PER_LENGTH,
+    WF_DIM_COUNT
+};
+
+struct wf_dimension_row {
+    const char *name;  /* "a pressure", for messages           */
+    const char *si;    /* UDUNITS spelling of the SI unit      */
+    const char *units; /* units to offer, comma separated      */
+};
+/* The row of a dimension; never NULL for a valid one. */
+const struct wf_dimension_row *wf_dimension_row(enum wf_dimension d);
+
+struct wf_units; /* a table of units; not shared between threads */
+
+/* Read the units database. Errors: WF_EMISSING when UDUNITS' database is not installed, WF_ENOMEM. */
+enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e);
+void wf_units_close(struct wf_units *u);
+
+/* Given: text such as "10 GPa", "36 km/h", "0.35", "12 %", "15 degC", and the dimension wanted.
+ * Returned: *si, the value in the SI unit of the dimension. Errors: WF_EINPUT with a sentence that shows the
+ * text, says what is wrong with it and what would be right. Only a dimensionless value may lack a unit, and
+ * only an angle may be in degrees or radians; a unit of the reciprocal dimension is refused. */
+enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_dimension d, double *si,
+                                struct wf_err *e);
+/* SI value to text in `unit` ("" for dimensionless), six significant digits: 1e10, "GPa" gives "10 GPa".
+ * Returned: buf. A unit that does not fit the dimension gives the SI unit. */
+char *wf_quantity_print(struct wf_units *u, double si, enum wf_dimension d, const char *unit, char *buf,
+                        size_t size);
+#endif
