@@ -1,0 +1,157 @@
+/* The target spectra. Each is written per unit variance; the constants follow from the integrals, so that
+ * the variance asked for is the variance of the whole spectrum. */
+#include "wind/spectrum.h"
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_integration.h>
+#include <math.h>
+#include <string.h>
+
+/* Integrals of the printed forms over n = 0..infinity, in u*^2:
+ *   u: 105 f/(1+33 f)^(5/3) / n      -> 105/33 * 3/2
+ *   v: 17 f/(1+9.5 f)^(5/3) / n      -> 17/9.5 * 3/2
+ *   w: 2.1 f/(1+5.3 f^(5/3)) / n     -> 2.1 * 5.3^-0.6 * 0.6 pi / sin(0.6 pi)                            */
+#define KAIMAL_U (105.0 / 33.0 * 1.5)
+#define KAIMAL_V (17.0 / 9.5 * 1.5)
+#define PI 3.14159265358979323846
+
+static double kaimal_w(void) { return 2.1 * pow(5.3, -0.6) * 0.6 * PI / sin(0.6 * PI); }
+
+static double kaimal_friction2(const struct wf_spectrum_par *p) { return p->deviation * p->deviation / KAIMAL_U; }
+
+static double kaimal(const struct wf_spectrum_par *p, enum wf_component c, double n)
+{
+    double scale = p->height / p->speed, f = n * scale, u2 = kaimal_friction2(p);
+    switch (c) {
+    case WF_ALONG: return u2 * scale * 105.0 * pow(1.0 + 33.0 * f, -5.0 / 3.0);
+    case WF_ACROSS: return u2 * scale * 17.0 * pow(1.0 + 9.5 * f, -5.0 / 3.0);
+    default: return u2 * scale * 2.1 / (1.0 + 5.3 * pow(f, 5.0 / 3.0));
+    }
+}
+
+static double kaimal_ratio(const struct wf_spectrum_par *p, enum wf_component c)
+{
+    (void)p;
+    if (c == WF_ALONG) return 1.0;
+    return sqrt((c == WF_ACROSS ? KAIMAL_V : kaimal_w()) / KAIMAL_U);
+}
+
+/* Kaimal et al. 1972: -n C_uw / u*^2 = 14 f / (1 + 9.6 f)^2.4. */
+static double kaimal_shear(const struct wf_spectrum_par *p, double n)
+{
+    double scale = p->height / p->speed;
+    return -kaimal_friction2(p) * scale * 14.0 * pow(1.0 + 9.6 * n * scale, -2.4);
+}
+
+/* Along: 4 x/(1 + 70.8 x^2)^(5/6). Across and up: 4 x (1 + 755.2 x^2)/(1 + 283.2 x^2)^(11/6) with their own
+ * length, in isotropic turbulence half of the along-wind one. */
+static double karman_ratio(const struct wf_spectrum_par *p, enum wf_component c)
+{
+    return c == WF_ALONG ? 1.0 : p->share[c - 1];
+}
+
+static double karman(const struct wf_spectrum_par *p, enum wf_component c, double n)
+{
+    double deviation = p->deviation * karman_ratio(p, c), length = c == WF_ALONG ? p->length : 0.5 * p->length;
+    double scale = length / p->speed, x2 = n * scale * n * scale;
+    double form = c == WF_ALONG ? pow(1.0 + 70.8 * x2, -5.0 / 6.0)
+                                : (1.0 + 755.2 * x2) * pow(1.0 + 283.2 * x2, -11.0 / 6.0);
+    return deviation * deviation * 4.0 * scale * form;
+}
+
+/* n S/u*^2 = 4 x^2/(1+x^2)^(4/3), x = 1200 n/U10; integral 6 u*^2. */
+static double davenport(const struct wf_spectrum_par *p, enum wf_component c, double n)
+{
+    double scale = 1200.0 / p->speed, x = n * scale;
+    (void)c;
+    return p->deviation * p->deviation / 6.0 * 4.0 * scale * x * pow(1.0 + x * x, -4.0 / 3.0);
+}
+
+/* Flat below `low`, f^-slope above, nothing beyond `high`; scaled to the variance in closed form. */
+static double power_law(const struct wf_spectrum_par *p, enum wf_component c, double n)
+{
+    double b = p->slope, r = p->high / p->low;
+    double tail = fabs(b - 1.0) < 1e-9 ? log(r) : (1.0 - pow(r, 1.0 - b)) / (b - 1.0);
+    double level = p->deviation * p->deviation / (p->low * (1.0 + tail));
+    (void)c;
+    if (n > p->high) return 0.0;
+    return n <= p->low ? level : level * pow(n / p->low, -b);
+}
+
+static double along_only(const struct wf_spectrum_par *p, enum wf_component c)
+{
+    (void)p;
+    return c == WF_ALONG ? 1.0 : 0.0;
+}
+
+const struct wf_spectrum wf_spectra[] = {
+    { "kaimal", "Kaimal surface-layer spectra",
+      "Kaimal J.C., Wyngaard J.C., Izumi Y., Cote O.R. (1972), Q. J. R. Meteorol. Soc. 98:563-589",
+      "neutral surface layer over flat open ground; height 5.66 m to about 100 m, outside canopies", 3, kaimal,
+      kaimal_ratio, kaimal_shear },
+    { "von-karman", "von Karman spectra",
+      "von Karman T. (1948), Proc. Natl. Acad. Sci. 34:530-539; across and up as in ESDU 85020 (1985)",
+      "isotropic inertial range; height above about 30 m fits best, length given by the user", 3, karman,
+      karman_ratio, NULL },
+    { "davenport", "Davenport gust spectrum",
+      "Davenport A.G. (1961), Q. J. R. Meteorol. Soc. 87:194-211",
+      "strong winds, near neutral, along the wind; one curve for all heights, speed meant at 10 m", 1,
+      davenport, along_only, NULL },
+    { "one-over-f", "power-law spectrum 1/f^beta",
+      "Voss R.F. (1985), Random fractal forgeries, in Fundamental Algorithms for Computer Graphics",
+      "a slope and a band, no wind physics; beta = 5/3 gives the inertial range", 1, power_law, along_only,
+      NULL },
+    { 0 }
+};
+
+const struct wf_spectrum *wf_spectrum_named(const char *name)
+{
+    for (const struct wf_spectrum *s = wf_spectra; s->name; s++)
+        if (strcmp(s->name, name) == 0) return s;
+    return NULL;
+}
+
+struct integrand {
+    const struct wf_spectrum *s;
+    const struct wf_spectrum_par *p;
+    enum wf_component c;
+    double window; /* [s]; 0: no averaging */
+};
+
+static double weighted(double log_f, void *ctx)
+{
+    const struct integrand *g = ctx;
+    double f = exp(log_f), arg = PI * f * g->window;
+    double sinc = arg > 1e-8 ? sin(arg) / arg : 1.0;
+    return f * g->s->density(g->p, g->c, f) * sinc * sinc;
+}
+
+static double integrate(struct integrand *g, double from, double to)
+{
+    enum { ROOM = 2000 };
+    double sum = 0.0, error = 0.0, low = fmax(from, 1e-9), head = 0.0;
+    if (!(to > low)) return 0.0;
+    gsl_integration_workspace *w = gsl_integration_workspace_alloc(ROOM);
+    if (!w) return NAN;
+    gsl_function f = { weighted, g };
+    gsl_error_handler_t *before = gsl_set_error_handler_off();
+    int bad = gsl_integration_qag(&f, log(low), log(to), 0.0, 1e-8, ROOM, GSL_INTEG_GAUSS21, w, &sum, &error);
+    gsl_set_error_handler(before);
+    gsl_integration_workspace_free(w);
+    /* below 1 nHz the density is taken as constant */
+    if (from < low) head = (low - from) * g->s->density(g->p, g->c, from);
+    return bad ? NAN : sum + head;
+}
+
+double wf_spectrum_variance(const struct wf_spectrum *s, const struct wf_spectrum_par *p, enum wf_component c,
+                            double from, double to)
+{
+    struct integrand g = { s, p, c, 0.0 };
+    return integrate(&g, from, to);
+}
+
+double wf_spectrum_averaged_variance(const struct wf_spectrum *s, const struct wf_spectrum_par *p,
+                                     double window, double to)
+{
+    struct integrand g = { s, p, WF_ALONG, window };
+    return integrate(&g, 0.0, to);
+}
