@@ -1,6 +1,7 @@
 #ifndef WF_WIND_WIND_H
 #define WF_WIND_WIND_H
 /* The mean wind as a field: velocity and its gradient anywhere. Rows, each with source and range. */
+#include "base/err.h"
 #include <stddef.h>
 
 struct wf_wind;
@@ -22,10 +23,18 @@ struct wf_profile {
     const char *name, *source, *validity;
     wf_wind_sample *sample;
 };
-extern const struct wf_profile wf_profiles[];  /* uniform, log, power; ends at name == NULL */
+extern const struct wf_profile wf_profiles[]; /* uniform, log, power; ends at name == NULL */
+/* The row of that name; NULL when there is none. */
 const struct wf_profile *wf_profile_named(const char *name);
 
-/* Air density [kg m-3] of dry air at a temperature [K] and altitude [m]: International Standard
- * Atmosphere pressure, ideal gas. */
+/* Refuse what a profile cannot sample: speed negative, direction not a unit vector, reference height within
+ * the calm layer of the log law, exponent outside 0..1. The samplers themselves check nothing. */
+enum wf_status wf_wind_check(const struct wf_wind *w, struct wf_err *e);
+
+/* Air density [kg m-3] of dry air at a temperature [K] and altitude [m], up to 11 km (NAN above): pressure of
+ * the International Standard Atmosphere (ISO 2533:1975), ideal gas. */
 double wf_air_density(double temperature, double altitude);
+/* Kinematic viscosity [m2/s] of air at a temperature [K] and density [kg m-3]: Sutherland's law with the
+ * constants of ISO 2533:1975; 100..1900 K. */
+double wf_air_viscosity(double temperature, double density);
 #endif
