@@ -10,6 +10,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#define WF_RESULTS_SCHEMA "windfirm-results"
+enum { WF_RESULTS_VERSION = 1 };
+
 struct wf_input_file {
     const char *role, *path;     /* "species", "model", ...; the path as the user wrote it */
     char sha256[WF_SHA256_TEXT]; /* of the file's bytes                                    */
@@ -25,7 +28,7 @@ struct wf_run {
     const struct wf_analysis *analysis; /* one per species                      */
     size_t inputs;
     const struct wf_input_file *input;
-    bool random;   /* random numbers were drawn, from `seed` */
+    bool random; /* random numbers were drawn, from `seed` */
     uint64_t seed;
 };
 
@@ -35,7 +38,8 @@ enum wf_status wf_input_file_note(const char *role, const char *path, struct wf_
                                   struct wf_input_file *out, struct wf_err *e);
 
 /* Now, as wf_run.date wants it. The environment's SOURCE_DATE_EPOCH [s since 1970], when it is a number,
- * takes the place of the clock, so that a rerun can give the same bytes. Returned: text, or NULL without room. */
+ * takes the place of the clock, so that a rerun can give the same bytes. Returned: text, or NULL without
+ * room. */
 const char *wf_run_date(struct wf_arena *a);
 
 /* Write FOLDER/results.json and FOLDER/tables/{summary,segments,shape,sweep}.csv; the folder is made.

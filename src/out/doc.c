@@ -1,0 +1,80 @@
+#include "out/doc.h"
+#include "base/utf8.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static json_t *made(struct wf_doc *d, json_t *value)
+{
+    if (!value) d->failed = true;
+    return value;
+}
+
+json_t *wf_doc_object(struct wf_doc *d) { return made(d, json_object()); }
+json_t *wf_doc_array(struct wf_doc *d) { return made(d, json_array()); }
+
+json_t *wf_doc_put(struct wf_doc *d, json_t *object, const char *key, json_t *value)
+{
+    if (json_object_set_new(object, key, value)) d->failed = true;
+    return value;
+}
+
+json_t *wf_doc_add(struct wf_doc *d, json_t *array, json_t *value)
+{
+    if (json_array_append_new(array, value)) d->failed = true;
+    return value;
+}
+
+/* A path or a command line may hold any bytes; what is not UTF-8 is shown as '?'. */
+static json_t *readable(const char *text)
+{
+    struct wf_utf8_fault fault;
+    size_t n = strlen(text);
+    if (wf_utf8_valid(text, n, &fault)) return json_string(text);
+    char *copy = strdup(text);
+    if (!copy) return NULL;
+    for (char *c = copy; *c; c++)
+        if ((unsigned char)*c >= 0x80) *c = '?';
+    json_t *value = json_string(copy);
+    free(copy);
+    return value;
+}
+
+void wf_doc_text(struct wf_doc *d, json_t *object, const char *key, const char *text)
+{
+    wf_doc_put(d, object, key, text ? readable(text) : json_null());
+}
+
+void wf_doc_count(struct wf_doc *d, json_t *object, const char *key, size_t n)
+{
+    wf_doc_put(d, object, key, json_integer((json_int_t)n));
+}
+
+void wf_doc_flag(struct wf_doc *d, json_t *object, const char *key, bool flag)
+{
+    wf_doc_put(d, object, key, json_boolean(flag));
+}
+
+/* json_real refuses what JSON cannot say. */
+static json_t *number(double x) { return isfinite(x) ? json_real(x) : json_null(); }
+
+void wf_doc_number(struct wf_doc *d, json_t *object, const char *key, double x)
+{
+    wf_doc_put(d, object, key, number(x));
+}
+
+json_t *wf_doc_quantity(struct wf_doc *d, json_t *object, const char *key, double x, const char *unit,
+                        const char *reason)
+{
+    json_t *q = wf_doc_put(d, object, key, wf_doc_object(d));
+    wf_doc_number(d, q, "value", x);
+    wf_doc_text(d, q, "unit", unit);
+    if (!isfinite(x)) wf_doc_text(d, q, "reason", reason ? reason : "not a finite number");
+    return q;
+}
+
+void wf_doc_numbers(struct wf_doc *d, json_t *object, const char *key, const double *x, size_t n)
+{
+    json_t *list = wf_doc_put(d, object, key, wf_doc_array(d));
+    for (size_t i = 0; i < n; i++) wf_doc_add(d, list, number(x[i]));
+}

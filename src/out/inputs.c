@@ -1,0 +1,167 @@
+/* What went in: species values with range, standing and source; model; scenario; method. */
+#include "out/parts.h"
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+struct quantity {
+    const char *key, *unit;
+    size_t offset; /* of the struct wf_value */
+};
+
+static const struct quantity level_quantities[] = {
+    { "youngs_modulus", "Pa", offsetof(struct wf_level, youngs_modulus) },
+    { "shear_modulus", "Pa", offsetof(struct wf_level, shear_modulus) },
+    { "density", "kg/m3", offsetof(struct wf_level, density) },
+    { "modulus_of_rupture", "Pa", offsetof(struct wf_level, modulus_of_rupture) },
+    { "radius", "m", offsetof(struct wf_level, radius) },
+    { "damping_ratio", "1", offsetof(struct wf_level, damping_ratio) },
+    { "knot_factor", "1", offsetof(struct wf_level, knot_factor) },
+    { "drag_coefficient", "1", offsetof(struct wf_level, drag_coefficient) },
+    { "lift_coefficient", "1", offsetof(struct wf_level, lift_coefficient) },
+};
+static const struct quantity crown_quantities[] = {
+    { "crown_drag_coefficient", "1", offsetof(struct wf_species, crown_drag) },
+    { "leaf_mass_per_area", "kg/m2", offsetof(struct wf_species, leaf_mass_per_area) },
+    { "leaf_frontal_share", "1", offsetof(struct wf_species, leaf_frontal_share) },
+    { "vogel_exponent", "1", offsetof(struct wf_species, streamlining.exponent) },
+};
+
+static void put_standing(struct wf_doc *d, json_t *o, const struct wf_value *v)
+{
+    wf_doc_text(d, o, "status", wf_standing_text(v->standing));
+    wf_doc_text(d, o, "source", v->source);
+    wf_doc_flag(d, o, "given", v->given);
+}
+
+static void add_values(struct wf_doc *d, json_t *list, const char *level, const void *from,
+                       const struct quantity *q, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        const struct wf_value *v = (const void *)((const char *)from + q[i].offset);
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, o, "level", level);
+        wf_doc_text(d, o, "quantity", q[i].key);
+        wf_doc_number(d, o, "value", v->value);
+        wf_doc_number(d, o, "low", v->low);
+        wf_doc_number(d, o, "high", v->high);
+        wf_doc_text(d, o, "unit", q[i].unit);
+        if (!isfinite(v->value)) wf_doc_text(d, o, "reason", "not given");
+        put_standing(d, o, v);
+    }
+}
+
+static json_t *streamlining(struct wf_doc *d, const struct wf_streamlining *s)
+{
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "law", s->law);
+    wf_doc_quantity(d, o, "reference_speed", s->reference_speed, "m/s", "not given");
+    wf_doc_quantity(d, o, "speed_low", s->speed_low, "m/s", "not given");
+    wf_doc_quantity(d, o, "speed_high", s->speed_high, "m/s", "not given");
+    wf_doc_numbers(d, o, "table_speed_m_s", s->table.s, s->table.n);
+    wf_doc_numbers(d, o, "table_share", s->table.v, s->table.n);
+    wf_doc_text(d, o, "source", s->source);
+    return o;
+}
+
+json_t *wf_part_species(struct wf_doc *d, const struct wf_species *sp)
+{
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "key", sp->key);
+    wf_doc_text(d, o, "name", sp->name);
+    wf_doc_text(d, o, "name_zh", sp->name_zh);
+    wf_doc_text(d, o, "latin", sp->latin);
+    wf_doc_text(d, o, "preset", sp->preset);
+    wf_doc_text(d, o, "note", sp->note);
+    wf_doc_text(d, o, "file", sp->file);
+    json_t *values = wf_doc_put(d, o, "values", wf_doc_array(d));
+    json_t *walls = wf_doc_put(d, o, "walls", wf_doc_array(d));
+    for (size_t i = 0; i < sp->levels; i++) {
+        const struct wf_level *level = &sp->level[i];
+        add_values(d, values, level->name, level, level_quantities,
+                   sizeof level_quantities / sizeof *level_quantities);
+        if (!level->wall.n) continue;
+        json_t *wall = wf_doc_add(d, walls, wf_doc_object(d));
+        wf_doc_text(d, wall, "level", level->name);
+        wf_doc_numbers(d, wall, "at", level->wall.s, level->wall.n);
+        wf_doc_numbers(d, wall, "share", level->wall.v, level->wall.n);
+        put_standing(d, wall, &level->wall_note);
+    }
+    bool vogel = sp->streamlining.law && !strcmp(sp->streamlining.law, "vogel");
+    add_values(d, values, "crown", sp, crown_quantities,
+               sizeof crown_quantities / sizeof *crown_quantities - (vogel ? 0 : 1));
+    wf_doc_put(d, o, "streamlining", streamlining(d, &sp->streamlining));
+    return o;
+}
+
+json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
+{
+    static const char *const tapers[] = {
+        [WF_TAPER_TABLE] = "table", [WF_TAPER_LINEAR] = "linear", [WF_TAPER_POWER] = "power"
+    };
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "key", m->key);
+    wf_doc_text(d, o, "name", m->name);
+    wf_doc_text(d, o, "note", m->note);
+    wf_doc_text(d, o, "source", m->source);
+    wf_doc_text(d, o, "file", m->file);
+    wf_doc_quantity(d, o, "height", m->height, "m", NULL);
+    wf_doc_quantity(d, o, "base_radius", m->radius, "m", "the species' level 0 radius is used");
+    wf_doc_text(d, o, "taper", tapers[m->taper]);
+    if (m->taper != WF_TAPER_TABLE) wf_doc_quantity(d, o, "tip_share", m->tip_ratio, "1", NULL);
+    if (m->taper == WF_TAPER_POWER) wf_doc_quantity(d, o, "taper_power", m->power, "1", NULL);
+    if (m->taper == WF_TAPER_TABLE) {
+        wf_doc_numbers(d, o, "taper_at", m->profile.s, m->profile.n);
+        wf_doc_numbers(d, o, "taper_share", m->profile.v, m->profile.n);
+    }
+    wf_doc_quantity(d, o, "lean", m->lean, "rad", NULL);
+    wf_doc_quantity(d, o, "lean_azimuth", m->lean_azimuth, "rad", NULL);
+    wf_doc_count(d, o, "segments", m->segments);
+    wf_doc_quantity(d, o, "crown_base", m->crown_base, "m", "no crown");
+    wf_doc_quantity(d, o, "crown_top", m->crown_top, "m", "no crown");
+    wf_doc_quantity(d, o, "leaf_area", m->leaf_area, "m2", "no crown");
+    return o;
+}
+
+json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
+{
+    const struct wf_scenario *s = &a->scenario;
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "profile", s->profile);
+    wf_doc_quantity(d, o, "reference_height", s->reference_height, "m", NULL);
+    wf_doc_quantity(d, o, "roughness", s->roughness, "m", "not used by this profile");
+    wf_doc_quantity(d, o, "displacement", s->displacement, "m", "not used by this profile");
+    wf_doc_quantity(d, o, "exponent", s->exponent, "1", "not used by this profile");
+    wf_doc_quantity(d, o, "azimuth", s->azimuth, "rad", NULL);
+    wf_doc_quantity(d, o, "temperature", s->temperature, "K", NULL);
+    wf_doc_quantity(d, o, "altitude", s->altitude, "m", NULL);
+    wf_doc_quantity(d, o, "air_density", a->loads.air_density, "kg/m3", NULL);
+    wf_doc_text(d, o, "air_density_from", isnan(s->air_density) ? "temperature and altitude" : "given");
+    wf_doc_quantity(d, o, "gravity", s->gravity, "m/s2", NULL);
+    return o;
+}
+
+json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
+{
+    const struct wf_profile *profile = wf_profile_named(a->scenario.profile);
+    const struct wf_streamline_law *law = a->loads.streamline;
+    json_t *o = wf_doc_object(d);
+    json_t *solver = wf_doc_put(d, o, "solver", wf_doc_object(d));
+    wf_doc_text(d, solver, "name", a->solver->name);
+    wf_doc_text(d, solver, "title", a->solver->title);
+    wf_doc_text(d, solver, "source", a->solver->source);
+    wf_doc_text(d, solver, "validity", a->solver->validity);
+    wf_doc_flag(d, solver, "small_deflection", a->solver->small_deflection);
+    wf_doc_flag(d, solver, "as_printed", a->solver->as_printed);
+    json_t *wind = wf_doc_put(d, o, "wind_profile", wf_doc_object(d));
+    wf_doc_text(d, wind, "name", a->scenario.profile);
+    wf_doc_text(d, wind, "source", profile ? profile->source : NULL);
+    wf_doc_text(d, wind, "validity", profile ? profile->validity : NULL);
+    json_t *crown = wf_doc_put(d, o, "streamlining", wf_doc_object(d));
+    wf_doc_text(d, crown, "name", law ? law->name : "none");
+    wf_doc_text(d, crown, "source", law ? law->source : NULL);
+    wf_doc_text(d, crown, "validity", law ? law->validity : NULL);
+    wf_doc_quantity(d, crown, "speed_low", law ? law->speed_low : NAN, "m/s", "no limit is known");
+    wf_doc_quantity(d, crown, "speed_high", law ? law->speed_high : NAN, "m/s", "no limit is known");
+    return o;
+}
