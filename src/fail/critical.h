@@ -18,11 +18,16 @@ struct wf_critical {
     double gradient;              /* d criterion / d speed at the answer [s/m]              */
     size_t evaluations;
 };
-/* Given: criterion(ctx, speed, &value) returning WF_OK, or a failure where no equilibrium exists; speeds searched
- * from 0 to speed_max on a coarse ladder first (so that the lowest crossing is found), then bracketed (Brent) to
- * `tolerance` relative. */
-enum wf_status wf_critical_search(enum wf_status (*criterion)(void *ctx, double speed, double *value, struct wf_err *e),
-                                  void *ctx, double speed_max, double tolerance, struct wf_critical *out,
-                                  struct wf_err *e);
+/* Given: criterion(ctx, speed [m/s], &value) returning WF_OK, WF_ENOCONV or WF_EUNSTABLE where no equilibrium
+ * exists, or another failure, which ends the search and is returned; highest speed [m/s]; tolerance on the
+ * speed, relative. A value that is not a number without wind means that there is no strength to compare with.
+ * Returned: WF_OK and *out, whatever the outcome; WF_EUSAGE, WF_ENOMEM, WF_EINTERNAL (not a number in wind).
+ * Method: 32 even steps from 0 to speed_max until the criterion reaches 1 or has no value, so that the lowest
+ * crossing is found where crossings lie more than a step apart; then Brent's method (GSL), whose bracket is
+ * proven on both sides; where the model has no answer, halving down to the last speed that has one, watching
+ * for a crossing. */
+enum wf_status
+wf_critical_search(enum wf_status (*criterion)(void *ctx, double speed, double *value, struct wf_err *e),
+                   void *ctx, double speed_max, double tolerance, struct wf_critical *out, struct wf_err *e);
 const char *wf_critical_text(enum wf_critical_outcome o);
 #endif

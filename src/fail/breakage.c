@@ -1,0 +1,118 @@
+#include "fail/breakage.h"
+#include "base/vec.h"
+#include <math.h>
+
+#define PI 3.14159265358979323846
+
+double wf_ring_area(double outer, double inner) { return PI * (outer * outer - inner * inner); }
+
+double wf_ring_inertia(double outer, double inner)
+{
+    return 0.25 * PI * (outer * outer * outer * outer - inner * inner * inner * inner);
+}
+
+/* What a section bears, split along and across its axis. */
+struct section {
+    double shear, axial, bending, torsion, stress;
+};
+
+static struct section section_at(const double force[3], const double moment[3], const double axis[3],
+                                 double outer, double inner)
+{
+    struct section s = { .axial = wf_dot(force, axis), .torsion = wf_dot(moment, axis) };
+    double v[3], m[3];
+    for (int k = 0; k < 3; k++) v[k] = force[k] - s.axial * axis[k], m[k] = moment[k] - s.torsion * axis[k];
+    s.shear = sqrt(wf_dot(v, v));
+    s.bending = sqrt(wf_dot(m, m));
+    s.stress = s.bending * outer / wf_ring_inertia(outer, inner) + fabs(s.axial) / wf_ring_area(outer, inner);
+    return s;
+}
+
+/* Stress at s (0..1) of row i: moment by the cubic through both ends, the rest linear. */
+static double stress_inside(const struct wf_tree *t, const struct wf_response *r, size_t i, double s)
+{
+    double length = wf_tree_length(t, i), left = 1 - s, force[3], moment[3], axis[3], slope0[3], slope1[3];
+    const double *f0 = r->force0 + 3 * i, *f1 = r->force1 + 3 * i, *t0 = r->tangent0 + 3 * i,
+                 *t1 = r->tangent1 + 3 * i;
+    wf_cross(f0, t0, slope0); /* dM/ds = -t x F */
+    wf_cross(f1, t1, slope1);
+    for (size_t k = 0; k < 3; k++) {
+        force[k] = left * f0[k] + s * f1[k];
+        axis[k] = left * t0[k] + s * t1[k];
+        moment[k] = left * left * (1 + 2 * s) * r->moment0[3 * i + k] +
+                    s * s * (3 - 2 * s) * r->moment1[3 * i + k] +
+                    length * s * left * (left * slope0[k] - s * slope1[k]);
+    }
+    double size = sqrt(wf_dot(axis, axis));
+    if (!(size > 0)) return 0; /* a row folded flat: its ends decide */
+    for (int k = 0; k < 3; k++) axis[k] /= size;
+    return section_at(force, moment, axis, left * t->r0[i] + s * t->r1[i], left * t->i0[i] + s * t->i1[i])
+        .stress;
+}
+
+/* Largest stress of row i and its place: an end, unless the stress rises inwards from both. Then a grid of
+ * sixteenths is narrowed three times round its best point. */
+static double row_peak(const struct wf_tree *t, const struct wf_response *r, size_t i, double stress0,
+                       double stress1, double *place)
+{
+    enum { GRID = 16, ROUNDS = 4 };
+    const double near = 1.0 / 64;
+    double best = fmax(stress0, stress1), low = 0, high = 1;
+    *place = stress1 > stress0 ? 1 : 0;
+    if (!(stress_inside(t, r, i, near) > stress0 && stress_inside(t, r, i, 1 - near) > stress1)) return best;
+    for (int round = 0; round < ROUNDS; round++) {
+        double step = (high - low) / GRID;
+        for (int k = 1; k < GRID; k++) {
+            double s = low + k * step, stress = stress_inside(t, r, i, s);
+            if (stress > best) best = stress, *place = s;
+        }
+        low = fmax(0, *place - step), high = fmin(1, *place + step);
+    }
+    return best;
+}
+
+static double safety(double strength, double stress)
+{
+    if (!(strength > 0)) return NAN;
+    return stress > 0 ? strength / stress : INFINITY;
+}
+
+static bool take(struct wf_breakage *b, size_t n, struct wf_arena *a)
+{
+    double **column[] = { &b->shear0,   &b->shear1,   &b->axial0,  &b->axial1,  &b->bending0, &b->bending1,
+                          &b->torsion0, &b->torsion1, &b->stress0, &b->stress1, &b->safety0,  &b->safety1 };
+    b->n = n;
+    for (size_t k = 0; k < sizeof column / sizeof *column; k++)
+        if (!(*column[k] = WF_TAKE(a, n, double))) return false;
+    return true;
+}
+
+enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, struct wf_arena *a,
+                                 struct wf_breakage *b, struct wf_err *e)
+{
+    *b = (struct wf_breakage){ .least_safety = NAN, .governing = -1, .largest_stress_row = -1 };
+    if (r->n != t->n)
+        return wf_fail(e, WF_EINTERNAL, "breakage: the answer has %zu segments, the tree %zu", r->n, t->n);
+    if (!take(b, t->n, a)) return wf_fail(e, WF_ENOMEM, "breakage: no room for %zu segments", t->n);
+    for (size_t i = 0; i < t->n; i++) {
+        struct section s0 =
+            section_at(r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i, t->r0[i], t->i0[i]);
+        struct section s1 =
+            section_at(r->force1 + 3 * i, r->moment1 + 3 * i, r->tangent1 + 3 * i, t->r1[i], t->i1[i]);
+        b->shear0[i] = s0.shear, b->shear1[i] = s1.shear;
+        b->axial0[i] = s0.axial, b->axial1[i] = s1.axial;
+        b->bending0[i] = s0.bending, b->bending1[i] = s1.bending;
+        b->torsion0[i] = s0.torsion, b->torsion1[i] = s1.torsion;
+        b->stress0[i] = s0.stress, b->stress1[i] = s1.stress;
+        b->safety0[i] = safety(t->strength[i], s0.stress);
+        b->safety1[i] = safety(t->strength[i], s1.stress);
+
+        double place, peak = row_peak(t, r, i, s0.stress, s1.stress, &place),
+                      factor = safety(t->strength[i], peak);
+        if (b->largest_stress_row < 0 || peak > b->largest_stress)
+            b->largest_stress = peak, b->largest_stress_row = (int32_t)i;
+        if (!isnan(factor) && !(b->least_safety <= factor))
+            b->least_safety = factor, b->governing = (int32_t)i, b->governing_s = place;
+    }
+    return WF_OK;
+}
