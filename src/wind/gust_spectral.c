@@ -1,0 +1,286 @@
+/* Wind with a given spectrum at every point and a given coherence between points, in blocks of time.
+ * White noise w_p(t), one number per (seed, component, point, step), is passed through the filter
+ *     x_p = inverse FFT of  sqrt(S_p(f) / (2 dt)) exp(-2 pi i f x_p/U) sum_q H_pq(f) W_q(f)
+ * with H the sequential factor of the coherence. A window of L steps gives its inner half; windows lie L/2
+ * apart, so neighbouring blocks share the noise around their joint and fit together but for the part of the
+ * filter's memory that is longer than L/4 steps. That part is measured (`joint`) and L doubled until it is
+ * small. Source: Shinozuka M., Jan C.-M. (1972), Digital simulation of random processes and its applications,
+ * J. Sound Vib. 25:111-128 (spectral representation); Oppenheim A., Schafer R. (1975), overlap-save. */
+#include "base/random.h"
+#include "wind/gust_coherence.h"
+#include "wind/gust_rows.h"
+#include <gsl/gsl_fft_halfcomplex.h>
+#include <gsl/gsl_fft_real.h>
+#include <math.h>
+#include <string.h>
+
+enum { STREAM_TURBULENCE = 0x31, WINDOW_MIN = 2048, WINDOW_MAX = 1 << 17 };
+static const double WINDOW_SECONDS = 800.0; /* first choice: longer than the 10 min of a mean wind */
+static const double JOINT_WANTED = 0.02;    /* share of the standard deviation */
+static const double ROOM_WANTED = 160e6;    /* bytes for the spectra of all points */
+static const double APART = 7.0; /* stretched distance times g beyond which points are free: e^-7 */
+#define TAU 6.28318530717958647692
+
+struct spectral {
+    size_t window;     /* L [steps] */
+    size_t classes;    /* distinct (height, mean wind) */
+    size_t *class_of;  /* of each point */
+    double *amplitude; /* classes * components * (L/2 + 1) */
+    double *shear;     /* classes * (L/2 + 1): correlation of u and w by frequency; NULL: none */
+    struct wf_coherence coherence;
+    double speed;                         /* that carries the eddies [m/s] */
+    size_t segments;                      /* stretches of frequency on one rung of the coherence ladder */
+    size_t *segment_first, *segment_rung; /* segments (+1) in halfcomplex places */
+    double *share;                        /* L: towards the next rung */
+    double *wavenumber;                   /* L: g at each halfcomplex place [1/m] */
+    double *along, *other;                /* points * L: halfcomplex spectra, by turn */
+    gsl_fft_real_wavetable *forward;
+    gsl_fft_halfcomplex_wavetable *back;
+    gsl_fft_real_workspace *space;
+};
+
+/* Frequency number of a place in GSL's halfcomplex order r0 r1 i1 r2 i2 ... r(L/2). */
+static size_t frequency_of(size_t place) { return (place + 1) / 2; }
+
+static double amplitude_at(const struct wf_gust_spec *s, size_t point, enum wf_component c, double f)
+{
+    return sqrt(wf_gust_target(s, point, c, f) / (2.0 * s->step));
+}
+
+/* Share of the filter's energy that lies beyond a quarter window either way. */
+static double tail_energy(const struct wf_gust_spec *s, double *h, size_t window, struct spectral *w)
+{
+    double far = 0.0, all = 0.0;
+    for (size_t k = 0; k <= window / 2; k++) {
+        double value = amplitude_at(s, 0, WF_ALONG, (double)k / ((double)window * s->step));
+        if (k == 0)
+            h[0] = value;
+        else if (k == window / 2)
+            h[window - 1] = value;
+        else
+            h[2 * k - 1] = value, h[2 * k] = 0.0;
+    }
+    gsl_fft_halfcomplex_inverse(h, 1, window, w->back, w->space);
+    for (size_t i = 0; i < window; i++) {
+        all += h[i] * h[i];
+        if (i > window / 4 && i < window - window / 4) far += h[i] * h[i];
+    }
+    return far / all;
+}
+
+static void free_tables(struct spectral *w)
+{
+    if (w->forward) gsl_fft_real_wavetable_free(w->forward);
+    if (w->back) gsl_fft_halfcomplex_wavetable_free(w->back);
+    if (w->space) gsl_fft_real_workspace_free(w->space);
+    w->forward = NULL, w->back = NULL, w->space = NULL;
+}
+
+static enum wf_status make_tables(struct spectral *w, struct wf_err *e)
+{
+    free_tables(w);
+    w->forward = gsl_fft_real_wavetable_alloc(w->window);
+    w->back = gsl_fft_halfcomplex_wavetable_alloc(w->window);
+    w->space = gsl_fft_real_workspace_alloc(w->window);
+    if (w->forward && w->back && w->space) return WF_OK;
+    free_tables(w);
+    return wf_fail(e, WF_ENOMEM, "no room for a Fourier transform of %zu steps", w->window);
+}
+
+static enum wf_status choose_window(struct wf_gust *g, struct spectral *w, struct wf_arena *a,
+                                    struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    double per_step = 8.0 * (double)s->points * (s->components > 1 ? 2.0 : 1.0);
+    w->window = WINDOW_MIN;
+    while (w->window < WINDOW_MAX && (double)w->window * s->step < WINDOW_SECONDS) w->window *= 2;
+    while (w->window > WINDOW_MIN && (double)w->window * per_step > ROOM_WANTED) w->window /= 2;
+    if (s->block) w->window = 2 * s->block;
+    double *h = WF_TAKE(a, s->block ? w->window : WINDOW_MAX, double);
+    if (!h) return wf_fail(e, WF_ENOMEM, "no room for a window of %d steps", WINDOW_MAX);
+    for (;; w->window *= 2) {
+        if (make_tables(w, e)) return WF_ENOMEM;
+        g->joint = sqrt(2.0 * tail_energy(s, h, w->window, w));
+        if (s->block || g->joint <= JOINT_WANTED || w->window >= WINDOW_MAX) return WF_OK;
+        if (2.0 * (double)w->window * per_step > ROOM_WANTED) return WF_OK;
+    }
+}
+
+static enum wf_status sort_into_classes(struct wf_gust *g, struct spectral *w, struct wf_arena *a,
+                                        struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    size_t n = s->points, half = w->window / 2 + 1, *first = WF_TAKE(a, n, size_t);
+    w->class_of = WF_TAKE(a, n, size_t);
+    if (!first || !w->class_of) return wf_fail(e, WF_ENOMEM, "no room for %zu points", n);
+    for (size_t p = 0; p < n; p++) {
+        size_t c = 0;
+        while (c < w->classes && (wf_gust_place(s, first[c], 2) != wf_gust_place(s, p, 2) ||
+                                  wf_gust_mean(s, first[c]) != wf_gust_mean(s, p)))
+            c++;
+        if (c == w->classes) first[w->classes++] = p;
+        w->class_of[p] = c;
+    }
+    const struct wf_spectrum *row = wf_spectrum_named(s->model->spectrum);
+    w->amplitude = WF_TAKE(a, w->classes * s->components * half, double);
+    if (row->shear && s->components > 1) w->shear = WF_TAKE(a, w->classes * half, double);
+    if (!w->amplitude || (row->shear && s->components > 1 && !w->shear))
+        return wf_fail(e, WF_ENOMEM, "no room for the spectra of %zu heights", w->classes);
+    for (size_t c = 0; c < w->classes; c++)
+        for (size_t k = 0; k < half; k++) {
+            double f = (double)k / ((double)w->window * s->step);
+            for (unsigned i = 0; i < s->components; i++)
+                w->amplitude[(c * s->components + i) * half + k] =
+                    amplitude_at(s, first[c], (enum wf_component)i, f);
+            if (!w->shear) continue;
+            struct wf_spectrum_par p = wf_gust_spectrum_par(s, first[c]);
+            double su = row->density(&p, WF_ALONG, f), sw = row->density(&p, WF_UP, f);
+            w->shear[c * half + k] = fmax(fmin(row->shear(&p, f) / sqrt(su * sw), 1.0), -1.0);
+        }
+    return WF_OK;
+}
+
+/* The one number a frequency that the coherence depends on, at each place of a halfcomplex spectrum, and the
+ * stretches of places that lie between the same two rungs. */
+static enum wf_status lay_ladder(const struct wf_gust_spec *s, struct spectral *w, struct wf_arena *a,
+                                 struct wf_err *e)
+{
+    size_t n = w->window, rung = (size_t)-1;
+    double length = wf_gust_get(s, "coherence-length"), q = length > 0.0 ? 0.12 / length : 0.0;
+    w->share = WF_TAKE(a, n, double);
+    w->wavenumber = WF_TAKE(a, n, double);
+    w->segment_first = WF_TAKE(a, w->coherence.rungs + 2, size_t);
+    w->segment_rung = WF_TAKE(a, w->coherence.rungs + 2, size_t);
+    if (!w->share || !w->wavenumber || !w->segment_first || !w->segment_rung)
+        return wf_fail(e, WF_ENOMEM, "no room for a window of %zu steps", n);
+    for (size_t i = 0; i < n; i++) {
+        size_t at;
+        double f = (double)frequency_of(i) / ((double)n * s->step);
+        w->wavenumber[i] = hypot(f / w->speed, q);
+        wf_coherence_find(&w->coherence, w->wavenumber[i], &at, &w->share[i]);
+        if (at == rung) continue;
+        w->segment_first[w->segments] = i;
+        w->segment_rung[w->segments++] = rung = at;
+    }
+    w->segment_first[w->segments] = n;
+    return WF_OK;
+}
+
+enum wf_status wf_gust_spectral_open(struct wf_gust *g, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_gust_spec *s = &g->spec;
+    struct spectral *w = WF_TAKE(a, 1, struct spectral);
+    if (!w) return wf_fail(e, WF_ENOMEM, "no room for a gust model");
+    g->work = w;
+    if (choose_window(g, w, a, e)) return WF_ENOMEM;
+    g->block = w->window / 2;
+    if (sort_into_classes(g, w, a, e)) return WF_ENOMEM;
+    for (size_t p = 0; p < s->points; p++) w->speed += wf_gust_mean(s, p) / (double)s->points;
+    double lowest = 0.02 / ((double)w->window * s->step * w->speed), highest = 0.5 / (s->step * w->speed);
+    double length = wf_gust_get(s, "coherence-length"), q = length > 0.0 ? 0.12 / length : 0.0;
+    const double decay[3] = { wf_gust_get(s, "decay-along"), wf_gust_get(s, "decay-across"),
+                              wf_gust_get(s, "decay-up") };
+    const double alone[3] = { 0.0, 0.0, s->height };
+    if (wf_coherence_make(s->points, s->place ? s->place : alone, decay, fmax(lowest, q), hypot(highest, q),
+                          a, &w->coherence, e) ||
+        lay_ladder(s, w, a, e))
+        return WF_ENOMEM;
+    w->along = WF_TAKE(a, s->points * w->window, double);
+    w->other = s->components > 1 ? WF_TAKE(a, s->points * w->window, double) : w->along;
+    if (!w->along || !w->other)
+        return wf_fail(e, WF_ENOMEM, "no room for the spectra of %zu points and %zu steps", s->points,
+                       w->window);
+    return WF_OK;
+}
+
+void wf_gust_spectral_close(struct wf_gust *g)
+{
+    if (g->work) free_tables(g->work);
+}
+
+/* y_i <- sqrt(d_i) w_i + sum_j b_ij y_j at every frequency where a neighbour is still near enough to matter.
+ */
+static void join_neighbours(const struct spectral *w, double *all, size_t turn)
+{
+    const struct wf_coherence *c = &w->coherence;
+    size_t n = w->window;
+    double *restrict y = all + turn * n;
+    for (size_t q = 0; q < w->segments && c->count[turn] > 0; q++) {
+        size_t first = w->segment_first[q], last = w->segment_first[q + 1];
+        if (w->wavenumber[first] * c->closest[turn] > APART) return;
+        size_t row = w->segment_rung[q] * c->n + turn, above = row + c->n;
+        double d0 = c->rest[row], d1 = c->rest[above] - d0;
+        for (size_t i = first; i < last; i++) y[i] *= sqrt(d0 + w->share[i] * d1);
+        for (size_t k = 0; k < c->count[turn]; k++) {
+            const double *restrict z = all + c->neighbour[turn * c->near + k] * n;
+            double b0 = c->weight[row * c->near + k], b1 = c->weight[above * c->near + k] - b0;
+            for (size_t i = first; i < last; i++) y[i] += (b0 + w->share[i] * b1) * z[i];
+        }
+    }
+}
+
+static void make_field(const struct wf_gust *g, struct spectral *w, unsigned component, size_t first,
+                       double *all)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    uint64_t start = (uint64_t)first - w->window / 4; /* wraps: time before the series has addresses too */
+    for (size_t turn = 0; turn < s->points; turn++) {
+        double *y = all + turn * w->window;
+        uint64_t stream = wf_random_stream(STREAM_TURBULENCE, component, w->coherence.order[turn]);
+        wf_random_normals(s->seed, stream, start, w->window, y);
+        gsl_fft_real_transform(y, 1, w->window, w->forward, w->space);
+        join_neighbours(w, all, turn);
+    }
+}
+
+/* Multiply by the amplitude and by the delay of the place along the wind (Taylor's frozen pattern). */
+static void shape(double *y, const double *amplitude, size_t window, double turn_per_step)
+{
+    double c = 1.0, s = 0.0, dc = cos(turn_per_step), ds = sin(turn_per_step);
+    y[0] *= amplitude[0];
+    for (size_t k = 1; k < window / 2; k++) {
+        double next = c * dc - s * ds, re = y[2 * k - 1], im = y[2 * k];
+        s = s * dc + c * ds;
+        c = next;
+        y[2 * k - 1] = amplitude[k] * (re * c + im * s);
+        y[2 * k] = amplitude[k] * (im * c - re * s);
+    }
+    y[window - 1] *= amplitude[window / 2];
+}
+
+enum wf_status wf_gust_spectral_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                     struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    struct spectral *w = g->work;
+    size_t half = w->window / 2 + 1;
+    (void)e;
+    /* u is made first and kept, whitened, for w to lean on; its own series is shaped from a copy */
+    for (unsigned component = 0; component < s->components; component++) {
+        double *all = component == 0 ? w->along : w->other;
+        make_field(g, w, component, first, all);
+        for (size_t turn = 0; turn < s->points; turn++) {
+            size_t p = w->coherence.order[turn], class = w->class_of[p];
+            double *y = all + turn * w->window;
+            double *to = out + (component * s->points + p) * g->block;
+            if (component == WF_UP && w->shear) {
+                const double *u = w->along + turn * w->window, *rho = w->shear + class * half;
+                for (size_t i = 0; i < w->window; i++) {
+                    double r = rho[frequency_of(i)];
+                    y[i] = r * u[i] + sqrt(1.0 - r * r) * y[i];
+                }
+            }
+            if (component == 0 && s->components > 1) {
+                y = w->other + turn * w->window; /* not in use yet */
+                memcpy(y, all + turn * w->window, w->window * sizeof *y);
+            }
+            double delay = wf_gust_place(s, p, 0) / w->speed;
+            shape(y, w->amplitude + (class * s->components + component) * half, w->window,
+                  TAU * delay / ((double)w->window * s->step));
+            gsl_fft_halfcomplex_inverse(y, 1, w->window, w->back, w->space);
+            double mean = component == WF_ALONG ? wf_gust_mean(s, p) : 0.0;
+            for (size_t i = 0; i < steps; i++) to[i] = mean + y[w->window / 4 + i];
+        }
+    }
+    return WF_OK;
+}
