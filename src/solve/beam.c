@@ -1,0 +1,101 @@
+#include "solve/beam.h"
+#include "solve/beam_refine.h"
+#include "solve/beam_response.h"
+#include "solve/vec.h"
+
+static double largest_displacement(const struct wf_beam *b)
+{
+    const struct wf_tree *t = b->mesh.tree;
+    double most = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        const double *r = b->pose[b->mesh.last[i]].r;
+        double d[3] = { r[0] - t->x1[i], r[1] - t->y1[i], r[2] - t->z1[i] };
+        most = fmax(most, wf_dot(d, d));
+    }
+    return sqrt(most);
+}
+
+/* Longest chain of rows from the ground: among so many the allowed error is shared. */
+static double deepest(const struct wf_tree *t, double *depth)
+{
+    double most = 1;
+    for (size_t i = 0; i < t->n; i++) {
+        depth[i] = 1 + (t->parent[i] >= 0 ? depth[t->parent[i]] : 0);
+        most = fmax(most, depth[i]);
+    }
+    return most;
+}
+
+/* Pieces that bring each row's share of the error to its part of the target. */
+static void choose(const struct wf_beam *b, const double *share, double target, int32_t *pieces)
+{
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        int32_t now = b->mesh.last[i] - b->mesh.first[i] + 1;
+        double want = now * pow(share[i] / target, 0.25);
+        pieces[i] = (int32_t)fmin(fmax(ceil(want), 1), 16.0 * now);
+    }
+}
+
+enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
+                             struct wf_arena *work, struct wf_beam *b, struct wf_beam_outcome *out, struct wf_err *e)
+{
+    enum { MESHES = 6 };
+    const double safety = 0.25;
+    int32_t *pieces = WF_TAKE(work, t->n, int32_t);
+    double *reach = WF_TAKE(work, t->n, double), *share = WF_TAKE(work, t->n, double);
+    if (!pieces || !reach || !share) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    int32_t start = o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
+    for (size_t i = 0; i < t->n; i++) pieces[i] = start;
+
+    enum wf_status status = wf_beam_init(b, t, l, o, pieces, work, e);
+    if (!status) status = wf_beam_settle(b, work, out, e);
+    if (status || !(o->mesh_tolerance > 0)) return status;
+
+    double depth = deepest(t, share);
+    wf_tree_reach(t, reach);
+    for (size_t i = 0; i < t->n; i++) pieces[i] = 2 * start;
+    for (int mesh = 1; mesh < MESHES; mesh++) {
+        struct wf_beam fine;
+        struct wf_beam_outcome again;
+        status = wf_beam_init(&fine, t, l, o, pieces, work, e);
+        if (status) return status;
+        wf_beam_carry(b, &fine);
+        status = wf_beam_settle(&fine, work, &again, e);
+        if (status) return status;
+        fine.iterations += b->iterations, fine.steps += b->steps;
+        double target = o->mesh_tolerance * safety * largest_displacement(&fine);
+        double error = wf_beam_mesh_error(b, &fine, reach, share);
+        *b = fine;
+        if (error <= target) break;
+        choose(b, share, target / depth, pieces);
+    }
+    return WF_OK;
+}
+
+static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
+                            struct wf_arena *a, struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_arena work = { 0 };
+    struct wf_beam b;
+    struct wf_beam_outcome out = { 0 };
+    enum wf_status status = wf_response_alloc(r, t->n, a, e);
+    if (status) return status;
+    status = wf_tree_check(t, d, e);
+    if (!status) status = wf_beam_solve(t, l, o, &work, &b, &out, e);
+    if (!status) wf_beam_read(&b, r);
+    r->load_factor = out.load_factor;
+    if (!status && out.beyond_limit)
+        wf_diag_warn(d, "limit-point", "the tree gives way at %.3g of the load; the answer is where it comes to rest",
+                     out.load_factor);
+    wf_arena_free(&work);
+    return status;
+}
+
+const struct wf_solver wf_solver_beam = {
+    .name = "beam",
+    .title = "geometrically exact beams, large deflections",
+    .source = "Simo 1985, Comput. Methods Appl. Mech. Eng. 49:55-70; Antman 2005, Nonlinear Problems of Elasticity, "
+              "ch. 8; Gauss collocation: Hairer, Lubich & Wanner 2006, II.1.3",
+    .validity = "Elastic wood, static mean wind; any deflection. Loads follow the bent shape.",
+    .solve = solve,
+};

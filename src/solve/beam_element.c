@@ -1,0 +1,86 @@
+/* The element on its own: where it lies, what loads it, what it carries, how far the material law is missed. */
+#include "solve/beam_element.h"
+#include "solve/gauss.h"
+#include "solve/vec.h"
+
+void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct wf_beam_pose *base,
+                   struct wf_beam_stage *s, struct wf_beam_pose *end)
+{
+    double last[3], R[9];
+    for (int j = 0; j < 2; j++) {
+        double t[3];
+        rotation_matrix(u->v[j], R);
+        m3_apply(R, p->t[j], t);
+        m3_apply(base->L, t, s->t[j]);
+        for (int i = 0; i < 3; i++) t[i] += u->g[j][i];
+        m3_apply(base->L, t, s->rp[j]);
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 2; j++)
+            s->r[j][i] = base->r[i] + p->h * (gauss_up[j][0] * s->rp[0][i] + gauss_up[j][1] * s->rp[1][i]);
+        end->r[i] = base->r[i] + 0.5 * p->h * (s->rp[0][i] + s->rp[1][i]);
+        last[i] = gauss_end[0] * u->v[0][i] + gauss_end[1] * u->v[1][i];
+    }
+    rotation_matrix(last, R);
+    m3_mul(base->L, R, end->L);
+}
+
+void wf_beam_load(const struct wf_beam_part *p, const struct wf_loads *l, const struct wf_beam_stage *s,
+                  struct wf_line_load load[2])
+{
+    for (int j = 0; j < 2; j++) {
+        wf_line_load(l, &p->line[j], s->r[j], s->t[j], &load[j]);
+        v3_add(load[j].force, l->point_scale, p->dead[j]);
+    }
+}
+
+void wf_beam_balance(double h, const struct wf_beam_stage *s, const struct wf_line_load load[2],
+                     const struct wf_beam_wrench *end, struct wf_beam_wrench at[2], struct wf_beam_wrench *base)
+{
+    double turn[2][3];
+    for (int j = 0; j < 2; j++) {
+        for (int i = 0; i < 3; i++)
+            at[j].n[i] = end->n[i] + h * (gauss_down[j][0] * load[0].force[i] + gauss_down[j][1] * load[1].force[i]);
+        wf_cross(s->rp[j], at[j].n, turn[j]);
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 2; j++)
+            at[j].m[i] = end->m[i] + h * (gauss_down[j][0] * turn[0][i] + gauss_down[j][1] * turn[1][i]);
+        base->n[i] = end->n[i] + 0.5 * h * (load[0].force[i] + load[1].force[i]);
+        base->m[i] = end->m[i] + 0.5 * h * (turn[0][i] + turn[1][i]);
+    }
+}
+
+void wf_beam_curvature(const struct wf_beam_part *p, const struct wf_beam_shape *u, double k[2][3])
+{
+    for (int j = 0; j < 2; j++) {
+        double slope[3], once[3], twice[3], x = wf_dot(u->v[j], u->v[j]);
+        struct rotation o = rotation_of(x);
+        for (int i = 0; i < 3; i++)
+            slope[i] = (gauss_slope[j][0] * u->v[0][i] + gauss_slope[j][1] * u->v[1][i]) / p->h;
+        wf_cross(u->v[j], slope, once);
+        wf_cross(u->v[j], once, twice);
+        for (int i = 0; i < 3; i++) k[j][i] = slope[i] + o.a * once[i] + o.b * twice[i];
+    }
+}
+
+void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
+                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                        const struct wf_beam_wrench at[2], struct wf_beam_misfit *sum)
+{
+    double k[2][3];
+    wf_beam_curvature(p, u, k);
+    for (int j = 0; j < 2; j++) {
+        double law[3], miss[3], work[3], strain[3];
+        for (int i = 0; i < 3; i++) law[i] = (1 + creep->rate) * k[j][i] - creep->rate * creep->k0[j][i];
+        m3_apply(base_L, law, miss);
+        v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, work);
+        sum->energy += 0.25 * p->h * wf_dot(work, at[j].m);
+        v3_add(miss, -1, work);
+        v3_section(p->ei[j], p->gj[j], s->t[j], miss, work);
+        sum->bending += 0.25 * p->h * wf_dot(work, miss);
+        v3_section(p->cs[j], p->ca[j], s->t[j], at[j].n, strain);
+        for (int i = 0; i < 3; i++) strain[i] += s->t[j][i] - s->rp[j][i];
+        sum->strain = fmax(sum->strain, sqrt(wf_dot(strain, strain)));
+    }
+}

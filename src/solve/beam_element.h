@@ -1,0 +1,90 @@
+#ifndef WF_SOLVE_BEAM_ELEMENT_H
+#define WF_SOLVE_BEAM_ELEMENT_H
+/* One geometrically exact rod element (Simo 1985, Comput. Methods Appl. Mech. Eng. 49:55; Antman 2005, Nonlinear
+ * Problems of Elasticity, ch. 8), by two-stage Gauss collocation.
+ *
+ * Along the arc length s of the unloaded axis the rotation L(s) from the unloaded to the loaded state, the place r(s),
+ * and the force n(s) and moment m(s) that the upper part puts on the section obey
+ *     L' = [k]x L,  r' = L t + g,  n' = -f(r, L t),  m' = -r' x n,   k = G m,  g = H n,
+ * with t the unloaded tangent, f the load per unit length, G and H the section's compliances in bending/torsion and
+ * stretch/shear, all in global axes. Within an element L(s) = exp(v(s)) L(base); the rotation vector v is a quadratic
+ * in s fixed by its values at the two Gauss points. Gauss collocation makes place, rotation, force and moment at the
+ * element's ends accurate to h^4, keeps the balance of forces and moments exact on every mesh, and has no locking,
+ * because the section's compliances may be zero.
+ *
+ * Unknown are only the two rotation vectors. For a given shape the internal forces follow by sums from the tips down;
+ * what is left is the material law k = G m, solved by Newton with its exact derivative (but for the effect of stretch
+ * on the load within one element, of relative size (r/h)^2 and below). */
+#include "load/load.h"
+#include "solve/beam_mesh.h"
+
+struct wf_beam_pose {
+    double r[3], L[9];
+};
+struct wf_beam_shape {      /* unknowns; in the axes that turn with the element's base */
+    double v[2][3];         /* rotation vector at the Gauss points      */
+    double g[2][3];         /* stretch and shear strain there           */
+};
+struct wf_beam_stage {      /* the bent element at its Gauss points     */
+    double r[2][3], rp[2][3], t[2][3]; /* place, r' and unit tangent    */
+};
+struct wf_beam_wrench {
+    double n[3], m[3];
+};
+/* Change of the wrench a part hands down for a change p = (place, spin) of its base: K p + k. */
+struct wf_beam_reaction {
+    double K[6][6], k[6];
+};
+/* How the element's Gauss points answer a change p of its base: spins relative to the base X p + x. */
+struct wf_beam_answer {
+    double X[6][6], x[6];
+};
+
+/* Place the element on its base: stages and end. */
+void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct wf_beam_pose *base,
+                   struct wf_beam_stage *s, struct wf_beam_pose *end);
+
+/* The element's loads at its stages, with their derivatives. */
+void wf_beam_load(const struct wf_beam_part *p, const struct wf_loads *l, const struct wf_beam_stage *s,
+                  struct wf_line_load load[2]);
+
+/* Internal forces at the stages and at the base, from those at the end.  h: length [m]. */
+void wf_beam_balance(double h, const struct wf_beam_stage *s, const struct wf_line_load load[2],
+                     const struct wf_beam_wrench *end, struct wf_beam_wrench at[2], struct wf_beam_wrench *base);
+
+/* Creep that stiffens an element while it moves: the moment of the material law becomes
+ * G^-1 ((1 + rate) k - rate k0), with k0 the curvature (base axes) it starts from. rate = 0: elastic. */
+struct wf_beam_creep {
+    double rate;
+    const double (*k0)[3];
+};
+
+/* Curvature change k at the Gauss points in base axes [1/m]. */
+void wf_beam_curvature(const struct wf_beam_part *p, const struct wf_beam_shape *u, double k[2][3]);
+
+/* How far the material law is missed. */
+struct wf_beam_misfit {
+    double bending; /* energy of the missing curvature, h/4 sum (k - G m).G^-1 (k - G m) [J] */
+    double energy;  /* h/4 sum m.G m [J], to measure it by                                     */
+    double strain;  /* largest |H n - g| [-]                                                   */
+};
+void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
+                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                        const struct wf_beam_wrench at[2], struct wf_beam_misfit *sum);
+
+/* Linearise and eliminate the element. Given: the present state, and in *node the reaction of all that is above its end.
+ * Returned: *answer; in *node how the end itself answers a change p of the base, K p + k; the reaction handed down is
+ * added to *below. u->g becomes the strain under the present forces. *negative (may be NULL) counts up by the number of
+ * directions in which this element, with all above it, is unstable (inertia of its Hessian by strains; loads that are
+ * not conservative enter by their symmetric part). false when the eliminated block is singular. */
+bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double base_L[9],
+                       const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                       const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
+                       struct wf_beam_reaction *node, struct wf_beam_answer *answer,
+                       struct wf_beam_reaction *below, size_t *negative);
+
+/* Newton correction of the unknowns from the change p of the base: dv[2][3] in base axes; end[6] = change of the end,
+ * as node (see above) has it. */
+void wf_beam_correct(const struct wf_beam_shape *u, const double base_L[9], const struct wf_beam_answer *answer,
+                     const struct wf_beam_reaction *node, const double p[6], double dv[2][3], double end[6]);
+#endif

@@ -1,0 +1,335 @@
+/* Linearisation of one element and its elimination between its base and what is above.
+ *
+ * Spins at the Gauss points are q_j = q_0 + y_j (y: unknown, q_0: spin of the base). Exactly,
+ *   dr'_j = Y_j q_j + H_j dn_end,                    Y = -[r'] + H [n]
+ *   df_j  = sum_m F_jm q_m + A_j dr_0,               F_jm = B_j 1_jm + h up_jm A_j Y_m
+ *   dn_j  = dn_end + sum_m N_jm q_m + A^n_j dr_0,    N = h down F,  A^n = h down A
+ *   d(r' x n)_j = V_jm q_m + Vn_j dn_end + Vr_j dr_0,
+ *   dm_j  = dm_end + h down (d(r' x n)),
+ *   d(material law's moment)_j = G^-1 (Q_j y_j + sum_m slope_jm/h P_jm y_m + [.]) - [M] q_j + G^-1 [k] y_j,
+ * with A, B the load's derivatives by place and by turn, T the tangent of the rotation vector, Q = D T^-1,
+ * P_jm = T_j T_m^-1. The end's wrench is what the part above answers, dw = K p_end + k, so that six
+ * equations in the six y remain. */
+#include "solve/beam_element.h"
+#include "solve/gauss.h"
+#include "solve/vec.h"
+
+struct kinematics {
+    double k[2][3];     /* curvature of the material law, creep included */
+    double QP[2][2][9]; /* y -> change of curvature                       */
+    double W[2][9];     /* y -> spin of the end, relative to the base     */
+};
+
+/* D w = d(T(v) slope)/dv w */
+static void tangent_slope(const struct rotation *o, const double v[3], const double slope[3], double D[9])
+{
+    double once[3], twice[3], grow[3], dot = wf_dot(v, slope);
+    wf_cross(v, slope, once);
+    wf_cross(v, once, twice);
+    for (int i = 0; i < 3; i++) grow[i] = o->da * once[i] + o->db * twice[i];
+    memset(D, 0, 9 * sizeof *D);
+    m3_add_cross(D, -o->a, slope); /* a w x slope */
+    m3_add_outer(D, 1, grow, v);
+    /* b (w x (v x slope) + v x (w x slope)) = b (-[once] - [v][slope]) w;  [v][s] = s v' - (v.s) 1 */
+    m3_add_cross(D, -o->b, once);
+    m3_add_outer(D, -o->b, slope, v);
+    for (int i = 0; i < 3; i++) D[4 * i] += o->b * dot;
+}
+
+static void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double L[9],
+                          const struct wf_beam_creep *creep, struct kinematics *c)
+{
+    double v[2][3], T[2][9], Ti[2][9], D[9], end[3], Te[9], x;
+    for (int j = 0; j < 2; j++) m3_apply(L, u->v[j], v[j]);
+    for (int i = 0; i < 3; i++) end[i] = gauss_end[0] * v[0][i] + gauss_end[1] * v[1][i];
+    for (int j = 0; j < 2; j++) {
+        double slope[3], Tslope[3], old[3];
+        x = wf_dot(v[j], v[j]);
+        struct rotation o = rotation_of(x);
+        for (int i = 0; i < 3; i++)
+            slope[i] = (gauss_slope[j][0] * v[0][i] + gauss_slope[j][1] * v[1][i]) / p->h;
+        rotation_tangent(&o, v[j], x, T[j]);
+        rotation_tangent_inverse(&o, v[j], x, Ti[j]);
+        tangent_slope(&o, v[j], slope, D);
+        m3_mul(D, Ti[j], c->QP[j][j]);
+        for (int i = 0; i < 3; i++) c->QP[j][j][4 * i] += gauss_slope[j][j] / p->h;
+        m3_apply(T[j], slope, Tslope);
+        m3_apply(L, creep->k0[j], old);
+        for (int i = 0; i < 3; i++) c->k[j][i] = (1 + creep->rate) * Tslope[i] - creep->rate * old[i];
+    }
+    x = wf_dot(end, end);
+    struct rotation o = rotation_of(x);
+    rotation_tangent(&o, end, x, Te);
+    for (int j = 0; j < 2; j++) {
+        m3_mul(T[j], Ti[1 - j], c->QP[j][1 - j]);
+        for (int i = 0; i < 9; i++) c->QP[j][1 - j][i] *= gauss_slope[j][1 - j] / p->h;
+        m3_mul(Te, Ti[j], c->W[j]);
+        for (int i = 0; i < 9; i++) c->W[j][i] *= gauss_end[j];
+    }
+    for (int j = 0; j < 2; j++)
+        for (int m = 0; m < 2; m++)
+            for (int i = 0; i < 9; i++) c->QP[j][m][i] *= 1 + creep->rate;
+}
+
+/* Derivatives of the loads and of r' x n inside the element. */
+struct statics {
+    double Y[2][9];                /* spin -> dr'                       */
+    double F[2][2][9], V[2][2][9]; /* spin at m -> df_j, d(r' x n)_j    */
+    double Vn[2][9], Vr[2][9];     /* dn_end, dr_0 -> d(r' x n)_j       */
+    double gap[2][3];              /* strain still to come: H n - g     */
+    double Vc[2][3];               /* its part of d(r' x n)_j           */
+};
+
+static void statics_of(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
+                       const struct wf_beam_stage *s, const struct wf_line_load load[2],
+                       const struct wf_beam_wrench at[2], struct statics *c)
+{
+    memset(c, 0, sizeof *c);
+    for (int j = 0; j < 2; j++) {
+        double strain[3], tn[3];
+        v3_section(p->cs[j], p->ca[j], s->t[j], at[j].n, strain);
+        for (int i = 0; i < 3; i++) c->gap[j][i] = strain[i] + s->t[j][i] - s->rp[j][i];
+        m3_apply_transposed(L, strain, u->g[j]);
+        wf_cross(s->t[j], at[j].n, tn);
+        m3_add_cross(c->Y[j], -1, s->rp[j]);
+        m3_add_cross(c->Y[j], p->cs[j], at[j].n); /* H [n] = cs [n] + (ca - cs) t (t x n)' */
+        m3_add_outer(c->Y[j], p->ca[j] - p->cs[j], s->t[j], tn);
+        m3_add_cross(c->Vn[j], 1, s->rp[j]); /* [r'] - [n] H,  [n] H = cs [n] - (ca - cs) (t x n) t' */
+        m3_add_cross(c->Vn[j], -p->cs[j], at[j].n);
+        m3_add_outer(c->Vn[j], p->ca[j] - p->cs[j], tn, s->t[j]);
+        double turn[3];
+        wf_cross(at[j].n, c->gap[j], turn);
+        for (int i = 0; i < 3; i++) c->Vc[j][i] = -turn[i];
+    }
+    for (int j = 0; j < 2; j++)
+        for (int m = 0; m < 2; m++) {
+            m3_mul(load[j].by_place, c->Y[m], c->F[j][m]);
+            for (int i = 0; i < 9; i++)
+                c->F[j][m][i] = p->h * gauss_up[j][m] * c->F[j][m][i] + (j == m ? load[j].by_turn[i] : 0);
+        }
+    for (int j = 0; j < 2; j++) {
+        double N[9];
+        for (int m = 0; m < 2; m++) {
+            for (int i = 0; i < 9; i++)
+                N[i] = p->h * (gauss_down[j][0] * c->F[0][m][i] + gauss_down[j][1] * c->F[1][m][i]);
+            m3_add_cross_mul(c->V[j][m], 1, s->rp[j], N);
+        }
+        m3_add_cross_mul(c->V[j][j], -1, at[j].n, c->Y[j]);
+        for (int i = 0; i < 9; i++)
+            N[i] = p->h * (gauss_down[j][0] * load[0].by_place[i] + gauss_down[j][1] * load[1].by_place[i]);
+        m3_add_cross_mul(c->Vr[j], 1, s->rp[j], N);
+    }
+}
+
+static void put(double A[][13], int row, int col, const double B[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) A[row + i][col + j] = B[3 * i + j];
+}
+
+/* [S | R | c] x (y, p_base, 1) = 0 without the part above; its answer enters through E: rows of dm_j by dw_end. */
+static void equations(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
+                      const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], double A[6][13],
+                      double E[6][6])
+{
+    for (int j = 0; j < 2; j++) {
+        double law[3], M[2][9], G[9], C[9], R[9], Mn[9];
+        const double d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1], ei = p->ei[j], gj = p->gj[j];
+        v3_section(ei, gj, s->t[j], k->k[j], law);
+        for (int m = 0; m < 2; m++)
+            for (int i = 0; i < 9; i++) M[m][i] = d0 * q->V[0][m][i] + d1 * q->V[1][m][i];
+        /* turning the section: d(G^-1) k = -[law] q + G^-1 [k] q */
+        memset(C, 0, sizeof C);
+        m3_add_cross(C, -1, law);
+        for (int i = 0; i < 9; i++) R[i] = C[i] - M[0][i] - M[1][i];
+        put(A, 3 * j, 9, R);
+        memset(G, 0, sizeof G);
+        m3_add_cross(G, 1, k->k[j]);
+        m3_add(G, 1, k->QP[j][j]);
+        m3_add_section_mul(C, ei, gj, s->t[j], G);
+        m3_add(C, -1, M[j]);
+        put(A, 3 * j, 3 * j, C);
+        for (int i = 0; i < 9; i++) C[i] = -M[1 - j][i];
+        m3_add_section_mul(C, ei, gj, s->t[j], k->QP[j][1 - j]);
+        put(A, 3 * j, 3 - 3 * j, C);
+        for (int i = 0; i < 9; i++) R[i] = -d0 * q->Vr[0][i] - d1 * q->Vr[1][i];
+        put(A, 3 * j, 6, R);
+        for (int i = 0; i < 9; i++) Mn[i] = d0 * q->Vn[0][i] + d1 * q->Vn[1][i];
+        for (int i = 0; i < 3; i++) {
+            A[3 * j + i][12] = law[i] - at[j].m[i] - d0 * q->Vc[0][i] - d1 * q->Vc[1][i];
+            for (int c = 0; c < 3; c++) E[3 * j + i][c] = -Mn[3 * i + c], E[3 * j + i][3 + c] = c == i ? -1 : 0;
+        }
+    }
+}
+
+/* Solve the leading 6x6 of A for its other seven columns, with row exchanges. */
+static bool solve6(double A[6][13])
+{
+    for (int c = 0; c < 6; c++) {
+        int best = c;
+        for (int r = c + 1; r < 6; r++)
+            if (fabs(A[r][c]) > fabs(A[best][c])) best = r;
+        if (!(fabs(A[best][c]) > 0)) return false;
+        if (best != c)
+            for (int k = 0; k < 13; k++) {
+                double hold = A[c][k];
+                A[c][k] = A[best][k];
+                A[best][k] = hold;
+            }
+        double inverse = 1 / A[c][c];
+        for (int k = 0; k < 13; k++) A[c][k] *= inverse;
+        for (int r = 0; r < 6; r++) {
+            double f = A[r][c];
+            if (r == c) continue;
+            for (int k = 0; k < 13; k++) A[r][k] -= f * A[c][k];
+        }
+    }
+    return true;
+}
+
+/* Directions in which the element is unstable: S in terms of strains is S B^-1 with B = d(curvature)/dy, symmetric for
+ * conservative loads; count the negative pivots of its symmetric part. */
+static size_t unstable_directions(double A[6][13], const struct kinematics *k)
+{
+    double B[6][13], H[6][6];
+    size_t negative = 0;
+    /* rows: B' x = S', so that x' = S B^-1 */
+    for (int j = 0; j < 2; j++)
+        for (int m = 0; m < 2; m++)
+            for (int i = 0; i < 3; i++)
+                for (int c = 0; c < 3; c++) B[3 * m + c][3 * j + i] = k->QP[j][m][3 * i + c];
+    for (int i = 0; i < 6; i++) {
+        for (int c = 0; c < 6; c++) B[i][6 + c] = A[c][i];
+        B[i][12] = 0;
+    }
+    if (!solve6(B)) return 0;
+    for (int i = 0; i < 6; i++)
+        for (int c = 0; c < 6; c++) H[i][c] = 0.5 * (B[i][6 + c] + B[c][6 + i]);
+    for (int c = 0; c < 6; c++) {
+        if (H[c][c] < 0) negative++;
+        for (int r = c + 1; r < 6; r++) {
+            double f = H[r][c] / H[c][c];
+            for (int i = c; i < 6; i++) H[r][i] -= f * H[c][i];
+        }
+    }
+    return negative;
+}
+
+/* C (6 x 7) += A (6 x 6) B (6 x 7) */
+static inline void mul67(double A[6][6], double B[6][7], double C[6][7])
+{
+    for (int i = 0; i < 6; i++)
+        for (int m = 0; m < 6; m++)
+            for (int c = 0; c < 7; c++) C[i][c] += A[i][m] * B[m][c];
+}
+
+/* end = P y + base (p_base, 1):  dr = dr_0 + h/2 sum (Y q + gap), spin = q_0 + sum W y */
+static void end_of(double half, const struct kinematics *k, const struct statics *q, double P[6][6],
+                   double base[6][7])
+{
+    memset(base, 0, 42 * sizeof(double));
+    for (int i = 0; i < 6; i++) base[i][i] = 1;
+    for (int i = 0; i < 3; i++) {
+        for (int c = 0; c < 3; c++) {
+            for (int m = 0; m < 2; m++) {
+                P[i][3 * m + c] = half * q->Y[m][3 * i + c];
+                P[3 + i][3 * m + c] = k->W[m][3 * i + c];
+            }
+            base[i][3 + c] = P[i][c] + P[i][3 + c];
+        }
+        base[i][6] = half * (q->gap[0][i] + q->gap[1][i]);
+    }
+}
+
+/* The base: dn_0 = dn_end + h/2 sum df, dm_0 = dm_end + h/2 sum d(r' x n), as S y + B (p_base, 1) + dw_end + Vn dn_end. */
+static void base_of(double half, const struct statics *q, const struct wf_line_load load[2], double S[6][6],
+                    double B[6][7])
+{
+    for (int i = 0; i < 3; i++) {
+        for (int c = 0; c < 3; c++) {
+            for (int m = 0; m < 2; m++) {
+                S[i][3 * m + c] = half * (q->F[0][m][3 * i + c] + q->F[1][m][3 * i + c]);
+                S[3 + i][3 * m + c] = half * (q->V[0][m][3 * i + c] + q->V[1][m][3 * i + c]);
+            }
+            B[i][c] = half * (load[0].by_place[3 * i + c] + load[1].by_place[3 * i + c]);
+            B[3 + i][c] = half * (q->Vr[0][3 * i + c] + q->Vr[1][3 * i + c]);
+            B[i][3 + c] = S[i][c] + S[i][3 + c];
+            B[3 + i][3 + c] = S[3 + i][c] + S[3 + i][3 + c];
+        }
+        B[i][6] = 0;
+        B[3 + i][6] = half * (q->Vc[0][i] + q->Vc[1][i]);
+    }
+}
+
+bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
+                       const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                       const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
+                       struct wf_beam_reaction *node, struct wf_beam_answer *o, struct wf_beam_reaction *below,
+                       size_t *negative)
+{
+    struct kinematics k;
+    struct statics q;
+    double A[6][13], E[6][6], P[6][6], S[6][6], Z[6][7], K[6][7], EK[6][7] = { { 0 } }, y[6][7],
+                                                       W[6][7] = { { 0 } }, B[6][7];
+    const double half = 0.5 * p->h;
+    kinematics_of(p, u, L, creep, &k);
+    statics_of(p, u, L, s, load, at, &q);
+    equations(p, &k, &q, s, at, A, E);
+    end_of(half, &k, &q, P, Z);
+    base_of(half, &q, load, S, B);
+    for (int i = 0; i < 6; i++) {
+        for (int c = 0; c < 6; c++) K[i][c] = node->K[i][c];
+        K[i][6] = node->k[i];
+    }
+
+    mul67(E, K, EK); /* the part above answers: dw_end = K end + k */
+    for (int i = 0; i < 6; i++) {
+        for (int m = 0; m < 6; m++) {
+            for (int c = 0; c < 6; c++) A[i][c] += EK[i][m] * P[m][c];
+            for (int c = 0; c < 7; c++) A[i][6 + c] += EK[i][m] * Z[m][c];
+        }
+        A[i][12] += EK[i][6];
+    }
+    if (negative) *negative += unstable_directions(A, &k);
+    if (!solve6(A)) return false;
+    for (int i = 0; i < 6; i++)
+        for (int c = 0; c < 7; c++) y[i][c] = -A[i][6 + c];
+
+    mul67(P, y, Z); /* end = Z (p, 1) */
+    mul67((double(*)[6])node->K, Z, W);
+    for (int i = 0; i < 6; i++) W[i][6] += node->k[i]; /* dw_end = W (p, 1) */
+    mul67(S, y, B);
+    for (int i = 0; i < 3; i++)
+        for (int m = 0; m < 3; m++) {
+            double f = half * (q.Vn[0][3 * i + m] + q.Vn[1][3 * i + m]);
+            for (int c = 0; c < 7; c++) B[3 + i][c] += f * W[m][c];
+        }
+    for (int i = 0; i < 6; i++) {
+        for (int c = 0; c < 6; c++) {
+            o->X[i][c] = y[i][c];
+            node->K[i][c] = Z[i][c];
+            below->K[i][c] += W[i][c] + B[i][c];
+        }
+        o->x[i] = y[i][6];
+        node->k[i] = Z[i][6];
+        below->k[i] += W[i][6] + B[i][6];
+    }
+    return true;
+}
+
+void wf_beam_correct(const struct wf_beam_shape *u, const double L[9], const struct wf_beam_answer *o,
+                     const struct wf_beam_reaction *node, const double p[6], double dv[2][3], double end[6])
+{
+    double y[6];
+    for (int i = 0; i < 6; i++) {
+        y[i] = o->x[i], end[i] = node->k[i];
+        for (int c = 0; c < 6; c++) y[i] += o->X[i][c] * p[c], end[i] += node->K[i][c] * p[c];
+    }
+    for (int j = 0; j < 2; j++) {
+        double local[3], Ti[9], x = wf_dot(u->v[j], u->v[j]);
+        struct rotation r = rotation_of(x);
+        m3_apply_transposed(L, y + 3 * j, local);
+        rotation_tangent_inverse(&r, u->v[j], x, Ti);
+        m3_apply(Ti, local, dv[j]);
+    }
+}

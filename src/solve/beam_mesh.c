@@ -1,0 +1,162 @@
+#include "solve/beam_mesh.h"
+#include "solve/vec.h"
+#include <math.h>
+
+#define PI 3.14159265358979323846
+/* two-point Gauss-Legendre abscissae on 0..1 */
+static const double gauss2[2] = { 0.21132486540518711775, 0.78867513459481288225 };
+/* eight-point Gauss-Legendre rule on 0..1, exact to degree 15 */
+static const double gauss8[8] = { 0.01985507175123188416, 0.10166676129318663020, 0.23723379504183550709,
+                                  0.40828267875217509753, 0.59171732124782490247, 0.76276620495816449291,
+                                  0.89833323870681336980, 0.98014492824876811584 };
+static const double weight8[8] = { 0.05061426814518812958, 0.11119051722668723527, 0.15685332293894364367,
+                                   0.18134189168918099148, 0.18134189168918099148, 0.15685332293894364367,
+                                   0.11119051722668723527, 0.05061426814518812958 };
+
+static double between(double a, double b, double s) { return a + (b - a) * s; }
+
+/* An arc of constant curvature between two points: base tangent from chord and curvature vector. */
+void wf_row_axis(const struct wf_tree *t, size_t i, double s, double position[3], double tangent[3])
+{
+    const double base[3] = { t->x0[i], t->y0[i], t->z0[i] };
+    double chord[3] = { t->x1[i] - base[0], t->y1[i] - base[1], t->z1[i] - base[2] };
+    double size = sqrt(wf_dot(chord, chord)), curvature = 0;
+    if (t->bend) curvature = sqrt(wf_dot(t->bend + 3 * i, t->bend + 3 * i));
+    if (!(curvature > 0)) {
+        for (int k = 0; k < 3; k++) {
+            position[k] = base[k] + s * chord[k];
+            tangent[k] = chord[k] / size;
+        }
+        return;
+    }
+    double angle = wf_tree_length(t, i) * curvature, turn[3], R[9], half[3], along[3];
+    for (int k = 0; k < 3; k++) turn[k] = t->bend[3 * i + (size_t)k] / curvature;
+    for (int k = 0; k < 3; k++) half[k] = (s - 0.5) * angle * turn[k], along[k] = chord[k] / size;
+    rotation_matrix(half, R);
+    m3_apply(R, along, tangent);
+    /* the chord from the base to arc fraction s has length sin(s angle/2)/sin(angle/2) of the whole */
+    for (int k = 0; k < 3; k++) half[k] = (s - 1) * 0.5 * angle * turn[k];
+    rotation_matrix(half, R);
+    m3_apply(R, along, position);
+    double share = size * sin(0.5 * s * angle) / sin(0.5 * angle);
+    for (int k = 0; k < 3; k++) position[k] = base[k] + share * position[k];
+}
+
+struct section {
+    double ei, gj, ea, ga;
+};
+
+static struct section section_at(const struct wf_tree *t, size_t i, double s, double shear_factor)
+{
+    if (t->stiff) {
+        const double *k = t->stiff + 4 * i;
+        return (struct section){ .ea = k[0], .ga = k[1], .ei = k[2], .gj = k[3] };
+    }
+    double a = between(t->r0[i], t->r1[i], s), b = between(t->i0[i], t->i1[i], s), m = b / a;
+    double area = PI * (a * a - b * b), inertia = 0.25 * PI * (a * a * a * a - b * b * b * b);
+    double nu = t->youngs[i] / (2 * t->shear[i]) - 1, k = shear_factor;
+    if (!(k > 0)) { /* Cowper 1966, J. Appl. Mech. 33:335, hollow circle */
+        double q = (1 + m * m) * (1 + m * m), p = m * m;
+        k = 6 * (1 + nu) * q / ((7 + 6 * nu) * q + (20 + 12 * nu) * p);
+    }
+    return (struct section){ .ea = t->youngs[i] * area,
+                             .ga = k * t->shear[i] * area,
+                             .ei = t->youngs[i] * inertia,
+                             .gj = t->shear[i] * 2 * inertia };
+}
+
+/* Compliances at the two Gauss points that keep the integrals of c and s c over the piece s0..s1 of the row. */
+static void two_moments(const double *c8, double out[2])
+{
+    double i0 = 0, i1 = 0;
+    for (int k = 0; k < 8; k++) i0 += weight8[k] * c8[k], i1 += weight8[k] * gauss8[k] * c8[k];
+    out[1] = 2 * (i1 - gauss2[0] * i0) / (gauss2[1] - gauss2[0]);
+    out[0] = 2 * i0 - out[1];
+}
+
+static void stiffen(const struct wf_tree *t, size_t i, double s0, double s1, const struct wf_solve_options *o,
+                    struct wf_beam_part *p)
+{
+    double bend[8], twist[8], stretch[8], slide[8], c[2];
+    for (int k = 0; k < 8; k++) {
+        struct section s = section_at(t, i, between(s0, s1, gauss8[k]), o->shear_factor);
+        bend[k] = 1 / s.ei, twist[k] = 1 / s.gj, stretch[k] = 1 / s.ea, slide[k] = 1 / s.ga;
+    }
+    two_moments(bend, c);
+    bool extreme = !(c[0] > 0 && c[1] > 0); /* a piece running out to a point: plain values, refined by pieces */
+    for (int j = 0; j < 2; j++) {
+        struct section s = section_at(t, i, between(s0, s1, gauss2[j]), o->shear_factor);
+        p->ei[j] = extreme ? s.ei : 1 / c[j];
+        p->gj[j] = s.gj, p->ca[j] = 1 / s.ea, p->cs[j] = 1 / s.ga;
+    }
+    if (!extreme) {
+        two_moments(twist, c);
+        for (int j = 0; j < 2; j++) p->gj[j] = 1 / c[j];
+        two_moments(stretch, p->ca);
+        two_moments(slide, p->cs);
+    }
+    for (int j = 0; j < 2; j++) {
+        if (o->inextensible) p->ca[j] = 0;
+        if (o->inextensible || !o->shear_flexible) p->cs[j] = 0;
+    }
+}
+
+static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i, double s,
+                     struct wf_beam_part *p, int j)
+{
+    double a = between(t->r0[i], t->r1[i], s), b = between(t->i0[i], t->i1[i], s), at[3];
+    wf_row_axis(t, i, s, at, p->t[j]);
+    p->line[j] = (struct wf_line_point){ .diameter = 2 * a,
+                                         .drag = t->drag[i],
+                                         .lift = t->lift[i],
+                                         .sail = between(t->sail0[i], t->sail1[i], s),
+                                         .mass = t->density[i] * PI * (a * a - b * b) +
+                                                 between(t->burden0[i], t->burden1[i], s) };
+    p->spin[j] = t->density[i] * 0.5 * PI * (a * a * a * a - b * b * b * b);
+    if (l->line)
+        for (size_t k = 0; k < 3; k++) p->dead[j][k] = between(l->line[6 * i + k], l->line[6 * i + 3 + k], s);
+}
+
+static enum wf_status joined(const struct wf_tree *t, size_t i, struct wf_err *e)
+{
+    if (t->parent[i] < 0) return WF_OK;
+    size_t p = (size_t)t->parent[i];
+    double gap[3] = { t->x0[i] - t->x1[p], t->y0[i] - t->y1[p], t->z0[i] - t->z1[p] };
+    double size = sqrt(wf_dot(gap, gap));
+    if (size <= 1e-6 * (1 + wf_tree_length(t, i))) return WF_OK;
+    return wf_fail(e, WF_EINPUT, "segment %lld starts %.3g m away from the end of its parent %lld",
+                   (long long)t->id[i], size, (long long)t->id[p]);
+}
+
+enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads *l,
+                                  const struct wf_solve_options *o, const int32_t *pieces,
+                                  struct wf_arena *a, struct wf_beam_mesh *m, struct wf_err *e)
+{
+    *m = (struct wf_beam_mesh){ .tree = t };
+    for (size_t i = 0; i < t->n; i++) m->n += pieces ? (size_t)pieces[i] : 1;
+    m->part = WF_TAKE(a, m->n, struct wf_beam_part);
+    m->first = WF_TAKE(a, t->n, int32_t);
+    m->last = WF_TAKE(a, t->n, int32_t);
+    if (t->mass1) m->mass1 = WF_TAKE(a, m->n, double);
+    if (!m->part || !m->first || !m->last || (t->mass1 && !m->mass1))
+        return wf_fail(e, WF_ENOMEM, "no room for %zu beam elements", m->n);
+    int32_t at = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        int32_t cut = pieces ? pieces[i] : 1;
+        enum wf_status status = joined(t, i, e);
+        if (status) return status;
+        m->first[i] = at;
+        for (int32_t k = 0; k < cut; k++, at++) {
+            struct wf_beam_part *p = m->part + at;
+            double s0 = (double)k / cut, s1 = (double)(k + 1) / cut;
+            p->row = (int32_t)i;
+            p->parent = k ? at - 1 : t->parent[i] < 0 ? -1 : m->last[t->parent[i]];
+            p->h = wf_tree_length(t, i) / cut;
+            stiffen(t, i, s0, s1, o, p);
+            for (int j = 0; j < 2; j++) describe(t, l, i, between(s0, s1, gauss2[j]), p, j);
+        }
+        m->last[i] = at - 1;
+        if (t->mass1) m->mass1[at - 1] = t->mass1[i];
+    }
+    return WF_OK;
+}

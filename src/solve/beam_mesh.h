@@ -1,0 +1,44 @@
+#ifndef WF_SOLVE_BEAM_MESH_H
+#define WF_SOLVE_BEAM_MESH_H
+/* Elements of a tree for the beam solvers: each row cut into equal pieces, each piece one element with two
+ * Gauss points, where everything that does not change while the tree bends is worked out once. */
+#include "base/arena.h"
+#include "base/err.h"
+#include "data/tree.h"
+#include "load/load.h"
+#include "solve/solve.h"
+#include <stdint.h>
+
+/* What an element is made of; index 0/1 = Gauss point nearer the base / the end. */
+struct wf_beam_part {
+    int32_t parent;  /* element below; -1 = ground                                          */
+    int32_t row;     /* tree row it belongs to                                              */
+    double h;        /* arc length [m]                                                      */
+    double t[2][3];  /* unloaded unit tangent                                               */
+    double ei[2], gj[2]; /* bending and torsion stiffness [N m2]                            */
+    double ca[2], cs[2]; /* axial and shear compliance [1/N]; 0 = rigid                     */
+    double spin[2];  /* torsional inertia per length [kg m]                                 */
+    struct wf_line_point line[2];
+    double dead[2][3]; /* dead line load [N/m]                                              */
+};
+
+struct wf_beam_mesh {
+    const struct wf_tree *tree;
+    size_t n;               /* elements                                                     */
+    struct wf_beam_part *part;
+    int32_t *last;          /* per row: its last element                                    */
+    int32_t *first;         /* per row: its first element                                   */
+    double *mass1;          /* per element: point mass at its end [kg]; NULL = none         */
+};
+
+/* Given: tree, loads (for dead line loads), options (beam model), pieces[n] per row (NULL = 1 each).
+ * Returned: WF_OK; WF_ENOMEM; WF_EINPUT naming a row that is not connected to its parent's end.
+ * Method: tapered stiffness enters by two moments, so that the integrals of 1/EI and s/EI over an element are
+ * exact whatever the taper (to eight-point Gauss-Legendre quadrature). */
+enum wf_status wf_beam_mesh_build(const struct wf_tree *tree, const struct wf_loads *loads,
+                                  const struct wf_solve_options *options, const int32_t *pieces,
+                                  struct wf_arena *arena, struct wf_beam_mesh *out, struct wf_err *e);
+
+/* Reference position, tangent of the row's axis at arc fraction s (0..1) of row i. */
+void wf_row_axis(const struct wf_tree *tree, size_t i, double s, double position[3], double tangent[3]);
+#endif

@@ -1,0 +1,88 @@
+#include "solve/beam_newton.h"
+#include "solve/vec.h"
+#include <float.h>
+
+enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
+                            const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
+                            struct wf_err *e)
+{
+    *b = (struct wf_beam){ .loads = *l, .options = o };
+    enum wf_status status = wf_beam_mesh_build(t, l, o, pieces, a, &b->mesh, e);
+    if (status) return status;
+    size_t n = b->mesh.n;
+    b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);
+    b->root_step = wf_arena_take(a, t->n, sizeof *b->root_step);
+    b->root_change = wf_arena_take(a, t->n, sizeof *b->root_change);
+    b->shape = WF_TAKE(a, n, struct wf_beam_shape);
+    b->pose = WF_TAKE(a, n, struct wf_beam_pose);
+    b->stage = WF_TAKE(a, n, struct wf_beam_stage);
+    b->wrench = WF_TAKE(a, n, struct wf_beam_wrench);
+    b->node = WF_TAKE(a, n, struct wf_beam_reaction);
+    b->answer = WF_TAKE(a, n, struct wf_beam_answer);
+    b->change = wf_arena_take(a, n, sizeof *b->change);
+    b->dv = wf_arena_take(a, n, sizeof *b->dv);
+    if (!b->tilt || !b->root_step || !b->root_change || !b->shape || !b->pose || !b->stage || !b->wrench || !b->node ||
+        !b->answer || !b->change || !b->dv)
+        return wf_fail(e, WF_ENOMEM, "no room for the state of %zu beam elements", n);
+    return WF_OK;
+}
+
+/* Corrections of all unknowns from the base up. Returned: the largest turn any node or Gauss point would make. */
+static double corrections(struct wf_beam *b)
+{
+    double most = 0;
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        const struct wf_beam_part *p = &b->mesh.part[i];
+        struct wf_beam_pose ground;
+        const double *L, *below;
+        if (p->parent >= 0) L = b->pose[p->parent].L, below = b->change[p->parent];
+        else wf_beam_ground(b, i, &ground), L = ground.L, below = b->root_change[p->row];
+        wf_beam_correct(&b->shape[i], L, &b->answer[i], &b->node[i], below, b->dv[i], b->change[i]);
+        most = fmax(most, wf_dot(b->change[i] + 3, b->change[i] + 3));
+        for (int j = 0; j < 2; j++) most = fmax(most, wf_dot(b->dv[i][j], b->dv[i][j]));
+    }
+    return sqrt(most);
+}
+
+static void move(struct wf_beam *b, double share)
+{
+    for (size_t i = 0; i < b->mesh.n; i++)
+        for (int j = 0; j < 2; j++) v3_add(b->shape[i].v[j], share, b->dv[i][j]);
+    for (size_t i = 0; i < b->mesh.tree->n; i++)
+        if (b->mesh.tree->parent[i] < 0) v3_add(b->tilt[i], share, b->root_step[i]);
+    wf_beam_sweep_up(b);
+}
+
+/* One correction, shortened until the misfit falls. */
+static bool step(struct wf_beam *b)
+{
+    const double turn_limit = 1.2; /* rad a node may turn in one step: beyond, the tangent says nothing */
+    double turn = corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
+    struct wf_beam_misfit before = b->misfit;
+    if (!isfinite(turn)) return false;
+    for (int halvings = 0; halvings < 8; halvings++, share *= 0.5) {
+        move(b, share - done);
+        done = share;
+        if (!wf_beam_sweep_down(b, true, false)) continue;
+        if (b->misfit.bending <= before.bending * (1 - 1e-4 * share)) return true;
+        if (b->misfit.bending <= 1e-24 * b->misfit.energy) return true; /* at rounding */
+    }
+    return false;
+}
+
+static bool settled(const struct wf_beam *b)
+{
+    double t = b->options->tolerance;
+    return b->misfit.energy == 0 || (b->misfit.bending <= t * t * b->misfit.energy && b->misfit.strain <= t);
+}
+
+enum wf_status wf_beam_newton(struct wf_beam *b)
+{
+    wf_beam_sweep_up(b);
+    if (!wf_beam_sweep_down(b, true, false)) return WF_ENOCONV;
+    for (size_t i = 0; i < b->options->iterations_max && !settled(b); i++) {
+        b->iterations++;
+        if (!step(b)) return WF_ENOCONV;
+    }
+    return settled(b) ? WF_OK : WF_ENOCONV;
+}

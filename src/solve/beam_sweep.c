@@ -1,0 +1,142 @@
+/* Sweeps over all elements: a parent always stands before its children, so one loop up and one loop down. */
+#include "solve/beam_newton.h"
+#include "solve/vec.h"
+#include <float.h>
+
+void wf_beam_ground(const struct wf_beam *b, size_t element, struct wf_beam_pose *pose)
+{
+    const struct wf_tree *t = b->mesh.tree;
+    size_t row = (size_t)b->mesh.part[element].row;
+    pose->r[0] = t->x0[row], pose->r[1] = t->y0[row], pose->r[2] = t->z0[row];
+    rotation_matrix(b->tilt[row], pose->L);
+}
+
+static const struct wf_beam_pose *base_of(const struct wf_beam *b, size_t i, struct wf_beam_pose *ground)
+{
+    int32_t below = b->mesh.part[i].parent;
+    if (below >= 0) return &b->pose[below];
+    wf_beam_ground(b, i, ground);
+    return ground;
+}
+
+void wf_beam_sweep_up(struct wf_beam *b)
+{
+    struct wf_beam_pose ground;
+    for (size_t i = 0; i < b->mesh.n; i++)
+        wf_beam_place(&b->mesh.part[i], &b->shape[i], base_of(b, i, &ground), &b->stage[i], &b->pose[i]);
+}
+
+/* Loads that act at element ends: point masses, dead and follower forces and moments. */
+static void load_nodes(struct wf_beam *b)
+{
+    const struct wf_loads *l = &b->loads;
+    memset(b->wrench, 0, b->mesh.n * sizeof *b->wrench);
+    if (b->mesh.mass1)
+        for (size_t i = 0; i < b->mesh.n; i++) b->wrench[i].n[2] -= l->weight_scale * l->gravity * b->mesh.mass1[i];
+    for (size_t k = 0; k < l->points; k++) {
+        const struct wf_point_load *q = &l->point[k];
+        size_t i = (size_t)b->mesh.last[q->segment];
+        double f[3], m[3];
+        memcpy(f, q->force, sizeof f), memcpy(m, q->moment, sizeof m);
+        if (q->kind == WF_POINT_FOLLOWER) m3_apply(b->pose[i].L, f, f), m3_apply(b->pose[i].L, m, m);
+        v3_add(b->wrench[i].n, l->point_scale, f);
+        v3_add(b->wrench[i].m, l->point_scale, m);
+    }
+}
+
+/* Follower loads turn with their section: dn = spin x n. */
+static void react_nodes(struct wf_beam *b)
+{
+    const struct wf_loads *l = &b->loads;
+    memset(b->node, 0, b->mesh.n * sizeof *b->node);
+    for (size_t k = 0; k < l->points; k++) {
+        const struct wf_point_load *q = &l->point[k];
+        if (q->kind != WF_POINT_FOLLOWER) continue;
+        size_t i = (size_t)b->mesh.last[q->segment];
+        double f[3], m[3], N[9] = { 0 }, M[9] = { 0 };
+        m3_apply(b->pose[i].L, q->force, f), m3_apply(b->pose[i].L, q->moment, m);
+        m3_add_cross(N, -l->point_scale, f), m3_add_cross(M, -l->point_scale, m);
+        for (int r = 0; r < 3; r++)
+            for (int c = 0; c < 3; c++) {
+                b->node[i].K[r][3 + c] += N[3 * r + c];
+                b->node[i].K[3 + r][3 + c] += M[3 * r + c];
+            }
+    }
+}
+
+/* The root plate: springs about x and y against the tilt v carry the moment, k v = T' m. Solve for the change of tilt,
+ * give the change p of the ground; stiffness 0 = clamped. Adds the plate's misfit. */
+static void tilt_root(struct wf_beam *b, size_t i, const struct wf_beam_wrench *w, const struct wf_beam_reaction *r,
+                      double p[6])
+{
+    double *v = b->tilt[b->mesh.part[i].row], x = wf_dot(v, v), T[9], KT[9], TKT[9], m[3], k[3], miss[2] = { 0, 0 };
+    const double *c = b->options->root_stiffness;
+    memset(p, 0, 6 * sizeof *p);
+    struct rotation o = rotation_of(x);
+    rotation_tangent(&o, v, x, T);
+    m3_apply_transposed(T, w->m, m);
+    for (int j = 0; j < 2; j++)
+        if (c[j] > 0) {
+            miss[j] = c[j] * v[j] - m[j];
+            b->misfit.bending += 0.5 * miss[j] * miss[j] / c[j];
+            b->misfit.energy += 0.5 * m[j] * m[j] / c[j];
+        }
+    if (!r) return;
+    double K[9];
+    for (int j = 0; j < 3; j++)
+        for (int q = 0; q < 3; q++) K[3 * j + q] = r->K[3 + j][3 + q];
+    m3_mul(K, T, KT);
+    for (int j = 0; j < 3; j++)
+        for (int q = 0; q < 3; q++)
+            TKT[3 * j + q] = T[j] * KT[q] + T[3 + j] * KT[3 + q] + T[6 + j] * KT[6 + q];
+    m3_apply_transposed(T, r->k + 3, k);
+    double a = c[0] - TKT[0], d = c[1] - TKT[4], u = -TKT[1], l = -TKT[3], f = k[0] - miss[0], g = k[1] - miss[1];
+    double dv[3] = { 0, 0, 0 };
+    if (c[0] > 0 && c[1] > 0) dv[0] = (f * d - u * g) / (a * d - u * l), dv[1] = (a * g - l * f) / (a * d - u * l);
+    else if (c[0] > 0) dv[0] = f / a;
+    else if (c[1] > 0) dv[1] = g / d;
+    m3_apply(T, dv, p + 3);
+    memcpy(b->root_step[b->mesh.part[i].row], dv, sizeof dv);
+}
+
+bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, bool count)
+{
+    static const double still[2][3];
+    struct wf_beam_pose ground;
+    double first[3] = { 0, 0, 0 };
+    b->misfit = (struct wf_beam_misfit){ 0 };
+    b->negative = 0;
+    b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
+    load_nodes(b);
+    if (eliminate) react_nodes(b);
+    wf_beam_ground(b, 0, &ground);
+    memcpy(first, ground.r, sizeof first);
+    for (size_t i = b->mesh.n; i-- > 0;) {
+        const struct wf_beam_part *p = &b->mesh.part[i];
+        const struct wf_beam_pose *base = base_of(b, i, &ground);
+        struct wf_beam_creep creep = { b->creep, b->creep > 0 ? (const double(*)[3])b->k0[i] : still };
+        struct wf_line_load load[2];
+        struct wf_beam_wrench at[2], down;
+        struct wf_beam_reaction root = { { { 0 } }, { 0 } };
+        bool grounded = p->parent < 0;
+        wf_beam_load(p, &b->loads, &b->stage[i], load);
+        wf_beam_balance(p->h, &b->stage[i], load, &b->wrench[i], at, &down);
+        wf_beam_misfit_add(p, &b->shape[i], base->L, &creep, &b->stage[i], at, &b->misfit);
+        if (eliminate && !wf_beam_eliminate(p, &b->shape[i], base->L, &creep, &b->stage[i], load, at, &b->node[i],
+                                            &b->answer[i], grounded ? &root : &b->node[p->parent],
+                                            count ? &b->negative : NULL))
+            return false;
+        if (!grounded) {
+            v3_add(b->wrench[p->parent].n, 1, down.n);
+            v3_add(b->wrench[p->parent].m, 1, down.m);
+            continue;
+        }
+        double arm[3] = { base->r[0] - first[0], base->r[1] - first[1], base->r[2] - first[2] }, lever[3];
+        wf_cross(arm, down.n, lever);
+        v3_add(b->base.n, 1, down.n);
+        v3_add(b->base.m, 1, down.m);
+        v3_add(b->base.m, 1, lever);
+        tilt_root(b, i, &down, eliminate ? &root : NULL, b->root_change[p->row]);
+    }
+    return isfinite(b->misfit.bending);
+}
