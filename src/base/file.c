@@ -149,13 +149,13 @@ enum wf_status wf_file_read_text(const char *path, struct wf_arena *a, struct wf
     if (code) return code;
     const unsigned char *b = (const unsigned char *)out->data;
     if (out->size >= 2 && ((b[0] == 0xFF && b[1] == 0xFE) || (b[0] == 0xFE && b[1] == 0xFF)))
-        return wf_fail(e, WF_EINPUT, "%s:1:1: error: the file is UTF-16 text; save it as UTF-8", path);
+        return wf_fail(e, WF_EINPUT, "%s:1:1: the file is UTF-16 text; save it as UTF-8", path);
     if (out->size >= 3 && b[0] == 0xEF && b[1] == 0xBB && b[2] == 0xBF) {
         out->data += 3;
         out->size -= 3;
     }
     struct wf_utf8_fault fault;
     if (wf_utf8_valid(out->data, out->size, &fault)) return WF_OK;
-    return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: error: byte 0x%02X is not UTF-8 text; save the file as UTF-8",
+    return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: byte 0x%02X is not UTF-8 text; save the file as UTF-8",
                    path, fault.line, fault.column, fault.byte);
 }

@@ -10,7 +10,7 @@
 enum wf_taper {
     WF_TAPER_TABLE,  /* radius at relative heights              */
     WF_TAPER_LINEAR, /* r(s) = r0 (1 - (1-t) s), t = top / base */
-    WF_TAPER_POWER   /* r(s) = r0 ((1-s) + t (1-s)... see wf_model schema: r = rtip + (r0-rtip)(1-s)^p */
+    WF_TAPER_POWER   /* r(s) = r0 (t + (1-t) (1-s)^p)           */
 };
 
 struct wf_model {
@@ -23,11 +23,18 @@ struct wf_model {
     double tip_ratio, power;     /* for linear and power taper [-]                     */
     struct wf_along profile;     /* for table taper: s, r/radius                       */
     size_t segments;             /* rows of the tree                                   */
-    double crown_base, crown_top;/* heights of the crown's limits [m]                  */
+    double crown_base, crown_top;/* heights of the crown's limits along the stem [m]; NAN: no crown */
     double leaf_area;            /* one-sided, whole crown [m2]                        */
     struct wf_along crown_shape; /* relative leaf area density over the crown, s from crown base to top */
 };
 
+/* Read a tree model. Returned: WF_OK and *out, or WF_EINPUT with every mistake in `d`. */
 enum wf_status wf_model_read(const char *path, struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
                              struct wf_err *e);
+
+/* Outer radius over base radius at relative height s in 0..1. */
+double wf_model_taper(const struct wf_model *m, double s);
+
+/* The model's schema as text: every key with dimension, range, default, meaning. NULL: no room. */
+char *wf_model_schema(struct wf_arena *a, struct wf_err *e);
 #endif

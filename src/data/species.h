@@ -20,7 +20,8 @@ struct wf_value {
     double value, low, high; /* SI; low = high = value when no range is given */
     enum wf_standing standing;
     const char *source;      /* NULL only when standing is WF_ASSUMED */
-    bool given;              /* false: the file does not name it; value is the documented default */
+    bool given;              /* false: the file does not name it; value is the documented default, NAN if none */
+    const char *note;        /* NULL when there is none */
 };
 
 /* A quantity along an axis: value v[i] at relative position s[i] in 0..1, linear between. */
@@ -32,7 +33,7 @@ struct wf_along {
 struct wf_level {
     const char *name;                    /* "culm", "branch", ... */
     struct wf_value youngs_modulus;      /* longitudinal, green [Pa]             */
-    struct wf_value shear_modulus;       /* longitudinal-transverse [Pa]         */
+    struct wf_value shear_modulus;       /* longitudinal-transverse; not given: E/16 [Pa] */
     struct wf_value density;             /* green, as it stands [kg m-3]         */
     struct wf_value modulus_of_rupture;  /* green, bending [Pa]; not given: no breakage check */
     struct wf_value radius;              /* typical outer radius at the axis' base [m] */
@@ -49,10 +50,15 @@ struct wf_level {
 struct wf_streamlining {
     const char *law;           /* a row of load/streamline.h: "none", "vogel", "table" */
     struct wf_value exponent;  /* Vogel exponent V: force ~ U^(2+V) [-]              */
-    double reference_speed;    /* speed below which the crown is rigid [m/s]         */
-    double speed_low, speed_high; /* speeds the source covers [m/s]                  */
+    double reference_speed;    /* speed below which the crown is rigid [m/s]; NAN: no such */
+    double speed_low, speed_high; /* speeds the source covers [m/s]; NAN: not said   */
     struct wf_along table;     /* "table": s = speed [m/s], v = share of still-air Cd*A [-] */
-    const char *source;
+    const char *source;        /* of the law; for "vogel" that of the exponent when it names none */
+    enum wf_standing standing; /* of `table` */
+};
+
+struct wf_source {
+    const char *key, *citation;
 };
 
 struct wf_species {
@@ -64,12 +70,20 @@ struct wf_species {
     struct wf_value leaf_mass_per_area; /* fresh leaf mass per one-sided leaf area [kg m-2]   */
     struct wf_value leaf_frontal_share; /* still-air frontal area per one-sided leaf area [-] */
     struct wf_streamlining streamlining;
+    size_t sources;
+    struct wf_source *source;
 };
+
+/* Full citation of a source key of the table; NULL when there is none. */
+const char *wf_species_source(const struct wf_species *sp, const char *key);
 
 /* Read a species table. Given: path, arena for all it keeps, findings list. Returned: WF_OK and *out,
  * or WF_EINPUT with every mistake in `d`. */
 enum wf_status wf_species_read(const char *path, struct wf_arena *a, struct wf_species *out,
                                struct wf_diag *d, struct wf_err *e);
+
+/* The table's schema as text: every key with dimension, range, default, meaning. NULL: no room. */
+char *wf_species_schema(struct wf_arena *a, struct wf_err *e);
 
 /* Value of an along-table at relative position s (clamped to its ends); `fallback` when empty. */
 double wf_along_at(const struct wf_along *a, double s, double fallback);

@@ -1,0 +1,101 @@
+#include "data/tree.h"
+#include <math.h>
+#include <stdbool.h>
+
+enum { ROWS_LISTED = 100 };
+
+enum wf_status wf_tree_alloc(struct wf_tree *t, size_t n, struct wf_arena *a, struct wf_err *e)
+{
+    *t = (struct wf_tree){ .n = n };
+    double **column[] = { &t->x0,      &t->y0,       &t->z0,    &t->x1,      &t->y1,      &t->z1,
+                          &t->r0,      &t->r1,       &t->i0,    &t->i1,      &t->youngs,  &t->shear,
+                          &t->density, &t->strength, &t->drag,  &t->lift,    &t->damping, &t->sail0,
+                          &t->sail1,   &t->leaf0,    &t->leaf1, &t->burden0, &t->burden1 };
+    t->parent = WF_TAKE(a, n, int32_t);
+    t->level = WF_TAKE(a, n, int32_t);
+    t->id = WF_TAKE(a, n, int64_t);
+    bool ok = t->parent && t->level && t->id && n <= INT32_MAX;
+    for (size_t k = 0; ok && k < sizeof column / sizeof *column; k++)
+        ok = (*column[k] = WF_TAKE(a, n, double)) != NULL;
+    if (!ok) return wf_fail(e, WF_ENOMEM, "no memory for a tree of %zu segments", n);
+    for (size_t i = 0; i < n; i++) {
+        t->parent[i] = -1;
+        t->id[i] = (int64_t)i + 1;
+        t->drag[i] = NAN;
+    }
+    return WF_OK;
+}
+
+double wf_tree_height(const struct wf_tree *t)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (size_t i = 0; i < t->n; i++) {
+        if (t->parent[i] < 0) low = fmin(low, t->z0[i]);
+        high = fmax(high, fmax(t->z0[i], t->z1[i]));
+    }
+    return t->n ? high - low : 0.0;
+}
+
+double wf_tree_length(const struct wf_tree *t, size_t i)
+{
+    double c[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] };
+    double chord = hypot(hypot(c[0], c[1]), c[2]);
+    if (!t->bend) return chord;
+    const double *k = t->bend + 3 * i;
+    double half = 0.5 * chord * hypot(hypot(k[0], k[1]), k[2]);
+    return half > 0 ? chord * (asin(fmin(half, 1.0)) / half) : chord;
+}
+
+/* What is wrong with row i, NULL when nothing is. */
+static const char *fault(const struct wf_tree *t, size_t i)
+{
+    const double finite[] = { t->x0[i],      t->y0[i],     t->z0[i],      t->x1[i],       t->y1[i],
+                              t->z1[i],      t->r0[i],     t->r1[i],      t->i0[i],       t->i1[i],
+                              t->youngs[i],  t->shear[i],  t->density[i], t->strength[i], t->lift[i],
+                              t->damping[i], t->sail0[i],  t->sail1[i],   t->leaf0[i],    t->leaf1[i],
+                              t->burden0[i], t->burden1[i] };
+    for (size_t k = 0; k < sizeof finite / sizeof *finite; k++)
+        if (!isfinite(finite[k])) return "a value is not a finite number";
+    if (t->parent[i] < -1 || t->parent[i] >= (int32_t)i) return "the parent is not an earlier row";
+    if (!(wf_tree_length(t, i) > 0)) return "the segment has no length";
+    if (!(t->r0[i] > 0 && t->r1[i] > 0)) return "the outer radius is not positive";
+    if (!(t->i0[i] >= 0 && t->i1[i] >= 0)) return "the inner radius is negative";
+    if (!(t->i0[i] < t->r0[i] && t->i1[i] < t->r1[i])) return "the inner radius is not below the outer";
+    if (!t->stiff && !(t->youngs[i] > 0 && t->shear[i] > 0)) return "a modulus is not positive";
+    for (size_t k = 0; t->stiff && k < 4; k++)
+        if (!(t->stiff[4 * i + k] > 0 && isfinite(t->stiff[4 * i + k])))
+            return "a given stiffness is not positive";
+    if (!(t->density[i] >= 0 && t->burden0[i] >= 0 && t->burden1[i] >= 0)) return "a mass is negative";
+    if (t->mass1 && !(t->mass1[i] >= 0 && isfinite(t->mass1[i])))
+        return "the point mass is negative or not finite";
+    if (isinf(t->drag[i]) || t->drag[i] < 0) return "the drag coefficient is negative or infinite";
+    if (!(t->sail0[i] >= 0 && t->sail1[i] >= 0 && t->leaf0[i] >= 0 && t->leaf1[i] >= 0))
+        return "an area is negative";
+    if (!(t->strength[i] >= 0 && t->damping[i] >= 0)) return "the strength or damping ratio is negative";
+    if (t->bend) {
+        const double *k = t->bend + 3 * i, curvature = hypot(hypot(k[0], k[1]), k[2]);
+        double c[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] };
+        double chord = hypot(hypot(c[0], c[1]), c[2]);
+        if (!isfinite(curvature)) return "the initial curvature is not finite";
+        if (curvature * chord > 2) return "the initial curvature is too strong for the distance of its ends";
+        if (fabs(k[0] * c[0] + k[1] * c[1] + k[2] * c[2]) > 1e-9 * curvature * chord)
+            return "the initial curvature is not across the segment";
+    }
+    return NULL;
+}
+
+enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct wf_err *e)
+{
+    const char *name = t->name ? t->name : "tree";
+    size_t bad = 0;
+    if (!t->n) return wf_fail(e, WF_EINPUT, "%s: the tree has no segments", name);
+    for (size_t i = 0; i < t->n; i++) {
+        const char *text = fault(t, i);
+        if (!text) continue;
+        if (++bad <= ROWS_LISTED)
+            wf_diag_error(d, NULL, 0, 0, "%s: segment %lld: %s", name, (long long)t->id[i], text);
+    }
+    if (bad > ROWS_LISTED)
+        wf_diag_error(d, NULL, 0, 0, "%s: %zu more segments are wrong", name, bad - (size_t)ROWS_LISTED);
+    return bad ? wf_fail(e, WF_EINPUT, "%s: %zu of %zu segments are wrong", name, bad, t->n) : WF_OK;
+}
