@@ -1,27 +1,35 @@
 # windfirm: build, test, demo. `make help` lists the targets.
-BUILD  ?= build
-B      := $(BUILD)$(if $(SAN),/san)
-PREFIX ?= /usr/local
-CC     ?= cc
-CXX    ?= c++
-CFLAGS ?= -O2 -g
+VERSION := 0.1.0
+BUILD   ?= build
+B       := $(BUILD)$(if $(SAN),/san)
+PREFIX  ?= /usr/local
+SHARE   ?= $(CURDIR)
+CC      ?= cc
+CFLAGS  ?= -O2 -g
 
-LIBS   := gsl yaml-0.1 jansson udunits libxslt libxml-2.0
-PKG    := $(filter-out udunits,$(LIBS))
+# libmatio is optional: without it MATLAB files are refused, naming the package (make MATIO= tries that)
+MATIO  := $(shell pkg-config --exists matio && echo matio)
+PKG    := $(MATIO) gsl yaml-0.1 jansson libxslt libxml-2.0
 WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla -Werror
 SANF   := $(if $(SAN),-fsanitize=address -fsanitize=undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
 INC     = -Isrc $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG)))
-ALL     = -std=c17 -D_GNU_SOURCE $(WARN) -ffp-contract=off $(INC) -MMD -MP $(SANF) -DWF_SHARE='"$(SHARE)"'
+ALL     = -std=c17 -D_GNU_SOURCE $(WARN) -ffp-contract=off $(INC) -MMD -MP $(SANF) \
+          -DWF_SHARE='"$(SHARE)"' $(if $(MATIO),-DWF_MATIO) -DWF_VERSION='"$(VERSION)"'
 LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 -lm
-SHARE  ?= $(CURDIR)
+
+# Debian packages: to build, to draw, to test
+PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev \
+            gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei libcmocka-dev poppler-utils
 
 SRC    := $(wildcard src/*.c src/*/*.c)
 LIBSRC := $(filter-out src/main.c src/cmd/%,$(SRC))
 CMDSRC := $(filter src/main.c src/cmd/%,$(SRC))
 TESTS  := $(wildcard tests/test_*.c)
+BENCH  := $(wildcard tests/bench*.c)
 obj     = $(patsubst %.c,$(B)/%.o,$(1))
+bin     = $(patsubst %.c,$(B)/%,$(1))
 
-all: $(B)/windfirm
+all: $(B)/windfirm ## build the program and the library (default)
 $(B)/libwindfirm.a: $(call obj,$(LIBSRC))
 	@rm -f $@
 	$(AR) rcs $@ $^
@@ -35,13 +43,47 @@ $(B)/%.o: %.c
 # the numeric kernels are small fixed-size loops: unroll and vectorise them
 $(B)/src/solve/%.o: CFLAGS += -O3
 
-check: layers symbols
+demo: packages ## install what is missing, build, compare bamboo and willow: out/demo/report.pdf
+	@$(MAKE) -s -j$$(nproc) all
+	@$(B)/windfirm compare species/moso_bamboo.yaml species/weeping_willow.yaml --model models/culm.yaml \
+	    --wind 10,15,25 -o out/demo
+	@ls -1 out/demo/report.pdf out/demo/report.html
+test: packages ## install what is missing, build, run every test and validation case
+	@$(MAKE) -s -j$$(nproc) all programs
+	@tests/run.sh $(B)
+bench: packages ## measure speed and memory
+	@$(MAKE) -s -j$$(nproc) all $(call bin,$(BENCH))
+	@for b in $(call bin,$(BENCH)); do $$b || exit; done
+programs: $(call bin,$(TESTS))
+packages:
+	@tools/packages.sh $(PACKAGES)
+
+check: layers symbols ## rooms include only to the left; every public symbol begins with wf_
 layers:
 	@awk -f tests/layers.awk $(SRC) $(wildcard src/*/*.h)
 symbols: $(B)/libwindfirm.a
 	@! nm -g --defined-only $< | awk '$$2 ~ /^[TDBRC]$$/ && $$3 !~ /^wf_/' | grep .
-clean:
+golden: all ## write the expected tables of the demo again, after a change that is understood
+	$(B)/windfirm compare species/moso_bamboo.yaml species/weeping_willow.yaml --model models/culm.yaml \
+	    --wind 10,15,25 -o $(B)/golden --no-report --quiet
+	cp $(B)/golden/tables/*.csv tests/golden/
+
+I := $(DESTDIR)$(PREFIX)
+install: ## program, library, headers, species, models, report templates (DESTDIR, PREFIX)
+	@$(MAKE) BUILD=$(BUILD)/install SHARE=$(PREFIX)/share/windfirm all
+	install -d $(I)/bin $(I)/lib/pkgconfig $(I)/share/windfirm
+	install -m 755 $(BUILD)/install/windfirm $(I)/bin
+	install -m 644 $(BUILD)/install/libwindfirm.a $(I)/lib
+	for h in $(filter-out src/cmd/%,$(wildcard src/*/*.h)); do \
+	    install -D -m 644 $$h $(I)/include/windfirm/$${h#src/} || exit; done
+	cp -r species models reports validation $(I)/share/windfirm
+	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|; s|@REQUIRES@|$(PKG)|' src/windfirm.pc.in \
+	    > $(I)/lib/pkgconfig/windfirm.pc
+clean: ## remove what was built and computed
 	rm -rf $(BUILD) out
-.PHONY: all check layers symbols clean
+help: ## this list
+	@awk -F':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
+
+.PHONY: all demo test bench programs packages check layers symbols golden install clean help
 .SECONDARY:
--include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS)))
+-include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS) $(BENCH)))

@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
+#include "base/units.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -24,7 +25,7 @@ int wf_cmd_validate(int argc, char **argv);
 enum wf_option_kind {
     WF_OPTION_FLAG,   /* takes no value                                     */
     WF_OPTION_TEXT,   /* any text                                           */
-    WF_OPTION_CHOICE, /* one of `choices`                                   */
+    WF_OPTION_CHOICE, /* one of `choices` or of the words `word` names        */
     WF_OPTION_NUMBER, /* a number, with or without a unit, within low..high */
     WF_OPTION_SPEEDS  /* "10,15,25", "5:40:1", "36km/h"; each within low..high */
 };
@@ -32,11 +33,13 @@ struct wf_option {
     const char *name;   /* "--solver"                                              */
     const char *letter; /* "-s" or NULL                                            */
     enum wf_option_kind kind;
-    const char *value;   /* word for the value in the usage text, e.g. "FILE"      */
-    const char *initial; /* default as it would be typed; NULL: none               */
-    const char *unit;    /* of a plain number, and of what is handed on; NULL: text or [-] */
-    double low, high;    /* allowed, in `unit`                                     */
-    const char *choices; /* words separated by '|'                                 */
+    const char *value;             /* word for the value in the usage text, e.g. "FILE"      */
+    const char *initial;           /* default as it would be typed; NULL: none               */
+    enum wf_dimension dimension;   /* of a number or speed                           */
+    const char *unit;              /* of a plain number and of low and high; NULL: none      */
+    double low, high;              /* allowed                                                */
+    const char *choices;           /* words separated by '|'                                 */
+    const char *(*word)(size_t i); /* or the i-th word of a list of rows, NULL behind the last */
     const char *help;
 };
 
@@ -66,6 +69,13 @@ bool wf_args_given(const struct wf_args *g, const char *name);
 int wf_exit_code(enum wf_status s);
 /* Print the error to stderr as "windfirm: ..." and return its exit code. */
 int wf_complain(const struct wf_err *e);
+/* Folder with the shipped species/, models/ and validation/: $WINDFIRM_SHARE, else where it was installed. */
+const char *wf_share(void);
+/* The file a user means: the path itself when it is there or looks like one, else the shipped
+ * SHARE/room/NAME.yaml. Returned: text in the arena, or `name` without room. */
+const char *wf_shipped(const char *room, const char *name, struct wf_arena *a);
+/* One line of progress on stderr when it is a terminal, in place of the last; NULL clears it. */
+void wf_progress(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
 /* Print findings to stderr: errors always, warnings unless quiet. */
 void wf_print_findings(const struct wf_diag *d, bool quiet);
 #endif

@@ -26,6 +26,7 @@ static enum wf_status set_up(struct wf_analysis *an, struct wf_arena *a, struct 
     wf_loads_default(&an->loads);
     an->loads.wind = &an->wind;
     an->loads.air_density = wf_scenario_air_density(&an->scenario);
+    an->loads.air_viscosity = wf_air_viscosity(an->scenario.temperature, an->loads.air_density);
     an->loads.gravity = an->scenario.gravity;
     if (!law->law) return WF_OK;
     an->loads.streamline = wf_streamline_named(law->law);

@@ -1,4 +1,5 @@
 #include "study/figures.h"
+#include "solve/vec.h"
 #include <math.h>
 
 /* Gauss-Legendre, five points on 0..1 */
@@ -7,27 +8,8 @@ static const double gauss_s[5] = { 0.046910077030668004, 0.23076534494715845, 0.
 static const double gauss_w[5] = { 0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
                                    0.23931433524968324, 0.11846344252809454 };
 
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-static double norm(const double a[3]) { return sqrt(dot(a, a)); }
+static double norm(const double a[3]) { return sqrt(wf_dot(a, a)); }
 static double between(double v0, double v1, double s) { return v0 + s * (v1 - v0); }
-
-static void cross(const double a[3], const double b[3], double out[3])
-{
-    out[0] = a[1] * b[2] - a[2] * b[1];
-    out[1] = a[2] * b[0] - a[0] * b[2];
-    out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-/* v turned by a rotation vector (Rodrigues) */
-static void rotate(const double turn[3], double sign, const double v[3], double out[3])
-{
-    double angle = norm(turn), once[3], twice[3];
-    double a = angle > 1e-8 ? sin(angle) / angle : 1.0;
-    double b = angle > 1e-8 ? (1.0 - cos(angle)) / (angle * angle) : 0.5;
-    cross(turn, v, once);
-    cross(turn, once, twice);
-    for (int k = 0; k < 3; k++) out[k] = v[k] + sign * a * once[k] + b * twice[k];
-}
 
 /* A row as a curve: its ends and the tangents there, both scaled to the row's length. */
 struct curve {
@@ -52,9 +34,10 @@ static void curve_bent(const struct wf_tree *t, const struct wf_response *r, siz
     int32_t below = t->parent[i];
     if (below >= 0) { /* the base rides on the parent's end, on a rigid arm where the axes do not meet */
         const double end[3] = { t->x1[below], t->y1[below], t->z1[below] };
-        double arm[3], turned[3];
+        double arm[3], turned[3], turn[9];
         for (int k = 0; k < 3; k++) arm[k] = c->p0[k] - end[k];
-        rotate(r->turn + 3 * below, 1.0, arm, turned);
+        rotation_matrix(r->turn + 3 * below, turn);
+        m3_apply(turn, arm, turned);
         for (int k = 0; k < 3; k++) c->p0[k] = end[k] + r->end[3 * below + k] + turned[k];
     }
     for (size_t k = 0; k < 3; k++) {
@@ -117,7 +100,7 @@ static void integrate(const struct wf_tree *t, const struct wf_loads *l, const s
             out->air[k] += ds * (parts.drag_axis[k] + parts.drag_crown[k] + parts.lift[k]);
             out->weight[k] += ds * parts.weight[k];
         }
-        cross(direction, tangent, seen);
+        wf_cross(direction, tangent, seen);
         out->area += ds * p.diameter * norm(seen);
         if (crown_drag > 0.0) out->area += ds * p.sail / crown_drag * crown_share(l, x);
     }
@@ -127,14 +110,15 @@ static void integrate(const struct wf_tree *t, const struct wf_loads *l, const s
 static double slope_at_end(const struct curve *unloaded, const struct wf_response *r, size_t i)
 {
     const double *turn = r->turn + 3 * i, *now = r->tangent1 + 3 * i;
-    double before[3], across[3];
+    double before[3], across[3], matrix[9];
     if (r->small_deflection) {
-        cross(unloaded->t1, turn, across);
+        wf_cross(unloaded->t1, turn, across);
         return norm(across) / unloaded->length;
     }
-    rotate(turn, -1.0, now, before);
-    cross(before, now, across);
-    return atan2(norm(across), dot(before, now));
+    rotation_matrix(turn, matrix);
+    m3_apply_transposed(matrix, now, before);
+    wf_cross(before, now, across);
+    return atan2(norm(across), wf_dot(before, now));
 }
 
 enum wf_status wf_figures_fill(const struct wf_tree *t, const struct wf_loads *l, const struct wf_response *r,
@@ -154,7 +138,7 @@ enum wf_status wf_figures_fill(const struct wf_tree *t, const struct wf_loads *l
         bent = unloaded;
         if (!r->small_deflection) curve_bent(t, r, i, &bent);
         integrate(t, l, &bent, i, direction, crown_drag, &row);
-        out->drag[i] = dot(row.air, direction);
+        out->drag[i] = wf_dot(row.air, direction);
         for (int k = 0; k < 3; k++) across[k] = row.air[k] - out->drag[i] * direction[k];
         out->lift[i] = norm(across);
         out->projected_area[i] = row.area;

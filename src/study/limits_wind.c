@@ -1,4 +1,3 @@
-#include "load/cylinder.h"
 #include "study/limits.h"
 #include <math.h>
 #include <string.h>
@@ -55,6 +54,27 @@ static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
             an->species->name, least, law->law, law->speed_low, 100.0 * (1.0 - least / law->speed_low));
 }
 
+/* The Reynolds law of the cylinder is measured for 1 <= Re <= 1e7. */
+static void check_reynolds(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const double law_low = 1.0, law_high = 1e7;
+    double least = INFINITY, largest = 0.0;
+    for (size_t k = 0; k < an->n; k++)
+        for (size_t i = 0; i < an->tree.n; i++) {
+            double wind = wind_at_end(an, i, an->at[k].speed);
+            double re = wind * 2.0 * an->tree.r1[i] / an->loads.air_viscosity;
+            if (!isnan(an->tree.drag[i]) || wind <= 0.0) continue;
+            least = fmin(least, re);
+            largest = fmax(largest, re);
+        }
+    if (largest > law_high || least < law_low)
+        wf_diag_warn(d, "reynolds-range",
+                     "%s: Reynolds numbers of the axes run from %.3g to %.3g; the drag law of the cylinder "
+                     "is measured "
+                     "for %.0g to %.0g and held constant outside",
+                     an->species->name, least, largest, law_low, law_high);
+}
+
 /* The logarithmic profile holds above its zero plane and inside the surface layer, some 100 m deep (Stull
  * 1988, An Introduction to Boundary Layer Meteorology); power-law exponents are fitted up to some 200 m
  * (Davenport 1960). */
@@ -79,4 +99,5 @@ void wf_limits_wind(const struct wf_analysis *an, struct wf_diag *d)
 {
     check_streamline(an, d);
     check_profile(an, d);
+    check_reynolds(an, d);
 }

@@ -51,7 +51,6 @@ enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solv
     memset(out, 0, sizeof *out);
     out->speed = wind.speed = speed;
     loads.wind = speed > 0.0 ? &wind : NULL;
-    if (wf_response_alloc(&out->response, an->tree.n, a, e)) return WF_ENOMEM;
     out->status = an->solver->solve(&an->tree, &loads, o, a, &out->response, d, &why);
     if (out->status == WF_EUNSTABLE || out->status == WF_ENOCONV) {
         totals_unknown(out);

@@ -1,0 +1,27 @@
+#ifndef WF_CMD_ARGS_H
+#define WF_CMD_ARGS_H
+/* The parts of reading a command line; commands use cmd/cmd.h. */
+#include "cmd/cmd.h"
+#include <stdio.h>
+
+/* One command line being read. Every mistake is printed where it is found, and counted. */
+struct wf_reading {
+    struct wf_args *out;
+    struct wf_arena *arena;
+    struct wf_units *units;
+    const char *command;
+    size_t options, mistakes;
+};
+
+/* Print a mistake about an option (or operand "") and count it. */
+void wf_args_mistake(struct wf_reading *r, const char *name, const char *fmt, ...)
+    __attribute__((format(printf, 3, 4)));
+/* Check the text given for row k and set number, speeds as its kind asks. */
+void wf_args_value(struct wf_reading *r, size_t k, const char *text);
+enum { WF_CHOICES_MAX = 32 };
+/* The words a choice may be, returned: how many; `list` holds them where they come from `choices`. */
+size_t wf_args_choices(const struct wf_option *o, const char *word[static WF_CHOICES_MAX], char *list,
+                       size_t size);
+/* The page shown by --help, made from the rows. */
+void wf_usage_print(FILE *to, const char *command, const struct wf_option *option, const char *about);
+#endif

@@ -1,0 +1,38 @@
+#include "cmd/cmd.h"
+#include "out/report.h"
+#include <stdio.h>
+
+static const struct wf_option options[] = {
+    { .name = "--lang",
+      .kind = WF_OPTION_CHOICE,
+      .value = "NAME",
+      .initial = "en",
+      .choices = "en|zh",
+      .help = "language of the report" },
+    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    { 0 },
+};
+
+int wf_cmd_report(int argc, char **argv)
+{
+    static const char about[] =
+        "Nothing is computed again: change a script in reports/, or the language, and redraw.\n"
+        "\n"
+        "  windfirm report out/compare --lang zh";
+    struct wf_arena arena = { 0 };
+    struct wf_args args;
+    struct wf_err e = { 0 };
+    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &args);
+    if (code < 0) {
+        struct wf_diag d = { .arena = &arena };
+        bool quiet = wf_args_given(&args, "--quiet");
+        wf_progress("drawing plots and pages ...");
+        enum wf_status s = wf_report_make(args.operand[0], wf_args_text(&args, "--lang"), &d, &e);
+        wf_progress(NULL);
+        wf_print_findings(&d, quiet);
+        if (!s && !quiet) printf("Plots and pages: %s\n", args.operand[0]);
+        code = s ? wf_complain(&e) : 0;
+    }
+    wf_arena_free(&arena);
+    return code;
+}

@@ -1,0 +1,128 @@
+#include "cmd/study.h"
+#include "out/report.h"
+#include <string.h>
+
+/* Everything of one run, in one arena. */
+struct work {
+    struct wf_arena arena;
+    struct wf_args args;
+    struct wf_study study;
+    const char *folder;
+    struct wf_model model;
+    struct wf_species *species;
+    struct wf_analysis *analysis;
+    struct wf_input_file *input;
+    struct wf_diag *diag; /* one per species */
+    bool quiet;
+};
+
+static char *typed(struct wf_arena *a, int argc, char **argv)
+{
+    char *text = wf_arena_text(a, "windfirm");
+    for (int i = 0; text && i < argc; i++) {
+        bool plain = argv[i][0] && !strpbrk(argv[i], " \t'\"$&*;<>|");
+        text = wf_arena_print(a, plain ? "%s %s" : "%s '%s'", text, argv[i]);
+    }
+    return text;
+}
+
+/* Model and species files; every mistake of every file is printed before the run is refused. */
+static enum wf_status read_inputs(struct work *w, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = &w->arena };
+    const char *model = wf_shipped("models", wf_args_text(&w->args, "--model"), &w->arena);
+    struct wf_err first = { 0 }, next = { 0 };
+    enum wf_status worst = wf_model_read(model, &w->arena, &w->model, &d, &first);
+    for (size_t k = 0; k < w->args.n; k++) {
+        const char *path = wf_shipped("species", w->args.operand[k], &w->arena);
+        size_t before = d.errors;
+        next = (struct wf_err){ 0 };
+        enum wf_status s = wf_species_read(path, &w->arena, &w->species[k], &d, &next);
+        if (s && d.errors == before) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
+        if (s && !worst) worst = s;
+        if (!s && (s = wf_input_file_note("species", path, &w->arena, &w->input[k + 1], e))) return s;
+    }
+    if (worst && first.code && !d.errors) wf_diag_error(&d, NULL, 0, 0, "%s", first.text);
+    wf_print_findings(&d, w->quiet);
+    if (worst)
+        return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
+                       d.errors == 1 ? "" : "s");
+    return wf_input_file_note("model", model, &w->arena, &w->input[0], e);
+}
+
+static enum wf_status analyse(struct work *w, struct wf_err *e)
+{
+    for (size_t k = 0; k < w->args.n; k++) {
+        w->diag[k].arena = &w->arena;
+        wf_progress("%s: %zu wind speeds, critical speed, curves ...", w->species[k].name, w->args.speeds);
+        enum wf_status s =
+            wf_analyze(&w->species[k], &w->model, &w->study.scenario, w->study.solver, &w->study.solve,
+                       w->args.speed, w->args.speeds, &w->arena, &w->diag[k], &w->analysis[k], e);
+        wf_progress(NULL);
+        if (s) wf_print_findings(&w->diag[k], w->quiet);
+        if (s) return s;
+    }
+    return WF_OK;
+}
+
+/* Plots and pages. A drawing program that is not installed leaves the results complete. */
+static enum wf_status draw(struct work *w, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = &w->arena };
+    struct wf_err why = { 0 };
+    wf_progress("drawing plots and pages ...");
+    enum wf_status s = wf_report_make(w->folder, wf_args_text(&w->args, "--lang"), &d, &why);
+    wf_progress(NULL);
+    wf_print_findings(&d, false);
+    if (s == WF_OK || s == WF_EMISSING) return WF_OK;
+    return wf_fail(e, s, "%s", why.text);
+}
+
+static enum wf_status run(struct work *w, int argc, char **argv, struct wf_err *e)
+{
+    size_t n = w->args.n;
+    w->species = WF_TAKE(&w->arena, n, struct wf_species);
+    w->analysis = WF_TAKE(&w->arena, n, struct wf_analysis);
+    w->input = WF_TAKE(&w->arena, n + 1, struct wf_input_file);
+    w->diag = WF_TAKE(&w->arena, n, struct wf_diag);
+    struct wf_run run = { .command = typed(&w->arena, argc, argv),
+                          .version = WF_VERSION,
+                          .date = wf_run_date(&w->arena),
+                          .n = n,
+                          .analysis = w->analysis,
+                          .inputs = n + 1,
+                          .input = w->input };
+    if (!w->species || !w->analysis || !w->input || !w->diag || !run.command || !run.date)
+        return wf_fail(e, WF_ENOMEM, "no room for %zu species", n);
+    enum wf_status s = read_inputs(w, e);
+    if (s || (s = analyse(w, e))) return s;
+    for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->quiet);
+    if (!w->quiet) wf_study_print(stdout, &run);
+    if ((s = wf_results_write(&run, w->folder, e))) return s;
+    bool pages = !wf_args_given(&w->args, "--no-report");
+    if (pages) s = draw(w, e);
+    if (!w->quiet) printf("\nResults, tables%s: %s\n", pages ? ", plots and pages" : "", w->folder);
+    return s;
+}
+
+int wf_study_run(int argc, char **argv, const char *about, size_t low, size_t high)
+{
+    struct work w = { 0 };
+    struct wf_err e = { 0 };
+    int code = wf_args_read(argc, argv, wf_study_options, about, low, high, &w.arena, &w.args);
+    if (code < 0 && (!wf_args_text(&w.args, "--model") || !w.args.speeds)) {
+        fprintf(stderr, "windfirm %s: %s\n", argv[0],
+                wf_args_text(&w.args, "--model") ? "--wind is needed, for example --wind 10,15,25"
+                                                 : "--model is needed, for example --model models/culm.yaml");
+        code = 2;
+    }
+    if (code < 0) {
+        const char *asked = wf_args_text(&w.args, "--output");
+        w.quiet = wf_args_given(&w.args, "--quiet");
+        w.folder = asked ? asked : wf_arena_print(&w.arena, "out/%s", argv[0]);
+        wf_study_from_args(&w.args, &w.study);
+        code = w.folder && run(&w, argc, argv, &e) == WF_OK ? 0 : wf_complain(&e);
+    }
+    wf_arena_free(&w.arena);
+    return code;
+}

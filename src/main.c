@@ -1,0 +1,48 @@
+#include "base/near.h"
+#include "cmd/cmd.h"
+#include <stdio.h>
+#include <string.h>
+
+enum { COMMANDS_MAX = 16 };
+
+static int help(FILE *to)
+{
+    fprintf(to,
+            "windfirm %s: what wind does to a tree\n\nUsage: windfirm COMMAND [argument...]\n\nCommands:\n",
+            WF_VERSION);
+    for (const struct wf_command *c = wf_commands; c->name; c++)
+        fprintf(to, "  %-10s %s\n", c->name, c->summary);
+    fprintf(to, "\n'windfirm COMMAND --help' lists a command's arguments, options, units and defaults.\n"
+                "'windfirm --version' prints the version.\n");
+    return to == stdout ? 0 : 2;
+}
+
+static int unknown(const char *word)
+{
+    const char *known[COMMANDS_MAX];
+    size_t n = 0;
+    for (; wf_commands[n].name && n < COMMANDS_MAX; n++) known[n] = wf_commands[n].name;
+    const char *near = wf_nearest(word, known, n);
+    fprintf(stderr, "windfirm: no command is called '%s'%s%s%s\n", word, near ? "; did you mean '" : "",
+            near ? near : "", near ? "'?" : "; 'windfirm --help' lists them");
+    return 2;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2) return help(stderr);
+    const char *word = argv[1];
+    bool detail = strcmp(word, "help") == 0;
+    if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || (detail && argc < 3)) return help(stdout);
+    if (strcmp(word, "--version") == 0 || strcmp(word, "version") == 0)
+        return printf("windfirm %s\n", WF_VERSION) < 0;
+    if (detail) word = argv[2];
+    for (const struct wf_command *c = wf_commands; c->name; c++) {
+        if (strcmp(word, c->name) != 0) continue;
+        char page[] = "--help", *only_help[] = { argv[detail ? 2 : 1], page, NULL };
+        int code = detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
+        /* what was printed counts only when it arrived: a full disk or a closed pipe is a failed run */
+        return fflush(stdout) || ferror(stdout) ? (code ? code : 1) : code;
+    }
+    return unknown(word);
+}
