@@ -1,0 +1,28 @@
+#ifndef WF_STUDY_VALIDATE_KEYS_H
+#define WF_STUDY_VALIDATE_KEYS_H
+/* The keys of a case file as rows. What a key takes, its dimension and range stand only here. */
+#include "study/validate.h"
+#include "study/validate_words.h"
+
+struct wf_case_key {
+    const char *name;
+    /* Read the line's words into the case; false after a report. */
+    bool (*read)(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k);
+    size_t offset; /* of the field                                        */
+    enum wf_dimension dimension;
+    size_t count_low, count; /* numbers taken; a single one fills all               */
+    double low, high;        /* allowed, SI                                         */
+    const char *choices;     /* words separated by '|', in the order of the enum    */
+    bool repeats;            /* may stand on several lines of one case              */
+};
+extern const struct wf_case_key wf_case_keys[]; /* ends at name == NULL; at most WF_CASE_KEYS_MAX */
+
+/* A case before anything is given. */
+void wf_case_default(struct wf_case *c);
+
+/* Add one element to a list; false when there is no memory. */
+bool wf_list_add(struct wf_list *l, const void *element, size_t size, struct wf_arena *a);
+
+/* Index of a key; the number of keys when there is none of that name. */
+size_t wf_case_key_index(const char *name);
+#endif

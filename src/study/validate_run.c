@@ -1,0 +1,108 @@
+/* Running a validation case and holding what comes out against what is wanted. */
+#include "study/validate_solve.h"
+#include <math.h>
+#include <string.h>
+
+static bool wanted_by(const struct wf_case *c, enum wf_answer by, size_t *modes)
+{
+    const struct wf_want *w = c->wants.data;
+    bool any = false;
+    for (size_t i = 0; i < c->wants.n; i++) {
+        any |= w[i].quantity->by == by;
+        if (modes && w[i].number > *modes) *modes = w[i].number;
+    }
+    return any;
+}
+
+static enum wf_status compute(struct wf_measured *m, const struct wf_setup *s, struct wf_err *e)
+{
+    if (m->solver) {
+        struct wf_response *r = WF_TAKE(m->arena, 1, struct wf_response);
+        if (!r) return wf_fail(e, WF_ENOMEM, "no memory");
+        if (wf_setup_solve(s, m->solver, m->arena, r, e)) return e->code;
+        m->response = r;
+    }
+    if (wanted_by(m->of, WF_BY_MODES, &m->modes) || wanted_by(m->of, WF_BY_BUCKLING, NULL))
+        return wf_fail(e, WF_EMISSING, "natural frequencies and buckling are not computed by this version");
+    return WF_OK;
+}
+
+/* What the tolerance of a want refers to: the wanted value, or the length of the wanted vector. */
+static double scale_of(const struct wf_want *w)
+{
+    double sum = 0.0;
+    for (int k = 0; k < 3; k++)
+        if (!isnan(w->value[k])) sum += w->value[k] * w->value[k];
+    return sqrt(sum);
+}
+
+static void check(struct wf_verdict *v, const struct wf_want *w, int component, double got, double wanted)
+{
+    struct wf_check *c = &v->check[v->n++];
+    double scale = scale_of(w);
+    *c = (struct wf_check){ .want = w, .component = component, .got = got, .wanted = wanted };
+    c->error = fabs(got - wanted);
+    c->allowed = w->absolute ? w->tolerance : w->tolerance * scale;
+    c->relative = scale > 0.0 ? c->error / scale : NAN;
+    c->passed = c->error <= c->allowed; /* false for NaN */
+    if (!c->passed) v->failed++;
+    double use = isnan(c->error) ? HUGE_VAL : c->error / c->allowed;
+    if (use > v->worst) v->worst = use;
+}
+
+static enum wf_status compare(const struct wf_measured *m, struct wf_verdict *v, struct wf_err *e)
+{
+    const struct wf_want *w = m->of->wants.data;
+    for (size_t i = 0; i < m->of->wants.n; i++) {
+        double got[3] = { NAN, NAN, NAN };
+        if (w[i].quantity->measure(m, &w[i], got, e)) return e->code;
+        if (!w[i].quantity->vector || w[i].component >= 0) {
+            double one = !w[i].quantity->vector ? got[0]
+                         : w[i].component == 3  ? sqrt(got[0] * got[0] + got[1] * got[1] + got[2] * got[2])
+                                                : got[w[i].component];
+            check(v, &w[i], w[i].component, one, w[i].value[0]);
+        } else {
+            for (int k = 0; k < 3; k++)
+                if (!isnan(w[i].value[k])) check(v, &w[i], k, got[k], w[i].value[k]);
+        }
+    }
+    return WF_OK;
+}
+
+static enum wf_status attempt(const struct wf_case *c, size_t k, size_t pieces, double mesh_tolerance,
+                              struct wf_arena *a, struct wf_verdict *v, struct wf_err *e)
+{
+    struct wf_setup *s = WF_TAKE(a, 1, struct wf_setup);
+    struct wf_measured m = {
+        .of = c, .setup = s, .arena = a, .solver = k < c->solvers ? c->solver[k] : NULL
+    };
+    struct wf_err own = { WF_OK, "" };
+    *v = (struct wf_verdict){ .of = c, .solver = m.solver ? m.solver->name : "modes" };
+    if (!m.solver && wanted_by(c, WF_BY_BUCKLING, NULL)) v->solver = "buckling";
+    if (!m.solver && wanted_by(c, WF_BY_SETUP, NULL)) v->solver = "section";
+    if (!m.solver && c->shape == WF_SHAPE_FLOW) v->solver = "flow";
+    v->check = WF_TAKE(a, 3 * c->wants.n, struct wf_check);
+    if (!s || !v->check) return wf_fail(e, WF_ENOMEM, "no memory");
+    enum wf_status status = wf_setup_build(c, pieces, a, s, &own);
+    if (!isnan(mesh_tolerance)) s->options.mesh_tolerance = mesh_tolerance;
+    if (!status) status = compute(&m, s, &own);
+    if (!status) status = compare(&m, v, &own);
+    if (status == WF_ENOMEM) return wf_fail(e, status, "%s", own.text);
+    v->outcome = status == WF_EMISSING ? WF_SKIPPED : status || v->failed ? WF_FAILED : WF_PASSED;
+    if (status && !(v->why = wf_arena_text(a, own.text))) return wf_fail(e, WF_ENOMEM, "no memory");
+    return WF_OK;
+}
+
+enum wf_status wf_case_run(const struct wf_case *c, size_t k, size_t pieces, struct wf_arena *a,
+                           struct wf_verdict *v, struct wf_err *e)
+{
+    return attempt(c, k, pieces, NAN, a, v, e);
+}
+
+enum wf_status wf_case_order(const struct wf_case *c, size_t k, struct wf_arena *a,
+                             struct wf_verdict *verdicts, struct wf_err *e)
+{
+    for (size_t i = 0; i < c->pieces; i++)
+        if (attempt(c, k, c->piece[i], 0.0, a, &verdicts[i], e)) return e->code;
+    return WF_OK;
+}
