@@ -14,12 +14,11 @@ struct wf_breakage {
     double *bending0, *bending1; /* bending moment (across the axis) [N m]                         */
     double *torsion0, *torsion1; /* moment about the axis [N m]                                   */
     double *stress0, *stress1;   /* |M| r / I + |N| / A, thin or thick ring [Pa]                   */
-    double *safety0,
-        *safety1;        /* strength / stress [-]; INFINITY where unstressed, NAN where strength is unknown */
-    double least_safety; /* smallest safety factor [-]; NAN when no row has a strength    */
-    int32_t governing;   /* its row; -1 when none                                         */
-    double governing_s;  /* 0 = at the row's base, 1 = at its end                         */
-    double largest_stress; /* [Pa]                                                          */
+    double *safety0, *safety1;   /* strength / stress [-]; INFINITY unstressed, NAN strength unknown */
+    double least_safety;         /* smallest safety factor [-]; NAN when no row has a strength    */
+    int32_t governing;           /* its row; -1 when none                                         */
+    double governing_s;          /* 0 = at the row's base, 1 = at its end                         */
+    double largest_stress;       /* [Pa]                                                          */
     int32_t largest_stress_row;
 };
 /* Given: tree and its answer. Returned: *out with arrays of n in the arena; least_safety, largest_stress and

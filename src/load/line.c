@@ -69,24 +69,21 @@ void wf_line_load(const struct wf_loads *l, const struct wf_line_point *p, const
     flow_at(l, p, x, t, &f);
 
     const double T[9] = { 0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0 }; /* t x */
-    double by_u[9], varies = 0;
+    double varies = 0;
     for (int i = 0; i < 3; i++)
         out->force[i] += f.across * (f.drag * f.n[i] + f.lift * f.m[i]) + f.crown * f.u[i];
 
-    /* d force / dU. With P = 1 - t t': dUn = P dU, d|Un| = n.dU, d(t x Un) = t x dU. */
-    for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) {
-            double unit = i == j;
-            by_u[3 * i + j] = f.drag * (unit - t[i] * t[j]) + f.drag_grow * f.n[i] * f.n[j] +
-                              f.lift * (T[3 * i + j] + f.m[i] * f.n[j]) + f.crown * unit +
-                              f.crown_grow * f.e[i] * f.e[j];
-            varies += fabs(f.du[3 * i + j]);
-        }
+    /* d force / dU, times dU / dx. With P = 1 - t t': dUn = P dU, d|Un| = n.dU, d(t x Un) = t x dU. */
+    for (int i = 0; i < 9; i++) varies += fabs(f.du[i]);
     if (varies > 0)
-        for (int i = 0; i < 3; i++)
+        for (int i = 0; i < 3; i++) {
+            double by_u[3];
             for (int j = 0; j < 3; j++)
-                out->by_place[3 * i + j] =
-                    by_u[3 * i] * f.du[j] + by_u[3 * i + 1] * f.du[3 + j] + by_u[3 * i + 2] * f.du[6 + j];
+                by_u[j] = (i == j ? f.drag + f.crown : 0) - f.drag * t[i] * t[j] + f.lift * T[3 * i + j] +
+                          (f.drag_grow * f.n[i] + f.lift * f.m[i]) * f.n[j] + f.crown_grow * f.e[i] * f.e[j];
+            for (int j = 0; j < 3; j++)
+                out->by_place[3 * i + j] = by_u[0] * f.du[j] + by_u[1] * f.du[3 + j] + by_u[2] * f.du[6 + j];
+        }
 
     /* Turning the axis by w: dt = w x t, so with b = t x U = |Un| m
      *   dUn = (U.t) t x w - t (b.w),  d|Un| = -(U.t) (m.w),  db = t (U.w) - (U.t) w. */

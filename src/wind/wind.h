@@ -31,8 +31,8 @@ const struct wf_profile *wf_profile_named(const char *name);
  * the calm layer of the log law, exponent outside 0..1. The samplers themselves check nothing. */
 enum wf_status wf_wind_check(const struct wf_wind *w, struct wf_err *e);
 
-/* Air density [kg m-3] of dry air at a temperature [K] and altitude [m], up to 11 km (NAN above): pressure of
- * the International Standard Atmosphere (ISO 2533:1975), ideal gas. */
+/* Air density [kg m-3] of dry air at a temperature [K] and (geopotential) altitude [m], up to 11 km (NAN
+ * above): pressure of the International Standard Atmosphere (ISO 2533:1975), ideal gas. */
 double wf_air_density(double temperature, double altitude);
 /* Kinematic viscosity [m2/s] of air at a temperature [K] and density [kg m-3]: Sutherland's law with the
  * constants of ISO 2533:1975; 100..1900 K. */
