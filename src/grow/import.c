@@ -1,0 +1,112 @@
+/* Which reader a file needs, told by its content. */
+#include "grow/import.h"
+#include "base/near.h"
+#include "grow/import_readers.h"
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const struct wf_import_format wf_import_formats[] = {
+    { "normalised", "normalised CSV", "radius, length, start, axis, parent" },
+    { "plain", "plain CSV of segments", "parent, x0, y0, z0, x1, y1, z1, radius0, radius1" },
+    { "simpleforest", "SimpleForest CSV", "ID, parentID, start, end, radius" },
+    { "archi", "aRchi CSV", "cyl_ID, parent_ID, start, end, radius_cyl" },
+    { "rtwig", "rTwig CSV", "parent, start, axis or end, radius, length" },
+    { "cylinders", "CSV of cylinders", "parent, radius, start, and end or axis and length" },
+    { "hand", "hand-measured table", "parent, length, diameter; angle or zenith, azimuth, distance" },
+    { "treeqsm", "TreeQSM text", "14, 15 or 17 columns of numbers" },
+    { "mat", "MATLAB file", "a QSM or cylinder structure or a matrix of 14 columns" },
+    { "mtg", "OpenAlea MTG", "features XX, YY, ZZ and a diameter" },
+    { NULL, NULL, NULL },
+};
+
+struct wf_import_options wf_import_default(void)
+{
+    return (struct wf_import_options){ .length_unit = (double)NAN, .diameter_unit = (double)NAN };
+}
+
+enum { HEAD = 65536 };
+
+static enum wf_status read_head(const char *path, struct wf_import_head *h, struct wf_arena *a,
+                                struct wf_err *e)
+{
+    *h = (struct wf_import_head){ .path = path, .text = WF_TAKE(a, HEAD + 1, char) };
+    if (!h->text) return wf_fail(e, WF_ENOMEM, "%s: no memory to look at it", path);
+    FILE *f = fopen(path, "rb");
+    if (!f) return wf_fail(e, WF_EINPUT, "%s: %s", path, strerror(errno));
+    h->size = fread(h->text, 1, HEAD, f);
+    bool bad = ferror(f) != 0;
+    int why = errno;
+    if (!bad && fseek(f, -1, SEEK_END) == 0) h->ends_open = fgetc(f) != '\n';
+    (void)fclose(f);
+    if (bad) return wf_fail(e, WF_EINPUT, "%s: %s", path, strerror(why));
+    return h->size ? WF_OK : wf_fail(e, WF_EINPUT, "%s: the file is empty", path);
+}
+
+static wf_import_reader *reader_for(const struct wf_import_head *h, const char *format)
+{
+    static const unsigned char hdf5[] = { 0x89, 'H', 'D', 'F' };
+    if (format) {
+        if (!strcmp(format, "mat")) return wf_import_mat;
+        if (!strcmp(format, "mtg")) return wf_import_mtg;
+        return strcmp(format, "treeqsm") ? wf_import_table : wf_import_bare;
+    }
+    if (!strncmp(h->text, "MATLAB ", 7) || (h->size > 4 && !memcmp(h->text, hdf5, 4))) return wf_import_mat;
+    if (memchr(h->text, '\0', h->size)) return NULL;
+    if (strstr(h->text, "ENTITY-CODE") || (strstr(h->text, "CODE:") && strstr(h->text, "FORM-")))
+        return wf_import_mtg;
+    return wf_import_is_bare(h) ? wf_import_bare : wf_import_table;
+}
+
+static enum wf_status known_format(const char *format, struct wf_err *e)
+{
+    const char *names[16];
+    size_t n = 0;
+    if (!format) return WF_OK;
+    for (const struct wf_import_format *f = wf_import_formats; f->name; f++) {
+        if (!strcmp(f->name, format)) return WF_OK;
+        names[n++] = f->name;
+    }
+    const char *near = wf_nearest(format, names, n);
+    return wf_fail(e, WF_EUSAGE, "format '%s' is not known%s%s%s; see 'windfirm import --help'", format,
+                   near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+}
+
+static const char *file_name(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash ? slash + 1 : path;
+}
+
+void wf_import_bad_row(struct wf_qsm *q, bool strict, size_t line, size_t column, const char *text,
+                       struct wf_diag *d)
+{
+    enum { LISTED = 100 };
+    wf_qsm_count(q, WF_REPAIR_BAD_ROW, 1, (int64_t)line);
+    if (q->repairs.count[WF_REPAIR_BAD_ROW] > LISTED) return;
+    if (strict)
+        wf_diag_error(d, q->file, line, column, "%s", text);
+    else
+        wf_diag_warn(d, "row-left-out", "%s:%zu: %s", q->file, line, text);
+}
+
+enum wf_status wf_import_read(const char *path, const struct wf_import_options *o, struct wf_arena *a,
+                              struct wf_qsm *out, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_import_head h;
+    *out = (struct wf_qsm){ .file = path, .name = file_name(path) };
+    enum wf_status s = known_format(o->format, e);
+    if (!s) s = read_head(path, &h, a, e);
+    if (s) return s;
+    wf_import_reader *reader = reader_for(&h, o->format);
+    if (!reader) return wf_fail(e, WF_EINPUT, "%s: neither text nor a MATLAB file", path);
+    if (reader != wf_import_mat) {
+        if (!strncmp(h.text, "\xEF\xBB\xBF", 3)) wf_qsm_count(out, WF_NOTE_BOM, 1, -1);
+        if (strstr(h.text, "\r\n")) wf_qsm_count(out, WF_NOTE_CRLF, 1, -1);
+    }
+    if ((s = reader(&h, o, a, out, d, e))) return s;
+    s = wf_qsm_repair(out, o->strict, a, d, e);
+    if (!s) wf_qsm_report(out, d);
+    return s;
+}

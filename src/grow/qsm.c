@@ -1,0 +1,147 @@
+#include "grow/qsm.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
+    [WF_NOTE_BOM] = { "byte-order-mark", "byte order mark passed over", true, true },
+    [WF_NOTE_CRLF] = { "windows-line-ends", "Windows line ends", true, true },
+    [WF_NOTE_DECIMAL_COMMA] = { "decimal-comma", "decimal commas", true, true },
+    [WF_NOTE_HEADER] = { "column-names", "column names with blanks around them", true, false },
+    [WF_NOTE_ROOT_MARK] = { "root-mark", "roots marked by a parent of -1 or an empty cell", true, false },
+    [WF_NOTE_FROM_ZERO] = { "ids-from-zero", "rows are numbered from 0", true, true },
+    [WF_NOTE_ORDER_FROM] = { "order-shifted", "branch orders not counted from 0 at the stem: shifted", true,
+                             true },
+    [WF_NOTE_ORDER_MADE] = { "order-made",
+                             "branch orders that the file lacks: made from how the rows are joined", true,
+                             false },
+    [WF_NOTE_SORTED] = { "rows-sorted", "rows before their parent: reordered", true, false },
+    [WF_NOTE_OFFSET] = { "offset-removed", "coordinate offset: the base of the stem moved to the origin",
+                         true, true },
+    [WF_NOTE_STEMS] = { "several-stems", "further stems from the ground", true, false },
+    [WF_NOTE_THICKENING] = { "thickening",
+                             "rows thicker by more than a tenth than the row below in their branch", true,
+                             false },
+    [WF_NOTE_UNITS] = { "unit-inferred",
+                        "the file does not state its unit of diameters: taken from the sizes", true, true },
+    [WF_NOTE_MODELS] = { "further-models", "further tree models in the file left aside", true, false },
+    [WF_REPAIR_BAD_ROW] = { "bad-row", "rows that cannot be read: left out", false, false },
+    [WF_REPAIR_TRUNCATED] = { "truncated", "the last row is cut off: left out", false, true },
+    [WF_REPAIR_AXIS] = { "axis-not-unit", "axis vectors not of unit length: normalised", false, false },
+    [WF_REPAIR_LENGTH] = { "length-differs",
+                           "stated lengths that are not the distance from start to end: distance used", false,
+                           false },
+    [WF_REPAIR_ZERO_LENGTH] = { "zero-length",
+                                "rows without length: removed, their children joined to their parent", false,
+                                false },
+    [WF_REPAIR_RADIUS] = { "radius-filled", "radii missing or not positive: taken from the neighbouring row",
+                           false, false },
+    [WF_REPAIR_SAME_ROW] = { "same-row-twice", "rows that repeat an earlier row: removed", false, false },
+    [WF_REPAIR_SAME_ID] = { "same-id-twice", "different rows with the id of an earlier row: given a new id",
+                            false, false },
+    [WF_REPAIR_NO_PARENT] = { "parent-missing", "rows whose parent is not in the file", false, false },
+    [WF_REPAIR_CYCLE] = { "cycle", "rings of rows that are their own ancestors: cut at the lowest row", false,
+                          false },
+    [WF_REPAIR_LOOSE] = { "loose-part", "parts hanging in the air: joined to the nearest axis", false,
+                          false },
+    [WF_REPAIR_AZIMUTH] = { "azimuth-assumed",
+                            "azimuths not measured: each 137.5 degrees after the one before", false, false },
+};
+
+/* Every column with its element size, so that allocation and reordering cannot forget one. */
+#define COLUMN(name)                                                                                         \
+    {                                                                                                        \
+        offsetof(struct wf_qsm, name), sizeof *((struct wf_qsm *)0)->name                                    \
+    }
+static const struct {
+    size_t offset, size;
+} columns[] = {
+    COLUMN(id),   COLUMN(parent_id), COLUMN(parent), COLUMN(order),  COLUMN(branch), COLUMN(next_id),
+    COLUMN(next), COLUMN(x0),        COLUMN(y0),     COLUMN(z0),     COLUMN(x1),     COLUMN(y1),
+    COLUMN(z1),   COLUMN(r0),        COLUMN(r1),     COLUMN(length), COLUMN(added),  COLUMN(line),
+};
+#undef COLUMN
+enum { COLUMNS = sizeof columns / sizeof *columns };
+
+static void *get(const struct wf_qsm *q, size_t c)
+{
+    void *p;
+    memcpy(&p, (const char *)q + columns[c].offset, sizeof p);
+    return p;
+}
+
+static void set(struct wf_qsm *q, size_t c, void *p) { memcpy((char *)q + columns[c].offset, &p, sizeof p); }
+
+enum wf_status wf_qsm_alloc(struct wf_qsm *q, size_t n, struct wf_arena *a, struct wf_err *e)
+{
+    if (n > INT32_MAX) return wf_fail(e, WF_EINPUT, "%zu cylinders; at most %d are handled", n, INT32_MAX);
+    q->n = n;
+    for (size_t c = 0; c < COLUMNS; c++) {
+        void *p = wf_arena_take(a, n, columns[c].size);
+        if (!p) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", n);
+        set(q, c, p);
+    }
+    for (size_t i = 0; i < n; i++) {
+        q->parent[i] = q->next[i] = q->order[i] = -1;
+        q->r0[i] = q->r1[i] = q->length[i] = (double)NAN;
+    }
+    return WF_OK;
+}
+
+void wf_qsm_count(struct wf_qsm *q, enum wf_repair what, size_t how_many, int64_t where)
+{
+    if (how_many && !q->repairs.count[what]) q->repairs.first[what] = where;
+    q->repairs.count[what] += how_many;
+}
+
+enum wf_status wf_qsm_pick(struct wf_qsm *q, const int32_t *pick, size_t n, struct wf_arena *a,
+                           struct wf_err *e)
+{
+    struct wf_qsm out = *q;
+    int32_t *where = WF_TAKE(a, q->n, int32_t);
+    if (!where) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", n);
+    for (size_t i = 0; i < q->n; i++) where[i] = -1;
+    for (size_t i = 0; i < n; i++) where[pick[i]] = (int32_t)i;
+    enum wf_status s = wf_qsm_alloc(&out, n, a, e);
+    if (s) return s;
+    for (size_t c = 0; c < COLUMNS; c++) {
+        const char *from = get(q, c);
+        char *to = get(&out, c);
+        size_t size = columns[c].size;
+        for (size_t i = 0; i < n; i++) memcpy(to + i * size, from + (size_t)pick[i] * size, size);
+    }
+    for (size_t i = 0; i < n; i++) {
+        if (out.parent[i] >= 0) out.parent[i] = where[out.parent[i]];
+        if (out.next[i] >= 0) out.next[i] = where[out.next[i]];
+    }
+    *q = out;
+    return WF_OK;
+}
+
+void wf_qsm_report(const struct wf_qsm *q, struct wf_diag *d)
+{
+    for (int k = 0; k < WF_REPAIR_COUNT; k++) {
+        const struct wf_repair_row *row = &wf_repair_rows[k];
+        if (!q->repairs.count[k]) continue;
+        bool by_line = k == WF_REPAIR_BAD_ROW || k == WF_REPAIR_TRUNCATED;
+        char count[32] = "", first[48] = "";
+        if (!row->once) (void)snprintf(count, sizeof count, "%zu ", q->repairs.count[k]);
+        if (q->repairs.first[k] >= 0 && (!row->once || by_line))
+            (void)snprintf(first, sizeof first, " (%s%s %lld)",
+                           row->once ? "" : "first: ", by_line ? "line" : "id",
+                           (long long)q->repairs.first[k]);
+        wf_diag_warn(d, row->code, "%s: %s%s%s", q->name, count, row->text, first);
+    }
+}
+
+double wf_qsm_distance(const struct wf_qsm *q, size_t i)
+{
+    double dx = q->x1[i] - q->x0[i], dy = q->y1[i] - q->y0[i], dz = q->z1[i] - q->z0[i];
+    return sqrt(dx * dx + dy * dy + dz * dz);
+}
+
+double wf_qsm_volume(const struct wf_qsm *q, size_t i)
+{
+    double r0 = q->r0[i], r1 = q->r1[i];
+    return acos(-1.0) / 3.0 * q->length[i] * (r0 * r0 + r0 * r1 + r1 * r1);
+}

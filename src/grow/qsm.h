@@ -1,0 +1,106 @@
+#ifndef WF_GROW_QSM_H
+#define WF_GROW_QSM_H
+/* A measured tree as a neutral table of cylinders: what every file format is read into, before any modelling.
+ * A quantitative structure model (QSM) describes a scanned tree by cylinders that need not touch: a cylinder
+ * has its own start and end, a parent, and a branch. Lengths in metres, z up. */
+#include "base/arena.h"
+#include "base/diag.h"
+#include "base/err.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* Everything that was changed or understood differently from what a file says. A note keeps the geometry
+ * (another way of writing the same); a repair changes or invents something, and a strict import refuses it.
+ */
+enum wf_repair {
+    /* notes */
+    WF_NOTE_BOM,           /* a byte order mark before the text                                 */
+    WF_NOTE_CRLF,          /* Windows line ends                                                 */
+    WF_NOTE_DECIMAL_COMMA, /* decimal commas                                                    */
+    WF_NOTE_HEADER,        /* column names with spaces or in another case                       */
+    WF_NOTE_ROOT_MARK,     /* the root's parent is written as -1 or left empty                  */
+    WF_NOTE_FROM_ZERO,     /* ids counted from 0                                                */
+    WF_NOTE_ORDER_FROM,    /* branch orders not counted from 0 at the stem                      */
+    WF_NOTE_ORDER_MADE,    /* no branch order in the file: made from the way the rows are joined */
+    WF_NOTE_SORTED,        /* rows that stand before their parent: reordered                    */
+    WF_NOTE_OFFSET,        /* plot or map coordinates: moved so that the base is the origin     */
+    WF_NOTE_STEMS,         /* further stems that start at the ground                            */
+    WF_NOTE_THICKENING,    /* radius more than a tenth larger than the row below in its branch  */
+    WF_NOTE_UNITS,         /* a unit that the file does not state was taken from the sizes      */
+    WF_NOTE_MODELS,        /* further tree models of the same file were left aside              */
+    /* repairs */
+    WF_REPAIR_BAD_ROW,     /* rows that cannot be read: left out                                */
+    WF_REPAIR_TRUNCATED,   /* the last row is cut off: left out                                 */
+    WF_REPAIR_AXIS,        /* axis vectors that are not of unit length: normalised              */
+    WF_REPAIR_LENGTH,      /* stated length and distance start to end differ by more than 1 % and 1 mm */
+    WF_REPAIR_ZERO_LENGTH, /* rows without length: removed, their children joined to their parent */
+    WF_REPAIR_RADIUS,      /* radii that are missing or not positive: taken from the row below  */
+    WF_REPAIR_SAME_ROW,    /* the same row twice: one removed                                   */
+    WF_REPAIR_SAME_ID,     /* different rows with one id: the later got a new id                */
+    WF_REPAIR_NO_PARENT,   /* the named parent is not in the file                               */
+    WF_REPAIR_CYCLE,       /* rows that are their own ancestor: cut at the lowest               */
+    WF_REPAIR_LOOSE,       /* parts that hang in the air: joined to the nearest axis            */
+    WF_REPAIR_AZIMUTH, /* azimuths that were not measured: taken at 137.5 degrees after the branch before */
+    WF_REPAIR_COUNT
+};
+
+enum { WF_QSM_NO_PARENT = -1 }; /* parent_id of a row whose parent cell is empty */
+
+struct wf_repair_row {
+    const char *code; /* stable short name, e.g. "axis-not-unit" */
+    const char *text; /* words; what is counted stands in front  */
+    bool note;        /* true: a note, allowed in a strict import */
+    bool once;        /* about the whole file: not counted        */
+};
+extern const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT];
+
+struct wf_repairs {
+    size_t count[WF_REPAIR_COUNT];
+    int64_t first[WF_REPAIR_COUNT]; /* id (or line, for unreadable rows) of the first case */
+};
+
+struct wf_qsm {
+    const char *name, *file, *format;
+    size_t n;
+    int64_t *id, *parent_id; /* as the file numbers them; a root's parent is its file's mark */
+    int32_t *parent;         /* row; -1 = a root; set by wf_qsm_repair                       */
+    int32_t *order;          /* branch order, 0 = stem; -1 = the file does not say           */
+    int32_t *branch;         /* running number of the branch, from 1                         */
+    int64_t *next_id;        /* id of the row that continues the branch, as in the file; 0 = none */
+    int32_t *next;           /* its row; -1 = none; set by wf_qsm_repair                     */
+    double *x0, *y0, *z0;    /* start [m]                                                    */
+    double *x1, *y1, *z1;    /* end [m]                                                      */
+    double *r0, *r1;         /* radius at start and end [m]; NAN = the file does not say     */
+    double *length;          /* length the file states [m]; NAN = distance start to end      */
+    uint8_t *added;          /* 1: a gap filler of the program that made the model           */
+    size_t *line;            /* line of the file, 0 = not a text file                        */
+    double base[3];          /* subtracted from the file's coordinates [m]                   */
+    struct wf_repairs repairs;
+};
+
+/* Columns for n cylinders, zeroed; radius, length NAN, order -1, parent and next -1. WF_ENOMEM without room.
+ */
+enum wf_status wf_qsm_alloc(struct wf_qsm *q, size_t n, struct wf_arena *a, struct wf_err *e);
+
+/* Count a repair. `where` is the id (or line) kept when it is the first of its kind. */
+void wf_qsm_count(struct wf_qsm *q, enum wf_repair what, size_t how_many, int64_t where);
+
+/* The rows `pick[0..n)` in that order; parents and continuations follow their rows (-1 when theirs is not
+ * picked). Columns are new; counts and names stay. */
+enum wf_status wf_qsm_pick(struct wf_qsm *q, const int32_t *pick, size_t n, struct wf_arena *a,
+                           struct wf_err *e);
+
+/* From what was read to a sound table: every parent before its children, one or several grounded stems, radii
+ * and lengths positive and finite, branch order from 0 at the stem, base of the main stem at the origin.
+ * Everything changed is counted in q->repairs. `strict`: refuse instead, naming every repair in `d`. Errors:
+ * WF_EINPUT when nothing usable is left or strict refuses. */
+enum wf_status wf_qsm_repair(struct wf_qsm *q, bool strict, struct wf_arena *a, struct wf_diag *d,
+                             struct wf_err *e);
+
+/* One finding for each kind of repair (and note) that occurred: code, how many, where first. */
+void wf_qsm_report(const struct wf_qsm *q, struct wf_diag *d);
+
+double wf_qsm_distance(const struct wf_qsm *q, size_t i); /* start to end of row i [m] */
+double wf_qsm_volume(const struct wf_qsm *q, size_t i); /* frustum of stated length [m3]                    */
+#endif
