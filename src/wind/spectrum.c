@@ -16,15 +16,21 @@
 
 static double kaimal_w(void) { return 2.1 * pow(5.3, -0.6) * 0.6 * PI / sin(0.6 * PI); }
 
-static double kaimal_friction2(const struct wf_spectrum_par *p) { return p->deviation * p->deviation / KAIMAL_U; }
+static double kaimal_friction2(const struct wf_spectrum_par *p)
+{
+    return p->deviation * p->deviation / KAIMAL_U;
+}
 
 static double kaimal(const struct wf_spectrum_par *p, enum wf_component c, double n)
 {
     double scale = p->height / p->speed, f = n * scale, u2 = kaimal_friction2(p);
     switch (c) {
-    case WF_ALONG: return u2 * scale * 105.0 * pow(1.0 + 33.0 * f, -5.0 / 3.0);
-    case WF_ACROSS: return u2 * scale * 17.0 * pow(1.0 + 9.5 * f, -5.0 / 3.0);
-    default: return u2 * scale * 2.1 / (1.0 + 5.3 * pow(f, 5.0 / 3.0));
+    case WF_ALONG:
+        return u2 * scale * 105.0 * pow(1.0 + 33.0 * f, -5.0 / 3.0);
+    case WF_ACROSS:
+        return u2 * scale * 17.0 * pow(1.0 + 9.5 * f, -5.0 / 3.0);
+    default:
+        return u2 * scale * 2.1 / (1.0 + 5.3 * pow(f, 5.0 / 3.0));
     }
 }
 
@@ -42,8 +48,11 @@ static double kaimal_shear(const struct wf_spectrum_par *p, double n)
     return -kaimal_friction2(p) * scale * 14.0 * pow(1.0 + 9.6 * n * scale, -2.4);
 }
 
-/* Along: 4 x/(1 + 70.8 x^2)^(5/6). Across and up: 4 x (1 + 755.2 x^2)/(1 + 283.2 x^2)^(11/6) with their own
- * length, in isotropic turbulence half of the along-wind one. */
+/* Along: 4 x/(1 + a x^2)^(5/6). Across and up: 4 x (1 + 8/3 b x^2)/(1 + b x^2)^(11/6), b = 4 a, with their
+ * own length, in isotropic turbulence half of the along-wind one. a = 4 pi (Gamma(1/3)/Gamma(5/6))^2 makes
+ * the integral 1; it is printed rounded as 70.8 (and 283.2, 755.2). */
+static const double KARMAN = 70.78012763381727;
+
 static double karman_ratio(const struct wf_spectrum_par *p, enum wf_component c)
 {
     return c == WF_ALONG ? 1.0 : p->share[c - 1];
@@ -51,10 +60,12 @@ static double karman_ratio(const struct wf_spectrum_par *p, enum wf_component c)
 
 static double karman(const struct wf_spectrum_par *p, enum wf_component c, double n)
 {
-    double deviation = p->deviation * karman_ratio(p, c), length = c == WF_ALONG ? p->length : 0.5 * p->length;
+    double deviation = p->deviation * karman_ratio(p, c),
+           length = c == WF_ALONG ? p->length : 0.5 * p->length;
     double scale = length / p->speed, x2 = n * scale * n * scale;
-    double form = c == WF_ALONG ? pow(1.0 + 70.8 * x2, -5.0 / 6.0)
-                                : (1.0 + 755.2 * x2) * pow(1.0 + 283.2 * x2, -11.0 / 6.0);
+    double form = c == WF_ALONG
+                      ? pow(1.0 + KARMAN * x2, -5.0 / 6.0)
+                      : (1.0 + 32.0 / 3.0 * KARMAN * x2) * pow(1.0 + 4.0 * KARMAN * x2, -11.0 / 6.0);
     return deviation * deviation * 4.0 * scale * form;
 }
 
@@ -86,14 +97,13 @@ static double along_only(const struct wf_spectrum_par *p, enum wf_component c)
 const struct wf_spectrum wf_spectra[] = {
     { "kaimal", "Kaimal surface-layer spectra",
       "Kaimal J.C., Wyngaard J.C., Izumi Y., Cote O.R. (1972), Q. J. R. Meteorol. Soc. 98:563-589",
-      "neutral surface layer over flat open ground; height 5.66 m to about 100 m, outside canopies", 3, kaimal,
-      kaimal_ratio, kaimal_shear },
+      "neutral surface layer over flat open ground; height 5.66 m to about 100 m, outside canopies", 3,
+      kaimal, kaimal_ratio, kaimal_shear },
     { "von-karman", "von Karman spectra",
       "von Karman T. (1948), Proc. Natl. Acad. Sci. 34:530-539; across and up as in ESDU 85020 (1985)",
       "isotropic inertial range; height above about 30 m fits best, length given by the user", 3, karman,
       karman_ratio, NULL },
-    { "davenport", "Davenport gust spectrum",
-      "Davenport A.G. (1961), Q. J. R. Meteorol. Soc. 87:194-211",
+    { "davenport", "Davenport gust spectrum", "Davenport A.G. (1961), Q. J. R. Meteorol. Soc. 87:194-211",
       "strong winds, near neutral, along the wind; one curve for all heights, speed meant at 10 m", 1,
       davenport, along_only, NULL },
     { "one-over-f", "power-law spectrum 1/f^beta",
@@ -134,7 +144,7 @@ static double integrate(struct integrand *g, double from, double to)
     if (!w) return NAN;
     gsl_function f = { weighted, g };
     gsl_error_handler_t *before = gsl_set_error_handler_off();
-    int bad = gsl_integration_qag(&f, log(low), log(to), 0.0, 1e-8, ROOM, GSL_INTEG_GAUSS21, w, &sum, &error);
+    int bad = gsl_integration_qag(&f, log(low), log(to), 0.0, 1e-8, ROOM, GSL_INTEG_GAUSS61, w, &sum, &error);
     gsl_set_error_handler(before);
     gsl_integration_workspace_free(w);
     /* below 1 nHz the density is taken as constant */
