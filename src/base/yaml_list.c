@@ -20,16 +20,16 @@ static size_t length_of(struct wf_yaml *y, const yaml_node_t *n, const char *of)
     return count;
 }
 
-/* Lists that belong together must be equally long; said at the later of the two rows. */
-static void compare_length(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, size_t count)
+/* Lists that belong together must be equally long. Returned: false after a finding. */
+static bool same_length(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, size_t count)
 {
     const yaml_node_t *other =
         r->same_length_as ? wf_yaml_find(y, y->node, r->same_length_as, strlen(r->same_length_as)) : NULL;
-    if (!other || other->type != YAML_SEQUENCE_NODE) return;
+    if (!other || other->type != YAML_SEQUENCE_NODE) return true;
     size_t want = (size_t)(other->data.sequence.items.top - other->data.sequence.items.start);
-    if (want != count)
-        wf_yaml_at(y, n, "%zu value%s, but '%s' has %zu", count, count == 1 ? "" : "s", r->same_length_as,
-                   want);
+    if (want == count) return true;
+    wf_yaml_at(y, n, "%zu value%s, but '%s' has %zu", count, count == 1 ? "" : "s", r->same_length_as, want);
+    return false;
 }
 
 void wf_yaml_quantities(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
@@ -49,8 +49,7 @@ void wf_yaml_quantities(struct wf_yaml *y, const yaml_node_t *n, const struct wf
             wf_yaml_at(y, item, "a single value is expected, not %s", wf_yaml_type(item));
         wf_yaml_pop(y, length);
     }
-    compare_length(y, n, r, count);
-    keep(r, out, v, count);
+    if (same_length(y, n, r, count)) keep(r, out, v, count);
 }
 
 void wf_yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, unsigned char *out)

@@ -13,7 +13,8 @@ struct wf_yaml {
     bool no_memory;
     size_t mistakes;
     char path[512];          /* of the place in hand                         */
-    const yaml_node_t *node; /* table in hand                                */
+    const yaml_node_t *node;  /* table in hand; NULL when its key is absent           */
+    const yaml_node_t *place; /* it, or the nearest thing above it that is in the file */
 };
 
 enum { WF_YAML_DEPTH = 16, WF_YAML_SIZE = 1 << 20 };

@@ -57,7 +57,7 @@ static const yaml_node_t *follow(struct wf_yaml *y, const char *key)
 
 void wf_yaml_error(struct wf_yaml *y, const char *key, const char *fmt, ...)
 {
-    const yaml_node_t *n = follow(y, key);
+    const yaml_node_t *found = follow(y, key), *n = found ? found : y->place;
     va_list args;
     va_start(args, fmt);
     add(y, n ? n->start_mark : (yaml_mark_t){ 0 }, key, fmt, args);
@@ -106,7 +106,7 @@ const char *wf_yaml_type(const yaml_node_t *n)
 
 const yaml_node_t *wf_yaml_find(struct wf_yaml *y, const yaml_node_t *map, const char *key, size_t length)
 {
-    if (map->type != YAML_MAPPING_NODE) return NULL;
+    if (!map || map->type != YAML_MAPPING_NODE) return NULL;
     for (yaml_node_pair_t *q = map->data.mapping.pairs.start; q < map->data.mapping.pairs.top; q++) {
         const char *k = wf_yaml_scalar(wf_yaml_node(y, q->key));
         if (k && strlen(k) == length && !memcmp(k, key, length)) return wf_yaml_node(y, q->value);

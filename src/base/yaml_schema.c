@@ -47,6 +47,10 @@ static void range(const struct page *p, const struct wf_yaml_row *r, char *buf, 
         (void)snprintf(buf, size, "a whole number, %.15g to %.15g", r->low, r->high);
         return;
     }
+    if (r->dimension == WF_DIM_COUNT) {
+        (void)snprintf(buf, size, "as the value it belongs to");
+        return;
+    }
     (void)wf_quantity_print(p->units, r->low, r->dimension, unit, low, sizeof low);
     (void)wf_quantity_print(p->units, r->high, r->dimension, unit, high, sizeof high);
     (void)snprintf(buf, size, "%s, %s to %s", wf_dimension_row(r->dimension)->name, low, high);
@@ -86,10 +90,7 @@ static void kind(const struct page *p, const struct wf_yaml_row *r, char *buf, s
             (void)snprintf(buf, size, "a mapping with the keys below");
         break;
     default:
-        if (r->dimension == WF_DIM_COUNT)
-            (void)snprintf(buf, size, "as the value it belongs to");
-        else
-            (void)snprintf(buf, size, "%s", within);
+        (void)snprintf(buf, size, "%s", within);
     }
 }
 

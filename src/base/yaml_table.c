@@ -92,10 +92,11 @@ void wf_yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_
                   const struct wf_yaml_row *outer, unsigned char *out)
 {
     bool seen[ROWS_MAX] = { false };
-    const yaml_node_t *above = y->node, *place = n ? n : above;
+    const yaml_node_t *above = y->node, *above_place = y->place, *place = n ? n : above_place;
     bool mapping = n && n->type == YAML_MAPPING_NODE;
     const char *bare = n ? wf_yaml_scalar(n) : outer ? outer->preset : NULL;
-    y->node = place;
+    y->node = n;
+    y->place = place;
     for (const struct wf_yaml_row *r = t->row; r->key; r++) initial(y, place, r, outer, out);
     if (mapping)
         keys(y, n, t, outer, out, seen);
@@ -110,4 +111,5 @@ void wf_yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_
     }
     if (t->finish) t->finish(y, out);
     y->node = above;
+    y->place = above_place;
 }

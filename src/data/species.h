@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
+#include "base/yaml.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -19,9 +20,9 @@ enum wf_standing {
 struct wf_value {
     double value, low, high; /* SI; low = high = value when no range is given */
     enum wf_standing standing;
-    const char *source;      /* NULL only when standing is WF_ASSUMED */
-    bool given;              /* false: the file does not name it; value is the documented default, NAN if none */
-    const char *note;        /* NULL when there is none */
+    const char *source; /* NULL only when standing is WF_ASSUMED */
+    bool given;         /* false: the file does not name it; value is the documented default, NAN if none */
+    const char *note;   /* NULL when there is none */
 };
 
 /* A quantity along an axis: value v[i] at relative position s[i] in 0..1, linear between. */
@@ -31,39 +32,35 @@ struct wf_along {
 };
 
 struct wf_level {
-    const char *name;                    /* "culm", "branch", ... */
-    struct wf_value youngs_modulus;      /* longitudinal, green [Pa]             */
-    struct wf_value shear_modulus;       /* longitudinal-transverse; not given: E/16 [Pa] */
-    struct wf_value density;             /* green, as it stands [kg m-3]         */
-    struct wf_value modulus_of_rupture;  /* green, bending [Pa]; not given: no breakage check */
-    struct wf_value radius;              /* typical outer radius at the axis' base [m] */
-    struct wf_value damping_ratio;       /* of critical, internal [-]            */
-    struct wf_value knot_factor;         /* strength of the stem / clear wood, 0..1 [-] */
-    struct wf_value drag_coefficient;    /* of the bare axis, cross-flow; not given: Reynolds law [-] */
-    struct wf_value lift_coefficient;    /* across wind and axis, default 0 [-]  */
-    struct wf_along wall;                /* wall thickness / local outer radius, along the axis [-];
-                                            n == 0: solid                        */
-    struct wf_value wall_note;           /* source and standing of `wall`        */
+    const char *name;                   /* "culm", "branch", ... */
+    struct wf_value youngs_modulus;     /* longitudinal, green [Pa]             */
+    struct wf_value shear_modulus;      /* longitudinal-transverse; not given: E/16 [Pa] */
+    struct wf_value density;            /* green, as it stands [kg m-3]         */
+    struct wf_value modulus_of_rupture; /* green, bending [Pa]; not given: no breakage check */
+    struct wf_value radius;             /* typical outer radius at the axis' base [m] */
+    struct wf_value damping_ratio;      /* of critical, internal [-]            */
+    struct wf_value knot_factor;        /* strength of the stem / clear wood, 0..1 [-] */
+    struct wf_value drag_coefficient;   /* of the bare axis, cross-flow; not given: Reynolds law [-] */
+    struct wf_value lift_coefficient;   /* across wind and axis, default 0 [-]  */
+    struct wf_along wall;               /* wall thickness / local outer radius, along the axis [-];
+                                           n == 0: solid                        */
+    struct wf_value wall_note;          /* source and standing of `wall`        */
 };
 
 /* Streamlining of the crown: frontal area times drag coefficient as a share of the still-air value. */
 struct wf_streamlining {
-    const char *law;           /* a row of load/streamline.h: "none", "vogel", "table" */
-    struct wf_value exponent;  /* Vogel exponent V: force ~ U^(2+V) [-]              */
-    double reference_speed;    /* speed below which the crown is rigid [m/s]; NAN: no such */
+    const char *law;              /* a row of load/streamline.h: "none", "vogel", "table" */
+    struct wf_value exponent;     /* Vogel exponent V: force ~ U^(2+V) [-]              */
+    double reference_speed;       /* speed below which the crown is rigid [m/s]; NAN: no such */
     double speed_low, speed_high; /* speeds the source covers [m/s]; NAN: not said   */
-    struct wf_along table;     /* "table": s = speed [m/s], v = share of still-air Cd*A [-] */
-    const char *source;        /* of the law; for "vogel" that of the exponent when it names none */
-    enum wf_standing standing; /* of `table` */
-};
-
-struct wf_source {
-    const char *key, *citation;
+    struct wf_along table;        /* "table": s = speed [m/s], v = share of still-air Cd*A [-] */
+    const char *source;           /* of the law; for "vogel" that of the exponent when it names none */
+    enum wf_standing standing;    /* of `table` */
 };
 
 struct wf_species {
     const char *key, *name, *latin, *name_zh, *note, *file;
-    const char *preset;             /* "corrected" or the paper whose numbers are printed */
+    const char *preset; /* "corrected" or the paper whose numbers are printed */
     size_t levels;
     struct wf_level *level;
     struct wf_value crown_drag;         /* crown drag coefficient on still-air frontal area [-] */
@@ -71,7 +68,7 @@ struct wf_species {
     struct wf_value leaf_frontal_share; /* still-air frontal area per one-sided leaf area [-] */
     struct wf_streamlining streamlining;
     size_t sources;
-    struct wf_source *source;
+    struct wf_yaml_pair *source; /* citations by key */
 };
 
 /* Full citation of a source key of the table; NULL when there is none. */

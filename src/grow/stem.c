@@ -1,0 +1,132 @@
+#include "grow/stem.h"
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+/* Row ends along the stem as relative heights, ascending. */
+struct ends {
+    size_t n;
+    double *s;
+};
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static size_t sort_unique(double *s, size_t n, double apart)
+{
+    size_t kept = 0;
+    qsort(s, n, sizeof *s, ascending);
+    for (size_t i = 0; i < n; i++)
+        if (!kept || s[i] - s[kept - 1] > apart) s[kept++] = s[i];
+    return kept;
+}
+
+static void add(struct ends *k, const struct wf_along *along, double from, double to)
+{
+    for (size_t i = 0; i < along->n; i++) k->s[k->n++] = from + (to - from) * along->s[i];
+}
+
+/* Where a property has a kink or a jump a row must end, so that linear rows follow it exactly; equal steps
+ * fill the rest, leaving out those within a tenth of a step of a kink. */
+static bool place_ends(const struct wf_model *m, const struct wf_along *wall, struct wf_arena *a,
+                       struct ends *out)
+{
+    const struct wf_along *profile = &m->profile, *shape = &m->crown_shape;
+    size_t most = 4 + wall->n + profile->n + shape->n;
+    struct ends k = { .s = WF_TAKE(a, most, double) };
+    out->s = WF_TAKE(a, most + m->segments, double);
+    if (!k.s || !out->s) return false;
+    k.s[k.n++] = 0;
+    k.s[k.n++] = 1;
+    if (m->taper == WF_TAPER_TABLE) add(&k, profile, 0, 1);
+    add(&k, wall, 0, 1);
+    if (m->leaf_area > 0) {
+        k.s[k.n++] = m->crown_base / m->height;
+        k.s[k.n++] = m->crown_top / m->height;
+        add(&k, shape, m->crown_base / m->height, m->crown_top / m->height);
+    }
+    k.n = sort_unique(k.s, k.n, 1e-9);
+    k.s[k.n - 1] = 1;
+    out->n = 0;
+    for (size_t i = 0; i < k.n; i++) out->s[out->n++] = k.s[i];
+    double step = 1.0 / (double)m->segments;
+    for (size_t i = 1, j = 0; i < m->segments; i++) {
+        double s = (double)i * step;
+        while (k.s[j + 1] < s) j++;
+        if (s - k.s[j] > 0.1 * step && k.s[j + 1] - s > 0.1 * step) out->s[out->n++] = s;
+    }
+    qsort(out->s, out->n, sizeof *out->s, ascending);
+    return true;
+}
+
+static void wood(struct wf_tree *t, const struct wf_model *m, const struct wf_level *l, const double *s)
+{
+    double base = isnan(m->radius) ? l->radius.value : m->radius;
+    double axis[3] = { sin(m->lean) * cos(m->lean_azimuth), sin(m->lean) * sin(m->lean_azimuth),
+                       cos(m->lean) };
+    double *start[3] = { t->x0, t->y0, t->z0 }, *end[3] = { t->x1, t->y1, t->z1 };
+    bool breaks = l->modulus_of_rupture.given;
+    for (size_t i = 0; i < t->n; i++) {
+        t->parent[i] = (int32_t)i - 1;
+        for (int k = 0; k < 3; k++) {
+            start[k][i] = s[i] * m->height * axis[k];
+            end[k][i] = s[i + 1] * m->height * axis[k];
+        }
+        t->r0[i] = base * wf_model_taper(m, s[i]);
+        t->r1[i] = base * wf_model_taper(m, s[i + 1]);
+        t->i0[i] = t->r0[i] * (1 - wf_along_at(&l->wall, s[i], 1));
+        t->i1[i] = t->r1[i] * (1 - wf_along_at(&l->wall, s[i + 1], 1));
+        t->youngs[i] = l->youngs_modulus.value;
+        t->shear[i] = l->shear_modulus.value;
+        t->density[i] = l->density.value;
+        t->strength[i] = breaks ? l->modulus_of_rupture.value * l->knot_factor.value : 0;
+        t->drag[i] = l->drag_coefficient.value;
+        t->lift[i] = l->lift_coefficient.value;
+        t->damping[i] = l->damping_ratio.value;
+    }
+}
+
+/* Leaf area per length at both ends of every row in the crown, scaled so that the rows add up to the model's.
+ */
+static void leaves(struct wf_tree *t, const struct wf_model *m, const struct wf_species *sp, const double *s)
+{
+    double from = m->crown_base / m->height, to = m->crown_top / m->height, sum = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        double middle = 0.5 * (s[i] + s[i + 1]);
+        if (middle < from || middle > to) continue;
+        t->leaf0[i] = wf_along_at(&m->crown_shape, (s[i] - from) / (to - from), 1);
+        t->leaf1[i] = wf_along_at(&m->crown_shape, (s[i + 1] - from) / (to - from), 1);
+        sum += 0.5 * (t->leaf0[i] + t->leaf1[i]) * wf_tree_length(t, i);
+    }
+    double scale = m->leaf_area / sum, sail = sp->leaf_frontal_share.value * sp->crown_drag.value;
+    for (size_t i = 0; i < t->n; i++) {
+        t->leaf0[i] *= scale;
+        t->leaf1[i] *= scale;
+        t->sail0[i] = t->leaf0[i] * sail;
+        t->sail1[i] = t->leaf1[i] * sail;
+        t->burden0[i] = t->leaf0[i] * sp->leaf_mass_per_area.value;
+        t->burden1[i] = t->leaf1[i] * sp->leaf_mass_per_area.value;
+    }
+}
+
+enum wf_status wf_grow_stem(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
+                            struct wf_tree *out, struct wf_err *e)
+{
+    if (!sp->levels) return wf_fail(e, WF_EINPUT, "%s: the species has no levels", sp->key);
+    if (m->leaf_area > 0 && !sp->crown_drag.given)
+        return wf_fail(e, WF_EINPUT, "%s: the model has leaves, but the species table %s has no 'crown'",
+                       m->key, sp->key);
+    const struct wf_level *stem = &sp->level[0];
+    struct ends ends;
+    if (!place_ends(m, &stem->wall, a, &ends))
+        return wf_fail(e, WF_ENOMEM, "%s: no memory for the stem", m->key);
+    enum wf_status code = wf_tree_alloc(out, ends.n - 1, a, e);
+    if (code) return code;
+    out->name = m->name;
+    wood(out, m, stem, ends.s);
+    if (m->leaf_area > 0) leaves(out, m, sp, ends.s);
+    return WF_OK;
+}
