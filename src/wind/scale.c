@@ -1,0 +1,99 @@
+#include "wind/scale.h"
+#include "base/near.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <strings.h>
+
+static const struct wf_wind_grade beaufort[] = {
+    { "0", 0.0, 0.3, "calm", "smoke rises straight" },
+    { "1", 0.3, 1.6, "light air", "smoke drifts" },
+    { "2", 1.6, 3.4, "light breeze", "leaves rustle" },
+    { "3", 3.4, 5.5, "gentle breeze", "leaves and small twigs in constant motion" },
+    { "4", 5.5, 8.0, "moderate breeze", "small branches move" },
+    { "5", 8.0, 10.8, "fresh breeze", "small trees in leaf begin to sway" },
+    { "6", 10.8, 13.9, "strong breeze", "large branches in motion" },
+    { "7", 13.9, 17.2, "near gale", "whole trees in motion" },
+    { "8", 17.2, 20.8, "gale", "twigs break off" },
+    { "9", 20.8, 24.5, "strong gale", "branches break" },
+    { "10", 24.5, 28.5, "storm", "trees uprooted" },
+    { "11", 28.5, 32.7, "violent storm", "widespread damage" },
+    { "12", 32.7, 37.0, "hurricane", "devastation" },
+    { "13", 37.0, 41.5, "extended scale", NULL },
+    { "14", 41.5, 46.2, "extended scale", NULL },
+    { "15", 46.2, 51.0, "extended scale", NULL },
+    { "16", 51.0, 56.1, "extended scale", NULL },
+    { "17", 56.1, 61.3, "extended scale", NULL },
+    { 0 }
+};
+static const struct wf_wind_grade cma[] = {
+    { "tropical-depression", 10.8, 17.2, "tropical depression", NULL },
+    { "tropical-storm", 17.2, 24.5, "tropical storm", NULL },
+    { "severe-tropical-storm", 24.5, 32.7, "severe tropical storm", NULL },
+    { "typhoon", 32.7, 41.5, "typhoon", NULL },
+    { "severe-typhoon", 41.5, 51.0, "severe typhoon", NULL },
+    { "super-typhoon", 51.0, INFINITY, "super typhoon", NULL },
+    { 0 }
+};
+#define KMH(x) ((x) / 3.6)
+static const struct wf_wind_grade hko[] = {
+    { "tropical-depression", KMH(41), KMH(63), "tropical depression", NULL },
+    { "tropical-storm", KMH(63), KMH(88), "tropical storm", NULL },
+    { "severe-tropical-storm", KMH(88), KMH(118), "severe tropical storm", NULL },
+    { "typhoon", KMH(118), KMH(150), "typhoon", NULL },
+    { "severe-typhoon", KMH(150), KMH(185), "severe typhoon", NULL },
+    { "super-typhoon", KMH(185), INFINITY, "super typhoon", NULL },
+    { 0 }
+};
+
+const struct wf_wind_scale wf_wind_scales[] = {
+    { "beaufort", "Beaufort scale (12 and below: WMO; 13 to 17: extension of GB/T 28591)",
+      "WMO (1970), The Beaufort scale of wind force, Reports on Marine Science Affairs 3; GB/T 28591-2012",
+      600.0, 10.0, beaufort },
+    { "cma", "Chinese grades of tropical cyclones", "GB/T 19201-2006, Grade of tropical cyclones", 120.0,
+      10.0, cma },
+    { "hko", "Hong Kong Observatory grades of tropical cyclones",
+      "Hong Kong Observatory (2009), Classification of tropical cyclones", 600.0, 10.0, hko },
+    { 0 }
+};
+
+bool wf_wind_scale_is(const char *text) { return strchr(text, ':') && text[strspn(text, " \t")] > '9'; }
+
+static enum wf_status unknown(const char *what, const char *word, const char *const *known, size_t n,
+                              struct wf_err *e)
+{
+    char list[512] = "";
+    const char *near = wf_nearest(word, known, n);
+    if (near) return wf_fail(e, WF_EUSAGE, "unknown %s '%s'; did you mean '%s'?", what, word, near);
+    for (size_t i = 0; i < n; i++) {
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", known[i]);
+    }
+    return wf_fail(e, WF_EUSAGE, "unknown %s '%s'; there are: %s", what, word, list);
+}
+
+enum wf_status wf_wind_scale_parse(const char *text, struct wf_scale_wind *out, struct wf_err *e)
+{
+    char scale[40];
+    const char *known[24], *colon = strchr(text, ':');
+    size_t n = 0, size = colon ? (size_t)(colon - text) : strlen(text);
+    if (!colon || size >= sizeof scale)
+        return wf_fail(e, WF_EUSAGE, "'%s' is not a wind on a scale such as beaufort:8 or cma:typhoon", text);
+    memcpy(scale, text, size);
+    scale[size] = '\0';
+    const struct wf_wind_scale *s = wf_wind_scales;
+    for (; s->name && strcasecmp(s->name, scale) != 0; s++) known[n++] = s->name;
+    if (!s->name) return unknown("wind scale", scale, known, n, e);
+    const struct wf_wind_grade *g = s->grade;
+    for (n = 0; g->name && strcasecmp(g->name, colon + 1) != 0; g++) known[n++] = g->name;
+    if (!g->name) return unknown("grade", colon + 1, known, n, e);
+    *out = (struct wf_scale_wind){ s, g, isfinite(g->high) ? 0.5 * (g->low + g->high) : g->low };
+    return WF_OK;
+}
+
+const struct wf_wind_grade *wf_wind_scale_grade(const struct wf_wind_scale *s, double speed)
+{
+    for (const struct wf_wind_grade *g = s->grade; g->name; g++)
+        if (speed >= g->low && (speed < g->high || !g[1].name)) return g;
+    return NULL;
+}

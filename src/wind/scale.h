@@ -1,0 +1,53 @@
+#ifndef WF_WIND_SCALE_H
+#define WF_WIND_SCALE_H
+/* Wind named by a scale, and the same wind under another averaging time. */
+#include "base/err.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+struct wf_wind_grade {
+    const char *name; /* "8", "typhoon"                        */
+    double low, high; /* [m/s]; high = INFINITY for the last   */
+    const char *text; /* "gale"                                */
+    const char *sign; /* what trees do; NULL: the scale does not say */
+};
+struct wf_wind_scale {
+    const char *name; /* "beaufort" */
+    const char *title, *source;
+    double averaging;                  /* time the scale's speeds are averaged over [s] */
+    double height;                     /* they are meant at [m], over open ground or sea */
+    const struct wf_wind_grade *grade; /* ends at name == NULL */
+};
+extern const struct wf_wind_scale wf_wind_scales[]; /* beaufort, cma, hko; ends at name == NULL */
+
+struct wf_scale_wind {
+    const struct wf_wind_scale *scale;
+    const struct wf_wind_grade *grade;
+    double speed; /* middle of the grade; its lower bound where it has no upper one [m/s] */
+};
+
+/* Whether text is of the form "scale:grade" and not a plain speed. */
+bool wf_wind_scale_is(const char *text);
+/* Read "beaufort:8", "cma:typhoon", "cma:severe-typhoon", "hko:typhoon". WF_EUSAGE names the scales or grades
+ * there are. The speed is that of the scale's own averaging time. */
+enum wf_status wf_wind_scale_parse(const char *text, struct wf_scale_wind *out, struct wf_err *e);
+/* The grade a speed has; NULL below the first. */
+const struct wf_wind_grade *wf_wind_scale_grade(const struct wf_wind_scale *s, double speed);
+
+/* Laws for other averaging times. "durst": the largest mean over t seconds within an hour, open country;
+ * Durst C.S. (1960), Meteorol. Mag. 89:181-186, in the fit of the Shore Protection Manual (1984):
+ * U_t/U_3600 = 1.277 + 0.296 tanh(0.9 log10(45 s/t)), 1 s to 3600 s.
+ * "in-land", "off-land", "off-sea", "at-sea": gust factors of Harper B.A., Kepert J.D., Ginger J.D. (2010),
+ * Guidelines for converting between various wind averaging periods in tropical cyclone conditions,
+ * WMO/TD-1555, table 1.1; between a mean over 600 s or 3600 s and gusts of 3, 60, 120, 180 or 600 s. */
+struct wf_averaging_law {
+    const char *name, *source, *validity;
+};
+extern const struct wf_averaging_law wf_averaging_laws[]; /* ends at name == NULL; the first is the default */
+
+/* Largest wind averaged over `to` seconds within a period of `from` seconds whose mean is `speed`, or, for
+ * to > from, the mean of the longer period whose largest `from` wind is `speed`. Times in [s]. WF_EUSAGE for
+ * a time or law that is not covered. */
+enum wf_status wf_wind_average(const char *law, double speed, double from, double to, double *out,
+                               struct wf_err *e);
+#endif
