@@ -112,7 +112,7 @@ static void check_wants(struct checking *k)
         check_place(k, &w[i].at, w[i].line);
     }
     if (by_solver && !c->solvers) c->solver[c->solvers++] = wf_solvers[0];
-    if (!by_solver && given(c, "solver"))
+    if (!by_solver && c->given[wf_case_key_index("solver")] > c->line)
         wrong(k, c->line, "'solver' is given but nothing wanted comes from one");
     if (!by_solver) c->solvers = 0;
 }

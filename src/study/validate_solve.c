@@ -45,7 +45,7 @@ enum wf_status wf_local_vogel(const struct wf_setup *s, const struct wf_solver *
                               double *v, struct wf_err *e)
 {
     static const double step[4] = { -2, -1, 1, 2 }, coefficient[4] = { 1. / 12, -8. / 12, 8. / 12, -1. / 12 };
-    const double h = 0.02;
+    const double h = 0.01;
     if (!s->loads.wind) return wf_fail(e, WF_EINPUT, "without wind there is no Vogel exponent");
     *v = -2.0;
     for (int i = 0; i < 4; i++) {

@@ -12,7 +12,7 @@ enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *
 enum wf_status wf_rigid_drag(const struct wf_setup *s, double *drag, struct wf_err *e);
 
 /* Local Vogel exponent d ln F / d ln U - 2 of the base force F along the wind: fourth-order central
- * difference over four runs at U exp(-2h), U exp(-h), U exp(h), U exp(2h), h = 0.02. Errors: the solver's,
+ * difference over four runs at U exp(-2h), U exp(-h), U exp(h), U exp(2h), h = 0.01. Errors: the solver's,
  * WF_EINPUT. */
 enum wf_status wf_local_vogel(const struct wf_setup *s, const struct wf_solver *solver, struct wf_arena *a,
                               double *v, struct wf_err *e);
