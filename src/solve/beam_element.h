@@ -74,14 +74,15 @@ void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape
 
 /* Linearise and eliminate the element. Given: the present state, and in *node the reaction of all that is above its end.
  * Returned: *answer; in *node how the end itself answers a change p of the base, K p + k; the reaction handed down is
- * added to *below. u->g becomes the strain under the present forces. *negative (may be NULL) counts up by the number of
+ * added to *below. u->g becomes the strain under the present forces. guard: stiffen an element whose linear answer
+ * leaps (far from equilibrium; the tangent is then not exact). *negative (may be NULL) counts up by the number of
  * directions in which this element, with all above it, is unstable (inertia of its Hessian by strains; loads that are
  * not conservative enter by their symmetric part). false when the eliminated block is singular. */
 bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double base_L[9],
                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                        const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
                        struct wf_beam_reaction *node, struct wf_beam_answer *answer,
-                       struct wf_beam_reaction *below, size_t *negative);
+                       struct wf_beam_reaction *below, bool guard, size_t *negative);
 
 /* Newton correction of the unknowns from the change p of the base: dv[2][3] in base axes; end[6] = change of the end,
  * as node (see above) has it. */

@@ -36,8 +36,33 @@ static void tangent_slope(const struct rotation *o, const double v[3], const dou
     for (int i = 0; i < 3; i++) D[4 * i] += o->b * dot;
 }
 
+/* Where the material law asks an element for a large turn at once, its tangent is stiffened in proportion: a damped
+ * Newton step for that element alone. Twigs that double over then do not hold up the rest of the tree, and as the
+ * misfit goes to zero so does the damping, at the same rate, so that convergence stays quadratic. */
+static double damping(const struct wf_beam_part *p, const struct kinematics *c, const struct wf_beam_stage *s,
+                      const struct wf_beam_wrench at[2])
+{
+    const double free_turn = 0.05, full_turn = 0.25; /* rad an element may turn undamped; turn that halves the step */
+    double most = 0;
+    for (int j = 0; j < 2; j++) {
+        double miss[3];
+        v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, miss);
+        v3_add(miss, -1, c->k[j]);
+        most = fmax(most, wf_dot(miss, miss));
+    }
+    return fmax(0, (p->h * sqrt(most) - free_turn) / full_turn);
+}
+
+static void stiffen(struct kinematics *c, double factor)
+{
+    for (int j = 0; j < 2; j++)
+        for (int m = 0; m < 2; m++)
+            for (int i = 0; i < 9; i++) c->QP[j][m][i] *= factor;
+}
+
 static void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double L[9],
-                          const struct wf_beam_creep *creep, struct kinematics *c)
+                          const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                          const struct wf_beam_wrench at[2], struct kinematics *c)
 {
     double v[2][3], T[2][9], Ti[2][9], D[9], end[3], Te[9], x;
     for (int j = 0; j < 2; j++) m3_apply(L, u->v[j], v[j]);
@@ -66,9 +91,7 @@ static void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_sha
         m3_mul(Te, Ti[j], c->W[j]);
         for (int i = 0; i < 9; i++) c->W[j][i] *= gauss_end[j];
     }
-    for (int j = 0; j < 2; j++)
-        for (int m = 0; m < 2; m++)
-            for (int i = 0; i < 9; i++) c->QP[j][m][i] *= 1 + creep->rate;
+    stiffen(c, 1 + creep->rate + damping(p, c, s, at));
 }
 
 /* Derivatives of the loads and of r' x n inside the element. */
@@ -261,28 +284,11 @@ static void base_of(double half, const struct statics *q, const struct wf_line_l
     }
 }
 
-bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
-                       const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
-                       const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
-                       struct wf_beam_reaction *node, struct wf_beam_answer *o, struct wf_beam_reaction *below,
-                       size_t *negative)
+/* Add what the part above answers, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own equations. */
+static void attach(double E[6][6], double K[6][7], double P[6][6], double Z[6][7], double A[6][13])
 {
-    struct kinematics k;
-    struct statics q;
-    double A[6][13], E[6][6], P[6][6], S[6][6], Z[6][7], K[6][7], EK[6][7] = { { 0 } }, y[6][7],
-                                                       W[6][7] = { { 0 } }, B[6][7];
-    const double half = 0.5 * p->h;
-    kinematics_of(p, u, L, creep, &k);
-    statics_of(p, u, L, s, load, at, &q);
-    equations(p, &k, &q, s, at, A, E);
-    end_of(half, &k, &q, P, Z);
-    base_of(half, &q, load, S, B);
-    for (int i = 0; i < 6; i++) {
-        for (int c = 0; c < 6; c++) K[i][c] = node->K[i][c];
-        K[i][6] = node->k[i];
-    }
-
-    mul67(E, K, EK); /* the part above answers: dw_end = K end + k */
+    double EK[6][7] = { { 0 } };
+    mul67(E, K, EK);
     for (int i = 0; i < 6; i++) {
         for (int m = 0; m < 6; m++) {
             for (int c = 0; c < 6; c++) A[i][c] += EK[i][m] * P[m][c];
@@ -290,8 +296,68 @@ bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, co
         }
         A[i][12] += EK[i][6];
     }
-    if (negative) *negative += unstable_directions(A, &k);
-    if (!solve6(A)) return false;
+}
+
+/* Does the element, with what it carries, leap? Either its own correction at a fixed base is large, or its end turns
+ * against its base (beyond -1: it is past its buckling load) or many times as far (it is near it). The linear answer is
+ * then no guide, and would throw the parts below. P: spin of the end by y; A: solved. */
+static bool leaps(double A[6][13], double P[6][6])
+{
+    const double turn = 0.7, against = -1.1, along = 8; /* rad, -, - */
+    for (int i = 0; i < 6; i++)
+        if (!(fabs(A[i][12]) <= turn)) return true;
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            double follows = 0;
+            for (int m = 0; m < 6; m++) follows -= P[3 + i][m] * A[m][9 + j];
+            if (!(follows > (i == j ? against : -along) && follows < along)) return true;
+        }
+    return false;
+}
+
+/* Solve for y = -A (p_base, 1). With `guard`, an element that leaps is taken on its own: damped elastic bending towards
+ * the moments it bears now, following its base stiffly and handing no reaction down (*apart). Twigs past their buckling
+ * load so fall over in a few steps without throwing what carries them. */
+static bool answer(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
+                   const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], double K[6][7], double P[6][6],
+                   double Z[6][7], double A[6][13], bool guard, bool *apart, size_t *negative)
+{
+    static const struct statics none;
+    double E[6][6];
+    *apart = false;
+    equations(p, k, q, s, at, A, E);
+    attach(E, K, P, Z, A);
+    if (negative) *negative += unstable_directions(A, k);
+    bool solved = solve6(A);
+    if (!guard || (solved && !leaps(A, P))) return solved;
+    *apart = true;
+    equations(p, k, &none, s, at, A, E);
+    for (int i = 0; i < 6; i++)
+        for (int c = 6; c < 12; c++) A[i][c] = 0;
+    return solve6(A);
+}
+
+bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
+                       const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                       const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
+                       struct wf_beam_reaction *node, struct wf_beam_answer *o, struct wf_beam_reaction *below,
+                       bool guard, size_t *negative)
+{
+    struct kinematics k;
+    struct statics q;
+    double A[6][13], P[6][6], S[6][6], Z[6][7], K[6][7], y[6][7], W[6][7] = { { 0 } }, B[6][7];
+    const double half = 0.5 * p->h;
+    bool apart;
+    kinematics_of(p, u, L, creep, s, at, &k);
+    statics_of(p, u, L, s, load, at, &q);
+    end_of(half, &k, &q, P, Z);
+    base_of(half, &q, load, S, B);
+    for (int i = 0; i < 6; i++) {
+        for (int c = 0; c < 6; c++) K[i][c] = node->K[i][c];
+        K[i][6] = node->k[i];
+    }
+
+    if (!answer(p, &k, &q, s, at, K, P, Z, A, guard, &apart, negative)) return false;
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 7; c++) y[i][c] = -A[i][6 + c];
 
@@ -305,13 +371,12 @@ bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, co
             for (int c = 0; c < 7; c++) B[3 + i][c] += f * W[m][c];
         }
     for (int i = 0; i < 6; i++) {
-        for (int c = 0; c < 6; c++) {
-            o->X[i][c] = y[i][c];
-            node->K[i][c] = Z[i][c];
-            below->K[i][c] += W[i][c] + B[i][c];
-        }
+        for (int c = 0; c < 6; c++) o->X[i][c] = y[i][c], node->K[i][c] = Z[i][c];
         o->x[i] = y[i][6];
         node->k[i] = Z[i][6];
+    }
+    for (int i = 0; i < 6 && !apart; i++) {
+        for (int c = 0; c < 6; c++) below->K[i][c] += W[i][c] + B[i][c];
         below->k[i] += W[i][6] + B[i][6];
     }
     return true;

@@ -27,19 +27,38 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     return WF_OK;
 }
 
-/* Corrections of all unknowns from the base up. Returned: the largest turn any node or Gauss point would make. */
+/* Keep an element's own turn below a limit; what it carries then follows as far. base, end: changes of its ends. */
+static void shorten(const struct wf_beam_pose *at_base, const struct wf_beam_pose *at_end, const double base[6],
+                    double dv[2][3], double end[6])
+{
+    const double limit = 0.7; /* rad */
+    double most = fmax(wf_dot(dv[0], dv[0]), wf_dot(dv[1], dv[1])), arm[3], swing[3];
+    if (most <= limit * limit) return;
+    double share = limit / sqrt(most);
+    for (int i = 0; i < 3; i++) arm[i] = at_end->r[i] - at_base->r[i];
+    wf_cross(base + 3, arm, swing);
+    for (int i = 0; i < 3; i++) {
+        double place = base[i] + swing[i];
+        dv[0][i] *= share, dv[1][i] *= share;
+        end[i] = place + share * (end[i] - place);
+        end[3 + i] = base[3 + i] + share * (end[3 + i] - base[3 + i]);
+    }
+}
+
+/* Corrections of all unknowns from the base up. Returned: the largest turn any node would make. */
 static double corrections(struct wf_beam *b)
 {
     double most = 0;
     for (size_t i = 0; i < b->mesh.n; i++) {
         const struct wf_beam_part *p = &b->mesh.part[i];
         struct wf_beam_pose ground;
-        const double *L, *below;
-        if (p->parent >= 0) L = b->pose[p->parent].L, below = b->change[p->parent];
-        else wf_beam_ground(b, i, &ground), L = ground.L, below = b->root_change[p->row];
-        wf_beam_correct(&b->shape[i], L, &b->answer[i], &b->node[i], below, b->dv[i], b->change[i]);
+        const struct wf_beam_pose *base = &ground;
+        const double *below;
+        if (p->parent >= 0) base = &b->pose[p->parent], below = b->change[p->parent];
+        else wf_beam_ground(b, i, &ground), below = b->root_change[p->row];
+        wf_beam_correct(&b->shape[i], base->L, &b->answer[i], &b->node[i], below, b->dv[i], b->change[i]);
+        shorten(base, &b->pose[i], below, b->dv[i], b->change[i]);
         most = fmax(most, wf_dot(b->change[i] + 3, b->change[i] + 3));
-        for (int j = 0; j < 2; j++) most = fmax(most, wf_dot(b->dv[i][j], b->dv[i][j]));
     }
     return sqrt(most);
 }
@@ -56,7 +75,7 @@ static void move(struct wf_beam *b, double share)
 /* One correction, shortened until the misfit falls. */
 static bool step(struct wf_beam *b)
 {
-    const double turn_limit = 1.2; /* rad a node may turn in one step: beyond, the tangent says nothing */
+    const double turn_limit = 3; /* rad a node may turn in one step */
     double turn = corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
     struct wf_beam_misfit before = b->misfit;
     if (!isfinite(turn)) return false;
@@ -78,6 +97,7 @@ static bool settled(const struct wf_beam *b)
 
 enum wf_status wf_beam_newton(struct wf_beam *b)
 {
+    b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     wf_beam_sweep_up(b);
     if (!wf_beam_sweep_down(b, true, false)) return WF_ENOCONV;
     for (size_t i = 0; i < b->options->iterations_max && !settled(b); i++) {

@@ -104,6 +104,8 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, bool count)
     static const double still[2][3];
     struct wf_beam_pose ground;
     double first[3] = { 0, 0, 0 };
+    /* far from equilibrium the tangent is guarded; nearer it is exact */
+    bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
     b->misfit = (struct wf_beam_misfit){ 0 };
     b->negative = 0;
     b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
@@ -124,7 +126,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, bool count)
         wf_beam_misfit_add(p, &b->shape[i], base->L, &creep, &b->stage[i], at, &b->misfit);
         if (eliminate && !wf_beam_eliminate(p, &b->shape[i], base->L, &creep, &b->stage[i], load, at, &b->node[i],
                                             &b->answer[i], grounded ? &root : &b->node[p->parent],
-                                            count ? &b->negative : NULL))
+                                            guard, count ? &b->negative : NULL))
             return false;
         if (!grounded) {
             v3_add(b->wrench[p->parent].n, 1, down.n);
