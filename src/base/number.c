@@ -1,5 +1,4 @@
 #include "base/number.h"
-#include <errno.h>
 #include <locale.h>
 #include <math.h>
 #include <stdbool.h>
@@ -20,9 +19,8 @@ static bool slow(const char *s, const char *end, char point, double *value)
     char *p = strchr(copy, point);
     if (p) *p = '.';
     locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
-    errno = 0;
     *value = c ? strtod_l(copy, NULL, c) : NAN;
-    bool ok = errno == 0 && isfinite(*value);
+    bool ok = isfinite(*value) && *value != 0; /* the digits are not all zero here */
     if (c) freelocale(c);
     if (copy != local) free(copy);
     return ok;

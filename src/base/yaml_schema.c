@@ -85,7 +85,8 @@ static void kind(const struct page *p, const struct wf_yaml_row *r, char *buf, s
         break;
     case WF_YAML_TABLE:
         if (r->table->bare)
-            (void)snprintf(buf, size, "%s; %s", within, r->table->title);
+            (void)snprintf(buf, size, "%s; or a mapping with range and source, see '%s' below", within,
+                           r->table->title);
         else
             (void)snprintf(buf, size, "a mapping with the keys below");
         break;
@@ -104,9 +105,9 @@ static void rows(struct page *p, const struct wf_yaml_table *t, const char *path
         put(p, "  %s%s\n", full, r->required ? "  (required)" : "");
         wrap(p, r->doc, INDENT);
         wrap(p, what, INDENT);
-        if (r->absent)
+        if (r->absent && !r->required)
             put(p, "%*sleft out: %s\n", INDENT, "", r->absent);
-        else if (r->preset)
+        else if (r->preset && !r->required)
             put(p, "%*sleft out: %s\n", INDENT, "", r->preset);
         if (r->example) put(p, "%*sexample: %s: %s\n", INDENT, "", r->key, r->example);
         if ((r->kind == WF_YAML_TABLE && !r->table->bare) || r->kind == WF_YAML_LIST) rows(p, r->table, full);

@@ -65,7 +65,7 @@ static void finish(struct wf_yaml *y, void *out)
 }
 
 const struct wf_yaml_table wf_value_table = {
-    .title = "or a mapping with range and source (see A value)",
+    .title = "value",
     .row = value_rows,
     .size = sizeof(struct wf_value),
     .bare = "value",
