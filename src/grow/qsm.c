@@ -56,9 +56,10 @@ const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
 static const struct {
     size_t offset, size;
 } columns[] = {
-    COLUMN(id),   COLUMN(parent_id), COLUMN(parent), COLUMN(order),  COLUMN(branch), COLUMN(next_id),
-    COLUMN(next), COLUMN(x0),        COLUMN(y0),     COLUMN(z0),     COLUMN(x1),     COLUMN(y1),
-    COLUMN(z1),   COLUMN(r0),        COLUMN(r1),     COLUMN(length), COLUMN(added),  COLUMN(line),
+    COLUMN(id),    COLUMN(parent_id), COLUMN(parent), COLUMN(order), COLUMN(branch),
+    COLUMN(place), COLUMN(next_id),   COLUMN(next),   COLUMN(x0),    COLUMN(y0),
+    COLUMN(z0),    COLUMN(x1),        COLUMN(y1),     COLUMN(z1),    COLUMN(r0),
+    COLUMN(r1),    COLUMN(length),    COLUMN(added),  COLUMN(line),
 };
 #undef COLUMN
 enum { COLUMNS = sizeof columns / sizeof *columns };

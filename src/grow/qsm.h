@@ -67,6 +67,7 @@ struct wf_qsm {
     int32_t *parent;         /* row; -1 = a root; set by wf_qsm_repair                       */
     int32_t *order;          /* branch order, 0 = stem; -1 = the file does not say           */
     int32_t *branch;         /* running number of the branch, from 1                         */
+    int32_t *place;          /* position in the branch, from 1                               */
     int64_t *next_id;        /* id of the row that continues the branch, as in the file; 0 = none */
     int32_t *next;           /* its row; -1 = none; set by wf_qsm_repair                     */
     double *x0, *y0, *z0;    /* start [m]                                                    */

@@ -53,6 +53,7 @@ enum wf_status wf_qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_e
             q->order[i] = p < 0 ? 0 : q->order[p] + !goes_on;
         }
         q->branch[i] = goes_on ? q->branch[p] : ++branches;
+        q->place[i] = goes_on ? q->place[p] + 1 : 1;
         if (q->next[i] < 0) q->next[i] = continuation(q, &c, (int32_t)i);
         if (goes_on && q->r0[i] > 1.1 * q->r1[p]) wf_qsm_count(q, WF_NOTE_THICKENING, 1, q->id[i]);
     }

@@ -1,0 +1,79 @@
+#include "grow/clothe.h"
+#include "grow/qsm_model.h"
+#include <math.h>
+
+static bool is_link(const struct wf_clothing *c, size_t i)
+{
+    return c->kind && c->kind[i] == WF_SEGMENT_LINK;
+}
+
+/* Distance of each row's base along its branch and the branch's length, for rows of one level joined end to
+ * end. */
+static void along_branch(const struct wf_tree *t, double *from, double *total)
+{
+    for (size_t i = 0; i < t->n; i++) {
+        int32_t p = t->parent[i];
+        bool same = p >= 0 && t->level[p] == t->level[i];
+        from[i] = same ? from[p] + wf_tree_length(t, (size_t)p) : 0;
+        total[i] = from[i] + wf_tree_length(t, i);
+    }
+    for (size_t i = t->n; i-- > 0;) {
+        int32_t p = t->parent[i];
+        if (p >= 0 && t->level[p] == t->level[i]) total[p] = fmax(total[p], total[i]);
+    }
+}
+
+static void material(struct wf_tree *t, size_t i, const struct wf_level *v, bool link)
+{
+    t->youngs[i] = v->youngs_modulus.value;
+    t->shear[i] = v->shear_modulus.value;
+    t->damping[i] = v->damping_ratio.value;
+    t->density[i] = link ? 0 : v->density.value;
+    t->strength[i] =
+        v->modulus_of_rupture.given && !link ? v->modulus_of_rupture.value * v->knot_factor.value : 0;
+    t->drag[i] = link ? 0 : v->drag_coefficient.given ? v->drag_coefficient.value : (double)NAN;
+    t->lift[i] = link ? 0 : v->lift_coefficient.value;
+}
+
+/* Leaf area per length on rows with one tip above them. */
+static enum wf_status leaves(struct wf_tree *t, const struct wf_species *sp, const struct wf_clothing *c,
+                             struct wf_arena *a, struct wf_err *e)
+{
+    uint32_t *tips = WF_TAKE(a, t->n, uint32_t);
+    if (!tips) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    double length = 0;
+    for (size_t i = t->n; i-- > 0;) {
+        if (!tips[i]) tips[i] = 1;
+        if (t->parent[i] >= 0) tips[t->parent[i]] += tips[i];
+        if (tips[i] == 1 && !is_link(c, i)) length += wf_tree_length(t, i);
+    }
+    for (size_t i = 0; i < t->n; i++) {
+        double leaf = tips[i] == 1 && !is_link(c, i) ? c->leaf_area / length : 0;
+        t->leaf0[i] = t->leaf1[i] = leaf;
+        t->sail0[i] = t->sail1[i] = leaf * sp->leaf_frontal_share.value * sp->crown_drag.value;
+        t->burden0[i] = t->burden1[i] = leaf * sp->leaf_mass_per_area.value;
+    }
+    return WF_OK;
+}
+
+enum wf_status wf_clothe(struct wf_tree *t, const struct wf_species *sp, const struct wf_clothing *c,
+                         struct wf_arena *a, struct wf_err *e)
+{
+    if (!sp->levels) return wf_fail(e, WF_EINPUT, "species %s has no level to take materials from", sp->key);
+    if (!(c->leaf_area >= 0 && c->leaf_area < INFINITY))
+        return wf_fail(e, WF_EINPUT, "leaf area %g m2; it must not be negative", c->leaf_area);
+    double *from = WF_TAKE(a, t->n, double), *total = WF_TAKE(a, t->n, double);
+    if (!from || !total) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    along_branch(t, from, total);
+    for (size_t i = 0; i < t->n; i++) {
+        size_t level = (size_t)t->level[i] < sp->levels ? (size_t)t->level[i] : sp->levels - 1;
+        const struct wf_level *v = &sp->level[level];
+        bool link = is_link(c, i);
+        material(t, i, v, link);
+        if (v->wall.n == 0 || link) continue;
+        double s0 = from[i] / total[i], s1 = (from[i] + wf_tree_length(t, i)) / total[i];
+        t->i0[i] = t->r0[i] * (1 - wf_along_at(&v->wall, s0, 1));
+        t->i1[i] = t->r1[i] * (1 - wf_along_at(&v->wall, s1, 1));
+    }
+    return leaves(t, sp, c, a, e);
+}

@@ -1,0 +1,23 @@
+#ifndef WF_GROW_CLOTHE_H
+#define WF_GROW_CLOTHE_H
+/* A species' materials and leaves on the segments of a tree. */
+#include "base/arena.h"
+#include "base/err.h"
+#include "data/species.h"
+#include "data/tree.h"
+
+struct wf_clothing {
+    double leaf_area;    /* one-sided, whole tree [m2]; 0: leaf-off */
+    const uint8_t *kind; /* enum wf_segment_kind per segment (grow/qsm_model.h); NULL: all wood */
+};
+
+/* Given: a tree with geometry and levels, a species, what it wears. Returned: E, G, density, strength (MOR
+ * times knot factor; 0 when the species has no MOR), drag (NAN: Reynolds law), lift, damping and inner radius
+ * of every row by its level, levels beyond the species' last clamped to it; wall by the position along the
+ * row's branch (rows of one level joined end to end). Links get stiffness but no mass, drag or strength.
+ * Leaves: spread evenly over the length of the terminal shoots, that is, of all rows with a single tip above
+ * them; still-air sail = leaf area x leaf_frontal_share x crown_drag, burden = leaf area x
+ * leaf_mass_per_area. Errors: WF_EINPUT for a species without levels or a negative leaf area; WF_ENOMEM. */
+enum wf_status wf_clothe(struct wf_tree *t, const struct wf_species *sp, const struct wf_clothing *c,
+                         struct wf_arena *a, struct wf_err *e);
+#endif

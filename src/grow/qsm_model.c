@@ -1,0 +1,173 @@
+#include "grow/qsm_model.h"
+#include "grow/qsm_index.h"
+#include "grow/qsm_joint.h"
+#include <math.h>
+
+static const double SHORTEST = 1e-3, NO_LENGTH = 1e-9; /* [m] */
+
+struct build {
+    const struct wf_qsm *q;
+    const struct wf_hold_row *hold;
+    struct wf_children children;
+    struct wf_qsm_model *m;
+    struct wf_tree *t;
+    double shortest; /* rows below are drawn together [m]                     */
+    int32_t *head;   /* per row: segment whose end is the row's base; -1 ground */
+    int32_t *tail;   /* per row: segment whose end is the row's end             */
+    int32_t *held;   /* per row: segment whose end holds it                     */
+    int32_t *sorted; /* room for the children of one row                        */
+};
+
+/* Append a segment from the end of segment `below` (or `base` at the ground) to `end`. */
+static int32_t append(struct build *b, int32_t below, const double base[3], const double end[3], double r0,
+                      double r1, enum wf_segment_kind kind, size_t row)
+{
+    struct wf_tree *t = b->t;
+    size_t k = t->n++;
+    bool ground = below < 0;
+    t->parent[k] = below;
+    t->level[k] = b->q->order[row];
+    t->id[k] = b->q->id[row];
+    t->x0[k] = ground ? base[0] : t->x1[below];
+    t->y0[k] = ground ? base[1] : t->y1[below];
+    t->z0[k] = ground ? base[2] : t->z1[below];
+    t->x1[k] = end[0], t->y1[k] = end[1], t->z1[k] = end[2];
+    t->r0[k] = r0, t->r1[k] = r1;
+    b->m->kind[k] = (uint8_t)kind;
+    b->m->row[k] = (int32_t)row;
+    double volume = M_PI / 3 * wf_tree_length(t, k) * (r0 * r0 + r0 * r1 + r1 * r1);
+    if (kind != WF_SEGMENT_LINK) b->m->volume += volume;
+    if (kind == WF_SEGMENT_BRIDGE) b->m->bridge_volume += volume;
+    return (int32_t)k;
+}
+
+static void point_of(const struct build *b, size_t i, double out[3])
+{
+    int32_t held = b->held[i];
+    for (int k = 0; k < 3; k++) out[k] = b->hold[i].base[k];
+    if (held >= 0) out[0] = b->t->x1[held], out[1] = b->t->y1[held], out[2] = b->t->z1[held];
+}
+
+/* From where row i is held to where its own wood starts: nothing, a link, or a link and a bridge. */
+static int32_t reach(struct build *b, size_t i)
+{
+    const struct wf_hold_row *h = &b->hold[i];
+    double from[3], to[3], across[3], r = b->q->r0[i];
+    if (h->straight) {
+        if (h->gap > wf_joint_tolerance(h->radius)) b->m->gaps++;
+        return b->held[i];
+    }
+    point_of(b, i, from);
+    for (int k = 0; k < 3; k++) across[k] = h->base[k] - from[k];
+    double gap = sqrt(across[0] * across[0] + across[1] * across[1] + across[2] * across[2]);
+    bool beyond = gap > h->radius + wf_joint_tolerance(h->radius);
+    for (int k = 0; k < 3; k++) to[k] = from[k] + across[k] * (beyond ? h->radius / gap : 1);
+    double stout = fmax(r, fmin(h->radius, 3 * r));
+    int32_t at = b->held[i];
+    if (!beyond || h->radius > SHORTEST) {
+        at = append(b, at, from, to, stout, stout, WF_SEGMENT_LINK, i);
+        b->m->links++;
+    }
+    if (!beyond) return at;
+    b->m->bridges++;
+    return append(b, at, to, h->base, r, r, WF_SEGMENT_BRIDGE, i);
+}
+
+/* The children of row i that leave its axis, in order of their share. Insertion sort: a row holds a few. */
+static size_t stations(struct build *b, size_t i)
+{
+    size_t n = 0;
+    for (int32_t k = b->children.begin[i]; k < b->children.begin[i + 1]; k++) {
+        int32_t c = b->children.child[k];
+        if (b->hold[c].at != WF_HOLD_AXIS) continue;
+        size_t at = n++;
+        for (; at > 0 && b->hold[b->sorted[at - 1]].share > b->hold[c].share; at--)
+            b->sorted[at] = b->sorted[at - 1];
+        b->sorted[at] = c;
+    }
+    return n;
+}
+
+/* Row i itself, divided where branches leave it; branches closer than the tolerance share a point. */
+static void wood(struct build *b, size_t i)
+{
+    const struct wf_qsm *q = b->q;
+    double base[3], end[3] = { q->x1[i], q->y1[i], q->z1[i] }, length = 0;
+    int32_t below = b->head[i];
+    for (int k = 0; k < 3; k++) base[k] = b->hold[i].base[k];
+    if (below >= 0) base[0] = b->t->x1[below], base[1] = b->t->y1[below], base[2] = b->t->z1[below];
+    for (int k = 0; k < 3; k++) length += (end[k] - base[k]) * (end[k] - base[k]);
+    length = sqrt(length);
+    size_t n = stations(b, i);
+    double done = 0, r = q->r0[i];
+    if (length < b->shortest) {
+        b->m->short_rows++;
+        for (size_t k = 0; k < n; k++) b->held[b->sorted[k]] = below;
+        b->tail[i] = below;
+        return;
+    }
+    for (size_t k = 0; k < n; k++) {
+        size_t c = (size_t)b->sorted[k];
+        double s = b->hold[c].share, point[3];
+        double least = wf_joint_tolerance(b->hold[c].radius) / length;
+        if (!(done > 0 && s - done <= least) && 1 - s > 0.5 * least) {
+            double r1 = q->r0[i] + s * (q->r1[i] - q->r0[i]);
+            for (int d = 0; d < 3; d++) point[d] = base[d] + s * (end[d] - base[d]);
+            below = append(b, below, base, point, r, r1, WF_SEGMENT_WOOD, i);
+            done = s, r = r1;
+        }
+        b->held[c] = below;
+    }
+    b->tail[i] = append(b, below, base, end, r, q->r1[i], WF_SEGMENT_WOOD, i);
+}
+
+static void one_row(struct build *b, size_t i)
+{
+    const struct wf_hold_row *h = &b->hold[i];
+    int32_t p = b->q->parent[i];
+    if (h->at == WF_HOLD_GROUND) b->held[i] = -1;
+    if (h->at == WF_HOLD_END) b->held[i] = b->tail[p];
+    if (h->at == WF_HOLD_BASE) b->held[i] = b->head[p];
+    if (p >= 0 && b->q->next[p] != (int32_t)i) b->m->laterals++;
+    if (p >= 0) b->m->widest_gap = fmax(b->m->widest_gap, h->gap - (h->straight ? 0 : h->radius));
+    b->head[i] = reach(b, i);
+    wood(b, i);
+}
+
+static enum wf_status room(struct build *b, struct wf_arena *a, struct wf_err *e)
+{
+    const struct wf_qsm *q = b->q;
+    size_t most = q->n;
+    for (size_t i = 0; i < q->n; i++)
+        most += (b->hold[i].at == WF_HOLD_AXIS ? 1U : 0U) + (b->hold[i].straight ? 0U : 2U);
+    enum wf_status s = wf_tree_alloc(b->t, most, a, e);
+    if (!s) s = wf_children_of(q->parent, q->n, a, &b->children, e);
+    if (s) return s;
+    b->m->kind = WF_TAKE(a, most, uint8_t);
+    b->m->row = WF_TAKE(a, most, int32_t);
+    b->head = WF_TAKE(a, q->n, int32_t);
+    b->tail = WF_TAKE(a, q->n, int32_t);
+    b->held = WF_TAKE(a, q->n, int32_t);
+    b->sorted = WF_TAKE(a, q->n, int32_t);
+    if (!b->m->kind || !b->m->row || !b->head || !b->tail || !b->held || !b->sorted)
+        return wf_fail(e, WF_ENOMEM, "%s: no room for %zu segments", q->name, most);
+    b->t->n = 0;
+    b->t->name = q->name;
+    return WF_OK;
+}
+
+enum wf_status wf_qsm_to_tree(const struct wf_qsm *q, enum wf_joint joint, struct wf_arena *a,
+                              struct wf_qsm_model *out, struct wf_err *e)
+{
+    *out = (struct wf_qsm_model){ 0 };
+    struct wf_hold_row *hold = WF_TAKE(a, q->n, struct wf_hold_row);
+    if (!hold) return wf_fail(e, WF_ENOMEM, "%s: no room for %zu rows", q->name, q->n);
+    wf_joint_find(q, joint, hold);
+    struct build b = { .q = q, .hold = hold, .m = out, .t = &out->tree };
+    b.shortest = joint == WF_JOINT_AXIS ? SHORTEST : NO_LENGTH;
+    enum wf_status s = room(&b, a, e);
+    if (s) return s;
+    for (size_t i = 0; i < q->n; i++) one_row(&b, i);
+    return out->tree.n ? WF_OK
+                       : wf_fail(e, WF_EINPUT, "%s: no row is longer than %g mm", q->name, b.shortest * 1e3);
+}
