@@ -32,6 +32,7 @@ static void put_standing(struct wf_doc *d, json_t *o, const struct wf_value *v)
     wf_doc_text(d, o, "status", wf_standing_text(v->standing));
     wf_doc_text(d, o, "source", v->source);
     wf_doc_flag(d, o, "given", v->given);
+    wf_doc_text(d, o, "note", v->note);
 }
 
 static void add_values(struct wf_doc *d, json_t *list, const char *level, const void *from,

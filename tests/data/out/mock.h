@@ -15,7 +15,7 @@ struct mock_kind {
 };
 static const struct mock_kind mock_kinds[] = {
     { "moso_bamboo", "Moso bamboo", "毛竹", "Phyllostachys edulis", 10e9, 100e6, 0.055, 0.2, 1.6 },
-    { "weeping_willow", "Weeping willow", "垂柳", "Salix babylonica", 6e9, 35e6, 0.075, 0, 2.4 },
+    { "weeping_willow", "Weeping willow", "垂柳", "Salix babylonica", 6e9, 14e6, 0.075, 0, 2.4 },
     { "chinese_fir", "Chinese fir", "杉木", "Cunninghamia lanceolata", 8e9, 45e6, 0.08, 0, 2.2 },
     { "masson_pine", "Masson pine", "马尾松", "Pinus massoniana", 9e9, 50e6, 0.085, 0, 2.6 },
     { "norway_spruce", "Norway spruce", "欧洲云杉", "Picea abies", 7e9, 36e6, 0.08, 0, 3.0 },
@@ -25,7 +25,19 @@ static const struct mock_kind mock_kinds[] = {
 static inline struct wf_value mock_value(double value, double spread, enum wf_standing standing,
                                          const char *source)
 {
-    return (struct wf_value){ value, value * (1 - spread), value * (1 + spread), standing, source, true };
+    return (struct wf_value){ .value = value,
+                              .low = value * (1 - spread),
+                              .high = value * (1 + spread),
+                              .standing = standing,
+                              .source = source,
+                              .given = true,
+                              .note = "a note on where the figure comes from" };
+}
+
+/* What a species table leaves out: the program's default, or nothing (NAN). */
+static inline struct wf_value mock_default(double value)
+{
+    return (struct wf_value){ .value = value, .low = value, .high = value, .standing = WF_ASSUMED };
 }
 
 static inline struct wf_species *mock_species(const struct mock_kind *kind, struct wf_arena *a)
@@ -42,15 +54,14 @@ static inline struct wf_species *mock_species(const struct mock_kind *kind, stru
         "several hardwood species. Can. J. For. Res. 35:1238-1249";
     *level = (struct wf_level){ .name = "stem" };
     level->youngs_modulus = mock_value(kind->youngs, 0.2, WF_HANDBOOK, handbook);
-    level->shear_modulus =
-        (struct wf_value){ kind->youngs / 16, kind->youngs / 16, kind->youngs / 16, WF_ASSUMED, NULL, false };
+    level->shear_modulus = mock_default(kind->youngs / 16);
     level->density = mock_value(900, 0.15, WF_MEASURED, handbook);
     level->modulus_of_rupture = mock_value(kind->strength, 0.3, WF_MEASURED, handbook);
     level->radius = mock_value(kind->radius, 0.3, WF_HANDBOOK, handbook);
     level->damping_ratio = mock_value(0.0068, 0.1, WF_MEASURED, amada);
     level->knot_factor = mock_value(0.9, 0.1, WF_ASSUMED, NULL);
-    level->drag_coefficient = (struct wf_value){ NAN, NAN, NAN, WF_ASSUMED, NULL, false };
-    level->lift_coefficient = (struct wf_value){ 0, 0, 0, WF_ASSUMED, NULL, false };
+    level->drag_coefficient = mock_default(NAN);
+    level->lift_coefficient = mock_default(0);
     if (kind->wall > 0) {
         static double at[] = { 0, 0.3, 1 }, share[] = { 0.2, 0.2, 0.24 };
         level->wall = (struct wf_along){ 3, at, share };
@@ -182,6 +193,7 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
                                           .air_density = NAN,
                                           .gravity = 9.81 };
     out->loads.air_density = 1.225;
+    out->loads.streamline = wf_streamline_named("vogel");
     mock_tree(out, kind, 14, a);
     out->at = WF_TAKE(a, n, struct wf_at_speed);
     for (size_t k = 0; k < n; k++) mock_speed(out, kind, speed[k], true, &out->at[k], a);

@@ -1,0 +1,44 @@
+# Least safety factor against wind speed, and the wind at which it reaches 1.
+#   gnuplot -c safety.gp FOLDER [FILE]
+DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'safety.svg'
+HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+load HERE.'style.gp'
+KEY = 12.0 + 18*((trees + 2)/3)
+WIDTH = 640.0; HEIGHT = 326.0 + KEY
+@start
+set multiplot
+from = 0.5
+most = 10.0
+do for [i in STRONG] {
+    stats SWEEP using (pick(of(int(i)) && column("wind_m_s") >= 0.1*SPEED_MAX, column("least_safety"))) name 'S' nooutput
+    most = S_max > most ? S_max : most
+    stats SWEEP using (pick(of(int(i)) && column("wind_m_s") <= SPEED_MAX, column("least_safety"))) name 'S' nooutput
+    from = S_min < from ? S_min : from
+}
+from = from < 0.1 ? 0.1 : from
+set xrange [0:SPEED_MAX]; set yrange [from:1.1*most]; set logscale y 10
+set ytics add ("0.5" 0.5, "1" 1, "2" 2, "5" 5, "20" 20, "50" 50)
+set format y '%g'
+set xlabel L_WIND; set ylabel L_SAFETY offset 1,0
+set lmargin at screen 60.0/WIDTH; set rmargin at screen 1 - 16.0/WIDTH
+set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
+set label L_BREAKS at graph 0.01, first 1 left offset 0,-0.7 textcolor rgb '#505050'
+# Critical speeds: a drop line and the figure; neighbours are set at different heights so that none covers another.
+n = 0
+do for [i in STRONG] {
+    u = CRITICAL[int(i)]
+    if (u == u && u <= SPEED_MAX) {
+        set arrow from u, from to u, 1 nohead lt int(i) lw 1
+        set label '' at u, 1 point pt 6 ps 1.1 lw 1.6 lc rgb '#202020'
+        set label sprintf(L_SPEED, real(sprintf('%.1f', u))) at u, 1 offset 0.6,0.7 + 1.1*n left textcolor rgb '#202020'
+        n = n + 1
+    }
+}
+plot 1 with lines lw 1 dt 1 lc rgb '#404040', \
+     for [i in STRONG] SWEEP using (pick(of(int(i)), column("wind_m_s"))):"least_safety" with lines lt int(i), \
+     for [i in STRONG] SUMMARY using (pick(of(int(i)), column("wind_m_s"))):"least_safety" with points lt int(i) lw 1
+@strip
+set key maxcols 3
+plot 2 with lines, for [i in STRONG] keyentry with linespoints lt int(i) title NAME[int(i)]
+unset multiplot
+set output

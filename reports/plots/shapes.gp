@@ -1,0 +1,61 @@
+# Deflected shapes: one panel a tree, one line a wind speed, all on one true scale.
+#   gnuplot -c shapes.gp FOLDER [FILE]
+DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shapes.svg'
+HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+load HERE.'style.gp'
+
+# Horizontal place along the wind, unloaded and loaded.
+still(i) = column("x_m")*cos(AZIMUTH[i]) + column("y_m")*sin(AZIMUTH[i])
+bent(i) = column("loaded_x_m")*cos(AZIMUTH[i]) + column("loaded_y_m")*sin(AZIMUTH[i])
+
+low = 0.0; high = 0.0; top = 0.0; floor = 0.0
+do for [i=1:trees] {
+    top = HEIGHT_M[i] > top ? HEIGHT_M[i] : top
+    if (strlen(SOLVED[i])) {
+        stats SHAPE using (pick(of(i), bent(i))):(pick(of(i), column("loaded_z_m"))) name 'S' nooutput
+        low = S_min_x < low ? S_min_x : low
+        high = S_max_x > high ? S_max_x : high
+        floor = S_min_y < floor ? S_min_y : floor
+    }
+}
+top = 1.04*top
+span = high - low > 0.35*top ? high - low : 0.35*top   # a stiff tree still gets a readable panel
+low = low - 0.07*span; high = low + 1.16*span
+floor = floor < 0 ? 1.03*floor : 0
+
+# The panels: as many a row as fit, as large as the page allows.
+columns = trees < 3 ? trees : (trees == 4 ? 2 : 3)
+rows = (trees + columns - 1)/columns
+LEFT = 58.0; GAP = 22.0; TITLE = 30.0; UNDER = 48.0; KEY = |WIND| > 4 ? 46.0 : 30.0
+w = (640.0 - LEFT - 12 - GAP*(columns-1))/columns
+most = rows == 1 ? 380.0 : 330.0
+scale = w/(high - low)
+scale = scale*(top - floor) > most ? most/(top - floor) : scale
+w = scale*(high - low); h = scale*(top - floor)
+WIDTH = 640.0
+side = 0.5*(WIDTH - (LEFT + 12 + GAP*(columns-1) + w*columns))
+HEIGHT = rows*(h + TITLE + UNDER) + KEY
+@start
+
+set multiplot
+set xrange [low:high]; set yrange [floor:top]
+set xtics autofreq; set ytics autofreq
+tick = top > 40 ? 10 : (top > 16 ? 5 : (top > 6 ? 2 : (top > 2 ? 0.5 : top/5)))
+set ytics tick; set xtics tick
+do for [i=1:trees] {
+    c = (i-1)%columns; r = (i-1)/columns
+    x0 = side + LEFT + c*(w + GAP); y1 = HEIGHT - r*(h + TITLE + UNDER) - TITLE
+    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
+    set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
+    set title NAME[i] offset 0,-0.5
+    set xlabel L_ALONG offset 0,0.4
+    if (c == 0) { set ylabel L_HEIGHT offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
+    plot for [k in word(SOLVED[i], 1)] SHAPE using (pick(at(i, WIND[int(k)]) && column("axis") == 1, still(i))):"z_m" with lines lw 1.2 dt (3,4) lc rgb '#707070', \
+         for [k in SOLVED[i]] SHAPE using (pick(at(i, WIND[int(k)]) && column("axis") == 1, bent(i))):"loaded_z_m" with lines lt int(k), \
+         2*top with lines notitle   # above the picture: a tree without answers still gets its axes
+}
+@strip
+plot 2 with lines, keyentry with lines lw 1.2 dt (3,4) lc rgb '#707070' title L_STILL, \
+     for [k=1:|WIND|] keyentry with lines lt k title sprintf(L_SPEED, WIND[k])
+unset multiplot
+set output

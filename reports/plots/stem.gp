@@ -1,0 +1,51 @@
+# Bending moment and outer-fibre stress along the stem: one column a tree, one line a wind speed.
+#   gnuplot -c stem.gp FOLDER [FILE]
+DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'stem.svg'
+HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+load HERE.'style.gp'
+columns = trees < 3 ? trees : (trees == 4 ? 2 : 3)
+blocks = (trees + columns - 1)/columns
+LEFT = 58.0; GAP = 24.0; TITLE = 24.0; UNDER = 54.0; KEY = 30.0
+w = (640.0 - LEFT - 14 - GAP*(columns-1))/columns
+h = blocks == 1 ? 180.0 : 140.0
+WIDTH = 640.0; HEIGHT = blocks*(TITLE + 2*(h + UNDER)) + KEY
+
+moment = 0.0; stress = 0.0; top = 0.0
+do for [i=1:trees] {
+    top = HEIGHT_M[i] > top ? HEIGHT_M[i] : top
+    do for [k in SOLVED[i]] {
+        u = WIND[int(k)]
+        stats SEGMENTS using (pick(at(i, u), column("bending0_Nm")/1e3)):(pick(at(i, u), column("stress0_MPa"))) name 'S' nooutput
+        moment = S_max_x > moment ? S_max_x : moment
+        stress = S_max_y > stress ? S_max_y : stress
+    }
+}
+stem(i, k) = at(i, WIND[k]) && column("level") == 0
+last(i, k) = stem(i, k) && column("segment") == ROWS[i]
+@start
+set multiplot
+set yrange [0:1.03*top]; set ytics autofreq
+do for [i=1:trees] {
+    c = (i-1)%columns; b = (i-1)/columns
+    x0 = LEFT + c*(w + GAP)
+    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
+    if (c == 0) { set ylabel L_HEIGHT offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
+    do for [panel=0:1] {
+        y1 = HEIGHT - b*(TITLE + 2*(h + UNDER)) - TITLE - panel*(h + UNDER)
+        set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
+        if (panel) { unset title } else { set title NAME[i] offset 0,-0.5 }
+        set xlabel (panel ? L_STRESS : L_MOMENT) offset 0,0.4
+        A = panel ? "stress0_MPa" : "bending0_Nm"; B = panel ? "stress1_MPa" : "bending1_Nm"
+        unit = panel ? 1.0 : 1e-3
+        most = panel ? stress : moment
+        set xrange [0:(most > 0 ? 1.05*most : 1)]
+        # base ends of all rows, then the last row to its tip
+        plot for [k in SOLVED[i]] SEGMENTS using (pick(stem(i, int(k)), unit*column(A))):"height0_m" with lines lt int(k), \
+             for [k in SOLVED[i]] SEGMENTS using (pick(last(i, int(k)), unit*column(A))):"height0_m":(unit*(column(B)-column(A))):(column("height1_m")-column("height0_m")) with vectors nohead lt int(k), \
+             -1 with lines   # below the picture: a tree without answers still gets its axes
+    }
+}
+@strip
+plot 2 with lines, for [k=1:|WIND|] keyentry with lines lt k title sprintf(L_SPEED, WIND[k])
+unset multiplot
+set output

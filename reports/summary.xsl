@@ -1,0 +1,156 @@
+<?xml version="1.0" encoding="UTF-8"?>
+<!-- The summary in words: one paragraph a tree, then the comparison and what to be careful about. -->
+<xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
+
+<!-- "7.4 m" above ground -->
+<xsl:template name="place">
+  <xsl:param name="height"/>
+  <xsl:choose>
+    <xsl:when test="$height &lt; 0.1"><xsl:call-template name="say"><xsl:with-param name="id">place.base</xsl:with-param></xsl:call-template></xsl:when>
+    <xsl:otherwise><xsl:call-template name="say"><xsl:with-param name="id">place</xsl:with-param><xsl:with-param name="a" select="format-number($height, '0.0')"/></xsl:call-template></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- The first sentence: how it stands at the highest wind speed that has an answer. -->
+<xsl:template name="verdict">
+  <xsl:variable name="last" select="winds/item[status = 'ok'][last()]"/>
+  <xsl:variable name="safety" select="$last/least_safety"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">
+      <xsl:choose>
+        <xsl:when test="not($last)">sum.nothing</xsl:when>
+        <xsl:when test="critical/outcome = 'no-strength'">sum.unknown</xsl:when>
+        <xsl:when test="$safety/value = '' or $safety/value &gt; 3">sum.far</xsl:when>
+        <xsl:when test="$safety/value &gt; 1.5">sum.reserve</xsl:when>
+        <xsl:when test="$safety/value &gt; 1">sum.close</xsl:when>
+        <xsl:otherwise>sum.breaks</xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
+    <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
+    <xsl:with-param name="b"><xsl:call-template name="say"><xsl:with-param name="id">
+      <xsl:choose>
+        <xsl:when test="$last/tip_deflection_share/value &lt; 0.05">sum.bend.little</xsl:when>
+        <xsl:when test="$last/tip_deflection_share/value &lt; 0.25">sum.bend.clear</xsl:when>
+        <xsl:otherwise>sum.bend.far</xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param></xsl:call-template></xsl:with-param>
+    <xsl:with-param name="c"><xsl:call-template name="given"><xsl:with-param name="x" select="$last/speed/value"/></xsl:call-template></xsl:with-param>
+  </xsl:call-template>
+</xsl:template>
+
+<!-- How far the tip moves: at every wind speed up to three, else the first, the middle and the last. -->
+<xsl:template name="tips">
+  <xsl:variable name="solved" select="winds/item[status = 'ok']"/>
+  <xsl:for-each select="$solved[count($solved) &lt; 4 or position() = 1 or position() = ceiling(count($solved) div 2) or position() = last()]">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.tip</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="b"><xsl:call-template name="number"><xsl:with-param name="x" select="tip_deflection/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="c"><xsl:call-template name="fixed"><xsl:with-param name="x" select="100 * tip_deflection_share/value"/><xsl:with-param name="pattern">0.#</xsl:with-param></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="d"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$degrees * tip_angle/value"/><xsl:with-param name="pattern">0</xsl:with-param></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
+  </xsl:for-each>
+</xsl:template>
+
+<xsl:template name="strength">
+  <xsl:for-each select="winds/item[status = 'ok'][last()][least_safety/value != '']">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.stress</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="b"><xsl:call-template name="place"><xsl:with-param name="height" select="governing_section/height/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="c"><xsl:call-template name="fixed"><xsl:with-param name="x" select="100 div least_safety/value"/><xsl:with-param name="pattern">0</xsl:with-param></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="d"><xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
+  </xsl:for-each>
+  <xsl:value-of select="$gap"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id" select="concat('sum.', critical/outcome)"/>
+    <xsl:with-param name="a"><xsl:choose>
+      <xsl:when test="critical/outcome = 'found'"><xsl:value-of select="format-number(critical/speed/value, '0.0')"/></xsl:when>
+      <xsl:when test="critical/outcome = 'above'"><xsl:call-template name="given"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:when>
+      <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_low/value"/></xsl:call-template></xsl:otherwise>
+    </xsl:choose></xsl:with-param>
+    <xsl:with-param name="b"><xsl:choose>
+      <xsl:when test="critical/outcome = 'found'"><xsl:call-template name="place"><xsl:with-param name="height" select="critical/governing_section/height/value"/></xsl:call-template></xsl:when>
+      <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:otherwise>
+    </xsl:choose></xsl:with-param>
+  </xsl:call-template>
+  <xsl:if test="critical/outcome = 'found' and critical/speed/value &gt; species/streamlining/speed_high/value">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.extrapolated</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="species/streamlining/speed_high/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
+  </xsl:if>
+</xsl:template>
+
+<!-- What must not be used. -->
+<xsl:template name="voids">
+  <xsl:if test="winds/item[status != 'ok']">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.no-answer</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="list"><xsl:with-param name="items" select="winds/item[status != 'ok']/speed/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
+  </xsl:if>
+  <xsl:variable name="beyond" select="winds/item[small_deflection = 'true' and (tip_deflection_share/value &gt; 0.1 or $degrees * tip_angle/value &gt; 15)]"/>
+  <xsl:if test="$beyond">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.small</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="list"><xsl:with-param name="items" select="$beyond/speed/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
+  </xsl:if>
+  <xsl:if test="method/solver/as_printed = 'true'">
+    <xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">sum.printed</xsl:with-param></xsl:call-template>
+  </xsl:if>
+</xsl:template>
+
+<!-- Which bends most and least at the highest wind speed with answers for all, and which breaks first. -->
+<xsl:template name="compare">
+  <xsl:variable name="k">
+    <xsl:for-each select="$trees[1]/winds/item">
+      <xsl:sort select="position()" data-type="number" order="descending"/>
+      <xsl:variable name="p" select="count(preceding-sibling::item) + 1"/>
+      <xsl:if test="not($trees/winds/item[$p]/status != 'ok')"><xsl:value-of select="concat($p, ' ')"/></xsl:if>
+    </xsl:for-each>
+  </xsl:variable>
+  <xsl:if test="$k != ''">
+    <xsl:variable name="p" select="number(substring-before($k, ' '))"/>
+    <xsl:variable name="most"><xsl:for-each select="$trees"><xsl:sort select="winds/item[$p]/tip_deflection/value" data-type="number" order="descending"/><xsl:if test="position() = 1"><xsl:value-of select="count(preceding-sibling::item) + 1"/></xsl:if></xsl:for-each></xsl:variable>
+    <xsl:variable name="least"><xsl:for-each select="$trees"><xsl:sort select="winds/item[$p]/tip_deflection/value" data-type="number"/><xsl:if test="position() = 1"><xsl:value-of select="count(preceding-sibling::item) + 1"/></xsl:if></xsl:for-each></xsl:variable>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.most</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/winds/item[$p]/speed/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="b"><xsl:call-template name="name"><xsl:with-param name="tree" select="$trees[number($most)]"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="c"><xsl:call-template name="number"><xsl:with-param name="x" select="$trees[number($most)]/winds/item[$p]/tip_deflection/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="d"><xsl:call-template name="name"><xsl:with-param name="tree" select="$trees[number($least)]"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="e"><xsl:call-template name="number"><xsl:with-param name="x" select="$trees[number($least)]/winds/item[$p]/tip_deflection/value"/></xsl:call-template></xsl:with-param>
+    </xsl:call-template>
+    <xsl:value-of select="$gap"/>
+  </xsl:if>
+  <xsl:for-each select="$trees[critical/outcome = 'found']">
+    <xsl:sort select="critical/speed/value" data-type="number"/>
+    <xsl:if test="position() = 1">
+      <xsl:call-template name="say"><xsl:with-param name="id">sum.first</xsl:with-param>
+        <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
+        <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/></xsl:call-template>
+    </xsl:if>
+  </xsl:for-each>
+</xsl:template>
+
+<xsl:template name="summary">
+  <div class="summary">
+    <xsl:if test="count($trees) &gt; 1"><p><b><xsl:call-template name="compare"/></b></p></xsl:if>
+    <xsl:for-each select="$trees">
+      <p><b><xsl:call-template name="verdict"/></b><xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="voids"/></p>
+    </xsl:for-each>
+  </div>
+  <xsl:variable name="values" select="$trees/species/values/item[value != '']"/>
+  <xsl:variable name="doubtful" select="$values[status = 'assumed' or status = 'borrowed']"/>
+  <xsl:variable name="warned" select="count($trees/warnings/item | $r/warnings/item)"/>
+  <p>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.wind</xsl:with-param><xsl:with-param name="a" select="$reference"/></xsl:call-template><xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.inputs</xsl:with-param>
+      <xsl:with-param name="a" select="count($doubtful)"/><xsl:with-param name="b" select="count($values)"/><xsl:with-param name="c" select="4"/></xsl:call-template>
+    <xsl:if test="$warned &gt; 0">
+      <xsl:value-of select="$gap"/>
+      <xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="$warned = 1">sum.warning</xsl:when><xsl:otherwise>sum.warnings</xsl:otherwise></xsl:choose></xsl:with-param>
+        <xsl:with-param name="a" select="$warned"/><xsl:with-param name="b" select="6"/></xsl:call-template>
+    </xsl:if>
+  </p>
+</xsl:template>
+</xsl:stylesheet>

@@ -1,0 +1,100 @@
+<?xml version="1.0" encoding="UTF-8"?>
+<!-- The key tables: totals of every tree at every wind speed; the critical wind speeds. -->
+<xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
+
+<xsl:template name="head">
+  <xsl:param name="id"/><xsl:param name="unit"/><xsl:param name="class" select="'r'"/>
+  <th class="{$class}"><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template><span class="u"><xsl:value-of select="$unit"/>&#160;</span></th>
+</xsl:template>
+
+<xsl:template name="table-caption">
+  <xsl:param name="n"/><xsl:param name="text"/>
+  <caption><b><xsl:call-template name="say"><xsl:with-param name="id">table</xsl:with-param></xsl:call-template>&#160;<xsl:value-of select="$n"/></b>
+    <xsl:call-template name="say"><xsl:with-param name="id">stop</xsl:with-param></xsl:call-template><xsl:copy-of select="$text"/></caption>
+</xsl:template>
+
+<xsl:template name="cell">
+  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
+  <td class="r"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></td>
+</xsl:template>
+
+<!-- Cells of one tree at one wind speed. A quantity without a value gives a dash, a speed without answer says so. -->
+<xsl:template name="result-cells">
+  <xsl:choose>
+    <xsl:when test="status = 'ok'">
+      <xsl:call-template name="cell"><xsl:with-param name="x" select="tip_deflection/value"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="cell"><xsl:with-param name="x" select="100 * tip_deflection_share/value"/></xsl:call-template>
+      <xsl:call-template name="cell"><xsl:with-param name="x" select="$degrees * tip_angle/value"/></xsl:call-template>
+      <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="drag/value"/></xsl:call-template></td>
+      <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="base_moment/value div 1000"/></xsl:call-template></td>
+      <xsl:call-template name="cell"><xsl:with-param name="x" select="largest_stress/value div 1e6"/></xsl:call-template>
+      <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template></td>
+      <xsl:call-template name="cell"><xsl:with-param name="x" select="governing_section/height/value"/></xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise>
+      <td colspan="8" class="weak"><xsl:call-template name="say"><xsl:with-param name="id">no-answer</xsl:with-param>
+        <xsl:with-param name="a"><xsl:call-template name="say"><xsl:with-param name="id" select="concat('status.', status)"/></xsl:call-template></xsl:with-param></xsl:call-template></td>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- One block a wind speed, so that species stand under one another; a single tree gives one running block. -->
+<xsl:template name="result-tables">
+  <table class="data">
+    <xsl:call-template name="table-caption"><xsl:with-param name="n" select="1"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">t.results</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
+    <thead><tr>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.wind</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.tree</xsl:with-param><xsl:with-param name="class"/></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.deflection</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.share</xsl:with-param><xsl:with-param name="unit">%</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.angle</xsl:with-param><xsl:with-param name="unit">°</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.drag</xsl:with-param><xsl:with-param name="unit">N</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.moment</xsl:with-param><xsl:with-param name="unit">kN m</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.stress</xsl:with-param><xsl:with-param name="unit">MPa</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.safety</xsl:with-param><xsl:with-param name="unit">–</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
+    </tr></thead>
+    <xsl:choose>
+      <xsl:when test="count($trees) = 1">
+        <tbody class="long"><xsl:for-each select="$trees/winds/item"><tr>
+          <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></td>
+          <td><xsl:if test="position() = 1"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:if></td>
+          <xsl:call-template name="result-cells"/>
+        </tr></xsl:for-each></tbody>
+      </xsl:when>
+      <xsl:otherwise>
+        <xsl:for-each select="$trees[1]/winds/item">
+          <xsl:variable name="p" select="position()"/>
+          <tbody><xsl:for-each select="$trees"><tr>
+            <td class="r"><xsl:if test="position() = 1"><xsl:call-template name="given"><xsl:with-param name="x" select="winds/item[$p]/speed/value"/></xsl:call-template></xsl:if></td>
+            <td><xsl:call-template name="name"/></td>
+            <xsl:for-each select="winds/item[$p]"><xsl:call-template name="result-cells"/></xsl:for-each>
+          </tr></xsl:for-each></tbody>
+        </xsl:for-each>
+      </xsl:otherwise>
+    </xsl:choose>
+  </table>
+  <table class="data whole">
+    <xsl:call-template name="table-caption"><xsl:with-param name="n" select="2"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">t.critical</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
+    <thead><tr>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.tree</xsl:with-param><xsl:with-param name="class"/></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.outcome</xsl:with-param><xsl:with-param name="class"/></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.critical</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="head"><xsl:with-param name="id">c.evidence</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
+    </tr></thead>
+    <tbody><xsl:for-each select="$trees"><tr>
+      <td><xsl:call-template name="name"/></td>
+      <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('outcome.', critical/outcome)"/>
+        <xsl:with-param name="a"><xsl:choose>
+          <xsl:when test="critical/outcome = 'above'"><xsl:call-template name="given"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:when>
+          <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_low/value"/></xsl:call-template></xsl:otherwise>
+        </xsl:choose></xsl:with-param>
+        <xsl:with-param name="b"><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:with-param></xsl:call-template></td>
+      <xsl:call-template name="cell"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+      <xsl:call-template name="cell"><xsl:with-param name="x" select="critical/governing_section/height/value"/></xsl:call-template>
+      <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="species/streamlining/speed_high/value"/></xsl:call-template></td>
+    </tr></xsl:for-each></tbody>
+  </table>
+</xsl:template>
+</xsl:stylesheet>

@@ -1,0 +1,135 @@
+<?xml version="1.0" encoding="UTF-8"?>
+<!-- Words and numbers: sentences come from strings.xml in the language of the report, numbers are put into
+     them at {1}, {2} ... Shared by the page and the figures. -->
+<xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
+<xsl:variable name="lang" select="/report/@lang"/>
+<xsl:variable name="strings" select="document('strings.xml')/strings"/>
+<xsl:key name="string" match="s|q" use="@id"/>
+<xsl:variable name="gap"><xsl:call-template name="say"><xsl:with-param name="id">gap</xsl:with-param></xsl:call-template></xsl:variable>
+<xsl:variable name="trees" select="/report/results/trees/item"/>
+<xsl:variable name="degrees" select="57.29577951308232"/>
+
+<!-- A sentence with up to six things put in. -->
+<xsl:template name="say">
+  <xsl:param name="id"/><xsl:param name="a"/><xsl:param name="b"/><xsl:param name="c"/><xsl:param name="d"/><xsl:param name="e"/><xsl:param name="f"/>
+  <xsl:variable name="text"><xsl:for-each select="$strings"><xsl:value-of select="key('string', $id)/*[name() = $lang]"/></xsl:for-each></xsl:variable>
+  <xsl:if test="$text = ''"><xsl:message terminate="yes">strings.xml: no string '<xsl:value-of select="$id"/>'</xsl:message></xsl:if>
+  <xsl:call-template name="put-in">
+    <xsl:with-param name="text" select="string($text)"/>
+    <xsl:with-param name="a" select="$a"/><xsl:with-param name="b" select="$b"/><xsl:with-param name="c" select="$c"/>
+    <xsl:with-param name="d" select="$d"/><xsl:with-param name="e" select="$e"/><xsl:with-param name="f" select="$f"/>
+  </xsl:call-template>
+</xsl:template>
+
+<xsl:template name="put-in">
+  <xsl:param name="text"/><xsl:param name="a"/><xsl:param name="b"/><xsl:param name="c"/><xsl:param name="d"/><xsl:param name="e"/><xsl:param name="f"/>
+  <xsl:choose>
+    <xsl:when test="contains($text, '{')">
+      <xsl:variable name="n" select="substring-before(substring-after($text, '{'), '}')"/>
+      <xsl:value-of select="substring-before($text, '{')"/>
+      <xsl:choose>
+        <xsl:when test="$n = 1"><xsl:value-of select="$a"/></xsl:when>
+        <xsl:when test="$n = 2"><xsl:value-of select="$b"/></xsl:when>
+        <xsl:when test="$n = 3"><xsl:value-of select="$c"/></xsl:when>
+        <xsl:when test="$n = 4"><xsl:value-of select="$d"/></xsl:when>
+        <xsl:when test="$n = 5"><xsl:value-of select="$e"/></xsl:when>
+        <xsl:otherwise><xsl:value-of select="$f"/></xsl:otherwise>
+      </xsl:choose>
+      <xsl:call-template name="put-in">
+        <xsl:with-param name="text" select="substring-after($text, '}')"/>
+        <xsl:with-param name="a" select="$a"/><xsl:with-param name="b" select="$b"/><xsl:with-param name="c" select="$c"/>
+        <xsl:with-param name="d" select="$d"/><xsl:with-param name="e" select="$e"/><xsl:with-param name="f" select="$f"/>
+      </xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise><xsl:value-of select="$text"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- Words for a term of the results (an outcome, a quantity, a warning's code): the string if there is one, else
+     what the results say themselves. -->
+<xsl:template name="term">
+  <xsl:param name="id"/><xsl:param name="otherwise"/>
+  <xsl:variable name="text"><xsl:for-each select="$strings"><xsl:value-of select="key('string', $id)/*[name() = $lang]"/></xsl:for-each></xsl:variable>
+  <xsl:choose>
+    <xsl:when test="$text != ''"><xsl:value-of select="$text"/></xsl:when>
+    <xsl:otherwise><xsl:value-of select="$otherwise"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- A number with a fixed number of decimals, a real minus sign; a dash where there is none. -->
+<xsl:template name="fixed">
+  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
+  <xsl:choose>
+    <xsl:when test="string(number($x)) = 'NaN'">–</xsl:when>
+    <xsl:otherwise>
+      <xsl:variable name="text" select="format-number($x, $pattern)"/>
+      <xsl:choose>
+        <xsl:when test="starts-with($text, '-') and number(translate($text, ',', '')) = 0"><xsl:value-of select="substring($text, 2)"/></xsl:when>
+        <xsl:otherwise><xsl:value-of select="translate($text, '-', '−')"/></xsl:otherwise>
+      </xsl:choose>
+    </xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- A result with about three significant digits. -->
+<xsl:template name="number">
+  <xsl:param name="x"/>
+  <xsl:variable name="size" select="($x &lt; 0) * -$x + ($x &gt;= 0) * $x"/>
+  <xsl:call-template name="fixed">
+    <xsl:with-param name="x" select="$x"/>
+    <xsl:with-param name="pattern">
+      <xsl:choose>
+        <xsl:when test="$size &gt;= 99.95 or $size = 0">#,##0</xsl:when>
+        <xsl:when test="$size &gt;= 9.995">0.0</xsl:when>
+        <xsl:when test="$size &gt;= 0.9995">0.00</xsl:when>
+        <xsl:when test="$size &gt;= 0.09995">0.000</xsl:when>
+        <xsl:otherwise>0.0000</xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
+  </xsl:call-template>
+</xsl:template>
+
+<!-- A value as somebody gave it: no digits added. -->
+<xsl:template name="given">
+  <xsl:param name="x"/>
+  <xsl:call-template name="fixed"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern">#,##0.#####</xsl:with-param></xsl:call-template>
+</xsl:template>
+
+<!-- The name of a tree's species in the language of the report. -->
+<xsl:template name="name">
+  <xsl:param name="tree" select="."/>
+  <xsl:choose>
+    <xsl:when test="$lang = 'zh' and $tree/species/name_zh != ''"><xsl:value-of select="normalize-space($tree/species/name_zh)"/></xsl:when>
+    <xsl:when test="$tree/species/name != ''"><xsl:value-of select="normalize-space($tree/species/name)"/></xsl:when>
+    <xsl:otherwise><xsl:value-of select="$tree/species/key"/></xsl:otherwise>
+  </xsl:choose>
+  <!-- two tables of one species (another preset) must not look the same -->
+  <xsl:if test="count($trees[species/name = $tree/species/name]) &gt; 1">
+    <xsl:value-of select="concat(' (', $tree/species/key, ')')"/>
+  </xsl:if>
+</xsl:template>
+
+<!-- "10, 15 and 25" -->
+<xsl:template name="list">
+  <xsl:param name="items"/>
+  <xsl:for-each select="$items">
+    <xsl:choose>
+      <xsl:when test="position() = 1"/>
+      <xsl:when test="position() = last()"><xsl:call-template name="say"><xsl:with-param name="id">list.last</xsl:with-param></xsl:call-template></xsl:when>
+      <xsl:otherwise><xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template></xsl:otherwise>
+    </xsl:choose>
+    <xsl:call-template name="given"><xsl:with-param name="x" select="."/></xsl:call-template>
+  </xsl:for-each>
+</xsl:template>
+
+<!-- Which of the wind speeds the figures show: all up to five, else five spread evenly. " 1 3 5 " -->
+<xsl:variable name="winds" select="count($trees[1]/winds/item)"/>
+<xsl:variable name="shown">
+  <xsl:text> </xsl:text>
+  <xsl:for-each select="$trees[1]/winds/item">
+    <xsl:variable name="p" select="position()"/>
+    <xsl:if test="$winds &lt;= 5 or $p = 1 or $p = 1 + round(($winds - 1) div 4) or $p = 1 + round(($winds - 1) div 2)
+                  or $p = 1 + round(3 * ($winds - 1) div 4) or $p = $winds"><xsl:value-of select="concat($p, ' ')"/></xsl:if>
+  </xsl:for-each>
+</xsl:variable>
+</xsl:stylesheet>

@@ -1,0 +1,171 @@
+#include "out/report.h"
+#include "base/file.h"
+#include "out/figures.h"
+#include "out/program.h"
+#include "out/results.h"
+#include "out/tables.h"
+#include "out/xml.h"
+#include <string.h>
+#include <unistd.h>
+
+struct job {
+    const char *folder, *language;
+    xmlDoc *document; /* <report lang="en"><results/><figures/><css/></report>, what report.xsl reads */
+    xmlNode *figures;
+    struct wf_diag *d;
+    struct wf_err *e;
+    enum wf_status first; /* of the parts that could not be made */
+};
+
+static enum wf_status path_of(const char *folder, const char *name, char path[static WF_PATH_MAX],
+                              struct wf_err *e)
+{
+    int n = snprintf(path, WF_PATH_MAX, "%s/%s", folder, name);
+    if (n >= 0 && n < WF_PATH_MAX) return WF_OK;
+    return wf_fail(e, WF_EINPUT, "%.200s...: the name is too long", folder);
+}
+
+/* A part that cannot be made is a warning, and the others are made all the same. */
+static void miss(struct job *j, const char *part, const struct wf_err *why)
+{
+    wf_diag_warn(j->d, part, "%s", why->text);
+    if (j->first) return;
+    j->first = wf_fail(j->e, why->code, "%s", why->text);
+}
+
+static enum wf_status read_results(const char *folder, json_t **out, struct wf_err *e)
+{
+    char path[WF_PATH_MAX];
+    json_error_t why;
+    *out = NULL;
+    enum wf_status code = path_of(folder, "results.json", path, e);
+    if (code) return code;
+    if (access(path, R_OK))
+        return wf_fail(e, WF_EINPUT, "%s: cannot be read; is '%s' a results folder?", path, folder);
+    *out = json_load_file(path, JSON_REJECT_DUPLICATES, &why);
+    if (!*out) return wf_fail(e, WF_EINPUT, "%s:%d:%d: error: %s", path, why.line, why.column, why.text);
+    const json_t *schema = json_object_get(*out, "schema");
+    const char *name = json_string_value(json_object_get(schema, "name"));
+    json_int_t version = json_integer_value(json_object_get(schema, "version"));
+    if (!name || strcmp(name, WF_RESULTS_SCHEMA) != 0)
+        code = wf_fail(e, WF_EINPUT, "%s: is not a results document of windfirm", path);
+    else if (version != WF_RESULTS_VERSION)
+        code = wf_fail(e, WF_EINPUT, "%s: results of version %lld; this program reads version %d", path,
+                       (long long)version, WF_RESULTS_VERSION);
+    else if (!json_array_size(json_object_get(*out, "trees")))
+        code = wf_fail(e, WF_EINPUT, "%s: trees: at least one is needed", path);
+    for (size_t i = 0; !code && wf_tables[i].name; i++) {
+        code = path_of(folder, wf_tables[i].name, path, e);
+        if (!code && access(path, R_OK)) code = wf_fail(e, WF_EINPUT, "%s: cannot be read", path);
+    }
+    return code;
+}
+
+static enum wf_status make_document(struct job *j)
+{
+    char path[WF_PATH_MAX];
+    json_t *results;
+    struct wf_arena scratch = { 0 };
+    struct wf_bytes css = { 0 };
+    enum wf_status code = read_results(j->folder, &results, j->e);
+    if (!code) code = wf_report_asset("report.css", path, sizeof path, j->e);
+    if (!code) code = wf_file_read_text(path, &scratch, &css, j->e);
+    if (!code) {
+        j->document = xmlNewDoc(BAD_CAST "1.0");
+        xmlNode *root = j->document ? xmlNewDocNode(j->document, NULL, BAD_CAST "report", NULL) : NULL;
+        if (root) xmlDocSetRootElement(j->document, root);
+        if (!root || !xmlNewProp(root, BAD_CAST "lang", BAD_CAST j->language) ||
+            !wf_xml_from_json(root, "results", results) ||
+            !xmlNewTextChild(root, NULL, BAD_CAST "css", BAD_CAST css.data) ||
+            !(j->figures = xmlNewChild(root, NULL, BAD_CAST "figures", NULL)))
+            code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
+    }
+    json_decref(results);
+    wf_arena_free(&scratch);
+    return code;
+}
+
+/* Draw every figure and hang it into the document: <figure name="tip"><svg/></figure>, or the attribute
+ * missing="why". */
+static enum wf_status draw_figures(struct job *j)
+{
+    struct wf_err why = { 0 };
+    bool ready = !wf_figures_prepare(j->folder, j->document, &why);
+    if (!ready) miss(j, "no-figures", &why);
+    for (size_t i = 0; wf_figures[i]; i++) {
+        xmlDoc *svg = NULL;
+        xmlNode *node = xmlNewChild(j->figures, NULL, BAD_CAST "figure", NULL);
+        if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST wf_figures[i]))
+            return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
+        if (ready) why = (struct wf_err){ 0 };
+        if (!ready || wf_figures_draw(j->folder, wf_figures[i], &svg, &why)) {
+            xmlNewProp(node, BAD_CAST "missing", BAD_CAST why.text);
+            if (ready) miss(j, "no-figure", &why);
+            continue;
+        }
+        xmlNode *picture = xmlDocCopyNode(xmlDocGetRootElement(svg), j->document, 1);
+        xmlFreeDoc(svg);
+        if (!picture) return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
+        xmlAddChild(node, picture);
+    }
+    return WF_OK;
+}
+
+static enum wf_status write_page(struct job *j, const char *html)
+{
+    char style[WF_PATH_MAX];
+    struct wf_file f = { 0 };
+    xmlDoc *page;
+    enum wf_status code = wf_report_asset("report.xsl", style, sizeof style, j->e);
+    if (!code) code = wf_file_begin(&f, html, j->e);
+    if (code) return code;
+    code = wf_xml_transform(style, j->document, NULL, f.stream, &page, j->e);
+    if (!code) {
+        xmlFreeDoc(page);
+        code = wf_file_commit(&f, j->e);
+    }
+    wf_file_abandon(&f);
+    return code;
+}
+
+/* WeasyPrint goes on after a fault and still ends with status 0: look for its word and for a whole file. */
+static enum wf_status print_page(struct job *j, const char *html, struct wf_err *e)
+{
+    char said[WF_SAID_MAX], path[WF_PATH_MAX], head[5] = "", tail[8] = "";
+    struct wf_file f = { 0 };
+    enum wf_status code = path_of(j->folder, "report.pdf", path, e);
+    if (!code) code = wf_file_begin(&f, path, e);
+    if (code) return code;
+    const char *const argv[] = { "weasyprint", "--encoding", "utf-8", html, f.temporary, NULL };
+    code = wf_program_run(argv, "weasyprint", said, e);
+    if (!code && strstr(said, "ERROR")) code = wf_fail(e, WF_EOUTPUT, "%s: WeasyPrint says: %s", path, said);
+    FILE *pdf = code ? NULL : fopen(f.temporary, "rb");
+    if (pdf) {
+        size_t n = fread(head, 1, 4, pdf);
+        head[n] = '\0';
+        n = fseek(pdf, -7, SEEK_END) ? 0 : fread(tail, 1, 7, pdf);
+        tail[n] = '\0';
+        fclose(pdf);
+    }
+    if (!code && (strcmp(head, "%PDF") != 0 || !strstr(tail, "%%EOF")))
+        code = wf_fail(e, WF_EOUTPUT, "%s: the file is not complete (is the disk full?)", path);
+    if (!code) code = wf_file_commit(&f, e);
+    wf_file_abandon(&f);
+    return code;
+}
+
+enum wf_status wf_report_make(const char *folder, const char *language, struct wf_diag *d, struct wf_err *e)
+{
+    char html[WF_PATH_MAX];
+    struct job j = { .folder = folder, .language = language ? language : "en", .d = d, .e = e };
+    if (strcmp(j.language, "en") != 0 && strcmp(j.language, "zh") != 0)
+        return wf_fail(e, WF_EUSAGE, "'%s' is not a language of the report; allowed: en, zh", language);
+    enum wf_status code = path_of(folder, "report.html", html, e);
+    if (!code) code = make_document(&j);
+    if (!code) code = draw_figures(&j);
+    if (!code) code = write_page(&j, html);
+    struct wf_err why = { 0 };
+    if (!code && print_page(&j, html, &why)) miss(&j, "no-pdf", &why);
+    if (j.document) xmlFreeDoc(j.document);
+    return code ? code : j.first;
+}
