@@ -78,9 +78,10 @@ void wf_validate_print_order(const struct wf_case *c, const struct wf_verdict *m
 {
     if (!all_ran(c, mesh)) return;
     size_t lines = all || mesh[0].n <= SHORT_LIST ? mesh[0].n : SHORT_LIST;
-    printf("    order of convergence: error at 1 element a part, rows split into parts; in brackets the "
-           "observed order\n    %-30s",
-           "parts");
+    printf(
+        "    order of convergence: error with every row in so many elements; in brackets the order observed\n"
+        "    %-30s",
+        "parts");
     for (size_t i = 0; i < c->pieces; i++) printf(" %15zu", c->piece[i]);
     printf("\n");
     for (size_t k = 0; k < lines; k++) {
