@@ -1,0 +1,346 @@
+/* wf_analyze on stems whose answers are known: closed forms, balance of forces, invariance, limits. */
+#include "close.h"
+#include "study/analysis.h"
+#include "study/limits.h"
+#include <string.h>
+
+/* A uniform solid stem, 10 m high and 0.2 m thick, without a crown; everything has a source. */
+#define HEIGHT 10.0
+#define RADIUS 0.1
+#define YOUNGS 8e9
+#define STRENGTH 40e6
+
+static struct wf_value measured(double v)
+{
+    return (struct wf_value){
+        .value = v, .low = v, .high = v, .standing = WF_MEASURED, .source = "here", .given = true
+    };
+}
+
+struct bench {
+    struct wf_arena arena;
+    struct wf_diag diag;
+    struct wf_level level;
+    struct wf_species species;
+    struct wf_model model;
+    struct wf_scenario scenario;
+    struct wf_solve_options options;
+    struct wf_analysis out;
+    struct wf_err err;
+};
+
+static void set_up(struct bench *b)
+{
+    memset(b, 0, sizeof *b);
+    b->diag.arena = &b->arena;
+    b->level = (struct wf_level){ .name = "stem",
+                                  .youngs_modulus = measured(YOUNGS),
+                                  .shear_modulus = measured(YOUNGS / 16),
+                                  .density = measured(900),
+                                  .modulus_of_rupture = measured(STRENGTH),
+                                  .radius = measured(RADIUS),
+                                  .knot_factor = measured(1),
+                                  .damping_ratio = measured(0.05),
+                                  .drag_coefficient = measured(1),
+                                  .lift_coefficient = measured(0) };
+    b->species = (struct wf_species){ .key = "post",
+                                      .name = "Post",
+                                      .preset = "corrected",
+                                      .levels = 1,
+                                      .level = &b->level,
+                                      .crown_drag = measured(0.5),
+                                      .leaf_mass_per_area = measured(0.2),
+                                      .leaf_frontal_share = measured(0.4),
+                                      .streamlining = { .law = "none", .exponent = measured(0) } };
+    b->model = (struct wf_model){ .key = "post",
+                                  .name = "Post",
+                                  .height = HEIGHT,
+                                  .radius = RADIUS,
+                                  .taper = WF_TAPER_LINEAR,
+                                  .tip_ratio = 1,
+                                  .segments = 20,
+                                  .crown_base = 5,
+                                  .crown_top = HEIGHT };
+    wf_scenario_default(&b->scenario);
+    b->scenario.profile = "uniform";
+    b->scenario.air_density = 1.2;
+    b->scenario.gravity = 0;
+    wf_solve_options_default(&b->options);
+}
+
+static enum wf_status run(struct bench *b, const char *solver, const double *speeds, size_t n)
+{
+    return wf_analyze(&b->species, &b->model, &b->scenario, wf_solver_named(solver), &b->options, speeds, n,
+                      &b->arena, &b->diag, &b->out, &b->err);
+}
+
+static const char *warning(const struct bench *b, const char *code)
+{
+    for (const struct wf_finding *f = b->diag.first; f; f = f->next)
+        if (f->code && strcmp(f->code, code) == 0) return f->text;
+    return NULL;
+}
+
+static double sum(const double *v, size_t n)
+{
+    double s = 0;
+    for (size_t i = 0; i < n; i++) s += v[i];
+    return s;
+}
+
+/* A stiff post: drag 1/2 rho Cd D H U^2, and Euler-Bernoulli's q H^4/(8 E I), q H^3/(6 E I), q H^2/2. */
+static void test_closed_forms(void **state)
+{
+    (void)state;
+    static const char *const solvers[] = { "linear", "beam" };
+    for (size_t k = 0; k < 2; k++) {
+        struct bench b;
+        set_up(&b);
+        assert_int_equal(run(&b, solvers[k], (const double[]){ 2 }, 1), WF_OK);
+        const struct wf_at_speed *at = &b.out.at[0];
+        double q = 0.5 * 1.2 * 1.0 * 2 * RADIUS * 4, inertia = M_PI / 4 * pow(RADIUS, 4);
+        double loose = k ? 1e-4 : 1e-6; /* the bent shape differs by the square of the slope */
+        assert_close(at->drag, q * HEIGHT, loose);
+        assert_close(at->base_shear, q * HEIGHT, loose);
+        assert_close(at->base_moment, q * HEIGHT * HEIGHT / 2, loose);
+        assert_close(at->tip_deflection, q * pow(HEIGHT, 4) / (8 * YOUNGS * inertia), loose);
+        assert_close(at->tip_angle, q * pow(HEIGHT, 3) / (6 * YOUNGS * inertia), loose);
+        assert_close(at->tip_deflection_share, at->tip_deflection / HEIGHT, 1e-12);
+        assert_close(sum(at->figures.projected_area, b.out.tree.n), 2 * RADIUS * HEIGHT, loose);
+        assert_close(at->breakage.largest_stress, q * HEIGHT * HEIGHT / 2 * RADIUS / inertia, loose);
+        assert_true(at->lift <= at->tip_angle * at->drag); /* a leaning axis pushes aside a little */
+        assert_close(at->weight, 0, 1e-12);
+        wf_arena_free(&b.arena);
+    }
+}
+
+/* Stress of a stem under loads on its unbent shape grows with U^2: U_c = U sqrt(safety at U). */
+static void test_critical_speed(void **state)
+{
+    (void)state;
+    struct bench b;
+    set_up(&b);
+    assert_int_equal(run(&b, "linear", (const double[]){ 20 }, 1), WF_OK);
+    assert_int_equal(b.out.critical.outcome, WF_CRITICAL_FOUND);
+    assert_close(b.out.critical.speed, 20 * sqrt(b.out.at[0].breakage.least_safety), 2e-6);
+    double inertia = M_PI / 4 * pow(RADIUS, 4), moment = STRENGTH * inertia / RADIUS;
+    assert_close(b.out.critical.speed, sqrt(moment * 2 / (HEIGHT * HEIGHT) / (0.5 * 1.2 * 2 * RADIUS)), 2e-6);
+    assert_int_equal(b.out.critical_row, 0);
+    assert_close(b.out.critical_height, 0, 1e-9);
+    double before = b.out.critical.speed;
+    /* the sweep begins in still air, is even, and reaches past the critical speed */
+    assert_true(b.out.sweep_n > 20);
+    assert_close(b.out.sweep[0].speed, 0, 1e-12);
+    assert_close(b.out.sweep[0].tip_deflection, 0, 1e-12);
+    assert_close(b.out.sweep[7].speed - b.out.sweep[6].speed, b.out.sweep[1].speed, 1e-9);
+    assert_true(b.out.sweep[b.out.sweep_n - 1].speed >= before);
+    for (size_t k = 1; k < b.out.sweep_n; k++) /* safety times U^2 stays the same */
+        assert_close(b.out.sweep[k].breakage.least_safety * pow(b.out.sweep[k].speed / 20, 2),
+                     b.out.at[0].breakage.least_safety, 1e-6);
+    wf_arena_free(&b.arena);
+    /* a thicker stem stands more, a taller one less */
+    set_up(&b);
+    b.model.radius = 1.2 * RADIUS;
+    assert_int_equal(run(&b, "linear", (const double[]){ 20 }, 1), WF_OK);
+    assert_close(b.out.critical.speed, before * 1.2, 2e-6); /* moment ~ r^3, drag ~ r */
+    wf_arena_free(&b.arena);
+    set_up(&b);
+    b.model.height = 2 * HEIGHT;
+    assert_int_equal(run(&b, "linear", (const double[]){ 20 }, 1), WF_OK);
+    assert_close(b.out.critical.speed, before / 2, 2e-6);
+    wf_arena_free(&b.arena);
+}
+
+/* A crown adds 1/2 rho Cd A U^2 with A = leaf area x frontal share, and its leaves' weight. */
+static void test_crown(void **state)
+{
+    (void)state;
+    struct bench b;
+    set_up(&b);
+    b.model.leaf_area = 10;
+    b.scenario.gravity = 9.81;
+    assert_int_equal(run(&b, "linear", (const double[]){ 10 }, 1), WF_OK);
+    const struct wf_at_speed *at = &b.out.at[0];
+    double axis = 0.5 * 1.2 * 2 * RADIUS * HEIGHT * 100, crown = 0.5 * 1.2 * 0.5 * 10 * 0.4 * 100;
+    assert_close(at->drag, axis + crown, 1e-9);
+    assert_close(sum(at->figures.drag, b.out.tree.n), at->drag, 1e-12);
+    assert_close(sum(at->figures.projected_area, b.out.tree.n), 2 * RADIUS * HEIGHT + 4, 1e-9);
+    assert_close(at->weight, 9.81 * (900 * M_PI * RADIUS * RADIUS * HEIGHT + 0.2 * 10), 1e-9);
+    wf_arena_free(&b.arena);
+    set_up(&b); /* Vogel: twice the reference speed, area halves */
+    b.model.leaf_area = 10;
+    b.species.streamlining = (struct wf_streamlining){
+        .law = "vogel", .exponent = measured(-1), .reference_speed = 5, .speed_low = 1, .speed_high = 12
+    };
+    assert_int_equal(run(&b, "linear", (const double[]){ 10, 20 }, 2), WF_OK);
+    assert_close(b.out.at[0].drag, axis + crown / 2, 1e-9);
+    assert_close(sum(b.out.at[0].figures.projected_area, b.out.tree.n), 2 * RADIUS * HEIGHT + 2, 1e-9);
+    assert_non_null(strstr(warning(&b, "streamline-range"), "12 m/s"));
+    wf_arena_free(&b.arena);
+}
+
+/* Far bent: the wind's force by rows is what the base holds, and the direction of the wind does not matter.
+ */
+static void test_balance(void **state)
+{
+    (void)state;
+    struct bench b;
+    double before[4] = { 0 };
+    static const double azimuth[] = { 0, 1.1, -2.5 };
+    for (size_t k = 0; k < 3; k++) {
+        set_up(&b);
+        b.model.radius = 0.04;
+        b.model.leaf_area = 6;
+        b.model.tip_ratio = 0.3;
+        b.scenario.gravity = 9.81;
+        b.scenario.profile = "power";
+        b.scenario.azimuth = azimuth[k];
+        assert_int_equal(run(&b, "beam", (const double[]){ 12 }, 1), WF_OK);
+        const struct wf_at_speed *at = &b.out.at[0];
+        assert_true(at->tip_deflection_share > 0.3);
+        assert_close(at->base_shear, at->drag, 1e-5);
+        assert_close(fabs(at->response.base_force[2]), at->weight + at->lift, 1e-4);
+        double now[4] = { at->tip_deflection, at->tip_angle, at->base_moment, b.out.critical.speed };
+        for (int i = 0; k && i < 4; i++) assert_close(now[i], before[i], 1e-6);
+        memcpy(before, now, sizeof now);
+        wf_arena_free(&b.arena);
+    }
+}
+
+static void test_still_air(void **state)
+{
+    (void)state;
+    struct bench b;
+    set_up(&b);
+    b.scenario.gravity = 9.81;
+    assert_int_equal(run(&b, "beam", (const double[]){ 0 }, 1), WF_OK);
+    assert_close(b.out.at[0].tip_angle, 0, 1e-12);
+    assert_close(b.out.at[0].drag, 0, 1e-12);
+    assert_close(b.out.at[0].base_moment, 0, 1e-6);
+    assert_true(b.out.at[0].tip_deflection < 1e-4); /* pressed together by its weight, not bent */
+    wf_arena_free(&b.arena);
+}
+
+static void test_limits(void **state)
+{
+    (void)state;
+    struct bench b;
+    set_up(&b); /* nothing to say about a stiff post with sources */
+    assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
+    assert_int_equal(b.diag.warnings, 0);
+    wf_arena_free(&b.arena);
+
+    set_up(&b);
+    b.model.radius = 0.03;
+    assert_int_equal(run(&b, "linear", (const double[]){ 1, 30 }, 2), WF_OK);
+    assert_non_null(warning(&b, "small-deflection"));
+    assert_non_null(strstr(warning(&b, "small-deflection"), "at 30 m/s"));
+    wf_arena_free(&b.arena);
+
+    set_up(&b);
+    b.level.density.standing = WF_ASSUMED;
+    b.species.preset = "someone2001";
+    b.species.leaf_frontal_share.standing = WF_ASSUMED;
+    assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
+    assert_non_null(strstr(warning(&b, "assumed-values"), "stem: density; crown: frontal_share"));
+    assert_non_null(strstr(warning(&b, "as-printed"), "someone2001"));
+    wf_arena_free(&b.arena);
+
+    set_up(&b);
+    b.level.modulus_of_rupture = (struct wf_value){ .standing = WF_ASSUMED };
+    assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
+    assert_int_equal(b.out.critical.outcome, WF_CRITICAL_NO_STRENGTH);
+    assert_true(isnan(b.out.critical.speed));
+    assert_true(isnan(b.out.at[0].breakage.least_safety));
+    assert_non_null(warning(&b, "no-strength"));
+    wf_arena_free(&b.arena);
+
+    set_up(&b);
+    b.scenario.speed_max = 10;
+    assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
+    assert_int_equal(b.out.critical.outcome, WF_CRITICAL_ABOVE);
+    assert_non_null(strstr(warning(&b, "critical-above-range"), "10 m/s"));
+    wf_arena_free(&b.arena);
+
+    set_up(&b);
+    b.scenario.profile = "log";
+    b.scenario.displacement = 2;
+    assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
+    assert_non_null(strstr(warning(&b, "profile-range"), "20 %"));
+    wf_arena_free(&b.arena);
+
+    set_up(&b);
+    b.level.drag_coefficient = (struct wf_value){ .value = NAN, .standing = WF_ASSUMED };
+    b.scenario.air_density = 2000; /* 200 m/s in something thicker than water */
+    assert_int_equal(run(&b, "linear", (const double[]){ 200 }, 1), WF_OK);
+    assert_non_null(warning(&b, "reynolds-range"));
+    wf_arena_free(&b.arena);
+}
+
+/* A rod far beyond Greenhill's height: a result, not a crash. */
+static void test_cannot_stand(void **state)
+{
+    (void)state;
+    struct bench b;
+    set_up(&b);
+    b.model.height = 60;
+    b.model.radius = 0.03;
+    b.scenario.gravity = 9.81;
+    assert_int_equal(run(&b, "beam", (const double[]){ 0, 5 }, 2), WF_OK);
+    bool said = warning(&b, "no-equilibrium") || warning(&b, "limit-point");
+    assert_true(said || b.out.critical.outcome == WF_CRITICAL_SELF_WEIGHT);
+    wf_arena_free(&b.arena);
+}
+
+static void test_refused(void **state)
+{
+    (void)state;
+    struct bench b;
+    set_up(&b);
+    assert_int_equal(run(&b, "linear", NULL, 0), WF_EUSAGE);
+    set_up(&b);
+    assert_int_equal(run(&b, "linear", (const double[]){ NAN }, 1), WF_EUSAGE);
+    set_up(&b);
+    assert_int_equal(run(&b, "linear", (const double[]){ -1 }, 1), WF_EUSAGE);
+    set_up(&b);
+    b.scenario.profile = "spiral";
+    assert_int_equal(run(&b, "linear", (const double[]){ 1 }, 1), WF_EUSAGE);
+    assert_non_null(strstr(b.err.text, "spiral"));
+    set_up(&b);
+    b.scenario.temperature = 15; /* Celsius taken for kelvin */
+    assert_int_equal(run(&b, "linear", (const double[]){ 1 }, 1), WF_EUSAGE);
+    set_up(&b);
+    b.species.streamlining.law = "magic";
+    assert_int_equal(run(&b, "linear", (const double[]){ 1 }, 1), WF_EINPUT);
+    wf_arena_free(&b.arena);
+}
+
+/* Every room too small is refused cleanly. */
+static void test_memory(void **state)
+{
+    (void)state;
+    struct bench b;
+    set_up(&b);
+    assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
+    size_t needed = b.arena.used;
+    wf_arena_free(&b.arena);
+    assert_true(needed > 1000);
+    for (size_t part = 0; part < 40; part++) {
+        set_up(&b);
+        b.arena.limit = 1 + needed * part / 40;
+        assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_ENOMEM);
+        wf_arena_free(&b.arena);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_closed_forms), cmocka_unit_test(test_critical_speed),
+        cmocka_unit_test(test_crown),        cmocka_unit_test(test_balance),
+        cmocka_unit_test(test_still_air),    cmocka_unit_test(test_limits),
+        cmocka_unit_test(test_cannot_stand), cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_memory),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,233 @@
+/* The program as a user meets it: what it prints and its exit code, above all for bad input. */
+#include "close.h"
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+enum { CODE_OK = 0, CODE_RUN = 1, CODE_INPUT = 2 };
+
+static char output[1 << 16];
+static const char *program;
+
+/* Run a shell command with $W the program, $T a scratch folder, $RUN the rest of a quick analysis; stdout and
+ * stderr go to `output`. Returned: exit code, 128 + signal when it was killed. */
+static int shell(const char *command)
+{
+    char all[4096];
+    snprintf(
+        all, sizeof all,
+        "{ T=%s.scratch; W=%s; M='--model models/culm.yaml'; RUN=\"$M --wind 10 --no-report -o $T/out\"\n"
+        "rm -rf $T; mkdir -p $T\n%s\n} 2>&1 </dev/null",
+        program, program, command);
+    FILE *pipe = popen(all, "r");
+    assert_non_null(pipe);
+    size_t got = fread(output, 1, sizeof output - 1, pipe);
+    output[got] = '\0';
+    int status = pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+struct row {
+    const char *command;
+    int code;
+    const char *expect[4]; /* pieces of the output */
+};
+
+static void check(const struct row *rows, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        int code = shell(rows[i].command);
+        if (code != rows[i].code)
+            fail_msg("%s\nexit code %d, want %d; it printed:\n%s", rows[i].command, code, rows[i].code,
+                     output);
+        for (size_t k = 0; k < 4 && rows[i].expect[k]; k++)
+            if (!strstr(output, rows[i].expect[k]))
+                fail_msg("%s\ndoes not print '%s' but:\n%s", rows[i].command, rows[i].expect[k], output);
+    }
+}
+#define CHECK(rows) check(rows, sizeof rows / sizeof *rows)
+
+static void test_usage(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W", CODE_INPUT, { "Usage: windfirm COMMAND" } },
+        { "$W --help", CODE_OK, { "analyze", "validate" } },
+        { "$W --version", CODE_OK, { "windfirm " } },
+        { "$W version", CODE_OK, { "windfirm " } },
+        { "$W analyze --help", CODE_OK, { "--reference-height LENGTH", "(0.01..1000 m) [10 m]", "beam" } },
+        { "$W help compare", CODE_OK, { "Usage: windfirm compare" } },
+        { "$W analyse", CODE_INPUT, { "did you mean 'analyze'?" } },
+        { "$W qqqqqq", CODE_INPUT, { "no command is called 'qqqqqq'" } },
+        { "$W analyze species/moso_bamboo.yaml $RUN --wnd 3",
+          CODE_INPUT,
+          { "'--wnd'; did you mean '--wind'?" } },
+        { "$W analyze species/moso_bamboo.yaml", CODE_INPUT, { "--model is needed" } },
+        { "$W analyze species/moso_bamboo.yaml $M", CODE_INPUT, { "--wind is needed" } },
+        { "$W analyze $RUN", CODE_INPUT, { "1 argument is needed, 0 given" } },
+        { "$W analyze a b $RUN", CODE_INPUT, { "'b' is too many" } },
+        { "$W compare species/moso_bamboo.yaml $RUN", CODE_INPUT, { "2 arguments are needed, 1 given" } },
+        { "$W analyze species/moso_bamboo.yaml $RUN --solver", CODE_INPUT, { "--solver: needs a value" } },
+        { "$W analyze species/moso_bamboo.yaml --wind --model models/culm.yaml",
+          CODE_INPUT,
+          { "--wind: needs a value" } },
+        { "$W analyze species/moso_bamboo.yaml $RUN --wind 5", CODE_INPUT, { "--wind: given twice" } },
+        { "$W analyze species/moso_bamboo.yaml $RUN --quiet=yes", CODE_INPUT, { "--quiet: takes no value" } },
+        { "$W analyze species/moso_bamboo.yaml $RUN --solver bem --profile lgo",
+          CODE_INPUT,
+          { "'bem' is none of beam, ", "did you mean 'beam'?", "did you mean 'log'?" } },
+        { "$W analyze species/moso_bamboo.yaml $RUN --altitude 1kg --exponent 2",
+          CODE_INPUT,
+          { "--altitude: ", "--exponent: 2 is outside 0..1" } },
+        { "$W species lst", CODE_INPUT, { "did you mean 'list'?" } },
+        { "$W species list >/dev/full", CODE_RUN, { "" } },
+    };
+    CHECK(rows);
+}
+
+static void test_wind(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W analyze moso_bamboo $M --no-report -o $T/out --wind 36km/h", CODE_OK, { "        10 " } },
+        { "$W analyze moso_bamboo $M --no-report -o $T/out --wind '18:36:18 km/h'",
+          CODE_OK,
+          { "         5 ", "        10 " } },
+        { "$W analyze moso_bamboo $M --no-report -o $T/out --wind '18, 36 km/h'",
+          CODE_OK,
+          { "         5 ", "        10 " } },
+        { "$W analyze moso_bamboo $M --wind abc", CODE_INPUT, { "--wind: " } },
+        { "$W analyze moso_bamboo $M --wind ''", CODE_INPUT, { "--wind: needs a value" } },
+        { "$W analyze moso_bamboo $M --wind ,", CODE_INPUT, { "--wind: no wind speed is given" } },
+        { "$W analyze moso_bamboo $M --wind nan", CODE_INPUT, { "--wind: " } },
+        { "$W analyze moso_bamboo $M --wind 1e999", CODE_INPUT, { "--wind: " } },
+        { "$W analyze moso_bamboo $M --wind -5,300",
+          CODE_INPUT,
+          { "-5 is outside 0..200 m/s", "300 is outside 0..200 m/s" } },
+        { "$W analyze moso_bamboo $M --wind 10kg", CODE_INPUT, { "--wind: " } },
+        { "$W analyze moso_bamboo $M --wind 10km/h,20",
+          CODE_INPUT,
+          { "write the unit behind the last number" } },
+        { "$W analyze moso_bamboo $M --wind 5:40", CODE_INPUT, { "a range is written from:to:step" } },
+        { "$W analyze moso_bamboo $M --wind 40:5:1", CODE_INPUT, { "from the lower to the higher" } },
+        { "$W analyze moso_bamboo $M --wind 5:40:0", CODE_INPUT, { "--wind: 0 is outside" } },
+        { "$W analyze moso_bamboo $M --wind 0:200:0.001", CODE_INPUT, { "more than 1000 wind speeds" } },
+        { "$W analyze moso_bamboo $RUN --profile log --reference-height 5 --displacement 6",
+          CODE_INPUT,
+          { "reference height 5 m must lie above" } },
+    };
+    CHECK(rows);
+}
+
+/* Each spoils one thing of a good species table or model. Nothing may be written then. */
+static void test_bad_files(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "sed 's/ density:/ densty:/' species/moso_bamboo.yaml >$T/b.yaml; $W analyze $T/b.yaml $RUN",
+          CODE_INPUT,
+          { "b.yaml:", ": error: ", "densty", "did you mean 'density'?" } },
+        { "sed 's/value: 10 GPa/value: 10 GPx/' species/moso_bamboo.yaml >$T/b.yaml; $W analyze $T/b.yaml "
+          "$RUN",
+          CODE_INPUT,
+          { "b.yaml:", ": error: ", "youngs_modulus", "GPx" } },
+        { "sed 's/value: 10 GPa/value: 10/' species/moso_bamboo.yaml >$T/b.yaml; $W analyze $T/b.yaml $RUN",
+          CODE_INPUT,
+          { "b.yaml:", ": error: ", "youngs_modulus", "unit" } },
+        { "sed 's/value: 10 GPa/value: 10 kg/' species/moso_bamboo.yaml >$T/b.yaml; $W analyze $T/b.yaml "
+          "$RUN",
+          CODE_INPUT,
+          { "b.yaml:", ": error: ", "youngs_modulus", "pressure" } },
+        { "sed 's/value: 10 GPa/value: 10000 GPa/' species/moso_bamboo.yaml >$T/b.yaml; $W analyze $T/b.yaml "
+          "$RUN",
+          CODE_INPUT,
+          { "b.yaml:", ": error: ", "youngs_modulus" } },
+        { "sed 's/value: 10 GPa/value: nan GPa/' species/moso_bamboo.yaml >$T/b.yaml; $W analyze $T/b.yaml "
+          "$RUN",
+          CODE_INPUT,
+          { "b.yaml:", ": error: ", "youngs_modulus" } },
+        { "sed '/^levels:/,/^crown:/{/^crown:/!d}' species/moso_bamboo.yaml >$T/b.yaml; $W analyze $T/b.yaml "
+          "$RUN",
+          CODE_INPUT,
+          { "b.yaml", "error: ", "levels" } },
+        { "sed 's/height: 14 m/heigth: 14 m/' models/culm.yaml >$T/m.yaml; $W analyze moso_bamboo --model "
+          "$T/m.yaml "
+          "--wind 10 -o $T/out",
+          CODE_INPUT,
+          { "m.yaml:", ": error: ", "heigth", "did you mean 'height'?" } },
+        { ": >$T/b.yaml; $W analyze $T/b.yaml $RUN", CODE_INPUT, { "b.yaml", "error: " } },
+        { "printf 'species: \\377\\n' >$T/b.yaml; $W analyze $T/b.yaml $RUN",
+          CODE_INPUT,
+          { "b.yaml:1:10", "UTF-8" } },
+        { "printf 'a: &x [*x]\\n' >$T/b.yaml; $W analyze $T/b.yaml $RUN",
+          CODE_INPUT,
+          { "b.yaml:", "error: " } },
+        { "$W analyze species $RUN", CODE_INPUT, { "species: " } },
+        { "$W analyze $T/none.yaml $RUN", CODE_INPUT, { "none.yaml" } },
+        { "$W analyze moso_bamboo --model $T/none.yaml --wind 10 -o $T/out", CODE_INPUT, { "none.yaml" } },
+        /* every mistake of every file in one go */
+        { "sed 's/ density:/ densty:/; s/value: 10 GPa/value: 10 kg/' species/moso_bamboo.yaml >$T/b.yaml\n"
+          "sed 's/segments: 40/segments: many/' models/culm.yaml >$T/m.yaml\n"
+          "$W compare $T/b.yaml $T/none.yaml --model $T/m.yaml --wind 10 -o $T/out",
+          CODE_INPUT,
+          { "densty", "youngs_modulus", "none.yaml", "segments" } },
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        check(&rows[i], 1);
+        char written[4200];
+        snprintf(written, sizeof written, "%s >/dev/null 2>&1; ls -A $T/out", rows[i].command);
+        assert_int_not_equal(shell(written), 0); /* no output folder */
+    }
+}
+
+static void test_output(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W analyze moso_bamboo $RUN && ls $T/out $T/out/tables",
+          CODE_OK,
+          { "critical wind speed", "results.json", "summary.csv", "sweep.csv" } },
+        { "$W analyze moso_bamboo $RUN --quiet", CODE_OK, { "" } },
+        { "$W analyze moso_bamboo $RUN --solver linear", CODE_OK, { "warning", "small-deflection" } },
+        { "$W analyze willow_feng1999 $RUN", CODE_OK, { "as-printed" } },
+        /* the answer is still shown when it cannot be written */
+        { "$W analyze moso_bamboo $M --wind 10 --no-report -o /dev/null/out",
+          CODE_RUN,
+          { "critical wind speed", "/dev/null/out" } },
+        { ": >$T/taken; $W analyze moso_bamboo $M --wind 10 --no-report -o $T/taken", CODE_RUN, { "taken" } },
+        /* without the drawing programs the numbers are complete, and the packages are named */
+        { "mkdir $T/empty; PATH=$T/empty $W analyze moso_bamboo $M --wind 10 -o $T/out\ncode=$?\nls $T/out\n"
+          "exit $code",
+          CODE_OK,
+          { "gnuplot-nox", "weasyprint", "results.json" } },
+        { "$W report $T/none", CODE_INPUT, { "none" } },
+    };
+    CHECK(rows);
+    assert_int_equal(shell("$W analyze moso_bamboo $RUN --quiet"), CODE_OK);
+    assert_string_equal(output, "");
+}
+
+static void test_library(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W species list", CODE_OK, { "moso_bamboo", "weeping_willow", "Phyllostachys edulis" } },
+        { "$W species show moso_bamboo", CODE_OK, { "youngs_modulus", "10 GPa", "8..14", "tang2012" } },
+        { "$W species show nothing", CODE_INPUT, { "nothing" } },
+        { "$W schema species", CODE_OK, { "youngs_modulus", "frontal_share" } },
+        { "$W schema model", CODE_OK, { "base_radius", "taper" } },
+        { "$W schema tree", CODE_INPUT, { "tree" } },
+    };
+    CHECK(rows);
+}
+
+int main(void)
+{
+    program = getenv("WINDFIRM");
+    if (!program) program = "build/windfirm";
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_usage),  cmocka_unit_test(test_wind),    cmocka_unit_test(test_bad_files),
+        cmocka_unit_test(test_output), cmocka_unit_test(test_library),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
