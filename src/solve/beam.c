@@ -15,6 +15,17 @@ static double largest_displacement(const struct wf_beam *b)
     return sqrt(most);
 }
 
+/* Farthest end from the first base [m]. */
+static double size(const struct wf_tree *t)
+{
+    double most = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        double d[3] = { t->x1[i] - t->x0[0], t->y1[i] - t->y0[0], t->z1[i] - t->z0[0] };
+        most = fmax(most, wf_dot(d, d));
+    }
+    return sqrt(most);
+}
+
 /* Longest chain of rows from the ground: among so many the allowed error is shared. */
 static double deepest(const struct wf_tree *t, double *depth)
 {
@@ -41,6 +52,7 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l, 
 {
     enum { MESHES = 6 };
     const double safety = 0.25;
+    const double rounding = 1e-12; /* of the size: what places are good to, so a tree that does not move ends too */
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
     double *reach = WF_TAKE(work, t->n, double), *share = WF_TAKE(work, t->n, double);
     if (!pieces || !reach || !share) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
@@ -63,7 +75,7 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l, 
         status = wf_beam_settle(&fine, work, &again, e);
         if (status) return status;
         fine.iterations += b->iterations, fine.steps += b->steps;
-        double target = o->mesh_tolerance * safety * largest_displacement(&fine);
+        double target = fmax(o->mesh_tolerance * safety * largest_displacement(&fine), rounding * size(t));
         double error = wf_beam_mesh_error(b, &fine, reach, share);
         *b = fine;
         if (error <= target) break;

@@ -6,13 +6,22 @@
  *   dn_j  = dn_end + sum_m N_jm q_m + A^n_j dr_0,    N = h down F,  A^n = h down A
  *   d(r' x n)_j = V_jm q_m + Vn_j dn_end + Vr_j dr_0,
  *   dm_j  = dm_end + h down (d(r' x n)),
- *   d(material law's moment)_j = G^-1 (Q_j y_j + sum_m slope_jm/h P_jm y_m + [.]) - [M] q_j + G^-1 [k] y_j,
+ *   d(material law's moment)_j = G^-1 (Q_j y_j + sum_m slope_jm/h P_jm y_m + [G m] y_j) - [m] q_j,
  * with A, B the load's derivatives by place and by turn, T the tangent of the rotation vector, Q = D T^-1,
  * P_jm = T_j T_m^-1. The end's wrench is what the part above answers, dw = K p_end + k, so that six
  * equations in the six y remain. */
 #include "solve/beam_element.h"
 #include "solve/gauss.h"
 #include "solve/vec.h"
+
+/* One object for every machine: the wider registers of newer processors are used where they are found. Without fused
+ * multiply-add both give the same digits. */
+#define WF_INLINE static inline __attribute__((always_inline))
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(WF_NOCLONE)
+#define WF_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define WF_WIDE
+#endif
 
 struct kinematics {
     double k[2][3];     /* curvature of the material law, creep included */
@@ -21,7 +30,7 @@ struct kinematics {
 };
 
 /* D w = d(T(v) slope)/dv w */
-static void tangent_slope(const struct rotation *o, const double v[3], const double slope[3], double D[9])
+WF_INLINE void tangent_slope(const struct rotation *o, const double v[3], const double slope[3], double D[9])
 {
     double once[3], twice[3], grow[3], dot = wf_dot(v, slope);
     wf_cross(v, slope, once);
@@ -39,7 +48,7 @@ static void tangent_slope(const struct rotation *o, const double v[3], const dou
 /* Where the material law asks an element for a large turn at once, its tangent is stiffened in proportion: a damped
  * Newton step for that element alone. Twigs that double over then do not hold up the rest of the tree, and as the
  * misfit goes to zero so does the damping, at the same rate, so that convergence stays quadratic. */
-static double damping(const struct wf_beam_part *p, const struct kinematics *c, const struct wf_beam_stage *s,
+WF_INLINE double damping(const struct wf_beam_part *p, const struct kinematics *c, const struct wf_beam_stage *s,
                       const struct wf_beam_wrench at[2])
 {
     const double free_turn = 0.05, full_turn = 0.25; /* rad an element may turn undamped; turn that halves the step */
@@ -53,14 +62,14 @@ static double damping(const struct wf_beam_part *p, const struct kinematics *c, 
     return fmax(0, (p->h * sqrt(most) - free_turn) / full_turn);
 }
 
-static void stiffen(struct kinematics *c, double factor)
+WF_INLINE void stiffen(struct kinematics *c, double factor)
 {
     for (int j = 0; j < 2; j++)
         for (int m = 0; m < 2; m++)
             for (int i = 0; i < 9; i++) c->QP[j][m][i] *= factor;
 }
 
-static void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double L[9],
+WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double L[9],
                           const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                           const struct wf_beam_wrench at[2], struct kinematics *c)
 {
@@ -103,7 +112,7 @@ struct statics {
     double Vc[2][3];               /* its part of d(r' x n)_j           */
 };
 
-static void statics_of(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
+WF_INLINE void statics_of(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
                        const struct wf_beam_stage *s, const struct wf_line_load load[2],
                        const struct wf_beam_wrench at[2], struct statics *c)
 {
@@ -144,92 +153,110 @@ static void statics_of(const struct wf_beam_part *p, struct wf_beam_shape *u, co
     }
 }
 
-static void put(double A[][13], int row, int col, const double B[9])
+/* Rows by the base's change p and 1 (and a spare column, so that rows are whole vector registers). */
+typedef double by_base[6][8];
+
+static inline void put6(double A[6][6], int row, int col, const double B[9])
 {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) A[row + i][col + j] = B[3 * i + j];
 }
 
-/* [S | R | c] x (y, p_base, 1) = 0 without the part above; its answer enters through E: rows of dm_j by dw_end. */
-static void equations(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
-                      const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], double A[6][13],
+static inline void put8(by_base A, int row, int col, const double B[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) A[row + i][col + j] = B[3 * i + j];
+}
+
+/* S y + R (p_base, 1) = 0 without the part above; its answer enters through E: rows of dm_j by dw_end. */
+WF_INLINE void equations(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
+                      const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], double S[6][6], by_base A,
                       double E[6][6])
 {
     for (int j = 0; j < 2; j++) {
-        double law[3], M[2][9], G[9], C[9], R[9], Mn[9];
+        double law[3], bent[3], M[2][9], G[9], C[9], R[9], Mn[9];
         const double d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1], ei = p->ei[j], gj = p->gj[j];
         v3_section(ei, gj, s->t[j], k->k[j], law);
         for (int m = 0; m < 2; m++)
             for (int i = 0; i < 9; i++) M[m][i] = d0 * q->V[0][m][i] + d1 * q->V[1][m][i];
-        /* turning the section: d(G^-1) k = -[law] q + G^-1 [k] q */
+        /* turning the section: d(G^-1) k = -[m] q + G^-1 [G m] q, taking the curvature that goes with the moment */
+        v3_section(1 / ei, 1 / gj, s->t[j], at[j].m, bent);
         memset(C, 0, sizeof C);
-        m3_add_cross(C, -1, law);
+        m3_add_cross(C, -1, at[j].m);
         for (int i = 0; i < 9; i++) R[i] = C[i] - M[0][i] - M[1][i];
-        put(A, 3 * j, 9, R);
+        put8(A, 3 * j, 3, R);
         memset(G, 0, sizeof G);
-        m3_add_cross(G, 1, k->k[j]);
+        m3_add_cross(G, 1, bent);
         m3_add(G, 1, k->QP[j][j]);
         m3_add_section_mul(C, ei, gj, s->t[j], G);
         m3_add(C, -1, M[j]);
-        put(A, 3 * j, 3 * j, C);
+        put6(S, 3 * j, 3 * j, C);
         for (int i = 0; i < 9; i++) C[i] = -M[1 - j][i];
         m3_add_section_mul(C, ei, gj, s->t[j], k->QP[j][1 - j]);
-        put(A, 3 * j, 3 - 3 * j, C);
+        put6(S, 3 * j, 3 - 3 * j, C);
         for (int i = 0; i < 9; i++) R[i] = -d0 * q->Vr[0][i] - d1 * q->Vr[1][i];
-        put(A, 3 * j, 6, R);
+        put8(A, 3 * j, 0, R);
         for (int i = 0; i < 9; i++) Mn[i] = d0 * q->Vn[0][i] + d1 * q->Vn[1][i];
         for (int i = 0; i < 3; i++) {
-            A[3 * j + i][12] = law[i] - at[j].m[i] - d0 * q->Vc[0][i] - d1 * q->Vc[1][i];
+            A[3 * j + i][6] = law[i] - at[j].m[i] - d0 * q->Vc[0][i] - d1 * q->Vc[1][i];
+            A[3 * j + i][7] = 0;
             for (int c = 0; c < 3; c++) E[3 * j + i][c] = -Mn[3 * i + c], E[3 * j + i][3 + c] = c == i ? -1 : 0;
         }
     }
 }
 
-/* Solve the leading 6x6 of A for its other seven columns, with row exchanges. */
-static bool solve6(double A[6][13])
+/* B := S^-1 B by elimination with row exchanges; S is used up. false when S is singular. */
+WF_INLINE bool solve6(double S[6][6], by_base B)
 {
     for (int c = 0; c < 6; c++) {
         int best = c;
         for (int r = c + 1; r < 6; r++)
-            if (fabs(A[r][c]) > fabs(A[best][c])) best = r;
-        if (!(fabs(A[best][c]) > 0)) return false;
-        if (best != c)
-            for (int k = 0; k < 13; k++) {
-                double hold = A[c][k];
-                A[c][k] = A[best][k];
-                A[best][k] = hold;
-            }
-        double inverse = 1 / A[c][c];
-        for (int k = 0; k < 13; k++) A[c][k] *= inverse;
-        for (int r = 0; r < 6; r++) {
-            double f = A[r][c];
-            if (r == c) continue;
-            for (int k = 0; k < 13; k++) A[r][k] -= f * A[c][k];
+            if (fabs(S[r][c]) > fabs(S[best][c])) best = r;
+        if (!(fabs(S[best][c]) > 0)) return false;
+        if (best != c) {
+            double row[8];
+            memcpy(row, S[c], sizeof S[c]), memcpy(S[c], S[best], sizeof S[c]), memcpy(S[best], row, sizeof S[c]);
+            memcpy(row, B[c], sizeof B[c]), memcpy(B[c], B[best], sizeof B[c]), memcpy(B[best], row, sizeof B[c]);
         }
+        double inverse = 1 / S[c][c];
+        S[c][c] = inverse;
+        for (int r = c + 1; r < 6; r++) {
+            double f = S[r][c] * inverse;
+            for (int k = c + 1; k < 6; k++) S[r][k] -= f * S[c][k];
+            for (int k = 0; k < 8; k++) B[r][k] -= f * B[c][k];
+        }
+    }
+    for (int c = 6; c-- > 0;) {
+        double sum[8];
+        for (int k = 0; k < 8; k++) sum[k] = B[c][k];
+        for (int r = c + 1; r < 6; r++)
+            for (int k = 0; k < 8; k++) sum[k] -= S[c][r] * B[r][k];
+        for (int k = 0; k < 8; k++) B[c][k] = sum[k] * S[c][c];
     }
     return true;
 }
 
 /* Directions in which the element is unstable: S in terms of strains is S B^-1 with B = d(curvature)/dy, symmetric for
  * conservative loads; count the negative pivots of its symmetric part. */
-static size_t unstable_directions(double A[6][13], const struct kinematics *k)
+static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], const struct kinematics *k)
 {
-    double B[6][13], H[6][6];
+    const double neutral = 1e-7 * fmin(p->ei[0], p->ei[1]); /* a turn about the vertical costs a fallen stem nothing */
+    double B[6][6], H[6][6];
+    by_base X; /* B' X = S', so that X' = S B^-1 */
     size_t negative = 0;
-    /* rows: B' x = S', so that x' = S B^-1 */
     for (int j = 0; j < 2; j++)
         for (int m = 0; m < 2; m++)
             for (int i = 0; i < 3; i++)
                 for (int c = 0; c < 3; c++) B[3 * m + c][3 * j + i] = k->QP[j][m][3 * i + c];
     for (int i = 0; i < 6; i++) {
-        for (int c = 0; c < 6; c++) B[i][6 + c] = A[c][i];
-        B[i][12] = 0;
+        for (int c = 0; c < 6; c++) X[i][c] = S[c][i];
+        X[i][6] = X[i][7] = 0;
     }
-    if (!solve6(B)) return 0;
+    if (!solve6(B, X)) return 0;
     for (int i = 0; i < 6; i++)
-        for (int c = 0; c < 6; c++) H[i][c] = 0.5 * (B[i][6 + c] + B[c][6 + i]);
+        for (int c = 0; c < 6; c++) H[i][c] = 0.5 * (X[i][c] + X[c][i]);
     for (int c = 0; c < 6; c++) {
-        if (H[c][c] < 0) negative++;
+        if (H[c][c] < -neutral) negative++;
         for (int r = c + 1; r < 6; r++) {
             double f = H[r][c] / H[c][c];
             for (int i = c; i < 6; i++) H[r][i] -= f * H[c][i];
@@ -238,35 +265,37 @@ static size_t unstable_directions(double A[6][13], const struct kinematics *k)
     return negative;
 }
 
-/* C (6 x 7) += A (6 x 6) B (6 x 7) */
-static inline void mul67(double A[6][6], double B[6][7], double C[6][7])
+/* C += A B */
+WF_INLINE void multiply(double A[6][6], by_base B, by_base C)
 {
-    for (int i = 0; i < 6; i++)
+    for (int i = 0; i < 6; i++) {
+        double sum[8];
+        for (int c = 0; c < 8; c++) sum[c] = C[i][c];
         for (int m = 0; m < 6; m++)
-            for (int c = 0; c < 7; c++) C[i][c] += A[i][m] * B[m][c];
+            for (int c = 0; c < 8; c++) sum[c] += A[i][m] * B[m][c];
+        for (int c = 0; c < 8; c++) C[i][c] = sum[c];
+    }
 }
 
-/* end = P y + base (p_base, 1):  dr = dr_0 + h/2 sum (Y q + gap), spin = q_0 + sum W y */
-static void end_of(double half, const struct kinematics *k, const struct statics *q, double P[6][6],
-                   double base[6][7])
+/* end = P y + Z (p_base, 1):  dr = dr_0 + h/2 sum (Y q + gap), spin = q_0 + sum W y */
+WF_INLINE void end_of(double half, const struct kinematics *k, const struct statics *q, double P[6][6], by_base Z)
 {
-    memset(base, 0, 42 * sizeof(double));
-    for (int i = 0; i < 6; i++) base[i][i] = 1;
+    memset(Z, 0, sizeof(by_base));
+    for (int i = 0; i < 6; i++) Z[i][i] = 1;
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < 3; c++) {
             for (int m = 0; m < 2; m++) {
                 P[i][3 * m + c] = half * q->Y[m][3 * i + c];
                 P[3 + i][3 * m + c] = k->W[m][3 * i + c];
             }
-            base[i][3 + c] = P[i][c] + P[i][3 + c];
+            Z[i][3 + c] = P[i][c] + P[i][3 + c];
         }
-        base[i][6] = half * (q->gap[0][i] + q->gap[1][i]);
+        Z[i][6] = half * (q->gap[0][i] + q->gap[1][i]);
     }
 }
 
-/* The base: dn_0 = dn_end + h/2 sum df, dm_0 = dm_end + h/2 sum d(r' x n), as S y + B (p_base, 1) + dw_end + Vn dn_end. */
-static void base_of(double half, const struct statics *q, const struct wf_line_load load[2], double S[6][6],
-                    double B[6][7])
+/* dw_base = dw_end + (0, Vn dn_end) + S y + B (p_base, 1): dn = h/2 sum df, dm = h/2 sum d(r' x n) */
+WF_INLINE void base_of(double half, const struct statics *q, const struct wf_line_load load[2], double S[6][6], by_base B)
 {
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < 3; c++) {
@@ -279,37 +308,39 @@ static void base_of(double half, const struct statics *q, const struct wf_line_l
             B[i][3 + c] = S[i][c] + S[i][3 + c];
             B[3 + i][3 + c] = S[3 + i][c] + S[3 + i][3 + c];
         }
-        B[i][6] = 0;
+        B[i][6] = B[i][7] = B[3 + i][7] = 0;
         B[3 + i][6] = half * (q->Vc[0][i] + q->Vc[1][i]);
     }
 }
 
 /* Add what the part above answers, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own equations. */
-static void attach(double E[6][6], double K[6][7], double P[6][6], double Z[6][7], double A[6][13])
+WF_INLINE void attach(double E[6][6], const struct wf_beam_reaction *above, double P[6][6], by_base Z,
+                          double S[6][6], by_base A)
 {
-    double EK[6][7] = { { 0 } };
-    mul67(E, K, EK);
-    for (int i = 0; i < 6; i++) {
+    double EK[6][6] = { { 0 } };
+    for (int i = 0; i < 6; i++)
         for (int m = 0; m < 6; m++) {
-            for (int c = 0; c < 6; c++) A[i][c] += EK[i][m] * P[m][c];
-            for (int c = 0; c < 7; c++) A[i][6 + c] += EK[i][m] * Z[m][c];
+            for (int c = 0; c < 6; c++) EK[i][c] += E[i][m] * above->K[m][c];
+            A[i][6] += E[i][m] * above->k[m];
         }
-        A[i][12] += EK[i][6];
-    }
+    for (int i = 0; i < 6; i++)
+        for (int m = 0; m < 6; m++)
+            for (int c = 0; c < 6; c++) S[i][c] += EK[i][m] * P[m][c];
+    multiply(EK, Z, A);
 }
 
 /* Does the element, with what it carries, leap? Either its own correction at a fixed base is large, or its end turns
  * against its base (beyond -1: it is past its buckling load) or many times as far (it is near it). The linear answer is
  * then no guide, and would throw the parts below. P: spin of the end by y; A: solved. */
-static bool leaps(double A[6][13], double P[6][6])
+WF_INLINE bool leaps(by_base A, double P[6][6])
 {
     const double turn = 0.7, against = -1.1, along = 8; /* rad, -, - */
     for (int i = 0; i < 6; i++)
-        if (!(fabs(A[i][12]) <= turn)) return true;
+        if (!(fabs(A[i][6]) <= turn)) return true;
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
             double follows = 0;
-            for (int m = 0; m < 6; m++) follows -= P[3 + i][m] * A[m][9 + j];
+            for (int m = 0; m < 6; m++) follows -= P[3 + i][m] * A[m][3 + j];
             if (!(follows > (i == j ? against : -along) && follows < along)) return true;
         }
     return false;
@@ -318,57 +349,54 @@ static bool leaps(double A[6][13], double P[6][6])
 /* Solve for y = -A (p_base, 1). With `guard`, an element that leaps is taken on its own: damped elastic bending towards
  * the moments it bears now, following its base stiffly and handing no reaction down (*apart). Twigs past their buckling
  * load so fall over in a few steps without throwing what carries them. */
-static bool answer(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
-                   const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], double K[6][7], double P[6][6],
-                   double Z[6][7], double A[6][13], bool guard, bool *apart, size_t *negative)
+WF_INLINE bool answer(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
+                          const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                          const struct wf_beam_reaction *above, double P[6][6], by_base Z, by_base A, bool guard,
+                          bool *apart, size_t *negative)
 {
     static const struct statics none;
-    double E[6][6];
+    double S[6][6], E[6][6];
     *apart = false;
-    equations(p, k, q, s, at, A, E);
-    attach(E, K, P, Z, A);
-    if (negative) *negative += unstable_directions(A, k);
-    bool solved = solve6(A);
+    equations(p, k, q, s, at, S, A, E);
+    attach(E, above, P, Z, S, A);
+    if (negative) *negative += unstable_directions(p, S, k);
+    bool solved = solve6(S, A);
     if (!guard || (solved && !leaps(A, P))) return solved;
     *apart = true;
-    equations(p, k, &none, s, at, A, E);
+    equations(p, k, &none, s, at, S, A, E);
     for (int i = 0; i < 6; i++)
-        for (int c = 6; c < 12; c++) A[i][c] = 0;
-    return solve6(A);
+        for (int c = 0; c < 6; c++) A[i][c] = 0;
+    return solve6(S, A);
 }
 
-bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
-                       const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
-                       const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
-                       struct wf_beam_reaction *node, struct wf_beam_answer *o, struct wf_beam_reaction *below,
-                       bool guard, size_t *negative)
+WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
+                               const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                               const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
+                               struct wf_beam_reaction *node, struct wf_beam_answer *o,
+                               struct wf_beam_reaction *below, bool guard, size_t *negative)
 {
     struct kinematics k;
     struct statics q;
-    double A[6][13], P[6][6], S[6][6], Z[6][7], K[6][7], y[6][7], W[6][7] = { { 0 } }, B[6][7];
+    double P[6][6], S[6][6];
+    by_base y, Z, B, W = { { 0 } };
     const double half = 0.5 * p->h;
     bool apart;
     kinematics_of(p, u, L, creep, s, at, &k);
     statics_of(p, u, L, s, load, at, &q);
     end_of(half, &k, &q, P, Z);
     base_of(half, &q, load, S, B);
-    for (int i = 0; i < 6; i++) {
-        for (int c = 0; c < 6; c++) K[i][c] = node->K[i][c];
-        K[i][6] = node->k[i];
-    }
-
-    if (!answer(p, &k, &q, s, at, K, P, Z, A, guard, &apart, negative)) return false;
+    if (!answer(p, &k, &q, s, at, node, P, Z, y, guard, &apart, negative)) return false;
     for (int i = 0; i < 6; i++)
-        for (int c = 0; c < 7; c++) y[i][c] = -A[i][6 + c];
+        for (int c = 0; c < 8; c++) y[i][c] = -y[i][c];
 
-    mul67(P, y, Z); /* end = Z (p, 1) */
-    mul67((double(*)[6])node->K, Z, W);
-    for (int i = 0; i < 6; i++) W[i][6] += node->k[i]; /* dw_end = W (p, 1) */
-    mul67(S, y, B);
+    multiply(P, y, Z);       /* end = Z (p, 1) */
+    multiply(node->K, Z, W); /* dw_end = W (p, 1) */
+    for (int i = 0; i < 6; i++) W[i][6] += node->k[i];
+    multiply(S, y, B);
     for (int i = 0; i < 3; i++)
         for (int m = 0; m < 3; m++) {
             double f = half * (q.Vn[0][3 * i + m] + q.Vn[1][3 * i + m]);
-            for (int c = 0; c < 7; c++) B[3 + i][c] += f * W[m][c];
+            for (int c = 0; c < 8; c++) B[3 + i][c] += f * W[m][c];
         }
     for (int i = 0; i < 6; i++) {
         for (int c = 0; c < 6; c++) o->X[i][c] = y[i][c], node->K[i][c] = Z[i][c];
