@@ -87,9 +87,9 @@ static size_t run_path(struct run *r, const char *path)
 int wf_cmd_validate(int argc, char **argv)
 {
     static const char about[] =
-        "Without a path: every case that is shipped. A path is a case file or a folder of them.\n"
-        "The format is described in docs/validation-cases.md. A case whose large tree file is not there is\n"
-        "skipped; WINDFIRM_REFERENCE can name the folder that holds it.";
+        "Without a path: every case that is shipped. A path is a case file or a folder of them. The format "
+        "is described in docs/validation-cases.md. A case whose large tree file is not there is skipped; "
+        "WINDFIRM_REFERENCE can name the folder that holds it.";
     static const struct wf_option options[] = {
         { .name = "--order",
           .kind = WF_OPTION_FLAG,

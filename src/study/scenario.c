@@ -1,5 +1,6 @@
 #include "study/scenario.h"
 #include <math.h>
+#include <string.h>
 
 void wf_scenario_default(struct wf_scenario *s)
 {
@@ -49,6 +50,12 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         return wf_fail(e, WF_EUSAGE,
                        "the reference height %.6g m must lie above displacement + roughness length (%.6g m)",
                        s->reference_height, s->displacement + s->roughness);
+    if (strcmp(s->profile, "canopy") == 0 && s->roughness >= 0.3 / 0.7 * s->displacement)
+        return wf_fail(e, WF_EUSAGE,
+                       "the canopy profile needs a displacement height (0.7 of the stand's height) and a "
+                       "roughness length "
+                       "below 0.43 of it; given: %.6g m and %.6g m",
+                       s->displacement, s->roughness);
     return WF_OK;
 }
 

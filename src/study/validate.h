@@ -24,7 +24,8 @@ enum wf_place_kind {
     WF_PLACE_NONE,
     WF_PLACE_BASE,
     WF_PLACE_TIP,  /* end of the last row of a cantilever or arc    */
-    WF_PLACE_ROW,  /* end of the row (branch) with this id          */
+    WF_PLACE_NODE, /* end of the branch that reaches this node      */
+    WF_PLACE_ROW,  /* end of the row with this id                   */
     WF_PLACE_AT,   /* share of the length of a cantilever, from its base */
     WF_PLACE_POINT /* of a flow field                               */
 };

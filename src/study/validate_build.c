@@ -70,6 +70,7 @@ static int32_t row_of(const struct wf_setup *s, const struct wf_tree *t, const s
         for (size_t i = 0; i < t->n; i++)
             if (fabs(s->end[i] - p->share) <= 1e-9) return (int32_t)i;
         return -2;
+    case WF_PLACE_NODE:
     case WF_PLACE_ROW:
         for (size_t i = 0; i < t->n; i++)
             if (t->id[i] == p->id) return (int32_t)i;

@@ -88,7 +88,7 @@ static void check_place(struct checking *k, const struct wf_place *p, size_t lin
         wrong(k, line, "'tip' is the end of a cantilever or arc; name a node or row");
     if (p->kind == WF_PLACE_AT && s != WF_SHAPE_CANTILEVER && s != WF_SHAPE_ARC)
         wrong(k, line, "'at' is a place of a cantilever or arc; name a node or row");
-    if (p->kind == WF_PLACE_ROW && s != WF_SHAPE_BRANCHES && s != WF_SHAPE_TREE)
+    if ((p->kind == WF_PLACE_NODE || p->kind == WF_PLACE_ROW) && s != WF_SHAPE_BRANCHES && s != WF_SHAPE_TREE)
         wrong(k, line, "nodes and rows belong to trees; say tip, base or at");
 }
 

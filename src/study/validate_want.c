@@ -12,8 +12,8 @@ bool wf_place_read(struct wf_words *w, struct wf_place *p)
     *p = (struct wf_place){ .row = -1 };
     if (!wf_words_choice(w, "place", known, sizeof known / sizeof *known, &kind)) return false;
     p->kind =
-        (enum wf_place_kind[]){ WF_PLACE_BASE, WF_PLACE_TIP, WF_PLACE_ROW, WF_PLACE_ROW, WF_PLACE_AT }[kind];
-    if (p->kind == WF_PLACE_ROW) {
+        (enum wf_place_kind[]){ WF_PLACE_BASE, WF_PLACE_TIP, WF_PLACE_NODE, WF_PLACE_ROW, WF_PLACE_AT }[kind];
+    if (p->kind == WF_PLACE_NODE || p->kind == WF_PLACE_ROW) {
         if (!wf_words_whole(w, "node or row id", 0, INT64_MAX, &id)) return false;
         p->id = id;
     }
@@ -128,8 +128,11 @@ void wf_want_print(const struct wf_want *w, int component, char *buf, size_t siz
     case WF_PLACE_TIP:
         (void)snprintf(at, sizeof at, " tip");
         break;
-    case WF_PLACE_ROW:
+    case WF_PLACE_NODE:
         (void)snprintf(at, sizeof at, " node %lld", (long long)w->at.id);
+        break;
+    case WF_PLACE_ROW:
+        (void)snprintf(at, sizeof at, " row %lld", (long long)w->at.id);
         break;
     case WF_PLACE_AT:
         (void)snprintf(at, sizeof at, " at %g", w->at.share);
