@@ -63,6 +63,14 @@ const struct wf_profile wf_profiles[] = {
       "86(5):39-68",
       "strong wind over level ground, 1 m to 300 m; exponent 0.10 (water) to 0.40 (town), 0.16 open country",
       power },
+    { "canopy",
+      "Cionco R.M. 1965. A mathematical model for air flow in a vegetative canopy. J. Appl. Meteorol. "
+      "4:517-522; above: "
+      "Thom A.S. 1971. Q. J. R. Meteorol. Soc. 97:414-428",
+      "closed level stands of even height, neutral or strong wind; attenuation 0.3 (open) to 4 (dense); not "
+      "the "
+      "second maximum among bare trunks below about 0.3 of the height",
+      wf_canopy_sample },
     { NULL, NULL, NULL, NULL }
 };
 
@@ -92,6 +100,18 @@ enum wf_status wf_wind_check(const struct wf_wind *w, struct wf_err *e)
                 "reference height %g m lies within the calm layer of the log profile: must be above "
                 "displacement + roughness = %g m",
                 w->reference_height, w->displacement + w->roughness);
+    }
+    if (w->sample == wf_canopy_sample) {
+        double h = w->canopy_height > 0 ? w->canopy_height : w->displacement / 0.7;
+        if (!(w->roughness > 0 && w->displacement >= 0 && (h == 0 || h > w->displacement + w->roughness)))
+            return wf_fail(
+                e, WF_EINPUT,
+                "canopy of %g m with displacement %g m and roughness length %g m: the roughness must be "
+                "positive and displacement + roughness lie below the canopy top",
+                h, w->displacement, w->roughness);
+        if (!(w->attenuation >= 0 && w->attenuation <= 10 && w->reference_height > 0))
+            return wf_fail(e, WF_EINPUT, "canopy attenuation %g, reference height %g m: 0..10, above 0 m",
+                           w->attenuation, w->reference_height);
     }
     if (w->sample == power) {
         if (!(w->reference_height > 0))

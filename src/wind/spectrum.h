@@ -7,13 +7,13 @@
 enum wf_component { WF_ALONG, WF_ACROSS, WF_UP, WF_COMPONENTS };
 
 struct wf_spectrum_par {
-    double speed;            /* mean wind at the point [m/s]                                    */
-    double height;           /* above the displaced ground [m]                                  */
-    double deviation;        /* standard deviation of the along-wind component [m/s]            */
-    double length;           /* along-wind integral length of u [m] (von-karman)                */
-    double share[2];         /* standard deviation of v and of w over that of u (von-karman)    */
-    double slope, low;       /* S ~ f^-slope above `low` [Hz], flat below, none above `high`    */
-    double high;             /* [Hz] (one-over-f)                                               */
+    double speed;      /* mean wind at the point [m/s]                                    */
+    double height;     /* above the displaced ground [m]                                  */
+    double deviation;  /* standard deviation of the along-wind component [m/s]            */
+    double length;     /* along-wind integral length of u [m] (von-karman)                */
+    double share[2];   /* standard deviation of v and of w over that of u (von-karman)    */
+    double slope, low; /* S ~ f^-slope above `low` [Hz], flat below, none above `high`    */
+    double high;       /* [Hz] (one-over-f)                                               */
 };
 
 struct wf_spectrum {
@@ -26,7 +26,8 @@ struct wf_spectrum {
     /* co-spectrum of u and w [m2/s], one-sided, NULL: none given by the source */
     double (*shear)(const struct wf_spectrum_par *p, double f);
 };
-extern const struct wf_spectrum wf_spectra[]; /* kaimal, von-karman, davenport, one-over-f; ends at name == NULL */
+extern const struct wf_spectrum
+    wf_spectra[]; /* kaimal, von-karman, davenport, one-over-f; ends at name == NULL */
 const struct wf_spectrum *wf_spectrum_named(const char *name);
 
 /* Variance between two frequencies [m2/s2], adaptive integration in log f (GSL qag); relative error 1e-8. */

@@ -16,6 +16,8 @@ struct wf_wind {
     double roughness;        /* z0 [m] (log)                                           */
     double displacement;     /* d [m] (log)                                            */
     double exponent;         /* alpha (power) [-]                                      */
+    double canopy_height;    /* h [m] (canopy); 0: displacement / 0.7                  */
+    double attenuation;      /* a [-] (canopy); 0: the one that joins the log law smoothly */
     const void *field;       /* other fields' own data                                 */
 };
 
@@ -23,7 +25,9 @@ struct wf_profile {
     const char *name, *source, *validity;
     wf_wind_sample *sample;
 };
-extern const struct wf_profile wf_profiles[]; /* uniform, log, power; ends at name == NULL */
+extern const struct wf_profile wf_profiles[]; /* uniform, log, power, canopy; ends at name == NULL */
+/* Exponential within a stand, logarithmic above: U = U(h) exp(-a (1 - z/h)) up to the canopy top h. */
+wf_wind_sample wf_canopy_sample;
 /* The row of that name; NULL when there is none. */
 const struct wf_profile *wf_profile_named(const char *name);
 
