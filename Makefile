@@ -8,7 +8,7 @@ CC      ?= cc
 CFLAGS  ?= -O2 -g
 
 # libmatio is optional: without it MATLAB files are refused, naming the package (make MATIO= tries that)
-MATIO  := $(shell pkg-config --exists matio && echo matio)
+MATIO  := $(shell pkg-config --exists matio 2>/dev/null && echo matio)
 PKG    := $(MATIO) gsl yaml-0.1 jansson libxslt libxml-2.0
 WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla -Werror
 SANF   := $(if $(SAN),-fsanitize=address -fsanitize=undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -96,8 +96,9 @@ static enum wf_status run(struct work *w, int argc, char **argv, struct wf_err *
         return wf_fail(e, WF_ENOMEM, "no room for %zu species", n);
     enum wf_status s = read_inputs(w, e);
     if (s || (s = analyse(w, e))) return s;
-    for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->quiet);
     if (!w->quiet) wf_study_print(stdout, &run);
+    fflush(stdout); /* so that warnings stand below the table where both go to the same place */
+    for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->quiet);
     if ((s = wf_results_write(&run, w->folder, e))) return s;
     bool pages = !wf_args_given(&w->args, "--no-report");
     if (pages) s = draw(w, e);

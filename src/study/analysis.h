@@ -16,10 +16,12 @@
 struct wf_scenario {
     const char *profile;     /* row of wf_profiles */
     double reference_height; /* height of the named wind speeds [m] */
-    double roughness, displacement, exponent;
-    double azimuth;               /* direction the wind blows towards, from +x towards +y [rad] */
-    double temperature, altitude; /* [K], [m] */
-    double air_density;           /* [kg m-3]; NAN: from temperature and altitude */
+    double roughness, displacement,
+        exponent; /* [m], [m], [-]: of the log and canopy, log and canopy, power profile */
+    double canopy_height, attenuation; /* [m], [-]: of the canopy profile; 0: derived, see wind/wind.h */
+    double azimuth;                    /* direction the wind blows towards, from +x towards +y [rad] */
+    double temperature, altitude;      /* [K], [m] */
+    double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
     double speed_max; /* the critical wind speed is searched for up to here [m/s] */
 };

@@ -31,6 +31,8 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         { "reference height", "m", s->reference_height, 0.01, 1000.0 },
         { "roughness length", "m", s->roughness, 1e-6, 10.0 },
         { "displacement height", "m", s->displacement, 0.0, 100.0 },
+        { "canopy height", "m", s->canopy_height, 0.0, 100.0 },
+        { "attenuation", "", s->attenuation, 0.0, 10.0 },
         { "power-law exponent", "", s->exponent, 0.0, 1.0 },
         { "azimuth", "rad", s->azimuth, -4.0 * M_PI, 4.0 * M_PI },
         { "temperature", "K", s->temperature, 200.0, 340.0 },
@@ -45,18 +47,9 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         if (!(limits[i].value >= limits[i].low && limits[i].value <= limits[i].high))
             return wf_fail(e, WF_EUSAGE, "%s %.6g %s is outside %.6g..%.6g", limits[i].name, limits[i].value,
                            limits[i].unit, limits[i].low, limits[i].high);
-    if (wf_profile_named(s->profile) == wf_profile_named("log") &&
-        s->reference_height <= s->displacement + s->roughness)
-        return wf_fail(e, WF_EUSAGE,
-                       "the reference height %.6g m must lie above displacement + roughness length (%.6g m)",
-                       s->reference_height, s->displacement + s->roughness);
-    if (strcmp(s->profile, "canopy") == 0 && s->roughness >= 0.3 / 0.7 * s->displacement)
-        return wf_fail(e, WF_EUSAGE,
-                       "the canopy profile needs a displacement height (0.7 of the stand's height) and a "
-                       "roughness length "
-                       "below 0.43 of it; given: %.6g m and %.6g m",
-                       s->displacement, s->roughness);
-    return WF_OK;
+    struct wf_wind wind;
+    wf_scenario_wind(s, &wind);
+    return wf_wind_check(&wind, e);
 }
 
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
@@ -68,6 +61,8 @@ void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
         .roughness = s->roughness,
         .displacement = s->displacement,
         .exponent = s->exponent,
+        .canopy_height = s->canopy_height,
+        .attenuation = s->attenuation,
     };
 }
 
