@@ -24,9 +24,9 @@ const char *wf_species_source(const struct wf_species *sp, const char *key)
     return NULL;
 }
 
-/* Shear modulus along the grain when nobody measured it. E/G of the species in Forest Products Laboratory 2010 (Wood
- * Handbook, FPL-GTR-190, Table 5-1, 12 % moisture) lies between 7 (cherry) and 27 (balsa) for the two planes along the
- * grain; 16 is near the middle. Bending hardly depends on it, torsion does. */
+/* Shear modulus along the grain when nobody measured it. E/G of the species in Forest Products Laboratory
+ * 2010 (Wood Handbook, FPL-GTR-190, Table 5-1, 12 % moisture) lies between 7 (cherry) and 27 (balsa) for the
+ * two planes along the grain; 16 is near the middle. Bending hardly depends on it, torsion does. */
 static const double modulus_ratio = 16.0;
 
 void wf_level_finish(struct wf_yaml *y, void *level)
@@ -84,8 +84,11 @@ static void source_exists(struct wf_yaml *y, const struct wf_species *sp, const 
 {
     const char *known[64], *near;
     size_t n = 0;
-    if (!key || wf_species_source(sp, key)) return;
-    for (; n < sp->sources && n < 64; n++) known[n] = sp->source[n].key;
+    for (size_t i = 0; key && i < sp->sources; i++) {
+        if (!strcmp(sp->source[i].key, key)) return;
+        if (n < sizeof known / sizeof *known) known[n++] = sp->source[i].key;
+    }
+    if (!key) return;
     near = wf_nearest(key, known, n);
     if (near)
         wf_yaml_error(y, place, "'%.60s' is not in 'sources'; did you mean '%s'?", key, near);
