@@ -54,7 +54,8 @@ static void every_scheme_against_textbook_rows(void **state)
                    turn = 0;
             for (size_t i = 0; i < n; i++) {
                 double above = (double)(n - 1 - i) * l, F = q * above, M = moment * q * above * above / 2;
-                double own_y = q * pow(l, 4) / 8 + F * pow(l, 3) * (smear > 0 ? 1. / 8 : 1. / 3) + M * l * l / 2;
+                double own_y =
+                    q * pow(l, 4) / 8 + F * pow(l, 3) * (smear > 0 ? 1. / 8 : 1. / 3) + M * l * l / 2;
                 y += own_y / ei;
                 lifted += own_y / ei + turn * l;
                 turn += (q * pow(l, 3) / 6 + F * l * l * (smear > 0 ? 1. / 6 : 1. / 2) + M * l) / ei;
@@ -219,6 +220,10 @@ static void refusals(void **state)
     f.t.bend = WF_TAKE(&f.arena, 9, double);
     solve(&f, &wf_chain_corrected);
     assert_int_equal(f.d.warnings, 1);
+    f.t.r1[1] = 0;
+    assert_int_equal(wf_chain_solve(&wf_chain_corrected, &f.t, &f.l, &f.o, &f.arena, &f.r, &f.d, NULL),
+                     WF_EINPUT);
+    assert_int_equal(f.d.errors, 1);
     wf_arena_free(&f.arena);
 }
 

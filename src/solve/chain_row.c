@@ -32,7 +32,7 @@ void wf_chain_rule_fill(struct wf_chain_rule *g)
 
 static double between(double a, double b, double s) { return a + (b - a) * s; }
 
-/* Compliance in bending and torsion at s; a row without a shear modulus is rigid in torsion. */
+/* Compliance in bending and torsion at s. */
 static void compliance(const struct wf_tree *t, size_t i, double s, double *bending, double *torsion)
 {
     double outer = between(t->r0[i], t->r1[i], s), inner = between(t->i0[i], t->i1[i], s);
@@ -40,7 +40,7 @@ static void compliance(const struct wf_tree *t, size_t i, double s, double *bend
     double ei = t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia;
     double gj = t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia;
     *bending = 1 / ei;
-    *torsion = gj > 0 ? 1 / gj : 0;
+    *torsion = 1 / gj;
 }
 
 /* Line load at s [N/m]: wind and weight on the unbent axis, and the dead line load. */
