@@ -30,8 +30,8 @@ struct wf_loads {
     const double *line; /* 6n: dead load per unit reference length at a row's base (3) and end (3), linear
                          * between, keeping its global direction [N/m]; NULL = none. Scaled by point_scale. */
 };
-void wf_loads_default(
-    struct wf_loads *l); /* still air 1.225 kg/m3, 1.4607e-5 m2/s (15 C), 9.81 m/s2, scales 1 */
+/* Still air of 1.225 kg/m3 and 1.4607e-5 m2/s (15 C, sea level), 9.81 m/s2, scales 1, rigid crown. */
+void wf_loads_default(struct wf_loads *l);
 
 /* One point of an axis, per unit reference length. */
 struct wf_line_point {
