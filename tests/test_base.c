@@ -203,6 +203,9 @@ static void near_words(void **state)
     assert_string_equal(wf_nearest("densty", keys, 4), "density");
     assert_string_equal(wf_nearest("raduis", keys, 4), "radius");
     assert_null(wf_nearest("youngs_modulus", keys, 4));
+    assert_string_equal(wf_nearest("den", keys, 4), "density");
+    assert_string_equal(wf_nearest("wall_thickness", keys, 4), "wall");
+    assert_null(wf_nearest("na", (const char *const[]){ "national" }, 1));
     assert_null(wf_nearest("x", keys, 4));
     char big[100];
     memset(big, 'a', 99);

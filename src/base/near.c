@@ -1,4 +1,5 @@
 #include "base/near.h"
+#include <stdbool.h>
 #include <string.h>
 
 enum { WORD_MAX = 63 };
@@ -32,6 +33,14 @@ int wf_word_is_near(const char *word, size_t distance)
     return distance <= (n <= 4 ? 1u : n <= 8 ? 2u : 3u);
 }
 
+/* One word begins with the other, as "youngs" for "youngs_modulus". */
+static bool shortened(const char *a, const char *b)
+{
+    size_t n = 0;
+    while (a[n] && b[n] && lower(a[n]) == lower(b[n])) n++;
+    return n >= 3 && (!a[n] || !b[n]);
+}
+
 const char *wf_nearest(const char *word, const char *const *known, size_t n)
 {
     const char *best = NULL;
@@ -43,5 +52,7 @@ const char *wf_nearest(const char *word, const char *const *known, size_t n)
             best_distance = d;
         }
     }
+    for (size_t i = 0; i < n && !best; i++)
+        if (shortened(word, known[i])) best = known[i];
     return best;
 }

@@ -10,6 +10,7 @@ size_t wf_word_distance(const char *a, const char *b);
 /* Whether `distance` is near enough to suggest a word of this length: 1 up to 4 letters, 2 up to 8, then 3.
  */
 int wf_word_is_near(const char *word, size_t distance);
-/* The nearest of n known words, NULL when none is near. */
+/* The nearest of n known words; when none is near, the first that is a short form of the word or the other
+ * way round (three letters at least); else NULL. */
 const char *wf_nearest(const char *word, const char *const *known, size_t n);
 #endif
