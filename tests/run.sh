@@ -39,7 +39,10 @@ code=$?
 p=$(number '.*[^0-9]*\b\([0-9][0-9]*\) passed.*') f=$(number '.*\b\([0-9][0-9]*\) failed.*') s=$(number '.*\b\([0-9][0-9]*\) skipped.*')
 if [ $code -ne 0 ] && [ "$f" -eq 0 ]; then f=1; fi
 if [ $((p + f + s)) -eq 0 ]; then f=1; fi
-if [ "$f" -ne 0 ]; then cat "$log"; fi
+if [ "$f" -ne 0 ]; then
+    grep -E 'FAILED|error' "$log"
+    echo "('$WINDFIRM validate' shows all of it)"
+fi
 echo "validation cases: $p passed, $f failed"
 passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
 
