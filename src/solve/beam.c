@@ -47,12 +47,14 @@ static void choose(const struct wf_beam *b, const double *share, double target, 
     }
 }
 
-enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
-                             struct wf_arena *work, struct wf_beam *b, struct wf_beam_outcome *out, struct wf_err *e)
+enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
+                             const struct wf_solve_options *o, struct wf_arena *work, struct wf_beam *b,
+                             struct wf_beam_outcome *out, struct wf_err *e)
 {
     enum { MESHES = 6 };
     const double safety = 0.25;
-    const double rounding = 1e-12; /* of the size: what places are good to, so a tree that does not move ends too */
+    const double rounding =
+        1e-12; /* of the size: what places are good to, so a tree that does not move ends too */
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
     double *reach = WF_TAKE(work, t->n, double), *share = WF_TAKE(work, t->n, double);
     if (!pieces || !reach || !share) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
@@ -84,8 +86,9 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l, 
     return WF_OK;
 }
 
-static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
-                            struct wf_arena *a, struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
+                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
+                            struct wf_diag *d, struct wf_err *e)
 {
     struct wf_arena work = { 0 };
     struct wf_beam b;
@@ -97,7 +100,8 @@ static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l, c
     if (!status) wf_beam_read(&b, r);
     r->load_factor = out.load_factor;
     if (!status && out.beyond_limit)
-        wf_diag_warn(d, "limit-point", "the tree gives way at %.3g of the load; the answer is where it comes to rest",
+        wf_diag_warn(d, "limit-point",
+                     "the tree gives way at %.3g of the load; the answer is where it comes to rest",
                      out.load_factor);
     wf_arena_free(&work);
     return status;
@@ -106,7 +110,8 @@ static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l, c
 const struct wf_solver wf_solver_beam = {
     .name = "beam",
     .title = "geometrically exact beams, large deflections",
-    .source = "Simo 1985, Comput. Methods Appl. Mech. Eng. 49:55-70; Antman 2005, Nonlinear Problems of Elasticity, "
+    .source = "Simo 1985, Comput. Methods Appl. Mech. Eng. 49:55-70; Antman 2005, Nonlinear Problems of "
+              "Elasticity, "
               "ch. 8; Gauss collocation: Hairer, Lubich & Wanner 2006, II.1.3",
     .validity = "Elastic wood, static mean wind; any deflection. Loads follow the bent shape.",
     .solve = solve,

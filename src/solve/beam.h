@@ -9,6 +9,7 @@ extern const struct wf_solver wf_solver_linear; /* one linear step, loads on the
 
 /* Equilibrium on the mesh that options->mesh_tolerance asks for; the beam's memory is in `work`.
  * Returned: as wf_beam_settle; *out tells how the load was carried. */
-enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
-                             struct wf_arena *work, struct wf_beam *b, struct wf_beam_outcome *out, struct wf_err *e);
+enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
+                             const struct wf_solve_options *o, struct wf_arena *work, struct wf_beam *b,
+                             struct wf_beam_outcome *out, struct wf_err *e);
 #endif

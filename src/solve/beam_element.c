@@ -1,10 +1,11 @@
-/* The element on its own: where it lies, what loads it, what it carries, how far the material law is missed. */
+/* The element on its own: where it lies, what loads it, what it carries, how far the material law is missed.
+ */
 #include "solve/beam_element.h"
 #include "solve/gauss.h"
 #include "solve/vec.h"
 
-void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct wf_beam_pose *base,
-                   struct wf_beam_stage *s, struct wf_beam_pose *end)
+void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u,
+                   const struct wf_beam_pose *base, struct wf_beam_stage *s, struct wf_beam_pose *end)
 {
     double last[3], R[9];
     for (int j = 0; j < 2; j++) {
@@ -35,12 +36,14 @@ void wf_beam_load(const struct wf_beam_part *p, const struct wf_loads *l, const 
 }
 
 void wf_beam_balance(double h, const struct wf_beam_stage *s, const struct wf_line_load load[2],
-                     const struct wf_beam_wrench *end, struct wf_beam_wrench at[2], struct wf_beam_wrench *base)
+                     const struct wf_beam_wrench *end, struct wf_beam_wrench at[2],
+                     struct wf_beam_wrench *base)
 {
     double turn[2][3];
     for (int j = 0; j < 2; j++) {
         for (int i = 0; i < 3; i++)
-            at[j].n[i] = end->n[i] + h * (gauss_down[j][0] * load[0].force[i] + gauss_down[j][1] * load[1].force[i]);
+            at[j].n[i] =
+                end->n[i] + h * (gauss_down[j][0] * load[0].force[i] + gauss_down[j][1] * load[1].force[i]);
         wf_cross(s->rp[j], at[j].n, turn[j]);
     }
     for (int i = 0; i < 3; i++) {

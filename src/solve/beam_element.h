@@ -1,31 +1,31 @@
 #ifndef WF_SOLVE_BEAM_ELEMENT_H
 #define WF_SOLVE_BEAM_ELEMENT_H
-/* One geometrically exact rod element (Simo 1985, Comput. Methods Appl. Mech. Eng. 49:55; Antman 2005, Nonlinear
- * Problems of Elasticity, ch. 8), by two-stage Gauss collocation.
+/* One geometrically exact rod element (Simo 1985, Comput. Methods Appl. Mech. Eng. 49:55; Antman 2005,
+ * Nonlinear Problems of Elasticity, ch. 8), by two-stage Gauss collocation.
  *
- * Along the arc length s of the unloaded axis the rotation L(s) from the unloaded to the loaded state, the place r(s),
- * and the force n(s) and moment m(s) that the upper part puts on the section obey
- *     L' = [k]x L,  r' = L t + g,  n' = -f(r, L t),  m' = -r' x n,   k = G m,  g = H n,
- * with t the unloaded tangent, f the load per unit length, G and H the section's compliances in bending/torsion and
- * stretch/shear, all in global axes. Within an element L(s) = exp(v(s)) L(base); the rotation vector v is a quadratic
- * in s fixed by its values at the two Gauss points. Gauss collocation makes place, rotation, force and moment at the
- * element's ends accurate to h^4, keeps the balance of forces and moments exact on every mesh, and has no locking,
+ * Along the arc length s of the unloaded axis the rotation L(s) from the unloaded to the loaded state, the
+ * place r(s), and the force n(s) and moment m(s) that the upper part puts on the section obey L' = [k]x L, r'
+ * = L t + g,  n' = -f(r, L t),  m' = -r' x n,   k = G m,  g = H n, with t the unloaded tangent, f the load
+ * per unit length, G and H the section's compliances in bending/torsion and stretch/shear, all in global
+ * axes. Within an element L(s) = exp(v(s)) L(base); the rotation vector v is a quadratic in s fixed by its
+ * values at the two Gauss points. Gauss collocation makes place, rotation, force and moment at the element's
+ * ends accurate to h^4, keeps the balance of forces and moments exact on every mesh, and has no locking,
  * because the section's compliances may be zero.
  *
- * Unknown are only the two rotation vectors. For a given shape the internal forces follow by sums from the tips down;
- * what is left is the material law k = G m, solved by Newton with its exact derivative (but for the effect of stretch
- * on the load within one element, of relative size (r/h)^2 and below). */
+ * Unknown are only the two rotation vectors. For a given shape the internal forces follow by sums from the
+ * tips down; what is left is the material law k = G m, solved by Newton with its exact derivative (but for
+ * the effect of stretch on the load within one element, of relative size (r/h)^2 and below). */
 #include "load/load.h"
 #include "solve/beam_mesh.h"
 
 struct wf_beam_pose {
     double r[3], L[9];
 };
-struct wf_beam_shape {      /* unknowns; in the axes that turn with the element's base */
-    double v[2][3];         /* rotation vector at the Gauss points      */
-    double g[2][3];         /* stretch and shear strain there           */
+struct wf_beam_shape { /* unknowns; in the axes that turn with the element's base */
+    double v[2][3];    /* rotation vector at the Gauss points      */
+    double g[2][3];    /* stretch and shear strain there           */
 };
-struct wf_beam_stage {      /* the bent element at its Gauss points     */
+struct wf_beam_stage {                 /* the bent element at its Gauss points     */
     double r[2][3], rp[2][3], t[2][3]; /* place, r' and unit tangent    */
 };
 struct wf_beam_wrench {
@@ -41,8 +41,8 @@ struct wf_beam_answer {
 };
 
 /* Place the element on its base: stages and end. */
-void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct wf_beam_pose *base,
-                   struct wf_beam_stage *s, struct wf_beam_pose *end);
+void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u,
+                   const struct wf_beam_pose *base, struct wf_beam_stage *s, struct wf_beam_pose *end);
 
 /* The element's loads at its stages, with their derivatives. */
 void wf_beam_load(const struct wf_beam_part *p, const struct wf_loads *l, const struct wf_beam_stage *s,
@@ -50,7 +50,8 @@ void wf_beam_load(const struct wf_beam_part *p, const struct wf_loads *l, const 
 
 /* Internal forces at the stages and at the base, from those at the end.  h: length [m]. */
 void wf_beam_balance(double h, const struct wf_beam_stage *s, const struct wf_line_load load[2],
-                     const struct wf_beam_wrench *end, struct wf_beam_wrench at[2], struct wf_beam_wrench *base);
+                     const struct wf_beam_wrench *end, struct wf_beam_wrench at[2],
+                     struct wf_beam_wrench *base);
 
 /* Creep that stiffens an element while it moves: the moment of the material law becomes
  * G^-1 ((1 + rate) k - rate k0), with k0 the curvature (base axes) it starts from. rate = 0: elastic. */
@@ -72,20 +73,40 @@ void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape
                         const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                         const struct wf_beam_wrench at[2], struct wf_beam_misfit *sum);
 
-/* Linearise and eliminate the element. Given: the present state, and in *node the reaction of all that is above its end.
- * Returned: *answer; in *node how the end itself answers a change p of the base, K p + k; the reaction handed down is
- * added to *below. u->g becomes the strain under the present forces. guard: stiffen an element whose linear answer
- * leaps (far from equilibrium; the tangent is then not exact). *negative (may be NULL) counts up by the number of
- * directions in which this element, with all above it, is unstable (inertia of its Hessian by strains; loads that are
- * not conservative enter by their symmetric part). false when the eliminated block is singular. */
+/* Unstable directions: those whose stiffness lies below -margin of the elastic one. A margin above rounding
+ * is for answers with a neutral direction (a fallen stem may turn about the vertical at no cost). */
+struct wf_beam_stability {
+    double margin;
+    size_t negative;
+};
+
+/* What it takes to answer small extra loads about the present state (beam_vibrate.c). */
+struct wf_beam_small {
+    double R[6][6];  /* y = R d, d: change of moment at the Gauss points at a fixed base           */
+    double P[6][6];  /* change of the end by y                                                    */
+    double T[6][6];  /* change of the wrench handed down by y, through the part above and the loads */
+    double Vn[2][9]; /* dn_end -> d(r' x n)                                                       */
+    double Y[2][9];  /* spin -> dr'                                                               */
+    double n[2][3];  /* force                                                                     */
+};
+
+/* Linearise and eliminate the element. Given: the present state, and in *node the reaction of all that is
+ * above its end. Returned: *answer; in *node how the end itself answers a change p of the base, K p + k; the
+ * reaction handed down is added to *below. u->g becomes the strain under the present forces. guard: stiffen
+ * an element whose linear answer leaps (far from equilibrium; the tangent is then not exact). count (may be
+ * NULL) goes up by the number of directions in which this element, with all above it, is unstable (inertia of
+ * its Hessian by strains; loads that are not conservative enter by their symmetric part). small (may be
+ * NULL): filled. false when the eliminated block is singular. */
 bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double base_L[9],
                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                        const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
                        struct wf_beam_reaction *node, struct wf_beam_answer *answer,
-                       struct wf_beam_reaction *below, bool guard, size_t *negative);
+                       struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count,
+                       struct wf_beam_small *small);
 
-/* Newton correction of the unknowns from the change p of the base: dv[2][3] in base axes; end[6] = change of the end,
- * as node (see above) has it. */
-void wf_beam_correct(const struct wf_beam_shape *u, const double base_L[9], const struct wf_beam_answer *answer,
-                     const struct wf_beam_reaction *node, const double p[6], double dv[2][3], double end[6]);
+/* Newton correction of the unknowns from the change p of the base: dv[2][3] in base axes; end[6] = change of
+ * the end, as node (see above) has it. */
+void wf_beam_correct(const struct wf_beam_shape *u, const double base_L[9],
+                     const struct wf_beam_answer *answer, const struct wf_beam_reaction *node,
+                     const double p[6], double dv[2][3], double end[6]);
 #endif

@@ -14,10 +14,10 @@
 #include "solve/gauss.h"
 #include "solve/vec.h"
 
-/* One object for every machine: the wider registers of newer processors are used where they are found. Without fused
- * multiply-add both give the same digits. */
+/* One object for every machine: the wider registers of newer processors are used where they are found.
+ * Without fused multiply-add both give the same digits. */
 #define WF_INLINE static inline __attribute__((always_inline))
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__SANITIZE_ADDRESS__) && !defined(WF_NOCLONE)
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define WF_WIDE __attribute__((target_clones("avx2", "default")))
 #else
 #define WF_WIDE
@@ -45,13 +45,15 @@ WF_INLINE void tangent_slope(const struct rotation *o, const double v[3], const 
     for (int i = 0; i < 3; i++) D[4 * i] += o->b * dot;
 }
 
-/* Where the material law asks an element for a large turn at once, its tangent is stiffened in proportion: a damped
- * Newton step for that element alone. Twigs that double over then do not hold up the rest of the tree, and as the
- * misfit goes to zero so does the damping, at the same rate, so that convergence stays quadratic. */
-WF_INLINE double damping(const struct wf_beam_part *p, const struct kinematics *c, const struct wf_beam_stage *s,
-                      const struct wf_beam_wrench at[2])
+/* Where the material law asks an element for a large turn at once, its tangent is stiffened in proportion: a
+ * damped Newton step for that element alone. Twigs that double over then do not hold up the rest of the tree,
+ * and as the misfit goes to zero so does the damping, at the same rate, so that convergence stays quadratic.
+ */
+WF_INLINE double damping(const struct wf_beam_part *p, const struct kinematics *c,
+                         const struct wf_beam_stage *s, const struct wf_beam_wrench at[2])
 {
-    const double free_turn = 0.05, full_turn = 0.25; /* rad an element may turn undamped; turn that halves the step */
+    const double free_turn = 0.05,
+                 full_turn = 0.25; /* rad an element may turn undamped; turn that halves the step */
     double most = 0;
     for (int j = 0; j < 2; j++) {
         double miss[3];
@@ -70,8 +72,8 @@ WF_INLINE void stiffen(struct kinematics *c, double factor)
 }
 
 WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double L[9],
-                          const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
-                          const struct wf_beam_wrench at[2], struct kinematics *c)
+                             const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                             const struct wf_beam_wrench at[2], struct kinematics *c)
 {
     double v[2][3], T[2][9], Ti[2][9], D[9], end[3], Te[9], x;
     for (int j = 0; j < 2; j++) m3_apply(L, u->v[j], v[j]);
@@ -113,8 +115,8 @@ struct statics {
 };
 
 WF_INLINE void statics_of(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
-                       const struct wf_beam_stage *s, const struct wf_line_load load[2],
-                       const struct wf_beam_wrench at[2], struct statics *c)
+                          const struct wf_beam_stage *s, const struct wf_line_load load[2],
+                          const struct wf_beam_wrench at[2], struct statics *c)
 {
     memset(c, 0, sizeof *c);
     for (int j = 0; j < 2; j++) {
@@ -170,8 +172,8 @@ static inline void put8(by_base A, int row, int col, const double B[9])
 
 /* S y + R (p_base, 1) = 0 without the part above; its answer enters through E: rows of dm_j by dw_end. */
 WF_INLINE void equations(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
-                      const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], double S[6][6], by_base A,
-                      double E[6][6])
+                         const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], double S[6][6],
+                         by_base A, double E[6][6])
 {
     for (int j = 0; j < 2; j++) {
         double law[3], bent[3], M[2][9], G[9], C[9], R[9], Mn[9];
@@ -179,7 +181,8 @@ WF_INLINE void equations(const struct wf_beam_part *p, const struct kinematics *
         v3_section(ei, gj, s->t[j], k->k[j], law);
         for (int m = 0; m < 2; m++)
             for (int i = 0; i < 9; i++) M[m][i] = d0 * q->V[0][m][i] + d1 * q->V[1][m][i];
-        /* turning the section: d(G^-1) k = -[m] q + G^-1 [G m] q, taking the curvature that goes with the moment */
+        /* turning the section: d(G^-1) k = -[m] q + G^-1 [G m] q, taking the curvature that goes with the
+         * moment */
         v3_section(1 / ei, 1 / gj, s->t[j], at[j].m, bent);
         memset(C, 0, sizeof C);
         m3_add_cross(C, -1, at[j].m);
@@ -200,7 +203,8 @@ WF_INLINE void equations(const struct wf_beam_part *p, const struct kinematics *
         for (int i = 0; i < 3; i++) {
             A[3 * j + i][6] = law[i] - at[j].m[i] - d0 * q->Vc[0][i] - d1 * q->Vc[1][i];
             A[3 * j + i][7] = 0;
-            for (int c = 0; c < 3; c++) E[3 * j + i][c] = -Mn[3 * i + c], E[3 * j + i][3 + c] = c == i ? -1 : 0;
+            for (int c = 0; c < 3; c++)
+                E[3 * j + i][c] = -Mn[3 * i + c], E[3 * j + i][3 + c] = c == i ? -1 : 0;
         }
     }
 }
@@ -215,8 +219,10 @@ WF_INLINE bool solve6(double S[6][6], by_base B)
         if (!(fabs(S[best][c]) > 0)) return false;
         if (best != c) {
             double row[8];
-            memcpy(row, S[c], sizeof S[c]), memcpy(S[c], S[best], sizeof S[c]), memcpy(S[best], row, sizeof S[c]);
-            memcpy(row, B[c], sizeof B[c]), memcpy(B[c], B[best], sizeof B[c]), memcpy(B[best], row, sizeof B[c]);
+            memcpy(row, S[c], sizeof S[c]), memcpy(S[c], S[best], sizeof S[c]),
+                memcpy(S[best], row, sizeof S[c]);
+            memcpy(row, B[c], sizeof B[c]), memcpy(B[c], B[best], sizeof B[c]),
+                memcpy(B[best], row, sizeof B[c]);
         }
         double inverse = 1 / S[c][c];
         S[c][c] = inverse;
@@ -236,11 +242,11 @@ WF_INLINE bool solve6(double S[6][6], by_base B)
     return true;
 }
 
-/* Directions in which the element is unstable: S in terms of strains is S B^-1 with B = d(curvature)/dy, symmetric for
- * conservative loads; count the negative pivots of its symmetric part. */
-static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], const struct kinematics *k)
+/* Directions in which the element is unstable: S in terms of strains is S B^-1 with B = d(curvature)/dy,
+ * symmetric for conservative loads; count the negative pivots of its symmetric part. */
+static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], const struct kinematics *k,
+                                  double margin)
 {
-    const double neutral = 1e-7 * fmin(p->ei[0], p->ei[1]); /* a turn about the vertical costs a fallen stem nothing */
     double B[6][6], H[6][6];
     by_base X; /* B' X = S', so that X' = S B^-1 */
     size_t negative = 0;
@@ -256,7 +262,7 @@ static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], 
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) H[i][c] = 0.5 * (X[i][c] + X[c][i]);
     for (int c = 0; c < 6; c++) {
-        if (H[c][c] < -neutral) negative++;
+        if (H[c][c] < -margin * p->ei[0]) negative++;
         for (int r = c + 1; r < 6; r++) {
             double f = H[r][c] / H[c][c];
             for (int i = c; i < 6; i++) H[r][i] -= f * H[c][i];
@@ -278,7 +284,8 @@ WF_INLINE void multiply(double A[6][6], by_base B, by_base C)
 }
 
 /* end = P y + Z (p_base, 1):  dr = dr_0 + h/2 sum (Y q + gap), spin = q_0 + sum W y */
-WF_INLINE void end_of(double half, const struct kinematics *k, const struct statics *q, double P[6][6], by_base Z)
+WF_INLINE void end_of(double half, const struct kinematics *k, const struct statics *q, double P[6][6],
+                      by_base Z)
 {
     memset(Z, 0, sizeof(by_base));
     for (int i = 0; i < 6; i++) Z[i][i] = 1;
@@ -295,7 +302,8 @@ WF_INLINE void end_of(double half, const struct kinematics *k, const struct stat
 }
 
 /* dw_base = dw_end + (0, Vn dn_end) + S y + B (p_base, 1): dn = h/2 sum df, dm = h/2 sum d(r' x n) */
-WF_INLINE void base_of(double half, const struct statics *q, const struct wf_line_load load[2], double S[6][6], by_base B)
+WF_INLINE void base_of(double half, const struct statics *q, const struct wf_line_load load[2],
+                       double S[6][6], by_base B)
 {
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < 3; c++) {
@@ -313,9 +321,10 @@ WF_INLINE void base_of(double half, const struct statics *q, const struct wf_lin
     }
 }
 
-/* Add what the part above answers, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own equations. */
+/* Add what the part above answers, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own
+ * equations. */
 WF_INLINE void attach(double E[6][6], const struct wf_beam_reaction *above, double P[6][6], by_base Z,
-                          double S[6][6], by_base A)
+                      double S[6][6], by_base A)
 {
     double EK[6][6] = { { 0 } };
     for (int i = 0; i < 6; i++)
@@ -329,9 +338,42 @@ WF_INLINE void attach(double E[6][6], const struct wf_beam_reaction *above, doub
     multiply(EK, Z, A);
 }
 
-/* Does the element, with what it carries, leap? Either its own correction at a fixed base is large, or its end turns
- * against its base (beyond -1: it is past its buckling load) or many times as far (it is near it). The linear answer is
- * then no guide, and would throw the parts below. P: spin of the end by y; A: solved. */
+static void invert(double S[6][6], double R[6][6])
+{
+    double copy[6][6];
+    memcpy(copy, S, sizeof copy);
+    by_base B = { { 0 } };
+    for (int i = 0; i < 6; i++) B[i][i] = 1;
+    if (!solve6(copy, B)) memset(B, 0, sizeof B);
+    for (int i = 0; i < 6; i++) memcpy(R[i], B[i], sizeof R[i]);
+}
+
+/* S: wrench of the base by y, without the part above. */
+static void small_loads(const struct statics *q, const struct wf_beam_wrench at[2],
+                        const struct wf_beam_reaction *above, double half, double P[6][6], double S[6][6],
+                        struct wf_beam_small *o)
+{
+    memcpy(o->P, P, sizeof o->P);
+    memcpy(o->Vn, q->Vn, sizeof o->Vn);
+    memcpy(o->Y, q->Y, sizeof o->Y);
+    for (int j = 0; j < 2; j++) memcpy(o->n[j], at[j].n, sizeof o->n[j]);
+    for (int i = 0; i < 6; i++)
+        for (int c = 0; c < 6; c++) {
+            o->T[i][c] = S[i][c];
+            for (int m = 0; m < 6; m++) o->T[i][c] += above->K[i][m] * P[m][c];
+        }
+    for (int i = 0; i < 3; i++)
+        for (int c = 0; c < 6; c++)
+            for (int m = 0; m < 3; m++) {
+                double dn = 0;
+                for (int l = 0; l < 6; l++) dn += above->K[m][l] * P[l][c];
+                o->T[3 + i][c] += half * (q->Vn[0][3 * i + m] + q->Vn[1][3 * i + m]) * dn;
+            }
+}
+
+/* Does the element, with what it carries, leap? Either its own correction at a fixed base is large, or its
+ * end turns against its base (beyond -1: it is past its buckling load) or many times as far (it is near it).
+ * The linear answer is then no guide, and would throw the parts below. P: spin of the end by y; A: solved. */
 WF_INLINE bool leaps(by_base A, double P[6][6])
 {
     const double turn = 0.7, against = -1.1, along = 8; /* rad, -, - */
@@ -346,20 +388,21 @@ WF_INLINE bool leaps(by_base A, double P[6][6])
     return false;
 }
 
-/* Solve for y = -A (p_base, 1). With `guard`, an element that leaps is taken on its own: damped elastic bending towards
- * the moments it bears now, following its base stiffly and handing no reaction down (*apart). Twigs past their buckling
- * load so fall over in a few steps without throwing what carries them. */
+/* Solve for y = -A (p_base, 1). With `guard`, an element that leaps is taken on its own: damped elastic
+ * bending towards the moments it bears now, following its base stiffly and handing no reaction down (*apart).
+ * Twigs past their buckling load so fall over in a few steps without throwing what carries them. */
 WF_INLINE bool answer(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
-                          const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
-                          const struct wf_beam_reaction *above, double P[6][6], by_base Z, by_base A, bool guard,
-                          bool *apart, size_t *negative)
+                      const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                      const struct wf_beam_reaction *above, double P[6][6], by_base Z, by_base A, bool guard,
+                      bool *apart, struct wf_beam_stability *count, struct wf_beam_small *small)
 {
     static const struct statics none;
     double S[6][6], E[6][6];
     *apart = false;
     equations(p, k, q, s, at, S, A, E);
     attach(E, above, P, Z, S, A);
-    if (negative) *negative += unstable_directions(p, S, k);
+    if (small) invert(S, small->R);
+    if (count) count->negative += unstable_directions(p, S, k, count->margin);
     bool solved = solve6(S, A);
     if (!guard || (solved && !leaps(A, P))) return solved;
     *apart = true;
@@ -373,7 +416,8 @@ WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shap
                                const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                                const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
                                struct wf_beam_reaction *node, struct wf_beam_answer *o,
-                               struct wf_beam_reaction *below, bool guard, size_t *negative)
+                               struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count,
+                               struct wf_beam_small *small)
 {
     struct kinematics k;
     struct statics q;
@@ -385,10 +429,11 @@ WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shap
     statics_of(p, u, L, s, load, at, &q);
     end_of(half, &k, &q, P, Z);
     base_of(half, &q, load, S, B);
-    if (!answer(p, &k, &q, s, at, node, P, Z, y, guard, &apart, negative)) return false;
+    if (!answer(p, &k, &q, s, at, node, P, Z, y, guard, &apart, count, small)) return false;
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 8; c++) y[i][c] = -y[i][c];
 
+    if (small) small_loads(&q, at, node, half, P, S, small);
     multiply(P, y, Z);       /* end = Z (p, 1) */
     multiply(node->K, Z, W); /* dw_end = W (p, 1) */
     for (int i = 0; i < 6; i++) W[i][6] += node->k[i];

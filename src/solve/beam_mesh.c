@@ -65,7 +65,8 @@ static struct section section_at(const struct wf_tree *t, size_t i, double s, do
                              .gj = t->shear[i] * 2 * inertia };
 }
 
-/* Compliances at the two Gauss points that keep the integrals of c and s c over the piece s0..s1 of the row. */
+/* Compliances at the two Gauss points that keep the integrals of c and s c over the piece s0..s1 of the row.
+ */
 static void two_moments(const double *c8, double out[2])
 {
     double i0 = 0, i1 = 0;
@@ -83,7 +84,8 @@ static void stiffen(const struct wf_tree *t, size_t i, double s0, double s1, con
         bend[k] = 1 / s.ei, twist[k] = 1 / s.gj, stretch[k] = 1 / s.ea, slide[k] = 1 / s.ga;
     }
     two_moments(bend, c);
-    bool extreme = !(c[0] > 0 && c[1] > 0); /* a piece running out to a point: plain values, refined by pieces */
+    bool extreme =
+        !(c[0] > 0 && c[1] > 0); /* a piece running out to a point: plain values, refined by pieces */
     for (int j = 0; j < 2; j++) {
         struct section s = section_at(t, i, between(s0, s1, gauss2[j]), o->shear_factor);
         p->ei[j] = extreme ? s.ei : 1 / c[j];
@@ -129,8 +131,8 @@ static enum wf_status joined(const struct wf_tree *t, size_t i, struct wf_err *e
 }
 
 enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads *l,
-                                  const struct wf_solve_options *o, const int32_t *pieces,
-                                  struct wf_arena *a, struct wf_beam_mesh *m, struct wf_err *e)
+                                  const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
+                                  struct wf_beam_mesh *m, struct wf_err *e)
 {
     *m = (struct wf_beam_mesh){ .tree = t };
     for (size_t i = 0; i < t->n; i++) m->n += pieces ? (size_t)pieces[i] : 1;

@@ -11,24 +11,24 @@
 
 /* What an element is made of; index 0/1 = Gauss point nearer the base / the end. */
 struct wf_beam_part {
-    int32_t parent;  /* element below; -1 = ground                                          */
-    int32_t row;     /* tree row it belongs to                                              */
-    double h;        /* arc length [m]                                                      */
-    double t[2][3];  /* unloaded unit tangent                                               */
+    int32_t parent;      /* element below; -1 = ground                                          */
+    int32_t row;         /* tree row it belongs to                                              */
+    double h;            /* arc length [m]                                                      */
+    double t[2][3];      /* unloaded unit tangent                                               */
     double ei[2], gj[2]; /* bending and torsion stiffness [N m2]                            */
     double ca[2], cs[2]; /* axial and shear compliance [1/N]; 0 = rigid                     */
-    double spin[2];  /* torsional inertia per length [kg m]                                 */
+    double spin[2];      /* torsional inertia per length [kg m]                                 */
     struct wf_line_point line[2];
     double dead[2][3]; /* dead line load [N/m]                                              */
 };
 
 struct wf_beam_mesh {
     const struct wf_tree *tree;
-    size_t n;               /* elements                                                     */
+    size_t n; /* elements                                                     */
     struct wf_beam_part *part;
-    int32_t *last;          /* per row: its last element                                    */
-    int32_t *first;         /* per row: its first element                                   */
-    double *mass1;          /* per element: point mass at its end [kg]; NULL = none         */
+    int32_t *last;  /* per row: its last element                                    */
+    int32_t *first; /* per row: its first element                                   */
+    double *mass1;  /* per element: point mass at its end [kg]; NULL = none         */
 };
 
 /* Given: tree, loads (for dead line loads), options (beam model), pieces[n] per row (NULL = 1 each).

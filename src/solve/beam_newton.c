@@ -13,6 +13,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);
     b->root_step = wf_arena_take(a, t->n, sizeof *b->root_step);
     b->root_change = wf_arena_take(a, t->n, sizeof *b->root_change);
+    b->root_give = wf_arena_take(a, t->n, sizeof *b->root_give);
     b->shape = WF_TAKE(a, n, struct wf_beam_shape);
     b->pose = WF_TAKE(a, n, struct wf_beam_pose);
     b->stage = WF_TAKE(a, n, struct wf_beam_stage);
@@ -21,15 +22,16 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     b->answer = WF_TAKE(a, n, struct wf_beam_answer);
     b->change = wf_arena_take(a, n, sizeof *b->change);
     b->dv = wf_arena_take(a, n, sizeof *b->dv);
-    if (!b->tilt || !b->root_step || !b->root_change || !b->shape || !b->pose || !b->stage || !b->wrench || !b->node ||
-        !b->answer || !b->change || !b->dv)
+    if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->shape || !b->pose || !b->stage ||
+        !b->wrench || !b->node || !b->answer || !b->change || !b->dv)
         return wf_fail(e, WF_ENOMEM, "no room for the state of %zu beam elements", n);
     return WF_OK;
 }
 
-/* Keep an element's own turn below a limit; what it carries then follows as far. base, end: changes of its ends. */
-static void shorten(const struct wf_beam_pose *at_base, const struct wf_beam_pose *at_end, const double base[6],
-                    double dv[2][3], double end[6])
+/* Keep an element's own turn below a limit; what it carries then follows as far. base, end: changes of its
+ * ends. */
+static void shorten(const struct wf_beam_pose *at_base, const struct wf_beam_pose *at_end,
+                    const double base[6], double dv[2][3], double end[6])
 {
     const double limit = 0.7; /* rad */
     double most = fmax(wf_dot(dv[0], dv[0]), wf_dot(dv[1], dv[1])), arm[3], swing[3];
@@ -54,8 +56,10 @@ static double corrections(struct wf_beam *b)
         struct wf_beam_pose ground;
         const struct wf_beam_pose *base = &ground;
         const double *below;
-        if (p->parent >= 0) base = &b->pose[p->parent], below = b->change[p->parent];
-        else wf_beam_ground(b, i, &ground), below = b->root_change[p->row];
+        if (p->parent >= 0)
+            base = &b->pose[p->parent], below = b->change[p->parent];
+        else
+            wf_beam_ground(b, i, &ground), below = b->root_change[p->row];
         wf_beam_correct(&b->shape[i], base->L, &b->answer[i], &b->node[i], below, b->dv[i], b->change[i]);
         shorten(base, &b->pose[i], below, b->dv[i], b->change[i]);
         most = fmax(most, wf_dot(b->change[i] + 3, b->change[i] + 3));
@@ -82,7 +86,7 @@ static bool step(struct wf_beam *b)
     for (int halvings = 0; halvings < 8; halvings++, share *= 0.5) {
         move(b, share - done);
         done = share;
-        if (!wf_beam_sweep_down(b, true, false)) continue;
+        if (!wf_beam_sweep_down(b, true, NULL)) continue;
         if (b->misfit.bending <= before.bending * (1 - 1e-4 * share)) return true;
         if (b->misfit.bending <= 1e-24 * b->misfit.energy) return true; /* at rounding */
     }
@@ -99,7 +103,7 @@ enum wf_status wf_beam_newton(struct wf_beam *b)
 {
     b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     wf_beam_sweep_up(b);
-    if (!wf_beam_sweep_down(b, true, false)) return WF_ENOCONV;
+    if (!wf_beam_sweep_down(b, true, NULL)) return WF_ENOCONV;
     for (size_t i = 0; i < b->options->iterations_max && !settled(b); i++) {
         b->iterations++;
         if (!step(b)) return WF_ENOCONV;

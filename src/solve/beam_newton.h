@@ -1,28 +1,31 @@
 #ifndef WF_SOLVE_BEAM_NEWTON_H
 #define WF_SOLVE_BEAM_NEWTON_H
-/* All elements of a tree together: sweeps up and down the tree, Newton, and the ways on when Newton stalls. */
+/* All elements of a tree together: sweeps up and down the tree, Newton, and the ways on when Newton stalls.
+ */
 #include "solve/beam_element.h"
 
 struct wf_beam {
     struct wf_beam_mesh mesh;
-    struct wf_loads loads;          /* a copy: its scales are what continuation changes          */
+    struct wf_loads loads; /* a copy: its scales are what continuation changes          */
     const struct wf_solve_options *options;
-    double (*tilt)[3];              /* per row, for roots: rotation vector of the root plate     */
-    double (*root_step)[3];         /* per row, for roots: its Newton correction                 */
-    double (*root_change)[6];       /* per row, for roots: change of the ground under it         */
-    struct wf_beam_shape *shape;    /* per element, as all below                                 */
-    struct wf_beam_pose *pose;      /* of the element's end                                      */
+    double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate     */
+    double (*root_step)[3];      /* per row, for roots: its Newton correction                 */
+    double (*root_change)[6];    /* per row, for roots: change of the ground under it         */
+    double (*root_give)[9];      /* per row, for roots: spin of the ground by moment          */
+    struct wf_beam_shape *shape; /* per element, as all below                                 */
+    struct wf_beam_pose *pose;   /* of the element's end                                      */
     struct wf_beam_stage *stage;
-    struct wf_beam_wrench *wrench;  /* just below the element's end                              */
+    struct wf_beam_wrench *wrench; /* just below the element's end                              */
     struct wf_beam_reaction *node;
     struct wf_beam_answer *answer;
-    double (*change)[6];            /* of the end                                                */
+    double (*change)[6]; /* of the end                                                */
     double (*dv)[2][3];
-    double (*k0)[2][3];             /* curvature creep starts from                               */
+    double (*k0)[2][3];          /* curvature creep starts from                               */
+    struct wf_beam_small *small; /* NULL unless small motions are asked for                   */
     double creep;
-    struct wf_beam_wrench base;     /* put on the ground, moment about the first root            */
-    struct wf_beam_misfit misfit;   /* of the present shape                                      */
-    size_t negative;                /* unstable directions found by the last counting sweep      */
+    bool frozen;                  /* wind is a dead load: its derivatives are left out         */
+    struct wf_beam_wrench base;   /* put on the ground, moment about the first root            */
+    struct wf_beam_misfit misfit; /* of the present shape                                      */
     size_t iterations, steps;
 };
 
@@ -33,22 +36,23 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
 
 /* Base to tips: place every element from the unknowns. */
 void wf_beam_sweep_up(struct wf_beam *b);
-/* Tips to base: forces, misfit; with `eliminate` also the tangent. count: also unstable directions.
- * false when the tangent is singular. */
-bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, bool count);
+/* Tips to base: forces, misfit; with `eliminate` also the tangent. count (may be NULL): also unstable
+ * directions. false when the tangent is singular. */
+bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stability *count);
 
-/* Newton with line search at the present loads, from the present shape. Returned: WF_OK, or WF_ENOCONV with the shape
- * where it stalled. */
+/* Newton with line search at the present loads, from the present shape. Returned: WF_OK, or WF_ENOCONV with
+ * the shape where it stalled. */
 enum wf_status wf_beam_newton(struct wf_beam *b);
 
 struct wf_beam_outcome {
     double load_factor; /* share of the load up to which the tree stands on the path from rest */
     bool beyond_limit;  /* the answer lies past a limit point: the tree fell over to it        */
 };
-/* Equilibrium at the full load, by the first of these that gets there: Newton from the present shape; load steps;
- * past a limit point by creep (each step minimises elastic energy plus a viscous term that fades).
+/* Equilibrium at the full load, by the first of these that gets there: Newton from the present shape; load
+ * steps; past a limit point by creep (each step minimises elastic energy plus a viscous term that fades).
  * Returned: WF_OK; WF_EUNSTABLE with *out telling the last load that stood. Always ends. */
-enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out, struct wf_err *e);
+enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
+                              struct wf_err *e);
 
 /* Rotation of the ground plate under root element `e` (identity when clamped) and its place. */
 void wf_beam_ground(const struct wf_beam *b, size_t element, struct wf_beam_pose *pose);

@@ -72,7 +72,8 @@ static void read_row(const struct wf_beam *b, size_t i, const double first[3], s
     for (size_t k = to + 1; k-- > from;) {
         struct wf_beam_wrench w;
         bear(b, k, first, &w, load, moment);
-        if (k == from) memcpy(r->force0 + 3 * i, w.n, sizeof w.n), memcpy(r->moment0 + 3 * i, w.m, sizeof w.m);
+        if (k == from)
+            memcpy(r->force0 + 3 * i, w.n, sizeof w.n), memcpy(r->moment0 + 3 * i, w.m, sizeof w.m);
     }
     v3_add(force, 1, load);
     wf_row_axis(t, i, 0, at, axis);
@@ -128,7 +129,8 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
             wf_beam_rotation_at(coarse, i, (double)k / cut, base);
             for (int j = 0; j < 2; j++) {
                 wf_beam_rotation_at(coarse, i, (k + gauss2[j]) / cut, at);
-                double T[9] = { base[0], base[3], base[6], base[1], base[4], base[7], base[2], base[5], base[8] };
+                double T[9] = { base[0], base[3], base[6], base[1], base[4],
+                                base[7], base[2], base[5], base[8] };
                 m3_mul(T, at, R);
                 rotation_vector(R, fine->shape[from + k].v[j]);
             }

@@ -32,7 +32,8 @@ static void load_nodes(struct wf_beam *b)
     const struct wf_loads *l = &b->loads;
     memset(b->wrench, 0, b->mesh.n * sizeof *b->wrench);
     if (b->mesh.mass1)
-        for (size_t i = 0; i < b->mesh.n; i++) b->wrench[i].n[2] -= l->weight_scale * l->gravity * b->mesh.mass1[i];
+        for (size_t i = 0; i < b->mesh.n; i++)
+            b->wrench[i].n[2] -= l->weight_scale * l->gravity * b->mesh.mass1[i];
     for (size_t k = 0; k < l->points; k++) {
         const struct wf_point_load *q = &l->point[k];
         size_t i = (size_t)b->mesh.last[q->segment];
@@ -64,42 +65,47 @@ static void react_nodes(struct wf_beam *b)
     }
 }
 
-/* The root plate: springs about x and y against the tilt v carry the moment, k v = T' m. Solve for the change of tilt,
- * give the change p of the ground; stiffness 0 = clamped. Adds the plate's misfit. */
-static void tilt_root(struct wf_beam *b, size_t i, const struct wf_beam_wrench *w, const struct wf_beam_reaction *r,
-                      double p[6])
+/* The root plate: springs c about x and y hold the tilt v against the moment, c v = T' m (stiffness 0 =
+ * clamped). Adds the plate's misfit; with the reaction r of the tree on it, works out its correction and how
+ * it gives. */
+static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench *w,
+                      const struct wf_beam_reaction *r)
 {
-    double *v = b->tilt[b->mesh.part[i].row], x = wf_dot(v, v), T[9], KT[9], TKT[9], m[3], k[3], miss[2] = { 0, 0 };
-    const double *c = b->options->root_stiffness;
+    const double *c = b->options->root_stiffness, *v = b->tilt[row];
+    double x = wf_dot(v, v), T[9], m[3], push[3], inverse[9] = { 0 }, *p = b->root_change[row];
     memset(p, 0, 6 * sizeof *p);
+    if (!(c[0] > 0) && !(c[1] > 0)) return;
     struct rotation o = rotation_of(x);
     rotation_tangent(&o, v, x, T);
     m3_apply_transposed(T, w->m, m);
     for (int j = 0; j < 2; j++)
         if (c[j] > 0) {
-            miss[j] = c[j] * v[j] - m[j];
-            b->misfit.bending += 0.5 * miss[j] * miss[j] / c[j];
+            double miss = c[j] * v[j] - m[j];
+            b->misfit.bending += 0.5 * miss * miss / c[j];
             b->misfit.energy += 0.5 * m[j] * m[j] / c[j];
         }
     if (!r) return;
-    double K[9];
-    for (int j = 0; j < 3; j++)
-        for (int q = 0; q < 3; q++) K[3 * j + q] = r->K[3 + j][3 + q];
+    double K[9], KT[9], Tt[9], TKT[9], step[9], k[3];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) K[3 * i + j] = r->K[3 + i][3 + j], Tt[3 * i + j] = T[3 * j + i];
     m3_mul(K, T, KT);
-    for (int j = 0; j < 3; j++)
-        for (int q = 0; q < 3; q++)
-            TKT[3 * j + q] = T[j] * KT[q] + T[3 + j] * KT[3 + q] + T[6 + j] * KT[6 + q];
+    m3_mul(Tt, KT, TKT);
+    double a = c[0] - TKT[0], d = c[1] - TKT[4], det = a * d - TKT[1] * TKT[3];
+    if (c[0] > 0 && c[1] > 0)
+        inverse[0] = d / det, inverse[1] = TKT[1] / det, inverse[3] = TKT[3] / det, inverse[4] = a / det;
+    else if (c[0] > 0)
+        inverse[0] = 1 / a;
+    else
+        inverse[4] = 1 / d;
     m3_apply_transposed(T, r->k + 3, k);
-    double a = c[0] - TKT[0], d = c[1] - TKT[4], u = -TKT[1], l = -TKT[3], f = k[0] - miss[0], g = k[1] - miss[1];
-    double dv[3] = { 0, 0, 0 };
-    if (c[0] > 0 && c[1] > 0) dv[0] = (f * d - u * g) / (a * d - u * l), dv[1] = (a * g - l * f) / (a * d - u * l);
-    else if (c[0] > 0) dv[0] = f / a;
-    else if (c[1] > 0) dv[1] = g / d;
-    m3_apply(T, dv, p + 3);
-    memcpy(b->root_step[b->mesh.part[i].row], dv, sizeof dv);
+    for (int j = 0; j < 3; j++) push[j] = j < 2 ? k[j] + m[j] - c[j] * v[j] : 0;
+    m3_apply(inverse, push, b->root_step[row]);
+    m3_apply(T, b->root_step[row], p + 3);
+    m3_mul(T, inverse, step);
+    m3_mul(step, Tt, b->root_give[row]);
 }
 
-bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, bool count)
+bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stability *count)
 {
     static const double still[2][3];
     struct wf_beam_pose ground;
@@ -107,7 +113,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, bool count)
     /* far from equilibrium the tangent is guarded; nearer it is exact */
     bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
     b->misfit = (struct wf_beam_misfit){ 0 };
-    b->negative = 0;
+    if (count) count->negative = 0;
     b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     load_nodes(b);
     if (eliminate) react_nodes(b);
@@ -122,11 +128,15 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, bool count)
         struct wf_beam_reaction root = { { { 0 } }, { 0 } };
         bool grounded = p->parent < 0;
         wf_beam_load(p, &b->loads, &b->stage[i], load);
+        for (int j = 0; j < 2 && b->frozen; j++)
+            memset(load[j].by_place, 0, sizeof load[j].by_place),
+                memset(load[j].by_turn, 0, sizeof load[j].by_turn);
         wf_beam_balance(p->h, &b->stage[i], load, &b->wrench[i], at, &down);
         wf_beam_misfit_add(p, &b->shape[i], base->L, &creep, &b->stage[i], at, &b->misfit);
-        if (eliminate && !wf_beam_eliminate(p, &b->shape[i], base->L, &creep, &b->stage[i], load, at, &b->node[i],
-                                            &b->answer[i], grounded ? &root : &b->node[p->parent],
-                                            guard, count ? &b->negative : NULL))
+        if (eliminate &&
+            !wf_beam_eliminate(p, &b->shape[i], base->L, &creep, &b->stage[i], load, at, &b->node[i],
+                               &b->answer[i], grounded ? &root : &b->node[p->parent], guard, count,
+                               b->small ? &b->small[i] : NULL))
             return false;
         if (!grounded) {
             v3_add(b->wrench[p->parent].n, 1, down.n);
@@ -138,7 +148,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, bool count)
         v3_add(b->base.n, 1, down.n);
         v3_add(b->base.m, 1, down.m);
         v3_add(b->base.m, 1, lever);
-        tilt_root(b, i, &down, eliminate ? &root : NULL, b->root_change[p->row]);
+        tilt_root(b, (size_t)p->row, &down, eliminate ? &root : NULL);
     }
     return isfinite(b->misfit.bending);
 }

@@ -1,4 +1,5 @@
-/* One linear step on the beam elements: loads and balance of the unbent tree, small displacements and rotations. */
+/* One linear step on the beam elements: loads and balance of the unbent tree, small displacements and
+ * rotations. */
 #include "solve/beam.h"
 #include "solve/beam_response.h"
 #include "solve/gauss.h"
@@ -14,7 +15,8 @@ static void displace(struct wf_beam *b, double (*u)[3], double (*q)[3])
         struct wf_line_load load[2];
         struct wf_beam_wrench at[2], base;
         double k[2][3], up[2][3], q0[3] = { 0, 0, 0 }, u0[3] = { 0, 0, 0 };
-        if (p->parent >= 0) memcpy(q0, q[p->parent], sizeof q0), memcpy(u0, u[p->parent], sizeof u0);
+        if (p->parent >= 0)
+            memcpy(q0, q[p->parent], sizeof q0), memcpy(u0, u[p->parent], sizeof u0);
         else
             for (int j = 0; j < 2; j++)
                 if (b->options->root_stiffness[j] > 0) q0[j] = b->base.m[j] / b->options->root_stiffness[j];
@@ -36,8 +38,9 @@ static void displace(struct wf_beam *b, double (*u)[3], double (*q)[3])
     }
 }
 
-static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
-                            struct wf_arena *a, struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
+                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
+                            struct wf_diag *d, struct wf_err *e)
 {
     struct wf_arena work = { 0 };
     struct wf_beam b;
@@ -45,7 +48,8 @@ static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l, c
     int32_t *pieces = WF_TAKE(&work, t->n, int32_t);
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
     if (!status) status = wf_tree_check(t, d, e);
-    for (size_t i = 0; !status && i < t->n; i++) pieces[i] = o->mesh_tolerance > 0 ? (int32_t)(63 / t->n + 2) : 1;
+    for (size_t i = 0; !status && i < t->n; i++)
+        pieces[i] = o->mesh_tolerance > 0 ? (int32_t)(63 / t->n + 2) : 1;
     if (!status) status = wf_beam_init(&b, t, l, o, pieces, &work, e);
     if (!status) {
         u = wf_arena_take(&work, b.mesh.n, sizeof *u);
@@ -54,7 +58,7 @@ static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l, c
     }
     if (!status) {
         wf_beam_sweep_up(&b);
-        wf_beam_sweep_down(&b, false, false);
+        wf_beam_sweep_down(&b, false, NULL);
         displace(&b, u, q);
         wf_beam_read(&b, r);
         for (size_t i = 0; i < t->n; i++) {
@@ -80,7 +84,8 @@ const struct wf_solver wf_solver_linear = {
     .name = "linear",
     .title = "linear beams, small deflections",
     .source = "Euler-Bernoulli beam theory",
-    .validity = "Deflections below 10 % of height and slopes below 15 degrees: loads and balance of the unbent tree.",
+    .validity =
+        "Deflections below 10 % of height and slopes below 15 degrees: loads and balance of the unbent tree.",
     .small_deflection = true,
     .solve = solve,
 };

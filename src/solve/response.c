@@ -2,7 +2,7 @@
 
 enum wf_status wf_response_alloc(struct wf_response *r, size_t n, struct wf_arena *a, struct wf_err *e)
 {
-    double **const column[] = { &r->end,    &r->turn,    &r->force0,   &r->moment0, &r->force1,
+    double **const column[] = { &r->end,     &r->turn,     &r->force0,   &r->moment0, &r->force1,
                                 &r->moment1, &r->tangent0, &r->tangent1, &r->load };
     *r = (struct wf_response){ .n = n };
     for (size_t i = 0; i < sizeof column / sizeof *column; i++)

@@ -73,7 +73,8 @@ static inline void m3_add_cross_mul(double C[9], double s, const double a[3], co
     }
 }
 
-/* C += p B + (q - p) t (t' B): an isotropic section's stiffness or compliance p across t, q along t, applied to B */
+/* C += p B + (q - p) t (t' B): an isotropic section's stiffness or compliance p across t, q along t, applied
+ * to B */
 static inline void m3_add_section_mul(double C[9], double p, double q, const double t[3], const double B[9])
 {
     double tb[3];
@@ -90,7 +91,8 @@ static inline void v3_section(double p, double q, const double t[3], const doubl
 }
 
 /* Coefficients of a rotation vector of square length x = angle^2:
- * a = (1 - cos)/angle^2, b = (angle - sin)/angle^3, da = 2 da/dx, db = 2 db/dx, c = 1/x - (1 + cos)/(2 angle sin). */
+ * a = (1 - cos)/angle^2, b = (angle - sin)/angle^3, da = 2 da/dx, db = 2 db/dx, c = 1/x - (1 + cos)/(2 angle
+ * sin). */
 struct rotation {
     double a, b, da, db, c;
 };
@@ -99,11 +101,19 @@ static inline struct rotation rotation_of(double x)
 {
     struct rotation o;
     if (x < 0.25) { /* series to rounding */
-        o.a = 1. / 2 - x * (1. / 24 - x * (1. / 720 - x * (1. / 40320 - x * (1. / 3628800 - x * (1. / 479001600 - x / 87178291200.)))));
-        o.b = 1. / 6 - x * (1. / 120 - x * (1. / 5040 - x * (1. / 362880 - x * (1. / 39916800 - x * (1. / 6227020800. - x / 1307674368000.)))));
+        o.a = 1. / 2 -
+              x * (1. / 24 - x * (1. / 720 - x * (1. / 40320 - x * (1. / 3628800 - x * (1. / 479001600 -
+                                                                                        x / 87178291200.)))));
+        o.b = 1. / 6 -
+              x * (1. / 120 -
+                   x * (1. / 5040 - x * (1. / 362880 -
+                                         x * (1. / 39916800 - x * (1. / 6227020800. - x / 1307674368000.)))));
         o.da = -1. / 12 + x * (1. / 180 - x * (1. / 6720 - x * (1. / 453600 - x / 47900160.)));
         o.db = -1. / 60 + x * (1. / 1260 - x * (1. / 60480 - x * (1. / 4989600 - x / 622702080.)));
-        o.c = 1. / 12 + x * (1. / 720 + x * (1. / 30240 + x * (1. / 1209600 + x * (1. / 47900160 + x * (691. / 1307674368000. + x / 74724249600.)))));
+        o.c = 1. / 12 +
+              x * (1. / 720 +
+                   x * (1. / 30240 + x * (1. / 1209600 + x * (1. / 47900160 + x * (691. / 1307674368000. +
+                                                                                   x / 74724249600.)))));
     } else {
         double t = sqrt(x), s = sin(t), k = cos(t);
         o.a = (1 - k) / x;
@@ -137,7 +147,8 @@ static inline void rotation_tangent(const struct rotation *o, const double v[3],
 }
 
 /* inverse of T(v): I - [v]/2 + c [v][v] */
-static inline void rotation_tangent_inverse(const struct rotation *o, const double v[3], double x, double Ti[9])
+static inline void rotation_tangent_inverse(const struct rotation *o, const double v[3], double x,
+                                            double Ti[9])
 {
     memset(Ti, 0, 9 * sizeof *Ti);
     Ti[0] = Ti[4] = Ti[8] = 1 - o->c * x;

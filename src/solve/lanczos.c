@@ -1,0 +1,165 @@
+#include "solve/lanczos.h"
+#include <gsl/gsl_eigen.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+enum { BLOCK = 3 };
+
+struct krylov {
+    const struct wf_lanczos *l;
+    size_t most, used; /* columns: room, orthonormal so far  */
+    double *V, *T;     /* most x size; most x most           */
+    double *value, *Q; /* of T: eigenvalues, eigenvectors as columns */
+};
+
+static double *column(const struct krylov *k, size_t i) { return k->V + i * k->l->size; }
+
+/* Eight running sums, so that the loop runs in vector registers and gives the same digits everywhere. */
+static double dot(const double *u, const double *v, size_t n)
+{
+    double sum[8] = { 0 };
+    size_t i = 0;
+    for (; i + 8 <= n; i += 8)
+        for (size_t c = 0; c < 8; c++) sum[c] += u[i + c] * v[i + c];
+    for (; i < n; i++) sum[0] += u[i] * v[i];
+    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+}
+
+static double norm(const double *u, size_t n) { return sqrt(dot(u, u, n)); }
+
+/* Take from w its parts along all columns, twice; parts are added to c (may be NULL). Returned: its norm. */
+static double orthogonalise(const struct krylov *k, double *w, double *c)
+{
+    for (int twice = 0; twice < 2; twice++)
+        for (size_t i = 0; i < k->used; i++) {
+            const double *v = column(k, i);
+            double part = dot(v, w, k->l->size);
+            for (size_t j = 0; j < k->l->size; j++) w[j] -= part * v[j];
+            if (c) c[i] += part;
+        }
+    return norm(w, k->l->size);
+}
+
+/* Add w, of norm `size`, as a column. Returned: false when it is nothing but rounding of what had norm
+ * `before`. */
+static bool admit(struct krylov *k, const double *w, double size, double before)
+{
+    if (k->used == k->most || !(size > 1e-12 * before)) return false;
+    double *v = column(k, k->used++);
+    for (size_t j = 0; j < k->l->size; j++) v[j] = w[j] / size;
+    return true;
+}
+
+/* A start that has a part along every motion: fixed, so that every run gives the same digits. */
+static void scatter(double *w, size_t size, uint64_t seed)
+{
+    uint64_t s = 0x9E3779B97F4A7C15u * (seed + 1);
+    for (size_t j = 0; j < size; j++) {
+        s ^= s << 13, s ^= s >> 7, s ^= s << 17;
+        w[j] = (double)(s >> 11) * 0x1p-53 - 0.5;
+    }
+}
+
+static enum wf_status ritz(struct krylov *k, struct wf_err *e)
+{
+    size_t n = k->used;
+    gsl_matrix *M = gsl_matrix_alloc(n, n), *Q = gsl_matrix_alloc(n, n);
+    gsl_vector *v = gsl_vector_alloc(n);
+    gsl_eigen_symmv_workspace *w = gsl_eigen_symmv_alloc(n);
+    enum wf_status status = WF_OK;
+    if (!M || !Q || !v || !w) status = wf_fail(e, WF_ENOMEM, "no room for %zu modes", n);
+    if (!status) {
+        for (size_t i = 0; i < n; i++)
+            for (size_t j = 0; j < n; j++)
+                gsl_matrix_set(M, i, j, 0.5 * (k->T[i * k->most + j] + k->T[j * k->most + i]));
+        if (gsl_eigen_symmv(M, v, Q, w))
+            status = wf_fail(e, WF_ENOCONV, "eigenvalues of the small problem failed");
+    }
+    if (!status) {
+        gsl_eigen_symmv_sort(v, Q, GSL_EIGEN_SORT_ABS_DESC);
+        for (size_t i = 0; i < n; i++) {
+            k->value[i] = gsl_vector_get(v, i);
+            for (size_t j = 0; j < n; j++) k->Q[j * k->most + i] = gsl_matrix_get(Q, j, i);
+        }
+    }
+    gsl_matrix_free(M), gsl_matrix_free(Q), gsl_vector_free(v), gsl_eigen_symmv_free(w);
+    return status;
+}
+
+/* Extend the space by A of its last block. rest[j]: norm of what A of column j has outside the space so far.
+ */
+static size_t extend(struct krylov *k, size_t from, double *w, double *rest)
+{
+    const struct wf_lanczos *l = k->l;
+    size_t to = k->used;
+    for (size_t j = from; j < to; j++) {
+        double *row = k->T + j * k->most;
+        l->apply(l->ctx, column(k, j), w);
+        double before = norm(w, l->size);
+        memset(row, 0, k->most * sizeof *row);
+        rest[j - from] = orthogonalise(k, w, row);
+        if (admit(k, w, rest[j - from], before)) row[k->used - 1] = rest[j - from];
+    }
+    return to;
+}
+
+enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vector, struct wf_arena *a,
+                          struct wf_err *e)
+{
+    struct krylov k = { .l = l, .most = 10 * l->wanted + 60 };
+    if (k.most > l->size) k.most = l->size;
+    k.V = WF_TAKE(a, k.most * l->size, double);
+    k.T = WF_TAKE(a, k.most * k.most, double);
+    k.Q = WF_TAKE(a, k.most * k.most, double);
+    k.value = WF_TAKE(a, k.most, double);
+    double *w = WF_TAKE(a, l->size, double), rest[BLOCK];
+    if (!k.V || !k.T || !k.Q || !k.value || !w)
+        return wf_fail(e, WF_ENOMEM, "no room for %zu modes", l->wanted);
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+
+    for (size_t j = 0; j < BLOCK && j < k.most; j++) {
+        scatter(column(&k, k.most - 1), l->size, j); /* through the operator once: smooth motions first */
+        l->apply(l->ctx, column(&k, k.most - 1), w);
+        double before = norm(w, l->size);
+        admit(&k, w, orthogonalise(&k, w, NULL), before);
+    }
+    enum wf_status status = WF_ENOCONV;
+    for (size_t from = 0; from < k.used;) {
+        size_t block = k.used - from, done = extend(&k, from, w, rest), whole = k.used;
+        /* T holds the columns applied so far; the newest block's own columns are still to come */
+        k.used = done;
+        enum wf_status small = ritz(&k, e);
+        k.used = whole;
+        if (small) {
+            status = small;
+            break;
+        }
+        double worst = 0;
+        for (size_t i = 0; i < l->wanted && i < done; i++) {
+            double off = 0;
+            for (size_t j = 0; j < block; j++) off += fabs(rest[j] * k.Q[(done - block + j) * k.most + i]);
+            worst = fmax(worst, off / fabs(k.value[i]));
+        }
+        k.used = whole;
+        from = done;
+        if ((done >= l->wanted && worst <= l->tolerance) || whole == done) {
+            k.used = done;
+            status = WF_OK;
+            break;
+        }
+    }
+    gsl_set_error_handler(handler);
+    if (status == WF_ENOMEM) return status;
+    for (size_t i = 0; i < l->wanted; i++) {
+        value[i] = i < k.used ? k.value[i] : NAN;
+        if (!vector) continue;
+        double *x = vector + i * l->size;
+        memset(x, 0, l->size * sizeof *x);
+        for (size_t j = 0; j < k.used && i < k.used; j++)
+            for (size_t c = 0; c < l->size; c++) x[c] += k.Q[j * k.most + i] * column(&k, j)[c];
+    }
+    if (status == WF_ENOCONV) return wf_fail(e, status, "natural frequencies did not settle");
+    return status;
+}

@@ -1,0 +1,123 @@
+#include "solve/modes.h"
+#include "solve/beam.h"
+#include "solve/beam_response.h"
+#include "solve/beam_vibrate.h"
+#include "solve/lanczos.h"
+#include "solve/vec.h"
+
+#define TWO_PI 6.28318530717958647693
+
+/* Flexibility x mass made symmetric: with x = sqrt(mass) u, A = sqrt(mass) flexibility sqrt(mass). */
+struct sway {
+    struct wf_beam *beam;
+    size_t size;
+    double *root, *u; /* square root of the mass; a motion */
+};
+
+static void sway(void *ctx, const double *in, double *out)
+{
+    struct sway *s = ctx;
+    for (size_t i = 0; i < s->size; i++) s->u[i] = s->root[i] > 0 ? in[i] / s->root[i] : 0;
+    wf_beam_inertia_answer(s->beam, s->u, out, NULL);
+    for (size_t i = 0; i < s->size; i++) out[i] *= s->root[i];
+}
+
+/* The state to sway about: Newton from where the beam is; only if that fails the longer ways. A shape that is
+ * balanced but unstable is kept: its modes say so. */
+static enum wf_status balance(struct wf_beam *b, struct wf_arena *work, struct wf_err *e)
+{
+    struct wf_beam_outcome out;
+    return wf_beam_newton(b) == WF_OK ? WF_OK : wf_beam_settle(b, work, &out, e);
+}
+
+/* Sort by rising omega^2 = 1 / value, negative first. */
+static void arrange(double *value, size_t *order, size_t n)
+{
+    for (size_t i = 0; i < n; i++) order[i] = i;
+    for (size_t i = 1; i < n; i++)
+        for (size_t j = i; j > 0 && 1 / value[order[j]] < 1 / value[order[j - 1]]; j--) {
+            size_t hold = order[j];
+            order[j] = order[j - 1], order[j - 1] = hold;
+        }
+}
+
+/* Frequencies on the beam's mesh; ends' displacements by one more answer to the mode's inertia. */
+static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena *work, double *frequency,
+                               double *shape, struct wf_err *e)
+{
+    size_t size = wf_beam_motion_size(b), n = b->mesh.tree->n;
+    enum wf_status status = wf_beam_small_prepare(b, work, e);
+    double *value = WF_TAKE(work, count, double),
+           *vector = shape ? WF_TAKE(work, count * size, double) : NULL;
+    double *answer = WF_TAKE(work, size, double), (*ends)[6] = wf_arena_take(work, b->mesh.n, sizeof *ends);
+    size_t *order = WF_TAKE(work, count, size_t);
+    struct sway s = { b, size, WF_TAKE(work, size, double), WF_TAKE(work, size, double) };
+    if (!value || (shape && !vector) || !answer || !ends || !order || !s.root || !s.u)
+        return wf_fail(e, WF_ENOMEM, "no room for %zu modes", count);
+    wf_beam_motion_mass(b, s.root);
+    for (size_t i = 0; i < size; i++) s.root[i] = sqrt(s.root[i]);
+    struct wf_lanczos l = { .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = 1e-6 };
+    if (!status) status = wf_lanczos(&l, value, vector, work, e);
+    if (status) return status;
+    arrange(value, order, count);
+    for (size_t i = 0; i < count; i++) {
+        double v = value[order[i]], most = 0;
+        frequency[i] = v > 0 ? 1 / (TWO_PI * sqrt(v)) : -1 / (TWO_PI * sqrt(-v));
+        if (!shape) continue;
+        for (size_t k = 0; k < size; k++)
+            s.u[k] = s.root[k] > 0 ? vector[order[i] * size + k] / s.root[k] : 0;
+        wf_beam_inertia_answer(b, s.u, answer, ends);
+        for (size_t r = 0; r < n; r++)
+            for (size_t c = 0; c < 3; c++) {
+                double x = ends[b->mesh.last[r]][c];
+                shape[3 * n * i + 3 * r + c] = x;
+                if (fabs(x) > fabs(most)) most = x;
+            }
+        for (size_t r = 0; r < 3 * n && most != 0; r++) shape[3 * n * i + r] /= most;
+    }
+    return WF_OK;
+}
+
+/* Pieces for the next mesh: the error of a figure falls with the fourth power. */
+static bool finer(const double *coarse, const double *fine, size_t count, double tolerance, double ratio,
+                  int32_t *pieces, size_t n)
+{
+    double worst = 0;
+    for (size_t i = 0; i < count; i++)
+        if (isfinite(fine[i])) worst = fmax(worst, fabs(fine[i] / coarse[i] - 1) / (pow(ratio, 4) - 1));
+    if (worst <= 0.25 * tolerance) return false;
+    double grow = fmin(4, fmax(1.3, 1.1 * pow(4 * worst / tolerance, 0.25)));
+    for (size_t i = 0; i < n; i++) pieces[i] = (int32_t)ceil(grow * pieces[i]);
+    return true;
+}
+
+enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
+                        size_t count, struct wf_arena *a, double *frequency, double *shape, struct wf_err *e)
+{
+    enum { MESHES = 6 };
+    struct wf_arena work = { 0 };
+    int32_t *pieces = WF_TAKE(a, t->n, int32_t);
+    double *before = WF_TAKE(a, count, double);
+    struct wf_beam b, last;
+    if (!pieces || !before) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    int32_t start = o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
+    for (size_t i = 0; i < t->n; i++) pieces[i] = start;
+    enum wf_status status = WF_OK;
+    for (int mesh = 0; mesh < MESHES && !status; mesh++) {
+        status = wf_beam_init(&b, t, l, o, pieces, &work, e);
+        if (!status && mesh > 0) wf_beam_carry(&last, &b);
+        if (!status) status = balance(&b, &work, e);
+        if (!status) status = modes_on(&b, count, &work, frequency, shape, e);
+        if (status || !(o->mesh_tolerance > 0)) break;
+        if (mesh == 0)
+            for (size_t i = 0; i < t->n; i++) pieces[i] *= 2;
+        else {
+            double ratio = (double)b.mesh.n / (double)last.mesh.n;
+            if (!finer(before, frequency, count, o->mesh_tolerance, ratio, pieces, t->n)) break;
+        }
+        memcpy(before, frequency, count * sizeof *before);
+        last = b;
+    }
+    wf_arena_free(&work);
+    return status;
+}

@@ -1,0 +1,29 @@
+#ifndef WF_SOLVE_MODES_H
+#define WF_SOLVE_MODES_H
+/* Natural frequencies and self-buckling of a tree. */
+#include "base/arena.h"
+#include "base/err.h"
+#include "data/tree.h"
+#include "load/load.h"
+#include "solve/solve.h"
+
+/* The lowest natural frequencies of small undamped motions about the equilibrium under `l` (its prestress
+ * counts; wind acts as a dead load, so the answer has no aerodynamic stiffness). Mass: wood, burden, point
+ * masses; torsional but no bending rotary inertia. Given: count >= 1. Returned: frequency[count] in rising
+ * order of omega^2 [Hz]; a negative figure -f means omega^2 =
+ * -(2 pi f)^2: that motion grows, the state does not stand; NAN where the mesh has fewer motions. shape
+ * (count x 3n, may be NULL): displacement of each row's end, largest component 1. Errors: as the beam
+ * solver's; WF_ENOCONV. Method: shift-invert block Lanczos on the tree's own factor; the mesh is refined
+ * until the figures change by less than options->mesh_tolerance (0: one element a row). Accuracy h^4. */
+enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
+                        size_t count, struct wf_arena *a, double *frequency, double *shape, struct wf_err *e);
+
+/* Generalised Greenhill factor: the multiple of the weight (gravity of `l`, wood, burden, point masses) at
+ * which the unloaded shape, prestressed by that weight, loses its stiffness (linear buckling; wind and other
+ * loads are left out). For an upright stem this is the exact bifurcation: Greenhill 1881, factor 7.8373 E I /
+ * (w L^3) for a uniform one. Returned: *factor; INFINITY when the tree stands at any multiple up to 1e6 (a
+ * hanging one, or weightless). */
+enum wf_status wf_buckling(const struct wf_tree *t, const struct wf_loads *l,
+                           const struct wf_solve_options *o, struct wf_arena *a, double *factor,
+                           struct wf_err *e);
+#endif
