@@ -54,6 +54,16 @@ struct ask {
     struct wf_tree_wear wear;
 };
 
+/* Repairs stand on the page by kind; only single rows need a line of their own. */
+static void rows_left_out(const struct wf_diag *d, bool quiet)
+{
+    char line[2048];
+    for (const struct wf_finding *f = d->first; f; f = f->next)
+        if (f->severity == WF_ERROR ||
+            (!quiet && f->code && (!strcmp(f->code, "row-left-out") || !strcmp(f->code, "thick-stem"))))
+            fprintf(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
+}
+
 static enum wf_status one(const char *path, const struct ask *k, struct wf_arena *a, struct wf_err *e)
 {
     bool quiet = wf_args_given(k->args, "--quiet");
@@ -66,7 +76,7 @@ static enum wf_status one(const char *path, const struct ask *k, struct wf_arena
         wf_tree_print_line(stdout, path, &q, &m, &k->wear);
     else if (!s)
         wf_tree_print_page(stdout, path, &q, &m, &k->wear);
-    if (s || !quiet) wf_print_findings(&d, quiet);
+    rows_left_out(&d, quiet);
     return s;
 }
 

@@ -70,6 +70,7 @@ enum wf_status wf_clothe(struct wf_tree *t, const struct wf_species *sp, const s
         const struct wf_level *v = &sp->level[level];
         bool link = is_link(c, i);
         material(t, i, v, link);
+        t->i0[i] = t->i1[i] = 0;
         if (v->wall.n == 0 || link) continue;
         double s0 = from[i] / total[i], s1 = (from[i] + wf_tree_length(t, i)) / total[i];
         t->i0[i] = t->r0[i] * (1 - wf_along_at(&v->wall, s0, 1));

@@ -91,6 +91,21 @@ void wf_import_bad_row(struct wf_qsm *q, bool strict, size_t line, size_t column
         wf_diag_warn(d, "row-left-out", "%s:%zu: %s", q->file, line, text);
 }
 
+/* A stem thicker than a fifth of the tree's extent is a unit mistaken, or a stump. */
+static void suspect_units(const struct wf_qsm *q, struct wf_diag *d)
+{
+    double low = INFINITY, high = -INFINITY, thick = 0;
+    for (size_t i = 0; i < q->n; i++) {
+        low = fmin(low, fmin(q->z0[i], q->z1[i]));
+        high = fmax(high, fmax(q->z0[i], q->z1[i]));
+        thick = fmax(thick, 2 * fmax(q->r0[i], q->r1[i]));
+    }
+    if (thick > 0.2 * (high - low))
+        wf_diag_warn(d, "thick-stem",
+                     "%s: %.3g m thick and %.3g m high; is a unit wrong (--diameter-unit, --length-unit)?",
+                     q->name, thick, high - low);
+}
+
 enum wf_status wf_import_read(const char *path, const struct wf_import_options *o, struct wf_arena *a,
                               struct wf_qsm *out, struct wf_diag *d, struct wf_err *e)
 {
@@ -106,7 +121,11 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
         if (strstr(h.text, "\r\n")) wf_qsm_count(out, WF_NOTE_CRLF, 1, -1);
     }
     if ((s = reader(&h, o, a, out, d, e))) return s;
-    s = wf_qsm_repair(out, o->strict, a, d, e);
-    if (!s) wf_qsm_report(out, d);
-    return s;
+    size_t bad = out->repairs.count[WF_REPAIR_BAD_ROW] + out->repairs.count[WF_REPAIR_TRUNCATED];
+    if (bad > out->n)
+        return wf_fail(e, WF_EINPUT, "%s: %zu of %zu rows cannot be read", path, bad, bad + out->n);
+    if ((s = wf_qsm_repair(out, o->strict, a, d, e))) return s;
+    wf_qsm_report(out, d);
+    suspect_units(out, d);
+    return WF_OK;
 }

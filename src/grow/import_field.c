@@ -88,7 +88,8 @@ enum wf_field wf_field_of(const char *name, double length_unit, double diameter_
     return WF_FIELD_NONE;
 }
 
-static const double FARTHEST = 1e8, LONGEST = 200, THICKEST = 10; /* beyond: not a tree in metres [m] */
+/* Beyond these it is not a tree in metres; the thickest trees known have a radius of 5.8 m. */
+static const double FARTHEST = 1e8, LONGEST = 200, THICKEST = 6; /* [m] */
 
 static bool point(const double v[3])
 {
@@ -133,7 +134,7 @@ const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double v[WF_FIEL
     q->r0[i] = isnan(r0) ? r : r0;
     q->r1[i] = isnan(r1) ? r : r1;
     if (q->r0[i] > THICKEST || q->r1[i] > THICKEST)
-        return "a radius beyond 10 m; is its unit in the column's name, as in diameter_cm?";
+        return "a radius beyond 6 m; is its unit in the column's name, as in diameter_cm?";
     if (length < 0 || length > LONGEST) return "a length below 0 or beyond 200 m";
     q->length[i] = length;
     if (isnan(v[WF_FIELD_X0])) { /* a table of lengths and angles: placed later */

@@ -11,16 +11,28 @@ static int32_t main_root(const struct wf_qsm *q)
     return root;
 }
 
-/* Diameter where the stem first passes breast height; NAN when it does not. */
-static double breast_diameter(const struct wf_qsm *q, int32_t root)
+/* Row of the stem in which it first passes breast height, -1 when it does not. A stem that forks below is
+ * followed along the thickest limb. */
+static int32_t breast_row(const struct wf_qsm *q, int32_t root)
 {
     double at = q->z0[root] + BREAST;
-    for (int32_t i = root; i >= 0; i = q->next[i]) {
-        if (q->z1[i] < at) continue;
-        double rise = q->z1[i] - q->z0[i], s = rise > 0 ? fmin(fmax((at - q->z0[i]) / rise, 0), 1) : 0;
-        return 2 * (q->r0[i] + s * (q->r1[i] - q->r0[i]));
+    int32_t row = root;
+    while (row >= 0 && q->z1[row] < at) {
+        int32_t up = q->next[row];
+        for (size_t i = (size_t)row + 1; i < q->n && q->next[row] < 0; i++)
+            if (q->parent[i] == row && (up < 0 || q->r0[i] > q->r0[up])) up = (int32_t)i;
+        row = up;
     }
-    return (double)NAN;
+    return row;
+}
+
+static double breast_diameter(const struct wf_qsm *q, int32_t root)
+{
+    int32_t i = breast_row(q, root);
+    if (i < 0) return (double)NAN;
+    double rise = q->z1[i] - q->z0[i],
+           s = rise > 0 ? fmin(fmax((q->z0[root] + BREAST - q->z0[i]) / rise, 0), 1) : 0;
+    return 2 * (q->r0[i] + s * (q->r1[i] - q->r0[i]));
 }
 
 void wf_qsm_measure(const struct wf_qsm *q, struct wf_qsm_metrics *m)

@@ -27,6 +27,13 @@ static int32_t continuation(const struct wf_qsm *q, const struct wf_children *c,
     return best;
 }
 
+/* Some programs name as extension the first row of a branch: what differs in order does not continue. */
+static bool false_step(const struct wf_qsm *q, size_t i)
+{
+    int32_t next = q->next[i];
+    return next >= 0 && q->order[i] >= 0 && q->order[next] >= 0 && q->order[next] != q->order[i];
+}
+
 static void shift_orders(struct wf_qsm *q)
 {
     int32_t low = INT32_MAX;
@@ -47,6 +54,7 @@ enum wf_status wf_qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_e
     int32_t branches = 0;
     for (size_t i = 0; i < q->n; i++) {
         int32_t p = q->parent[i];
+        if (false_step(q, i)) q->next[i] = -1;
         bool goes_on = p >= 0 && q->next[p] == (int32_t)i;
         if (q->order[i] < 0) {
             wf_qsm_count(q, WF_NOTE_ORDER_MADE, 1, q->id[i]);
