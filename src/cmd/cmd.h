@@ -22,7 +22,9 @@ int wf_cmd_report(int argc, char **argv);
 int wf_cmd_schema(int argc, char **argv);
 int wf_cmd_species(int argc, char **argv);
 int wf_cmd_tree(int argc, char **argv);
+int wf_cmd_terrain(int argc, char **argv);
 int wf_cmd_validate(int argc, char **argv);
+int wf_cmd_wind(int argc, char **argv);
 
 enum wf_option_kind {
     WF_OPTION_FLAG,   /* takes no value                                     */

@@ -8,6 +8,7 @@
  * J. Sound Vib. 25:111-128 (spectral representation); Oppenheim A., Schafer R. (1975), overlap-save. */
 #include "base/random.h"
 #include "wind/gust_coherence.h"
+#include "wind/gust_report.h"
 #include "wind/gust_rows.h"
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
@@ -283,4 +284,29 @@ enum wf_status wf_gust_spectral_fill(struct wf_gust *g, size_t first, size_t ste
         }
     }
     return WF_OK;
+}
+
+double wf_gust_coherence_target(const struct wf_gust_spec *s, size_t p, size_t q, double f)
+{
+    static const char *const decay[3] = { "decay-along", "decay-across", "decay-up" };
+    double r2 = 0.0, speed = 0.0, length = wf_gust_get(s, "coherence-length");
+    if (!s->model->spectrum) return NAN;
+    for (size_t i = 0; i < s->points; i++) speed += wf_gust_mean(s, i) / (double)s->points;
+    for (int axis = 0; axis < 3; axis++) {
+        double d = wf_gust_get(s, decay[axis]) * (wf_gust_place(s, p, axis) - wf_gust_place(s, q, axis));
+        r2 += d * d;
+    }
+    return exp(-sqrt(r2) * hypot(f / speed, length > 0.0 ? 0.12 / length : 0.0));
+}
+
+double wf_gust_coherence_error(const struct wf_gust *g, struct wf_arena *a)
+{
+    const struct spectral *w = g->work;
+    double worst = 0.0;
+    if (!g->spec.model->spectrum) return NAN;
+    /* every seventh rung, and half way to the next, where interpolation is worst */
+    for (size_t q = 0; q + 1 < w->coherence.rungs; q += 7)
+        worst = fmax(worst, wf_coherence_error(&w->coherence,
+                                               0.5 * (w->coherence.rung[q] + w->coherence.rung[q + 1]), a));
+    return worst;
 }

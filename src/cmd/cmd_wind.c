@@ -1,0 +1,293 @@
+/* windfirm wind: make a gusty wind, look at it, draw it. */
+#include "base/near.h"
+#include "base/number.h"
+#include "cmd/cmd.h"
+#include "cmd/wind_speed.h"
+#include "cmd/wind_tables.h"
+#include "wind/scale.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { POINTS_MAX = 200 };
+
+static const struct wf_option options[] = {
+    { .name = "--wind",
+      .letter = "-w",
+      .kind = WF_OPTION_TEXT,
+      .value = "SPEED",
+      .initial = "10 m/s",
+      .help = "mean wind: a speed, or a grade such as beaufort:8, cma:typhoon, hko:typhoon (then as a 10-min "
+              "mean)" },
+    { .name = "--height",
+      .kind = WF_OPTION_NUMBER,
+      .value = "LENGTH",
+      .initial = "10",
+      .dimension = WF_DIM_LENGTH,
+      .unit = "m",
+      .low = 0.1,
+      .high = 1000,
+      .help = "of the point above the ground" },
+    { .name = "--intensity",
+      .kind = WF_OPTION_NUMBER,
+      .value = "NUMBER",
+      .initial = "0.2",
+      .dimension = WF_DIM_NONE,
+      .low = 0,
+      .high = 1,
+      .help = "turbulence intensity: standard deviation along the wind / mean wind" },
+    { .name = "--duration",
+      .kind = WF_OPTION_NUMBER,
+      .value = "TIME",
+      .initial = "3600",
+      .dimension = WF_DIM_TIME,
+      .unit = "s",
+      .low = 1,
+      .high = 1e6,
+      .help = "length of the series; a record is at most as long as it is" },
+    { .name = "--step",
+      .kind = WF_OPTION_NUMBER,
+      .value = "TIME",
+      .initial = "0.1",
+      .dimension = WF_DIM_TIME,
+      .unit = "s",
+      .low = 1e-4,
+      .high = 60,
+      .help = "between two values" },
+    { .name = "--seed",
+      .kind = WF_OPTION_NUMBER,
+      .value = "NUMBER",
+      .initial = "1",
+      .dimension = WF_DIM_NONE,
+      .low = 0,
+      .high = 9007199254740992.0,
+      .help = "whole number; the same seed gives the same wind" },
+    { .name = "--components",
+      .kind = WF_OPTION_CHOICE,
+      .value = "1|3",
+      .initial = "1",
+      .choices = "1|3",
+      .help = "along the wind only, or along, across and up" },
+    { .name = "--points",
+      .kind = WF_OPTION_NUMBER,
+      .value = "NUMBER",
+      .initial = "1",
+      .dimension = WF_DIM_NONE,
+      .low = 1,
+      .high = POINTS_MAX,
+      .help = "points in a row across the wind" },
+    { .name = "--spacing",
+      .kind = WF_OPTION_NUMBER,
+      .value = "LENGTH",
+      .initial = "2",
+      .dimension = WF_DIM_LENGTH,
+      .unit = "m",
+      .low = 0.01,
+      .high = 1000,
+      .help = "between neighbouring points" },
+    { .name = "--set",
+      .kind = WF_OPTION_TEXT,
+      .value = "NAME=NUMBER,...",
+      .help = "parameters of the model; `windfirm wind list` shows them" },
+    { .name = "--averaging",
+      .kind = WF_OPTION_CHOICE,
+      .value = "LAW",
+      .initial = "in-land",
+      .choices = "durst|in-land|off-land|off-sea|at-sea",
+      .help = "law between averaging times, for grades and gusts" },
+    { .name = "--file",
+      .kind = WF_OPTION_TEXT,
+      .value = "FILE",
+      .help = "anemometer CSV, for the model `record`" },
+    { .name = "--columns",
+      .kind = WF_OPTION_TEXT,
+      .value = "T,U[,V[,W]]",
+      .initial = "t_s,u_ms,v_ms,w_ms",
+      .help =
+          "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s" },
+    { .name = "--output",
+      .letter = "-o",
+      .kind = WF_OPTION_TEXT,
+      .value = "FOLDER",
+      .initial = "out/wind",
+      .help = "where tables and plots go" },
+    { .name = "--no-plots", .kind = WF_OPTION_FLAG, .help = "write the tables only" },
+    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    { 0 },
+};
+
+static const char about[] =
+    "  Make a wind that changes with time, compare it with what was asked for, write and draw it.\n"
+    "  MODEL is a row of `windfirm wind list`.\n"
+    "\n"
+    "  windfirm wind kaimal --wind beaufort:8 --components 3 --points 5 --spacing 2 -o out/gale\n"
+    "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms";
+
+static int list(void)
+{
+    for (const struct wf_gust_model *m = wf_gust_models; m->name; m++) {
+        printf("%s: %s\n  source: %s\n  valid:  %s\n", m->name, m->title, m->source, m->validity);
+        if (m->corrected) printf("  differs from the paper: %s\n", m->corrected);
+        for (const struct wf_gust_par *p = m->par; p->name; p++)
+            printf("  --set %s=%.6g  (%.6g..%.6g%s%s) %s\n", p->name, p->fallback, p->low, p->high,
+                   p->unit[0] == '-' ? "" : " ", p->unit[0] == '-' ? "" : p->unit, p->help);
+        printf("\n");
+    }
+    return 0;
+}
+
+static enum wf_status set_parameters(const char *text, struct wf_gust_spec *s, struct wf_arena *a,
+                                     struct wf_err *e)
+{
+    char *rest = NULL, *copy = text ? wf_arena_text(a, text) : NULL;
+    if (text && !copy) return wf_fail(e, WF_ENOMEM, "no room for the command line");
+    for (char *item = copy ? strtok_r(copy, ",", &rest) : NULL; item; item = strtok_r(NULL, ",", &rest)) {
+        char *equals = strchr(item, '=');
+        double value;
+        const char *number = equals ? equals + 1 : "",
+                   *end = wf_number_read(number, number + strlen(number), '.', &value);
+        if (!end || *end) return wf_fail(e, WF_EUSAGE, "--set: '%s': expected name=number", item);
+        *equals = '\0';
+        enum wf_status status = wf_gust_set(s, item, value, e);
+        if (status) return status;
+    }
+    return WF_OK;
+}
+
+static enum wf_status read_record(const struct wf_args *g, struct wf_gust_spec *s, struct wf_arena *a,
+                                  struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_record_request q;
+    struct wf_record *r = WF_TAKE(a, 1, struct wf_record);
+    const char *file = wf_args_text(g, "--file");
+    char *rest = NULL, *columns = wf_arena_text(a, wf_args_text(g, "--columns"));
+    if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs --file");
+    if (!r || !columns) return wf_fail(e, WF_ENOMEM, "no room for a record");
+    wf_record_request_default(&q);
+    q.time = strtok_r(columns, ",", &rest);
+    for (int k = 0; k < 3; k++) q.part[k] = strtok_r(NULL, ",", &rest);
+    if (!q.time || !q.part[0] || strtok_r(NULL, ",", &rest))
+        return wf_fail(e, WF_EUSAGE,
+                       "--columns: a time column and one to three components, separated by commas");
+    enum wf_status status = wf_record_read(file, &q, a, d, r, e);
+    if (status) return status;
+    s->record = r;
+    double length = (double)(r->n - 1) * r->step;
+    if (!wf_args_given(g, "--step")) s->step = r->step;
+    if (!wf_args_given(g, "--duration")) s->steps = (size_t)(length / s->step + 1e-6) + 1;
+    if (!wf_args_given(g, "--components") && r->components == 3) s->components = 3;
+    if (!wf_args_given(g, "--wind")) s->speed = r->mean;
+    if (!wf_args_given(g, "--quiet"))
+        printf("%s: %zu rows, %zu steps of %g s; %zu rows with unreadable cells, %zu steps bridged in %zu "
+               "gaps (longest %zu)\n"
+               "  mean %.3f m/s towards %.1f deg (first axis towards second), tilt %.1f deg\n",
+               file, r->rows, r->n, r->step, r->unreadable, r->missing, r->gaps, r->longest, r->mean,
+               r->azimuth * 180 / M_PI, r->tilt * 180 / M_PI);
+    return WF_OK;
+}
+
+static enum wf_status specify(const struct wf_args *g, struct wf_gust_spec *s, struct wf_arena *a,
+                              struct wf_diag *d, struct wf_err *e)
+{
+    const char *name = g->operand[0], *known[16];
+    size_t n = 0;
+    for (; wf_gust_models[n].name && n < 15; n++) known[n] = wf_gust_models[n].name;
+    known[n] = "list";
+    const struct wf_gust_model *m = wf_gust_named(name);
+    if (!m) {
+        const char *near = wf_nearest(name, known, n + 1);
+        return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'%s%s%s", name,
+                       near ? "; did you mean '" : "", near ? near : "",
+                       near ? "'?" : "; `windfirm wind list` shows them");
+    }
+    wf_gust_spec_default(m, s);
+    s->height = wf_args_number(g, "--height");
+    s->intensity = wf_args_number(g, "--intensity");
+    s->step = wf_args_number(g, "--step");
+    s->steps = (size_t)llround(fmin(wf_args_number(g, "--duration") / s->step, 1e12));
+    s->components = strcmp(wf_args_text(g, "--components"), "3") == 0 ? 3 : 1;
+    s->points = (size_t)llround(wf_args_number(g, "--points"));
+    s->seed = (uint64_t)llround(wf_args_number(g, "--seed"));
+    enum wf_status status = wf_wind_speed_read(wf_args_text(g, "--wind"), wf_args_text(g, "--averaging"),
+                                               wf_args_given(g, "--quiet") ? NULL : stdout, &s->speed, e);
+    if (!status) status = set_parameters(wf_args_text(g, "--set"), s, a, e);
+    if (!status && strcmp(m->name, "record") == 0) status = read_record(g, s, a, d, e);
+    double *place = WF_TAKE(a, 3 * s->points, double);
+    if (!place) return wf_fail(e, WF_ENOMEM, "no room for %zu points", s->points);
+    for (size_t p = 0; p < s->points; p++)
+        place[3 * p + 1] = (double)p * wf_args_number(g, "--spacing"), place[3 * p + 2] = s->height;
+    s->place = place;
+    if (!status && (double)s->points * s->components * (double)s->steps > 3e8)
+        return wf_fail(e, WF_EUSAGE,
+                       "%zu points, %u components and %zu steps are more than this command holds; the "
+                       "library makes them in blocks",
+                       s->points, s->components, s->steps);
+    return status;
+}
+
+static void print(const struct wf_gust_report *r, const char *law)
+{
+    const struct wf_gust_spec *s = &r->spec;
+    const struct wf_gust_stats *t = &r->stats[0];
+    double gust;
+    printf("%s: %s\n", s->model->name, s->model->title);
+    printf("%zu steps of %g s at %g m, seed %llu\n\n", s->steps, s->step, s->height,
+           (unsigned long long)s->seed);
+    printf("mean wind             %8.3f m/s  (Beaufort %s, %s)\n", t->mean,
+           wf_wind_scale_grade(&wf_wind_scales[0], t->mean)->name,
+           wf_wind_scale_grade(&wf_wind_scales[0], t->mean)->text);
+    printf("turbulence intensity  %8.3f\n", t->intensity);
+    printf("lowest, highest       %8.3f, %.3f m/s\n", t->low, t->high);
+    printf("skewness, kurtosis    %8.3f, %.3f\n", t->skewness, t->kurtosis);
+    printf("integral scale        %8.3f s, %.1f m\n", t->time_scale, t->length_scale);
+    printf("gust factor           %8.3f  (largest %g-s mean over %g s, mean of %zu)\n", t->gust_factor,
+           t->gust_window, t->period, t->periods);
+    printf("peak factor           %8.3f\n", t->peak_factor);
+    if (!wf_wind_average(law, 1.0, 600.0, 3.0, &gust, NULL))
+        printf("3-s gust of 10 min    %8.3f times the mean by the law '%s'\n", gust, law);
+    if (!isnan(r->joint))
+        printf("blocks meet within    %8.3f %% of the standard deviation\n", 100.0 * r->joint);
+    if (!isnan(r->coherence_error))
+        printf("coherence made within %8.4f of the one asked for\n", r->coherence_error);
+    if (r->findings) printf("\n%-36s %12s %12s %10s  scatter\n", "asked and got", "asked", "got", "off");
+    for (size_t i = 0; i < r->findings; i++) {
+        const struct wf_gust_finding *f = &r->finding[i];
+        printf("%-36s %12.5g %12.5g %9.2f%%  ", f->name, f->asked, f->got, 100.0 * (f->got / f->asked - 1.0));
+        if (isnan(f->scatter))
+            printf("-");
+        else
+            printf("%.2f%%", 100.0 * f->scatter / fabs(f->asked));
+        printf("  %s\n", f->within ? "as expected" : "NOT as expected");
+    }
+}
+
+int wf_cmd_wind(int argc, char **argv)
+{
+    static const char *const figures[] = { "wind", "wind_coherence", NULL };
+    struct wf_arena arena = { 0 };
+    struct wf_args args;
+    struct wf_err e = { 0 };
+    struct wf_gust_spec spec;
+    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &args);
+    if (code < 0 && strcmp(args.operand[0], "list") == 0) code = list();
+    if (code < 0) {
+        struct wf_diag d = { .arena = &arena };
+        struct wf_gust_report *r = WF_TAKE(&arena, 1, struct wf_gust_report);
+        const char *folder = wf_args_text(&args, "--output");
+        bool quiet = wf_args_given(&args, "--quiet");
+        enum wf_status s = r ? specify(&args, &spec, &arena, &d, &e) : wf_fail(&e, WF_ENOMEM, "no room");
+        if (!s) s = wf_gust_report_make(&spec, &arena, &d, r, &e);
+        wf_print_findings(&d, quiet);
+        if (!s && !quiet) print(r, wf_args_text(&args, "--averaging"));
+        if (!s) s = wf_wind_tables(folder, r, &e);
+        if (!s && !wf_args_given(&args, "--no-plots")) {
+            const char *const only[] = { "wind", NULL };
+            s = wf_wind_figures(folder, r->coherence ? figures : only, &e);
+        }
+        if (!s && !quiet) printf("\nTables and plots: %s\n", folder);
+        code = s ? wf_complain(&e) : 0;
+    }
+    wf_arena_free(&arena);
+    return code;
+}

@@ -1,0 +1,136 @@
+#include "cmd/wind_tables.h"
+#include "base/file.h"
+#include "out/figures.h"
+#include <math.h>
+#include <string.h>
+
+enum wf_status wf_wind_begin(struct wf_file *f, const char *folder, const char *sub, struct wf_err *e)
+{
+    char path[WF_PATH_MAX];
+    int n = snprintf(path, sizeof path, "%s/%s", folder, sub);
+    if (n < 0 || (size_t)n >= sizeof path)
+        return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
+    return wf_file_begin(f, path, e);
+}
+
+enum wf_status wf_wind_folders(const char *folder, struct wf_err *e)
+{
+    static const char *const sub[] = { "tables", "plots" };
+    for (int i = 0; i < 2; i++) {
+        char path[WF_PATH_MAX];
+        int n = snprintf(path, sizeof path, "%s/%s", folder, sub[i]);
+        if (n < 0 || (size_t)n >= sizeof path)
+            return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
+        enum wf_status s = wf_mkdirs(path, e);
+        if (s) return s;
+    }
+    return WF_OK;
+}
+
+/* A cell; empty where there is no number. */
+static void cell(FILE *f, double value, const char *format)
+{
+    fputc(',', f);
+    if (isfinite(value)) fprintf(f, format, value);
+}
+
+static void series(FILE *f, const struct wf_gust_report *r)
+{
+    const struct wf_gust_spec *s = &r->spec;
+    static const char *const name[WF_COMPONENTS] = { "u", "v", "w" };
+    fputs("t_s", f);
+    for (size_t p = 0; p < s->points; p++)
+        for (unsigned c = 0; c < s->components; c++) fprintf(f, ",%s%zu_m_s", name[c], p + 1);
+    fputc('\n', f);
+    for (size_t i = 0; i < s->steps; i++) {
+        fprintf(f, "%.7g", (double)i * s->step);
+        for (size_t p = 0; p < s->points; p++)
+            for (unsigned c = 0; c < s->components; c++)
+                cell(f, r->x[(c * s->points + p) * s->steps + i], "%.6g");
+        fputc('\n', f);
+    }
+}
+
+static void spectrum(FILE *f, const struct wf_gust_report *r)
+{
+    static const char *const name[WF_COMPONENTS] = { "along", "across", "up" };
+    fputs("component,frequency_hz,low_hz,high_hz,density_m2_s,target_m2_s,relative_scatter\n", f);
+    for (unsigned c = 0; c < r->spec.components; c++)
+        for (size_t b = 0; b < r->bands; b++) {
+            fprintf(f, "%s,%.7g,%.7g,%.7g", name[c], r->band[b].centre, r->band[b].low, r->band[b].high);
+            cell(f, r->density[c][b], "%.7g");
+            cell(f, r->target[c][b], "%.7g");
+            cell(f, r->scatter[b], "%.4g");
+            fputc('\n', f);
+        }
+}
+
+/* Density per m/s, beside that of a normal distribution of the same mean and deviation. */
+static void histogram(FILE *f, const struct wf_gust_report *r)
+{
+    const struct wf_gust_stats *s = &r->stats[0];
+    fputs("speed_m_s,density_s_m,normal_s_m\n", f);
+    for (size_t b = 0; b < WF_REPORT_BINS; b++) {
+        double u = r->bin_low + ((double)b + 0.5) * r->bin_width, z = (u - s->mean) / s->deviation;
+        fprintf(f, "%.6g,%.6g", u, (double)r->bin[b] / ((double)r->spec.steps * r->bin_width));
+        cell(f, 0.39894228040143268 * exp(-0.5 * z * z) / s->deviation, "%.6g");
+        fputc('\n', f);
+    }
+}
+
+static void coherence(FILE *f, const struct wf_gust_report *r)
+{
+    fputs("point,distance_m,frequency_hz,coherence,target\n", f);
+    for (size_t p = 0; p < r->pairs && r->coherence; p++)
+        for (size_t b = 0; b < r->pair_bands; b++) {
+            fprintf(f, "%zu,%.6g,%.6g", p + 2, r->apart[p], r->pair_band[b].centre);
+            cell(f, r->coherence[p * r->pair_bands + b], "%.5g");
+            cell(f, r->coherence_target[p * r->pair_bands + b], "%.5g");
+            fputc('\n', f);
+        }
+}
+
+/* Names and numbers the figure scripts need. */
+static void words(FILE *f, const struct wf_gust_report *r)
+{
+    const struct wf_gust_spec *s = &r->spec;
+    double length = (double)s->steps * s->step;
+    fprintf(f,
+            "MODEL = '%s'\nMEAN = %.9g\nDURATION = %.9g\nSTEP = %.9g\nCOMPONENTS = %u\nPOINTS = %zu\nPAIRS = "
+            "%zu\n",
+            s->model->name, r->stats[0].mean, length, s->step, s->components, s->points,
+            r->coherence ? r->pairs : 0);
+    fprintf(f, "TARGET = %d\nSPEED = %.9g\n", s->model->spectrum ? 1 : 0, s->speed);
+}
+
+enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r, struct wf_err *e)
+{
+    static const struct {
+        const char *name;
+        void (*write)(FILE *f, const struct wf_gust_report *r);
+    } table[] = { { "tables/series.csv", series },
+                  { "tables/spectrum.csv", spectrum },
+                  { "tables/histogram.csv", histogram },
+                  { "tables/coherence.csv", coherence },
+                  { "plots/run.gp", words } };
+    enum wf_status status = wf_wind_folders(folder, e);
+    for (size_t i = 0; i < sizeof table / sizeof table[0] && !status; i++) {
+        struct wf_file f = { 0 };
+        status = wf_wind_begin(&f, folder, table[i].name, e);
+        if (status) break;
+        table[i].write(f.stream, r);
+        status = wf_file_commit(&f, e);
+    }
+    return status;
+}
+
+enum wf_status wf_wind_figures(const char *folder, const char *const *name, struct wf_err *e)
+{
+    enum wf_status status = WF_OK;
+    for (size_t i = 0; name[i] && !status; i++) {
+        xmlDoc *svg = NULL;
+        status = wf_figures_draw(folder, name[i], &svg, e);
+        if (svg) xmlFreeDoc(svg);
+    }
+    return status;
+}

@@ -1,0 +1,180 @@
+#include "wind/gust_report.h"
+#include "wind/gust_rows.h"
+#include <math.h>
+#include <string.h>
+
+static const double WIDE = 1.0 / 3.0; /* of the target's slope band, either end kept clear */
+
+static enum wf_status run(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
+                          struct wf_gust_report *o, struct wf_err *e)
+{
+    struct wf_gust g;
+    size_t rows = s->points * s->components;
+    enum wf_status status = wf_gust_open(s, a, d, &g, e);
+    if (status) return status;
+    double *block = WF_TAKE(a, rows * g.block, double);
+    o->x = WF_TAKE(a, rows * s->steps, double);
+    if (!block || !o->x)
+        status = wf_fail(e, WF_ENOMEM, "no room for %zu series of %zu steps", rows, s->steps);
+    for (size_t b = 0; b < g.blocks && !status; b++) {
+        status = wf_gust_block(&g, b, block, e);
+        size_t first = b * g.block, steps = s->steps - first < g.block ? s->steps - first : g.block;
+        for (size_t row = 0; row < rows; row++)
+            memcpy(o->x + row * s->steps + first, block + row * g.block, steps * sizeof *block);
+    }
+    o->joint = s->model->spectrum ? g.joint : NAN;
+    o->coherence_error = s->points > 1 ? wf_gust_coherence_error(&g, a) : NAN;
+    wf_gust_close(&g);
+    return status;
+}
+
+/* The longest even stretch whose length has no prime factor above 5. */
+static size_t transform_length(size_t n)
+{
+    for (n -= n % 2;; n -= 2) {
+        size_t rest = n;
+        while (rest % 2 == 0) rest /= 2;
+        while (rest % 3 == 0) rest /= 3;
+        while (rest % 5 == 0) rest /= 5;
+        if (rest == 1) return n;
+    }
+}
+
+static enum wf_status spectra(struct wf_gust_report *o, struct wf_arena *a, struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &o->spec;
+    size_t length = transform_length(s->steps);
+    double *density = WF_TAKE(a, length / 2 + 1, double), df = 1.0 / ((double)length * s->step);
+    if (!density) return wf_fail(e, WF_ENOMEM, "no room for a spectrum of %zu steps", length);
+    o->bands = wf_bands(length, s->step, 10, o->band, WF_REPORT_BANDS);
+    for (unsigned c = 0; c < s->components; c++) {
+        enum wf_status status =
+            wf_spectrum_welch(o->x + c * s->points * s->steps, length, s->step, length, density, NULL, a, e);
+        if (status) return status;
+        for (size_t b = 0; b < o->bands; b++) {
+            const struct wf_band *band = &o->band[b];
+            double bins = (double)(band->last - band->first), sum = 0.0;
+            for (size_t k = band->first; k < band->last; k++)
+                sum += wf_gust_target(s, 0, (enum wf_component)c, (double)k * df);
+            o->density[c][b] = wf_band_mean(band, density);
+            o->target[c][b] = sum / bins;
+            o->scatter[b] = sqrt(1.94 / bins);
+        }
+    }
+    return WF_OK;
+}
+
+static enum wf_status pairs(struct wf_gust_report *o, struct wf_arena *a, struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &o->spec;
+    size_t segment = 64, n = s->steps;
+    o->pairs = s->points - 1;
+    if (!o->pairs || n < 16 * segment) return WF_OK;
+    while (2 * segment * 32 <= n && segment < 4096) segment *= 2;
+    double *modulus = WF_TAKE(a, segment / 2 + 1, double), *real = WF_TAKE(a, segment / 2 + 1, double);
+    o->pair_bands = wf_bands(segment, s->step, 10, o->pair_band, WF_REPORT_BANDS);
+    o->coherence = WF_TAKE(a, o->pairs * o->pair_bands, double);
+    o->coherence_target = WF_TAKE(a, o->pairs * o->pair_bands, double);
+    o->apart = WF_TAKE(a, o->pairs, double);
+    if (!modulus || !real || !o->coherence || !o->coherence_target || !o->apart)
+        return wf_fail(e, WF_ENOMEM, "no room for the coherence of %zu pairs", o->pairs);
+    for (size_t p = 0; p < o->pairs; p++) {
+        for (int axis = 0; axis < 3; axis++)
+            o->apart[p] = hypot(o->apart[p], wf_gust_place(s, p + 1, axis) - wf_gust_place(s, 0, axis));
+        enum wf_status status =
+            wf_coherence_welch(o->x, o->x + (p + 1) * n, n, s->step, segment, modulus, real, NULL, a, e);
+        if (status) return status;
+        for (size_t b = 0; b < o->pair_bands; b++) {
+            o->coherence[p * o->pair_bands + b] = wf_band_mean(&o->pair_band[b], real);
+            o->coherence_target[p * o->pair_bands + b] =
+                wf_gust_coherence_target(s, 0, p + 1, o->pair_band[b].centre);
+        }
+    }
+    return WF_OK;
+}
+
+static void add(struct wf_gust_report *o, const char *name, const char *unit, double asked, double got,
+                double scatter, double slack)
+{
+    if (o->findings == WF_GUST_FINDINGS || isnan(asked) || isnan(got)) return;
+    bool within = fabs(got - asked) <= slack + (isnan(scatter) ? 0.0 : 4.0 * scatter);
+    o->finding[o->findings++] = (struct wf_gust_finding){ name, unit, asked, got, scatter, within };
+}
+
+/* Mean and variance of a stationary series of duration D and integral scale T: errors sigma sqrt(2T/D) and,
+ * for an exponential autocorrelation, sigma^2 sqrt(2T/D) (Lumley & Panofsky 1964, ch. 1.14). */
+static void check_moments(struct wf_gust_report *o)
+{
+    const struct wf_gust_spec *s = &o->spec;
+    static const char *const name[WF_COMPONENTS] = { "standard deviation along the wind",
+                                                     "standard deviation across", "standard deviation up" };
+    double length = (double)s->steps * s->step;
+    for (unsigned c = 0; c < s->components; c++) {
+        const struct wf_gust_stats *got = &o->stats[c];
+        double share = sqrt(2.0 * got->time_scale / length),
+               wanted = sqrt(wf_gust_variance(s, 0, (enum wf_component)c));
+        if (c == 0 && !isnan(wanted))
+            add(o, "mean", "m/s",
+                wf_gust_mean(s, 0) + (strcmp(s->model->name, "sine-perlin-as-printed")
+                                          ? 0.0
+                                          : 0.5 * wf_gust_get(s, "epsilon")),
+                got->mean, wanted * share, 0.0);
+        add(o, name[c], "m/s", wanted, got->deviation, 0.5 * wanted * share, 1e-9);
+    }
+}
+
+static void check_spectrum(struct wf_gust_report *o)
+{
+    const struct wf_gust_spec *s = &o->spec;
+    double worst = 0.0, scatter = NAN, ratio = 1.0, low = NAN, high = NAN, slope = NAN;
+    for (size_t b = 0; b < o->bands && s->model->spectrum; b++) {
+        double off = o->density[0][b] / o->target[0][b], beyond = (fabs(off - 1.0) - 0.05) / o->scatter[b];
+        if (o->band[b].last - o->band[b].first < 4 || !(beyond > worst || isnan(scatter))) continue;
+        worst = beyond, ratio = off, scatter = o->scatter[b];
+    }
+    add(o, "spectrum / target in the worst band", "-", s->model->spectrum ? 1.0 : NAN, ratio, scatter, 0.05);
+    if (strcmp(s->model->name, "one-over-f") == 0)
+        slope = -wf_gust_get(s, "slope"), low = wf_gust_get(s, "low"), high = 0.5 / s->step;
+    if (strcmp(s->model->name, "perlin") == 0) {
+        double l = wf_gust_get(s, "lacunarity");
+        slope = -1.0 + 2.0 * log(wf_gust_get(s, "persistence")) / log(l);
+        low = 1.0 / wf_gust_get(s, "period");
+        high = fmin(low * pow(l, wf_gust_get(s, "octaves") - 1.0), 0.5 / s->step);
+    }
+    if (isnan(slope) || !(high > 10.0 * low)) return;
+    low *= 1.0 + WIDE, high /= 1.0 + WIDE;
+    double n = 0, x1 = 0, y1 = 0, xx = 0, xy = 0, weight, noise = 0;
+    for (size_t b = 0; b < o->bands; b++) {
+        if (o->band[b].low < low || o->band[b].high > high || !(o->density[0][b] > 0.0)) continue;
+        double x = log(o->band[b].centre), y = log(o->density[0][b]);
+        weight = 1.0 / (o->scatter[b] * o->scatter[b]);
+        n += weight, x1 += weight * x, y1 += weight * y, xx += weight * x * x, xy += weight * x * y;
+        noise += 1.0;
+    }
+    double spread = xx - x1 * x1 / n;
+    if (noise > 3.0)
+        add(o, "slope of the spectrum", "-", slope, (xy - x1 * y1 / n) / spread, 1.0 / sqrt(spread), 0.1);
+}
+
+enum wf_status wf_gust_report_make(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
+                                   struct wf_gust_report *o, struct wf_err *e)
+{
+    memset(o, 0, sizeof *o);
+    o->spec = *s;
+    enum wf_status status = run(s, a, d, o, e);
+    if (!status && s->steps < 64)
+        status = wf_fail(e, WF_EUSAGE, "%zu steps: at least 64 are needed to look at", s->steps);
+    for (unsigned c = 0; c < s->components && !status; c++)
+        status =
+            wf_gust_stats(o->x + c * s->points * s->steps, s->steps, s->step, 3.0, 600.0, a, &o->stats[c], e);
+    if (!status) status = spectra(o, a, e);
+    if (!status) status = pairs(o, a, e);
+    if (status) return status;
+    o->bin_low = o->stats[0].low;
+    o->bin_width = fmax((o->stats[0].high - o->stats[0].low) / WF_REPORT_BINS, 1e-9);
+    wf_histogram(o->x, s->steps, o->bin_low, o->bin_low + o->bin_width * WF_REPORT_BINS, WF_REPORT_BINS,
+                 o->bin);
+    check_moments(o);
+    check_spectrum(o);
+    return WF_OK;
+}
