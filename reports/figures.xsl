@@ -45,7 +45,7 @@
   </xsl:variable>
   <xsl:variable name="end">
     <xsl:for-each select="$trees/sweep_speed_high/value[. != '']">
-      <xsl:sort data-type="number"/>
+      <xsl:sort data-type="number" order="descending"/>
       <xsl:if test="position() = 1"><xsl:value-of select="."/></xsl:if>
     </xsl:for-each>
   </xsl:variable>

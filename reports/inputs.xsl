@@ -3,8 +3,8 @@
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 
 <!-- every source named by an input, once; its number is its place in this list -->
-<xsl:key name="source" match="/report/results/trees/item/species//source[. != '']" use="."/>
-<xsl:variable name="sources" select="$trees/species//source[. != ''][generate-id() = generate-id(key('source', .)[1])]"/>
+<xsl:key name="source" match="/report/results/trees/item/species//*[not(used = 'false')]/source[. != '']" use="."/>
+<xsl:variable name="sources" select="$trees/species//*[not(used = 'false')]/source[. != ''][generate-id() = generate-id(key('source', .)[1])]"/>
 
 <xsl:template name="cite">
   <xsl:param name="source"/>
@@ -53,7 +53,7 @@
       <xsl:otherwise>
         <td class="r"><xsl:call-template name="scaled"><xsl:with-param name="x" select="value"/><xsl:with-param name="factor" select="$factor"/></xsl:call-template></td>
         <td class="r"><xsl:if test="low != '' and high != '' and low != high"><xsl:call-template name="scaled"><xsl:with-param name="x" select="low"/><xsl:with-param name="factor" select="$factor"/></xsl:call-template> … <xsl:call-template name="scaled"><xsl:with-param name="x" select="high"/><xsl:with-param name="factor" select="$factor"/></xsl:call-template></xsl:if></td>
-        <td><xsl:value-of select="$unit"/></td>
+        <td class="unit"><xsl:value-of select="$unit"/></td>
         <xsl:call-template name="standing"/>
       </xsl:otherwise>
     </xsl:choose>
@@ -65,7 +65,7 @@
     <td></td>
     <td><xsl:call-template name="say"><xsl:with-param name="id">in.wall</xsl:with-param></xsl:call-template><xsl:call-template name="value-note"/></td>
     <td colspan="3"><xsl:for-each select="share/item"><xsl:variable name="p" select="position()"/>
-      <xsl:if test="$p &gt; 1">; </xsl:if><xsl:call-template name="given"><xsl:with-param name="x" select="."/></xsl:call-template> (<xsl:call-template name="given"><xsl:with-param name="x" select="100 * ../../at/item[$p]"/></xsl:call-template> %)</xsl:for-each></td>
+      <xsl:if test="$p &gt; 1">; </xsl:if><xsl:call-template name="given"><xsl:with-param name="x" select="."/></xsl:call-template> (<xsl:call-template name="given"><xsl:with-param name="x" select="100 * ../../at/item[$p]"/></xsl:call-template> %)</xsl:for-each></td>
     <xsl:call-template name="standing"/>
   </tr>
 </xsl:template>
@@ -89,7 +89,7 @@
 </xsl:template>
 
 <xsl:template name="species-table">
-  <table class="data">
+  <table class="data whole inputs">
     <xsl:call-template name="table-caption"><xsl:with-param name="n" select="position() + 2"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">in.species</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
     <thead><tr>
       <th><xsl:call-template name="say"><xsl:with-param name="id">in.part</xsl:with-param></xsl:call-template></th>
@@ -101,11 +101,11 @@
       <th class="r"><xsl:call-template name="say"><xsl:with-param name="id">in.source</xsl:with-param></xsl:call-template></th>
     </tr></thead>
     <xsl:variable name="species" select="species"/>
-    <xsl:for-each select="$species/values/item[not(level = preceding-sibling::item/level)]">
+    <xsl:for-each select="$species/values/item[used = 'true'][not(level = preceding-sibling::item[used = 'true']/level)]">
       <xsl:variable name="level" select="level"/>
       <tbody>
-        <xsl:apply-templates select="$species/values/item[level = $level]" mode="value"/>
-        <xsl:apply-templates select="$species/walls/item[level = $level]" mode="wall"/>
+        <xsl:apply-templates select="$species/values/item[used = 'true' and level = $level]" mode="value"/>
+        <xsl:apply-templates select="$species/walls/item[used = 'true' and level = $level]" mode="wall"/>
         <xsl:if test="$level = 'crown'"><xsl:apply-templates select="$species/streamlining" mode="value"/></xsl:if>
       </tbody>
     </xsl:for-each>

@@ -106,6 +106,7 @@
         <xsl:with-param name="id"><xsl:text>f.</xsl:text><xsl:value-of select="@name"/><xsl:if test="@name = 'safety' and not($trees/winds/item/least_safety/value != '')">.none</xsl:if></xsl:with-param>
         <xsl:with-param name="a"><xsl:call-template name="drawn-winds"/></xsl:with-param>
       </xsl:call-template>
+      <xsl:if test="@name = 'safety' and $trees/critical/outcome = 'found'"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template></xsl:if>
       <xsl:variable name="drawn" select="string-length(normalize-space($shown)) - string-length(translate(normalize-space($shown), ' ', '')) + 1"/>
       <xsl:if test="$drawn &lt; $winds and (@name = 'shapes' or @name = 'stem')">
         <xsl:value-of select="$gap"/>

@@ -139,7 +139,7 @@
       <p><b><xsl:call-template name="verdict"/></b><xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="voids"/></p>
     </xsl:for-each>
   </div>
-  <xsl:variable name="values" select="$trees/species/values/item[value != '']"/>
+  <xsl:variable name="values" select="$trees/species/values/item[used = 'true' and value != '']"/>
   <xsl:variable name="doubtful" select="$values[status = 'assumed' or status = 'borrowed']"/>
   <xsl:variable name="warned" select="count($trees/warnings/item | $r/warnings/item)"/>
   <p>

@@ -44,7 +44,7 @@
     <xsl:call-template name="table-caption"><xsl:with-param name="n" select="1"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">t.results</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
     <thead><tr>
       <xsl:call-template name="head"><xsl:with-param name="id">c.wind</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.tree</xsl:with-param><xsl:with-param name="class"/></xsl:call-template>
+      <xsl:if test="count($trees) &gt; 1"><xsl:call-template name="head"><xsl:with-param name="id">c.tree</xsl:with-param><xsl:with-param name="class"/></xsl:call-template></xsl:if>
       <xsl:call-template name="head"><xsl:with-param name="id">c.deflection</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
       <xsl:call-template name="head"><xsl:with-param name="id">c.share</xsl:with-param><xsl:with-param name="unit">%</xsl:with-param></xsl:call-template>
       <xsl:call-template name="head"><xsl:with-param name="id">c.angle</xsl:with-param><xsl:with-param name="unit">°</xsl:with-param></xsl:call-template>
@@ -58,7 +58,6 @@
       <xsl:when test="count($trees) = 1">
         <tbody class="long"><xsl:for-each select="$trees/winds/item"><tr>
           <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></td>
-          <td><xsl:if test="position() = 1"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:if></td>
           <xsl:call-template name="result-cells"/>
         </tr></xsl:for-each></tbody>
       </xsl:when>

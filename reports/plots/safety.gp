@@ -9,10 +9,10 @@ WIDTH = 640.0; HEIGHT = 326.0 + KEY
 set multiplot
 from = 0.5
 most = 10.0
-do for [i in STRONG] {
-    stats SWEEP using (pick(of(int(i)) && column("wind_m_s") >= 0.1*SPEED_MAX, column("least_safety"))) name 'S' nooutput
+do for [n=1:words(STRONG)] {
+    stats SWEEP using (pick(of(nth(STRONG, n)) && column("wind_m_s") >= 0.1*SPEED_MAX, column("least_safety"))) name 'S' nooutput
     most = S_max > most ? S_max : most
-    stats SWEEP using (pick(of(int(i)) && column("wind_m_s") <= SPEED_MAX, column("least_safety"))) name 'S' nooutput
+    stats SWEEP using (pick(of(nth(STRONG, n)) && column("wind_m_s") <= SPEED_MAX, column("least_safety"))) name 'S' nooutput
     from = S_min < from ? S_min : from
 }
 from = from < 0.1 ? 0.1 : from
@@ -23,22 +23,28 @@ set xlabel L_WIND; set ylabel L_SAFETY offset 1,0
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 1 - 16.0/WIDTH
 set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
 set label L_BREAKS at graph 0.01, first 1 left offset 0,-0.7 textcolor rgb '#505050'
-# Critical speeds: a drop line and the figure; neighbours are set at different heights so that none covers another.
-n = 0
-do for [i in STRONG] {
-    u = CRITICAL[int(i)]
+# Critical speeds: a drop line and the figure; close neighbours stand above one another.
+do for [n=1:words(STRONG)] {
+    i = nth(STRONG, n); u = CRITICAL[i]
     if (u == u && u <= SPEED_MAX) {
-        set arrow from u, from to u, 1 nohead lt int(i) lw 1
+        near = 0
+        do for [m=1:n-1] { near = near + (abs(CRITICAL[nth(STRONG, m)] - u) < 0.1*SPEED_MAX ? 1 : 0) }
+        set arrow from u, from to u, 1 nohead lt i lw 1
         set label '' at u, 1 point pt 6 ps 1.1 lw 1.6 lc rgb '#202020'
-        set label sprintf(L_SPEED, real(sprintf('%.1f', u))) at u, 1 offset 0.6,0.7 + 1.1*n left textcolor rgb '#202020'
-        n = n + 1
+        name = sprintf(L_SPEED, real(sprintf('%.1f', u)))
+        if (u < 0.9*SPEED_MAX) { set label name at u, 1 left offset 0.6,0.8 + 1.1*near textcolor rgb '#202020' }
+        else { set label name at u, 1 right offset -0.6,0.8 + 1.1*near textcolor rgb '#202020' }
     }
 }
-plot 1 with lines lw 1 dt 1 lc rgb '#404040', \
-     for [i in STRONG] SWEEP using (pick(of(int(i)), column("wind_m_s"))):"least_safety" with lines lt int(i), \
-     for [i in STRONG] SUMMARY using (pick(of(int(i)), column("wind_m_s"))):"least_safety" with points lt int(i) lw 1
+if (words(STRONG) == 0) {
+    plot 1 with lines lw 1 dt 1 lc rgb '#404040'   # no strength is known: the frame alone
+} else {
+    plot 1 with lines lw 1 dt 1 lc rgb '#404040', \
+         for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)), column("wind_m_s"))):"least_safety" with lines lt nth(STRONG, n), \
+         for [n=1:words(STRONG)] SUMMARY using (pick(of(nth(STRONG, n)), column("wind_m_s"))):"least_safety" with points lt nth(STRONG, n) lw 1
+}
 @strip
 set key maxcols 3
-plot 2 with lines, for [i in STRONG] keyentry with linespoints lt int(i) title NAME[int(i)]
+plot 2 with lines, for [n=1:words(STRONG)] keyentry with linespoints lt nth(STRONG, n) title NAME[nth(STRONG, n)]
 unset multiplot
 set output

@@ -28,7 +28,7 @@ columns = trees < 3 ? trees : (trees == 4 ? 2 : 3)
 rows = (trees + columns - 1)/columns
 LEFT = 58.0; GAP = 22.0; TITLE = 30.0; UNDER = 48.0; KEY = |WIND| > 4 ? 46.0 : 30.0
 w = (640.0 - LEFT - 12 - GAP*(columns-1))/columns
-most = rows == 1 ? 380.0 : 330.0
+most = trees == 1 ? 310.0 : (rows == 1 ? 380.0 : 330.0)
 scale = w/(high - low)
 scale = scale*(top - floor) > most ? most/(top - floor) : scale
 w = scale*(high - low); h = scale*(top - floor)
@@ -50,8 +50,8 @@ do for [i=1:trees] {
     set title NAME[i] offset 0,-0.5
     set xlabel L_ALONG offset 0,0.4
     if (c == 0) { set ylabel L_HEIGHT offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
-    plot for [k in word(SOLVED[i], 1)] SHAPE using (pick(at(i, WIND[int(k)]) && column("axis") == 1, still(i))):"z_m" with lines lw 1.2 dt (3,4) lc rgb '#707070', \
-         for [k in SOLVED[i]] SHAPE using (pick(at(i, WIND[int(k)]) && column("axis") == 1, bent(i))):"loaded_z_m" with lines lt int(k), \
+    plot for [n=1:(words(SOLVED[i]) > 0)] SHAPE using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, still(i))):"z_m" with lines lw 1.2 dt (3,4) lc rgb '#707070', \
+         for [n=1:words(SOLVED[i])] SHAPE using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, bent(i))):"loaded_z_m" with lines lt nth(SOLVED[i], n), \
          2*top with lines notitle   # above the picture: a tree without answers still gets its axes
 }
 @strip

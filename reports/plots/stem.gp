@@ -13,8 +13,8 @@ WIDTH = 640.0; HEIGHT = blocks*(TITLE + 2*(h + UNDER)) + KEY
 moment = 0.0; stress = 0.0; top = 0.0
 do for [i=1:trees] {
     top = HEIGHT_M[i] > top ? HEIGHT_M[i] : top
-    do for [k in SOLVED[i]] {
-        u = WIND[int(k)]
+    do for [n=1:words(SOLVED[i])] {
+        u = WIND[nth(SOLVED[i], n)]
         stats SEGMENTS using (pick(at(i, u), column("bending0_Nm")/1e3)):(pick(at(i, u), column("stress0_MPa"))) name 'S' nooutput
         moment = S_max_x > moment ? S_max_x : moment
         stress = S_max_y > stress ? S_max_y : stress
@@ -40,8 +40,8 @@ do for [i=1:trees] {
         most = panel ? stress : moment
         set xrange [0:(most > 0 ? 1.05*most : 1)]
         # base ends of all rows, then the last row to its tip
-        plot for [k in SOLVED[i]] SEGMENTS using (pick(stem(i, int(k)), unit*column(A))):"height0_m" with lines lt int(k), \
-             for [k in SOLVED[i]] SEGMENTS using (pick(last(i, int(k)), unit*column(A))):"height0_m":(unit*(column(B)-column(A))):(column("height1_m")-column("height0_m")) with vectors nohead lt int(k), \
+        plot for [n=1:words(SOLVED[i])] SEGMENTS using (pick(stem(i, nth(SOLVED[i], n)), unit*column(A))):"height0_m" with lines lt nth(SOLVED[i], n), \
+             for [n=1:words(SOLVED[i])] SEGMENTS using (pick(last(i, nth(SOLVED[i], n)), unit*column(A))):"height0_m":(unit*(column(B)-column(A))):(column("height1_m")-column("height0_m")) with vectors nohead lt nth(SOLVED[i], n), \
              -1 with lines   # below the picture: a tree without answers still gets its axes
     }
 }

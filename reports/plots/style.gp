@@ -49,3 +49,5 @@ strip = "set lmargin at screen 0.02; set rmargin at screen 0.98; set bmargin at 
 of(i) = column("tree") == i
 at(i, u) = of(i) && abs(column("wind_m_s") - u) <= 1e-9*(1 + u)
 pick(is, y) = is ? y : NaN
+# The n-th number of a list; gnuplot evaluates a loop's body once even where the list is empty.
+nth(list, n) = words(list) < n ? 1 : int(word(list, n))

@@ -9,6 +9,8 @@ struct quantity {
     size_t offset; /* of the struct wf_value */
 };
 
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
 static const struct quantity level_quantities[] = {
     { "youngs_modulus", "Pa", offsetof(struct wf_level, youngs_modulus) },
     { "shear_modulus", "Pa", offsetof(struct wf_level, shear_modulus) },
@@ -27,33 +29,65 @@ static const struct quantity crown_quantities[] = {
     { "vogel_exponent", "1", offsetof(struct wf_species, streamlining.exponent) },
 };
 
-static void put_standing(struct wf_doc *d, json_t *o, const struct wf_value *v)
+/* The full citation where the table has one, else its key. */
+static void put_source(struct wf_doc *d, json_t *o, const struct wf_species *sp, const char *key)
+{
+    const char *citation = wf_species_source(sp, key);
+    wf_doc_text(d, o, "source", citation ? citation : key);
+}
+
+static void put_standing(struct wf_doc *d, json_t *o, const struct wf_species *sp, const struct wf_value *v)
 {
     wf_doc_text(d, o, "status", wf_standing_text(v->standing));
-    wf_doc_text(d, o, "source", v->source);
+    put_source(d, o, sp, v->source);
     wf_doc_flag(d, o, "given", v->given);
     wf_doc_text(d, o, "note", v->note);
 }
 
-static void add_values(struct wf_doc *d, json_t *list, const char *level, const void *from,
-                       const struct quantity *q, size_t n)
+static bool level_grown(const struct wf_tree *t, size_t level)
 {
-    for (size_t i = 0; i < n; i++) {
-        const struct wf_value *v = (const void *)((const char *)from + q[i].offset);
+    for (size_t i = 0; i < t->n; i++)
+        if (t->level[i] >= 0 && (size_t)t->level[i] == level) return true;
+    return false;
+}
+
+/* Does this value of a grown level act on the answers? Damping does not in a steady wind, and the typical
+ * radius only where the model names none. */
+static bool acts(const struct wf_analysis *a, const char *key)
+{
+    if (!strcmp(key, "damping_ratio")) return false;
+    return strcmp(key, "radius") != 0 || isnan(a->model->radius);
+}
+
+struct values {
+    const char *level;
+    const void *from;         /* struct that holds them */
+    const struct quantity *q; /* n of them */
+    size_t n;
+    bool grown; /* the tree has such a part */
+};
+
+static void add_values(struct wf_doc *d, json_t *list, const struct wf_analysis *a, const struct values *all)
+{
+    for (size_t i = 0; i < all->n; i++) {
+        const struct quantity *q = &all->q[i];
+        const struct wf_value *v = (const void *)((const char *)all->from + q->offset);
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_text(d, o, "level", level);
-        wf_doc_text(d, o, "quantity", q[i].key);
+        wf_doc_text(d, o, "level", all->level);
+        wf_doc_text(d, o, "quantity", q->key);
         wf_doc_number(d, o, "value", v->value);
         wf_doc_number(d, o, "low", v->low);
         wf_doc_number(d, o, "high", v->high);
-        wf_doc_text(d, o, "unit", q[i].unit);
+        wf_doc_text(d, o, "unit", q->unit);
         if (!isfinite(v->value)) wf_doc_text(d, o, "reason", "not given");
-        put_standing(d, o, v);
+        wf_doc_flag(d, o, "used", all->grown && acts(a, q->key));
+        put_standing(d, o, a->species, v);
     }
 }
 
-static json_t *streamlining(struct wf_doc *d, const struct wf_streamlining *s)
+static json_t *streamlining(struct wf_doc *d, const struct wf_species *sp)
 {
+    const struct wf_streamlining *s = &sp->streamlining;
     json_t *o = wf_doc_object(d);
     wf_doc_text(d, o, "law", s->law);
     wf_doc_quantity(d, o, "reference_speed", s->reference_speed, "m/s", "not given");
@@ -61,12 +95,13 @@ static json_t *streamlining(struct wf_doc *d, const struct wf_streamlining *s)
     wf_doc_quantity(d, o, "speed_high", s->speed_high, "m/s", "not given");
     wf_doc_numbers(d, o, "table_speed_m_s", s->table.s, s->table.n);
     wf_doc_numbers(d, o, "table_share", s->table.v, s->table.n);
-    wf_doc_text(d, o, "source", s->source);
+    put_source(d, o, sp, s->source);
     return o;
 }
 
-json_t *wf_part_species(struct wf_doc *d, const struct wf_species *sp)
+json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
 {
+    const struct wf_species *sp = a->species;
     json_t *o = wf_doc_object(d);
     wf_doc_text(d, o, "key", sp->key);
     wf_doc_text(d, o, "name", sp->name);
@@ -79,19 +114,22 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_species *sp)
     json_t *walls = wf_doc_put(d, o, "walls", wf_doc_array(d));
     for (size_t i = 0; i < sp->levels; i++) {
         const struct wf_level *level = &sp->level[i];
-        add_values(d, values, level->name, level, level_quantities,
-                   sizeof level_quantities / sizeof *level_quantities);
+        const struct values all = { level->name, level, level_quantities, COUNT(level_quantities),
+                                    level_grown(&a->tree, i) };
+        add_values(d, values, a, &all);
         if (!level->wall.n) continue;
         json_t *wall = wf_doc_add(d, walls, wf_doc_object(d));
         wf_doc_text(d, wall, "level", level->name);
         wf_doc_numbers(d, wall, "at", level->wall.s, level->wall.n);
         wf_doc_numbers(d, wall, "share", level->wall.v, level->wall.n);
-        put_standing(d, wall, &level->wall_note);
+        wf_doc_flag(d, wall, "used", all.grown);
+        put_standing(d, wall, sp, &level->wall_note);
     }
     bool vogel = sp->streamlining.law && !strcmp(sp->streamlining.law, "vogel");
-    add_values(d, values, "crown", sp, crown_quantities,
-               sizeof crown_quantities / sizeof *crown_quantities - (vogel ? 0 : 1));
-    wf_doc_put(d, o, "streamlining", streamlining(d, &sp->streamlining));
+    const struct values crown = { "crown", sp, crown_quantities, COUNT(crown_quantities) - (vogel ? 0 : 1),
+                                  a->model->leaf_area > 0 };
+    add_values(d, values, a, &crown);
+    wf_doc_put(d, o, "streamlining", streamlining(d, sp));
     return o;
 }
 

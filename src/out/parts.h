@@ -4,7 +4,7 @@
 #include "out/doc.h"
 #include "study/analysis.h"
 
-json_t *wf_part_species(struct wf_doc *d, const struct wf_species *sp);
+json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a);
 json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m);
 json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a);
 json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a);

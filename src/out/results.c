@@ -64,7 +64,7 @@ static json_t *tree(struct wf_doc *d, const struct wf_run *run, size_t index)
 {
     const struct wf_analysis *a = &run->analysis[index];
     json_t *o = wf_doc_object(d);
-    wf_doc_put(d, o, "species", wf_part_species(d, a->species));
+    wf_doc_put(d, o, "species", wf_part_species(d, a));
     wf_doc_put(d, o, "model", wf_part_model(d, a->model));
     wf_doc_put(d, o, "scenario", wf_part_scenario(d, a));
     wf_doc_put(d, o, "method", wf_part_method(d, a));
@@ -119,11 +119,11 @@ static enum wf_status write_document(const struct wf_run *run, const size_t rows
     struct wf_doc d = { 0 };
     json_t *o = document(&d, run, rows);
     enum wf_status code = WF_OK;
-    if (d.failed)
+    bool dumped = !d.failed && !json_dumpf(o, f->stream, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
+    if (dumped)
+        putc('\n', f->stream);
+    else if (!ferror(f->stream)) /* a write that failed is told by the caller, for all files alike */
         code = wf_fail(e, WF_ENOMEM, "%s: no memory for the document", f->path);
-    else if (json_dumpf(o, f->stream, JSON_INDENT(1) | JSON_REAL_PRECISION(17)) ||
-             putc('\n', f->stream) == EOF)
-        code = wf_fail(e, WF_EOUTPUT, "%s: cannot be written", f->path);
     json_decref(o);
     return code;
 }
@@ -142,15 +142,13 @@ static enum wf_status write_all(const struct wf_run *run, const char *folder, st
         if (n < 0 || (size_t)n >= sizeof path)
             return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
         if ((code = wf_file_begin(&f[i], path, e))) return code;
+        errno = 0;
         if (i < WF_TABLES)
             rows[i] = wf_tables[i].write(run, f[i].stream);
         else if ((code = write_document(run, rows, &f[i], e)))
             return code;
-    }
-    for (size_t i = 0; i < FILES; i++) { /* a full disk shows here, before any file is replaced */
-        errno = 0;
-        if (fflush(f[i].stream) || ferror(f[i].stream))
-            return wf_fail(e, WF_EOUTPUT, "%s: cannot be written: %s", f[i].path,
+        if (fflush(f[i].stream) || ferror(f[i].stream)) /* a full disk shows before any file is replaced */
+            return wf_fail(e, WF_EOUTPUT, "%s: cannot be written: %s", path,
                            errno ? strerror(errno) : "write error");
     }
     for (size_t i = 0; i < FILES; i++)
