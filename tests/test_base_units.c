@@ -9,7 +9,7 @@ static int open_units(void **state)
 {
     (void)state;
     struct wf_err e = { 0 };
-    return wf_units_open(&units, &e);
+    return (int)wf_units_open(&units, &e);
 }
 
 static int close_units(void **state)
