@@ -1,4 +1,5 @@
 /* Running a validation case and holding what comes out against what is wanted. */
+#include "solve/modes.h"
 #include "study/validate_solve.h"
 #include <math.h>
 #include <string.h>
@@ -22,8 +23,14 @@ static enum wf_status compute(struct wf_measured *m, const struct wf_setup *s, s
         if (wf_setup_solve(s, m->solver, m->arena, r, e)) return e->code;
         m->response = r;
     }
-    if (wanted_by(m->of, WF_BY_MODES, &m->modes) || wanted_by(m->of, WF_BY_BUCKLING, NULL))
-        return wf_fail(e, WF_EMISSING, "natural frequencies and buckling are not computed by this version");
+    if (wanted_by(m->of, WF_BY_MODES, &m->modes)) {
+        double *f = WF_TAKE(m->arena, m->modes, double);
+        if (!f) return wf_fail(e, WF_ENOMEM, "no memory");
+        if (wf_modes(&s->tree, &s->loads, &s->options, m->modes, m->arena, f, NULL, e)) return e->code;
+        m->frequency = f;
+    }
+    if (wanted_by(m->of, WF_BY_BUCKLING, NULL))
+        return wf_buckling(&s->tree, &s->loads, &s->options, m->arena, &m->buckling_factor, e);
     return WF_OK;
 }
 
