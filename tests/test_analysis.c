@@ -239,6 +239,7 @@ static void test_limits(void **state)
 
     set_up(&b);
     b.level.density.standing = WF_ASSUMED;
+    b.level.radius.standing = WF_ASSUMED; /* the model gives the radius, so this one takes no part */
     b.species.preset = "someone2001";
     b.species.leaf_frontal_share.standing = WF_ASSUMED;
     assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);

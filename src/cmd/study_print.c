@@ -44,7 +44,7 @@ void wf_study_print(FILE *to, const struct wf_run *run)
 {
     const struct wf_analysis *first = &run->analysis[0];
     const struct wf_scenario *s = &first->scenario;
-    fprintf(to, "%s (%.6g m), %s wind profile, air %.3f kg/m3, solver %s\n", first->model->name,
+    fprintf(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
     for (size_t k = 0; k < run->n; k++) {
         const struct wf_analysis *an = &run->analysis[k];

@@ -130,27 +130,28 @@ static bool level_grown(const struct wf_tree *t, size_t level)
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-char *wf_limits_assumed(const struct wf_species *sp, const struct wf_tree *t, char *buf, size_t size)
+char *wf_limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
 {
+    const struct wf_species *sp = an->species;
     buf[0] = '\0';
     for (size_t i = 0; i < sp->levels; i++) {
-        if (!level_grown(t, i)) continue;
+        if (!level_grown(&an->tree, i)) continue;
         const struct wf_level *l = &sp->level[i];
         const struct named_value all[] = {
             { "youngs_modulus", &l->youngs_modulus },
             { "shear_modulus", &l->shear_modulus },
             { "density", &l->density },
-            { "radius", &l->radius },
             { "modulus_of_rupture", &l->modulus_of_rupture },
             { "knot_factor", &l->knot_factor },
             { "drag_coefficient", &l->drag_coefficient },
             { "lift_coefficient", &l->lift_coefficient },
         };
-        struct named_value used[COUNT(all) + 1];
+        struct named_value used[COUNT(all) + 2];
         size_t n = 0;
-        for (size_t k = 0; k < COUNT(all);
-             k++) /* a default nobody wrote is an assumption only where it acts */
-            if (all[k].value->given || k < 4) used[n++] = all[k];
+        /* of the defaults nobody wrote only the first three can change an answer */
+        for (size_t k = 0; k < COUNT(all); k++)
+            if (all[k].value->given || k < 3) used[n++] = all[k];
+        if (i == 0 && isnan(an->model->radius)) used[n++] = (struct named_value){ "radius", &l->radius };
         if (l->wall.n) used[n++] = (struct named_value){ "wall", &l->wall_note };
         add_assumed(buf, size, l->name, used, n);
     }
@@ -168,7 +169,7 @@ char *wf_limits_assumed(const struct wf_species *sp, const struct wf_tree *t, ch
 static void check_assumed(const struct wf_analysis *an, struct wf_diag *d)
 {
     char list[900];
-    if (*wf_limits_assumed(an->species, &an->tree, list, sizeof list))
+    if (*wf_limits_assumed(an, list, sizeof list))
         wf_diag_warn(d, "assumed-values", "%s: these values are assumptions without a source: %s",
                      an->species->name, list);
 }

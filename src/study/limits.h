@@ -16,7 +16,8 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d);
 /* The part of it that looks at the wind: streamline-range, profile-range, reynolds-range. */
 void wf_limits_wind(const struct wf_analysis *an, struct wf_diag *d);
 
-/* The values of the species that are assumptions and take part in the tree, as one text ("culm: density,
- * shear_modulus; crown: ..."), or "" when there is none. Returned: buf. */
-char *wf_limits_assumed(const struct wf_species *sp, const struct wf_tree *t, char *buf, size_t size);
+/* The values of the species that are assumptions and take part (levels grown, radius where the model gives
+ * none), as one text ("culm: density, shear_modulus; crown: ..."), or "" when there is none. Returned: buf.
+ */
+char *wf_limits_assumed(const struct wf_analysis *an, char *buf, size_t size);
 #endif
