@@ -223,13 +223,13 @@ static void speedup_limits(void **state)
     fill(&t, 101, 15, flat);
     assert_int_equal(wf_terrain_speedup(&t, &q, &arena, &s, &err), WF_OK);
     for (size_t i = 0; i < 101 * 101; i++) assert_true(s.ds[i] == 0.0);
-    /* wind along a ridge meets no hill there, only the faded ends of the map */
+    /* wind along a ridge meets no hill */
     fill(&t, 301, 15, ridge);
     q.from = -PI / 2;
     assert_int_equal(wf_terrain_speedup(&t, &q, &arena, &s, &err), WF_OK);
     q.from = 0;
     assert_int_equal(wf_terrain_speedup(&t, &q, &arena, &along, &err), WF_OK);
-    assert_true(fabs(along.ds[150 * 301 + 150]) < 0.05 * s.ds[150 * 301 + 150]);
+    for (size_t i = 0; i < 301 * 301; i++) assert_true(fabs(along.ds[i]) < 1e-12);
     /* the length found on the map is of the ridge's own order */
     assert_true(s.length > 0.5 * RIDGE_L && s.length < 4 * RIDGE_L);
     q.roughness = 0;

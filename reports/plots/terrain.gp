@@ -1,4 +1,4 @@
-# Ground, shelter by it and wind over it, as maps.
+# Ground, shelter by it and wind over it, as maps and place by place.
 #   gnuplot -c terrain.gp FOLDER [FILE]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'terrain.svg'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
@@ -7,28 +7,26 @@ TERRAIN = DIR.'/tables/terrain.csv'
 stats TERRAIN using (column("x_m")):(column("y_m")) nooutput
 XLOW = STATS_min_x; XHIGH = STATS_max_x; YLOW = STATS_min_y; YHIGH = STATS_max_y
 stats TERRAIN using (column("wind_factor")) nooutput
-FLOW = STATS_min; FHIGH = STATS_max
+POINTS = STATS_records; FLOW = STATS_min; FHIGH = STATS_max
 stats TERRAIN using (column("topex_deg")) nooutput
-TLOW = STATS_min; THIGH = STATS_max
+TLOW = STATS_min; THIGH = STATS_max; TWIDE = abs(STATS_mean) + 3*STATS_stddev
 WIDTH = 640.0
 MAP = 250.0; TALL = MAP*(YHIGH - YLOW)/(XHIGH - XLOW)
 TALL = TALL > 600 ? 600.0 : TALL < 60 ? 60.0 : TALL
-HEIGHT = 2*TALL + 150.0
+HEIGHT = 2*TALL*215/250 + 176.0
 @start
 set multiplot
 unset grid; unset key
 set border 15 lw 0.6
-set xrange [XLOW:XHIGH]; set yrange [YLOW:YHIGH]
-set xtics (XLOW/1000 < 1e5 ? 0 : 0); set xtics auto; set ytics auto; set format xy "%g"
-set colorbox vertical user size 9.0/WIDTH, TALL/HEIGHT
+set format xy "%g"
 km(v) = v/1000.0
 set xrange [km(XLOW):km(XHIGH)]; set yrange [km(YLOW):km(YHIGH)]
 set xlabel "east (km)" offset 0,0.3
-array TITLE[3] = ["height (m)", "topex (deg), high is sheltered", sprintf("wind / level ground, from %g deg", FROM)]
+array TITLE[3] = ["height (m)", "topex (deg), high: sheltered", sprintf("wind / level, from %g deg", FROM)]
 array NAMES[3] = ["height_m", "topex_deg", "wind_factor"]
 do for [i=1:3] {
     col = (i - 1) % 2; row = (i - 1)/2
-    x0 = 52.0 + col*306.0; y1 = 26.0 + row*(TALL + 70.0)
+    x0 = 52.0 + col*306.0; y1 = 26.0 + row*(TALL*215/250 + 76.0)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + 215)/WIDTH
     set tmargin at screen 1 - y1/HEIGHT; set bmargin at screen 1 - (y1 + TALL*215/250)/HEIGHT
     set colorbox vertical user origin (x0 + 221)/WIDTH, 1 - (y1 + TALL*215/250)/HEIGHT size 9.0/WIDTH, TALL*215/250/HEIGHT
@@ -36,9 +34,16 @@ do for [i=1:3] {
     if (col == 0) { set ylabel "north (km)" offset 1,0 } else { set ylabel "" }
     set cbrange [*:*]
     if (i == 1) { set palette defined (0 '#2b6a4d', 1 '#9bbf85', 2 '#e7dcae', 3 '#b08d57', 4 '#f4f1ec') }
-    if (i == 2) { B = (abs(TLOW) > abs(THIGH) ? abs(TLOW) : abs(THIGH)); set palette defined (0 '#B35806', 1 '#f5f5f5', 2 '#2166ac'); set cbrange [-B:B] }
+    if (i == 2) { B = TWIDE; set palette defined (0 '#B35806', 1 '#f5f5f5', 2 '#2166ac'); set cbrange [-B:B] }
     if (i == 3) { B = (FHIGH - 1 > 1 - FLOW ? FHIGH - 1 : 1 - FLOW); set palette defined (0 '#2166ac', 1 '#f5f5f5', 2 '#b2182b'); set cbrange [1-B:1+B] }
     plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(column(NAMES[i])) with image pixels
 }
+set lmargin at screen 384.0/WIDTH; set rmargin at screen 618.0/WIDTH
+set border 3; set grid lw 0.5 lt 1 lc rgb '#e3e3e3' dt 1
+set title "each place"
+set xlabel "topex (deg)"; set ylabel "wind / level" offset 1,0
+set xrange [TLOW:THIGH]; set yrange [FLOW:FHIGH]
+EVERY = 1 + int(POINTS/6000)
+plot TERRAIN using (int(column(0)) % EVERY ? NaN : column("topex_deg")):(column("wind_factor")) with points lt 1 pt 7 ps 0.2
 unset multiplot
 set output

@@ -4,6 +4,13 @@ DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'wind_coherence.svg'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
 COHERENCE = DIR.'/tables/coherence.csv'
+FEW = PAIRS < 5 ? PAIRS : 5
+which(i) = PAIRS < 6 ? i : 1 + int((i - 1)*(PAIRS - 1)/4.0 + 0.5)
+array APART[FEW]
+do for [i=1:FEW] {
+    stats COHERENCE using (pick(column("point") == which(i) + 1, column("distance_m"))) nooutput
+    APART[i] = STATS_max
+}
 WIDTH = 640.0; HEIGHT = 340.0
 @start
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 626.0/WIDTH
@@ -12,13 +19,6 @@ set logscale x; set format x "%g"
 set xlabel "frequency (Hz)"; set ylabel "root coherence" offset 1,0
 set yrange [-0.3:1.05]
 set key top right vertical
-FEW = PAIRS < 5 ? PAIRS : 5
-which(i) = PAIRS < 6 ? i : 1 + int((i - 1)*(PAIRS - 1)/4.0 + 0.5)
-array APART[FEW]
-do for [i=1:FEW] {
-    stats COHERENCE using (pick(column("point") == which(i) + 1, column("distance_m"))) nooutput
-    APART[i] = STATS_max
-}
 plot for [i=1:FEW] COHERENCE using (pick(column("point") == which(i) + 1, column("frequency_hz"))):(column("coherence")) with points lt i lw 1 title sprintf("%g m", APART[i]), \
      for [i=1:(TARGET ? FEW : 0)] COHERENCE using (pick(column("point") == which(i) + 1, column("frequency_hz"))):(column("target")) with lines lt i
 set output

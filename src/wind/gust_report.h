@@ -12,7 +12,7 @@ struct wf_gust_finding {
     const char *name, *unit;
     double asked, got;
     double scatter; /* one standard error of `got` in a series of this length; NAN: none given */
-    bool within;    /* |got - asked| <= 4 scatter (5 % of asked + 4 scatter for a spectrum)    */
+    bool within;    /* |got - asked| <= 4 scatter plus a slack for spectra                       */
 };
 enum { WF_GUST_FINDINGS = 12 };
 

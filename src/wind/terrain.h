@@ -60,8 +60,8 @@ double wf_terrain_horizon(const struct wf_terrain *t, size_t column, size_t row,
  * Sykes R.I. (1979), ibid. 105:383-395. Range: neutral, slopes up to about 0.3 without separation, uniform
  * roughness, hills much smaller than the boundary layer. Errs: high in the lee of steep slopes. Summit of a
  * low ridge: about 2 h/L as in the guidelines of Taylor P.A., Lee R.J. (1984), Climatol. Bull. 18(2):3-32.
- * The map's mean is removed, its outer tenth faded out, and it is doubled in size with level ground; results
- * there mean little. */
+ * Beyond its edges the ground is taken as its mirror image; what is near an edge is worth as much as that
+ * guess. */
 struct wf_speedup_request {
     double from;      /* direction the wind comes from, clockwise from north [rad]        */
     double height;    /* above the ground [m]                                             */

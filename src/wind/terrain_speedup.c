@@ -36,8 +36,8 @@ static void drop(struct plane *p)
 static enum wf_status lay_out(struct plane *p, const struct wf_terrain *t, struct wf_arena *a,
                               struct wf_err *e)
 {
-    p->nx = smooth(2 * t->columns);
-    p->ny = smooth(2 * t->rows);
+    p->nx = smooth(2 * t->columns - 2);
+    p->ny = smooth(2 * t->rows - 2);
     p->h = WF_TAKE(a, 2 * p->nx * p->ny, double);
     p->wx = gsl_fft_complex_wavetable_alloc(p->nx);
     p->wy = gsl_fft_complex_wavetable_alloc(p->ny);
@@ -56,12 +56,9 @@ static void transform(struct plane *p, gsl_fft_direction way)
         gsl_fft_complex_transform(p->h + 2 * c, p->nx, p->ny, p->wy, p->sy, way);
 }
 
-/* Half a cosine over the outer tenth, 1 inside. */
-static double fade(size_t i, size_t n)
-{
-    double edge = 0.1 * (double)(n - 1), from = fmin((double)i, (double)(n - 1 - i));
-    return from >= edge ? 1.0 : 0.5 - 0.5 * cos(0.5 * TAU * from / edge);
-}
+/* Which grid point stands at place i of the doubled map: there and back, then the first again up to a size
+ * that transforms well. */
+static size_t mirrored(size_t i, size_t n) { return i < n ? i : i < 2 * n - 2 ? 2 * n - 2 - i : 0; }
 
 static double wavenumber(size_t i, size_t n, double cell)
 {
@@ -133,10 +130,10 @@ enum wf_status wf_terrain_speedup(const struct wf_terrain *t, const struct wf_sp
     }
     out->ds = WF_TAKE(a, t->rows * t->columns, double);
     if (!out->ds || lay_out(&p, t, a, e)) return wf_fail(e, WF_ENOMEM, "no room for the speed-up of a map");
-    for (size_t r = 0; r < t->rows; r++)
-        for (size_t c = 0; c < t->columns; c++)
+    for (size_t r = 0; r < p.ny; r++)
+        for (size_t c = 0; c < p.nx; c++)
             p.h[2 * (r * p.nx + c)] =
-                (t->z[r * t->columns + c] - mean) * fade(c, t->columns) * fade(r, t->rows);
+                t->z[mirrored(r, t->rows) * t->columns + mirrored(c, t->columns)] - mean;
     transform(&p, gsl_fft_forward);
     enum wf_status s = respond(t, q, &p, out, e);
     if (!s) {
