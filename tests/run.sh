@@ -26,11 +26,13 @@ for source in tests/test_*.c; do
     name=$(basename "$source" .c)
     "$build/tests/$name" >"$log" 2>&1 </dev/null
     code=$?
-    p=$(number '^\[  PASSED  \] \([0-9]*\) test.*') f=$(number '^\[  FAILED  \] [^:]*: \([0-9]*\) test.*') s=$(number '^\[  SKIPPED \] [^:]*: \([0-9]*\) test.*')
+    p=$(number '.*\[  PASSED  \] \([0-9]*\) test.*')
+    f=$(number '.*\[  FAILED  \] \([0-9]*\) test.*')
+    s=$(number '.*\[  SKIPPED \] \([0-9]*\) test.*')
     if [ $code -ne 0 ] && [ "$f" -eq 0 ]; then f=1; fi # it crashed or never reported
     if [ $((p + f + s)) -eq 0 ]; then f=1; fi          # a program without tests proves nothing
     if [ "$f" -ne 0 ]; then cat "$log"; fi
-    echo "$name: $p passed, $f failed"
+    echo "$name: $p passed, $f failed, $s skipped"
     passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
 done
 
@@ -40,10 +42,10 @@ p=$(number '.*[^0-9]*\b\([0-9][0-9]*\) passed.*') f=$(number '.*\b\([0-9][0-9]*\
 if [ $code -ne 0 ] && [ "$f" -eq 0 ]; then f=1; fi
 if [ $((p + f + s)) -eq 0 ]; then f=1; fi
 if [ "$f" -ne 0 ]; then
-    grep -E 'FAILED|error' "$log"
+    grep -E 'FAILED|: error:' "$log"
     echo "('$WINDFIRM validate' shows all of it)"
 fi
-echo "validation cases: $p passed, $f failed"
+echo "validation cases: $p passed, $f failed, $s skipped"
 passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
 
 line="$passed passed, $failed failed"
