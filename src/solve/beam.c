@@ -37,12 +37,28 @@ static double deepest(const struct wf_tree *t, double *depth)
     return most;
 }
 
-/* Pieces that bring each row's share of the error to its part of the target. */
-static void choose(const struct wf_beam *b, const double *share, double target, int32_t *pieces)
+static double relative(const double coarse[3], const double fine[3])
+{
+    double d[3] = { fine[0] - coarse[0], fine[1] - coarse[1], fine[2] - coarse[2] };
+    double length = sqrt(wf_dot(fine, fine));
+    return length > 0 ? sqrt(wf_dot(d, d)) / length : 0;
+}
+
+/* Relative error of the reactions on the finer mesh. */
+static double reaction_error(const struct wf_beam *coarse, const struct wf_beam *fine)
+{
+    double fall = pow((double)fine->mesh.n / (double)coarse->mesh.n, 4) - 1;
+    double off = fmax(relative(coarse->base.n, fine->base.n), relative(coarse->base.m, fine->base.m));
+    return fall > 0 ? off / fall : 0;
+}
+
+/* Pieces that bring each row's share of the error to its part of the target, and no fewer than `grow` times the
+ * present. */
+static void choose(const struct wf_beam *b, const double *share, double target, double grow, int32_t *pieces)
 {
     for (size_t i = 0; i < b->mesh.tree->n; i++) {
         int32_t now = b->mesh.last[i] - b->mesh.first[i] + 1;
-        double want = now * pow(share[i] / target, 0.25);
+        double want = now * fmax(pow(share[i] / target, 0.25), grow);
         pieces[i] = (int32_t)fmin(fmax(ceil(want), 1), 16.0 * now);
     }
 }
@@ -77,11 +93,12 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
         status = wf_beam_settle(&fine, work, &again, e);
         if (status) return status;
         fine.iterations += b->iterations, fine.steps += b->steps;
-        double target = fmax(o->mesh_tolerance * safety * largest_displacement(&fine), rounding * size(t));
-        double error = wf_beam_mesh_error(b, &fine, reach, share);
+        double allowed = o->mesh_tolerance * safety;
+        double target = fmax(allowed * largest_displacement(&fine), rounding * size(t));
+        double error = wf_beam_mesh_error(b, &fine, reach, share), reactions = reaction_error(b, &fine);
         *b = fine;
-        if (error <= target) break;
-        choose(b, share, target / depth, pieces);
+        if (error <= target && reactions <= allowed) break;
+        choose(b, share, target / depth, reactions > allowed ? pow(reactions / allowed, 0.25) : 0, pieces);
     }
     return WF_OK;
 }

@@ -38,44 +38,81 @@ static void displace(struct wf_beam *b, double (*u)[3], double (*q)[3])
     }
 }
 
+struct answer {
+    struct wf_beam beam;
+    double (*u)[3], (*q)[3];
+};
+
+static enum wf_status answer_on(const struct wf_tree *t, const struct wf_loads *l,
+                                const struct wf_solve_options *o, int32_t pieces_each, int32_t *pieces,
+                                struct wf_arena *work, struct answer *x, struct wf_err *e)
+{
+    for (size_t i = 0; i < t->n; i++) pieces[i] = pieces_each;
+    enum wf_status status = wf_beam_init(&x->beam, t, l, o, pieces, work, e);
+    if (status) return status;
+    x->u = wf_arena_take(work, x->beam.mesh.n, sizeof *x->u);
+    x->q = wf_arena_take(work, x->beam.mesh.n, sizeof *x->q);
+    if (!x->u || !x->q) return wf_fail(e, WF_ENOMEM, "no room for %zu displacements", x->beam.mesh.n);
+    wf_beam_sweep_up(&x->beam);
+    wf_beam_sweep_down(&x->beam, false, NULL);
+    displace(&x->beam, x->u, x->q);
+    return WF_OK;
+}
+
+/* Error of the finer of two meshes of ratio 2, relative to the largest displacement and rotation. */
+static double error_of(const struct answer *coarse, const struct answer *fine)
+{
+    double off[2] = { 0, 0 }, size[2] = { 0, 0 };
+    for (size_t i = 0; i < fine->beam.mesh.tree->n; i++) {
+        size_t a = (size_t)coarse->beam.mesh.last[i], b = (size_t)fine->beam.mesh.last[i];
+        for (int c = 0; c < 3; c++) {
+            off[0] = fmax(off[0], fabs(coarse->u[a][c] - fine->u[b][c]));
+            off[1] = fmax(off[1], fabs(coarse->q[a][c] - fine->q[b][c]));
+            size[0] = fmax(size[0], fabs(fine->u[b][c]));
+            size[1] = fmax(size[1], fabs(fine->q[b][c]));
+        }
+    }
+    return fmax(size[0] > 0 ? off[0] / size[0] : 0, size[1] > 0 ? off[1] / size[1] : 0) / 15;
+}
+
+static void read_linear(const struct answer *x, struct wf_response *r)
+{
+    const struct wf_beam *b = &x->beam;
+    wf_beam_read(b, r);
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        int32_t last = b->mesh.last[i], below = b->mesh.part[b->mesh.first[i]].parent;
+        double c[3];
+        memcpy(r->end + 3 * i, x->u[last], sizeof *x->u);
+        memcpy(r->turn + 3 * i, x->q[last], sizeof *x->q);
+        wf_cross(x->q[last], r->tangent1 + 3 * i, c);
+        v3_add(r->tangent1 + 3 * i, 1, c);
+        if (below < 0) continue;
+        wf_cross(x->q[below], r->tangent0 + 3 * i, c);
+        v3_add(r->tangent0 + 3 * i, 1, c);
+    }
+    r->load_factor = 1;
+    r->iterations = r->steps = 1;
+    r->small_deflection = true;
+}
+
 static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
                             struct wf_diag *d, struct wf_err *e)
 {
+    const int32_t most = 512;
     struct wf_arena work = { 0 };
-    struct wf_beam b;
-    double(*u)[3] = NULL, (*q)[3] = NULL;
-    int32_t *pieces = WF_TAKE(&work, t->n, int32_t);
+    struct answer x, last;
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
+    int32_t *pieces = WF_TAKE(&work, t->n, int32_t), cut = 1;
+    if (!status && !pieces) status = wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
     if (!status) status = wf_tree_check(t, d, e);
-    for (size_t i = 0; !status && i < t->n; i++)
-        pieces[i] = o->mesh_tolerance > 0 ? (int32_t)(63 / t->n + 2) : 1;
-    if (!status) status = wf_beam_init(&b, t, l, o, pieces, &work, e);
-    if (!status) {
-        u = wf_arena_take(&work, b.mesh.n, sizeof *u);
-        q = wf_arena_take(&work, b.mesh.n, sizeof *q);
-        if (!u || !q) status = wf_fail(e, WF_ENOMEM, "no room for %zu displacements", b.mesh.n);
+    if (!status) status = answer_on(t, l, o, cut, pieces, &work, &x, e);
+    while (!status && o->mesh_tolerance > 0 && cut < most) {
+        last = x;
+        status = answer_on(t, l, o, cut *= 2, pieces, &work, &x, e);
+        if (!status && error_of(&last, &x) <= 0.25 * o->mesh_tolerance) break;
     }
-    if (!status) {
-        wf_beam_sweep_up(&b);
-        wf_beam_sweep_down(&b, false, NULL);
-        displace(&b, u, q);
-        wf_beam_read(&b, r);
-        for (size_t i = 0; i < t->n; i++) {
-            int32_t last = b.mesh.last[i], below = b.mesh.part[b.mesh.first[i]].parent;
-            memcpy(r->end + 3 * i, u[last], sizeof *u);
-            memcpy(r->turn + 3 * i, q[last], sizeof *q);
-            double c[3];
-            wf_cross(q[last], r->tangent1 + 3 * i, c);
-            v3_add(r->tangent1 + 3 * i, 1, c);
-            if (below < 0) continue;
-            wf_cross(q[below], r->tangent0 + 3 * i, c);
-            v3_add(r->tangent0 + 3 * i, 1, c);
-        }
-        r->load_factor = 1;
-        r->iterations = r->steps = 1;
-        r->small_deflection = true;
-    }
+    if (!status) read_linear(&x, r);
     wf_arena_free(&work);
     return status;
 }
