@@ -11,6 +11,21 @@
   </xsl:choose>
 </xsl:template>
 
+<!-- Wind speeds whose answers the method itself does not vouch for. -->
+<xsl:template name="small">
+  <xsl:variable name="beyond" select="winds/item[small_deflection = 'true' and (tip_deflection_share/value &gt; 0.1 or $degrees * tip_angle/value &gt; 15)]"/>
+  <xsl:if test="$beyond">
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.small</xsl:with-param>
+      <xsl:with-param name="a"><xsl:choose>
+        <xsl:when test="count($beyond) &gt; 4"><xsl:call-template name="say"><xsl:with-param name="id">range</xsl:with-param>
+          <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$beyond[1]/speed/value"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="b"><xsl:call-template name="given"><xsl:with-param name="x" select="$beyond[last()]/speed/value"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:when>
+        <xsl:otherwise><xsl:call-template name="list"><xsl:with-param name="items" select="$beyond/speed/value"/></xsl:call-template></xsl:otherwise>
+      </xsl:choose></xsl:with-param>
+      <xsl:with-param name="b"><xsl:call-template name="name"/></xsl:with-param></xsl:call-template>
+  </xsl:if>
+</xsl:template>
+
 <!-- The first sentence: how it stands at the highest wind speed that has an answer. -->
 <xsl:template name="verdict">
   <xsl:variable name="last" select="winds/item[status = 'ok'][last()]"/>
@@ -46,8 +61,8 @@
     <xsl:call-template name="say"><xsl:with-param name="id">sum.tip</xsl:with-param>
       <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></xsl:with-param>
       <xsl:with-param name="b"><xsl:call-template name="number"><xsl:with-param name="x" select="tip_deflection/value"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="c"><xsl:call-template name="fixed"><xsl:with-param name="x" select="100 * tip_deflection_share/value"/><xsl:with-param name="pattern">0.#</xsl:with-param></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="d"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$degrees * tip_angle/value"/><xsl:with-param name="pattern">0</xsl:with-param></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="c"><xsl:call-template name="steady"><xsl:with-param name="x" select="100 * tip_deflection_share/value"/><xsl:with-param name="pattern">0.#</xsl:with-param></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="d"><xsl:call-template name="steady"><xsl:with-param name="x" select="$degrees * tip_angle/value"/><xsl:with-param name="pattern">0</xsl:with-param><xsl:with-param name="least" select="1"/></xsl:call-template></xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
 </xsl:template>
@@ -82,21 +97,12 @@
   </xsl:if>
 </xsl:template>
 
-<!-- What must not be used. -->
+<!-- What has no answer. -->
 <xsl:template name="voids">
   <xsl:if test="winds/item[status != 'ok']">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say"><xsl:with-param name="id">sum.no-answer</xsl:with-param>
       <xsl:with-param name="a"><xsl:call-template name="list"><xsl:with-param name="items" select="winds/item[status != 'ok']/speed/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
-  </xsl:if>
-  <xsl:variable name="beyond" select="winds/item[small_deflection = 'true' and (tip_deflection_share/value &gt; 0.1 or $degrees * tip_angle/value &gt; 15)]"/>
-  <xsl:if test="$beyond">
-    <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.small</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="list"><xsl:with-param name="items" select="$beyond/speed/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
-  </xsl:if>
-  <xsl:if test="method/solver/as_printed = 'true'">
-    <xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">sum.printed</xsl:with-param></xsl:call-template>
   </xsl:if>
 </xsl:template>
 
@@ -134,9 +140,16 @@
 
 <xsl:template name="summary">
   <div class="summary">
-    <xsl:if test="count($trees) &gt; 1"><p><b><xsl:call-template name="compare"/></b></p></xsl:if>
+    <!-- no ranking out of answers that are not valid -->
+    <xsl:variable name="void"><xsl:for-each select="$trees"><xsl:if test="method/solver/as_printed = 'true'">x</xsl:if><xsl:call-template name="small"/></xsl:for-each></xsl:variable>
+    <xsl:if test="count($trees) &gt; 1 and $void = ''"><p><b><xsl:call-template name="compare"/></b></p></xsl:if>
     <xsl:for-each select="$trees">
-      <p><b><xsl:call-template name="verdict"/></b><xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="voids"/></p>
+      <xsl:variable name="small"><xsl:call-template name="small"/></xsl:variable>
+      <p><b><xsl:choose>
+        <xsl:when test="method/solver/as_printed = 'true'"><xsl:call-template name="say"><xsl:with-param name="id">sum.printed</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param></xsl:call-template></xsl:when>
+        <xsl:when test="$small != ''"><xsl:value-of select="$small"/></xsl:when>
+        <xsl:otherwise><xsl:call-template name="verdict"/></xsl:otherwise>
+      </xsl:choose></b><xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="voids"/></p>
     </xsl:for-each>
   </div>
   <xsl:variable name="values" select="$trees/species/values/item[used = 'true' and value != '']"/>

@@ -17,17 +17,21 @@
   <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
   <td class="r"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></td>
 </xsl:template>
+<xsl:template name="steady-cell">
+  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
+  <td class="r"><xsl:call-template name="steady"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></td>
+</xsl:template>
 
 <!-- Cells of one tree at one wind speed. A quantity without a value gives a dash, a speed without answer says so. -->
 <xsl:template name="result-cells">
   <xsl:choose>
     <xsl:when test="status = 'ok'">
-      <xsl:call-template name="cell"><xsl:with-param name="x" select="tip_deflection/value"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="cell"><xsl:with-param name="x" select="100 * tip_deflection_share/value"/></xsl:call-template>
-      <xsl:call-template name="cell"><xsl:with-param name="x" select="$degrees * tip_angle/value"/></xsl:call-template>
+      <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="tip_deflection/value"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
+      <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="100 * tip_deflection_share/value"/></xsl:call-template>
+      <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="$degrees * tip_angle/value"/></xsl:call-template>
       <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="drag/value"/></xsl:call-template></td>
       <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="base_moment/value div 1000"/></xsl:call-template></td>
-      <xsl:call-template name="cell"><xsl:with-param name="x" select="largest_stress/value div 1e6"/></xsl:call-template>
+      <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="largest_stress/value div 1e6"/></xsl:call-template>
       <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template></td>
       <xsl:call-template name="cell"><xsl:with-param name="x" select="governing_section/height/value"/></xsl:call-template>
     </xsl:when>

@@ -89,6 +89,15 @@
   </xsl:call-template>
 </xsl:template>
 
+<!-- A fixed number of decimals as long as that shows the number, else three significant digits. -->
+<xsl:template name="steady">
+  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/><xsl:param name="least" select="0.1"/>
+  <xsl:choose>
+    <xsl:when test="$x = 0 or $x &gt;= $least or $x &lt;= -$least"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></xsl:when>
+    <xsl:otherwise><xsl:call-template name="number"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
 <!-- A value as somebody gave it: no digits added. -->
 <xsl:template name="given">
   <xsl:param name="x"/>

@@ -39,9 +39,13 @@ HEIGHT = rows*(h + TITLE + UNDER) + KEY
 
 set multiplot
 set xrange [low:high]; set yrange [floor:top]
-set xtics autofreq; set ytics autofreq
-tick = top > 40 ? 10 : (top > 16 ? 5 : (top > 6 ? 2 : (top > 2 ? 0.5 : top/5)))
-set ytics tick; set xtics tick
+# the smallest round step that leaves room for the figures
+xstep = 1000.0; ystep = 1000.0
+do for [s in "500 200 100 50 20 10 5 2 1 0.5 0.2 0.1 0.05 0.02 0.01"] {
+    xstep = real(s)*scale >= 32 ? real(s) : xstep
+    ystep = real(s)*scale >= 28 ? real(s) : ystep
+}
+set xtics xstep; set ytics ystep
 do for [i=1:trees] {
     c = (i-1)%columns; r = (i-1)/columns
     x0 = side + LEFT + c*(w + GAP); y1 = HEIGHT - r*(h + TITLE + UNDER) - TITLE
