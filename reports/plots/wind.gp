@@ -19,7 +19,7 @@ EVERY = ceil(SHOWN/STEP/3000.0)
 
 @start
 set multiplot
-set lmargin at screen 72.0/WIDTH; set rmargin at screen 618.0/WIDTH
+set lmargin at screen 84.0/WIDTH; set rmargin at screen 618.0/WIDTH
 set tmargin at screen 1 - 26.0/HEIGHT; set bmargin at screen 1 - 200.0/HEIGHT
 set title MODEL.": the first ".sprintf("%g", SHOWN)." s" offset 0,-0.6
 set xrange [0:SHOWN]; set yrange [*:*]
@@ -27,7 +27,7 @@ set xlabel "time (s)"; set ylabel "wind (m/s)" offset 1,0
 set key top right horizontal
 plot for [c=COMPONENTS:1:-1] SERIES every EVERY using 1:(column(c + 1)) with lines lt c lw 0.8 dt 1 title (COMPONENTS > 1 ? WORD[c] : "")
 
-set lmargin at screen 72.0/WIDTH; set rmargin at screen 372.0/WIDTH
+set lmargin at screen 84.0/WIDTH; set rmargin at screen 384.0/WIDTH
 set tmargin at screen 1 - 284.0/HEIGHT; set bmargin at screen 60.0/HEIGHT
 set title (TARGET ? "spectrum: points made, line asked for" : "spectrum") offset 0,-0.6
 set logscale xy; set xrange [*:*]; set yrange [3e-5*TOP:*]

@@ -1,6 +1,8 @@
 #include "base/near.h"
 #include "base/number.h"
 #include "cmd/args.h"
+#include "cmd/wind_speed.h"
+#include "wind/scale.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -126,6 +128,13 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+/* "beaufort:8", "cma:typhoon": what it is taken as is said on stderr. */
+static void grade(struct wf_reading *r, const struct wf_option *o, const char *text, double *speed)
+{
+    struct wf_err e = { 0 };
+    if (wf_wind_speed_read(text, "in-land", stderr, speed, &e)) wf_args_mistake(r, o->name, "%s", e.text);
+}
+
 static void speeds(struct wf_reading *r, const struct wf_option *o, const char *text)
 {
     char *rest = NULL, *list = wf_arena_text(r->arena, text);
@@ -143,7 +152,9 @@ static void speeds(struct wf_reading *r, const struct wf_option *o, const char *
     }
     for (char *item = strtok_r(list, ",", &rest); item && n <= SPEEDS_MAX;
          item = strtok_r(NULL, ",", &rest)) {
-        if (strchr(item, ':'))
+        if (wf_wind_scale_is(item))
+            grade(r, o, item, &speed[n++]);
+        else if (strchr(item, ':'))
             range(r, o, item, unit, speed, &n);
         else if (number(r, o, item, unit, &speed[n]))
             n++;

@@ -2,6 +2,7 @@
 #include "base/near.h"
 #include "base/number.h"
 #include "cmd/cmd.h"
+#include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"
 #include "cmd/wind_tables.h"
 #include "wind/scale.h"
@@ -99,7 +100,7 @@ static const struct wf_option options[] = {
     { .name = "--file",
       .kind = WF_OPTION_TEXT,
       .value = "FILE",
-      .help = "anemometer CSV, for the model `record`" },
+      .help = "anemometer CSV for `record`, climate CSV for `rose`" },
     { .name = "--columns",
       .kind = WF_OPTION_TEXT,
       .value = "T,U[,V[,W]]",
@@ -119,7 +120,9 @@ static const struct wf_option options[] = {
 
 static const char about[] =
     "  Make a wind that changes with time, compare it with what was asked for, write and draw it.\n"
-    "  MODEL is a row of `windfirm wind list`.\n"
+    "  MODEL is a row of `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
+    "frequency,\n"
+    "  weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) and draws it.\n"
     "\n"
     "  windfirm wind kaimal --wind beaufort:8 --components 3 --points 5 --spacing 2 -o out/gale\n"
     "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms";
@@ -268,6 +271,14 @@ int wf_cmd_wind(int argc, char **argv)
     struct wf_gust_spec spec;
     int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &args);
     if (code < 0 && strcmp(args.operand[0], "list") == 0) code = list();
+    if (code < 0 && strcmp(args.operand[0], "rose") == 0) {
+        struct wf_diag d = { .arena = &arena };
+        bool quiet = wf_args_given(&args, "--quiet");
+        enum wf_status s = wf_wind_rose(wf_args_text(&args, "--file"), wf_args_text(&args, "--output"),
+                                        !wf_args_given(&args, "--no-plots"), quiet, &arena, &d, &e);
+        wf_print_findings(&d, quiet);
+        code = s ? wf_complain(&e) : 0;
+    }
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
         struct wf_gust_report *r = WF_TAKE(&arena, 1, struct wf_gust_report);

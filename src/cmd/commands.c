@@ -23,7 +23,7 @@ const struct wf_command wf_commands[] = {
       wf_cmd_tree },
     { "validate", "[PATH...] [option...]", "Run validation cases and compare with their sources.",
       wf_cmd_validate },
-    { "wind", "MODEL | list [option...]",
+    { "wind", "MODEL | list | rose [option...]",
       "A gusty wind by one of the gust models, compared with what was asked for, written and drawn.",
       wf_cmd_wind },
     { 0 },

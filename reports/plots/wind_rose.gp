@@ -1,0 +1,39 @@
+# A wind rose: how much of the time the wind comes from each direction, by strength.
+#   gnuplot -c wind_rose.gp FOLDER [FILE]
+DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'wind_rose.svg'
+HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+load HERE.'style.gp'
+ROSE = DIR.'/tables/rose.csv'
+WIDTH = 640.0; HEIGHT = 520.0
+array COLOUR[5] = ['#d9e6f2', '#9ecae1', '#56B4E9', '#E69F00', '#D55E00']
+array LABEL[5] = ['all winds', 'above 5 m/s', 'above 10 m/s', 'above 15 m/s', 'above 20 m/s']
+stats ROSE using 2 nooutput
+TOP = STATS_max
+TEN = 10.0**floor(log10(TOP/2)); RING = TOP/2/TEN > 5 ? 5*TEN : TOP/2/TEN > 2 ? 2*TEN : TEN
+WIDE = 180.0/SECTORS*0.92
+do for [i=1:SECTORS] {
+    stats ROSE every ::(i-1)::(i-1) using 1 nooutput
+    AT = 90 - STATS_max
+    do for [k=1:5] {
+        stats ROSE every ::(i-1)::(i-1) using (k == 1 ? column(2) : column(k + 3)) nooutput
+        R = STATS_max
+        if (R > 0.002*TOP) {
+            set object circle at 0,0 size first R arc [AT-WIDE:AT+WIDE] fillcolor rgb COLOUR[k] fillstyle solid 1 border lc rgb '#ffffff' front
+        }
+    }
+}
+do for [j=1:floor(1.15*TOP/RING + 1e-9)] {
+    set object circle at 0,0 size first j*RING fillstyle empty border lc rgb '#c8c8c8' behind
+    set label sprintf("%g%%", 100*j*RING) at first 0.383*j*RING, 0.924*j*RING front textcolor rgb '#606060'
+}
+E = 1.16*TOP
+set label "N" at first 0, E center; set label "S" at first 0, -E center
+set label "E" at first E, 0 center; set label "W" at first -E, 0 center
+@start
+set size ratio -1
+unset border; unset tics; unset grid
+set xrange [-1.25*TOP:1.25*TOP]; set yrange [-1.25*TOP:1.25*TOP]
+set lmargin at screen 0.02; set rmargin at screen 0.78; set tmargin at screen 0.98; set bmargin at screen 0.02
+set key at screen 0.985, screen 0.9 right top Left reverse
+plot for [k=1:5] keyentry with boxes fs solid 1 noborder lc rgb COLOUR[k] title LABEL[k], NaN
+set output
