@@ -2,6 +2,7 @@
  * sizes, masses and drag against an independent calculation. They are not shipped, for their licences. */
 #include "close.h"
 #include "imported.h"
+#include "solve/modes.h"
 #include <time.h>
 
 static const char *reference(const char *room, const char *file)
@@ -59,6 +60,47 @@ static void masses_and_drag_agree(void **state)
         assert_joined(&t, WF_JOINT_AXIS, &m);
         assert_close(segment_volume(&m), m.volume, 1e-12);
         assert_close(m.volume, t.metrics.volume, 0.02); /* bridges add what was not seen */
+        wf_arena_free(&t.arena);
+    }
+}
+
+/* Lowest natural frequencies of the same beams: clamped, no gravity, no leaves, G = E / (2 (1 + 0.38)). The
+ * calculation compared with is a 12-degree-of-freedom Euler-Bernoulli frame with consistent mass, printed to
+ * 10 microhertz. */
+static const struct {
+    const char *file;
+    double youngs, density, frequency[6];
+} vibrations[] = {
+    { "wytham_T20_leafoff.csv", 8.5e9, 801, { 0.35518, 0.35600, 0.89550, 0.92449, 1.01459, 1.07944 } },
+    { "wytham_T3_leafoff.csv", 8.4e9, 721, { 0.22538, 0.22703, 0.39692, 0.39858, 0.50867, 0.51921 } },
+    { "wytham_T14.csv", 9.5e9, 801, { 0.17782, 0.17789, 0.38148, 0.39607, 0.40018, 0.40237 } },
+    { "wytham_T13.csv", 9.5e9, 801, { 0.21028, 0.21269, 0.31963, 0.32369, 0.40032, 0.41650 } },
+};
+
+static void frequencies_agree(void **state)
+{
+    (void)state;
+    for (size_t k = 0; k < 4; k++) {
+        struct imported t;
+        struct wf_qsm_model m;
+        struct wf_solve_options o;
+        struct wf_loads l;
+        double f[6];
+        import_path(&t, reference("trees/qsm", vibrations[k].file));
+        assert_joined(&t, WF_JOINT_BRIDGE, &m);
+        struct wf_level level = { .youngs_modulus.value = vibrations[k].youngs,
+                                  .shear_modulus.value = vibrations[k].youngs / (2 * 1.38),
+                                  .density.value = vibrations[k].density,
+                                  .knot_factor.value = 1 };
+        struct wf_species sp = { .key = "test", .levels = 1, .level = &level };
+        assert_int_equal(wf_clothe(&m.tree, &sp, &(struct wf_clothing){ .kind = m.kind }, &t.arena, &t.err),
+                         WF_OK);
+        wf_loads_default(&l);
+        l.gravity = 0;
+        wf_solve_options_default(&o);
+        o.mesh_tolerance = 0; /* one element a cylinder, as there */
+        assert_int_equal(wf_modes(&m.tree, &l, &o, 6, &t.arena, f, NULL, &t.err), WF_OK);
+        for (size_t i = 0; i < 6; i++) assert_close(f[i], vibrations[k].frequency[i], 5e-5);
         wf_arena_free(&t.arena);
     }
 }
@@ -162,8 +204,8 @@ static void a_large_tree_is_quick(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(masses_and_drag_agree),      cmocka_unit_test(every_file_is_read),
-        cmocka_unit_test(two_models_of_one_sapling),
+        cmocka_unit_test(masses_and_drag_agree),      cmocka_unit_test(frequencies_agree),
+        cmocka_unit_test(every_file_is_read),         cmocka_unit_test(two_models_of_one_sapling),
 #ifdef WF_MATIO
         cmocka_unit_test(matlab_and_csv_of_one_tree),
 #endif

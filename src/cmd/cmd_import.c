@@ -35,7 +35,8 @@ static const char *in_folder(const char *to, const char *path, struct wf_arena *
 {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
     int n = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
-    return wf_arena_print(a, "%s/%.*s.csv", to, n, name);
+    bool slashed = to[strlen(to) - 1] == '/';
+    return wf_arena_print(a, "%s%s%.*s.csv", to, slashed ? "" : "/", n, name);
 }
 
 static size_t repairs(const struct wf_qsm *q)

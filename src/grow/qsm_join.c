@@ -51,6 +51,8 @@ static double to_surface(const struct wf_qsm *q, size_t i, double x, double y, d
     return sqrt(px * px + py * py + pz * pz) - r;
 }
 
+enum { LOOSE = 1000 }; /* parts; more are no tree, and each takes a search over all rows */
+
 struct loose {
     double z;
     int32_t row;
@@ -118,7 +120,7 @@ enum wf_status wf_qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_err *
         else
             part[parts++] = (struct loose){ q->z0[i], (int32_t)i };
     }
-    if (parts > 1000 && parts > q->n / 10)
+    if (parts > LOOSE)
         return wf_fail(
             e, WF_EINPUT,
             "%s: %zu of %zu rows have no parent below them; the parent column does not fit the ids", q->name,

@@ -15,14 +15,8 @@ static int32_t main_root(const struct wf_qsm *q)
  * followed along the thickest limb. */
 static int32_t breast_row(const struct wf_qsm *q, int32_t root)
 {
-    double at = q->z0[root] + BREAST;
     int32_t row = root;
-    while (row >= 0 && q->z1[row] < at) {
-        int32_t up = q->next[row];
-        for (size_t i = (size_t)row + 1; i < q->n && q->next[row] < 0; i++)
-            if (q->parent[i] == row && (up < 0 || q->r0[i] > q->r0[up])) up = (int32_t)i;
-        row = up;
-    }
+    while (row >= 0 && q->z1[row] < q->z0[root] + BREAST) row = q->limb[row];
     return row;
 }
 

@@ -2,8 +2,15 @@
 #include "grow/qsm_index.h"
 #include "grow/qsm_joint.h"
 #include <math.h>
+#include <stdlib.h>
 
 static const double SHORTEST = 1e-3, NO_LENGTH = 1e-9; /* [m] */
+
+/* Where a branch leaves its parent. */
+struct station {
+    double share;
+    int32_t row;
+};
 
 struct build {
     const struct wf_qsm *q;
@@ -11,11 +18,11 @@ struct build {
     struct wf_children children;
     struct wf_qsm_model *m;
     struct wf_tree *t;
-    double shortest; /* rows below are drawn together [m]                     */
-    int32_t *head;   /* per row: segment whose end is the row's base; -1 ground */
-    int32_t *tail;   /* per row: segment whose end is the row's end             */
-    int32_t *held;   /* per row: segment whose end holds it                     */
-    int32_t *sorted; /* room for the children of one row                        */
+    double shortest;        /* rows below are drawn together [m]                     */
+    int32_t *head;          /* per row: segment whose end is the row's base; -1 ground */
+    int32_t *tail;          /* per row: segment whose end is the row's end             */
+    int32_t *held;          /* per row: segment whose end holds it                     */
+    struct station *sorted; /* room for the children of one row                 */
 };
 
 /* Append a segment from the end of segment `below` (or `base` at the ground) to `end`. */
@@ -73,18 +80,21 @@ static int32_t reach(struct build *b, size_t i)
     return append(b, at, to, h->base, r, r, WF_SEGMENT_BRIDGE, i);
 }
 
-/* The children of row i that leave its axis, in order of their share. Insertion sort: a row holds a few. */
+static int by_share(const void *x, const void *y)
+{
+    const struct station *a = x, *b = y;
+    return a->share < b->share ? -1 : a->share > b->share ? 1 : (a->row > b->row) - (a->row < b->row);
+}
+
+/* The children of row i that leave its axis, in order of their share. */
 static size_t stations(struct build *b, size_t i)
 {
     size_t n = 0;
     for (int32_t k = b->children.begin[i]; k < b->children.begin[i + 1]; k++) {
         int32_t c = b->children.child[k];
-        if (b->hold[c].at != WF_HOLD_AXIS) continue;
-        size_t at = n++;
-        for (; at > 0 && b->hold[b->sorted[at - 1]].share > b->hold[c].share; at--)
-            b->sorted[at] = b->sorted[at - 1];
-        b->sorted[at] = c;
+        if (b->hold[c].at == WF_HOLD_AXIS) b->sorted[n++] = (struct station){ b->hold[c].share, c };
     }
+    qsort(b->sorted, n, sizeof *b->sorted, by_share);
     return n;
 }
 
@@ -102,12 +112,12 @@ static void wood(struct build *b, size_t i)
     double done = 0, r = q->r0[i];
     if (length < b->shortest) {
         b->m->short_rows++;
-        for (size_t k = 0; k < n; k++) b->held[b->sorted[k]] = below;
+        for (size_t k = 0; k < n; k++) b->held[b->sorted[k].row] = below;
         b->tail[i] = below;
         return;
     }
     for (size_t k = 0; k < n; k++) {
-        size_t c = (size_t)b->sorted[k];
+        size_t c = (size_t)b->sorted[k].row;
         double s = b->hold[c].share, point[3];
         double least = wf_joint_tolerance(b->hold[c].radius) / length;
         if (!(done > 0 && s - done <= least) && 1 - s > 0.5 * least) {
@@ -148,7 +158,7 @@ static enum wf_status room(struct build *b, struct wf_arena *a, struct wf_err *e
     b->head = WF_TAKE(a, q->n, int32_t);
     b->tail = WF_TAKE(a, q->n, int32_t);
     b->held = WF_TAKE(a, q->n, int32_t);
-    b->sorted = WF_TAKE(a, q->n, int32_t);
+    b->sorted = WF_TAKE(a, q->n, struct station);
     if (!b->m->kind || !b->m->row || !b->head || !b->tail || !b->held || !b->sorted)
         return wf_fail(e, WF_ENOMEM, "%s: no room for %zu segments", q->name, most);
     b->t->n = 0;

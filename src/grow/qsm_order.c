@@ -45,6 +45,17 @@ static void shift_orders(struct wf_qsm *q)
         if (q->order[i] >= 0) q->order[i] = q->order[i] > low ? q->order[i] - low : 0;
 }
 
+/* The way up along the thickest wood. */
+static void limbs(struct wf_qsm *q)
+{
+    for (size_t i = 0; i < q->n; i++) q->limb[i] = q->next[i];
+    for (size_t i = 0; i < q->n; i++) {
+        int32_t p = q->parent[i];
+        if (p < 0 || q->next[p] >= 0) continue;
+        if (q->limb[p] < 0 || q->r0[i] > q->r0[q->limb[p]]) q->limb[p] = (int32_t)i;
+    }
+}
+
 enum wf_status wf_qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_children c;
@@ -65,5 +76,6 @@ enum wf_status wf_qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_e
         if (q->next[i] < 0) q->next[i] = continuation(q, &c, (int32_t)i);
         if (goes_on && q->r0[i] > 1.1 * q->r1[p]) wf_qsm_count(q, WF_NOTE_THICKENING, 1, q->id[i]);
     }
+    limbs(q);
     return WF_OK;
 }

@@ -1,0 +1,114 @@
+/* The commands import and tree info as a user meets them: output and exit code. */
+#include "close.h"
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+static char output[1 << 15];
+
+/* Run a shell command with $W the program, $D the test files, $T a scratch folder. Returned: its exit code.
+ */
+static int shell(const char *command)
+{
+    char all[2048];
+    const char *program = getenv("WINDFIRM");
+    if (!program) program = "build/windfirm";
+    snprintf(all, sizeof all,
+             "{ W=%s; D=tests/data/qsm; T=$(mktemp -d); trap 'rm -rf \"$T\"' EXIT\n%s\n} 2>&1 </dev/null",
+             program, command);
+    FILE *pipe = popen(all, "r");
+    assert_non_null(pipe);
+    size_t got = fread(output, 1, sizeof output - 1, pipe);
+    output[got] = '\0';
+    int status = pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+struct row {
+    const char *command;
+    int code;
+    const char *expect[4];
+};
+
+static void check(const struct row *rows, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        int code = shell(rows[i].command);
+        if (code != rows[i].code)
+            fail_msg("%s\nexit %d, want %d:\n%s", rows[i].command, code, rows[i].code, output);
+        for (size_t k = 0; k < 4 && rows[i].expect[k]; k++)
+            if (!strstr(output, rows[i].expect[k]))
+                fail_msg("%s\ndoes not print '%s' but:\n%s", rows[i].command, rows[i].expect[k], output);
+    }
+}
+#define CHECK(rows) check(rows, sizeof rows / sizeof *rows)
+
+static void import_writes_and_reports(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W import $D/simpleforest.csv",
+          0,
+          { "SimpleForest CSV, 3 cylinders", "[ids-from-zero]", "0 repairs" } },
+        { "$W import $D/normalised.csv -o $T/t.csv -q && head -1 $T/t.csv && $W import --strict $T/t.csv",
+          0,
+          { "id,radius_m,length_m", "5 cylinders, height 4.00 m" } },
+        { "$W import $D/plain.csv -o $T/t.obj", 2, { "must end in .csv" } },
+        { "$W import $D/plain.csv -o $T/none/t.csv", 1, { "none" } },
+        { "$W import $D/plain.csv $D/archi.csv -o $T/t.csv", 2, { "name a folder" } },
+        { "$W import $D/warts.csv --strict -q",
+          2,
+          { "warts.csv:21:10: error: z0: 'one' is not a number", "cycle: 1" } },
+        { "$W import $D/plain.csv --format tree", 2, { "treeqsm" } },
+        { "$W import --help", 0, { "--length-unit", "simpleforest", "exit code" } },
+        { "$W import $T/nothing.csv", 2, { "nothing.csv" } },
+        { "$W import $T", 2, { "windfirm: " } },
+    };
+    CHECK(rows);
+}
+
+static void one_broken_tree_does_not_stop_the_rest(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "head -c 3000 /dev/urandom > $T/junk.csv; echo a,b > $T/no.csv\n"
+          "$W import $D/plain.csv $T/junk.csv $T/no.csv $D/archi.csv -o $T/all/; c=$?; ls $T/all; exit $c",
+          2,
+          { "/all/plain.csv\n", "junk.csv", "lacks a parent column", "archi.csv" } },
+        { "echo a,b > $T/no.csv; $W tree info --csv -q $T/no.csv $D/plain.csv",
+          2,
+          { "file,format,cylinders", "\",plain CSV of segments,3,2,2,1,1,2,0.074,0.1," } },
+    };
+    CHECK(rows);
+}
+
+static void info_prints_figures(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W tree info $D/normalised.csv --density 800",
+          0,
+          { "height              4.000 m", "dbh                 0.1600 m", "mass of wood        61.3239 kg",
+            "2 links in the parents' wood, 1 bridges" } },
+        { "$W tree info $D/normalised.csv --joint bridge", 0, { "5 segments" } },
+        { "$W tree info $D/plain.csv --species moso_bamboo --leaf-area 12",
+          0,
+          { "leaf area           12 m2", "sail of leaves" } },
+        { "$W tree info $D/warts.csv",
+          0,
+          { "repairs             2 rows that cannot be read", "warts.csv:21" } },
+        { "$W tree inf $D/plain.csv", 2, { "did you mean 'info'?" } },
+        { "$W tree info $D/plain.csv --species no_such_tree", 2, { "no_such_tree" } },
+    };
+    CHECK(rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(import_writes_and_reports),
+        cmocka_unit_test(one_broken_tree_does_not_stop_the_rest),
+        cmocka_unit_test(info_prints_figures),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
