@@ -41,7 +41,7 @@ $(B)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(CFLAGS) -c $< -o $@
 # the numeric kernels are small fixed-size loops: unroll and vectorise them
-$(B)/src/solve/%.o: CFLAGS += -O3
+$(B)/src/solve/%.o $(B)/src/load/%.o: CFLAGS += -O3
 
 demo: packages ## install what is missing, build, compare bamboo and willow: out/demo/report.pdf
 	@$(MAKE) -s -j$$(nproc) all
