@@ -95,6 +95,29 @@ static void findings_are_kept_in_order(void **state)
     wf_arena_free(&a);
 }
 
+static void findings_are_sorted_by_place(void **state)
+{
+    (void)state;
+    struct wf_arena a = { 0 };
+    struct wf_diag d = { .arena = &a };
+    wf_diag_sort(&d, NULL);
+    wf_diag_error(&d, "f", 9, 9, "earlier file");
+    struct wf_finding *before = d.last;
+    static const size_t place[][2] = { { 3, 1 }, { 0, 0 }, { 1, 7 }, { 3, 1 }, { 1, 2 }, { 2, 0 } };
+    for (size_t i = 0; i < 6; i++) wf_diag_error(&d, "g", place[i][0], place[i][1], "%c", (char)('a' + i));
+    wf_diag_sort(&d, before);
+    char order[8] = "";
+    size_t n = 0;
+    for (const struct wf_finding *f = before->next; f; f = f->next) order[n++] = f->text[0];
+    assert_string_equal(order, "ecfadb");
+    assert_ptr_equal(d.first, before);
+    wf_diag_sort(&d, NULL);
+    assert_string_equal(d.last->text, "b");
+    wf_diag_error(&d, "h", 1, 1, "added");
+    assert_string_equal(d.last->text, "added");
+    wf_arena_free(&a);
+}
+
 static void findings_are_counted_without_room(void **state)
 {
     (void)state;
@@ -249,6 +272,7 @@ int main(void)
         cmocka_unit_test(arena_is_aligned_and_zeroed),
         cmocka_unit_test(arena_refuses_at_every_smaller_capacity),
         cmocka_unit_test(findings_are_kept_in_order),
+        cmocka_unit_test(findings_are_sorted_by_place),
         cmocka_unit_test(findings_are_counted_without_room),
         cmocka_unit_test(numbers_are_read_exactly),
         cmocka_unit_test(what_is_no_number),

@@ -109,7 +109,7 @@ static const struct edit mistakes[] = {
     { "14 m\n", "1400 m\n", "4:11: stem.height: 1400 m is outside 0.01 m to 150 m" },
     { "14 m\n", "-14 m\n", "4:11: stem.height: -14 m is outside 0.01 m to 150 m" },
     { "14 m\n", "12 m\n", "11:8: crown.top: 13 m is above the stem's height 12 m" },
-    { "52.5 mm", "52.5", "5:16: stem.base_radius: '52.5' has no unit; write for example '52.5 m'" },
+    { "52.5 mm", "52.5", "5:16: stem.base_radius: '52.5' has no unit; write for example '52.5 mm'" },
     { "52.5 mm", "0 mm", "5:16: stem.base_radius: 0 mm is outside 0.1 mm to 10000 mm" },
     { "  taper: {law: linear, tip_share: 0.2}\n", "",
       "4:3: stem: missing key 'taper' (Outer radius along the stem.); for example 'taper: {law: linear, "
@@ -124,9 +124,8 @@ static const struct edit mistakes[] = {
     { "law: linear, tip_share: 0.2", "law: power, tip_share: 0.2, power: 9",
       "6:46: stem.taper.power: 9 is outside 0.1 to 5" },
     { "law: linear", "law: table",
-      "6:34: stem.taper.tip_share: is not used by law 'table'\n"
       "6:10: stem.taper: law 'table' needs the key 'at'\n6:10: stem.taper: law 'table' needs the key "
-      "'share'" },
+      "'share'\n6:34: stem.taper.tip_share: is not used by law 'table'" },
     { "law: linear, tip_share: 0.2", "law: table, at: [0, 0.5], share: [1, 0.5]",
       "6:27: stem.taper.at: runs from 0 to 0.5; it must cover the stem from 0 to 1" },
     { "law: linear, tip_share: 0.2", "law: table, at: [0, 1], share: [0.9, 0.5]",

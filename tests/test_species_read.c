@@ -149,8 +149,8 @@ static const struct edit mistakes[] = {
       "moso_bamboo'" },
     { "name: Moso bamboo\n", "", "1:1: missing key 'name' (English name.); for example 'name: Moso bamboo'" },
     { "levels:", "lvels:",
-      "7:1: unknown key 'lvels'; did you mean 'levels'?\n1:1: missing key 'levels' (Material and section by "
-      "branching level, the stem first.)" },
+      "1:1: missing key 'levels' (Material and section by branching level, the stem first.)\n7:1: unknown "
+      "key 'lvels'; did you mean 'levels'?" },
     { "    density: 900 kg/m3\n", "",
       "8:5: levels[0]: missing key 'density' (Mass of the living axis, water included, per volume of its "
       "wall.); for example 'density: 900 kg/m3'" },
@@ -163,9 +163,9 @@ static const struct edit mistakes[] = {
     { "- name: culm\n    youngs", "- youngs",
       "8:5: levels[0]: missing key 'name' (Name of the level.); for example 'name: branch'" },
     { "density: 900 kg/m3", "densty: 900 kg/m3",
-      "10:5: levels[0]: unknown key 'densty'; did you mean 'density'?\n"
       "8:5: levels[0]: missing key 'density' (Mass of the living axis, water included, per volume of its "
-      "wall.); for example 'density: 900 kg/m3'" },
+      "wall.); for example 'density: 900 kg/m3'\n10:5: levels[0]: unknown key 'densty'; did you mean "
+      "'density'?" },
     { "900 kg/m3", "9000 kg/m3", "10:14: levels[0].density: 9000 kg/m3 is outside 50 kg/m3 to 4000 kg/m3" },
     { "900 kg/m3", "0.9", "10:14: levels[0].density: '0.9' has no unit; write for example '0.9 kg/m3'" },
     { "900 kg/m3", "[900 kg/m3]",
@@ -196,7 +196,7 @@ static const struct edit mistakes[] = {
       "'sources'" },
     { "60 MPa", "60 GPa",
       "11:33: levels[0].modulus_of_rupture.value: 60 GPa is outside 0.1 MPa to 2000 MPa" },
-    { "5 cm", "50", "12:13: levels[0].radius: '50' has no unit; write for example '50 m'" },
+    { "5 cm", "50", "12:13: levels[0].radius: '50' has no unit; write for example '50 mm'" },
     { "5 cm", "50 m", "12:13: levels[0].radius: 50 m is outside 0.01 mm to 5000 mm" },
     { "85 %", "1.2", "13:18: levels[0].knot_factor: 1.2 is outside 0.01 to 1" },
     { "85 %", "85 %\n    damping_ratio: 2", "14:20: levels[0].damping_ratio: 2 is outside 0 to 1" },
@@ -236,9 +236,7 @@ static const struct edit mistakes[] = {
     { "drag_coefficient: 0.5", "drag_coefficient: {value: 0.5, source: feng}",
       "22:42: crown.drag_coefficient.source: 'feng' is not in 'sources'" },
     { "law: vogel", "law: vogle",
-      "25:23: crown.streamlining.law: 'vogle' is not one of: none, vogel, table; did you mean 'vogel'?\n"
-      "25:40: crown.streamlining.exponent: is for law 'vogel'; the law here is 'none'\n"
-      "26:22: crown.streamlining.reference_speed: is for law 'vogel'; the law here is 'none'" },
+      "25:23: crown.streamlining.law: 'vogle' is not one of: none, vogel, table; did you mean 'vogel'?" },
     { "law: vogel, ", "",
       "25:17: crown.streamlining: missing key 'law' (none: a rigid crown; vogel: share = (U / "
       "reference_speed)^exponent above the reference speed, 1 below; table: linear between the speeds "
@@ -247,10 +245,9 @@ static const struct edit mistakes[] = {
       "25:39: crown.streamlining.exponent: is for law 'vogel'; the law here is 'none'\n"
       "26:22: crown.streamlining.reference_speed: is for law 'vogel'; the law here is 'none'" },
     { "law: vogel", "law: table",
-      "25:40: crown.streamlining.exponent: is for law 'vogel'; the law here is 'table'\n"
-      "26:22: crown.streamlining.reference_speed: is for law 'vogel'; the law here is 'table'\n"
-      "25:17: crown.streamlining: law 'table' needs the key 'speed'\n"
-      "25:17: crown.streamlining: law 'table' needs the key 'share'" },
+      "25:17: crown.streamlining: law 'table' needs the key 'speed'\n25:17: crown.streamlining: law 'table' "
+      "needs the key 'share'\n25:40: crown.streamlining.exponent: is for law 'vogel'; the law here is "
+      "'table'\n26:22: crown.streamlining.reference_speed: is for law 'vogel'; the law here is 'table'" },
     { "reference_speed: 18 km/h, ", "",
       "25:17: crown.streamlining: law 'vogel' needs the key 'reference_speed'" },
     { "reference_speed: 18 km/h", "reference_speed: 18",
@@ -285,6 +282,39 @@ static void every_mistake_is_named(void **state)
         wf_arena_free(&a);
     }
     assert_int_equal(wrong, 0);
+}
+
+static void all_mistakes_of_a_file_come_at_once(void **state)
+{
+    (void)state;
+    struct wf_arena a = { 0 };
+    struct wf_diag d = { .arena = &a };
+    struct wf_err e = { 0 };
+    struct wf_species s;
+    char text[4096];
+    assert_int_equal(wf_species_read("tests/data/bad/species.yaml", &a, &s, &d, &e), WF_EINPUT);
+    findings_print(&d, text, sizeof text);
+    assert_string_equal(
+        text,
+        "1:1: missing key 'name' (English name.); for example 'name: Moso bamboo'\n"
+        "1:10: species: 'moso bamboo': a name has only letters a-z, digits, '_' and '-'\n"
+        "2:1: unknown key 'nmae'; did you mean 'name'?\n"
+        "5:5: levels[0]: missing key 'density' (Mass of the living axis, water included, per volume of its "
+        "wall.); for example 'density: 900 kg/m3'\n"
+        "6:29: levels[0].youngs_modulus.value: '10' has no unit; write for example '10 GPa'\n"
+        "6:53: levels[0].youngs_modulus.status: a value that is 'measured' needs a source: a key of "
+        "'sources'\n"
+        "7:5: levels[0]: unknown key 'densty'; did you mean 'density'?\n"
+        "8:13: levels[0].radius: '52.5' has no unit; write for example '52.5 mm'\n"
+        "9:16: levels[0].wall.at: 0.5 follows 1; the values must ascend\n"
+        "9:36: levels[0].wall.share: 2 values, but 'at' has 3\n"
+        "11:60: crown.drag_coefficient.source: 'tang2021' is not in 'sources'; did you mean 'tang2012'?\n"
+        "12:23: crown.leaf_mass_per_area: '0.2 kg/m3': 'kg/m3' is not a unit of a mass per area; use one of: "
+        "kg/m2, g/m2\n"
+        "13:18: crown.frontal_share: '.nan' is not a number; write for example '0.5'\n"
+        "14:23: crown.streamlining.law: 'vogle' is not one of: none, vogel, table; did you mean 'vogel'?");
+    assert_string_equal(e.text, "tests/data/bad/species.yaml: 14 mistakes");
+    wf_arena_free(&a);
 }
 
 static void along_is_linear_between_and_constant_outside(void **state)
@@ -340,6 +370,7 @@ int main(void)
         cmocka_unit_test(a_table_is_read_in_si),
         cmocka_unit_test(a_table_law_and_no_crown_are_read),
         cmocka_unit_test(every_mistake_is_named),
+        cmocka_unit_test(all_mistakes_of_a_file_come_at_once),
         cmocka_unit_test(along_is_linear_between_and_constant_outside),
         cmocka_unit_test(memory_is_refused_at_every_smaller_capacity),
         cmocka_unit_test(the_schema_is_printed),

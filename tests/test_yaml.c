@@ -263,11 +263,11 @@ static const struct edit mistakes[] = {
     { "colour: blue", "colour: ultraviolet", "3:9: colour: 'ultraviolet' is not one of: red, green, blue" },
     { "colour: blue", "law: power2",
       "3:6: law: 'power2' is not one of: linear, power; did you mean 'power'?" },
-    { "90 mm", "90", "4:9: height: '90' has no unit; write for example '90 m'" },
+    { "90 mm", "90", "4:9: height: '90' has no unit; write for example '90 mm'" },
     { "90 mm", "90 kg", "4:9: height: '90 kg': 'kg' is not a unit of a length; use one of: m, cm, mm" },
     { "90 mm", "90 m", "4:9: height: 90 m is outside 1 mm to 2000 mm" },
     { "90 mm", "0.9 mm", "4:9: height: 0.9 mm is outside 1 mm to 2000 mm" },
-    { "90 mm", ".nan", "4:9: height: '.nan' is not a length; write for example '1.5 m'" },
+    { "90 mm", ".nan", "4:9: height: '.nan' is not a length; write for example '1.5 mm'" },
     { "90 mm", "10 mm", "4:9: height: 10 mm is too low" },
     { "90 mm", "", "4:8: height: the value is empty; a length is expected" },
     { "90 mm", "[1 m]", "4:9: height: a single value is expected, not a list" },
@@ -305,9 +305,8 @@ static const struct edit mistakes[] = {
     { "[1 m, 20 cm]", "[1 m]", "13:9: ratios: 2 values, but 'sizes' has 1" },
     { "ratios: [0.5, 50 %]", "ratios: []", "13:9: ratios: the list is empty; values are expected" },
     { "name: box_1\ntitle: A box", "titel: A\ntitle: A box\ncount: x",
-      "1:1: unknown key 'titel'; did you mean 'title'?\n3:8: count: 'x' is not a whole number; write for "
-      "example '3'\n"
-      "1:1: missing key 'name' (Name.); for example 'name: box'" },
+      "1:1: unknown key 'titel'; did you mean 'title'?\n1:1: missing key 'name' (Name.); for example 'name: "
+      "box'\n3:8: count: 'x' is not a whole number; write for example '3'" },
 };
 
 static void every_mistake_is_named(void **state)
@@ -350,6 +349,28 @@ static void files_that_are_no_text(void **state)
     assert_int_equal(wf_yaml_read("/tmp", &table, &t, &a, &r.diag, &e), WF_EINPUT);
     assert_string_equal(e.text, "/tmp: is a folder, a file was expected");
     wf_arena_free(&a);
+}
+
+/* A file of junk is answered shortly, however many mistakes it has. */
+static void many_mistakes_are_counted_not_listed(void **state)
+{
+    (void)state;
+    struct wf_arena a = { 0 };
+    struct reading r;
+    enum { LINES = 10000 };
+    char *text = malloc(24 * LINES), *end = text;
+    for (int i = 0; i < LINES; i++) end += sprintf(end, "key%d: 1\n", i);
+    read_bytes(text, (size_t)(end - text), &a, &r);
+    assert_int_equal(r.status, WF_EINPUT);
+    assert_int_equal(r.diag.errors, LINES + 2);
+    assert_string_equal(r.diag.last->text, "more than 100 mistakes; the rest is counted but not listed");
+    wf_arena_free(&a);
+    end = text + sprintf(text, "name: a\nheight: 1 m\nnotes:\n");
+    for (int i = 0; i < LINES; i++) end += sprintf(end, "  key%d: 1\n", i);
+    read_bytes(text, (size_t)(end - text), &a, &r);
+    assert_string_equal(r.findings, "4:3: notes: 10000 entries; at most 1000 are read");
+    wf_arena_free(&a);
+    free(text);
 }
 
 static void memory_is_refused_at_every_smaller_capacity(void **state)
@@ -401,6 +422,7 @@ int main(void)
         cmocka_unit_test(line_ends_and_marks_do_not_matter),
         cmocka_unit_test(every_mistake_is_named),
         cmocka_unit_test(files_that_are_no_text),
+        cmocka_unit_test(many_mistakes_are_counted_not_listed),
         cmocka_unit_test(memory_is_refused_at_every_smaller_capacity),
         cmocka_unit_test(the_schema_names_every_key),
     };

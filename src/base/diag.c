@@ -49,6 +49,26 @@ void wf_diag_warn(struct wf_diag *d, const char *code, const char *fmt, ...)
     if (!known(d, code, text)) keep(d, (struct wf_finding){ .severity = WF_WARNING, .code = code }, text);
 }
 
+static bool precedes(const struct wf_finding *a, const struct wf_finding *b)
+{
+    if (!a->line || !b->line) return a->line && !b->line;
+    return a->line < b->line || (a->line == b->line && a->column < b->column);
+}
+
+void wf_diag_sort(struct wf_diag *d, struct wf_finding *before)
+{
+    struct wf_finding **start = before ? &before->next : &d->first, *rest = *start;
+    *start = NULL;
+    for (struct wf_finding *f = rest, *next; f; f = next) {
+        struct wf_finding **at = start;
+        while (*at && !precedes(f, *at)) at = &(*at)->next;
+        next = f->next;
+        f->next = *at;
+        *at = f;
+        if (!f->next) d->last = f;
+    }
+}
+
 char *wf_finding_print(const struct wf_finding *f, char *buf, size_t size)
 {
     char place[48] = "";

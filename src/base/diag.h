@@ -28,6 +28,9 @@ void wf_diag_error(struct wf_diag *d, const char *file, size_t line, size_t colu
 /* Add a warning of a run: `code` is a stable short name; the same code and text is kept once. */
 void wf_diag_warn(struct wf_diag *d, const char *code, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
+/* Put the findings after `before` (NULL: all) in the order of their lines and columns; those that were at one
+ * place keep their order, those without a line come last. */
+void wf_diag_sort(struct wf_diag *d, struct wf_finding *before);
 /* Write "file:line:column: error: text" (parts that are unknown left out) to buf. Returned: buf. */
 char *wf_finding_print(const struct wf_finding *f, char *buf, size_t size);
 #endif

@@ -142,18 +142,24 @@ static enum wf_status refuse_unit(const struct wf_units *u, const char *text, co
                    other ? "a unit of" : "a known unit for", rows[d].name, rows[d].units);
 }
 
-static enum wf_status refuse_number(const char *text, enum wf_dimension d, struct wf_err *e)
+static enum wf_status refuse_number(const char *text, enum wf_dimension d, const char *unit, struct wf_err *e)
 {
-    const char *units = rows[d].units;
     if (isdigit((unsigned char)text[strspn(text, "+-.")]))
         return wf_fail(e, WF_EINPUT, "'%s' is beyond the range of numbers", text);
     if (d == WF_DIM_NONE) return wf_fail(e, WF_EINPUT, "'%s' is not a number; write for example '0.5'", text);
-    return wf_fail(e, WF_EINPUT, "'%s' is not %s; write for example '1.5 %.*s'", text, rows[d].name,
-                   (int)strcspn(units, ","), units);
+    return wf_fail(e, WF_EINPUT, "'%s' is not %s; write for example '1.5 %s'", text, rows[d].name, unit);
 }
 
 enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_dimension d, double *si,
                                 struct wf_err *e)
+{
+    char first[32];
+    (void)snprintf(first, sizeof first, "%.*s", (int)strcspn(rows[d].units, ","), rows[d].units);
+    return wf_quantity_read_as(u, text, d, first, si, e);
+}
+
+enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf_dimension d,
+                                   const char *usual, double *si, struct wf_err *e)
 {
     char t[96];
     const char *from = text + strspn(text, " \t\n");
@@ -166,15 +172,12 @@ enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_di
 
     double v;
     const char *p = wf_number_read(t, t + n, '.', &v);
-    if (!p) return refuse_number(t, d, e);
+    if (!p) return refuse_number(t, d, usual, e);
     if (*p == ',' && isdigit((unsigned char)p[1]))
         return wf_fail(e, WF_EINPUT, "'%s' has a comma; write the decimals after a point", t);
     p += strspn(p, " \t");
-    if (!*p && d != WF_DIM_NONE) {
-        const char *units = rows[d].units;
-        return wf_fail(e, WF_EINPUT, "'%s' has no unit; write for example '%s %.*s'", t, t,
-                       (int)strcspn(units, ","), units);
-    }
+    if (!*p && d != WF_DIM_NONE)
+        return wf_fail(e, WF_EINPUT, "'%s' has no unit; write for example '%s %s'", t, t, usual);
     if (*p) {
         ut_unit *unit = unit_of(u, p, d);
         if (!unit) return refuse_unit(u, t, p, d, e);

@@ -110,6 +110,7 @@ enum wf_status wf_yaml_read(const char *path, const struct wf_yaml_table *table,
                             struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_yaml y = { .file = path, .arena = a, .diag = d };
+    struct wf_finding *before = d->last;
     struct wf_bytes b;
     enum wf_status code = wf_file_read_text(path, a, &b, e);
     if (code) return code;
@@ -119,6 +120,7 @@ enum wf_status wf_yaml_read(const char *path, const struct wf_yaml_table *table,
     if (code) return code;
     read_document(&y, &b, table, out);
     wf_units_close(y.units);
+    wf_diag_sort(d, before);
     if (y.no_memory) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
     if (!y.mistakes) return WF_OK;
     return wf_fail(e, WF_EINPUT, "%s: %zu mistake%s", path, y.mistakes, y.mistakes == 1 ? "" : "s");

@@ -60,6 +60,10 @@ void wf_yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml
     }
     const yaml_node_pair_t *first = n->data.mapping.pairs.start;
     size_t count = (size_t)(n->data.mapping.pairs.top - first), kept = 0;
+    if (count > WF_YAML_ENTRIES) {
+        wf_yaml_at(y, n, "%zu entries; at most %d are read", count, (int)WF_YAML_ENTRIES);
+        return;
+    }
     struct wf_yaml_pair *pair = wf_yaml_take(y, count, sizeof *pair);
     struct wf_yaml_row key = { .kind = WF_YAML_NAME, .offset = offsetof(struct wf_yaml_pair, key) };
     struct wf_yaml_row text = { .kind = WF_YAML_TEXT, .offset = offsetof(struct wf_yaml_pair, text) };

@@ -12,12 +12,13 @@ struct wf_yaml {
     struct wf_diag *diag;
     bool no_memory;
     size_t mistakes;
-    char path[512];          /* of the place in hand                         */
+    char path[512];           /* of the place in hand                         */
     const yaml_node_t *node;  /* table in hand; NULL when its key is absent           */
     const yaml_node_t *place; /* it, or the nearest thing above it that is in the file */
 };
 
-enum { WF_YAML_DEPTH = 16, WF_YAML_SIZE = 1 << 20 };
+/* Limits of a file: nesting, bytes, mistakes listed, entries of a free mapping. */
+enum { WF_YAML_DEPTH = 16, WF_YAML_SIZE = 1 << 20, WF_YAML_LISTED = 100, WF_YAML_ENTRIES = 1000 };
 
 /* Refuse what is not one plain document: syntax errors, anchors, aliases, tags, several documents, depth.
  * Returned: false after findings. */

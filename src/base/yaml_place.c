@@ -8,10 +8,17 @@
 static void add(struct wf_yaml *y, yaml_mark_t m, const char *key, const char *fmt, va_list args)
 {
     char text[1536];
+    if (++y->mistakes > WF_YAML_LISTED) {
+        if (y->mistakes == WF_YAML_LISTED + 1)
+            wf_diag_error(y->diag, y->file, 0, 0, "more than %d mistakes; the rest is counted but not listed",
+                          (int)WF_YAML_LISTED);
+        else
+            y->diag->errors++;
+        return;
+    }
     int n = snprintf(text, sizeof text, "%s%s%s%s", y->path, *y->path && *key && *key != '[' ? "." : "", key,
                      *y->path || *key ? ": " : "");
     if (n >= 0 && (size_t)n < sizeof text) (void)vsnprintf(text + n, sizeof text - (size_t)n, fmt, args);
-    y->mistakes++;
     wf_diag_error(y->diag, y->file, m.line + 1, m.column + 1, "%s", text);
 }
 

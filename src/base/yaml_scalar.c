@@ -12,7 +12,8 @@ double wf_yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char *tex
 {
     struct wf_err why = { 0 };
     double v;
-    if (wf_quantity_read(y->units, text, r->dimension, &v, &why)) {
+    const char *unit = r->unit ? r->unit : "";
+    if (wf_quantity_read_as(y->units, text, r->dimension, unit, &v, &why)) {
         wf_yaml_at(y, n, "%s", why.text);
         return NAN;
     }
@@ -20,7 +21,6 @@ double wf_yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char *tex
     double slack = 1e-12 * fmax(fabs(r->low), fabs(r->high));
     if (v >= r->low - slack && v <= r->high + slack) return v;
     char low[64], high[64];
-    const char *unit = r->unit ? r->unit : "";
     (void)wf_quantity_print(y->units, r->low, r->dimension, unit, low, sizeof low);
     (void)wf_quantity_print(y->units, r->high, r->dimension, unit, high, sizeof high);
     wf_yaml_at(y, n, "%s is outside %s to %s", text, low, high);

@@ -89,7 +89,7 @@ static const struct wf_yaml_row stem_rows[] = {
       .high = 100000,
       .preset = "40",
       AT(segments),
-      .doc = "Rows the stem is cut into, equally long.",
+      .doc = "Equal rows the stem is cut into; a row also ends at every kink of shape, wall and crown.",
       .example = "40" },
     { .key = "lean",
       .kind = WF_YAML_QUANTITY,
@@ -212,5 +212,5 @@ const struct wf_yaml_table wf_model_table = {
     .finish = wf_model_finish,
     .doc = "A tree model (YAML): the outer shape and the leaves of a tree, to be clothed with the materials "
            "of a "
-           "species table. Quantities carry their units.",
+           "species table. Quantities carry their units. A whole model to start from: models/moso_culm.yaml.",
 };

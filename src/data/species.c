@@ -69,7 +69,8 @@ static void keys_of_law(struct wf_yaml *y, const char *law, const char *chosen, 
 void wf_streamlining_finish(struct wf_yaml *y, void *species)
 {
     struct wf_streamlining *s = &((struct wf_species *)species)->streamlining;
-    bool chosen = wf_yaml_has(y, "law");
+    const char *law = wf_yaml_raw(y, "law");
+    bool chosen = law && !strcmp(law, s->law); /* a law that is not known was refused already */
     if (chosen) keys_of_law(y, "vogel", s->law, (const char *const[]){ "exponent", "reference_speed" });
     if (chosen) keys_of_law(y, "table", s->law, (const char *const[]){ "speed", "share" });
     wf_value_ascending(y, "speed", s->table.s ? s->table.n : 0, s->table.s);
