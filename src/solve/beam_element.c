@@ -71,6 +71,7 @@ void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape
                         const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                         const struct wf_beam_wrench at[2], struct wf_beam_misfit *sum)
 {
+    const double slight = 1e-3; /* of n h: smaller moments are measured by this one */
     double k[2][3];
     wf_beam_curvature(p, u, k);
     for (int j = 0; j < 2; j++) {
@@ -78,11 +79,15 @@ void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape
         for (int i = 0; i < 3; i++) law[i] = (1 + creep->rate) * k[j][i] - creep->rate * creep->k0[j][i];
         m3_apply(base_L, law, miss);
         v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, work);
-        sum->energy += 0.25 * p->h * wf_dot(work, at[j].m);
+        sum->energy += 0.25 * p->h *
+                       (wf_dot(work, at[j].m) +
+                        slight * slight * p->h * p->h * wf_dot(at[j].n, at[j].n) / p->ei[j]);
+        sum->turn = fmax(sum->turn, p->h * sqrt(wf_dot(work, work)));
         v3_add(miss, -1, work);
         v3_section(p->ei[j], p->gj[j], s->t[j], miss, work);
         sum->bending += 0.25 * p->h * wf_dot(work, miss);
         v3_section(p->cs[j], p->ca[j], s->t[j], at[j].n, strain);
+        sum->turn = fmax(sum->turn, sqrt(wf_dot(strain, strain)));
         for (int i = 0; i < 3; i++) strain[i] += s->t[j][i] - s->rp[j][i];
         sum->strain = fmax(sum->strain, sqrt(wf_dot(strain, strain)));
     }

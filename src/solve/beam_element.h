@@ -66,8 +66,9 @@ void wf_beam_curvature(const struct wf_beam_part *p, const struct wf_beam_shape 
 /* How far the material law is missed. */
 struct wf_beam_misfit {
     double bending; /* energy of the missing curvature, h/4 sum (k - G m).G^-1 (k - G m) [J] */
-    double energy;  /* h/4 sum m.G m [J], to measure it by                                     */
+    double energy;  /* h/4 sum m.G m [J], to measure it by; m at least what rounding of n makes */
     double strain;  /* largest |H n - g| [-]                                                   */
+    double turn;    /* largest |h G m| or |H n|, to measure the strain by [-]                  */
 };
 void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
                         const struct wf_beam_creep *creep, const struct wf_beam_stage *s,

@@ -95,8 +95,10 @@ static bool step(struct wf_beam *b)
 
 static bool settled(const struct wf_beam *b)
 {
+    const double rounding = 8 * DBL_EPSILON; /* of unit tangents */
     double t = b->options->tolerance;
-    return b->misfit.energy == 0 || (b->misfit.bending <= t * t * b->misfit.energy && b->misfit.strain <= t);
+    return b->misfit.bending <= t * t * b->misfit.energy &&
+           b->misfit.strain <= t * b->misfit.turn + rounding;
 }
 
 enum wf_status wf_beam_newton(struct wf_beam *b)
