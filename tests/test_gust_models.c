@@ -1,6 +1,7 @@
 /* Gusts given by a formula, what a specification may hold, and what is said of one that is wrong. */
 #include "close.h"
 #include "wind/gust.h"
+#include "wind/gust_report.h"
 #include "wind/gust_rows.h"
 #include "wind/gust_stats.h"
 #include "wind/noise.h"
@@ -212,6 +213,39 @@ static void little_memory(void **state)
     assert_true(refused > 3);
 }
 
+/* The report finds every shipped model to do what it is asked, and tells when one does not. */
+static void reports(void **state)
+{
+    (void)state;
+    static const double place[6] = { 0, 0, 10, 0, 4, 10 };
+    for (const struct wf_gust_model *m = wf_gust_models; m->name; m++) {
+        struct wf_gust_spec s = named(m->name, 20000);
+        struct wf_gust_report r;
+        clean(NULL);
+        if (strcmp(m->name, "record") == 0) continue;
+        s.points = 2;
+        s.place = place;
+        assert_int_equal(wf_gust_report_make(&s, &arena, &diag, &r, &err), WF_OK);
+        assert_int_equal(r.findings, m->spectrum                   ? (strcmp(m->name, "one-over-f") ? 4 : 5)
+                                     : strcmp(m->name, "eog") == 0 ? 0
+                                     : strcmp(m->name, "perlin") == 0 ? 3
+                                                                      : 2);
+        for (size_t i = 0; i < r.findings; i++)
+            if (!r.finding[i].within)
+                fail_msg("%s: %s: asked %g, got %g", m->name, r.finding[i].name, r.finding[i].asked,
+                         r.finding[i].got);
+        size_t all = 0;
+        for (int b = 0; b < WF_REPORT_BINS; b++) all += r.bin[b];
+        assert_int_equal(all, s.steps);
+        assert_int_equal(r.pairs, 1);
+        if (m->spectrum)
+            assert_true(r.coherence_error < 1e-3 && r.joint < 0.05);
+        else
+            assert_close(r.coherence[0], 1.0, 1e-9); /* one wind for all points */
+        assert_close(r.apart[0], 4.0, 1e-12);
+    }
+}
+
 static void rows_are_complete(void **state)
 {
     (void)state;
@@ -238,6 +272,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(mistakes, clean, clean),
         cmocka_unit_test_setup_teardown(warnings, clean, clean),
         cmocka_unit_test_setup_teardown(little_memory, clean, clean),
+        cmocka_unit_test_setup_teardown(reports, clean, clean),
         cmocka_unit_test_setup_teardown(rows_are_complete, clean, clean),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -199,23 +199,42 @@ void wf_gust_spectral_close(struct wf_gust *g)
     if (g->work) free_tables(g->work);
 }
 
+enum { TOGETHER = 4 };
+
+/* y += sum of four neighbours, each with a weight that runs linearly between two rungs: one pass over y for
+ * four. */
+static void add_four(double *restrict y, const double *const z[TOGETHER], const double b[TOGETHER],
+                     const double db[TOGETHER], const double *restrict share, size_t first, size_t last)
+{
+    const double *restrict z0 = z[0], *restrict z1 = z[1], *restrict z2 = z[2], *restrict z3 = z[3];
+    for (size_t i = first; i < last; i++)
+        y[i] += (b[0] + share[i] * db[0]) * z0[i] + (b[1] + share[i] * db[1]) * z1[i] +
+                (b[2] + share[i] * db[2]) * z2[i] + (b[3] + share[i] * db[3]) * z3[i];
+}
+
 /* y_i <- sqrt(d_i) w_i + sum_j b_ij y_j at every frequency where a neighbour is still near enough to matter.
  */
 static void join_neighbours(const struct spectral *w, double *all, size_t turn)
 {
     const struct wf_coherence *c = &w->coherence;
-    size_t n = w->window;
+    size_t n = w->window, count = c->count[turn];
     double *restrict y = all + turn * n;
-    for (size_t q = 0; q < w->segments && c->count[turn] > 0; q++) {
+    for (size_t q = 0; q < w->segments && count > 0; q++) {
         size_t first = w->segment_first[q], last = w->segment_first[q + 1];
         if (w->wavenumber[first] * c->closest[turn] > APART) return;
         size_t row = w->segment_rung[q] * c->n + turn, above = row + c->n;
         double d0 = c->rest[row], d1 = c->rest[above] - d0;
         for (size_t i = first; i < last; i++) y[i] *= sqrt(d0 + w->share[i] * d1);
-        for (size_t k = 0; k < c->count[turn]; k++) {
-            const double *restrict z = all + c->neighbour[turn * c->near + k] * n;
-            double b0 = c->weight[row * c->near + k], b1 = c->weight[above * c->near + k] - b0;
-            for (size_t i = first; i < last; i++) y[i] += (b0 + w->share[i] * b1) * z[i];
+        for (size_t k = 0; k < count; k += TOGETHER) {
+            const double *z[TOGETHER];
+            double b[TOGETHER], db[TOGETHER];
+            for (size_t j = 0; j < TOGETHER; j++) {
+                bool there = k + j < count; /* weight 0 beyond the last */
+                z[j] = all + c->neighbour[turn * c->near + (there ? k + j : k)] * n;
+                b[j] = there ? c->weight[row * c->near + k + j] : 0.0;
+                db[j] = there ? c->weight[above * c->near + k + j] - b[j] : 0.0;
+            }
+            add_four(y, z, b, db, w->share, first, last);
         }
     }
 }
