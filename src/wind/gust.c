@@ -105,13 +105,15 @@ const struct wf_gust_model wf_gust_models[] = {
       "drawn once a run (drawn at each step it would be white noise)",
       1, NULL, cosine_pars, wf_gust_direct_open, wf_gust_cosine_fill, NULL },
     { "sine-perlin", "a sine and gradient noise",
-      "Zhao J., Zhang D. (2013); noise: Perlin K. (2002), ACM Trans. Graph. 21(3):681-682",
+      "Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163; noise: Perlin K. (2002), ACM Trans. "
+      "Graph. 21(3):681-682",
       "a smooth synthetic wind of given intensity",
       "the printed sine swings from 0 to twice the mean (intensity 0.71) and the printed noise shifts the "
       "mean; here "
       "sine and zero-mean noise share the variance asked for",
       1, NULL, sine_perlin_pars, wf_gust_direct_open, wf_gust_sine_perlin_fill, NULL },
-    { "sine-perlin-as-printed", "a sine and value noise, as printed", "Zhao J., Zhang D. (2013)",
+    { "sine-perlin-as-printed", "a sine and value noise, as printed",
+      "Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163",
       "reproduces the paper; intensity about 0.7 and a mean above the one asked for: not a physical wind",
       NULL, 1, NULL, zhao_pars, wf_gust_direct_open, wf_gust_zhao_fill, NULL },
     { "perlin", "octaves of gradient noise", "Perlin K. (2002), ACM Trans. Graph. 21(3):681-682",

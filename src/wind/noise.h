@@ -33,7 +33,7 @@ double wf_noise_shift(uint64_t seed, uint64_t stream, const struct wf_octaves *o
 
 /* Three angles of a leaf from three octave sums, the third with a share `follow` of the first added.
  * Given: leaf number, time over the noise's period [-], amplitudes [rad]. Returned: angle[3] [rad].
- * A look, not a load. Source: Zhao J., Zhang D. (2013). */
+ * A look, not a load. Source: Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163. */
 struct wf_leaf_flutter {
     struct wf_octaves octaves;
     double amplitude[3], follow;
