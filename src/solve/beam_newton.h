@@ -22,6 +22,7 @@ struct wf_beam {
     double (*dv)[2][3];
     double (*k0)[2][3];          /* curvature creep starts from                               */
     struct wf_beam_small *small; /* NULL unless small motions are asked for                   */
+    double (*push)[6];           /* wrench on element ends in an answer to small loads        */
     double creep;
     bool frozen;                  /* wind is a dead load: its derivatives are left out         */
     struct wf_beam_wrench base;   /* put on the ground, moment about the first root            */

@@ -1,6 +1,7 @@
 #include "solve/modes.h"
 #include "solve/beam.h"
 #include "solve/beam_response.h"
+#include "solve/beam_small.h"
 #include "solve/beam_vibrate.h"
 #include "solve/lanczos.h"
 #include "solve/vec.h"
@@ -12,13 +13,14 @@ struct sway {
     struct wf_beam *beam;
     size_t size;
     double *root, *u; /* square root of the mass; a motion */
+    double (*node)[6], (*ends)[6];
 };
 
 static void sway(void *ctx, const double *in, double *out)
 {
     struct sway *s = ctx;
     for (size_t i = 0; i < s->size; i++) s->u[i] = s->root[i] > 0 ? in[i] / s->root[i] : 0;
-    wf_beam_inertia_answer(s->beam, s->u, out, NULL);
+    wf_beam_inertia_answer(s->beam, s->u, out, s->node, s->ends);
     for (size_t i = 0; i < s->size; i++) out[i] *= s->root[i];
 }
 
@@ -46,13 +48,18 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena 
                                double *shape, struct wf_err *e)
 {
     size_t size = wf_beam_motion_size(b), n = b->mesh.tree->n;
-    enum wf_status status = wf_beam_small_prepare(b, work, e);
+    enum wf_status status = wf_beam_linearise(b, true, work, e);
     double *value = WF_TAKE(work, count, double),
            *vector = shape ? WF_TAKE(work, count * size, double) : NULL;
-    double *answer = WF_TAKE(work, size, double), (*ends)[6] = wf_arena_take(work, b->mesh.n, sizeof *ends);
+    double *answer = WF_TAKE(work, size, double);
     size_t *order = WF_TAKE(work, count, size_t);
-    struct sway s = { b, size, WF_TAKE(work, size, double), WF_TAKE(work, size, double) };
-    if (!value || (shape && !vector) || !answer || !ends || !order || !s.root || !s.u)
+    struct sway s = { .beam = b,
+                      .size = size,
+                      .root = WF_TAKE(work, size, double),
+                      .u = WF_TAKE(work, size, double),
+                      .node = wf_arena_take(work, b->mesh.n, sizeof *s.node),
+                      .ends = wf_arena_take(work, b->mesh.n, sizeof *s.ends) };
+    if (!value || (shape && !vector) || !answer || !order || !s.root || !s.u || !s.node || !s.ends)
         return wf_fail(e, WF_ENOMEM, "no room for %zu modes", count);
     wf_beam_motion_mass(b, s.root);
     for (size_t i = 0; i < size; i++) s.root[i] = sqrt(s.root[i]);
@@ -66,10 +73,10 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena 
         if (!shape) continue;
         for (size_t k = 0; k < size; k++)
             s.u[k] = s.root[k] > 0 ? vector[order[i] * size + k] / s.root[k] : 0;
-        wf_beam_inertia_answer(b, s.u, answer, ends);
+        wf_beam_inertia_answer(b, s.u, answer, s.node, s.ends);
         for (size_t r = 0; r < n; r++)
             for (size_t c = 0; c < 3; c++) {
-                double x = ends[b->mesh.last[r]][c];
+                double x = s.ends[b->mesh.last[r]][c];
                 shape[3 * n * i + 3 * r + c] = x;
                 if (fabs(x) > fabs(most)) most = x;
             }

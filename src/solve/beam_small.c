@@ -1,0 +1,150 @@
+#include "solve/beam_small.h"
+#include "solve/gauss.h"
+#include "solve/vec.h"
+
+enum wf_status wf_beam_linearise(struct wf_beam *b, bool frozen, struct wf_arena *a, struct wf_err *e)
+{
+    b->small = WF_TAKE(a, b->mesh.n, struct wf_beam_small);
+    b->push = wf_arena_take(a, b->mesh.n, sizeof *b->push);
+    if (!b->small || !b->push)
+        return wf_fail(e, WF_ENOMEM, "no room for the small motions of %zu elements", b->mesh.n);
+    b->frozen = frozen;
+    b->misfit = (struct wf_beam_misfit){ 0 };
+    wf_beam_sweep_up(b);
+    if (!wf_beam_sweep_down(b, true, NULL))
+        return wf_fail(e, WF_EUNSTABLE, "the tree has no stiffness left in the state it is to move about");
+    return WF_OK;
+}
+
+void wf_beam_law_moment(const struct wf_beam *b, size_t i, double moment[2][3])
+{
+    const struct wf_beam_part *p = &b->mesh.part[i];
+    struct wf_beam_pose ground;
+    const struct wf_beam_pose *base = &ground;
+    double k[2][3], bent[3];
+    if (p->parent >= 0)
+        base = &b->pose[p->parent];
+    else
+        wf_beam_ground(b, i, &ground);
+    wf_beam_curvature(p, &b->shape[i], k);
+    for (int j = 0; j < 2; j++) {
+        m3_apply(base->L, k[j], bent);
+        v3_section(p->ei[j], p->gj[j], b->stage[i].t[j], bent, moment[j]);
+    }
+}
+
+static void apply6(double A[6][6], const double x[6], double y[6])
+{
+    for (int i = 0; i < 6; i++)
+        for (int c = 0; c < 6; c++) y[i] += A[i][c] * x[c];
+}
+
+/* One element under a disturbance and the wrench k from above: y at a fixed base, stretch, and the wrench
+ * handed down. */
+static void answer_down(const struct wf_beam_part *p, const struct wf_beam_stage *s, struct wf_beam_small *q,
+                        const struct wf_beam_disturbance *x, const double k[6], double y[6],
+                        double stretch[2][3], double down[6])
+{
+    double turn[2][3], d[6];
+    for (int j = 0; j < 2; j++) {
+        double own[3], n[3], give[3], lever[3];
+        for (int i = 0; i < 3; i++) {
+            own[i] = p->h * (gauss_down[j][0] * x->force[0][i] + gauss_down[j][1] * x->force[1][i]);
+            n[i] = k[i] + own[i];
+        }
+        v3_section(p->cs[j], p->ca[j], s->t[j], n, stretch[j]);
+        v3_section(p->cs[j], p->ca[j], s->t[j], own, give);
+        m3_apply(q->Vn[j], k, turn[j]);
+        wf_cross(s->rp[j], own, lever);
+        v3_add(turn[j], 1, lever);
+        wf_cross(q->n[j], give, lever);
+        v3_add(turn[j], -1, lever);
+        v3_add(turn[j], 1, x->couple[j]);
+    }
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 2; j++)
+            d[3 * j + i] = k[3 + i] - x->law[j][i] +
+                           p->h * (gauss_down[j][0] * turn[0][i] + gauss_down[j][1] * turn[1][i]);
+        down[i] = k[i] + 0.5 * p->h * (x->force[0][i] + x->force[1][i]);
+        down[3 + i] = k[3 + i] + 0.5 * p->h * (turn[0][i] + turn[1][i]);
+    }
+    memset(y, 0, 6 * sizeof *y);
+    apply6(q->R, d, y);
+    apply6(q->T, y, down);
+}
+
+/* Motion of one element on the change `base` of its base: Gauss points (place, twist) and end. */
+static void answer_up(const struct wf_beam_part *p, const struct wf_beam_stage *s, struct wf_beam_answer *x,
+                      struct wf_beam_small *q, const double base[6], double y[6], double stretch[2][3],
+                      double *motion, double end[6])
+{
+    double dr[2][3], spin[2][3];
+    apply6(x->X, base, y);
+    for (int j = 0; j < 2; j++) {
+        for (int i = 0; i < 3; i++) spin[j][i] = base[3 + i] + y[3 * j + i];
+        m3_apply(q->Y[j], spin[j], dr[j]);
+        v3_add(dr[j], 1, stretch[j]);
+    }
+    for (int j = 0; j < 2 && motion; j++) {
+        for (int i = 0; i < 3; i++)
+            motion[4 * j + i] = base[i] + p->h * (gauss_up[j][0] * dr[0][i] + gauss_up[j][1] * dr[1][i]);
+        motion[4 * j + 3] = wf_dot(s->t[j], spin[j]);
+    }
+    for (int i = 0; i < 3; i++) {
+        end[i] = base[i] + 0.5 * p->h * (dr[0][i] + dr[1][i]);
+        end[3 + i] = base[3 + i];
+        for (int c = 0; c < 6; c++) end[3 + i] += q->P[3 + i][c] * y[c];
+    }
+}
+
+/* A root's wrench onto the ground, and how its plate gives. */
+static void ground_root(struct wf_beam *b, size_t row, const double down[6], const double *root,
+                        double ground[6])
+{
+    const struct wf_tree *t = b->mesh.tree;
+    const double arm[3] = { t->x0[row] - t->x0[0], t->y0[row] - t->y0[0], t->z0[row] - t->z0[0] };
+    double lever[3], m[3] = { down[3], down[4], down[5] };
+    wf_cross(arm, down, lever);
+    for (int i = 0; i < 3; i++) {
+        ground[i] += down[i], ground[3 + i] += down[3 + i] + lever[i];
+        if (root) m[i] += root[i];
+    }
+    memset(b->root_change[row], 0, sizeof b->root_change[row]);
+    m3_apply(b->root_give[row], m, b->root_change[row] + 3);
+}
+
+void wf_beam_answer_small(struct wf_beam *b,
+                          void (*source)(const void *ctx, const struct wf_beam *b, size_t i,
+                                         struct wf_beam_disturbance *out),
+                          const void *ctx, const double (*node)[6], const double (*root)[3],
+                          struct wf_beam_small_answer *out)
+{
+    size_t n = b->mesh.n;
+    double(*y)[6] = b->change; /* free while nothing is being solved */
+    double(*stretch)[2][3] = b->dv;
+    memset(out->ground, 0, sizeof out->ground);
+    if (node)
+        memcpy(b->push, node, n * sizeof *b->push);
+    else
+        memset(b->push, 0, n * sizeof *b->push);
+    for (size_t i = n; i-- > 0;) {
+        const struct wf_beam_part *p = &b->mesh.part[i];
+        struct wf_beam_disturbance x = { 0 };
+        double down[6];
+        if (source) source(ctx, b, i, &x);
+        answer_down(p, &b->stage[i], &b->small[i], &x, b->push[i], y[i], stretch[i], down);
+        if (p->parent >= 0)
+            for (int c = 0; c < 6; c++) b->push[p->parent][c] += down[c];
+        else
+            ground_root(b, (size_t)p->row, down, root ? root[p->row] : NULL, out->ground);
+    }
+    for (size_t i = 0; i < n; i++) {
+        const struct wf_beam_part *p = &b->mesh.part[i];
+        double end[6];
+        const double *base = p->parent >= 0 ? y[p->parent] : b->root_change[p->row];
+        answer_up(p, &b->stage[i], &b->answer[i], &b->small[i], base, y[i], stretch[i],
+                  out->motion ? out->motion + 8 * i : NULL, end);
+        memcpy(y[i], end, sizeof end); /* the element's end, base of those above */
+        if (out->ends) memcpy(out->ends[i], end, sizeof end);
+    }
+}
