@@ -262,7 +262,7 @@ static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], 
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) H[i][c] = 0.5 * (X[i][c] + X[c][i]);
     for (int c = 0; c < 6; c++) {
-        if (H[c][c] < -margin * p->ei[0]) negative++;
+        if (H[c][c] < -margin * fmax(p->ei[0], p->gj[0])) negative++;
         for (int r = c + 1; r < 6; r++) {
             double f = H[r][c] / H[c][c];
             for (int i = c; i < 6; i++) H[r][i] -= f * H[c][i];
