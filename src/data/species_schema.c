@@ -115,7 +115,7 @@ const struct wf_yaml_row wf_level_rows[] = {
       LEVEL(drag_coefficient),
       .low = 0,
       .high = 3,
-      .absent = "the circular cylinder's, by Reynolds number",
+      .absent = "a rough cylinder's, by Reynolds number",
       .doc = "Drag coefficient of the bare axis in cross-flow on its diameter.",
       .example = "1.2" },
     { .key = "lift_coefficient",

@@ -1,4 +1,4 @@
-/* Cylinder drag from a table at Re = 1, 2 and 5 of every decade, smooth in log Re. */
+/* Drag of a rough cylinder from a table at Re = 1, 2 and 5 of every decade, smooth in log Re. */
 #include "load/cylinder.h"
 #include "load/smooth.h"
 #include <math.h>
@@ -16,9 +16,9 @@ static const double drag[] = {
     1.37, 1.25, 1.13, /* 1e2  */
     1.00, 0.95, 1.00, /* 1e3  */
     1.10, 1.17, 1.20, /* 1e4  */
-    1.20, 1.17, 0.30, /* 1e5: the drag crisis */
-    0.36, 0.50, 0.70, /* 1e6  */
-    0.70,             /* 1e7  */
+    1.20, 1.14, 1.05, /* 1e5: bark is past the drag crisis of a smooth cylinder */
+    1.05, 1.05, 1.05, /* 1e6  */
+    1.05,             /* 1e7  */
 };
 /* d drag / d log10 Re at the points by the rule of load/smooth.h, worked out beforehand because this function
  * is called for every load point of every element. */
@@ -42,10 +42,10 @@ static const double rise[] = {
     0.15077649568392379,
     0, /* 1e4  */
     0,
-    -0.19931568569324187,
+    -0.21087894550811814,
     0, /* 1e5  */
-    0.3321928094887362,
-    0.48122822248568914,
+    0,
+    0,
     0, /* 1e6  */
     0, /* 1e7  */
 };
