@@ -1,6 +1,7 @@
 #include "solve/beam_small.h"
 #include "solve/gauss.h"
 #include "solve/vec.h"
+#include "solve/wide.h"
 
 enum wf_status wf_beam_linearise(struct wf_beam *b, bool frozen, struct wf_arena *a, struct wf_err *e)
 {
@@ -33,7 +34,7 @@ void wf_beam_law_moment(const struct wf_beam *b, size_t i, double moment[2][3])
     }
 }
 
-static void apply6(double A[6][6], const double x[6], double y[6])
+WF_INLINE void apply6(double A[6][6], const double x[6], double y[6])
 {
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) y[i] += A[i][c] * x[c];
@@ -41,9 +42,9 @@ static void apply6(double A[6][6], const double x[6], double y[6])
 
 /* One element under a disturbance and the wrench k from above: y at a fixed base, stretch, and the wrench
  * handed down. */
-static void answer_down(const struct wf_beam_part *p, const struct wf_beam_stage *s, struct wf_beam_small *q,
-                        const struct wf_beam_disturbance *x, const double k[6], double y[6],
-                        double stretch[2][3], double down[6])
+WF_INLINE void answer_down(const struct wf_beam_part *p, const struct wf_beam_stage *s,
+                           struct wf_beam_small *q, const struct wf_beam_disturbance *x, const double k[6],
+                           double y[6], double stretch[2][3], double down[6])
 {
     double turn[2][3], d[6];
     for (int j = 0; j < 2; j++) {
@@ -74,9 +75,9 @@ static void answer_down(const struct wf_beam_part *p, const struct wf_beam_stage
 }
 
 /* Motion of one element on the change `base` of its base: Gauss points (place, twist) and end. */
-static void answer_up(const struct wf_beam_part *p, const struct wf_beam_stage *s, struct wf_beam_answer *x,
-                      struct wf_beam_small *q, const double base[6], double y[6], double stretch[2][3],
-                      double *motion, double end[6])
+WF_INLINE void answer_up(const struct wf_beam_part *p, const struct wf_beam_stage *s,
+                         struct wf_beam_answer *x, struct wf_beam_small *q, const double base[6], double y[6],
+                         double stretch[2][3], double *motion, double end[6])
 {
     double dr[2][3], spin[2][3];
     apply6(x->X, base, y);
@@ -113,11 +114,11 @@ static void ground_root(struct wf_beam *b, size_t row, const double down[6], con
     m3_apply(b->root_give[row], m, b->root_change[row] + 3);
 }
 
-void wf_beam_answer_small(struct wf_beam *b,
-                          void (*source)(const void *ctx, const struct wf_beam *b, size_t i,
-                                         struct wf_beam_disturbance *out),
-                          const void *ctx, const double (*node)[6], const double (*root)[3],
-                          struct wf_beam_small_answer *out)
+WF_WIDE void wf_beam_answer_small(struct wf_beam *b,
+                                  void (*source)(const void *ctx, const struct wf_beam *b, size_t i,
+                                                 struct wf_beam_disturbance *out),
+                                  const void *ctx, const double (*node)[6], const double (*root)[3],
+                                  struct wf_beam_small_answer *out)
 {
     size_t n = b->mesh.n;
     double(*y)[6] = b->change; /* free while nothing is being solved */

@@ -1,11 +1,12 @@
 #include "solve/lanczos.h"
+#include "solve/wide.h"
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 
-enum { BLOCK = 3 };
+enum { BLOCK = 3, PIECE = 2048 };
 
 struct krylov {
     const struct wf_lanczos *l;
@@ -17,7 +18,7 @@ struct krylov {
 static double *column(const struct krylov *k, size_t i) { return k->V + i * k->l->size; }
 
 /* Eight running sums, so that the loop runs in vector registers and gives the same digits everywhere. */
-static double dot(const double *u, const double *v, size_t n)
+WF_INLINE double dot(const double *u, const double *v, size_t n)
 {
     double sum[8] = { 0 };
     size_t i = 0;
@@ -29,27 +30,64 @@ static double dot(const double *u, const double *v, size_t n)
 
 static double norm(const double *u, size_t n) { return sqrt(dot(u, u, n)); }
 
-/* Take from w its parts along all columns, twice; parts are added to c (may be NULL). Returned: its norm. */
-static double orthogonalise(const struct krylov *k, double *w, double *c)
+/* Parts of the block's vectors w (BLOCK x size) along the first `upto` columns, to part (BLOCK x upto), and
+ * their removal. The vectors are worked through in pieces that stay in the cache, so each column is fetched
+ * twice a block. */
+WF_WIDE static void take_out(const struct krylov *k, double *w, size_t upto, double *part)
 {
-    for (int twice = 0; twice < 2; twice++)
-        for (size_t i = 0; i < k->used; i++) {
-            const double *v = column(k, i);
-            double part = dot(v, w, k->l->size);
-            for (size_t j = 0; j < k->l->size; j++) w[j] -= part * v[j];
-            if (c) c[i] += part;
-        }
-    return norm(w, k->l->size);
+    const size_t size = k->l->size;
+    memset(part, 0, BLOCK * upto * sizeof *part);
+    for (size_t from = 0; from < size; from += PIECE) {
+        size_t n = size - from < PIECE ? size - from : PIECE;
+        for (size_t i = 0; i < upto; i++)
+            for (size_t b = 0; b < BLOCK; b++)
+                part[b * upto + i] += dot(column(k, i) + from, w + b * size + from, n);
+    }
+    for (size_t from = 0; from < size; from += PIECE) {
+        size_t n = size - from < PIECE ? size - from : PIECE;
+        for (size_t i = 0; i < upto; i++)
+            for (size_t b = 0; b < BLOCK; b++) {
+                const double *v = column(k, i) + from, p = part[b * upto + i];
+                double *x = w + b * size + from;
+                for (size_t j = 0; j < n; j++) x[j] -= p * v[j];
+            }
+    }
 }
 
-/* Add w, of norm `size`, as a column. Returned: false when it is nothing but rounding of what had norm
- * `before`. */
-static bool admit(struct krylov *k, const double *w, double size, double before)
+/* Once, and again where little is left of a vector, so that what is left is clean to rounding; parts are
+ * added to c (BLOCK rows of `stride`). before[b]: norms at the start. */
+static void orthogonalise(const struct krylov *k, double *w, size_t upto, const double *before, double *part,
+                          double *c, size_t stride)
 {
-    if (k->used == k->most || !(size > 1e-12 * before)) return false;
-    double *v = column(k, k->used++);
-    for (size_t j = 0; j < k->l->size; j++) v[j] = w[j] / size;
-    return true;
+    bool clean = false;
+    for (int pass = 0; pass < 2 && !clean; pass++) {
+        take_out(k, w, upto, part);
+        clean = true;
+        for (size_t b = 0; b < BLOCK; b++) {
+            for (size_t i = 0; i < upto; i++) c[b * stride + i] += part[b * upto + i];
+            clean = clean && norm(w + b * k->l->size, k->l->size) >= 0.05 * before[b];
+        }
+    }
+}
+
+/* Add w as a column, after taking out its parts along the columns from `first` on (added to c). Returned:
+ * what is left of it; nothing is added when that is only rounding of what had norm `before`. */
+static double admit(struct krylov *k, double *w, size_t first, double *c, double before)
+{
+    const size_t size = k->l->size;
+    for (int twice = 0; twice < 2; twice++)
+        for (size_t i = first; i < k->used; i++) {
+            const double *v = column(k, i);
+            double part = dot(v, w, size);
+            for (size_t j = 0; j < size; j++) w[j] -= part * v[j];
+            c[i] += part;
+        }
+    double left = norm(w, size);
+    if (k->used == k->most || !(left > 1e-12 * before)) return left;
+    double *v = column(k, k->used);
+    for (size_t j = 0; j < size; j++) v[j] = w[j] / left;
+    c[k->used++] += left;
+    return left;
 }
 
 /* A start that has a part along every motion: fixed, so that every run gives the same digits. */
@@ -88,20 +126,21 @@ static enum wf_status ritz(struct krylov *k, struct wf_err *e)
     return status;
 }
 
-/* Extend the space by A of its last block. rest[j]: norm of what A of column j has outside the space so far.
- */
-static size_t extend(struct krylov *k, size_t from, double *w, double *rest)
+/* Extend the space by A of its last block, the columns from `from` on. w: BLOCK x size; rest[j]: norm of what
+ * A of column j has outside the space so far. */
+static size_t extend(struct krylov *k, size_t from, double *w, double *part, double *rest)
 {
     const struct wf_lanczos *l = k->l;
     size_t to = k->used;
+    double before[BLOCK] = { 0 };
+    memset(w, 0, BLOCK * l->size * sizeof *w);
     for (size_t j = from; j < to; j++) {
-        double *row = k->T + j * k->most;
-        l->apply(l->ctx, column(k, j), w);
-        double before = norm(w, l->size);
-        memset(row, 0, k->most * sizeof *row);
-        rest[j - from] = orthogonalise(k, w, row);
-        if (admit(k, w, rest[j - from], before)) row[k->used - 1] = rest[j - from];
+        l->apply(l->ctx, column(k, j), w + (j - from) * l->size);
+        before[j - from] = norm(w + (j - from) * l->size, l->size);
     }
+    orthogonalise(k, w, to, before, part, k->T + from * k->most, k->most);
+    for (size_t j = from; j < to; j++)
+        rest[j - from] = admit(k, w + (j - from) * l->size, to, k->T + j * k->most, before[j - from]);
     return to;
 }
 
@@ -111,23 +150,23 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
     struct krylov k = { .l = l, .most = 10 * l->wanted + 60 };
     if (k.most > l->size) k.most = l->size;
     k.V = WF_TAKE(a, k.most * l->size, double);
-    k.T = WF_TAKE(a, k.most * k.most, double);
+    k.T = WF_TAKE(a, (k.most + BLOCK) * k.most, double); /* a short last block has rows to spare */
     k.Q = WF_TAKE(a, k.most * k.most, double);
     k.value = WF_TAKE(a, k.most, double);
-    double *w = WF_TAKE(a, l->size, double), rest[BLOCK];
-    if (!k.V || !k.T || !k.Q || !k.value || !w)
+    double *w = WF_TAKE(a, BLOCK * l->size, double), *start = WF_TAKE(a, k.most, double), rest[BLOCK];
+    double *part = WF_TAKE(a, BLOCK * k.most, double);
+    if (!k.V || !k.T || !k.Q || !k.value || !w || !start || !part)
         return wf_fail(e, WF_ENOMEM, "no room for %zu modes", l->wanted);
     gsl_error_handler_t *handler = gsl_set_error_handler_off();
 
     for (size_t j = 0; j < BLOCK && j < k.most; j++) {
-        scatter(column(&k, k.most - 1), l->size, j); /* through the operator once: smooth motions first */
-        l->apply(l->ctx, column(&k, k.most - 1), w);
-        double before = norm(w, l->size);
-        admit(&k, w, orthogonalise(&k, w, NULL), before);
+        scatter(w + l->size, l->size, j); /* through the operator once: smooth motions first */
+        l->apply(l->ctx, w + l->size, w);
+        admit(&k, w, 0, start, norm(w, l->size));
     }
     enum wf_status status = WF_ENOCONV;
     for (size_t from = 0; from < k.used;) {
-        size_t block = k.used - from, done = extend(&k, from, w, rest), whole = k.used;
+        size_t block = k.used - from, done = extend(&k, from, w, part, rest), whole = k.used;
         /* T holds the columns applied so far; the newest block's own columns are still to come */
         k.used = done;
         enum wf_status small = ritz(&k, e);

@@ -63,7 +63,7 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena 
         return wf_fail(e, WF_ENOMEM, "no room for %zu modes", count);
     wf_beam_motion_mass(b, s.root);
     for (size_t i = 0; i < size; i++) s.root[i] = sqrt(s.root[i]);
-    struct wf_lanczos l = { .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = 1e-6 };
+    struct wf_lanczos l = { .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = 1e-5 };
     if (!status) status = wf_lanczos(&l, value, vector, work, e);
     if (status) return status;
     arrange(value, order, count);
