@@ -137,7 +137,7 @@ static void objective(void **state)
             assert_close(c[1].out.moment0[3 * i + j] + 1e3,
                          R[3 * j] * m[0] + R[3 * j + 1] * m[1] + R[3 * j + 2] * m[2] + 1e3, 1e-9);
         }
-    assert_true(most > 0.5);
+    assert_true(most > 0.15);
     beam_free(&c[0]), beam_free(&c[1]);
 }
 

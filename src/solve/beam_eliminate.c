@@ -29,22 +29,6 @@ struct kinematics {
     double W[2][9];     /* y -> spin of the end, relative to the base     */
 };
 
-/* D w = d(T(v) slope)/dv w */
-WF_INLINE void tangent_slope(const struct rotation *o, const double v[3], const double slope[3], double D[9])
-{
-    double once[3], twice[3], grow[3], dot = wf_dot(v, slope);
-    wf_cross(v, slope, once);
-    wf_cross(v, once, twice);
-    for (int i = 0; i < 3; i++) grow[i] = o->da * once[i] + o->db * twice[i];
-    memset(D, 0, 9 * sizeof *D);
-    m3_add_cross(D, -o->a, slope); /* a w x slope */
-    m3_add_outer(D, 1, grow, v);
-    /* b (w x (v x slope) + v x (w x slope)) = b (-[once] - [v][slope]) w;  [v][s] = s v' - (v.s) 1 */
-    m3_add_cross(D, -o->b, once);
-    m3_add_outer(D, -o->b, slope, v);
-    for (int i = 0; i < 3; i++) D[4 * i] += o->b * dot;
-}
-
 /* Where the material law asks an element for a large turn at once, its tangent is stiffened in proportion: a
  * damped Newton step for that element alone. Twigs that double over then do not hold up the rest of the tree,
  * and as the misfit goes to zero so does the damping, at the same rate, so that convergence stays quadratic.
@@ -86,7 +70,7 @@ WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_
             slope[i] = (gauss_slope[j][0] * v[0][i] + gauss_slope[j][1] * v[1][i]) / p->h;
         rotation_tangent(&o, v[j], x, T[j]);
         rotation_tangent_inverse(&o, v[j], x, Ti[j]);
-        tangent_slope(&o, v[j], slope, D);
+        rotation_tangent_slope(&o, v[j], slope, D);
         m3_mul(D, Ti[j], c->QP[j][j]);
         for (int i = 0; i < 3; i++) c->QP[j][j][4 * i] += gauss_slope[j][j] / p->h;
         m3_apply(T[j], slope, Tslope);

@@ -21,6 +21,7 @@ struct wf_beam {
     double (*change)[6]; /* of the end                                                */
     double (*dv)[2][3];
     double (*k0)[2][3];          /* curvature creep starts from                               */
+    double (*tilt0)[3];          /* per row, for roots: tilt creep starts from                */
     struct wf_beam_small *small; /* NULL unless small motions are asked for                   */
     double (*push)[6];           /* wrench on element ends in an answer to small loads        */
     double creep;

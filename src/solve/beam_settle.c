@@ -64,6 +64,9 @@ static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct 
 /* A small sideways bow, so that a shape that is only balanced on its edge can leave it. */
 static void nudge(struct wf_beam *b)
 {
+    for (size_t i = 0; i < b->mesh.tree->n; i++)
+        for (int j = 0; j < 2; j++)
+            if (b->options->root_stiffness[j] > 0) b->tilt[i][j] += j ? 2e-4 : 6e-5;
     for (size_t i = 0; i < b->mesh.n; i++)
         for (int j = 0; j < 2; j++)
             b->shape[i].v[j][1] += 1e-4 * (j + 1), b->shape[i].v[j][0] += 3e-5 * (j + 1);
@@ -71,15 +74,18 @@ static void nudge(struct wf_beam *b)
 
 /* Kelvin-Voigt creep under the full load: each step solves the tree with a section moment G^-1 (k + rate (k -
  * k_old)), an implicit Euler step of viscous motion of length 1/rate, which has a stable answer however far
- * the elastic one is. The rate falls while the steps succeed; at rate 0 the elastic equilibrium is left. */
+ * the elastic one is when the step is short enough. (A balanced but unstable answer of a longer step leads
+ * back to the shape the tree is to leave, and is refused.) The rate falls while the steps succeed; at rate 0
+ * the elastic equilibrium is left. */
 static bool creep(struct wf_beam *b, struct saved *last)
 {
     double rate = 64;
+    b->tilt0 = last->tilt;
     for (int k = 0; k < 400; k++) {
         keep(b, last);
         for (size_t i = 0; i < b->mesh.n; i++) wf_beam_curvature(&b->mesh.part[i], &b->shape[i], b->k0[i]);
         b->creep = rate;
-        bool moved = wf_beam_newton(b) == WF_OK;
+        bool moved = wf_beam_newton(b) == WF_OK && stable(b);
         b->creep = 0;
         b->steps++;
         if (!moved) {

@@ -66,13 +66,14 @@ static void react_nodes(struct wf_beam *b)
 }
 
 /* The root plate: springs c about x and y hold the tilt v against the moment, c v = T' m (stiffness 0 =
- * clamped). Adds the plate's misfit; with the reaction r of the tree on it, works out its correction and how
- * it gives. */
+ * clamped). Adds the plate's misfit; with the reaction r of the tree on it, works out its correction, how it
+ * gives, and whether it is stable. */
 static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench *w,
-                      const struct wf_beam_reaction *r)
+                      const struct wf_beam_reaction *r, struct wf_beam_stability *count)
 {
-    const double *c = b->options->root_stiffness, *v = b->tilt[row];
-    double x = wf_dot(v, v), T[9], m[3], push[3], inverse[9] = { 0 }, *p = b->root_change[row];
+    const double *c = b->options->root_stiffness, *v = b->tilt[row], still[3] = { 0 };
+    const double rate = b->creep, *v0 = rate > 0 ? b->tilt0[row] : still;
+    double x = wf_dot(v, v), T[9], m[3], inverse[9] = { 0 }, *p = b->root_change[row];
     memset(p, 0, 6 * sizeof *p);
     if (!(c[0] > 0) && !(c[1] > 0)) return;
     struct rotation o = rotation_of(x);
@@ -80,25 +81,29 @@ static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench
     m3_apply_transposed(T, w->m, m);
     for (int j = 0; j < 2; j++)
         if (c[j] > 0) {
-            double miss = c[j] * v[j] - m[j];
+            double miss = c[j] * ((1 + rate) * v[j] - rate * v0[j]) - m[j];
             b->misfit.bending += 0.5 * miss * miss / c[j];
             b->misfit.energy += 0.5 * m[j] * m[j] / c[j];
         }
     if (!r) return;
-    double K[9], KT[9], Tt[9], TKT[9], step[9], k[3];
+    double K[9], KT[9], Tt[9], TKT[9], D[9], step[9], k[3], push[3];
+    const double back[3] = { -v[0], -v[1], -v[2] };
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) K[3 * i + j] = r->K[3 + i][3 + j], Tt[3 * i + j] = T[3 * j + i];
     m3_mul(K, T, KT);
     m3_mul(Tt, KT, TKT);
-    double a = c[0] - TKT[0], d = c[1] - TKT[4], det = a * d - TKT[1] * TKT[3];
-    if (c[0] > 0 && c[1] > 0)
-        inverse[0] = d / det, inverse[1] = TKT[1] / det, inverse[3] = TKT[3] / det, inverse[4] = a / det;
-    else if (c[0] > 0)
-        inverse[0] = 1 / a;
-    else
-        inverse[4] = 1 / d;
+    rotation_tangent_slope(&o, back, w->m, D); /* T(v)' = T(-v): d(T' m)/dv = -D */
+    double S[2][2] = { { (1 + rate) * c[0] - TKT[0] + D[0], D[1] - TKT[1] },
+                       { D[3] - TKT[3], (1 + rate) * c[1] - TKT[4] + D[4] } };
+    for (int j = 0; j < 2; j++) /* no spring: clamped about that axis */
+        if (!(c[j] > 0)) S[j][j] = INFINITY, S[0][1] = S[1][0] = 0;
+    double rest = S[1][1] - S[1][0] * (S[0][1] / S[0][0]), across = S[0][1] / S[0][0] / rest;
+    if (count)
+        count->negative += (size_t)(S[0][0] < -count->margin * c[0]) + (size_t)(rest < -count->margin * c[1]);
+    inverse[0] = (1 + across * S[1][0]) / S[0][0], inverse[1] = -across;
+    inverse[3] = -S[1][0] / S[0][0] / rest, inverse[4] = 1 / rest;
     m3_apply_transposed(T, r->k + 3, k);
-    for (int j = 0; j < 3; j++) push[j] = j < 2 ? k[j] + m[j] - c[j] * v[j] : 0;
+    for (int j = 0; j < 3; j++) push[j] = j < 2 ? k[j] + m[j] - c[j] * ((1 + rate) * v[j] - rate * v0[j]) : 0;
     m3_apply(inverse, push, b->root_step[row]);
     m3_apply(T, b->root_step[row], p + 3);
     m3_mul(T, inverse, step);
@@ -148,7 +153,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stabil
         v3_add(b->base.n, 1, down.n);
         v3_add(b->base.m, 1, down.m);
         v3_add(b->base.m, 1, lever);
-        tilt_root(b, (size_t)p->row, &down, eliminate ? &root : NULL);
+        tilt_root(b, (size_t)p->row, &down, eliminate ? &root : NULL, count);
     }
     return isfinite(b->misfit.bending);
 }

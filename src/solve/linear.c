@@ -5,6 +5,13 @@
 #include "solve/gauss.h"
 #include "solve/vec.h"
 
+/* Rotation of a root plate under a moment. */
+static void plate_tilt(const struct wf_beam *b, const double moment[3], double q[3])
+{
+    for (int j = 0; j < 2; j++)
+        if (b->options->root_stiffness[j] > 0) q[j] = moment[j] / b->options->root_stiffness[j];
+}
+
 /* Rotation q and displacement u of the unbent tree under its internal forces:
  * q' = G m,  u' = q x t + H n,  by the same collocation as the full element. */
 static void displace(struct wf_beam *b, double (*u)[3], double (*q)[3])
@@ -15,13 +22,12 @@ static void displace(struct wf_beam *b, double (*u)[3], double (*q)[3])
         struct wf_line_load load[2];
         struct wf_beam_wrench at[2], base;
         double k[2][3], up[2][3], q0[3] = { 0, 0, 0 }, u0[3] = { 0, 0, 0 };
+        wf_beam_load(p, &b->loads, s, load);
+        wf_beam_balance(p->h, s, load, &b->wrench[i], at, &base);
         if (p->parent >= 0)
             memcpy(q0, q[p->parent], sizeof q0), memcpy(u0, u[p->parent], sizeof u0);
         else
-            for (int j = 0; j < 2; j++)
-                if (b->options->root_stiffness[j] > 0) q0[j] = b->base.m[j] / b->options->root_stiffness[j];
-        wf_beam_load(p, &b->loads, s, load);
-        wf_beam_balance(p->h, s, load, &b->wrench[i], at, &base);
+            plate_tilt(b, base.m, q0);
         for (int j = 0; j < 2; j++) v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, k[j]);
         for (int j = 0; j < 2; j++) {
             double turn[3], stretch[3];
@@ -81,13 +87,13 @@ static void read_linear(const struct answer *x, struct wf_response *r)
     wf_beam_read(b, r);
     for (size_t i = 0; i < b->mesh.tree->n; i++) {
         int32_t last = b->mesh.last[i], below = b->mesh.part[b->mesh.first[i]].parent;
-        double c[3];
+        double c[3], q0[3] = { 0, 0, 0 };
+        if (below < 0) plate_tilt(b, r->moment0 + 3 * i, q0);
         memcpy(r->end + 3 * i, x->u[last], sizeof *x->u);
         memcpy(r->turn + 3 * i, x->q[last], sizeof *x->q);
         wf_cross(x->q[last], r->tangent1 + 3 * i, c);
         v3_add(r->tangent1 + 3 * i, 1, c);
-        if (below < 0) continue;
-        wf_cross(x->q[below], r->tangent0 + 3 * i, c);
+        wf_cross(below < 0 ? q0 : x->q[below], r->tangent0 + 3 * i, c);
         v3_add(r->tangent0 + 3 * i, 1, c);
     }
     r->load_factor = 1;

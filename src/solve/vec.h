@@ -146,6 +146,23 @@ static inline void rotation_tangent(const struct rotation *o, const double v[3],
     m3_add_outer(T, o->b, v, v);
 }
 
+/* D w = d(T(v) slope)/dv w */
+static inline void rotation_tangent_slope(const struct rotation *o, const double v[3], const double slope[3],
+                                          double D[9])
+{
+    double once[3], twice[3], grow[3], dot = wf_dot(v, slope);
+    wf_cross(v, slope, once);
+    wf_cross(v, once, twice);
+    for (int i = 0; i < 3; i++) grow[i] = o->da * once[i] + o->db * twice[i];
+    memset(D, 0, 9 * sizeof *D);
+    m3_add_cross(D, -o->a, slope); /* a w x slope */
+    m3_add_outer(D, 1, grow, v);
+    /* b (w x (v x slope) + v x (w x slope)) = b (-[once] - [v][slope]) w;  [v][s] = s v' - (v.s) 1 */
+    m3_add_cross(D, -o->b, once);
+    m3_add_outer(D, -o->b, slope, v);
+    for (int i = 0; i < 3; i++) D[4 * i] += o->b * dot;
+}
+
 /* inverse of T(v): I - [v]/2 + c [v][v] */
 static inline void rotation_tangent_inverse(const struct rotation *o, const double v[3], double x,
                                             double Ti[9])
