@@ -190,6 +190,6 @@ const struct wf_table wf_tables[] = {
     { "tables/summary.csv", "totals of each tree at each wind speed", write_summary },
     { "tables/segments.csv", "what each segment bears at each wind speed", write_segments },
     { "tables/shape.csv", "axis points, unloaded and loaded", write_shape },
-    { "tables/sweep.csv", "totals on a fine ladder of wind speeds, for curves", write_sweep },
+    { "tables/sweep.csv", "totals on a ladder of wind speeds from 0, closer at first, for curves", write_sweep },
     { NULL, NULL, NULL },
 };

@@ -83,22 +83,25 @@ static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solv
     return WF_OK;
 }
 
-/* Evenly spaced speeds from 0 past the asked and the critical ones, at a step a reader can name. */
+/* Speeds from 0 past the asked and the critical ones, at a step a reader can name; a quarter of it for the
+ * first steps, where a slender tree bends fastest. */
 static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
                             struct wf_err *e)
 {
+    enum { QUARTERED = 5, STEPS = 40 };
     static const double steps[] = { 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0 };
     double top = 1.0, step = 0.0;
     for (size_t k = 0; k < an->n; k++) top = fmax(top, an->at[k].speed);
     if (an->critical.outcome == WF_CRITICAL_FOUND)
         top = fmax(top, fmin(1.1 * an->critical.speed, an->scenario.speed_max));
     for (size_t k = 0; k < sizeof steps / sizeof *steps; k++)
-        if ((step = steps[k]) * 60.0 >= top) break;
-    an->sweep_n = (size_t)ceil(top / step - 1e-9) + 1;
+        if ((step = steps[k]) * STEPS >= top) break;
+    an->sweep_n = (size_t)ceil(top / step - 1e-9) + 3 * QUARTERED + 1;
     if (!(an->sweep = WF_TAKE(a, an->sweep_n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "no room for a sweep of %zu speeds", an->sweep_n);
     for (size_t k = 0; k < an->sweep_n; k++) {
-        enum wf_status s = wf_speed_totals(an, o, step * (double)k, &an->sweep[k], e);
+        double steps_up = k < 4 * QUARTERED ? 0.25 * (double)k : (double)k - 3 * QUARTERED;
+        enum wf_status s = wf_speed_totals(an, o, step * steps_up, &an->sweep[k], e);
         if (s) return s;
     }
     return WF_OK;

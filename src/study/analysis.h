@@ -60,7 +60,7 @@ struct wf_analysis {
     size_t n;
     struct wf_at_speed *at; /* the speeds asked for                            */
     size_t sweep_n;
-    struct wf_at_speed *sweep; /* evenly spaced from 0, for curves (totals only)  */
+    struct wf_at_speed *sweep; /* rising from 0, closer at first, for curves (totals only) */
     struct wf_critical critical;
     int32_t critical_row;   /* governing section at the critical speed, -1 none */
     double critical_height; /* its height above ground on the unbent tree [m]   */

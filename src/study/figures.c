@@ -138,6 +138,9 @@ enum wf_status wf_figures_fill(const struct wf_tree *t, const struct wf_loads *l
         bent = unloaded;
         if (!r->small_deflection) curve_bent(t, r, i, &bent);
         integrate(t, l, &bent, i, direction, crown_drag, &row);
+        /* along the ground the solver's own loads, so that the drag adds up to the base shear */
+        row.air[0] = r->load[3 * i];
+        row.air[1] = r->load[3 * i + 1];
         out->drag[i] = wf_dot(row.air, direction);
         for (int k = 0; k < 3; k++) across[k] = row.air[k] - out->drag[i] * direction[k];
         out->lift[i] = norm(across);

@@ -15,9 +15,11 @@ struct wf_totals {
 
 /* Given: tree, the loads the solver had, its answer, direction the wind blows towards (unit vector), crown
  * drag coefficient by which the sail columns were multiplied. Returned: columns of n in *out and the totals.
- * Method: five-point Gauss quadrature along each row. A geometrically exact answer is sampled on its bent
- * shape (cubic Hermite curve through the row's ends and end tangents); a small-deflection answer on the
- * unloaded shape, where its loads acted. Projected area of the axis is that of its surface seen along the
+ * Method: horizontal forces of the wind are the solver's own loads (wf_response.load), so that all rows' drag
+ * adds up to the base shear; a horizontal dead load would count as wind. The vertical part of lift, weight
+ * and area come from five-point Gauss quadrature along each row. A geometrically exact answer is sampled on
+ * its bent shape (cubic Hermite curve through the row's ends and end tangents); a small-deflection answer on
+ * the unloaded shape, where its loads acted. Projected area of the axis is that of its surface seen along the
  * wind; that of the crown is its still-air frontal area times the streamlining share, which puts the whole
  * loss of drag into area. Deflection and slope are counted from the unloaded shape, so they hold the sag
  * under weight as well. */
