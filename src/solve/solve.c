@@ -1,10 +1,16 @@
 #include "solve/solve.h"
 #include "solve/beam.h"
 #include "solve/chain.h"
+#include "solve/rod.h"
 #include <string.h>
 
-const struct wf_solver *const wf_solvers[] = { &wf_solver_beam, &wf_solver_linear, &wf_solver_chain,
-                                               &wf_solver_chain_as_printed, NULL };
+const struct wf_solver *const wf_solvers[] = { &wf_solver_beam,
+                                               &wf_solver_linear,
+                                               &wf_solver_chain,
+                                               &wf_solver_chain_as_printed,
+                                               &wf_solver_rod,
+                                               &wf_solver_rod_as_printed,
+                                               NULL };
 
 const struct wf_solver *wf_solver_named(const char *name)
 {

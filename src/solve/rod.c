@@ -1,0 +1,262 @@
+#include "solve/rod.h"
+#include "solve/beam.h"
+#include "solve/beam_mesh.h"
+#include "solve/rod_shoot.h"
+#include <gsl/gsl_errno.h>
+
+static void scale(struct wf_rod *r, const struct wf_loads *full, double share)
+{
+    r->loads.wind_scale = share * full->wind_scale;
+    r->loads.weight_scale = share * full->weight_scale;
+    r->loads.point_scale = share * full->point_scale;
+}
+
+/* The beam engine on the same pieces, one element a piece. */
+static enum wf_status beam_of(const struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
+                              struct wf_beam *b, struct wf_err *e)
+{
+    int32_t *cut = WF_TAKE(a, r->tree->n, int32_t);
+    if (!cut) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", r->tree->n);
+    for (size_t i = 0; i < r->n; i++) cut[r->piece[i].row]++;
+    return wf_beam_init(b, r->tree, &r->loads, o, cut, a, e);
+}
+
+/* Does the shape found stand? The quadratic of turn along a piece that has its curvature at the base and its
+ * end is handed to the beam engine, which counts the directions in which the tree would fall. */
+static bool stands(const struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a)
+{
+    static const double gauss[2] = { 0.21132486540518711775, 0.78867513459481288225 };
+    struct wf_beam b;
+    struct wf_err e = { 0 };
+    double widest = 0;
+    if (beam_of(r, o, a, &b, &e)) return true;
+    for (size_t i = 0; i < r->n; i++) {
+        const struct wf_rod_piece *p = &r->piece[i];
+        const double *q = r->node[i].pose.q, back[4] = { q[0], -q[1], -q[2], -q[3] };
+        struct wf_rod_section c;
+        double turn[4], v[3], t[3], axis[3], place[3], k[3], base[3];
+        wf_rod_times(back, r->end[i].pose.q, turn);
+        wf_rod_vector(turn, v);
+        wf_row_axis(r->tree, (size_t)p->row, p->s0, place, axis);
+        wf_rod_turn(q, axis, t);
+        wf_rod_section_at(r->tree, &r->loads, (size_t)p->row, p->s0, &c);
+        v3_section(p->h / c.ei, p->h / c.gj, t, r->node[i].wrench.m, k);
+        wf_rod_turn(back, k, base);
+        for (int j = 0; j < 2; j++)
+            for (int x = 0; x < 3; x++)
+                b.shape[i].v[j][x] = gauss[j] * (base[x] + gauss[j] * (v[x] - base[x]));
+        widest = fmax(widest, wf_dot(v, v));
+        if (p->parent < 0) memcpy(b.tilt[p->row], r->node[i].tilt, sizeof b.tilt[p->row]);
+    }
+    struct wf_beam_stability count = { .margin = 1e-6 + 0.5 * widest };
+    wf_beam_sweep_up(&b);
+    return wf_beam_sweep_down(&b, true, &count) && count.negative == 0;
+}
+
+/* Full load at once, else in steps. Returned: share of the load reached. */
+static double climb(struct wf_rod *r, const struct wf_loads *full, const struct wf_solve_options *o,
+                    struct wf_arena *a)
+{
+    struct wf_rod_node *kept = WF_TAKE(a, r->n, struct wf_rod_node);
+    double share = 0, size = 1;
+    if (!kept) return 0;
+    memcpy(kept, r->node, r->n * sizeof *kept);
+    while (share < 1 && size > 1e-3) {
+        double next = fmin(1, share + size);
+        scale(r, full, next);
+        if (wf_rod_newton(r) && stands(r, o, a)) {
+            share = next;
+            size *= 2;
+            r->steps++;
+            memcpy(kept, r->node, r->n * sizeof *kept);
+        } else {
+            memcpy(r->node, kept, r->n * sizeof *kept);
+            size *= 0.25;
+        }
+    }
+    return share;
+}
+
+/* Where the way up from rest ends, start from the shape in which the beam engine comes to rest. */
+static enum wf_status start_from_beam(struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
+                                      struct wf_beam_outcome *out, struct wf_err *e)
+{
+    struct wf_beam b;
+    enum wf_status status = beam_of(r, o, a, &b, e);
+    if (!status) status = wf_beam_settle(&b, a, out, e);
+    for (size_t i = 0; !status && i < r->n; i++) {
+        int32_t below = r->piece[i].parent;
+        struct wf_beam_pose base;
+        struct wf_beam_wrench at[2], root;
+        struct wf_line_load load[2];
+        double v[3];
+        if (below >= 0)
+            base = b.pose[below];
+        else
+            wf_beam_ground(&b, i, &base);
+        wf_beam_load(&b.mesh.part[i], &b.loads, &b.stage[i], load);
+        wf_beam_balance(b.mesh.part[i].h, &b.stage[i], load, &b.wrench[i], at, &root);
+        rotation_vector(base.L, v);
+        wf_rod_quaternion(v, r->node[i].pose.q);
+        memcpy(r->node[i].pose.r, base.r, sizeof base.r);
+        memcpy(r->node[i].wrench.n, root.n, sizeof root.n);
+        memcpy(r->node[i].wrench.m, root.m, sizeof root.m);
+        memcpy(r->node[i].tilt, b.tilt[r->piece[i].row], sizeof r->node[i].tilt);
+    }
+    return status;
+}
+
+static enum wf_status settle(struct wf_rod *r, const struct wf_loads *full, const struct wf_solve_options *o,
+                             struct wf_arena *a, double *load_factor, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_beam_outcome out = { 0 };
+    struct wf_err why = { 0 };
+    *load_factor = climb(r, full, o, a);
+    if (*load_factor >= 1) return WF_OK;
+    if (r->fault) return wf_fail(e, WF_ENOCONV, "%s", r->fault);
+    scale(r, full, 1);
+    enum wf_status status = start_from_beam(r, o, a, &out, &why);
+    if (status == WF_EUNSTABLE || status == WF_ENOCONV) *load_factor = out.load_factor;
+    if (status) return wf_fail(e, status, "%s", why.text);
+    if (!wf_rod_newton(r))
+        return wf_fail(e, WF_ENOCONV, "the integration from root to tips did not close at %.3g of the load",
+                       *load_factor);
+    *load_factor = 1;
+    r->steps++;
+    if (out.beyond_limit && d)
+        wf_diag_warn(d, "limit-point",
+                     "the tree gives way at %.3g of the load; the answer is where it comes to rest",
+                     out.load_factor);
+    return WF_OK;
+}
+
+static void share_out(double sum[3], double s, const double x[3]) { v3_add(sum, s, x); }
+
+struct tally {
+    double force[3], moment[3];
+};
+
+static void count(struct tally *sum, const double arm[3], const double force[3], const double moment[3])
+{
+    double lever[3];
+    wf_cross(arm, force, lever);
+    share_out(sum->force, 1, force);
+    share_out(sum->moment, 1, moment);
+    share_out(sum->moment, 1, lever);
+}
+
+/* Columns of the answer; loads and their moments summed apart from the integration, as a check of it. */
+static void read(const struct wf_rod *r, struct wf_response *out)
+{
+    const struct wf_tree *t = r->tree;
+    const double first[3] = { t->x0[0], t->y0[0], t->z0[0] };
+    struct tally sum = { { 0 }, { 0 } };
+    for (size_t i = 0; i < r->n; i++) {
+        const struct wf_rod_piece *p = &r->piece[i];
+        const struct wf_rod_node *base = &r->node[i];
+        const struct wf_rod_end *end = &r->end[i];
+        size_t row = 3 * (size_t)p->row;
+        double arm[3], place[3], axis[3], load[3];
+        for (int k = 0; k < 3; k++) {
+            arm[k] = base->pose.r[k] - first[k];
+            load[k] = base->wrench.n[k] - end->wrench.n[k];
+        }
+        share_out(out->load + row, 1, load);
+        count(&sum, arm, load, end->tally);
+        if (p->s0 <= 0) {
+            memcpy(out->force0 + row, base->wrench.n, sizeof base->wrench.n);
+            memcpy(out->moment0 + row, base->wrench.m, sizeof base->wrench.m);
+            wf_row_axis(t, (size_t)p->row, 0, place, axis);
+            wf_rod_turn(base->pose.q, axis, out->tangent0 + row);
+        }
+        if (p->parent < 0) {
+            double lever[3];
+            wf_cross(arm, base->wrench.n, lever);
+            share_out(out->base_force, 1, base->wrench.n);
+            share_out(out->base_moment, 1, base->wrench.m);
+            share_out(out->base_moment, 1, lever);
+        }
+        if (!p->last) continue;
+        const double tip[3] = { t->x1[p->row], t->y1[p->row], t->z1[p->row] };
+        struct wf_rod_wrench outside = { { 0 }, { 0 } };
+        wf_rod_end_load(r, i, end->pose.q, &outside, NULL);
+        for (int k = 0; k < 3; k++) arm[k] = end->pose.r[k] - first[k];
+        count(&sum, arm, outside.n, outside.m);
+        memcpy(out->force1 + row, end->wrench.n, sizeof end->wrench.n);
+        memcpy(out->moment1 + row, end->wrench.m, sizeof end->wrench.m);
+        wf_row_axis(t, (size_t)p->row, 1, place, axis);
+        wf_rod_turn(end->pose.q, axis, out->tangent1 + row);
+        wf_rod_vector(end->pose.q, out->turn + row);
+        for (size_t k = 0; k < 3; k++) out->end[row + k] = end->pose.r[k] - tip[k];
+    }
+    double off[2] = { 0 }, whole[2] = { 0 };
+    for (int k = 0; k < 3; k++) {
+        off[0] = hypot(off[0], out->base_force[k] - sum.force[k]);
+        off[1] = hypot(off[1], out->base_moment[k] - sum.moment[k]);
+        whole[0] = hypot(whole[0], sum.force[k]), whole[1] = hypot(whole[1], sum.moment[k]);
+    }
+    for (int k = 0; k < 2; k++)
+        if (whole[k] > 0) out->imbalance = fmax(out->imbalance, off[k] / whole[k]);
+}
+
+static enum wf_status solve(bool printed, const struct wf_tree *t, const struct wf_loads *l,
+                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *out,
+                            struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_arena work = { 0 };
+    struct wf_rod r = { 0 };
+    struct wf_solve_options rigid = *o;
+    rigid.inextensible = true;
+    enum wf_status status = wf_response_alloc(out, t->n, a, e);
+    if (status || (status = wf_tree_check(t, d, e))) return status;
+    if (printed && t->bend && d)
+        wf_diag_warn(d, "straight-rows",
+                     "the printed rod takes curved segments as straight between their ends");
+    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    status = wf_rod_init(&r, t, l, &rigid, printed, &work, e);
+    if (!status) status = settle(&r, l, &rigid, &work, &out->load_factor, d, e);
+    if (!status) read(&r, out);
+    out->iterations = r.iterations, out->steps = r.steps;
+    wf_rod_done(&r);
+    gsl_set_error_handler(handler);
+    wf_arena_free(&work);
+    return status;
+}
+
+static enum wf_status solve_frame(const struct wf_tree *t, const struct wf_loads *l,
+                                  const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
+                                  struct wf_diag *d, struct wf_err *e)
+{
+    return solve(false, t, l, o, a, r, d, e);
+}
+
+static enum wf_status solve_angles(const struct wf_tree *t, const struct wf_loads *l,
+                                   const struct wf_solve_options *o, struct wf_arena *a,
+                                   struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+{
+    return solve(true, t, l, o, a, r, d, e);
+}
+
+#define FENG                                                                                                 \
+    "Feng J., Yan T., Chen Y., Wu E. 1999. Research on whole tree's movement and tree's inner wind field, "  \
+    "J. Software, eqs 1-5"
+
+const struct wf_solver wf_solver_rod = {
+    .name = "rod",
+    .title = "inextensible rods integrated from root to tips, free tips found by multiple shooting",
+    .source = FENG "; frame by quaternion; Deuflhard 2004, Newton Methods for Nonlinear Problems, sec. 3.3",
+    .validity = "Elastic wood that does not stretch, static mean wind; any deflection. Loads follow the bent "
+                "shape.",
+    .solve = solve_frame,
+};
+const struct wf_solver wf_solver_rod_as_printed = {
+    .name = "rod-as-printed",
+    .title = "inextensible rods in three angles a segment as printed by Feng et al. 1999",
+    .source = FENG,
+    .validity =
+        "reproduces the printed equations: products of first derivatives are left out, so the answer "
+        "depends on the number of segments and agrees with 'rod' as they are refined; no answer where "
+        "a segment turns by 90 degrees",
+    .as_printed = true,
+    .solve = solve_angles,
+};

@@ -1,0 +1,284 @@
+#include "solve/rod_integrate.h"
+#include "solve/beam_mesh.h"
+#include <gsl/gsl_errno.h>
+#include <math.h>
+
+/* The state in the piece's own measure: lengths by h, forces by EI/h2, moments by EI/h, arc by h. */
+enum { PLACE = 0, QUATERNION = 3, FORCE = 7, MOMENT = 10, TALLY = 13, VARIED = 13 };
+enum { ANGLE = 3, RATE = 6, A_FORCE = 9, A_MOMENT = 12, A_TALLY = 15 };
+
+struct local {
+    double t[3], bend, twist; /* tangent; compliances times the measure EI */
+    struct wf_line_load load; /* per length */
+    double f[3];              /* load in the piece's measure               */
+};
+
+static void local_at(const struct wf_rod_integrator *g, double sigma, const double x[3], const double t[3],
+                     struct local *o)
+{
+    const struct wf_rod_piece *p = g->piece;
+    struct wf_rod_section c;
+    double r[3], measure = p->h * p->h * p->h / p->stiffness;
+    wf_rod_section_at(g->tree, g->loads, (size_t)p->row, p->s0 + (p->s1 - p->s0) * sigma, &c);
+    for (int k = 0; k < 3; k++) r[k] = g->place[k] + p->h * x[k];
+    wf_line_load(g->loads, &c.line, r, t, &o->load);
+    memcpy(o->t, t, sizeof o->t);
+    o->bend = p->stiffness / (g->printed ? g->ei : c.ei);
+    o->twist = p->stiffness / (g->printed ? g->gj : c.gj);
+    for (int k = 0; k < 3; k++) o->f[k] = measure * (o->load.force[k] + c.dead[k]);
+}
+
+static void tangent(const struct wf_rod_integrator *g, double sigma, const double q[4], double t[3])
+{
+    const struct wf_rod_piece *p = g->piece;
+    double axis[3], place[3];
+    memcpy(axis, g->axis, sizeof axis);
+    if (g->tree->bend) wf_row_axis(g->tree, (size_t)p->row, p->s0 + (p->s1 - p->s0) * sigma, place, axis);
+    double norm = sqrt(q[0] * q[0] + wf_dot(q + 1, q + 1)), unit[4];
+    for (int k = 0; k < 4; k++) unit[k] = q[k] / norm;
+    wf_rod_turn(unit, axis, t);
+}
+
+/* curvature k = bend M + (twist - bend) (M.t) t */
+static void curvature(const struct local *o, const double M[3], double k[3])
+{
+    v3_section(o->bend, o->twist, o->t, M, k);
+}
+
+static void statics(const struct local *o, const double N[3], double dN[3], double dM[3])
+{
+    wf_cross(N, o->t, dM); /* -t x n */
+    for (int k = 0; k < 3; k++) dN[k] = -o->f[k];
+}
+
+static void frame_rates(const struct local *o, const double y[], double dy[])
+{
+    double k[3], spin[4] = { 0 };
+    curvature(o, y + MOMENT, k);
+    for (int j = 0; j < 3; j++) spin[1 + j] = 0.5 * k[j];
+    memcpy(dy + PLACE, o->t, sizeof o->t);
+    wf_rod_times(spin, y + QUATERNION, dy + QUATERNION);
+    statics(o, y + FORCE, dy + FORCE, dy + MOMENT);
+}
+
+static int frame(double sigma, const double y[], double dy[], void *context)
+{
+    const struct wf_rod_integrator *g = context;
+    struct local o;
+    double t[3];
+    tangent(g, sigma, y + QUATERNION, t);
+    local_at(g, sigma, y + PLACE, t, &o);
+    frame_rates(&o, y, dy);
+    wf_cross(y + PLACE, o.f, dy + TALLY);
+    return isfinite(dy[QUATERNION]) && isfinite(dy[FORCE]) ? GSL_SUCCESS : GSL_EBADFUNC;
+}
+
+static int varied(double sigma, const double y[], double dy[], void *context)
+{
+    const struct wf_rod_integrator *g = context;
+    const struct wf_rod_piece *p = g->piece;
+    struct local o;
+    double t[3], k[3], measure = p->h * p->h * p->h / p->stiffness;
+    tangent(g, sigma, y + QUATERNION, t);
+    local_at(g, sigma, y + PLACE, t, &o);
+    frame_rates(&o, y, dy);
+    curvature(&o, y + MOMENT, k);
+    const double *M = y + MOMENT, *N = y + FORCE;
+    double along = wf_dot(M, t), extra = o.twist - o.bend;
+    for (int c = 0; c < 12; c++) {
+        const double *u = y + VARIED + 12 * c, *spin = u + 3, *dn = u + 6, *dm = u + 9;
+        double *du = dy + VARIED + 12 * c, dt[3], turn[3], push[3], by_spin[3], a[3], b[3];
+        wf_cross(spin, t, dt);
+        wf_cross(k, spin, turn);
+        double pull = wf_dot(dm, t) + wf_dot(M, dt);
+        m3_apply(o.load.by_place, u, push);
+        m3_apply(o.load.by_turn, spin, by_spin);
+        wf_cross(N, dt, a);
+        wf_cross(dn, t, b);
+        for (int j = 0; j < 3; j++) {
+            du[j] = dt[j];
+            du[3 + j] = turn[j] + o.bend * dm[j] + extra * (pull * t[j] + along * dt[j]);
+            du[6 + j] = -measure * (p->h * push[j] + by_spin[j]);
+            du[9 + j] = a[j] + b[j];
+        }
+    }
+    return isfinite(dy[QUATERNION]) && isfinite(dy[FORCE]) ? GSL_SUCCESS : GSL_EBADFUNC;
+}
+
+/* Columns of the turned axes e1, e2, e3 in base axes, from the angles (about e3, then e2, then e1). */
+static void axes_of(const double a[3], double R[9])
+{
+    double cf = cos(a[0]), sf = sin(a[0]), ct = cos(a[1]), st = sin(a[1]), cp = cos(a[2]), sp = sin(a[2]);
+    const double all[9] = { ct * cf,
+                            sp * st * cf - cp * sf,
+                            cp * st * cf + sp * sf,
+                            ct * sf,
+                            sp * st * sf + cp * cf,
+                            cp * st * sf - sp * cf,
+                            -st,
+                            sp * ct,
+                            cp * ct };
+    memcpy(R, all, sizeof all);
+}
+
+static int angles(double sigma, const double y[], double dy[], void *context)
+{
+    struct wf_rod_integrator *g = context;
+    struct local o;
+    double R[9], E[9], t[3], rate[3];
+    const double *a = y + ANGLE;
+    double ct = cos(a[1]), cf = cos(a[0]), sf = sin(a[0]);
+    if (fabs(ct) < 1e-3) {
+        g->fault = "an angle theta reached 90 degrees, where the three angles are not defined";
+        return GSL_EBADFUNC;
+    }
+    axes_of(a, R);
+    m3_mul(g->frame, R, E);
+    for (int k = 0; k < 3; k++) t[k] = E[3 * k];
+    local_at(g, sigma, y + PLACE, t, &o);
+    memcpy(dy + PLACE, t, sizeof t);
+    statics(&o, y + A_FORCE, dy + A_FORCE, rate);
+    memcpy(dy + A_MOMENT, rate, sizeof rate);
+    double about[3]; /* change of the moments about e1, e2, e3 */
+    m3_apply_transposed(E, rate, about);
+    memcpy(dy + ANGLE, y + RATE, 3 * sizeof *dy);
+    dy[RATE] = o.bend * (about[2] * cf + about[1] * sf) / ct;
+    dy[RATE + 1] = o.bend * (about[1] * cf - about[2] * sf) / ct;
+    dy[RATE + 2] = o.twist * about[0] + dy[RATE] * sin(a[1]);
+    wf_cross(y + PLACE, o.f, dy + A_TALLY);
+    return isfinite(dy[RATE]) && isfinite(dy[A_FORCE]) ? GSL_SUCCESS : GSL_EBADFUNC;
+}
+
+enum wf_status wf_rod_open(struct wf_rod_integrator *g, const struct wf_tree *t, const struct wf_loads *l,
+                           bool printed, struct wf_err *e)
+{
+    const double tight = 1e-11, loose = 1e-4; /* a derivative good to four digits gains four a Newton step */
+    *g = (struct wf_rod_integrator){ .tree = t, .loads = l, .printed = printed };
+    g->state_system = (gsl_odeiv2_system){ .function = printed ? angles : frame,
+                                           .dimension = printed ? WF_ROD_ANGLES : WF_ROD_FRAME,
+                                           .params = g };
+    g->varied_system = (gsl_odeiv2_system){ .function = varied, .dimension = WF_ROD_VARIED, .params = g };
+    g->state = gsl_odeiv2_driver_alloc_y_new(&g->state_system, gsl_odeiv2_step_rk8pd, 1, tight, 0);
+    g->varied = gsl_odeiv2_driver_alloc_y_new(&g->varied_system, gsl_odeiv2_step_rkck, 1, loose, loose);
+    if (g->state && g->varied && !gsl_odeiv2_driver_set_nmax(g->state, 2000) &&
+        !gsl_odeiv2_driver_set_nmax(g->varied, 2000))
+        return WF_OK;
+    wf_rod_close(g);
+    return wf_fail(e, WF_ENOMEM, "no room for the integrators of the rods");
+}
+
+void wf_rod_accuracy(struct wf_rod_integrator *g, double error)
+{
+    gsl_odeiv2_control_init(g->state->c, fmax(error, 1e-15), 0, 1, 0);
+}
+
+void wf_rod_close(struct wf_rod_integrator *g)
+{
+    if (g->state) gsl_odeiv2_driver_free(g->state);
+    if (g->varied) gsl_odeiv2_driver_free(g->varied);
+    g->state = g->varied = NULL;
+}
+
+/* Base axes: e1 the tangent, e2 and e3 any two that complete it. */
+static void complete(const double t[3], double F[9])
+{
+    int least = fabs(t[0]) < fabs(t[1]) ? 0 : 1;
+    if (fabs(t[2]) < fabs(t[least])) least = 2;
+    double up[3] = { 0 }, e2[3], e3[3];
+    up[least] = 1;
+    wf_cross(up, t, e2);
+    double size = sqrt(wf_dot(e2, e2));
+    for (int k = 0; k < 3; k++) e2[k] /= size;
+    wf_cross(t, e2, e3);
+    for (int k = 0; k < 3; k++) F[3 * k] = t[k], F[3 * k + 1] = e2[k], F[3 * k + 2] = e3[k];
+}
+
+static void start(struct wf_rod_integrator *g, struct wf_rod_piece *p, const struct wf_rod_pose *base)
+{
+    double place[3];
+    g->piece = p;
+    g->fault = NULL;
+    memcpy(g->place, base->r, sizeof g->place);
+    memcpy(g->base, base->q, sizeof g->base);
+    wf_row_axis(g->tree, (size_t)p->row, p->s0, place, g->axis);
+    if (!g->printed) return;
+    struct wf_rod_section middle;
+    wf_rod_section_at(g->tree, g->loads, (size_t)p->row, 0.5, &middle);
+    g->ei = middle.ei, g->gj = middle.gj;
+    if (!g->tree->bend) return;
+    const struct wf_tree *t = g->tree;
+    const size_t i = (size_t)p->row;
+    const double chord[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] };
+    double size = sqrt(wf_dot(chord, chord));
+    for (int k = 0; k < 3; k++) g->axis[k] = chord[k] / size;
+}
+
+static bool drive(gsl_odeiv2_driver *d, double first, double *y, double *last)
+{
+    double sigma = 0;
+    if (gsl_odeiv2_driver_reset_hstart(d, fmin(first, 1)) ||
+        gsl_odeiv2_driver_apply(d, &sigma, 1, y) != GSL_SUCCESS)
+        return false;
+    if (last) *last = fmin(fmax(d->h, 1e-3), 1);
+    return true;
+}
+
+bool wf_rod_along(struct wf_rod_integrator *g, struct wf_rod_piece *p, const struct wf_rod_pose *base,
+                  const struct wf_rod_wrench *at, struct wf_rod_pose *end, struct wf_rod_wrench *wrench,
+                  double tally[3])
+{
+    double y[WF_ROD_ANGLES] = { 0 }, force = p->stiffness / (p->h * p->h), moment = p->stiffness / p->h;
+    int f = g->printed ? A_FORCE : FORCE, m = g->printed ? A_MOMENT : MOMENT,
+        w = g->printed ? A_TALLY : TALLY;
+    start(g, p, base);
+    for (int k = 0; k < 3; k++) y[f + k] = at->n[k] / force, y[m + k] = at->m[k] / moment;
+    if (g->printed) {
+        double t[3], about[3];
+        wf_rod_turn(base->q, g->axis, t);
+        complete(t, g->frame);
+        m3_apply_transposed(g->frame, y + m, about);
+        y[RATE] = about[2] * p->stiffness / g->ei;
+        y[RATE + 1] = about[1] * p->stiffness / g->ei;
+        y[RATE + 2] = about[0] * p->stiffness / g->gj;
+    } else {
+        memcpy(y + QUATERNION, base->q, sizeof base->q);
+    }
+    if (!drive(g->state, p->first_step, y, &p->first_step)) return false;
+    for (int k = 0; k < 3; k++) {
+        end->r[k] = base->r[k] + p->h * y[PLACE + k];
+        wrench->n[k] = force * y[f + k];
+        wrench->m[k] = moment * y[m + k];
+        tally[k] = moment * y[w + k];
+    }
+    if (g->printed) {
+        double R[9], E[9], FT[9], turn[9], v[3], q[4];
+        axes_of(y + ANGLE, R);
+        m3_mul(g->frame, R, E);
+        for (int i = 0; i < 3; i++)
+            for (int j = 0; j < 3; j++) FT[3 * i + j] = g->frame[3 * j + i];
+        m3_mul(E, FT, turn);
+        rotation_vector(turn, v);
+        wf_rod_quaternion(v, q);
+        wf_rod_times(q, base->q, end->q);
+    } else {
+        memcpy(end->q, y + QUATERNION, sizeof end->q);
+    }
+    double norm = sqrt(end->q[0] * end->q[0] + wf_dot(end->q + 1, end->q + 1));
+    for (int k = 0; k < 4; k++) end->q[k] /= norm;
+    return true;
+}
+
+bool wf_rod_vary(struct wf_rod_integrator *g, struct wf_rod_piece *p, const struct wf_rod_pose *base,
+                 const struct wf_rod_wrench *at, double J[144])
+{
+    double y[WF_ROD_VARIED] = { 0 }, force = p->stiffness / (p->h * p->h), moment = p->stiffness / p->h;
+    const double measure[4] = { p->h, 1, force, moment };
+    start(g, p, base);
+    memcpy(y + QUATERNION, base->q, sizeof base->q);
+    for (int k = 0; k < 3; k++) y[FORCE + k] = at->n[k] / force, y[MOMENT + k] = at->m[k] / moment;
+    for (int c = 0; c < 12; c++) y[VARIED + 13 * c] = 1;
+    if (!drive(g->varied, 1, y, NULL)) return false;
+    for (int c = 0; c < 12; c++)
+        for (int r = 0; r < 12; r++) J[12 * r + c] = y[VARIED + 12 * c + r] * measure[r / 3] / measure[c / 3];
+    return true;
+}
