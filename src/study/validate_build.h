@@ -10,7 +10,7 @@ double wf_case_length(const struct wf_case *c); /* along the axis of a cantileve
 void wf_case_radius(const struct wf_case *c, double outer[2], double inner[2]);
 
 /* Parents, coordinates, radii and ids of the case's structure; s->end for a single axis. WF_EINPUT,
- * WF_ENOMEM; WF_EMISSING when a tree file is not there or the case is a flow. */
+ * WF_ENOMEM; WF_EMISSING when a tree file is not there. */
 enum wf_status wf_case_shape_build(const struct wf_case *c, struct wf_arena *a, struct wf_setup *s,
                                    struct wf_tree *t, struct wf_err *e);
 #endif

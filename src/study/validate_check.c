@@ -1,4 +1,5 @@
 #include "study/validate_check.h"
+#include "study/validate_flow.h"
 #include "study/validate_keys.h"
 #include "study/validate_measure.h"
 #include <math.h>
@@ -126,7 +127,10 @@ void wf_case_check(struct wf_case *c, struct wf_diag *d)
     need(&k, c->shape != WF_SHAPE_NONE, "a structure (cantilever, arc, node and branch, tree or flow)");
     if (c->shape == WF_SHAPE_BRANCHES) need(&k, c->branches.n > 0, "a branch");
     if (c->shape == WF_SHAPE_NONE) return;
-    if (c->shape != WF_SHAPE_FLOW) check_section(&k), check_loads(&k);
+    if (c->shape == WF_SHAPE_FLOW)
+        need(&k, !wf_flow_missing(c), wf_flow_missing(c));
+    else
+        check_section(&k), check_loads(&k);
     const struct wf_case_load *l = c->loads.data;
     for (size_t i = 0; i < c->loads.n; i++) check_place(&k, &l[i].at, l[i].line);
     const struct wf_case_mass *m = c->masses.data;

@@ -1,6 +1,7 @@
 /* The quantities a validation case can want, as rows. */
 #include "study/validate_measure.h"
 #include "base/vec.h"
+#include "study/validate_flow.h"
 #include "study/validate_solve.h"
 #include <math.h>
 #include <stdint.h>
@@ -221,7 +222,7 @@ const struct wf_quantity wf_quantities[] = {
     { "frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, frequency },
     { "angular_frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, angular_frequency },
     { "buckling_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_BUCKLING, buckling },
-    { "velocity", WF_DIM_SPEED, true, WF_NEED_POINT, WF_BY_FLOW, NULL },
-    { "pressure_coefficient", WF_DIM_NONE, false, WF_NEED_POINT, WF_BY_FLOW, NULL },
+    { "velocity", WF_DIM_SPEED, true, WF_NEED_POINT, WF_BY_FLOW, wf_flow_velocity },
+    { "pressure_coefficient", WF_DIM_NONE, false, WF_NEED_POINT, WF_BY_FLOW, wf_flow_cp },
     { .name = NULL },
 };

@@ -134,7 +134,6 @@ enum wf_status wf_case_shape_build(const struct wf_case *c, struct wf_arena *a, 
     case WF_SHAPE_TREE:
         return tree_file(c, a, t, e);
     case WF_SHAPE_FLOW:
-        return wf_fail(e, WF_EMISSING, "no method here evaluates a potential flow");
     case WF_SHAPE_NONE:
         break;
     }
