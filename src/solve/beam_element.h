@@ -95,8 +95,8 @@ struct wf_beam_small {
  * above its end. Returned: *answer; in *node how the end itself answers a change p of the base, K p + k; the
  * reaction handed down is added to *below. u->g becomes the strain under the present forces. guard: stiffen
  * an element whose linear answer leaps (far from equilibrium; the tangent is then not exact). count (may be
- * NULL) goes up by the number of directions in which this element, with all above it, is unstable (inertia of
- * its Hessian by strains; loads that are not conservative enter by their symmetric part). small (may be
+ * NULL) goes up by the number of directions in which this element, with all above it, is unstable: negative
+ * pivots of its tangent by strains. small (may be
  * NULL): filled. false when the eliminated block is singular. */
 bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double base_L[9],
                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,

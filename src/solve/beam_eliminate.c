@@ -226,8 +226,10 @@ WF_INLINE bool solve6(double S[6][6], by_base B)
     return true;
 }
 
-/* Directions in which the element is unstable: S in terms of strains is S B^-1 with B = d(curvature)/dy,
- * symmetric for conservative loads; count the negative pivots of its symmetric part. */
+/* Directions in which the element is unstable: S in terms of strains is S B^-1 with B = d(curvature)/dy;
+ * count its negative pivots. For conservative loads it is symmetric, to the order of the mesh's error, and
+ * they are its negative eigenvalues; for others their number changes where the tree loses its static
+ * stability. (The symmetric part alone would call shapes unstable that are nearly free to turn.) */
 static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], const struct kinematics *k,
                                   double margin)
 {
@@ -244,7 +246,7 @@ static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], 
     }
     if (!solve6(B, X)) return 0;
     for (int i = 0; i < 6; i++)
-        for (int c = 0; c < 6; c++) H[i][c] = 0.5 * (X[i][c] + X[c][i]);
+        for (int c = 0; c < 6; c++) H[i][c] = X[c][i];
     for (int c = 0; c < 6; c++) {
         if (H[c][c] < -margin * fmax(p->ei[0], p->gj[0])) negative++;
         for (int r = c + 1; r < 6; r++) {
