@@ -53,7 +53,22 @@ static bool stands(const struct wf_rod *r, const struct wf_solve_options *o, str
     return wf_beam_sweep_down(&b, true, &count) && count.negative == 0;
 }
 
-/* Full load at once, else in steps. Returned: share of the load reached. */
+/* Largest turn between two states: where it is large, another branch of answers may have been caught. */
+static double leap(const struct wf_rod *r, const struct wf_rod_node *from)
+{
+    double most = 0;
+    for (size_t i = 0; i < r->n; i++) {
+        const double *q = from[i].pose.q, back[4] = { q[0], -q[1], -q[2], -q[3] };
+        double turn[4], v[3];
+        wf_rod_times(r->node[i].pose.q, back, turn);
+        wf_rod_vector(turn, v);
+        most = fmax(most, sqrt(wf_dot(v, v)));
+    }
+    return most;
+}
+
+/* Full load at once, else in steps that turn no part by more than 40 degrees, as far as that goes. Returned:
+ * share of the load reached. */
 static double climb(struct wf_rod *r, const struct wf_loads *full, const struct wf_solve_options *o,
                     struct wf_arena *a)
 {
@@ -64,7 +79,7 @@ static double climb(struct wf_rod *r, const struct wf_loads *full, const struct 
     while (share < 1 && size > 1e-3) {
         double next = fmin(1, share + size);
         scale(r, full, next);
-        if (wf_rod_newton(r) && stands(r, o, a)) {
+        if (wf_rod_newton(r) && stands(r, o, a) && (size < 0.01 || leap(r, kept) < 0.7)) {
             share = next;
             size *= 2;
             r->steps++;

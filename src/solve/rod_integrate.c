@@ -128,7 +128,7 @@ static int angles(double sigma, const double y[], double dy[], void *context)
     double R[9], E[9], t[3], rate[3];
     const double *a = y + ANGLE;
     double ct = cos(a[1]), cf = cos(a[0]), sf = sin(a[0]);
-    if (fabs(ct) < 1e-3) {
+    if (ct < 1e-3) {
         g->fault = "an angle theta reached 90 degrees, where the three angles are not defined";
         return GSL_EBADFUNC;
     }

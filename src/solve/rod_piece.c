@@ -38,8 +38,8 @@ static double load_size(const struct wf_tree *t, const struct wf_loads *l, size_
     return mass + wf_tree_length(t, i) * sqrt(wf_dot(load.force, load.force));
 }
 
-struct wf_rod_piece *wf_rod_cut(const struct wf_tree *t, const struct wf_loads *l, struct wf_arena *a,
-                                size_t *n)
+struct wf_rod_piece *wf_rod_cut(const struct wf_tree *t, const struct wf_loads *l, int32_t least,
+                                struct wf_arena *a, size_t *n)
 {
     const double reach = 1.5, most = 32;
     double *above = WF_TAKE(a, t->n, double);
@@ -56,7 +56,7 @@ struct wf_rod_piece *wf_rod_cut(const struct wf_tree *t, const struct wf_loads *
         above[i] += load_size(t, l, i);
         if (t->parent[i] >= 0) above[t->parent[i]] += above[i];
         double pieces = ceil(wf_tree_length(t, i) * sqrt(above[i] / fmin(s0.ei, s1.ei)) / reach);
-        cut[i] = (int32_t)fmin(fmax(pieces, 1), most);
+        cut[i] = (int32_t)fmin(fmax(pieces, least), most);
         *n += (size_t)cut[i];
     }
     struct wf_rod_piece *piece = WF_TAKE(a, *n, struct wf_rod_piece);

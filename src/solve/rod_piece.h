@@ -33,11 +33,11 @@ struct wf_rod_section {
 void wf_rod_section_at(const struct wf_tree *t, const struct wf_loads *l, size_t row, double s,
                        struct wf_rod_section *out);
 
-/* Cut the rows. Given: tree, loads. Returned: pieces in *n, in the order of the rows, from the arena; NULL
- * without room. A row under the force N of all above it is cut so that h sqrt(N/EI), the exponent by which
- * errors of a guess grow along a piece, stays below 1.5. */
-struct wf_rod_piece *wf_rod_cut(const struct wf_tree *t, const struct wf_loads *l, struct wf_arena *a,
-                                size_t *n);
+/* Cut the rows. Given: tree, loads, least number of pieces a row. Returned: pieces in *n, in the order of the
+ * rows, from the arena; NULL without room. A row under the force N of all above it is cut so that h
+ * sqrt(N/EI), the exponent by which errors of a guess grow along a piece, stays below 1.5. */
+struct wf_rod_piece *wf_rod_cut(const struct wf_tree *t, const struct wf_loads *l, int32_t least,
+                                struct wf_arena *a, size_t *n);
 
 static inline void wf_rod_turn(const double q[4], const double v[3], double out[3])
 {

@@ -331,7 +331,8 @@ enum wf_status wf_rod_init(struct wf_rod *r, const struct wf_tree *t, const stru
         if (l->point[k].segment < 0 || (size_t)l->point[k].segment >= t->n)
             return wf_fail(e, WF_EUSAGE, "point load %zu: no segment %d (there are %zu)", k,
                            (int)l->point[k].segment, t->n);
-    r->piece = wf_rod_cut(t, l, a, &r->n);
+    /* as printed a segment is a row; else few rows are cut as the beam engine cuts them */
+    r->piece = wf_rod_cut(t, l, printed || t->n >= 24 ? 1 : (int32_t)(23 / t->n + 1), a, &r->n);
     r->first_point = WF_TAKE(a, t->n, int32_t);
     r->next_point = WF_TAKE(a, l->points, int32_t);
     r->node = WF_TAKE(a, r->n, struct wf_rod_node);
