@@ -90,7 +90,9 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
 {
     enum { QUARTERED = 5, STEPS = 40 };
     static const double steps[] = { 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0 };
+    struct wf_solve_options curve = *o;
     double top = 1.0, step = 0.0;
+    if (o->mesh_tolerance > 0.0) curve.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4); /* no line is finer */
     for (size_t k = 0; k < an->n; k++) top = fmax(top, an->at[k].speed);
     if (an->critical.outcome == WF_CRITICAL_FOUND)
         top = fmax(top, fmin(1.1 * an->critical.speed, an->scenario.speed_max));
@@ -101,7 +103,7 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
         return wf_fail(e, WF_ENOMEM, "no room for a sweep of %zu speeds", an->sweep_n);
     for (size_t k = 0; k < an->sweep_n; k++) {
         double steps_up = k < 4 * QUARTERED ? 0.25 * (double)k : (double)k - 3 * QUARTERED;
-        enum wf_status s = wf_speed_totals(an, o, step * steps_up, &an->sweep[k], e);
+        enum wf_status s = wf_speed_totals(an, &curve, step * steps_up, &an->sweep[k], e);
         if (s) return s;
     }
     return WF_OK;
