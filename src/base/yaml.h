@@ -72,7 +72,7 @@ enum wf_status wf_yaml_read(const char *path, const struct wf_yaml_table *table,
 void wf_yaml_error(struct wf_yaml *y, const char *key, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
 /* For `finish`: the scalar at a key of the table in hand as it is written, NULL when the key is not there or
- * is no scalar; and whether the key is there. */
+ * is no scalar; and whether the key, or a key of a table in it ("place.count"), is there. */
 const char *wf_yaml_raw(struct wf_yaml *y, const char *key);
 bool wf_yaml_has(struct wf_yaml *y, const char *key);
 /* For `finish`: memory from the reader's arena; NULL makes the whole reading fail with WF_ENOMEM. */

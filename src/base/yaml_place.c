@@ -129,5 +129,11 @@ const char *wf_yaml_raw(struct wf_yaml *y, const char *key)
 
 bool wf_yaml_has(struct wf_yaml *y, const char *key)
 {
-    return wf_yaml_find(y, y->node, key, strlen(key)) != NULL;
+    const yaml_node_t *n = y->node;
+    while (n && *key) {
+        size_t length = strcspn(key, ".");
+        n = wf_yaml_find(y, n, key, length);
+        key += length + (key[length] == '.');
+    }
+    return n != NULL;
 }

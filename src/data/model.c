@@ -1,7 +1,9 @@
 #include "data/model.h"
+#include "data/branching_schema.h"
 #include "data/model_schema.h"
 #include "data/value.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* Keys of one taper law: needed by it, refused by a law that does not use them. */
@@ -42,9 +44,9 @@ void wf_shape_finish(struct wf_yaml *y, void *model)
     if (s->v && sum <= 0) wf_yaml_error(y, "share", "is 0 everywhere; the leaves must be somewhere");
 }
 
-void wf_model_finish(struct wf_yaml *y, void *model)
+/* Crown of a stem. */
+static void crown_finish(struct wf_yaml *y, struct wf_model *m)
 {
-    struct wf_model *m = model;
     if (!wf_yaml_has(y, "crown")) {
         m->leaf_area = 0;
         return;
@@ -54,6 +56,76 @@ void wf_model_finish(struct wf_yaml *y, void *model)
     if (isnan(m->crown_top)) m->crown_top = m->height;
     if (m->crown_base >= m->crown_top)
         wf_yaml_error(y, "crown.base", "%g m is not below the crown's top %g m", m->crown_base, m->crown_top);
+}
+
+/* Each generator has its own keys. */
+static void keys_of_generator(struct wf_yaml *y, const struct wf_model *m)
+{
+    static const struct {
+        const char *key;
+        enum wf_generator own, also;
+        bool needed;
+    } rows[] = {
+        { "crown", WF_GENERATOR_STEM, WF_GENERATOR_STEM, false },
+        { "stem.curve", WF_GENERATOR_LEVELS, WF_GENERATOR_LEVELS, false },
+        { "branches", WF_GENERATOR_LEVELS, WF_GENERATOR_LEVELS, true },
+        { "ifs", WF_GENERATOR_IFS, WF_GENERATOR_IFS, true },
+        { "leaves", WF_GENERATOR_LEVELS, WF_GENERATOR_IFS, false },
+    };
+    const char *name = wf_generator_words[m->generator];
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        bool has = wf_yaml_has(y, rows[i].key),
+             mine = m->generator == rows[i].own || m->generator == rows[i].also;
+        if (has && !mine) {
+            if (wf_yaml_has(y, "generator"))
+                wf_yaml_error(y, rows[i].key, "is not used by generator '%s'", name);
+            else
+                wf_yaml_error(y, rows[i].key, "needs 'generator: %s'", wf_generator_words[rows[i].own]);
+        }
+        if (!has && mine && rows[i].needed)
+            wf_yaml_error(y, "", "generator '%s' needs the key '%s'", name, rows[i].key);
+    }
+}
+
+/* The radius of a pipe is known last, so a branch on it cannot take a share of it. */
+static void pipes(struct wf_yaml *y, const struct wf_model *m)
+{
+    char key[64];
+    for (size_t i = 1; i < m->branchings; i++) {
+        enum wf_radius_law own = m->branching[i].radius_law, below = m->branching[i - 1].radius_law;
+        if (below != WF_RADIUS_PIPE || own == WF_RADIUS_PIPE) continue;
+        (void)snprintf(key, sizeof key, "branches[%zu].radius.law", i);
+        wf_yaml_error(y, key, "is '%s' on a level that follows the pipe model; it must be 'pipe' too",
+                      wf_radius_words[own]);
+    }
+    if (m->branchings + 1 > WF_BRANCH_LEVELS_MAX)
+        wf_yaml_error(y, "branches", "%zu levels; with the stem at most %d are grown", m->branchings,
+                      (int)WF_BRANCH_LEVELS_MAX);
+}
+
+void wf_model_finish(struct wf_yaml *y, void *model)
+{
+    struct wf_model *m = model;
+    keys_of_generator(y, m);
+    pipes(y, m);
+    if (m->generator == WF_GENERATOR_STEM)
+        crown_finish(y, m);
+    else
+        m->leaf_area = wf_yaml_has(y, "leaves") ? m->foliage.area : 0;
+    m->leaf_area_on = m->leaf_area;
+    wf_model_set_season(m, m->season);
+}
+
+void wf_model_set_season(struct wf_model *m, enum wf_season season)
+{
+    m->season = season;
+    m->leaf_area = season == WF_LEAF_ON ? m->leaf_area_on : 0;
+}
+
+size_t wf_model_levels(const struct wf_model *m)
+{
+    if (m->generator == WF_GENERATOR_LEVELS) return 1 + m->branchings;
+    return m->generator == WF_GENERATOR_IFS ? m->ifs.levels : 1;
 }
 
 double wf_model_taper(const struct wf_model *m, double s)

@@ -4,6 +4,7 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
+#include "data/branching.h"
 #include "data/species.h"
 #include "data/tree.h"
 
@@ -13,24 +14,41 @@ enum wf_taper {
     WF_TAPER_POWER   /* r(s) = r0 (t + (1-t) (1-s)^p)           */
 };
 
+enum wf_season { WF_LEAF_ON, WF_LEAF_OFF };
+
 struct wf_model {
     const char *key, *name, *note, *source, *file;
-    double height;               /* stem height [m]                                    */
-    double lean;                 /* from the vertical, towards lean_azimuth [rad]      */
-    double lean_azimuth;         /* from +x towards +y [rad]                           */
-    double radius;               /* outer radius at the base [m]; NAN: the species' level 0 */
+    enum wf_generator generator; /* stem: the stem alone; levels: its branches; ifs: copies of the stem */
+    size_t seed;                 /* of all random spread                               */
+    enum wf_season season;
+    double leaf_area_on; /* one-sided, with the leaves on [m2]                 */
+    double height;       /* stem height [m]                                    */
+    double lean;         /* from the vertical, towards lean_azimuth [rad]      */
+    double lean_azimuth; /* from +x towards +y [rad]                           */
+    double radius;       /* outer radius at the base [m]; NAN: the species' level 0 */
     enum wf_taper taper;
-    double tip_ratio, power;     /* for linear and power taper [-]                     */
-    struct wf_along profile;     /* for table taper: s, r/radius                       */
-    size_t segments;             /* rows of the tree                                   */
-    double crown_base, crown_top;/* heights of the crown's limits along the stem [m]; NAN: no crown */
-    double leaf_area;            /* one-sided, whole crown [m2]                        */
-    struct wf_along crown_shape; /* relative leaf area density over the crown, s from crown base to top */
+    double tip_ratio, power;      /* for linear and power taper [-]                     */
+    struct wf_along profile;      /* for table taper: s, r/radius                       */
+    size_t segments;              /* rows of the tree                                   */
+    double crown_base, crown_top; /* heights of the crown's limits along the stem [m]; NAN: no crown */
+    double leaf_area;             /* one-sided, whole crown, 0 in the leafless season [m2] */
+    struct wf_along crown_shape;  /* relative leaf area density over the crown, s from crown base to top */
+    struct wf_curve curve;        /* of the stem; generator levels                      */
+    size_t branchings;            /* levels above the stem; generator levels            */
+    struct wf_branching *branching;
+    struct wf_ifs ifs;         /* generator ifs                                      */
+    struct wf_foliage foliage; /* generators levels and ifs                          */
 };
 
 /* Read a tree model. Returned: WF_OK and *out, or WF_EINPUT with every mistake in `d`. */
 enum wf_status wf_model_read(const char *path, struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
                              struct wf_err *e);
+
+/* Put the model into a season: its leaf area is all of it, or none. */
+void wf_model_set_season(struct wf_model *m, enum wf_season season);
+
+/* Levels of the tree the model grows, the stem included. */
+size_t wf_model_levels(const struct wf_model *m);
 
 /* Outer radius over base radius at relative height s in 0..1. */
 double wf_model_taper(const struct wf_model *m, double s);

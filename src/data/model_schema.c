@@ -1,9 +1,12 @@
 #include "data/model_schema.h"
+#include "data/branching_schema.h"
 #include "data/model.h"
 
 #define TURN 6.28318530717958647693
 #define AT(member) .offset = offsetof(struct wf_model, member)
 
+const char *const wf_generator_words[] = { "stem", "levels", "ifs", NULL };
+static const char *const seasons[] = { "leaf_on", "leaf_off", NULL };
 static const char *const tapers[] = { "table", "linear", "power", NULL }; /* in the order of enum wf_taper */
 static const struct wf_yaml_row taper_rows[] = {
     { .key = "law",
@@ -113,6 +116,13 @@ static const struct wf_yaml_row stem_rows[] = {
           "Direction of the lean in the ground plane, from +x towards +y. Wind blows towards +x unless told "
           "otherwise.",
       .example = "90 deg" },
+    { .key = "curve",
+      .kind = WF_YAML_TABLE,
+      .table = &wf_curve_table,
+      AT(curve),
+      .absent = "straight",
+      .doc = "The angle between successive segments of the stem; generator levels. An upright stem droops "
+             "towards the lean's azimuth." },
     { .key = NULL },
 };
 static const struct wf_yaml_table stem_table = { .title = "a stem", .row = stem_rows, .doc = "" };
@@ -197,12 +207,55 @@ static const struct wf_yaml_row model_rows[] = {
     { TEXT("name", name), .required = true, .doc = "Name for people.", .example = "Moso bamboo culm, 14 m" },
     { TEXT("note", note), .absent = "no note", .doc = "What a user of the model should know." },
     { TEXT("source", source), .absent = "no source", .doc = "Where the dimensions come from." },
+    { .key = "generator",
+      .kind = WF_YAML_ENUM,
+      .preset = "stem",
+      .choices = wf_generator_words,
+      AT(generator),
+      .doc =
+          "stem: a stem with a crown spread along it; levels: a stem and its branches, level by level; ifs: "
+          "an iterated function system, copies of the stem on the stem and so on.",
+      .example = "levels" },
+    { .key = "seed",
+      .kind = WF_YAML_INTEGER,
+      .low = 0,
+      .high = 999999999999999,
+      .preset = "1",
+      AT(seed),
+      .doc = "Of all random spread: the same seed gives the same tree.",
+      .example = "1" },
+    { .key = "season",
+      .kind = WF_YAML_ENUM,
+      .preset = "leaf_on",
+      .choices = seasons,
+      AT(season),
+      .doc = "leaf_off: the leaves have fallen; neither their sail nor their mass is there.",
+      .example = "leaf_off" },
     { .key = "stem", .kind = WF_YAML_TABLE, .required = true, .table = &stem_table, .doc = "The stem." },
     { .key = "crown",
       .kind = WF_YAML_TABLE,
       .table = &crown_table,
       .absent = "no leaves",
-      .doc = "The leaves along the stem." },
+      .doc = "The leaves along the stem; generator stem." },
+    { .key = "branches",
+      .kind = WF_YAML_LIST,
+      .table = &wf_branching_table,
+      AT(branching),
+      .count = offsetof(struct wf_model, branchings),
+      .absent = "needed by generator levels, refused by the others",
+      .doc = "The branching levels above the stem: first the branches on the stem, then those on them." },
+    { .key = "ifs",
+      .kind = WF_YAML_TABLE,
+      .table = &wf_ifs_table,
+      AT(ifs),
+      .absent = "needed by generator ifs, refused by the others",
+      .doc = "The iterated function system." },
+    { .key = "leaves",
+      .kind = WF_YAML_TABLE,
+      .table = &wf_foliage_table,
+      AT(foliage),
+      .absent = "no leaves",
+      .doc = "The leaves of a branched tree; generators levels and ifs." },
     { .key = NULL },
 };
 const struct wf_yaml_table wf_model_table = {

@@ -56,14 +56,18 @@ static enum wf_status leaves(struct wf_tree *t, const struct wf_species *sp, con
     return WF_OK;
 }
 
-enum wf_status wf_clothe(struct wf_tree *t, const struct wf_species *sp, const struct wf_clothing *c,
-                         struct wf_arena *a, struct wf_err *e)
+enum wf_status wf_clothe_wood(struct wf_tree *t, const struct wf_species *sp, const struct wf_clothing *c,
+                              struct wf_err *e)
 {
+    static const struct wf_clothing plain = { 0 };
+    struct wf_arena scratch = { 0 };
+    if (!c) c = &plain;
     if (!sp->levels) return wf_fail(e, WF_EINPUT, "species %s has no level to take materials from", sp->key);
-    if (!(c->leaf_area >= 0 && c->leaf_area < INFINITY))
-        return wf_fail(e, WF_EINPUT, "leaf area %g m2; it must not be negative", c->leaf_area);
-    double *from = WF_TAKE(a, t->n, double), *total = WF_TAKE(a, t->n, double);
-    if (!from || !total) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    double *from = WF_TAKE(&scratch, t->n, double), *total = WF_TAKE(&scratch, t->n, double);
+    if (!from || !total) {
+        wf_arena_free(&scratch);
+        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    }
     along_branch(t, from, total);
     for (size_t i = 0; i < t->n; i++) {
         size_t level = (size_t)t->level[i] < sp->levels ? (size_t)t->level[i] : sp->levels - 1;
@@ -76,5 +80,15 @@ enum wf_status wf_clothe(struct wf_tree *t, const struct wf_species *sp, const s
         t->i0[i] = t->r0[i] * (1 - wf_along_at(&v->wall, s0, 1));
         t->i1[i] = t->r1[i] * (1 - wf_along_at(&v->wall, s1, 1));
     }
-    return leaves(t, sp, c, a, e);
+    wf_arena_free(&scratch);
+    return WF_OK;
+}
+
+enum wf_status wf_clothe(struct wf_tree *t, const struct wf_species *sp, const struct wf_clothing *c,
+                         struct wf_arena *a, struct wf_err *e)
+{
+    if (!(c->leaf_area >= 0 && c->leaf_area < INFINITY))
+        return wf_fail(e, WF_EINPUT, "leaf area %g m2; it must not be negative", c->leaf_area);
+    enum wf_status s = wf_clothe_wood(t, sp, c, e);
+    return s ? s : leaves(t, sp, c, a, e);
 }

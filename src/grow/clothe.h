@@ -20,4 +20,8 @@ struct wf_clothing {
  * leaf_mass_per_area. Errors: WF_EINPUT for a species without levels or a negative leaf area; WF_ENOMEM. */
 enum wf_status wf_clothe(struct wf_tree *t, const struct wf_species *sp, const struct wf_clothing *c,
                          struct wf_arena *a, struct wf_err *e);
+
+/* The same without the leaves, whose columns stay as they are. `c` may be NULL: all wood. */
+enum wf_status wf_clothe_wood(struct wf_tree *t, const struct wf_species *sp, const struct wf_clothing *c,
+                              struct wf_err *e);
 #endif

@@ -1,5 +1,5 @@
 #include "study/analysis.h"
-#include "grow/stem.h"
+#include "grow/grow.h"
 #include "study/limits.h"
 #include "study/scenario.h"
 #include "study/speed.h"
@@ -19,9 +19,9 @@ static enum wf_status check_call(const struct wf_scenario *sc, const double *spe
 static enum wf_status set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     const struct wf_streamlining *law = &an->species->streamlining;
-    enum wf_status s = wf_grow_stem(an->model, an->species, a, &an->tree, e);
+    enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
     if (s || (s = wf_tree_check(&an->tree, d, e))) return s;
-    an->tallness = an->tree.z1[wf_tip_row(&an->tree)];
+    an->tallness = wf_tree_height(&an->tree);
     wf_scenario_wind(&an->scenario, &an->wind);
     wf_loads_default(&an->loads);
     an->loads.wind = &an->wind;

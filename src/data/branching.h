@@ -1,0 +1,102 @@
+#ifndef WF_DATA_BRANCHING_H
+#define WF_DATA_BRANCHING_H
+/* How branches stand on their parents: the parameters of one branching level, of an iterated function system
+ * and of the leaves. Angles in radians, lengths in metres; `place` is a position along an axis, 0 = base,
+ * 1 = tip. */
+#include "data/species.h"
+#include <stddef.h>
+
+enum { WF_BRANCH_LEVELS_MAX = 8 }; /* levels of a tree, the stem included */
+
+enum wf_generator { WF_GENERATOR_STEM, WF_GENERATOR_LEVELS, WF_GENERATOR_IFS };
+
+/* The angle between successive segments of an axis. */
+struct wf_curve {
+    double turn;     /* whole turn towards the vertical: > 0 up, < 0 drooping; ends at the vertical [rad] */
+    double from, to; /* part of the axis that turns                                                       */
+    double wander;   /* standard deviation of the whole random turn to any side [rad]                     */
+};
+
+enum wf_azimuth_rule {
+    WF_AZIMUTH_SPIRAL, /* each place turned by `divergence` from the one below     */
+    WF_AZIMUTH_WHORL,  /* the same; divergence: half the angle between neighbours  */
+    WF_AZIMUTH_PLANAR, /* to both sides in turn                                    */
+    WF_AZIMUTH_RANDOM  /* any direction                                            */
+};
+enum wf_length_law { WF_LENGTH_ABSOLUTE, WF_LENGTH_PARENT, WF_LENGTH_REST };
+enum wf_radius_law {
+    WF_RADIUS_PARENT,   /* share of the parent's radius where the branch stands */
+    WF_RADIUS_SPECIES,  /* radius of the species' level                         */
+    WF_RADIUS_ABSOLUTE, /* a radius                                             */
+    WF_RADIUS_LENGTH,   /* value (length / 1 m)^exponent                        */
+    WF_RADIUS_PIPE      /* r^exponent = sum of those above, from tips of `value` */
+};
+
+/* The branches of one level. Spreads are standard deviations of normal draws cut at 2.5 of them. */
+struct wf_branching {
+    const char *name;
+    /* places on the parent: `at`, or `count` from..to, or one every `spacing` */
+    double from, to, spacing;
+    size_t count, places;
+    double *at;
+    size_t per_whorl;    /* branches at one place                                     */
+    double place_spread; /* of the distance between neighbours [-]                    */
+    enum wf_azimuth_rule azimuth;
+    double azimuth_start, divergence, azimuth_spread; /* about the parent's axis; 0: its upper side [rad] */
+    double insertion, insertion_spread;               /* between the parent's axis and the branch [rad]   */
+    struct wf_along insertion_along;                  /* in place of `insertion`, along the parent        */
+    enum wf_length_law length_law;
+    double length, length_factor, length_spread; /* [m], [-], of the logarithm [-] */
+    struct wf_along length_along;                /* further factor along the parent */
+    double shortest;                             /* shorter branches do not grow [m] */
+    enum wf_radius_law radius_law;
+    double radius, radius_factor, radius_exponent, radius_spread; /* [m], [-], [-], of the logarithm [-] */
+    struct wf_along radius_along;
+    double tip_share, taper_power; /* radius over base radius: t + (1-t)(1-s)^p */
+    size_t segments;
+    struct wf_curve curve;
+};
+
+enum wf_ifs_form {
+    WF_IFS_MONOPODIAL,       /* the axis goes on; every map stands below its tip                   */
+    WF_IFS_SYMPODIAL,        /* the tip dies; one map at the tip takes over                        */
+    WF_IFS_FALSE_DICHOTOMOUS /* the tip dies; every map stands for two, opposite each other, those at
+                                the tip make the fork                                              */
+};
+
+/* x -> a x + b in units of the parent's axis, which runs from 0 to (0, 0, 1). */
+struct wf_ifs_map {
+    const char *name;
+    double position, scale, inclination, azimuth, roll;
+    double radius; /* base radius over the parent's base radius */
+    size_t until;  /* last level on which the map acts          */
+    double *matrix;
+    size_t cells;
+    double a[9], b[3];
+    double factor; /* largest stretch: spectral norm of a */
+};
+
+struct wf_ifs {
+    enum wf_ifs_form form;
+    size_t levels; /* the stem included */
+    size_t maps;
+    struct wf_ifs_map *map;
+};
+
+/* Leaves on the last levels. */
+struct wf_foliage {
+    double area;          /* one-sided, whole tree [m2]                               */
+    double from, to;      /* part of the axes that bears leaves                       */
+    size_t levels;        /* how many of the last levels bear leaves                  */
+    size_t count;         /* leaves or clusters placed one by one; 0: only spread out */
+    double tilt, scatter; /* from the axis, and its spread [rad]                      */
+    double size_spread;   /* of the logarithm of the size [-]                         */
+    double swing, twist;  /* turn about the hanging point and about the vertical at 10 m/s [rad] */
+};
+
+/* Largest stretch of a linear map of space (row by row), its spectral norm. */
+double wf_stretch(const double a[9]);
+/* Similarity dimension D of the maps that act on every level: sum of factor^D = 1 (Moran 1946; for maps that
+ * stretch unequally an upper bound). 0 for fewer than two maps. */
+double wf_ifs_dimension(const struct wf_ifs *f);
+#endif

@@ -1,0 +1,254 @@
+/* Maps of an iterated function system: their schema, and what makes them contractive. */
+#include "data/branching.h"
+#include "data/branching_schema.h"
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define TURN 6.28318530717958647693
+#define AT(member) .offset = offsetof(struct wf_ifs_map, member)
+#define ANGLE(l, h)                                                                                          \
+    .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_ANGLE, .unit = "deg", .low = (l)*TURN, .high = (h)*TURN
+#define NUMBER(l, h) .kind = WF_YAML_QUANTITY, .low = (l), .high = (h)
+
+const char *const wf_ifs_words[] = { "monopodial", "sympodial", "false_dichotomous", NULL };
+
+double wf_stretch(const double a[9])
+{
+    double m[9], v[9], s[3];
+    memcpy(m, a, sizeof m);
+    gsl_matrix_view mv = gsl_matrix_view_array(m, 3, 3), vv = gsl_matrix_view_array(v, 3, 3);
+    gsl_vector_view sv = gsl_vector_view_array(s, 3);
+    gsl_error_handler_t *before = gsl_set_error_handler_off();
+    int failed = gsl_linalg_SV_decomp_jacobi(&mv.matrix, &vv.matrix, &sv.vector);
+    gsl_set_error_handler(before);
+    return failed ? INFINITY : s[0];
+}
+
+static double moran_sum(const struct wf_ifs *f, double dimension)
+{
+    double sum = 0;
+    for (size_t i = 0; i < f->maps; i++)
+        if (f->map[i].until + 1 >= f->levels) sum += pow(f->map[i].factor, dimension);
+    return sum;
+}
+
+double wf_ifs_dimension(const struct wf_ifs *f)
+{
+    double low = 0, high = 1;
+    if (moran_sum(f, 0) < 2) return 0;
+    while (moran_sum(f, high) > 1) high *= 2; /* every factor is below 1 */
+    for (int halving = 0; halving < 60; halving++) {
+        double middle = 0.5 * (low + high);
+        if (moran_sum(f, middle) > 1)
+            low = middle;
+        else
+            high = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+static const struct wf_yaml_row map_rows[] = {
+    { .key = "name",
+      .kind = WF_YAML_TEXT,
+      AT(name),
+      .absent = "named by its number",
+      .doc = "Name for people.",
+      .example = "upper side" },
+    { .key = "position",
+      NUMBER(1e-3, 1),
+      AT(position),
+      .absent = "needed unless matrix is given",
+      .doc = "Where the copy stands on the axis, 1 = its tip.",
+      .example = "0.6" },
+    { .key = "scale",
+      NUMBER(1e-3, 100),
+      AT(scale),
+      .absent = "needed unless matrix is given",
+      .doc = "Size of the copy over the whole; below 1.",
+      .example = "0.5" },
+    { .key = "inclination",
+      ANGLE(0, 0.5),
+      .preset = "0 deg",
+      AT(inclination),
+      .doc = "Between the axis and the axis of the copy.",
+      .example = "50 deg" },
+    { .key = "azimuth",
+      ANGLE(-1, 1),
+      .preset = "0 deg",
+      AT(azimuth),
+      .doc = "Direction of the copy about the axis.",
+      .example = "120 deg" },
+    { .key = "roll",
+      ANGLE(-1, 1),
+      .preset = "0 deg",
+      AT(roll),
+      .doc = "Turn of the copy about its own axis, before it is inclined.",
+      .example = "90 deg" },
+    { .key = "radius",
+      NUMBER(1e-3, 1),
+      AT(radius),
+      .absent = "as the length",
+      .doc = "Base radius of the copy's axis over the base radius of the axis; not above the local radius.",
+      .example = "0.4" },
+    { .key = "until",
+      .kind = WF_YAML_INTEGER,
+      .low = 1,
+      .high = WF_BRANCH_LEVELS_MAX,
+      .preset = "8",
+      AT(until),
+      .doc = "Last level on which the map acts, 1 = the branches on the stem.",
+      .example = "1" },
+    { .key = "matrix",
+      .kind = WF_YAML_QUANTITIES,
+      .low = -10,
+      .high = 10,
+      AT(matrix),
+      .count = offsetof(struct wf_ifs_map, cells),
+      .absent = "made of position, scale and angles",
+      .doc = "The affine map itself, three rows of four: x -> A x + b with b in the last column, in units of "
+             "the "
+             "axis, which runs from (0, 0, 0) to (0, 0, 1).",
+      .example = "[0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0.6]" },
+    { .key = NULL },
+};
+
+/* scale Rz(azimuth) Ry(inclination) Rz(roll), then along the axis */
+static void compose(struct wf_ifs_map *m)
+{
+    double ca = cos(m->azimuth), sa = sin(m->azimuth), ci = cos(m->inclination), si = sin(m->inclination),
+           cr = cos(m->roll), sr = sin(m->roll);
+    const double turn[9] = { ca * ci * cr - sa * sr,
+                             -ca * ci * sr - sa * cr,
+                             ca * si,
+                             sa * ci * cr + ca * sr,
+                             -sa * ci * sr + ca * cr,
+                             sa * si,
+                             -si * cr,
+                             si * sr,
+                             ci };
+    for (int k = 0; k < 9; k++) m->a[k] = m->scale * turn[k];
+    m->b[0] = m->b[1] = 0;
+    m->b[2] = m->position;
+}
+
+static bool from_matrix(struct wf_yaml *y, struct wf_ifs_map *m)
+{
+    static const char *const others[] = { "position", "scale", "inclination", "azimuth", "roll" };
+    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+        if (wf_yaml_has(y, others[k])) wf_yaml_error(y, others[k], "is not used beside 'matrix'");
+    if (m->cells != 12)
+        return wf_yaml_error(y, "matrix", "%zu numbers; three rows of four are 12", m->cells), false;
+    for (size_t i = 0; i < 3; i++) {
+        for (size_t k = 0; k < 3; k++) m->a[3 * i + k] = m->matrix[4 * i + k];
+        m->b[i] = m->matrix[4 * i + 3];
+    }
+    m->position = m->b[2];
+    if (fabs(m->b[0]) > 1e-9 || fabs(m->b[1]) > 1e-9 || !(m->b[2] > 0 && m->b[2] <= 1))
+        wf_yaml_error(
+            y, "matrix",
+            "the copy starts at (%g, %g, %g), not on the axis: the last column is 0, 0 and a position "
+            "above 0, at most 1",
+            m->b[0], m->b[1], m->b[2]);
+    return true;
+}
+
+static void map_finish(struct wf_yaml *y, void *map)
+{
+    struct wf_ifs_map *m = map;
+    const char *name = m->name ? m->name : "this map";
+    if (wf_yaml_has(y, "matrix")) {
+        if (!m->matrix || !from_matrix(y, m)) return;
+    } else {
+        bool whole = true;
+        for (int k = 0; k < 2; k++) {
+            const char *key = k ? "scale" : "position";
+            if (!wf_yaml_has(y, key)) whole = false, wf_yaml_error(y, "", "missing key '%s'", key);
+        }
+        if (!whole || !isfinite(m->scale) || !isfinite(m->position)) return;
+        compose(m);
+    }
+    for (int k = 0; k < 9; k++)
+        if (!isfinite(m->a[k])) return;
+    m->factor = wf_stretch(m->a);
+    double length = sqrt(m->a[2] * m->a[2] + m->a[5] * m->a[5] + m->a[8] * m->a[8]);
+    if (m->factor >= 1)
+        wf_yaml_error(y, m->matrix ? "matrix" : "scale",
+                      "%s does not contract: its factor (largest stretch) is %.6g; it must be below 1", name,
+                      m->factor);
+    else if (length < 1e-3)
+        wf_yaml_error(y, "matrix", "%s leaves nothing of the axis: its length is %.3g of the parent's", name,
+                      length);
+    if (isnan(m->radius)) m->radius = fmin(length, 1);
+}
+static const struct wf_yaml_table map_table = {
+    .title = "a map", .row = map_rows, .size = sizeof(struct wf_ifs_map), .finish = map_finish, .doc = ""
+};
+
+#undef AT
+#define AT(member) .offset = offsetof(struct wf_ifs, member)
+static const struct wf_yaml_row ifs_rows[] = {
+    { .key = "form",
+      .kind = WF_YAML_ENUM,
+      .preset = "monopodial",
+      .choices = wf_ifs_words,
+      AT(form),
+      .doc =
+          "monopodial: the axis goes on above every copy; sympodial: its tip dies and one copy at the tip "
+          "takes over; false_dichotomous: its tip dies, every map stands for two copies opposite each other, "
+          "and those at the tip make the fork.",
+      .example = "monopodial" },
+    { .key = "levels",
+      .kind = WF_YAML_INTEGER,
+      .low = 1,
+      .high = WF_BRANCH_LEVELS_MAX,
+      .required = true,
+      AT(levels),
+      .doc = "How many levels grow, the stem included.",
+      .example = "3" },
+    { .key = "maps",
+      .kind = WF_YAML_LIST,
+      .required = true,
+      .table = &map_table,
+      AT(map),
+      .count = offsetof(struct wf_ifs, maps),
+      .doc = "The contractive maps of the whole to its copies." },
+    { .key = NULL },
+};
+
+/* A false dichotomy: each map and its image turned by half a turn about the axis. */
+static void double_maps(struct wf_yaml *y, struct wf_ifs *f)
+{
+    struct wf_ifs_map *two = wf_yaml_take(y, 2 * f->maps, sizeof *two);
+    if (!two) return;
+    for (size_t i = 0; i < f->maps; i++) {
+        two[2 * i] = two[2 * i + 1] = f->map[i];
+        for (int k = 0; k < 6; k++) two[2 * i + 1].a[k] = -f->map[i].a[k];
+    }
+    f->map = two;
+    f->maps *= 2;
+}
+
+static void ifs_finish(struct wf_yaml *y, void *ifs)
+{
+    struct wf_ifs *f = ifs;
+    size_t tip = 0, wanted = f->form == WF_IFS_MONOPODIAL ? 0 : 1;
+    char key[32];
+    for (size_t i = 0; i < f->maps; i++) {
+        bool at_tip = f->map[i].position >= 1;
+        tip += at_tip;
+        (void)snprintf(key, sizeof key, "maps[%zu]", i);
+        if (at_tip && wanted == 0)
+            wf_yaml_error(y, key,
+                          "stands at the tip; in form 'monopodial' the axis goes on above every copy");
+    }
+    if (f->maps && wanted == 1 && tip != 1)
+        wf_yaml_error(y, "maps", "%zu stand at the tip (position 1); form '%s' needs exactly one", tip,
+                      wf_ifs_words[f->form]);
+    if (f->form == WF_IFS_FALSE_DICHOTOMOUS) double_maps(y, f);
+}
+const struct wf_yaml_table wf_ifs_table = {
+    .title = "an iterated function system", .row = ifs_rows, .finish = ifs_finish, .doc = ""
+};

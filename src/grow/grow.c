@@ -1,0 +1,54 @@
+#include "grow/grow.h"
+#include "grow/axes.h"
+#include "grow/clothe.h"
+#include "grow/ifs.h"
+#include "grow/leaves.h"
+#include "grow/levels.h"
+#include "grow/stem.h"
+#include <math.h>
+
+static void warn(const struct wf_model *m, const struct wf_tree *t, size_t capped, size_t thick,
+                 struct wf_diag *d)
+{
+    size_t buried = 0;
+    for (size_t i = 0; i < t->n; i++) buried += t->z1[i] < 0;
+    if (capped)
+        wf_diag_warn(d, "thick-branch",
+                     "%s: %zu branches were thinned to the radius of the part they grow from", m->name,
+                     capped);
+    if (thick)
+        wf_diag_warn(d, "thick-branch",
+                     "%s: by the pipe model %zu branches are thicker than the part they grow "
+                     "from",
+                     m->name, thick);
+    if (buried)
+        wf_diag_warn(d, "below-ground", "%s: %zu of %zu segments end below the ground, where no wind blows",
+                     m->name, buried, t->n);
+}
+
+static enum wf_status grow_branched(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
+                                    struct wf_tree *out, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_axes axes;
+    size_t capped = 0, thick = 0;
+    bool ifs = m->generator == WF_GENERATOR_IFS;
+    double radius = isnan(m->radius) ? sp->level[0].radius.value : m->radius;
+    enum wf_status s = ifs ? wf_ifs_axes(m, radius, &scratch, &axes, &capped, e)
+                           : wf_levels_axes(m, sp, &scratch, &axes, &capped, e);
+    if (!s) s = wf_axes_to_tree(&axes, m->name, a, out, e);
+    wf_arena_free(&scratch);
+    if (!s && !ifs) s = wf_levels_pipes(m, out, &thick, e);
+    if (!s) s = wf_clothe_wood(out, sp, NULL, e);
+    if (!s) s = wf_leaves_spread(m, sp, out, e);
+    if (!s) warn(m, out, capped, thick, d);
+    return s;
+}
+
+enum wf_status wf_grow(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
+                       struct wf_tree *out, struct wf_diag *d, struct wf_err *e)
+{
+    if (m->generator == WF_GENERATOR_STEM) return wf_grow_stem(m, sp, a, out, e);
+    if (!sp->levels) return wf_fail(e, WF_EINPUT, "%s: the species has no levels", sp->key);
+    return grow_branched(m, sp, a, out, d, e);
+}
