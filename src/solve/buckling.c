@@ -35,13 +35,14 @@ enum wf_status wf_buckling(const struct wf_tree *t, const struct wf_loads *l,
     enum { MESHES = 6 };
     struct wf_loads weight = *l;
     struct wf_arena work = { 0 };
+    enum wf_status status = wf_case_check(t, l, NULL, e);
+    if (status) return status;
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
     weight.wind = NULL, weight.points = 0, weight.line = NULL;
     int32_t start = o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
     double before = NAN;
-    enum wf_status status = WF_OK;
     for (int mesh = 0; mesh < MESHES; mesh++) {
         struct wf_beam b;
         status = wf_beam_init(&b, t, &weight, o, pieces, &work, e);

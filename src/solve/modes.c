@@ -103,13 +103,14 @@ enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const
 {
     enum { MESHES = 6 };
     struct wf_arena work = { 0 };
+    struct wf_beam b, last;
+    enum wf_status status = wf_case_check(t, l, NULL, e);
+    if (status) return status;
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
     double *before = WF_TAKE(a, count, double);
-    struct wf_beam b, last;
     if (!pieces || !before) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
     int32_t start = o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
-    enum wf_status status = WF_OK;
     for (int mesh = 0; mesh < MESHES && !status; mesh++) {
         status = wf_beam_init(&b, t, l, o, pieces, &work, e);
         if (!status && mesh > 0) wf_beam_carry(&last, &b);
