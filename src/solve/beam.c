@@ -112,7 +112,7 @@ static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
     struct wf_beam_outcome out = { 0 };
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
     if (status) return status;
-    status = wf_case_check(t, l, d, e);
+    status = wf_solve_check(t, l, d, e);
     if (!status) status = wf_beam_solve(t, l, o, &work, &b, &out, e);
     if (!status) wf_beam_read(&b, r);
     r->load_factor = out.load_factor;

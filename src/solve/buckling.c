@@ -35,7 +35,7 @@ enum wf_status wf_buckling(const struct wf_tree *t, const struct wf_loads *l,
     enum { MESHES = 6 };
     struct wf_loads weight = *l;
     struct wf_arena work = { 0 };
-    enum wf_status status = wf_case_check(t, l, NULL, e);
+    enum wf_status status = wf_solve_check(t, l, NULL, e);
     if (status) return status;
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);

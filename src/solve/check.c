@@ -26,7 +26,7 @@ static enum wf_status check_loads(const struct wf_tree *t, const struct wf_loads
     return WF_OK;
 }
 
-enum wf_status wf_case_check(const struct wf_tree *t, const struct wf_loads *l, struct wf_diag *d,
+enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l, struct wf_diag *d,
                              struct wf_err *e)
 {
     struct wf_arena own = { 0 };

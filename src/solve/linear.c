@@ -111,7 +111,7 @@ static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
     int32_t *pieces = WF_TAKE(&work, t->n, int32_t), cut = 1;
     if (!status && !pieces) status = wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
-    if (!status) status = wf_case_check(t, l, d, e);
+    if (!status) status = wf_solve_check(t, l, d, e);
     if (!status) status = answer_on(t, l, o, cut, pieces, &work, &x, e);
     while (!status && o->mesh_tolerance > 0 && cut < most) {
         last = x;

@@ -104,7 +104,7 @@ enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const
     enum { MESHES = 6 };
     struct wf_arena work = { 0 };
     struct wf_beam b, last;
-    enum wf_status status = wf_case_check(t, l, NULL, e);
+    enum wf_status status = wf_solve_check(t, l, NULL, e);
     if (status) return status;
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
     double *before = WF_TAKE(a, count, double);

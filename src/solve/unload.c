@@ -128,7 +128,7 @@ enum wf_status wf_unload(const struct wf_tree *t, const struct wf_loads *l, cons
     struct wf_loads weight = *l;
     weight.wind = NULL, weight.points = 0, weight.line = NULL;
     struct wf_arena work = { 0 };
-    enum wf_status status = wf_case_check(t, l, NULL, e);
+    enum wf_status status = wf_solve_check(t, l, NULL, e);
     if (!status) status = copy_shape(t, a, out, e);
     if (!status) status = straighten_all(t, &weight, o, &work, out, e);
     wf_arena_free(&work);
