@@ -1,6 +1,7 @@
 #include "cmd/cmd.h"
 #include "out/report.h"
 #include <stdio.h>
+#include <string.h>
 
 static const struct wf_option options[] = {
     { .name = "--lang",
@@ -12,6 +13,14 @@ static const struct wf_option options[] = {
     { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
     { 0 },
 };
+
+/* Was the error printed among the findings? */
+static bool said(const struct wf_diag *d, const struct wf_err *e, bool quiet)
+{
+    for (const struct wf_finding *f = d->first; f; f = f->next)
+        if ((f->severity == WF_ERROR || !quiet) && strcmp(f->text, e->text) == 0) return true;
+    return false;
+}
 
 int wf_cmd_report(int argc, char **argv)
 {
@@ -31,7 +40,7 @@ int wf_cmd_report(int argc, char **argv)
         wf_progress(NULL);
         wf_print_findings(&d, quiet);
         if (!s && !quiet) printf("Plots and pages: %s\n", args.operand[0]);
-        code = s ? wf_complain(&e) : 0;
+        code = !s ? 0 : said(&d, &e, quiet) ? wf_exit_code(s) : wf_complain(&e);
     }
     wf_arena_free(&arena);
     return code;

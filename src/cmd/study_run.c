@@ -1,6 +1,7 @@
 #include "cmd/study.h"
 #include "out/report.h"
 #include <string.h>
+#include <sys/stat.h>
 
 /* Everything of one run, in one arena. */
 struct work {
@@ -65,8 +66,9 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
     return WF_OK;
 }
 
-/* Plots and pages. A drawing program that is not installed leaves the results complete. */
-static enum wf_status draw(struct work *w, struct wf_err *e)
+/* Plots and pages. A drawing program that is not installed leaves the results complete; *whole tells whether
+ * everything was drawn. */
+static enum wf_status draw(struct work *w, bool *whole, struct wf_err *e)
 {
     struct wf_diag d = { .arena = &w->arena };
     struct wf_err why = { 0 };
@@ -74,8 +76,27 @@ static enum wf_status draw(struct work *w, struct wf_err *e)
     enum wf_status s = wf_report_make(w->folder, wf_args_text(&w->args, "--lang"), &d, &why);
     wf_progress(NULL);
     wf_print_findings(&d, false);
+    *whole = s == WF_OK;
     if (s == WF_OK || s == WF_EMISSING) return WF_OK;
     return wf_fail(e, s, "%s", why.text);
+}
+
+/* Pages of an earlier run beside new results would be taken for theirs. */
+static void warn_of_old_pages(struct work *w)
+{
+    static const char *const page[] = { "report.html", "report.pdf" };
+    struct stat results, old;
+    const char *path = wf_arena_print(&w->arena, "%s/results.json", w->folder);
+    if (!path || stat(path, &results)) return;
+    for (size_t i = 0; i < sizeof page / sizeof *page; i++) {
+        path = wf_arena_print(&w->arena, "%s/%s", w->folder, page[i]);
+        if (!path || stat(path, &old)) continue;
+        if (old.st_mtim.tv_sec < results.st_mtim.tv_sec ||
+            (old.st_mtim.tv_sec == results.st_mtim.tv_sec && old.st_mtim.tv_nsec < results.st_mtim.tv_nsec))
+            fprintf(stderr,
+                    "warning: %s is the page of an earlier run; 'windfirm report %s' draws it again\n", path,
+                    w->folder);
+    }
 }
 
 static enum wf_status run(struct work *w, int argc, char **argv, struct wf_err *e)
@@ -100,9 +121,16 @@ static enum wf_status run(struct work *w, int argc, char **argv, struct wf_err *
     fflush(stdout); /* so that warnings stand below the table where both go to the same place */
     for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->quiet);
     if ((s = wf_results_write(&run, w->folder, e))) return s;
-    bool pages = !wf_args_given(&w->args, "--no-report");
-    if (pages) s = draw(w, e);
-    if (!w->quiet) printf("\nResults, tables%s: %s\n", pages ? ", plots and pages" : "", w->folder);
+    bool pages = !wf_args_given(&w->args, "--no-report"), whole = false;
+    if (pages) s = draw(w, &whole, e);
+    if (!w->quiet)
+        printf("\nResults and tables%s: %s\n",
+               whole   ? ", plots and pages"
+               : pages ? " (plots and pages not complete)"
+                       : "",
+               w->folder);
+    fflush(stdout);
+    if (!whole) warn_of_old_pages(w);
     return s;
 }
 
