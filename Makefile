@@ -5,6 +5,7 @@ B       := $(BUILD)$(if $(SAN),/san)
 PREFIX  ?= /usr/local
 SHARE   ?= $(CURDIR)
 CC      ?= cc
+CXX     ?= c++
 CFLAGS  ?= -O2 -g
 
 # libmatio is optional: without it MATLAB files are refused, naming the package (make MATIO= tries that)
@@ -15,10 +16,13 @@ SANF   := $(if $(SAN),-fsanitize=address -fsanitize=undefined -fno-sanitize-reco
 INC     = -Isrc $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG)))
 ALL     = -std=c17 -D_GNU_SOURCE $(WARN) -ffp-contract=off $(INC) -MMD -MP $(SANF) \
           -DWF_SHARE='"$(SHARE)"' $(if $(MATIO),-DWF_MATIO) -DWF_VERSION='"$(VERSION)"'
-LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 -lm
+# least squares: Ceres has no pkg-config file; its one C++ file links with its C++ library
+CERES   = -lceres -lglog -lstdc++
+LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 $(CERES) -lm
 
 # Debian packages: to build, to draw, to test
 PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev \
+            g++ libceres-dev libeigen3-dev libgoogle-glog-dev \
             gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei libcmocka-dev poppler-utils
 
 SRC    := $(wildcard src/*.c src/*/*.c)
@@ -30,7 +34,7 @@ obj     = $(patsubst %.c,$(B)/%.o,$(1))
 bin     = $(patsubst %.c,$(B)/%,$(1))
 
 all: $(B)/windfirm ## build the program and the library (default)
-$(B)/libwindfirm.a: $(call obj,$(LIBSRC))
+$(B)/libwindfirm.a: $(call obj,$(LIBSRC)) $(B)/src/fit/ceres.o
 	@rm -f $@
 	$(AR) rcs $@ $^
 $(B)/windfirm: $(call obj,$(CMDSRC)) $(B)/libwindfirm.a
@@ -40,6 +44,9 @@ $(B)/tests/%: $(B)/tests/%.o $(B)/libwindfirm.a
 $(B)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(CFLAGS) -c $< -o $@
+$(B)/%.o: %.cpp
+	@mkdir -p $(@D)
+	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(SANF) $(CFLAGS) -c $< -o $@
 # the numeric kernels are small fixed-size loops: unroll and vectorise them
 $(B)/src/solve/%.o $(B)/src/load/%.o: CFLAGS += -O3
 
@@ -86,4 +93,4 @@ help: ## this list
 
 .PHONY: all demo test bench programs packages check layers symbols golden install clean help
 .SECONDARY:
--include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS) $(BENCH)))
+-include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS) $(BENCH)) $(B)/src/fit/ceres.o)

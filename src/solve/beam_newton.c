@@ -14,6 +14,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     b->root_step = wf_arena_take(a, t->n, sizeof *b->root_step);
     b->root_change = wf_arena_take(a, t->n, sizeof *b->root_change);
     b->root_give = wf_arena_take(a, t->n, sizeof *b->root_give);
+    b->root_hold = wf_arena_take(a, t->n, sizeof *b->root_hold);
     b->shape = WF_TAKE(a, n, struct wf_beam_shape);
     b->pose = WF_TAKE(a, n, struct wf_beam_pose);
     b->stage = WF_TAKE(a, n, struct wf_beam_stage);
@@ -22,8 +23,8 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     b->answer = WF_TAKE(a, n, struct wf_beam_answer);
     b->change = wf_arena_take(a, n, sizeof *b->change);
     b->dv = wf_arena_take(a, n, sizeof *b->dv);
-    if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->shape || !b->pose || !b->stage ||
-        !b->wrench || !b->node || !b->answer || !b->change || !b->dv)
+    if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->root_hold || !b->shape ||
+        !b->pose || !b->stage || !b->wrench || !b->node || !b->answer || !b->change || !b->dv)
         return wf_fail(e, WF_ENOMEM, "no room for the state of %zu beam elements", n);
     return WF_OK;
 }
@@ -97,8 +98,7 @@ static bool settled(const struct wf_beam *b)
 {
     const double rounding = 8 * DBL_EPSILON; /* of unit tangents */
     double t = b->options->tolerance;
-    return b->misfit.bending <= t * t * b->misfit.energy &&
-           b->misfit.strain <= t * b->misfit.turn + rounding;
+    return b->misfit.bending <= t * t * b->misfit.energy && b->misfit.strain <= t * b->misfit.turn + rounding;
 }
 
 enum wf_status wf_beam_newton(struct wf_beam *b)

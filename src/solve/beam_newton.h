@@ -12,6 +12,7 @@ struct wf_beam {
     double (*root_step)[3];      /* per row, for roots: its Newton correction                 */
     double (*root_change)[6];    /* per row, for roots: change of the ground under it         */
     double (*root_give)[9];      /* per row, for roots: spin of the ground by moment          */
+    double (*root_hold)[6][3];   /* per row, for roots: wrench on the ground by its spin      */
     struct wf_beam_shape *shape; /* per element, as all below                                 */
     struct wf_beam_pose *pose;   /* of the element's end                                      */
     struct wf_beam_stage *stage;

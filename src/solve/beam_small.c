@@ -98,20 +98,23 @@ WF_INLINE void answer_up(const struct wf_beam_part *p, const struct wf_beam_stag
     }
 }
 
-/* A root's wrench onto the ground, and how its plate gives. */
+/* How the plate of a root gives, and the root's wrench onto the ground: that of a plate held still and what
+ * its spin adds. */
 static void ground_root(struct wf_beam *b, size_t row, const double down[6], const double *root,
                         double ground[6])
 {
     const struct wf_tree *t = b->mesh.tree;
     const double arm[3] = { t->x0[row] - t->x0[0], t->y0[row] - t->y0[0], t->z0[row] - t->z0[0] };
-    double lever[3], m[3] = { down[3], down[4], down[5] };
-    wf_cross(arm, down, lever);
-    for (int i = 0; i < 3; i++) {
-        ground[i] += down[i], ground[3 + i] += down[3 + i] + lever[i];
-        if (root) m[i] += root[i];
+    double lever[3], m[3] = { down[3], down[4], down[5] }, all[6], *p = b->root_change[row];
+    for (int i = 0; root && i < 3; i++) m[i] += root[i];
+    memset(p, 0, sizeof b->root_change[row]);
+    m3_apply(b->root_give[row], m, p + 3);
+    for (int i = 0; i < 6; i++) {
+        const double *by = b->root_hold[row][i];
+        all[i] = down[i] + by[0] * p[3] + by[1] * p[4] + by[2] * p[5];
     }
-    memset(b->root_change[row], 0, sizeof b->root_change[row]);
-    m3_apply(b->root_give[row], m, b->root_change[row] + 3);
+    wf_cross(arm, all, lever);
+    for (int i = 0; i < 3; i++) ground[i] += all[i], ground[3 + i] += all[3 + i] + lever[i];
 }
 
 WF_WIDE void wf_beam_answer_small(struct wf_beam *b,

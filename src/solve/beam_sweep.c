@@ -52,7 +52,7 @@ static void react_nodes(struct wf_beam *b)
     memset(b->node, 0, b->mesh.n * sizeof *b->node);
     for (size_t k = 0; k < l->points; k++) {
         const struct wf_point_load *q = &l->point[k];
-        if (q->kind != WF_POINT_FOLLOWER) continue;
+        if (q->kind != WF_POINT_FOLLOWER || b->frozen) continue;
         size_t i = (size_t)b->mesh.last[q->segment];
         double f[3], m[3], N[9] = { 0 }, M[9] = { 0 };
         m3_apply(b->pose[i].L, q->force, f), m3_apply(b->pose[i].L, q->moment, m);
@@ -108,6 +108,8 @@ static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench
     m3_apply(T, b->root_step[row], p + 3);
     m3_mul(T, inverse, step);
     m3_mul(step, Tt, b->root_give[row]);
+    for (int i = 0; i < 6; i++)
+        for (int j = 0; j < 3; j++) b->root_hold[row][i][j] = r->K[i][3 + j];
 }
 
 bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stability *count)

@@ -1,0 +1,95 @@
+#ifndef WF_FIT_EXPERIMENT_H
+#define WF_FIT_EXPERIMENT_H
+/* What was measured on which tree under which load: everything a fit compares with the engine. */
+#include "base/units.h"
+#include "data/species.h"
+#include "data/tree.h"
+#include "load/load.h"
+#include "solve/solve.h"
+#include "wind/wind.h"
+#include <stdbool.h>
+#include <stdint.h>
+
+enum wf_sensor_kind {
+    WF_SENSOR_DEFLECTION, /* horizontal displacement of the axis along an azimuth [m]           */
+    WF_SENSOR_HORIZONTAL, /* its horizontal displacement, whatever the direction [m]            */
+    WF_SENSOR_VERTICAL,   /* its vertical displacement, up positive [m]                         */
+    WF_SENSOR_TILT,       /* inclination of the axis towards an azimuth [rad]                   */
+    WF_SENSOR_STRAIN,     /* mean strain of a fibre on the bark over a gauge length [-]         */
+    WF_SENSOR_EXTENSION,  /* change of that gauge length [m]                                    */
+    WF_SENSOR_MOMENT,     /* overturning moment on the ground towards an azimuth [N m]          */
+    WF_SENSOR_FREQUENCY,  /* natural frequency of free sway [Hz]                                */
+    WF_SENSOR_DAMPING,    /* damping ratio of free sway [-]                                     */
+    WF_SENSOR_KINDS
+};
+struct wf_sensor_row {
+    const char *name;
+    enum wf_dimension dimension;
+    const char *unit; /* shown in reports */
+    double factor;    /* SI to that unit  */
+    bool placed;      /* needs a height   */
+};
+extern const struct wf_sensor_row wf_sensor_rows[WF_SENSOR_KINDS];
+
+struct wf_fit_sensor {
+    const char *name;
+    enum wf_sensor_kind kind;
+    double height, azimuth, gauge; /* [m], [rad], [m]; NAN where the kind has none             */
+    double sigma, sigma_share;     /* uncertainty: absolute [SI] and as a share of the value   */
+    bool estimated;                /* sigma was not given: found from the scatter              */
+    bool offset, drift;            /* nuisance: unknown zero, and its change with time         */
+    int32_t row, low_row;          /* rows whose ends it sits on; -1 = the ground              */
+};
+
+enum wf_fit_load { WF_FIT_FREE, WF_FIT_PULL, WF_FIT_WIND };
+struct wf_fit_state {
+    double load; /* rope force [N] or wind speed [m/s]   */
+    double time; /* since the record's first row [s]     */
+    size_t rows; /* rows of the record averaged in it    */
+};
+
+struct wf_fit_test {
+    const char *name;
+    size_t tree;
+    enum wf_fit_load load;
+    int32_t pull_row;          /* row whose end carries the strap                           */
+    double azimuth, elevation; /* of the pull; elevation above the horizontal [rad]         */
+    bool anchored;             /* the rope runs to `anchor`, also when the tree has moved   */
+    double anchor[3];          /* [m]                                                       */
+    struct wf_wind wind;
+    bool from_rest; /* readings are zero in still air without a pull, weight on         */
+    size_t sensors, states;
+    struct wf_fit_sensor *sensor;
+    struct wf_fit_state *state;
+};
+
+struct wf_fit_tree {
+    const char *name;
+    const struct wf_species *species;
+    struct wf_tree tree; /* one element a row                                           */
+    struct wf_loads loads;
+    struct wf_solve_options options; /* with the root stiffness                         */
+    double height;
+};
+
+/* One measured number. */
+struct wf_fit_datum {
+    size_t test, state, sensor;
+    double value, sigma; /* [SI of the sensor's kind] */
+    double weight;       /* 1; a resampled data set has 0, 1, 2, ... */
+    size_t line;         /* of its file, first of those averaged; 0: given in the study */
+};
+
+struct wf_experiment {
+    size_t trees, tests, data;
+    struct wf_fit_tree *tree;
+    struct wf_fit_test *test;
+    struct wf_fit_datum *datum; /* by test, state, sensor */
+};
+
+/* Cut the tree so that every row is at most `length` long and a row of the stem ends at each of n heights
+ * above the first base; row[k] = that row, -1 for heights up to 1 mm. Errors: WF_EINPUT for a height above
+ * the stem, WF_ENOMEM. Along a divided row everything stays linear, so the tree is the same. */
+enum wf_status wf_fit_divide(struct wf_tree *t, double length, const double *height, size_t n, int32_t *row,
+                             struct wf_arena *a, struct wf_err *e);
+#endif

@@ -1,0 +1,57 @@
+#ifndef WF_FIT_LSQ_H
+#define WF_FIT_LSQ_H
+/* Bounded nonlinear least squares with robust losses. Behind this header stands Ceres; nothing of it shows.
+ */
+#include "base/err.h"
+#include <stdbool.h>
+#include <stddef.h>
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum wf_loss {
+    WF_LOSS_NONE,   /* squares                                            */
+    WF_LOSS_HUBER,  /* linear beyond the scale (Huber 1964)                */
+    WF_LOSS_CAUCHY, /* logarithmic beyond the scale                       */
+    WF_LOSS_TUKEY   /* constant beyond the scale (Beaton and Tukey 1974)  */
+};
+
+/* Residuals (and, unless NULL, their Jacobian, row-major residuals x params) at p. Returned: false when the
+ * model has no answer there; the step is then shortened. Called from one thread only. */
+typedef bool wf_lsq_model(void *ctx, const double *p, double *residual, double *jacobian);
+/* Called after every iteration with the cost; returned: true to stop with the best so far. */
+typedef bool wf_lsq_progress(void *ctx, size_t iteration, double cost);
+
+struct wf_lsq {
+    size_t params, residuals;
+    const double *low, *high; /* bounds, inclusive                               */
+    wf_lsq_model *model;
+    wf_lsq_progress *progress; /* may be NULL                                     */
+    void *ctx;
+    enum wf_loss loss;
+    double loss_scale;     /* residual where the loss departs from squares    */
+    size_t plain;          /* the last `plain` residuals are without a loss   */
+    size_t iterations_max; /* 0: 100                                          */
+};
+
+struct wf_lsq_result {
+    double cost0, cost; /* half the sum of the losses, at start and end    */
+    size_t iterations, evaluations;
+    bool converged, stopped; /* stopped: by progress; p is the best so far      */
+    char message[256];
+};
+
+/* Minimise 1/2 sum loss(residual^2). Given: *q, p = start within its bounds. Returned: WF_OK and p, also when
+ * the iterations ran out or progress stopped it (see *out); WF_EUSAGE for a start outside the bounds or fewer
+ * residuals than parameters; WF_EINPUT where the model has no finite answer at the start; WF_ENOCONV.
+ * Method: Levenberg-Marquardt on the trust region with dense QR (Agarwal, Mierle and others, Ceres Solver).
+ */
+enum wf_status wf_lsq_solve(const struct wf_lsq *q, double *p, struct wf_lsq_result *out, struct wf_err *e);
+
+/* Weight psi(r)/r and slope psi'(r) of a loss, psi = d loss / d r: what the covariance of a robust estimate
+ * needs. */
+void wf_loss_slopes(enum wf_loss loss, double scale, double residual, double *psi, double *slope);
+#ifdef __cplusplus
+}
+#endif
+#endif

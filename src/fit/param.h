@@ -1,0 +1,65 @@
+#ifndef WF_FIT_PARAM_H
+#define WF_FIT_PARAM_H
+/* What a fit may change. Quantities are rows; a free parameter is a quantity of a level and a tree. The
+ * solver of least squares sees internal values: the logarithm of positive quantities, others over `unit`. */
+#include "fit/experiment.h"
+
+enum wf_fit_quantity {
+    WF_FIT_YOUNGS,
+    WF_FIT_YOUNGS_TIP, /* E at the top of the tree over E at its base, linear between */
+    WF_FIT_SHEAR,
+    WF_FIT_DENSITY,
+    WF_FIT_RADIUS, /* factor on all radii                                          */
+    WF_FIT_AXIS_DRAG,
+    WF_FIT_CROWN_DRAG,
+    WF_FIT_VOGEL,
+    WF_FIT_ROOT,    /* rotational stiffness of the root plate about any horizontal axis */
+    WF_FIT_DAMPING, /* damping ratio of free sway, all causes together                  */
+    WF_FIT_OFFSET,  /* zero of one sensor                                               */
+    WF_FIT_DRIFT,   /* its change with time                                             */
+    WF_FIT_QUANTITIES
+};
+struct wf_fit_quantity_row {
+    const char *name; /* "levelN.youngs_modulus": N stands for a number; NULL: never named by a user */
+    enum wf_dimension dimension;
+    const char *unit; /* shown in reports */
+    double factor;    /* SI to that unit  */
+    bool log;
+    double low, high; /* bounds unless others are given [SI] */
+    const char *doc;
+};
+extern const struct wf_fit_quantity_row wf_fit_quantities[WF_FIT_QUANTITIES];
+
+struct wf_fit_param {
+    const char *name; /* as the user named it, for one of several trees with "TREE:" in front */
+    enum wf_fit_quantity quantity;
+    int32_t level;  /* of the species table; -1: none or all     */
+    ptrdiff_t tree; /* -1: shared by all                         */
+    size_t test, sensor;
+    double unit;                 /* internal value 1 is this much, where the scale is not logarithmic */
+    double start, low, high;     /* [SI]                                */
+    double prior_mean, prior_sd; /* of the internal value; sd 0: no prior */
+};
+
+double wf_param_value(const struct wf_fit_param *p, double internal);
+double wf_param_internal(const struct wf_fit_param *p, double value);
+bool wf_param_nuisance(const struct wf_fit_param *p);
+/* Unit and factor for reports: those of the sensor for offsets. */
+const char *wf_param_unit(const struct wf_experiment *x, const struct wf_fit_param *p, double *factor);
+
+/* Add the parameter a user names ("level0.youngs_modulus", "root.stiffness", "TREE:root.stiffness",
+ * "each:..." for one of every tree). Start and prior come from the species table. Given: room for as many as
+ * there are trees at out[*n]. Errors: WF_EUSAGE naming what is known and near. */
+enum wf_status wf_param_add(const struct wf_experiment *x, const char *name, struct wf_arena *a,
+                            struct wf_fit_param *out, size_t *n, struct wf_err *e);
+/* Add offsets and drifts of sensors that have them; unit = spread of the sensor's data. */
+enum wf_status wf_param_add_nuisance(const struct wf_experiment *x, struct wf_arena *a,
+                                     struct wf_fit_param *out, size_t *n, struct wf_err *e);
+size_t wf_param_nuisances(const struct wf_experiment *x);
+
+/* Write the parameters' values into a tree: `into` has its own columns and starts as a copy of the tree of
+ * index `tree`. Also loads and options. damping gets the parameter's value if there is one. */
+void wf_param_apply(const struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
+                    const double *internal, size_t tree, struct wf_tree *into, struct wf_loads *loads,
+                    struct wf_solve_options *options);
+#endif

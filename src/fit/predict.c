@@ -1,0 +1,388 @@
+#include "fit/predict.h"
+#include "fit/predict_parts.h"
+#include "solve/beam_small.h"
+#include "solve/modes.h"
+#include "solve/vec.h"
+#include <math.h>
+#include <string.h>
+
+/* Where a state stood last time, to start from. */
+struct warm {
+    struct wf_beam_shape *shape;
+    double (*tilt)[3];
+    bool known;
+};
+
+struct wf_predictor {
+    const struct wf_experiment *x;
+    const struct wf_fit_param *p;
+    size_t params;
+    struct wf_tree *tree; /* per tree: with columns of its own                    */
+    struct warm *warm;    /* per test and state, rest states behind them          */
+    size_t *first_state;  /* per test: its first warm state                       */
+    size_t most_sensors;
+    double *rest, *rest_slope;   /* readings at rest, of the test in hand           */
+    double *other, *other_slope; /* of the state in hand                            */
+    struct wf_arena scratch;     /* of one test                                          */
+};
+
+enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
+                                 struct wf_arena *a, struct wf_predictor **out, struct wf_err *e)
+{
+    struct wf_predictor *w = WF_TAKE(a, 1, struct wf_predictor);
+    size_t states = 0, at = 0;
+    for (size_t k = 0; k < x->tests; k++) states += x->test[k].states + 1;
+    if (!w || !(w->tree = WF_TAKE(a, x->trees, struct wf_tree)) ||
+        !(w->warm = WF_TAKE(a, states, struct warm)) || !(w->first_state = WF_TAKE(a, x->tests, size_t)))
+        return wf_fail(e, WF_ENOMEM, "no room for the predictions");
+    w->x = x, w->p = p, w->params = n;
+    for (size_t k = 0; k < x->trees; k++) {
+        struct wf_tree *t = &w->tree[k];
+        *t = x->tree[k].tree;
+        double **column[] = { &t->youngs, &t->shear, &t->density, &t->r0,    &t->r1,
+                              &t->i0,     &t->i1,    &t->drag,    &t->sail0, &t->sail1 };
+        for (size_t c = 0; c < sizeof column / sizeof *column; c++)
+            if (!(*column[c] = WF_TAKE(a, t->n, double))) return wf_fail(e, WF_ENOMEM, "no room for a tree");
+    }
+    for (size_t k = 0; k < x->tests; k++) {
+        size_t rows = x->tree[x->test[k].tree].tree.n;
+        w->first_state[k] = at;
+        if (x->test[k].sensors > w->most_sensors) w->most_sensors = x->test[k].sensors;
+        for (size_t i = 0; i <= x->test[k].states; i++, at++) {
+            w->warm[at].shape = WF_TAKE(a, rows, struct wf_beam_shape);
+            w->warm[at].tilt = wf_arena_take(a, rows, sizeof *w->warm[at].tilt);
+            if (!w->warm[at].shape || !w->warm[at].tilt)
+                return wf_fail(e, WF_ENOMEM, "no room for the shapes");
+        }
+    }
+    size_t m = w->most_sensors;
+    w->rest = WF_TAKE(a, m, double), w->other = WF_TAKE(a, m, double);
+    w->rest_slope = WF_TAKE(a, m * n, double), w->other_slope = WF_TAKE(a, m * n, double);
+    if (!w->rest || !w->other || !w->rest_slope || !w->other_slope)
+        return wf_fail(e, WF_ENOMEM, "no room for the readings");
+    *out = w;
+    return WF_OK;
+}
+
+void wf_predictor_close(struct wf_predictor *w) { wf_arena_free(&w->scratch); }
+
+/* One test while its states are gone through. */
+struct bench {
+    struct wf_predictor *w;
+    const struct wf_fit_test *test;
+    struct wf_beam beam;
+    struct wf_beam_small *small; /* kept aside while the beam is being solved */
+    struct wf_point_load pull;
+    struct wf_wind wind;
+    double force; /* in the rope [N] */
+    double (*ends)[6], (*moved)[6], (*node)[6], (*root)[3];
+};
+
+/* Set the rope's force by its present direction; returned: its free length [m]. */
+static double aim(struct bench *k, const double at[3], double u[3])
+{
+    const struct wf_fit_test *t = k->test;
+    double length = INFINITY;
+    if (t->anchored) {
+        for (int i = 0; i < 3; i++) u[i] = t->anchor[i] - at[i];
+        length = sqrt(wf_dot(u, u));
+        for (int i = 0; i < 3; i++) u[i] /= length;
+    } else {
+        u[0] = cos(t->azimuth) * cos(t->elevation);
+        u[1] = sin(t->azimuth) * cos(t->elevation);
+        u[2] = sin(t->elevation);
+    }
+    for (int i = 0; i < 3; i++) k->pull.force[i] = k->force * u[i];
+    return length;
+}
+
+static enum wf_status settle(struct bench *k, struct wf_err *e)
+{
+    struct wf_beam_outcome outcome;
+    struct wf_beam *b = &k->beam;
+    b->small = NULL;
+    b->frozen = false;
+    for (int pass = 0;; pass++) {
+        if (pass && wf_beam_newton(b) == WF_OK)
+            ;
+        else {
+            enum wf_status status = wf_beam_settle(b, &k->w->scratch, &outcome, e);
+            if (status) return status;
+        }
+        if (k->test->load != WF_FIT_PULL || !k->test->anchored || k->force == 0) return WF_OK;
+        double before[3], u[3], change = 0;
+        memcpy(before, k->pull.force, sizeof before);
+        aim(k, b->pose[b->mesh.last[k->test->pull_row]].r, u);
+        for (int i = 0; i < 3; i++) change = fmax(change, fabs(k->pull.force[i] - before[i]));
+        if (change <= 1e-11 * fabs(k->force)) return WF_OK;
+        if (pass > 60) return wf_fail(e, WF_ENOCONV, "the rope of test %s finds no direction", k->test->name);
+    }
+}
+
+static enum wf_status linearise(struct bench *k, struct wf_err *e)
+{
+    struct wf_beam *b = &k->beam;
+    if (!k->small) {
+        enum wf_status status = wf_beam_linearise(b, false, &k->w->scratch, e);
+        k->small = b->small;
+        return status;
+    }
+    b->small = k->small;
+    b->misfit = (struct wf_beam_misfit){ 0 };
+    wf_beam_sweep_up(b);
+    if (wf_beam_sweep_down(b, true, NULL)) return WF_OK;
+    return wf_fail(e, WF_EUNSTABLE, "the tree has no stiffness left");
+}
+
+/* How the strap moves per unit of force there, when the rope follows it: the change of the force by the
+ * strap's own motion is answered too. Given: strap's motion at a constant force; returned: change of force.
+ */
+static void follow(const double C[9], const double K[9], const double moved[3], double force[3])
+{
+    double A[3][4];
+    for (int i = 0; i < 3; i++) { /* (I - K C) df = K moved */
+        for (int j = 0; j < 3; j++) {
+            A[i][j] = i == j;
+            for (int m = 0; m < 3; m++) A[i][j] -= K[3 * i + m] * C[3 * m + j];
+        }
+        A[i][3] = K[3 * i] * moved[0] + K[3 * i + 1] * moved[1] + K[3 * i + 2] * moved[2];
+    }
+    for (int c = 0; c < 3; c++) { /* near the unit matrix: the rope is longer than the tree moves */
+        int best = c;
+        for (int r = c + 1; r < 3; r++)
+            if (fabs(A[r][c]) > fabs(A[best][c])) best = r;
+        for (int j = 0; j < 4; j++) {
+            double hold = A[c][j];
+            A[c][j] = A[best][j], A[best][j] = hold;
+        }
+        for (int r = 0; r < 3; r++)
+            for (int j = 3; r != c && j >= c; j--) A[r][j] -= A[r][c] / A[c][c] * A[c][j];
+    }
+    for (int i = 0; i < 3; i++) force[i] = A[i][3] / A[i][i];
+}
+
+static void push_answer(struct bench *k, const double force[3], double (*ends)[6], double ground[6])
+{
+    size_t at = (size_t)k->beam.mesh.last[k->test->pull_row];
+    struct wf_beam_small_answer x = { .ends = ends };
+    for (int i = 0; i < 3; i++) k->node[at][i] = force[i];
+    wf_beam_answer_small(&k->beam, NULL, NULL, (const double(*)[6])k->node, NULL, &x);
+    for (int i = 0; i < 3; i++) k->node[at][i] = 0;
+    memcpy(ground, x.ground, 6 * sizeof *ground);
+}
+
+/* Stiffness of the rope's direction, K = dF/dx = -F/length (1 - u u'), and the strap's flexibility C. */
+static bool rope(struct bench *k, double C[9], double K[9])
+{
+    const struct wf_fit_test *t = k->test;
+    double u[3], ground[6];
+    if (t->load != WF_FIT_PULL || !t->anchored || k->force == 0) return false;
+    size_t at = (size_t)k->beam.mesh.last[t->pull_row];
+    double length = aim(k, k->beam.pose[at].r, u);
+    for (int j = 0; j < 3; j++) {
+        double unit[3] = { j == 0, j == 1, j == 2 };
+        push_answer(k, unit, k->moved, ground);
+        for (int i = 0; i < 3; i++) {
+            C[3 * i + j] = k->moved[at][i];
+            K[3 * i + j] = -k->force / length * ((i == j) - u[i] * u[j]);
+        }
+    }
+    return true;
+}
+
+static void slopes(struct bench *k, const double *internal, double *slope)
+{
+    struct wf_predictor *w = k->w;
+    struct wf_beam *b = &k->beam;
+    double C[9], K[9];
+    bool roped = rope(k, C, K);
+    for (size_t p = 0; p < w->params; p++) {
+        struct wf_disturber d = { &w->x->tree[k->test->tree], &w->p[p], internal[p] };
+        if (!wf_disturbs(&w->p[p], k->test->tree)) continue;
+        struct wf_beam_small_answer x = { .ends = k->ends };
+        bool root = w->p[p].quantity == WF_FIT_ROOT;
+        for (size_t i = 0; root && i < b->mesh.tree->n; i++)
+            for (int c = 0; c < 2 && b->mesh.tree->parent[i] < 0; c++)
+                k->root[i][c] = -b->options->root_stiffness[c] * b->tilt[i][c];
+        wf_beam_answer_small(b, root ? NULL : wf_disturb, &d, NULL, root ? (const double(*)[3])k->root : NULL,
+                             &x);
+        double direct[3], spin[6];
+        memcpy(spin, b->root_change[0], sizeof spin);
+        if (roped) {
+            double more[6];
+            follow(C, K, k->ends[b->mesh.last[k->test->pull_row]], direct);
+            push_answer(k, direct, k->moved, more);
+            for (size_t i = 0; i < b->mesh.n; i++)
+                for (int c = 0; c < 6; c++) k->ends[i][c] += k->moved[i][c];
+            for (int c = 0; c < 6; c++) x.ground[c] += more[c], b->root_change[0][c] += spin[c];
+        }
+        for (size_t s = 0; s < k->test->sensors; s++) {
+            const struct wf_fit_sensor *sensor = &k->test->sensor[s];
+            slope[s * w->params + p] = wf_sensor_change(sensor, b, (const double(*)[6])k->ends, x.ground);
+            if (w->p[p].quantity == WF_FIT_RADIUS) slope[s * w->params + p] += wf_sensor_by_radius(sensor, b);
+        }
+    }
+}
+
+/* Solve the state the loads are set to, from where it stood last time. */
+static enum wf_status state(struct bench *k, size_t warm, const double *internal, double *reading,
+                            double *slope, struct wf_err *e)
+{
+    struct wf_beam *b = &k->beam;
+    struct warm *last = &k->w->warm[warm];
+    size_t n = b->mesh.n;
+    if (last->known) {
+        memcpy(b->shape, last->shape, n * sizeof *b->shape);
+        memcpy(b->tilt, last->tilt, n * sizeof *b->tilt);
+    }
+    enum wf_status status = settle(k, e);
+    if (status) return status;
+    memcpy(last->shape, b->shape, n * sizeof *b->shape);
+    memcpy(last->tilt, b->tilt, n * sizeof *b->tilt);
+    last->known = true;
+    for (size_t s = 0; s < k->test->sensors; s++) reading[s] = wf_sensor_read(&k->test->sensor[s], b);
+    if (!slope) return WF_OK;
+    memset(slope, 0, k->test->sensors * k->w->params * sizeof *slope);
+    status = linearise(k, e);
+    if (!status) slopes(k, internal, slope);
+    return status;
+}
+
+static enum wf_status static_test(struct wf_predictor *w, size_t index, const double *internal,
+                                  double *reading, double *slope, size_t *at, struct wf_err *e)
+{
+    const struct wf_fit_test *t = &w->x->test[index];
+    struct wf_tree *tree = &w->tree[t->tree];
+    struct wf_loads loads;
+    struct wf_solve_options options;
+    wf_param_apply(w->x, w->p, w->params, internal, t->tree, tree, &loads, &options);
+    struct bench k = { .w = w, .test = t, .wind = t->wind, .pull = { .segment = t->pull_row } };
+    if (t->load == WF_FIT_WIND) loads.wind = &k.wind;
+    if (t->load == WF_FIT_PULL) loads.point = &k.pull, loads.points = 1;
+    enum wf_status status = wf_beam_init(&k.beam, tree, &loads, &options, NULL, &w->scratch, e);
+    size_t n = tree->n, m = w->params;
+    k.ends = wf_arena_take(&w->scratch, n, sizeof *k.ends),
+    k.moved = wf_arena_take(&w->scratch, n, sizeof *k.ends);
+    k.node = wf_arena_take(&w->scratch, n, sizeof *k.node),
+    k.root = wf_arena_take(&w->scratch, n, sizeof *k.root);
+    if (status) return status;
+    if (!k.ends || !k.moved || !k.node || !k.root) return wf_fail(e, WF_ENOMEM, "no room for a solution");
+    bool rest = t->from_rest && loads.gravity > 0;
+    memset(w->rest, 0, t->sensors * sizeof *w->rest);
+    memset(w->rest_slope, 0, t->sensors * m * sizeof *w->rest_slope);
+    k.wind.speed = 0;
+    if (rest)
+        status =
+            state(&k, w->first_state[index] + t->states, internal, w->rest, slope ? w->rest_slope : NULL, e);
+    for (size_t i = 0; i < t->states && !status; i++) {
+        double u[3];
+        k.force = t->state[i].load;
+        k.wind.speed = t->load == WF_FIT_WIND ? t->state[i].load : 0;
+        if (t->load == WF_FIT_PULL) aim(&k, k.beam.pose[t->pull_row].r, u);
+        status = state(&k, w->first_state[index] + i, internal, w->other, slope ? w->other_slope : NULL, e);
+        for (; !status && *at < w->x->data && w->x->datum[*at].test == index && w->x->datum[*at].state == i;
+             ++*at) {
+            size_t s = w->x->datum[*at].sensor;
+            reading[*at] = w->other[s] - w->rest[s];
+            for (size_t p = 0; slope && p < m; p++)
+                slope[*at * m + p] = w->other_slope[s * m + p] - w->rest_slope[s * m + p];
+        }
+    }
+    return status;
+}
+
+/* The lowest frequency of a mode that moves the tree's top within 45 degrees of an azimuth. */
+static enum wf_status frequency(struct wf_predictor *w, size_t index, const struct wf_fit_sensor *s,
+                                const double *internal, double *out, struct wf_err *e)
+{
+    enum { MODES = 4 };
+    const struct wf_fit_test *t = &w->x->test[index];
+    struct wf_tree *tree = &w->tree[t->tree];
+    struct wf_loads loads;
+    struct wf_solve_options options;
+    double f[MODES];
+    size_t count = isnan(s->azimuth) ? 1 : MODES, top = 0;
+    wf_param_apply(w->x, w->p, w->params, internal, t->tree, tree, &loads, &options);
+    options.mesh_tolerance = 0;
+    double *shape = WF_TAKE(&w->scratch, count * 3 * tree->n, double);
+    if (!shape) return wf_fail(e, WF_ENOMEM, "no room for the modes");
+    enum wf_status status =
+        wf_modes(tree, &loads, &options, count, &w->scratch, f, count > 1 ? shape : NULL, e);
+    if (status) return status;
+    for (size_t i = 0; i < tree->n; i++)
+        if (!tree->level[i] && tree->z1[i] > tree->z1[top]) top = i;
+    *out = f[0];
+    for (size_t k = count; k-- > 0 && count > 1;) {
+        const double *v = shape + 3 * tree->n * k + 3 * top;
+        double along = v[0] * cos(s->azimuth) + v[1] * sin(s->azimuth);
+        if (2 * along * along >= v[0] * v[0] + v[1] * v[1] && f[k] > 0) *out = f[k];
+    }
+    if (!(*out > 0)) return wf_fail(e, WF_EUNSTABLE, "the tree does not stand under its own weight");
+    return WF_OK;
+}
+
+static enum wf_status sway_test(struct wf_predictor *w, size_t index, const double *internal, double *reading,
+                                double *slope, size_t *at, struct wf_err *e)
+{
+    const double step = 1e-3;
+    const struct wf_fit_test *t = &w->x->test[index];
+    double *x = WF_TAKE(&w->scratch, w->params, double), side[2];
+    if (!x) return wf_fail(e, WF_ENOMEM, "no room for a prediction");
+    enum wf_status status = WF_OK;
+    for (; !status && *at < w->x->data && w->x->datum[*at].test == index; ++*at) {
+        const struct wf_fit_sensor *s = &t->sensor[w->x->datum[*at].sensor];
+        double *row = slope ? slope + *at * w->params : NULL;
+        memcpy(x, internal, w->params * sizeof *x);
+        if (s->kind == WF_SENSOR_FREQUENCY) status = frequency(w, index, s, x, &reading[*at], e);
+        if (s->kind == WF_SENSOR_DAMPING) reading[*at] = 0;
+        for (size_t p = 0; p < w->params && !status; p++) {
+            bool damping =
+                w->p[p].quantity == WF_FIT_DAMPING && (w->p[p].tree < 0 || (size_t)w->p[p].tree == t->tree);
+            if (row) row[p] = 0;
+            if (s->kind == WF_SENSOR_DAMPING && damping) {
+                reading[*at] = exp(internal[p]);
+                if (row) row[p] = reading[*at];
+            }
+            if (s->kind != WF_SENSOR_FREQUENCY || !row || !wf_disturbs(&w->p[p], t->tree)) continue;
+            for (int k = 0; k < 2 && !status; k++) {
+                x[p] = internal[p] + (k ? step : -step);
+                status = frequency(w, index, s, x, &side[k], e);
+            }
+            x[p] = internal[p];
+            row[p] = (side[1] - side[0]) / (2 * step);
+        }
+    }
+    return status;
+}
+
+/* Zeros of sensors and their drift are added to what the engine says. */
+static void nuisance(const struct wf_predictor *w, const double *internal, double *reading, double *slope)
+{
+    for (size_t p = 0; p < w->params; p++) {
+        const struct wf_fit_param *q = &w->p[p];
+        if (!wf_param_nuisance(q)) continue;
+        for (size_t i = 0; i < w->x->data; i++) {
+            const struct wf_fit_datum *d = &w->x->datum[i];
+            if (d->test != q->test || d->sensor != q->sensor) continue;
+            double by =
+                q->unit * (q->quantity == WF_FIT_DRIFT ? w->x->test[d->test].state[d->state].time : 1);
+            reading[i] += by * internal[p];
+            if (slope) slope[i * w->params + p] = by;
+        }
+    }
+}
+
+enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double *reading, double *slope,
+                          struct wf_err *e)
+{
+    size_t at = 0;
+    enum wf_status status = WF_OK;
+    if (slope) memset(slope, 0, w->x->data * w->params * sizeof *slope);
+    for (size_t k = 0; k < w->x->tests && !status; k++) {
+        bool free = w->x->test[k].load == WF_FIT_FREE;
+        status = (free ? sway_test : static_test)(w, k, internal, reading, slope, &at, e);
+        wf_arena_free(&w->scratch);
+    }
+    if (!status) nuisance(w, internal, reading, slope);
+    return status;
+}

@@ -1,0 +1,26 @@
+#ifndef WF_FIT_PREDICT_PARTS_H
+#define WF_FIT_PREDICT_PARTS_H
+/* Inside the predictor: reading sensors off a solved beam, and what a parameter disturbs. */
+#include "fit/param.h"
+#include "solve/beam_newton.h"
+
+/* Reading of a sensor on the present shape, from the unloaded one [SI]. pull: azimuth of the load [rad]. */
+double wf_sensor_read(const struct wf_fit_sensor *s, const struct wf_beam *b);
+/* Change of that reading for changes of the element ends and of the ground force. */
+double wf_sensor_change(const struct wf_fit_sensor *s, const struct wf_beam *b, const double (*ends)[6],
+                        const double ground[6]);
+/* Its direct change with the logarithm of the radius, at a fixed axis. */
+double wf_sensor_by_radius(const struct wf_fit_sensor *s, const struct wf_beam *b);
+
+/* What a unit change of an internal value disturbs at fixed shape. */
+struct wf_disturber {
+    const struct wf_fit_tree *tree;
+    const struct wf_fit_param *param;
+    double internal;
+};
+struct wf_beam_disturbance;
+/* For wf_beam_answer_small; ctx is a struct wf_disturber. */
+void wf_disturb(const void *ctx, const struct wf_beam *b, size_t i, struct wf_beam_disturbance *out);
+/* Does the parameter act on this tree's statics at all, and by its elements (not only by its root)? */
+bool wf_disturbs(const struct wf_fit_param *p, size_t tree);
+#endif

@@ -1,0 +1,145 @@
+/* Sensors on a bent stem. */
+#include "fit/predict_parts.h"
+#include "solve/vec.h"
+
+/* A place of the stem: bent pose, and place and axis of the unloaded stem. */
+struct place {
+    struct wf_beam_pose pose;
+    double at[3], axis[3], radius;
+};
+
+static void place_of(const struct wf_beam *b, int32_t row, struct place *p)
+{
+    const struct wf_tree *t = b->mesh.tree;
+    size_t i = row < 0 ? 0 : (size_t)row;
+    wf_row_axis(t, i, row < 0 ? 0 : 1, p->at, p->axis);
+    p->radius = row < 0 ? t->r0[i] : t->r1[i];
+    if (row < 0)
+        wf_beam_ground(b, 0, &p->pose);
+    else
+        p->pose = b->pose[b->mesh.last[i]];
+}
+
+/* Change (place, spin) of a place. */
+static const double *change_of(const struct wf_beam *b, int32_t row, const double (*ends)[6])
+{
+    return row < 0 ? b->root_change[0] : ends[b->mesh.last[row]];
+}
+
+static void azimuth_of(const struct wf_fit_sensor *s, double d[3])
+{
+    d[0] = cos(s->azimuth), d[1] = sin(s->azimuth), d[2] = 0;
+}
+
+/* From the axis to the fibre under a gauge, at right angles to the axis. */
+static void fibre(const struct wf_fit_sensor *s, const struct place *p, double out[3])
+{
+    double d[3], size;
+    azimuth_of(s, d);
+    v3_add(d, -wf_dot(d, p->axis), p->axis);
+    size = sqrt(wf_dot(d, d));
+    for (int i = 0; i < 3; i++) out[i] = size > 0 ? p->radius * d[i] / size : 0;
+}
+
+/* The gauge: span from its lower to its upper end, bent and unloaded, and the bent lever arms. */
+struct gauge {
+    double bent[3], rest[3], arm[2][3], lever[2][3], bent_length, rest_length;
+};
+static void gauge_of(const struct wf_fit_sensor *s, const struct wf_beam *b, struct gauge *g)
+{
+    struct place p[2];
+    place_of(b, s->low_row, &p[0]);
+    place_of(b, s->row, &p[1]);
+    for (int k = 0; k < 2; k++) {
+        fibre(s, &p[k], g->lever[k]);
+        m3_apply(p[k].pose.L, g->lever[k], g->arm[k]);
+    }
+    for (int i = 0; i < 3; i++) {
+        g->bent[i] = p[1].pose.r[i] + g->arm[1][i] - p[0].pose.r[i] - g->arm[0][i];
+        g->rest[i] = p[1].at[i] + g->lever[1][i] - p[0].at[i] - g->lever[0][i];
+    }
+    g->bent_length = sqrt(wf_dot(g->bent, g->bent));
+    g->rest_length = sqrt(wf_dot(g->rest, g->rest));
+}
+
+double wf_sensor_read(const struct wf_fit_sensor *s, const struct wf_beam *b)
+{
+    struct place p;
+    double d[3], a[3], moved[3];
+    azimuth_of(s, d);
+    if (s->kind == WF_SENSOR_MOMENT) return b->base.m[1] * d[0] - b->base.m[0] * d[1];
+    if (s->kind == WF_SENSOR_STRAIN || s->kind == WF_SENSOR_EXTENSION) {
+        struct gauge g;
+        gauge_of(s, b, &g);
+        double more = g.bent_length - g.rest_length;
+        return s->kind == WF_SENSOR_STRAIN ? more / g.rest_length : more;
+    }
+    place_of(b, s->row, &p);
+    for (int i = 0; i < 3; i++) moved[i] = p.pose.r[i] - p.at[i];
+    m3_apply(p.pose.L, p.axis, a);
+    switch (s->kind) {
+    case WF_SENSOR_HORIZONTAL:
+        return hypot(moved[0], moved[1]);
+    case WF_SENSOR_VERTICAL:
+        return moved[2];
+    case WF_SENSOR_TILT:
+        return atan2(wf_dot(a, d), a[2]) - atan2(wf_dot(p.axis, d), p.axis[2]);
+    default:
+        return wf_dot(moved, d);
+    }
+}
+
+static double gauge_change(const struct wf_fit_sensor *s, const struct wf_beam *b, const double (*ends)[6])
+{
+    struct gauge g;
+    double by[3] = { 0, 0, 0 }, turned[3];
+    gauge_of(s, b, &g);
+    const double *low = change_of(b, s->low_row, ends), *high = change_of(b, s->row, ends);
+    wf_cross(high + 3, g.arm[1], turned);
+    v3_add(by, 1, high), v3_add(by, 1, turned);
+    wf_cross(low + 3, g.arm[0], turned);
+    v3_add(by, -1, low), v3_add(by, -1, turned);
+    double longer = wf_dot(g.bent, by) / g.bent_length;
+    return s->kind == WF_SENSOR_STRAIN ? longer / g.rest_length : longer;
+}
+
+double wf_sensor_change(const struct wf_fit_sensor *s, const struct wf_beam *b, const double (*ends)[6],
+                        const double ground[6])
+{
+    struct place p;
+    double d[3], a[3], turned[3], along, up;
+    azimuth_of(s, d);
+    if (s->kind == WF_SENSOR_MOMENT) return ground[4] * d[0] - ground[3] * d[1];
+    if (s->kind == WF_SENSOR_STRAIN || s->kind == WF_SENSOR_EXTENSION) return gauge_change(s, b, ends);
+    place_of(b, s->row, &p);
+    const double *c = change_of(b, s->row, ends);
+    double x = p.pose.r[0] - p.at[0], y = p.pose.r[1] - p.at[1], far = hypot(x, y);
+    switch (s->kind) {
+    case WF_SENSOR_HORIZONTAL:
+        return far > 0 ? (x * c[0] + y * c[1]) / far : hypot(c[0], c[1]);
+    case WF_SENSOR_VERTICAL:
+        return c[2];
+    case WF_SENSOR_TILT:
+        m3_apply(p.pose.L, p.axis, a);
+        wf_cross(c + 3, a, turned);
+        along = wf_dot(a, d), up = a[2];
+        return (up * wf_dot(turned, d) - along * turned[2]) / (along * along + up * up);
+    default:
+        return wf_dot(c, d);
+    }
+}
+
+double wf_sensor_by_radius(const struct wf_fit_sensor *s, const struct wf_beam *b)
+{
+    if (s->kind != WF_SENSOR_STRAIN && s->kind != WF_SENSOR_EXTENSION) return 0;
+    struct gauge g;
+    double by[3], rest[3];
+    gauge_of(s, b, &g);
+    for (int i = 0; i < 3; i++) {
+        by[i] = g.arm[1][i] - g.arm[0][i];
+        rest[i] = g.lever[1][i] - g.lever[0][i];
+    }
+    double longer = wf_dot(g.bent, by) / g.bent_length, longer_rest = wf_dot(g.rest, rest) / g.rest_length;
+    if (s->kind == WF_SENSOR_EXTENSION) return longer - longer_rest;
+    return (longer - longer_rest * g.bent_length / g.rest_length) / g.rest_length;
+}

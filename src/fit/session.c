@@ -1,0 +1,132 @@
+#include "fit/session.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum wf_status wf_session_open(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
+                               const struct wf_fit_options *o, struct wf_arena *a, struct wf_session *s,
+                               struct wf_err *e)
+{
+    *s = (struct wf_session){ .x = x, .p = p, .n = n, .o = o };
+    for (size_t k = 0; k < n; k++) s->priors += o->priors && p[k].prior_sd > 0;
+    size_t m = x->data;
+    s->sigma = WF_TAKE(a, m, double), s->internal = WF_TAKE(a, n, double), s->held = WF_TAKE(a, n, bool);
+    s->low = WF_TAKE(a, n, double), s->high = WF_TAKE(a, n, double);
+    s->reading = WF_TAKE(a, m, double), s->slope = WF_TAKE(a, m * n, double);
+    s->start = WF_TAKE(a, n, double), s->free_low = WF_TAKE(a, n, double),
+    s->free_high = WF_TAKE(a, n, double);
+    if (!s->sigma || !s->internal || !s->held || !s->low || !s->high || !s->reading || !s->slope ||
+        !s->start || !s->free_low || !s->free_high)
+        return wf_fail(e, WF_ENOMEM, "no room for the fit of %zu readings", m);
+    for (size_t k = 0; k < n; k++) {
+        s->low[k] = wf_param_internal(&p[k], p[k].low);
+        s->high[k] = wf_param_internal(&p[k], p[k].high);
+        s->internal[k] = wf_param_internal(&p[k], p[k].start);
+    }
+    for (size_t i = 0; i < m; i++) s->sigma[i] = x->datum[i].sigma;
+    return wf_predictor_open(x, p, n, a, &s->predictor, e);
+}
+
+void wf_session_close(struct wf_session *s)
+{
+    if (s->predictor) wf_predictor_close(s->predictor);
+}
+
+static bool model(void *ctx, const double *packed, double *residual, double *jacobian)
+{
+    struct wf_session *s = ctx;
+    size_t m = s->x->data, row = m, column = 0, wide = 0;
+    for (size_t k = 0; k < s->n; k++)
+        if (!s->held[k]) s->internal[k] = packed[wide++];
+    s->model = (struct wf_err){ 0 };
+    if (wf_predict(s->predictor, s->internal, s->reading, jacobian ? s->slope : NULL, &s->model))
+        return false;
+    for (size_t i = 0; i < m; i++) {
+        double w = sqrt(s->x->datum[i].weight) / s->sigma[i];
+        residual[i] = w * (s->reading[i] - s->x->datum[i].value);
+        column = 0;
+        for (size_t k = 0; jacobian && k < s->n; k++)
+            if (!s->held[k]) jacobian[i * wide + column++] = w * s->slope[i * s->n + k];
+    }
+    column = 0;
+    for (size_t k = 0; k < s->n; k++) {
+        bool prior = s->o->priors && s->p[k].prior_sd > 0;
+        if (prior) {
+            residual[row] = (s->internal[k] - s->p[k].prior_mean) / s->p[k].prior_sd;
+            for (size_t c = 0; jacobian && c < wide; c++) jacobian[row * wide + c] = 0;
+            if (jacobian && !s->held[k]) jacobian[row * wide + column] = 1 / s->p[k].prior_sd;
+            row++;
+        }
+        column += !s->held[k];
+    }
+    return true;
+}
+
+static bool progress(void *ctx, size_t iteration, double cost)
+{
+    const struct wf_session *s = ctx;
+    return s->o->progress && s->o->progress(s->o->progress_ctx, iteration, cost);
+}
+
+/* Nothing is free: the cost alone. */
+static enum wf_status evaluate(struct wf_session *s, struct wf_lsq_result *out, struct wf_err *e)
+{
+    *out = (struct wf_lsq_result){ .converged = true };
+    if (wf_predict(s->predictor, s->internal, s->reading, NULL, e)) return e->code;
+    for (size_t i = 0; i < s->x->data; i++) {
+        double r = (s->reading[i] - s->x->datum[i].value) / s->sigma[i] * sqrt(s->x->datum[i].weight);
+        double u2 = r * r / (s->scale * s->scale), a2 = s->scale * s->scale;
+        double rho = r * r;
+        if (s->o->loss == WF_LOSS_HUBER && u2 > 1) rho = 2 * s->scale * fabs(r) - a2;
+        if (s->o->loss == WF_LOSS_CAUCHY) rho = a2 * log1p(u2);
+        if (s->o->loss == WF_LOSS_TUKEY) rho = a2 / 3 * (u2 < 1 ? 1 - pow(1 - u2, 3) : 1);
+        out->cost += 0.5 * rho;
+    }
+    for (size_t k = 0; k < s->n; k++)
+        if (s->o->priors && s->p[k].prior_sd > 0) {
+            double r = (s->internal[k] - s->p[k].prior_mean) / s->p[k].prior_sd;
+            out->cost += 0.5 * r * r;
+        }
+    return WF_OK;
+}
+
+enum wf_status wf_session_solve(struct wf_session *s, struct wf_lsq_result *out, struct wf_err *e)
+{
+    struct wf_lsq q = { .residuals = s->x->data + s->priors,
+                        .low = s->free_low,
+                        .high = s->free_high,
+                        .model = model,
+                        .progress = progress,
+                        .ctx = s,
+                        .loss = s->o->loss,
+                        .loss_scale = s->scale,
+                        .plain = s->priors };
+    for (size_t k = 0; k < s->n; k++) {
+        if (s->held[k]) continue;
+        s->start[q.params] = s->internal[k];
+        s->free_low[q.params] = s->low[k], s->free_high[q.params++] = s->high[k];
+    }
+    if (!q.params) return evaluate(s, out, e);
+    enum wf_status status = wf_lsq_solve(&q, s->start, out, e);
+    if (status == WF_EINPUT && s->model.code && e)
+        snprintf(e->text, sizeof e->text, "at the start values: %.900s", s->model.text);
+    for (size_t k = 0, c = 0; k < s->n; k++)
+        if (!s->held[k]) s->internal[k] = s->start[c++];
+    return status;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+double wf_robust_sd(const double *x, size_t n, double *scratch)
+{
+    if (!n) return 0;
+    for (size_t i = 0; i < n; i++) scratch[i] = fabs(x[i]);
+    qsort(scratch, n, sizeof *scratch, ascending);
+    double middle = n % 2 ? scratch[n / 2] : 0.5 * (scratch[n / 2 - 1] + scratch[n / 2]);
+    return 1.4826 * middle;
+}

@@ -1,0 +1,41 @@
+#ifndef WF_FIT_SESSION_H
+#define WF_FIT_SESSION_H
+/* Inside a fit: residuals for the solver of least squares, with some parameters held. */
+#include "fit/fit.h"
+#include "fit/predict.h"
+
+struct wf_session {
+    struct wf_experiment *x;
+    const struct wf_fit_param *p;
+    size_t n, priors; /* parameters; residuals of priors behind those of the data */
+    const struct wf_fit_options *o;
+    struct wf_predictor *predictor;
+    double *sigma;    /* per datum, as it takes part                              */
+    double *internal; /* all parameters                                           */
+    bool *held;
+    double *low, *high; /* internal bounds                                          */
+    double *reading, *slope;
+    double *start, *free_low, *free_high; /* scratch of the solver, packed             */
+    double scale;                         /* of the loss, in sigma                                    */
+    struct wf_err model;                  /* why the model last had no answer                         */
+};
+
+enum wf_status wf_session_open(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
+                               const struct wf_fit_options *o, struct wf_arena *a, struct wf_session *s,
+                               struct wf_err *e);
+void wf_session_close(struct wf_session *s);
+/* Minimise over the parameters that are not held, from s->internal to s->internal. cost: half the sum. */
+enum wf_status wf_session_solve(struct wf_session *s, struct wf_lsq_result *out, struct wf_err *e);
+/* Robust standard deviation 1.4826 MAD of n numbers (about 0); scratch: n. */
+double wf_robust_sd(const double *x, size_t n, double *scratch);
+
+/* Parts of wf_fit_run; they fill *out from a session at its optimum. */
+enum wf_status wf_fit_spread(struct wf_session *s, struct wf_fit *out, struct wf_arena *a, struct wf_err *e);
+enum wf_status wf_fit_covariance(struct wf_session *s, struct wf_fit *out, struct wf_arena *a,
+                                 struct wf_err *e);
+enum wf_status wf_fit_loose(struct wf_fit *out, struct wf_arena *a, struct wf_err *e);
+enum wf_status wf_fit_profiles(struct wf_session *s, struct wf_fit *out, struct wf_arena *a,
+                               struct wf_err *e);
+enum wf_status wf_fit_resample(struct wf_session *s, struct wf_fit *out, struct wf_arena *a,
+                               struct wf_err *e);
+#endif
