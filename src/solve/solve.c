@@ -1,6 +1,7 @@
 #include "solve/solve.h"
 #include "solve/beam.h"
 #include "solve/chain.h"
+#include "solve/deflect.h"
 #include "solve/rod.h"
 #include <string.h>
 
@@ -10,6 +11,8 @@ const struct wf_solver *const wf_solvers[] = { &wf_solver_beam,
                                                &wf_solver_chain_as_printed,
                                                &wf_solver_rod,
                                                &wf_solver_rod_as_printed,
+                                               &wf_solver_deflect,
+                                               &wf_solver_deflect_as_printed,
                                                NULL };
 
 const struct wf_solver *wf_solver_named(const char *name)

@@ -1,0 +1,246 @@
+#include "solve/deflect.h"
+#include "load/cylinder.h"
+#include "solve/vec.h"
+
+#define PI 3.14159265358979323846
+
+static double middle(double a, double b) { return 0.5 * (a + b); }
+
+static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i, struct wf_deflect_row *o)
+{
+    const double base[3] = { t->x0[i], t->y0[i], t->z0[i] }, end[3] = { t->x1[i], t->y1[i], t->z1[i] };
+    double x[3], du[9], r = middle(t->r0[i], t->r1[i]), q = middle(t->i0[i], t->i1[i]);
+    double inertia = 0.25 * PI * (r * r * r * r - q * q * q * q);
+    double half = 0.5 * l->air_density * l->wind_scale;
+    o->parent = t->parent[i];
+    for (int k = 0; k < 3; k++) o->axis[k] = end[k] - base[k], x[k] = middle(base[k], end[k]);
+    o->length = sqrt(wf_dot(o->axis, o->axis));
+    for (int k = 0; k < 3; k++) o->axis[k] /= o->length, o->base[k] = base[k];
+    if (o->parent >= 0) {
+        o->base[0] -= t->x1[o->parent], o->base[1] -= t->y1[o->parent], o->base[2] -= t->z1[o->parent];
+    }
+    if (l->wind) l->wind->sample(l->wind, x, o->wind, du);
+    o->drag = isnan(t->drag[i]) ? -half * 2 * r * o->length : half * t->drag[i] * 2 * r * o->length;
+    o->lift = half * t->lift[i] * 2 * r * o->length;
+    o->sail = half * middle(t->sail0[i], t->sail1[i]) * o->length;
+    o->weight = l->gravity * l->weight_scale * o->length *
+                (t->density[i] * PI * (r * r - q * q) + middle(t->burden0[i], t->burden1[i]));
+    o->bend = 1 / (t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia);
+    o->twist = 1 / (t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia);
+    o->radius = r;
+    o->printed = 4 * o->length * o->length / (3 * PI * t->youngs[i] * r * r * r);
+}
+
+enum wf_status wf_deflect_open(const struct wf_tree *t, const struct wf_loads *l,
+                               const struct wf_deflect_scheme *scheme, struct wf_arena *a,
+                               struct wf_deflect *d, struct wf_err *e)
+{
+    if (!(scheme->restoring >= 0 && scheme->restoring < 1))
+        return wf_fail(e, WF_EUSAGE,
+                       "restoring factor k = %.6g is outside 0 <= k < 1: F(t) = F_1 - k F(t-1) settles to "
+                       "F_1/(1 + k) only below 1; from 1 on it swings for ever or grows without limit",
+                       scheme->restoring);
+    if (!(scheme->damping >= 0))
+        return wf_fail(e, WF_EUSAGE, "damping factor %.6g N s2 is negative: it would drive the motion",
+                       scheme->damping);
+    *d = (struct wf_deflect){ .scheme = *scheme, .loads = l, .n = t->n };
+    d->row = WF_TAKE(a, t->n, struct wf_deflect_row);
+    d->turn = wf_arena_take(a, t->n, sizeof *d->turn);
+    d->end = wf_arena_take(a, t->n, sizeof *d->end);
+    d->chord = wf_arena_take(a, t->n, sizeof *d->chord);
+    d->force = wf_arena_take(a, t->n, sizeof *d->force);
+    d->above = wf_arena_take(a, t->n, sizeof *d->above);
+    d->angle = WF_TAKE(a, t->n, double);
+    d->spin = WF_TAKE(a, t->n, double);
+    if (!d->row || !d->turn || !d->end || !d->chord || !d->force || !d->above || !d->angle || !d->spin)
+        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    for (size_t i = 0; i < t->n; i++) describe(t, l, i, &d->row[i]);
+    return WF_OK;
+}
+
+/* Wind's force on a row of direction t (eqs 1 and 2): drag and lift of the area seen across it, crown drag
+ * along the wind. */
+static void wind_force(const struct wf_loads *l, const struct wf_deflect_row *o, double gust,
+                       const double t[3], double f[3])
+{
+    double u[3], n[3], b[3];
+    for (int k = 0; k < 3; k++) u[k] = gust * o->wind[k];
+    double along = wf_dot(u, t);
+    for (int k = 0; k < 3; k++) n[k] = u[k] - along * t[k];
+    double across = sqrt(wf_dot(n, n)), drag = o->drag;
+    if (drag < 0) {
+        double slope;
+        drag *= -wf_cylinder_drag(across, 2 * o->radius, l->air_viscosity, &slope);
+    }
+    for (int k = 0; k < 3; k++) f[k] = drag * across * n[k];
+    if (o->lift > 0 || o->lift < 0) {
+        wf_cross(t, n, b);
+        v3_add(f, o->lift * across, b);
+    }
+    if (o->sail > 0) {
+        double speed = sqrt(wf_dot(u, u)), share = 1, slope;
+        if (l->streamline) share = l->streamline->share(&l->streamline_par, speed, &slope);
+        v3_add(f, o->sail * share * speed, u);
+    }
+}
+
+/* R' = turn by the angle of sine s and cosine c about the unit axis a, times R */
+static void turn_by(const double a[3], double s, double c, const double R[9], double out[9])
+{
+    for (int j = 0; j < 3; j++) {
+        double x = R[j], y = R[3 + j], z = R[6 + j], along = (1 - c) * (a[0] * x + a[1] * y + a[2] * z);
+        out[j] = c * x + s * (a[1] * z - a[2] * y) + along * a[0];
+        out[3 + j] = c * y + s * (a[2] * x - a[0] * z) + along * a[1];
+        out[6 + j] = c * z + s * (a[0] * y - a[1] * x) + along * a[2];
+    }
+}
+
+static const double upright[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+
+static const double *stand(const struct wf_deflect *d, size_t i, double at[3])
+{
+    const struct wf_deflect_row *o = &d->row[i];
+    memcpy(at, o->base, 3 * sizeof *at);
+    if (o->parent < 0) return upright;
+    m3_apply(d->turn[o->parent], o->base, at);
+    v3_add(at, 1, d->end[o->parent]);
+    return d->turn[o->parent];
+}
+
+/* Hold delta/L at 1 and remember. */
+static double bounded(struct wf_deflect *d, size_t i, double ratio)
+{
+    if (ratio > d->worst_ratio) d->worst_ratio = ratio, d->worst = (int32_t)i;
+    if (ratio <= 1) return ratio;
+    d->clamped++;
+    return 1;
+}
+
+static void remember(struct wf_deflect *d, size_t i, double sine, double step)
+{
+    if (!(d->scheme.damping > 0)) return;
+    double angle = asin(sine);
+    d->spin[i] = step > 0 ? (angle - d->angle[i]) / step : 0;
+    d->angle[i] = angle;
+}
+
+static void frame_printed(struct wf_deflect *d, double gust, double step)
+{
+    for (size_t i = 0; i < d->n; i++) {
+        const struct wf_deflect_row *o = &d->row[i];
+        double at[3], t[3], f[3], side[3], hinge[3] = { 1, 0, 0 };
+        const double *base = stand(d, i, at);
+        m3_apply(base, o->axis, t);
+        wind_force(d->loads, o, gust, t, f);
+        v3_add(f, -d->scheme.restoring, d->force[i]);
+        v3_add(f, d->scheme.damping * d->spin[i] * d->spin[i], t);
+        memcpy(d->force[i], f, sizeof f);
+        wf_cross(t, f, side); /* |side| = F_Y, along the hinge */
+        double across = sqrt(wf_dot(side, side)), sine = bounded(d, i, o->printed * across);
+        for (int k = 0; across > 0 && k < 3; k++) hinge[k] = side[k] / across;
+        turn_by(hinge, sine, sqrt(1 - sine * sine), base, d->turn[i]);
+        m3_apply(d->turn[i], o->axis, d->chord[i]);
+        for (int k = 0; k < 3; k++) d->end[i][k] = at[k] + o->length * d->chord[i][k];
+        remember(d, i, sine, step);
+    }
+}
+
+/* Force on the row with the damping of its last motion, against the bending and never beyond it. */
+static void damp(const struct wf_deflect *d, size_t i, double f[3])
+{
+    double spin = d->spin[i], against = d->scheme.damping * spin * fabs(spin), side[3];
+    if (!(fabs(against) > 0)) return;
+    double along = wf_dot(f, d->row[i].axis);
+    for (int k = 0; k < 3; k++) side[k] = f[k] - along * d->row[i].axis[k];
+    double size = sqrt(wf_dot(side, side));
+    if (size > 0) v3_add(f, -fmin(fmax(against / size, -1), 1), side);
+}
+
+/* Tips to root on the unbent tree: what is above each row's end. */
+static void hand_down(struct wf_deflect *d, double gust)
+{
+    const struct wf_loads *l = d->loads;
+    memset(d->above, 0, d->n * sizeof *d->above);
+    for (size_t k = 0; k < l->points; k++) {
+        v3_add(d->above[l->point[k].segment], l->point_scale, l->point[k].force);
+        v3_add(d->above[l->point[k].segment] + 3, l->point_scale, l->point[k].moment);
+    }
+    for (size_t i = d->n; i-- > 0;) {
+        const struct wf_deflect_row *o = &d->row[i];
+        const double *P = d->above[i];
+        double *f = d->force[i], lever[3], total[3], below[3];
+        wind_force(l, o, gust, o->axis, f);
+        f[2] -= o->weight;
+        if (l->line)
+            for (size_t k = 0; k < 3; k++)
+                f[k] += l->point_scale * o->length * middle(l->line[6 * i + k], l->line[6 * i + 3 + k]);
+        damp(d, i, f);
+        if (o->parent < 0) continue;
+        for (int k = 0; k < 3; k++) total[k] = P[k] + f[k], lever[k] = o->length * (P[k] + 0.5 * f[k]);
+        v3_add(d->above[o->parent], 1, total);
+        v3_add(d->above[o->parent] + 3, 1, P + 3);
+        wf_cross(o->axis, lever, below);
+        v3_add(d->above[o->parent] + 3, 1, below);
+        wf_cross(o->base, total, below);
+        v3_add(d->above[o->parent] + 3, 1, below);
+    }
+}
+
+/* Sine and cosine of a small angle to rounding where it is small, by the library elsewhere. */
+static inline void sine_cosine(double x, double *s, double *c)
+{
+    double y = x * x;
+    if (y < 0.01) {
+        *s = x * (1 - y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72))));
+        *c = 1 - y / 2 * (1 - y / 12 * (1 - y / 30 * (1 - y / 56 * (1 - y / 90))));
+    } else {
+        *s = sin(x), *c = cos(x);
+    }
+}
+
+static void frame_corrected(struct wf_deflect *d, double gust, double step)
+{
+    hand_down(d, gust);
+    for (size_t i = 0; i < d->n; i++) {
+        const struct wf_deflect_row *o = &d->row[i];
+        const double *P = d->above[i], *m = d->above[i] + 3, *f = d->force[i];
+        double at[3], push[3], slope[3], hinge[3], chord[3], turn[3], L = o->length, s, c;
+        const double *base = stand(d, i, at);
+        /* cantilever: end force P, spread force f, end moment m */
+        for (int k = 0; k < 3; k++)
+            push[k] = o->bend * L * L * (P[k] / 3 + f[k] / 8),
+            slope[k] = o->bend * L * L * (P[k] / 2 + f[k] / 6);
+        wf_cross(o->axis, push, chord);
+        wf_cross(o->axis, slope, turn);
+        double twist = wf_dot(m, o->axis);
+        for (int k = 0; k < 3; k++) {
+            double across = m[k] - twist * o->axis[k];
+            chord[k] += 0.5 * o->bend * L * across;
+            turn[k] += o->bend * L * across + o->twist * L * twist * o->axis[k];
+        }
+        double ratio = sqrt(wf_dot(chord, chord)), sine = bounded(d, i, ratio), lean[3], side[3];
+        for (int k = 0; k < 3; k++) hinge[k] = ratio > 0 ? chord[k] / ratio : 0;
+        wf_cross(hinge, o->axis, side);
+        double cosine = sqrt(1 - sine * sine);
+        for (int k = 0; k < 3; k++) lean[k] = cosine * o->axis[k] + sine * side[k];
+        m3_apply(base, lean, d->chord[i]);
+        for (int k = 0; k < 3; k++) d->end[i][k] = at[k] + L * d->chord[i][k];
+        double angle = sqrt(wf_dot(turn, turn)), swing[9];
+        for (int k = 0; k < 3; k++) hinge[k] = angle > 0 ? turn[k] / angle : 0;
+        sine_cosine(angle, &s, &c);
+        turn_by(hinge, s, c, upright, swing);
+        m3_mul(base, swing, d->turn[i]);
+        remember(d, i, sine, step);
+    }
+}
+
+void wf_deflect_frame(struct wf_deflect *d, double gust, double step)
+{
+    d->clamped = 0;
+    d->worst = -1;
+    d->worst_ratio = 0;
+    if (d->scheme.printed)
+        frame_printed(d, gust, step);
+    else
+        frame_corrected(d, gust, step);
+}
