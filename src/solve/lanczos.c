@@ -183,12 +183,13 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
         }
         k.used = whole;
         from = done;
-        if ((done >= l->wanted && worst <= l->tolerance) || whole == done) {
-            k.used = done;
-            status = WF_OK;
-            break;
-        }
+        if (whole > done && !(done >= l->wanted && worst <= l->tolerance)) continue;
+        /* settled; or nothing new came: the space holds all there is, unless it is only full */
+        if (worst <= l->tolerance || whole < k.most || k.most == l->size) status = WF_OK;
+        k.used = done;
+        break;
     }
+    if (!k.used) status = WF_OK; /* nothing moves at all */
     gsl_set_error_handler(handler);
     if (status == WF_ENOMEM) return status;
     for (size_t i = 0; i < l->wanted; i++) {
