@@ -1,0 +1,250 @@
+/* Speed and memory of the structural engine. Times are processor time of this process, the best of several
+ * runs; ratios are taken within one run, so that they hold on a busy machine too. */
+#include "beam_cases.h"
+#include "solve/modes.h"
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <time.h>
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Rows "id,parent,x0,y0,z0,x1,y1,z1,radius0,radius1,level", parent 0 = ground. */
+static bool read_tree(struct beam_case *c, const char *path, size_t n)
+{
+    FILE *f = fopen(path, "r");
+    if (!f) return false;
+    bool ok = fscanf(f, "%*[^\n]") == 0;
+    beam_new(c, n);
+    for (size_t i = 0; i < n && ok; i++) {
+        int id, parent;
+        double a[3], b[3], r[2];
+        ok = fscanf(f, "%d,%d,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%lf,%*d", &id, &parent, a, a + 1, a + 2, b, b + 1,
+                    b + 2, r, r + 1) == 10;
+        if (ok) beam_row(c, i, parent - 1, a, b, r[0], r[1]);
+    }
+    fclose(f);
+    if (!ok) beam_free(c);
+    return ok;
+}
+
+/* A tree of four rows a branch, each branch ending in three: 3^8 of the last level and more. */
+static void grow_tree(struct beam_case *c, size_t n)
+{
+    uint64_t seed = 5;
+    beam_new(c, n);
+    struct wf_tree *t = &c->tree;
+    for (size_t branch = 0; 4 * branch < n; branch++) {
+        size_t first = 4 * branch, below = branch ? 4 * ((branch - 1) / 3) + 3 : 0, level = 0;
+        for (size_t b = branch; b; b = (b - 1) / 3) level++;
+        double r0 = 0.3 * pow(0.5, (double)level), length = 7 * pow(0.66, (double)level), d[3] = { 0, 0, 1 },
+               size = 0;
+        for (int k = 0; k < 3; k++) d[k] += level ? 0.9 * beam_random(&seed) : 0, size += d[k] * d[k];
+        for (size_t k = 0; k < 4 && first + k < n; k++) {
+            size_t i = first + k, under = k ? i - 1 : below;
+            double a[3] = { 0, 0, 0 }, b[3];
+            if (i) a[0] = t->x1[under], a[1] = t->y1[under], a[2] = t->z1[under];
+            for (int j = 0; j < 3; j++) b[j] = a[j] + length / 4 * d[j] / sqrt(size);
+            double s = (double)k / 4;
+            beam_row(c, i, i ? (int32_t)under : -1, a, b, r0 * (1 - 0.4 * s), r0 * (0.9 - 0.4 * s));
+        }
+    }
+}
+
+/* One Newton iteration at the present state, by the parts wf_beam_newton is made of: linearise and eliminate
+ * tips to base, correct and place base to tips. */
+static void iterate(struct wf_beam *b)
+{
+    wf_beam_sweep_down(b, true, NULL);
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        const struct wf_beam_part *p = &b->mesh.part[i];
+        struct wf_beam_pose ground;
+        const double *L = ground.L, *below = b->root_change[p->row];
+        if (p->parent >= 0)
+            L = b->pose[p->parent].L, below = b->change[p->parent];
+        else
+            wf_beam_ground(b, i, &ground);
+        wf_beam_correct(&b->shape[i], L, &b->answer[i], &b->node[i], below, b->dv[i], b->change[i]);
+    }
+    for (size_t i = 0; i < b->mesh.n; i++)
+        for (int k = 0; k < 6; k++) b->shape[i].v[k / 3][k % 3] += b->dv[i][k / 3][k % 3];
+    wf_beam_sweep_up(b);
+}
+
+/* The least any direct solver of six unknowns a node can do on this tree: from the tips down, factor a 6 x 6
+ * block, carry its Schur complement to the parent; then substitute back. */
+struct block {
+    double D[6][6], C[6][6], f[6]; /* own block, coupling to the parent, right-hand side */
+};
+
+static void factor(double D[6][6], double B[6][7])
+{
+    for (int c = 0; c < 6; c++) {
+        double inverse = 1 / D[c][c];
+        for (int r = c + 1; r < 6; r++) {
+            double m = D[r][c] * inverse;
+            for (int k = c + 1; k < 6; k++) D[r][k] -= m * D[c][k];
+            for (int k = 0; k < 7; k++) B[r][k] -= m * B[c][k];
+        }
+    }
+    for (int c = 6; c-- > 0;)
+        for (int k = 0; k < 7; k++) {
+            for (int r = c + 1; r < 6; r++) B[c][k] -= D[c][r] * B[r][k];
+            B[c][k] /= D[c][c];
+        }
+}
+
+static double floor_of(const struct wf_beam *b, struct block *block, double (*x)[7 * 6])
+{
+    size_t n = b->mesh.n;
+    for (size_t i = 0; i < n; i++)
+        for (int r = 0; r < 6; r++) {
+            for (int c = 0; c < 6; c++)
+                block[i].D[r][c] = (r == c ? 30 : 0) + 0.1 * (r - 2 * c),
+                block[i].C[r][c] = 1 + 0.1 * (c - r);
+            block[i].f[r] = r;
+        }
+    double start = now();
+    for (size_t i = n; i-- > 0;) {
+        double B[6][7];
+        for (int r = 0; r < 6; r++) {
+            for (int c = 0; c < 6; c++) B[r][c] = block[i].C[r][c];
+            B[r][6] = block[i].f[r];
+        }
+        factor(block[i].D, B);
+        memcpy(x[i], B, sizeof B);
+        int32_t p = b->mesh.part[i].parent;
+        if (p < 0) continue;
+        for (int r = 0; r < 6; r++)
+            for (int m = 0; m < 6; m++) {
+                for (int c = 0; c < 6; c++) block[p].D[r][c] -= block[i].C[m][r] * B[m][c];
+                block[p].f[r] -= block[i].C[m][r] * B[m][6];
+            }
+    }
+    for (size_t i = 0; i < n; i++) {
+        int32_t p = b->mesh.part[i].parent;
+        for (int r = 0; r < 6; r++) {
+            double sum = x[i][7 * r + 6];
+            for (int c = 0; c < 6 && p >= 0; c++) sum -= x[i][7 * r + c] * block[p].f[c];
+            block[i].f[r] = sum;
+        }
+    }
+    return now() - start;
+}
+
+static double per_element[3];
+
+static void measure(struct beam_case *c, const char *name, double speed, int which)
+{
+    const int repeats = which == 2 ? 5 : 20, runs = which == 2 ? 3 : 7;
+    size_t n = c->tree.n, before = c->arena.used;
+    c->options.mesh_tolerance = 0;
+    c->loads.gravity = 9.81;
+    beam_blow(c, speed, 0, 0);
+    struct wf_beam b;
+    struct wf_beam_outcome out = { 0 };
+    double rest = INFINITY, one = INFINITY, plain = INFINITY;
+    size_t bytes = 0;
+    struct wf_arena a = { 0 };
+    for (int k = 0; k < runs; k++) {
+        wf_arena_free(&a);
+        double start = now();
+        wf_beam_init(&b, &c->tree, &c->loads, &c->options, NULL, &a, &c->err);
+        if (wf_beam_settle(&b, &a, &out, &c->err)) printf("%s: %s\n", name, c->err.text);
+        rest = fmin(rest, now() - start);
+        bytes = a.used;
+    }
+    size_t iterations = b.iterations, steps = b.steps;
+    struct block *block = WF_TAKE(&a, n, struct block);
+    double(*x)[42] = wf_arena_take(&a, n, sizeof *x);
+    for (int k = 0; k < repeats; k++) {
+        double start = now();
+        iterate(&b);
+        one = fmin(one, now() - start);
+        plain = fmin(plain, floor_of(&b, block, x));
+    }
+    per_element[which] = one / (double)n * 1e9;
+    printf("%-5s %2g m/s from rest: %7.3f s, %zu iterations, %zu load steps, load factor %g\n", name, speed,
+           rest, iterations, steps, out.load_factor);
+    printf("      one iteration %5.0f ns/element; block elimination alone %4.0f ns; ratio %.2f\n",
+           per_element[which], plain / (double)n * 1e9, one / plain);
+    printf("      memory %zu bytes/element for the solver, %zu for the tree\n", bytes / n, before / n);
+    wf_arena_free(&a);
+}
+
+static void frequencies(struct beam_case *c)
+{
+    double f[10], best = INFINITY;
+    c->loads.wind = NULL;
+    c->loads.gravity = 0;
+    for (int k = 0; k < 5; k++) {
+        struct wf_arena a = { 0 };
+        double start = now();
+        if (wf_modes(&c->tree, &c->loads, &c->options, 10, &a, f, NULL, &c->err)) printf("%s\n", c->err.text);
+        best = fmin(best, now() - start);
+        wf_arena_free(&a);
+    }
+    printf("      first 10 frequencies: %.3f s (%.4f .. %.4f Hz)\n", best, f[0], f[9]);
+}
+
+static double children(void)
+{
+    struct rusage u;
+    getrusage(RUSAGE_CHILDREN, &u);
+    return (double)(u.ru_utime.tv_sec + u.ru_stime.tv_sec) +
+           1e-6 * (double)(u.ru_utime.tv_usec + u.ru_stime.tv_usec);
+}
+
+static void compare(const char *self)
+{
+    char command[4096];
+    const char *end = strstr(self, "/tests/");
+    if (!end) return;
+    for (int report = 0; report < 2; report++) {
+        double best = INFINITY;
+        int failed = 0;
+        snprintf(command, sizeof command,
+                 "%.*s/windfirm compare species/moso_bamboo.yaml species/weeping_willow.yaml --model "
+                 "models/culm.yaml "
+                 "--wind 10,15,25 -o %.*s/bench/compare --quiet %s >/dev/null",
+                 (int)(end - self), self, (int)(end - self), self, report ? "" : "--no-report");
+        for (int k = 0; k < (report ? 1 : 3); k++) {
+            double start = children();
+            failed |= system(command);
+            best = fmin(best, children() - start);
+        }
+        printf("compare of two species %s: %.2f s%s\n", report ? "with report" : "without report", best,
+               failed ? " (failed)" : "");
+    }
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const name[] = { "1k", "10k", "100k" };
+    static const double speed[] = { 20, 20, 15 };
+    const char *reference = getenv("WINDFIRM_REFERENCE");
+    char path[3][1024] = { "validation/computed_reference/bench_tree_1k.csv",
+                           "validation/computed_reference/bench_tree_10k.csv", "" };
+    if (reference) snprintf(path[2], sizeof path[2], "%s/beams/bench_tree_100k.csv", reference);
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    printf("structural engine, processor time, best of several runs\n");
+    for (int k = 0; k < 3; k++) {
+        struct beam_case c;
+        size_t n = k == 0 ? 1000 : k == 1 ? 10000 : 100000;
+        if (!read_tree(&c, path[k], n)) {
+            printf("%s: a tree grown here stands in for the one of WINDFIRM_REFERENCE\n", name[k]);
+            grow_tree(&c, n);
+        }
+        measure(&c, name[k], speed[k], k);
+        if (k == 1) frequencies(&c);
+        beam_free(&c);
+    }
+    printf("ns/element 10k : 1k = %.2f, 100k : 1k = %.2f\n", per_element[1] / per_element[0],
+           per_element[2] / per_element[0]);
+    compare(argc > 0 ? argv[0] : "");
+    return 0;
+}
