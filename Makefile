@@ -61,6 +61,10 @@ test: packages ## install what is missing, build, run every test and validation 
 bench: packages ## measure speed and memory
 	@$(MAKE) -s -j$$(nproc) all $(call bin,$(BENCH))
 	@for b in $(call bin,$(BENCH)); do $$b || exit; done
+bench-peers: packages ## the same tree in CalculiX (package calculix-ccx, installed when missing): time beside time
+	@tools/packages.sh calculix-ccx || true
+	@$(MAKE) -s -j$$(nproc) $(B)/tests/bench_beam
+	@tests/bench_peers.sh $(B)
 programs: $(call bin,$(TESTS))
 packages:
 	@tools/packages.sh $(PACKAGES)
@@ -89,8 +93,8 @@ install: ## program, library, headers, species, models, report templates (DESTDI
 clean: ## remove what was built and computed
 	rm -rf $(BUILD) out
 help: ## this list
-	@awk -F':.*## ' '/^[a-z]+:.*## / { printf "make %-8s %s\n", $$1, $$2 }' Makefile
+	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test bench programs packages check layers symbols golden install clean help
+.PHONY: all demo test bench bench-peers programs packages check layers symbols golden install clean help
 .SECONDARY:
 -include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS) $(BENCH)) $(B)/src/fit/ceres.o)

@@ -222,6 +222,32 @@ static void compare(const char *self)
     }
 }
 
+/* For comparison with another program: seconds from rest at 40 m/s, seconds for ten frequencies, the first.
+ */
+static int beside_a_peer(const char *path)
+{
+    struct beam_case c;
+    double rest = INFINITY, modes = INFINITY, f[10];
+    if (!read_tree(&c, path, 1000)) return 1;
+    c.options.mesh_tolerance = 0;
+    for (int k = 0; k < 20; k++) {
+        struct wf_arena a = { 0 };
+        beam_blow(&c, 40, 0, 0);
+        c.loads.gravity = 9.81;
+        double start = now();
+        if (wf_solver_beam.solve(&c.tree, &c.loads, &c.options, &a, &c.out, &c.diag, &c.err)) return 1;
+        rest = fmin(rest, now() - start);
+        c.loads.wind = NULL, c.loads.gravity = 0;
+        start = now();
+        if (wf_modes(&c.tree, &c.loads, &c.options, 10, &a, f, NULL, &c.err)) return 1;
+        modes = fmin(modes, now() - start);
+        wf_arena_free(&a);
+    }
+    beam_free(&c);
+    printf("%.6f %.6f %.6f\n", rest, modes, f[0]);
+    return 0;
+}
+
 int main(int argc, char **argv)
 {
     static const char *const name[] = { "1k", "10k", "100k" };
@@ -230,6 +256,7 @@ int main(int argc, char **argv)
     char path[3][1024] = { "validation/computed_reference/bench_tree_1k.csv",
                            "validation/computed_reference/bench_tree_10k.csv", "" };
     if (reference) snprintf(path[2], sizeof path[2], "%s/beams/bench_tree_100k.csv", reference);
+    if (argc > 1 && !strcmp(argv[1], "peer")) return beside_a_peer(path[0]);
     setvbuf(stdout, NULL, _IOLBF, 0);
     printf("structural engine, processor time, best of several runs\n");
     for (int k = 0; k < 3; k++) {
