@@ -66,6 +66,7 @@ static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solv
     struct wf_critical *c = &an->critical;
     struct wf_at_speed at;
     bool strength = false;
+    an->critical_at = (struct wf_at_speed){ .speed = NAN };
     an->critical_row = -1;
     an->critical_height = NAN;
     for (size_t i = 0; i < an->tree.n; i++) strength = strength || an->tree.strength[i] > 0.0;
@@ -77,6 +78,7 @@ static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solv
     if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
     s = wf_speed_totals(an, o, c->outcome == WF_CRITICAL_FOUND ? c->speed : 0.0, &at, e);
     if (s || at.status || at.breakage.governing < 0) return s;
+    if (c->outcome == WF_CRITICAL_FOUND) an->critical_at = at;
     size_t row = (size_t)at.breakage.governing;
     an->critical_row = at.breakage.governing;
     an->critical_height = an->tree.z0[row] + at.breakage.governing_s * (an->tree.z1[row] - an->tree.z0[row]);

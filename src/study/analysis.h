@@ -62,7 +62,8 @@ struct wf_analysis {
     size_t sweep_n;
     struct wf_at_speed *sweep; /* rising from 0, closer at first, for curves (totals only) */
     struct wf_critical critical;
-    int32_t critical_row;   /* governing section at the critical speed, -1 none */
+    struct wf_at_speed critical_at; /* totals at the critical speed; speed NAN where there is none */
+    int32_t critical_row;           /* governing section at the critical speed, -1 none */
     double critical_height; /* its height above ground on the unbent tree [m]   */
     double tallness;        /* height [m] */
     struct wf_diag *diag;   /* validity warnings                               */
