@@ -128,6 +128,13 @@ static bool level_grown(const struct wf_tree *t, size_t level)
     return false;
 }
 
+static bool has_crown(const struct wf_tree *t)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (t->sail0[i] > 0.0 || t->sail1[i] > 0.0) return true;
+    return false;
+}
+
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 char *wf_limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
@@ -155,6 +162,7 @@ char *wf_limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
         if (l->wall.n) used[n++] = (struct named_value){ "wall", &l->wall_note };
         add_assumed(buf, size, l->name, used, n);
     }
+    if (!has_crown(&an->tree)) return buf;
     const struct named_value crown[] = {
         { "drag_coefficient", &sp->crown_drag },
         { "leaf_mass_per_area", &sp->leaf_mass_per_area },
@@ -170,7 +178,7 @@ static void check_assumed(const struct wf_analysis *an, struct wf_diag *d)
 {
     char list[900];
     if (*wf_limits_assumed(an, list, sizeof list))
-        wf_diag_warn(d, "assumed-values", "%s: these values are assumptions without a source: %s",
+        wf_diag_warn(d, "assumed-values", "%s: these values are assumptions, not measurements: %s",
                      an->species->name, list);
 }
 
