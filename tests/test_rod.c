@@ -143,7 +143,8 @@ static void hanging(void **state)
     beam_free(&c);
 }
 
-/* A column half as heavy again as stands by itself leans in the wind and hangs over: the beam engine's answer. */
+/* A column half as heavy again as stands by itself leans in the wind and hangs over: the beam engine's
+ * answer. */
 static void falls_over(void **state)
 {
     (void)state;
@@ -154,6 +155,21 @@ static void falls_over(void **state)
     agree(&c, 1e-6);
     assert_true(c.out.end[3 * 7 + 2] < -0.5 && c.out.end[3 * 7] > 0);
     beam_free(&c);
+}
+
+/* Upright in still air: weight alone, no bending; and without any load at all. */
+static void at_rest(void **state)
+{
+    (void)state;
+    for (int heavy = 0; heavy < 2; heavy++) {
+        struct beam_case c;
+        beam_stem(&c, 40, upright, 14, 0.05, 0.01);
+        c.loads.gravity = heavy ? 9.81 : 0;
+        rod_solve(&c);
+        assert_true(fabs(c.out.end[3 * 39]) < 1e-12 && fabs(c.out.end[3 * 39 + 2]) < 1e-12);
+        assert_int_equal(beam_try(&c, &wf_solver_rod_as_printed), WF_OK);
+        beam_free(&c);
+    }
 }
 
 static void root_plate(void **state)
@@ -249,12 +265,19 @@ static void refuses_bad_input(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(elastica),        cmocka_unit_test(rolls_into_a_circle),
-        cmocka_unit_test(bend45),          cmocka_unit_test(trees),
-        cmocka_unit_test(wild_trees),      cmocka_unit_test(hanging),
-        cmocka_unit_test(falls_over),      cmocka_unit_test(root_plate),
-        cmocka_unit_test(forks_and_tips),  cmocka_unit_test(printed_converges),
-        cmocka_unit_test(printed_refuses), cmocka_unit_test(refuses_bad_input),
+        cmocka_unit_test(elastica),
+        cmocka_unit_test(rolls_into_a_circle),
+        cmocka_unit_test(bend45),
+        cmocka_unit_test(trees),
+        cmocka_unit_test(wild_trees),
+        cmocka_unit_test(hanging),
+        cmocka_unit_test(falls_over),
+        cmocka_unit_test(root_plate),
+        cmocka_unit_test(at_rest),
+        cmocka_unit_test(forks_and_tips),
+        cmocka_unit_test(printed_converges),
+        cmocka_unit_test(printed_refuses),
+        cmocka_unit_test(refuses_bad_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

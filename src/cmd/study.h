@@ -5,6 +5,7 @@
 #include "out/results.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
+#include "study/preset.h"
 #include <stdio.h>
 
 extern const struct wf_option wf_study_options[]; /* ends at name == NULL */
@@ -14,6 +15,7 @@ struct wf_study {
     struct wf_scenario scenario;
     struct wf_solve_options solve;
     const struct wf_solver *solver;
+    const struct wf_preset *preset;
 };
 void wf_study_from_args(const struct wf_args *g, struct wf_study *out);
 

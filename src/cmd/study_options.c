@@ -1,6 +1,7 @@
 #include "cmd/study.h"
 
 static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
+static const char *preset_word(size_t i) { return wf_presets[i].name; }
 static const char *profile_word(size_t i) { return wf_profiles[i].name; }
 
 const struct wf_option wf_study_options[] = {
@@ -32,6 +33,13 @@ const struct wf_option wf_study_options[] = {
       .initial = "beam",
       .word = solver_word,
       .help = "how the bent shape is computed" },
+    { .name = "--preset",
+      .kind = WF_OPTION_CHOICE,
+      .value = "NAME",
+      .initial = "corrected",
+      .word = preset_word,
+      .help = "a published method, its formula and constants as printed; warnings tell where it leaves "
+              "physics" },
     { .name = "--profile",
       .kind = WF_OPTION_CHOICE,
       .value = "NAME",
@@ -182,4 +190,5 @@ void wf_study_from_args(const struct wf_args *g, struct wf_study *out)
     if (wf_args_given(g, "--root-stiffness"))
         out->solve.root_stiffness[0] = out->solve.root_stiffness[1] = wf_args_number(g, "--root-stiffness");
     out->solver = wf_solver_named(wf_args_text(g, "--solver"));
+    out->preset = wf_preset_named(wf_args_text(g, "--preset"));
 }

@@ -54,7 +54,10 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 static enum wf_status analyse(struct work *w, struct wf_err *e)
 {
     for (size_t k = 0; k < w->args.n; k++) {
+        const struct wf_preset *preset = w->study.preset;
         w->diag[k].arena = &w->arena;
+        if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->study.scenario, &w->study.solver, e))
+            return e->code;
         wf_progress("%s: %zu wind speeds, critical speed, curves ...", w->species[k].name, w->args.speeds);
         enum wf_status s =
             wf_analyze(&w->species[k], &w->model, &w->study.scenario, w->study.solver, &w->study.solve,
@@ -62,6 +65,7 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
         wf_progress(NULL);
         if (s) wf_print_findings(&w->diag[k], w->quiet);
         if (s) return s;
+        wf_preset_warn(preset, &w->analysis[k], &w->diag[k]);
     }
     return WF_OK;
 }

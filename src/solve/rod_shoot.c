@@ -249,8 +249,9 @@ static double answer(const struct wf_rod *r)
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_piece *p = &r->piece[i];
         double moment = length_of(r->node[i].wrench.m) * p->h / p->stiffness, turn[3];
+        double force = length_of(r->node[i].wrench.n) * p->h * p->h / p->stiffness;
         wf_rod_vector(r->node[i].pose.q, turn);
-        most = fmax(most, fmax(moment, length_of(turn)));
+        most = fmax(fmax(most, force), fmax(moment, length_of(turn)));
     }
     return fmin(most, 1);
 }
@@ -264,7 +265,7 @@ static void swap(struct wf_rod *r)
 
 bool wf_rod_newton(struct wf_rod *r)
 {
-    const double tolerance = r->options->tolerance;
+    const double tolerance = r->options->tolerance, rounding = 1e-14;
     double turn, size, share = 1;
     bool fresh = false;
     wf_rod_accuracy(&r->integrator, tolerance);
@@ -287,10 +288,10 @@ bool wf_rod_newton(struct wf_rod *r)
             if (!arrive(r, r->trial)) continue;
             solve(r, r->trial, r->next, r->next_tilt);
             next = norm(r, (const double(*)[12])r->next, &turn);
-            if (next <= (1 - 0.25 * share) * size || next <= tolerance * scale) break;
+            if (next <= (1 - 0.25 * share) * size || next <= tolerance * scale + rounding) break;
         }
         swap(r);
-        if (share >= 1 && fmin(size, next) <= tolerance * scale) return true;
+        if (share >= 1 && fmin(size, next) <= tolerance * scale + rounding) return true;
         /* keep the derivative where it still gains a digit a step */
         fresh = share >= 1 && next < 0.1 * size;
         share = fmin(1, 2 * share);

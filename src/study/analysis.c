@@ -15,8 +15,8 @@ static enum wf_status check_call(const struct wf_scenario *sc, const double *spe
     return wf_scenario_check(sc, e);
 }
 
-/* The tree, the wind field and what acts: everything but the answers. */
-static enum wf_status set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_err *e)
 {
     const struct wf_streamlining *law = &an->species->streamlining;
     enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
@@ -121,7 +121,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     *out = (struct wf_analysis){
         .species = sp, .model = m, .solver = solver, .scenario = *sc, .n = n, .diag = d
     };
-    if ((s = set_up(out, a, d, e))) return s;
+    if ((s = wf_analysis_set_up(out, a, d, e))) return s;
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "no room for %zu speeds", n);
     for (size_t k = 0; k < n; k++)

@@ -69,6 +69,11 @@ struct wf_analysis {
     struct wf_diag *diag;   /* validity warnings                               */
 };
 
+/* The tree, the wind field and what acts: everything but the answers. Given: *an with species, model, scenario and
+ * solver. Returned: tree, tallness, wind (at speed 0) and loads of *an. */
+enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_err *e);
+
 /* Given: species, model, scenario, solver, options, n speeds [m/s]. Returned: WF_OK and *out, even where
  * single speeds have no answer (their status says why); another code when nothing could be computed. */
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,

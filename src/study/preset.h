@@ -1,0 +1,27 @@
+#ifndef WF_STUDY_PRESET_H
+#define WF_STUDY_PRESET_H
+/* Presets: a published method by name, formula and constants as printed. `corrected` changes nothing. */
+#include "base/diag.h"
+#include "study/analysis.h"
+
+struct wf_preset {
+    const char *name, *title, *source;
+    const char *solver; /* row of wf_solvers; NULL: the user's            */
+    const char *gust;   /* row of wf_gust_models, for time series         */
+    double drag, lift;  /* coefficients of wood and crown; NAN: the species' [-] */
+    double air_density; /* [kg m-3]; NAN: the scenario's                  */
+    bool solid;         /* sections without a hollow                      */
+    bool rigid;         /* crowns that do not streamline                  */
+    /* One warning a departure from physics, with its reason and its size in this analysis. */
+    void (*departures)(const struct wf_analysis *an, struct wf_diag *d);
+};
+extern const struct wf_preset wf_presets[]; /* corrected first; ends at name == NULL */
+const struct wf_preset *wf_preset_named(const char *name);
+
+/* Put the preset's constants in. Given and returned: a species and a scenario of the caller's own, the solver
+ * asked for. The species' preset becomes the preset's name; changed values stand as printed. */
+enum wf_status wf_preset_apply(const struct wf_preset *p, struct wf_arena *a, struct wf_species *sp,
+                               struct wf_scenario *sc, const struct wf_solver **solver, struct wf_err *e);
+/* The departures as findings: codes r-cubed, air-density, aerofoil-coefficients, modulus-outlier, ... */
+void wf_preset_warn(const struct wf_preset *p, const struct wf_analysis *an, struct wf_diag *d);
+#endif
