@@ -1,82 +1,5 @@
 /* Sensitivities that a fit relies on, against central differences of whole solutions. */
-#include "close.h"
-#include "fit/predict.h"
-#include "grow/stem.h"
-#include "study/validate_measure.h"
-#include <string.h>
-
-enum { MOST = 12 };
-struct set {
-    struct wf_arena arena;
-    struct wf_err err;
-    struct wf_level level[2];
-    struct wf_species species;
-    struct wf_fit_tree tree;
-    struct wf_fit_test test;
-    struct wf_fit_sensor sensor[8];
-    struct wf_fit_state state[3];
-    struct wf_fit_datum datum[24];
-    struct wf_experiment x;
-    struct wf_fit_param param[MOST];
-    size_t params;
-};
-
-static void materials(struct set *s)
-{
-    for (int k = 0; k < 2; k++) {
-        struct wf_level *l = &s->level[k];
-        l->youngs_modulus = (struct wf_value){ .value = 9e9, .low = 7e9, .high = 11e9, .given = true };
-        l->shear_modulus = (struct wf_value){ .value = 7e8, .low = 5e8, .high = 9e8, .given = true };
-        l->density = (struct wf_value){ .value = 800, .low = 700, .high = 900 };
-        l->drag_coefficient = (struct wf_value){ .value = 1, .low = .8, .high = 1.2, .given = true };
-        l->knot_factor.value = 1;
-    }
-    s->species = (struct wf_species){
-        .key = "wood",
-        .levels = 2,
-        .level = s->level,
-        .crown_drag = { .value = 0.5, .given = true },
-        .leaf_mass_per_area = { .value = 0.2 },
-        .leaf_frontal_share = { .value = 0.4 },
-        .streamlining = { .law = "vogel", .exponent = { .value = -0.7 }, .reference_speed = 5 }
-    };
-}
-
-static void sensors(struct set *s, double height)
-{
-    static const enum wf_sensor_kind kind[] = { WF_SENSOR_DEFLECTION, WF_SENSOR_HORIZONTAL,
-                                                WF_SENSOR_VERTICAL,   WF_SENSOR_TILT,
-                                                WF_SENSOR_STRAIN,     WF_SENSOR_EXTENSION,
-                                                WF_SENSOR_MOMENT,     WF_SENSOR_TILT };
-    double place[3] = { height / 2, height / 2 + 0.2, height * 0.6 };
-    int32_t row[3];
-    struct wf_tree *t = &s->tree.tree;
-    if (wf_fit_divide(t, height / 30, place, 3, row, &s->arena, &s->err)) fail_msg("%s", s->err.text);
-    for (int k = 0; k < 8; k++)
-        s->sensor[k] = (struct wf_fit_sensor){
-            .name = "s", .kind = kind[k], .azimuth = 0.4, .row = row[1], .low_row = row[0]
-        };
-    s->sensor[7].row = -1;
-    s->test.pull_row = row[2];
-    s->test.sensors = 8, s->test.sensor = s->sensor, s->test.state = s->state;
-    s->x = (struct wf_experiment){
-        .trees = 1, .tests = 1, .tree = &s->tree, .test = &s->test, .datum = s->datum
-    };
-    for (size_t i = 0; i < s->test.states; i++)
-        for (size_t k = 0; k < 8; k++)
-            s->datum[s->x.data++] = (struct wf_fit_datum){ .state = i, .sensor = k, .sigma = 1, .weight = 1 };
-    s->tree.species = &s->species;
-    s->tree.height = height;
-    wf_solve_options_default(&s->tree.options);
-    s->tree.options.tolerance = 1e-12;
-    s->tree.options.inextensible = true; /* the answers leave out how stretch changes with E */
-    s->tree.options.root_stiffness[0] = s->tree.options.root_stiffness[1] = 2e6;
-}
-
-static void free_parameter(struct set *s, const char *name)
-{
-    if (wf_param_add(&s->x, name, &s->arena, s->param, &s->params, &s->err)) fail_msg("%s", s->err.text);
-}
+#include "fit_case.h"
 
 /* Every reading and every parameter: exact sensitivity against differences extrapolated from two steps. */
 static void compare(struct set *s, double tolerance)
@@ -114,59 +37,10 @@ static void tree_of_a_thousand(void **unused)
                                          "level1.shear_modulus",    "level1.density",
                                          "level0.drag_coefficient", "root.stiffness",
                                          "youngs_modulus_tip_share" };
-    materials(&s);
-    struct wf_tree *t = &s.tree.tree;
-    if (wf_case_tree_read("validation/computed_reference/bench_tree_1k.csv", &s.arena, t, &s.err))
-        fail_msg("%s", s.err.text);
-    for (size_t i = 0; i < t->n; i++)
-        t->youngs[i] = 9e9, t->shear[i] = 7e8, t->density[i] = 800, t->drag[i] = 1;
-    wf_loads_default(&s.tree.loads);
-    s.test = (struct wf_fit_test){ .name = "wind", .load = WF_FIT_WIND, .states = 1, .from_rest = true };
-    s.test.wind = (struct wf_wind){ .sample = wf_profile_named("uniform")->sample,
-                                    .direction = { 0.8, 0.6, 0 },
-                                    .reference_height = 10 };
-    s.state[0].load = 40;
-    sensors(&s, wf_tree_height(t) * 0.4);
+    thousand(&s, 1);
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) free_parameter(&s, names[k]);
     compare(&s, 1e-6);
     wf_arena_free(&s.arena);
-}
-
-/* A stem with a crown in wind, and pulled by a rope that follows it. */
-static void stem(struct set *s, enum wf_fit_load load)
-{
-    static double share[] = { 0.3 }, at[] = { 0 };
-    materials(s);
-    s->level[0].shear_modulus.given = false;
-    s->level[0].wall = (struct wf_along){ 1, at, share };
-    struct wf_model m = { .key = "stem",
-                          .name = "stem",
-                          .height = 10,
-                          .radius = 0.06,
-                          .taper = WF_TAPER_LINEAR,
-                          .tip_ratio = 0.3,
-                          .segments = 30,
-                          .crown_base = 4,
-                          .crown_top = 10,
-                          .leaf_area = 9,
-                          .lean = 0.05 };
-    if (wf_grow_stem(&m, &s->species, &s->arena, &s->tree.tree, &s->err)) fail_msg("%s", s->err.text);
-    wf_loads_default(&s->tree.loads);
-    s->tree.loads.streamline = wf_streamline_named("vogel");
-    s->tree.loads.streamline_par = (struct wf_streamline_par){ .exponent = -0.7, .reference_speed = 5 };
-    s->test = (struct wf_fit_test){ .name = "stem",
-                                    .load = load,
-                                    .states = 2,
-                                    .from_rest = true,
-                                    .anchored = true,
-                                    .anchor = { 9, 2, -0.5 } };
-    s->test.wind = (struct wf_wind){ .sample = wf_profile_named("power")->sample,
-                                     .direction = { 1, 0, 0 },
-                                     .reference_height = 10,
-                                     .exponent = 0.2 };
-    s->state[0].load = load == WF_FIT_PULL ? 200 : 9;
-    s->state[1].load = load == WF_FIT_PULL ? 900 : 22;
-    sensors(s, 9);
 }
 
 static void crown_in_wind(void **unused)

@@ -10,6 +10,7 @@
 struct warm {
     struct wf_beam_shape *shape;
     double (*tilt)[3];
+    double pull[3]; /* force of the rope [N]             */
     bool known;
 };
 
@@ -23,6 +24,8 @@ struct wf_predictor {
     size_t most_sensors;
     double *rest, *rest_slope;   /* readings at rest, of the test in hand           */
     double *other, *other_slope; /* of the state in hand                            */
+    double *solved;              /* internal values for which all shapes are solutions */
+    bool same;                   /* those in hand are these                         */
     struct wf_arena scratch;     /* of one test                                          */
 };
 
@@ -57,6 +60,8 @@ enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_
     }
     size_t m = w->most_sensors;
     w->rest = WF_TAKE(a, m, double), w->other = WF_TAKE(a, m, double);
+    if (!(w->solved = WF_TAKE(a, n, double))) return wf_fail(e, WF_ENOMEM, "no room for the parameters");
+    for (size_t k = 0; k < n; k++) w->solved[k] = NAN;
     w->rest_slope = WF_TAKE(a, m * n, double), w->other_slope = WF_TAKE(a, m * n, double);
     if (!w->rest || !w->other || !w->rest_slope || !w->other_slope)
         return wf_fail(e, WF_ENOMEM, "no room for the readings");
@@ -96,16 +101,15 @@ static double aim(struct bench *k, const double at[3], double u[3])
     return length;
 }
 
-static enum wf_status settle(struct bench *k, struct wf_err *e)
+/* Solve; near: the shape is a solution of the same state for other parameters, so Newton is tried alone. */
+static enum wf_status settle(struct bench *k, bool near, struct wf_err *e)
 {
     struct wf_beam_outcome outcome;
     struct wf_beam *b = &k->beam;
     b->small = NULL;
     b->frozen = false;
     for (int pass = 0;; pass++) {
-        if (pass && wf_beam_newton(b) == WF_OK)
-            ;
-        else {
+        if (!(near || pass) || wf_beam_newton(b)) {
             enum wf_status status = wf_beam_settle(b, &k->w->scratch, &outcome, e);
             if (status) return status;
         }
@@ -235,17 +239,28 @@ static enum wf_status state(struct bench *k, size_t warm, const double *internal
         memcpy(b->shape, last->shape, n * sizeof *b->shape);
         memcpy(b->tilt, last->tilt, n * sizeof *b->tilt);
     }
-    enum wf_status status = settle(k, e);
-    if (status) return status;
+    bool done = last->known && k->w->same;
+    if (done) memcpy(k->pull.force, last->pull, sizeof last->pull);
+    if (done && slope) {
+        enum wf_status status = linearise(k, e);
+        if (status) return status;
+    } else if (done) {
+        wf_beam_sweep_up(b);
+        (void)wf_beam_sweep_down(b, false, NULL);
+    } else {
+        enum wf_status status = settle(k, last->known, e);
+        if (status) return status;
+        if (slope && (status = linearise(k, e))) return status;
+    }
+    memcpy(last->pull, k->pull.force, sizeof last->pull);
     memcpy(last->shape, b->shape, n * sizeof *b->shape);
     memcpy(last->tilt, b->tilt, n * sizeof *b->tilt);
     last->known = true;
     for (size_t s = 0; s < k->test->sensors; s++) reading[s] = wf_sensor_read(&k->test->sensor[s], b);
     if (!slope) return WF_OK;
     memset(slope, 0, k->test->sensors * k->w->params * sizeof *slope);
-    status = linearise(k, e);
-    if (!status) slopes(k, internal, slope);
-    return status;
+    slopes(k, internal, slope);
+    return WF_OK;
 }
 
 static enum wf_status static_test(struct wf_predictor *w, size_t index, const double *internal,
@@ -378,11 +393,17 @@ enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double
     size_t at = 0;
     enum wf_status status = WF_OK;
     if (slope) memset(slope, 0, w->x->data * w->params * sizeof *slope);
+    w->same = true;
+    for (size_t p = 0; p < w->params; p++)
+        w->same &= internal[p] == w->solved[p] || wf_param_nuisance(&w->p[p]);
+    for (size_t p = 0; p < w->params; p++) w->solved[p] = NAN;
     for (size_t k = 0; k < w->x->tests && !status; k++) {
         bool free = w->x->test[k].load == WF_FIT_FREE;
         status = (free ? sway_test : static_test)(w, k, internal, reading, slope, &at, e);
         wf_arena_free(&w->scratch);
     }
-    if (!status) nuisance(w, internal, reading, slope);
-    return status;
+    if (status) return status;
+    memcpy(w->solved, internal, w->params * sizeof *internal);
+    nuisance(w, internal, reading, slope);
+    return WF_OK;
 }

@@ -31,6 +31,8 @@ double wf_robust_sd(const double *x, size_t n, double *scratch);
 
 /* Parts of wf_fit_run; they fill *out from a session at its optimum. */
 enum wf_status wf_fit_spread(struct wf_session *s, struct wf_fit *out, struct wf_arena *a, struct wf_err *e);
+/* The best of several random starts within a factor of 3 of the given one; sigmas stay as they are. */
+enum wf_status wf_fit_restart(struct wf_session *s, struct wf_fit *out, struct wf_arena *a, struct wf_err *e);
 enum wf_status wf_fit_covariance(struct wf_session *s, struct wf_fit *out, struct wf_arena *a,
                                  struct wf_err *e);
 enum wf_status wf_fit_loose(struct wf_fit *out, struct wf_arena *a, struct wf_err *e);

@@ -1,0 +1,149 @@
+#include "fit/session.h"
+#include <math.h>
+#include <string.h>
+
+void wf_fit_options_default(struct wf_fit_options *o)
+{
+    *o = (struct wf_fit_options){
+        .loss = WF_LOSS_NONE, .loss_scale = NAN, .profile = true, .starts = 1, .seed = 1
+    };
+}
+
+/* Where 95 % of the efficiency for normal errors is kept. */
+static double usual_scale(const struct wf_fit_options *o)
+{
+    static const double scale[] = {
+        [WF_LOSS_NONE] = 1, [WF_LOSS_HUBER] = 1.345, [WF_LOSS_CAUCHY] = 2.385, [WF_LOSS_TUKEY] = 4.685
+    };
+    return isnan(o->loss_scale) ? scale[o->loss] : o->loss_scale;
+}
+
+static enum wf_status room(struct wf_fit *f, struct wf_arena *a, struct wf_err *e)
+{
+    size_t n = f->params, m = f->x->data;
+    f->internal = WF_TAKE(a, n, double), f->estimate = WF_TAKE(a, n, struct wf_estimate);
+    f->covariance = WF_TAKE(a, n * n, double), f->correlation = WF_TAKE(a, n * n, double);
+    f->reading = WF_TAKE(a, m, double), f->slope = WF_TAKE(a, m * n, double),
+    f->sigma = WF_TAKE(a, m, double);
+    f->residual = WF_TAKE(a, m, double), f->band = WF_TAKE(a, m, double);
+    f->influence = WF_TAKE(a, m, double), f->influenced = WF_TAKE(a, m, size_t);
+    bool ok = f->internal && f->estimate && f->covariance && f->correlation && f->reading && f->slope &&
+              f->sigma && f->residual && f->band && f->influence && f->influenced;
+    return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for the answers of a fit");
+}
+
+/* Readings of a parameter's quantity that no datum depends on are refused before anything is fitted. */
+static enum wf_status check(const struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
+                            struct wf_err *e)
+{
+    if (!n) return wf_fail(e, WF_EUSAGE, "nothing is free: name parameters with --free or in the study");
+    if (x->data < n) {
+        size_t nuisance = 0;
+        for (size_t k = 0; k < n; k++) nuisance += wf_param_nuisance(&p[k]);
+        return wf_fail(e, WF_EUSAGE, "%zu reading%s cannot fix %zu parameter%s%s", x->data,
+                       x->data == 1 ? "" : "s", n, n == 1 ? "" : "s",
+                       nuisance ? " (offsets and drifts of sensors included)" : "");
+    }
+    for (size_t k = 0; k < n; k++)
+        if (!(p[k].start >= p[k].low && p[k].start <= p[k].high)) {
+            double factor;
+            const char *unit = wf_param_unit(x, &p[k], &factor);
+            return wf_fail(e, WF_EUSAGE, "%s starts at %.6g %s, outside its bounds %.6g to %.6g %s",
+                           p[k].name, p[k].start * factor, unit, p[k].low * factor, p[k].high * factor, unit);
+        }
+    return WF_OK;
+}
+
+/* Sigmas that are to be estimated begin at 2 % of the largest reading of their sensor. */
+static void first_sigmas(struct wf_experiment *x)
+{
+    for (size_t t = 0; t < x->tests; t++)
+        for (size_t s = 0; s < x->test[t].sensors; s++) {
+            double most = 0;
+            if (!x->test[t].sensor[s].estimated) continue;
+            for (size_t i = 0; i < x->data; i++)
+                if (x->datum[i].test == t && x->datum[i].sensor == s)
+                    most = fmax(most, fabs(x->datum[i].value));
+            for (size_t i = 0; i < x->data; i++)
+                if (x->datum[i].test == t && x->datum[i].sensor == s)
+                    x->datum[i].sigma = most > 0 ? 0.02 * most : 1;
+        }
+}
+
+/* No reading moves with a parameter: say so by name rather than let it wander. */
+static enum wf_status moves(struct wf_session *s, struct wf_err *e)
+{
+    enum wf_status status = wf_predict(s->predictor, s->internal, s->reading, s->slope, e);
+    for (size_t k = 0; !status && k < s->n; k++) {
+        double most = 0;
+        for (size_t i = 0; i < s->x->data; i++) most = fmax(most, fabs(s->slope[i * s->n + k]) / s->sigma[i]);
+        bool prior = s->o->priors && s->p[k].prior_sd > 0;
+        if (!(most > 1e-12) && !prior)
+            return wf_fail(e, WF_EINPUT, "no reading depends on %s; take it out of the free parameters",
+                           s->p[k].name);
+    }
+    return status;
+}
+
+static void warn(const struct wf_fit *f, struct wf_diag *d)
+{
+    for (size_t k = 0; k < f->free; k++) {
+        const struct wf_estimate *q = &f->estimate[k];
+        if (q->at_low || q->at_high)
+            wf_diag_warn(d, "at-bound",
+                         "%s ended on its %s bound: this is no estimate, the data ask for a value beyond",
+                         f->param[k].name, q->at_low ? "lower" : "upper");
+    }
+    for (size_t i = 0; i < f->loose_n; i++)
+        wf_diag_warn(d, "not-determined", "the data do not determine %s", f->loose[i].text);
+    if (!f->sigma_estimated && f->freedom && f->reduced > 2)
+        wf_diag_warn(
+            d, "misfit",
+            "reduced chi-square %.3g: the readings scatter %.2g times as much as their uncertainties say; "
+            "intervals are widened by that factor",
+            f->reduced, sqrt(f->reduced));
+    for (size_t i = 0; i < f->groups; i++)
+        if (f->group[i].correlation > 0.5)
+            wf_diag_warn(
+                d, "trend",
+                "%s: neighbouring residuals are correlated (%.2f): a trend the model does not follow; "
+                "intervals are widened by %.3g",
+                f->x->test[f->group[i].test].sensor[f->group[i].sensor].name, f->group[i].correlation,
+                f->group[i].inflation);
+    if (f->lsq.stopped)
+        wf_diag_warn(d, "stopped",
+                     "the fit was interrupted: the best parameters so far are given, without profiles");
+    else if (!f->lsq.converged)
+        wf_diag_warn(d, "not-converged", "the fit did not converge: %s", f->lsq.message);
+    if (f->starts > 1 && f->starts_same < f->starts)
+        wf_diag_warn(d, "several-minima", "only %zu of %zu starting points led to the best fit",
+                     f->starts_same, f->starts);
+}
+
+enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
+                          const struct wf_fit_options *o, struct wf_arena *a, struct wf_diag *d,
+                          struct wf_fit *out, struct wf_err *e)
+{
+    struct wf_session s = { 0 };
+    *out = (struct wf_fit){ .x = x, .param = p, .params = n, .aicc = NAN };
+    for (size_t k = 0; k < n; k++) out->free += !wf_param_nuisance(&p[k]);
+    enum wf_status status = check(x, p, n, e);
+    if (status || (status = room(out, a, e))) return status;
+    first_sigmas(x);
+    status = wf_session_open(x, p, n, o, a, &s, e);
+    s.scale = usual_scale(o);
+    if (!status) status = moves(&s, e);
+    if (!status) status = wf_fit_spread(&s, out, a, e);
+    if (!status && !out->lsq.stopped && o->starts > 1) status = wf_fit_restart(&s, out, a, e);
+    if (!status) status = wf_fit_covariance(&s, out, a, e);
+    if (!status) status = wf_fit_loose(out, a, e);
+    if (!status) memcpy(out->internal, s.internal, n * sizeof *out->internal);
+    if (!status && !out->lsq.stopped && o->profile) status = wf_fit_profiles(&s, out, a, e);
+    if (!status && !out->lsq.stopped && o->resamples) status = wf_fit_resample(&s, out, a, e);
+    wf_session_close(&s);
+    double m = (double)x->data, k = (double)n + 1;
+    if (!status && m > k + 1)
+        out->aicc = m * log(out->chi_square / m) + 2 * k + 2 * k * (k + 1) / (m - k - 1);
+    if (!status) warn(out, d);
+    return status;
+}
