@@ -19,6 +19,11 @@ struct wf_study {
 };
 void wf_study_from_args(const struct wf_args *g, struct wf_study *out);
 
+/* The tree asked for by --model or --tree, in the season asked for. Returned: *out; *path, the file it was read
+ * from. Every mistake is in `d`, or in `e` alone. */
+enum wf_status wf_study_tree(const struct wf_args *g, struct wf_arena *a, struct wf_model *out,
+                             const char **path, struct wf_diag *d, struct wf_err *e);
+
 /* A whole run: read, analyse, print, write, draw. Given: the command line as typed, between low and high
  * species. Returned: exit code. */
 int wf_study_run(int argc, char **argv, const char *about, size_t low, size_t high);

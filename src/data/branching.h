@@ -8,7 +8,8 @@
 
 enum { WF_BRANCH_LEVELS_MAX = 8 }; /* levels of a tree, the stem included */
 
-enum wf_generator { WF_GENERATOR_STEM, WF_GENERATOR_LEVELS, WF_GENERATOR_IFS };
+enum wf_generator { WF_GENERATOR_STEM, WF_GENERATOR_LEVELS, WF_GENERATOR_IFS, WF_GENERATOR_MEASURED };
+extern const char *const wf_generator_words[]; /* "stem", ...; ends at NULL, "measured" behind it */
 
 /* The angle between successive segments of an axis. */
 struct wf_curve {

@@ -9,6 +9,6 @@ extern const struct wf_yaml_table wf_curve_table;   /* struct wf_curve     */
 extern const struct wf_yaml_table wf_ifs_table;     /* struct wf_ifs       */
 extern const struct wf_yaml_table wf_foliage_table; /* struct wf_foliage   */
 /* Words of the choices in the order of their enums; end at NULL. */
-extern const char *const wf_generator_words[],
-    *const wf_azimuth_words[], *const wf_length_words[], *const wf_radius_words[], *const wf_ifs_words[];
+extern const char *const wf_azimuth_words[], *const wf_length_words[], *const wf_radius_words[],
+                                                                           *const wf_ifs_words[];
 #endif

@@ -125,6 +125,12 @@ void wf_model_set_season(struct wf_model *m, enum wf_season season)
 size_t wf_model_levels(const struct wf_model *m)
 {
     if (m->generator == WF_GENERATOR_LEVELS) return 1 + m->branchings;
+    if (m->generator == WF_GENERATOR_MEASURED) {
+        int32_t last = 0;
+        for (size_t i = 0; i < m->measured->n; i++)
+            if (m->measured->level[i] > last) last = m->measured->level[i];
+        return (size_t)last + 1;
+    }
     return m->generator == WF_GENERATOR_IFS ? m->ifs.levels : 1;
 }
 

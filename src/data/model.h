@@ -15,12 +15,14 @@ enum wf_taper {
 };
 
 enum wf_season { WF_LEAF_ON, WF_LEAF_OFF };
+enum wf_standing_shape { WF_SHAPE_STRESS_FREE, WF_SHAPE_UNDER_WEIGHT };
 
 struct wf_model {
     const char *key, *name, *note, *source, *file;
     enum wf_generator generator; /* stem: the stem alone; levels: its branches; ifs: copies of the stem */
     size_t seed;                 /* of all random spread                               */
     enum wf_season season;
+    enum wf_standing_shape shape; /* what the model or the measurement shows */
     double leaf_area_on; /* one-sided, with the leaves on [m2]                 */
     double height;       /* stem height [m]                                    */
     double lean;         /* from the vertical, towards lean_azimuth [rad]      */
@@ -38,6 +40,8 @@ struct wf_model {
     struct wf_branching *branching;
     struct wf_ifs ifs;         /* generator ifs                                      */
     struct wf_foliage foliage; /* generators levels and ifs                          */
+    const struct wf_tree *measured; /* generator measured: segments and levels, without materials     */
+    const uint8_t *measured_kind;   /* of its segments, see grow/clothe.h; NULL: all wood              */
 };
 
 /* Read a tree model. Returned: WF_OK and *out, or WF_EINPUT with every mistake in `d`. */

@@ -5,7 +5,8 @@
 #define TURN 6.28318530717958647693
 #define AT(member) .offset = offsetof(struct wf_model, member)
 
-const char *const wf_generator_words[] = { "stem", "levels", "ifs", NULL };
+const char *const wf_generator_words[] = { "stem", "levels", "ifs", NULL, "measured" };
+static const char *const shapes[] = { "stress_free", "under_weight", NULL };
 static const char *const seasons[] = { "leaf_on", "leaf_off", NULL };
 static const char *const tapers[] = { "table", "linear", "power", NULL }; /* in the order of enum wf_taper */
 static const struct wf_yaml_row taper_rows[] = {
@@ -231,6 +232,15 @@ static const struct wf_yaml_row model_rows[] = {
       AT(season),
       .doc = "leaf_off: the leaves have fallen; neither their sail nor their mass is there.",
       .example = "leaf_off" },
+    { .key = "shape",
+      .kind = WF_YAML_ENUM,
+      .preset = "stress_free",
+      .choices = shapes,
+      AT(shape),
+      .doc =
+          "What the model draws. under_weight: the tree as it stands or hangs in still air; the stress-free "
+          "shape from which its weight bends it there is computed, so that without wind it is as drawn.",
+      .example = "under_weight" },
     { .key = "stem", .kind = WF_YAML_TABLE, .required = true, .table = &stem_table, .doc = "The stem." },
     { .key = "crown",
       .kind = WF_YAML_TABLE,

@@ -138,3 +138,9 @@ char *wf_species_schema(struct wf_arena *a, struct wf_err *e)
 {
     return wf_yaml_schema(&wf_species_table, a, e);
 }
+
+const struct wf_level *wf_species_level(const struct wf_species *sp, int32_t level)
+{
+    size_t k = level < 0 ? 0 : (size_t)level;
+    return &sp->level[k < sp->levels ? k : sp->levels - 1];
+}

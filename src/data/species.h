@@ -8,6 +8,7 @@
 #include "base/yaml.h"
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 enum wf_standing {
     WF_ASSUMED,  /* no source: an assumption of this table                  */
@@ -73,6 +74,9 @@ struct wf_species {
 
 /* Full citation of a source key of the table; NULL when there is none. */
 const char *wf_species_source(const struct wf_species *sp, const char *key);
+
+/* The species' level of a branching level: its last one for those above it. */
+const struct wf_level *wf_species_level(const struct wf_species *sp, int32_t level);
 
 /* Read a species table. Given: path, arena for all it keeps, findings list. Returned: WF_OK and *out,
  * or WF_EINPUT with every mistake in `d`. */

@@ -70,8 +70,7 @@ enum wf_status wf_clothe_wood(struct wf_tree *t, const struct wf_species *sp, co
     }
     along_branch(t, from, total);
     for (size_t i = 0; i < t->n; i++) {
-        size_t level = (size_t)t->level[i] < sp->levels ? (size_t)t->level[i] : sp->levels - 1;
-        const struct wf_level *v = &sp->level[level];
+        const struct wf_level *v = wf_species_level(sp, t->level[i]);
         bool link = is_link(c, i);
         material(t, i, v, link);
         t->i0[i] = t->i1[i] = 0;

@@ -6,6 +6,7 @@
 #include "grow/levels.h"
 #include "grow/stem.h"
 #include <math.h>
+#include <string.h>
 
 static void warn(const struct wf_model *m, const struct wf_tree *t, size_t capped, size_t thick,
                  struct wf_diag *d)
@@ -45,10 +46,32 @@ static enum wf_status grow_branched(const struct wf_model *m, const struct wf_sp
     return s;
 }
 
+/* The measured segments, clothed: columns of their own for the materials. */
+static enum wf_status grow_measured(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
+                                    struct wf_tree *out, struct wf_err *e)
+{
+    const struct wf_tree *t = m->measured;
+    const struct wf_clothing wear = { .leaf_area = m->leaf_area, .kind = m->measured_kind };
+    if (m->leaf_area > 0 && !sp->crown_drag.given)
+        return wf_fail(e, WF_EINPUT, "%s: leaves are asked for, but the species table %s has no 'crown'",
+                       m->name, sp->key);
+    enum wf_status s = wf_tree_alloc(out, t->n, a, e);
+    if (s) return s;
+    double *const to[] = { out->x0, out->y0, out->z0, out->x1, out->y1, out->z1, out->r0, out->r1 };
+    const double *const from[] = { t->x0, t->y0, t->z0, t->x1, t->y1, t->z1, t->r0, t->r1 };
+    for (size_t k = 0; k < sizeof to / sizeof *to; k++) memcpy(to[k], from[k], t->n * sizeof(double));
+    memcpy(out->parent, t->parent, t->n * sizeof *t->parent);
+    memcpy(out->level, t->level, t->n * sizeof *t->level);
+    memcpy(out->id, t->id, t->n * sizeof *t->id);
+    out->name = m->name;
+    return wf_clothe(out, sp, &wear, a, e);
+}
+
 enum wf_status wf_grow(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
                        struct wf_tree *out, struct wf_diag *d, struct wf_err *e)
 {
     if (m->generator == WF_GENERATOR_STEM) return wf_grow_stem(m, sp, a, out, e);
     if (!sp->levels) return wf_fail(e, WF_EINPUT, "%s: the species has no levels", sp->key);
+    if (m->generator == WF_GENERATOR_MEASURED) return grow_measured(m, sp, a, out, e);
     return grow_branched(m, sp, a, out, d, e);
 }

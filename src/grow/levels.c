@@ -180,7 +180,7 @@ enum wf_status wf_levels_axes(const struct wf_model *m, const struct wf_species 
         const struct wf_branching *b = &m->branching[l - 1];
         struct nursery g = {
             .b = b,
-            .material = &sp->level[l < sp->levels ? l : sp->levels - 1],
+            .material = wf_species_level(sp, (int32_t)l),
             .parent_form = &out->form[l - 1],
             .seed = m->seed,
         };

@@ -44,10 +44,10 @@ static void put_standing(struct wf_doc *d, json_t *o, const struct wf_species *s
     wf_doc_text(d, o, "note", v->note);
 }
 
-static bool level_grown(const struct wf_tree *t, size_t level)
+static bool level_grown(const struct wf_analysis *a, size_t level)
 {
-    for (size_t i = 0; i < t->n; i++)
-        if (t->level[i] >= 0 && (size_t)t->level[i] == level) return true;
+    for (size_t i = 0; i < a->tree.n; i++)
+        if (wf_species_level(a->species, a->tree.level[i]) == &a->species->level[level]) return true;
     return false;
 }
 
@@ -115,7 +115,7 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
     for (size_t i = 0; i < sp->levels; i++) {
         const struct wf_level *level = &sp->level[i];
         const struct values all = { level->name, level, level_quantities, COUNT(level_quantities),
-                                    level_grown(&a->tree, i) };
+                                    level_grown(a, i) };
         add_values(d, values, a, &all);
         if (!level->wall.n) continue;
         json_t *wall = wf_doc_add(d, walls, wf_doc_object(d));

@@ -1,5 +1,6 @@
 #include "study/analysis.h"
 #include "grow/grow.h"
+#include "solve/unload.h"
 #include "study/limits.h"
 #include "study/scenario.h"
 #include "study/speed.h"
@@ -15,6 +16,26 @@ static enum wf_status check_call(const struct wf_scenario *sc, const double *spe
     return wf_scenario_check(sc, e);
 }
 
+/* The stress-free shape of a tree drawn or measured as it stands under its own weight. */
+static enum wf_status unload(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_solve_options o;
+    struct wf_loads weight = an->loads;
+    struct wf_tree free;
+    double left, moved;
+    weight.wind = NULL;
+    wf_solve_options_default(&o);
+    enum wf_status s = wf_unload(&an->tree, &weight, &o, a, &free, &left, &moved, e);
+    if (s) return s;
+    an->tree = free;
+    wf_diag_warn(d, "unloaded",
+                 "%s, %s: taken as standing under its own weight. Its stress-free shape is up to %.3g m away; under "
+                 "its weight it comes back to the shape given within %.2g m. Deflections count from the stress-free "
+                 "shape",
+                 an->model->name, an->species->name, moved, left);
+    return WF_OK;
+}
+
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_err *e)
 {
@@ -28,6 +49,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
     an->loads.air_density = wf_scenario_air_density(&an->scenario);
     an->loads.air_viscosity = wf_air_viscosity(an->scenario.temperature, an->loads.air_density);
     an->loads.gravity = an->scenario.gravity;
+    if (an->model->shape == WF_SHAPE_UNDER_WEIGHT && (s = unload(an, a, d, e))) return s;
     if (!law->law) return WF_OK;
     an->loads.streamline = wf_streamline_named(law->law);
     if (!an->loads.streamline)

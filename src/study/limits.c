@@ -121,10 +121,10 @@ static void add_assumed(char *buf, size_t size, const char *part, const struct n
     }
 }
 
-static bool level_grown(const struct wf_tree *t, size_t level)
+static bool level_grown(const struct wf_analysis *a, size_t level)
 {
-    for (size_t i = 0; i < t->n; i++)
-        if (t->level[i] >= 0 && (size_t)t->level[i] == level) return true;
+    for (size_t i = 0; i < a->tree.n; i++)
+        if (wf_species_level(a->species, a->tree.level[i]) == &a->species->level[level]) return true;
     return false;
 }
 
@@ -142,7 +142,7 @@ char *wf_limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
     const struct wf_species *sp = an->species;
     buf[0] = '\0';
     for (size_t i = 0; i < sp->levels; i++) {
-        if (!level_grown(&an->tree, i)) continue;
+        if (!level_grown(an, i)) continue;
         const struct wf_level *l = &sp->level[i];
         const struct named_value all[] = {
             { "youngs_modulus", &l->youngs_modulus },
