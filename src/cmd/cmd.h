@@ -20,6 +20,7 @@ int wf_cmd_compare(int argc, char **argv);
 int wf_cmd_import(int argc, char **argv);
 int wf_cmd_report(int argc, char **argv);
 int wf_cmd_schema(int argc, char **argv);
+int wf_cmd_shelter(int argc, char **argv);
 int wf_cmd_species(int argc, char **argv);
 int wf_cmd_tree(int argc, char **argv);
 int wf_cmd_terrain(int argc, char **argv);

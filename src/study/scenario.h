@@ -8,6 +8,13 @@
 enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e);
 /* The field of a checked scenario, at speed 0. */
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
+struct wf_species;
+struct wf_loads;
+/* What a checked scenario does to a tree of this species: wind field (at speed 0), air, gravity,
+ * streamlining. Returned: *wind, and *loads pointing at it. WF_EINPUT for a streamlining law that does not
+ * exist. */
+enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
+                                 struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e);
 /* Density of the air, given or from temperature and altitude [kg m-3]. */
 double wf_scenario_air_density(const struct wf_scenario *s);
 #endif

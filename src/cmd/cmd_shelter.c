@@ -1,0 +1,214 @@
+/* windfirm shelter: what a tree leaves of the wind inside and behind itself. */
+#include "cmd/import_options.h"
+#include "cmd/shelter_tables.h"
+#include "cmd/wind_speed.h"
+#include "cmd/wind_tables.h"
+#include "grow/clothe.h"
+#include "grow/grow.h"
+#include "grow/qsm_model.h"
+#include "study/scenario.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static const char *law_word(size_t i) { return wf_shelter_laws[i].name; }
+static const char *profile_word(size_t i) { return wf_profiles[i].name; }
+
+#define NUMBER(option, word, start, dim, base, least, most, text)                                            \
+    {                                                                                                        \
+        .name = option, .kind = WF_OPTION_NUMBER, .value = word, .initial = start, .dimension = dim,         \
+        .unit = base, .low = least, .high = most, .help = text                                               \
+    }
+
+static const struct wf_option options[] = {
+    { .name = "--model",
+      .letter = "-m",
+      .kind = WF_OPTION_TEXT,
+      .value = "MODEL",
+      .help = "tree model: a file, or the name of a shipped one" },
+    { .name = "--tree",
+      .kind = WF_OPTION_TEXT,
+      .value = "FILE",
+      .help = "or a measured tree, as for import" },
+    { .name = "--species",
+      .letter = "-s",
+      .kind = WF_OPTION_TEXT,
+      .value = "SPECIES",
+      .help = "wood and leaves: a species table, a file or the name of a shipped one" },
+    NUMBER("--leaf-area", "AREA", "0", WF_DIM_AREA, "m2", 0, 1e5, "one-sided leaf area of a measured tree"),
+    { .name = "--wind",
+      .letter = "-w",
+      .kind = WF_OPTION_TEXT,
+      .value = "SPEED",
+      .initial = "10",
+      .help = "mean wind at 10 m: a speed with or without unit, or beaufort:8" },
+    { .name = "--profile",
+      .kind = WF_OPTION_CHOICE,
+      .value = "NAME",
+      .initial = "power",
+      .word = profile_word,
+      .help = "how the undisturbed wind grows with height" },
+    NUMBER("--azimuth", "ANGLE", "0", WF_DIM_ANGLE, "deg", -360, 360,
+           "direction the wind blows towards, from +x towards +y"),
+    { .name = "--law",
+      .kind = WF_OPTION_CHOICE,
+      .value = "NAME",
+      .initial = "wake",
+      .word = law_word,
+      .help = "wake: drag and recovering wakes; feng1999: potential flows as printed" },
+    NUMBER("--slabs", "NUMBER", "32", WF_DIM_NONE, NULL, 1, 512, "along the wind"),
+    NUMBER("--cells", "NUMBER", "128", WF_DIM_NONE, NULL, 8, 1024, "across and up"),
+    NUMBER("--transmission", "SHARE", "0.2", WF_DIM_NONE, NULL, 0, 1, "of a fully covered cell"),
+    { .name = "--as",
+      .kind = WF_OPTION_CHOICE,
+      .value = "WHAT",
+      .initial = "energy",
+      .choices = "energy|speed",
+      .help = "what the transmission is a share of" },
+    NUMBER("--gap", "NUMBER", "1", WF_DIM_NONE, NULL, 1, 64, "widest hole or slit, in cells"),
+    NUMBER("--leaf-reach", "LENGTH", "0.25", WF_DIM_LENGTH, "m", 1e-3, 100,
+           "how far leaves stand from their segment"),
+    NUMBER("--wake-growth", "NUMBER", "0.08", WF_DIM_NONE, NULL, 0, 1,
+           "standard deviation of a wake per distance (law wake)"),
+    WF_IMPORT_OPTIONS,
+    { .name = "--output",
+      .letter = "-o",
+      .kind = WF_OPTION_TEXT,
+      .value = "FOLDER",
+      .initial = "out/shelter",
+      .help = "where tables and plots go" },
+    { .name = "--no-motion", .kind = WF_OPTION_FLAG, .help = "only the wind; the tree is not bent" },
+    { .name = "--no-plots", .kind = WF_OPTION_FLAG, .help = "write the tables only" },
+    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    { 0 },
+};
+
+static const char about[] =
+    "  Cut a tree across the wind into slabs, project each on a grid, and tell what its branches and leaves\n"
+    "  leave of the wind inside and behind it; bend the tree in that wind and in the open, side by side.\n"
+    "\n"
+    "  windfirm shelter --model scots_pine --species scots_pine --wind 15\n"
+    "  windfirm shelter --tree tree.csv --species oak --leaf-area 120 --azimuth 45 --law feng1999";
+
+/* Everything of one run. */
+struct work {
+    struct wf_args args;
+    struct wf_species species;
+    struct wf_model model;
+    struct wf_tree tree;
+    struct wf_scenario scenario;
+    struct wf_wind wind;
+    struct wf_loads loads;
+    struct wf_shelter_request request;
+    struct wf_shelter_run run;
+    struct wf_sheltered sheltered;
+};
+
+static enum wf_status measured(struct work *w, const char *file, struct wf_arena *a, struct wf_diag *d,
+                               struct wf_err *e)
+{
+    struct wf_import_options o = wf_import_typed(&w->args);
+    struct wf_qsm q;
+    struct wf_qsm_model m;
+    enum wf_status s = wf_import_read(file, &o, a, &q, d, e);
+    if (s || (s = wf_qsm_to_tree(&q, WF_JOINT_AXIS, a, &m, e))) return s;
+    const struct wf_clothing wears = { .leaf_area = wf_args_number(&w->args, "--leaf-area"), .kind = m.kind };
+    w->tree = m.tree;
+    return wf_clothe(&w->tree, &w->species, &wears, a, e);
+}
+
+static enum wf_status read_tree(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    const char *model = wf_args_text(&w->args, "--model"), *file = wf_args_text(&w->args, "--tree");
+    const char *species = wf_args_text(&w->args, "--species");
+    if (!model == !file) return wf_fail(e, WF_EUSAGE, "give a tree by --model or --tree, one of them");
+    if (!species) return wf_fail(e, WF_EUSAGE, "--species is needed, for example --species oak");
+    struct wf_err other = { 0 };
+    enum wf_status s = wf_species_read(wf_shipped("species", species, a), a, &w->species, d, e), t = WF_OK;
+    if (model) t = wf_model_read(wf_shipped("models", model, a), a, &w->model, d, &other);
+    if (s || t) return s ? s : wf_fail(e, t, "%s", other.text);
+    s = model ? wf_grow(&w->model, &w->species, a, &w->tree, d, e) : measured(w, file, a, d, e);
+    return s ? s : wf_tree_check(&w->tree, d, e);
+}
+
+static enum wf_status specify(struct work *w, struct wf_err *e)
+{
+    const struct wf_args *g = &w->args;
+    struct wf_shelter_request *q = &w->request;
+    FILE *to = wf_args_given(g, "--quiet") ? NULL : stdout;
+    wf_scenario_default(&w->scenario);
+    w->scenario.profile = wf_args_text(g, "--profile");
+    w->scenario.azimuth = wf_args_number(g, "--azimuth");
+    wf_shelter_request_default(q);
+    q->law = wf_shelter_law_named(wf_args_text(g, "--law"));
+    q->slabs = (size_t)llround(wf_args_number(g, "--slabs"));
+    q->cells = (size_t)llround(wf_args_number(g, "--cells"));
+    q->transmission = wf_args_number(g, "--transmission");
+    q->energy = strcmp(wf_args_text(g, "--as"), "energy") == 0;
+    q->gap = (size_t)llround(wf_args_number(g, "--gap"));
+    q->leaf_reach = wf_args_number(g, "--leaf-reach");
+    q->wake_growth = wf_args_number(g, "--wake-growth");
+    enum wf_status s = wf_shelter_request_check(q, e);
+    if (s || (s = wf_wind_speed_read(wf_args_text(g, "--wind"), "durst", to, &w->run.speed, e))) return s;
+    return wf_scenario_check(&w->scenario, e);
+}
+
+/* The tree in the open and in its own shelter. */
+static enum wf_status move(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_solve_options o;
+    const struct wf_solver *solver = wf_solvers[0];
+    wf_solve_options_default(&o);
+    o.mesh_tolerance = 1e-4; /* drawn lines and means of many tips */
+    enum wf_status s = solver->solve(&w->tree, &w->loads, &o, a, &w->run.open, d, e);
+    if (!s)
+        s = wf_sheltered_solve(&w->tree, &w->loads, &w->request, solver, &o, a, &w->sheltered, &w->run.own, d,
+                               e);
+    w->run.sheltered = &w->sheltered;
+    w->run.moved = !s;
+    return s ? s : wf_shelter_tips(&w->run, &w->loads, a, e);
+}
+
+static enum wf_status run(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    static const char *const figures[] = { "shelter_slabs", "shelter_wind", "shelter_motion", NULL };
+    static const char *const still[] = { "shelter_slabs", "shelter_wind", NULL };
+    const struct wf_args *g = &w->args;
+    bool motion = !wf_args_given(g, "--no-motion"), quiet = wf_args_given(g, "--quiet");
+    enum wf_status s = specify(w, e);
+    if (s || (s = read_tree(w, a, d, e))) return s;
+    if (w->species.crown_drag.given) w->request.crown_drag = w->species.crown_drag.value;
+    if ((s = wf_scenario_loads(&w->scenario, &w->species, &w->wind, &w->loads, e))) return s;
+    w->wind.speed = w->run.speed;
+    w->run.folder = wf_args_text(g, "--output");
+    w->run.tree = &w->tree;
+    wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");
+    s = wf_shelter_make(&w->tree, &w->wind, &w->request, a, &w->run.still, e);
+    if (!s && motion && w->run.speed > 0.0) s = move(w, a, d, e);
+    wf_progress(NULL);
+    if (s) return s;
+    if (!quiet) wf_shelter_print(stdout, &w->run);
+    s = wf_shelter_tables(&w->run, e);
+    if (!s && !wf_args_given(g, "--no-plots"))
+        s = wf_wind_figures(w->run.folder, w->run.moved ? figures : still, e);
+    if (!s && !quiet) printf("\nTables and plots: %s\n", w->run.folder);
+    return s;
+}
+
+int wf_cmd_shelter(int argc, char **argv)
+{
+    struct wf_arena arena = { 0 };
+    struct work w = { 0 };
+    struct wf_err e = { 0 };
+    int code = wf_args_read(argc, argv, options, about, 0, 0, &arena, &w.args);
+    if (code < 0) {
+        struct wf_diag d = { .arena = &arena };
+        enum wf_status s = run(&w, &arena, &d, &e);
+        fflush(stdout);
+        wf_print_findings(&d, wf_args_given(&w.args, "--quiet"));
+        code = s ? wf_complain(&e) : 0;
+    }
+    wf_sheltered_end(&w.sheltered);
+    wf_arena_free(&arena);
+    return code;
+}

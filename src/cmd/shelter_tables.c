@@ -1,0 +1,180 @@
+#include "cmd/shelter_tables.h"
+#include "base/file.h"
+#include "cmd/wind_tables.h"
+#include <math.h>
+
+enum { MAP = 64, CUT_LONG = 160, CUT_WIDE = 100 };
+
+static void slabs(FILE *f, const struct wf_shelter_run *r)
+{
+    const struct wf_shelter *s = &r->still;
+    fputs("slab,front_m,wood_m2,leaf_m2,covered_m2,cylinder,hole,slit,transmitting,full,arriving_ratio,"
+          "flux_ratio\n",
+          f);
+    for (size_t k = 0; k <= s->slabs; k++) {
+        const struct wf_shelter_slab *b = &s->slab[k];
+        fprintf(f, "%zu,%.6g,%.7g,%.7g,%.7g,%zu,%zu,%zu,%zu,%zu,%.7g,%.7g\n", k + 1, (double)k * s->step[0],
+                b->wood, b->leaf, b->covered, b->cells[WF_CELL_CYLINDER], b->cells[WF_CELL_HOLE],
+                b->cells[WF_CELL_SLIT], b->cells[WF_CELL_TRANSMITTING], b->full, b->speed, b->flux);
+    }
+}
+
+/* Coverage and class of a block of cells: the mean, and the commonest class but none, if any. */
+static double block(const struct wf_shelter *s, size_t slab, const size_t from[2], const size_t to[2],
+                    enum wf_cell_class *class)
+{
+    size_t count[WF_CELL_CLASSES] = { 0 }, n = 0;
+    double sum = 0.0;
+    for (size_t k = from[1]; k < to[1]; k++)
+        for (size_t i = from[0]; i < to[0]; i++, n++) {
+            size_t cell = (slab * s->up + k) * s->across + i;
+            sum += wf_shelter_coverage(s, cell);
+            count[s->class[cell]]++;
+        }
+    *class = WF_CELL_NONE;
+    for (int c = 1; c < WF_CELL_CLASSES; c++)
+        if (count[c] && (*class == WF_CELL_NONE || count[c] > count[*class])) *class = (enum wf_cell_class)c;
+    return n ? sum / (double)n : 0.0;
+}
+
+/* Coverage and class on at most MAP x MAP places of every slab. */
+static void cells(FILE *f, const struct wf_shelter_run *r)
+{
+    const struct wf_shelter *s = &r->still;
+    size_t n = s->across < MAP ? s->across : MAP;
+    fputs("slab,across_m,up_m,coverage,class\n", f);
+    for (size_t p = 0; p < s->slabs; p++)
+        for (size_t k = 0; k < n; k++)
+            for (size_t i = 0; i < n; i++) {
+                const size_t from[2] = { i * s->across / n, k * s->up / n },
+                             to[2] = { (i + 1) * s->across / n, (k + 1) * s->up / n };
+                enum wf_cell_class class;
+                double coverage = block(s, p, from, to, &class);
+                fprintf(f, "%zu,%.5g,%.5g,%.4g,%d\n", p + 1,
+                        s->low[1] + ((double)i + 0.5) * s->step[1] * (double)s->across / (double)n,
+                        s->low[2] + ((double)k + 0.5) * s->step[2] * (double)s->up / (double)n, coverage,
+                        (int)class);
+            }
+}
+
+/* Speed over the undisturbed speed on a cut along the wind: level (`up` given) or upright (`across` given).
+ */
+static void cut(FILE *f, const struct wf_shelter *s, int axis, double fixed)
+{
+    double depth = s->step[0] * (double)s->slabs, from = s->low[0] - 0.15 * depth, length = 2.1 * depth;
+    double low = s->low[axis], wide = s->step[axis] * (double)(axis == 1 ? s->across : s->up);
+    fputs(axis == 1 ? "along_m,across_m,ratio\n" : "along_m,up_m,ratio\n", f);
+    for (int k = 0; k < CUT_WIDE; k++)
+        for (int i = 0; i < CUT_LONG; i++) {
+            double local[3], x[3] = { 0 }, ratio[3], slope[9];
+            local[0] = from + length * ((double)i + 0.5) / CUT_LONG;
+            local[axis] = low + wide * ((double)k + 0.5) / CUT_WIDE;
+            local[3 - axis] = fixed;
+            for (int j = 0; j < 3; j++)
+                for (int d = 0; d < 3; d++) x[d] += s->axis[j][d] * local[j];
+            wf_shelter_ratio(s, x, ratio, slope);
+            fprintf(f, "%.5g,%.5g,%.5g\n", local[0], local[axis],
+                    sqrt(ratio[0] * ratio[0] + ratio[1] * ratio[1] + ratio[2] * ratio[2]));
+        }
+}
+
+/* Height of the centre of what is covered, and its place across [m]. */
+static void middle(const struct wf_shelter *s, double out[2])
+{
+    double sum = 0.0;
+    out[0] = out[1] = 0.0;
+    for (size_t c = 0; c < s->slabs * s->up * s->across; c++) {
+        double w = wf_shelter_coverage(s, c);
+        sum += w;
+        out[0] += w * (s->low[1] + ((double)(c % s->across) + 0.5) * s->step[1]);
+        out[1] += w * (s->low[2] + ((double)(c / s->across % s->up) + 0.5) * s->step[2]);
+    }
+    for (int k = 0; k < 2; k++) out[k] = sum > 0.0 ? out[k] / sum : s->low[k + 1];
+}
+
+static void cut_level(FILE *f, const struct wf_shelter_run *r)
+{
+    double at[2];
+    middle(&r->still, at);
+    cut(f, &r->still, 1, at[1]);
+}
+
+static void cut_upright(FILE *f, const struct wf_shelter_run *r)
+{
+    double at[2];
+    middle(&r->still, at);
+    cut(f, &r->still, 2, at[0]);
+}
+
+/* Ends of the rows seen from the side: along the wind and up, at rest, in the open, sheltered. */
+static void rows(FILE *f, const struct wf_shelter_run *r)
+{
+    const struct wf_tree *t = r->tree;
+    const double *to = r->still.axis[0];
+    static const double none[3] = { 0 };
+    fputs("row,along0_m,up0_m,along1_m,up1_m,open0_m,open_up0_m,open1_m,open_up1_m,own0_m,own_up0_m,own1_m,"
+          "own_up1_m,radius_m\n",
+          f);
+    for (size_t i = 0; i < t->n && r->moved; i++) {
+        const double a[3] = { t->x0[i], t->y0[i], t->z0[i] }, b[3] = { t->x1[i], t->y1[i], t->z1[i] };
+        int32_t p = t->parent[i];
+        fprintf(f, "%lld", (long long)t->id[i]);
+        for (int state = 0; state < 3; state++)
+            for (int end = 0; end < 2; end++) {
+                const double *all = state == 1 ? r->open.end : r->own.end, *x = end ? b : a;
+                const double *move = state == 0 ? none
+                                     : end      ? &all[3 * i]
+                                     : p < 0    ? none
+                                                : &all[3 * (size_t)p];
+                double along = 0.0;
+                for (int k = 0; k < 3; k++) along += to[k] * (x[k] + move[k]);
+                fprintf(f, ",%.5g,%.5g", along, x[2] + move[2]);
+            }
+        fprintf(f, ",%.5g\n", t->r0[i]);
+    }
+}
+
+static void tips(FILE *f, const struct wf_shelter_run *r)
+{
+    fputs("row,depth_share,wind_open_ms,wind_own_ms,move_open_m,move_own_m,swing_open_m,swing_own_m\n", f);
+    for (size_t i = 0; i < r->tips; i++) {
+        const struct wf_tip *p = &r->tip[i];
+        fprintf(f, "%lld,%.5g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g\n", (long long)r->tree->id[p->row], p->along,
+                p->wind[0], p->wind[1], p->move[0], p->move[1], p->swing[0], p->swing[1]);
+    }
+}
+
+static void words(FILE *f, const struct wf_shelter_run *r)
+{
+    const struct wf_shelter *s = &r->still;
+    double at[2], depth = s->step[0] * (double)s->slabs;
+    middle(s, at);
+    fprintf(f, "LAW = '%s'\nSPEED = %.6g\nSLABS = %zu\nCELLS = %zu\nFRONT = %.6g\nDEPTH = %.6g\n",
+            s->request.law->name, r->speed, s->slabs, s->across, s->low[0], depth);
+    fprintf(f, "LEFT = %.6g\nWIDE = %.6g\nBOTTOM = %.6g\nTALL = %.6g\nCUT_UP = %.6g\nCUT_ACROSS = %.6g\n",
+            s->low[1], s->step[1] * (double)s->across, s->low[2], s->step[2] * (double)s->up, at[1], at[0]);
+    fprintf(f, "MOVED = %d\n", r->moved);
+}
+
+enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *e)
+{
+    static const struct {
+        const char *name;
+        void (*write)(FILE *f, const struct wf_shelter_run *r);
+    } table[] = { { "tables/slabs.csv", slabs },
+                  { "tables/cells.csv", cells },
+                  { "tables/cut_level.csv", cut_level },
+                  { "tables/cut_upright.csv", cut_upright },
+                  { "tables/rows.csv", rows },
+                  { "tables/tips.csv", tips },
+                  { "plots/run.gp", words } };
+    enum wf_status status = wf_wind_folders(r->folder, e);
+    for (size_t i = 0; i < sizeof table / sizeof table[0] && !status; i++) {
+        struct wf_file f = { 0 };
+        status = wf_wind_begin(&f, r->folder, table[i].name, e);
+        if (status) break;
+        table[i].write(f.stream, r);
+        status = wf_file_commit(&f, e);
+    }
+    return status;
+}
