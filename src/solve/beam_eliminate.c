@@ -154,13 +154,13 @@ static inline void put8(by_base A, int row, int col, const double B[9])
         for (int j = 0; j < 3; j++) A[row + i][col + j] = B[3 * i + j];
 }
 
-/* S y + R (p_base, 1) = 0 without the part above; its answer enters through E: rows of dm_j by dw_end. */
+/* S y + R (p_base, 1) = 0 without the part above; its answer enters through Mn: dn_end -> dm_j. */
 WF_INLINE void equations(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
                          const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], double S[6][6],
-                         by_base A, double E[6][6])
+                         by_base A, double Mn[2][9])
 {
     for (int j = 0; j < 2; j++) {
-        double law[3], bent[3], M[2][9], G[9], C[9], R[9], Mn[9];
+        double law[3], bent[3], M[2][9], G[9], C[9], R[9];
         const double d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1], ei = p->ei[j], gj = p->gj[j];
         v3_section(ei, gj, s->t[j], k->k[j], law);
         for (int m = 0; m < 2; m++)
@@ -183,12 +183,10 @@ WF_INLINE void equations(const struct wf_beam_part *p, const struct kinematics *
         put6(S, 3 * j, 3 - 3 * j, C);
         for (int i = 0; i < 9; i++) R[i] = -d0 * q->Vr[0][i] - d1 * q->Vr[1][i];
         put8(A, 3 * j, 0, R);
-        for (int i = 0; i < 9; i++) Mn[i] = d0 * q->Vn[0][i] + d1 * q->Vn[1][i];
+        for (int i = 0; i < 9; i++) Mn[j][i] = d0 * q->Vn[0][i] + d1 * q->Vn[1][i];
         for (int i = 0; i < 3; i++) {
             A[3 * j + i][6] = law[i] - at[j].m[i] - d0 * q->Vc[0][i] - d1 * q->Vc[1][i];
             A[3 * j + i][7] = 0;
-            for (int c = 0; c < 3; c++)
-                E[3 * j + i][c] = -Mn[3 * i + c], E[3 * j + i][3 + c] = c == i ? -1 : 0;
         }
     }
 }
@@ -308,20 +306,30 @@ WF_INLINE void base_of(double half, const struct statics *q, const struct wf_lin
 }
 
 /* Add what the part above answers, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own
- * equations. */
-WF_INLINE void attach(double E[6][6], const struct wf_beam_reaction *above, double P[6][6], by_base Z,
+ * equations: dm_j gains Mn_j dn_end + dm_end. */
+WF_INLINE void attach(double Mn[2][9], const struct wf_beam_reaction *above, double P[6][6], by_base Z,
                       double S[6][6], by_base A)
 {
-    double EK[6][6] = { { 0 } };
-    for (int i = 0; i < 6; i++)
-        for (int m = 0; m < 6; m++) {
-            for (int c = 0; c < 6; c++) EK[i][c] += E[i][m] * above->K[m][c];
-            A[i][6] += E[i][m] * above->k[m];
-        }
-    for (int i = 0; i < 6; i++)
+    double answer[6][8], EK[6][8];
+    for (int i = 0; i < 6; i++) {
+        memcpy(answer[i], above->K[i], sizeof above->K[i]);
+        answer[i][6] = above->k[i], answer[i][7] = 0;
+    }
+    for (int j = 0; j < 2; j++)
+        for (int i = 0; i < 3; i++)
+            for (int c = 0; c < 8; c++)
+                EK[3 * j + i][c] = -answer[3 + i][c] - Mn[j][3 * i] * answer[0][c] -
+                                   Mn[j][3 * i + 1] * answer[1][c] - Mn[j][3 * i + 2] * answer[2][c];
+    for (int i = 0; i < 6; i++) {
         for (int m = 0; m < 6; m++)
             for (int c = 0; c < 6; c++) S[i][c] += EK[i][m] * P[m][c];
-    multiply(EK, Z, A);
+        A[i][6] += EK[i][6];
+    }
+    for (int i = 0; i < 6; i++) { /* Z = (1 X g; 0 1 0), X and g in columns 3 to 6 */
+        for (int c = 0; c < 6; c++) A[i][c] += EK[i][c];
+        for (int m = 0; m < 3; m++)
+            for (int c = 3; c < 7; c++) A[i][c] += EK[i][m] * Z[m][c];
+    }
 }
 
 static void invert(double S[6][6], double R[6][6])
@@ -383,16 +391,16 @@ WF_INLINE bool answer(const struct wf_beam_part *p, const struct kinematics *k, 
                       bool *apart, struct wf_beam_stability *count, struct wf_beam_small *small)
 {
     static const struct statics none;
-    double S[6][6], E[6][6];
+    double S[6][6], Mn[2][9];
     *apart = false;
-    equations(p, k, q, s, at, S, A, E);
-    attach(E, above, P, Z, S, A);
+    equations(p, k, q, s, at, S, A, Mn);
+    attach(Mn, above, P, Z, S, A);
     if (small) invert(S, small->R);
     if (count) count->negative += unstable_directions(p, S, k, count->margin);
     bool solved = solve6(S, A);
     if (!guard || (solved && !leaps(A, P))) return solved;
     *apart = true;
-    equations(p, k, &none, s, at, S, A, E);
+    equations(p, k, &none, s, at, S, A, Mn);
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) A[i][c] = 0;
     return solve6(S, A);
