@@ -43,7 +43,8 @@ static void cells(FILE *f, const struct wf_shelter_run *r)
     const struct wf_shelter *s = &r->still;
     size_t n = s->across < MAP ? s->across : MAP;
     fputs("slab,across_m,up_m,coverage,class\n", f);
-    for (size_t p = 0; p < s->slabs; p++)
+    for (size_t p = 0; p < s->slabs; p++) {
+        if (p) fputs("\n\n", f); /* blocks of gnuplot's `index` */
         for (size_t k = 0; k < n; k++)
             for (size_t i = 0; i < n; i++) {
                 const size_t from[2] = { i * s->across / n, k * s->up / n },
@@ -55,6 +56,7 @@ static void cells(FILE *f, const struct wf_shelter_run *r)
                         s->low[2] + ((double)k + 0.5) * s->step[2] * (double)s->up / (double)n, coverage,
                         (int)class);
             }
+    }
 }
 
 /* Speed over the undisturbed speed on a cut along the wind: level (`up` given) or upright (`across` given).

@@ -1,0 +1,67 @@
+# Coverage of every slab and what its cells are, windward first, seen along the wind; wind that passes.
+#   gnuplot -c shelter_slabs.gp FOLDER [FILE]
+DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shelter_slabs.svg'
+HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+load HERE.'style.gp'
+CELLTABLE = DIR.'/tables/cells.csv'
+SLABTABLE = DIR.'/tables/slabs.csv'
+# at most 32 maps; with more slabs every second, third ... is shown
+STEP = int(ceil(SLABS/32.0))
+SHOWN = int((SLABS - 1)/STEP) + 1
+COLUMNS = 8
+ROWS = int((SHOWN - 1)/COLUMNS) + 1
+WIDTH = 820.0
+CELL = (WIDTH - 60.0)/COLUMNS
+MAPW = CELL - 6.0
+MAPH = MAPW*TALL/WIDE; MAPH = MAPH > 220 ? 220.0 : MAPH < 30 ? 30.0 : MAPH
+BLOCK = ROWS*(MAPH + 16.0) + 30.0
+HEIGHT = 2*BLOCK + 220.0
+@start
+set multiplot
+unset key; unset grid; unset tics; unset xlabel; unset ylabel
+set border 15 lw 0.5 lc rgb '#b0b0b0'
+set xrange [LEFT:LEFT+WIDE]; set yrange [BOTTOM:BOTTOM+TALL]
+# the column names stand once, before the first block
+unset datafile columnheaders
+do for [part=1:2] {
+    TOP = 22.0 + (part - 1)*BLOCK
+    set label 1 (part == 1 ? sprintf("coverage of the slabs, windward first, seen along the wind (%.3g m deep in all, maps %.3g x %.3g m)", DEPTH, WIDE, TALL) : "what their cells are") at screen 0.015, screen 1 - (TOP - 11)/HEIGHT left
+    if (part == 1) {
+        set palette defined (0 '#ffffff', 0.02 '#e7efe2', 0.25 '#a5c48d', 0.6 '#4f8a4b', 1 '#123d1c'); set cbrange [0:1]
+    } else {
+        set palette maxcolors 5 defined (0 '#ffffff', 1 '#0072B2', 2 '#D55E00', 3 '#E69F00', 4 '#404040'); set cbrange [-0.5:4.5]
+    }
+    do for [n=0:SHOWN-1] {
+        slab = 1 + n*STEP
+        col = n % COLUMNS; row = n/COLUMNS
+        set lmargin at screen (12.0 + col*CELL)/WIDTH; set rmargin at screen (12.0 + col*CELL + MAPW)/WIDTH
+        y = TOP + 12.0 + row*(MAPH + 16.0)
+        set tmargin at screen 1 - y/HEIGHT; set bmargin at screen 1 - (y + MAPH)/HEIGHT
+        set label 2 sprintf("%d", slab) at graph 0.04, graph 0.93 left front textcolor rgb '#505050' font ",9"
+        unset colorbox
+        if (n == SHOWN - 1 && part == 1) { set colorbox vertical user origin (WIDTH - 46)/WIDTH, 1 - (TOP + 12 + MAPH)/HEIGHT size 9.0/WIDTH, MAPH/HEIGHT; set cbtics 0.5 scale 0.3 font ",9" }
+        plot CELLTABLE index slab-1 every ::(slab == 1) using 2:3:(part == 1 ? $4 : $5) with image
+        unset label 1
+    }
+    unset colorbox
+}
+unset label 1; unset label 2
+set datafile columnheaders
+# key of the classes
+TOP = 2*BLOCK + 2.0
+set label 11 "cylinder" at screen 0.05, screen 1 - TOP/HEIGHT left textcolor rgb '#0072B2'
+set label 12 "hole" at screen 0.15, screen 1 - TOP/HEIGHT left textcolor rgb '#D55E00'
+set label 13 "slit" at screen 0.22, screen 1 - TOP/HEIGHT left textcolor rgb '#C08000'
+set label 14 "transmitting" at screen 0.28, screen 1 - TOP/HEIGHT left textcolor rgb '#404040'
+set label 15 "white: none" at screen 0.41, screen 1 - TOP/HEIGHT left textcolor rgb '#707070'
+set lmargin at screen 58.0/WIDTH; set rmargin at screen 0.97
+set tmargin at screen 1 - (TOP + 28)/HEIGHT; set bmargin at screen 52.0/HEIGHT
+set border 3 lw 0.8 lc rgb '#404040'; set tics nomirror out scale 0.6; set grid lw 0.5 lt 1 lc rgb '#e3e3e3' dt 1
+set xtics auto; set ytics auto
+set key bottom left
+set xlabel "from the front (m)" offset 0,0.2; set ylabel "share of the undisturbed" offset 1,0
+set xrange [0:DEPTH]; set yrange [*:1.02]
+plot SLABTABLE using (column("front_m")):(column("flux_ratio")) with lines lt 1 title "volume flux through the grid", \
+     SLABTABLE using (column("front_m")):(column("arriving_ratio")) with lines lt 2 title "mean wind over the grid"
+unset multiplot
+set output

@@ -1,0 +1,47 @@
+# Speed over the undisturbed speed on a level and an upright cut; the wind blows from left to right.
+#   gnuplot -c shelter_wind.gp FOLDER [FILE]
+DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shelter_wind.svg'
+HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+load HERE.'style.gp'
+LEVEL = DIR.'/tables/cut_level.csv'
+UPRIGHT = DIR.'/tables/cut_upright.csv'
+WIDTH = 640.0
+LONG = 500.0
+FROM = FRONT - 0.15*DEPTH; LENGTH = 2.1*DEPTH
+fit(h) = h > 420 ? 420.0 : h < 70 ? 70.0 : h
+H1 = fit(LONG*WIDE/LENGTH); H2 = fit(LONG*TALL/LENGTH)
+HEIGHT = H1 + H2 + 150.0
+stats LEVEL using (column("ratio")) nooutput
+LOW = STATS_min; HIGH = STATS_max
+stats UPRIGHT using (column("ratio")) nooutput
+LOW = LOW < STATS_min ? LOW : STATS_min; HIGH = HIGH > STATS_max ? HIGH : STATS_max
+SPAN = HIGH - 1 > 1 - LOW ? HIGH - 1 : 1 - LOW
+SPAN = SPAN < 0.02 ? 0.02 : SPAN
+FASTER = HIGH > 1.02
+@start
+set multiplot
+unset key; unset grid
+set border 15 lw 0.6
+# blue slower than the undisturbed wind, red faster
+set palette defined (-1 '#053061', -0.5 '#4393c3', 0 '#f7f7f7', 0.5 '#d6604d', 1 '#67001f')
+if (FASTER) { set cbrange [1-SPAN:1+SPAN] } else { set palette defined (-1 '#053061', -0.5 '#4393c3', 0 '#f7f7f7'); set cbrange [1-SPAN:1] }
+set xrange [FROM:FROM+LENGTH]
+do for [i=1:2] {
+    y0 = i == 1 ? 26.0 : H1 + 82.0
+    set lmargin at screen 58.0/WIDTH; set rmargin at screen (58.0 + LONG)/WIDTH
+    set tmargin at screen 1 - y0/HEIGHT; set bmargin at screen 1 - (y0 + (i == 1 ? H1 : H2))/HEIGHT
+    set colorbox vertical user origin (58.0 + LONG + 10)/WIDTH, 1 - (y0 + (i == 1 ? H1 : H2))/HEIGHT size 10.0/WIDTH, (i == 1 ? H1 : H2)/HEIGHT
+    set title (i == 1 ? sprintf("law %s: wind / undisturbed wind, level cut at %.1f m", LAW, CUT_UP) : sprintf("upright cut at %.1f m across", CUT_ACROSS)) offset 0,-0.6
+    set xlabel (i == 1 ? "" : "along the wind (m)") offset 0,0.4
+    set arrow 1 from first FRONT, graph 0 to first FRONT, graph 1 nohead front lw 0.6 lc rgb '#707070' dt (4,3)
+    set arrow 2 from first FRONT+DEPTH, graph 0 to first FRONT+DEPTH, graph 1 nohead front lw 0.6 lc rgb '#707070' dt (4,3)
+    if (i == 1) {
+        set ylabel "across (m)" offset 1,0; set yrange [LEFT:LEFT+WIDE]
+        plot LEVEL using (column("along_m")):(column("across_m")):(column("ratio")) with image
+    } else {
+        set ylabel "height (m)" offset 1,0; set yrange [BOTTOM:BOTTOM+TALL]
+        plot UPRIGHT using (column("along_m")):(column("up_m")):(column("ratio")) with image
+    }
+}
+unset multiplot
+set output
