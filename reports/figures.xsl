@@ -22,7 +22,7 @@
 </xsl:template>
 <xsl:template name="number-or-nan">
   <xsl:param name="x"/>
-  <xsl:choose><xsl:when test="$x = ''">NaN</xsl:when><xsl:otherwise><xsl:value-of select="$x"/></xsl:otherwise></xsl:choose>
+  <xsl:choose><xsl:when test="not($x) or $x = ''">NaN</xsl:when><xsl:otherwise><xsl:value-of select="$x"/></xsl:otherwise></xsl:choose>
 </xsl:template>
 <xsl:template name="label">
   <xsl:param name="name"/><xsl:param name="a"/>
@@ -61,7 +61,7 @@
   <xsl:value-of select="concat(']&#10;array ROWS[', $n, '] = [')"/>
   <xsl:for-each select="$trees"><xsl:value-of select="segments"/><xsl:call-template name="comma"/></xsl:for-each>
   <xsl:value-of select="concat(']&#10;array CRITICAL[', $n, '] = [')"/>
-  <xsl:for-each select="$trees"><xsl:call-template name="number-or-nan"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template><xsl:call-template name="comma"/></xsl:for-each>
+  <xsl:for-each select="$trees"><xsl:call-template name="number-or-nan"><xsl:with-param name="x" select="critical[within_limits = 'true']/speed/value"/></xsl:call-template><xsl:call-template name="comma"/></xsl:for-each>
   <xsl:text>]&#10;# wind speeds drawn [m/s]; for each tree those that have an answer, by number; trees with a known strength&#10;</xsl:text>
   <xsl:variable name="drawn" select="$trees[1]/winds/item[contains($shown, concat(' ', count(preceding-sibling::item) + 1, ' '))]"/>
   <xsl:value-of select="concat('array WIND[', count($drawn), '] = [')"/>

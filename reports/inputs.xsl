@@ -31,6 +31,8 @@
   <xsl:param name="x"/><xsl:param name="factor"/>
   <xsl:choose>
     <xsl:when test="$x = ''">–</xsl:when>
+    <!-- a default worked out by the program has more digits than it is good for -->
+    <xsl:when test="given = 'false'"><xsl:call-template name="number"><xsl:with-param name="x" select="$x * $factor"/></xsl:call-template></xsl:when>
     <xsl:otherwise><xsl:call-template name="given"><xsl:with-param name="x" select="$x * $factor"/></xsl:call-template></xsl:otherwise>
   </xsl:choose>
 </xsl:template>
@@ -89,7 +91,7 @@
 </xsl:template>
 
 <xsl:template name="species-table">
-  <table class="data whole inputs">
+  <table class="data inputs">
     <xsl:call-template name="table-caption"><xsl:with-param name="n" select="position() + 2"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">in.species</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
     <thead><tr>
       <th><xsl:call-template name="say"><xsl:with-param name="id">in.part</xsl:with-param></xsl:call-template></th>
@@ -149,8 +151,10 @@
   <table class="block">
     <xsl:call-template name="block-row"><xsl:with-param name="id">in.profile</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="say">
       <xsl:with-param name="id" select="concat('profile.', profile)"/>
-      <xsl:with-param name="a"><xsl:choose><xsl:when test="profile = 'log'"><xsl:call-template name="given"><xsl:with-param name="x" select="roughness/value"/></xsl:call-template></xsl:when><xsl:otherwise><xsl:call-template name="given"><xsl:with-param name="x" select="exponent/value"/></xsl:call-template></xsl:otherwise></xsl:choose></xsl:with-param>
+      <xsl:with-param name="a"><xsl:choose><xsl:when test="profile = 'log' or profile = 'canopy'"><xsl:call-template name="given"><xsl:with-param name="x" select="roughness/value"/></xsl:call-template></xsl:when><xsl:otherwise><xsl:call-template name="given"><xsl:with-param name="x" select="exponent/value"/></xsl:call-template></xsl:otherwise></xsl:choose></xsl:with-param>
       <xsl:with-param name="b"><xsl:call-template name="given"><xsl:with-param name="x" select="displacement/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="c"><xsl:call-template name="number"><xsl:with-param name="x" select="canopy_height/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="d"><xsl:call-template name="number"><xsl:with-param name="x" select="attenuation/value"/></xsl:call-template></xsl:with-param>
     </xsl:call-template></xsl:with-param></xsl:call-template>
     <xsl:call-template name="block-row"><xsl:with-param name="id">in.reference</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="metres"><xsl:with-param name="x" select="reference_height/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
     <xsl:call-template name="block-row"><xsl:with-param name="id">in.azimuth</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">in.azimuth.text</xsl:with-param>

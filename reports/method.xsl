@@ -29,17 +29,17 @@
 <xsl:template name="method">
   <dl>
     <xsl:call-template name="note"><xsl:with-param name="id">m.solver</xsl:with-param><xsl:with-param name="text">
-      <xsl:for-each select="$trees[1]/method/solver"><b><xsl:call-template name="solver-title"/></b>.<xsl:call-template name="source-and-range"/></xsl:for-each>
+      <xsl:for-each select="$trees[1]/method/solver"><b><xsl:call-template name="solver-title"/></b><xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template><xsl:call-template name="source-and-range"/></xsl:for-each>
       <xsl:for-each select="$trees/winds/item/imbalance/value[. != '']"><xsl:sort select="." data-type="number" order="descending"/>
         <xsl:if test="position() = 1"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">m.balance</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="tiny"><xsl:with-param name="x" select="."/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:if></xsl:for-each>
     </xsl:with-param></xsl:call-template>
     <xsl:call-template name="note"><xsl:with-param name="id">m.profile</xsl:with-param><xsl:with-param name="text">
-      <xsl:for-each select="$trees[1]/method/wind_profile"><b><xsl:value-of select="name"/></b>.<xsl:call-template name="source-and-range"/></xsl:for-each>
+      <xsl:for-each select="$trees[1]/method/wind_profile"><b><xsl:value-of select="name"/></b><xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template><xsl:call-template name="source-and-range"/></xsl:for-each>
     </xsl:with-param></xsl:call-template>
     <xsl:call-template name="note"><xsl:with-param name="id">m.crown</xsl:with-param><xsl:with-param name="text">
       <xsl:for-each select="$trees[not(method/streamlining/name = preceding-sibling::item/method/streamlining/name)]/method/streamlining">
         <xsl:if test="position() &gt; 1"><br/></xsl:if>
-        <b><xsl:call-template name="term"><xsl:with-param name="id" select="concat('streamlining.', name)"/><xsl:with-param name="otherwise" select="name"/></xsl:call-template></b>.<xsl:call-template name="source-and-range"/>
+        <b><xsl:call-template name="term"><xsl:with-param name="id" select="concat('streamlining.', name)"/><xsl:with-param name="otherwise" select="name"/></xsl:call-template></b><xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template><xsl:call-template name="source-and-range"/>
       </xsl:for-each>
     </xsl:with-param></xsl:call-template>
     <xsl:call-template name="note"><xsl:with-param name="id">m.axis</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">m.axis.text</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>

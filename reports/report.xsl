@@ -13,9 +13,11 @@
 <xsl:variable name="r" select="/report/results"/>
 <xsl:variable name="reference"><xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/scenario/reference_height/value"/></xsl:call-template></xsl:variable>
 
+<!-- "A, B, C" for the title; with last="list.last" "A, B and C" for a sentence -->
 <xsl:template name="names">
-  <xsl:for-each select="$trees">
-    <xsl:if test="position() &gt; 1"><xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template></xsl:if>
+  <xsl:param name="of" select="$trees"/><xsl:param name="last">list.more</xsl:param>
+  <xsl:for-each select="$of">
+    <xsl:if test="position() &gt; 1"><xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="position() = last()"><xsl:value-of select="$last"/></xsl:when><xsl:otherwise>list.more</xsl:otherwise></xsl:choose></xsl:with-param></xsl:call-template></xsl:if>
     <xsl:call-template name="name"/>
   </xsl:for-each>
 </xsl:template>
@@ -106,7 +108,7 @@
         <xsl:with-param name="id"><xsl:text>f.</xsl:text><xsl:value-of select="@name"/><xsl:if test="@name = 'safety' and not($trees/winds/item/least_safety/value != '')">.none</xsl:if></xsl:with-param>
         <xsl:with-param name="a"><xsl:call-template name="drawn-winds"/></xsl:with-param>
       </xsl:call-template>
-      <xsl:if test="@name = 'safety' and $trees/critical/outcome = 'found'"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template></xsl:if>
+      <xsl:if test="@name = 'safety' and $trees/critical[within_limits = 'true']/outcome = 'found'"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template></xsl:if>
       <xsl:variable name="drawn" select="string-length(normalize-space($shown)) - string-length(translate(normalize-space($shown), ' ', '')) + 1"/>
       <xsl:if test="$drawn &lt; $winds and (@name = 'shapes' or @name = 'stem')">
         <xsl:value-of select="$gap"/>

@@ -13,7 +13,7 @@
 
 <!-- Wind speeds whose answers the method itself does not vouch for. -->
 <xsl:template name="small">
-  <xsl:variable name="beyond" select="winds/item[small_deflection = 'true' and (tip_deflection_share/value &gt; 0.1 or $degrees * tip_angle/value &gt; 15)]"/>
+  <xsl:variable name="beyond" select="winds/item[within_limits = 'false']"/>
   <xsl:if test="$beyond">
     <xsl:call-template name="say"><xsl:with-param name="id">sum.small</xsl:with-param>
       <xsl:with-param name="a"><xsl:choose>
@@ -28,7 +28,7 @@
 
 <!-- The first sentence: how it stands at the highest wind speed that has an answer. -->
 <xsl:template name="verdict">
-  <xsl:variable name="last" select="winds/item[status = 'ok'][last()]"/>
+  <xsl:variable name="last" select="winds/item[status = 'ok' and within_limits = 'true'][last()]"/>
   <xsl:variable name="safety" select="$last/least_safety"/>
   <xsl:call-template name="say">
     <xsl:with-param name="id">
@@ -55,7 +55,7 @@
 
 <!-- How far the tip moves: at every wind speed up to three, else the first, the middle and the last. -->
 <xsl:template name="tips">
-  <xsl:variable name="solved" select="winds/item[status = 'ok']"/>
+  <xsl:variable name="solved" select="winds/item[status = 'ok' and within_limits = 'true']"/>
   <xsl:for-each select="$solved[count($solved) &lt; 4 or position() = 1 or position() = ceiling(count($solved) div 2) or position() = last()]">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say"><xsl:with-param name="id">sum.tip</xsl:with-param>
@@ -68,7 +68,7 @@
 </xsl:template>
 
 <xsl:template name="strength">
-  <xsl:for-each select="winds/item[status = 'ok'][last()][least_safety/value != '']">
+  <xsl:for-each select="winds/item[status = 'ok' and within_limits = 'true'][last()][least_safety/value != '']">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say"><xsl:with-param name="id">sum.stress</xsl:with-param>
       <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></xsl:with-param>
@@ -78,6 +78,18 @@
     </xsl:call-template>
   </xsl:for-each>
   <xsl:value-of select="$gap"/>
+  <xsl:choose>
+    <xsl:when test="critical/within_limits = 'false'"><xsl:call-template name="say">
+      <xsl:with-param name="id"><xsl:choose><xsl:when test="winds/item/within_limits = 'false'">sum.void</xsl:when><xsl:otherwise>sum.void.alone</xsl:otherwise></xsl:choose></xsl:with-param>
+      <xsl:with-param name="a" select="format-number(critical/speed/value, '0.0')"/>
+      <xsl:with-param name="b"><xsl:for-each select="method/solver"><xsl:value-of select="name"/></xsl:for-each></xsl:with-param></xsl:call-template></xsl:when>
+    <xsl:when test="critical/outcome = 'above' and winds/item/within_limits = 'false'"/>
+    <xsl:otherwise><xsl:call-template name="expected"/></xsl:otherwise>
+  </xsl:choose>
+</xsl:template>
+
+<!-- At which wind it breaks, or why that is not known. -->
+<xsl:template name="expected">
   <xsl:call-template name="say">
     <xsl:with-param name="id" select="concat('sum.', critical/outcome)"/>
     <xsl:with-param name="a"><xsl:choose>
@@ -139,7 +151,14 @@
 </xsl:template>
 
 <xsl:template name="summary">
+  <xsl:variable name="values" select="$trees/species/values/item[used = 'true' and value != '']"/>
+  <xsl:variable name="doubtful" select="$values[status = 'assumed' or status = 'borrowed']"/>
+  <xsl:variable name="untested" select="$trees[critical/outcome = 'found' and critical/within_limits = 'true' and not(method/solver/as_printed = 'true') and critical/speed/value &gt; species/streamlining/speed_high/value]"/>
   <div class="summary">
+    <p class="care"><xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="$doubtful">sum.care</xsl:when><xsl:otherwise>sum.care.sure</xsl:otherwise></xsl:choose></xsl:with-param>
+      <xsl:with-param name="a" select="count($doubtful)"/><xsl:with-param name="b" select="count($values)"/><xsl:with-param name="c" select="4"/></xsl:call-template>
+    <xsl:if test="$untested"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">sum.care.crown</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="names"><xsl:with-param name="of" select="$untested"/><xsl:with-param name="last">list.last</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template></xsl:if></p>
     <!-- no ranking out of answers that are not valid -->
     <xsl:variable name="void"><xsl:for-each select="$trees"><xsl:if test="method/solver/as_printed = 'true'">x</xsl:if><xsl:call-template name="small"/></xsl:for-each></xsl:variable>
     <xsl:if test="count($trees) &gt; 1 and $void = ''"><p><b><xsl:call-template name="compare"/></b></p></xsl:if>
@@ -152,13 +171,9 @@
       </xsl:choose></b><xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="voids"/></p>
     </xsl:for-each>
   </div>
-  <xsl:variable name="values" select="$trees/species/values/item[used = 'true' and value != '']"/>
-  <xsl:variable name="doubtful" select="$values[status = 'assumed' or status = 'borrowed']"/>
   <xsl:variable name="warned" select="count($trees/warnings/item | $r/warnings/item)"/>
   <p>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.wind</xsl:with-param><xsl:with-param name="a" select="$reference"/></xsl:call-template><xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.inputs</xsl:with-param>
-      <xsl:with-param name="a" select="count($doubtful)"/><xsl:with-param name="b" select="count($values)"/><xsl:with-param name="c" select="4"/></xsl:call-template>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.wind</xsl:with-param><xsl:with-param name="a" select="$reference"/></xsl:call-template>
     <xsl:if test="$warned &gt; 0">
       <xsl:value-of select="$gap"/>
       <xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="$warned = 1">sum.warning</xsl:when><xsl:otherwise>sum.warnings</xsl:otherwise></xsl:choose></xsl:with-param>

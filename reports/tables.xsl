@@ -45,7 +45,7 @@
 <!-- One block a wind speed, so that species stand under one another; a single tree gives one running block. -->
 <xsl:template name="result-tables">
   <table class="data">
-    <xsl:call-template name="table-caption"><xsl:with-param name="n" select="1"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">t.results</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="table-caption"><xsl:with-param name="n" select="1"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">t.results</xsl:with-param></xsl:call-template><xsl:if test="$trees/winds/item/within_limits = 'false'"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">t.void</xsl:with-param></xsl:call-template></xsl:if></xsl:with-param></xsl:call-template>
     <thead><tr>
       <xsl:call-template name="head"><xsl:with-param name="id">c.wind</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
       <xsl:if test="count($trees) &gt; 1"><xsl:call-template name="head"><xsl:with-param name="id">c.tree</xsl:with-param><xsl:with-param name="class"/></xsl:call-template></xsl:if>
@@ -60,7 +60,7 @@
     </tr></thead>
     <xsl:choose>
       <xsl:when test="count($trees) = 1">
-        <tbody class="long"><xsl:for-each select="$trees/winds/item"><tr>
+        <tbody class="long"><xsl:for-each select="$trees/winds/item"><tr><xsl:if test="within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
           <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></td>
           <xsl:call-template name="result-cells"/>
         </tr></xsl:for-each></tbody>
@@ -68,7 +68,7 @@
       <xsl:otherwise>
         <xsl:for-each select="$trees[1]/winds/item">
           <xsl:variable name="p" select="position()"/>
-          <tbody><xsl:for-each select="$trees"><tr>
+          <tbody><xsl:for-each select="$trees"><tr><xsl:if test="winds/item[$p]/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
             <td class="r"><xsl:if test="position() = 1"><xsl:call-template name="given"><xsl:with-param name="x" select="winds/item[$p]/speed/value"/></xsl:call-template></xsl:if></td>
             <td><xsl:call-template name="name"/></td>
             <xsl:for-each select="winds/item[$p]"><xsl:call-template name="result-cells"/></xsl:for-each>
@@ -86,9 +86,9 @@
       <xsl:call-template name="head"><xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
       <xsl:call-template name="head"><xsl:with-param name="id">c.evidence</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
     </tr></thead>
-    <tbody><xsl:for-each select="$trees"><tr>
+    <tbody><xsl:for-each select="$trees"><tr><xsl:if test="critical/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
       <td><xsl:call-template name="name"/></td>
-      <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('outcome.', critical/outcome)"/>
+      <td><xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="critical/within_limits = 'false'">outcome.void</xsl:when><xsl:otherwise><xsl:value-of select="concat('outcome.', critical/outcome)"/></xsl:otherwise></xsl:choose></xsl:with-param>
         <xsl:with-param name="a"><xsl:choose>
           <xsl:when test="critical/outcome = 'above'"><xsl:call-template name="given"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:when>
           <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_low/value"/></xsl:call-template></xsl:otherwise>

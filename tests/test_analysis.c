@@ -210,18 +210,22 @@ static void test_balance(void **state)
     }
 }
 
-/* With every solver the printed drag is the base shear, and at the critical speed the least safety is 1. */
+/* With all these solvers the printed drag is the base shear, and at the critical speed the least safety is 1.
+ */
 static void test_agreement(void **state)
 {
     (void)state;
-    for (size_t k = 0; wf_solvers[k]; k++) {
+    static const char *const solver[] = { "beam",    "linear",
+                                          "chain",   "chain-as-printed",
+                                          "deflect", "deflect-as-printed" };
+    for (size_t k = 0; k < sizeof solver / sizeof *solver; k++) {
         struct bench b;
         set_up(&b);
         b.model.radius = 0.04;
         b.model.tip_ratio = 0.3;
         b.scenario.gravity = 9.81;
         b.scenario.profile = "power";
-        assert_int_equal(run(&b, wf_solvers[k]->name, (const double[]){ 7 }, 1), WF_OK);
+        assert_int_equal(run(&b, solver[k], (const double[]){ 7 }, 1), WF_OK);
         assert_close(b.out.at[0].base_shear, b.out.at[0].drag, 1e-9);
         assert_int_equal(b.out.critical.outcome, WF_CRITICAL_FOUND);
         double critical = b.out.critical.speed, height = b.out.critical_height;
@@ -231,7 +235,7 @@ static void test_agreement(void **state)
         b.model.tip_ratio = 0.3;
         b.scenario.gravity = 9.81;
         b.scenario.profile = "power";
-        assert_int_equal(run(&b, wf_solvers[k]->name, &critical, 1), WF_OK);
+        assert_int_equal(run(&b, solver[k], &critical, 1), WF_OK);
         const struct wf_breakage *at = &b.out.at[0].breakage;
         assert_close(at->least_safety, 1, 1e-5);
         const struct wf_tree *t = &b.out.tree;
@@ -259,9 +263,15 @@ static void test_limits(void **state)
 {
     (void)state;
     struct bench b;
-    set_up(&b); /* nothing to say about a stiff post with sources */
-    assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
+    set_up(&b); /* nothing to say about a stiff post with sources ... */
+    assert_int_equal(run(&b, "beam", (const double[]){ 5 }, 1), WF_OK);
     assert_int_equal(b.diag.warnings, 0);
+    wf_arena_free(&b.arena);
+    set_up(&b); /* ... but for a small-deflection method's breakage, where the post is far bent */
+    assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
+    assert_true(!wf_limits_small_passed(&b.out.at[0]) && wf_limits_small_passed(&b.out.critical_at));
+    assert_int_equal(b.diag.warnings, 1);
+    assert_non_null(strstr(warning(&b, "small-deflection"), "the critical wind speed of "));
     wf_arena_free(&b.arena);
 
     set_up(&b);
@@ -276,9 +286,22 @@ static void test_limits(void **state)
     b.level.radius.standing = WF_ASSUMED; /* the model gives the radius, so this one takes no part */
     b.species.preset = "someone2001";
     b.species.leaf_frontal_share.standing = WF_ASSUMED;
+    b.model.leaf_area = 10;
     assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
     assert_non_null(strstr(warning(&b, "assumed-values"), "stem: density; crown: frontal_share"));
     assert_non_null(strstr(warning(&b, "as-printed"), "someone2001"));
+    wf_arena_free(&b.arena);
+
+    set_up(&b); /* without leaves the crown's values take no part */
+    b.species.leaf_frontal_share.standing = WF_ASSUMED;
+    assert_int_equal(run(&b, "beam", (const double[]){ 5 }, 1), WF_OK);
+    assert_null(warning(&b, "assumed-values"));
+    wf_arena_free(&b.arena);
+
+    set_up(&b); /* many speeds are named by their ends */
+    b.model.radius = 0.03;
+    assert_int_equal(run(&b, "linear", (const double[]){ 1, 25, 26, 27, 28, 30 }, 6), WF_OK);
+    assert_non_null(strstr(warning(&b, "small-deflection"), "at 5 wind speeds from 25 to 30 m/s"));
     wf_arena_free(&b.arena);
 
     set_up(&b);

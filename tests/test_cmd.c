@@ -90,6 +90,14 @@ static void test_wind(void **state)
     (void)state;
     static const struct row rows[] = {
         { "$W analyze moso_bamboo $M --no-report -o $T/out --wind 36km/h", CODE_OK, { "        10 " } },
+        { "$W analyze oak $M --no-report -o $T/out --wind beaufort:8",
+          CODE_OK,
+          { "        19 ", "gale, 17.2 to 20.8 m/s", "taken as 19.0 m/s" } },
+        { "$W analyze oak $M --no-report -o $T/out --wind beaufort:8,30",
+          CODE_OK,
+          { "        19 ", "        30 " } },
+        { "$W analyze oak $M --wind beaufort:99", CODE_INPUT, { "--wind: unknown grade '99'" } },
+        { "$W analyze oak $M --wind beufort:8", CODE_INPUT, { "did you mean 'beaufort'?" } },
         { "$W analyze moso_bamboo $M --no-report -o $T/out --wind '18:36:18 km/h'",
           CODE_OK,
           { "         5 ", "        10 " } },
@@ -199,10 +207,30 @@ static void test_output(void **state)
         { "mkdir $T/empty; PATH=$T/empty $W analyze moso_bamboo $M --wind 10 -o $T/out\ncode=$?\nls $T/out\n"
           "exit $code",
           CODE_OK,
-          { "gnuplot-nox", "weasyprint", "results.json" } },
+          { "gnuplot-nox", "weasyprint", "plots and pages not complete", "results.json" } },
+        { "$W analyze oak $RUN; echo old >$T/out/report.pdf; sleep 0.01; $W analyze oak $RUN",
+          CODE_OK,
+          { "report.pdf is the page of an earlier run" } },
+        /* every wind profile has its words in the report */
+        { "for p in uniform log power 'canopy --canopy-height 16 --reference-height 26'; do\n"
+          "PATH=$T $W analyze oak $M --wind 10 --profile $p -o $T/out --quiet || exit; done\n"
+          "grep -c 'in a stand 16' $T/out/report.html",
+          CODE_OK,
+          { "1" } },
+        { "$W analyze oak $RUN --profile canopy", CODE_INPUT, { "needs the canopy height" } },
+        { "$W analyze oak $RUN --profile canopy --displacement 7 --reference-height 20 -q; grep -A1 "
+          "'\"canopy_height' "
+          "$T/out/results.json",
+          CODE_OK,
+          { "\"value\": 10" } },
         { "$W report $T/none", CODE_INPUT, { "none" } },
     };
     CHECK(rows);
+    /* what is missing is said once */
+    assert_int_equal(shell("$W analyze oak $RUN --quiet; PATH=$T $W report $T/out"), CODE_RUN);
+    char *first = strstr(output, "gnuplot is not installed");
+    assert_non_null(first);
+    assert_null(strstr(first + 1, "gnuplot is not installed"));
     assert_int_equal(shell("$W analyze moso_bamboo $RUN --quiet"), CODE_OK);
     assert_string_equal(output, "");
 }

@@ -238,7 +238,7 @@ static void axes(void **state)
     free(shape);
 }
 
-/* A caller's decimal comma does not reach the tables; a quote in a key is doubled. */
+/* A quote in a key is doubled; bytes that are not text become question marks. */
 static void cells(void **state)
 {
     struct fixture *f = *state;
@@ -251,6 +251,35 @@ static void cells(void **state)
     char *summary = folder_read(&f->folder, "tables/summary.csv");
     assert_non_null(strstr(summary, "\n1,\"a \"\"b\"\"\",10,ok,"));
     free(summary);
+}
+
+/* A caller's decimal comma does not reach the tables or the document, and is his again afterwards. */
+static void decimal_comma(void **state)
+{
+    struct fixture *f = *state;
+    char command[400];
+    snprintf(command, sizeof command, "localedef -i de_DE -f UTF-8 %s/de_DE.UTF-8 >/dev/null 2>&1",
+             f->folder.path);
+    if (system(command)) skip(); /* no sources of locales here */
+    assert_int_equal(setenv("LOCPATH", f->folder.path, 1), 0);
+    assert_non_null(setlocale(LC_NUMERIC, "de_DE.UTF-8"));
+    char half[8], after[8];
+    snprintf(half, sizeof half, "%.1f", 0.5);
+    double deflection = analysis(f, 0)->at[0].tip_deflection;
+    enum wf_status status = wf_results_write(&f->run, f->folder.path, &f->e);
+    snprintf(after, sizeof after, "%.1f", 0.5);
+    setlocale(LC_NUMERIC, "C");
+    unsetenv("LOCPATH");
+    assert_string_equal(half, "0,5");
+    assert_string_equal(after, "0,5");
+    assert_int_equal(status, WF_OK);
+    char want[64], *summary = folder_read(&f->folder, "tables/summary.csv");
+    snprintf(want, sizeof want, "\n1,\"moso_bamboo\",10,ok,%.10g,", deflection);
+    assert_non_null(strstr(summary, want));
+    free(summary);
+    json_t *o = json_load_file(folder_file(&f->folder, "results.json"), 0, NULL);
+    assert_close(json_real_value(at(o, "trees/0/winds/0/tip_deflection/value")), deflection, 1e-15);
+    json_decref(o);
 }
 
 /* Findings that all trees share are written once, for the run. */
@@ -339,10 +368,19 @@ static void input_notes(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { T(document),    T(exact),      T(units_and_reasons),
-                                        T(unsolved),    T(tables),     T(table_values),
-                                        T(axes),        T(cells),      T(shared_warnings),
-                                        T(wrong_calls), T(unwritable), T(full_disk),
+    const struct CMUnitTest tests[] = { T(document),
+                                        T(exact),
+                                        T(units_and_reasons),
+                                        T(unsolved),
+                                        T(tables),
+                                        T(table_values),
+                                        T(axes),
+                                        T(cells),
+                                        T(decimal_comma),
+                                        T(shared_warnings),
+                                        T(wrong_calls),
+                                        T(unwritable),
+                                        T(full_disk),
                                         T(input_notes) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

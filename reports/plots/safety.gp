@@ -23,7 +23,8 @@ set xlabel L_WIND; set ylabel L_SAFETY offset 1,0
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 1 - 16.0/WIDTH
 set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
 set label L_BREAKS at graph 0.01, first 1 left offset 0,-0.7 textcolor rgb '#505050'
-# Critical speeds: a drop line and the figure; close neighbours stand above one another.
+# Critical speeds: a drop line with the figure at its foot, where curves seldom pass; close neighbours stand above
+# one another.
 do for [n=1:words(STRONG)] {
     i = nth(STRONG, n); u = CRITICAL[i]
     if (u == u && u <= SPEED_MAX) {
@@ -32,8 +33,8 @@ do for [n=1:words(STRONG)] {
         set arrow from u, from to u, 1 nohead lt i lw 1
         set label '' at u, 1 point pt 6 ps 1.1 lw 1.6 lc rgb '#202020'
         name = sprintf(L_SPEED, real(sprintf('%.1f', u)))
-        if (u < 0.9*SPEED_MAX) { set label name at u, 1 left offset 0.6,0.8 + 1.1*near textcolor rgb '#202020' }
-        else { set label name at u, 1 right offset -0.6,0.8 + 1.1*near textcolor rgb '#202020' }
+        if (u < 0.9*SPEED_MAX) { set label name at u, from left offset 0.6,0.6 + 1.1*near textcolor rgb '#202020' }
+        else { set label name at u, from right offset -0.6,0.6 + 1.1*near textcolor rgb '#202020' }
     }
 }
 if (words(STRONG) == 0) {

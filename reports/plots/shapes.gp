@@ -26,7 +26,7 @@ floor = floor < 0 ? 1.03*floor : 0
 # The panels: as many a row as fit, as large as the page allows.
 columns = trees < 3 ? trees : (trees == 4 ? 2 : 3)
 rows = (trees + columns - 1)/columns
-LEFT = 58.0; GAP = 22.0; TITLE = 30.0; UNDER = 48.0; KEY = |WIND| > 4 ? 46.0 : 30.0
+LEFT = 58.0; GAP = 22.0; TITLE = 30.0; UNDER = 48.0; KEY = |WIND| > 3 ? 50.0 : 30.0
 w = (640.0 - LEFT - 12 - GAP*(columns-1))/columns
 most = trees == 1 ? 310.0 : (rows == 1 ? 380.0 : 330.0)
 scale = w/(high - low)

@@ -1,4 +1,5 @@
 #include "cmd/study.h"
+#include <string.h>
 
 static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 static const char *preset_word(size_t i) { return wf_presets[i].name; }
@@ -98,7 +99,7 @@ const struct wf_option wf_study_options[] = {
       .unit = "m",
       .low = 1e-6,
       .high = 10,
-      .help = "roughness length of the log and canopy profiles" },
+      .help = "roughness length of the log and canopy profiles; left out with canopy: 0.1 of its height" },
     { .name = "--displacement",
       .kind = WF_OPTION_NUMBER,
       .value = "LENGTH",
@@ -107,7 +108,9 @@ const struct wf_option wf_study_options[] = {
       .unit = "m",
       .low = 0,
       .high = 100,
-      .help = "displacement height of the log and canopy profiles" },
+      .help = "zero-plane displacement: height the log profile is lifted by, above and in a stand; left out "
+              "with canopy: 0.7 of "
+              "its height" },
     { .name = "--canopy-height",
       .kind = WF_OPTION_NUMBER,
       .value = "LENGTH",
@@ -196,6 +199,16 @@ const struct wf_option wf_study_options[] = {
     { 0 },
 };
 
+/* What is not said of a stand follows from its height: d = 0.7 h, z0 = 0.1 h (Garratt 1992, The Atmospheric
+ * Boundary Layer, Cambridge University Press, sec. 4.3). */
+static void complete_canopy(const struct wf_args *g, struct wf_scenario *s)
+{
+    if (strcmp(s->profile, "canopy") != 0) return;
+    double height = s->canopy_height > 0.0 ? s->canopy_height : s->displacement / 0.7;
+    if (!wf_args_given(g, "--displacement")) s->displacement = 0.7 * height;
+    if (!wf_args_given(g, "--roughness") && height > 0.0) s->roughness = 0.1 * height;
+}
+
 void wf_study_from_args(const struct wf_args *g, struct wf_study *out)
 {
     struct wf_scenario *s = &out->scenario;
@@ -212,6 +225,7 @@ void wf_study_from_args(const struct wf_args *g, struct wf_study *out)
     s->altitude = wf_args_number(g, "--altitude");
     s->air_density = wf_args_number(g, "--air-density");
     s->speed_max = wf_args_number(g, "--search-to");
+    complete_canopy(g, s);
     wf_solve_options_default(&out->solve);
     out->solve.mesh_tolerance = wf_args_number(g, "--mesh-tolerance");
     if (wf_args_given(g, "--root-stiffness"))

@@ -128,10 +128,10 @@ static enum wf_status run(struct work *w, int argc, char **argv, struct wf_err *
     bool pages = !wf_args_given(&w->args, "--no-report"), whole = false;
     if (pages) s = draw(w, &whole, e);
     if (!w->quiet)
-        printf("\nResults and tables%s: %s\n",
-               whole   ? ", plots and pages"
-               : pages ? " (plots and pages not complete)"
-                       : "",
+        printf("\nResults%s: %s\n",
+               whole   ? ", tables, plots and pages"
+               : pages ? " and tables (plots and pages not complete)"
+                       : " and tables",
                w->folder);
     fflush(stdout);
     if (!whole) warn_of_old_pages(w);

@@ -171,6 +171,10 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "roughness", s->roughness, "m", "not used by this profile");
     wf_doc_quantity(d, o, "displacement", s->displacement, "m", "not used by this profile");
     wf_doc_quantity(d, o, "exponent", s->exponent, "1", "not used by this profile");
+    double top = NAN, attenuation = NAN;
+    if (a->wind.sample == wf_canopy_sample) wf_canopy_shape(&a->wind, &top, &attenuation);
+    wf_doc_quantity(d, o, "canopy_height", top, "m", "not used by this profile");
+    wf_doc_quantity(d, o, "attenuation", attenuation, "1", "not used by this profile");
     wf_doc_quantity(d, o, "azimuth", s->azimuth, "rad", NULL);
     wf_doc_quantity(d, o, "temperature", s->temperature, "K", NULL);
     wf_doc_quantity(d, o, "altitude", s->altitude, "m", NULL);

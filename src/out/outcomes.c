@@ -1,5 +1,6 @@
 /* What came out: totals at a wind speed, the critical wind speed, warnings. */
 #include "out/parts.h"
+#include "study/limits.h"
 #include <math.h>
 
 const char *wf_part_status(enum wf_status s)
@@ -80,6 +81,7 @@ json_t *wf_part_wind(struct wf_doc *d, const struct wf_analysis *a, const struct
         d, o, "governing_section",
         section(d, &a->tree, governing, b->governing_s, wf_part_height(&a->tree, governing, b->governing_s)));
     wf_doc_flag(d, o, "small_deflection", at->response.small_deflection);
+    wf_doc_flag(d, o, "within_limits", !wf_limits_small_passed(at));
     wf_doc_count(d, o, "iterations", at->response.iterations);
     wf_doc_count(d, o, "steps", at->response.steps);
     return o;
@@ -96,6 +98,12 @@ json_t *wf_part_critical(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "speed_low", c->speed_low, "m/s", text);
     wf_doc_quantity(d, o, "speed_high", c->speed_high, "m/s", text);
     wf_doc_quantity(d, o, "gradient", c->gradient, "s/m", text);
+    bool found = c->outcome == WF_CRITICAL_FOUND;
+    const struct wf_at_speed *at = &a->critical_at;
+    wf_doc_quantity(d, o, "tip_deflection", found ? at->tip_deflection : NAN, "m", text);
+    wf_doc_quantity(d, o, "tip_deflection_share", found ? at->tip_deflection_share : NAN, "1", text);
+    wf_doc_quantity(d, o, "tip_angle", found ? at->tip_angle : NAN, "rad", text);
+    wf_doc_flag(d, o, "within_limits", !(found && wf_limits_small_passed(at)));
     wf_doc_count(d, o, "evaluations", c->evaluations);
     wf_doc_put(d, o, "governing_section", section(d, &a->tree, a->critical_row, NAN, a->critical_height));
     return o;

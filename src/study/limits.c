@@ -5,24 +5,28 @@
 
 #define DEGREES (180.0 / M_PI)
 
-/* Speeds whose `test` holds, as "15, 25", into buf; returned: how many. */
+/* Speeds whose `test` holds, as "15, 25" or, when more than four, "12 wind speeds from 15 to 40", into buf;
+ * returned: how many. */
 static size_t speeds_where(const struct wf_analysis *an, bool (*test)(const struct wf_at_speed *), char *buf,
                            size_t size)
 {
     size_t found = 0, used = 0;
+    double first = 0.0, last = 0.0;
     buf[0] = '\0';
     for (size_t k = 0; k < an->n; k++) {
         if (!test(&an->at[k])) continue;
-        found++;
+        if (++found == 1) first = an->at[k].speed;
+        last = an->at[k].speed;
         if (used < size)
             used += (size_t)snprintf(buf + used, size - used, "%s%.6g", used ? ", " : "", an->at[k].speed);
     }
+    if (found > 4) (void)snprintf(buf, size, "%zu wind speeds from %.6g to %.6g", found, first, last);
     return found;
 }
 
 static double largest_turn(const struct wf_at_speed *at)
 {
-    double largest = 0.0;
+    double largest = at->tip_angle; /* totals have no rows */
     for (size_t i = 0; i < at->response.n; i++) largest = fmax(largest, at->figures.slope[i]);
     return largest;
 }
@@ -30,20 +34,34 @@ static double largest_turn(const struct wf_at_speed *at)
 static bool solved(const struct wf_at_speed *at) { return at->status == WF_OK; }
 static bool unsolved(const struct wf_at_speed *at) { return !solved(at); }
 
-static bool too_large_for_linear(const struct wf_at_speed *at)
+bool wf_limits_small_passed(const struct wf_at_speed *at)
 {
     return solved(at) && at->response.small_deflection &&
            (at->tip_deflection_share > WF_SMALL_DEFLECTION_SHARE ||
             largest_turn(at) > WF_SMALL_DEFLECTION_TURN);
 }
 
+/* The critical wind speed is an answer too, mostly far beyond the winds asked for. */
+static void check_small_critical(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_at_speed *at = &an->critical_at;
+    if (an->critical.outcome != WF_CRITICAL_FOUND || !wf_limits_small_passed(at)) return;
+    wf_diag_warn(
+        d, "small-deflection",
+        "%s: the critical wind speed of %.4g m/s by solver '%s' is outside its validity: at that wind it "
+        "puts the tip deflection at %.0f %% of the height (limit %.0f %%) and the slope at %.0f deg (limit "
+        "%.0f deg); use the large-deflection solver 'beam'",
+        an->species->name, an->critical.speed, an->solver->name, 100.0 * at->tip_deflection_share,
+        100.0 * WF_SMALL_DEFLECTION_SHARE, at->tip_angle * DEGREES, WF_SMALL_DEFLECTION_TURN * DEGREES);
+}
+
 static void check_small_deflection(const struct wf_analysis *an, struct wf_diag *d)
 {
     char speeds[160];
     double share = 0.0, turn = 0.0;
-    if (!speeds_where(an, too_large_for_linear, speeds, sizeof speeds)) return;
+    if (!speeds_where(an, wf_limits_small_passed, speeds, sizeof speeds)) return;
     for (size_t k = 0; k < an->n; k++)
-        if (too_large_for_linear(&an->at[k])) {
+        if (wf_limits_small_passed(&an->at[k])) {
             share = fmax(share, an->at[k].tip_deflection_share);
             turn = fmax(turn, largest_turn(&an->at[k]));
         }
@@ -186,6 +204,7 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
 {
     check_equilibrium(an, d);
     check_small_deflection(an, d);
+    check_small_critical(an, d);
     wf_limits_wind(an, d);
     check_critical(an, d);
     check_as_printed(an, d);

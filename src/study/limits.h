@@ -13,6 +13,11 @@
 /* Given: an analysis complete but for its warnings. Returned: the warnings added to `d`. */
 void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d);
 
+/* Is this a small-deflection answer beyond those limits? Slopes of all rows count where they are kept, else
+ * the tip's.
+ */
+bool wf_limits_small_passed(const struct wf_at_speed *at);
+
 /* The part of it that looks at the wind: streamline-range, profile-range, reynolds-range. */
 void wf_limits_wind(const struct wf_analysis *an, struct wf_diag *d);
 

@@ -49,6 +49,8 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
                            limits[i].unit, limits[i].low, limits[i].high);
     struct wf_wind wind;
     wf_scenario_wind(s, &wind);
+    if (wind.sample == wf_canopy_sample && !(s->canopy_height > 0.0 || s->displacement > 0.0))
+        return wf_fail(e, WF_EUSAGE, "the canopy profile needs the canopy height or the displacement height");
     return wf_wind_check(&wind, e);
 }
 

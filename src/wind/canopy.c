@@ -5,18 +5,25 @@
 #include "wind/wind.h"
 #include <math.h>
 
+void wf_canopy_shape(const struct wf_wind *w, double *top, double *attenuation)
+{
+    double d = w->displacement, h = w->canopy_height > 0.0 ? w->canopy_height : d / 0.7;
+    *top = h;
+    *attenuation = w->attenuation > 0.0 ? w->attenuation : h / ((h - d) * log((h - d) / w->roughness));
+}
+
 /* Speed over friction speed times kappa, and its slope, at height z above the ground. */
 static double shape(const struct wf_wind *w, double z, double *slope)
 {
-    double d = w->displacement, z0 = w->roughness, h = w->canopy_height > 0.0 ? w->canopy_height : d / 0.7;
-    double top = log((h - d) / z0), a = w->attenuation > 0.0 ? w->attenuation : h / ((h - d) * top);
+    double d = w->displacement, z0 = w->roughness, h, a;
+    wf_canopy_shape(w, &h, &a);
     if (z > h) {
         if (z - d <= z0) return *slope = 0.0; /* the calm layer, where there is no stand */
         *slope = 1.0 / (z - d);
         return log((z - d) / z0);
     }
     /* below the ground: that of the ground, without slope */
-    double inside = top * exp(-a * (1.0 - fmax(z, 0.0) / h));
+    double inside = log((h - d) / z0) * exp(-a * (1.0 - fmax(z, 0.0) / h));
     *slope = z >= 0.0 ? inside * a / h : 0.0;
     return inside;
 }

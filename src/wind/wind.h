@@ -25,6 +25,9 @@ struct wf_profile {
     const char *name, *source, *validity;
     wf_wind_sample *sample;
 };
+/* Canopy profile: height of the canopy top [m] and attenuation [-] in use, given or derived (see struct
+ * wf_wind). */
+void wf_canopy_shape(const struct wf_wind *w, double *top, double *attenuation);
 extern const struct wf_profile wf_profiles[]; /* uniform, log, power, canopy; ends at name == NULL */
 /* Exponential within a stand, logarithmic above: U = U(h) exp(-a (1 - z/h)) up to the canopy top h. */
 wf_wind_sample wf_canopy_sample;
