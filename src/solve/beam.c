@@ -91,6 +91,7 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
         if (status) return status;
         wf_beam_carry(b, &fine);
         status = wf_beam_settle(&fine, work, &again, e);
+        if (status || again.beyond_limit) *out = again;
         if (status) return status;
         fine.iterations += b->iterations, fine.steps += b->steps;
         double allowed = o->mesh_tolerance * safety;
