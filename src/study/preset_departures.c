@@ -64,10 +64,11 @@ void wf_departures_feng(const struct wf_analysis *an, struct wf_diag *d)
                 "and about 850 for green willow",
                 l->name, l->density.value);
     }
-    wf_diag_warn(
-        d, "relative-radius",
-        "feng1999: radii are printed without a unit; read as metres they are those of weeping twigs, "
-        "far too thin for limbs");
+    if (table)
+        wf_diag_warn(
+            d, "relative-radius",
+            "feng1999: radii are printed without a unit; read as metres they are those of weeping twigs, "
+            "far too thin for limbs");
     wf_diag_warn(
         d, "dropped-products",
         "feng1999: eq 2 leaves out products of first derivatives of the angles and takes a segment as "

@@ -1,0 +1,55 @@
+# Key frames as small panels, seen across the wind, which blows to the right; grey: the tree without wind, dashed:
+# the plumb line of its height.
+#   gnuplot -c frames.gp FOLDER [FILE]     plots/run.gp: SHOWN = run, 0 = one panel for each run
+DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'frames.svg'
+HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+load HERE.'style.gp'
+FRAMES_CSV = DIR.'/tables/frames.csv'
+LEAVES_CSV = DIR.'/tables/leaves.csv'
+PANELS = SHOWN > 0 ? KEYS[SHOWN] : RUNS
+RUN_OF(p) = SHOWN > 0 ? SHOWN : p
+KEY_OF(p) = SHOWN > 0 ? p : 1
+low = 0.0; high = 0.0; top = 0.0
+do for [p=1:PANELS] {
+    low = LEFT[RUN_OF(p)] < low ? LEFT[RUN_OF(p)] : low
+    high = RIGHT[RUN_OF(p)] > high ? RIGHT[RUN_OF(p)] : high
+    top = TOP[RUN_OF(p)] > top ? TOP[RUN_OF(p)] : top
+}
+margin = 0.04*top; low = low - margin; high = high + margin; top = 1.04*top
+if (high - low < 0.3*top) { middle = 0.5*(low + high); low = middle - 0.15*top; high = middle + 0.15*top }
+COLUMNS = PANELS < 4 ? PANELS : 4
+LINES = ceil(PANELS/(1.0*COLUMNS))
+WIDTH = 640.0
+# the same scale both ways
+WIDE = (WIDTH - 50)/COLUMNS - 10; TALL = WIDE*top/(high - low)
+if (TALL > 330) { TALL = 330.0 }
+PER = TALL/top; WIDE = PER*(high - low)
+HEIGHT = LINES*(TALL + 32) + 34
+@start
+set multiplot
+unset key; unset grid
+set border 1 lw 0.6
+set xtics format "%g" scale 0.4 font ",8"; set ytics format "%g" scale 0.4 font ",8"
+set xtics ((high - low) > 12 ? 5 : (high - low) > 5 ? 2 : (high - low) > 2 ? 1 : 0.5)
+do for [p=1:PANELS] {
+    c = (p - 1) % COLUMNS; l = (p - 1)/COLUMNS
+    x0 = 44 + c*((WIDTH - 50)/COLUMNS); y1 = HEIGHT - 22 - l*(TALL + 32)
+    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + WIDE)/WIDTH
+    set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - TALL)/HEIGHT
+    set xrange [low:high]; set yrange [0:top]
+    r = RUN_OF(p); k = KEY_OF(p)
+    mine(i) = column("run") == r && column("key") == i
+    set title (SHOWN > 0 ? word(TIMES[r], k)." s, ".word(WINDS[r], k)." m/s" : NAME[r]) font ",9" offset 0,-0.9
+    if (c == 0) { set border 3; set ytics autofreq } else { set border 1; unset ytics }
+    set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead dt (4,4) lc rgb '#909090' lw 0.8
+    if (LEAVES[r] > 0) {
+        plot FRAMES_CSV using (pick(mine(0), column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#c8c8c8' lw 0.8 dt 1, \
+            LEAVES_CSV using (pick(mine(k), column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#7fbf9f' lw 0.5 dt 1, \
+            for [v=0:LEVELS[r]-1] FRAMES_CSV using (pick(mine(k) && column("level") == v, column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#14324a' lw (v == 0 ? 2.2 : v == 1 ? 1.1 : 0.6) dt 1
+    } else {
+        plot FRAMES_CSV using (pick(mine(0), column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#c8c8c8' lw 0.8 dt 1, \
+            for [v=0:LEVELS[r]-1] FRAMES_CSV using (pick(mine(k) && column("level") == v, column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#14324a' lw (v == 0 ? 2.2 : v == 1 ? 1.1 : 0.6) dt 1
+    }
+}
+unset multiplot
+set output

@@ -1,0 +1,108 @@
+#include "cmd/series_perform.h"
+#include <math.h>
+#include <stdio.h>
+
+static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
+static const char *preset_word(size_t i) { return wf_presets[i].name; }
+static const char *profile_word(size_t i) { return wf_profiles[i].name; }
+static const char *gust_word(size_t i) { return i ? wf_gust_models[i - 1].name : "steady"; }
+static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
+
+#define CHOICE(n, start, list, text)                                                                         \
+    {                                                                                                        \
+        .name = n, .kind = WF_OPTION_CHOICE, .value = "NAME", .initial = start, .word = list, .help = text   \
+    }
+#define NUMBER(n, v, start, dim, u, l, h, text)                                                              \
+    {                                                                                                        \
+        .name = n, .kind = WF_OPTION_NUMBER, .value = v, .initial = start, .dimension = dim, .unit = u,      \
+        .low = l, .high = h, .help = text                                                                    \
+    }
+
+static const struct wf_option options[] = {
+    { .name = "--model",
+      .letter = "-m",
+      .kind = WF_OPTION_TEXT,
+      .value = "MODEL",
+      .help = "tree model: a file, or the name of a shipped one" },
+    NUMBER("--wind", "SPEED", "10", WF_DIM_SPEED, "m/s", 0, 100, "mean wind at the reference height"),
+    CHOICE("--gust", "steady", gust_word, "how the wind changes"),
+    CHOICE("--preset", "corrected", preset_word, "a published method, as printed"),
+    CHOICE("--solver", NULL, solver_word, "how the bent shape is computed [the preset's, else beam]"),
+    CHOICE("--profile", "power", profile_word, "how the wind grows with height"),
+    CHOICE("--shelter", "none", shelter_word, "wind inside the crown"),
+    NUMBER("--intensity", "NUMBER", NULL, WF_DIM_NONE, NULL, 0, 1, "turbulence intensity of the gust model"),
+    NUMBER("--period", "TIME", NULL, WF_DIM_TIME, "s", 0.1, 3600, "of the gust model"),
+    NUMBER("--duration", "TIME", "60", WF_DIM_TIME, "s", 1e-3, 86400, "time that is run"),
+    NUMBER("--step", "TIME", "0.1", WF_DIM_TIME, "s", 1e-4, 3600, "between frames"),
+    NUMBER("--keys", "NUMBER", "8", WF_DIM_NONE, NULL, 1, 64, "key frames drawn as panels"),
+    NUMBER("--seed", "NUMBER", "1", WF_DIM_NONE, NULL, 0, 1e9, "of the random numbers"),
+    NUMBER("--restoring", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 100, "k of the deflect scheme, below 1"),
+    NUMBER("--damping", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 1e9, "c of the deflect scheme, N s2"),
+    NUMBER("--youngs-modulus", "MODULUS", NULL, WF_DIM_PRESSURE, "Pa", 1e5, 1e12, "in place of the species'"),
+    NUMBER("--reference-height", "LENGTH", "10", WF_DIM_LENGTH, "m", 0.01, 1000,
+           "where the wind has its speed"),
+    { .name = "--output",
+      .letter = "-o",
+      .kind = WF_OPTION_TEXT,
+      .value = "FOLDER",
+      .initial = "out/series",
+      .help = "where tables, frames and the page go" },
+    { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "write tables only" },
+    { .name = "--no-vtk", .kind = WF_OPTION_FLAG, .help = "leave out the frames for ParaView" },
+    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    { 0 },
+};
+
+static const char about[] =
+    "SPECIES is a species table, a file or the name of a shipped one. Every frame is a balance of its own: "
+    "wind, "
+    "loads and shape without inertia, so it holds for winds that change slowly against the tree's own sway. "
+    "The "
+    "deflect solvers go from frame to frame with their restoring and damping terms.\n"
+    "\n"
+    "  windfirm series moso_bamboo --model moso_culm --wind 10 --gust cosine --period 20 --duration 60";
+
+int wf_cmd_series(int argc, char **argv)
+{
+    struct wf_arena arena = { 0 };
+    struct wf_args g;
+    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &g);
+    if (code < 0 && !wf_args_text(&g, "--model")) {
+        fprintf(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
+        code = 2;
+    }
+    if (code < 0) {
+        struct wf_series_plan_run run = { .name = g.operand[0],
+                                          .species = g.operand[0],
+                                          .model = wf_args_text(&g, "--model"),
+                                          .preset = wf_args_text(&g, "--preset"),
+                                          .solver = wf_args_text(&g, "--solver"),
+                                          .gust = wf_args_text(&g, "--gust"),
+                                          .shelter = wf_args_text(&g, "--shelter"),
+                                          .profile = wf_args_text(&g, "--profile"),
+                                          .wind = wf_args_number(&g, "--wind"),
+                                          .intensity = wf_args_number(&g, "--intensity"),
+                                          .period = wf_args_number(&g, "--period"),
+                                          .duration = wf_args_number(&g, "--duration"),
+                                          .step = wf_args_number(&g, "--step"),
+                                          .youngs = wf_args_number(&g, "--youngs-modulus"),
+                                          .restoring = wf_args_number(&g, "--restoring"),
+                                          .damping = wf_args_number(&g, "--damping"),
+                                          .transmission = NAN,
+                                          .reference_height = wf_args_number(&g, "--reference-height"),
+                                          .keys = (size_t)wf_args_number(&g, "--keys"),
+                                          .seed = (size_t)wf_args_number(&g, "--seed") };
+        struct wf_series_plan plan = {
+            .key = "series", .title = "A tree in changing wind", .runs = 1, .run = &run
+        };
+        struct wf_series_job job = { .plan = &plan,
+                                     .folder = wf_args_text(&g, "--output"),
+                                     .command = wf_series_typed(argc, argv, &arena),
+                                     .quiet = wf_args_given(&g, "--quiet"),
+                                     .page = !wf_args_given(&g, "--no-report"),
+                                     .vtk = !wf_args_given(&g, "--no-vtk") };
+        code = wf_series_perform(&job, &arena);
+    }
+    wf_arena_free(&arena);
+    return code;
+}

@@ -1,0 +1,34 @@
+#ifndef WF_OUT_SERIES_H
+#define WF_OUT_SERIES_H
+/* Runs in time as files: tables, a VTK time series, key-frame panels, a page. */
+#include "base/diag.h"
+#include "base/err.h"
+#include "study/series.h"
+#include <stdio.h>
+
+struct wf_series_run {
+    const struct wf_series *series;
+    const struct wf_diag *diag;
+};
+struct wf_series_page {
+    const char *title, *note, *command, *date, *version;
+    size_t n;
+    const struct wf_series_run *run;
+};
+
+/* Write FOLDER/tables/series.csv (a row a frame), frames.csv (key frames, a row a segment), leaves.csv (key
+ * frames, a row a leaf, where there are leaves), levels.csv, runs.csv, warnings.csv and trajectories.csv
+ * (ends of segments in every frame; of the tips of axes alone where that would be more than a million rows),
+ * and FOLDER/plots/run.gp. */
+enum wf_status wf_series_tables(const struct wf_series_page *p, const char *folder, struct wf_err *e);
+
+/* Write FOLDER/vtk/RUN.pvd and its frames FOLDER/vtk/RUN_0000.vtp ...: lines from base to end of every
+ * segment with radius, level and displacement, for ParaView. At most 250 frames a run, evenly spaced, the key
+ * frames among them or near. */
+enum wf_status wf_series_vtk(const struct wf_series_page *p, const char *folder, struct wf_err *e);
+
+/* Draw plots/series.svg, frames_*.svg and write series.html, series.pdf. As wf_report_make: what cannot be
+ * made is a warning in `d`. */
+enum wf_status wf_series_report(const struct wf_series_page *p, const char *folder, struct wf_diag *d,
+                                struct wf_err *e);
+#endif

@@ -1,0 +1,309 @@
+#include "study/series.h"
+#include "solve/vec.h"
+#include "study/series_leaf.h"
+#include "study/speed.h"
+#include <string.h>
+
+void wf_series_default(struct wf_series_spec *s)
+{
+    *s = (struct wf_series_spec){ .name = "series",
+                                  .preset = &wf_presets[0],
+                                  .solver = wf_solvers[0],
+                                  .speed = 10,
+                                  .intensity = NAN,
+                                  .period = NAN,
+                                  .seed = 1,
+                                  .step = 0.1,
+                                  .frames = 600,
+                                  .keys = 8,
+                                  .youngs = NAN,
+                                  .transmission = 0.2 };
+    wf_solve_options_default(&s->solve);
+    wf_scenario_default(&s->scenario);
+}
+
+static enum wf_status make_wind(struct wf_series *s, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    const struct wf_series_spec *q = &s->spec;
+    struct wf_gust_spec spec;
+    struct wf_gust gust;
+    for (size_t k = 0; k < s->frames; k++) s->wind[k] = q->speed;
+    if (!q->gust) return WF_OK;
+    const struct wf_gust_model *model = wf_gust_named(q->gust);
+    if (!model) return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'", q->gust);
+    wf_gust_spec_default(model, &spec);
+    spec.speed = q->speed;
+    spec.height = q->scenario.reference_height;
+    if (!isnan(q->intensity)) spec.intensity = q->intensity;
+    spec.step = q->step;
+    spec.steps = s->frames;
+    spec.seed = q->seed;
+    if (!isnan(q->period) && wf_gust_set(&spec, "period", q->period, e)) return e->code;
+    enum wf_status status = wf_gust_open(&spec, a, d, &gust, e);
+    if (status) return status;
+    double *block = WF_TAKE(a, spec.components * gust.block * (spec.points ? spec.points : 1), double);
+    status = block ? wf_gust_series(&gust, 0, 0, block, s->wind, e)
+                   : wf_fail(e, WF_ENOMEM, "no room for the wind");
+    wf_gust_close(&gust);
+    return status;
+}
+
+static enum wf_status set_up(struct wf_series *s, struct wf_shelter *shelter, struct wf_arena *a,
+                             struct wf_diag *d, struct wf_err *e)
+{
+    const struct wf_series_spec *q = &s->spec;
+    s->an = (struct wf_analysis){
+        .species = q->species, .model = q->model, .solver = q->solver, .scenario = q->scenario, .diag = d
+    };
+    enum wf_status status = wf_analysis_set_up(&s->an, a, d, e);
+    if (status) return status;
+    for (size_t i = 0; !isnan(q->youngs) && i < s->an.tree.n; i++) {
+        s->an.tree.shear[i] *= q->youngs / s->an.tree.youngs[i];
+        s->an.tree.youngs[i] = q->youngs;
+    }
+    s->an.wind.speed = q->speed;
+    if (q->shelter) {
+        struct wf_shelter_request r;
+        wf_shelter_request_default(&r);
+        r.law = q->shelter;
+        r.transmission = q->transmission;
+        struct wf_wind *base = WF_TAKE(a, 1, struct wf_wind);
+        if (!base) return wf_fail(e, WF_ENOMEM, "no room for the wind");
+        *base = s->an.wind;
+        if ((status = wf_shelter_make(&s->an.tree, base, &r, a, shelter, e))) return status;
+        wf_shelter_field(shelter, &s->an.wind);
+    }
+    if (s->an.tree.n == 0) return wf_fail(e, WF_EUSAGE, "the tree has no segments");
+    return q->model->generator == WF_GENERATOR_STEM
+               ? WF_OK
+               : wf_leaves_place(q->model, &s->an.tree, a, &s->leaves, e);
+}
+
+static enum wf_status take(struct wf_series *s, struct wf_arena *a, struct wf_err *e)
+{
+    size_t n = s->an.tree.n, f = s->frames;
+    s->status = WF_TAKE(a, f, enum wf_status);
+    s->place = WF_TAKE(a, 3 * n * f, float);
+    s->deflection = WF_TAKE(a, f, double);
+    s->moment = WF_TAKE(a, f, double);
+    s->key = WF_TAKE(a, s->spec.keys, size_t);
+    for (size_t i = 0; i < n; i++)
+        if ((size_t)s->an.tree.level[i] >= s->levels) s->levels = (size_t)s->an.tree.level[i] + 1;
+    s->level = WF_TAKE(a, s->levels, struct wf_series_level);
+    if (!s->status || !s->place || !s->deflection || !s->moment || !s->key || !s->level)
+        return wf_fail(e, WF_ENOMEM, "no room for %zu frames of %zu segments", f, n);
+    for (size_t k = 0; k < s->spec.keys; k++) s->key[k] = k * f / s->spec.keys;
+    s->tip = wf_tip_row(&s->an.tree);
+    return WF_OK;
+}
+
+static void keep(struct wf_series *s, size_t frame, const double *end, size_t stride)
+{
+    const struct wf_tree *t = &s->an.tree;
+    float *to = s->place + frame * 3 * t->n;
+    for (size_t i = 0; i < t->n; i++)
+        for (size_t k = 0; k < 3; k++) to[3 * i + k] = (float)end[stride * i + k];
+    const double *tip = end + stride * s->tip;
+    s->deflection[frame] =
+        hypot(tip[0] - t->x1[s->tip], hypot(tip[1] - t->y1[s->tip], tip[2] - t->z1[s->tip]));
+}
+
+/* The scheme with a memory. */
+static enum wf_status run_frames(struct wf_series *s, bool printed, struct wf_arena *a, struct wf_err *e)
+{
+    const struct wf_series_spec *q = &s->spec;
+    const struct wf_deflect_scheme scheme = { printed, q->restoring, q->damping };
+    const struct wf_tree *t = &s->an.tree;
+    struct wf_deflect d;
+    if (wf_deflect_open(t, &s->an.loads, &scheme, a, &d, e)) return e->code;
+    for (size_t k = 0; k < s->frames; k++) {
+        double moment[3] = { 0 };
+        wf_deflect_frame(&d, q->speed > 0 ? s->wind[k] / q->speed : 0, k ? q->step : 0);
+        keep(s, k, d.end[0], 3);
+        s->clamped += d.clamped > 0;
+        for (size_t i = 0; i < t->n; i++) { /* force at the middle of the row it acts on */
+            double arm[3], lever[3];
+            for (int x = 0; x < 3; x++) arm[x] = d.end[i][x] - 0.5 * d.row[i].length * d.chord[i][x];
+            wf_cross(arm, d.force[i], lever);
+            v3_add(moment, 1, lever);
+        }
+        s->moment[k] = hypot(moment[0], moment[1]);
+    }
+    return WF_OK;
+}
+
+/* A balance every moment. */
+static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struct wf_err *e)
+{
+    const struct wf_tree *t = &s->an.tree;
+    struct wf_err first = { 0 };
+    for (size_t k = 0; k < s->frames; k++) {
+        struct wf_arena scratch = { 0 };
+        struct wf_diag quiet = { .arena = &scratch };
+        struct wf_err why = { 0 };
+        struct wf_wind wind = s->an.wind;
+        struct wf_loads loads = s->an.loads;
+        struct wf_response r;
+        wind.speed = fabs(s->wind[k]);
+        for (int x = 0; s->wind[k] < 0 && x < 3; x++) wind.direction[x] *= -1;
+        loads.wind = wind.speed > 0 ? &wind : NULL;
+        enum wf_status status =
+            s->an.solver->solve(t, &loads, &s->spec.solve, &scratch, &r, k ? &quiet : d, &why);
+        s->status[k] = status;
+        if (status == WF_OK) {
+            for (size_t i = 0; i < t->n; i++)
+                r.end[3 * i] += t->x1[i], r.end[3 * i + 1] += t->y1[i], r.end[3 * i + 2] += t->z1[i];
+            keep(s, k, r.end, 3);
+            s->moment[k] = hypot(r.base_moment[0], r.base_moment[1]);
+        } else {
+            if (!first.code) first = why;
+            s->failed++;
+            s->deflection[k] = s->moment[k] = NAN;
+            if (k) memcpy(s->place + k * 3 * t->n, s->place + (k - 1) * 3 * t->n, 3 * t->n * sizeof(float));
+        }
+        wf_arena_free(&scratch);
+        if (status == WF_ENOMEM || status == WF_EINPUT || status == WF_EUSAGE)
+            return wf_fail(e, status, "%s", first.text);
+    }
+    if (s->failed == s->frames) return wf_fail(e, first.code, "%s", first.text);
+    if (s->failed)
+        wf_diag_warn(d, "no-equilibrium",
+                     "%s: %zu of %zu frames have no answer (%s); they show the one before", s->spec.name,
+                     s->failed, s->frames, first.text);
+    return WF_OK;
+}
+
+/* Half the way along the wind between the extreme places of a row's end; against its axis' foot too. */
+static double swing(const struct wf_series *s, size_t row, int32_t foot)
+{
+    const double *to = s->an.wind.direction;
+    double low = INFINITY, high = -INFINITY;
+    for (size_t k = 0; k < s->frames; k++) {
+        const float *p = s->place + k * 3 * s->an.tree.n, *q = p + 3 * row;
+        double x = 0;
+        for (size_t j = 0; j < 3; j++)
+            x += to[j] * ((double)q[j] - (foot >= 0 ? (double)p[3 * (size_t)foot + j] : 0));
+        low = fmin(low, x), high = fmax(high, x);
+    }
+    return 0.5 * (high - low);
+}
+
+static enum wf_status measure_levels(struct wf_series *s, struct wf_err *e)
+{
+    const struct wf_tree *t = &s->an.tree;
+    struct wf_arena scratch = { 0 };
+    bool *goes_on = WF_TAKE(&scratch, t->n, bool);
+    int32_t *foot = WF_TAKE(&scratch, t->n, int32_t); /* row below the first of the axis */
+    size_t *side = WF_TAKE(&scratch, 2 * s->levels, size_t);
+    if (!goes_on || !foot || !side) {
+        wf_arena_free(&scratch);
+        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    }
+    for (size_t i = 0; i < t->n; i++) {
+        int32_t p = t->parent[i];
+        bool same = p >= 0 && t->level[p] == t->level[i];
+        if (same) goes_on[p] = true;
+        foot[i] = same ? foot[p] : p;
+    }
+    for (size_t i = 0; i < t->n; i++) {
+        if (goes_on[i]) continue;
+        struct wf_series_level *l = &s->level[t->level[i]];
+        const double *to = s->an.wind.direction;
+        double far = swing(s, i, -1);
+        double x = to[0] * (t->x1[i] - t->x0[0]) + to[1] * (t->y1[i] - t->y0[0]);
+        bool lee = x > 0;
+        l->axes++;
+        l->swing_mean += far;
+        l->swing_most = fmax(l->swing_most, far);
+        l->own_mean += swing(s, i, foot[i]);
+        *(lee ? &l->leeward : &l->windward) += far;
+        side[2 * (size_t)t->level[i] + lee]++;
+    }
+    for (size_t k = 0; k < s->levels; k++) {
+        struct wf_series_level *l = &s->level[k];
+        if (!l->axes) continue;
+        l->swing_mean /= (double)l->axes, l->own_mean /= (double)l->axes;
+        l->windward = side[2 * k] ? l->windward / (double)side[2 * k] : NAN;
+        l->leeward = side[2 * k + 1] ? l->leeward / (double)side[2 * k + 1] : NAN;
+    }
+    wf_arena_free(&scratch);
+    return WF_OK;
+}
+
+enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena *a, struct wf_diag *d,
+                             struct wf_series *s, struct wf_err *e)
+{
+    *s = (struct wf_series){ .spec = *spec, .frames = spec->frames, .diag = d };
+    if (spec->frames < 1 || spec->keys < 1 || spec->keys > spec->frames)
+        return wf_fail(e, WF_EUSAGE,
+                       "%zu frames with %zu key frames: at least one of each, and no more keys than "
+                       "frames",
+                       spec->frames, spec->keys);
+    struct wf_shelter *shelter = WF_TAKE(a, 1, struct wf_shelter);
+    s->wind = WF_TAKE(a, s->frames, double);
+    if (!shelter || !s->wind) return wf_fail(e, WF_ENOMEM, "no room for %zu frames", s->frames);
+    enum wf_status status = set_up(s, shelter, a, d, e);
+    if (!status) status = make_wind(s, a, d, e);
+    if (!status) status = take(s, a, e);
+    s->an.loads.wind = &s->an.wind;
+    bool printed = spec->solver == &wf_solver_deflect_as_printed;
+    bool frames = printed || spec->solver == &wf_solver_deflect;
+    if (!frames && (spec->restoring > 0 || spec->damping > 0))
+        return wf_fail(e, WF_EUSAGE,
+                       "restoring and damping factors belong to the solvers deflect and "
+                       "deflect-as-printed, not to '%s'",
+                       spec->solver->name);
+    if (!status) status = frames ? run_frames(s, printed, a, e) : run_balances(s, d, e);
+    if (!status) status = measure_levels(s, e);
+    if (status) return status;
+    if (s->clamped)
+        wf_diag_warn(d, "asin-clamped",
+                     "%s: in %zu of %zu frames a segment would deflect by more than its length; "
+                     "it was held at 90 degrees",
+                     spec->name, s->clamped, s->frames);
+    wf_preset_warn(spec->preset, &s->an, d);
+    return WF_OK;
+}
+
+/* Turn that brings a row's unbent direction to its present one, the shortest way. */
+static void chord_turn(const struct wf_series *s, size_t row, const float *place, double at[3], double R[9])
+{
+    const struct wf_tree *t = &s->an.tree;
+    const double base[3] = { t->x0[row], t->y0[row], t->z0[row] };
+    double was[3] = { t->x1[row] - base[0], t->y1[row] - base[1], t->z1[row] - base[2] }, is[3], v[3],
+           foot[3];
+    int32_t p = t->parent[row];
+    for (int k = 0; k < 3; k++) {
+        foot[k] = p >= 0 ? (double)place[3 * p + k] : base[k];
+        at[k] = (double)place[3 * row + (size_t)k];
+        is[k] = at[k] - foot[k];
+    }
+    double a = sqrt(wf_dot(was, was)), b = sqrt(wf_dot(is, is));
+    wf_cross(was, is, v);
+    double size = sqrt(wf_dot(v, v)), angle = atan2(size, wf_dot(was, is));
+    for (int k = 0; k < 3; k++) v[k] = size > 1e-12 * a * b ? v[k] * angle / size : 0;
+    rotation_matrix(v, R);
+}
+
+void wf_series_leaves(const struct wf_series *s, size_t frame, double *at, double *tip)
+{
+    const struct wf_tree *t = &s->an.tree;
+    const float *place = s->place + frame * 3 * t->n;
+    for (size_t i = 0; i < s->leaves.n; i++) {
+        size_t row = (size_t)s->leaves.row[i];
+        double end[3], R[9],
+            axis[3] = { t->x1[row] - t->x0[row], t->y1[row] - t->y0[row], t->z1[row] - t->z0[row] }, back[3];
+        chord_turn(s, row, place, end, R);
+        m3_apply(R, axis, back);
+        struct wf_leaf_pose p;
+        m3_apply(R, s->leaves.direction + 3 * i, p.tip);
+        m3_apply(R, s->leaves.side + 3 * i, p.side);
+        for (int k = 0; k < 3; k++) p.at[k] = end[k] - (1 - s->leaves.place[i]) * back[k];
+        wf_leaf_swing(s->leaves.swing * s->wind[frame], s->leaves.twist * s->wind[frame], &p);
+        double length = sqrt(s->leaves.area[i]); /* drawn as long as a square of its area is wide */
+        for (size_t k = 0; k < 3; k++) {
+            at[3 * i + k] = p.at[k];
+            tip[3 * i + k] = p.at[k] + length * p.tip[k];
+        }
+    }
+}

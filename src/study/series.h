@@ -1,0 +1,70 @@
+#ifndef WF_STUDY_SERIES_H
+#define WF_STUDY_SERIES_H
+/* A tree in a wind that changes: the balance of every moment for itself (quasi-static: no inertia, so gusts
+ * are to be slow against the tree's own sway), or, with the deflect scheme, frame after frame with its memory
+ * of the last one. */
+#include "grow/leaves.h"
+#include "solve/deflect.h"
+#include "study/analysis.h"
+#include "study/preset.h"
+#include "wind/gust.h"
+#include "wind/shelter.h"
+
+struct wf_series_spec {
+    const char *name;                 /* of the run                                                   */
+    const struct wf_species *species; /* after its preset                                             */
+    const struct wf_model *model;
+    const struct wf_preset *preset;
+    const struct wf_solver *solver;
+    struct wf_solve_options solve;
+    struct wf_scenario scenario;
+    double speed;             /* mean wind at the reference height [m/s]                              */
+    const char *gust;         /* row of wf_gust_models; NULL: steady                                  */
+    double intensity, period; /* of the gust [-], [s]; NAN: the model's own                           */
+    uint64_t seed;
+    double step;               /* between frames [s]                                                   */
+    size_t frames, keys;       /* frames; of them key frames, evenly spaced from the first              */
+    double restoring, damping; /* of the deflect scheme: k [-], c [N s2]                              */
+    double youngs;             /* in place of the species' on every level [Pa]; NAN: the species'      */
+    const struct wf_shelter_law *shelter; /* wind inside the crown; NULL: every part meets the free wind */
+    double transmission; /* of a fully covered cell, share of the wind's energy [-]              */
+};
+/* 10 m/s, steady, corrected, one frame a tenth of a second for 60 s, 8 key frames. */
+void wf_series_default(struct wf_series_spec *s);
+
+/* How far the ends of one level's axes move. */
+struct wf_series_level {
+    size_t axes;
+    double swing_mean,
+        swing_most;           /* half of the way between the extreme places along the wind, over axes [m] */
+    double own_mean;          /* the same against the foot of the axis [m]                           */
+    double windward, leeward; /* swing_mean of axes whose end lies windward or leeward of the stem [m] */
+};
+
+struct wf_series {
+    struct wf_series_spec spec;
+    struct wf_analysis an; /* tree, wind, loads */
+    struct wf_leaves leaves;
+    size_t frames, failed;  /* failed: without an answer; they keep the last one */
+    double *wind;           /* frames: speed at the reference height [m/s]       */
+    enum wf_status *status; /* frames */
+    float *place;           /* frames x 3n: ends of the rows [m]                 */
+    double *deflection;     /* frames: of the tip, from the unloaded shape [m]   */
+    double *moment;         /* frames: overturning moment at the base [N m]      */
+    size_t tip;             /* row                                               */
+    size_t *key;            /* spec.keys frames                                  */
+    size_t levels;
+    struct wf_series_level *level;
+    size_t clamped; /* frames in which asin was clamped                  */
+    struct wf_diag *diag;
+};
+
+/* Run it. Errors: WF_EUSAGE (frames, k >= 1, unknown gust model), WF_ENOMEM, and where no frame at all has an
+ * answer the status of the first. */
+enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena *a, struct wf_diag *d,
+                             struct wf_series *out, struct wf_err *e);
+
+/* Where the leaves are in a frame (eq 13 of Tang et al. 2012, see series_leaf.h): 3 numbers a leaf each,
+ * hanging point and end of a leaf. Rows carry them by the turn of their chord. */
+void wf_series_leaves(const struct wf_series *s, size_t frame, double *at, double *tip);
+#endif

@@ -1,0 +1,159 @@
+#include "study/series_plan.h"
+#include "base/yaml.h"
+#include <math.h>
+#include <string.h>
+
+#define AT(member) .offset = offsetof(struct wf_series_plan_run, member)
+#define WORD(k, text, ...)                                                                                   \
+    {                                                                                                        \
+        .key = #k, .kind = WF_YAML_TEXT, AT(k), .doc = text, __VA_ARGS__                                     \
+    }
+#define QUANTITY(k, member, dim, u, l, h, text, ...)                                                         \
+    {                                                                                                        \
+        .key = k, .kind = WF_YAML_QUANTITY, .dimension = dim, .unit = u, .low = l, .high = h, AT(member),    \
+        .doc = text, __VA_ARGS__                                                                             \
+    }
+
+static const struct wf_yaml_row run_rows[] = {
+    WORD(name, "What the run is called in tables and panels.", .required = true, .example = "10 m/s"),
+    WORD(species, "Species table, a file or a shipped name.", .required = true, .example = "moso_bamboo"),
+    WORD(model, "Tree model, a file or a shipped name.", .required = true, .example = "moso_culm"),
+    WORD(preset, "Published method whose formula and constants are used.", .preset = "corrected",
+         .example = "tang2012"),
+    WORD(solver, "Row of the solvers.", .absent = "the preset's, else beam", .example = "beam"),
+    WORD(gust, "Gust model; steady: a wind that does not change.", .preset = "steady", .example = "cosine"),
+    WORD(shelter, "Law of the wind inside the crown; none: every part meets the free wind.", .preset = "none",
+         .example = "feng1999"),
+    WORD(profile, "Row of the wind profiles.", .preset = "power", .example = "uniform"),
+    QUANTITY("wind", wind, WF_DIM_SPEED, "m/s", 0, 100, "Mean wind at the reference height.",
+             .required = true, .example = "10 m/s"),
+    QUANTITY("intensity", intensity, WF_DIM_NONE, NULL, 0, 1, "Turbulence intensity of the gust model.",
+             .absent = "the gust model's", .example = "0.2"),
+    QUANTITY("period", period, WF_DIM_TIME, "s", 0.1, 3600, "Period of the gust model.",
+             .absent = "the gust model's", .example = "20 s"),
+    QUANTITY("duration", duration, WF_DIM_TIME, "s", 1e-3, 86400, "Time that is run; 0 frames: one.",
+             .absent = "one frame", .example = "60 s"),
+    QUANTITY("step", step, WF_DIM_TIME, "s", 1e-4, 3600, "Between frames.", .preset = "0.1 s",
+             .example = "0.1 s"),
+    QUANTITY("youngs_modulus", youngs, WF_DIM_PRESSURE, "Pa", 1e5, 1e12,
+             "In place of the species' on every level.", .absent = "the species'", .example = "10 GPa"),
+    QUANTITY("restoring", restoring, WF_DIM_NONE, NULL, 0, 100, "k of the deflect scheme, below 1.",
+             .preset = "0", .example = "0.3"),
+    QUANTITY("damping", damping, WF_DIM_NONE, NULL, 0, 1e9, "c of the deflect scheme [N s2].", .preset = "0",
+             .example = "0.1"),
+    QUANTITY("transmission", transmission, WF_DIM_NONE, NULL, 0, 1,
+             "Share of the wind's energy that a fully covered cell lets through.", .preset = "0.2",
+             .example = "0.2"),
+    QUANTITY("reference_height", reference_height, WF_DIM_LENGTH, "m", 0.01, 1000,
+             "Where the wind has its speed.", .preset = "10 m", .example = "10 m"),
+    { .key = "keys",
+      .kind = WF_YAML_INTEGER,
+      .low = 1,
+      .high = 64,
+      .preset = "1",
+      AT(keys),
+      .doc = "Key frames, evenly spaced from the first frame.",
+      .example = "8" },
+    { .key = "seed",
+      .kind = WF_YAML_INTEGER,
+      .low = 0,
+      .high = 1e9,
+      .preset = "1",
+      AT(seed),
+      .doc = "Of the random numbers.",
+      .example = "1" },
+    { .key = NULL },
+};
+static const struct wf_yaml_table run_table = {
+    .title = "a run", .row = run_rows, .size = sizeof(struct wf_series_plan_run), .doc = ""
+};
+
+static const struct wf_yaml_row plan_rows[] = {
+    { .key = "runs_of",
+      .kind = WF_YAML_NAME,
+      .required = true,
+      .offset = offsetof(struct wf_series_plan, key),
+      .doc = "Key of the runs, as the file is called.",
+      .example = "tang2012" },
+    { .key = "title",
+      .kind = WF_YAML_TEXT,
+      .required = true,
+      .offset = offsetof(struct wf_series_plan, title),
+      .doc = "Title of the page.",
+      .example = "Moso bamboo in wind" },
+    { .key = "note",
+      .kind = WF_YAML_TEXT,
+      .offset = offsetof(struct wf_series_plan, note),
+      .doc = "Note at the head of the page.",
+      .example = "As printed and corrected." },
+    { .key = "source",
+      .kind = WF_YAML_TEXT,
+      .offset = offsetof(struct wf_series_plan, source),
+      .doc = "Where the runs come from.",
+      .example = "Tang et al. 2012" },
+    { .key = "runs",
+      .kind = WF_YAML_LIST,
+      .required = true,
+      .low = 1,
+      .high = 64,
+      .table = &run_table,
+      .offset = offsetof(struct wf_series_plan, run),
+      .count = offsetof(struct wf_series_plan, runs),
+      .doc = "The runs, in the order of the page.",
+      .example = "" },
+    { .key = NULL },
+};
+static const struct wf_yaml_table plan_table = {
+    .title = "Runs in time", .row = plan_rows, .size = sizeof(struct wf_series_plan), .doc = ""
+};
+
+enum wf_status wf_series_plan_read(const char *path, struct wf_arena *a, struct wf_series_plan *out,
+                                   struct wf_diag *d, struct wf_err *e)
+{
+    *out = (struct wf_series_plan){ 0 };
+    enum wf_status status = wf_yaml_read(path, &plan_table, out, a, d, e);
+    if (!status && !(out->file = wf_arena_text(a, path))) return wf_fail(e, WF_ENOMEM, "no memory");
+    return status;
+}
+
+char *wf_series_plan_schema(struct wf_arena *a, struct wf_err *e)
+{
+    return wf_yaml_schema(&plan_table, a, e);
+}
+
+static bool given(const char *word, const char *none) { return word && *word && strcmp(word, none) != 0; }
+
+enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const struct wf_species *sp,
+                                   const struct wf_model *m, struct wf_arena *a, struct wf_series_spec *s,
+                                   struct wf_err *e)
+{
+    struct wf_species *own = WF_TAKE(a, 1, struct wf_species);
+    if (!own) return wf_fail(e, WF_ENOMEM, "no memory");
+    *own = *sp;
+    wf_series_default(s);
+    s->name = r->name, s->species = own, s->model = m;
+    s->preset = wf_preset_named(r->preset ? r->preset : "corrected");
+    if (!s->preset) return wf_fail(e, WF_EUSAGE, "run '%s': no preset is called '%s'", r->name, r->preset);
+    if (r->profile) s->scenario.profile = r->profile;
+    if (!isnan(r->reference_height)) s->scenario.reference_height = r->reference_height;
+    if (wf_preset_apply(s->preset, a, own, &s->scenario, &s->solver, e)) return e->code;
+    if (given(r->solver, "") && !(s->solver = wf_solver_named(r->solver)))
+        return wf_fail(e, WF_EUSAGE, "run '%s': no solver is called '%s'", r->name, r->solver);
+    if (given(r->gust, "steady")) s->gust = r->gust;
+    if (s->gust && !wf_gust_named(s->gust))
+        return wf_fail(e, WF_EUSAGE, "run '%s': no gust model is called '%s'", r->name, s->gust);
+    if (given(r->shelter, "none") && !(s->shelter = wf_shelter_law_named(r->shelter)))
+        return wf_fail(e, WF_EUSAGE, "run '%s': no shelter law is called '%s'", r->name, r->shelter);
+    s->speed = r->wind, s->intensity = r->intensity, s->period = r->period, s->youngs = r->youngs;
+    s->seed = r->seed;
+    if (!isnan(r->step)) s->step = r->step;
+    if (!isnan(r->restoring)) s->restoring = r->restoring;
+    if (!isnan(r->damping)) s->damping = r->damping;
+    if (!isnan(r->transmission)) s->transmission = r->transmission;
+    double frames = isnan(r->duration) ? 1 : floor(r->duration / s->step + 1e-9);
+    if (!(frames <= 1e6))
+        return wf_fail(e, WF_EUSAGE, "run '%s': %.0f frames are too many (1e6)", r->name, frames);
+    s->frames = (size_t)fmax(frames, 1);
+    s->keys = r->keys ? r->keys : 1;
+    return WF_OK;
+}

@@ -1,0 +1,30 @@
+#ifndef WF_STUDY_SERIES_PLAN_H
+#define WF_STUDY_SERIES_PLAN_H
+/* Runs in time as words: a file of runs (models/papers/ *.yaml), and from words to what wf_series_run takes.
+ */
+#include "study/series.h"
+
+struct wf_series_plan_run { /* NULL, NAN: the default */
+    const char *name, *species, *model, *preset, *solver, *gust, *shelter, *profile;
+    double wind, intensity, period, duration, step, youngs, restoring, damping, transmission,
+        reference_height;
+    size_t keys, seed;
+};
+struct wf_series_plan {
+    const char *key, *title, *note, *source, *file;
+    size_t runs;
+    struct wf_series_plan_run *run;
+};
+
+/* Read a file of runs. WF_EINPUT with every mistake in `d`. */
+enum wf_status wf_series_plan_read(const char *path, struct wf_arena *a, struct wf_series_plan *out,
+                                   struct wf_diag *d, struct wf_err *e);
+/* Its schema as text. NULL: no room. */
+char *wf_series_plan_schema(struct wf_arena *a, struct wf_err *e);
+
+/* A run's words made ready; species and model come read. Returned: *out; its species is a copy after the
+ * preset. WF_EUSAGE for a word that names nothing. */
+enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const struct wf_species *sp,
+                                   const struct wf_model *m, struct wf_arena *a, struct wf_series_spec *out,
+                                   struct wf_err *e);
+#endif
