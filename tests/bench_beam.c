@@ -210,8 +210,8 @@ static void compare(const char *self)
         snprintf(command, sizeof command,
                  "%.*s/windfirm compare species/moso_bamboo.yaml species/weeping_willow.yaml --model "
                  "models/culm.yaml "
-                 "--wind 10,15,25 -o %.*s/bench/compare --quiet %s >/dev/null",
-                 (int)(end - self), self, (int)(end - self), self, report ? "" : "--no-report");
+                 "--wind 10,15,25 -o %.*s/bench/compare%d --quiet %s >/dev/null",
+                 (int)(end - self), self, (int)(end - self), self, report, report ? "" : "--no-report");
         for (int k = 0; k < (report ? 1 : 3); k++) {
             double start = children();
             failed |= system(command);
