@@ -1,9 +1,11 @@
 #include "cmd/study.h"
+#include "wind/shelter.h"
 #include <string.h>
 
 static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 static const char *preset_word(size_t i) { return wf_presets[i].name; }
 static const char *profile_word(size_t i) { return wf_profiles[i].name; }
+static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 
 const struct wf_option wf_study_options[] = {
     { .name = "--model",
@@ -15,13 +17,15 @@ const struct wf_option wf_study_options[] = {
       .letter = "-t",
       .kind = WF_OPTION_TEXT,
       .value = "FILE",
-      .help = "a measured tree in place of a model, any format of 'windfirm import'" },
+      .help = "a measured tree in place of a model, any format of 'windfirm "
+              "import'" },
     { .name = "--joint",
       .kind = WF_OPTION_CHOICE,
       .value = "HOW",
       .initial = "axis",
       .choices = "axis|bridge",
-      .help = "how branches of a measured tree are held: where they leave the parent's axis, or at its end" },
+      .help = "how branches of a measured tree are held: where they leave the "
+              "parent's axis, or at its end" },
     { .name = "--leaf-area",
       .kind = WF_OPTION_NUMBER,
       .value = "AREA",
@@ -29,7 +33,8 @@ const struct wf_option wf_study_options[] = {
       .unit = "m2",
       .low = 0,
       .high = 1e5,
-      .help = "one-sided leaf area of the whole tree, in place of the model's; a measured tree has none" },
+      .help = "one-sided leaf area of the whole tree, in place of the model's; "
+              "a measured tree has none" },
     { .name = "--season",
       .kind = WF_OPTION_CHOICE,
       .value = "SEASON",
@@ -37,7 +42,8 @@ const struct wf_option wf_study_options[] = {
       .help = "in place of the model's: with its leaves, or when they have fallen" },
     { .name = "--unload",
       .kind = WF_OPTION_FLAG,
-      .help = "the tree was measured or drawn standing under its own weight: find its stress-free shape first" },
+      .help = "the tree was measured or drawn standing under its own weight: "
+              "find its stress-free shape first" },
     { .name = "--wind",
       .letter = "-w",
       .kind = WF_OPTION_SPEEDS,
@@ -46,14 +52,15 @@ const struct wf_option wf_study_options[] = {
       .unit = "m/s",
       .low = 0,
       .high = 200,
-      .help =
-          "mean wind speeds at the reference height, a list 10,15,25 or from:to:step 5:40:1; a unit behind "
-          "the last number holds for all: '36,54 km/h'" },
+      .help = "mean wind speeds at the reference height, a list 10,15,25 or "
+              "from:to:step 5:40:1; a unit behind "
+              "the last number holds for all: '36,54 km/h'" },
     { .name = "--output",
       .letter = "-o",
       .kind = WF_OPTION_TEXT,
       .value = "FOLDER",
-      .help = "where results, tables, plots and pages go [out/analyze or out/compare]" },
+      .help = "where results, tables, plots and pages go [out/analyze or "
+              "out/compare]" },
     { .name = "--solver",
       .letter = "-s",
       .kind = WF_OPTION_CHOICE,
@@ -66,7 +73,8 @@ const struct wf_option wf_study_options[] = {
       .value = "NAME",
       .initial = "corrected",
       .word = preset_word,
-      .help = "a published method, its formula and constants as printed; warnings tell where it leaves "
+      .help = "a published method, its formula and constants as printed; "
+              "warnings tell where it leaves "
               "physics" },
     { .name = "--profile",
       .kind = WF_OPTION_CHOICE,
@@ -99,7 +107,8 @@ const struct wf_option wf_study_options[] = {
       .unit = "m",
       .low = 1e-6,
       .high = 10,
-      .help = "roughness length of the log and canopy profiles; left out with canopy: 0.1 of its height" },
+      .help = "roughness length of the log and canopy profiles; left out with "
+              "canopy: 0.1 of its height" },
     { .name = "--displacement",
       .kind = WF_OPTION_NUMBER,
       .value = "LENGTH",
@@ -108,7 +117,8 @@ const struct wf_option wf_study_options[] = {
       .unit = "m",
       .low = 0,
       .high = 100,
-      .help = "zero-plane displacement: height the log profile is lifted by, above and in a stand; left out "
+      .help = "zero-plane displacement: height the log profile is lifted by, "
+              "above and in a stand; left out "
               "with canopy: 0.7 of "
               "its height" },
     { .name = "--canopy-height",
@@ -119,7 +129,8 @@ const struct wf_option wf_study_options[] = {
       .unit = "m",
       .low = 0,
       .high = 100,
-      .help = "of the stand around the tree, for the canopy profile; 0: displacement / 0.7" },
+      .help = "of the stand around the tree, for the canopy profile; 0: "
+              "displacement / 0.7" },
     { .name = "--attenuation",
       .kind = WF_OPTION_NUMBER,
       .value = "NUMBER",
@@ -137,6 +148,14 @@ const struct wf_option wf_study_options[] = {
       .low = -360,
       .high = 360,
       .help = "direction the wind blows towards, from +x towards +y" },
+    { .name = "--shelter",
+      .kind = WF_OPTION_CHOICE,
+      .value = "LAW",
+      .initial = "none",
+      .word = shelter_word,
+      .help = "the wind inside the crown: none: as outside; wake: what drag of "
+              "the windward parts leaves; feng1999: "
+              "potential flows as printed" },
     { .name = "--temperature",
       .kind = WF_OPTION_NUMBER,
       .value = "TEMPERATURE",
@@ -179,7 +198,8 @@ const struct wf_option wf_study_options[] = {
       .dimension = WF_DIM_NONE,
       .low = 0,
       .high = 0.1,
-      .help = "relative error accepted from the mesh; 0 takes one element a segment" },
+      .help = "relative error accepted from the mesh; 0 takes one element a "
+              "segment" },
     { .name = "--root-stiffness",
       .kind = WF_OPTION_NUMBER,
       .value = "STIFFNESS",
@@ -187,7 +207,8 @@ const struct wf_option wf_study_options[] = {
       .unit = "N m/rad",
       .low = 1,
       .high = 1e15,
-      .help = "rotational stiffness of the root plate; left out, the stem is clamped" },
+      .help = "rotational stiffness of the root plate; left out, the stem is "
+              "clamped" },
     { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "write results and tables only" },
     { .name = "--lang",
       .kind = WF_OPTION_CHOICE,
@@ -199,8 +220,9 @@ const struct wf_option wf_study_options[] = {
     { 0 },
 };
 
-/* What is not said of a stand follows from its height: d = 0.7 h, z0 = 0.1 h (Garratt 1992, The Atmospheric
- * Boundary Layer, Cambridge University Press, sec. 4.3). */
+/* What is not said of a stand follows from its height: d = 0.7 h, z0 = 0.1 h
+ * (Garratt 1992, The Atmospheric Boundary Layer, Cambridge University Press,
+ * sec. 4.3). */
 static void complete_canopy(const struct wf_args *g, struct wf_scenario *s)
 {
     if (strcmp(s->profile, "canopy") != 0) return;
@@ -226,6 +248,7 @@ void wf_study_from_args(const struct wf_args *g, struct wf_study *out)
     s->air_density = wf_args_number(g, "--air-density");
     s->speed_max = wf_args_number(g, "--search-to");
     complete_canopy(g, s);
+    s->shelter = strcmp(wf_args_text(g, "--shelter"), "none") == 0 ? NULL : wf_args_text(g, "--shelter");
     wf_solve_options_default(&out->solve);
     out->solve.mesh_tolerance = wf_args_number(g, "--mesh-tolerance");
     if (wf_args_given(g, "--root-stiffness"))

@@ -39,29 +39,11 @@ static enum wf_status unload(struct wf_analysis *an, struct wf_arena *a, struct 
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_err *e)
 {
-    const struct wf_streamlining *law = &an->species->streamlining;
     enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
     if (s || (s = wf_tree_check(&an->tree, d, e))) return s;
     an->tallness = wf_tree_height(&an->tree);
-    wf_scenario_wind(&an->scenario, &an->wind);
-    wf_loads_default(&an->loads);
-    an->loads.wind = &an->wind;
-    an->loads.air_density = wf_scenario_air_density(&an->scenario);
-    an->loads.air_viscosity = wf_air_viscosity(an->scenario.temperature, an->loads.air_density);
-    an->loads.gravity = an->scenario.gravity;
-    if (an->model->shape == WF_SHAPE_UNDER_WEIGHT && (s = unload(an, a, d, e))) return s;
-    if (!law->law) return WF_OK;
-    an->loads.streamline = wf_streamline_named(law->law);
-    if (!an->loads.streamline)
-        return wf_fail(e, WF_EINPUT, "%s: no streamlining law is called '%s'", an->species->key, law->law);
-    an->loads.streamline_par = (struct wf_streamline_par){
-        .exponent = law->exponent.value,
-        .reference_speed = law->reference_speed,
-        .n = law->table.n,
-        .speed = law->table.s,
-        .share = law->table.v,
-    };
-    return WF_OK;
+    s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
+    return !s && an->model->shape == WF_SHAPE_UNDER_WEIGHT ? unload(an, a, d, e) : s;
 }
 
 struct search {

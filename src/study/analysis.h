@@ -24,6 +24,7 @@ struct wf_scenario {
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
     double speed_max; /* the critical wind speed is searched for up to here [m/s] */
+    const char *shelter; /* row of wf_shelter_laws: the tree shelters itself; NULL: it does not */
 };
 /* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2, search up to 100 m/s. */
 void wf_scenario_default(struct wf_scenario *s);

@@ -1,4 +1,5 @@
 #include "study/scenario.h"
+#include "wind/shelter.h"
 #include <math.h>
 #include <string.h>
 
@@ -43,6 +44,8 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
     };
     if (!s->profile || !wf_profile_named(s->profile))
         return wf_fail(e, WF_EUSAGE, "no wind profile is called '%s'", s->profile ? s->profile : "");
+    if (s->shelter && !wf_shelter_law_named(s->shelter))
+        return wf_fail(e, WF_EUSAGE, "no law of shelter is called '%s'", s->shelter);
     for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
         if (!(limits[i].value >= limits[i].low && limits[i].value <= limits[i].high))
             return wf_fail(e, WF_EUSAGE, "%s %.6g %s is outside %.6g..%.6g", limits[i].name, limits[i].value,

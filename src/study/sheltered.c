@@ -24,7 +24,9 @@ static double sail_share(const struct wf_tree *t, const struct wf_loads *l)
 /* The tree with its rows' ends moved by `end`: straight rows between them. */
 struct bent {
     struct wf_tree tree;
-    double *end; /* 3n */
+    double *end;  /* 3n */
+    double *last; /* 3n: by how much the answer before differed from its shape */
+    double share; /* of the difference that is gone by each pass */
 };
 
 static enum wf_status bent_make(struct bent *b, const struct wf_tree *t, struct wf_arena *a, struct wf_err *e)
@@ -32,7 +34,8 @@ static enum wf_status bent_make(struct bent *b, const struct wf_tree *t, struct 
     double **column[] = { &b->tree.x0, &b->tree.y0, &b->tree.z0, &b->tree.x1, &b->tree.y1, &b->tree.z1 };
     b->tree = *t;
     b->end = WF_TAKE(a, 3 * t->n, double);
-    bool room = b->end != NULL;
+    b->last = WF_TAKE(a, 3 * t->n, double);
+    bool room = b->end && b->last;
     for (size_t k = 0; k < 6; k++) room = (*column[k] = WF_TAKE(a, t->n, double)) && room;
     return room ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for %zu bent segments", t->n);
 }
@@ -49,6 +52,23 @@ static void bend(struct bent *b, const struct wf_tree *t)
             start[k][i] = from[k][i] + (p >= 0 ? b->end[3 * p + k] : 0.0);
             stop[k][i] = to[k][i] + b->end[3 * i + (size_t)k];
         }
+}
+
+/* The next shape, on the way to the answer: by Aitken's rule for vectors (Irons & Tuck 1969, Int. J. Numer.
+ * Methods Eng. 1:275-277), which shortens steps that swing and keeps those that do not. */
+static void step(struct bent *b, const double *answer, size_t n, bool first)
+{
+    double along = 0.0, turn = 0.0;
+    for (size_t k = 0; k < n; k++) {
+        double now = answer[k] - b->end[k], change = now - b->last[k];
+        along += b->last[k] * change;
+        turn += change * change;
+    }
+    b->share = first || !(turn > 0.0) ? 1.0 : fmin(fmax(-b->share * along / turn, 0.1), 1.0);
+    for (size_t k = 0; k < n; k++) {
+        b->last[k] = answer[k] - b->end[k];
+        b->end[k] += b->share * b->last[k];
+    }
 }
 
 static double distance(const double *a, const double *b, size_t n)
@@ -111,8 +131,7 @@ static enum wf_status settle(const struct wf_tree *t, const struct wf_shelter_re
         if ((s = solver->solve(t, &out->loads, o, scratch, r, &quiet, e))) return s;
         out->change = distance(r->end, b.end, t->n) / height;
         if (out->change <= settled || out->passes == WF_SHELTER_PASSES) break;
-        double share = out->passes < 2 ? 1.0 : 0.5;
-        for (size_t k = 0; k < 3 * t->n; k++) b.end[k] += share * (r->end[k] - b.end[k]);
+        step(&b, r->end, 3 * t->n, out->passes == 1);
     }
     return solver->solve(t, &out->loads, o, a, r, d, e);
 }
@@ -125,10 +144,12 @@ enum wf_status wf_sheltered_solve(const struct wf_tree *t, const struct wf_loads
 {
     struct wf_arena scratch = { 0 };
     struct wf_shelter_request own = *q;
+    struct wf_solve_options mesh = *o;
     struct wf_err why = { 0 };
     *out = (struct wf_sheltered){ 0 };
     own.sail_share = sail_share(t, l);
-    enum wf_status s = settle(t, &own, l, solver, o, a, &scratch, out, r, d, &why);
+    if (mesh.mesh_tolerance > 0.0) mesh.mesh_tolerance = fmax(mesh.mesh_tolerance, 1e-4);
+    enum wf_status s = settle(t, &own, l, solver, &mesh, a, &scratch, out, r, d, &why);
     wf_arena_free(&scratch);
     warn(out, q, d);
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;

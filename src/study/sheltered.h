@@ -18,9 +18,9 @@ struct wf_sheltered {
  * streamlining law at the crown's mean height), solver, options. Returned: the response in the last shelter
  * and *out, which must stay where it is while its wind is used; errors of the solver and of wf_shelter_make.
  * Method: solve in the undisturbed wind; make the shelter of the bent shape; solve again in it; until the
- * shape moves by less than a thousandth of the height or WF_SHELTER_PASSES (warning shelter-unsettled). From
- * the third pass on the shelter is that of the mean of the last two shapes, which damps branches that swing
- * in and out of a wake. Small-deflection answers take the shelter of the unbent tree: one pass. A law as
+ * shape moves by less than a thousandth of the height or WF_SHELTER_PASSES (warning shelter-unsettled). Steps
+ * between shapes are shortened where they swing (Aitken). Small-deflection answers take the shelter of the
+ * unbent tree: one pass. The mesh is made to 1e-4 at best: the field is no finer than its cells. A law as
  * printed gives the warning shelter-as-printed. */
 enum wf_status wf_sheltered_solve(const struct wf_tree *t, const struct wf_loads *l,
                                   const struct wf_shelter_request *q, const struct wf_solver *solver,

@@ -1,5 +1,6 @@
 #include "study/speed.h"
 #include "study/figures.h"
+#include "study/sheltered.h"
 #include <math.h>
 #include <string.h>
 
@@ -40,28 +41,57 @@ static void totals_unknown(struct wf_at_speed *out)
     out->breakage.governing = out->breakage.largest_stress_row = -1;
 }
 
+/* The tree in the wind it leaves itself; a coarser grid than for maps, because it is made for every shape. */
+static enum wf_status solve_sheltered(const struct wf_analysis *an, const struct wf_loads *l,
+                                      const struct wf_solve_options *o, struct wf_arena *a,
+                                      struct wf_sheltered *out, struct wf_response *r, struct wf_diag *d,
+                                      struct wf_err *e)
+{
+    struct wf_shelter_request q;
+    wf_shelter_request_default(&q);
+    q.law = wf_shelter_law_named(an->scenario.shelter);
+    q.slabs = 24;
+    q.cells = 64;
+    if (an->species->crown_drag.given) q.crown_drag = an->species->crown_drag.value;
+    return wf_sheltered_solve(&an->tree, l, &q, an->solver, o, a, out, r, d, e);
+}
+
+/* What follows from the response. */
+static enum wf_status figures(const struct wf_analysis *an, const struct wf_loads *l, struct wf_arena *a,
+                              struct wf_at_speed *out, struct wf_err *e)
+{
+    struct wf_totals totals;
+    enum wf_status s = wf_breakage_check(&an->tree, &out->response, a, &out->breakage, e);
+    if (s) return s;
+    s = wf_figures_fill(&an->tree, l, &out->response, an->wind.direction, an->species->crown_drag.value, a,
+                        &out->figures, &totals, e);
+    if (!s) totals_fill(an, &totals, out);
+    return s;
+}
+
 enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
                               struct wf_arena *a, struct wf_diag *d, struct wf_at_speed *out,
                               struct wf_err *e)
 {
     struct wf_wind wind = an->wind;
     struct wf_loads loads = an->loads;
-    struct wf_totals totals;
+    struct wf_sheltered sheltered = { 0 };
     struct wf_err why = { 0 };
+    enum wf_status s = WF_OK;
     memset(out, 0, sizeof *out);
     out->speed = wind.speed = speed;
     loads.wind = speed > 0.0 ? &wind : NULL;
-    out->status = an->solver->solve(&an->tree, &loads, o, a, &out->response, d, &why);
-    if (out->status == WF_EUNSTABLE || out->status == WF_ENOCONV) {
+    if (an->scenario.shelter && loads.wind)
+        out->status = solve_sheltered(an, &loads, o, a, &sheltered, &out->response, d, &why);
+    else
+        out->status = an->solver->solve(&an->tree, &loads, o, a, &out->response, d, &why);
+    if (out->status == WF_EUNSTABLE || out->status == WF_ENOCONV)
         totals_unknown(out);
-        return WF_OK;
-    }
-    if (out->status) return wf_fail(e, out->status, "%s", why.text);
-    enum wf_status s = wf_breakage_check(&an->tree, &out->response, a, &out->breakage, e);
-    if (s) return s;
-    s = wf_figures_fill(&an->tree, &loads, &out->response, an->wind.direction, an->species->crown_drag.value,
-                        a, &out->figures, &totals, e);
-    if (!s) totals_fill(an, &totals, out);
+    else if (out->status)
+        s = wf_fail(e, out->status, "%s", why.text);
+    else
+        s = figures(an, sheltered.passes ? &sheltered.loads : &loads, a, out, e);
+    wf_sheltered_end(&sheltered);
     return s;
 }
 

@@ -33,8 +33,8 @@ static void ends(const struct wf_shelter *s, const struct wf_tree *t, size_t i, 
 
 static bool leafy(const struct wf_tree *t, size_t i) { return t->sail0[i] + t->sail1[i] > 0.0; }
 
-/* The grid around wood and leaves; a depth or width that is almost nothing becomes a hundredth of the rest.
- */
+/* The grid around wood and leaves. A depth that is almost nothing becomes a hundredth of the tree; a width
+ * less than a quarter becomes a quarter, so that the wakes of a slender tree find room beside it. */
 static void place_grid(struct wf_shelter *s, const struct wf_tree *t)
 {
     double low[3] = { DBL_MAX, DBL_MAX, DBL_MAX }, high[3] = { -DBL_MAX, -DBL_MAX, -DBL_MAX }, size = 0.0;
@@ -55,7 +55,7 @@ static void place_grid(struct wf_shelter *s, const struct wf_tree *t)
     for (int k = 0; k < 3; k++) size = fmax(size, high[k] - low[k]);
     const size_t n[3] = { s->slabs, s->across - 2 * MARGIN, s->up - MARGIN };
     for (int k = 0; k < 3; k++) {
-        double thin = 0.01 * size - (high[k] - low[k]);
+        double thin = (k == 1 ? 0.25 : 0.01) * size - (high[k] - low[k]);
         if (thin > 0.0) low[k] -= 0.5 * thin, high[k] += 0.5 * thin;
         double pad = 1e-9 * size;
         s->step[k] = (high[k] - low[k] + 2.0 * pad) / (double)n[k];
