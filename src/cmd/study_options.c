@@ -1,6 +1,7 @@
 #include "cmd/study.h"
 #include "wind/shelter.h"
 #include <string.h>
+#include <string.h>
 
 static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 static const char *preset_word(size_t i) { return wf_presets[i].name; }
@@ -17,15 +18,13 @@ const struct wf_option wf_study_options[] = {
       .letter = "-t",
       .kind = WF_OPTION_TEXT,
       .value = "FILE",
-      .help = "a measured tree in place of a model, any format of 'windfirm "
-              "import'" },
+      .help = "a measured tree in place of a model, any format of 'windfirm import'" },
     { .name = "--joint",
       .kind = WF_OPTION_CHOICE,
       .value = "HOW",
       .initial = "axis",
       .choices = "axis|bridge",
-      .help = "how branches of a measured tree are held: where they leave the "
-              "parent's axis, or at its end" },
+      .help = "how branches of a measured tree are held: where they leave the parent's axis, or at its end" },
     { .name = "--leaf-area",
       .kind = WF_OPTION_NUMBER,
       .value = "AREA",
@@ -33,8 +32,7 @@ const struct wf_option wf_study_options[] = {
       .unit = "m2",
       .low = 0,
       .high = 1e5,
-      .help = "one-sided leaf area of the whole tree, in place of the model's; "
-              "a measured tree has none" },
+      .help = "one-sided leaf area of the whole tree, in place of the model's; a measured tree has none" },
     { .name = "--season",
       .kind = WF_OPTION_CHOICE,
       .value = "SEASON",
@@ -42,8 +40,7 @@ const struct wf_option wf_study_options[] = {
       .help = "in place of the model's: with its leaves, or when they have fallen" },
     { .name = "--unload",
       .kind = WF_OPTION_FLAG,
-      .help = "the tree was measured or drawn standing under its own weight: "
-              "find its stress-free shape first" },
+      .help = "the tree was measured or drawn standing under its own weight: find its stress-free shape first" },
     { .name = "--wind",
       .letter = "-w",
       .kind = WF_OPTION_SPEEDS,
@@ -52,15 +49,14 @@ const struct wf_option wf_study_options[] = {
       .unit = "m/s",
       .low = 0,
       .high = 200,
-      .help = "mean wind speeds at the reference height, a list 10,15,25 or "
-              "from:to:step 5:40:1; a unit behind "
-              "the last number holds for all: '36,54 km/h'" },
+      .help =
+          "mean wind speeds at the reference height, a list 10,15,25 or from:to:step 5:40:1; a unit behind "
+          "the last number holds for all: '36,54 km/h'" },
     { .name = "--output",
       .letter = "-o",
       .kind = WF_OPTION_TEXT,
       .value = "FOLDER",
-      .help = "where results, tables, plots and pages go [out/analyze or "
-              "out/compare]" },
+      .help = "where results, tables, plots and pages go [out/analyze or out/compare]" },
     { .name = "--solver",
       .letter = "-s",
       .kind = WF_OPTION_CHOICE,
@@ -73,8 +69,7 @@ const struct wf_option wf_study_options[] = {
       .value = "NAME",
       .initial = "corrected",
       .word = preset_word,
-      .help = "a published method, its formula and constants as printed; "
-              "warnings tell where it leaves "
+      .help = "a published method, its formula and constants as printed; warnings tell where it leaves "
               "physics" },
     { .name = "--profile",
       .kind = WF_OPTION_CHOICE,
@@ -107,8 +102,7 @@ const struct wf_option wf_study_options[] = {
       .unit = "m",
       .low = 1e-6,
       .high = 10,
-      .help = "roughness length of the log and canopy profiles; left out with "
-              "canopy: 0.1 of its height" },
+      .help = "roughness length of the log and canopy profiles; left out with canopy: 0.1 of its height" },
     { .name = "--displacement",
       .kind = WF_OPTION_NUMBER,
       .value = "LENGTH",
@@ -117,8 +111,7 @@ const struct wf_option wf_study_options[] = {
       .unit = "m",
       .low = 0,
       .high = 100,
-      .help = "zero-plane displacement: height the log profile is lifted by, "
-              "above and in a stand; left out "
+      .help = "zero-plane displacement: height the log profile is lifted by, above and in a stand; left out "
               "with canopy: 0.7 of "
               "its height" },
     { .name = "--canopy-height",
@@ -129,8 +122,7 @@ const struct wf_option wf_study_options[] = {
       .unit = "m",
       .low = 0,
       .high = 100,
-      .help = "of the stand around the tree, for the canopy profile; 0: "
-              "displacement / 0.7" },
+      .help = "of the stand around the tree, for the canopy profile; 0: displacement / 0.7" },
     { .name = "--attenuation",
       .kind = WF_OPTION_NUMBER,
       .value = "NUMBER",
@@ -153,8 +145,7 @@ const struct wf_option wf_study_options[] = {
       .value = "LAW",
       .initial = "none",
       .word = shelter_word,
-      .help = "the wind inside the crown: none: as outside; wake: what drag of "
-              "the windward parts leaves; feng1999: "
+      .help = "the wind inside the crown: none: as outside; wake: what drag of the windward parts leaves; feng1999: "
               "potential flows as printed" },
     { .name = "--temperature",
       .kind = WF_OPTION_NUMBER,
@@ -198,8 +189,7 @@ const struct wf_option wf_study_options[] = {
       .dimension = WF_DIM_NONE,
       .low = 0,
       .high = 0.1,
-      .help = "relative error accepted from the mesh; 0 takes one element a "
-              "segment" },
+      .help = "relative error accepted from the mesh; 0 takes one element a segment" },
     { .name = "--root-stiffness",
       .kind = WF_OPTION_NUMBER,
       .value = "STIFFNESS",
@@ -207,8 +197,7 @@ const struct wf_option wf_study_options[] = {
       .unit = "N m/rad",
       .low = 1,
       .high = 1e15,
-      .help = "rotational stiffness of the root plate; left out, the stem is "
-              "clamped" },
+      .help = "rotational stiffness of the root plate; left out, the stem is clamped" },
     { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "write results and tables only" },
     { .name = "--lang",
       .kind = WF_OPTION_CHOICE,
@@ -220,9 +209,8 @@ const struct wf_option wf_study_options[] = {
     { 0 },
 };
 
-/* What is not said of a stand follows from its height: d = 0.7 h, z0 = 0.1 h
- * (Garratt 1992, The Atmospheric Boundary Layer, Cambridge University Press,
- * sec. 4.3). */
+/* What is not said of a stand follows from its height: d = 0.7 h, z0 = 0.1 h (Garratt 1992, The Atmospheric
+ * Boundary Layer, Cambridge University Press, sec. 4.3). */
 static void complete_canopy(const struct wf_args *g, struct wf_scenario *s)
 {
     if (strcmp(s->profile, "canopy") != 0) return;
