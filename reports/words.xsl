@@ -112,9 +112,11 @@
     <xsl:when test="$tree/species/name != ''"><xsl:value-of select="normalize-space($tree/species/name)"/></xsl:when>
     <xsl:otherwise><xsl:value-of select="$tree/species/key"/></xsl:otherwise>
   </xsl:choose>
-  <!-- two tables of one species (another preset) must not look the same -->
+  <!-- two tables of one species (another preset, or the user's own copy) must not look the same -->
   <xsl:if test="count($trees[species/name = $tree/species/name]) &gt; 1">
-    <xsl:value-of select="concat(' (', $tree/species/key, ')')"/>
+    <xsl:value-of select="concat(' (', $tree/species/key)"/>
+    <xsl:if test="count($trees[species/name = $tree/species/name and species/key = $tree/species/key]) &gt; 1"><xsl:value-of select="concat(' ', count($tree/preceding-sibling::item) + 1)"/></xsl:if>
+    <xsl:text>)</xsl:text>
   </xsl:if>
 </xsl:template>
 

@@ -126,10 +126,12 @@ enum wf_status wf_xml_transform(const char *path, xmlDoc *document, const char *
     *out = NULL;
     enum wf_status code = wf_xml_read(path, &source, e);
     if (code) return code;
-    /* A faulty stylesheet is reported to a process-wide handler; it is ours for this call only. */
-    xmlGenericErrorFunc before = xsltGenericError;
-    void *context = xsltGenericErrorContext;
+    /* A faulty stylesheet and a full disk are reported to process-wide handlers; they are ours for this call
+     * only. */
+    xmlGenericErrorFunc before = xsltGenericError, before_xml = xmlGenericError;
+    void *context = xsltGenericErrorContext, *context_xml = xmlGenericErrorContext;
     xsltSetGenericErrorFunc(&c, keep);
+    xmlSetGenericErrorFunc(&c, keep);
     xsltStylesheet *style = xsltParseStylesheetDoc(source);
     if (!style) {
         xmlFreeDoc(source);
@@ -140,6 +142,7 @@ enum wf_status wf_xml_transform(const char *path, xmlDoc *document, const char *
         code = apply(style, document, parameters, f, &c, out, path, e);
     }
     xsltSetGenericErrorFunc(context, before);
+    xmlSetGenericErrorFunc(context_xml, before_xml);
     if (style) xsltFreeStylesheet(style);
     if (code && *out) {
         xmlFreeDoc(*out);
