@@ -17,12 +17,14 @@ extern const struct wf_command wf_commands[]; /* ends at name == NULL */
 
 int wf_cmd_analyze(int argc, char **argv);
 int wf_cmd_compare(int argc, char **argv);
+int wf_cmd_fit(int argc, char **argv);
 int wf_cmd_import(int argc, char **argv);
 int wf_cmd_papers(int argc, char **argv);
 int wf_cmd_report(int argc, char **argv);
 int wf_cmd_schema(int argc, char **argv);
 int wf_cmd_series(int argc, char **argv);
 int wf_cmd_shelter(int argc, char **argv);
+int wf_cmd_simulate_test(int argc, char **argv);
 int wf_cmd_species(int argc, char **argv);
 int wf_cmd_tree(int argc, char **argv);
 int wf_cmd_terrain(int argc, char **argv);

@@ -120,6 +120,16 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
                      f->starts_same, f->starts);
 }
 
+double wf_fit_aicc(const struct wf_fit *f, const double *sigma)
+{
+    double m = (double)f->x->data, k = (double)f->params + 1, sum = 0;
+    for (size_t i = 0; i < f->x->data; i++) {
+        double r = (f->x->datum[i].value - f->reading[i]) / sigma[i];
+        sum += r * r;
+    }
+    return m > k + 1 ? m * log(sum / m) + 2 * k + 2 * k * (k + 1) / (m - k - 1) : (double)NAN;
+}
+
 enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
                           const struct wf_fit_options *o, struct wf_arena *a, struct wf_diag *d,
                           struct wf_fit *out, struct wf_err *e)
@@ -141,9 +151,7 @@ enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p,
     if (!status && !out->lsq.stopped && o->profile) status = wf_fit_profiles(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->resamples) status = wf_fit_resample(&s, out, a, e);
     wf_session_close(&s);
-    double m = (double)x->data, k = (double)n + 1;
-    if (!status && m > k + 1)
-        out->aicc = m * log(out->chi_square / m) + 2 * k + 2 * k * (k + 1) / (m - k - 1);
+    if (!status) out->aicc = wf_fit_aicc(out, out->sigma);
     if (!status) warn(out, d);
     return status;
 }

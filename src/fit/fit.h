@@ -75,6 +75,11 @@ struct wf_fit {
     struct wf_lsq_result lsq;
 };
 
+/* Akaike's criterion with the correction for few data (Hurvich and Tsai 1989), variance unknown:
+ * m ln(S/m) + 2 k + 2 k (k+1)/(m-k-1), S = squared residuals over `sigma` (one per datum), k = parameters
+ * + 1. To compare two fits of the same data give both the same sigma. NAN where there are too few data. */
+double wf_fit_aicc(const struct wf_fit *f, const double *sigma);
+
 /* Fit. Given: experiment, parameters (free ones first, then nuisance) with start and bounds, options.
  * Returned: WF_OK and *out, all from `a`; warnings in d. Errors: WF_EUSAGE, WF_EINPUT as wf_lsq_solve.
  * Method: least squares of readings over their sigma. Sigmas not given are found from the residuals, sensor

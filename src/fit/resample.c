@@ -56,7 +56,8 @@ static double quantile(const double *x, size_t n, double p)
 
 enum { OWN = 8 }; /* sensors with fewer readings are drawn from together */
 
-/* Draw as many readings of every sensor as it has, with replacement: how often each was drawn is its weight. */
+/* Draw as many readings of every sensor as it has, with replacement: how often each was drawn is its weight.
+ */
 static void draw(struct wf_session *s, const struct wf_fit *out, size_t *pool, uint64_t sample)
 {
     for (size_t i = 0; i < s->x->data; i++) s->x->datum[i].weight = 0;

@@ -1,0 +1,223 @@
+/* windfirm simulate-test: what a planned test would tell, before anyone climbs the tree. */
+#include "base/file.h"
+#include "base/random.h"
+#include "cmd/fit_job.h"
+#include "fit/predict.h"
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+#include <math.h>
+#include <string.h>
+
+static const struct wf_option options[] = {
+    { .name = "--free",
+      .letter = "-f",
+      .kind = WF_OPTION_TEXT,
+      .value = "NAME[,NAME]",
+      .help = "parameters the test is to determine, in place of the study's" },
+    { .name = "--seed",
+      .kind = WF_OPTION_NUMBER,
+      .value = "NUMBER",
+      .initial = "1",
+      .dimension = WF_DIM_NONE,
+      .low = 0,
+      .high = 9007199254740992.0,
+      .help = "of the noise" },
+    { .name = "--output",
+      .letter = "-o",
+      .kind = WF_OPTION_TEXT,
+      .value = "FOLDER",
+      .initial = "out/simulate-test",
+      .help = "where the made-up data go, one CSV file a test" },
+    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    { 0 },
+};
+static const char about[] =
+    "STUDY is a calibration study whose tests have 'loads' or 'speeds' and whose sensors have 'sigma' or "
+    "'sigma_share'. The "
+    "tree is taken as the species table has it; readings are made up with noise, and the 95 % interval each "
+    "layout would "
+    "give is computed: all sensors, each alone, all but one.\n"
+    "\n"
+    "  windfirm simulate-test models/field/sample_pull.yaml --free level0.youngs_modulus,root.stiffness";
+
+enum { NOISE = 43 };
+struct plan {
+    struct wf_arena arena;
+    struct wf_args args;
+    struct wf_fit_study study;
+    struct wf_experiment x;
+    struct wf_fit_param *param;
+    size_t params, free;
+    double *reading, *slope;
+};
+
+/* 95 % half widths of the internal values when only some sensors are there; INFINITY where one is not
+ * determined. The singular values below 1e-9 of the largest count as none. */
+static enum wf_status expected(const struct plan *p, const bool *with, double *half, struct wf_err *e)
+{
+    size_t n = p->params, rows = p->x.data > n ? p->x.data : n, i = 0;
+    gsl_error_handler_t *before = gsl_set_error_handler_off();
+    gsl_matrix *W = gsl_matrix_calloc(rows, n), *V = gsl_matrix_alloc(n, n);
+    gsl_vector *s = gsl_vector_alloc(n), *work = gsl_vector_alloc(n);
+    bool ok = W && V && s && work;
+    for (size_t d = 0, sensor = 0; ok && d < p->x.data; d++) {
+        const struct wf_fit_datum *q = &p->x.datum[d];
+        sensor = q->sensor;
+        for (size_t t = 0; t < q->test; t++) sensor += p->x.test[t].sensors;
+        for (size_t k = 0; with[sensor] && k < n; k++)
+            gsl_matrix_set(W, i, k, p->slope[d * n + k] / q->sigma);
+        i++;
+    }
+    ok = ok && !gsl_linalg_SV_decomp(W, V, s, work);
+    for (size_t k = 0; k < p->free; k++) {
+        double sum = 0, top = ok ? gsl_vector_get(s, 0) : 0;
+        for (size_t m = 0; ok && m < n; m++) {
+            double v = gsl_matrix_get(V, k, m), size = gsl_vector_get(s, m);
+            if (size > 1e-9 * top)
+                sum += v * v / (size * size);
+            else if (fabs(v) > 1e-6)
+                sum = INFINITY;
+        }
+        half[k] = 1.96 * sqrt(top > 0 ? sum : INFINITY);
+    }
+    if (W) gsl_matrix_free(W);
+    if (V) gsl_matrix_free(V);
+    if (s) gsl_vector_free(s);
+    if (work) gsl_vector_free(work);
+    gsl_set_error_handler(before);
+    return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for the plan");
+}
+
+static void line(const struct plan *p, const char *name, const double *half)
+{
+    printf("%-44s", name);
+    for (size_t k = 0; k < p->free; k++) {
+        double share = wf_fit_quantities[p->param[k].quantity].log ? expm1(half[k]) : half[k];
+        if (share < 10)
+            printf("  %+10.1f %%", 100 * share);
+        else
+            printf("  %12s", "-");
+    }
+    printf("\n");
+}
+
+static enum wf_status table(const struct plan *p, struct wf_err *e)
+{
+    bool with[256] = { false };
+    size_t sensors = 0, at = 0;
+    double half[64];
+    char name[96];
+    for (size_t t = 0; t < p->x.tests; t++) sensors += p->x.test[t].sensors;
+    if (sensors > 256 || p->params > 64)
+        return wf_fail(e, WF_EUSAGE, "more than 256 sensors or 64 parameters in one plan");
+    printf("%-44s", "sensors: upper half of the 95 % interval");
+    for (size_t k = 0; k < p->free; k++) printf("  %12.24s", p->param[k].name);
+    printf("\n");
+    for (size_t i = 0; i < sensors; i++) with[i] = true;
+    enum wf_status s = expected(p, with, half, e);
+    if (!s) line(p, "all", half);
+    for (int alone = 1; alone >= 0 && sensors > 1; alone--, at = 0)
+        for (size_t t = 0; t < p->x.tests; t++)
+            for (size_t k = 0; k < p->x.test[t].sensors && !s; k++, at++) {
+                for (size_t i = 0; i < sensors; i++) with[i] = (i == at) == (alone == 1);
+                snprintf(name, sizeof name, "%s %.30s %.30s", alone ? "only" : "without", p->x.test[t].name,
+                         p->x.test[t].sensor[k].name);
+                s = expected(p, with, half, e);
+                if (!s) line(p, name, half);
+            }
+    return s;
+}
+
+/* One file a test: load and readings with noise, columns as the study names them or would. */
+static enum wf_status write_test(const struct plan *p, size_t test, const char *folder, uint64_t seed,
+                                 struct wf_err *e)
+{
+    const struct wf_fit_test *t = &p->x.test[test];
+    const char *path = wf_arena_print((struct wf_arena *)&p->arena, "%s/%s.csv", folder, t->name);
+    struct wf_file f = { 0 };
+    enum wf_status s = path ? wf_file_begin(&f, path, e) : wf_fail(e, WF_ENOMEM, "no room");
+    if (s) return s;
+    fprintf(f.stream, "t_s,%s",
+            t->load == WF_FIT_PULL   ? "force_N"
+            : t->load == WF_FIT_WIND ? "wind_m_s"
+                                     : "none");
+    static const char *const unit[WF_SENSOR_KINDS] = { "_m", "_m",   "_m",  "_rad", "_um_m",
+                                                       "_m", "_N_m", "_Hz", "" };
+    for (size_t k = 0; k < t->sensors; k++)
+        fprintf(f.stream, ",%s%s", t->sensor[k].name, unit[t->sensor[k].kind]);
+    fputc('\n', f.stream);
+    for (size_t i = 0, d = 0; i < t->states; i++) {
+        fprintf(f.stream, "%.9g,%.9g", t->state[i].time, t->state[i].load);
+        for (size_t k = 0; k < t->sensors; k++) {
+            while (p->x.datum[d].test != test || p->x.datum[d].state != i || p->x.datum[d].sensor != k) d++;
+            double noise = wf_random_normal(seed, wf_random_stream(NOISE, test, k), i);
+            double v = p->reading[d] + noise * p->x.datum[d].sigma;
+            fprintf(f.stream, ",%.9g", t->sensor[k].kind == WF_SENSOR_STRAIN ? 1e6 * v : v);
+        }
+        fputc('\n', f.stream);
+    }
+    s = wf_file_commit(&f, e);
+    wf_file_abandon(&f);
+    return s;
+}
+
+static enum wf_status run(struct plan *p, struct wf_diag *d, bool quiet, struct wf_err *e)
+{
+    struct wf_fit_build b = { .study = &p->study, .share = wf_share(), .plan = true };
+    struct wf_predictor *w = NULL;
+    const char *folder = wf_args_text(&p->args, "--output");
+    enum wf_status s = wf_fit_study_read(p->args.operand[0], &p->arena, &p->study, d, e);
+    if (s) return s;
+    struct wf_fit_input *in = WF_TAKE(&p->arena, p->study.tests, struct wf_fit_input);
+    if (!in) return wf_fail(e, WF_ENOMEM, "no room for the study");
+    s = wf_fit_build(&b, &p->arena, d, &p->x, in, e);
+    if (!s)
+        s = wf_fit_params(&p->study, wf_args_text(&p->args, "--free"), &p->x, true, &p->arena, &p->param,
+                          &p->params, e);
+    if (!s && !p->params)
+        s = wf_fail(e, WF_EUSAGE, "nothing is free: name parameters with --free or in the study");
+    if (s) return s;
+    size_t n = p->params, m = p->x.data;
+    p->reading = WF_TAKE(&p->arena, m, double), p->slope = WF_TAKE(&p->arena, m * n, double);
+    double *at = WF_TAKE(&p->arena, n, double);
+    if (!p->reading || !p->slope || !at) return wf_fail(e, WF_ENOMEM, "no room for the plan");
+    for (size_t k = 0; k < n; k++) {
+        at[k] = wf_param_internal(&p->param[k], p->param[k].start);
+        p->free += !wf_param_nuisance(&p->param[k]);
+    }
+    s = wf_predictor_open(&p->x, p->param, n, &p->arena, &w, e);
+    if (!s) s = wf_predict(w, at, p->reading, p->slope, e);
+    if (w) wf_predictor_close(w);
+    for (size_t i = 0; i < m && !s; i++) {
+        struct wf_fit_datum *q = &p->x.datum[i];
+        const struct wf_fit_sensor *sensor = &p->x.test[q->test].sensor[q->sensor];
+        if (sensor->estimated)
+            return wf_fail(e, WF_EINPUT, "test %s: sensor %s: a plan needs its 'sigma' or 'sigma_share'",
+                           p->x.test[q->test].name, sensor->name);
+        q->sigma = fmax(hypot(sensor->sigma, sensor->sigma_share * p->reading[i]),
+                        1e-12 * fabs(p->reading[i]) + 1e-300);
+    }
+    if (!s && !quiet) s = table(p, e);
+    if (!s) s = wf_mkdirs(folder, e);
+    for (size_t t = 0; t < p->x.tests && !s; t++)
+        s = write_test(p, t, folder, (uint64_t)wf_args_number(&p->args, "--seed"), e);
+    if (!s && !quiet) printf("\nMade-up readings: %s\n", folder);
+    return s;
+}
+
+int wf_cmd_simulate_test(int argc, char **argv)
+{
+    struct plan p = { 0 };
+    struct wf_err e = { 0 };
+    struct wf_diag d = { .arena = &p.arena };
+    int code = wf_args_read(argc, argv, options, about, 1, 1, &p.arena, &p.args);
+    if (code < 0) {
+        bool quiet = wf_args_given(&p.args, "--quiet");
+        enum wf_status s = run(&p, &d, quiet, &e);
+        fflush(stdout);
+        wf_print_findings(&d, quiet);
+        code = s ? wf_complain(&e) : 0;
+    }
+    wf_arena_free(&p.arena);
+    return code;
+}

@@ -1,0 +1,274 @@
+/* results.json, tables and words for the figures of a calibration. */
+#include "base/file.h"
+#include "cmd/fit_job.h"
+#include "cmd/wind_tables.h"
+#include "out/doc.h"
+#include <math.h>
+#include <string.h>
+
+static void cell(FILE *f, double x)
+{
+    if (isfinite(x))
+        fprintf(f, ",%.9g", x);
+    else
+        fputc(',', f);
+}
+
+static void parameters(FILE *f, const struct wf_fit_job *j)
+{
+    fputs("parameter,unit,value,low_95,high_95,profile_low_95,profile_high_95,bootstrap_low_95,bootstrap_"
+          "high_95,at_bound,"
+          "nuisance\n",
+          f);
+    for (size_t k = 0; k < j->fit.params; k++) {
+        const struct wf_estimate *q = &j->fit.estimate[k];
+        double u;
+        const char *unit = wf_param_unit(&j->x, &j->param[k], &u);
+        fprintf(f, "%s,%s", j->param[k].name, unit);
+        cell(f, q->value * u), cell(f, q->low * u), cell(f, q->high * u), cell(f, q->profile_low * u);
+        cell(f, q->profile_high * u), cell(f, q->resampled_low * u), cell(f, q->resampled_high * u);
+        fprintf(f, ",%s,%d\n", q->at_low ? "low" : q->at_high ? "high" : "", wf_param_nuisance(&j->param[k]));
+    }
+}
+
+static size_t group_of(const struct wf_fit *f, const struct wf_fit_datum *d)
+{
+    size_t g = 0;
+    while (f->group[g].test != d->test || f->group[g].sensor != d->sensor) g++;
+    return g + 1;
+}
+
+static void readings(FILE *f, const struct wf_fit_job *j)
+{
+    fputs("group,test,sensor,kind,unit,time_s,load,load_unit,line,measured,predicted,band_95,sigma,residual,"
+          "influence_sd,"
+          "influenced\n",
+          f);
+    for (size_t i = 0; i < j->x.data; i++) {
+        const struct wf_fit_datum *d = &j->x.datum[i];
+        const struct wf_fit_test *t = &j->x.test[d->test];
+        const struct wf_fit_input *in = &j->input[d->test];
+        const struct wf_sensor_row *r = &wf_sensor_rows[t->sensor[d->sensor].kind];
+        fprintf(f, "%zu,%s,%s,%s,%s", group_of(&j->fit, d), t->name, t->sensor[d->sensor].name, r->name,
+                r->unit);
+        cell(f, t->state[d->state].time), cell(f, t->state[d->state].load * in->load_factor);
+        fprintf(f, ",%s,%zu", in->load_unit, d->line);
+        cell(f, d->value * r->factor), cell(f, j->fit.reading[i] * r->factor),
+            cell(f, j->fit.band[i] * r->factor);
+        cell(f, j->fit.sigma[i] * r->factor), cell(f, j->fit.residual[i]), cell(f, j->fit.influence[i]);
+        fprintf(f, ",%s\n", j->fit.free ? j->param[j->fit.influenced[i]].name : "");
+    }
+}
+
+static void profiles(FILE *f, const struct wf_fit_job *j)
+{
+    fputs("parameter,unit,value,rise\n", f);
+    for (size_t k = 0; k < j->fit.free; k++)
+        for (size_t i = 0; i < j->fit.estimate[k].points; i++) {
+            double u;
+            const char *unit = wf_param_unit(&j->x, &j->param[k], &u);
+            fprintf(f, "%zu,%s", k + 1, unit);
+            cell(f, j->fit.estimate[k].point[i].value * u), cell(f, j->fit.estimate[k].point[i].rise);
+            fputc('\n', f);
+        }
+}
+
+/* Rows as measured: load and first reading, and whether they took part; for sway the record and the fitted
+ * curve. */
+static void records(FILE *f, const struct wf_fit_job *j)
+{
+    fputs("test,time_s,load,first,used,fitted\n", f);
+    for (size_t k = 0; k < j->x.tests; k++) {
+        const struct wf_fit_input *in = &j->input[k];
+        const struct wf_fit_record *r = &in->record;
+        double start = NAN;
+        for (size_t i = 0; i < r->n; i++) {
+            if (isnan(start) && r->used[i]) start = r->time[i];
+            fprintf(f, "%zu", k + 1);
+            cell(f, r->time[i]), cell(f, r->value[i * r->columns] * in->load_factor);
+            cell(f, r->columns > 1 ? r->value[i * r->columns + 1] : (double)NAN);
+            fprintf(f, ",%d", r->used[i]);
+            cell(f, in->swung && r->used[i] ? wf_ring_down_at(&in->sway, r->time[i] - start) : (double)NAN);
+            fputc('\n', f);
+        }
+    }
+}
+
+static void words(FILE *f, const struct wf_fit_job *j)
+{
+    size_t profiled = 0, recorded = 0;
+    for (size_t k = 0; k < j->fit.free; k++) profiled += j->fit.estimate[k].points > 1;
+    for (size_t k = 0; k < j->x.tests; k++) recorded += j->input[k].record.n > 0;
+    fprintf(f, "GROUPS = %zu\nPARAMS = %zu\nPROFILED = %zu\nTESTS = %zu\nRECORDED = %zu\nLIMIT = %.9g\n",
+            j->fit.groups, j->fit.free, profiled, j->x.tests, recorded, j->fit.quantile * j->fit.quantile);
+    fprintf(f, "array GROUP[%zu]\narray GROUP_Y[%zu]\narray GROUP_X[%zu]\n", j->fit.groups, j->fit.groups,
+            j->fit.groups);
+    for (size_t g = 0; g < j->fit.groups; g++) {
+        const struct wf_fit_test *t = &j->x.test[j->fit.group[g].test];
+        const struct wf_sensor_row *r = &wf_sensor_rows[t->sensor[j->fit.group[g].sensor].kind];
+        const struct wf_fit_input *in = &j->input[j->fit.group[g].test];
+        fprintf(f, "GROUP[%zu] = '%s: %s'\nGROUP_Y[%zu] = '%s (%s)'\nGROUP_X[%zu] = '%s%s%s%s'\n", g + 1,
+                t->name, t->sensor[j->fit.group[g].sensor].name, g + 1, r->name, r->unit, g + 1,
+                in->load_name, *in->load_unit ? " (" : "", in->load_unit, *in->load_unit ? ")" : "");
+    }
+    fprintf(f, "array PARAM[%zu]\narray TEST[%zu]\narray TEST_Y[%zu]\narray SWAY[%zu]\n", j->fit.free + 1,
+            j->x.tests, j->x.tests, j->x.tests);
+    for (size_t k = 0; k < j->fit.free; k++) {
+        double u;
+        const char *unit = wf_param_unit(&j->x, &j->param[k], &u);
+        fprintf(f, "PARAM[%zu] = '%s%s%s%s'\n", k + 1, j->param[k].name, *unit ? " (" : "", unit,
+                *unit ? ")" : "");
+    }
+    for (size_t k = 0; k < j->x.tests; k++)
+        fprintf(f, "TEST[%zu] = '%s'\nTEST_Y[%zu] = '%s%s%s%s'\nSWAY[%zu] = %d\n", k + 1, j->x.test[k].name,
+                k + 1, j->input[k].swung ? "record" : j->input[k].load_name,
+                *j->input[k].load_unit ? " (" : "", j->input[k].load_unit, *j->input[k].load_unit ? ")" : "",
+                k + 1, j->input[k].swung);
+}
+
+static json_t *estimate(struct wf_doc *d, const struct wf_fit *f, size_t k)
+{
+    const struct wf_estimate *q = &f->estimate[k];
+    double u;
+    const char *unit = wf_param_unit(f->x, &f->param[k], &u);
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "name", f->param[k].name);
+    wf_doc_text(d, o, "unit", unit);
+    wf_doc_text(d, o, "meaning", wf_fit_quantities[f->param[k].quantity].doc);
+    wf_doc_flag(d, o, "nuisance", wf_param_nuisance(&f->param[k]));
+    wf_doc_text(d, o, "bound", q->at_low ? "lower" : q->at_high ? "upper" : NULL);
+    const struct {
+        const char *key;
+        double v;
+    } number[] = { { "value", q->value },
+                   { "low", q->low },
+                   { "high", q->high },
+                   { "profile_low", q->profile_low },
+                   { "profile_high", q->profile_high },
+                   { "bootstrap_low", q->resampled_low },
+                   { "bootstrap_high", q->resampled_high },
+                   { "start", f->param[k].start },
+                   { "bound_low", f->param[k].low },
+                   { "bound_high", f->param[k].high } };
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
+        wf_doc_number(d, o, number[i].key, number[i].v * u);
+    wf_doc_numbers(d, o, "correlation", f->correlation + k * f->params, f->free);
+    return o;
+}
+
+static void fit_part(struct wf_doc *d, json_t *o, const struct wf_fit *f)
+{
+    json_t *list = wf_doc_put(d, o, "parameters", wf_doc_array(d));
+    for (size_t k = 0; k < f->params; k++) wf_doc_add(d, list, estimate(d, f, k));
+    wf_doc_count(d, o, "readings", f->x->data);
+    wf_doc_count(d, o, "freedom", f->freedom);
+    wf_doc_number(d, o, "chi_square", f->chi_square);
+    wf_doc_number(d, o, "reduced_chi_square", f->reduced);
+    wf_doc_flag(d, o, "sigma_estimated", f->sigma_estimated);
+    wf_doc_count(d, o, "starts", f->starts);
+    wf_doc_count(d, o, "starts_same", f->starts_same);
+    wf_doc_count(d, o, "resampled", f->resampled);
+    wf_doc_flag(d, o, "converged", f->lsq.converged);
+    wf_doc_flag(d, o, "stopped", f->lsq.stopped);
+    json_t *loose = wf_doc_put(d, o, "not_determined", wf_doc_array(d));
+    for (size_t i = 0; i < f->loose_n; i++) {
+        json_t *l = wf_doc_add(d, loose, wf_doc_object(d));
+        wf_doc_text(d, l, "text", f->loose[i].text);
+        wf_doc_number(d, l, "sd", f->loose[i].sd);
+    }
+    json_t *groups = wf_doc_put(d, o, "sensors", wf_doc_array(d));
+    for (size_t i = 0; i < f->groups; i++) {
+        const struct wf_fit_group *g = &f->group[i];
+        const struct wf_fit_test *t = &f->x->test[g->test];
+        const struct wf_fit_sensor *s = &t->sensor[g->sensor];
+        const struct wf_sensor_row *r = &wf_sensor_rows[s->kind];
+        json_t *q = wf_doc_add(d, groups, wf_doc_object(d));
+        wf_doc_text(d, q, "test", t->name), wf_doc_text(d, q, "tree", f->x->tree[t->tree].name);
+        wf_doc_text(d, q, "sensor", s->name), wf_doc_text(d, q, "kind", r->name),
+            wf_doc_text(d, q, "unit", r->unit);
+        wf_doc_number(d, q, "height", s->height), wf_doc_count(d, q, "readings", g->n);
+        wf_doc_number(d, q, "sigma", g->sigma * r->factor), wf_doc_number(d, q, "rms", g->rms * r->factor);
+        wf_doc_number(d, q, "correlation", g->correlation), wf_doc_flag(d, q, "estimated", s->estimated);
+    }
+}
+
+static json_t *document(struct wf_doc *d, const struct wf_fit_job *j)
+{
+    json_t *o = wf_doc_object(d), *schema = wf_doc_put(d, o, "schema", wf_doc_object(d));
+    wf_doc_text(d, schema, "name", "windfirm-fit");
+    wf_doc_count(d, schema, "version", 1);
+    wf_doc_text(d, o, "title", j->study.name), wf_doc_text(d, o, "note", j->study.note);
+    wf_doc_text(d, o, "source", j->study.source), wf_doc_text(d, o, "reference", j->study.reference);
+    wf_doc_text(d, o, "version", WF_VERSION), wf_doc_text(d, o, "date", j->date);
+    wf_doc_text(d, o, "command", j->command), wf_doc_text(d, o, "loss", wf_args_text(&j->args, "--loss"));
+    wf_doc_flag(d, o, "priors", wf_args_given(&j->args, "--priors"));
+    json_t *files = wf_doc_put(d, o, "files", wf_doc_array(d));
+    for (size_t i = 0; i < j->files; i++) {
+        json_t *f = wf_doc_add(d, files, wf_doc_object(d));
+        wf_doc_text(d, f, "role", j->file[i].role), wf_doc_text(d, f, "path", j->file[i].path);
+        wf_doc_text(d, f, "sha256", j->file[i].sha256);
+    }
+    json_t *trees = wf_doc_put(d, o, "trees", wf_doc_array(d));
+    for (size_t k = 0; k < j->x.trees; k++) {
+        json_t *t = wf_doc_add(d, trees, wf_doc_object(d));
+        wf_doc_text(d, t, "name", j->x.tree[k].name),
+            wf_doc_text(d, t, "species", j->x.tree[k].species->name);
+        wf_doc_number(d, t, "height", j->x.tree[k].height),
+            wf_doc_count(d, t, "segments", j->x.tree[k].tree.n);
+    }
+    json_t *sways = wf_doc_put(d, o, "sways", wf_doc_array(d));
+    for (size_t k = 0; k < j->x.tests; k++) {
+        const struct wf_ring_down *s = &j->input[k].sway;
+        if (!j->input[k].swung) continue;
+        json_t *q = wf_doc_add(d, sways, wf_doc_object(d));
+        wf_doc_text(d, q, "test", j->x.test[k].name), wf_doc_number(d, q, "frequency", s->frequency);
+        wf_doc_number(d, q, "frequency_sd", s->frequency_sd),
+            wf_doc_number(d, q, "damping", 100 * s->damping);
+        wf_doc_number(d, q, "damping_sd", 100 * s->damping_sd),
+            wf_doc_number(d, q, "explained", 100 * s->explained);
+    }
+    fit_part(d, wf_doc_put(d, o, "fit", wf_doc_object(d)), &j->fit);
+    if (j->rival.made) {
+        json_t *r = wf_doc_put(d, o, "rival", wf_doc_object(d));
+        wf_doc_text(d, r, "text", j->rival.text);
+        wf_doc_number(d, r, "aicc", j->rival.aicc), wf_doc_number(d, r, "own_aicc", j->rival.own);
+        fit_part(d, r, &j->rival.fit);
+    }
+    json_t *w = wf_doc_put(d, o, "warnings", wf_doc_array(d));
+    for (const struct wf_finding *f = j->diag.first; f; f = f->next) {
+        json_t *q = wf_doc_add(d, w, wf_doc_object(d));
+        wf_doc_text(d, q, "code", f->code), wf_doc_text(d, q, "text", f->text);
+    }
+    return o;
+}
+
+static void results(FILE *f, const struct wf_fit_job *j)
+{
+    struct wf_doc d = { 0 };
+    json_t *o = document(&d, j);
+    if (!d.failed) json_dumpf(o, f, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
+    json_decref(o);
+    fputc('\n', f);
+}
+
+enum wf_status wf_fit_write(const struct wf_fit_job *j, struct wf_err *e)
+{
+    static const struct {
+        const char *name;
+        void (*write)(FILE *f, const struct wf_fit_job *j);
+    } part[] = { { "tables/parameters.csv", parameters },
+                 { "tables/readings.csv", readings },
+                 { "tables/profiles.csv", profiles },
+                 { "tables/records.csv", records },
+                 { "plots/run.gp", words },
+                 { "results.json", results } };
+    enum wf_status status = wf_wind_folders(j->folder, e);
+    for (size_t i = 0; i < sizeof part / sizeof *part && !status; i++) {
+        struct wf_file f = { 0 };
+        status = wf_wind_begin(&f, j->folder, part[i].name, e);
+        if (status) break;
+        part[i].write(f.stream, j);
+        status = wf_file_commit(&f, e);
+    }
+    return status;
+}
