@@ -116,6 +116,8 @@ static double correct(const struct wf_tree *scan, const struct wf_beam *b, struc
         chord_of(out, i, chord);
         v3_add(chord, 1, own);
         set_end(out, i, chord);
+        double *bend = out->bend + 3 * i; /* an arc's curvature stays across its moved chord */
+        v3_add(bend, -wf_dot(bend, chord) / wf_dot(chord, chord), chord);
     }
     return worst;
 }
