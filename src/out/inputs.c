@@ -1,5 +1,6 @@
 /* What went in: species values with range, standing and source; model; scenario; method. */
 #include "out/parts.h"
+#include "wind/shelter.h"
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -181,6 +182,7 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "air_density", a->loads.air_density, "kg/m3", NULL);
     wf_doc_text(d, o, "air_density_from", isnan(s->air_density) ? "temperature and altitude" : "given");
     wf_doc_quantity(d, o, "gravity", s->gravity, "m/s2", NULL);
+    wf_doc_text(d, o, "shelter", s->shelter ? s->shelter : "none");
     return o;
 }
 
@@ -200,6 +202,11 @@ json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_text(d, wind, "name", a->scenario.profile);
     wf_doc_text(d, wind, "source", profile ? profile->source : NULL);
     wf_doc_text(d, wind, "validity", profile ? profile->validity : NULL);
+    const struct wf_shelter_law *own = wf_shelter_law_named(a->scenario.shelter);
+    json_t *shelter = wf_doc_put(d, o, "shelter", wf_doc_object(d));
+    wf_doc_text(d, shelter, "name", own ? own->name : "none");
+    wf_doc_text(d, shelter, "source", own ? own->source : NULL);
+    wf_doc_text(d, shelter, "validity", own ? own->validity : NULL);
     json_t *crown = wf_doc_put(d, o, "streamlining", wf_doc_object(d));
     wf_doc_text(d, crown, "name", law ? law->name : "none");
     wf_doc_text(d, crown, "source", law ? law->source : NULL);
