@@ -267,7 +267,7 @@ static void wakes_keep_their_loss_and_recover(void **state)
     struct wf_shelter h = make(&s, &w, &q);
     size_t cells = h.up * h.across, first = 0;
     double area = h.step[1] * h.step[2], before = 1;
-    while (!h.slab[first].wood) first++;
+    while (!(h.slab[first].wood > 0)) first++;
     /* the drag of the stem over rho U^2: the loss of momentum in any plane behind it */
     double lost = 0;
     for (size_t c = 0; c < cells; c++) lost += h.part[0][(first + 2) * cells + c] * area;

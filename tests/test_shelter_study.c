@@ -112,6 +112,8 @@ static void small_deflection_and_printed_laws_are_told(void **state)
     wf_arena_free(&k.arena);
 }
 
+#define TREE "--tree tests/data/qsm/plain.csv --species oak --leaf-area 5 "
+
 static void the_command(void **state)
 {
     (void)state;
@@ -119,31 +121,31 @@ static void the_command(void **state)
         const char *options, *expect;
         int code;
     } row[] = {
-        { "--slabs 4 --cells 16 --no-plots -o $T", "passes beside", 0 },
-        { "--slabs 4 --cells 16 --no-plots -o $T -q && wc -l < $T/tables/slabs.csv && cat $T/plots/run.gp",
-          "LAW = 'wake'", 0 },
-        { "--no-plots -o $T --law feng1999 --slabs 4 --cells 16 --transmission 50% --as speed",
+        { TREE "--slabs 4 --cells 16 --no-plots -o $T", "passes beside", 0 },
+        { TREE "--slabs 4 --no-plots -o $T -q && cat $T/plots/run.gp", "LAW = 'wake'", 0 },
+        { TREE "--no-plots -o $T --law feng1999 --slabs 4 --transmission 50% --as speed",
           "0.500 of the speed", 0 },
-        { "--slabs 4 --cells 16 --no-motion --no-plots -o $T --wind beaufort:8", "4 slabs", 0 },
-        { "--slabs 0", "outside 1..512", 2 },
-        { "--cells 1e6", "outside 8..1024", 2 },
-        { "--cells 0", "outside 8..1024", 2 },
-        { "--slabs 512 --cells 1024", "more than", 2 },
-        { "--transmission 2", "outside 0..1", 2 },
-        { "--law fengg1999", "did you mean 'feng1999'", 2 },
-        { "--as power", "energy", 2 },
-        { "--model culm", "--model or --tree", 2 },
-        { "--species nothing", "nothing", 2 },
-        { "--tree tests/data/none.csv", "none.csv", 2 },
+        { TREE "--slabs 4 --no-motion --no-plots -o $T --wind beaufort:8", "4 slabs", 0 },
+        { TREE "--slabs 0", "outside 1..512", 2 },
+        { TREE "--cells 1e6", "outside 8..1024", 2 },
+        { TREE "--cells 0", "outside 8..1024", 2 },
+        { TREE "--slabs 512 --cells 1024", "more than", 2 },
+        { TREE "--transmission 2", "outside 0..1", 2 },
+        { TREE "--law fengg1999", "did you mean 'feng1999'", 2 },
+        { TREE "--as power", "energy", 2 },
+        { TREE "--model culm", "--model or --tree", 2 },
+        { "--species oak", "--model or --tree", 2 },
+        { "--model culm", "--species is needed", 2 },
+        { "--model culm --species nothing", "nothing", 2 },
+        { "--tree tests/data/none.csv --species oak", "none.csv", 2 },
     };
     const char *program = getenv("WINDFIRM");
     if (!program) program = "build/windfirm";
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         char all[1024], output[8192];
         snprintf(all, sizeof all,
-                 "{ T=$(mktemp -d); trap 'rm -rf \"$T\"' EXIT\n%s shelter --tree tests/data/qsm/plain.csv "
-                 "--species oak --leaf-area 5 %s\n} 2>&1 </dev/null",
-                 program, row[i].options);
+                 "{ T=$(mktemp -d); trap 'rm -rf \"$T\"' EXIT\n%s shelter %s\n} 2>&1 </dev/null", program,
+                 row[i].options);
         FILE *pipe = popen(all, "r");
         assert_non_null(pipe);
         size_t got = fread(output, 1, sizeof output - 1, pipe);
