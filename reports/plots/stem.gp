@@ -11,17 +11,20 @@ h = blocks == 1 ? 180.0 : 140.0
 WIDTH = 640.0; HEIGHT = blocks*(TITLE + 2*(h + UNDER)) + KEY
 
 moment = 0.0; stress = 0.0; top = 0.0
+array LAST[trees]
+stem(i, k) = at(i, WIND[k]) && column("level") == 0
 do for [i=1:trees] {
     top = HEIGHT_M[i] > top ? HEIGHT_M[i] : top
     do for [n=1:words(SOLVED[i])] {
-        u = WIND[nth(SOLVED[i], n)]
-        stats SEGMENTS using (pick(at(i, u), column("bending0_Nm")/1e3)):(pick(at(i, u), column("stress0_MPa"))) name 'S' nooutput
+        k = nth(SOLVED[i], n)
+        stats SEGMENTS using (pick(stem(i, k), column("bending0_Nm")/1e3)):(pick(stem(i, k), column("stress0_MPa"))) name 'S' nooutput
         moment = S_max_x > moment ? S_max_x : moment
         stress = S_max_y > stress ? S_max_y : stress
+        stats SEGMENTS using (pick(stem(i, k), column("segment"))) name 'S' nooutput
+        LAST[i] = S_max
     }
 }
-stem(i, k) = at(i, WIND[k]) && column("level") == 0
-last(i, k) = stem(i, k) && column("segment") == ROWS[i]
+last(i, k) = stem(i, k) && column("segment") == LAST[i]
 @start
 set multiplot
 set yrange [0:1.03*top]; set ytics autofreq

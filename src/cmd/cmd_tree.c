@@ -1,5 +1,6 @@
 #include "base/near.h"
 #include "cmd/import_options.h"
+#include "cmd/tree_draw.h"
 #include "cmd/tree_print.h"
 #include <math.h>
 #include <stdio.h>
@@ -111,12 +112,19 @@ int wf_cmd_tree(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
     struct wf_args args;
+    if (argc > 1 && !strcmp(argv[1], "draw")) {
+        static char name[] = "tree draw";
+        argv[1] = name;
+        return wf_tree_draw(argc - 1, argv + 1);
+    }
     int code = wf_args_read(argc, argv, options, about, 2, (size_t)argc, &arena, &args);
     if (code < 0 && strcmp(args.operand[0], "info")) {
-        static const char *const words[] = { "info" };
-        const char *near = wf_nearest(args.operand[0], words, 1);
-        fprintf(stderr, "windfirm tree: '%s' is not known%s; it is: windfirm tree info FILE...\n",
-                args.operand[0], near ? "; did you mean 'info'?" : "");
+        static const char *const words[] = { "info", "draw" };
+        const char *near = wf_nearest(args.operand[0], words, 2);
+        fprintf(stderr,
+                "windfirm tree: '%s' is not known%s%s%s; it is: windfirm tree info FILE..., windfirm tree "
+                "draw\n",
+                args.operand[0], near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
         code = 2;
     }
     if (code < 0) {

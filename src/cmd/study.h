@@ -19,10 +19,51 @@ struct wf_study {
 };
 void wf_study_from_args(const struct wf_args *g, struct wf_study *out);
 
-/* The tree asked for by --model or --tree, in the season asked for. Returned: *out; *path, the file it was read
- * from. Every mistake is in `d`, or in `e` alone. */
-enum wf_status wf_study_tree(const struct wf_args *g, struct wf_arena *a, struct wf_model *out,
-                             const char **path, struct wf_diag *d, struct wf_err *e);
+/* What says which tree is meant. */
+#define WF_TREE_OPTIONS                                                                                      \
+    { .name = "--model",                                                                                     \
+      .letter = "-m",                                                                                        \
+      .kind = WF_OPTION_TEXT,                                                                                \
+      .value = "MODEL",                                                                                      \
+      .help = "tree model: a file, or the name of a shipped one (culm, moso_culm)" },                        \
+        { .name = "--tree",                                                                                  \
+          .letter = "-t",                                                                                    \
+          .kind = WF_OPTION_TEXT,                                                                            \
+          .value = "FILE",                                                                                   \
+          .help = "a measured tree in place of a model, any format of 'windfirm import'" },                  \
+        { .name = "--joint",                                                                                 \
+          .kind = WF_OPTION_CHOICE,                                                                          \
+          .value = "HOW",                                                                                    \
+          .initial = "axis",                                                                                 \
+          .choices = "axis|bridge",                                                                          \
+          .help = "how branches of a measured tree are held: where they leave the parent's axis, or at its " \
+                  "end" },                                                                                   \
+        { .name = "--leaf-area",                                                                             \
+          .kind = WF_OPTION_NUMBER,                                                                          \
+          .value = "AREA",                                                                                   \
+          .dimension = WF_DIM_AREA,                                                                          \
+          .unit = "m2",                                                                                      \
+          .low = 0,                                                                                          \
+          .high = 1e5,                                                                                       \
+          .help =                                                                                            \
+              "one-sided leaf area of the whole tree, in place of the model's; a measured tree has none" },  \
+        { .name = "--season",                                                                                \
+          .kind = WF_OPTION_CHOICE,                                                                          \
+          .value = "SEASON",                                                                                 \
+          .choices = "leaf_on|leaf_off",                                                                     \
+          .help = "in place of the model's: with its leaves, or when they have fallen" },                    \
+    {                                                                                                        \
+        .name = "--unload", .kind = WF_OPTION_FLAG,                                                          \
+        .help =                                                                                              \
+            "the tree was measured or drawn standing under its own weight: find its stress-free shape first" \
+    }
+/* Is one tree asked for, by --model or as a file? Returned: -1 to go on, 2 after saying what is missing.
+ * `file`: a tree file given otherwise than by --tree; NULL: none. */
+int wf_study_tree_asked(const struct wf_args *g, const char *command, const char *file);
+/* The tree asked for by --model, --tree or `file`, in the season asked for. Returned: *out; *path, the file
+ * it was read from. Every mistake is in `d`, or in `e` alone. */
+enum wf_status wf_study_tree(const struct wf_args *g, const char *file, struct wf_arena *a,
+                             struct wf_model *out, const char **path, struct wf_diag *d, struct wf_err *e);
 
 /* A whole run: read, analyse, print, write, draw. Given: the command line as typed, between low and high
  * species. Returned: exit code. */

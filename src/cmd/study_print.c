@@ -36,7 +36,7 @@ static void critical(FILE *to, const struct wf_analysis *an)
             an->scenario.reference_height);
     if (an->critical_row >= 0)
         fprintf(to, "; the %s breaks first %.2f m above the ground",
-                wf_species_level(an->species, an->tree.level[an->critical_row])->name, an->critical_height);
+                wf_model_level_name(an->model, an->species, an->tree.level[an->critical_row]), an->critical_height);
     fputc('\n', to);
 }
 

@@ -33,7 +33,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     struct wf_diag d = { .arena = &w->arena };
     const char *model = NULL;
     struct wf_err first = { 0 }, next = { 0 };
-    enum wf_status worst = wf_study_tree(&w->args, &w->arena, &w->model, &model, &d, &first);
+    enum wf_status worst = wf_study_tree(&w->args, NULL, &w->arena, &w->model, &model, &d, &first);
     for (size_t k = 0; k < w->args.n; k++) {
         const char *path = wf_shipped("species", w->args.operand[k], &w->arena);
         size_t before = d.errors;
@@ -138,23 +138,16 @@ static enum wf_status run(struct work *w, int argc, char **argv, struct wf_err *
     return s;
 }
 
-/* A tree and wind speeds are needed. Returned: -1 to go on, 2 after saying what is missing. */
-static int asked_for(const struct wf_args *g, const char *command)
-{
-    const char *model = wf_args_text(g, "--model"), *tree = wf_args_text(g, "--tree"), *missing = NULL;
-    if (!model && !tree) missing = "--model is needed, for example --model models/culm.yaml";
-    if (model && tree) missing = "--model and --tree are both given; one tree is analysed";
-    if (!missing && !g->speeds) missing = "--wind is needed, for example --wind 10,15,25";
-    if (missing) fprintf(stderr, "windfirm %s: %s\n", command, missing);
-    return missing ? 2 : -1;
-}
-
 int wf_study_run(int argc, char **argv, const char *about, size_t low, size_t high)
 {
     struct work w = { 0 };
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_study_options, about, low, high, &w.arena, &w.args);
-    if (code < 0) code = asked_for(&w.args, argv[0]);
+    if (code < 0) code = wf_study_tree_asked(&w.args, argv[0], NULL);
+    if (code < 0 && !w.args.speeds) {
+        fprintf(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
+        code = 2;
+    }
     if (code < 0) {
         const char *asked = wf_args_text(&w.args, "--output");
         w.quiet = wf_args_given(&w.args, "--quiet");

@@ -42,10 +42,20 @@ static enum wf_status measured(const struct wf_args *g, const char *path, struct
     return WF_OK;
 }
 
-enum wf_status wf_study_tree(const struct wf_args *g, struct wf_arena *a, struct wf_model *out,
-                             const char **path, struct wf_diag *d, struct wf_err *e)
+int wf_study_tree_asked(const struct wf_args *g, const char *command, const char *file)
 {
-    const char *tree = wf_args_text(g, "--tree"), *season = wf_args_text(g, "--season");
+    const char *model = wf_args_text(g, "--model"), *tree = wf_args_text(g, "--tree"), *wrong = NULL;
+    int given = (model != NULL) + (tree != NULL) + (file != NULL);
+    if (!given) wrong = "--model is needed, for example --model models/culm.yaml";
+    if (given > 1) wrong = "more than one tree is given (--model, --tree); one is taken";
+    if (wrong) fprintf(stderr, "windfirm %s: %s\n", command, wrong);
+    return wrong ? 2 : -1;
+}
+
+enum wf_status wf_study_tree(const struct wf_args *g, const char *file, struct wf_arena *a,
+                             struct wf_model *out, const char **path, struct wf_diag *d, struct wf_err *e)
+{
+    const char *tree = file ? file : wf_args_text(g, "--tree"), *season = wf_args_text(g, "--season");
     enum wf_status s;
     if (tree) {
         *path = tree;

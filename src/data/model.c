@@ -134,6 +134,14 @@ size_t wf_model_levels(const struct wf_model *m)
     return m->generator == WF_GENERATOR_IFS ? m->ifs.levels : 1;
 }
 
+const char *wf_model_level_name(const struct wf_model *m, const struct wf_species *sp, int32_t level)
+{
+    size_t l = level > 0 ? (size_t)level : 0;
+    if (l && m->generator == WF_GENERATOR_LEVELS && l <= m->branchings && m->branching[l - 1].name)
+        return m->branching[l - 1].name;
+    return l < sp->levels ? sp->level[l].name : "branch";
+}
+
 double wf_model_taper(const struct wf_model *m, double s)
 {
     switch (m->taper) {

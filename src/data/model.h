@@ -54,6 +54,9 @@ void wf_model_set_season(struct wf_model *m, enum wf_season season);
 /* Levels of the tree the model grows, the stem included. */
 size_t wf_model_levels(const struct wf_model *m);
 
+/* Name of a level of the tree: the model's, else the species', else "branch". */
+const char *wf_model_level_name(const struct wf_model *m, const struct wf_species *sp, int32_t level);
+
 /* Outer radius over base radius at relative height s in 0..1. */
 double wf_model_taper(const struct wf_model *m, double s);
 

@@ -4,6 +4,7 @@
 #include "out/program.h"
 #include "out/results.h"
 #include "out/tables.h"
+#include "out/tree_picture.h"
 #include "out/xml.h"
 #include <string.h>
 #include <unistd.h>
@@ -85,6 +86,33 @@ static enum wf_status make_document(struct job *j)
     return code;
 }
 
+/* Draw one figure, by a way of its own or as all others, and hang it into the document. `unready`: why none can
+ * be drawn, NULL when they can. */
+static enum wf_status add_figure(struct job *j, const char *name,
+                                 enum wf_status (*own)(const char *, xmlDoc **, struct wf_err *),
+                                 const struct wf_err *unready)
+{
+    struct wf_err why = { 0 };
+    xmlDoc *svg = NULL;
+    xmlNode *node = xmlNewChild(j->figures, NULL, BAD_CAST "figure", NULL);
+    if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST name))
+        return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
+    if (unready) {
+        xmlNewProp(node, BAD_CAST "missing", BAD_CAST unready->text);
+        return WF_OK;
+    }
+    if (own ? own(j->folder, &svg, &why) : wf_figures_draw(j->folder, name, &svg, &why)) {
+        xmlNewProp(node, BAD_CAST "missing", BAD_CAST why.text);
+        miss(j, "no-figure", &why);
+        return WF_OK;
+    }
+    xmlNode *picture = xmlDocCopyNode(xmlDocGetRootElement(svg), j->document, 1);
+    xmlFreeDoc(svg);
+    if (!picture) return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
+    xmlAddChild(node, picture);
+    return WF_OK;
+}
+
 /* Draw every figure and hang it into the document: <figure name="tip"><svg/></figure>, or the attribute
  * missing="why". */
 static enum wf_status draw_figures(struct job *j)
@@ -92,23 +120,11 @@ static enum wf_status draw_figures(struct job *j)
     struct wf_err why = { 0 };
     bool ready = !wf_figures_prepare(j->folder, j->document, &why);
     if (!ready) miss(j, "no-figures", &why);
-    for (size_t i = 0; wf_figures[i]; i++) {
-        xmlDoc *svg = NULL;
-        xmlNode *node = xmlNewChild(j->figures, NULL, BAD_CAST "figure", NULL);
-        if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST wf_figures[i]))
-            return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
-        if (ready) why = (struct wf_err){ 0 };
-        if (!ready || wf_figures_draw(j->folder, wf_figures[i], &svg, &why)) {
-            xmlNewProp(node, BAD_CAST "missing", BAD_CAST why.text);
-            if (ready) miss(j, "no-figure", &why);
-            continue;
-        }
-        xmlNode *picture = xmlDocCopyNode(xmlDocGetRootElement(svg), j->document, 1);
-        xmlFreeDoc(svg);
-        if (!picture) return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
-        xmlAddChild(node, picture);
-    }
-    return WF_OK;
+    bool branched = wf_tree_picture_there(j->folder);
+    enum wf_status code = branched ? add_figure(j, "tree", wf_tree_picture_report, ready ? NULL : &why) : WF_OK;
+    for (size_t i = 0; !code && wf_figures[i]; i++)
+        code = add_figure(j, wf_figures[i], NULL, ready ? NULL : &why);
+    return code;
 }
 
 static enum wf_status write_page(struct job *j, const char *html)

@@ -2,6 +2,7 @@
 #include "base/file.h"
 #include "out/parts.h"
 #include "out/tables.h"
+#include "out/tree_picture.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <locale.h>
@@ -156,6 +157,23 @@ static enum wf_status write_all(const struct wf_run *run, const char *folder, st
     return WF_OK;
 }
 
+/* A branched tree is shown; a bare stem is seen in every other figure. */
+static enum wf_status picture(const struct wf_run *run, const char *folder, struct wf_err *e)
+{
+    const struct wf_analysis *a = &run->analysis[0];
+    const struct wf_tree_picture p = { &a->tree, a->model, a->species };
+    char plots[WF_PATH_MAX];
+    if (a->model->generator == WF_GENERATOR_STEM) {
+        wf_tree_picture_remove(folder);
+        return WF_OK;
+    }
+    int n = snprintf(plots, sizeof plots, "%s/plots", folder);
+    if (n < 0 || (size_t)n >= sizeof plots)
+        return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
+    enum wf_status code = wf_mkdirs(plots, e);
+    return code ? code : wf_tree_picture_write(&p, folder, e);
+}
+
 enum wf_status wf_results_write(const struct wf_run *run, const char *folder, struct wf_err *e)
 {
     char tables[WF_PATH_MAX];
@@ -171,6 +189,7 @@ enum wf_status wf_results_write(const struct wf_run *run, const char *folder, st
     locale_t before = uselocale(plain);
     struct wf_file f[FILES] = { 0 };
     code = write_all(run, folder, f, e);
+    if (!code) code = picture(run, folder, e);
     for (size_t i = 0; i < FILES; i++) wf_file_abandon(&f[i]);
     uselocale(before);
     freelocale(plain);

@@ -1,0 +1,75 @@
+# A tree from the front (seen along +y, wind from the left) and from the side (seen along -x), coloured by level,
+# on one true scale; its parameters beside it.
+#   gnuplot -c tree.gp FOLDER [FILE]
+DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'tree.svg'
+HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+load HERE.'style.gp'
+load DIR.'/plots/tree_data.gp'
+DATA = DIR.'/plots/tree.dat'
+set datafile separator whitespace
+set datafile nocolumnheaders
+array COLOUR[8] = ['#5C4033', '#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9', '#000000']
+colour(l) = COLOUR[1 + (l-1)%8]
+
+# a margin, and a common floor; a slender tree still gets a readable view
+floor = Z_LOW < 0 ? Z_LOW : 0
+tall = Z_HIGH - floor
+margin = 0.03*tall
+wide(low, high) = high - low > 0.12*tall ? high - low : 0.12*tall
+fw = wide(X_LOW, X_HIGH) + 2*margin; sw = wide(Y_LOW, Y_HIGH) + 2*margin
+WIDTH = 640.0; LEFT = 52.0; GAP = 26.0; TABLE = 252.0; TITLE = 26.0; UNDER = 52.0; LINE = 14.5
+room = WIDTH - LEFT - GAP - TABLE
+scale = room/(fw + sw)
+scale = scale*(tall + margin) > 430 ? 430/(tall + margin) : scale
+h = scale*(tall + margin)
+least = LINE*(P_ROWS + LEVELS + 3)
+h = h < 160 ? 160 : h
+HEIGHT = TITLE + (h > least ? h : least) + UNDER
+@start
+set multiplot
+set key off
+top = HEIGHT - TITLE
+step = 1000.0
+do for [s in "500 200 100 50 20 10 5 2 1 0.5 0.2 0.1 0.05 0.02 0.01"] { step = real(s)*scale >= 30 ? real(s) : step }
+set xtics step; set ytics step
+set style fill solid 1.0 border
+set yrange [floor:floor + h/scale]
+x0 = LEFT + 0.5*(room - scale*(fw + sw))
+do for [side=0:1] {
+    low = side ? Y_LOW : X_LOW; high = side ? Y_HIGH : X_HIGH; w = side ? sw : fw
+    middle = 0.5*(low + high)
+    set xrange [middle - 0.5*w:middle + 0.5*w]
+    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + scale*w)/WIDTH
+    set tmargin at screen top/HEIGHT; set bmargin at screen (top - h)/HEIGHT
+    set title (side ? 'side' : 'front') offset 0,-0.6
+    set xlabel (side ? 'y  [m]' : 'x  [m]') offset 0,0.4
+    if (side) { unset ylabel; set format y '' } else { set ylabel 'height  [m]' offset 0.8,0; set format y '%g' }
+    plot for [l=LEVELS:1:-1] DATA index 4*(l-1)+2*side+1 using 1:2 with lines lw 0.5 dt 1 lc rgb colour(l), \
+         for [l=LEVELS:1:-1] DATA index 4*(l-1)+2*side using 1:2 with filledcurves closed lw 0.3 lc rgb colour(l)
+    x0 = x0 + scale*w + GAP
+}
+# the table: names left, values right of them; levels in their colour
+unset border; unset tics; unset grid; unset title; unset xlabel; unset ylabel
+set lmargin at screen 0; set rmargin at screen 1; set bmargin at screen 0; set tmargin at screen 1
+set xrange [0:WIDTH]; set yrange [0:HEIGHT]
+left = WIDTH - TABLE + 12
+do for [k=1:P_ROWS] {
+    y = top - LINE*(k - 0.5)
+    set label k P_NAME[k] at left, y font ',9' textcolor rgb '#606060'
+    set label 100 + k P_VALUE[k] at left + 94, y font ',9'
+}
+y = top - LINE*(P_ROWS + 1)
+set label 200 'level' at left, y font ',9' textcolor rgb '#606060'
+set label 201 'axes' at left + 104, y right font ',9' textcolor rgb '#606060'
+set label 202 'length [m]' at left + 184, y right font ',9' textcolor rgb '#606060'
+set label 203 '⌀ [mm]' at left + 236, y right font ',9' textcolor rgb '#606060'
+do for [l=1:LEVELS] {
+    y = top - LINE*(P_ROWS + 1 + l)
+    set label 300 + l LEVEL[l] at left, y font ',9' textcolor rgb colour(l)
+    set label 400 + l L_COUNT[l] at left + 104, y right font ',9'
+    set label 500 + l L_LENGTH[l] at left + 184, y right font ',9'
+    set label 600 + l L_DIAMETER[l] at left + 236, y right font ',9'
+}
+plot -1
+unset multiplot
+set output
