@@ -18,4 +18,23 @@ static inline char *edited(const char *good, const struct edit *k)
     sprintf(text, "%.*s%s%s", (int)(at - good), good, k->is, at + strlen(k->was));
     return text;
 }
+
+/* Every row's findings, those and no others. findings_of reads a text that must be refused and prints what
+ * was found into buf. */
+static inline void assert_mistakes_are_named(const char *good, const struct edit *rows, size_t n,
+                                             void (*findings_of)(const char *text, char *buf, size_t size))
+{
+    size_t wrong = 0;
+    for (size_t i = 0; i < n; i++) {
+        char *text = edited(good, &rows[i]), found[2048];
+        findings_of(text, found, sizeof found);
+        if (strcmp(found, rows[i].findings) != 0) {
+            print_error("'%s' for '%s' gives\n%s\ninstead of\n%s\n", rows[i].is,
+                        rows[i].was ? rows[i].was : "all", found, rows[i].findings);
+            wrong++;
+        }
+        free(text);
+    }
+    assert_int_equal(wrong, 0);
+}
 #endif

@@ -160,24 +160,20 @@ static const struct edit mistakes[] = {
     { "[0.2, 1, 0.3]", "[0.2, -1, 0.3]", "13:41: crown.shape.share[1]: -1 is outside 0 to 1e+06" },
 };
 
+static void findings_of(const char *text, char *buf, size_t size)
+{
+    struct wf_arena a = { 0 };
+    struct reading r;
+    read_text(text, &a, &r);
+    assert_int_equal(r.status, WF_EINPUT);
+    snprintf(buf, size, "%s", r.findings);
+    wf_arena_free(&a);
+}
+
 static void every_mistake_is_named(void **state)
 {
     (void)state;
-    size_t wrong = 0;
-    for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++) {
-        struct wf_arena a = { 0 };
-        struct reading r;
-        char *text = edited(good, &mistakes[i]);
-        read_text(text, &a, &r);
-        if (strcmp(r.findings, mistakes[i].findings) != 0) {
-            print_error("'%s' gives\n%s\ninstead of\n%s\n", mistakes[i].is, r.findings, mistakes[i].findings);
-            wrong++;
-        }
-        assert_int_equal(r.status, WF_EINPUT);
-        free(text);
-        wf_arena_free(&a);
-    }
-    assert_int_equal(wrong, 0);
+    assert_mistakes_are_named(good, mistakes, sizeof mistakes / sizeof *mistakes, findings_of);
 }
 
 static void memory_is_refused_at_every_smaller_capacity(void **state)

@@ -264,24 +264,20 @@ static const struct edit mistakes[] = {
     { "  wang: Wang 2010\n", "  wang:\n", "6:8: sources.wang: a text is expected, not nothing" },
 };
 
+static void findings_of(const char *text, char *buf, size_t size)
+{
+    struct wf_arena a = { 0 };
+    struct reading r;
+    read_text(text, &a, &r);
+    assert_int_equal(r.status, WF_EINPUT);
+    snprintf(buf, size, "%s", r.findings);
+    wf_arena_free(&a);
+}
+
 static void every_mistake_is_named(void **state)
 {
     (void)state;
-    size_t wrong = 0;
-    for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++) {
-        struct wf_arena a = { 0 };
-        struct reading r;
-        char *text = edited(good, &mistakes[i]);
-        read_text(text, &a, &r);
-        if (strcmp(r.findings, mistakes[i].findings) != 0) {
-            print_error("'%s' gives\n%s\ninstead of\n%s\n", mistakes[i].is, r.findings, mistakes[i].findings);
-            wrong++;
-        }
-        assert_int_equal(r.status, WF_EINPUT);
-        free(text);
-        wf_arena_free(&a);
-    }
-    assert_int_equal(wrong, 0);
+    assert_mistakes_are_named(good, mistakes, sizeof mistakes / sizeof *mistakes, findings_of);
 }
 
 static void all_mistakes_of_a_file_come_at_once(void **state)

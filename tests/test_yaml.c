@@ -309,26 +309,21 @@ static const struct edit mistakes[] = {
       "box'\n3:8: count: 'x' is not a whole number; write for example '3'" },
 };
 
+static void findings_of(const char *text, char *buf, size_t size)
+{
+    struct wf_arena a = { 0 };
+    struct reading r;
+    read_bytes(text, strlen(text), &a, &r);
+    assert_int_equal(r.status, WF_EINPUT);
+    assert_non_null(strstr(r.err.text, r.diag.errors == 1 ? ": 1 mistake" : " mistakes"));
+    snprintf(buf, size, "%s", r.findings);
+    wf_arena_free(&a);
+}
+
 static void every_mistake_is_named(void **state)
 {
     (void)state;
-    size_t wrong = 0;
-    for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++) {
-        struct wf_arena a = { 0 };
-        struct reading r;
-        char *text = edited(good, &mistakes[i]);
-        read_bytes(text, strlen(text), &a, &r);
-        if (strcmp(r.findings, mistakes[i].findings) != 0) {
-            print_error("'%s' for '%s' gives\n%s\ninstead of\n%s\n", mistakes[i].is,
-                        mistakes[i].was ? mistakes[i].was : "all", r.findings, mistakes[i].findings);
-            wrong++;
-        }
-        assert_int_equal(r.status, WF_EINPUT);
-        assert_non_null(strstr(r.err.text, r.diag.errors == 1 ? ": 1 mistake" : " mistakes"));
-        free(text);
-        wf_arena_free(&a);
-    }
-    assert_int_equal(wrong, 0);
+    assert_mistakes_are_named(good, mistakes, sizeof mistakes / sizeof *mistakes, findings_of);
 }
 
 static void files_that_are_no_text(void **state)

@@ -195,7 +195,7 @@ static enum wf_status specify(const struct wf_args *g, struct wf_gust_spec *s, s
 {
     const char *name = g->operand[0], *known[16];
     size_t n = 0;
-    for (; wf_gust_models[n].name && n < 15; n++) known[n] = wf_gust_models[n].name;
+    for (; n < 15 && wf_gust_models[n].name; n++) known[n] = wf_gust_models[n].name;
     known[n] = "list";
     const struct wf_gust_model *m = wf_gust_named(name);
     if (!m) {

@@ -29,7 +29,7 @@ static bool quantity_read(struct wf_words *w, const struct wf_quantity **q)
 {
     const char *names[64];
     size_t n = 0, k;
-    while (wf_quantities[n].name && n < 64) names[n] = wf_quantities[n].name, n++;
+    while (n < 64 && wf_quantities[n].name) names[n] = wf_quantities[n].name, n++;
     if (!wf_words_choice(w, "quantity", names, n, &k)) return false;
     *q = &wf_quantities[k];
     return true;
