@@ -28,11 +28,12 @@ static enum wf_status unload(struct wf_analysis *an, struct wf_arena *a, struct 
     enum wf_status s = wf_unload(&an->tree, &weight, &o, a, &free, &left, &moved, e);
     if (s) return s;
     an->tree = free;
-    wf_diag_warn(d, "unloaded",
-                 "%s, %s: taken as standing under its own weight. Its stress-free shape is up to %.3g m away; under "
-                 "its weight it comes back to the shape given within %.2g m. Deflections count from the stress-free "
-                 "shape",
-                 an->model->name, an->species->name, moved, left);
+    wf_diag_warn(
+        d, "unloaded",
+        "%s, %s: taken as standing under its own weight. Its stress-free shape is up to %.3g m away; under "
+        "its weight it comes back to the shape given within %.2g m. Deflections count from the stress-free "
+        "shape",
+        an->model->name, an->species->name, moved, left);
     return WF_OK;
 }
 
@@ -63,10 +64,26 @@ static enum wf_status utilisation(void *ctx, double speed, double *value, struct
     return WF_OK;
 }
 
+/* The speed found on a quick mesh, brought to the asked one: secants on its slope, which hardly differ. */
+static enum wf_status polish(struct search *search, struct wf_critical *c, struct wf_err *e)
+{
+    for (int k = 0; k < 4; k++) {
+        double value, step;
+        enum wf_status s = utilisation(search, c->speed, &value, e);
+        c->evaluations++;
+        if (s || fabs(value - 1.0) <= 1e-6) return s;
+        if (!(fabs(step = (value - 1.0) / c->gradient) < 0.02 * c->speed)) return WF_OK;
+        c->speed -= step;
+    }
+    return WF_OK;
+}
+
 static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solve_options *o,
                                     struct wf_err *e)
 {
-    struct search search = { an, o };
+    struct wf_solve_options quick = *o;
+    if (o->mesh_tolerance > 0.0) quick.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4);
+    struct search search = { an, &quick };
     struct wf_critical *c = &an->critical;
     struct wf_at_speed at;
     bool strength = false;
@@ -80,6 +97,8 @@ static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solv
     }
     enum wf_status s = wf_critical_search(utilisation, &search, an->scenario.speed_max, 1e-6, c, e);
     if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
+    search.o = o;
+    if (c->outcome == WF_CRITICAL_FOUND && (s = polish(&search, c, e))) return s;
     s = wf_speed_totals(an, o, c->outcome == WF_CRITICAL_FOUND ? c->speed : 0.0, &at, e);
     if (s || at.status || at.breakage.governing < 0) return s;
     if (c->outcome == WF_CRITICAL_FOUND) an->critical_at = at;
