@@ -24,23 +24,24 @@ WIDTH = 640.0
 WIDE = (WIDTH - 50)/COLUMNS - 10; TALL = WIDE*top/(high - low)
 if (TALL > 330) { TALL = 330.0 }
 PER = TALL/top; WIDE = PER*(high - low)
-HEIGHT = LINES*(TALL + 32) + 34
+HEIGHT = LINES*(TALL + 46) + 34
 @start
 set multiplot
 unset key; unset grid
 set border 1 lw 0.6
 set xtics format "%g" scale 0.4 font ",8"; set ytics format "%g" scale 0.4 font ",8"
-set xtics ((high - low) > 12 ? 5 : (high - low) > 5 ? 2 : (high - low) > 2 ? 1 : 0.5)
+TICK = (high - low) > 12 ? 5.0 : (high - low) > 5 ? 2.0 : (high - low) > 2 ? 1.0 : 0.5
+set xtics TICK
 do for [p=1:PANELS] {
     c = (p - 1) % COLUMNS; l = (p - 1)/COLUMNS
-    x0 = 44 + c*((WIDTH - 50)/COLUMNS); y1 = HEIGHT - 22 - l*(TALL + 32)
+    x0 = 44 + c*((WIDTH - 50)/COLUMNS); y1 = HEIGHT - 24 - l*(TALL + 46)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + WIDE)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - TALL)/HEIGHT
     set xrange [low:high]; set yrange [0:top]
     r = RUN_OF(p); k = KEY_OF(p)
     mine(i) = column("run") == r && column("key") == i
     set title (SHOWN > 0 ? word(TIMES[r], k)." s, ".word(WINDS[r], k)." m/s" : NAME[r]) font ",9" offset 0,-0.9
-    if (c == 0) { set border 3; set ytics autofreq } else { set border 1; unset ytics }
+    if (c == 0) { set border 3; set ytics nomirror scale 0.4 font ",8" autofreq } else { set border 1; unset ytics }
     set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead dt (4,4) lc rgb '#909090' lw 0.8
     if (LEAVES[r] > 0) {
         plot FRAMES_CSV using (pick(mine(0), column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#c8c8c8' lw 0.8 dt 1, \

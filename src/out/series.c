@@ -13,16 +13,16 @@ static double along(const struct wf_series *s, const double x[3])
 static void base_of(const struct wf_series *s, size_t frame, size_t row, double x[3])
 {
     const struct wf_tree *t = &s->an.tree;
-    const float *p = s->place + frame * 3 * t->n;
+    const double *p = s->place + frame * 3 * t->n;
     int32_t below = t->parent[row];
     const double ground[3] = { t->x0[row], t->y0[row], t->z0[row] };
-    for (int k = 0; k < 3; k++) x[k] = below < 0 ? ground[k] : (double)p[3 * below + k];
+    for (int k = 0; k < 3; k++) x[k] = below < 0 ? ground[k] : p[3 * below + k];
 }
 
 static void end_of(const struct wf_series *s, size_t frame, size_t row, double x[3])
 {
-    const float *p = s->place + (frame * s->an.tree.n + row) * 3;
-    for (int k = 0; k < 3; k++) x[k] = (double)p[k];
+    const double *p = s->place + (frame * s->an.tree.n + row) * 3;
+    for (int k = 0; k < 3; k++) x[k] = p[k];
 }
 
 static void number(FILE *f, double x)
@@ -153,7 +153,7 @@ static void trajectories(const struct wf_series_page *p, FILE *f)
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
         const struct wf_tree *t = &s->an.tree;
-        bool all = s->frames * t->n <= 1000000;
+        bool all = s->frames * t->n <= 200000;
         for (size_t i = 0; i < t->n; i++) {
             bool tip = i + 1 == t->n || t->parent[i + 1] != (int32_t)i;
             for (size_t k = 0; (all || tip) && k < s->frames; k++) {
@@ -218,7 +218,7 @@ static void plot_facts(const struct wf_series_page *p, FILE *f)
             const struct wf_series *s = p->run[r].series;
             fputs(r ? ", \"" : "\"", f);
             for (size_t k = 0; k < s->spec.keys; k++)
-                fprintf(f, "%.4g ", c ? s->wind[s->key[k]] : (double)s->key[k] * s->spec.step);
+                fprintf(f, "%.3g ", c ? s->wind[s->key[k]] : (double)s->key[k] * s->spec.step);
             fputc('"', f);
         }
     }

@@ -18,12 +18,12 @@ struct wf_series_page {
 
 /* Write FOLDER/tables/series.csv (a row a frame), frames.csv (key frames, a row a segment), leaves.csv (key
  * frames, a row a leaf, where there are leaves), levels.csv, runs.csv, warnings.csv and trajectories.csv
- * (ends of segments in every frame; of the tips of axes alone where that would be more than a million rows),
+ * (ends of segments in every frame; of the tips of axes alone where that would be more than 200000 rows),
  * and FOLDER/plots/run.gp. */
 enum wf_status wf_series_tables(const struct wf_series_page *p, const char *folder, struct wf_err *e);
 
 /* Write FOLDER/vtk/RUN.pvd and its frames FOLDER/vtk/RUN_0000.vtp ...: lines from base to end of every
- * segment with radius, level and displacement, for ParaView. At most 250 frames a run, evenly spaced, the key
+ * segment with radius, level and displacement, for ParaView. At most 120 frames a run, evenly spaced, the key
  * frames among them or near. */
 enum wf_status wf_series_vtk(const struct wf_series_page *p, const char *folder, struct wf_err *e);
 

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FRAMES_MOST = 250 };
+enum { FRAMES_MOST = 120 };
 
 static void array(FILE *f, const char *name, const char *type, int parts)
 {
@@ -15,7 +15,7 @@ static void array(FILE *f, const char *name, const char *type, int parts)
 static void frame(FILE *f, const struct wf_series *s, size_t k)
 {
     const struct wf_tree *t = &s->an.tree;
-    const float *p = s->place + k * 3 * t->n;
+    const double *p = s->place + k * 3 * t->n;
     fprintf(
         f,
         "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
@@ -31,10 +31,9 @@ static void frame(FILE *f, const struct wf_series *s, size_t k)
         int32_t b = t->parent[i];
         double low[3] = { 0 };
         if (b >= 0)
-            low[0] = (double)p[3 * b] - t->x1[b], low[1] = (double)p[3 * b + 1] - t->y1[b],
-            low[2] = (double)p[3 * b + 2] - t->z1[b];
-        fprintf(f, "%.6g %.6g %.6g %.6g %.6g %.6g\n", low[0], low[1], low[2], (double)p[3 * i] - t->x1[i],
-                (double)p[3 * i + 1] - t->y1[i], (double)p[3 * i + 2] - t->z1[i]);
+            low[0] = p[3 * b] - t->x1[b], low[1] = p[3 * b + 1] - t->y1[b], low[2] = p[3 * b + 2] - t->z1[b];
+        fprintf(f, "%.6g %.6g %.6g %.6g %.6g %.6g\n", low[0], low[1], low[2], p[3 * i] - t->x1[i],
+                p[3 * i + 1] - t->y1[i], p[3 * i + 2] - t->z1[i]);
     }
     fputs("</DataArray>\n</PointData>\n<CellData Scalars=\"level\">\n", f);
     array(f, "level", "Int32", 1);
@@ -44,10 +43,10 @@ static void frame(FILE *f, const struct wf_series *s, size_t k)
     for (size_t i = 0; i < t->n; i++) {
         int32_t b = t->parent[i];
         if (b >= 0)
-            fprintf(f, "%.7g %.7g %.7g ", (double)p[3 * b], (double)p[3 * b + 1], (double)p[3 * b + 2]);
+            fprintf(f, "%.7g %.7g %.7g ", p[3 * b], p[3 * b + 1], p[3 * b + 2]);
         else
             fprintf(f, "%.7g %.7g %.7g ", t->x0[i], t->y0[i], t->z0[i]);
-        fprintf(f, "%.7g %.7g %.7g\n", (double)p[3 * i], (double)p[3 * i + 1], (double)p[3 * i + 2]);
+        fprintf(f, "%.7g %.7g %.7g\n", p[3 * i], p[3 * i + 1], p[3 * i + 2]);
     }
     fputs("</DataArray>\n</Points>\n<Lines>\n", f);
     array(f, "connectivity", "Int32", 1);

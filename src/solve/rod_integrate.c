@@ -160,8 +160,8 @@ enum wf_status wf_rod_open(struct wf_rod_integrator *g, const struct wf_tree *t,
     g->varied_system = (gsl_odeiv2_system){ .function = varied, .dimension = WF_ROD_VARIED, .params = g };
     g->state = gsl_odeiv2_driver_alloc_y_new(&g->state_system, gsl_odeiv2_step_rk8pd, 1, tight, 0);
     g->varied = gsl_odeiv2_driver_alloc_y_new(&g->varied_system, gsl_odeiv2_step_rkck, 1, loose, loose);
-    if (g->state && g->varied && !gsl_odeiv2_driver_set_nmax(g->state, 2000) &&
-        !gsl_odeiv2_driver_set_nmax(g->varied, 2000))
+    if (g->state && g->varied && !gsl_odeiv2_driver_set_nmax(g->state, 400) &&
+        !gsl_odeiv2_driver_set_nmax(g->varied, 100))
         return WF_OK;
     wf_rod_close(g);
     return wf_fail(e, WF_ENOMEM, "no room for the integrators of the rods");

@@ -83,7 +83,7 @@ static enum wf_status take(struct wf_series *s, struct wf_arena *a, struct wf_er
 {
     size_t n = s->an.tree.n, f = s->frames;
     s->status = WF_TAKE(a, f, enum wf_status);
-    s->place = WF_TAKE(a, 3 * n * f, float);
+    s->place = WF_TAKE(a, 3 * n * f, double);
     s->deflection = WF_TAKE(a, f, double);
     s->moment = WF_TAKE(a, f, double);
     s->key = WF_TAKE(a, s->spec.keys, size_t);
@@ -100,9 +100,9 @@ static enum wf_status take(struct wf_series *s, struct wf_arena *a, struct wf_er
 static void keep(struct wf_series *s, size_t frame, const double *end, size_t stride)
 {
     const struct wf_tree *t = &s->an.tree;
-    float *to = s->place + frame * 3 * t->n;
+    double *to = s->place + frame * 3 * t->n;
     for (size_t i = 0; i < t->n; i++)
-        for (size_t k = 0; k < 3; k++) to[3 * i + k] = (float)end[stride * i + k];
+        for (size_t k = 0; k < 3; k++) to[3 * i + k] = end[stride * i + k];
     const double *tip = end + stride * s->tip;
     s->deflection[frame] =
         hypot(tip[0] - t->x1[s->tip], hypot(tip[1] - t->y1[s->tip], tip[2] - t->z1[s->tip]));
@@ -159,7 +159,7 @@ static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struc
             if (!first.code) first = why;
             s->failed++;
             s->deflection[k] = s->moment[k] = NAN;
-            if (k) memcpy(s->place + k * 3 * t->n, s->place + (k - 1) * 3 * t->n, 3 * t->n * sizeof(float));
+            if (k) memcpy(s->place + k * 3 * t->n, s->place + (k - 1) * 3 * t->n, 3 * t->n * sizeof(double));
         }
         wf_arena_free(&scratch);
         if (status == WF_ENOMEM || status == WF_EINPUT || status == WF_EUSAGE)
@@ -179,10 +179,9 @@ static double swing(const struct wf_series *s, size_t row, int32_t foot)
     const double *to = s->an.wind.direction;
     double low = INFINITY, high = -INFINITY;
     for (size_t k = 0; k < s->frames; k++) {
-        const float *p = s->place + k * 3 * s->an.tree.n, *q = p + 3 * row;
+        const double *p = s->place + k * 3 * s->an.tree.n, *q = p + 3 * row;
         double x = 0;
-        for (size_t j = 0; j < 3; j++)
-            x += to[j] * ((double)q[j] - (foot >= 0 ? (double)p[3 * (size_t)foot + j] : 0));
+        for (size_t j = 0; j < 3; j++) x += to[j] * (q[j] - (foot >= 0 ? p[3 * (size_t)foot + j] : 0));
         low = fmin(low, x), high = fmax(high, x);
     }
     return 0.5 * (high - low);
@@ -266,7 +265,7 @@ enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena 
 }
 
 /* Turn that brings a row's unbent direction to its present one, the shortest way. */
-static void chord_turn(const struct wf_series *s, size_t row, const float *place, double at[3], double R[9])
+static void chord_turn(const struct wf_series *s, size_t row, const double *place, double at[3], double R[9])
 {
     const struct wf_tree *t = &s->an.tree;
     const double base[3] = { t->x0[row], t->y0[row], t->z0[row] };
@@ -274,8 +273,8 @@ static void chord_turn(const struct wf_series *s, size_t row, const float *place
            foot[3];
     int32_t p = t->parent[row];
     for (int k = 0; k < 3; k++) {
-        foot[k] = p >= 0 ? (double)place[3 * p + k] : base[k];
-        at[k] = (double)place[3 * row + (size_t)k];
+        foot[k] = p >= 0 ? place[3 * p + k] : base[k];
+        at[k] = place[3 * row + (size_t)k];
         is[k] = at[k] - foot[k];
     }
     double a = sqrt(wf_dot(was, was)), b = sqrt(wf_dot(is, is));
@@ -288,7 +287,7 @@ static void chord_turn(const struct wf_series *s, size_t row, const float *place
 void wf_series_leaves(const struct wf_series *s, size_t frame, double *at, double *tip)
 {
     const struct wf_tree *t = &s->an.tree;
-    const float *place = s->place + frame * 3 * t->n;
+    const double *place = s->place + frame * 3 * t->n;
     for (size_t i = 0; i < s->leaves.n; i++) {
         size_t row = (size_t)s->leaves.row[i];
         double end[3], R[9],

@@ -48,7 +48,7 @@ struct wf_series {
     size_t frames, failed;  /* failed: without an answer; they keep the last one */
     double *wind;           /* frames: speed at the reference height [m/s]       */
     enum wf_status *status; /* frames */
-    float *place;           /* frames x 3n: ends of the rows [m]                 */
+    double *place;          /* frames x 3n: ends of the rows [m]                 */
     double *deflection;     /* frames: of the tip, from the unloaded shape [m]   */
     double *moment;         /* frames: overturning moment at the base [N m]      */
     size_t tip;             /* row                                               */
