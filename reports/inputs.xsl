@@ -128,16 +128,20 @@
         <xsl:otherwise><xsl:call-template name="given"><xsl:with-param name="x" select="2000 * base_radius/value"/></xsl:call-template> mm</xsl:otherwise>
       </xsl:choose>
     </xsl:with-param></xsl:call-template>
-    <xsl:call-template name="block-row"><xsl:with-param name="id">in.taper</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="say">
+    <xsl:if test="taper"><xsl:call-template name="block-row"><xsl:with-param name="id">in.taper</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="say">
       <xsl:with-param name="id" select="concat('taper.', taper)"/>
       <xsl:with-param name="a"><xsl:if test="tip_share"><xsl:call-template name="given"><xsl:with-param name="x" select="100 * tip_share/value"/></xsl:call-template></xsl:if></xsl:with-param>
       <xsl:with-param name="b"><xsl:if test="taper_power"><xsl:call-template name="given"><xsl:with-param name="x" select="taper_power/value"/></xsl:call-template></xsl:if></xsl:with-param>
-    </xsl:call-template></xsl:with-param></xsl:call-template>
+    </xsl:call-template></xsl:with-param></xsl:call-template></xsl:if>
+    <xsl:if test="levels &gt; 1"><xsl:call-template name="block-row"><xsl:with-param name="id">in.branches</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="say">
+      <xsl:with-param name="id" select="concat('generator.', generator)"/><xsl:with-param name="a" select="levels"/><xsl:with-param name="b" select="seed"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:if>
     <xsl:if test="lean/value &gt; 0"><xsl:call-template name="block-row"><xsl:with-param name="id">in.lean</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$degrees * lean/value"/></xsl:call-template>°</xsl:with-param></xsl:call-template></xsl:if>
     <xsl:call-template name="block-row"><xsl:with-param name="id">in.segments</xsl:with-param><xsl:with-param name="text" select="string(segments)"/></xsl:call-template>
     <xsl:call-template name="block-row"><xsl:with-param name="id">in.crown</xsl:with-param><xsl:with-param name="text">
       <xsl:choose>
         <xsl:when test="not(leaf_area/value &gt; 0)"><xsl:call-template name="say"><xsl:with-param name="id">in.crown.none</xsl:with-param></xsl:call-template></xsl:when>
+        <xsl:when test="crown_base/value = ''"><xsl:call-template name="say"><xsl:with-param name="id">in.crown.branched</xsl:with-param>
+          <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="leaf_area/value"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:when>
         <xsl:otherwise><xsl:call-template name="say"><xsl:with-param name="id">in.crown.text</xsl:with-param>
           <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="crown_base/value"/></xsl:call-template></xsl:with-param>
           <xsl:with-param name="b"><xsl:call-template name="given"><xsl:with-param name="x" select="crown_top/value"/></xsl:call-template></xsl:with-param>

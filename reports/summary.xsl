@@ -4,8 +4,9 @@
 
 <!-- "7.4 m" above ground -->
 <xsl:template name="place">
-  <xsl:param name="height"/>
+  <xsl:param name="height"/><xsl:param name="section"/>
   <xsl:choose>
+    <xsl:when test="$section/level &gt; 0"><xsl:call-template name="say"><xsl:with-param name="id">place.part</xsl:with-param><xsl:with-param name="a" select="format-number($height, '0.0')"/><xsl:with-param name="b"><xsl:call-template name="part"><xsl:with-param name="level" select="$section/part"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:when>
     <xsl:when test="$height &lt; 0.1"><xsl:call-template name="say"><xsl:with-param name="id">place.base</xsl:with-param></xsl:call-template></xsl:when>
     <xsl:otherwise><xsl:call-template name="say"><xsl:with-param name="id">place</xsl:with-param><xsl:with-param name="a" select="format-number($height, '0.0')"/></xsl:call-template></xsl:otherwise>
   </xsl:choose>
@@ -70,9 +71,9 @@
 <xsl:template name="strength">
   <xsl:for-each select="winds/item[status = 'ok' and within_limits = 'true'][last()][least_safety/value != '']">
     <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.stress</xsl:with-param>
+    <xsl:call-template name="say"><xsl:with-param name="id"><xsl:text>sum.stress</xsl:text><xsl:if test="governing_section/level &gt; 0">.part</xsl:if></xsl:with-param>
       <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="b"><xsl:call-template name="place"><xsl:with-param name="height" select="governing_section/height/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="b"><xsl:call-template name="place"><xsl:with-param name="height" select="governing_section/height/value"/><xsl:with-param name="section" select="governing_section"/></xsl:call-template></xsl:with-param>
       <xsl:with-param name="c"><xsl:call-template name="fixed"><xsl:with-param name="x" select="100 div least_safety/value"/><xsl:with-param name="pattern">0</xsl:with-param></xsl:call-template></xsl:with-param>
       <xsl:with-param name="d"><xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template></xsl:with-param>
     </xsl:call-template>
@@ -98,7 +99,7 @@
       <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_low/value"/></xsl:call-template></xsl:otherwise>
     </xsl:choose></xsl:with-param>
     <xsl:with-param name="b"><xsl:choose>
-      <xsl:when test="critical/outcome = 'found'"><xsl:call-template name="place"><xsl:with-param name="height" select="critical/governing_section/height/value"/></xsl:call-template></xsl:when>
+      <xsl:when test="critical/outcome = 'found'"><xsl:call-template name="place"><xsl:with-param name="height" select="critical/governing_section/height/value"/><xsl:with-param name="section" select="critical/governing_section"/></xsl:call-template></xsl:when>
       <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:otherwise>
     </xsl:choose></xsl:with-param>
   </xsl:call-template>

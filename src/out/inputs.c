@@ -134,19 +134,12 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
     return o;
 }
 
-json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
+static void put_taper(struct wf_doc *d, json_t *o, const struct wf_model *m)
 {
     static const char *const tapers[] = {
         [WF_TAPER_TABLE] = "table", [WF_TAPER_LINEAR] = "linear", [WF_TAPER_POWER] = "power"
     };
-    json_t *o = wf_doc_object(d);
-    wf_doc_text(d, o, "key", m->key);
-    wf_doc_text(d, o, "name", m->name);
-    wf_doc_text(d, o, "note", m->note);
-    wf_doc_text(d, o, "source", m->source);
-    wf_doc_text(d, o, "file", m->file);
-    wf_doc_quantity(d, o, "height", m->height, "m", NULL);
-    wf_doc_quantity(d, o, "base_radius", m->radius, "m", "the species' level 0 radius is used");
+    if (m->generator == WF_GENERATOR_MEASURED) return;
     wf_doc_text(d, o, "taper", tapers[m->taper]);
     if (m->taper != WF_TAPER_TABLE) wf_doc_quantity(d, o, "tip_share", m->tip_ratio, "1", NULL);
     if (m->taper == WF_TAPER_POWER) wf_doc_quantity(d, o, "taper_power", m->power, "1", NULL);
@@ -154,6 +147,24 @@ json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
         wf_doc_numbers(d, o, "taper_at", m->profile.s, m->profile.n);
         wf_doc_numbers(d, o, "taper_share", m->profile.v, m->profile.n);
     }
+}
+
+json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
+{
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "key", m->key);
+    wf_doc_text(d, o, "name", m->name);
+    wf_doc_text(d, o, "note", m->note);
+    wf_doc_text(d, o, "source", m->source);
+    wf_doc_text(d, o, "file", m->file);
+    bool measured = m->generator == WF_GENERATOR_MEASURED;
+    wf_doc_text(d, o, "generator", measured ? "measured" : wf_generator_words[m->generator]);
+    wf_doc_count(d, o, "levels", wf_model_levels(m));
+    if (m->generator == WF_GENERATOR_LEVELS) wf_doc_count(d, o, "seed", m->seed);
+    wf_doc_text(d, o, "season", m->season == WF_LEAF_ON ? "leaf_on" : "leaf_off");
+    wf_doc_quantity(d, o, "height", m->height, "m", NULL);
+    wf_doc_quantity(d, o, "base_radius", m->radius, "m", "the species' level 0 radius is used");
+    put_taper(d, o, m);
     wf_doc_quantity(d, o, "lean", m->lean, "rad", NULL);
     wf_doc_quantity(d, o, "lean_azimuth", m->lean_azimuth, "rad", NULL);
     wf_doc_count(d, o, "segments", m->segments);

@@ -34,11 +34,14 @@ double wf_part_height(const struct wf_tree *t, int32_t row, double s)
 }
 
 /* A section of the tree: its segment's number as in segments.csv, and its place. */
-static json_t *section(struct wf_doc *d, const struct wf_tree *t, int32_t row, double s, double height)
+static json_t *section(struct wf_doc *d, const struct wf_analysis *a, int32_t row, double s, double height)
 {
+    const struct wf_tree *t = &a->tree;
     if (row < 0 || (size_t)row >= t->n) return json_null();
     json_t *o = wf_doc_object(d);
     wf_doc_count(d, o, "segment", (size_t)row + 1);
+    wf_doc_count(d, o, "level", t->level[row] > 0 ? (size_t)t->level[row] : 0);
+    wf_doc_text(d, o, "part", wf_model_level_name(a->model, a->species, t->level[row]));
     wf_doc_quantity(d, o, "position", s, "1", "the segment as a whole is named");
     wf_doc_quantity(d, o, "height", height, "m", NULL);
     return o;
@@ -77,9 +80,8 @@ json_t *wf_part_wind(struct wf_doc *d, const struct wf_analysis *a, const struct
                                                   : "no section is stressed";
     wf_doc_quantity(d, o, "least_safety", solved ? b->least_safety : NAN, "1", reason);
     int32_t governing = solved ? b->governing : -1;
-    wf_doc_put(
-        d, o, "governing_section",
-        section(d, &a->tree, governing, b->governing_s, wf_part_height(&a->tree, governing, b->governing_s)));
+    wf_doc_put(d, o, "governing_section",
+               section(d, a, governing, b->governing_s, wf_part_height(&a->tree, governing, b->governing_s)));
     wf_doc_flag(d, o, "small_deflection", at->response.small_deflection);
     wf_doc_flag(d, o, "within_limits", !wf_limits_small_passed(at));
     wf_doc_count(d, o, "iterations", at->response.iterations);
@@ -105,7 +107,7 @@ json_t *wf_part_critical(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "tip_angle", found ? at->tip_angle : NAN, "rad", text);
     wf_doc_flag(d, o, "within_limits", !(found && wf_limits_small_passed(at)));
     wf_doc_count(d, o, "evaluations", c->evaluations);
-    wf_doc_put(d, o, "governing_section", section(d, &a->tree, a->critical_row, NAN, a->critical_height));
+    wf_doc_put(d, o, "governing_section", section(d, a, a->critical_row, NAN, a->critical_height));
     return o;
 }
 
