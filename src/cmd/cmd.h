@@ -18,6 +18,7 @@ extern const struct wf_command wf_commands[]; /* ends at name == NULL */
 int wf_cmd_analyze(int argc, char **argv);
 int wf_cmd_compare(int argc, char **argv);
 int wf_cmd_fit(int argc, char **argv);
+int wf_cmd_explain(int argc, char **argv);
 int wf_cmd_import(int argc, char **argv);
 int wf_cmd_papers(int argc, char **argv);
 int wf_cmd_report(int argc, char **argv);

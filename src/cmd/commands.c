@@ -10,6 +10,8 @@ const struct wf_command wf_commands[] = {
     { "fit", "STUDY [--data FILE] [--free NAMES] [option...]",
       "Fit stiffness, root and other parameters to pull tests, wind and sway records, with intervals.",
       wf_cmd_fit },
+    { "explain", "SPECIES --model MODEL [option...]",
+      "How far each method, as printed and corrected, is from beam theory, branch by branch.", wf_cmd_explain },
     { "import", "FILE... [-o FILE] [option...]",
       "Read measured trees from the files other programs write, repair them, write them in one form.",
       wf_cmd_import },

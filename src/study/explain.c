@@ -1,0 +1,79 @@
+#include "study/explain.h"
+#include "solve/vec.h"
+#include "study/speed.h"
+#include <string.h>
+
+/* Motion of the end of `row` that a stiff branch fixed to the end of the row `foot` would not have. */
+static double own(const struct wf_tree *t, const struct wf_response *r, const struct wf_explain_axis *b)
+{
+    const size_t i = b->first, k = b->last;
+    const double base[3] = { t->x0[i], t->y0[i], t->z0[i] };
+    double arm[3] = { t->x1[k] - base[0], t->y1[k] - base[1], t->z1[k] - base[2] }, moved[3], sum = 0;
+    memcpy(moved, arm, sizeof moved);
+    int32_t foot = t->parent[i];
+    double at[3] = { 0 };
+    if (foot >= 0) {
+        double R[9];
+        rotation_matrix(r->turn + 3 * foot, R);
+        m3_apply(R, arm, moved);
+        memcpy(at, r->end + 3 * foot, sizeof at);
+    }
+    for (size_t x = 0; x < 3; x++) {
+        double off = r->end[3 * k + x] - at[x] - (moved[x] - arm[x]);
+        sum += off * off;
+    }
+    return sqrt(sum);
+}
+
+static void find_axes(const struct wf_tree *t, struct wf_explain *out)
+{
+    for (size_t i = 0; i < t->n; i++) {
+        int32_t p = t->parent[i];
+        struct wf_explain_axis *b = out->axes ? &out->axis[out->axes - 1] : NULL;
+        if (b && p == (int32_t)b->last && t->level[p] == t->level[i]) {
+            b->last = i;
+            b->length += wf_tree_length(t, i);
+            continue;
+        }
+        out->axis[out->axes++] = (struct wf_explain_axis){ .first = i,
+                                                           .last = i,
+                                                           .level = t->level[i],
+                                                           .length = wf_tree_length(t, i),
+                                                           .radius = t->r0[i],
+                                                           .height = t->z0[i] };
+    }
+}
+
+static double size_of(const double v[3]) { return sqrt(wf_dot(v, v)); }
+
+enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                              struct wf_arena *a, struct wf_diag *d, struct wf_explain *out, struct wf_err *e)
+{
+    const struct wf_tree *t = &an->tree;
+    struct wf_wind wind = an->wind;
+    struct wf_loads loads = an->loads;
+    struct wf_response beam, r;
+    wind.speed = speed;
+    loads.wind = speed > 0 ? &wind : NULL;
+    *out = (struct wf_explain){ .axis = WF_TAKE(a, t->n, struct wf_explain_axis) };
+    if (!out->axis) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    find_axes(t, out);
+    enum wf_status status = wf_solvers[0]->solve(t, &loads, o, a, &beam, d, e);
+    if (status) return status;
+    for (size_t b = 0; b < out->axes; b++) out->axis[b].beam = own(t, &beam, &out->axis[b]);
+    const size_t tip = 3 * wf_tip_row(t);
+    for (size_t s = 1; wf_solvers[s] && out->methods < WF_EXPLAIN_METHODS; s++) {
+        struct wf_err why = { 0 };
+        size_t m = out->methods++;
+        out->method[m] = wf_solvers[s];
+        out->status[m] = wf_solvers[s]->solve(t, &loads, o, a, &r, d, &why);
+        if (out->status[m] == WF_ENOMEM) return wf_fail(e, WF_ENOMEM, "%s", why.text);
+        if (out->status[m])
+            wf_diag_warn(d, "no-answer", "solver '%s' has no answer: %s", wf_solvers[s]->name, why.text);
+        bool ok = !out->status[m];
+        out->tip[m] = ok ? size_of(r.end + tip) / size_of(beam.end + tip) : NAN;
+        for (size_t b = 0; b < out->axes; b++)
+            out->axis[b].ratio[m] = ok ? own(t, &r, &out->axis[b]) / out->axis[b].beam : NAN;
+    }
+    return WF_OK;
+}

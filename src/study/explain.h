@@ -1,0 +1,31 @@
+#ifndef WF_STUDY_EXPLAIN_H
+#define WF_STUDY_EXPLAIN_H
+/* How far each method is from beam theory, branch by branch: the same tree in the same wind by every solver.
+ */
+#include "study/analysis.h"
+
+enum { WF_EXPLAIN_METHODS = 8 };
+
+struct wf_explain_axis { /* one a branch */
+    size_t first, last;  /* rows       */
+    int32_t level;
+    double length, radius, height; /* of the base [m] */
+    double beam; /* distance its end moves against its foot's rigid motion, by the beam engine [m] */
+    double ratio[WF_EXPLAIN_METHODS]; /* the same by each method over the beam's [-]; NAN: no answer */
+};
+struct wf_explain {
+    size_t methods, axes;
+    const struct wf_solver *method[WF_EXPLAIN_METHODS];
+    enum wf_status status[WF_EXPLAIN_METHODS];
+    struct wf_explain_axis *axis;
+    double tip[WF_EXPLAIN_METHODS]; /* whole deflection of the stem's tip over the beam's [-] */
+};
+
+/* Given: an analysis made ready by wf_analysis_set_up, a wind speed [m/s]. Every solver of wf_solvers but the
+ * beam is a method. A branch's own deflection is that of its end less the motion of a straight, stiff branch
+ * fixed to its foot, so that what its parent does wrong is not counted again. Errors: the beam's, when it has
+ * no answer. */
+enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                              struct wf_arena *a, struct wf_diag *d, struct wf_explain *out,
+                              struct wf_err *e);
+#endif
