@@ -1,0 +1,252 @@
+/* Time series of balances: steady wind is one answer, a gust follows it, trends of the papers hold. */
+#include "base/file.h"
+#include "close.h"
+#include "out/series.h"
+#include "scratch.h"
+#include "study/series_plan.h"
+#include <stdlib.h>
+#include <string.h>
+
+struct made {
+    struct wf_arena arena;
+    struct wf_diag diag;
+    struct wf_err err;
+    struct wf_species species;
+    struct wf_model model;
+    struct wf_series_plan_run run;
+    struct wf_series_spec spec;
+    struct wf_series series;
+};
+
+static void start(struct made *m, const char *species, const char *model)
+{
+    *m = (struct made){ 0 };
+    m->diag.arena = &m->arena;
+    m->run = (struct wf_series_plan_run){ .name = "run",
+                                          .wind = 10,
+                                          .intensity = NAN,
+                                          .period = NAN,
+                                          .duration = NAN,
+                                          .step = 0.5,
+                                          .youngs = NAN,
+                                          .restoring = NAN,
+                                          .damping = NAN,
+                                          .transmission = NAN,
+                                          .reference_height = NAN,
+                                          .keys = 1,
+                                          .seed = 1 };
+    if (wf_species_read(species, &m->arena, &m->species, &m->diag, &m->err)) fail_msg("%s", m->err.text);
+    if (wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err)) fail_msg("%s", m->err.text);
+}
+
+static enum wf_status try(struct made *m)
+{
+    m->err = (struct wf_err){ 0 };
+    enum wf_status s = wf_series_plan_spec(&m->run, &m->species, &m->model, &m->arena, &m->spec, &m->err);
+    return s ? s : wf_series_run(&m->spec, &m->arena, &m->diag, &m->series, &m->err);
+}
+
+static double deflection(struct made *m)
+{
+    if (try(m)) fail_msg("%s", m->err.text);
+    return m->series.deflection[0];
+}
+
+/* Faster wind or softer culm bends more, by beam theory and as printed. */
+static void trends_of_tang(void **state)
+{
+    (void)state;
+    for (int printed = 0; printed < 2; printed++) {
+        struct made m;
+        start(&m, "species/moso_bamboo.yaml", "models/papers/moso_few_segments.yaml");
+        m.run.preset = printed ? "tang2012" : "corrected";
+        m.run.youngs = 10e9;
+        double slow = deflection(&m);
+        m.run.wind = 15;
+        double fast = deflection(&m);
+        m.run.wind = 12;
+        double stiff = deflection(&m);
+        m.run.youngs = 8e9;
+        double soft = deflection(&m);
+        assert_true(slow < stiff && stiff < fast && stiff < soft);
+        if (printed) assert_close(fast / slow, 2.25, 0.01); /* U^2, no weight; a little by the drag law */
+        if (printed) assert_close(soft / stiff, 10. / 8, 1e-9);
+        wf_arena_free(&m.arena);
+    }
+}
+
+static void wind_and_tip(void **state)
+{
+    (void)state;
+    struct made m;
+    start(&m, "species/moso_bamboo.yaml", "models/moso_culm.yaml");
+    m.run.gust = "cosine", m.run.intensity = 0.2, m.run.period = 10, m.run.duration = 10, m.run.keys = 4;
+    if (try(&m)) fail_msg("%s", m.err.text);
+    const struct wf_series *s = &m.series;
+    assert_int_equal(s->frames, 20);
+    assert_true(s->failed == 0 && s->key[0] == 0 && s->key[3] == 15);
+    for (size_t i = 0; i < 20; i++)
+        for (size_t k = 0; k < 20; k++)
+            if (s->wind[i] > s->wind[k] + 1e-9) assert_true(s->deflection[i] > s->deflection[k]);
+    double low = 1e9, high = 0; /* amplitude of the stem from its own place */
+    for (size_t k = 0; k < 20; k++) {
+        double x = s->place[(k * s->an.tree.n + s->tip) * 3];
+        low = fmin(low, x), high = fmax(high, x);
+    }
+    assert_close(s->level[0].swing_mean, 0.5 * (high - low), 1e-12);
+    wf_arena_free(&m.arena);
+}
+
+static void deflect_keeps_its_memory(void **state)
+{
+    (void)state;
+    struct made m;
+    start(&m, "species/poplar.yaml", "models/moso_culm.yaml");
+    m.run.preset = "zhao2013", m.run.duration = 30, m.run.restoring = 0.4;
+    if (try(&m)) fail_msg("%s", m.err.text);
+    const double *d = m.series.deflection;
+    assert_true(d[1] < d[0] && d[2] > d[1]);   /* F1, then F1 (1 - k), ... */
+    assert_close(d[59] / d[0], 1 / 1.4, 1e-3); /* and at last F1/(1 + k)   */
+    m.run.restoring = 1;
+    assert_int_equal(try(&m), WF_EUSAGE);
+    m.run.preset = "corrected", m.run.restoring = 0.4;
+    assert_int_equal(try(&m), WF_EUSAGE); /* the beam has no such factor */
+    wf_arena_free(&m.arena);
+}
+
+static void presets_tell_their_departures(void **state)
+{
+    (void)state;
+    static const char *const preset[] = { "tang2012", "feng1999", "zhao2013" };
+    static const char *const code[] = { "no-moment", "modulus-outlier", "r-cubed" };
+    for (int k = 0; k < 3; k++) {
+        struct made m;
+        bool found = false;
+        start(&m, k == 1 ? "species/willow_feng1999.yaml" : "species/poplar.yaml", "models/moso_culm.yaml");
+        m.run.preset = preset[k], m.run.wind = 1;
+        m.model.radius = 0.05, m.model.height = 3, m.model.crown_base = 1, m.model.crown_top = 3;
+        m.model.leaf_area = 0.2;
+        if (try(&m)) fail_msg("%s", m.err.text);
+        assert_true(m.spec.solver->as_printed);
+        for (const struct wf_finding *f = m.diag.first; f; f = f->next)
+            found = found || (f->code && !strcmp(f->code, code[k]));
+        assert_true(found);
+        wf_arena_free(&m.arena);
+    }
+}
+
+static void words_that_name_nothing(void **state)
+{
+    (void)state;
+    struct made m;
+    start(&m, "species/poplar.yaml", "models/moso_culm.yaml");
+    for (int k = 0; k < 4; k++) {
+        struct wf_series_plan_run kept = m.run;
+        *(k == 0   ? &m.run.preset
+          : k == 1 ? &m.run.solver
+          : k == 2 ? &m.run.gust
+                   : &m.run.shelter) = "nonesuch";
+        assert_int_equal(try(&m), WF_EUSAGE);
+        assert_non_null(strstr(m.err.text, "nonesuch"));
+        m.run = kept;
+    }
+    wf_arena_free(&m.arena);
+}
+
+static void shipped_plans(void **state)
+{
+    (void)state;
+    static const char *const name[] = { "tang2012", "feng1999", "zhao2013" };
+    for (int k = 0; k < 3; k++) {
+        struct wf_arena a = { 0 };
+        struct wf_diag d = { .arena = &a };
+        struct wf_err e = { 0 };
+        struct wf_series_plan plan;
+        char path[100];
+        snprintf(path, sizeof path, "models/papers/%s.yaml", name[k]);
+        if (wf_series_plan_read(path, &a, &plan, &d, &e)) fail_msg("%s", d.first ? d.first->text : e.text);
+        assert_string_equal(plan.key, name[k]);
+        assert_true(plan.runs >= 3);
+        wf_arena_free(&a);
+    }
+}
+
+static void leaves_swing_with_the_wind(void **state)
+{
+    (void)state;
+    double far[2];
+    for (int k = 0; k < 2; k++) {
+        struct made m;
+        start(&m, "species/poplar.yaml", "models/zhao2013_ifs.yaml");
+        m.run.wind = k ? 4 : 2, m.run.solver = "deflect", m.run.profile = "uniform";
+        for (size_t i = 0; i < m.species.levels; i++)
+            m.species.level[i].youngs_modulus.value = 1e15; /* stiff */
+        if (try(&m)) fail_msg("%s", m.err.text);
+        size_t n = m.series.leaves.n;
+        assert_int_equal(n, 800);
+        double *at = WF_TAKE(&m.arena, 3 * n, double), *tip = WF_TAKE(&m.arena, 3 * n, double), turn = 0;
+        wf_series_leaves(&m.series, 0, at, tip);
+        for (size_t i = 0; i < n; i++) {
+            double length = 0, z = tip[3 * i + 2] - at[3 * i + 2];
+            for (size_t x = 0; x < 3; x++) length += pow(tip[3 * i + x] - at[3 * i + x], 2);
+            assert_close(length, m.series.leaves.area[i], 1e-9);
+            turn += fabs(acos(z / sqrt(length)) - acos(m.series.leaves.direction[3 * i + 2]));
+        }
+        far[k] = turn / (double)n;
+        wf_arena_free(&m.arena);
+    }
+    assert_true(far[1] > 1.8 * far[0] && far[1] < 2.2 * far[0]); /* but for leaves that reach the vertical */
+}
+
+static void files(void **state)
+{
+    (void)state;
+    struct made m;
+    struct scratch s;
+    char folder[300], path[400], command[600];
+    start(&m, "species/moso_bamboo.yaml", "models/moso_culm.yaml");
+    m.run.gust = "cosine", m.run.duration = 5, m.run.keys = 2;
+    if (try(&m)) fail_msg("%s", m.err.text);
+    scratch_write(&s, "", 0);
+    snprintf(folder, sizeof folder, "%s.d", s.path);
+    const struct wf_series_run run = { &m.series, &m.diag };
+    const struct wf_series_page page = {
+        .title = "t", .command = "c", .date = "d", .version = "v", .n = 1, .run = &run
+    };
+    if (wf_series_tables(&page, folder, &m.err)) fail_msg("%s", m.err.text);
+    if (wf_series_vtk(&page, folder, &m.err)) fail_msg("%s", m.err.text);
+    static const char *const name[] = { "tables/series.csv", "tables/frames.csv", "tables/trajectories.csv" };
+    size_t n = m.series.an.tree.n;
+    const size_t rows[] = { 10, 3 * n, 10 * n };
+    for (int k = 0; k < 3; k++) {
+        struct wf_bytes b;
+        size_t lines = 0;
+        snprintf(path, sizeof path, "%s/%s", folder, name[k]);
+        if (wf_file_read(path, &m.arena, &b, &m.err)) fail_msg("%s", m.err.text);
+        for (size_t i = 0; i < b.size; i++) lines += b.data[i] == '\n';
+        assert_int_equal(lines, rows[k] + 1);
+    }
+    struct wf_bytes b;
+    snprintf(path, sizeof path, "%s/vtk/run1_00003.vtp", folder);
+    if (wf_file_read(path, &m.arena, &b, &m.err)) fail_msg("%s", m.err.text);
+    assert_non_null(strstr(b.data, "</VTKFile>"));
+    snprintf(command, sizeof command, "rm -r '%s'", folder);
+    assert_int_equal(system(command), 0);
+    scratch_remove(&s);
+    wf_arena_free(&m.arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(trends_of_tang),
+        cmocka_unit_test(wind_and_tip),
+        cmocka_unit_test(deflect_keeps_its_memory),
+        cmocka_unit_test(presets_tell_their_departures),
+        cmocka_unit_test(words_that_name_nothing),
+        cmocka_unit_test(shipped_plans),
+        cmocka_unit_test(leaves_swing_with_the_wind),
+        cmocka_unit_test(files),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
