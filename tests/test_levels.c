@@ -364,6 +364,39 @@ static void a_tree_too_large_is_refused(void **state)
     free(text);
 }
 
+/* The shipped models grow without a finding, and the willow's twigs end hanging straight down. */
+static void shipped_models_grow(void **state)
+{
+    (void)state;
+    static const char *const rows[][2] = { { "scots_pine", "scots_pine" },
+                                           { "broadleaf", "beech" },
+                                           { "moso_branched", "moso_bamboo" },
+                                           { "weeping_willow_tree", "weeping_willow" } };
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        struct wf_err e = { 0 };
+        char model[128], species[128];
+        snprintf(model, sizeof model, "models/%s.yaml", rows[k][0]);
+        snprintf(species, sizeof species, "species/%s.yaml", rows[k][1]);
+        g = (struct grown){ 0 };
+        g.diag.arena = &g.arena;
+        if (wf_model_read(model, &g.arena, &g.model, &g.diag, &e) ||
+            wf_species_read(species, &g.arena, &g.species, &g.diag, &e) ||
+            wf_grow(&g.model, &g.species, &g.arena, &g.tree, &g.diag, &e) ||
+            wf_tree_check(&g.tree, &g.diag, &e))
+            fail_msg("%s", e.text);
+        if (g.diag.first) fail_msg("%s: %s", model, g.diag.first->text);
+        grown_is_connected(&g.tree);
+        assert_true(g.tree.n > 500 && g.tree.n < 5000);
+        const struct wf_tree *t = &g.tree;
+        for (size_t i = 0; k == 3 && i < t->n; i++) {
+            bool tip = i + 1 == t->n || t->parent[i + 1] != (int32_t)i;
+            if (t->level[i] != 3 || !tip) continue;
+            assert_close((t->z0[i] - t->z1[i]) / wf_tree_length(t, i), 1, 1e-9);
+        }
+        tear_down(NULL);
+    }
+}
+
 int main(void)
 {
 #define T(name) cmocka_unit_test_teardown(name, tear_down)
@@ -384,6 +417,7 @@ int main(void)
         T(whorls_keep_their_interval),
         T(mistakes_are_named_with_their_place),
         T(a_tree_too_large_is_refused),
+        T(shipped_models_grow),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,7 +9,7 @@ DATA = DIR.'/plots/tree.dat'
 set datafile separator whitespace
 set datafile nocolumnheaders
 array COLOUR[8] = ['#5C4033', '#0072B2', '#D55E00', '#009E73', '#CC79A7', '#E69F00', '#56B4E9', '#000000']
-colour(l) = COLOUR[1 + (l-1)%8]
+colour(l) = l > 8 ? '#999999' : COLOUR[l]
 
 # a margin, and a common floor; a slender tree still gets a readable view
 floor = Z_LOW < 0 ? Z_LOW : 0

@@ -137,6 +137,9 @@ size_t wf_model_levels(const struct wf_model *m)
 const char *wf_model_level_name(const struct wf_model *m, const struct wf_species *sp, int32_t level)
 {
     size_t l = level > 0 ? (size_t)level : 0;
+    static const char *const order[] = { "branch of order 1", "branch of order 2", "branch of order 3",
+                                         "branch of order 4", "branch of order 5", "finer branch" };
+    if (l && m->generator == WF_GENERATOR_MEASURED) return order[l < 6 ? l - 1 : 5];
     if (l && m->generator == WF_GENERATOR_LEVELS && l <= m->branchings && m->branching[l - 1].name)
         return m->branching[l - 1].name;
     return l < sp->levels ? sp->level[l].name : "branch";

@@ -54,7 +54,7 @@ void wf_model_set_season(struct wf_model *m, enum wf_season season);
 /* Levels of the tree the model grows, the stem included. */
 size_t wf_model_levels(const struct wf_model *m);
 
-/* Name of a level of the tree: the model's, else the species', else "branch". */
+/* Name of a level of the tree: the model's, else the species', else "branch"; of a measured tree its order. */
 const char *wf_model_level_name(const struct wf_model *m, const struct wf_species *sp, int32_t level);
 
 /* Outer radius over base radius at relative height s in 0..1. */

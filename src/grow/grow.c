@@ -14,9 +14,8 @@ static void warn(const struct wf_model *m, const struct wf_tree *t, size_t cappe
     size_t buried = 0;
     for (size_t i = 0; i < t->n; i++) buried += t->z1[i] < 0;
     if (capped)
-        wf_diag_warn(d, "thick-branch",
-                     "%s: %zu branches were thinned to the radius of the part they grow from", m->name,
-                     capped);
+        wf_diag_warn(d, "thick-branch", "%s: branches thinned to the radius of the part they grow from: %zu",
+                     m->name, capped);
     if (thick)
         wf_diag_warn(d, "thick-branch",
                      "%s: by the pipe model %zu branches are thicker than the part they grow "
