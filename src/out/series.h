@@ -23,8 +23,7 @@ struct wf_series_page {
 enum wf_status wf_series_tables(const struct wf_series_page *p, const char *folder, struct wf_err *e);
 
 /* Write FOLDER/vtk/RUN.pvd and its frames FOLDER/vtk/RUN_0000.vtp ...: lines from base to end of every
- * segment with radius, level and displacement, for ParaView. At most 120 frames a run, evenly spaced, the key
- * frames among them or near. */
+ * segment with radius, level and displacement, for ParaView. At most 60 frames a run, evenly spaced. */
 enum wf_status wf_series_vtk(const struct wf_series_page *p, const char *folder, struct wf_err *e);
 
 /* Draw plots/series.svg, frames_*.svg and write series.html, series.pdf. As wf_report_make: what cannot be

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FRAMES_MOST = 120 };
+enum { FRAMES_MOST = 60 };
 
 static void array(FILE *f, const char *name, const char *type, int parts)
 {
