@@ -78,7 +78,10 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
             if (x->data) memcpy(more, x->datum, x->data * sizeof *more);
             x->datum = more;
         }
-        for (size_t i = 0; i < n; i++) x->datum[x->data++] = data[i];
+        for (size_t i = 0; i < n; i++) {
+            data[i].test = k;
+            x->datum[x->data++] = data[i];
+        }
     }
     if (!status && used < b->datas)
         return wf_fail(e, WF_EUSAGE, "--data: '%s' is not needed: every test of %s names its own data",

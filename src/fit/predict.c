@@ -1,33 +1,9 @@
 #include "fit/predict.h"
 #include "fit/predict_parts.h"
 #include "solve/beam_small.h"
-#include "solve/modes.h"
 #include "solve/vec.h"
 #include <math.h>
 #include <string.h>
-
-/* Where a state stood last time, to start from. */
-struct warm {
-    struct wf_beam_shape *shape;
-    double (*tilt)[3];
-    double pull[3]; /* force of the rope [N]             */
-    bool known;
-};
-
-struct wf_predictor {
-    const struct wf_experiment *x;
-    const struct wf_fit_param *p;
-    size_t params;
-    struct wf_tree *tree; /* per tree: with columns of its own                    */
-    struct warm *warm;    /* per test and state, rest states behind them          */
-    size_t *first_state;  /* per test: its first warm state                       */
-    size_t most_sensors;
-    double *rest, *rest_slope;   /* readings at rest, of the test in hand           */
-    double *other, *other_slope; /* of the state in hand                            */
-    double *solved;              /* internal values for which all shapes are solutions */
-    bool same;                   /* those in hand are these                         */
-    struct wf_arena scratch;     /* of one test                                          */
-};
 
 enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
                                  struct wf_arena *a, struct wf_predictor **out, struct wf_err *e)
@@ -36,7 +12,7 @@ enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_
     size_t states = 0, at = 0;
     for (size_t k = 0; k < x->tests; k++) states += x->test[k].states + 1;
     if (!w || !(w->tree = WF_TAKE(a, x->trees, struct wf_tree)) ||
-        !(w->warm = WF_TAKE(a, states, struct warm)) || !(w->first_state = WF_TAKE(a, x->tests, size_t)))
+        !(w->warm = WF_TAKE(a, states, struct wf_warm)) || !(w->first_state = WF_TAKE(a, x->tests, size_t)))
         return wf_fail(e, WF_ENOMEM, "no room for the predictions");
     w->x = x, w->p = p, w->params = n;
     for (size_t k = 0; k < x->trees; k++) {
@@ -233,7 +209,7 @@ static enum wf_status state(struct bench *k, size_t warm, const double *internal
                             double *slope, struct wf_err *e)
 {
     struct wf_beam *b = &k->beam;
-    struct warm *last = &k->w->warm[warm];
+    struct wf_warm *last = &k->w->warm[warm];
     size_t n = b->mesh.n;
     if (last->known) {
         memcpy(b->shape, last->shape, n * sizeof *b->shape);
@@ -306,70 +282,6 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
     return status;
 }
 
-/* The lowest frequency of a mode that moves the tree's top within 45 degrees of an azimuth. */
-static enum wf_status frequency(struct wf_predictor *w, size_t index, const struct wf_fit_sensor *s,
-                                const double *internal, double *out, struct wf_err *e)
-{
-    enum { MODES = 4 };
-    const struct wf_fit_test *t = &w->x->test[index];
-    struct wf_tree *tree = &w->tree[t->tree];
-    struct wf_loads loads;
-    struct wf_solve_options options;
-    double f[MODES];
-    size_t count = isnan(s->azimuth) ? 1 : MODES, top = 0;
-    wf_param_apply(w->x, w->p, w->params, internal, t->tree, tree, &loads, &options);
-    options.mesh_tolerance = 0;
-    double *shape = WF_TAKE(&w->scratch, count * 3 * tree->n, double);
-    if (!shape) return wf_fail(e, WF_ENOMEM, "no room for the modes");
-    enum wf_status status =
-        wf_modes(tree, &loads, &options, count, &w->scratch, f, count > 1 ? shape : NULL, e);
-    if (status) return status;
-    for (size_t i = 0; i < tree->n; i++)
-        if (!tree->level[i] && tree->z1[i] > tree->z1[top]) top = i;
-    *out = f[0];
-    for (size_t k = count; k-- > 0 && count > 1;) {
-        const double *v = shape + 3 * tree->n * k + 3 * top;
-        double along = v[0] * cos(s->azimuth) + v[1] * sin(s->azimuth);
-        if (2 * along * along >= v[0] * v[0] + v[1] * v[1] && f[k] > 0) *out = f[k];
-    }
-    if (!(*out > 0)) return wf_fail(e, WF_EUNSTABLE, "the tree does not stand under its own weight");
-    return WF_OK;
-}
-
-static enum wf_status sway_test(struct wf_predictor *w, size_t index, const double *internal, double *reading,
-                                double *slope, size_t *at, struct wf_err *e)
-{
-    const double step = 1e-3;
-    const struct wf_fit_test *t = &w->x->test[index];
-    double *x = WF_TAKE(&w->scratch, w->params, double), side[2];
-    if (!x) return wf_fail(e, WF_ENOMEM, "no room for a prediction");
-    enum wf_status status = WF_OK;
-    for (; !status && *at < w->x->data && w->x->datum[*at].test == index; ++*at) {
-        const struct wf_fit_sensor *s = &t->sensor[w->x->datum[*at].sensor];
-        double *row = slope ? slope + *at * w->params : NULL;
-        memcpy(x, internal, w->params * sizeof *x);
-        if (s->kind == WF_SENSOR_FREQUENCY) status = frequency(w, index, s, x, &reading[*at], e);
-        if (s->kind == WF_SENSOR_DAMPING) reading[*at] = 0;
-        for (size_t p = 0; p < w->params && !status; p++) {
-            bool damping =
-                w->p[p].quantity == WF_FIT_DAMPING && (w->p[p].tree < 0 || (size_t)w->p[p].tree == t->tree);
-            if (row) row[p] = 0;
-            if (s->kind == WF_SENSOR_DAMPING && damping) {
-                reading[*at] = exp(internal[p]);
-                if (row) row[p] = reading[*at];
-            }
-            if (s->kind != WF_SENSOR_FREQUENCY || !row || !wf_disturbs(&w->p[p], t->tree)) continue;
-            for (int k = 0; k < 2 && !status; k++) {
-                x[p] = internal[p] + (k ? step : -step);
-                status = frequency(w, index, s, x, &side[k], e);
-            }
-            x[p] = internal[p];
-            row[p] = (side[1] - side[0]) / (2 * step);
-        }
-    }
-    return status;
-}
-
 /* Zeros of sensors and their drift are added to what the engine says. */
 static void nuisance(const struct wf_predictor *w, const double *internal, double *reading, double *slope)
 {
@@ -399,7 +311,7 @@ enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double
     for (size_t p = 0; p < w->params; p++) w->solved[p] = NAN;
     for (size_t k = 0; k < w->x->tests && !status; k++) {
         bool free = w->x->test[k].load == WF_FIT_FREE;
-        status = (free ? sway_test : static_test)(w, k, internal, reading, slope, &at, e);
+        status = (free ? wf_sway_test : static_test)(w, k, internal, reading, slope, &at, e);
         wf_arena_free(&w->scratch);
     }
     if (status) return status;

@@ -3,6 +3,7 @@
 /* Inside the predictor: reading sensors off a solved beam, and what a parameter disturbs. */
 #include "fit/param.h"
 #include "solve/beam_newton.h"
+#include <stdbool.h>
 
 /* Reading of a sensor on the present shape, from the unloaded one [SI]. pull: azimuth of the load [rad]. */
 double wf_sensor_read(const struct wf_fit_sensor *s, const struct wf_beam *b);
@@ -23,4 +24,31 @@ struct wf_beam_disturbance;
 void wf_disturb(const void *ctx, const struct wf_beam *b, size_t i, struct wf_beam_disturbance *out);
 /* Does the parameter act on this tree's statics at all, and by its elements (not only by its root)? */
 bool wf_disturbs(const struct wf_fit_param *p, size_t tree);
+
+/* Where a state stood last time, to start from. */
+struct wf_warm {
+    struct wf_beam_shape *shape;
+    double (*tilt)[3];
+    double pull[3]; /* force of the rope [N]             */
+    bool known;
+};
+
+struct wf_predictor {
+    const struct wf_experiment *x;
+    const struct wf_fit_param *p;
+    size_t params;
+    struct wf_tree *tree; /* per tree: with columns of its own                    */
+    struct wf_warm *warm; /* per test and state, rest states behind them          */
+    size_t *first_state;  /* per test: its first warm state                       */
+    size_t most_sensors;
+    double *rest, *rest_slope;   /* readings at rest, of the test in hand           */
+    double *other, *other_slope; /* of the state in hand                            */
+    double *solved;              /* internal values for which all shapes are solutions */
+    bool same;                   /* those in hand are these                         */
+    struct wf_arena scratch;     /* of one test                                          */
+};
+
+/* Readings of a test of free sway, from *at on; *at goes to the first datum behind them. */
+enum wf_status wf_sway_test(struct wf_predictor *w, size_t index, const double *internal, double *reading,
+                            double *slope, size_t *at, struct wf_err *e);
 #endif

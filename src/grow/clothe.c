@@ -48,7 +48,9 @@ static enum wf_status leaves(struct wf_tree *t, const struct wf_species *sp, con
         if (tips[i] == 1 && !is_link(c, i)) length += wf_tree_length(t, i);
     }
     for (size_t i = 0; i < t->n; i++) {
+        t->leaf0[i] = t->leaf1[i] = t->sail0[i] = t->sail1[i] = t->burden0[i] = t->burden1[i] = 0;
         double leaf = tips[i] == 1 && !is_link(c, i) ? c->leaf_area / length : 0;
+        if (!(leaf > 0)) continue; /* a species without a crown has no values to multiply by 0 */
         t->leaf0[i] = t->leaf1[i] = leaf;
         t->sail0[i] = t->sail1[i] = leaf * sp->leaf_frontal_share.value * sp->crown_drag.value;
         t->burden0[i] = t->burden1[i] = leaf * sp->leaf_mass_per_area.value;
