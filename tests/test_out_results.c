@@ -103,7 +103,7 @@ static void exact(void **state)
         snprintf(path, sizeof path, "trees/1/winds/%zu/least_safety/value", k);
         assert_close(number(o, path), want->breakage.least_safety, 0);
     }
-    assert_close(number(o, "trees/1/critical/speed/value"), f->run.analysis[1].critical.speed, 0);
+    assert_close(number(o, "trees/1/critical/speed/value"), f->run.analysis[1].breaks.critical.speed, 0);
     json_decref(o);
 }
 

@@ -186,10 +186,10 @@ static void missing_values(void **state)
     }
     for (size_t k = 1; k < MOCK_SWEEP; k++) a[0].sweep[k].status = WF_EUNSTABLE;
     for (size_t k = 0; k < MOCK_SWEEP; k++) a[1].sweep[k].breakage.least_safety = NAN;
-    a[0].critical = (struct wf_critical){
+    a[0].breaks.critical = (struct wf_critical){
         .outcome = WF_CRITICAL_UNSOLVED, .speed = NAN, .speed_low = 0.5, .speed_high = 1
     };
-    a[1].critical = (struct wf_critical){
+    a[1].breaks.critical = (struct wf_critical){
         .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .speed_low = NAN, .speed_high = NAN
     };
     results(f, run);
@@ -214,7 +214,7 @@ static void no_strength(void **state)
     struct wf_analysis *a = (struct wf_analysis *)(uintptr_t)run.analysis;
     a->at->breakage.least_safety = NAN;
     for (size_t k = 0; k < MOCK_SWEEP; k++) a->sweep[k].breakage.least_safety = NAN;
-    a->critical = (struct wf_critical){
+    a->breaks.critical = (struct wf_critical){
         .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .speed_low = NAN, .speed_high = NAN
     };
     results(f, run);

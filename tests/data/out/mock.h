@@ -199,21 +199,21 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
     for (size_t k = 0; k < n; k++) mock_speed(out, kind, speed[k], true, &out->at[k], a);
     out->sweep_n = MOCK_SWEEP;
     out->sweep = WF_TAKE(a, MOCK_SWEEP, struct wf_at_speed);
-    out->critical = (struct wf_critical){
+    out->breaks.critical = (struct wf_critical){
         .outcome = WF_CRITICAL_ABOVE, .speed = NAN, .speed_low = 0, .speed_high = 60, .evaluations = 31
     };
-    out->critical_row = -1, out->critical_height = NAN;
+    out->breaks.row = -1, out->breaks.height = NAN;
     for (size_t k = 0; k < MOCK_SWEEP; k++) {
         mock_speed(out, kind, (double)k, false, &out->sweep[k], a);
-        if (out->sweep[k].breakage.least_safety < 1 && out->critical.outcome == WF_CRITICAL_ABOVE) {
-            out->critical = (struct wf_critical){ .outcome = WF_CRITICAL_FOUND,
+        if (out->sweep[k].breakage.least_safety < 1 && out->breaks.critical.outcome == WF_CRITICAL_ABOVE) {
+            out->breaks.critical = (struct wf_critical){ .outcome = WF_CRITICAL_FOUND,
                                                   .speed = (double)k - 0.37,
                                                   .speed_low = (double)k - 0.371,
                                                   .speed_high = (double)k - 0.369,
                                                   .gradient = 0.04,
                                                   .evaluations = 19 };
-            out->critical_row = out->sweep[k].breakage.governing;
-            out->critical_height = out->tree.z0[out->critical_row];
+            out->breaks.row = out->sweep[k].breakage.governing;
+            out->breaks.height = out->tree.z0[out->breaks.row];
         }
     }
     out->diag = WF_TAKE(a, 1, struct wf_diag);
