@@ -42,7 +42,6 @@ static void outline(FILE *f, const struct wf_tree *t, size_t i, bool side, bool 
     double nx = length > 0 ? -dz / length : 1, nz = length > 0 ? dx / length : 0;
     double a = t->r0[i], b = t->r1[i];
     if (length < a) { /* seen end on: a square is as near to the disc as a line's width shows */
-        dx = a, dz = 0;
         fprintf(f, "%.5g %.5g\n%.5g %.5g\n%.5g %.5g\n%.5g %.5g\n%.5g %.5g\n\n", x0 - a, z0 - a, x0 + a,
                 z0 - a, x0 + a, z0 + a, x0 - a, z0 + a, x0 - a, z0 - a);
         return;

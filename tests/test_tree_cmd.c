@@ -1,0 +1,98 @@
+/* Branched and measured trees on the command line: which tree is meant, seasons, pictures. */
+#include "close.h"
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+static char output[1 << 16];
+
+struct row {
+    const char *command;
+    int code;
+    const char *expect[3]; /* pieces of what is printed */
+};
+
+/* Run with $W the program and $T a scratch folder. */
+static void check(const struct row *rows, size_t n)
+{
+    const char *program = getenv("WINDFIRM") ? getenv("WINDFIRM") : "build/windfirm";
+    for (size_t i = 0; i < n; i++) {
+        char all[2048];
+        snprintf(all, sizeof all, "{ W=%s; T=$(mktemp -d); %s\nc=$?; rm -rf $T; exit $c; } 2>&1 </dev/null",
+                 program, rows[i].command);
+        FILE *pipe = popen(all, "r");
+        assert_non_null(pipe);
+        output[fread(output, 1, sizeof output - 1, pipe)] = '\0';
+        int status = pclose(pipe), code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+        if (code != rows[i].code)
+            fail_msg("%s\nexit code %d, want %d; it printed:\n%s", rows[i].command, code, rows[i].code,
+                     output);
+        for (size_t k = 0; k < 3 && rows[i].expect[k]; k++)
+            if (!strstr(output, rows[i].expect[k]))
+                fail_msg("%s\ndoes not print '%s' but:\n%s", rows[i].command, rows[i].expect[k], output);
+    }
+}
+
+#define QSM "tests/data/qsm/"
+#define QUICK "--wind 10 --no-report --mesh-tolerance 1e-2 -o $T/out "
+
+static void one_tree_is_meant(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W analyze poplar --wind 10", 2, { "--model is needed" } },
+        { "$W analyze poplar --model culm --tree " QSM "normalised.csv --wind 10",
+          2,
+          { "more than one tree" } },
+        { "$W analyze poplar --model culm", 2, { "--wind is needed" } },
+        { "$W tree draw -o $T/a.svg", 2, { "windfirm tree draw: --model is needed" } },
+        { "$W analyze poplar --tree $T/none.csv --wind 10", 2, { "none.csv" } },
+    };
+    check(rows, sizeof rows / sizeof *rows);
+}
+
+static void branched_and_measured_trees_are_analysed(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W analyze poplar --model models/zhao2013_ifs.yaml " QUICK
+          "&& grep -c '\"part\": \"' $T/out/results.json",
+          0,
+          { "the ", " breaks first" } },
+        { "$W analyze poplar --model models/zhao2013_ifs.yaml --season leaf_off " QUICK
+          "&& grep leaf_off $T/out/results.json && ls $T/out/plots",
+          0,
+          { "leaf_off", "tree.dat" } },
+        { "$W analyze poplar --tree " QSM "normalised.csv --leaf-area 1 " QUICK
+          "&& grep measured $T/out/results.json",
+          0,
+          { "measured" } },
+        { "$W analyze poplar --tree " QSM "normalised.csv --unload " QUICK, 0, { "stress-free shape" } },
+    };
+    check(rows, sizeof rows / sizeof *rows);
+}
+
+static void pictures(void **state)
+{
+    (void)state;
+    if (system("gnuplot --version >/dev/null 2>&1")) skip();
+    static const struct row rows[] = {
+        { "$W tree draw --model models/zhao2013_ifs.yaml -s poplar -o $T/a.svg && grep -c '</svg>' $T/a.svg",
+          0,
+          { "545 segments -> " } },
+        { "$W tree draw " QSM "normalised.csv -o $T/a.png", 0, { "segments" } },
+        { "$W tree draw " QSM "normalised.csv -o $T/a.gif", 2, { "ends in .svg, .png or .pdf" } },
+        { "$W tree drw x", 2, { "did you mean 'draw'?" } },
+    };
+    check(rows, sizeof rows / sizeof *rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(one_tree_is_meant),
+        cmocka_unit_test(branched_and_measured_trees_are_analysed),
+        cmocka_unit_test(pictures),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
