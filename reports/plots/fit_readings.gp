@@ -19,10 +19,10 @@ do for [g=1:SHOWN] {
     set xlabel GROUP_X[g]; set ylabel GROUP_Y[g] offset 1,0
     FREE = GROUP_X[g] eq 'free sway'
     set xrange [*:*]; if (FREE) { set xrange [-1:1]; set xtics ("" 0); set yrange [0:*] } else { set xtics autofreq; set yrange [*:*] }
-    plot READINGS using (pick(in(g) && !FREE, column("load"))):(column("predicted")-column("band_95")):(column("predicted")+column("band_95")) with filledcurves fs solid 0.2 noborder lt 1, \
-         '' using (pick(in(g), FREE ? 0 : column("load"))):"measured":"sigma" with yerrorbars lt 2 lw 0.8 dt 1 pt 7 ps 0.35, \
-         '' using (pick(in(g) && !FREE, column("load"))):"predicted" with lines lt 1, \
-         '' using (pick(in(g) && FREE, 0.25)):"predicted":"band_95" with yerrorbars lt 1 lw 1.2 pt 4 ps 0.7
+    plot READINGS using (pick(in(g) && !FREE, column("load"))):(pick(in(g), column("predicted")-column("band_95"))):(pick(in(g), column("predicted")+column("band_95"))) with filledcurves fs solid 0.2 noborder lt 1, \
+         '' using (pick(in(g), FREE ? 0 : column("load"))):(pick(in(g), column("measured"))):"sigma" with yerrorbars lt 2 lw 0.8 dt 1 pt 7 ps 0.35, \
+         '' using (pick(in(g) && !FREE, column("load"))):(pick(in(g), column("predicted"))) with lines lt 1, \
+         '' using (pick(in(g) && FREE, 0.25)):(pick(in(g), column("predicted"))):"band_95" with yerrorbars lt 1 lw 1.2 pt 4 ps 0.7
 }
 unset multiplot
 set output

@@ -44,8 +44,11 @@ static void readings(FILE *f, const struct wf_fit_job *j)
           "influence_sd,"
           "influenced\n",
           f);
-    for (size_t i = 0; i < j->x.data; i++) {
+    for (size_t n = 0; n < j->fit.groups * j->x.data;
+         n++) { /* sensor by sensor, so that a figure can draw lines */
+        size_t i = n % j->x.data;
         const struct wf_fit_datum *d = &j->x.datum[i];
+        if (group_of(&j->fit, d) != 1 + n / j->x.data) continue;
         const struct wf_fit_test *t = &j->x.test[d->test];
         const struct wf_fit_input *in = &j->input[d->test];
         const struct wf_sensor_row *r = &wf_sensor_rows[t->sensor[d->sensor].kind];
