@@ -175,7 +175,17 @@ static void rival(struct wf_fit_job *j, struct wf_fit_options o)
     o.profile = false, o.resamples = 0, o.starts = 1;
     struct wf_fit_rival *r = &j->rival;
     r->text = had ? "clamped root" : "root plate that gives";
-    if (wf_fit_run(&j->x, p, n, &o, &j->arena, &d, &r->fit, &e) || r->fit.lsq.stopped) return;
+    double *stiffness = WF_TAKE(&j->arena, j->x.trees, double);
+    if (!stiffness) return;
+    for (size_t k = 0; k < j->x.trees; k++) {
+        double *of = j->x.tree[k].options.root_stiffness;
+        stiffness[k] = of[0];
+        if (had) of[0] = of[1] = 0; /* clamped, whatever the study gives */
+    }
+    enum wf_status s = wf_fit_run(&j->x, p, n, &o, &j->arena, &d, &r->fit, &e);
+    for (size_t k = 0; k < j->x.trees; k++)
+        j->x.tree[k].options.root_stiffness[0] = j->x.tree[k].options.root_stiffness[1] = stiffness[k];
+    if (s || r->fit.lsq.stopped) return;
     const struct wf_fit *rich = had ? &j->fit : &r->fit;
     r->aicc = wf_fit_aicc(&r->fit, rich->sigma);
     r->own = wf_fit_aicc(&j->fit, rich->sigma);

@@ -156,9 +156,7 @@ static void write(FILE *f, const struct wf_fit_job *j, const char *key, const ch
     for (size_t i = 0; i < j->files; i++) fprintf(f, " %s sha256 %s;", j->file[i].path, j->file[i].sha256);
     fputs("\"\nlevels:\n", f);
     for (size_t k = 0; k < sp->levels; k++) level(f, j, sp, k, study);
-    if (!sp->crown_drag.given && !sp->leaf_mass_per_area.given && !sp->leaf_frontal_share.given &&
-        !sp->streamlining.law)
-        return;
+    if (!sp->crown_drag.given) return;
     fputs("crown:\n", f);
     value(f, "  ", "drag_coefficient", &sp->crown_drag, fitted(j, WF_FIT_CROWN_DRAG, -1), 1, plain, study);
     value(f, "  ", "leaf_mass_per_area", &sp->leaf_mass_per_area, NULL, 1, area, study);
