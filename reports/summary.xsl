@@ -103,6 +103,17 @@
       <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:otherwise>
     </xsl:choose></xsl:with-param>
   </xsl:call-template>
+  <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'found' and critical_stem/within_limits = 'true'">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.stem</xsl:with-param>
+      <xsl:with-param name="a" select="format-number(critical_stem/speed/value, '0.0')"/>
+      <xsl:with-param name="b"><xsl:call-template name="place"><xsl:with-param name="height" select="critical_stem/governing_section/height/value"/><xsl:with-param name="section" select="critical_stem/governing_section"/></xsl:call-template></xsl:with-param></xsl:call-template>
+  </xsl:if>
+  <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'above'">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say"><xsl:with-param name="id">sum.stem.above</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
+  </xsl:if>
   <xsl:if test="critical/outcome = 'found' and critical/speed/value &gt; species/streamlining/speed_high/value">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say"><xsl:with-param name="id">sum.extrapolated</xsl:with-param>

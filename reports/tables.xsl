@@ -86,18 +86,31 @@
       <xsl:call-template name="head"><xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
       <xsl:call-template name="head"><xsl:with-param name="id">c.evidence</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
     </tr></thead>
-    <tbody><xsl:for-each select="$trees"><tr><xsl:if test="critical/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
-      <td><xsl:call-template name="name"/></td>
-      <td><xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="critical/within_limits = 'false'">outcome.void</xsl:when><xsl:otherwise><xsl:value-of select="concat('outcome.', critical/outcome)"/></xsl:otherwise></xsl:choose></xsl:with-param>
-        <xsl:with-param name="a"><xsl:choose>
-          <xsl:when test="critical/outcome = 'above'"><xsl:call-template name="given"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:when>
-          <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_low/value"/></xsl:call-template></xsl:otherwise>
-        </xsl:choose></xsl:with-param>
-        <xsl:with-param name="b"><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:with-param></xsl:call-template></td>
-      <xsl:call-template name="cell"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
-      <xsl:call-template name="cell"><xsl:with-param name="x" select="critical/governing_section/height/value"/></xsl:call-template>
-      <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="species/streamlining/speed_high/value"/></xsl:call-template></td>
-    </tr></xsl:for-each></tbody>
+    <tbody><xsl:for-each select="$trees">
+      <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical"/></xsl:call-template>
+      <xsl:if test="critical/governing_section/level &gt; 0"><xsl:call-template name="breaks"><xsl:with-param name="at" select="critical_stem"/></xsl:call-template></xsl:if>
+    </xsl:for-each></tbody>
   </table>
+</xsl:template>
+
+<!-- A row of the table of critical wind speeds: of the tree, or of its stem alone. -->
+<xsl:template name="breaks">
+  <xsl:param name="at"/>
+  <tr><xsl:if test="$at/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
+    <td><xsl:choose>
+      <xsl:when test="name($at) = 'critical_stem'"><xsl:call-template name="say"><xsl:with-param name="id">c.stem.alone</xsl:with-param></xsl:call-template></xsl:when>
+      <xsl:otherwise><xsl:call-template name="name"/></xsl:otherwise>
+    </xsl:choose></td>
+    <td><xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="$at/within_limits = 'false'">outcome.void</xsl:when><xsl:otherwise><xsl:value-of select="concat('outcome.', $at/outcome)"/></xsl:otherwise></xsl:choose></xsl:with-param>
+      <xsl:with-param name="a"><xsl:choose>
+        <xsl:when test="$at/outcome = 'above'"><xsl:call-template name="given"><xsl:with-param name="x" select="$at/speed_high/value"/></xsl:call-template></xsl:when>
+        <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="$at/speed_low/value"/></xsl:call-template></xsl:otherwise>
+      </xsl:choose></xsl:with-param>
+      <xsl:with-param name="b"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$at/speed_high/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
+      <xsl:if test="$at/governing_section/level &gt; 0"> (<xsl:call-template name="part"><xsl:with-param name="level" select="$at/governing_section/part"/></xsl:call-template>)</xsl:if></td>
+    <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/speed/value"/></xsl:call-template>
+    <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/governing_section/height/value"/></xsl:call-template>
+    <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="species/streamlining/speed_high/value"/></xsl:call-template></td>
+  </tr>
 </xsl:template>
 </xsl:stylesheet>

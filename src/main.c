@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { COMMANDS_MAX = 16 };
+enum { COMMANDS_MAX = 64 };
 
 static int help(FILE *to)
 {

@@ -25,18 +25,19 @@ static void row(FILE *to, const struct wf_at_speed *at)
     fputc('\n', to);
 }
 
-static void critical(FILE *to, const struct wf_analysis *an)
+static void critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
 {
-    const struct wf_critical *c = &an->critical;
+    const struct wf_critical *c = &b->critical;
     if (c->outcome != WF_CRITICAL_FOUND) {
-        fprintf(to, "  critical wind speed: none; %s\n", wf_critical_text(c->outcome));
+        fprintf(to, "  %s: none; %s\n", what, wf_critical_text(c->outcome));
         return;
     }
-    fprintf(to, "  critical wind speed %.2f m/s (%.0f km/h) at %.6g m", c->speed, 3.6 * c->speed,
+    fprintf(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
             an->scenario.reference_height);
-    if (an->critical_row >= 0)
-        fprintf(to, "; the %s breaks first %.2f m above the ground",
-                wf_model_level_name(an->model, an->species, an->tree.level[an->critical_row]), an->critical_height);
+    if (b->row >= 0)
+        fprintf(to, "; the %s breaks%s %.2f m above the ground",
+                wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
+                b == &an->breaks ? " first" : "", b->height);
     fputc('\n', to);
 }
 
@@ -54,6 +55,8 @@ void wf_study_print(FILE *to, const struct wf_run *run)
                 "stress", "safety");
         fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
         for (size_t i = 0; i < an->n; i++) row(to, &an->at[i]);
-        critical(to, an);
+        critical(to, an, "critical wind speed", &an->breaks);
+        if (an->breaks.row >= 0 && an->tree.level[an->breaks.row] > 0)
+            critical(to, an, "of the stem alone", &an->stem);
     }
 }

@@ -90,7 +90,11 @@ static bool take(struct wf_breakage *b, size_t n, struct wf_arena *a)
 enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, struct wf_arena *a,
                                  struct wf_breakage *b, struct wf_err *e)
 {
-    *b = (struct wf_breakage){ .least_safety = NAN, .governing = -1, .largest_stress_row = -1 };
+    *b = (struct wf_breakage){ .least_safety = NAN,
+                               .governing = -1,
+                               .stem_safety = NAN,
+                               .stem_governing = -1,
+                               .largest_stress_row = -1 };
     if (r->n != t->n)
         return wf_fail(e, WF_EINTERNAL, "breakage: the answer has %zu segments, the tree %zu", r->n, t->n);
     if (!take(b, t->n, a)) return wf_fail(e, WF_ENOMEM, "breakage: no room for %zu segments", t->n);
@@ -113,6 +117,8 @@ enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_respon
             b->largest_stress = peak, b->largest_stress_row = (int32_t)i;
         if (!isnan(factor) && !(b->least_safety <= factor))
             b->least_safety = factor, b->governing = (int32_t)i, b->governing_s = place;
+        if (t->level[i] == 0 && !isnan(factor) && !(b->stem_safety <= factor))
+            b->stem_safety = factor, b->stem_governing = (int32_t)i, b->stem_governing_s = place;
     }
     return WF_OK;
 }

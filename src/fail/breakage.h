@@ -18,7 +18,10 @@ struct wf_breakage {
     double least_safety;         /* smallest safety factor [-]; NAN when no row has a strength    */
     int32_t governing;           /* its row; -1 when none                                         */
     double governing_s;          /* 0 = at the row's base, 1 = at its end                         */
-    double largest_stress;       /* [Pa]                                                          */
+    double stem_safety;          /* the same for the rows of level 0 alone: the stem               */
+    int32_t stem_governing;
+    double stem_governing_s;
+    double largest_stress; /* [Pa]                                                          */
     int32_t largest_stress_row;
 };
 /* Given: tree and its answer. Returned: *out with arrays of n in the arena; least_safety, largest_stress and

@@ -89,9 +89,9 @@ json_t *wf_part_wind(struct wf_doc *d, const struct wf_analysis *a, const struct
     return o;
 }
 
-json_t *wf_part_critical(struct wf_doc *d, const struct wf_analysis *a)
+json_t *wf_part_critical(struct wf_doc *d, const struct wf_analysis *a, const struct wf_break *b)
 {
-    const struct wf_critical *c = &a->critical;
+    const struct wf_critical *c = &b->critical;
     const char *text = wf_critical_text(c->outcome);
     json_t *o = wf_doc_object(d);
     wf_doc_text(d, o, "outcome", wf_part_outcome(c->outcome));
@@ -101,13 +101,13 @@ json_t *wf_part_critical(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "speed_high", c->speed_high, "m/s", text);
     wf_doc_quantity(d, o, "gradient", c->gradient, "s/m", text);
     bool found = c->outcome == WF_CRITICAL_FOUND;
-    const struct wf_at_speed *at = &a->critical_at;
+    const struct wf_at_speed *at = &b->at;
     wf_doc_quantity(d, o, "tip_deflection", found ? at->tip_deflection : NAN, "m", text);
     wf_doc_quantity(d, o, "tip_deflection_share", found ? at->tip_deflection_share : NAN, "1", text);
     wf_doc_quantity(d, o, "tip_angle", found ? at->tip_angle : NAN, "rad", text);
     wf_doc_flag(d, o, "within_limits", !(found && wf_limits_small_passed(at)));
     wf_doc_count(d, o, "evaluations", c->evaluations);
-    wf_doc_put(d, o, "governing_section", section(d, a, a->critical_row, NAN, a->critical_height));
+    wf_doc_put(d, o, "governing_section", section(d, a, b->row, NAN, b->height));
     return o;
 }
 

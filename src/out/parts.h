@@ -10,7 +10,8 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a);
 json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a);
 /* Totals at one wind speed. */
 json_t *wf_part_wind(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at);
-json_t *wf_part_critical(struct wf_doc *d, const struct wf_analysis *a);
+/* When and where the tree (a->breaks), or its stem alone (a->stem), breaks. */
+json_t *wf_part_critical(struct wf_doc *d, const struct wf_analysis *a, const struct wf_break *b);
 /* Warnings as a list of {code, text}. */
 json_t *wf_part_warnings(struct wf_doc *d, const struct wf_diag *diag);
 

@@ -38,7 +38,8 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
 {
     fputs("tree,species,wind_m_s,status,tip_deflection_m,tip_deflection_percent,tip_angle_deg,drag_N,lift_N,"
           "weight_N,base_shear_N,base_moment_Nm,largest_stress_MPa,least_safety,governing_height_m,"
-          "critical_wind_m_s,critical_outcome,critical_height_m\n",
+          "critical_wind_m_s,critical_outcome,critical_height_m,"
+          "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m\n",
           f);
     for (size_t i = 0; i < run->n; i++) {
         const struct wf_analysis *a = &run->analysis[i];
@@ -60,9 +61,12 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
             lead(f, run, i, at->speed);
             fprintf(f, ",%s", wf_part_status(at->status));
             for (size_t c = 0; c < COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
-            cell(f, a->critical.speed);
-            fprintf(f, ",%s", wf_part_outcome(a->critical.outcome));
-            cell(f, a->critical_height);
+            const struct wf_break *const breaks[] = { &a->breaks, &a->stem };
+            for (size_t c = 0; c < COUNT(breaks); c++) {
+                cell(f, breaks[c]->critical.speed);
+                fprintf(f, ",%s", wf_part_outcome(breaks[c]->critical.outcome));
+                cell(f, breaks[c]->height);
+            }
             putc('\n', f);
         }
     }
@@ -190,6 +194,7 @@ const struct wf_table wf_tables[] = {
     { "tables/summary.csv", "totals of each tree at each wind speed", write_summary },
     { "tables/segments.csv", "what each segment bears at each wind speed", write_segments },
     { "tables/shape.csv", "axis points, unloaded and loaded", write_shape },
-    { "tables/sweep.csv", "totals on a ladder of wind speeds from 0, closer at first, for curves", write_sweep },
+    { "tables/sweep.csv", "totals on a ladder of wind speeds from 0, closer at first, for curves",
+      write_sweep },
     { NULL, NULL, NULL },
 };

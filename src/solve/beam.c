@@ -37,29 +37,49 @@ static double deepest(const struct wf_tree *t, double *depth)
     return most;
 }
 
-static double relative(const double coarse[3], const double fine[3])
-{
-    double d[3] = { fine[0] - coarse[0], fine[1] - coarse[1], fine[2] - coarse[2] };
-    double length = sqrt(wf_dot(fine, fine));
-    return length > 0 ? sqrt(wf_dot(d, d)) / length : 0;
-}
-
-/* Relative error of the reactions on the finer mesh. */
-static double reaction_error(const struct wf_beam *coarse, const struct wf_beam *fine)
-{
-    double fall = pow((double)fine->mesh.n / (double)coarse->mesh.n, 4) - 1;
-    double off = fmax(relative(coarse->base.n, fine->base.n), relative(coarse->base.m, fine->base.m));
-    return fall > 0 ? off / fall : 0;
-}
-
-/* Pieces that bring each row's share of the error to its part of the target, and no fewer than `grow` times the
- * present. */
-static void choose(const struct wf_beam *b, const double *share, double target, double grow, int32_t *pieces)
+/* Distributed load on each row as the mesh sums it, 3n [N]. */
+static void row_loads(const struct wf_beam *b, double *load)
 {
     for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        double sum[3] = { 0, 0, 0 };
+        for (int32_t k = b->mesh.first[i]; k <= b->mesh.last[i]; k++) {
+            struct wf_line_load q[2];
+            wf_beam_load(&b->mesh.part[k], &b->loads, &b->stage[k], q);
+            for (int j = 0; j < 2; j++) v3_add(sum, 0.5 * b->mesh.part[k].h, q[j].force);
+        }
+        memcpy(load + 3 * i, sum, sizeof sum);
+    }
+}
+
+/* Error of each row's load as a share of the reaction, taken to fall with the power 1.3 of the piece length:
+ * wind near the ground grows with a low power of height, and a load with a corner inside a row converges no
+ * faster. */
+static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *before,
+                         const double *now, double *share)
+{
+    double force = sqrt(wf_dot(fine->base.n, fine->base.n)), sum = 0;
+    for (size_t i = 0; i < fine->mesh.tree->n; i++) {
+        double kc = coarse->mesh.last[i] - coarse->mesh.first[i] + 1,
+               kf = fine->mesh.last[i] - fine->mesh.first[i] + 1, d[3];
+        for (size_t k = 0; k < 3; k++) d[k] = now[3 * i + k] - before[3 * i + k];
+        share[i] = kf > kc && force > 0 ? sqrt(wf_dot(d, d)) / force / (pow(kf / kc, 1.3) - 1) : 0;
+        sum += share[i];
+    }
+    return sum;
+}
+
+/* Pieces that bring each row's share of the error to its part of the target. While the load is `off` times as
+ * far out as allowed, also more for the rows that make most of that. */
+static void choose(const struct wf_beam *b, const double *share, double target, const double *bear,
+                   double off, int32_t *pieces)
+{
+    double most = 0, more = off > 1 ? fmax(pow(1.5 * off, 0.77), 2) : 1;
+    for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, bear[i]);
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
         int32_t now = b->mesh.last[i] - b->mesh.first[i] + 1;
-        double want = now * fmax(pow(share[i] / target, 0.25), grow);
-        pieces[i] = (int32_t)fmin(fmax(ceil(want), 1), 16.0 * now);
+        double want = pow(share[i] / target, 0.25);
+        if (bear[i] > 0.1 * most) want = fmax(want, more);
+        pieces[i] = (int32_t)fmin(fmax(ceil(now * want), 1), 64.0 * now);
     }
 }
 
@@ -73,7 +93,10 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
         1e-12; /* of the size: what places are good to, so a tree that does not move ends too */
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
     double *reach = WF_TAKE(work, t->n, double), *share = WF_TAKE(work, t->n, double);
-    if (!pieces || !reach || !share) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    double *before = WF_TAKE(work, 3 * t->n, double), *load = WF_TAKE(work, 3 * t->n, double),
+           *bear = WF_TAKE(work, t->n, double);
+    if (!pieces || !reach || !share || !before || !load || !bear)
+        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
     int32_t start = o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
 
@@ -82,6 +105,7 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
     if (status || !(o->mesh_tolerance > 0)) return status;
 
     double depth = deepest(t, share);
+    row_loads(b, before);
     wf_tree_reach(t, reach);
     for (size_t i = 0; i < t->n; i++) pieces[i] = 2 * start;
     for (int mesh = 1; mesh < MESHES; mesh++) {
@@ -96,10 +120,13 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
         fine.iterations += b->iterations, fine.steps += b->steps;
         double allowed = o->mesh_tolerance * safety;
         double target = fmax(allowed * largest_displacement(&fine), rounding * size(t));
-        double error = wf_beam_mesh_error(b, &fine, reach, share), reactions = reaction_error(b, &fine);
+        double error = wf_beam_mesh_error(b, &fine, reach, share);
+        row_loads(&fine, load);
+        double reactions = load_error(b, &fine, before, load, bear);
         *b = fine;
+        memcpy(before, load, 3 * t->n * sizeof *load);
         if (error <= target && reactions <= allowed) break;
-        choose(b, share, target / depth, reactions > allowed ? pow(reactions / allowed, 0.25) : 0, pieces);
+        choose(b, share, target / depth, bear, reactions / allowed, pieces);
     }
     return WF_OK;
 }
@@ -117,6 +144,12 @@ static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
     if (!status) status = wf_beam_solve(t, l, o, &work, &b, &out, e);
     if (!status) wf_beam_read(&b, r);
     r->load_factor = out.load_factor;
+    if (!status && b.loose > 0)
+        wf_diag_warn(
+            d, "loose-parts",
+            "%zu small parts, each bearing less than 1 %% of the load, are balanced but not stable: they may "
+            "snap to another shape",
+            b.loose);
     if (!status && out.beyond_limit)
         wf_diag_warn(d, "limit-point",
                      "the tree gives way at %.3g of the load; the answer is where it comes to rest",

@@ -79,6 +79,7 @@ void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape
 struct wf_beam_stability {
     double margin;
     size_t negative;
+    double bears; /* largest force on the base of an element found unstable, with all above it [N] */
 };
 
 /* What it takes to answer small extra loads about the present state (beam_vibrate.c). */

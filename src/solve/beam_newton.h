@@ -29,6 +29,7 @@ struct wf_beam {
     bool frozen;                  /* wind is a dead load: its derivatives are left out         */
     struct wf_beam_wrench base;   /* put on the ground, moment about the first root            */
     struct wf_beam_misfit misfit; /* of the present shape                                      */
+    size_t loose;                 /* small parts of the last answer that are balanced but not stable  */
     size_t iterations, steps;
 };
 

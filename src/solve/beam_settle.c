@@ -2,6 +2,8 @@
 #include "solve/beam_newton.h"
 #include "solve/vec.h"
 
+enum { EFFORT = 300 }; /* Newton iterations spent on load steps, and on creep, before giving up */
+
 struct saved {
     struct wf_beam_shape *shape;
     double (*tilt)[3];
@@ -27,14 +29,18 @@ static void scale(struct wf_beam *b, const struct wf_loads *full, double share)
 }
 
 /* A fallen stem may turn about the vertical at no cost, and the tangent is symmetric only to second order in
- * an element's own turn: allow for that much. */
+ * an element's own turn: allow for that much. A twig that may snap to another shape does not bring down the
+ * tree: parts that bear less than a hundredth of what the ground does are counted (loose), not refused. */
 static bool stable(struct wf_beam *b)
 {
+    const double small = 0.01;
     double turn = 0;
     for (size_t i = 0; i < b->mesh.n; i++)
         for (int j = 0; j < 2; j++) turn = fmax(turn, wf_dot(b->shape[i].v[j], b->shape[i].v[j]));
     struct wf_beam_stability count = { .margin = 1e-6 + 0.5 * turn };
-    return wf_beam_sweep_down(b, true, &count) && count.negative == 0;
+    if (!wf_beam_sweep_down(b, true, &count)) return false;
+    b->loose = count.negative;
+    return count.bears <= small * sqrt(wf_dot(b->base.n, b->base.n));
 }
 
 /* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share
@@ -45,7 +51,8 @@ static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct 
     memset(b->shape, 0, b->mesh.n * sizeof *b->shape);
     memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
     keep(b, last);
-    while (share < 1 && size > 2e-4) {
+    size_t most = b->iterations + EFFORT;
+    while (share < 1 && size > 2e-4 && b->iterations < most) {
         double next = fmin(1, share + size);
         scale(b, full, next);
         if (wf_beam_newton(b) == WF_OK && stable(b)) {
@@ -80,8 +87,9 @@ static void nudge(struct wf_beam *b)
 static bool creep(struct wf_beam *b, struct saved *last)
 {
     double rate = 64;
+    size_t most = b->iterations + EFFORT;
     b->tilt0 = last->tilt;
-    for (int k = 0; k < 400; k++) {
+    for (int k = 0; k < 400 && b->iterations < most; k++) {
         keep(b, last);
         for (size_t i = 0; i < b->mesh.n; i++) wf_beam_curvature(&b->mesh.part[i], &b->shape[i], b->k0[i]);
         b->creep = rate;

@@ -120,7 +120,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stabil
     /* far from equilibrium the tangent is guarded; nearer it is exact */
     bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
     b->misfit = (struct wf_beam_misfit){ 0 };
-    if (count) count->negative = 0;
+    if (count) count->negative = 0, count->bears = 0;
     b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     load_nodes(b);
     if (eliminate) react_nodes(b);
@@ -140,11 +140,14 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stabil
                 memset(load[j].by_turn, 0, sizeof load[j].by_turn);
         wf_beam_balance(p->h, &b->stage[i], load, &b->wrench[i], at, &down);
         wf_beam_misfit_add(p, &b->shape[i], base->L, &creep, &b->stage[i], at, &b->misfit);
+        size_t unstable = count ? count->negative : 0;
         if (eliminate &&
             !wf_beam_eliminate(p, &b->shape[i], base->L, &creep, &b->stage[i], load, at, &b->node[i],
                                &b->answer[i], grounded ? &root : &b->node[p->parent], guard, count,
                                b->small ? &b->small[i] : NULL))
             return false;
+        if (count && count->negative > unstable)
+            count->bears = fmax(count->bears, sqrt(wf_dot(down.n, down.n)));
         if (!grounded) {
             v3_add(b->wrench[p->parent].n, 1, down.n);
             v3_add(b->wrench[p->parent].m, 1, down.m);
@@ -155,7 +158,9 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stabil
         v3_add(b->base.n, 1, down.n);
         v3_add(b->base.m, 1, down.m);
         v3_add(b->base.m, 1, lever);
+        unstable = count ? count->negative : 0;
         tilt_root(b, (size_t)p->row, &down, eliminate ? &root : NULL, count);
+        if (count && count->negative > unstable) count->bears = INFINITY;
     }
     return isfinite(b->misfit.bending);
 }

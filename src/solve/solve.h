@@ -30,7 +30,7 @@ enum wf_status wf_response_alloc(struct wf_response *r, size_t n, struct wf_aren
 struct wf_solve_options {
     double tolerance;      /* relative accuracy asked of a converged answer, default 1e-9 */
     double mesh_tolerance; /* relative error accepted from the mesh, default 1e-6; 0 = one element a row */
-    size_t iterations_max; /* per load step, default 40 */
+    size_t iterations_max; /* per load step, default 100 */
     bool inextensible, shear_flexible; /* beam models K / EB (default) / SR */
     double shear_factor;               /* k in k G A; 0 = Cowper 1966, circular sections */
     double root_stiffness[2]; /* rotational springs of the root plate about x and y [N m/rad]; 0 = clamped */

@@ -50,6 +50,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
 struct search {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
+    bool stem; /* the stem alone */
 };
 
 /* Stress over strength at the worst section. */
@@ -60,52 +61,69 @@ static enum wf_status utilisation(void *ctx, double speed, double *value, struct
     enum wf_status status = wf_speed_totals(s->an, s->o, speed, &at, e);
     if (status) return status;
     if (at.status) return wf_fail(e, at.status, "no equilibrium at %.6g m/s", speed);
-    *value = 1.0 / at.breakage.least_safety;
+    *value = 1.0 / (s->stem ? at.breakage.stem_safety : at.breakage.least_safety);
     return WF_OK;
 }
 
-/* The speed found on a quick mesh, brought to the asked one: secants on its slope, which hardly differ. */
-static enum wf_status polish(struct search *search, struct wf_critical *c, struct wf_err *e)
+/* The speed found on a quick mesh, brought to the asked one by secants on its slope, which hardly differ;
+ * *at: totals there. */
+static enum wf_status polish(const struct search *search, struct wf_critical *c, struct wf_at_speed *at,
+                             struct wf_err *e)
 {
-    for (int k = 0; k < 4; k++) {
-        double value, step;
-        enum wf_status s = utilisation(search, c->speed, &value, e);
+    const double near = 3e-6; /* of the strength */
+    for (int k = 0;; k++) {
+        enum wf_status s = wf_speed_totals(search->an, search->o, c->speed, at, e);
         c->evaluations++;
-        if (s || fabs(value - 1.0) <= 1e-6) return s;
-        if (!(fabs(step = (value - 1.0) / c->gradient) < 0.02 * c->speed)) return WF_OK;
+        if (s || at->status) return s;
+        double excess = 1.0 / (search->stem ? at->breakage.stem_safety : at->breakage.least_safety) - 1.0;
+        double step = excess / c->gradient;
+        if (fabs(excess) <= near || k == 4 || !(fabs(step) < 0.02 * c->speed)) return WF_OK;
         c->speed -= step;
     }
-    return WF_OK;
 }
 
-static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solve_options *o,
-                                    struct wf_err *e)
+/* Has any row a strength, on the stem (level 0) or on the branches? */
+static bool strong(const struct wf_tree *t, bool stem)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (t->strength[i] > 0.0 && (t->level[i] == 0) == stem) return true;
+    return false;
+}
+
+static enum wf_status find_break(const struct wf_analysis *an, const struct wf_solve_options *o, bool stem,
+                                 struct wf_break *out, struct wf_err *e)
 {
     struct wf_solve_options quick = *o;
     if (o->mesh_tolerance > 0.0) quick.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4);
-    struct search search = { an, &quick };
-    struct wf_critical *c = &an->critical;
+    struct search search = { an, &quick, stem };
+    struct wf_critical *c = &out->critical;
     struct wf_at_speed at;
-    bool strength = false;
-    an->critical_at = (struct wf_at_speed){ .speed = NAN };
-    an->critical_row = -1;
-    an->critical_height = NAN;
-    for (size_t i = 0; i < an->tree.n; i++) strength = strength || an->tree.strength[i] > 0.0;
-    if (!strength) {
+    *out = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
+    if (!strong(&an->tree, true) && (stem || !strong(&an->tree, false))) {
         *c = (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
         return WF_OK;
     }
-    enum wf_status s = wf_critical_search(utilisation, &search, an->scenario.speed_max, 1e-6, c, e);
+    enum wf_status s = wf_critical_search(utilisation, &search, an->scenario.speed_max, 1e-4, c, e);
     if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
     search.o = o;
-    if (c->outcome == WF_CRITICAL_FOUND && (s = polish(&search, c, e))) return s;
-    s = wf_speed_totals(an, o, c->outcome == WF_CRITICAL_FOUND ? c->speed : 0.0, &at, e);
-    if (s || at.status || at.breakage.governing < 0) return s;
-    if (c->outcome == WF_CRITICAL_FOUND) an->critical_at = at;
-    size_t row = (size_t)at.breakage.governing;
-    an->critical_row = at.breakage.governing;
-    an->critical_height = an->tree.z0[row] + at.breakage.governing_s * (an->tree.z1[row] - an->tree.z0[row]);
+    s = c->outcome == WF_CRITICAL_FOUND ? polish(&search, c, &at, e) : wf_speed_totals(an, o, 0.0, &at, e);
+    int32_t row = stem ? at.breakage.stem_governing : at.breakage.governing;
+    double place = stem ? at.breakage.stem_governing_s : at.breakage.governing_s;
+    if (s || at.status || row < 0) return s;
+    if (c->outcome == WF_CRITICAL_FOUND) out->at = at;
+    out->row = row;
+    out->height = an->tree.z0[row] + place * (an->tree.z1[row] - an->tree.z0[row]);
     return WF_OK;
+}
+
+/* What breaks first; and, where that is a branch, the stem. */
+static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solve_options *o,
+                                    struct wf_err *e)
+{
+    enum wf_status s = find_break(an, o, false, &an->breaks, e);
+    if (s) return s;
+    an->stem = an->breaks;
+    return strong(&an->tree, false) ? find_break(an, o, true, &an->stem, e) : WF_OK;
 }
 
 /* Speeds from 0 past the asked and the critical ones, at a step a reader can name; a quarter of it for the
@@ -119,8 +137,8 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     double top = 1.0, step = 0.0;
     if (o->mesh_tolerance > 0.0) curve.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4); /* no line is finer */
     for (size_t k = 0; k < an->n; k++) top = fmax(top, an->at[k].speed);
-    if (an->critical.outcome == WF_CRITICAL_FOUND)
-        top = fmax(top, fmin(1.1 * an->critical.speed, an->scenario.speed_max));
+    if (an->breaks.critical.outcome == WF_CRITICAL_FOUND)
+        top = fmax(top, fmin(1.1 * an->breaks.critical.speed, an->scenario.speed_max));
     for (size_t k = 0; k < sizeof steps / sizeof *steps; k++)
         if ((step = steps[k]) * STEPS >= top) break;
     an->sweep_n = (size_t)ceil(top / step - 1e-9) + 3 * QUARTERED + 1;

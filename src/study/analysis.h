@@ -23,7 +23,7 @@ struct wf_scenario {
     double temperature, altitude;      /* [K], [m] */
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
-    double speed_max; /* the critical wind speed is searched for up to here [m/s] */
+    double speed_max;    /* the critical wind speed is searched for up to here [m/s] */
     const char *shelter; /* row of wf_shelter_laws: the tree shelters itself; NULL: it does not */
 };
 /* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2, search up to 100 m/s. */
@@ -50,6 +50,14 @@ struct wf_at_speed {
     double base_shear, base_moment; /* [N], [N m] */
 };
 
+/* When and where a tree, or its stem alone, breaks. */
+struct wf_break {
+    struct wf_critical critical;
+    struct wf_at_speed at; /* totals at the critical speed; speed NAN where there is none */
+    int32_t row;           /* governing section at the critical speed, -1 none            */
+    double height;         /* its height above ground on the unbent tree [m]              */
+};
+
 struct wf_analysis {
     const struct wf_species *species;
     const struct wf_model *model;
@@ -62,16 +70,14 @@ struct wf_analysis {
     struct wf_at_speed *at; /* the speeds asked for                            */
     size_t sweep_n;
     struct wf_at_speed *sweep; /* rising from 0, closer at first, for curves (totals only) */
-    struct wf_critical critical;
-    struct wf_at_speed critical_at; /* totals at the critical speed; speed NAN where there is none */
-    int32_t critical_row;           /* governing section at the critical speed, -1 none */
-    double critical_height; /* its height above ground on the unbent tree [m]   */
-    double tallness;        /* height [m] */
-    struct wf_diag *diag;   /* validity warnings                               */
+    struct wf_break breaks;    /* of the part that breaks first                             */
+    struct wf_break stem;      /* of the stem, level 0, alone; the same where there are no branches */
+    double tallness;           /* height [m] */
+    struct wf_diag *diag;      /* validity warnings                               */
 };
 
-/* The tree, the wind field and what acts: everything but the answers. Given: *an with species, model, scenario and
- * solver. Returned: tree, tallness, wind (at speed 0) and loads of *an. */
+/* The tree, the wind field and what acts: everything but the answers. Given: *an with species, model,
+ * scenario and solver. Returned: tree, tallness, wind (at speed 0) and loads of *an. */
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_err *e);
 

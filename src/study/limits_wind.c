@@ -31,10 +31,10 @@ static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_streamlining *law = &an->species->streamlining;
     double least = INFINITY, largest = 0.0, low, high;
-    bool critical = an->critical.outcome == WF_CRITICAL_FOUND;
+    bool critical = an->breaks.critical.outcome == WF_CRITICAL_FOUND;
     if (!law->law || strcmp(law->law, "none") == 0 || !(law->speed_high > 0.0)) return;
     for (size_t k = 0; k < an->n + critical; k++) {
-        double speed = k < an->n ? an->at[k].speed : an->critical.speed;
+        double speed = k < an->n ? an->at[k].speed : an->breaks.critical.speed;
         if (!crown_wind(an, speed, &low, &high)) continue;
         least = fmin(least, low);
         largest = fmax(largest, high);

@@ -37,8 +37,8 @@ static void totals_unknown(struct wf_at_speed *out)
 {
     out->drag = out->lift = out->weight = out->tip_deflection = out->tip_deflection_share = NAN;
     out->tip_angle = out->base_shear = out->base_moment = NAN;
-    out->breakage.least_safety = out->breakage.largest_stress = NAN;
-    out->breakage.governing = out->breakage.largest_stress_row = -1;
+    out->breakage.least_safety = out->breakage.stem_safety = out->breakage.largest_stress = NAN;
+    out->breakage.governing = out->breakage.stem_governing = out->breakage.largest_stress_row = -1;
 }
 
 /* The tree in the wind it leaves itself; a coarser grid than for maps, because it is made for every shape. */
@@ -114,6 +114,9 @@ enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_sol
     kept.breakage = (struct wf_breakage){ .least_safety = out->breakage.least_safety,
                                           .governing = out->breakage.governing,
                                           .governing_s = out->breakage.governing_s,
+                                          .stem_safety = out->breakage.stem_safety,
+                                          .stem_governing = out->breakage.stem_governing,
+                                          .stem_governing_s = out->breakage.stem_governing_s,
                                           .largest_stress = out->breakage.largest_stress,
                                           .largest_stress_row = out->breakage.largest_stress_row };
     kept.figures = (struct wf_figures){ 0 };
