@@ -60,15 +60,15 @@ do for [k=1:P_ROWS] {
 }
 y = top - LINE*(P_ROWS + 1)
 set label 200 'level' at left, y font ',9' textcolor rgb '#606060'
-set label 201 'axes' at left + 104, y right font ',9' textcolor rgb '#606060'
-set label 202 'length [m]' at left + 184, y right font ',9' textcolor rgb '#606060'
+set label 201 'axes' at left + 116, y right font ',9' textcolor rgb '#606060'
+set label 202 'length [m]' at left + 186, y right font ',9' textcolor rgb '#606060'
 set label 203 '⌀ [mm]' at left + 236, y right font ',9' textcolor rgb '#606060'
 do for [l=1:LEVELS] {
     y = top - LINE*(P_ROWS + 1 + l)
-    set label 300 + l LEVEL[l] at left, y font ',9' textcolor rgb colour(l)
-    set label 400 + l L_COUNT[l] at left + 104, y right font ',9'
-    set label 500 + l L_LENGTH[l] at left + 184, y right font ',9'
-    set label 600 + l L_DIAMETER[l] at left + 236, y right font ',9'
+    set label 300 + l LEVEL[l] at left, y font ',7.5' textcolor rgb colour(l)
+    set label 400 + l L_COUNT[l] at left + 116, y right font ',7.5'
+    set label 500 + l L_LENGTH[l] at left + 186, y right font ',7.5'
+    set label 600 + l L_DIAMETER[l] at left + 236, y right font ',7.5'
 }
 plot -1
 unset multiplot
