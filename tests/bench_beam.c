@@ -63,11 +63,8 @@ static void iterate(struct wf_beam *b)
     for (size_t i = 0; i < b->mesh.n; i++) {
         const struct wf_beam_part *p = &b->mesh.part[i];
         struct wf_beam_pose ground;
-        const double *L = ground.L, *below = b->root_change[p->row];
-        if (p->parent >= 0)
-            L = b->pose[p->parent].L, below = b->change[p->parent];
-        else
-            wf_beam_ground(b, i, &ground);
+        const double *L = wf_beam_base(b, i, &ground)->L;
+        const double *below = p->parent >= 0 ? b->change[p->parent] : b->root_change[p->row];
         wf_beam_correct(&b->shape[i], L, &b->answer[i], &b->node[i], below, b->dv[i], b->change[i]);
     }
     for (size_t i = 0; i < b->mesh.n; i++)

@@ -27,8 +27,7 @@ static double miss(struct wf_beam *b, double size, uint64_t seed)
     for (size_t i = 0; i < n; i++) {
         const struct wf_beam_part *p = &b->mesh.part[i];
         struct wf_beam_pose ground;
-        wf_beam_ground(b, i, &ground);
-        const double *base_L = p->parent >= 0 ? b->pose[p->parent].L : ground.L, *from = b->root_change[0];
+        const double *base_L = wf_beam_base(b, i, &ground)->L, *from = b->root_change[0];
         if (p->parent >= 0) from = change[p->parent];
         double dv[2][3];
         wf_beam_correct(&b->shape[i], base_L, &b->answer[i], &b->node[i], from, dv, change[i]);

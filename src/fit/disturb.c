@@ -1,6 +1,7 @@
 /* What a change of a parameter disturbs in a solved tree, element by element, at a fixed shape. */
 #include "fit/predict_parts.h"
 #include "solve/beam_small.h"
+#include "solve/gauss.h"
 #include "solve/vec.h"
 
 bool wf_disturbs(const struct wf_fit_param *p, size_t tree)
@@ -42,10 +43,9 @@ static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_
     const struct wf_beam_part *part = &b->mesh.part[i];
     const struct wf_tree *t = b->mesh.tree;
     size_t row = (size_t)part->row;
-    static const double gauss2[2] = { 0.21132486540518711775, 0.78867513459481288225 };
     for (int j = 0; j < 2; j++) {
-        double side[2][3], outer = t->r0[row] + (t->r1[row] - t->r0[row]) * gauss2[j],
-                           inner = t->i0[row] + (t->i1[row] - t->i0[row]) * gauss2[j];
+        double side[2][3], outer = t->r0[row] + (t->r1[row] - t->r0[row]) * gauss_place[j],
+                           inner = t->i0[row] + (t->i1[row] - t->i0[row]) * gauss_place[j];
         double wood = t->density[row] * M_PI * (outer * outer - inner * inner);
         for (int k = 0; k < 2; k++) {
             double up = k ? step : -step, factor = exp(up);

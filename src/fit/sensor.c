@@ -14,10 +14,8 @@ static void place_of(const struct wf_beam *b, int32_t row, struct place *p)
     size_t i = row < 0 ? 0 : (size_t)row;
     wf_row_axis(t, i, row < 0 ? 0 : 1, p->at, p->axis);
     p->radius = row < 0 ? t->r0[i] : t->r1[i];
-    if (row < 0)
-        wf_beam_ground(b, 0, &p->pose);
-    else
-        p->pose = b->pose[b->mesh.last[i]];
+    struct wf_beam_pose ground;
+    p->pose = row < 0 ? *wf_beam_base(b, 0, &ground) : b->pose[b->mesh.last[i]];
 }
 
 /* Change (place, spin) of a place. */

@@ -97,7 +97,7 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
            *bear = WF_TAKE(work, t->n, double);
     if (!pieces || !reach || !share || !before || !load || !bear)
         return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
-    int32_t start = o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
+    int32_t start = wf_beam_first_pieces(t, o);
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
 
     enum wf_status status = wf_beam_init(b, t, l, o, pieces, work, e);

@@ -1,10 +1,9 @@
 #include "solve/beam_mesh.h"
+#include "solve/gauss.h"
 #include "solve/vec.h"
 #include <math.h>
 
 #define PI 3.14159265358979323846
-/* two-point Gauss-Legendre abscissae on 0..1 */
-static const double gauss2[2] = { 0.21132486540518711775, 0.78867513459481288225 };
 /* eight-point Gauss-Legendre rule on 0..1, exact to degree 15 */
 static const double gauss8[8] = { 0.01985507175123188416, 0.10166676129318663020, 0.23723379504183550709,
                                   0.40828267875217509753, 0.59171732124782490247, 0.76276620495816449291,
@@ -42,6 +41,11 @@ void wf_row_axis(const struct wf_tree *t, size_t i, double s, double position[3]
     for (int k = 0; k < 3; k++) position[k] = base[k] + share * position[k];
 }
 
+int32_t wf_beam_first_pieces(const struct wf_tree *t, const struct wf_solve_options *o)
+{
+    return o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
+}
+
 struct section {
     double ei, gj, ea, ga;
 };
@@ -71,7 +75,7 @@ static void two_moments(const double *c8, double out[2])
 {
     double i0 = 0, i1 = 0;
     for (int k = 0; k < 8; k++) i0 += weight8[k] * c8[k], i1 += weight8[k] * gauss8[k] * c8[k];
-    out[1] = 2 * (i1 - gauss2[0] * i0) / (gauss2[1] - gauss2[0]);
+    out[1] = 2 * (i1 - gauss_place[0] * i0) / (gauss_place[1] - gauss_place[0]);
     out[0] = 2 * i0 - out[1];
 }
 
@@ -87,7 +91,7 @@ static void stiffen(const struct wf_tree *t, size_t i, double s0, double s1, con
     bool extreme =
         !(c[0] > 0 && c[1] > 0); /* a piece running out to a point: plain values, refined by pieces */
     for (int j = 0; j < 2; j++) {
-        struct section s = section_at(t, i, between(s0, s1, gauss2[j]), o->shear_factor);
+        struct section s = section_at(t, i, between(s0, s1, gauss_place[j]), o->shear_factor);
         p->ei[j] = extreme ? s.ei : 1 / c[j];
         p->gj[j] = s.gj, p->ca[j] = 1 / s.ea, p->cs[j] = 1 / s.ga;
     }
@@ -155,7 +159,7 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
             p->parent = k ? at - 1 : t->parent[i] < 0 ? -1 : m->last[t->parent[i]];
             p->h = wf_tree_length(t, i) / cut;
             stiffen(t, i, s0, s1, o, p);
-            for (int j = 0; j < 2; j++) describe(t, l, i, between(s0, s1, gauss2[j]), p, j);
+            for (int j = 0; j < 2; j++) describe(t, l, i, between(s0, s1, gauss_place[j]), p, j);
         }
         m->last[i] = at - 1;
         if (t->mass1) m->mass1[at - 1] = t->mass1[i];

@@ -39,6 +39,10 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *tree, const struct wf_lo
                                   const struct wf_solve_options *options, const int32_t *pieces,
                                   struct wf_arena *arena, struct wf_beam_mesh *out, struct wf_err *e);
 
+/* Pieces each row starts with where a mesh tolerance is asked for: a tree of few rows has at least 24
+ * elements. */
+int32_t wf_beam_first_pieces(const struct wf_tree *tree, const struct wf_solve_options *options);
+
 /* Reference position, tangent of the row's axis at arc fraction s (0..1) of row i. */
 void wf_row_axis(const struct wf_tree *tree, size_t i, double s, double position[3], double tangent[3]);
 #endif

@@ -55,12 +55,8 @@ static double corrections(struct wf_beam *b)
     for (size_t i = 0; i < b->mesh.n; i++) {
         const struct wf_beam_part *p = &b->mesh.part[i];
         struct wf_beam_pose ground;
-        const struct wf_beam_pose *base = &ground;
-        const double *below;
-        if (p->parent >= 0)
-            base = &b->pose[p->parent], below = b->change[p->parent];
-        else
-            wf_beam_ground(b, i, &ground), below = b->root_change[p->row];
+        const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
+        const double *below = p->parent >= 0 ? b->change[p->parent] : b->root_change[p->row];
         wf_beam_correct(&b->shape[i], base->L, &b->answer[i], &b->node[i], below, b->dv[i], b->change[i]);
         shorten(base, &b->pose[i], below, b->dv[i], b->change[i]);
         most = fmax(most, wf_dot(b->change[i] + 3, b->change[i] + 3));

@@ -58,6 +58,7 @@ struct wf_beam_outcome {
 enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
                               struct wf_err *e);
 
-/* Rotation of the ground plate under root element `e` (identity when clamped) and its place. */
-void wf_beam_ground(const struct wf_beam *b, size_t element, struct wf_beam_pose *pose);
+/* Where element i starts: the end of the element below, or the ground plate under a root (written to
+ * *ground). The answer points to one of the two. */
+const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struct wf_beam_pose *ground);
 #endif

@@ -6,16 +6,10 @@ static void seen_from_base(const struct wf_beam *b, size_t i, double place[3], d
 {
     size_t from = (size_t)b->mesh.first[i];
     struct wf_beam_pose ground;
-    const struct wf_beam_pose *base = &ground, *end = &b->pose[b->mesh.last[i]];
-    if (b->mesh.part[from].parent >= 0)
-        base = &b->pose[b->mesh.part[from].parent];
-    else
-        wf_beam_ground(b, from, &ground);
+    const struct wf_beam_pose *base = wf_beam_base(b, from, &ground), *end = &b->pose[b->mesh.last[i]];
     double d[3] = { end->r[0] - base->r[0], end->r[1] - base->r[1], end->r[2] - base->r[2] };
-    const double *B = base->L;
-    double T[9] = { B[0], B[3], B[6], B[1], B[4], B[7], B[2], B[5], B[8] };
-    m3_apply(T, d, place);
-    m3_mul(T, end->L, L);
+    m3_apply_transposed(base->L, d, place);
+    m3_mul_transposed(base->L, end->L, L);
 }
 
 void wf_tree_reach(const struct wf_tree *t, double *reach)
@@ -34,15 +28,13 @@ double wf_beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fi
     const struct wf_tree *t = fine->mesh.tree;
     double worst = 0;
     for (size_t i = 0; i < t->n; i++) {
-        double a[3], b[3], A[9], B[9], AT[9], R[9], turn[3];
+        double a[3], b[3], A[9], B[9], R[9], turn[3];
         double kc = coarse->mesh.last[i] - coarse->mesh.first[i] + 1,
                kf = fine->mesh.last[i] - fine->mesh.first[i] + 1;
         double fall = pow(kf / kc, 4) - 1; /* error(coarse) = error(fine) (kf/kc)^4 */
         seen_from_base(coarse, i, a, A);
         seen_from_base(fine, i, b, B);
-        for (int r = 0; r < 3; r++)
-            for (int c = 0; c < 3; c++) AT[3 * r + c] = A[3 * c + r];
-        m3_mul(AT, B, R);
+        m3_mul_transposed(A, B, R);
         rotation_vector(R, turn);
         v3_add(a, -1, b);
         share[i] = fall > 0 ? (sqrt(wf_dot(a, a)) + reach[i] * sqrt(wf_dot(turn, turn))) / fall : 0;

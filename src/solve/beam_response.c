@@ -1,16 +1,6 @@
 #include "solve/beam_response.h"
+#include "solve/gauss.h"
 #include "solve/vec.h"
-
-static const double gauss2[2] = { 0.21132486540518711775, 0.78867513459481288225 };
-
-static struct wf_beam_pose base_pose(const struct wf_beam *b, size_t i)
-{
-    struct wf_beam_pose ground;
-    int32_t below = b->mesh.part[i].parent;
-    if (below >= 0) return b->pose[below];
-    wf_beam_ground(b, i, &ground);
-    return ground;
-}
 
 /* Force and moment at an element's base, load on it and the load's moment about `first`. */
 static void bear(const struct wf_beam *b, size_t i, const double first[3], struct wf_beam_wrench *base,
@@ -65,7 +55,8 @@ static void read_row(const struct wf_beam *b, size_t i, const double first[3], s
 {
     const struct wf_tree *t = b->mesh.tree;
     size_t from = (size_t)b->mesh.first[i], to = (size_t)b->mesh.last[i];
-    struct wf_beam_pose base = base_pose(b, from);
+    struct wf_beam_pose ground;
+    const struct wf_beam_pose *base = wf_beam_base(b, from, &ground);
     const struct wf_beam_pose *end = &b->pose[to];
     double at[3], axis[3], load[3] = { 0, 0, 0 };
     const double tip[3] = { t->x1[i], t->y1[i], t->z1[i] };
@@ -77,7 +68,7 @@ static void read_row(const struct wf_beam *b, size_t i, const double first[3], s
     }
     v3_add(force, 1, load);
     wf_row_axis(t, i, 0, at, axis);
-    m3_apply(base.L, axis, r->tangent0 + 3 * i);
+    m3_apply(base->L, axis, r->tangent0 + 3 * i);
     wf_row_axis(t, i, 1, at, axis);
     m3_apply(end->L, axis, r->tangent1 + 3 * i);
     rotation_vector(end->L, r->turn + 3 * i);
@@ -111,12 +102,12 @@ void wf_beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L
     double x = s * cut - k, v[3], R[9];
     const struct wf_beam_shape *u = &b->shape[from + k];
     /* the quadratic through 0 at the base and the two Gauss points */
-    double a = x * (x - gauss2[1]) / (gauss2[0] * (gauss2[0] - gauss2[1]));
-    double c = x * (x - gauss2[0]) / (gauss2[1] * (gauss2[1] - gauss2[0]));
+    double a = x * (x - gauss_place[1]) / (gauss_place[0] * (gauss_place[0] - gauss_place[1]));
+    double c = x * (x - gauss_place[0]) / (gauss_place[1] * (gauss_place[1] - gauss_place[0]));
     for (int i = 0; i < 3; i++) v[i] = a * u->v[0][i] + c * u->v[1][i];
-    struct wf_beam_pose base = base_pose(b, (size_t)(from + k));
+    struct wf_beam_pose ground;
     rotation_matrix(v, R);
-    m3_mul(base.L, R, L);
+    m3_mul(wf_beam_base(b, (size_t)(from + k), &ground)->L, R, L);
 }
 
 void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
@@ -128,10 +119,8 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
             double base[9], at[9], R[9];
             wf_beam_rotation_at(coarse, i, (double)k / cut, base);
             for (int j = 0; j < 2; j++) {
-                wf_beam_rotation_at(coarse, i, (k + gauss2[j]) / cut, at);
-                double T[9] = { base[0], base[3], base[6], base[1], base[4],
-                                base[7], base[2], base[5], base[8] };
-                m3_mul(T, at, R);
+                wf_beam_rotation_at(coarse, i, (k + gauss_place[j]) / cut, at);
+                m3_mul_transposed(base, at, R);
                 rotation_vector(R, fine->shape[from + k].v[j]);
             }
         }

@@ -21,12 +21,8 @@ void wf_beam_law_moment(const struct wf_beam *b, size_t i, double moment[2][3])
 {
     const struct wf_beam_part *p = &b->mesh.part[i];
     struct wf_beam_pose ground;
-    const struct wf_beam_pose *base = &ground;
+    const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
     double k[2][3], bent[3];
-    if (p->parent >= 0)
-        base = &b->pose[p->parent];
-    else
-        wf_beam_ground(b, i, &ground);
     wf_beam_curvature(p, &b->shape[i], k);
     for (int j = 0; j < 2; j++) {
         m3_apply(base->L, k[j], bent);

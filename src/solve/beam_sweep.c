@@ -3,19 +3,13 @@
 #include "solve/vec.h"
 #include <float.h>
 
-void wf_beam_ground(const struct wf_beam *b, size_t element, struct wf_beam_pose *pose)
+const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struct wf_beam_pose *ground)
 {
     const struct wf_tree *t = b->mesh.tree;
-    size_t row = (size_t)b->mesh.part[element].row;
-    pose->r[0] = t->x0[row], pose->r[1] = t->y0[row], pose->r[2] = t->z0[row];
-    rotation_matrix(b->tilt[row], pose->L);
-}
-
-static const struct wf_beam_pose *base_of(const struct wf_beam *b, size_t i, struct wf_beam_pose *ground)
-{
-    int32_t below = b->mesh.part[i].parent;
-    if (below >= 0) return &b->pose[below];
-    wf_beam_ground(b, i, ground);
+    const struct wf_beam_part *p = &b->mesh.part[i];
+    if (p->parent >= 0) return &b->pose[p->parent];
+    ground->r[0] = t->x0[p->row], ground->r[1] = t->y0[p->row], ground->r[2] = t->z0[p->row];
+    rotation_matrix(b->tilt[p->row], ground->L);
     return ground;
 }
 
@@ -23,7 +17,7 @@ void wf_beam_sweep_up(struct wf_beam *b)
 {
     struct wf_beam_pose ground;
     for (size_t i = 0; i < b->mesh.n; i++)
-        wf_beam_place(&b->mesh.part[i], &b->shape[i], base_of(b, i, &ground), &b->stage[i], &b->pose[i]);
+        wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i], &b->pose[i]);
 }
 
 /* Loads that act at element ends: point masses, dead and follower forces and moments. */
@@ -124,11 +118,10 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stabil
     b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     load_nodes(b);
     if (eliminate) react_nodes(b);
-    wf_beam_ground(b, 0, &ground);
-    memcpy(first, ground.r, sizeof first);
+    memcpy(first, wf_beam_base(b, 0, &ground)->r, sizeof first);
     for (size_t i = b->mesh.n; i-- > 0;) {
         const struct wf_beam_part *p = &b->mesh.part[i];
-        const struct wf_beam_pose *base = base_of(b, i, &ground);
+        const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
         struct wf_beam_creep creep = { b->creep, b->creep > 0 ? (const double(*)[3])b->k0[i] : still };
         struct wf_line_load load[2];
         struct wf_beam_wrench at[2], down;

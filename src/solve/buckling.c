@@ -40,7 +40,7 @@ enum wf_status wf_buckling(const struct wf_tree *t, const struct wf_loads *l,
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
     weight.wind = NULL, weight.points = 0, weight.line = NULL;
-    int32_t start = o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
+    int32_t start = wf_beam_first_pieces(t, o);
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
     double before = NAN;
     for (int mesh = 0; mesh < MESHES; mesh++) {

@@ -109,7 +109,7 @@ enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
     double *before = WF_TAKE(a, count, double);
     if (!pieces || !before) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
-    int32_t start = o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
+    int32_t start = wf_beam_first_pieces(t, o);
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
     for (int mesh = 0; mesh < MESHES && !status; mesh++) {
         status = wf_beam_init(&b, t, l, o, pieces, &work, e);

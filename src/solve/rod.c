@@ -1,6 +1,7 @@
 #include "solve/rod.h"
 #include "solve/beam.h"
 #include "solve/beam_mesh.h"
+#include "solve/gauss.h"
 #include "solve/rod_shoot.h"
 #include <gsl/gsl_errno.h>
 
@@ -25,7 +26,6 @@ static enum wf_status beam_of(const struct wf_rod *r, const struct wf_solve_opti
  * end is handed to the beam engine, which counts the directions in which the tree would fall. */
 static bool stands(const struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a)
 {
-    static const double gauss[2] = { 0.21132486540518711775, 0.78867513459481288225 };
     struct wf_beam b;
     struct wf_err e = { 0 };
     double widest = 0;
@@ -44,7 +44,7 @@ static bool stands(const struct wf_rod *r, const struct wf_solve_options *o, str
         wf_rod_turn(back, k, base);
         for (int j = 0; j < 2; j++)
             for (int x = 0; x < 3; x++)
-                b.shape[i].v[j][x] = gauss[j] * (base[x] + gauss[j] * (v[x] - base[x]));
+                b.shape[i].v[j][x] = gauss_place[j] * (base[x] + gauss_place[j] * (v[x] - base[x]));
         widest = fmax(widest, wf_dot(v, v));
         if (p->parent < 0) memcpy(b.tilt[p->row], r->node[i].tilt, sizeof b.tilt[p->row]);
     }
@@ -100,20 +100,16 @@ static enum wf_status start_from_beam(struct wf_rod *r, const struct wf_solve_op
     enum wf_status status = beam_of(r, o, a, &b, e);
     if (!status) status = wf_beam_settle(&b, a, out, e);
     for (size_t i = 0; !status && i < r->n; i++) {
-        int32_t below = r->piece[i].parent;
-        struct wf_beam_pose base;
+        struct wf_beam_pose ground;
+        const struct wf_beam_pose *base = wf_beam_base(&b, i, &ground);
         struct wf_beam_wrench at[2], root;
         struct wf_line_load load[2];
         double v[3];
-        if (below >= 0)
-            base = b.pose[below];
-        else
-            wf_beam_ground(&b, i, &base);
         wf_beam_load(&b.mesh.part[i], &b.loads, &b.stage[i], load);
         wf_beam_balance(b.mesh.part[i].h, &b.stage[i], load, &b.wrench[i], at, &root);
-        rotation_vector(base.L, v);
+        rotation_vector(base->L, v);
         wf_rod_quaternion(v, r->node[i].pose.q);
-        memcpy(r->node[i].pose.r, base.r, sizeof base.r);
+        memcpy(r->node[i].pose.r, base->r, sizeof base->r);
         memcpy(r->node[i].wrench.n, root.n, sizeof root.n);
         memcpy(r->node[i].wrench.m, root.m, sizeof root.m);
         memcpy(r->node[i].tilt, b.tilt[r->piece[i].row], sizeof r->node[i].tilt);

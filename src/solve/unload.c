@@ -103,11 +103,8 @@ static double correct(const struct wf_tree *scan, const struct wf_beam *b, struc
     for (size_t i = 0; i < scan->n; i++) {
         double want[3], have[3], own[3], chord[3];
         struct wf_beam_pose ground;
-        const struct wf_beam_pose *base = &ground, *end = &b->pose[b->mesh.last[i]];
-        if (scan->parent[i] >= 0)
-            base = &b->pose[b->mesh.last[scan->parent[i]]];
-        else
-            wf_beam_ground(b, (size_t)b->mesh.first[i], &ground);
+        const struct wf_beam_pose *base = wf_beam_base(b, (size_t)b->mesh.first[i], &ground);
+        const struct wf_beam_pose *end = &b->pose[b->mesh.last[i]];
         const double miss[3] = { scan->x1[i] - end->r[0], scan->y1[i] - end->r[1], scan->z1[i] - end->r[2] };
         worst = fmax(worst, sqrt(wf_dot(miss, miss)));
         chord_of(scan, i, want);

@@ -39,6 +39,13 @@ static inline void m3_mul(const double A[9], const double B[9], double C[9])
             C[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
 }
 
+/* C = A' B; C is neither A nor B */
+static inline void m3_mul_transposed(const double A[9], const double B[9], double C[9])
+{
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) C[3 * i + j] = A[i] * B[j] + A[3 + i] * B[3 + j] + A[6 + i] * B[6 + j];
+}
+
 /* A += s B */
 static inline void m3_add(double A[9], double s, const double B[9])
 {
