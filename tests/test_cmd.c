@@ -127,6 +127,55 @@ static void test_wind(void **state)
     CHECK(rows);
 }
 
+/* Options from a file: what is typed comes first, mistakes know their line, other commands' keys are named.
+ */
+static void test_study(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W compare models/studies/bamboo_and_willow.yaml --no-report -o $T/out",
+          CODE_OK,
+          { "Moso bamboo", "Weeping willow", "        25 ",
+            "not used by 'compare': gust, intensity, duration, step" } },
+        { "$W compare --study models/studies/bamboo_and_willow.yaml --wind 7 --no-report -o $T/out "
+          "&& grep -c '\"role\": \"study\"' $T/out/results.json",
+          CODE_OK,
+          { "         7 ", "\n1\n" } },
+        { "$W analyze oak --study models/studies/bamboo_and_willow.yaml --no-report -q -o $T/out && "
+          "$W analyze oak $M --wind 10,15,25 --no-report -q -o $T/two && diff -r $T/out/tables $T/two/tables",
+          CODE_OK,
+          { "" } },
+        { "$W series oak --study models/studies/bamboo_and_willow.yaml --wind 8 --no-report --no-vtk -o "
+          "$T/out",
+          CODE_OK,
+          { "120        " } },
+        { "$W wind --study models/studies/bamboo_and_willow.yaml --wind 8 --no-plots -o $T/out",
+          CODE_OK,
+          { "von-karman", "120 steps of 0.5 s" } },
+        { "$W analyze models/studies/bamboo_and_willow.yaml",
+          CODE_INPUT,
+          { "'weeping_willow' is too many" } },
+        { "printf 'study: s\nmodel: culm\nwind: 300\nprofil: log\nsolver: bem\nno_report: maybe\n' > "
+          "$T/s.yaml\n"
+          "$W analyze oak --study $T/s.yaml",
+          CODE_INPUT,
+          { "s.yaml:3:7: error: wind: 300 is outside 0..200 m/s", "s.yaml:4:1: error: unknown key 'profil'",
+            "s.yaml:5:9: error: solver: 'bem' is none of", "s.yaml:6:12: error: no_report: 'maybe'" } },
+        { "printf 'study: s\nmodel: own.yaml\nwind: {a: 1}\n' > $T/s.yaml; cp models/culm.yaml $T/own.yaml\n"
+          "$W analyze oak --study $T/s.yaml --wind 5 --no-report -o $T/out && grep -c own.yaml "
+          "$T/out/results.json",
+          CODE_OK,
+          { "\n1\n" } },
+        { "$W analyze oak --study models/culm.yaml",
+          CODE_INPUT,
+          { "missing key 'study'", "unknown key 'stem'" } },
+        { "$W analyze oak --study nowhere.yaml", CODE_INPUT, { "nowhere.yaml" } },
+        { ": > $T/s.yaml; $W analyze oak --study $T/s.yaml", CODE_INPUT, { "the file is empty" } },
+        { "$W schema study", CODE_OK, { "root_stiffness", "analyze compare" } },
+    };
+    CHECK(rows);
+}
+
 /* Each spoils one thing of a good species table or model. Nothing may be written then. */
 static void test_bad_files(void **state)
 {
@@ -255,7 +304,7 @@ int main(void)
     if (!program) program = "build/windfirm";
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_usage),  cmocka_unit_test(test_wind),    cmocka_unit_test(test_bad_files),
-        cmocka_unit_test(test_output), cmocka_unit_test(test_library),
+        cmocka_unit_test(test_output), cmocka_unit_test(test_library), cmocka_unit_test(test_study),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

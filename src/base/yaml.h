@@ -19,9 +19,10 @@ enum wf_yaml_kind { /* what the row's member of the struct is:                  
                     WF_YAML_QUANTITY,   /* double, SI; NAN when the key is absent and has no preset   */
                     WF_YAML_INTEGER,    /* size_t    */
                     WF_YAML_QUANTITIES, /* double *, SI; how many: size_t at `count` */
-                    WF_YAML_TEXTS,      /* struct wf_yaml_pair *: a mapping of free names to texts; how many:
-                                           `count` */
-                    WF_YAML_TABLE,      /* a struct that `table` describes, in place      */
+                    WF_YAML_JOINED, /* const char *: a value, a list "a,b" or a mapping "k=v,k=v" of values */
+                    WF_YAML_TEXTS,  /* struct wf_yaml_pair *: a mapping of free names to texts; how many:
+                                       `count` */
+                    WF_YAML_TABLE,  /* a struct that `table` describes, in place      */
                     WF_YAML_LIST /* a pointer to structs that `table` describes; how many: `count`        */
 };
 

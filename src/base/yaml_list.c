@@ -90,6 +90,34 @@ void wf_yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml
     keep(r, out, pair, pair ? kept : 0);
 }
 
+/* Append one value, after a comma where it is not the first. */
+static const char *append(struct wf_yaml *y, const char *all, const char *key, const yaml_node_t *v)
+{
+    const char *text = wf_yaml_scalar(v);
+    if (!text) wf_yaml_at(y, v, "a single value is expected, not %s", wf_yaml_type(v));
+    if (!text || !all) return all;
+    all = wf_arena_print(y->arena, "%s%s%s%s%s", all, *all ? "," : "", key, *key ? "=" : "", text);
+    if (!all) y->no_memory = true;
+    return all;
+}
+
+void wf_yaml_joined(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, unsigned char *out)
+{
+    const char *all = "";
+    if (n->type == YAML_SEQUENCE_NODE)
+        for (yaml_node_item_t *i = n->data.sequence.items.start; i < n->data.sequence.items.top; i++)
+            all = append(y, all, "", wf_yaml_node(y, *i));
+    else if (n->type == YAML_MAPPING_NODE)
+        for (yaml_node_pair_t *q = n->data.mapping.pairs.start; q < n->data.mapping.pairs.top; q++) {
+            const char *key = wf_yaml_scalar(wf_yaml_node(y, q->key));
+            all = append(y, all, key ? key : "", wf_yaml_node(y, q->value));
+        }
+    else
+        all = append(y, all, "", n);
+    if (all && !*all) wf_yaml_at(y, n, "a value is expected, not %s", wf_yaml_type(n));
+    memcpy(out + r->offset, &all, sizeof all);
+}
+
 void wf_yaml_list(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, unsigned char *out)
 {
     size_t count = length_of(y, n, "mappings");

@@ -77,6 +77,9 @@ static void kind(const struct page *p, const struct wf_yaml_row *r, char *buf, s
     case WF_YAML_QUANTITIES:
         (void)snprintf(buf, size, "a list [..], each %s", within);
         break;
+    case WF_YAML_JOINED:
+        *buf = '\0'; /* any value: its doc says which */
+        break;
     case WF_YAML_TEXTS:
         (void)snprintf(buf, size, "a mapping of names to texts");
         break;
@@ -104,7 +107,7 @@ static void rows(struct page *p, const struct wf_yaml_table *t, const char *path
                        r->kind == WF_YAML_LIST ? "[]" : "");
         put(p, "  %s%s\n", full, r->required ? "  (required)" : "");
         wrap(p, r->doc, INDENT);
-        wrap(p, what, INDENT);
+        if (*what) wrap(p, what, INDENT);
         if (r->absent && !r->required)
             put(p, "%*sleft out: %s\n", INDENT, "", r->absent);
         else if (r->preset && !r->required)

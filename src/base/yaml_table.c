@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { ROWS_MAX = 64 };
+enum { ROWS_MAX = 160 };
 
 static const struct wf_yaml_row *row_of(const struct wf_yaml_table *t, const char *key)
 {
@@ -45,6 +45,8 @@ static void one(struct wf_yaml *y, const yaml_node_t *v, const struct wf_yaml_ro
         wf_yaml_texts(y, v, r, out);
     else if (r->kind == WF_YAML_QUANTITIES)
         wf_yaml_quantities(y, v, r, out);
+    else if (r->kind == WF_YAML_JOINED)
+        wf_yaml_joined(y, v, r, out);
     else if (text)
         wf_yaml_put(y, v, text, r, outer, out);
     else

@@ -1,5 +1,6 @@
 #include "cmd/args.h"
 #include "base/near.h"
+#include "base/yaml.h"
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -7,11 +8,14 @@
 void wf_args_mistake(struct wf_reading *r, const char *name, const char *fmt, ...)
 {
     va_list list;
-    fprintf(stderr, "windfirm %s: %s%s", r->command, name, *name ? ": " : "");
+    char text[2048];
     va_start(list, fmt);
-    vfprintf(stderr, fmt, list);
+    vsnprintf(text, sizeof text, fmt, list);
     va_end(list);
-    fputc('\n', stderr);
+    if (r->yaml)
+        wf_yaml_error(r->yaml, r->key, "%s", text);
+    else
+        fprintf(stderr, "windfirm %s: %s%s%s\n", r->command, name, *name ? ": " : "", text);
     r->mistakes++;
 }
 
@@ -102,6 +106,7 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
             out->operand[out->n++] = argv[i++];
         }
     }
+    wf_args_study(&r);
     operands_check(&r, low, high);
     for (size_t k = 0; k < r.options; k++)
         if (!out->given[k] && rows[k].initial) wf_args_value(&r, k, rows[k].initial);

@@ -59,10 +59,11 @@ static void choice(struct wf_reading *r, const struct wf_option *o, const char *
     for (size_t i = 0; i < n; i++)
         if (strcmp(text, word[i]) == 0) return;
     const char *near = wf_nearest(text, word, n);
-    fprintf(stderr, "windfirm %s: %s: '%.100s' is none of ", r->command, o->name, text);
-    for (size_t i = 0; i < n; i++) fprintf(stderr, "%s%s", i ? ", " : "", word[i]);
-    fprintf(stderr, "%s%s%s\n", near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
-    r->mistakes++;
+    char all[768] = "";
+    for (size_t i = 0, used = 0; i < n && used < sizeof all; i++)
+        used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", word[i]);
+    wf_args_mistake(r, o->name, "'%.100s' is none of %s%s%s%s", text, all, near ? "; did you mean '" : "",
+                    near ? near : "", near ? "'?" : "");
 }
 
 size_t wf_args_choices(const struct wf_option *o, const char *word[static WF_CHOICES_MAX], char *list,

@@ -53,7 +53,17 @@ struct wf_option {
     const char *help;
 };
 
-enum { WF_OPTIONS_MAX = 32 };
+/* Row of a command that takes a study file (cmd/args_study.c). */
+#define WF_STUDY_FILE_OPTION                                                                                 \
+    {                                                                                                        \
+        .name = "--study", .kind = WF_OPTION_TEXT, .value = "FILE",                                          \
+        .help =                                                                                              \
+            "options from a file, one key an option ('windfirm schema study'); what is typed comes first"    \
+    }
+extern const struct wf_option wf_explain_options[], wf_series_options[], wf_shelter_options[],
+    wf_study_options[], wf_wind_options[]; /* end at name == NULL */
+
+enum { WF_OPTIONS_MAX = 64 };
 struct wf_args {
     const struct wf_option *option;
     size_t n; /* operands */

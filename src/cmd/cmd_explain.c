@@ -7,7 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const struct wf_option options[] = {
+const struct wf_option wf_explain_options[] = {
+    WF_STUDY_FILE_OPTION,
     { .name = "--model",
       .letter = "-m",
       .kind = WF_OPTION_TEXT,
@@ -163,7 +164,7 @@ int wf_cmd_explain(int argc, char **argv)
     struct wf_arena arena = { 0 };
     struct wf_args g;
     struct wf_err e = { 0 };
-    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &g);
+    int code = wf_args_read(argc, argv, wf_explain_options, about, 1, 1, &arena, &g);
     if (code < 0 && !wf_args_text(&g, "--model")) {
         fprintf(stderr, "windfirm explain: --model is needed, for example --model models/culm.yaml\n");
         code = 2;

@@ -1,6 +1,7 @@
 #include "base/near.h"
 #include "base/yaml.h"
 #include "cmd/cmd.h"
+#include "cmd/study_file.h"
 #include "data/model_schema.h"
 #include "data/species_schema.h"
 #include "fit/study.h"
@@ -9,25 +10,28 @@
 
 int wf_cmd_schema(int argc, char **argv)
 {
-    static const char about[] = "  windfirm schema species\n  windfirm schema model\n  windfirm schema fit";
-    static const char *const word[] = { "species", "model", "fit" };
-    static const struct wf_yaml_table *const table[] = { &wf_species_table, &wf_model_table,
-                                                         &wf_fit_study_table };
+    static const char about[] = "  windfirm schema species\n  windfirm schema model\n  windfirm schema fit\n"
+                                "  windfirm schema study";
+    enum { WORDS = 4 };
+    static const char *const word[WORDS] = { "species", "model", "fit", "study" };
+    static const struct wf_yaml_table *const table[WORDS] = { &wf_species_table, &wf_model_table,
+                                                              &wf_fit_study_table, NULL };
     static const struct wf_option none[] = { { 0 } };
     struct wf_arena arena = { 0 };
     struct wf_args args;
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, none, about, 1, 1, &arena, &args);
     if (code < 0) {
-        const char *near = wf_nearest(args.operand[0], word, 3);
+        const char *near = wf_nearest(args.operand[0], word, WORDS);
         size_t k = 0;
-        while (k < 3 && strcmp(args.operand[0], word[k]) != 0) k++;
-        if (k == 3) {
-            fprintf(stderr, "windfirm schema: '%s' is neither species nor model nor fit%s%s%s\n",
+        while (k < WORDS && strcmp(args.operand[0], word[k]) != 0) k++;
+        if (k == WORDS) {
+            fprintf(stderr, "windfirm schema: '%s' is none of species, model, fit, study%s%s%s\n",
                     args.operand[0], near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
             code = 2;
         } else {
-            const char *text = wf_yaml_schema(table[k], &arena, &e);
+            const char *text =
+                table[k] ? wf_yaml_schema(table[k], &arena, &e) : wf_study_file_schema(&arena, &e);
             code = text ? (fputs(text, stdout), 0) : wf_complain(&e);
         }
     }

@@ -18,7 +18,8 @@ static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].na
         .low = l, .high = h, .help = text                                                                    \
     }
 
-static const struct wf_option options[] = {
+const struct wf_option wf_series_options[] = {
+    WF_STUDY_FILE_OPTION,
     { .name = "--model",
       .letter = "-m",
       .kind = WF_OPTION_TEXT,
@@ -66,7 +67,7 @@ int wf_cmd_series(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
     struct wf_args g;
-    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &g);
+    int code = wf_args_read(argc, argv, wf_series_options, about, 1, 1, &arena, &g);
     if (code < 0 && !wf_args_text(&g, "--model")) {
         fprintf(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
         code = 2;

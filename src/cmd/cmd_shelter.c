@@ -20,7 +20,8 @@ static const char *profile_word(size_t i) { return wf_profiles[i].name; }
         .unit = base, .low = least, .high = most, .help = text                                               \
     }
 
-static const struct wf_option options[] = {
+const struct wf_option wf_shelter_options[] = {
+    WF_STUDY_FILE_OPTION,
     { .name = "--model",
       .letter = "-m",
       .kind = WF_OPTION_TEXT,
@@ -200,7 +201,7 @@ int wf_cmd_shelter(int argc, char **argv)
     struct wf_arena arena = { 0 };
     struct work w = { 0 };
     struct wf_err e = { 0 };
-    int code = wf_args_read(argc, argv, options, about, 0, 0, &arena, &w.args);
+    int code = wf_args_read(argc, argv, wf_shelter_options, about, 0, 0, &arena, &w.args);
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
         enum wf_status s = run(&w, &arena, &d, &e);

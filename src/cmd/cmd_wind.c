@@ -13,7 +13,8 @@
 
 enum { POINTS_MAX = 200 };
 
-static const struct wf_option options[] = {
+const struct wf_option wf_wind_options[] = {
+    WF_STUDY_FILE_OPTION,
     { .name = "--wind",
       .letter = "-w",
       .kind = WF_OPTION_TEXT,
@@ -269,7 +270,7 @@ int wf_cmd_wind(int argc, char **argv)
     struct wf_args args;
     struct wf_err e = { 0 };
     struct wf_gust_spec spec;
-    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &args);
+    int code = wf_args_read(argc, argv, wf_wind_options, about, 1, 1, &arena, &args);
     if (code < 0 && strcmp(args.operand[0], "list") == 0) code = list();
     if (code < 0 && strcmp(args.operand[0], "rose") == 0) {
         struct wf_diag d = { .arena = &arena };

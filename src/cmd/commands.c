@@ -11,7 +11,8 @@ const struct wf_command wf_commands[] = {
       "Fit stiffness, root and other parameters to pull tests, wind and sway records, with intervals.",
       wf_cmd_fit },
     { "explain", "SPECIES --model MODEL [option...]",
-      "How far each method, as printed and corrected, is from beam theory, branch by branch.", wf_cmd_explain },
+      "How far each method, as printed and corrected, is from beam theory, branch by branch.",
+      wf_cmd_explain },
     { "import", "FILE... [-o FILE] [option...]",
       "Read measured trees from the files other programs write, repair them, write them in one form.",
       wf_cmd_import },
@@ -20,9 +21,9 @@ const struct wf_command wf_commands[] = {
       wf_cmd_papers },
     { "report", "FOLDER [option...]",
       "Draw plots and pages again from the results.json and tables of an earlier run.", wf_cmd_report },
-    { "schema", "species|model|fit",
-      "Every key of a species table, a tree model or a calibration study: dimension, range, default, "
-      "meaning.",
+    { "schema", "species|model|fit|study",
+      "Every key of a species table, a tree model, a calibration study or a file of options, with range and "
+      "default.",
       wf_cmd_schema },
     { "shelter", "--model MODEL | --tree FILE --species SPECIES [option...]",
       "The wind inside and behind a tree, and how its windward and leeward branches bend in it.",

@@ -8,8 +8,6 @@
 #include "study/preset.h"
 #include <stdio.h>
 
-extern const struct wf_option wf_study_options[]; /* ends at name == NULL */
-
 /* What the options ask for. */
 struct wf_study {
     struct wf_scenario scenario;

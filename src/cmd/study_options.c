@@ -9,6 +9,7 @@ static const char *profile_word(size_t i) { return wf_profiles[i].name; }
 static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 
 const struct wf_option wf_study_options[] = {
+    WF_STUDY_FILE_OPTION,
     WF_TREE_OPTIONS,
     { .name = "--wind",
       .letter = "-w",

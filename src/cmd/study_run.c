@@ -48,6 +48,8 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     if (worst)
         return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
                        d.errors == 1 ? "" : "s");
+    const char *study = wf_args_text(&w->args, "--study");
+    if (study && wf_input_file_note("study", study, &w->arena, &w->input[w->args.n + 1], e)) return e->code;
     return wf_input_file_note("model", model, &w->arena, &w->input[0], e);
 }
 
@@ -108,14 +110,14 @@ static enum wf_status run(struct work *w, int argc, char **argv, struct wf_err *
     size_t n = w->args.n;
     w->species = WF_TAKE(&w->arena, n, struct wf_species);
     w->analysis = WF_TAKE(&w->arena, n, struct wf_analysis);
-    w->input = WF_TAKE(&w->arena, n + 1, struct wf_input_file);
+    w->input = WF_TAKE(&w->arena, n + 2, struct wf_input_file);
     w->diag = WF_TAKE(&w->arena, n, struct wf_diag);
     struct wf_run run = { .command = typed(&w->arena, argc, argv),
                           .version = WF_VERSION,
                           .date = wf_run_date(&w->arena),
                           .n = n,
                           .analysis = w->analysis,
-                          .inputs = n + 1,
+                          .inputs = n + 1 + (wf_args_text(&w->args, "--study") != NULL),
                           .input = w->input };
     if (!w->species || !w->analysis || !w->input || !w->diag || !run.command || !run.date)
         return wf_fail(e, WF_ENOMEM, "no room for %zu species", n);

@@ -22,8 +22,7 @@ static void paragraph(FILE *to, const char *text, int left)
     fputc('\n', to);
 }
 
-/* Help, allowed values and default of an option as one paragraph. */
-static void option_text(const struct wf_option *o, FILE *to)
+void wf_option_text(const struct wf_option *o, FILE *to)
 {
     const char *unit = o->unit ? o->unit : "", *word[WF_CHOICES_MAX];
     char list[512];
@@ -44,7 +43,7 @@ static void option_print(FILE *to, const struct wf_option *o)
     char text[1024] = "";
     FILE *body = fmemopen(text, sizeof text, "w");
     if (!body) return;
-    option_text(o, body);
+    wf_option_text(o, body);
     fclose(body);
     int shown = fprintf(to, "  %s%s%s%s%s", o->letter ? o->letter : "", o->letter ? ", " : "", o->name,
                         o->value ? " " : "", o->value ? o->value : "");
