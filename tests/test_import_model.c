@@ -150,6 +150,12 @@ static void materials_follow_levels(void **state)
     sp.levels = 2;
     assert_int_equal(wf_clothe(&m.tree, &sp, &c, &t.arena, &t.err), WF_OK);
     assert_close(m.tree.youngs[branch], 7e9, 1e-15);
+    level[1].radius = (struct wf_value){ .high = 0.99 * m.tree.r0[branch], .given = true };
+    assert_int_equal(wf_clothe(&m.tree, &sp, &c, &t.arena, &t.err), WF_OK);
+    assert_close(m.tree.youngs[branch], 9e9, 1e-15); /* too thick for its order: wood of the level below */
+    level[1].radius.high = m.tree.r0[branch];
+    assert_int_equal(wf_clothe(&m.tree, &sp, &c, &t.arena, &t.err), WF_OK);
+    assert_close(m.tree.youngs[branch], 7e9, 1e-15);
     assert_close(m.tree.strength[0], 4e7, 1e-12);
     assert_close(m.tree.strength[branch], 0, 0);
     assert_true(isnan(m.tree.drag[0]));

@@ -145,6 +145,14 @@ const char *wf_model_level_name(const struct wf_model *m, const struct wf_specie
     return l < sp->levels ? sp->level[l].name : "branch";
 }
 
+const struct wf_level *wf_model_wood(const struct wf_model *m, const struct wf_species *sp,
+                                     const struct wf_tree *t, size_t i)
+{
+    return m->generator == WF_GENERATOR_MEASURED
+               ? wf_species_wood(sp, t->level[i], 0.5 * (t->r0[i] + t->r1[i]))
+               : wf_species_level(sp, t->level[i]);
+}
+
 double wf_model_taper(const struct wf_model *m, double s)
 {
     switch (m->taper) {

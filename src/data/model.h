@@ -23,11 +23,11 @@ struct wf_model {
     size_t seed;                 /* of all random spread                               */
     enum wf_season season;
     enum wf_standing_shape shape; /* what the model or the measurement shows */
-    double leaf_area_on; /* one-sided, with the leaves on [m2]                 */
-    double height;       /* stem height [m]                                    */
-    double lean;         /* from the vertical, towards lean_azimuth [rad]      */
-    double lean_azimuth; /* from +x towards +y [rad]                           */
-    double radius;       /* outer radius at the base [m]; NAN: the species' level 0 */
+    double leaf_area_on;          /* one-sided, with the leaves on [m2]                 */
+    double height;                /* stem height [m]                                    */
+    double lean;                  /* from the vertical, towards lean_azimuth [rad]      */
+    double lean_azimuth;          /* from +x towards +y [rad]                           */
+    double radius;                /* outer radius at the base [m]; NAN: the species' level 0 */
     enum wf_taper taper;
     double tip_ratio, power;      /* for linear and power taper [-]                     */
     struct wf_along profile;      /* for table taper: s, r/radius                       */
@@ -38,8 +38,8 @@ struct wf_model {
     struct wf_curve curve;        /* of the stem; generator levels                      */
     size_t branchings;            /* levels above the stem; generator levels            */
     struct wf_branching *branching;
-    struct wf_ifs ifs;         /* generator ifs                                      */
-    struct wf_foliage foliage; /* generators levels and ifs                          */
+    struct wf_ifs ifs;              /* generator ifs                                      */
+    struct wf_foliage foliage;      /* generators levels and ifs                          */
     const struct wf_tree *measured; /* generator measured: segments and levels, without materials     */
     const uint8_t *measured_kind;   /* of its segments, see grow/clothe.h; NULL: all wood              */
 };
@@ -54,7 +54,13 @@ void wf_model_set_season(struct wf_model *m, enum wf_season season);
 /* Levels of the tree the model grows, the stem included. */
 size_t wf_model_levels(const struct wf_model *m);
 
-/* Name of a level of the tree: the model's, else the species', else "branch"; of a measured tree its order. */
+/* The level of the species table that row i of a tree grown from the model is made of: that of its level; of
+ * a measured tree by its thickness too (wf_species_wood). */
+const struct wf_level *wf_model_wood(const struct wf_model *m, const struct wf_species *sp,
+                                     const struct wf_tree *t, size_t i);
+
+/* Name of a level of the tree: the model's, else the species', else "branch"; of a measured tree its order.
+ */
 const char *wf_model_level_name(const struct wf_model *m, const struct wf_species *sp, int32_t level);
 
 /* Outer radius over base radius at relative height s in 0..1. */

@@ -144,3 +144,10 @@ const struct wf_level *wf_species_level(const struct wf_species *sp, int32_t lev
     size_t k = level < 0 ? 0 : (size_t)level;
     return &sp->level[k < sp->levels ? k : sp->levels - 1];
 }
+
+const struct wf_level *wf_species_wood(const struct wf_species *sp, int32_t order, double radius)
+{
+    const struct wf_level *v = wf_species_level(sp, order);
+    while (v > sp->level && v->radius.given && radius > v->radius.high) v--;
+    return v;
+}

@@ -78,6 +78,12 @@ const char *wf_species_source(const struct wf_species *sp, const char *key);
 /* The species' level of a branching level: its last one for those above it. */
 const struct wf_level *wf_species_level(const struct wf_species *sp, int32_t level);
 
+/* The level whose wood a part of a measured tree is taken to be of: the one of its branch order, or, where
+ * the part is thicker than that level grows (the upper end of the table's range of radius), the next below
+ * that is as thick. Branch orders of a scan say how often an axis forked, not what it is: a limb of order 2
+ * is no twig. Given: order, radius [m]. */
+const struct wf_level *wf_species_wood(const struct wf_species *sp, int32_t order, double radius);
+
 /* Read a species table. Given: path, arena for all it keeps, findings list. Returned: WF_OK and *out,
  * or WF_EINPUT with every mistake in `d`. */
 enum wf_status wf_species_read(const char *path, struct wf_arena *a, struct wf_species *out,

@@ -72,7 +72,8 @@ enum wf_status wf_clothe_wood(struct wf_tree *t, const struct wf_species *sp, co
     }
     along_branch(t, from, total);
     for (size_t i = 0; i < t->n; i++) {
-        const struct wf_level *v = wf_species_level(sp, t->level[i]);
+        const struct wf_level *v = c->kind ? wf_species_wood(sp, t->level[i], 0.5 * (t->r0[i] + t->r1[i]))
+                                           : wf_species_level(sp, t->level[i]);
         bool link = is_link(c, i);
         material(t, i, v, link);
         t->i0[i] = t->i1[i] = 0;

@@ -48,7 +48,7 @@ static void put_standing(struct wf_doc *d, json_t *o, const struct wf_species *s
 static bool level_grown(const struct wf_analysis *a, size_t level)
 {
     for (size_t i = 0; i < a->tree.n; i++)
-        if (wf_species_level(a->species, a->tree.level[i]) == &a->species->level[level]) return true;
+        if (wf_model_wood(a->model, a->species, &a->tree, i) == &a->species->level[level]) return true;
     return false;
 }
 

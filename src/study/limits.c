@@ -142,7 +142,7 @@ static void add_assumed(char *buf, size_t size, const char *part, const struct n
 static bool level_grown(const struct wf_analysis *a, size_t level)
 {
     for (size_t i = 0; i < a->tree.n; i++)
-        if (wf_species_level(a->species, a->tree.level[i]) == &a->species->level[level]) return true;
+        if (wf_model_wood(a->model, a->species, &a->tree, i) == &a->species->level[level]) return true;
     return false;
 }
 
