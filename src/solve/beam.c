@@ -68,8 +68,9 @@ static double load_error(const struct wf_beam *coarse, const struct wf_beam *fin
     return sum;
 }
 
-/* Pieces that bring each row's share of the error to its part of the target. While the load is `off` times as
- * far out as allowed, also more for the rows that make most of that. */
+/* Pieces that bring each row's share of the error to its part of the target; never fewer than there are, so
+ * that the shape carried over is one Newton goes on from. While the load is `off` times as far out as
+ * allowed, also more for the rows that make most of that. */
 static void choose(const struct wf_beam *b, const double *share, double target, const double *bear,
                    double off, int32_t *pieces)
 {
@@ -79,7 +80,7 @@ static void choose(const struct wf_beam *b, const double *share, double target, 
         int32_t now = b->mesh.last[i] - b->mesh.first[i] + 1;
         double want = pow(share[i] / target, 0.25);
         if (bear[i] > 0.1 * most) want = fmax(want, more);
-        pieces[i] = (int32_t)fmin(fmax(ceil(now * want), 1), 64.0 * now);
+        pieces[i] = (int32_t)fmin(fmax(ceil(now * want), now), 64.0 * now);
     }
 }
 

@@ -37,7 +37,7 @@ double wf_beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fi
         m3_mul_transposed(A, B, R);
         rotation_vector(R, turn);
         v3_add(a, -1, b);
-        share[i] = fall > 0 ? (sqrt(wf_dot(a, a)) + reach[i] * sqrt(wf_dot(turn, turn))) / fall : 0;
+        if (fall > 0) share[i] = (sqrt(wf_dot(a, a)) + reach[i] * sqrt(wf_dot(turn, turn))) / fall;
     }
     /* the worst path from the ground: summed upwards in place of the rows' own shares, then undone */
     for (size_t i = 0; i < t->n; i++) {
