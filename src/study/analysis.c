@@ -47,18 +47,42 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
     return !s && an->model->shape == WF_SHAPE_UNDER_WEIGHT ? unload(an, a, d, e) : s;
 }
 
+/* Answers at speeds already asked for: two searches go up the same ladder. */
+enum { KNOWN_MAX = 200 };
+struct known {
+    int n;
+    double tolerance[KNOWN_MAX]; /* of the mesh */
+    struct wf_at_speed at[KNOWN_MAX];
+};
+
 struct search {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
     bool stem; /* the stem alone */
+    struct known *known;
 };
+
+static enum wf_status totals(const struct search *q, double speed, struct wf_at_speed *at, struct wf_err *e)
+{
+    struct known *k = q->known;
+    for (int i = 0; i < k->n; i++)
+        if (k->at[i].speed == speed && k->tolerance[i] == q->o->mesh_tolerance) {
+            *at = k->at[i];
+            return WF_OK;
+        }
+    enum wf_status s = wf_speed_totals(q->an, q->o, speed, at, e);
+    if (s || k->n == KNOWN_MAX) return s;
+    k->tolerance[k->n] = q->o->mesh_tolerance;
+    k->at[k->n++] = *at;
+    return WF_OK;
+}
 
 /* Stress over strength at the worst section. */
 static enum wf_status utilisation(void *ctx, double speed, double *value, struct wf_err *e)
 {
     const struct search *s = ctx;
     struct wf_at_speed at;
-    enum wf_status status = wf_speed_totals(s->an, s->o, speed, &at, e);
+    enum wf_status status = totals(s, speed, &at, e);
     if (status) return status;
     if (at.status) return wf_fail(e, at.status, "no equilibrium at %.6g m/s", speed);
     *value = 1.0 / (s->stem ? at.breakage.stem_safety : at.breakage.least_safety);
@@ -72,7 +96,7 @@ static enum wf_status polish(const struct search *search, struct wf_critical *c,
 {
     const double near = 3e-6; /* of the strength */
     for (int k = 0;; k++) {
-        enum wf_status s = wf_speed_totals(search->an, search->o, c->speed, at, e);
+        enum wf_status s = totals(search, c->speed, at, e);
         c->evaluations++;
         if (s || at->status) return s;
         double excess = 1.0 / (search->stem ? at->breakage.stem_safety : at->breakage.least_safety) - 1.0;
@@ -91,11 +115,11 @@ static bool strong(const struct wf_tree *t, bool stem)
 }
 
 static enum wf_status find_break(const struct wf_analysis *an, const struct wf_solve_options *o, bool stem,
-                                 struct wf_break *out, struct wf_err *e)
+                                 struct known *known, struct wf_break *out, struct wf_err *e)
 {
     struct wf_solve_options quick = *o;
     if (o->mesh_tolerance > 0.0) quick.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4);
-    struct search search = { an, &quick, stem };
+    struct search search = { an, &quick, stem, known };
     struct wf_critical *c = &out->critical;
     struct wf_at_speed at;
     *out = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
@@ -106,7 +130,7 @@ static enum wf_status find_break(const struct wf_analysis *an, const struct wf_s
     enum wf_status s = wf_critical_search(utilisation, &search, an->scenario.speed_max, 1e-4, c, e);
     if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
     search.o = o;
-    s = c->outcome == WF_CRITICAL_FOUND ? polish(&search, c, &at, e) : wf_speed_totals(an, o, 0.0, &at, e);
+    s = c->outcome == WF_CRITICAL_FOUND ? polish(&search, c, &at, e) : totals(&search, 0.0, &at, e);
     int32_t row = stem ? at.breakage.stem_governing : at.breakage.governing;
     double place = stem ? at.breakage.stem_governing_s : at.breakage.governing_s;
     if (s || at.status || row < 0) return s;
@@ -120,10 +144,14 @@ static enum wf_status find_break(const struct wf_analysis *an, const struct wf_s
 static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solve_options *o,
                                     struct wf_err *e)
 {
-    enum wf_status s = find_break(an, o, false, &an->breaks, e);
-    if (s) return s;
+    struct wf_arena scratch = { 0 };
+    struct known *known = WF_TAKE(&scratch, 1, struct known);
+    if (!known) return wf_fail(e, WF_ENOMEM, "no room for the search of the critical speed");
+    enum wf_status s = find_break(an, o, false, known, &an->breaks, e);
     an->stem = an->breaks;
-    return strong(&an->tree, false) ? find_break(an, o, true, &an->stem, e) : WF_OK;
+    if (!s && strong(&an->tree, false)) s = find_break(an, o, true, known, &an->stem, e);
+    wf_arena_free(&scratch);
+    return s;
 }
 
 /* Speeds from 0 past the asked and the critical ones, at a step a reader can name; a quarter of it for the
