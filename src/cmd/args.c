@@ -1,5 +1,5 @@
-#include "cmd/args.h"
 #include "base/near.h"
+#include "cmd/wind_speed.h"
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -105,8 +105,12 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     operands_check(&r, low, high);
     for (size_t k = 0; k < r.options; k++)
         if (!out->given[k] && rows[k].initial) wf_args_value(&r, k, rows[k].initial);
+    wf_args_winds(&r);
     wf_units_close(r.units);
-    if (!r.mistakes) return -1;
+    if (!r.mistakes) {
+        if (out->winds_said && !wf_args_given(out, "--quiet")) fprintf(stderr, "%s\n", out->winds_said);
+        return -1;
+    }
     fprintf(stderr, "'windfirm %s --help' shows how it is used\n", argv[0]);
     return 2;
 }

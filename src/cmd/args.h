@@ -16,8 +16,14 @@ struct wf_reading {
 /* Print a mistake about an option (or operand "") and count it. */
 void wf_args_mistake(struct wf_reading *r, const char *name, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
-/* Check the text given for row k and set number, speeds as its kind asks. */
+/* Check the text given for row k and set number as its kind asks. */
 void wf_args_value(struct wf_reading *r, size_t k, const char *text);
+/* Behind the number at the start of `text`, blanks skipped: its unit, "" for none. NULL: no number there. */
+const char *wf_args_unit(const char *text);
+/* Read one number, a plain one in `unit`, and hold it against the row's bounds, which are in the row's own
+ * unit. Returned: *si, and whether it is allowed. */
+bool wf_args_quantity(struct wf_reading *r, const struct wf_option *o, const char *text, const char *unit,
+                      double *si);
 enum { WF_CHOICES_MAX = 32 };
 /* The words a choice may be, returned: how many; `list` holds them where they come from `choices`. */
 size_t wf_args_choices(const struct wf_option *o, const char *word[static WF_CHOICES_MAX], char *list,

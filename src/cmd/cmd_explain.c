@@ -1,7 +1,10 @@
 #include "base/file.h"
-#include "cmd/cmd.h"
+#include "cmd/profile_options.h"
+#include "cmd/wind_speed.h"
 #include "out/figures.h"
 #include "study/explain.h"
+#include "study/limits.h"
+#include "study/scenario.h"
 #include <libxml/tree.h>
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +18,7 @@ static const struct wf_option options[] = {
       .help = "tree model: a file, or the name of a shipped one" },
     { .name = "--wind",
       .letter = "-w",
-      .kind = WF_OPTION_NUMBER,
+      .kind = WF_OPTION_SPEED,
       .value = "SPEED",
       .initial = "10",
       .dimension = WF_DIM_SPEED,
@@ -23,6 +26,8 @@ static const struct wf_option options[] = {
       .low = 0.01,
       .high = 100,
       .help = "mean wind at 10 m" },
+    WF_AVERAGING_OPTIONS,
+    WF_PROFILE_OPTIONS,
     { .name = "--output",
       .letter = "-o",
       .kind = WF_OPTION_TEXT,
@@ -147,7 +152,12 @@ static enum wf_status run(const struct wf_args *g, struct wf_arena *a, struct wf
     wf_solve_options_default(&o);
     enum wf_status s = wf_species_read(wf_shipped("species", g->operand[0], a), a, &sp, &d, e);
     if (!s) s = wf_model_read(wf_shipped("models", wf_args_text(g, "--model"), a), a, &m, &d, e);
+    if (!s)
+        s = wf_scenario_profile(&an.scenario, wf_args_text(g, "--profile"), wf_args_text(g, "--profile-file"),
+                                a, &d, e);
+    if (!s) s = wf_scenario_check(&an.scenario, e);
     if (!s) s = wf_analysis_set_up(&an, a, &d, e);
+    if (!s) wf_limits_profile(&an.scenario, an.tallness, m.name, &d);
     if (!s) s = wf_explain_run(&an, &o, wf_args_number(g, "--wind"), a, &d, &x, e);
     double *room = s ? NULL : WF_TAKE(a, x.axes, double);
     if (room && !quiet) print(&x, room);

@@ -1,10 +1,13 @@
+#include "cmd/profile_options.h"
 #include "cmd/series_perform.h"
+#include "cmd/wind_speed.h"
+#include "wind/gust_words.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 static const char *preset_word(size_t i) { return wf_presets[i].name; }
-static const char *profile_word(size_t i) { return wf_profiles[i].name; }
 static const char *gust_word(size_t i) { return i ? wf_gust_models[i - 1].name : "steady"; }
 static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 
@@ -24,14 +27,43 @@ static const struct wf_option options[] = {
       .kind = WF_OPTION_TEXT,
       .value = "MODEL",
       .help = "tree model: a file, or the name of a shipped one" },
-    NUMBER("--wind", "SPEED", "10", WF_DIM_SPEED, "m/s", 0, 100, "mean wind at the reference height"),
+    { .name = "--wind",
+      .letter = "-w",
+      .kind = WF_OPTION_SPEED,
+      .value = "SPEED",
+      .initial = "10",
+      .dimension = WF_DIM_SPEED,
+      .unit = "m/s",
+      .low = 0,
+      .high = 100,
+      .help = "mean wind at the reference height" },
+    WF_AVERAGING_OPTIONS,
     CHOICE("--gust", "steady", gust_word, "how the wind changes"),
     CHOICE("--preset", "corrected", preset_word, "a published method, as printed"),
     CHOICE("--solver", NULL, solver_word, "how the bent shape is computed [the preset's, else beam]"),
-    CHOICE("--profile", "power", profile_word, "how the wind grows with height"),
+    WF_PROFILE_OPTIONS,
     CHOICE("--shelter", "none", shelter_word, "wind inside the crown"),
     NUMBER("--intensity", "NUMBER", NULL, WF_DIM_NONE, NULL, 0, 1, "turbulence intensity of the gust model"),
     NUMBER("--period", "TIME", NULL, WF_DIM_TIME, "s", 0.1, 3600, "of the gust model"),
+    { .name = "--set",
+      .kind = WF_OPTION_TEXT,
+      .value = "NAME=NUMBER,...",
+      .help = "other parameters of the gust model; `windfirm wind list` shows them" },
+    { .name = "--file",
+      .kind = WF_OPTION_TEXT,
+      .value = "FILE",
+      .help = "anemometer CSV of the gust model record" },
+    { .name = "--columns",
+      .kind = WF_OPTION_TEXT,
+      .value = "T,U[,V[,W]]",
+      .initial = WF_RECORD_COLUMNS,
+      .help =
+          "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s" },
+    { .name = "--components",
+      .kind = WF_OPTION_CHOICE,
+      .value = "1|3",
+      .choices = "1|3",
+      .help = "of the gust: along the wind only, or along, across and up [3 where the model has them]" },
     NUMBER("--duration", "TIME", "60", WF_DIM_TIME, "s", 1e-3, 86400, "time that is run"),
     NUMBER("--step", "TIME", "0.1", WF_DIM_TIME, "s", 1e-4, 3600, "between frames"),
     NUMBER("--keys", "NUMBER", "8", WF_DIM_NONE, NULL, 1, 64, "key frames drawn as panels"),
@@ -72,6 +104,7 @@ int wf_cmd_series(int argc, char **argv)
         code = 2;
     }
     if (code < 0) {
+        const char *components = wf_args_text(&g, "--components");
         struct wf_series_plan_run run = { .name = g.operand[0],
                                           .species = g.operand[0],
                                           .model = wf_args_text(&g, "--model"),
@@ -80,6 +113,11 @@ int wf_cmd_series(int argc, char **argv)
                                           .gust = wf_args_text(&g, "--gust"),
                                           .shelter = wf_args_text(&g, "--shelter"),
                                           .profile = wf_args_text(&g, "--profile"),
+                                          .profile_file = wf_args_text(&g, "--profile-file"),
+                                          .set = wf_args_text(&g, "--set"),
+                                          .file = wf_args_text(&g, "--file"),
+                                          .columns = wf_args_text(&g, "--columns"),
+                                          .components = components ? (size_t)atoi(components) : 0,
                                           .wind = wf_args_number(&g, "--wind"),
                                           .intensity = wf_args_number(&g, "--intensity"),
                                           .period = wf_args_number(&g, "--period"),

@@ -1,10 +1,10 @@
 /* windfirm wind: make a gusty wind, look at it, draw it. */
 #include "base/near.h"
-#include "base/number.h"
 #include "cmd/cmd.h"
 #include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"
 #include "cmd/wind_tables.h"
+#include "wind/gust_words.h"
 #include "wind/scale.h"
 #include <math.h>
 #include <stdio.h>
@@ -16,11 +16,15 @@ enum { POINTS_MAX = 200 };
 static const struct wf_option options[] = {
     { .name = "--wind",
       .letter = "-w",
-      .kind = WF_OPTION_TEXT,
+      .kind = WF_OPTION_SPEED,
       .value = "SPEED",
-      .initial = "10 m/s",
-      .help = "mean wind: a speed, or a grade such as beaufort:8, cma:typhoon, hko:typhoon (then as a 10-min "
-              "mean)" },
+      .initial = "10",
+      .dimension = WF_DIM_SPEED,
+      .unit = "m/s",
+      .low = 0.01,
+      .high = 120,
+      .help = "mean wind" },
+    WF_AVERAGING_OPTIONS,
     { .name = "--height",
       .kind = WF_OPTION_NUMBER,
       .value = "LENGTH",
@@ -91,12 +95,6 @@ static const struct wf_option options[] = {
       .kind = WF_OPTION_TEXT,
       .value = "NAME=NUMBER,...",
       .help = "parameters of the model; `windfirm wind list` shows them" },
-    { .name = "--averaging",
-      .kind = WF_OPTION_CHOICE,
-      .value = "LAW",
-      .initial = "in-land",
-      .choices = "durst|in-land|off-land|off-sea|at-sea",
-      .help = "law that brings a grade averaged over another time to 10 min" },
     { .name = "--file",
       .kind = WF_OPTION_TEXT,
       .value = "FILE",
@@ -104,7 +102,7 @@ static const struct wf_option options[] = {
     { .name = "--columns",
       .kind = WF_OPTION_TEXT,
       .value = "T,U[,V[,W]]",
-      .initial = "t_s,u_ms,v_ms,w_ms",
+      .initial = WF_RECORD_COLUMNS,
       .help =
           "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s" },
     { .name = "--output",
@@ -140,42 +138,14 @@ static int list(void)
     return 0;
 }
 
-static enum wf_status set_parameters(const char *text, struct wf_gust_spec *s, struct wf_arena *a,
-                                     struct wf_err *e)
-{
-    char *rest = NULL, *copy = text ? wf_arena_text(a, text) : NULL;
-    if (text && !copy) return wf_fail(e, WF_ENOMEM, "no room for the command line");
-    for (char *item = copy ? strtok_r(copy, ",", &rest) : NULL; item; item = strtok_r(NULL, ",", &rest)) {
-        char *equals = strchr(item, '=');
-        double value;
-        const char *number = equals ? equals + 1 : "",
-                   *end = wf_number_read(number, number + strlen(number), '.', &value);
-        if (!end || *end) return wf_fail(e, WF_EUSAGE, "--set: '%s': expected name=number", item);
-        *equals = '\0';
-        enum wf_status status = wf_gust_set(s, item, value, e);
-        if (status) return status;
-    }
-    return WF_OK;
-}
-
 static enum wf_status read_record(const struct wf_args *g, struct wf_gust_spec *s, struct wf_arena *a,
                                   struct wf_diag *d, struct wf_err *e)
 {
-    struct wf_record_request q;
-    struct wf_record *r = WF_TAKE(a, 1, struct wf_record);
     const char *file = wf_args_text(g, "--file");
-    char *rest = NULL, *columns = wf_arena_text(a, wf_args_text(g, "--columns"));
     if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs --file");
-    if (!r || !columns) return wf_fail(e, WF_ENOMEM, "no room for a record");
-    wf_record_request_default(&q);
-    q.time = strtok_r(columns, ",", &rest);
-    for (int k = 0; k < 3; k++) q.part[k] = strtok_r(NULL, ",", &rest);
-    if (!q.time || !q.part[0] || strtok_r(NULL, ",", &rest))
-        return wf_fail(e, WF_EUSAGE,
-                       "--columns: a time column and one to three components, separated by commas");
-    enum wf_status status = wf_record_read(file, &q, a, d, r, e);
+    enum wf_status status = wf_gust_record_words(s, file, wf_args_text(g, "--columns"), a, d, e);
     if (status) return status;
-    s->record = r;
+    const struct wf_record *r = s->record;
     double length = (double)(r->n - 1) * r->step;
     if (!wf_args_given(g, "--step")) s->step = r->step;
     if (!wf_args_given(g, "--duration")) s->steps = (size_t)(length / s->step + 1e-6) + 1;
@@ -212,9 +182,8 @@ static enum wf_status specify(const struct wf_args *g, struct wf_gust_spec *s, s
     s->components = strcmp(wf_args_text(g, "--components"), "3") == 0 ? 3 : 1;
     s->points = (size_t)llround(wf_args_number(g, "--points"));
     s->seed = (uint64_t)llround(wf_args_number(g, "--seed"));
-    enum wf_status status = wf_wind_speed_read(wf_args_text(g, "--wind"), wf_args_text(g, "--averaging"),
-                                               wf_args_given(g, "--quiet") ? NULL : stdout, &s->speed, e);
-    if (!status) status = set_parameters(wf_args_text(g, "--set"), s, a, e);
+    s->speed = wf_args_number(g, "--wind");
+    enum wf_status status = wf_gust_set_words(s, wf_args_text(g, "--set"), a, e);
     if (!status && strcmp(m->name, "record") == 0) status = read_record(g, s, a, d, e);
     double *place = WF_TAKE(a, 3 * s->points, double);
     if (!place) return wf_fail(e, WF_ENOMEM, "no room for %zu points", s->points);
@@ -236,7 +205,7 @@ static void print(const struct wf_gust_report *r)
     printf("%s: %s\n", s->model->name, s->model->title);
     printf("%zu steps of %g s at %g m, seed %llu\n\n", s->steps, s->step, s->height,
            (unsigned long long)s->seed);
-    printf("mean wind             %8.3f m/s  (Beaufort %s, %s)\n", t->mean,
+    printf("mean wind             %8.3f m/s  (Beaufort %s, %s, as a 10-min mean)\n", t->mean,
            wf_wind_scale_grade(&wf_wind_scales[0], t->mean)->name,
            wf_wind_scale_grade(&wf_wind_scales[0], t->mean)->text);
     printf("turbulence intensity  %8.3f\n", t->intensity);

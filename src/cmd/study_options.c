@@ -1,11 +1,13 @@
-#include "cmd/study.h"
+#include "cmd/profile_options.h"
+#include "cmd/study_directions.h"
+#include "cmd/wind_speed.h"
+#include "study/scenario.h"
 #include "wind/shelter.h"
-#include <string.h>
 #include <string.h>
 
 static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 static const char *preset_word(size_t i) { return wf_presets[i].name; }
-static const char *profile_word(size_t i) { return wf_profiles[i].name; }
+const char *wf_profile_word(size_t i) { return wf_profiles[i].name; }
 static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 
 const struct wf_option wf_study_options[] = {
@@ -21,6 +23,7 @@ const struct wf_option wf_study_options[] = {
       .help =
           "mean wind speeds at the reference height, a list 10,15,25 or from:to:step 5:40:1; a unit behind "
           "the last number holds for all: '36,54 km/h'" },
+    WF_AVERAGING_OPTIONS,
     { .name = "--output",
       .letter = "-o",
       .kind = WF_OPTION_TEXT,
@@ -40,12 +43,7 @@ const struct wf_option wf_study_options[] = {
       .word = preset_word,
       .help = "a published method, its formula and constants as printed; warnings tell where it leaves "
               "physics" },
-    { .name = "--profile",
-      .kind = WF_OPTION_CHOICE,
-      .value = "NAME",
-      .initial = "power",
-      .word = profile_word,
-      .help = "how the wind grows with height" },
+    WF_PROFILE_OPTIONS,
     { .name = "--reference-height",
       .kind = WF_OPTION_NUMBER,
       .value = "LENGTH",
@@ -109,13 +107,25 @@ const struct wf_option wf_study_options[] = {
       .low = -360,
       .high = 360,
       .help = "direction the wind blows towards, from +x towards +y" },
+    WF_DIRECTION_OPTIONS,
     { .name = "--shelter",
       .kind = WF_OPTION_CHOICE,
       .value = "LAW",
       .initial = "none",
       .word = shelter_word,
-      .help = "the wind inside the crown: none: as outside; wake: what drag of the windward parts leaves; feng1999: "
+      .help = "the wind inside the crown: none: as outside; wake: what drag of the windward parts leaves; "
+              "feng1999: "
               "potential flows as printed" },
+    { .name = "--speed-up",
+      .kind = WF_OPTION_NUMBER,
+      .value = "NUMBER",
+      .initial = "1",
+      .dimension = WF_DIM_NONE,
+      .low = 0.1,
+      .high = 5,
+      .help =
+          "exposure of the site: wind at the tree over the wind named, as 'windfirm terrain' tells it for a "
+          "place" },
     { .name = "--temperature",
       .kind = WF_OPTION_NUMBER,
       .value = "TEMPERATURE",
@@ -188,11 +198,15 @@ static void complete_canopy(const struct wf_args *g, struct wf_scenario *s)
     if (!wf_args_given(g, "--roughness") && height > 0.0) s->roughness = 0.1 * height;
 }
 
-void wf_study_from_args(const struct wf_args *g, struct wf_study *out)
+enum wf_status wf_study_from_args(const struct wf_args *g, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_study *out, struct wf_err *e)
 {
     struct wf_scenario *s = &out->scenario;
     wf_scenario_default(s);
-    s->profile = wf_args_text(g, "--profile");
+    enum wf_status status =
+        wf_scenario_profile(s, wf_args_text(g, "--profile"), wf_args_text(g, "--profile-file"), a, d, e);
+    if (status) return status;
+    s->winds_said = g->winds_said;
     s->reference_height = wf_args_number(g, "--reference-height");
     s->exponent = wf_args_number(g, "--exponent");
     s->roughness = wf_args_number(g, "--roughness");
@@ -200,6 +214,7 @@ void wf_study_from_args(const struct wf_args *g, struct wf_study *out)
     s->canopy_height = wf_args_number(g, "--canopy-height");
     s->attenuation = wf_args_number(g, "--attenuation");
     s->azimuth = wf_args_number(g, "--azimuth");
+    s->speed_up = wf_args_number(g, "--speed-up");
     s->temperature = wf_args_number(g, "--temperature");
     s->altitude = wf_args_number(g, "--altitude");
     s->air_density = wf_args_number(g, "--air-density");
@@ -212,4 +227,5 @@ void wf_study_from_args(const struct wf_args *g, struct wf_study *out)
         out->solve.root_stiffness[0] = out->solve.root_stiffness[1] = wf_args_number(g, "--root-stiffness");
     out->solver = wf_solver_named(wf_args_text(g, "--solver"));
     out->preset = wf_preset_named(wf_args_text(g, "--preset"));
+    return wf_directions_asked(g, a, d, &out->directions, e);
 }

@@ -1,4 +1,4 @@
-#include "cmd/study.h"
+#include "cmd/study_directions.h"
 #include <math.h>
 
 static void number(FILE *to, int width, int digits, double value)
@@ -58,5 +58,6 @@ void wf_study_print(FILE *to, const struct wf_run *run)
         critical(to, an, "critical wind speed", &an->breaks);
         if (an->breaks.row >= 0 && an->tree.level[an->breaks.row] > 0)
             critical(to, an, "of the stem alone", &an->stem);
+        wf_directions_print(to, an);
     }
 }

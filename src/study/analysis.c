@@ -116,14 +116,13 @@ static enum wf_status find_break(const struct wf_analysis *an, const struct wf_s
     return WF_OK;
 }
 
-/* What breaks first; and, where that is a branch, the stem. */
-static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solve_options *o,
-                                    struct wf_err *e)
+enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_break *first, struct wf_break *stem, struct wf_err *e)
 {
-    enum wf_status s = find_break(an, o, false, &an->breaks, e);
+    enum wf_status s = find_break(an, o, false, first, e);
     if (s) return s;
-    an->stem = an->breaks;
-    return strong(&an->tree, false) ? find_break(an, o, true, &an->stem, e) : WF_OK;
+    *stem = *first;
+    return strong(&an->tree, false) ? find_break(an, o, true, stem, e) : WF_OK;
 }
 
 /* Speeds from 0 past the asked and the critical ones, at a step a reader can name; a quarter of it for the
@@ -167,7 +166,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
         return wf_fail(e, WF_ENOMEM, "no room for %zu speeds", n);
     for (size_t k = 0; k < n; k++)
         if ((s = wf_speed_solve(out, o, speeds[k], a, d, &out->at[k], e))) return s;
-    if ((s = find_critical(out, o, e))) return s;
+    if ((s = wf_analysis_breaks(out, o, &out->breaks, &out->stem, e))) return s;
     if ((s = sweep(out, o, a, e))) return s;
     wf_limits_check(out, d);
     return WF_OK;

@@ -1,13 +1,21 @@
 #ifndef WF_STUDY_SCENARIO_H
 #define WF_STUDY_SCENARIO_H
 /* From the scenario a user names to the wind field and the air. */
+#include "base/diag.h"
 #include "base/err.h"
 #include "study/analysis.h"
 
 /* Refuse a scenario that no field can be made of. Returned: WF_OK or WF_EUSAGE. */
 enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e);
+/* Set the profile by name, and read the measured one from its file. Given: NULL for what is not said: the
+ * power law, "measured" where there is a file. Errors: WF_EUSAGE where name and file do not go together,
+ * WF_EINPUT with every mistake of the file in `d`. */
+enum wf_status wf_scenario_profile(struct wf_scenario *s, const char *name, const char *file,
+                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
 /* The field of a checked scenario, at speed 0. */
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
+/* Speed at the reference height at the tree when the wind named is `named` [m/s]: on an exposed site more. */
+double wf_scenario_speed(const struct wf_scenario *s, double named);
 struct wf_species;
 struct wf_loads;
 /* What a checked scenario does to a tree of this species: wind field (at speed 0), air, gravity,
