@@ -32,7 +32,7 @@ static void start(struct made *m, const char *species, const char *model)
                                           .restoring = NAN,
                                           .damping = NAN,
                                           .transmission = NAN,
-                                          .reference_height = NAN,
+                                          .profile = WF_PROFILE_UNSAID,
                                           .keys = 1,
                                           .seed = 1 };
     if (wf_species_read(species, &m->arena, &m->species, &m->diag, &m->err)) fail_msg("%s", m->err.text);
@@ -178,7 +178,7 @@ static void leaves_swing_with_the_wind(void **state)
     for (int k = 0; k < 2; k++) {
         struct made m;
         start(&m, "species/poplar.yaml", "models/zhao2013_ifs.yaml");
-        m.run.wind = k ? 4 : 2, m.run.solver = "deflect", m.run.profile = "uniform";
+        m.run.wind = k ? 4 : 2, m.run.solver = "deflect", m.run.profile.name = "uniform";
         for (size_t i = 0; i < m.species.levels; i++)
             m.species.level[i].youngs_modulus.value = 1e15; /* stiff */
         if (try(&m)) fail_msg("%s", m.err.text);

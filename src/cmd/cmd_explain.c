@@ -25,7 +25,7 @@ static const struct wf_option options[] = {
       .unit = "m/s",
       .low = 0.01,
       .high = 100,
-      .help = "mean wind at 10 m" },
+      .help = "mean wind at the reference height" },
     WF_AVERAGING_OPTIONS,
     WF_PROFILE_OPTIONS,
     { .name = "--output",
@@ -148,13 +148,12 @@ static enum wf_status run(const struct wf_args *g, struct wf_arena *a, struct wf
     struct wf_analysis an = { .species = &sp, .model = &m, .solver = wf_solvers[0] };
     const char *folder = wf_args_text(g, "--output");
     bool quiet = wf_args_given(g, "--quiet");
+    const struct wf_profile_words profile = wf_profile_asked(g);
     wf_scenario_default(&an.scenario);
     wf_solve_options_default(&o);
     enum wf_status s = wf_species_read(wf_shipped("species", g->operand[0], a), a, &sp, &d, e);
     if (!s) s = wf_model_read(wf_shipped("models", wf_args_text(g, "--model"), a), a, &m, &d, e);
-    if (!s)
-        s = wf_scenario_profile(&an.scenario, wf_args_text(g, "--profile"), wf_args_text(g, "--profile-file"),
-                                a, &d, e);
+    if (!s) s = wf_scenario_profile(&an.scenario, &profile, a, &d, e);
     if (!s) s = wf_scenario_check(&an.scenario, e);
     if (!s) s = wf_analysis_set_up(&an, a, &d, e);
     if (!s) wf_limits_profile(&an.scenario, an.tallness, m.name, &d);

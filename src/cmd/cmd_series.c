@@ -71,8 +71,6 @@ static const struct wf_option options[] = {
     NUMBER("--restoring", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 100, "k of the deflect scheme, below 1"),
     NUMBER("--damping", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 1e9, "c of the deflect scheme, N s2"),
     NUMBER("--youngs-modulus", "MODULUS", NULL, WF_DIM_PRESSURE, "Pa", 1e5, 1e12, "in place of the species'"),
-    NUMBER("--reference-height", "LENGTH", "10", WF_DIM_LENGTH, "m", 0.01, 1000,
-           "where the wind has its speed"),
     { .name = "--output",
       .letter = "-o",
       .kind = WF_OPTION_TEXT,
@@ -112,8 +110,7 @@ int wf_cmd_series(int argc, char **argv)
                                           .solver = wf_args_text(&g, "--solver"),
                                           .gust = wf_args_text(&g, "--gust"),
                                           .shelter = wf_args_text(&g, "--shelter"),
-                                          .profile = wf_args_text(&g, "--profile"),
-                                          .profile_file = wf_args_text(&g, "--profile-file"),
+                                          .profile = wf_profile_asked(&g),
                                           .set = wf_args_text(&g, "--set"),
                                           .file = wf_args_text(&g, "--file"),
                                           .columns = wf_args_text(&g, "--columns"),
@@ -127,11 +124,10 @@ int wf_cmd_series(int argc, char **argv)
                                           .restoring = wf_args_number(&g, "--restoring"),
                                           .damping = wf_args_number(&g, "--damping"),
                                           .transmission = NAN,
-                                          .reference_height = wf_args_number(&g, "--reference-height"),
                                           .keys = (size_t)wf_args_number(&g, "--keys"),
                                           .seed = (size_t)wf_args_number(&g, "--seed") };
         struct wf_series_plan plan = {
-            .key = "series", .title = "A tree in changing wind", .runs = 1, .run = &run
+            .key = "series", .title = "A tree in changing wind", .note = g.winds_said, .runs = 1, .run = &run
         };
         struct wf_series_job job = { .plan = &plan,
                                      .folder = wf_args_text(&g, "--output"),

@@ -46,7 +46,7 @@ static const struct wf_option options[] = {
       .unit = "m/s",
       .low = 0,
       .high = 200,
-      .help = "mean wind at 10 m" },
+      .help = "mean wind at the reference height" },
     WF_AVERAGING_OPTIONS,
     WF_PROFILE_OPTIONS,
     NUMBER("--azimuth", "ANGLE", "0", WF_DIM_ANGLE, "deg", -360, 360,
@@ -136,6 +136,7 @@ static enum wf_status specify(struct work *w, struct wf_arena *a, struct wf_diag
 {
     const struct wf_args *g = &w->args;
     struct wf_shelter_request *q = &w->request;
+    const struct wf_profile_words profile = wf_profile_asked(g);
     wf_scenario_default(&w->scenario);
     w->run.speed = wf_args_number(g, "--wind");
     w->scenario.azimuth = wf_args_number(g, "--azimuth");
@@ -150,8 +151,7 @@ static enum wf_status specify(struct work *w, struct wf_arena *a, struct wf_diag
     q->wake_growth = wf_args_number(g, "--wake-growth");
     enum wf_status s = wf_shelter_request_check(q, e);
     if (s) return s;
-    s = wf_scenario_profile(&w->scenario, wf_args_text(g, "--profile"), wf_args_text(g, "--profile-file"), a,
-                            d, e);
+    s = wf_scenario_profile(&w->scenario, &profile, a, d, e);
     return s ? s : wf_scenario_check(&w->scenario, e);
 }
 

@@ -175,7 +175,8 @@ static double share_of(struct winds *w, double time)
     struct wf_err e = { 0 };
     const char *law = w->law ? w->law : "durst";
     double share = 1.0;
-    if (isnan(time) || time == WF_MEAN_TIME) return 1.0;
+    bool allowed = time >= 1.0 && time <= 3600.0; /* else the option is complained of already */
+    if (!allowed || time == WF_MEAN_TIME) return 1.0;
     if (wf_wind_average(law, 1.0, time, WF_MEAN_TIME, &share, &e)) {
         wf_args_mistake(w->r, "--averaging-time", "%s", e.text);
         return 1.0;

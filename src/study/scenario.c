@@ -61,22 +61,46 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
     return wf_wind_check(&wind, e);
 }
 
-enum wf_status wf_scenario_profile(struct wf_scenario *s, const char *name, const char *file,
+/* What is not said of a stand follows from its height. */
+static void complete_canopy(struct wf_scenario *s, const struct wf_profile_words *w)
+{
+    double height = s->canopy_height > 0.0 ? s->canopy_height : s->displacement / 0.7;
+    if (isnan(w->displacement)) s->displacement = 0.7 * height;
+    if (isnan(w->roughness) && height > 0.0) s->roughness = 0.1 * height;
+}
+
+static void numbers(struct wf_scenario *s, const struct wf_profile_words *w)
+{
+    const struct {
+        double *to, said;
+    } all[] = { { &s->reference_height, w->reference_height },
+                { &s->exponent, w->exponent },
+                { &s->roughness, w->roughness },
+                { &s->displacement, w->displacement },
+                { &s->canopy_height, w->canopy_height },
+                { &s->attenuation, w->attenuation } };
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        if (!isnan(all[i].said)) *all[i].to = all[i].said;
+    if (strcmp(s->profile, "canopy") == 0) complete_canopy(s, w);
+}
+
+enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,
                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     static const char measured[] = "measured";
     struct wf_measured_profile *p = WF_TAKE(a, 1, struct wf_measured_profile);
-    s->profile = name ? name : file ? measured : "power";
+    s->profile = w->name ? w->name : w->file ? measured : s->profile;
+    numbers(s, w);
     bool asked = strcmp(s->profile, measured) == 0;
-    if (asked && !file)
+    if (asked && !w->file)
         return wf_fail(e, WF_EUSAGE, "the profile '%s' needs a profile file of heights and speeds", measured);
-    if (!asked && file)
-        return wf_fail(e, WF_EUSAGE, "%s: a profile file goes with the profile '%s', not '%s'", file,
+    if (!asked && w->file)
+        return wf_fail(e, WF_EUSAGE, "%s: a profile file goes with the profile '%s', not '%s'", w->file,
                        measured, s->profile);
-    if (!file) return WF_OK;
+    if (!w->file) return WF_OK;
     if (!p) return wf_fail(e, WF_ENOMEM, "no room for a profile");
-    s->measured = p, s->profile_file = file;
-    return wf_measured_read(file, a, d, p, e);
+    s->measured = p, s->profile_file = w->file;
+    return wf_measured_read(w->file, a, d, p, e);
 }
 
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)

@@ -1,7 +1,6 @@
 #include "study/series.h"
 #include "solve/vec.h"
 #include "study/limits.h"
-#include "study/scenario.h"
 #include "study/series_leaf.h"
 #include "study/series_wind.h"
 #include "study/speed.h"
@@ -22,7 +21,8 @@ void wf_series_default(struct wf_series_spec *s)
                                   .frames = 600,
                                   .keys = 8,
                                   .youngs = NAN,
-                                  .transmission = 0.2 };
+                                  .transmission = 0.2,
+                                  .profile = WF_PROFILE_UNSAID };
     wf_solve_options_default(&s->solve);
     wf_scenario_default(&s->scenario);
 }
@@ -35,7 +35,7 @@ static enum wf_status set_up(struct wf_series *s, struct wf_shelter *shelter, st
         .species = q->species, .model = q->model, .solver = q->solver, .scenario = q->scenario, .diag = d
     };
     struct wf_scenario *sc = &s->an.scenario;
-    enum wf_status status = wf_scenario_profile(sc, sc->profile, sc->profile_file, a, d, e);
+    enum wf_status status = wf_scenario_profile(sc, &q->profile, a, d, e);
     if (!status) status = wf_scenario_check(sc, e);
     if (!status) status = wf_analysis_set_up(&s->an, a, d, e);
     if (status) return status;

@@ -7,6 +7,7 @@
 #include "solve/deflect.h"
 #include "study/analysis.h"
 #include "study/preset.h"
+#include "study/scenario.h"
 #include "wind/gust.h"
 #include "wind/shelter.h"
 
@@ -18,6 +19,7 @@ struct wf_series_spec {
     const struct wf_solver *solver;
     struct wf_solve_options solve;
     struct wf_scenario scenario;
+    struct wf_profile_words profile; /* into the scenario when the run begins */
     double speed;             /* mean wind at the reference height [m/s]                              */
     const char *gust;         /* row of wf_gust_models; NULL: steady                                  */
     double intensity, period; /* of the gust [-], [s]; NAN: the model's own                           */

@@ -34,7 +34,7 @@ static enum wf_status specify(const struct wf_series *s, struct wf_gust_spec *ou
     if (!model) return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'", q->gust);
     wf_gust_spec_default(model, out);
     out->speed = q->speed;
-    out->height = q->scenario.reference_height;
+    out->height = s->an.scenario.reference_height;
     if (!isnan(q->intensity)) out->intensity = q->intensity;
     out->step = q->step;
     out->steps = s->frames;
