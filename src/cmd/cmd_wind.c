@@ -3,15 +3,17 @@
 #include "cmd/cmd.h"
 #include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"
+#include "cmd/wind_stream.h"
 #include "cmd/wind_tables.h"
 #include "wind/gust_words.h"
+#include "wind/points.h"
 #include "wind/scale.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { POINTS_MAX = 200 };
+enum { SHOWN_MAX = 200 }; /* points that are looked at; more are only written */
 
 static const struct wf_option options[] = {
     { .name = "--wind",
@@ -80,8 +82,8 @@ static const struct wf_option options[] = {
       .initial = "1",
       .dimension = WF_DIM_NONE,
       .low = 1,
-      .high = POINTS_MAX,
-      .help = "points in a row across the wind" },
+      .high = WF_GUST_POINTS_MAX,
+      .help = "points in a row across the wind; more than 200 with --stream" },
     { .name = "--spacing",
       .kind = WF_OPTION_NUMBER,
       .value = "LENGTH",
@@ -91,6 +93,18 @@ static const struct wf_option options[] = {
       .low = 0.01,
       .high = 1000,
       .help = "between neighbouring points" },
+    { .name = "--points-file",
+      .kind = WF_OPTION_TEXT,
+      .value = "FILE",
+      .help = "points in place of a row, a CSV with columns x_m (along the wind), y_m (across, to the left), "
+              "z_m (above "
+              "ground) and, where they differ, mean_ms" },
+    { .name = "--stream",
+      .kind = WF_OPTION_TEXT,
+      .value = "FILE",
+      .help = "write the wind to FILE block by block, for any number of points and steps, and nothing else: "
+              "NAME.csv as "
+              "a table, NAME.npy as 32-bit numbers, steps x points x components" },
     { .name = "--set",
       .kind = WF_OPTION_TEXT,
       .value = "NAME=NUMBER,...",
@@ -123,7 +137,8 @@ static const char about[] =
     "  weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) and draws it.\n"
     "\n"
     "  windfirm wind kaimal --wind beaufort:8 --components 3 --points 5 --spacing 2 -o out/gale\n"
-    "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms";
+    "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms\n"
+    "  windfirm wind kaimal --points-file crown.csv --duration 3600 --stream crown.npy";
 
 static int list(void)
 {
@@ -160,6 +175,27 @@ static enum wf_status read_record(const struct wf_args *g, struct wf_gust_spec *
     return WF_OK;
 }
 
+/* Points of a file, else in a row. */
+static enum wf_status places(const struct wf_args *g, struct wf_gust_spec *s, struct wf_arena *a,
+                             struct wf_diag *d, struct wf_err *e)
+{
+    const char *file = wf_args_text(g, "--points-file");
+    if (file && wf_args_given(g, "--points"))
+        return wf_fail(e, WF_EUSAGE, "--points and --points-file: one of them says where the points are");
+    if (file) {
+        struct wf_points p;
+        enum wf_status status = wf_points_read(file, WF_GUST_POINTS_MAX, a, d, &p, e);
+        s->points = p.n, s->place = p.place, s->mean = p.mean;
+        return status;
+    }
+    double *place = WF_TAKE(a, 3 * s->points, double);
+    if (!place) return wf_fail(e, WF_ENOMEM, "no room for %zu points", s->points);
+    for (size_t p = 0; p < s->points; p++)
+        place[3 * p + 1] = (double)p * wf_args_number(g, "--spacing"), place[3 * p + 2] = s->height;
+    s->place = place;
+    return WF_OK;
+}
+
 static enum wf_status specify(const struct wf_args *g, struct wf_gust_spec *s, struct wf_arena *a,
                               struct wf_diag *d, struct wf_err *e)
 {
@@ -185,17 +221,15 @@ static enum wf_status specify(const struct wf_args *g, struct wf_gust_spec *s, s
     s->speed = wf_args_number(g, "--wind");
     enum wf_status status = wf_gust_set_words(s, wf_args_text(g, "--set"), a, e);
     if (!status && strcmp(m->name, "record") == 0) status = read_record(g, s, a, d, e);
-    double *place = WF_TAKE(a, 3 * s->points, double);
-    if (!place) return wf_fail(e, WF_ENOMEM, "no room for %zu points", s->points);
-    for (size_t p = 0; p < s->points; p++)
-        place[3 * p + 1] = (double)p * wf_args_number(g, "--spacing"), place[3 * p + 2] = s->height;
-    s->place = place;
-    if (!status && (double)s->points * s->components * (double)s->steps > 3e8)
-        return wf_fail(e, WF_EUSAGE,
-                       "%zu points, %u components and %zu steps are more than this command holds; the "
-                       "library makes them in blocks",
-                       s->points, s->components, s->steps);
-    return status;
+    if (!status) status = places(g, s, a, d, e);
+    if (status || wf_args_text(g, "--stream")) return status;
+    if (s->points > SHOWN_MAX || (double)s->points * s->components * (double)s->steps > 3e8)
+        return wf_fail(
+            e, WF_EUSAGE,
+            "%zu points, %u components and %zu steps are more than is looked at here (%d points, 3e8 "
+            "numbers); --stream writes any number",
+            s->points, s->components, s->steps, SHOWN_MAX);
+    return WF_OK;
 }
 
 static void print(const struct wf_gust_report *r)
@@ -231,13 +265,41 @@ static void print(const struct wf_gust_report *r)
     }
 }
 
+/* Look at a wind: tables, plots and what is printed. */
+static enum wf_status show(const struct wf_args *g, const struct wf_gust_spec *spec, struct wf_arena *a,
+                           struct wf_diag *d, struct wf_err *e)
+{
+    static const char *const figures[] = { "wind", "wind_coherence", NULL }, *const one[] = { "wind", NULL };
+    struct wf_gust_report *r = WF_TAKE(a, 1, struct wf_gust_report);
+    const char *folder = wf_args_text(g, "--output");
+    bool quiet = wf_args_given(g, "--quiet");
+    if (!r) return wf_fail(e, WF_ENOMEM, "no room for a report");
+    enum wf_status s = wf_gust_report_make(spec, a, d, r, e);
+    if (!s && !quiet) print(r);
+    if (!s) s = wf_wind_tables(folder, r, e);
+    if (!s && !wf_args_given(g, "--no-plots")) s = wf_wind_figures(folder, r->coherence ? figures : one, e);
+    if (!s && !quiet) printf("\nTables and plots: %s\n", folder);
+    return s;
+}
+
+static enum wf_status run(const struct wf_args *g, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = a };
+    struct wf_gust_spec spec;
+    const char *stream = wf_args_text(g, "--stream");
+    bool quiet = wf_args_given(g, "--quiet");
+    enum wf_status s = specify(g, &spec, a, &d, e);
+    if (!s) s = stream ? wf_wind_stream(&spec, stream, quiet, a, &d, e) : show(g, &spec, a, &d, e);
+    fflush(stdout);
+    wf_print_findings(&d, quiet);
+    return s;
+}
+
 int wf_cmd_wind(int argc, char **argv)
 {
-    static const char *const figures[] = { "wind", "wind_coherence", NULL };
     struct wf_arena arena = { 0 };
     struct wf_args args;
     struct wf_err e = { 0 };
-    struct wf_gust_spec spec;
     int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &args);
     if (code < 0 && strcmp(args.operand[0], "list") == 0) code = list();
     if (code < 0 && strcmp(args.operand[0], "rose") == 0) {
@@ -248,23 +310,7 @@ int wf_cmd_wind(int argc, char **argv)
         wf_print_findings(&d, quiet);
         code = s ? wf_complain(&e) : 0;
     }
-    if (code < 0) {
-        struct wf_diag d = { .arena = &arena };
-        struct wf_gust_report *r = WF_TAKE(&arena, 1, struct wf_gust_report);
-        const char *folder = wf_args_text(&args, "--output");
-        bool quiet = wf_args_given(&args, "--quiet");
-        enum wf_status s = r ? specify(&args, &spec, &arena, &d, &e) : wf_fail(&e, WF_ENOMEM, "no room");
-        if (!s) s = wf_gust_report_make(&spec, &arena, &d, r, &e);
-        wf_print_findings(&d, quiet);
-        if (!s && !quiet) print(r);
-        if (!s) s = wf_wind_tables(folder, r, &e);
-        if (!s && !wf_args_given(&args, "--no-plots")) {
-            const char *const only[] = { "wind", NULL };
-            s = wf_wind_figures(folder, r->coherence ? figures : only, &e);
-        }
-        if (!s && !quiet) printf("\nTables and plots: %s\n", folder);
-        code = s ? wf_complain(&e) : 0;
-    }
+    if (code < 0) code = run(&args, &arena, &e) ? wf_complain(&e) : 0;
     wf_arena_free(&arena);
     return code;
 }
