@@ -21,6 +21,7 @@
     <xsl:call-template name="cell"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="critical/governing_section/height/value"/></xsl:call-template>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="critical_stem/speed/value"/></xsl:call-template>
+    <xsl:if test="$trees[1]/scenario/ground_file != ''"><xsl:call-template name="cell"><xsl:with-param name="x" select="speed_up/value"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template></xsl:if>
     <xsl:if test="$climate">
       <xsl:call-template name="hours"><xsl:with-param name="x" select="hours_a_year/value"/></xsl:call-template>
       <xsl:call-template name="hours"><xsl:with-param name="x" select="hours_a_year_10_min/value"/></xsl:call-template>
@@ -32,6 +33,7 @@
   <xsl:param name="n"/>
   <xsl:variable name="around" select="$trees[1]/directions"/>
   <xsl:variable name="climate" select="$around/climate_file != ''"/>
+  <xsl:variable name="ground" select="$trees[1]/scenario/ground_file != ''"/>
   <table class="data">
     <xsl:call-template name="table-caption"><xsl:with-param name="n" select="$n"/><xsl:with-param name="text">
       <xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="$around/north/value = 0">t.around</xsl:when><xsl:otherwise>t.around.north</xsl:otherwise></xsl:choose></xsl:with-param>
@@ -48,6 +50,7 @@
       <xsl:call-template name="head"><xsl:with-param name="id">c.critical</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
       <xsl:call-template name="head"><xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
       <xsl:call-template name="head"><xsl:with-param name="id">c.stem</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
+      <xsl:if test="$ground"><xsl:call-template name="head"><xsl:with-param name="id">c.exposure</xsl:with-param><xsl:with-param name="unit">–</xsl:with-param></xsl:call-template></xsl:if>
       <xsl:if test="$climate">
         <xsl:call-template name="head"><xsl:with-param name="id">c.hours</xsl:with-param><xsl:with-param name="unit">h/a</xsl:with-param></xsl:call-template>
         <xsl:call-template name="head"><xsl:with-param name="id">c.hours.10</xsl:with-param><xsl:with-param name="unit">h/a</xsl:with-param></xsl:call-template>
@@ -55,10 +58,10 @@
     </tr></thead>
     <xsl:for-each select="$trees">
       <tbody class="long">
-        <xsl:if test="count($trees) &gt; 1"><tr><td colspan="9"><b><xsl:call-template name="name"/></b></td></tr></xsl:if>
+        <xsl:if test="count($trees) &gt; 1"><tr><td colspan="10"><b><xsl:call-template name="name"/></b></td></tr></xsl:if>
         <xsl:for-each select="directions/directions/item"><xsl:call-template name="direction-row"><xsl:with-param name="climate" select="$climate"/></xsl:call-template></xsl:for-each>
         <xsl:if test="$climate"><tr>
-          <td colspan="7"><xsl:call-template name="say"><xsl:with-param name="id">t.around.all</xsl:with-param></xsl:call-template></td>
+          <td colspan="{7 + number($ground)}"><xsl:call-template name="say"><xsl:with-param name="id">t.around.all</xsl:with-param></xsl:call-template></td>
           <xsl:call-template name="hours"><xsl:with-param name="x" select="directions/hours_a_year/value"/></xsl:call-template>
           <xsl:call-template name="hours"><xsl:with-param name="x" select="directions/hours_a_year_10_min/value"/></xsl:call-template>
         </tr></xsl:if>

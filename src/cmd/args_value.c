@@ -39,8 +39,8 @@ bool wf_args_quantity(struct wf_reading *r, const struct wf_option *o, const cha
         wf_args_mistake(r, o->name, "%s", e.text);
         return false;
     }
-    double slack = 1e-12 * fmax(fabs(si_low), fabs(si_high));
-    if (*si >= si_low - slack && *si <= si_high + slack) return true;
+    const double slack = 1e-12; /* of the bound itself: a bound of 0 has none */
+    if (*si >= si_low - slack * fabs(si_low) && *si <= si_high + slack * fabs(si_high)) return true;
     wf_args_mistake(r, o->name, "%.100s is outside %.6g..%.6g%s%s", text, o->low, o->high, o->unit ? " " : "",
                     o->unit ? o->unit : "");
     return false;
@@ -86,6 +86,11 @@ void wf_args_value(struct wf_reading *r, size_t k, const char *text)
         break;
     case WF_OPTION_NUMBER:
         wf_args_quantity(r, o, text, o->unit, &r->out->number[k]);
+        break;
+    case WF_OPTION_WHOLE:
+        if (wf_args_quantity(r, o, text, o->unit, &r->out->number[k]) &&
+            r->out->number[k] != floor(r->out->number[k]))
+            wf_args_mistake(r, o->name, "%.100s is not a whole number", text);
         break;
     case WF_OPTION_SPEED:
     case WF_OPTION_SPEEDS: /* wf_args_winds reads them when the other options are known */

@@ -37,6 +37,7 @@ enum wf_option_kind {
     WF_OPTION_TEXT,   /* any text                                           */
     WF_OPTION_CHOICE, /* one of `choices` or of the words `word` names        */
     WF_OPTION_NUMBER, /* a number, with or without a unit, within low..high */
+    WF_OPTION_WHOLE,  /* a whole number within low..high                    */
     WF_OPTION_SPEED,  /* one mean wind: a number like the above, or "beaufort:8"; goes with
                          WF_AVERAGING_OPTIONS */
     WF_OPTION_SPEEDS  /* several: "10,15,25", "5:40:1", "36km/h", "cma:typhoon,30"; likewise */

@@ -21,6 +21,12 @@ static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].na
         .low = l, .high = h, .help = text                                                                    \
     }
 
+#define WHOLE(n, start, l, h, text)                                                                          \
+    {                                                                                                        \
+        .name = n, .kind = WF_OPTION_WHOLE, .value = "NUMBER", .initial = start, .dimension = WF_DIM_NONE,   \
+        .low = l, .high = h, .help = text                                                                    \
+    }
+
 static const struct wf_option options[] = {
     { .name = "--model",
       .letter = "-m",
@@ -66,8 +72,8 @@ static const struct wf_option options[] = {
       .help = "of the gust: along the wind only, or along, across and up [3 where the model has them]" },
     NUMBER("--duration", "TIME", "60", WF_DIM_TIME, "s", 1e-3, 86400, "time that is run"),
     NUMBER("--step", "TIME", "0.1", WF_DIM_TIME, "s", 1e-4, 3600, "between frames"),
-    NUMBER("--keys", "NUMBER", "8", WF_DIM_NONE, NULL, 1, 64, "key frames drawn as panels"),
-    NUMBER("--seed", "NUMBER", "1", WF_DIM_NONE, NULL, 0, 1e9, "of the random numbers"),
+    WHOLE("--keys", "8", 1, 64, "key frames drawn as panels"),
+    WHOLE("--seed", "1", 0, 1e9, "of the random numbers"),
     NUMBER("--restoring", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 100, "k of the deflect scheme, below 1"),
     NUMBER("--damping", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 1e9, "c of the deflect scheme, N s2"),
     NUMBER("--youngs-modulus", "MODULUS", NULL, WF_DIM_PRESSURE, "Pa", 1e5, 1e12, "in place of the species'"),

@@ -15,6 +15,11 @@
 
 static const char *law_word(size_t i) { return wf_shelter_laws[i].name; }
 
+#define WHOLE(option, start, least, most, text)                                                              \
+    {                                                                                                        \
+        .name = option, .kind = WF_OPTION_WHOLE, .value = "NUMBER", .initial = start,                        \
+        .dimension = WF_DIM_NONE, .low = least, .high = most, .help = text                                   \
+    }
 #define NUMBER(option, word, start, dim, base, least, most, text)                                            \
     {                                                                                                        \
         .name = option, .kind = WF_OPTION_NUMBER, .value = word, .initial = start, .dimension = dim,         \
@@ -57,8 +62,8 @@ static const struct wf_option options[] = {
       .initial = "wake",
       .word = law_word,
       .help = "wake: drag and recovering wakes; feng1999: potential flows as printed" },
-    NUMBER("--slabs", "NUMBER", "32", WF_DIM_NONE, NULL, 1, 512, "along the wind"),
-    NUMBER("--cells", "NUMBER", "128", WF_DIM_NONE, NULL, 8, 1024, "across and up"),
+    WHOLE("--slabs", "32", 1, 512, "along the wind"),
+    WHOLE("--cells", "128", 8, 1024, "across and up"),
     NUMBER("--transmission", "SHARE", "0.2", WF_DIM_NONE, NULL, 0, 1, "of a fully covered cell"),
     { .name = "--as",
       .kind = WF_OPTION_CHOICE,
@@ -66,7 +71,7 @@ static const struct wf_option options[] = {
       .initial = "energy",
       .choices = "energy|speed",
       .help = "what the transmission is a share of" },
-    NUMBER("--gap", "NUMBER", "1", WF_DIM_NONE, NULL, 1, 64, "widest hole or slit, in cells"),
+    WHOLE("--gap", "1", 1, 64, "widest hole or slit, in cells"),
     NUMBER("--leaf-reach", "LENGTH", "0.25", WF_DIM_LENGTH, "m", 1e-3, 100,
            "how far leaves stand from their segment"),
     NUMBER("--wake-growth", "NUMBER", "0.08", WF_DIM_NONE, NULL, 0, 1,

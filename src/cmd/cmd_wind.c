@@ -52,7 +52,8 @@ static const struct wf_option options[] = {
       .unit = "s",
       .low = 1,
       .high = 1e6,
-      .help = "length of the series; a record is at most as long as it is" },
+      .help =
+          "length of the series; a record is at most as long as it is, one gust (eog) as long as it takes" },
     { .name = "--step",
       .kind = WF_OPTION_NUMBER,
       .value = "TIME",
@@ -63,7 +64,7 @@ static const struct wf_option options[] = {
       .high = 60,
       .help = "between two values" },
     { .name = "--seed",
-      .kind = WF_OPTION_NUMBER,
+      .kind = WF_OPTION_WHOLE,
       .value = "NUMBER",
       .initial = "1",
       .dimension = WF_DIM_NONE,
@@ -77,7 +78,7 @@ static const struct wf_option options[] = {
       .choices = "1|3",
       .help = "along the wind only, or along, across and up" },
     { .name = "--points",
-      .kind = WF_OPTION_NUMBER,
+      .kind = WF_OPTION_WHOLE,
       .value = "NUMBER",
       .initial = "1",
       .dimension = WF_DIM_NONE,
@@ -221,6 +222,8 @@ static enum wf_status specify(const struct wf_args *g, struct wf_gust_spec *s, s
     s->speed = wf_args_number(g, "--wind");
     enum wf_status status = wf_gust_set_words(s, wf_args_text(g, "--set"), a, e);
     if (!status && strcmp(m->name, "record") == 0) status = read_record(g, s, a, d, e);
+    if (strcmp(m->name, "eog") == 0 && !wf_args_given(g, "--duration")) /* as much before as after the gust */
+        s->steps = (size_t)llround((2.0 * wf_gust_get(s, "start") + wf_gust_get(s, "duration")) / s->step);
     if (!status) status = places(g, s, a, d, e);
     if (status || wf_args_text(g, "--stream")) return status;
     if (s->points > SHOWN_MAX || (double)s->points * s->components * (double)s->steps > 3e8)

@@ -1,8 +1,28 @@
 #ifndef WF_CMD_STUDY_DIRECTIONS_H
 #define WF_CMD_STUDY_DIRECTIONS_H
-/* Analyses over all directions of the wind, with a climate: options, request, table for a terminal. */
+/* Analyses over all directions of the wind, with a climate and the ground around: options, request, table for
+ * a terminal. */
 #include "cmd/study.h"
 #include "study/directions.h"
+#include "study/exposure.h"
+
+#define WF_EXPOSURE_OPTIONS                                                                                  \
+    { .name = "--speed-up",                                                                                  \
+      .kind = WF_OPTION_NUMBER,                                                                              \
+      .value = "NUMBER",                                                                                     \
+      .dimension = WF_DIM_NONE,                                                                              \
+      .low = 0.1,                                                                                            \
+      .high = 5,                                                                                             \
+      .help = "exposure of the site: wind at the tree over the wind named [1]" },                            \
+        { .name = "--dem",                                                                                   \
+          .kind = WF_OPTION_TEXT,                                                                            \
+          .value = "FILE",                                                                                   \
+          .help =                                                                                            \
+              "or found, for each direction, on heights of the ground, an ESRI ASCII grid, as 'windfirm "    \
+              "terrain' finds it at the reference height" },                                                 \
+    {                                                                                                        \
+        .name = "--at", .kind = WF_OPTION_TEXT, .value = "X,Y", .help = "where the tree stands on it [m]"    \
+    }
 
 #define WF_DIRECTION_OPTIONS                                                                                 \
     { .name = "--directions",                                                                                \
@@ -28,7 +48,7 @@
           .help = "where north is in the model: clockwise from +y as seen from above; 0: north is +y, east " \
                   "+x" },                                                                                    \
     {                                                                                                        \
-        .name = "--threads", .kind = WF_OPTION_NUMBER, .value = "NUMBER", .initial = "0",                    \
+        .name = "--threads", .kind = WF_OPTION_WHOLE, .value = "NUMBER", .initial = "0",                     \
         .dimension = WF_DIM_NONE, .low = 0, .high = 64,                                                      \
         .help = "processors for the directions, 0: all; the results are the same"                            \
     }
@@ -37,6 +57,9 @@
  * directions are asked for. */
 enum wf_status wf_directions_asked(const struct wf_args *g, struct wf_arena *a, struct wf_diag *d,
                                    struct wf_directions_request *out, struct wf_err *e);
+/* The exposure the options ask for, into the scenario and, by direction, into the request. */
+enum wf_status wf_exposure_asked(const struct wf_args *g, struct wf_arena *a, struct wf_scenario *s,
+                                 struct wf_directions_request *q, struct wf_err *e);
 /* The table of one analysis; nothing where it has no directions. */
 void wf_directions_print(FILE *to, const struct wf_analysis *an);
 #endif

@@ -60,16 +60,7 @@ const struct wf_option wf_study_options[] = {
       .help = "the wind inside the crown: none: as outside; wake: what drag of the windward parts leaves; "
               "feng1999: "
               "potential flows as printed" },
-    { .name = "--speed-up",
-      .kind = WF_OPTION_NUMBER,
-      .value = "NUMBER",
-      .initial = "1",
-      .dimension = WF_DIM_NONE,
-      .low = 0.1,
-      .high = 5,
-      .help =
-          "exposure of the site: wind at the tree over the wind named, as 'windfirm terrain' tells it for a "
-          "place" },
+    WF_EXPOSURE_OPTIONS,
     { .name = "--temperature",
       .kind = WF_OPTION_NUMBER,
       .value = "TEMPERATURE",
@@ -142,7 +133,6 @@ enum wf_status wf_study_from_args(const struct wf_args *g, struct wf_arena *a, s
     if (status) return status;
     s->winds_said = g->winds_said;
     s->azimuth = wf_args_number(g, "--azimuth");
-    s->speed_up = wf_args_number(g, "--speed-up");
     s->temperature = wf_args_number(g, "--temperature");
     s->altitude = wf_args_number(g, "--altitude");
     s->air_density = wf_args_number(g, "--air-density");
@@ -154,5 +144,6 @@ enum wf_status wf_study_from_args(const struct wf_args *g, struct wf_arena *a, s
         out->solve.root_stiffness[0] = out->solve.root_stiffness[1] = wf_args_number(g, "--root-stiffness");
     out->solver = wf_solver_named(wf_args_text(g, "--solver"));
     out->preset = wf_preset_named(wf_args_text(g, "--preset"));
-    return wf_directions_asked(g, a, d, &out->directions, e);
+    status = wf_directions_asked(g, a, d, &out->directions, e);
+    return status ? status : wf_exposure_asked(g, a, s, &out->directions, e);
 }

@@ -47,6 +47,12 @@ void wf_study_print(FILE *to, const struct wf_run *run)
     const struct wf_scenario *s = &first->scenario;
     fprintf(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
+    if (s->speed_up != 1.0)
+        fprintf(to,
+                "The tree meets %.4g times the wind named (exposure of the site); critical speeds are of the "
+                "wind "
+                "named\n",
+                s->speed_up);
     for (size_t k = 0; k < run->n; k++) {
         const struct wf_analysis *an = &run->analysis[k];
         fprintf(to, "\n%s (%s)\n", an->species->name,

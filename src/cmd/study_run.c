@@ -1,9 +1,10 @@
 #include "cmd/study.h"
 #include "out/report.h"
+#include "study/exposure.h"
 #include <string.h>
 #include <sys/stat.h>
 
-enum { OTHER_FILES = 3 }; /* model, profile, climate */
+enum { OTHER_FILES = 4 }; /* model, profile, climate, ground */
 
 /* Everything of one run, in one arena. */
 struct work {
@@ -64,6 +65,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
                                                                     w->study.directions.climate_file;
     enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
     if (!s && profile) s = note(w, "profile", profile, e);
+    if (!s && w->study.scenario.site) s = note(w, "ground", w->study.scenario.site->file, e);
     return !s && climate ? note(w, "climate", climate, e) : s;
 }
 

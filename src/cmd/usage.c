@@ -33,7 +33,7 @@ static void option_text(const struct wf_option *o, FILE *to)
         for (size_t i = 0; i < n; i++) fprintf(to, "%s%s", i ? ", " : ": ", word[i]);
     }
     bool wind = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
-    if (o->kind == WF_OPTION_NUMBER || wind)
+    if (o->kind == WF_OPTION_NUMBER || o->kind == WF_OPTION_WHOLE || wind)
         fprintf(to, " (%.6g..%.6g%s%s)", o->low, o->high, *unit ? " " : "", unit);
     if (wind) fputs("; or a grade: beaufort:8, cma:typhoon, hko:typhoon", to);
     if (o->initial)

@@ -10,7 +10,10 @@ static const char none[] = "no climate, or no critical wind speed";
 static json_t *one(struct wf_doc *d, const struct wf_analysis *a, const struct wf_direction *x)
 {
     json_t *o = wf_doc_object(d), *winds;
+    const double *exposed = a->directions->request.speed_up;
     wf_doc_quantity(d, o, "from", x->from, "rad", NULL);
+    wf_doc_quantity(d, o, "speed_up", exposed ? exposed[x - a->directions->direction] : a->scenario.speed_up,
+                    "1", NULL);
     winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
     for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wf_part_wind(d, a, &x->at[k]));
     wf_doc_put(d, o, "critical", wf_part_critical(d, a, &x->breaks));
@@ -68,6 +71,7 @@ static void row(const struct wf_run *run, size_t tree, size_t k, size_t wind, FI
     wf_table_cell(f, r ? r->shape[k] : NAN);
     wf_table_cell(f, WF_HOURS_A_YEAR * d->hourly);
     wf_table_cell(f, WF_HOURS_A_YEAR * d->strongest);
+    wf_table_cell(f, x->request.speed_up ? x->request.speed_up[k] : a->scenario.speed_up);
     putc('\n', f);
 }
 
@@ -80,7 +84,7 @@ size_t wf_directions_write(const struct wf_run *run, FILE *f)
           "moment_Nm,"
           "largest_stress_MPa,least_safety,critical_wind_m_s,critical_outcome,critical_height_m,"
           "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m,frequency,weibull_scale_m_s,"
-          "weibull_shape,hours_a_year,hours_a_year_10_min\n",
+          "weibull_shape,hours_a_year,hours_a_year_10_min,speed_up\n",
           f);
     for (size_t i = 0; i < run->n; i++)
         for (size_t wind = 0; wind < run->analysis[i].n; wind++)

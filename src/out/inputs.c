@@ -1,5 +1,6 @@
 /* What went in: species values with range, standing and source; model; scenario; method. */
 #include "out/parts.h"
+#include "study/exposure.h"
 #include "wind/scale.h"
 #include "wind/shelter.h"
 #include <math.h>
@@ -189,6 +190,10 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "averaging_time", WF_MEAN_TIME, "s", NULL);
     wf_doc_text(d, o, "winds_said", s->winds_said);
     wf_doc_quantity(d, o, "speed_up", s->speed_up, "1", NULL);
+    static const char given[] = "no map of the ground";
+    wf_doc_text(d, o, "ground_file", s->site ? s->site->file : NULL);
+    wf_doc_quantity(d, o, "site_x", s->site ? s->site->x : NAN, "m", given);
+    wf_doc_quantity(d, o, "site_y", s->site ? s->site->y : NAN, "m", given);
     wf_doc_quantity(d, o, "roughness", s->roughness, "m", "not used by this profile");
     wf_doc_quantity(d, o, "displacement", s->displacement, "m", "not used by this profile");
     wf_doc_quantity(d, o, "exponent", s->exponent, "1", "not used by this profile");

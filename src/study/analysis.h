@@ -14,12 +14,14 @@
 #include "wind/measured.h"
 #include "wind/wind.h"
 
+struct wf_site; /* study/exposure.h */
 struct wf_scenario {
     const char *profile;                        /* row of wf_profiles */
     const struct wf_measured_profile *measured; /* of the profile "measured" */
     const char *profile_file;                   /* it was read from */
     double reference_height;                    /* height of the named wind speeds [m] */
     double speed_up; /* wind at the tree over the wind named, at every height: exposure of the site [-] */
+    const struct wf_site *site; /* it was found on this ground; NULL: it was given */
     double roughness, displacement,
         exponent; /* [m], [m], [-]: of the log and canopy, log and canopy, power profile */
     double canopy_height, attenuation; /* [m], [-]: of the canopy profile; 0: derived, see wind/wind.h */

@@ -35,7 +35,9 @@ static enum wf_status one(const struct work *w, struct wf_direction *d, struct w
 {
     struct wf_analysis an = *w->an;
     double azimuth = wf_direction_azimuth(&w->out->request, d->from);
+    const double *exposed = w->out->request.speed_up;
     an.scenario.azimuth = azimuth;
+    if (exposed) an.scenario.speed_up = exposed[d - w->out->direction];
     an.wind.direction[0] = cos(azimuth), an.wind.direction[1] = sin(azimuth);
     an.loads.wind = &an.wind;
     for (size_t k = 0; k < an.n; k++) {

@@ -11,6 +11,8 @@ struct wf_directions_request {
     const struct wf_rose
         *rose; /* climate with n directions, hourly means at the reference height; NULL: none */
     const char *climate_file;
+    const double
+        *speed_up;   /* n: exposure of the site by direction, in place of the scenario's; NULL: the same */
     const char *law; /* row of wf_averaging_laws: the strongest 10-min mean within an hour */
     size_t threads;  /* 0: as many as there are processors; the answers are the same */
 };

@@ -1,3 +1,4 @@
+#include "study/exposure.h"
 #include "study/limits.h"
 #include "study/scenario.h"
 #include <math.h>
@@ -117,9 +118,27 @@ void wf_limits_profile(const struct wf_scenario *s, double tallness, const char 
     if (s->measured && strcmp(s->profile, "measured") == 0) check_measured(s, tallness, tree, d);
 }
 
+static void check_site(const struct wf_site *s, struct wf_diag *d)
+{
+    if (!s) return;
+    if (s->steepest > 0.3)
+        wf_diag_warn(d, "steep",
+                     "%s: slopes up to %.2f: the linear speed-up holds to about 0.3; beyond, the wind "
+                     "separates in the "
+                     "lee and is overestimated there",
+                     s->file, s->steepest);
+    if (s->edge < 1000.0)
+        wf_diag_warn(
+            d, "map-edge",
+            "%s: the tree stands %.0f m from the edge of the map; ground beyond it is taken as the mirror "
+            "image of what is known",
+            s->file, s->edge);
+}
+
 void wf_limits_wind(const struct wf_analysis *an, struct wf_diag *d)
 {
     check_streamline(an, d);
     wf_limits_profile(&an->scenario, an->tallness, an->model->name, d);
     check_reynolds(an, d);
+    check_site(an->scenario.site, d);
 }
