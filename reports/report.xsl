@@ -79,7 +79,7 @@
           <xsl:with-param name="a"><xsl:call-template name="winds-text"/></xsl:with-param><xsl:with-param name="b" select="$reference"/></xsl:call-template>
         <xsl:if test="$trees[1]/scenario/winds_said != ''"><br/><xsl:value-of select="$trees[1]/scenario/winds_said"/></xsl:if>
         <xsl:if test="$trees[1]/scenario/speed_up/value != 1"><br/><xsl:call-template name="say"><xsl:with-param name="id">tb.exposure</xsl:with-param>
-          <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/scenario/speed_up/value"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:if>
+          <xsl:with-param name="a"><xsl:call-template name="number"><xsl:with-param name="x" select="$trees[1]/scenario/speed_up/value"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:if>
       </xsl:with-param></xsl:call-template>
       <xsl:call-template name="block-row"><xsl:with-param name="id">tb.method</xsl:with-param><xsl:with-param name="text">
         <xsl:for-each select="$trees[1]/method/solver"><xsl:call-template name="solver-title"/></xsl:for-each>

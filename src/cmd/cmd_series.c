@@ -1,7 +1,7 @@
+#include "cmd/gust_options.h"
 #include "cmd/profile_options.h"
 #include "cmd/series_perform.h"
 #include "cmd/wind_speed.h"
-#include "wind/gust_words.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -33,17 +33,7 @@ static const struct wf_option options[] = {
       .kind = WF_OPTION_TEXT,
       .value = "MODEL",
       .help = "tree model: a file, or the name of a shipped one" },
-    { .name = "--wind",
-      .letter = "-w",
-      .kind = WF_OPTION_SPEED,
-      .value = "SPEED",
-      .initial = "10",
-      .dimension = WF_DIM_SPEED,
-      .unit = "m/s",
-      .low = 0,
-      .high = 100,
-      .help = "mean wind at the reference height" },
-    WF_AVERAGING_OPTIONS,
+    WF_WIND_OPTIONS(0, 100, "mean wind at the reference height"),
     CHOICE("--gust", "steady", gust_word, "how the wind changes"),
     CHOICE("--preset", "corrected", preset_word, "a published method, as printed"),
     CHOICE("--solver", NULL, solver_word, "how the bent shape is computed [the preset's, else beam]"),
@@ -51,20 +41,7 @@ static const struct wf_option options[] = {
     CHOICE("--shelter", "none", shelter_word, "wind inside the crown"),
     NUMBER("--intensity", "NUMBER", NULL, WF_DIM_NONE, NULL, 0, 1, "turbulence intensity of the gust model"),
     NUMBER("--period", "TIME", NULL, WF_DIM_TIME, "s", 0.1, 3600, "of the gust model"),
-    { .name = "--set",
-      .kind = WF_OPTION_TEXT,
-      .value = "NAME=NUMBER,...",
-      .help = "other parameters of the gust model; `windfirm wind list` shows them" },
-    { .name = "--file",
-      .kind = WF_OPTION_TEXT,
-      .value = "FILE",
-      .help = "anemometer CSV of the gust model record" },
-    { .name = "--columns",
-      .kind = WF_OPTION_TEXT,
-      .value = "T,U[,V[,W]]",
-      .initial = WF_RECORD_COLUMNS,
-      .help =
-          "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s" },
+    WF_GUST_OPTIONS,
     { .name = "--components",
       .kind = WF_OPTION_CHOICE,
       .value = "1|3",

@@ -1,11 +1,10 @@
 /* windfirm wind: make a gusty wind, look at it, draw it. */
 #include "base/near.h"
-#include "cmd/cmd.h"
+#include "cmd/gust_options.h"
 #include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"
 #include "cmd/wind_stream.h"
 #include "cmd/wind_tables.h"
-#include "wind/gust_words.h"
 #include "wind/points.h"
 #include "wind/scale.h"
 #include <math.h>
@@ -16,17 +15,7 @@
 enum { SHOWN_MAX = 200 }; /* points that are looked at; more are only written */
 
 static const struct wf_option options[] = {
-    { .name = "--wind",
-      .letter = "-w",
-      .kind = WF_OPTION_SPEED,
-      .value = "SPEED",
-      .initial = "10",
-      .dimension = WF_DIM_SPEED,
-      .unit = "m/s",
-      .low = 0.01,
-      .high = 120,
-      .help = "mean wind" },
-    WF_AVERAGING_OPTIONS,
+    WF_WIND_OPTIONS(0.01, 120, "mean wind"),
     { .name = "--height",
       .kind = WF_OPTION_NUMBER,
       .value = "LENGTH",
@@ -106,20 +95,7 @@ static const struct wf_option options[] = {
       .help = "write the wind to FILE block by block, for any number of points and steps, and nothing else: "
               "NAME.csv as "
               "a table, NAME.npy as 32-bit numbers, steps x points x components" },
-    { .name = "--set",
-      .kind = WF_OPTION_TEXT,
-      .value = "NAME=NUMBER,...",
-      .help = "parameters of the model; `windfirm wind list` shows them" },
-    { .name = "--file",
-      .kind = WF_OPTION_TEXT,
-      .value = "FILE",
-      .help = "anemometer CSV for `record`, climate CSV for `rose`" },
-    { .name = "--columns",
-      .kind = WF_OPTION_TEXT,
-      .value = "T,U[,V[,W]]",
-      .initial = WF_RECORD_COLUMNS,
-      .help =
-          "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s" },
+    WF_GUST_OPTIONS,
     { .name = "--output",
       .letter = "-o",
       .kind = WF_OPTION_TEXT,

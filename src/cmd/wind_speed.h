@@ -25,6 +25,20 @@ const char *wf_averaging_word(size_t i);
                 "durst]"                                                                                     \
     }
 
+/* One wind, and the above. */
+#define WF_WIND_OPTIONS(least, most, text)                                                                   \
+    { .name = "--wind",                                                                                      \
+      .letter = "-w",                                                                                        \
+      .kind = WF_OPTION_SPEED,                                                                               \
+      .value = "SPEED",                                                                                      \
+      .initial = "10",                                                                                       \
+      .dimension = WF_DIM_SPEED,                                                                             \
+      .unit = "m/s",                                                                                         \
+      .low = least,                                                                                          \
+      .high = most,                                                                                          \
+      .help = text },                                                                                        \
+        WF_AVERAGING_OPTIONS
+
 /* Read every wind of a command line whose other options are read: numbers and speeds of r->out in [m/s] as
  * 10-min means, and in r->out->winds_said what was converted and by which law. Mistakes are printed and
  * counted. */
