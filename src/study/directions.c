@@ -2,8 +2,8 @@
 #include "study/speed.h"
 #include "wind/scale.h"
 #include <math.h>
+#include <pthread.h>
 #include <stdatomic.h>
-#include <threads.h>
 #include <unistd.h>
 
 static const double turn = 2.0 * M_PI;
@@ -47,26 +47,26 @@ static enum wf_status one(const struct work *w, struct wf_direction *d, struct w
     return wf_analysis_breaks(&an, w->o, &d->breaks, &d->stem, e);
 }
 
-static int run(void *context)
+static void *run(void *context)
 {
     struct work *w = context;
     for (size_t k; (k = atomic_fetch_add(&w->next, 1)) < w->out->request.n;)
         w->status[k] = one(w, &w->out->direction[k], &w->why[k]);
-    return 0;
+    return NULL;
 }
 
 /* One thread is this one; those that cannot be started are not missed. */
 static void run_all(struct work *w)
 {
-    thrd_t thread[THREADS_MAX];
+    pthread_t thread[THREADS_MAX];
     size_t asked = w->out->request.threads, started = 0;
     if (!asked) asked = (size_t)fmax((double)sysconf(_SC_NPROCESSORS_ONLN), 1.0);
     asked = asked < THREADS_MAX ? asked : THREADS_MAX;
     while (started + 1 < asked && started + 1 < w->out->request.n &&
-           thrd_create(&thread[started], run, w) == thrd_success)
+           pthread_create(&thread[started], NULL, run, w) == 0)
         started++;
     run(w);
-    for (size_t k = 0; k < started; k++) thrd_join(thread[k], NULL);
+    for (size_t k = 0; k < started; k++) pthread_join(thread[k], NULL);
 }
 
 /* Share of all hours whose mean times `gust` is above what breaks the tree in this direction. */
