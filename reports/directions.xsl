@@ -13,7 +13,7 @@
 
 <xsl:template name="direction-row">
   <xsl:param name="climate"/>
-  <tr>
+  <tr><xsl:if test="critical/within_limits = 'false' or winds/item[last()]/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
     <td class="r"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$degrees * from/value"/><xsl:with-param name="pattern">0.#</xsl:with-param></xsl:call-template></td>
     <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="winds/item[last()]/base_moment/value div 1000"/></xsl:call-template></td>
     <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="winds/item[last()]/tip_deflection/value"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>

@@ -114,7 +114,7 @@
     <xsl:call-template name="say"><xsl:with-param name="id">sum.stem.above</xsl:with-param>
       <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
   </xsl:if>
-  <xsl:for-each select="directions/directions/item[critical/outcome = 'found']">
+  <xsl:for-each select="directions/directions/item[critical/outcome = 'found' and critical/within_limits = 'true']">
     <xsl:sort select="critical/speed/value" data-type="number"/>
     <xsl:if test="position() = 1">
       <xsl:value-of select="$gap"/>

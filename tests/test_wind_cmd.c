@@ -92,6 +92,13 @@ static void test_profile(void **state)
         { "$W series oak $M " QUIET "--no-vtk --duration 1 --profile canopy",
           CODE_INPUT,
           { "needs the canopy height" } },
+        { PROFILE
+          "PATH=$T $W analyze oak $M --wind 10 -o $T/out -q --profile-file $T/p.csv --directions 8 --lang "
+          "en; grep "
+          "-o -e 'as measured, 2 to 10 m' -e 'Wind from all around' -e '10-min means' -e 'Of 8 directions' "
+          "$T/out/report.html",
+          CODE_OK,
+          { "as measured, 2 to 10 m", "Wind from all around", "10-min means", "Of 8 directions" } },
     };
     CHECK(rows);
 }

@@ -61,8 +61,9 @@ static int32_t top_level(const struct wf_explain *x)
     return top;
 }
 
-static void print(const struct wf_explain *x, double *room)
+static void print(const struct wf_explain *x, double speed, double height, double *room)
 {
+    printf("Wind %.4g m/s, a 10-min mean at %.6g m\n", speed, height);
     printf("Own bending of the branches over that by beam theory, middle of each level\n\n%-18s%10s",
            "method", "tip");
     for (int32_t l = 0; l <= top_level(x); l++) printf("   level %d", (int)l);
@@ -149,7 +150,7 @@ static enum wf_status run(const struct wf_args *g, struct wf_arena *a, struct wf
     if (!s) wf_limits_profile(&an.scenario, an.tallness, m.name, &d);
     if (!s) s = wf_explain_run(&an, &o, wf_args_number(g, "--wind"), a, &d, &x, e);
     double *room = s ? NULL : WF_TAKE(a, x.axes, double);
-    if (room && !quiet) print(&x, room);
+    if (room && !quiet) print(&x, wf_args_number(g, "--wind"), an.scenario.reference_height, room);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     if (!s) s = write(&x, &an.tree, folder, !wf_args_given(g, "--no-plots"), e);

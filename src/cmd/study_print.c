@@ -47,6 +47,7 @@ void wf_study_print(FILE *to, const struct wf_run *run)
     const struct wf_scenario *s = &first->scenario;
     fprintf(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
+    fprintf(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
     if (s->speed_up != 1.0)
         fprintf(to,
                 "The tree meets %.4g times the wind named (exposure of the site); critical speeds are of the "
