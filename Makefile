@@ -48,7 +48,7 @@ $(B)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(SANF) $(CFLAGS) -c $< -o $@
 # the numeric kernels are small fixed-size loops: unroll and vectorise them
-$(B)/src/solve/%.o $(B)/src/load/%.o $(B)/src/wind/shelter_wake.o: CFLAGS += -O3
+$(B)/src/solve/%.o $(B)/src/load/%.o $(B)/src/wind/shelter_wake.o $(B)/src/wind/gust_spectral.o $(B)/src/wind/gust_coherence.o: CFLAGS += -O3
 
 demo: packages ## install what is missing, build, compare bamboo and willow: out/demo/report.pdf
 	@$(MAKE) -s -j$$(nproc) all

@@ -91,5 +91,15 @@
   <xsl:call-template name="label"><xsl:with-param name="name">STRESS</xsl:with-param></xsl:call-template>
   <xsl:call-template name="label"><xsl:with-param name="name">SAFETY</xsl:with-param></xsl:call-template>
   <xsl:call-template name="label"><xsl:with-param name="name">BREAKS</xsl:with-param></xsl:call-template>
+  <xsl:if test="$trees[1]/directions/number">
+    <xsl:call-template name="label"><xsl:with-param name="name">AROUND_MOMENT</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/winds/item[last()]/speed/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="label"><xsl:with-param name="name">AROUND_CRITICAL</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="label"><xsl:with-param name="name">AROUND_FIRST</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="label"><xsl:with-param name="name">AROUND_STEM</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="label"><xsl:with-param name="name">NORTH</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="label"><xsl:with-param name="name">SOUTH</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="label"><xsl:with-param name="name">EAST</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="label"><xsl:with-param name="name">WEST</xsl:with-param></xsl:call-template>
+  </xsl:if>
 </xsl:template>
 </xsl:stylesheet>

@@ -92,7 +92,7 @@
 
 <xsl:template name="species-table">
   <table class="data inputs">
-    <xsl:call-template name="table-caption"><xsl:with-param name="n" select="position() + 2"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">in.species</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="table-caption"><xsl:with-param name="n" select="position() + 2 + count($trees[1]/directions[number])"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">in.species</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
     <thead><tr>
       <th><xsl:call-template name="say"><xsl:with-param name="id">in.part</xsl:with-param></xsl:call-template></th>
       <th><xsl:call-template name="say"><xsl:with-param name="id">in.quantity</xsl:with-param></xsl:call-template></th>
@@ -159,6 +159,8 @@
       <xsl:with-param name="b"><xsl:call-template name="given"><xsl:with-param name="x" select="displacement/value"/></xsl:call-template></xsl:with-param>
       <xsl:with-param name="c"><xsl:call-template name="number"><xsl:with-param name="x" select="canopy_height/value"/></xsl:call-template></xsl:with-param>
       <xsl:with-param name="d"><xsl:call-template name="number"><xsl:with-param name="x" select="attenuation/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="e"><xsl:call-template name="given"><xsl:with-param name="x" select="profile_low/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="f"><xsl:call-template name="given"><xsl:with-param name="x" select="profile_high/value"/></xsl:call-template></xsl:with-param>
     </xsl:call-template></xsl:with-param></xsl:call-template>
     <xsl:call-template name="block-row"><xsl:with-param name="id">in.reference</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="metres"><xsl:with-param name="x" select="reference_height/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
     <xsl:call-template name="block-row"><xsl:with-param name="id">in.azimuth</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">in.azimuth.text</xsl:with-param>

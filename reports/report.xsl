@@ -6,6 +6,7 @@
 <xsl:import href="words.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
+<xsl:include href="directions.xsl"/>
 <xsl:include href="inputs.xsl"/>
 <xsl:include href="method.xsl"/>
 <xsl:output method="html" encoding="UTF-8" doctype-system="about:legacy-compat" indent="no"/>
@@ -76,6 +77,9 @@
       <xsl:call-template name="block-row"><xsl:with-param name="id">tb.wind</xsl:with-param><xsl:with-param name="text">
         <xsl:call-template name="say"><xsl:with-param name="id">tb.wind.text</xsl:with-param>
           <xsl:with-param name="a"><xsl:call-template name="winds-text"/></xsl:with-param><xsl:with-param name="b" select="$reference"/></xsl:call-template>
+        <xsl:if test="$trees[1]/scenario/winds_said != ''"><br/><xsl:value-of select="$trees[1]/scenario/winds_said"/></xsl:if>
+        <xsl:if test="$trees[1]/scenario/speed_up/value != 1"><br/><xsl:call-template name="say"><xsl:with-param name="id">tb.exposure</xsl:with-param>
+          <xsl:with-param name="a"><xsl:call-template name="number"><xsl:with-param name="x" select="$trees[1]/scenario/speed_up/value"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:if>
       </xsl:with-param></xsl:call-template>
       <xsl:call-template name="block-row"><xsl:with-param name="id">tb.method</xsl:with-param><xsl:with-param name="text">
         <xsl:for-each select="$trees[1]/method/solver"><xsl:call-template name="solver-title"/></xsl:for-each>
@@ -133,7 +137,8 @@
     <body lang="{$lang}">
       <xsl:call-template name="title-block"/>
       <section><xsl:call-template name="heading"><xsl:with-param name="n" select="1"/><xsl:with-param name="id">h.summary</xsl:with-param></xsl:call-template><xsl:call-template name="summary"/></section>
-      <section><xsl:call-template name="heading"><xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param></xsl:call-template><xsl:call-template name="result-tables"/></section>
+      <section><xsl:call-template name="heading"><xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param></xsl:call-template><xsl:call-template name="result-tables"/>
+        <xsl:if test="$trees[1]/directions/number"><xsl:call-template name="direction-table"><xsl:with-param name="n" select="3"/></xsl:call-template></xsl:if></section>
       <section><xsl:call-template name="heading"><xsl:with-param name="n" select="3"/><xsl:with-param name="id">h.figures</xsl:with-param></xsl:call-template><xsl:apply-templates select="figures/figure"/></section>
       <section><xsl:call-template name="heading"><xsl:with-param name="n" select="4"/><xsl:with-param name="id">h.inputs</xsl:with-param></xsl:call-template><xsl:call-template name="inputs"/></section>
       <section><xsl:call-template name="heading"><xsl:with-param name="n" select="5"/><xsl:with-param name="id">h.method</xsl:with-param></xsl:call-template><xsl:call-template name="method"/></section>

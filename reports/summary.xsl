@@ -114,6 +114,16 @@
     <xsl:call-template name="say"><xsl:with-param name="id">sum.stem.above</xsl:with-param>
       <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
   </xsl:if>
+  <xsl:for-each select="directions/directions/item[critical/outcome = 'found' and critical/within_limits = 'true']">
+    <xsl:sort select="critical/speed/value" data-type="number"/>
+    <xsl:if test="position() = 1">
+      <xsl:value-of select="$gap"/>
+      <xsl:call-template name="say"><xsl:with-param name="id">sum.weakest</xsl:with-param>
+        <xsl:with-param name="a"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$degrees * from/value"/><xsl:with-param name="pattern">0.#</xsl:with-param></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/>
+        <xsl:with-param name="c" select="../../number"/></xsl:call-template>
+    </xsl:if>
+  </xsl:for-each>
   <xsl:if test="critical/outcome = 'found' and critical/speed/value &gt; species/streamlining/speed_high/value">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say"><xsl:with-param name="id">sum.extrapolated</xsl:with-param>

@@ -1,51 +1,6 @@
 /* The program as a user meets it: what it prints and its exit code, above all for bad input. */
 #include "close.h"
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
-
-enum { CODE_OK = 0, CODE_RUN = 1, CODE_INPUT = 2 };
-
-static char output[1 << 16];
-static const char *program;
-
-/* Run a shell command with $W the program, $T a scratch folder, $RUN the rest of a quick analysis; stdout and
- * stderr go to `output`. Returned: exit code, 128 + signal when it was killed. */
-static int shell(const char *command)
-{
-    char all[4096];
-    snprintf(
-        all, sizeof all,
-        "{ T=%s.scratch; W=%s; M='--model models/culm.yaml'; RUN=\"$M --wind 10 --no-report -o $T/out\"\n"
-        "rm -rf $T; mkdir -p $T\n%s\n} 2>&1 </dev/null",
-        program, program, command);
-    FILE *pipe = popen(all, "r");
-    assert_non_null(pipe);
-    size_t got = fread(output, 1, sizeof output - 1, pipe);
-    output[got] = '\0';
-    int status = pclose(pipe);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-struct row {
-    const char *command;
-    int code;
-    const char *expect[4]; /* pieces of the output */
-};
-
-static void check(const struct row *rows, size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        int code = shell(rows[i].command);
-        if (code != rows[i].code)
-            fail_msg("%s\nexit code %d, want %d; it printed:\n%s", rows[i].command, code, rows[i].code,
-                     output);
-        for (size_t k = 0; k < 4 && rows[i].expect[k]; k++)
-            if (!strstr(output, rows[i].expect[k]))
-                fail_msg("%s\ndoes not print '%s' but:\n%s", rows[i].command, rows[i].expect[k], output);
-    }
-}
-#define CHECK(rows) check(rows, sizeof rows / sizeof *rows)
+#include "shell.h"
 
 static void test_usage(void **state)
 {

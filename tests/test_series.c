@@ -32,7 +32,7 @@ static void start(struct made *m, const char *species, const char *model)
                                           .restoring = NAN,
                                           .damping = NAN,
                                           .transmission = NAN,
-                                          .reference_height = NAN,
+                                          .profile = WF_PROFILE_UNSAID,
                                           .keys = 1,
                                           .seed = 1 };
     if (wf_species_read(species, &m->arena, &m->species, &m->diag, &m->err)) fail_msg("%s", m->err.text);
@@ -178,7 +178,7 @@ static void leaves_swing_with_the_wind(void **state)
     for (int k = 0; k < 2; k++) {
         struct made m;
         start(&m, "species/poplar.yaml", "models/zhao2013_ifs.yaml");
-        m.run.wind = k ? 4 : 2, m.run.solver = "deflect", m.run.profile = "uniform";
+        m.run.wind = k ? 4 : 2, m.run.solver = "deflect", m.run.profile.name = "uniform";
         for (size_t i = 0; i < m.species.levels; i++)
             m.species.level[i].youngs_modulus.value = 1e15; /* stiff */
         if (try(&m)) fail_msg("%s", m.err.text);
@@ -236,6 +236,52 @@ static void files(void **state)
     wf_arena_free(&m.arena);
 }
 
+/* A recorded wind that blows level from the side by turns: each frame is the answer to that wind, and a wind
+ * of three components bends the tree off the plane of its mean. */
+static void winds_that_turn(void **state)
+{
+    (void)state;
+    enum { FRAMES = 24 };
+    struct made m, one;
+    char path[] = "/tmp/windfirm-test-XXXXXX";
+    FILE *f = fdopen(mkstemp(path), "w");
+    assert_non_null(f);
+    fputs("t_s,u_ms,v_ms,w_ms\n", f);
+    for (int k = 0; k < FRAMES; k++)
+        fprintf(f, "%g,6,%d,%g\n", 0.5 * k, k % 4 < 2 ? 3 : -3, k % 2 ? 0.5 : -0.5);
+    fclose(f);
+    start(&m, "species/weeping_willow.yaml", "models/culm.yaml");
+    m.run.gust = "record", m.run.file = path, m.run.duration = FRAMES * 0.5, m.run.profile.name = "uniform";
+    if (try(&m)) fail_msg("%s", m.err.text);
+    const struct wf_series *s = &m.series;
+    assert_non_null(s->across);
+    size_t n = s->an.tree.n, tip = 3 * s->tip;
+    for (size_t k = 0; k < 4; k++) { /* the same wind straight ahead bends as far */
+        double level = hypot(s->wind[k], s->across[k]);
+        assert_close(s->wind[k], 6, 1e-9);
+        assert_close(fabs(s->across[k]), 3, 1e-9);
+        start(&one, "species/weeping_willow.yaml", "models/culm.yaml");
+        one.run.wind = level, one.run.profile.name = "uniform";
+        double far = deflection(&one);
+        assert_close(s->deflection[k], far, 0.02 * far); /* the rising part changes it a little */
+        const double *p = s->place + 3 * n * k + tip;
+        assert_close(atan2(p[1], p[0]), atan2(s->across[k], s->wind[k]), 1e-3);
+        wf_arena_free(&one.arena);
+    }
+    m.run.components = 1; /* along the wind only: the tip stays in the plane */
+    if (try(&m)) fail_msg("%s", m.err.text);
+    assert_null(m.series.across);
+    assert_close(m.series.place[tip + 1], 0, 1e-9);
+    m.run.components = 0, m.run.solver = "deflect"; /* has one direction, and says so */
+    if (try(&m)) fail_msg("%s", m.err.text);
+    assert_null(m.series.across);
+    const struct wf_finding *w = m.diag.first;
+    while (w && strcmp(w->code ? w->code : "", "along-wind-only") != 0) w = w->next;
+    assert_non_null(w);
+    unlink(path);
+    wf_arena_free(&m.arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -246,6 +292,7 @@ int main(void)
         cmocka_unit_test(words_that_name_nothing),
         cmocka_unit_test(shipped_plans),
         cmocka_unit_test(leaves_swing_with_the_wind),
+        cmocka_unit_test(winds_that_turn),
         cmocka_unit_test(files),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

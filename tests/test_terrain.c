@@ -132,7 +132,7 @@ static void ascii_mistakes(void **state)
         { "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\n1 2\n3 4\n", "no cellsize" },
         { "ncols 2\nrows 2\n", "unknown header word 'rows'" },
         { "ncols 2.5\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 10\n", "ncols = 2.5" },
-        { "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize -4\n1 2 3 4", "cell of -4" },
+        { "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize -4\n1 2 3 4", "cellsize = -4 m" },
         { "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 0\ncellsize 4\n1 2 3 -32768", "no-data" },
     };
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {

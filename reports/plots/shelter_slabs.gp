@@ -29,7 +29,7 @@ do for [part=1:2] {
     if (part == 1) {
         set palette defined (0 '#ffffff', 0.02 '#e7efe2', 0.25 '#a5c48d', 0.6 '#4f8a4b', 1 '#123d1c'); set cbrange [0:1]
     } else {
-        set palette maxcolors 5 defined (0 '#ffffff', 1 '#0072B2', 2 '#D55E00', 3 '#E69F00', 4 '#404040'); set cbrange [-0.5:4.5]
+        set palette maxcolors 5 defined (0 '#ffffff', 1 '#8fc1e3', 2 '#D55E00', 3 '#E69F00', 4 '#202020'); set cbrange [-0.5:4.5]
     }
     do for [n=0:SHOWN-1] {
         slab = 1 + n*STEP
@@ -49,17 +49,17 @@ unset label 1; unset label 2
 set datafile columnheaders
 # key of the classes
 TOP = 2*BLOCK + 2.0
-set label 11 "cylinder" at screen 0.05, screen 1 - TOP/HEIGHT left textcolor rgb '#0072B2'
+set label 11 "cylinder" at screen 0.05, screen 1 - TOP/HEIGHT left textcolor rgb '#5f9fcf'
 set label 12 "hole" at screen 0.15, screen 1 - TOP/HEIGHT left textcolor rgb '#D55E00'
 set label 13 "slit" at screen 0.22, screen 1 - TOP/HEIGHT left textcolor rgb '#C08000'
-set label 14 "transmitting" at screen 0.28, screen 1 - TOP/HEIGHT left textcolor rgb '#404040'
+set label 14 "transmitting" at screen 0.28, screen 1 - TOP/HEIGHT left textcolor rgb '#202020'
 set label 15 "white: none" at screen 0.41, screen 1 - TOP/HEIGHT left textcolor rgb '#707070'
-set lmargin at screen 58.0/WIDTH; set rmargin at screen 0.97
+set lmargin at screen 72.0/WIDTH; set rmargin at screen 0.96
 set tmargin at screen 1 - (TOP + 28)/HEIGHT; set bmargin at screen 52.0/HEIGHT
 set border 3 lw 0.8 lc rgb '#404040'; set tics nomirror out scale 0.6; set grid lw 0.5 lt 1 lc rgb '#e3e3e3' dt 1
 set xtics auto; set ytics auto
 set key bottom left
-set xlabel "from the front (m)" offset 0,0.2; set ylabel "share of the undisturbed" offset 1,0
+set xlabel "from the front (m)" offset 0,0.2; set ylabel "of the undisturbed" offset 0,0
 set xrange [0:DEPTH]; set yrange [*:1.02]
 plot SLABTABLE using (column("front_m")):(column("flux_ratio")) with lines lt 1 title "volume flux through the grid", \
      SLABTABLE using (column("front_m")):(column("arriving_ratio")) with lines lt 2 title "mean wind over the grid"

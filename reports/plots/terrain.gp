@@ -9,7 +9,7 @@ XLOW = STATS_min_x; XHIGH = STATS_max_x; YLOW = STATS_min_y; YHIGH = STATS_max_y
 stats TERRAIN using (column("wind_factor")) nooutput
 POINTS = STATS_records; FLOW = STATS_min; FHIGH = STATS_max
 stats TERRAIN using (column("topex_deg")) nooutput
-TLOW = STATS_min; THIGH = STATS_max; TWIDE = abs(STATS_mean) + 3*STATS_stddev
+TLOW = STATS_min; THIGH = STATS_max; TMEAN = STATS_mean; TWIDE = 2.5*STATS_stddev
 WIDTH = 640.0
 MAP = 250.0; TALL = MAP*(YHIGH - YLOW)/(XHIGH - XLOW)
 TALL = TALL > 600 ? 600.0 : TALL < 60 ? 60.0 : TALL
@@ -20,6 +20,10 @@ unset grid; unset key
 set border 15 lw 0.6
 set format xy "%g"
 km(v) = v/1000.0
+# four or five ticks a side; palettes run from light to dark, so that a copy in black and white can be read
+SPAN = km(XHIGH - XLOW)/4.0; TEN = 10.0**floor(log10(SPAN))
+TICK = SPAN/TEN > 5 ? 5*TEN : SPAN/TEN > 2 ? 2*TEN : TEN
+set xtics TICK; set ytics TICK
 set xrange [km(XLOW):km(XHIGH)]; set yrange [km(YLOW):km(YHIGH)]
 set xlabel "east (km)" offset 0,0.3
 array TITLE[3] = ["height (m)", "topex (deg), high: sheltered", sprintf("wind / level, from %g deg", FROM)]
@@ -33,14 +37,15 @@ do for [i=1:3] {
     set title TITLE[i] offset 0,-0.6
     if (col == 0) { set ylabel "north (km)" offset 1,0 } else { set ylabel "" }
     set cbrange [*:*]
-    if (i == 1) { set palette defined (0 '#2b6a4d', 1 '#9bbf85', 2 '#e7dcae', 3 '#b08d57', 4 '#f4f1ec') }
-    if (i == 2) { B = TWIDE; set palette defined (0 '#B35806', 1 '#f5f5f5', 2 '#2166ac'); set cbrange [-B:B] }
-    if (i == 3) { B = (FHIGH - 1 > 1 - FLOW ? FHIGH - 1 : 1 - FLOW); set palette defined (0 '#2166ac', 1 '#f5f5f5', 2 '#b2182b'); set cbrange [1-B:1+B] }
+    if (i == 1) { set palette defined (0 '#1f4e3d', 1 '#6f9f6e', 2 '#d3cb9a', 3 '#f7f3e8') }
+    if (i == 2) { set palette defined (0 '#f7fbff', 1 '#6baed6', 2 '#08306b'); set cbrange [TMEAN-TWIDE:TMEAN+TWIDE] }
+    if (i == 3) { set palette defined (0 '#fff7ec', 1 '#fdbb84', 2 '#7f0000') }
     plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(column(NAMES[i])) with image pixels
 }
 set lmargin at screen 384.0/WIDTH; set rmargin at screen 618.0/WIDTH
 set border 3; set grid lw 0.5 lt 1 lc rgb '#e3e3e3' dt 1
 set title "each place"
+set xtics autofreq; set ytics autofreq
 set xlabel "topex (deg)"; set ylabel "wind / level" offset 1,0
 set xrange [TLOW:THIGH]; set yrange [FLOW:FHIGH]
 EVERY = 1 + int(POINTS/6000)

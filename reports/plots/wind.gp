@@ -32,17 +32,17 @@ set tmargin at screen 1 - 284.0/HEIGHT; set bmargin at screen 60.0/HEIGHT
 set title (TARGET ? "spectrum: points made, line asked for" : "spectrum") offset 0,-0.6
 set logscale xy; set xrange [*:*]; set yrange [3e-5*TOP:*]
 set format xy "%g"
-set xlabel "frequency (Hz)"; set ylabel "f S (m2/s2)" offset 1,0
+set xlabel "frequency (Hz)"; set ylabel "f S (m2/s2)" offset 0,0
 set key bottom right vertical
 is(c) = strcol("component") eq WORD[c]
 plot for [c=1:COMPONENTS] SPECTRUM using (pick(is(c), column("frequency_hz"))):(column("frequency_hz")*column("density_m2_s")) with points lt c lw 1 title (COMPONENTS > 1 ? WORD[c] : ""), \
      for [c=1:(TARGET ? COMPONENTS : 0)] SPECTRUM using (pick(is(c), column("frequency_hz"))):(column("frequency_hz")*column("target_m2_s")) with lines lt c
 
 unset logscale; set format xy "%g"
-set lmargin at screen 450.0/WIDTH; set rmargin at screen 618.0/WIDTH
+set lmargin at screen 462.0/WIDTH; set rmargin at screen 618.0/WIDTH
 set title "along; line: normal" offset 0,-0.6
 set xrange [*:*]; set yrange [0:*]
-set xlabel "wind (m/s)"; set ylabel "share per m/s" offset 1,0
+set xlabel "wind (m/s)"; set ylabel "share per m/s" offset 0,0
 set xtics TICK
 plot HISTOGRAM using 1:2 with boxes fs solid 0.35 noborder lt 1, HISTOGRAM using 1:3 with lines lt 2
 unset multiplot

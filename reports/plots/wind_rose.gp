@@ -5,7 +5,7 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 load HERE.'style.gp'
 ROSE = DIR.'/tables/rose.csv'
 WIDTH = 640.0; HEIGHT = 520.0
-array COLOUR[5] = ['#d9e6f2', '#9ecae1', '#56B4E9', '#E69F00', '#D55E00']
+array COLOUR[5] = ['#dfe9f2', '#a9c9e2', '#5f9fcf', '#2b6cab', '#0b2f5e']
 array LABEL[5] = ['all winds', 'above 5 m/s', 'above 10 m/s', 'above 15 m/s', 'above 20 m/s']
 stats ROSE using 2 nooutput
 TOP = STATS_max

@@ -1,6 +1,6 @@
-#include "cmd/args.h"
 #include "base/near.h"
 #include "base/yaml.h"
+#include "cmd/wind_speed.h"
 #include <math.h>
 #include <stdarg.h>
 #include <string.h>
@@ -78,6 +78,16 @@ static void operands_check(struct wf_reading *r, size_t low, size_t high)
                         high == 1 ? " is" : "s are", r->out->operand[high]);
 }
 
+void wf_args_complete(struct wf_reading *r)
+{
+    const struct wf_args *out = r->out;
+    if (r->complete) return;
+    r->complete = true;
+    for (size_t k = 0; k < r->options; k++)
+        if (!out->given[k] && out->option[k].initial) wf_args_value(r, k, out->option[k].initial);
+    wf_args_winds(r);
+}
+
 int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char *about, size_t low,
                  size_t high, struct wf_arena *a, struct wf_args *out)
 {
@@ -108,10 +118,12 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     }
     wf_args_study(&r);
     operands_check(&r, low, high);
-    for (size_t k = 0; k < r.options; k++)
-        if (!out->given[k] && rows[k].initial) wf_args_value(&r, k, rows[k].initial);
+    wf_args_complete(&r);
     wf_units_close(r.units);
-    if (!r.mistakes) return -1;
+    if (!r.mistakes) {
+        if (out->winds_said && !wf_args_given(out, "--quiet")) fprintf(stderr, "%s\n", out->winds_said);
+        return -1;
+    }
     fprintf(stderr, "'windfirm %s --help' shows how it is used\n", argv[0]);
     return 2;
 }

@@ -147,12 +147,21 @@ static void operands(struct book *b, const char *list)
     out->operand = operand;
 }
 
+/* Whether the command line gives an option; asked before the file's values are taken. */
+static bool typed(const struct book *b, const char *name)
+{
+    for (size_t k = 0; k < b->reading->options; k++)
+        if (!strcmp(b->reading->out->option[k].name, name)) return b->reading->out->given[k];
+    return false;
+}
+
 /* Called by the reader behind the keys, where mistakes still know their line. */
 static void apply(struct wf_yaml *y, void *book)
 {
     struct book *b = book;
     struct wf_reading *r = b->reading;
     const char *subject = b->taker->subject;
+    bool wind = typed(b, "--wind");
     r->yaml = y;
     for (size_t k = 0; k < r->options; k++) {
         const struct wf_option *o = &r->out->option[k];
@@ -173,6 +182,9 @@ static void apply(struct wf_yaml *y, void *book)
         r->key = subject;
         if (!r->out->n) operands(b, b->value[at]);
     }
+    r->key = "wind";
+    if ((at = find(b, r->key)) == b->keys || !b->value[at] || wind) r->yaml = NULL;
+    wf_args_complete(r);
     r->yaml = NULL;
 }
 

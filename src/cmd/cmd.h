@@ -37,7 +37,10 @@ enum wf_option_kind {
     WF_OPTION_TEXT,   /* any text                                           */
     WF_OPTION_CHOICE, /* one of `choices` or of the words `word` names        */
     WF_OPTION_NUMBER, /* a number, with or without a unit, within low..high */
-    WF_OPTION_SPEEDS  /* "10,15,25", "5:40:1", "36km/h"; each within low..high */
+    WF_OPTION_WHOLE,  /* a whole number within low..high                    */
+    WF_OPTION_SPEED,  /* one mean wind: a number like the above, or "beaufort:8"; goes with
+                         WF_AVERAGING_OPTIONS */
+    WF_OPTION_SPEEDS  /* several: "10,15,25", "5:40:1", "36km/h", "cma:typhoon,30"; likewise */
 };
 struct wf_option {
     const char *name;   /* "--solver"                                              */
@@ -73,6 +76,7 @@ struct wf_args {
     double number[WF_OPTIONS_MAX];    /* in SI; NAN when there is neither              */
     size_t speeds;                    /* of the row of kind WF_OPTION_SPEEDS, ascending */
     double *speed;                    /* [m/s]                                         */
+    const char *winds_said;           /* how winds came to 10-min means; NULL: they were typed so */
 };
 
 /* Read a subcommand's command line. Given: argv (argv[0] = subcommand), its option rows (ends at name ==

@@ -1,7 +1,10 @@
 #include "base/file.h"
-#include "cmd/cmd.h"
+#include "cmd/profile_options.h"
+#include "cmd/wind_speed.h"
 #include "out/figures.h"
 #include "study/explain.h"
+#include "study/limits.h"
+#include "study/scenario.h"
 #include <libxml/tree.h>
 #include <math.h>
 #include <stdio.h>
@@ -14,16 +17,8 @@ const struct wf_option wf_explain_options[] = {
       .kind = WF_OPTION_TEXT,
       .value = "MODEL",
       .help = "tree model: a file, or the name of a shipped one" },
-    { .name = "--wind",
-      .letter = "-w",
-      .kind = WF_OPTION_NUMBER,
-      .value = "SPEED",
-      .initial = "10",
-      .dimension = WF_DIM_SPEED,
-      .unit = "m/s",
-      .low = 0.01,
-      .high = 100,
-      .help = "mean wind at 10 m" },
+    WF_WIND_OPTIONS(0.01, 100, "mean wind at the reference height"),
+    WF_PROFILE_OPTIONS,
     { .name = "--output",
       .letter = "-o",
       .kind = WF_OPTION_TEXT,
@@ -67,8 +62,9 @@ static int32_t top_level(const struct wf_explain *x)
     return top;
 }
 
-static void print(const struct wf_explain *x, double *room)
+static void print(const struct wf_explain *x, double speed, double height, double *room)
 {
+    printf("Wind %.4g m/s, a 10-min mean at %.6g m\n", speed, height);
     printf("Own bending of the branches over that by beam theory, middle of each level\n\n%-18s%10s",
            "method", "tip");
     for (int32_t l = 0; l <= top_level(x); l++) printf("   level %d", (int)l);
@@ -144,14 +140,18 @@ static enum wf_status run(const struct wf_args *g, struct wf_arena *a, struct wf
     struct wf_analysis an = { .species = &sp, .model = &m, .solver = wf_solvers[0] };
     const char *folder = wf_args_text(g, "--output");
     bool quiet = wf_args_given(g, "--quiet");
+    const struct wf_profile_words profile = wf_profile_asked(g);
     wf_scenario_default(&an.scenario);
     wf_solve_options_default(&o);
     enum wf_status s = wf_species_read(wf_shipped("species", g->operand[0], a), a, &sp, &d, e);
     if (!s) s = wf_model_read(wf_shipped("models", wf_args_text(g, "--model"), a), a, &m, &d, e);
+    if (!s) s = wf_scenario_profile(&an.scenario, &profile, a, &d, e);
+    if (!s) s = wf_scenario_check(&an.scenario, e);
     if (!s) s = wf_analysis_set_up(&an, a, &d, e);
+    if (!s) wf_limits_profile(&an.scenario, an.tallness, m.name, &d);
     if (!s) s = wf_explain_run(&an, &o, wf_args_number(g, "--wind"), a, &d, &x, e);
     double *room = s ? NULL : WF_TAKE(a, x.axes, double);
-    if (room && !quiet) print(&x, room);
+    if (room && !quiet) print(&x, wf_args_number(g, "--wind"), an.scenario.reference_height, room);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     if (!s) s = write(&x, &an.tree, folder, !wf_args_given(g, "--no-plots"), e);

@@ -1,10 +1,13 @@
+#include "cmd/gust_options.h"
+#include "cmd/profile_options.h"
 #include "cmd/series_perform.h"
+#include "cmd/wind_speed.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 
 static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 static const char *preset_word(size_t i) { return wf_presets[i].name; }
-static const char *profile_word(size_t i) { return wf_profiles[i].name; }
 static const char *gust_word(size_t i) { return i ? wf_gust_models[i - 1].name : "steady"; }
 static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 
@@ -18,6 +21,12 @@ static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].na
         .low = l, .high = h, .help = text                                                                    \
     }
 
+#define WHOLE(n, start, l, h, text)                                                                          \
+    {                                                                                                        \
+        .name = n, .kind = WF_OPTION_WHOLE, .value = "NUMBER", .initial = start, .dimension = WF_DIM_NONE,   \
+        .low = l, .high = h, .help = text                                                                    \
+    }
+
 const struct wf_option wf_series_options[] = {
     WF_STUDY_FILE_OPTION,
     { .name = "--model",
@@ -25,23 +34,27 @@ const struct wf_option wf_series_options[] = {
       .kind = WF_OPTION_TEXT,
       .value = "MODEL",
       .help = "tree model: a file, or the name of a shipped one" },
-    NUMBER("--wind", "SPEED", "10", WF_DIM_SPEED, "m/s", 0, 100, "mean wind at the reference height"),
+    WF_WIND_OPTIONS(0, 100, "mean wind at the reference height"),
     CHOICE("--gust", "steady", gust_word, "how the wind changes"),
     CHOICE("--preset", "corrected", preset_word, "a published method, as printed"),
     CHOICE("--solver", NULL, solver_word, "how the bent shape is computed [the preset's, else beam]"),
-    CHOICE("--profile", "power", profile_word, "how the wind grows with height"),
+    WF_PROFILE_OPTIONS,
     CHOICE("--shelter", "none", shelter_word, "wind inside the crown"),
     NUMBER("--intensity", "NUMBER", NULL, WF_DIM_NONE, NULL, 0, 1, "turbulence intensity of the gust model"),
     NUMBER("--period", "TIME", NULL, WF_DIM_TIME, "s", 0.1, 3600, "of the gust model"),
+    WF_GUST_OPTIONS,
+    { .name = "--components",
+      .kind = WF_OPTION_CHOICE,
+      .value = "1|3",
+      .choices = "1|3",
+      .help = "of the gust: along the wind only, or along, across and up [3 where the model has them]" },
     NUMBER("--duration", "TIME", "60", WF_DIM_TIME, "s", 1e-3, 86400, "time that is run"),
     NUMBER("--step", "TIME", "0.1", WF_DIM_TIME, "s", 1e-4, 3600, "between frames"),
-    NUMBER("--keys", "NUMBER", "8", WF_DIM_NONE, NULL, 1, 64, "key frames drawn as panels"),
-    NUMBER("--seed", "NUMBER", "1", WF_DIM_NONE, NULL, 0, 1e9, "of the random numbers"),
+    WHOLE("--keys", "8", 1, 64, "key frames drawn as panels"),
+    WHOLE("--seed", "1", 0, 1e9, "of the random numbers"),
     NUMBER("--restoring", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 100, "k of the deflect scheme, below 1"),
     NUMBER("--damping", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 1e9, "c of the deflect scheme, N s2"),
     NUMBER("--youngs-modulus", "MODULUS", NULL, WF_DIM_PRESSURE, "Pa", 1e5, 1e12, "in place of the species'"),
-    NUMBER("--reference-height", "LENGTH", "10", WF_DIM_LENGTH, "m", 0.01, 1000,
-           "where the wind has its speed"),
     { .name = "--output",
       .letter = "-o",
       .kind = WF_OPTION_TEXT,
@@ -73,6 +86,7 @@ int wf_cmd_series(int argc, char **argv)
         code = 2;
     }
     if (code < 0) {
+        const char *components = wf_args_text(&g, "--components");
         struct wf_series_plan_run run = { .name = g.operand[0],
                                           .species = g.operand[0],
                                           .model = wf_args_text(&g, "--model"),
@@ -80,7 +94,11 @@ int wf_cmd_series(int argc, char **argv)
                                           .solver = wf_args_text(&g, "--solver"),
                                           .gust = wf_args_text(&g, "--gust"),
                                           .shelter = wf_args_text(&g, "--shelter"),
-                                          .profile = wf_args_text(&g, "--profile"),
+                                          .profile = wf_profile_asked(&g),
+                                          .set = wf_args_text(&g, "--set"),
+                                          .file = wf_args_text(&g, "--file"),
+                                          .columns = wf_args_text(&g, "--columns"),
+                                          .components = components ? (size_t)atoi(components) : 0,
                                           .wind = wf_args_number(&g, "--wind"),
                                           .intensity = wf_args_number(&g, "--intensity"),
                                           .period = wf_args_number(&g, "--period"),
@@ -90,11 +108,10 @@ int wf_cmd_series(int argc, char **argv)
                                           .restoring = wf_args_number(&g, "--restoring"),
                                           .damping = wf_args_number(&g, "--damping"),
                                           .transmission = NAN,
-                                          .reference_height = wf_args_number(&g, "--reference-height"),
                                           .keys = (size_t)wf_args_number(&g, "--keys"),
                                           .seed = (size_t)wf_args_number(&g, "--seed") };
         struct wf_series_plan plan = {
-            .key = "series", .title = "A tree in changing wind", .runs = 1, .run = &run
+            .key = "series", .title = "A tree in changing wind", .note = g.winds_said, .runs = 1, .run = &run
         };
         struct wf_series_job job = { .plan = &plan,
                                      .folder = wf_args_text(&g, "--output"),

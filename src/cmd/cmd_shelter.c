@@ -1,19 +1,25 @@
 /* windfirm shelter: what a tree leaves of the wind inside and behind itself. */
 #include "cmd/import_options.h"
+#include "cmd/profile_options.h"
 #include "cmd/shelter_tables.h"
 #include "cmd/wind_speed.h"
 #include "cmd/wind_tables.h"
 #include "grow/clothe.h"
 #include "grow/grow.h"
 #include "grow/qsm_model.h"
+#include "study/limits.h"
 #include "study/scenario.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 static const char *law_word(size_t i) { return wf_shelter_laws[i].name; }
-static const char *profile_word(size_t i) { return wf_profiles[i].name; }
 
+#define WHOLE(option, start, least, most, text)                                                              \
+    {                                                                                                        \
+        .name = option, .kind = WF_OPTION_WHOLE, .value = "NUMBER", .initial = start,                        \
+        .dimension = WF_DIM_NONE, .low = least, .high = most, .help = text                                   \
+    }
 #define NUMBER(option, word, start, dim, base, least, most, text)                                            \
     {                                                                                                        \
         .name = option, .kind = WF_OPTION_NUMBER, .value = word, .initial = start, .dimension = dim,         \
@@ -37,18 +43,8 @@ const struct wf_option wf_shelter_options[] = {
       .value = "SPECIES",
       .help = "wood and leaves: a species table, a file or the name of a shipped one" },
     NUMBER("--leaf-area", "AREA", "0", WF_DIM_AREA, "m2", 0, 1e5, "one-sided leaf area of a measured tree"),
-    { .name = "--wind",
-      .letter = "-w",
-      .kind = WF_OPTION_TEXT,
-      .value = "SPEED",
-      .initial = "10",
-      .help = "mean wind at 10 m: a speed with or without unit, or beaufort:8" },
-    { .name = "--profile",
-      .kind = WF_OPTION_CHOICE,
-      .value = "NAME",
-      .initial = "power",
-      .word = profile_word,
-      .help = "how the undisturbed wind grows with height" },
+    WF_WIND_OPTIONS(0, 200, "mean wind at the reference height"),
+    WF_PROFILE_OPTIONS,
     NUMBER("--azimuth", "ANGLE", "0", WF_DIM_ANGLE, "deg", -360, 360,
            "direction the wind blows towards, from +x towards +y"),
     { .name = "--law",
@@ -57,8 +53,8 @@ const struct wf_option wf_shelter_options[] = {
       .initial = "wake",
       .word = law_word,
       .help = "wake: drag and recovering wakes; feng1999: potential flows as printed" },
-    NUMBER("--slabs", "NUMBER", "32", WF_DIM_NONE, NULL, 1, 512, "along the wind"),
-    NUMBER("--cells", "NUMBER", "128", WF_DIM_NONE, NULL, 8, 1024, "across and up"),
+    WHOLE("--slabs", "32", 1, 512, "along the wind"),
+    WHOLE("--cells", "128", 8, 1024, "across and up"),
     NUMBER("--transmission", "SHARE", "0.2", WF_DIM_NONE, NULL, 0, 1, "of a fully covered cell"),
     { .name = "--as",
       .kind = WF_OPTION_CHOICE,
@@ -66,7 +62,7 @@ const struct wf_option wf_shelter_options[] = {
       .initial = "energy",
       .choices = "energy|speed",
       .help = "what the transmission is a share of" },
-    NUMBER("--gap", "NUMBER", "1", WF_DIM_NONE, NULL, 1, 64, "widest hole or slit, in cells"),
+    WHOLE("--gap", "1", 1, 64, "widest hole or slit, in cells"),
     NUMBER("--leaf-reach", "LENGTH", "0.25", WF_DIM_LENGTH, "m", 1e-3, 100,
            "how far leaves stand from their segment"),
     NUMBER("--wake-growth", "NUMBER", "0.08", WF_DIM_NONE, NULL, 0, 1,
@@ -132,13 +128,13 @@ static enum wf_status read_tree(struct work *w, struct wf_arena *a, struct wf_di
     return s ? s : wf_tree_check(&w->tree, d, e);
 }
 
-static enum wf_status specify(struct work *w, struct wf_err *e)
+static enum wf_status specify(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     const struct wf_args *g = &w->args;
     struct wf_shelter_request *q = &w->request;
-    FILE *to = wf_args_given(g, "--quiet") ? NULL : stdout;
+    const struct wf_profile_words profile = wf_profile_asked(g);
     wf_scenario_default(&w->scenario);
-    w->scenario.profile = wf_args_text(g, "--profile");
+    w->run.speed = wf_args_number(g, "--wind");
     w->scenario.azimuth = wf_args_number(g, "--azimuth");
     wf_shelter_request_default(q);
     q->law = wf_shelter_law_named(wf_args_text(g, "--law"));
@@ -150,8 +146,9 @@ static enum wf_status specify(struct work *w, struct wf_err *e)
     q->leaf_reach = wf_args_number(g, "--leaf-reach");
     q->wake_growth = wf_args_number(g, "--wake-growth");
     enum wf_status s = wf_shelter_request_check(q, e);
-    if (s || (s = wf_wind_speed_read(wf_args_text(g, "--wind"), "durst", to, &w->run.speed, e))) return s;
-    return wf_scenario_check(&w->scenario, e);
+    if (s) return s;
+    s = wf_scenario_profile(&w->scenario, &profile, a, d, e);
+    return s ? s : wf_scenario_check(&w->scenario, e);
 }
 
 /* The tree in the open and in its own shelter. */
@@ -176,11 +173,13 @@ static enum wf_status run(struct work *w, struct wf_arena *a, struct wf_diag *d,
     static const char *const still[] = { "shelter_slabs", "shelter_wind", NULL };
     const struct wf_args *g = &w->args;
     bool motion = !wf_args_given(g, "--no-motion"), quiet = wf_args_given(g, "--quiet");
-    enum wf_status s = specify(w, e);
+    enum wf_status s = specify(w, a, d, e);
     if (s || (s = read_tree(w, a, d, e))) return s;
     if (w->species.crown_drag.given) w->request.crown_drag = w->species.crown_drag.value;
     if ((s = wf_scenario_loads(&w->scenario, &w->species, &w->wind, &w->loads, e))) return s;
     w->wind.speed = w->run.speed;
+    wf_limits_profile(&w->scenario, wf_tree_height(&w->tree),
+                      wf_args_text(g, w->model.key ? "--model" : "--tree"), d);
     w->run.folder = wf_args_text(g, "--output");
     w->run.tree = &w->tree;
     wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");

@@ -1,9 +1,9 @@
 /* windfirm simulate-test: what a planned test would tell, before anyone climbs the tree. */
 #include "base/file.h"
+#include "base/quiet.h"
 #include "base/random.h"
 #include "cmd/fit_job.h"
 #include "fit/predict.h"
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <string.h>
@@ -56,7 +56,7 @@ struct plan {
 static enum wf_status expected(const struct plan *p, const bool *with, double *half, struct wf_err *e)
 {
     size_t n = p->params, rows = p->x.data > n ? p->x.data : n, i = 0;
-    gsl_error_handler_t *before = gsl_set_error_handler_off();
+    wf_quiet_begin();
     gsl_matrix *W = gsl_matrix_calloc(rows, n), *V = gsl_matrix_alloc(n, n);
     gsl_vector *s = gsl_vector_alloc(n), *work = gsl_vector_alloc(n);
     bool ok = W && V && s && work;
@@ -84,7 +84,7 @@ static enum wf_status expected(const struct plan *p, const bool *with, double *h
     if (V) gsl_matrix_free(V);
     if (s) gsl_vector_free(s);
     if (work) gsl_vector_free(work);
-    gsl_set_error_handler(before);
+    wf_quiet_end();
     return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for the plan");
 }
 

@@ -1,27 +1,22 @@
 /* windfirm wind: make a gusty wind, look at it, draw it. */
 #include "base/near.h"
-#include "base/number.h"
-#include "cmd/cmd.h"
+#include "cmd/gust_options.h"
 #include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"
+#include "cmd/wind_stream.h"
 #include "cmd/wind_tables.h"
+#include "wind/points.h"
 #include "wind/scale.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { POINTS_MAX = 200 };
+enum { SHOWN_MAX = 200 }; /* points that are looked at; more are only written */
 
 const struct wf_option wf_wind_options[] = {
     WF_STUDY_FILE_OPTION,
-    { .name = "--wind",
-      .letter = "-w",
-      .kind = WF_OPTION_TEXT,
-      .value = "SPEED",
-      .initial = "10 m/s",
-      .help = "mean wind: a speed, or a grade such as beaufort:8, cma:typhoon, hko:typhoon (then as a 10-min "
-              "mean)" },
+    WF_WIND_OPTIONS(0.01, 120, "mean wind"),
     { .name = "--height",
       .kind = WF_OPTION_NUMBER,
       .value = "LENGTH",
@@ -47,7 +42,8 @@ const struct wf_option wf_wind_options[] = {
       .unit = "s",
       .low = 1,
       .high = 1e6,
-      .help = "length of the series; a record is at most as long as it is" },
+      .help =
+          "length of the series; a record is at most as long as it is, one gust (eog) as long as it takes" },
     { .name = "--step",
       .kind = WF_OPTION_NUMBER,
       .value = "TIME",
@@ -58,7 +54,7 @@ const struct wf_option wf_wind_options[] = {
       .high = 60,
       .help = "between two values" },
     { .name = "--seed",
-      .kind = WF_OPTION_NUMBER,
+      .kind = WF_OPTION_WHOLE,
       .value = "NUMBER",
       .initial = "1",
       .dimension = WF_DIM_NONE,
@@ -72,13 +68,13 @@ const struct wf_option wf_wind_options[] = {
       .choices = "1|3",
       .help = "along the wind only, or along, across and up" },
     { .name = "--points",
-      .kind = WF_OPTION_NUMBER,
+      .kind = WF_OPTION_WHOLE,
       .value = "NUMBER",
       .initial = "1",
       .dimension = WF_DIM_NONE,
       .low = 1,
-      .high = POINTS_MAX,
-      .help = "points in a row across the wind" },
+      .high = WF_GUST_POINTS_MAX,
+      .help = "points in a row across the wind; more than 200 with --stream" },
     { .name = "--spacing",
       .kind = WF_OPTION_NUMBER,
       .value = "LENGTH",
@@ -88,26 +84,19 @@ const struct wf_option wf_wind_options[] = {
       .low = 0.01,
       .high = 1000,
       .help = "between neighbouring points" },
-    { .name = "--set",
-      .kind = WF_OPTION_TEXT,
-      .value = "NAME=NUMBER,...",
-      .help = "parameters of the model; `windfirm wind list` shows them" },
-    { .name = "--averaging",
-      .kind = WF_OPTION_CHOICE,
-      .value = "LAW",
-      .initial = "in-land",
-      .choices = "durst|in-land|off-land|off-sea|at-sea",
-      .help = "law that brings a grade averaged over another time to 10 min" },
-    { .name = "--file",
+    { .name = "--points-file",
       .kind = WF_OPTION_TEXT,
       .value = "FILE",
-      .help = "anemometer CSV for `record`, climate CSV for `rose`" },
-    { .name = "--columns",
+      .help = "points in place of a row, a CSV with columns x_m (along the wind), y_m (across, to the left), "
+              "z_m (above "
+              "ground) and, where they differ, mean_ms" },
+    { .name = "--stream",
       .kind = WF_OPTION_TEXT,
-      .value = "T,U[,V[,W]]",
-      .initial = "t_s,u_ms,v_ms,w_ms",
-      .help =
-          "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s" },
+      .value = "FILE",
+      .help = "write the wind to FILE block by block, for any number of points and steps, and nothing else: "
+              "NAME.csv as "
+              "a table, NAME.npy as 32-bit numbers, steps x points x components" },
+    WF_GUST_OPTIONS,
     { .name = "--output",
       .letter = "-o",
       .kind = WF_OPTION_TEXT,
@@ -126,7 +115,8 @@ static const char about[] =
     "  weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) and draws it.\n"
     "\n"
     "  windfirm wind kaimal --wind beaufort:8 --components 3 --points 5 --spacing 2 -o out/gale\n"
-    "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms";
+    "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms\n"
+    "  windfirm wind kaimal --points-file crown.csv --duration 3600 --stream crown.npy";
 
 static int list(void)
 {
@@ -141,42 +131,14 @@ static int list(void)
     return 0;
 }
 
-static enum wf_status set_parameters(const char *text, struct wf_gust_spec *s, struct wf_arena *a,
-                                     struct wf_err *e)
-{
-    char *rest = NULL, *copy = text ? wf_arena_text(a, text) : NULL;
-    if (text && !copy) return wf_fail(e, WF_ENOMEM, "no room for the command line");
-    for (char *item = copy ? strtok_r(copy, ",", &rest) : NULL; item; item = strtok_r(NULL, ",", &rest)) {
-        char *equals = strchr(item, '=');
-        double value;
-        const char *number = equals ? equals + 1 : "",
-                   *end = wf_number_read(number, number + strlen(number), '.', &value);
-        if (!end || *end) return wf_fail(e, WF_EUSAGE, "--set: '%s': expected name=number", item);
-        *equals = '\0';
-        enum wf_status status = wf_gust_set(s, item, value, e);
-        if (status) return status;
-    }
-    return WF_OK;
-}
-
 static enum wf_status read_record(const struct wf_args *g, struct wf_gust_spec *s, struct wf_arena *a,
                                   struct wf_diag *d, struct wf_err *e)
 {
-    struct wf_record_request q;
-    struct wf_record *r = WF_TAKE(a, 1, struct wf_record);
     const char *file = wf_args_text(g, "--file");
-    char *rest = NULL, *columns = wf_arena_text(a, wf_args_text(g, "--columns"));
     if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs --file");
-    if (!r || !columns) return wf_fail(e, WF_ENOMEM, "no room for a record");
-    wf_record_request_default(&q);
-    q.time = strtok_r(columns, ",", &rest);
-    for (int k = 0; k < 3; k++) q.part[k] = strtok_r(NULL, ",", &rest);
-    if (!q.time || !q.part[0] || strtok_r(NULL, ",", &rest))
-        return wf_fail(e, WF_EUSAGE,
-                       "--columns: a time column and one to three components, separated by commas");
-    enum wf_status status = wf_record_read(file, &q, a, d, r, e);
+    enum wf_status status = wf_gust_record_words(s, file, wf_args_text(g, "--columns"), a, d, e);
     if (status) return status;
-    s->record = r;
+    const struct wf_record *r = s->record;
     double length = (double)(r->n - 1) * r->step;
     if (!wf_args_given(g, "--step")) s->step = r->step;
     if (!wf_args_given(g, "--duration")) s->steps = (size_t)(length / s->step + 1e-6) + 1;
@@ -188,6 +150,27 @@ static enum wf_status read_record(const struct wf_args *g, struct wf_gust_spec *
                "  mean %.3f m/s towards %.1f deg (first axis towards second), tilt %.1f deg\n",
                file, r->rows, r->n, r->step, r->unreadable, r->missing, r->gaps, r->longest, r->mean,
                r->azimuth * 180 / M_PI, r->tilt * 180 / M_PI);
+    return WF_OK;
+}
+
+/* Points of a file, else in a row. */
+static enum wf_status places(const struct wf_args *g, struct wf_gust_spec *s, struct wf_arena *a,
+                             struct wf_diag *d, struct wf_err *e)
+{
+    const char *file = wf_args_text(g, "--points-file");
+    if (file && wf_args_given(g, "--points"))
+        return wf_fail(e, WF_EUSAGE, "--points and --points-file: one of them says where the points are");
+    if (file) {
+        struct wf_points p;
+        enum wf_status status = wf_points_read(file, WF_GUST_POINTS_MAX, a, d, &p, e);
+        s->points = p.n, s->place = p.place, s->mean = p.mean;
+        return status;
+    }
+    double *place = WF_TAKE(a, 3 * s->points, double);
+    if (!place) return wf_fail(e, WF_ENOMEM, "no room for %zu points", s->points);
+    for (size_t p = 0; p < s->points; p++)
+        place[3 * p + 1] = (double)p * wf_args_number(g, "--spacing"), place[3 * p + 2] = s->height;
+    s->place = place;
     return WF_OK;
 }
 
@@ -213,21 +196,20 @@ static enum wf_status specify(const struct wf_args *g, struct wf_gust_spec *s, s
     s->components = strcmp(wf_args_text(g, "--components"), "3") == 0 ? 3 : 1;
     s->points = (size_t)llround(wf_args_number(g, "--points"));
     s->seed = (uint64_t)llround(wf_args_number(g, "--seed"));
-    enum wf_status status = wf_wind_speed_read(wf_args_text(g, "--wind"), wf_args_text(g, "--averaging"),
-                                               wf_args_given(g, "--quiet") ? NULL : stdout, &s->speed, e);
-    if (!status) status = set_parameters(wf_args_text(g, "--set"), s, a, e);
+    s->speed = wf_args_number(g, "--wind");
+    enum wf_status status = wf_gust_set_words(s, wf_args_text(g, "--set"), a, e);
     if (!status && strcmp(m->name, "record") == 0) status = read_record(g, s, a, d, e);
-    double *place = WF_TAKE(a, 3 * s->points, double);
-    if (!place) return wf_fail(e, WF_ENOMEM, "no room for %zu points", s->points);
-    for (size_t p = 0; p < s->points; p++)
-        place[3 * p + 1] = (double)p * wf_args_number(g, "--spacing"), place[3 * p + 2] = s->height;
-    s->place = place;
-    if (!status && (double)s->points * s->components * (double)s->steps > 3e8)
-        return wf_fail(e, WF_EUSAGE,
-                       "%zu points, %u components and %zu steps are more than this command holds; the "
-                       "library makes them in blocks",
-                       s->points, s->components, s->steps);
-    return status;
+    if (strcmp(m->name, "eog") == 0 && !wf_args_given(g, "--duration")) /* as much before as after the gust */
+        s->steps = (size_t)llround((2.0 * wf_gust_get(s, "start") + wf_gust_get(s, "duration")) / s->step);
+    if (!status) status = places(g, s, a, d, e);
+    if (status || wf_args_text(g, "--stream")) return status;
+    if (s->points > SHOWN_MAX || (double)s->points * s->components * (double)s->steps > 3e8)
+        return wf_fail(
+            e, WF_EUSAGE,
+            "%zu points, %u components and %zu steps are more than is looked at here (%d points, 3e8 "
+            "numbers); --stream writes any number",
+            s->points, s->components, s->steps, SHOWN_MAX);
+    return WF_OK;
 }
 
 static void print(const struct wf_gust_report *r)
@@ -237,7 +219,7 @@ static void print(const struct wf_gust_report *r)
     printf("%s: %s\n", s->model->name, s->model->title);
     printf("%zu steps of %g s at %g m, seed %llu\n\n", s->steps, s->step, s->height,
            (unsigned long long)s->seed);
-    printf("mean wind             %8.3f m/s  (Beaufort %s, %s)\n", t->mean,
+    printf("mean wind             %8.3f m/s  (Beaufort %s, %s, as a 10-min mean)\n", t->mean,
            wf_wind_scale_grade(&wf_wind_scales[0], t->mean)->name,
            wf_wind_scale_grade(&wf_wind_scales[0], t->mean)->text);
     printf("turbulence intensity  %8.3f\n", t->intensity);
@@ -263,13 +245,41 @@ static void print(const struct wf_gust_report *r)
     }
 }
 
+/* Look at a wind: tables, plots and what is printed. */
+static enum wf_status show(const struct wf_args *g, const struct wf_gust_spec *spec, struct wf_arena *a,
+                           struct wf_diag *d, struct wf_err *e)
+{
+    static const char *const figures[] = { "wind", "wind_coherence", NULL }, *const one[] = { "wind", NULL };
+    struct wf_gust_report *r = WF_TAKE(a, 1, struct wf_gust_report);
+    const char *folder = wf_args_text(g, "--output");
+    bool quiet = wf_args_given(g, "--quiet");
+    if (!r) return wf_fail(e, WF_ENOMEM, "no room for a report");
+    enum wf_status s = wf_gust_report_make(spec, a, d, r, e);
+    if (!s && !quiet) print(r);
+    if (!s) s = wf_wind_tables(folder, r, e);
+    if (!s && !wf_args_given(g, "--no-plots")) s = wf_wind_figures(folder, r->coherence ? figures : one, e);
+    if (!s && !quiet) printf("\nTables and plots: %s\n", folder);
+    return s;
+}
+
+static enum wf_status run(const struct wf_args *g, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = a };
+    struct wf_gust_spec spec;
+    const char *stream = wf_args_text(g, "--stream");
+    bool quiet = wf_args_given(g, "--quiet");
+    enum wf_status s = specify(g, &spec, a, &d, e);
+    if (!s) s = stream ? wf_wind_stream(&spec, stream, quiet, a, &d, e) : show(g, &spec, a, &d, e);
+    fflush(stdout);
+    wf_print_findings(&d, quiet);
+    return s;
+}
+
 int wf_cmd_wind(int argc, char **argv)
 {
-    static const char *const figures[] = { "wind", "wind_coherence", NULL };
     struct wf_arena arena = { 0 };
     struct wf_args args;
     struct wf_err e = { 0 };
-    struct wf_gust_spec spec;
     int code = wf_args_read(argc, argv, wf_wind_options, about, 1, 1, &arena, &args);
     if (code < 0 && strcmp(args.operand[0], "list") == 0) code = list();
     if (code < 0 && strcmp(args.operand[0], "rose") == 0) {
@@ -280,23 +290,7 @@ int wf_cmd_wind(int argc, char **argv)
         wf_print_findings(&d, quiet);
         code = s ? wf_complain(&e) : 0;
     }
-    if (code < 0) {
-        struct wf_diag d = { .arena = &arena };
-        struct wf_gust_report *r = WF_TAKE(&arena, 1, struct wf_gust_report);
-        const char *folder = wf_args_text(&args, "--output");
-        bool quiet = wf_args_given(&args, "--quiet");
-        enum wf_status s = r ? specify(&args, &spec, &arena, &d, &e) : wf_fail(&e, WF_ENOMEM, "no room");
-        if (!s) s = wf_gust_report_make(&spec, &arena, &d, r, &e);
-        wf_print_findings(&d, quiet);
-        if (!s && !quiet) print(r);
-        if (!s) s = wf_wind_tables(folder, r, &e);
-        if (!s && !wf_args_given(&args, "--no-plots")) {
-            const char *const only[] = { "wind", NULL };
-            s = wf_wind_figures(folder, r->coherence ? figures : only, &e);
-        }
-        if (!s && !quiet) printf("\nTables and plots: %s\n", folder);
-        code = s ? wf_complain(&e) : 0;
-    }
+    if (code < 0) code = run(&args, &arena, &e) ? wf_complain(&e) : 0;
     wf_arena_free(&arena);
     return code;
 }

@@ -56,6 +56,7 @@ static enum wf_status run_all(const struct wf_series_job *j, struct wf_series *s
         wf_progress("run %zu of %zu: %s ...", r + 1, plan->runs, spec.name);
         s = wf_series_run(&spec, a, &diag[r], &series[r], e);
         wf_progress(NULL);
+        if (s) wf_print_findings(&diag[r], j->quiet);
         if (s) return s;
     }
     return WF_OK;

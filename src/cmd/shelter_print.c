@@ -111,6 +111,7 @@ void wf_shelter_print(FILE *to, const struct wf_shelter_run *r)
 {
     const struct wf_shelter *s = &r->still;
     const struct wf_shelter_request *q = &s->request;
+    fprintf(to, "wind %.4g m/s, a 10-min mean at %.6g m\n", r->speed, s->base.reference_height);
     fprintf(to, "law %s: %s\n", q->law->name, q->law->title);
     fprintf(to, "a covered cell lets %.0f %% of the %s through: %.3f of the speed\n", 100.0 * q->transmission,
             q->energy ? "energy" : "speed", wf_shelter_speed_share(q));

@@ -5,6 +5,7 @@
 #include "out/results.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
+#include "study/directions.h"
 #include "study/preset.h"
 #include <stdio.h>
 
@@ -14,8 +15,11 @@ struct wf_study {
     struct wf_solve_options solve;
     const struct wf_solver *solver;
     const struct wf_preset *preset;
+    struct wf_directions_request directions; /* n = 0: none */
 };
-void wf_study_from_args(const struct wf_args *g, struct wf_study *out);
+/* A measured profile and a climate are read; their mistakes are in `d`. */
+enum wf_status wf_study_from_args(const struct wf_args *g, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_study *out, struct wf_err *e);
 
 /* What says which tree is meant. */
 #define WF_TREE_OPTIONS                                                                                      \

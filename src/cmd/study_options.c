@@ -1,11 +1,11 @@
-#include "cmd/study.h"
+#include "cmd/profile_options.h"
+#include "cmd/study_directions.h"
+#include "cmd/wind_speed.h"
 #include "wind/shelter.h"
-#include <string.h>
 #include <string.h>
 
 static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 static const char *preset_word(size_t i) { return wf_presets[i].name; }
-static const char *profile_word(size_t i) { return wf_profiles[i].name; }
 static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 
 const struct wf_option wf_study_options[] = {
@@ -22,6 +22,7 @@ const struct wf_option wf_study_options[] = {
       .help =
           "mean wind speeds at the reference height, a list 10,15,25 or from:to:step 5:40:1; a unit behind "
           "the last number holds for all: '36,54 km/h'" },
+    WF_AVERAGING_OPTIONS,
     { .name = "--output",
       .letter = "-o",
       .kind = WF_OPTION_TEXT,
@@ -41,66 +42,7 @@ const struct wf_option wf_study_options[] = {
       .word = preset_word,
       .help = "a published method, its formula and constants as printed; warnings tell where it leaves "
               "physics" },
-    { .name = "--profile",
-      .kind = WF_OPTION_CHOICE,
-      .value = "NAME",
-      .initial = "power",
-      .word = profile_word,
-      .help = "how the wind grows with height" },
-    { .name = "--reference-height",
-      .kind = WF_OPTION_NUMBER,
-      .value = "LENGTH",
-      .initial = "10",
-      .dimension = WF_DIM_LENGTH,
-      .unit = "m",
-      .low = 0.01,
-      .high = 1000,
-      .help = "height at which the wind has the speed named" },
-    { .name = "--exponent",
-      .kind = WF_OPTION_NUMBER,
-      .value = "NUMBER",
-      .initial = "0.16",
-      .dimension = WF_DIM_NONE,
-      .low = 0,
-      .high = 1,
-      .help = "of the power profile" },
-    { .name = "--roughness",
-      .kind = WF_OPTION_NUMBER,
-      .value = "LENGTH",
-      .initial = "0.03",
-      .dimension = WF_DIM_LENGTH,
-      .unit = "m",
-      .low = 1e-6,
-      .high = 10,
-      .help = "roughness length of the log and canopy profiles; left out with canopy: 0.1 of its height" },
-    { .name = "--displacement",
-      .kind = WF_OPTION_NUMBER,
-      .value = "LENGTH",
-      .initial = "0",
-      .dimension = WF_DIM_LENGTH,
-      .unit = "m",
-      .low = 0,
-      .high = 100,
-      .help = "zero-plane displacement: height the log profile is lifted by, above and in a stand; left out "
-              "with canopy: 0.7 of "
-              "its height" },
-    { .name = "--canopy-height",
-      .kind = WF_OPTION_NUMBER,
-      .value = "LENGTH",
-      .initial = "0",
-      .dimension = WF_DIM_LENGTH,
-      .unit = "m",
-      .low = 0,
-      .high = 100,
-      .help = "of the stand around the tree, for the canopy profile; 0: displacement / 0.7" },
-    { .name = "--attenuation",
-      .kind = WF_OPTION_NUMBER,
-      .value = "NUMBER",
-      .initial = "0",
-      .dimension = WF_DIM_NONE,
-      .low = 0,
-      .high = 10,
-      .help = "of the wind inside the canopy; 0: joins the log law smoothly" },
+    WF_PROFILE_OPTIONS,
     { .name = "--azimuth",
       .kind = WF_OPTION_NUMBER,
       .value = "ANGLE",
@@ -110,13 +52,16 @@ const struct wf_option wf_study_options[] = {
       .low = -360,
       .high = 360,
       .help = "direction the wind blows towards, from +x towards +y" },
+    WF_DIRECTION_OPTIONS,
     { .name = "--shelter",
       .kind = WF_OPTION_CHOICE,
       .value = "LAW",
       .initial = "none",
       .word = shelter_word,
-      .help = "the wind inside the crown: none: as outside; wake: what drag of the windward parts leaves; feng1999: "
+      .help = "the wind inside the crown: none: as outside; wake: what drag of the windward parts leaves; "
+              "feng1999: "
               "potential flows as printed" },
+    WF_EXPOSURE_OPTIONS,
     { .name = "--temperature",
       .kind = WF_OPTION_NUMBER,
       .value = "TEMPERATURE",
@@ -179,33 +124,20 @@ const struct wf_option wf_study_options[] = {
     { 0 },
 };
 
-/* What is not said of a stand follows from its height: d = 0.7 h, z0 = 0.1 h (Garratt 1992, The Atmospheric
- * Boundary Layer, Cambridge University Press, sec. 4.3). */
-static void complete_canopy(const struct wf_args *g, struct wf_scenario *s)
-{
-    if (strcmp(s->profile, "canopy") != 0) return;
-    double height = s->canopy_height > 0.0 ? s->canopy_height : s->displacement / 0.7;
-    if (!wf_args_given(g, "--displacement")) s->displacement = 0.7 * height;
-    if (!wf_args_given(g, "--roughness") && height > 0.0) s->roughness = 0.1 * height;
-}
-
-void wf_study_from_args(const struct wf_args *g, struct wf_study *out)
+enum wf_status wf_study_from_args(const struct wf_args *g, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_study *out, struct wf_err *e)
 {
     struct wf_scenario *s = &out->scenario;
     wf_scenario_default(s);
-    s->profile = wf_args_text(g, "--profile");
-    s->reference_height = wf_args_number(g, "--reference-height");
-    s->exponent = wf_args_number(g, "--exponent");
-    s->roughness = wf_args_number(g, "--roughness");
-    s->displacement = wf_args_number(g, "--displacement");
-    s->canopy_height = wf_args_number(g, "--canopy-height");
-    s->attenuation = wf_args_number(g, "--attenuation");
+    const struct wf_profile_words profile = wf_profile_asked(g);
+    enum wf_status status = wf_scenario_profile(s, &profile, a, d, e);
+    if (status) return status;
+    s->winds_said = g->winds_said;
     s->azimuth = wf_args_number(g, "--azimuth");
     s->temperature = wf_args_number(g, "--temperature");
     s->altitude = wf_args_number(g, "--altitude");
     s->air_density = wf_args_number(g, "--air-density");
     s->speed_max = wf_args_number(g, "--search-to");
-    complete_canopy(g, s);
     s->shelter = strcmp(wf_args_text(g, "--shelter"), "none") == 0 ? NULL : wf_args_text(g, "--shelter");
     wf_solve_options_default(&out->solve);
     out->solve.mesh_tolerance = wf_args_number(g, "--mesh-tolerance");
@@ -213,4 +145,6 @@ void wf_study_from_args(const struct wf_args *g, struct wf_study *out)
         out->solve.root_stiffness[0] = out->solve.root_stiffness[1] = wf_args_number(g, "--root-stiffness");
     out->solver = wf_solver_named(wf_args_text(g, "--solver"));
     out->preset = wf_preset_named(wf_args_text(g, "--preset"));
+    status = wf_directions_asked(g, a, d, &out->directions, e);
+    return status ? status : wf_exposure_asked(g, a, s, &out->directions, e);
 }

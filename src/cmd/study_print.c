@@ -1,4 +1,4 @@
-#include "cmd/study.h"
+#include "cmd/study_directions.h"
 #include <math.h>
 
 static void number(FILE *to, int width, int digits, double value)
@@ -47,6 +47,13 @@ void wf_study_print(FILE *to, const struct wf_run *run)
     const struct wf_scenario *s = &first->scenario;
     fprintf(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
+    fprintf(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
+    if (s->speed_up != 1.0)
+        fprintf(to,
+                "The tree meets %.4g times the wind named (exposure of the site); critical speeds are of the "
+                "wind "
+                "named\n",
+                s->speed_up);
     for (size_t k = 0; k < run->n; k++) {
         const struct wf_analysis *an = &run->analysis[k];
         fprintf(to, "\n%s (%s)\n", an->species->name,
@@ -58,5 +65,6 @@ void wf_study_print(FILE *to, const struct wf_run *run)
         critical(to, an, "critical wind speed", &an->breaks);
         if (an->breaks.row >= 0 && an->tree.level[an->breaks.row] > 0)
             critical(to, an, "of the stem alone", &an->stem);
+        wf_directions_print(to, an);
     }
 }

@@ -1,7 +1,10 @@
 #include "cmd/study.h"
 #include "out/report.h"
+#include "study/exposure.h"
 #include <string.h>
 #include <sys/stat.h>
+
+enum { OTHER_FILES = 5 }; /* model, study, profile, climate, ground */
 
 /* Everything of one run, in one arena. */
 struct work {
@@ -12,6 +15,7 @@ struct work {
     struct wf_model model;
     struct wf_species *species;
     struct wf_analysis *analysis;
+    size_t inputs;
     struct wf_input_file *input;
     struct wf_diag *diag; /* one per species */
     bool quiet;
@@ -27,6 +31,11 @@ static char *typed(struct wf_arena *a, int argc, char **argv)
     return text;
 }
 
+static enum wf_status note(struct work *w, const char *role, const char *path, struct wf_err *e)
+{
+    return wf_input_file_note(role, path, &w->arena, &w->input[w->inputs++], e);
+}
+
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
@@ -34,6 +43,10 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     const char *model = NULL;
     struct wf_err first = { 0 }, next = { 0 };
     enum wf_status worst = wf_study_tree(&w->args, NULL, &w->arena, &w->model, &model, &d, &first);
+    size_t found = d.errors;
+    enum wf_status asked = wf_study_from_args(&w->args, &w->arena, &d, &w->study, &next);
+    if (asked && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
+    if (asked && !worst) worst = asked;
     for (size_t k = 0; k < w->args.n; k++) {
         const char *path = wf_shipped("species", w->args.operand[k], &w->arena);
         size_t before = d.errors;
@@ -41,16 +54,33 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
         enum wf_status s = wf_species_read(path, &w->arena, &w->species[k], &d, &next);
         if (s && d.errors == before) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
         if (s && !worst) worst = s;
-        if (!s && (s = wf_input_file_note("species", path, &w->arena, &w->input[k + 1], e))) return s;
+        if (!s && (s = note(w, "species", path, e))) return s;
     }
     if (worst && first.code && !d.errors) wf_diag_error(&d, NULL, 0, 0, "%s", first.text);
     wf_print_findings(&d, w->quiet);
     if (worst)
         return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
                        d.errors == 1 ? "" : "s");
-    const char *study = wf_args_text(&w->args, "--study");
-    if (study && wf_input_file_note("study", study, &w->arena, &w->input[w->args.n + 1], e)) return e->code;
-    return wf_input_file_note("model", model, &w->arena, &w->input[0], e);
+    const char *const profile = w->study.scenario.profile_file,
+                      *const study = wf_args_text(&w->args, "--study"),
+                      *const climate = w->study.directions.climate_file;
+    enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
+    if (!s && study) s = note(w, "study", study, e);
+    if (!s && profile) s = note(w, "profile", profile, e);
+    if (!s && w->study.scenario.site) s = note(w, "ground", w->study.scenario.site->file, e);
+    return !s && climate ? note(w, "climate", climate, e) : s;
+}
+
+/* The same from all directions, where asked for. */
+static enum wf_status around(struct work *w, struct wf_analysis *an, struct wf_err *e)
+{
+    const struct wf_directions_request *q = &w->study.directions;
+    if (!q->n) return WF_OK;
+    struct wf_directions *out = WF_TAKE(&w->arena, 1, struct wf_directions);
+    if (!out) return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
+    wf_progress("%s: %zu directions ...", an->species->name, q->n);
+    an->directions = out;
+    return wf_directions_run(an, &w->study.solve, q, &w->arena, out, e);
 }
 
 static enum wf_status analyse(struct work *w, struct wf_err *e)
@@ -64,6 +94,7 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
         enum wf_status s =
             wf_analyze(&w->species[k], &w->model, &w->study.scenario, w->study.solver, &w->study.solve,
                        w->args.speed, w->args.speeds, &w->arena, &w->diag[k], &w->analysis[k], e);
+        if (!s) s = around(w, &w->analysis[k], e);
         wf_progress(NULL);
         if (s) wf_print_findings(&w->diag[k], w->quiet);
         if (s) return s;
@@ -110,18 +141,19 @@ static enum wf_status run(struct work *w, int argc, char **argv, struct wf_err *
     size_t n = w->args.n;
     w->species = WF_TAKE(&w->arena, n, struct wf_species);
     w->analysis = WF_TAKE(&w->arena, n, struct wf_analysis);
-    w->input = WF_TAKE(&w->arena, n + 2, struct wf_input_file);
+    w->input = WF_TAKE(&w->arena, n + OTHER_FILES, struct wf_input_file);
+    w->inputs = 1; /* the model's place */
     w->diag = WF_TAKE(&w->arena, n, struct wf_diag);
     struct wf_run run = { .command = typed(&w->arena, argc, argv),
                           .version = WF_VERSION,
                           .date = wf_run_date(&w->arena),
                           .n = n,
                           .analysis = w->analysis,
-                          .inputs = n + 1 + (wf_args_text(&w->args, "--study") != NULL),
                           .input = w->input };
     if (!w->species || !w->analysis || !w->input || !w->diag || !run.command || !run.date)
         return wf_fail(e, WF_ENOMEM, "no room for %zu species", n);
     enum wf_status s = read_inputs(w, e);
+    run.inputs = w->inputs;
     if (s || (s = analyse(w, e))) return s;
     if (!w->quiet) wf_study_print(stdout, &run);
     fflush(stdout); /* so that warnings stand below the table where both go to the same place */
@@ -154,7 +186,6 @@ int wf_study_run(int argc, char **argv, const char *about, size_t low, size_t hi
         const char *asked = wf_args_text(&w.args, "--output");
         w.quiet = wf_args_given(&w.args, "--quiet");
         w.folder = asked ? asked : wf_arena_print(&w.arena, "out/%s", argv[0]);
-        wf_study_from_args(&w.args, &w.study);
         code = w.folder && run(&w, argc, argv, &e) == WF_OK ? 0 : wf_complain(&e);
     }
     wf_arena_free(&w.arena);

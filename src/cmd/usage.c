@@ -31,11 +31,13 @@ void wf_option_text(const struct wf_option *o, FILE *to)
         size_t n = wf_args_choices(o, word, list, sizeof list);
         for (size_t i = 0; i < n; i++) fprintf(to, "%s%s", i ? ", " : ": ", word[i]);
     }
-    if (o->kind == WF_OPTION_NUMBER || o->kind == WF_OPTION_SPEEDS)
+    bool wind = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
+    if (o->kind == WF_OPTION_NUMBER || o->kind == WF_OPTION_WHOLE || wind)
         fprintf(to, " (%.6g..%.6g%s%s)", o->low, o->high, *unit ? " " : "", unit);
+    if (wind) fputs("; or a grade: beaufort:8, cma:typhoon, hko:typhoon", to);
     if (o->initial)
-        fprintf(to, " [%s%s%s]", o->initial, o->kind == WF_OPTION_NUMBER && *unit ? " " : "",
-                o->kind == WF_OPTION_NUMBER ? unit : "");
+        fprintf(to, " [%s%s%s]", o->initial, o->kind != WF_OPTION_CHOICE && *unit ? " " : "",
+                o->kind != WF_OPTION_CHOICE ? unit : "");
 }
 
 static void option_print(FILE *to, const struct wf_option *o)

@@ -1,7 +1,7 @@
 /* Maps of an iterated function system: their schema, and what makes them contractive. */
+#include "base/quiet.h"
 #include "data/branching.h"
 #include "data/branching_schema.h"
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdio.h>
@@ -21,9 +21,9 @@ double wf_stretch(const double a[9])
     memcpy(m, a, sizeof m);
     gsl_matrix_view mv = gsl_matrix_view_array(m, 3, 3), vv = gsl_matrix_view_array(v, 3, 3);
     gsl_vector_view sv = gsl_vector_view_array(s, 3);
-    gsl_error_handler_t *before = gsl_set_error_handler_off();
+    wf_quiet_begin();
     int failed = gsl_linalg_SV_decomp_jacobi(&mv.matrix, &vv.matrix, &sv.vector);
-    gsl_set_error_handler(before);
+    wf_quiet_end();
     return failed ? INFINITY : s[0];
 }
 

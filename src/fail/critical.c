@@ -1,4 +1,5 @@
 #include "fail/critical.h"
+#include "base/quiet.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 #include <math.h>
@@ -80,7 +81,7 @@ static double find_crossing(struct search *s, double tolerance, gsl_root_fsolver
  * is one. */
 static double narrow(struct search *s, double tolerance)
 {
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    wf_quiet_begin();
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     double root = NAN;
     if (!solver) s->fault = wf_fail(s->err, WF_ENOMEM, "critical speed: no room for the root search");
@@ -91,7 +92,7 @@ static double narrow(struct search *s, double tolerance)
         if (s->falls < s->lost) break;
     }
     if (solver) gsl_root_fsolver_free(solver);
-    gsl_set_error_handler(handler);
+    wf_quiet_end();
     return root;
 }
 

@@ -1,7 +1,7 @@
 /* Covariance, bands and influence from the weighted slopes at the optimum. */
+#include "base/quiet.h"
 #include "fit/session.h"
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 
@@ -175,12 +175,12 @@ enum wf_status wf_fit_covariance(struct wf_session *s, struct wf_fit *out, struc
         at_bound[k] = q->at_low || q->at_high;
         if (!at_bound[k]) of[m++] = k;
     }
-    gsl_error_handler_t *before = gsl_set_error_handler_off();
+    wf_quiet_begin();
     if (m) status = reduced_covariance(s, at_bound, of, m, C, w, a, e);
     for (size_t j = 0; !status && j < m; j++)
         for (size_t k = 0; k < m; k++) out->covariance[of[j] * n + of[k]] = C[j * m + k];
     if (!status) intervals(s, out);
-    gsl_set_error_handler(before);
+    wf_quiet_end();
     if (status) return status;
     for (size_t j = 0; j < n; j++)
         for (size_t k = 0; k < n; k++) {

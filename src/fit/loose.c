@@ -1,7 +1,7 @@
 /* Which combinations of parameters the data leave open, in words. */
+#include "base/quiet.h"
 #include "fit/session.h"
 #include <gsl/gsl_eigen.h>
-#include <gsl/gsl_errno.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -40,7 +40,7 @@ enum wf_status wf_fit_loose(struct wf_fit *f, struct wf_arena *a, struct wf_err 
     f->loose = WF_TAKE(a, n, struct wf_loose);
     double *v = WF_TAKE(a, n, double);
     if (!f->loose || !v) return wf_fail(e, WF_ENOMEM, "no room for the verdict");
-    gsl_error_handler_t *before = gsl_set_error_handler_off();
+    wf_quiet_begin();
     gsl_matrix *C = n ? gsl_matrix_alloc(n, n) : NULL, *V = n ? gsl_matrix_alloc(n, n) : NULL;
     gsl_vector *value = n ? gsl_vector_alloc(n) : NULL;
     gsl_eigen_symmv_workspace *work = n ? gsl_eigen_symmv_alloc(n) : NULL;
@@ -60,6 +60,6 @@ enum wf_status wf_fit_loose(struct wf_fit *f, struct wf_arena *a, struct wf_err 
     if (V) gsl_matrix_free(V);
     if (value) gsl_vector_free(value);
     if (work) gsl_eigen_symmv_free(work);
-    gsl_set_error_handler(before);
+    wf_quiet_end();
     return ok || !n ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for the verdict");
 }

@@ -1,6 +1,6 @@
 #include "fit/ring_down.h"
+#include "base/quiet.h"
 #include "fit/lsq.h"
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <string.h>
@@ -51,7 +51,7 @@ static enum wf_status errors(const struct data *d, const double *p, double *r, d
     for (size_t i = 0; i < d->n; i++) square += r[i] * r[i], lag += i ? r[i] * r[i - 1] : 0;
     double rho = square > 0 ? fmin(fmax(lag / square, 0), 0.99) : 0;
     double variance = square / (double)(d->n - N) * (1 + rho) / (1 - rho);
-    gsl_error_handler_t *before = gsl_set_error_handler_off();
+    wf_quiet_begin();
     gsl_matrix *A = gsl_matrix_calloc(N, N);
     for (size_t i = 0; A && i < d->n; i++)
         for (size_t j = 0; j < N; j++)
@@ -60,7 +60,7 @@ static enum wf_status errors(const struct data *d, const double *p, double *r, d
     for (size_t j = 0; ok && j < N; j++)
         for (size_t k = 0; k < N; k++) C[N * j + k] = variance * gsl_matrix_get(A, j, k);
     if (A) gsl_matrix_free(A);
-    gsl_set_error_handler(before);
+    wf_quiet_end();
     return ok ? WF_OK : wf_fail(e, WF_ENOCONV, "the sway record does not fix a frequency and a damping");
 }
 

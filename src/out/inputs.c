@@ -1,5 +1,7 @@
 /* What went in: species values with range, standing and source; model; scenario; method. */
 #include "out/parts.h"
+#include "study/exposure.h"
+#include "wind/scale.h"
 #include "wind/shelter.h"
 #include <math.h>
 #include <stddef.h>
@@ -179,7 +181,19 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     const struct wf_scenario *s = &a->scenario;
     json_t *o = wf_doc_object(d);
     wf_doc_text(d, o, "profile", s->profile);
+    wf_doc_text(d, o, "profile_file", s->profile_file);
+    bool measured = s->measured && a->wind.sample == wf_measured_sample;
+    wf_doc_quantity(d, o, "profile_low", measured ? s->measured->z[1] : NAN, "m", "not a measured profile");
+    wf_doc_quantity(d, o, "profile_high", measured ? s->measured->z[s->measured->n - 1] : NAN, "m",
+                    "not a measured profile");
     wf_doc_quantity(d, o, "reference_height", s->reference_height, "m", NULL);
+    wf_doc_quantity(d, o, "averaging_time", WF_MEAN_TIME, "s", NULL);
+    wf_doc_text(d, o, "winds_said", s->winds_said);
+    wf_doc_quantity(d, o, "speed_up", s->speed_up, "1", NULL);
+    static const char given[] = "no map of the ground";
+    wf_doc_text(d, o, "ground_file", s->site ? s->site->file : NULL);
+    wf_doc_quantity(d, o, "site_x", s->site ? s->site->x : NAN, "m", given);
+    wf_doc_quantity(d, o, "site_y", s->site ? s->site->y : NAN, "m", given);
     wf_doc_quantity(d, o, "roughness", s->roughness, "m", "not used by this profile");
     wf_doc_quantity(d, o, "displacement", s->displacement, "m", "not used by this profile");
     wf_doc_quantity(d, o, "exponent", s->exponent, "1", "not used by this profile");

@@ -12,6 +12,8 @@ json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a);
 json_t *wf_part_wind(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at);
 /* When and where the tree (a->breaks), or its stem alone (a->stem), breaks. */
 json_t *wf_part_critical(struct wf_doc *d, const struct wf_analysis *a, const struct wf_break *b);
+/* Winds from all around; null where they were not asked for. */
+json_t *wf_part_directions(struct wf_doc *d, const struct wf_analysis *a);
 /* Warnings as a list of {code, text}. */
 json_t *wf_part_warnings(struct wf_doc *d, const struct wf_diag *diag);
 

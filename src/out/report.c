@@ -15,6 +15,7 @@ struct job {
     xmlNode *figures;
     struct wf_diag *d;
     struct wf_err *e;
+    bool around;          /* the results hold winds from all directions */
     enum wf_status first; /* of the parts that could not be made */
 };
 
@@ -56,6 +57,7 @@ static enum wf_status read_results(const char *folder, json_t **out, struct wf_e
     else if (!json_array_size(json_object_get(*out, "trees")))
         code = wf_fail(e, WF_EINPUT, "%s: trees: at least one is needed", path);
     for (size_t i = 0; !code && wf_tables[i].name; i++) {
+        if (wf_tables[i].made) continue; /* not every run has it */
         code = path_of(folder, wf_tables[i].name, path, e);
         if (!code && access(path, R_OK)) code = wf_fail(e, WF_EINPUT, "%s: cannot be read", path);
     }
@@ -81,13 +83,15 @@ static enum wf_status make_document(struct job *j)
             !(j->figures = xmlNewChild(root, NULL, BAD_CAST "figures", NULL)))
             code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
     }
+    j->around =
+        json_is_object(json_object_get(json_array_get(json_object_get(results, "trees"), 0), "directions"));
     json_decref(results);
     wf_arena_free(&scratch);
     return code;
 }
 
-/* Draw one figure, by a way of its own or as all others, and hang it into the document. `unready`: why none can
- * be drawn, NULL when they can. */
+/* Draw one figure, by a way of its own or as all others, and hang it into the document. `unready`: why none
+ * can be drawn, NULL when they can. */
 static enum wf_status add_figure(struct job *j, const char *name,
                                  enum wf_status (*own)(const char *, xmlDoc **, struct wf_err *),
                                  const struct wf_err *unready)
@@ -121,9 +125,11 @@ static enum wf_status draw_figures(struct job *j)
     bool ready = !wf_figures_prepare(j->folder, j->document, &why);
     if (!ready) miss(j, "no-figures", &why);
     bool branched = wf_tree_picture_there(j->folder);
-    enum wf_status code = branched ? add_figure(j, "tree", wf_tree_picture_report, ready ? NULL : &why) : WF_OK;
+    enum wf_status code =
+        branched ? add_figure(j, "tree", wf_tree_picture_report, ready ? NULL : &why) : WF_OK;
     for (size_t i = 0; !code && wf_figures[i]; i++)
         code = add_figure(j, wf_figures[i], NULL, ready ? NULL : &why);
+    if (!code && j->around) code = add_figure(j, "directions", NULL, ready ? NULL : &why);
     return code;
 }
 

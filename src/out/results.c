@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 enum wf_status wf_input_file_note(const char *role, const char *path, struct wf_arena *a,
                                   struct wf_input_file *out, struct wf_err *e)
@@ -76,9 +77,15 @@ static json_t *tree(struct wf_doc *d, const struct wf_run *run, size_t index)
     wf_doc_put(d, o, "critical", wf_part_critical(d, a, &a->breaks));
     wf_doc_put(d, o, "critical_stem", wf_part_critical(d, a, &a->stem));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
+    wf_doc_put(d, o, "directions", wf_part_directions(d, a));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");
     wf_doc_put(d, o, "warnings", shared(run, index) ? wf_doc_array(d) : wf_part_warnings(d, a->diag));
     return o;
+}
+
+static bool has(const struct wf_run *run, size_t table)
+{
+    return !wf_tables[table].made || wf_tables[table].made(run);
 }
 
 static json_t *document(struct wf_doc *d, const struct wf_run *run, const size_t rows[WF_TABLES])
@@ -95,6 +102,7 @@ static json_t *document(struct wf_doc *d, const struct wf_run *run, const size_t
                shared(run, 0) ? wf_part_warnings(d, run->analysis[0].diag) : wf_doc_array(d));
     json_t *tables = wf_doc_put(d, o, "tables", wf_doc_array(d));
     for (size_t i = 0; i < WF_TABLES; i++) {
+        if (!has(run, i)) continue;
         json_t *table = wf_doc_add(d, tables, wf_doc_object(d));
         wf_doc_text(d, table, "file", wf_tables[i].name);
         wf_doc_text(d, table, "meaning", wf_tables[i].meaning);
@@ -143,6 +151,10 @@ static enum wf_status write_all(const struct wf_run *run, const char *folder, st
             snprintf(path, sizeof path, "%s/%s", folder, i == DOCUMENT ? "results.json" : wf_tables[i].name);
         if (n < 0 || (size_t)n >= sizeof path)
             return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
+        if (i < WF_TABLES && !has(run, i)) {
+            memcpy(f[i].path, path, sizeof path);
+            continue;
+        }
         if ((code = wf_file_begin(&f[i], path, e))) return code;
         errno = 0;
         if (i < WF_TABLES)
@@ -154,7 +166,10 @@ static enum wf_status write_all(const struct wf_run *run, const char *folder, st
                            errno ? strerror(errno) : "write error");
     }
     for (size_t i = 0; i < FILES; i++)
-        if ((code = wf_file_commit(&f[i], e))) return code;
+        if (!f[i].stream)
+            unlink(f[i].path); /* an earlier run's would be taken for this one's */
+        else if ((code = wf_file_commit(&f[i], e)))
+            return code;
     return WF_OK;
 }
 

@@ -1,5 +1,6 @@
 #include "out/series.h"
 #include "base/file.h"
+#include "base/sha256.h"
 #include <math.h>
 #include <string.h>
 
@@ -8,6 +9,13 @@ static double along(const struct wf_series *s, const double x[3])
 {
     const double *to = s->an.wind.direction;
     return to[0] * x[0] + to[1] * x[1];
+}
+
+/* To the left of the wind. */
+static double across(const struct wf_series *s, const double x[3])
+{
+    const double *to = s->an.wind.direction;
+    return to[0] * x[1] - to[1] * x[0];
 }
 
 static void base_of(const struct wf_series *s, size_t frame, size_t row, double x[3])
@@ -33,7 +41,9 @@ static void number(FILE *f, double x)
 
 static void series(const struct wf_series_page *p, FILE *f)
 {
-    fputs("run,frame,time_s,wind_m_s,tip_deflection_m,tip_along_m,tip_z_m,base_moment_N_m\n", f);
+    fputs("run,frame,time_s,wind_m_s,tip_deflection_m,tip_along_m,tip_z_m,base_moment_N_m,wind_across_m_s,"
+          "wind_up_m_s,tip_across_m\n",
+          f);
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
         for (size_t k = 0; k < s->frames; k++) {
@@ -41,7 +51,8 @@ static void series(const struct wf_series_page *p, FILE *f)
             end_of(s, k, s->tip, x);
             fprintf(f, "%zu,%zu,%.7g", r + 1, k, (double)k * s->spec.step);
             number(f, s->wind[k]), number(f, s->deflection[k]), number(f, along(s, x)), number(f, x[2]);
-            number(f, s->moment[k]);
+            number(f, s->moment[k]), number(f, s->across ? s->across[k] : 0), number(f, s->up ? s->up[k] : 0);
+            number(f, across(s, x));
             fputc('\n', f);
         }
     }
@@ -111,15 +122,28 @@ static void text(FILE *f, const char *words)
     fputc('"', f);
 }
 
+/* Two cells: a file that was read, and the hash of its bytes. */
+static void file(FILE *f, const char *path)
+{
+    char hash[WF_SHA256_TEXT] = "";
+    struct wf_err unread = { 0 };
+    fputc(',', f);
+    text(f, path ? path : "");
+    if (path && wf_sha256_file(path, hash, &unread)) hash[0] = '\0';
+    fprintf(f, ",%s", hash);
+}
+
 static void runs(const struct wf_series_page *p, FILE *f)
 {
     fputs("run,name,species,model,preset,solver,gust,wind_m_s,youngs_modulus_Pa,shelter,seed,frames,step_s,"
-          "tip_deflection_mean_m,tip_deflection_largest_m,wind_lowest_m_s,wind_highest_m_s\n",
+          "tip_deflection_mean_m,tip_deflection_largest_m,wind_lowest_m_s,wind_highest_m_s,wind_mean_m_s,"
+          "gust_components,gust_parameters,gust_file,gust_sha256,profile,profile_file,profile_sha256\n",
           f);
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
-        double sum = 0, most = 0, low = INFINITY, high = -INFINITY, n = 0;
+        double sum = 0, most = 0, low = INFINITY, high = -INFINITY, n = 0, wind = 0;
         for (size_t k = 0; k < s->frames; k++) {
+            wind += s->wind[k] / (double)s->frames;
             low = fmin(low, s->wind[k]), high = fmax(high, s->wind[k]);
             if (!isfinite(s->deflection[k])) continue;
             sum += s->deflection[k], n++, most = fmax(most, s->deflection[k]);
@@ -131,7 +155,12 @@ static void runs(const struct wf_series_page *p, FILE *f)
         number(f, s->an.tree.youngs[0]);
         fprintf(f, ",%s,%llu,%zu,%.6g", s->spec.shelter ? s->spec.shelter->name : "none",
                 (unsigned long long)s->spec.seed, s->frames, s->spec.step);
-        number(f, sum / n), number(f, most), number(f, low), number(f, high);
+        number(f, sum / n), number(f, most), number(f, low), number(f, high), number(f, wind);
+        fprintf(f, ",%d,", s->across ? 3 : 1);
+        text(f, s->gust_words ? s->gust_words : "");
+        file(f, s->spec.gust_file);
+        fprintf(f, ",%s", s->an.scenario.profile);
+        file(f, s->an.scenario.profile_file);
         fputc('\n', f);
     }
 }

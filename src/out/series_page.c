@@ -47,15 +47,18 @@ static void runs(const struct wf_series_page *p, FILE *f)
         f);
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
-        double sum = 0, most = 0, n = 0;
+        double sum = 0, most = 0, n = 0, wind = 0;
+        for (size_t k = 0; k < s->frames; k++) wind += s->wind[k] / (double)s->frames;
         for (size_t k = 0; k < s->frames; k++)
             if (isfinite(s->deflection[k])) sum += s->deflection[k], most = fmax(most, s->deflection[k]), n++;
         fprintf(f, "<tbody><tr><td>%zu. ", r + 1);
         words(f, s->spec.name);
-        fprintf(f, "</td><td>%s, %s</td><td>%s; %s; %s%s%s</td>", s->spec.species->key, s->spec.model->key,
-                s->spec.preset->name, s->spec.solver->name, s->spec.gust ? s->spec.gust : "steady wind",
-                s->spec.shelter ? "; shelter " : "", s->spec.shelter ? s->spec.shelter->name : "");
-        cell(f, "%.3g", s->spec.speed), cell(f, "%.3g", s->an.tree.youngs[0] / 1e9);
+        fprintf(f, "</td><td>%s, %s</td><td>%s; %s; %s%s%s%s; profile %s</td>", s->spec.species->key,
+                s->spec.model->key, s->spec.preset->name, s->spec.solver->name,
+                s->spec.gust ? s->spec.gust : "steady wind", s->across ? ", 3 components" : "",
+                s->spec.shelter ? "; shelter " : "", s->spec.shelter ? s->spec.shelter->name : "",
+                s->an.scenario.profile);
+        cell(f, "%.3g", wind), cell(f, "%.3g", s->an.tree.youngs[0] / 1e9);
         cell(f, "%.3g", sum / n), cell(f, "%.3g", most), cell(f, "%.3g", most / s->an.tallness);
         fputs("</tr></tbody>\n", f);
     }

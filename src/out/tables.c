@@ -4,8 +4,8 @@
 
 static const double degrees = 57.295779513082320877; /* 180 / pi */
 
-/* What is not finite is an empty cell; adding zero turns -0 into 0. */
-static void cell(FILE *f, double x)
+/* Adding zero turns -0 into 0. */
+void wf_table_cell(FILE *f, double x)
 {
     if (isfinite(x))
         fprintf(f, ",%.10g", x + 0.0);
@@ -15,11 +15,10 @@ static void cell(FILE *f, double x)
 
 static void cells(FILE *f, size_t n, const double *x)
 {
-    for (size_t i = 0; i < n; i++) cell(f, x[i]);
+    for (size_t i = 0; i < n; i++) wf_table_cell(f, x[i]);
 }
 
-/* The first three columns of every table: number of the tree, key of its species, wind speed. */
-static void lead(FILE *f, const struct wf_run *run, size_t tree, double speed)
+void wf_table_lead(FILE *f, const struct wf_run *run, size_t tree, double speed)
 {
     fprintf(f, "%zu,", tree + 1);
     const char *key = run->analysis[tree].species->key;
@@ -29,7 +28,7 @@ static void lead(FILE *f, const struct wf_run *run, size_t tree, double speed)
         putc(*c, f);
     }
     putc('"', f);
-    cell(f, speed);
+    wf_table_cell(f, speed);
 }
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -58,14 +57,14 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
                                      1e-6 * b->largest_stress,
                                      b->least_safety,
                                      height };
-            lead(f, run, i, at->speed);
+            wf_table_lead(f, run, i, at->speed);
             fprintf(f, ",%s", wf_part_status(at->status));
-            for (size_t c = 0; c < COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
+            for (size_t c = 0; c < COUNT(total); c++) wf_table_cell(f, at->status ? NAN : total[c]);
             const struct wf_break *const breaks[] = { &a->breaks, &a->stem };
             for (size_t c = 0; c < COUNT(breaks); c++) {
-                cell(f, breaks[c]->critical.speed);
+                wf_table_cell(f, breaks[c]->critical.speed);
                 fprintf(f, ",%s", wf_part_outcome(breaks[c]->critical.outcome));
-                cell(f, breaks[c]->height);
+                wf_table_cell(f, breaks[c]->height);
             }
             putc('\n', f);
         }
@@ -109,7 +108,7 @@ static size_t write_segments(const struct wf_run *run, FILE *f)
                                        b->safety1[r],
                                        g->deflection[r],
                                        degrees * g->slope[r] };
-                lead(f, run, i, a->at[k].speed);
+                wf_table_lead(f, run, i, a->at[k].speed);
                 fprintf(f, ",%zu,%ld,%ld", r + 1, (long)t->parent[r] + 1, (long)t->level[r]);
                 cells(f, COUNT(row), row);
                 putc('\n', f);
@@ -125,7 +124,7 @@ static void shape_point(FILE *f, const struct wf_run *run, size_t tree, double s
                         size_t segment, const double x[3], const double u[3])
 {
     const double row[] = { x[0], x[1], x[2], x[0] + u[0], x[1] + u[1], x[2] + u[2] };
-    lead(f, run, tree, speed);
+    wf_table_lead(f, run, tree, speed);
     fprintf(f, ",%zu,%zu", axis, segment);
     cells(f, COUNT(row), row);
     putc('\n', f);
@@ -180,9 +179,9 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
                                      at->base_moment,
                                      1e-6 * at->breakage.largest_stress,
                                      at->breakage.least_safety };
-            lead(f, run, i, at->speed);
+            wf_table_lead(f, run, i, at->speed);
             fprintf(f, ",%s", wf_part_status(at->status));
-            for (size_t c = 0; c < COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
+            for (size_t c = 0; c < COUNT(total); c++) wf_table_cell(f, at->status ? NAN : total[c]);
             putc('\n', f);
         }
         rows += a->sweep_n;
@@ -191,10 +190,12 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
 }
 
 const struct wf_table wf_tables[] = {
-    { "tables/summary.csv", "totals of each tree at each wind speed", write_summary },
-    { "tables/segments.csv", "what each segment bears at each wind speed", write_segments },
-    { "tables/shape.csv", "axis points, unloaded and loaded", write_shape },
+    { "tables/summary.csv", "totals of each tree at each wind speed", write_summary, NULL },
+    { "tables/segments.csv", "what each segment bears at each wind speed", write_segments, NULL },
+    { "tables/shape.csv", "axis points, unloaded and loaded", write_shape, NULL },
     { "tables/sweep.csv", "totals on a ladder of wind speeds from 0, closer at first, for curves",
-      write_sweep },
-    { NULL, NULL, NULL },
+      write_sweep, NULL },
+    { WF_DIRECTIONS_TABLE, "totals, critical wind speeds and hours a year by direction of the wind",
+      wf_directions_write, wf_directions_made },
+    { NULL, NULL, NULL, NULL },
 };

@@ -10,7 +10,17 @@ struct wf_table {
     const char *meaning; /* one line for results.json */
     /* Write header and rows to f. Returned: rows written, without the header. */
     size_t (*write)(const struct wf_run *run, FILE *f);
+    bool (*made)(const struct wf_run *run); /* does the run have it; NULL: always */
 };
 extern const struct wf_table wf_tables[]; /* ends at name == NULL */
-enum { WF_TABLES = 4 };
+enum { WF_TABLES = 5 };
+
+/* The first three columns of every table: number of the tree, key of its species, wind speed. */
+void wf_table_lead(FILE *f, const struct wf_run *run, size_t tree, double speed);
+/* A further cell; what is not finite is empty. */
+void wf_table_cell(FILE *f, double x);
+
+#define WF_DIRECTIONS_TABLE "tables/directions.csv"
+bool wf_directions_made(const struct wf_run *run);
+size_t wf_directions_write(const struct wf_run *run, FILE *f);
 #endif

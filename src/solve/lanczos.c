@@ -1,4 +1,5 @@
 #include "solve/lanczos.h"
+#include "base/quiet.h"
 #include "solve/wide.h"
 #include <gsl/gsl_eigen.h>
 #include <math.h>
@@ -157,7 +158,7 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
     double *part = WF_TAKE(a, BLOCK * k.most, double);
     if (!k.V || !k.T || !k.Q || !k.value || !w || !start || !part)
         return wf_fail(e, WF_ENOMEM, "no room for %zu modes", l->wanted);
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    wf_quiet_begin();
 
     for (size_t j = 0; j < BLOCK && j < k.most; j++) {
         scatter(w + l->size, l->size, j); /* through the operator once: smooth motions first */
@@ -190,7 +191,7 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
         break;
     }
     if (!k.used) status = WF_OK; /* nothing moves at all */
-    gsl_set_error_handler(handler);
+    wf_quiet_end();
     if (status == WF_ENOMEM) return status;
     for (size_t i = 0; i < l->wanted; i++) {
         value[i] = i < k.used ? k.value[i] : NAN;

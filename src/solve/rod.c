@@ -1,9 +1,9 @@
 #include "solve/rod.h"
+#include "base/quiet.h"
 #include "solve/beam.h"
 #include "solve/beam_mesh.h"
 #include "solve/gauss.h"
 #include "solve/rod_shoot.h"
-#include <gsl/gsl_errno.h>
 
 static void scale(struct wf_rod *r, const struct wf_loads *full, double share)
 {
@@ -223,13 +223,13 @@ static enum wf_status solve(bool printed, const struct wf_tree *t, const struct 
     if (printed && t->bend && d)
         wf_diag_warn(d, "straight-rows",
                      "the printed rod takes curved segments as straight between their ends");
-    gsl_error_handler_t *handler = gsl_set_error_handler_off();
+    wf_quiet_begin();
     status = wf_rod_init(&r, t, l, &rigid, printed, &work, e);
     if (!status) status = settle(&r, l, &rigid, &work, &out->load_factor, d, e);
     if (!status) read(&r, out);
     out->iterations = r.iterations, out->steps = r.steps;
     wf_rod_done(&r);
-    gsl_set_error_handler(handler);
+    wf_quiet_end();
     wf_arena_free(&work);
     return status;
 }

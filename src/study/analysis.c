@@ -140,16 +140,15 @@ static enum wf_status find_break(const struct wf_analysis *an, const struct wf_s
     return WF_OK;
 }
 
-/* What breaks first; and, where that is a branch, the stem. */
-static enum wf_status find_critical(struct wf_analysis *an, const struct wf_solve_options *o,
-                                    struct wf_err *e)
+enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_break *first, struct wf_break *stem, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct known *known = WF_TAKE(&scratch, 1, struct known);
     if (!known) return wf_fail(e, WF_ENOMEM, "no room for the search of the critical speed");
-    enum wf_status s = find_break(an, o, false, known, &an->breaks, e);
-    an->stem = an->breaks;
-    if (!s && strong(&an->tree, false)) s = find_break(an, o, true, known, &an->stem, e);
+    enum wf_status s = find_break(an, o, false, known, first, e);
+    *stem = *first;
+    if (!s && strong(&an->tree, false)) s = find_break(an, o, true, known, stem, e);
     wf_arena_free(&scratch);
     return s;
 }
@@ -195,7 +194,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
         return wf_fail(e, WF_ENOMEM, "no room for %zu speeds", n);
     for (size_t k = 0; k < n; k++)
         if ((s = wf_speed_solve(out, o, speeds[k], a, d, &out->at[k], e))) return s;
-    if ((s = find_critical(out, o, e))) return s;
+    if ((s = wf_analysis_breaks(out, o, &out->breaks, &out->stem, e))) return s;
     if ((s = sweep(out, o, a, e))) return s;
     wf_limits_check(out, d);
     return WF_OK;

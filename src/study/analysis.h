@@ -11,11 +11,17 @@
 #include "fail/critical.h"
 #include "load/load.h"
 #include "solve/solve.h"
+#include "wind/measured.h"
 #include "wind/wind.h"
 
+struct wf_site; /* study/exposure.h */
 struct wf_scenario {
-    const char *profile;     /* row of wf_profiles */
-    double reference_height; /* height of the named wind speeds [m] */
+    const char *profile;                        /* row of wf_profiles */
+    const struct wf_measured_profile *measured; /* of the profile "measured" */
+    const char *profile_file;                   /* it was read from */
+    double reference_height;                    /* height of the named wind speeds [m] */
+    double speed_up; /* wind at the tree over the wind named, at every height: exposure of the site [-] */
+    const struct wf_site *site; /* it was found on this ground; NULL: it was given */
     double roughness, displacement,
         exponent; /* [m], [m], [-]: of the log and canopy, log and canopy, power profile */
     double canopy_height, attenuation; /* [m], [-]: of the canopy profile; 0: derived, see wind/wind.h */
@@ -23,8 +29,9 @@ struct wf_scenario {
     double temperature, altitude;      /* [K], [m] */
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
-    double speed_max;    /* the critical wind speed is searched for up to here [m/s] */
-    const char *shelter; /* row of wf_shelter_laws: the tree shelters itself; NULL: it does not */
+    double speed_max;       /* the critical wind speed is searched for up to here [m/s] */
+    const char *shelter;    /* row of wf_shelter_laws: the tree shelters itself; NULL: it does not */
+    const char *winds_said; /* how the wind speeds came to 10-min means; NULL: they were given so */
 };
 /* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2, search up to 100 m/s. */
 void wf_scenario_default(struct wf_scenario *s);
@@ -58,6 +65,7 @@ struct wf_break {
     double height;         /* its height above ground on the unbent tree [m]              */
 };
 
+struct wf_directions;
 struct wf_analysis {
     const struct wf_species *species;
     const struct wf_model *model;
@@ -72,14 +80,20 @@ struct wf_analysis {
     struct wf_at_speed *sweep; /* rising from 0, closer at first, for curves (totals only) */
     struct wf_break breaks;    /* of the part that breaks first                             */
     struct wf_break stem;      /* of the stem, level 0, alone; the same where there are no branches */
-    double tallness;           /* height [m] */
-    struct wf_diag *diag;      /* validity warnings                               */
+    const struct wf_directions *directions; /* winds from all around; NULL: not asked for */
+    double tallness;                        /* height [m] */
+    struct wf_diag *diag;                   /* validity warnings                               */
 };
 
 /* The tree, the wind field and what acts: everything but the answers. Given: *an with species, model,
  * scenario and solver. Returned: tree, tallness, wind (at speed 0) and loads of *an. */
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_err *e);
+
+/* When what breaks first breaks, and when the stem alone does. Given: an analysis after wf_analysis_set_up;
+ * its wind's direction counts. */
+enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_break *first, struct wf_break *stem, struct wf_err *e);
 
 /* Given: species, model, scenario, solver, options, n speeds [m/s]. Returned: WF_OK and *out, even where
  * single speeds have no answer (their status says why); another code when nothing could be computed. */

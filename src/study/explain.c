@@ -1,5 +1,6 @@
 #include "study/explain.h"
 #include "solve/vec.h"
+#include "study/scenario.h"
 #include "study/speed.h"
 #include <string.h>
 
@@ -53,7 +54,7 @@ enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solv
     struct wf_wind wind = an->wind;
     struct wf_loads loads = an->loads;
     struct wf_response beam, r;
-    wind.speed = speed;
+    wind.speed = wf_scenario_speed(&an->scenario, speed);
     loads.wind = speed > 0 ? &wind : NULL;
     *out = (struct wf_explain){ .axis = WF_TAKE(a, t->n, struct wf_explain_axis) };
     if (!out->axis) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);

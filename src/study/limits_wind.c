@@ -1,4 +1,6 @@
+#include "study/exposure.h"
 #include "study/limits.h"
+#include "study/scenario.h"
 #include <math.h>
 #include <string.h>
 
@@ -8,7 +10,7 @@ static double wind_at_end(const struct wf_analysis *an, size_t i, double speed)
     struct wf_wind wind = an->wind;
     const double x[3] = { an->tree.x1[i], an->tree.y1[i], an->tree.z1[i] };
     double u[3], gradient[9];
-    wind.speed = speed;
+    wind.speed = wf_scenario_speed(&an->scenario, speed);
     wind.sample(&wind, x, u, gradient);
     return sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
 }
@@ -75,29 +77,68 @@ static void check_reynolds(const struct wf_analysis *an, struct wf_diag *d)
                      an->species->name, least, largest, law_low, law_high);
 }
 
+static void check_measured(const struct wf_scenario *s, double tallness, const char *tree, struct wf_diag *d)
+{
+    const struct wf_measured_profile *p = s->measured;
+    double low = p->z[1], high = p->z[p->n - 1];
+    if (tallness > high)
+        wf_diag_warn(
+            d, "profile-range",
+            "%s: the tree is %.4g m high, the measured profile ends at %.4g m; above it the wind is taken "
+            "as constant, which is less than it is over open ground",
+            tree, tallness, high);
+    if (low > 0.1 * tallness)
+        wf_diag_warn(d, "profile-range",
+                     "%s: the lowest %.4g m of the tree (%.0f %% of its height) stand below the lowest wind "
+                     "measured; there it is taken to fall to 0 at the ground",
+                     tree, fmin(low, tallness), fmin(100.0, 100.0 * low / tallness));
+    if (s->reference_height > high || s->reference_height < low)
+        wf_diag_warn(d, "profile-range",
+                     "the reference height of %.4g m is outside the heights measured (%.4g to %.4g m)",
+                     s->reference_height, low, high);
+}
+
 /* The logarithmic profile holds above its zero plane and inside the surface layer, some 100 m deep (Stull
  * 1988, An Introduction to Boundary Layer Meteorology); power-law exponents are fitted up to some 200 m
  * (Davenport 1960). */
-static void check_profile(const struct wf_analysis *an, struct wf_diag *d)
+void wf_limits_profile(const struct wf_scenario *s, double tallness, const char *tree, struct wf_diag *d)
 {
-    const struct wf_scenario *s = &an->scenario;
     bool logarithmic = strcmp(s->profile, "log") == 0, power = strcmp(s->profile, "power") == 0;
     double bottom = s->displacement + s->roughness, top = logarithmic ? 100.0 : 200.0;
-    if (logarithmic && bottom > 0.05 * an->tallness)
+    if (logarithmic && bottom > 0.05 * tallness)
         wf_diag_warn(
             d, "profile-range",
             "%s: the lowest %.2f m of the tree (%.0f %% of its height) stand below displacement + roughness "
             "length, where the logarithmic profile gives no wind",
-            an->model->name, fmin(bottom, an->tallness), fmin(100.0, 100.0 * bottom / an->tallness));
-    if ((logarithmic || power) && an->tallness > top)
+            tree, fmin(bottom, tallness), fmin(100.0, 100.0 * bottom / tallness));
+    if ((logarithmic || power) && tallness > top)
         wf_diag_warn(d, "profile-range",
-                     "%s: the tree is %.0f m high; the '%s' profile holds up to some %.0f m", an->model->name,
-                     an->tallness, s->profile, top);
+                     "%s: the tree is %.0f m high; the '%s' profile holds up to some %.0f m", tree, tallness,
+                     s->profile, top);
+    if (s->measured && strcmp(s->profile, "measured") == 0) check_measured(s, tallness, tree, d);
+}
+
+static void check_site(const struct wf_site *s, struct wf_diag *d)
+{
+    if (!s) return;
+    if (s->steepest > 0.3)
+        wf_diag_warn(d, "steep",
+                     "%s: slopes up to %.2f: the linear speed-up holds to about 0.3; beyond, the wind "
+                     "separates in the "
+                     "lee and is overestimated there",
+                     s->file, s->steepest);
+    if (s->edge < 1000.0)
+        wf_diag_warn(
+            d, "map-edge",
+            "%s: the tree stands %.0f m from the edge of the map; ground beyond it is taken as the mirror "
+            "image of what is known",
+            s->file, s->edge);
 }
 
 void wf_limits_wind(const struct wf_analysis *an, struct wf_diag *d)
 {
     check_streamline(an, d);
-    check_profile(an, d);
+    wf_limits_profile(&an->scenario, an->tallness, an->model->name, d);
     check_reynolds(an, d);
+    check_site(an->scenario.site, d);
 }

@@ -8,6 +8,7 @@ void wf_scenario_default(struct wf_scenario *s)
     *s = (struct wf_scenario){
         .profile = "power",
         .reference_height = 10.0,
+        .speed_up = 1.0,
         .roughness = 0.03, /* open grassland (Davenport class 3) for who asks for the log profile */
         .displacement = 0.0,
         .exponent = 0.16,
@@ -30,6 +31,7 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
 {
     const struct limit limits[] = {
         { "reference height", "m", s->reference_height, 0.01, 1000.0 },
+        { "speed-up", "", s->speed_up, 0.1, 5.0 },
         { "roughness length", "m", s->roughness, 1e-6, 10.0 },
         { "displacement height", "m", s->displacement, 0.0, 100.0 },
         { "canopy height", "m", s->canopy_height, 0.0, 100.0 },
@@ -54,7 +56,51 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
     wf_scenario_wind(s, &wind);
     if (wind.sample == wf_canopy_sample && !(s->canopy_height > 0.0 || s->displacement > 0.0))
         return wf_fail(e, WF_EUSAGE, "the canopy profile needs the canopy height or the displacement height");
+    if (s->measured && wind.sample == wf_measured_sample && wf_measured_blow(s->measured, &wind, e))
+        return e->code;
     return wf_wind_check(&wind, e);
+}
+
+/* What is not said of a stand follows from its height. */
+static void complete_canopy(struct wf_scenario *s, const struct wf_profile_words *w)
+{
+    double height = s->canopy_height > 0.0 ? s->canopy_height : s->displacement / 0.7;
+    if (isnan(w->displacement)) s->displacement = 0.7 * height;
+    if (isnan(w->roughness) && height > 0.0) s->roughness = 0.1 * height;
+}
+
+static void numbers(struct wf_scenario *s, const struct wf_profile_words *w)
+{
+    const struct {
+        double *to, said;
+    } all[] = { { &s->reference_height, w->reference_height },
+                { &s->exponent, w->exponent },
+                { &s->roughness, w->roughness },
+                { &s->displacement, w->displacement },
+                { &s->canopy_height, w->canopy_height },
+                { &s->attenuation, w->attenuation } };
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        if (!isnan(all[i].said)) *all[i].to = all[i].said;
+    if (strcmp(s->profile, "canopy") == 0) complete_canopy(s, w);
+}
+
+enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,
+                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    static const char measured[] = "measured";
+    struct wf_measured_profile *p = WF_TAKE(a, 1, struct wf_measured_profile);
+    s->profile = w->name ? w->name : w->file ? measured : s->profile;
+    numbers(s, w);
+    bool asked = strcmp(s->profile, measured) == 0;
+    if (asked && !w->file)
+        return wf_fail(e, WF_EUSAGE, "the profile '%s' needs a profile file of heights and speeds", measured);
+    if (!asked && w->file)
+        return wf_fail(e, WF_EUSAGE, "%s: a profile file goes with the profile '%s', not '%s'", w->file,
+                       measured, s->profile);
+    if (!w->file) return WF_OK;
+    if (!p) return wf_fail(e, WF_ENOMEM, "no room for a profile");
+    s->measured = p, s->profile_file = w->file;
+    return wf_measured_read(w->file, a, d, p, e);
 }
 
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
@@ -68,8 +114,11 @@ void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
         .exponent = s->exponent,
         .canopy_height = s->canopy_height,
         .attenuation = s->attenuation,
+        .field = s->measured,
     };
 }
+
+double wf_scenario_speed(const struct wf_scenario *s, double named) { return named * s->speed_up; }
 
 enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
                                  struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e)

@@ -1,7 +1,10 @@
 #include "study/series.h"
 #include "solve/vec.h"
+#include "study/limits.h"
 #include "study/series_leaf.h"
+#include "study/series_wind.h"
 #include "study/speed.h"
+#include "wind/gust_words.h"
 #include <string.h>
 
 void wf_series_default(struct wf_series_spec *s)
@@ -12,40 +15,16 @@ void wf_series_default(struct wf_series_spec *s)
                                   .speed = 10,
                                   .intensity = NAN,
                                   .period = NAN,
+                                  .gust_columns = WF_RECORD_COLUMNS,
                                   .seed = 1,
                                   .step = 0.1,
                                   .frames = 600,
                                   .keys = 8,
                                   .youngs = NAN,
-                                  .transmission = 0.2 };
+                                  .transmission = 0.2,
+                                  .profile = WF_PROFILE_UNSAID };
     wf_solve_options_default(&s->solve);
     wf_scenario_default(&s->scenario);
-}
-
-static enum wf_status make_wind(struct wf_series *s, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
-{
-    const struct wf_series_spec *q = &s->spec;
-    struct wf_gust_spec spec;
-    struct wf_gust gust;
-    for (size_t k = 0; k < s->frames; k++) s->wind[k] = q->speed;
-    if (!q->gust) return WF_OK;
-    const struct wf_gust_model *model = wf_gust_named(q->gust);
-    if (!model) return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'", q->gust);
-    wf_gust_spec_default(model, &spec);
-    spec.speed = q->speed;
-    spec.height = q->scenario.reference_height;
-    if (!isnan(q->intensity)) spec.intensity = q->intensity;
-    spec.step = q->step;
-    spec.steps = s->frames;
-    spec.seed = q->seed;
-    if (!isnan(q->period) && wf_gust_set(&spec, "period", q->period, e)) return e->code;
-    enum wf_status status = wf_gust_open(&spec, a, d, &gust, e);
-    if (status) return status;
-    double *block = WF_TAKE(a, spec.components * gust.block * (spec.points ? spec.points : 1), double);
-    status = block ? wf_gust_series(&gust, 0, 0, block, s->wind, e)
-                   : wf_fail(e, WF_ENOMEM, "no room for the wind");
-    wf_gust_close(&gust);
-    return status;
 }
 
 static enum wf_status set_up(struct wf_series *s, struct wf_shelter *shelter, struct wf_arena *a,
@@ -55,8 +34,12 @@ static enum wf_status set_up(struct wf_series *s, struct wf_shelter *shelter, st
     s->an = (struct wf_analysis){
         .species = q->species, .model = q->model, .solver = q->solver, .scenario = q->scenario, .diag = d
     };
-    enum wf_status status = wf_analysis_set_up(&s->an, a, d, e);
+    struct wf_scenario *sc = &s->an.scenario;
+    enum wf_status status = wf_scenario_profile(sc, &q->profile, a, d, e);
+    if (!status) status = wf_scenario_check(sc, e);
+    if (!status) status = wf_analysis_set_up(&s->an, a, d, e);
     if (status) return status;
+    wf_limits_profile(sc, s->an.tallness, q->model->name, d);
     for (size_t i = 0; !isnan(q->youngs) && i < s->an.tree.n; i++) {
         s->an.tree.shear[i] *= q->youngs / s->an.tree.youngs[i];
         s->an.tree.youngs[i] = q->youngs;
@@ -144,8 +127,7 @@ static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struc
         struct wf_wind wind = s->an.wind;
         struct wf_loads loads = s->an.loads;
         struct wf_response r;
-        wind.speed = fabs(s->wind[k]);
-        for (int x = 0; s->wind[k] < 0 && x < 3; x++) wind.direction[x] *= -1;
+        wf_series_blow(s, k, &wind);
         loads.wind = wind.speed > 0 ? &wind : NULL;
         enum wf_status status =
             s->an.solver->solve(t, &loads, &s->spec.solve, &scratch, &r, k ? &quiet : d, &why);
@@ -242,7 +224,7 @@ enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena 
     s->wind = WF_TAKE(a, s->frames, double);
     if (!shelter || !s->wind) return wf_fail(e, WF_ENOMEM, "no room for %zu frames", s->frames);
     enum wf_status status = set_up(s, shelter, a, d, e);
-    if (!status) status = make_wind(s, a, d, e);
+    if (!status) status = wf_series_wind(s, a, d, e);
     if (!status) status = take(s, a, e);
     s->an.loads.wind = &s->an.wind;
     bool printed = spec->solver == &wf_solver_deflect_as_printed;

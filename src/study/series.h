@@ -7,6 +7,7 @@
 #include "solve/deflect.h"
 #include "study/analysis.h"
 #include "study/preset.h"
+#include "study/scenario.h"
 #include "wind/gust.h"
 #include "wind/shelter.h"
 
@@ -18,9 +19,14 @@ struct wf_series_spec {
     const struct wf_solver *solver;
     struct wf_solve_options solve;
     struct wf_scenario scenario;
+    struct wf_profile_words profile; /* into the scenario when the run begins */
     double speed;             /* mean wind at the reference height [m/s]                              */
     const char *gust;         /* row of wf_gust_models; NULL: steady                                  */
     double intensity, period; /* of the gust [-], [s]; NAN: the model's own                           */
+    const char *gust_set;     /* its other parameters, "name=number,..."; NULL: the model's own       */
+    const char *gust_file, *gust_columns; /* of the model `record`, see wind/gust_words.h              */
+    unsigned components; /* of the gust used: 1 or 3; 0: 3 where the model has them and the run can turn the
+                            wind */
     uint64_t seed;
     double step;               /* between frames [s]                                                   */
     size_t frames, keys;       /* frames; of them key frames, evenly spaced from the first              */
@@ -46,7 +52,9 @@ struct wf_series {
     struct wf_analysis an; /* tree, wind, loads */
     struct wf_leaves leaves;
     size_t frames, failed;  /* failed: without an answer; they keep the last one */
-    double *wind;           /* frames: speed at the reference height [m/s]       */
+    double *wind;           /* frames: speed along the mean wind at the reference height [m/s] */
+    double *across, *up;    /* frames: to its left, up [m/s]; NULL: along the wind only        */
+    const char *gust_words; /* parameters in use; NULL: steady                                 */
     enum wf_status *status; /* frames */
     double *place;          /* frames x 3n: ends of the rows [m]                 */
     double *deflection;     /* frames: of the tip, from the unloaded shape [m]   */
@@ -59,8 +67,11 @@ struct wf_series {
     struct wf_diag *diag;
 };
 
-/* Run it. Errors: WF_EUSAGE (frames, k >= 1, unknown gust model), WF_ENOMEM, and where no frame at all has an
- * answer the status of the first. */
+/* Run it. Gusts scale the whole profile: the wind turns and changes at all heights together; direction and
+ * strength come from the gust's components at the reference height. The deflect scheme and winds inside the
+ * crown are made for one direction and take the part along the wind alone (warning along-wind-only). Errors:
+ * WF_EUSAGE (frames, k >= 1, unknown gust model), WF_ENOMEM, and where no frame at all has an answer the
+ * status of the first. */
 enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena *a, struct wf_diag *d,
                              struct wf_series *out, struct wf_err *e);
 

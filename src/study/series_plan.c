@@ -1,5 +1,6 @@
 #include "study/series_plan.h"
 #include "base/yaml.h"
+#include "wind/gust_words.h"
 #include <math.h>
 #include <string.h>
 
@@ -22,9 +23,44 @@ static const struct wf_yaml_row run_rows[] = {
          .example = "tang2012"),
     WORD(solver, "Row of the solvers.", .absent = "the preset's, else beam", .example = "beam"),
     WORD(gust, "Gust model; steady: a wind that does not change.", .preset = "steady", .example = "cosine"),
+    WORD(set, "Other parameters of the gust model, name=number,... as 'windfirm wind list' names them.",
+         .absent = "the gust model's", .example = "length=65,share-up=0.5"),
+    WORD(file, "Anemometer CSV of the gust model record.", .absent = "none", .example = "sonic.csv"),
+    WORD(columns, "Its columns: time in s, one or two horizontal components and the vertical one in m/s.",
+         .preset = WF_RECORD_COLUMNS, .example = "t_s,u_ms,v_ms,w_ms"),
+    { .key = "components",
+      .kind = WF_YAML_INTEGER,
+      .low = 1,
+      .high = 3,
+      .absent = "3 where the gust model has them",
+      AT(components),
+      .doc = "Of the gust: 1 along the wind only, 3 along, across and up.",
+      .example = "3" },
     WORD(shelter, "Law of the wind inside the crown; none: every part meets the free wind.", .preset = "none",
          .example = "feng1999"),
-    WORD(profile, "Row of the wind profiles.", .preset = "power", .example = "uniform"),
+    { .key = "profile",
+      .kind = WF_YAML_TEXT,
+      AT(profile.name),
+      .doc = "Row of the wind profiles.",
+      .absent = "power; measured with a file",
+      .example = "uniform" },
+    { .key = "profile_file",
+      .kind = WF_YAML_TEXT,
+      AT(profile.file),
+      .doc = "Measured profile, a CSV with columns height_m and speed_ms.",
+      .absent = "none",
+      .example = "mast.csv" },
+    QUANTITY("exponent", profile.exponent, WF_DIM_NONE, NULL, 0, 1, "Of the power profile.", .absent = "0.16",
+             .example = "0.16"),
+    QUANTITY("roughness", profile.roughness, WF_DIM_LENGTH, "m", 1e-6, 10, "Of the log and canopy profiles.",
+             .absent = "0.03 m; canopy: 0.1 of its height", .example = "3 cm"),
+    QUANTITY("displacement", profile.displacement, WF_DIM_LENGTH, "m", 0, 100,
+             "Of the log and canopy profiles.", .absent = "0 m; canopy: 0.7 of its height", .example = "0 m"),
+    QUANTITY("canopy_height", profile.canopy_height, WF_DIM_LENGTH, "m", 0, 100,
+             "Of the stand around the tree, for the canopy profile.", .absent = "displacement / 0.7",
+             .example = "12 m"),
+    QUANTITY("attenuation", profile.attenuation, WF_DIM_NONE, NULL, 0, 10, "Of the wind inside the canopy.",
+             .absent = "joins the log law smoothly", .example = "2.5"),
     QUANTITY("wind", wind, WF_DIM_SPEED, "m/s", 0, 100, "Mean wind at the reference height.",
              .required = true, .example = "10 m/s"),
     QUANTITY("intensity", intensity, WF_DIM_NONE, NULL, 0, 1, "Turbulence intensity of the gust model.",
@@ -44,7 +80,7 @@ static const struct wf_yaml_row run_rows[] = {
     QUANTITY("transmission", transmission, WF_DIM_NONE, NULL, 0, 1,
              "Share of the wind's energy that a fully covered cell lets through.", .preset = "0.2",
              .example = "0.2"),
-    QUANTITY("reference_height", reference_height, WF_DIM_LENGTH, "m", 0.01, 1000,
+    QUANTITY("reference_height", profile.reference_height, WF_DIM_LENGTH, "m", 0.01, 1000,
              "Where the wind has its speed.", .preset = "10 m", .example = "10 m"),
     { .key = "keys",
       .kind = WF_YAML_INTEGER,
@@ -134,8 +170,9 @@ enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const str
     s->name = r->name, s->species = own, s->model = m;
     s->preset = wf_preset_named(r->preset ? r->preset : "corrected");
     if (!s->preset) return wf_fail(e, WF_EUSAGE, "run '%s': no preset is called '%s'", r->name, r->preset);
-    if (r->profile) s->scenario.profile = r->profile;
-    if (!isnan(r->reference_height)) s->scenario.reference_height = r->reference_height;
+    s->profile = r->profile;
+    if (r->profile.name && !wf_profile_named(r->profile.name))
+        return wf_fail(e, WF_EUSAGE, "run '%s': no wind profile is called '%s'", r->name, r->profile.name);
     if (wf_preset_apply(s->preset, a, own, &s->scenario, &s->solver, e)) return e->code;
     if (given(r->solver, "") && !(s->solver = wf_solver_named(r->solver)))
         return wf_fail(e, WF_EUSAGE, "run '%s': no solver is called '%s'", r->name, r->solver);
@@ -144,6 +181,10 @@ enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const str
         return wf_fail(e, WF_EUSAGE, "run '%s': no gust model is called '%s'", r->name, s->gust);
     if (given(r->shelter, "none") && !(s->shelter = wf_shelter_law_named(r->shelter)))
         return wf_fail(e, WF_EUSAGE, "run '%s': no shelter law is called '%s'", r->name, r->shelter);
+    s->gust_set = r->set, s->gust_file = r->file;
+    if (r->columns) s->gust_columns = r->columns;
+    if (r->components == 2) return wf_fail(e, WF_EUSAGE, "run '%s': components: 1 or 3, not 2", r->name);
+    s->components = (unsigned)r->components;
     s->speed = r->wind, s->intensity = r->intensity, s->period = r->period, s->youngs = r->youngs;
     s->seed = r->seed;
     if (!isnan(r->step)) s->step = r->step;

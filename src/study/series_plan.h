@@ -5,10 +5,11 @@
 #include "study/series.h"
 
 struct wf_series_plan_run { /* NULL, NAN: the default */
-    const char *name, *species, *model, *preset, *solver, *gust, *shelter, *profile;
-    double wind, intensity, period, duration, step, youngs, restoring, damping, transmission,
-        reference_height;
-    size_t keys, seed;
+    const char *name, *species, *model, *preset, *solver, *gust, *shelter;
+    const char *set, *file, *columns; /* of the gust model, see wind/gust_words.h */
+    struct wf_profile_words profile;
+    double wind, intensity, period, duration, step, youngs, restoring, damping, transmission;
+    size_t keys, seed, components;
 };
 struct wf_series_plan {
     const char *key, *title, *note, *source, *file;

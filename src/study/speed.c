@@ -1,5 +1,6 @@
 #include "study/speed.h"
 #include "study/figures.h"
+#include "study/scenario.h"
 #include "study/sheltered.h"
 #include <math.h>
 #include <string.h>
@@ -79,7 +80,8 @@ enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solv
     struct wf_err why = { 0 };
     enum wf_status s = WF_OK;
     memset(out, 0, sizeof *out);
-    out->speed = wind.speed = speed;
+    out->speed = speed;
+    wind.speed = wf_scenario_speed(&an->scenario, speed);
     loads.wind = speed > 0.0 ? &wind : NULL;
     if (an->scenario.shelter && loads.wind)
         out->status = solve_sheltered(an, &loads, o, a, &sheltered, &out->response, d, &why);

@@ -43,17 +43,28 @@ struct spectral {
 /* Frequency number of a place in GSL's halfcomplex order r0 r1 i1 r2 i2 ... r(L/2). */
 static size_t frequency_of(size_t place) { return (place + 1) / 2; }
 
-static double amplitude_at(const struct wf_gust_spec *s, size_t point, enum wf_component c, double f)
+/* The spectrum at one height and mean wind, ready for many frequencies. */
+struct target {
+    const struct wf_spectrum *row;
+    struct wf_spectrum_par par;
+    double step;
+};
+static struct target target_of(const struct wf_gust_spec *s, size_t point)
 {
-    return sqrt(wf_gust_target(s, point, c, f) / (2.0 * s->step));
+    return (struct target){ wf_spectrum_named(s->model->spectrum), wf_gust_spectrum_par(s, point), s->step };
+}
+static double amplitude_at(const struct target *t, enum wf_component c, double f)
+{
+    return sqrt(t->row->density(&t->par, c, f) / (2.0 * t->step));
 }
 
 /* Share of the filter's energy that lies beyond a quarter window either way. */
 static double tail_energy(const struct wf_gust_spec *s, double *h, size_t window, struct spectral *w)
 {
+    const struct target target = target_of(s, 0);
     double far = 0.0, all = 0.0;
     for (size_t k = 0; k <= window / 2; k++) {
-        double value = amplitude_at(s, 0, WF_ALONG, (double)k / ((double)window * s->step));
+        double value = amplitude_at(&target, WF_ALONG, (double)k / ((double)window * s->step));
         if (k == 0)
             h[0] = value;
         else if (k == window / 2)
@@ -127,17 +138,18 @@ static enum wf_status sort_into_classes(struct wf_gust *g, struct spectral *w, s
     if (row->shear && s->components > 1) w->shear = WF_TAKE(a, w->classes * half, double);
     if (!w->amplitude || (row->shear && s->components > 1 && !w->shear))
         return wf_fail(e, WF_ENOMEM, "no room for the spectra of %zu heights", w->classes);
-    for (size_t c = 0; c < w->classes; c++)
+    for (size_t c = 0; c < w->classes; c++) {
+        const struct target target = target_of(s, first[c]);
         for (size_t k = 0; k < half; k++) {
             double f = (double)k / ((double)w->window * s->step);
             for (unsigned i = 0; i < s->components; i++)
                 w->amplitude[(c * s->components + i) * half + k] =
-                    amplitude_at(s, first[c], (enum wf_component)i, f);
+                    amplitude_at(&target, (enum wf_component)i, f);
             if (!w->shear) continue;
-            struct wf_spectrum_par p = wf_gust_spectrum_par(s, first[c]);
-            double su = row->density(&p, WF_ALONG, f), sw = row->density(&p, WF_UP, f);
-            w->shear[c * half + k] = fmax(fmin(row->shear(&p, f) / sqrt(su * sw), 1.0), -1.0);
+            double su = row->density(&target.par, WF_ALONG, f), sw = row->density(&target.par, WF_UP, f);
+            w->shear[c * half + k] = fmax(fmin(row->shear(&target.par, f) / sqrt(su * sw), 1.0), -1.0);
         }
+    }
     return WF_OK;
 }
 

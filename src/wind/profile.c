@@ -1,6 +1,6 @@
 /* Mean wind profiles: one row each. All blow in one direction everywhere; the speed depends on height alone.
  */
-#include "wind/wind.h"
+#include "wind/measured.h"
 #include <math.h>
 #include <string.h>
 
@@ -71,6 +71,14 @@ const struct wf_profile wf_profiles[] = {
       "the "
       "second maximum among bare trunks below about 0.3 of the height",
       wf_canopy_sample },
+    { "measured",
+      "the heights and speeds of the file named; between them a monotone cubic: Steffen M. 1990. Astron. "
+      "Astrophys. "
+      "239:443-450",
+      "between the lowest and the highest height measured; below them the speed goes to 0 at the ground, "
+      "above it "
+      "stays",
+      wf_measured_sample },
     { NULL, NULL, NULL, NULL }
 };
 
@@ -113,6 +121,8 @@ enum wf_status wf_wind_check(const struct wf_wind *w, struct wf_err *e)
             return wf_fail(e, WF_EINPUT, "canopy attenuation %g, reference height %g m: 0..10, above 0 m",
                            w->attenuation, w->reference_height);
     }
+    if (w->sample == wf_measured_sample && !w->field)
+        return wf_fail(e, WF_EINPUT, "the measured profile needs a file of heights and speeds");
     if (w->sample == power) {
         if (!(w->reference_height > 0))
             return wf_fail(e, WF_EINPUT, "reference height %g m: must be positive", w->reference_height);

@@ -49,11 +49,11 @@ static const struct wf_wind_grade hko[] = {
 const struct wf_wind_scale wf_wind_scales[] = {
     { "beaufort", "Beaufort scale (12 and below: WMO; 13 to 17: extension of GB/T 28591)",
       "WMO (1970), The Beaufort scale of wind force, Reports on Marine Science Affairs 3; GB/T 28591-2012",
-      600.0, 10.0, beaufort },
+      600.0, "durst", 10.0, beaufort },
     { "cma", "Chinese grades of tropical cyclones", "GB/T 19201-2006, Grade of tropical cyclones", 120.0,
-      10.0, cma },
+      "in-land", 10.0, cma },
     { "hko", "Hong Kong Observatory grades of tropical cyclones",
-      "Hong Kong Observatory (2009), Classification of tropical cyclones", 600.0, 10.0, hko },
+      "Hong Kong Observatory (2009), Classification of tropical cyclones", 600.0, "in-land", 10.0, hko },
     { 0 }
 };
 

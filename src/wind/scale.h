@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#define WF_MEAN_TIME 600.0 /* time mean winds are averaged over throughout [s] */
+
 struct wf_wind_grade {
     const char *name; /* "8", "typhoon"                        */
     double low, high; /* [m/s]; high = INFINITY for the last   */
@@ -15,6 +17,7 @@ struct wf_wind_scale {
     const char *name; /* "beaufort" */
     const char *title, *source;
     double averaging;                  /* time the scale's speeds are averaged over [s] */
+    const char *law;                   /* row of wf_averaging_laws that suits what it grades */
     double height;                     /* they are meant at [m], over open ground or sea */
     const struct wf_wind_grade *grade; /* ends at name == NULL */
 };
@@ -43,7 +46,7 @@ const struct wf_wind_grade *wf_wind_scale_grade(const struct wf_wind_scale *s, d
 struct wf_averaging_law {
     const char *name, *source, *validity;
 };
-extern const struct wf_averaging_law wf_averaging_laws[]; /* ends at name == NULL; the first is the default */
+extern const struct wf_averaging_law wf_averaging_laws[]; /* ends at name == NULL */
 
 /* Largest wind averaged over `to` seconds within a period of `from` seconds whose mean is `speed`, or, for
  * to > from, the mean of the longer period whose largest `from` wind is `speed`. Times in [s]. WF_EUSAGE for

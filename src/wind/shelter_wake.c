@@ -48,12 +48,61 @@ static void add_row(double *restrict out, const double *restrict in, double fact
     for (size_t i = 0; i < n; i++) out[i] += factor * in[i];
 }
 
-/* Add one source, spread by sigma [m], to a plane; `work` is a plane. */
-static void spread(const struct wf_shelter *s, const struct source *from, double sigma, double *work,
+enum { LANES = 8 }; /* cells summed side by side, in registers */
+
+/* One row spread across, cells `low` to `high`; `row` has TAPS zeros on both sides. Cells at equal distances
+ * are added first, so that a mirrored row gives the mirrored answer to the last bit. */
+static void across_row(const double *restrict row, const double *restrict tap, long n, long low, long high,
+                       double *restrict out)
+{
+    for (long i = low; i < high; i += LANES) {
+        double sum[LANES];
+        for (int q = 0; q < LANES; q++) sum[q] = tap[0] * row[i + q];
+        for (long j = 1; j < n; j++)
+            for (int q = 0; q < LANES; q++) sum[q] += tap[j] * (row[i + q - j] + row[i + q + j]);
+        for (int q = 0; q < LANES; q++) out[i + q] = sum[q];
+    }
+}
+
+/* Rows `from` to `end` of a strip of columns, each times its tap, added up. */
+static void add_rows(const double *restrict strip, size_t stride, long from, long end, const double *tap,
+                     long first, long step, double sum[restrict static LANES])
+{
+    for (long k = from, t = first; k < end; k++, t += step)
+        for (int q = 0; q < LANES; q++) sum[q] += tap[t < 0 ? -t : t] * strip[(size_t)k * stride + (size_t)q];
+}
+
+/* Rows r0 to r1 of `work` spread up and down and reflected at the ground, added to the plane. */
+static void upwards(const struct wf_shelter *s, const double *work, size_t stride, const double *tap, long n,
+                    long r0, long r1, long low, long high, double *plane)
+{
+    long up = (long)s->up, last = r1 - 2 + n < up - 1 ? r1 - 2 + n : up - 1;
+    for (long c = low; c < high; c += LANES) {
+        long wide = high - c < LANES ? high - c : LANES;
+        for (long to = 0; to <= last; to++) {
+            double sum[LANES] = { 0 };
+            long from = to - n + 1 > r0 ? to - n + 1 : r0, end = to + n < r1 ? to + n : r1;
+            long mirror =
+                n - 1 - to < r1 ? n - 1 - to : r1; /* rows whose image below the ground reaches here */
+            add_rows(work + c, stride, from, end, tap, to - from, -1, sum);
+            add_rows(work + c, stride, r0, mirror, tap, to + r0 + 1, 1, sum);
+            for (long q = 0; q < wide; q++) plane[to * (long)s->across + c + q] += sum[q];
+        }
+    }
+}
+
+/* Room to spread in: rows of across + LANES cells, and one row with zeros around it. */
+struct work {
+    size_t stride;
+    double *rows, *row; /* up * stride; TAPS + stride + TAPS */
+};
+
+/* Add one source, spread by sigma [m], to a plane. */
+static void spread(const struct wf_shelter *s, const struct source *from, double sigma, const struct work *w,
                    double *plane)
 {
     double tap[TAPS];
-    long across = (long)s->across, up = (long)s->up;
+    long across = (long)s->across;
     long c0 = (long)from->column[0], c1 = (long)from->column[1];
     long r0 = (long)from->row[0], r1 = (long)from->row[1];
     if (r1 <= r0) return;
@@ -65,23 +114,11 @@ static void spread(const struct wf_shelter *s, const struct source *from, double
     long n = (long)kernel(sigma / s->step[1], tap);
     long low = c0 - n + 1 > 0 ? c0 - n + 1 : 0, high = c1 + n - 1 < across ? c1 + n - 1 : across;
     for (long k = r0; k < r1; k++) {
-        double *row = work + k * across;
-        const double *loss = from->loss + k * across;
-        memset(row + low, 0, (size_t)(high - low) * sizeof *row);
-        for (long j = 1 - n; j < n; j++) {
-            long first = c0 + j > 0 ? c0 + j : 0, last = c1 + j < across ? c1 + j : across;
-            if (last > first)
-                add_row(row + first, loss + first - j, tap[j < 0 ? -j : j], (size_t)(last - first));
-        }
+        memcpy(w->row + TAPS, from->loss + k * across, s->across * sizeof *w->row);
+        across_row(w->row + TAPS, tap, n, low, high, w->rows + k * (long)w->stride);
     }
     n = (long)kernel(sigma / s->step[2], tap);
-    for (long k = r0; k < r1; k++)
-        for (long j = 1 - n; j < n; j++) {
-            long to = k + j < 0 ? -1 - k - j : k + j; /* reflected at the ground */
-            if (to < up)
-                add_row(plane + to * across + low, work + k * across + low, tap[j < 0 ? -j : j],
-                        (size_t)(high - low));
-        }
+    upwards(s, w->rows, w->stride, tap, n, r0, r1, low, high, plane);
 }
 
 /* Loss of a slab from the wind that arrives; the cells that have any. */
@@ -146,8 +183,11 @@ enum wf_status wf_shelter_wake(struct wf_shelter *s, struct wf_arena *scratch, s
 {
     size_t cells = s->up * s->across, n = 0;
     struct source *list = WF_TAKE(scratch, s->slabs, struct source);
-    double *work = WF_TAKE(scratch, cells, double), *still = WF_TAKE(scratch, cells, double);
-    if (!list || !work || !still) return wf_fail(e, WF_ENOMEM, "no room for wakes");
+    double *still = WF_TAKE(scratch, cells, double);
+    struct work work = { .stride = s->across + LANES };
+    work.rows = WF_TAKE(scratch, s->up * work.stride, double);
+    work.row = WF_TAKE(scratch, 2 * TAPS + work.stride, double);
+    if (!list || !work.rows || !work.row || !still) return wf_fail(e, WF_ENOMEM, "no room for wakes");
     for (size_t p = 0; p < s->planes; p++) {
         double *plane = s->part[0] + p * cells;
         if (p < s->slabs) {
@@ -159,9 +199,10 @@ enum wf_status wf_shelter_wake(struct wf_shelter *s, struct wf_arena *scratch, s
         n = gather(list, n, (double)p, cells);
         for (size_t i = 0; i < n; i++) {
             double distance = ((double)p + WF_SHELTER_LAG - list[i].place) * s->step[0];
-            spread(s, &list[i], s->request.wake_growth * distance, work, plane);
+            spread(s, &list[i], s->request.wake_growth * distance, &work, plane);
         }
-        for (size_t c = 0; c < cells; c++) plane[c] = fmin(plane[c], 1.0);
+        for (size_t c = 0; c < cells; c++)
+            if (plane[c] > 1.0) plane[c] = 1.0;
     }
     return WF_OK;
 }

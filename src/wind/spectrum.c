@@ -1,6 +1,7 @@
 /* The target spectra. Each is written per unit variance; the constants follow from the integrals, so that
  * the variance asked for is the variance of the whole spectrum. */
 #include "wind/spectrum.h"
+#include "base/quiet.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
 #include <math.h>
@@ -143,9 +144,9 @@ static double integrate(struct integrand *g, double from, double to)
     gsl_integration_workspace *w = gsl_integration_workspace_alloc(ROOM);
     if (!w) return NAN;
     gsl_function f = { weighted, g };
-    gsl_error_handler_t *before = gsl_set_error_handler_off();
+    wf_quiet_begin();
     int bad = gsl_integration_qag(&f, log(low), log(to), 0.0, 1e-8, ROOM, GSL_INTEG_GAUSS61, w, &sum, &error);
-    gsl_set_error_handler(before);
+    wf_quiet_end();
     gsl_integration_workspace_free(w);
     /* below 1 nHz the density is taken as constant */
     if (from < low) head = (low - from) * g->s->density(g->p, g->c, from);

@@ -69,6 +69,9 @@ static enum wf_status header(struct text *t, double value[KEYS], struct wf_err *
         if (!(value[k] >= 2.0 && value[k] <= WF_TERRAIN_MAX && value[k] == floor(value[k])))
             return wf_fail(e, WF_EINPUT, "%s: error: %s = %g: a whole number 2..%d", t->path, key[k],
                            value[k], WF_TERRAIN_MAX);
+    if (!(value[CELL] > 0.0 && value[CELL] <= 1e5))
+        return wf_fail(e, WF_EINPUT, "%s: error: %s = %g m: above 0, at most 100 km", t->path, key[CELL],
+                       value[CELL]);
     return WF_OK;
 }
 

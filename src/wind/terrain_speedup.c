@@ -125,7 +125,11 @@ enum wf_status wf_terrain_speedup(const struct wf_terrain *t, const struct wf_sp
                        q->height, q->roughness);
     for (size_t i = 0; i < t->rows * t->columns; i++) {
         if (isnan(t->z[i]))
-            return wf_fail(e, WF_EINPUT, "the map has points without data; the speed-up needs a whole map");
+            return wf_fail(
+                e, WF_EINPUT,
+                "the map has points without data (first at %.9g, %.9g); the speed-up needs a whole map: "
+                "fill them, or cut out a part without gaps",
+                t->x0 + (double)(i % t->columns) * t->cell, t->y0 + (double)(i / t->columns) * t->cell);
         mean += t->z[i] / (double)(t->rows * t->columns);
     }
     out->ds = WF_TAKE(a, t->rows * t->columns, double);

@@ -28,7 +28,8 @@ struct wf_profile {
 /* Canopy profile: height of the canopy top [m] and attenuation [-] in use, given or derived (see struct
  * wf_wind). */
 void wf_canopy_shape(const struct wf_wind *w, double *top, double *attenuation);
-extern const struct wf_profile wf_profiles[]; /* uniform, log, power, canopy; ends at name == NULL */
+extern const struct wf_profile
+    wf_profiles[]; /* uniform, log, power, canopy, measured; ends at name == NULL */
 /* Exponential within a stand, logarithmic above: U = U(h) exp(-a (1 - z/h)) up to the canopy top h. */
 wf_wind_sample wf_canopy_sample;
 /* The row of that name; NULL when there is none. */

@@ -1,0 +1,71 @@
+# Winds from all around: base moment (left) and critical wind speed (right) by where the wind comes from.
+#   gnuplot -c directions.gp FOLDER [FILE]
+DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'directions.svg'
+HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+load HERE.'style.gp'
+AROUND = DIR.'/tables/directions.csv'
+KEY = 12.0 + 18*(trees == 1 ? 1 : (trees + 2)/3)
+WIDTH = 640.0; HEIGHT = 360.0 + KEY
+U = WIND[|WIND|]
+@start
+set multiplot
+set size ratio -1
+unset border; unset tics; unset grid
+# ring distance for a largest value: three to five rings of a round number
+ring(x) = (t = 10.0**floor(log10(x/2.5)), x/t <= 5 ? t : x/t <= 10 ? 2*t : 5*t)
+set trange [0:2*pi]; set samples 181
+known(x) = x == x ? x : -1
+stats AROUND using (abs(column("wind_m_s") - U) <= 1e-9*(1 + U) ? known(column("base_moment_Nm"))/1e3 : -1) name 'M' nooutput
+stats AROUND using (known(column("critical_wind_m_s"))) name 'C' nooutput
+stats AROUND using (known(column("stem_critical_wind_m_s"))) name 'S' nooutput
+array TOP[2] = [M_max > 0 ? M_max : 1, C_max > 0 ? C_max : 1]
+if (trees == 1 && S_max > TOP[2]) { TOP[2] = S_max }
+array TITLE[2] = [L_AROUND_MOMENT, L_AROUND_CRITICAL]
+array COLUMN[3] = ["base_moment_Nm", "critical_wind_m_s", "stem_critical_wind_m_s"]
+array SCALE[3] = [1e-3, 1, 1]
+stats AROUND using (at(1, U) ? 1 : NaN) name 'N' nooutput
+COUNT = int(N_records)
+do for [p=1:2] {
+    unset label; unset arrow; unset object; unset key
+    STEP = ring(TOP[p]); RINGS = ceil(TOP[p]/STEP - 1e-9); E = RINGS*STEP
+    set xrange [-1.25*E:1.25*E]; set yrange [-1.25*E:1.25*E]
+    set lmargin at screen 0.01 + 0.5*(p - 1); set rmargin at screen 0.49 + 0.5*(p - 1)
+    set tmargin at screen 1 - 26.0/HEIGHT; set bmargin at screen (KEY + 4)/HEIGHT
+    set title TITLE[p] offset 0,0.2
+    do for [j=1:RINGS] {
+        set label sprintf('%g', j*STEP) at first 0.38*j*STEP, 0.92*j*STEP front textcolor rgb '#606060'
+    }
+    do for [k=1:4] {
+        set arrow from 0,0 to E*sin(k*pi/2), E*cos(k*pi/2) nohead lw 0.6 lc rgb '#dcdcdc' dt 1 back
+    }
+    set label L_NORTH at first 0, 1.1*E center; set label L_SOUTH at first 0, -1.1*E center
+    set label L_EAST at first 1.1*E, 0 center; set label L_WEST at first -1.1*E, 0 center
+    do for [i=1:trees] {
+        do for [q=p:(p == 2 && trees == 1 ? 3 : p)] {
+            LINE = q == 3 ? 2 : i
+            xo = NaN; yo = NaN
+            do for [k=0:COUNT] {
+                a = 360.0*(k % COUNT)/COUNT
+                stats AROUND using (at(i, U) && abs(column("from_deg") - a) < 1e-3 ? known(column(COLUMN[q]))*SCALE[q] : NaN) name 'V' nooutput
+                r = V_max > 0 ? V_max : NaN
+                x = r*sin(a*pi/180); y = r*cos(a*pi/180)
+                if (x == x && xo == xo) { set arrow from xo,yo to x,y nohead lt LINE front }
+                if (x == x) { set label '' at x,y point lt LINE front }
+                xo = x; yo = y
+            }
+        }
+    }
+    set parametric
+    plot for [j=1:RINGS] j*STEP*cos(t), j*STEP*sin(t) with lines lw 0.6 lc rgb '#c8c8c8' dt 1
+    unset parametric
+}
+@strip
+set size noratio
+set key maxcols 3
+if (trees == 1) {
+    plot 2 with lines, keyentry with linespoints lt 1 title L_AROUND_FIRST, keyentry with linespoints lt 2 title L_AROUND_STEM
+} else {
+    plot 2 with lines, for [i=1:trees] keyentry with linespoints lt i title NAME[i]
+}
+unset multiplot
+set output

@@ -1,0 +1,142 @@
+#include "study/directions.h"
+#include "study/speed.h"
+#include "wind/scale.h"
+#include <math.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include <unistd.h>
+
+static const double turn = 2.0 * M_PI;
+enum { THREADS_MAX = 64 };
+
+double wf_direction_azimuth(const struct wf_directions_request *q, double from)
+{
+    return -0.5 * M_PI - (from + q->north);
+}
+
+double wf_direction_from(const struct wf_directions_request *q, double azimuth)
+{
+    double from = fmod(-0.5 * M_PI - azimuth - q->north, turn);
+    if (from < 0.0) from += turn;
+    return turn - from < 1e-9 ? 0.0 : from;
+}
+
+/* What the threads share. */
+struct work {
+    const struct wf_analysis *an;
+    const struct wf_solve_options *o;
+    struct wf_directions *out;
+    atomic_size_t next;     /* direction nobody has taken yet */
+    enum wf_status *status; /* one a direction                */
+    struct wf_err *why;
+};
+
+static enum wf_status one(const struct work *w, struct wf_direction *d, struct wf_err *e)
+{
+    struct wf_analysis an = *w->an;
+    double azimuth = wf_direction_azimuth(&w->out->request, d->from);
+    const double *exposed = w->out->request.speed_up;
+    an.scenario.azimuth = azimuth;
+    if (exposed) an.scenario.speed_up = exposed[d - w->out->direction];
+    an.wind.direction[0] = cos(azimuth), an.wind.direction[1] = sin(azimuth);
+    an.loads.wind = &an.wind;
+    for (size_t k = 0; k < an.n; k++) {
+        enum wf_status s = wf_speed_totals(&an, w->o, w->an->at[k].speed, &d->at[k], e);
+        if (s) return s;
+    }
+    return wf_analysis_breaks(&an, w->o, &d->breaks, &d->stem, e);
+}
+
+static void *run(void *context)
+{
+    struct work *w = context;
+    for (size_t k; (k = atomic_fetch_add(&w->next, 1)) < w->out->request.n;)
+        w->status[k] = one(w, &w->out->direction[k], &w->why[k]);
+    return NULL;
+}
+
+/* One thread is this one; those that cannot be started are not missed. */
+static void run_all(struct work *w)
+{
+    pthread_t thread[THREADS_MAX];
+    size_t asked = w->out->request.threads, started = 0;
+    if (!asked) asked = (size_t)fmax((double)sysconf(_SC_NPROCESSORS_ONLN), 1.0);
+    asked = asked < THREADS_MAX ? asked : THREADS_MAX;
+    while (started + 1 < asked && started + 1 < w->out->request.n &&
+           pthread_create(&thread[started], NULL, run, w) == 0)
+        started++;
+    run(w);
+    for (size_t k = 0; k < started; k++) pthread_join(thread[k], NULL);
+}
+
+/* Share of all hours whose mean times `gust` is above what breaks the tree in this direction. */
+static double share(const struct wf_rose *r, size_t sector, const struct wf_critical *c, double gust)
+{
+    switch (c->outcome) {
+    case WF_CRITICAL_FOUND:
+        return r->frequency[sector] * wf_rose_sector_above(r, sector, c->speed / gust);
+    case WF_CRITICAL_ABOVE:
+        return 0.0;
+    case WF_CRITICAL_SELF_WEIGHT:
+        return r->frequency[sector];
+    default:
+        return NAN;
+    }
+}
+
+static void add_climate(struct wf_directions *out)
+{
+    const struct wf_rose *r = out->request.rose;
+    out->hourly = out->strongest = r ? 0.0 : NAN;
+    for (size_t k = 0; k < out->request.n; k++) {
+        struct wf_direction *d = &out->direction[k];
+        const struct wf_critical *c = &d->breaks.critical;
+        d->hourly = r ? share(r, k, c, 1.0) : NAN;
+        d->strongest = r ? share(r, k, c, out->gust) : NAN;
+        out->hourly += d->hourly, out->strongest += d->strongest;
+        out->above = out->above || c->outcome == WF_CRITICAL_ABOVE;
+    }
+}
+
+static enum wf_status check(const struct wf_directions_request *q, double *gust, struct wf_err *e)
+{
+    *gust = NAN;
+    if (!(q->n >= 2 && q->n <= 360)) return wf_fail(e, WF_EUSAGE, "%zu directions are outside 2..360", q->n);
+    if (q->rose && q->rose->sectors != q->n)
+        return wf_fail(
+            e, WF_EUSAGE,
+            "the climate has %zu directions, %zu are asked for; leave them out to take the climate's",
+            q->rose->sectors, q->n);
+    return q->rose ? wf_wind_average(q->law, 1.0, 3600.0, WF_MEAN_TIME, gust, e) : WF_OK;
+}
+
+enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                 const struct wf_directions_request *q, struct wf_arena *a,
+                                 struct wf_directions *out, struct wf_err *e)
+{
+    *out = (struct wf_directions){ .request = *q };
+    struct wf_arena scratch = { 0 };
+    enum wf_status s = check(q, &out->gust, e);
+    if (s) return s;
+    struct work w = { .an = an,
+                      .o = o,
+                      .out = out,
+                      .status = WF_TAKE(&scratch, q->n, enum wf_status),
+                      .why = WF_TAKE(&scratch, q->n, struct wf_err) };
+    out->direction = WF_TAKE(a, q->n, struct wf_direction);
+    struct wf_at_speed *at = WF_TAKE(a, q->n * an->n, struct wf_at_speed);
+    if (!w.status || !w.why || !out->direction || !at) {
+        wf_arena_free(&scratch);
+        return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
+    }
+    for (size_t k = 0; k < q->n; k++) {
+        out->direction[k].from = turn * (double)k / (double)q->n;
+        out->direction[k].at = at + k * an->n;
+    }
+    run_all(&w);
+    for (size_t k = 0; k < q->n && !s; k++)
+        if (w.status[k]) s = wf_fail(e, w.status[k], "%s", w.why[k].text);
+    wf_arena_free(&scratch);
+    if (!s) add_climate(out);
+    return s;
+}
