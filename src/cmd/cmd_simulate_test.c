@@ -138,11 +138,12 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
     enum wf_status s = path ? wf_file_begin(&f, path, e) : wf_fail(e, WF_ENOMEM, "no room");
     if (s) return s;
     fprintf(f.stream, "t_s,%s",
-            t->load == WF_FIT_PULL   ? "force_N"
-            : t->load == WF_FIT_WIND ? "wind_m_s"
-                                     : "none");
-    static const char *const unit[WF_SENSOR_KINDS] = { "_m", "_m",   "_m",  "_rad", "_um_m",
-                                                       "_m", "_N_m", "_Hz", "" };
+            t->load == WF_FIT_PULL     ? "force_N"
+            : t->load == WF_FIT_WIND   ? "wind_m_s"
+            : t->load == WF_FIT_WEIGHT ? "along_m"
+                                       : "none");
+    static const char *const unit[WF_SENSOR_KINDS] = { "_m", "_m", "_m",   "_rad", "_um_m", "_m",
+                                                       "_m", "_m", "_N_m", "_Hz",  "" };
     for (size_t k = 0; k < t->sensors; k++)
         fprintf(f.stream, ",%s%s", t->sensor[k].name, unit[t->sensor[k].kind]);
     fputc('\n', f.stream);

@@ -5,6 +5,7 @@
 #include "base/diag.h"
 #include "base/err.h"
 #include "data/branching.h"
+#include "data/section.h"
 #include "data/species.h"
 #include "data/tree.h"
 
@@ -17,20 +18,36 @@ enum wf_taper {
 enum wf_season { WF_LEAF_ON, WF_LEAF_OFF };
 enum wf_standing_shape { WF_SHAPE_STRESS_FREE, WF_SHAPE_UNDER_WEIGHT };
 
+/* A solid section at a place of the stem. */
+struct wf_stem_section {
+    double at, width, height; /* [m] */
+    enum wf_section_shape shape;
+};
+/* Masses of a piece of the stem, from where the last one ends. */
+struct wf_stem_mass {
+    double to;               /* [m]                                       */
+    double own, left, right; /* [kg]; own NAN: by the species' density    */
+    double lever;            /* of left and right, along the width [m]    */
+};
+
 struct wf_model {
     const char *key, *name, *note, *source, *file;
     enum wf_generator generator; /* stem: the stem alone; levels: its branches; ifs: copies of the stem */
     size_t seed;                 /* of all random spread                               */
     enum wf_season season;
     enum wf_standing_shape shape; /* what the model or the measurement shows */
-    double leaf_area_on; /* one-sided, with the leaves on [m2]                 */
-    double height;       /* stem height [m]                                    */
-    double lean;         /* from the vertical, towards lean_azimuth [rad]      */
-    double lean_azimuth; /* from +x towards +y [rad]                           */
-    double radius;       /* outer radius at the base [m]; NAN: the species' level 0 */
+    double leaf_area_on;          /* one-sided, with the leaves on [m2]                 */
+    double height;                /* stem height [m]                                    */
+    double lean;                  /* from the vertical, towards lean_azimuth [rad]      */
+    double lean_azimuth;          /* from +x towards +y [rad]                           */
+    double radius;                /* outer radius at the base [m]; NAN: the species' level 0 */
     enum wf_taper taper;
-    double tip_ratio, power;      /* for linear and power taper [-]                     */
-    struct wf_along profile;      /* for table taper: s, r/radius                       */
+    double tip_ratio, power; /* for linear and power taper [-]                     */
+    struct wf_along profile; /* for table taper: s, r/radius                       */
+    size_t sections, masses; /* sections 0: round, by radius and taper              */
+    struct wf_stem_section *section;
+    struct wf_stem_mass *mass;
+    double turn;                  /* of the sections about the axis, right-handed [rad] */
     size_t segments;              /* rows of the tree                                   */
     double crown_base, crown_top; /* heights of the crown's limits along the stem [m]; NAN: no crown */
     double leaf_area;             /* one-sided, whole crown, 0 in the leafless season [m2] */
@@ -38,8 +55,8 @@ struct wf_model {
     struct wf_curve curve;        /* of the stem; generator levels                      */
     size_t branchings;            /* levels above the stem; generator levels            */
     struct wf_branching *branching;
-    struct wf_ifs ifs;         /* generator ifs                                      */
-    struct wf_foliage foliage; /* generators levels and ifs                          */
+    struct wf_ifs ifs;              /* generator ifs                                      */
+    struct wf_foliage foliage;      /* generators levels and ifs                          */
     const struct wf_tree *measured; /* generator measured: segments and levels, without materials     */
     const uint8_t *measured_kind;   /* of its segments, see grow/clothe.h; NULL: all wood              */
 };
@@ -54,7 +71,8 @@ void wf_model_set_season(struct wf_model *m, enum wf_season season);
 /* Levels of the tree the model grows, the stem included. */
 size_t wf_model_levels(const struct wf_model *m);
 
-/* Name of a level of the tree: the model's, else the species', else "branch"; of a measured tree its order. */
+/* Name of a level of the tree: the model's, else the species', else "branch"; of a measured tree its order.
+ */
 const char *wf_model_level_name(const struct wf_model *m, const struct wf_species *sp, int32_t level);
 
 /* Outer radius over base radius at relative height s in 0..1. */
