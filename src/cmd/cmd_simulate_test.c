@@ -92,8 +92,11 @@ static void line(const struct plan *p, const char *name, const double *half)
 {
     printf("%-44s", name);
     for (size_t k = 0; k < p->free; k++) {
-        double share = wf_fit_quantities[p->param[k].quantity].log ? expm1(half[k]) : half[k];
-        if (share < 10)
+        const struct wf_fit_quantity_row *q = &wf_fit_quantities[p->param[k].quantity];
+        double share = q->log ? expm1(half[k]) : half[k];
+        if (share < 10 && !q->log && *q->unit)
+            printf("  %+8.1f %-3s", share * q->factor, q->unit);
+        else if (share < 10)
             printf("  %+10.1f %%", 100 * share);
         else
             printf("  %12s", "-");
