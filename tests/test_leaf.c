@@ -249,7 +249,7 @@ static void mistakes(void **unused)
     };
     says(&j, model, told, sizeof told / sizeof *told, true);
     static const char bare[] = "model: m\nname: m\nstem:\n  height: 4 m\n  turn: 3 deg\n";
-    static const char *const lacks[] = { "needs the key 'taper' or 'sections'", "needs 'sections'" };
+    static const char *const lacks[] = { "needs the key 'taper', for example", "needs 'sections'" };
     says(&j, bare, lacks, 2, true);
 }
 

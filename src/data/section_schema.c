@@ -78,8 +78,10 @@ void wf_stem_finish(struct wf_yaml *y, struct wf_model *m)
     bool flat = wf_yaml_has(y, "stem.sections");
     static const char *const round[] = { "stem.taper", "stem.base_radius", "crown" };
     static const char *const own[] = { "stem.turn", "stem.masses" };
-    if (!flat && !wf_yaml_has(y, "stem.taper"))
-        wf_yaml_error(y, "stem", "needs the key 'taper' or 'sections'");
+    if (!flat && wf_yaml_has(y, "stem") && !wf_yaml_has(y, "stem.taper"))
+        wf_yaml_error(
+            y, "stem",
+            "needs the key 'taper', for example 'taper: {law: linear, tip_share: 0.19}', or 'sections'");
     for (size_t k = 0; k < 2; k++)
         if (!flat && wf_yaml_has(y, own[k])) wf_yaml_error(y, own[k], "needs 'sections'");
     if (!flat) return;

@@ -175,8 +175,9 @@ static const struct wf_yaml_row test_rows[] = {
           "weight alone. Rows at 0 are left out.",
       .example = "along_m" },
     { ROW(T, "zero", WF_YAML_ENUM, zero), .choices = zeros, .preset = "rest",
-      .doc = "What readings are counted from: the tree at rest under its weight, or its unloaded shape. A test "
-             "without pull, wind and sway bends the tree by its weight alone and needs 'unloaded'." },
+      .doc =
+          "What readings are counted from: the tree at rest under its weight, or its unloaded shape. A test "
+          "without pull, wind and sway bends the tree by its weight alone and needs 'unloaded'." },
     { ROW(T, "pull", WF_YAML_TABLE, pull), .table = &pull_table, .given = 1 + offsetof(T, pull.given),
       .absent = "no pull", .doc = "A rope." },
     { ROW(T, "wind", WF_YAML_TABLE, wind), .table = &wind_table, .given = 1 + offsetof(T, wind.given),
