@@ -183,7 +183,7 @@ static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_
     if (!t->state || !*data) return wf_fail(e, WF_ENOMEM, "no room for test %s", s->name);
     for (size_t i = 0; i < r.n; i++) {
         const double *row = r.value + i * r.columns;
-        if (!(row[0] > 1e-3)) continue;
+        if (fabs(row[0]) <= 1e-3) continue; /* the base itself */
         for (size_t c = 0; c < t->sensors; c++) {
             double v = sign[c] * row[c + 1];
             (*data)[(*n)++] = (struct wf_fit_datum){ .state = t->states,
