@@ -42,12 +42,8 @@ struct wf_model {
     double lean_azimuth;          /* from +x towards +y [rad]                           */
     double radius;                /* outer radius at the base [m]; NAN: the species' level 0 */
     enum wf_taper taper;
-    double tip_ratio, power; /* for linear and power taper [-]                     */
-    struct wf_along profile; /* for table taper: s, r/radius                       */
-    size_t sections, masses; /* sections 0: round, by radius and taper              */
-    struct wf_stem_section *section;
-    struct wf_stem_mass *mass;
-    double turn;                  /* of the sections about the axis, right-handed [rad] */
+    double tip_ratio, power;      /* for linear and power taper [-]                     */
+    struct wf_along profile;      /* for table taper: s, r/radius                       */
     size_t segments;              /* rows of the tree                                   */
     double crown_base, crown_top; /* heights of the crown's limits along the stem [m]; NAN: no crown */
     double leaf_area;             /* one-sided, whole crown, 0 in the leafless season [m2] */
@@ -59,6 +55,10 @@ struct wf_model {
     struct wf_foliage foliage;      /* generators levels and ifs                          */
     const struct wf_tree *measured; /* generator measured: segments and levels, without materials     */
     const uint8_t *measured_kind;   /* of its segments, see grow/clothe.h; NULL: all wood              */
+    size_t sections, masses;        /* generator stem; sections 0: round, by radius and taper             */
+    struct wf_stem_section *section;
+    struct wf_stem_mass *mass;
+    double turn; /* of the sections about the axis, right-handed [rad] */
 };
 
 /* Read a tree model. Returned: WF_OK and *out, or WF_EINPUT with every mistake in `d`. */
@@ -71,8 +71,7 @@ void wf_model_set_season(struct wf_model *m, enum wf_season season);
 /* Levels of the tree the model grows, the stem included. */
 size_t wf_model_levels(const struct wf_model *m);
 
-/* Name of a level of the tree: the model's, else the species', else "branch"; of a measured tree its order.
- */
+/* Name of a level of the tree: the model's, else the species', else "branch"; of a measured tree its order. */
 const char *wf_model_level_name(const struct wf_model *m, const struct wf_species *sp, int32_t level);
 
 /* Outer radius over base radius at relative height s in 0..1. */
