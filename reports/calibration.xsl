@@ -61,7 +61,7 @@
   <xsl:for-each select="$f/parameters/item[nuisance = 'false']">
     <p><b><xsl:value-of select="name"/></b>:
       <xsl:choose>
-        <xsl:when test="bound != ''">no estimate: the fit ended on its <xsl:value-of select="bound"/> bound, <xsl:call-template name="value"/>.</xsl:when>
+        <xsl:when test="bound != ''">no estimate: the fit ended on its <xsl:value-of select="bound"/> bound, <xsl:call-template name="value"/><xsl:if test="profile_low != '' or profile_high != ''">; 95 % limit <xsl:call-template name="range"><xsl:with-param name="low" select="profile_low"/><xsl:with-param name="high" select="profile_high"/></xsl:call-template> (profile likelihood)</xsl:if>.</xsl:when>
         <xsl:otherwise><xsl:call-template name="value"/>, 95 % interval <xsl:choose>
           <xsl:when test="profile_low != '' or profile_high != ''"><xsl:call-template name="range"><xsl:with-param name="low" select="profile_low"/><xsl:with-param name="high" select="profile_high"/></xsl:call-template> (profile likelihood)</xsl:when>
           <xsl:otherwise><xsl:call-template name="range"><xsl:with-param name="low" select="low"/><xsl:with-param name="high" select="high"/></xsl:call-template> (covariance)</xsl:otherwise>
@@ -71,6 +71,7 @@
   </xsl:for-each>
   <xsl:choose>
     <xsl:when test="$f/not_determined/item"><xsl:for-each select="$f/not_determined/item"><p><b>Not determined by the data:</b><xsl:text> </xsl:text><xsl:value-of select="text"/>.</p></xsl:for-each></xsl:when>
+    <xsl:when test="$f/parameters/item[nuisance = 'false' and bound != '']"><p>The data determine the parameters that did not end on a bound.</p></xsl:when>
     <xsl:otherwise><p>The data determine every parameter that was free.</p></xsl:otherwise>
   </xsl:choose>
   <xsl:if test="$r/rival">
@@ -151,11 +152,13 @@
 <xsl:call-template name="figure"><xsl:with-param name="name">fit_residuals</xsl:with-param><xsl:with-param name="caption">Above: measured minus predicted over sigma; 95 % lie in the shade if the model and the sigmas are right. Below: how far an estimate would move, in its standard deviations, if the reading were left out.</xsl:with-param></xsl:call-template>
 <h2>How sharply the data tell</h2>
 <xsl:call-template name="figure"><xsl:with-param name="name">fit_profiles</xsl:with-param><xsl:with-param name="caption">Misfit as a parameter is held at a value and the others are fitted again; the interval of 95 % is where the curve is below the dashed line. A parabola: the interval by covariance is right. A flat side: the data leave that side open.</xsl:with-param></xsl:call-template>
+<xsl:if test="$r/records &gt; 0">
 <h2>The records</h2>
 <xsl:call-template name="figure"><xsl:with-param name="name">fit_records</xsl:with-param><xsl:with-param name="caption">The records as read; marked rows took part: the first loading between the shares of the largest force that the study names, or the part of a sway record to which the curve was fitted.</xsl:with-param></xsl:call-template>
+</xsl:if>
 
 <h2>How it was done</h2>
-<p>The tree is the same geometrically exact beam model that computes wind loads; a rope that runs to an anchor follows the strap as the tree bends. Readings are counted from rest unless the study says otherwise. The misfit is the sum of squared residuals over sigma<xsl:if test="$r/loss != 'none'"> under the robust loss '<xsl:value-of select="$r/loss"/>'</xsl:if><xsl:if test="$r/priors = 'true'">, with the ranges of the species table as normal priors</xsl:if>, minimised within bounds by Levenberg and Marquardt's method with exact sensitivities (natural frequencies: by differences). Moduli, stiffnesses and factors are fitted as logarithms. Where neighbouring residuals repeat each other, or scatter more than their sigmas say, intervals are widened.<xsl:if test="$f/starts &gt; 0"> Of <xsl:value-of select="$f/starts"/> starting points <xsl:value-of select="$f/starts_same"/> led to this fit.</xsl:if></p>
+<p>The tree is the same geometrically exact beam model that computes wind loads; a rope that runs to an anchor follows the strap as the tree bends. Readings are counted from rest unless the study says otherwise; reach and rise are places, counted from the stem's base. The misfit is the sum of squared residuals over sigma<xsl:if test="$r/loss != 'none'"> under the robust loss '<xsl:value-of select="$r/loss"/>'</xsl:if><xsl:if test="$r/priors = 'true'">, with the ranges of the species table as normal priors</xsl:if>, minimised within bounds by Levenberg and Marquardt's method with exact sensitivities (natural frequencies: by differences). Moduli, stiffnesses and factors are fitted as logarithms. Where neighbouring residuals repeat each other, or scatter more than their sigmas say, intervals are widened.<xsl:if test="$f/starts &gt; 0"> Of <xsl:value-of select="$f/starts"/> starting points <xsl:value-of select="$f/starts_same"/> led to this fit.</xsl:if></p>
 <table class="block">
   <tr><th>trees</th><td><xsl:for-each select="$r/trees/item"><xsl:if test="position() &gt; 1">; </xsl:if><xsl:value-of select="name"/> (<xsl:value-of select="species"/>, <xsl:call-template name="number"><xsl:with-param name="x" select="height"/></xsl:call-template> m, <xsl:value-of select="segments"/> segments)</xsl:for-each></td></tr>
   <tr><th>command</th><td><xsl:value-of select="$r/command"/></td></tr>

@@ -51,7 +51,9 @@ static inline void sensors(struct set *s, double height)
                                                 WF_SENSOR_VERTICAL,   WF_SENSOR_TILT,
                                                 WF_SENSOR_STRAIN,     WF_SENSOR_EXTENSION,
                                                 WF_SENSOR_MOMENT,     WF_SENSOR_TILT };
-    double place[3] = { height / 2, height / 2 + 0.2, height * 0.6 };
+    struct wf_fit_place place[3] = { { height / 2, false },
+                                     { height / 2 + 0.2, false },
+                                     { height * 0.6, false } };
     int32_t row[3];
     struct wf_tree *t = &s->tree.tree;
     if (wf_fit_divide(t, height / 30, place, 3, row, &s->arena, &s->err)) fail_msg("%s", s->err.text);

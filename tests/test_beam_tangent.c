@@ -93,6 +93,30 @@ static void of_a_tree(void **state)
     check(&c);
 }
 
+/* Strips askew to everything, with their weight to one side. */
+static void of_strips(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    beam_wild(&c, 30, 11);
+    load_all(&c);
+    struct wf_tree *t = &c.tree;
+    t->bend = NULL;
+    assert_int_equal(wf_tree_alloc_sections(t, &c.arena, &c.err), WF_OK);
+    for (size_t i = 0; i < t->n; i++) {
+        struct wf_tree_sections *s = t->section;
+        double d[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] }, *up = s->up + 3 * i;
+        wf_cross(d, (double[]){ 0.3, 1, 0.2 }, up);
+        double size = sqrt(wf_dot(up, up));
+        for (int k = 0; k < 3; k++) up[k] /= size;
+        s->width0[i] = 3 * t->r0[i], s->width1[i] = 3 * t->r1[i];
+        s->height0[i] = 1.5 * t->r0[i], s->height1[i] = 1.5 * t->r1[i];
+        s->mix0[3 * i] = 1, s->mix1[3 * i + 1 + i % 2] = 1;
+        s->side0[i] = 40 * t->r0[i], s->side1[i] = -10 * t->r1[i];
+    }
+    check(&c);
+}
+
 static void of_a_clamped_stem_in_wind(void **state)
 {
     (void)state;
@@ -152,6 +176,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(of_a_tree),
+        cmocka_unit_test(of_strips),
         cmocka_unit_test(of_a_clamped_stem_in_wind),
         cmocka_unit_test(of_a_flexible_stem),
         cmocka_unit_test(newton),

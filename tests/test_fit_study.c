@@ -235,7 +235,9 @@ static void finer_rows_read_the_same(void **unused)
         struct wf_predictor *w;
         assert_true(x.data <= 40);
         if (k) {
-            const double place[5] = { 7, 0, 4, 1.2, 1.4 };
+            const struct wf_fit_place place[5] = {
+                { .at = 7 }, { .at = 0 }, { .at = 4 }, { .at = 1.2 }, { .at = 1.4 }
+            };
             int32_t row[5];
             struct wf_tree *t = &x.tree[0].tree;
             assert_int_equal(wf_fit_divide(t, 0.1, place, 5, row, &j.arena, &j.err), WF_OK);

@@ -112,8 +112,8 @@ static const struct edit mistakes[] = {
     { "52.5 mm", "52.5", "5:16: stem.base_radius: '52.5' has no unit; write for example '52.5 mm'" },
     { "52.5 mm", "0 mm", "5:16: stem.base_radius: 0 mm is outside 0.1 mm to 10000 mm" },
     { "  taper: {law: linear, tip_share: 0.2}\n", "",
-      "4:3: stem: missing key 'taper' (Outer radius along the stem.); for example 'taper: {law: linear, "
-      "tip_share: 0.19}'" },
+      "4:3: stem: needs the key 'taper', for example 'taper: {law: linear, tip_share: 0.19}', or "
+      "'sections'" },
     { "law: linear", "law: liner",
       "6:16: stem.taper.law: 'liner' is not one of: table, linear, power; did you mean 'linear'?" },
     { "tip_share: 0.2", "tip_share: 2", "6:35: stem.taper.tip_share: 2 is outside 0.001 to 1.5" },

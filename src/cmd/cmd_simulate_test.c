@@ -92,8 +92,11 @@ static void line(const struct plan *p, const char *name, const double *half)
 {
     printf("%-44s", name);
     for (size_t k = 0; k < p->free; k++) {
-        double share = wf_fit_quantities[p->param[k].quantity].log ? expm1(half[k]) : half[k];
-        if (share < 10)
+        const struct wf_fit_quantity_row *q = &wf_fit_quantities[p->param[k].quantity];
+        double share = q->log ? expm1(half[k]) : half[k];
+        if (share < 10 && !q->log && *q->unit)
+            printf("  %+8.1f %-3s", share * q->factor, q->unit);
+        else if (share < 10)
             printf("  %+10.1f %%", 100 * share);
         else
             printf("  %12s", "-");
@@ -138,11 +141,12 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
     enum wf_status s = path ? wf_file_begin(&f, path, e) : wf_fail(e, WF_ENOMEM, "no room");
     if (s) return s;
     fprintf(f.stream, "t_s,%s",
-            t->load == WF_FIT_PULL   ? "force_N"
-            : t->load == WF_FIT_WIND ? "wind_m_s"
-                                     : "none");
-    static const char *const unit[WF_SENSOR_KINDS] = { "_m", "_m",   "_m",  "_rad", "_um_m",
-                                                       "_m", "_N_m", "_Hz", "" };
+            t->load == WF_FIT_PULL     ? "force_N"
+            : t->load == WF_FIT_WIND   ? "wind_m_s"
+            : t->load == WF_FIT_WEIGHT ? "along_m"
+                                       : "none");
+    static const char *const unit[WF_SENSOR_KINDS] = { "_m", "_m", "_m",   "_rad", "_um_m", "_m",
+                                                       "_m", "_m", "_N_m", "_Hz",  "" };
     for (size_t k = 0; k < t->sensors; k++)
         fprintf(f.stream, ",%s%s", t->sensor[k].name, unit[t->sensor[k].kind]);
     fputc('\n', f.stream);

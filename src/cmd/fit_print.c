@@ -63,6 +63,7 @@ static void sensors(FILE *to, const struct wf_fit *f)
 void wf_fit_print(FILE *to, const struct wf_fit_job *j)
 {
     const struct wf_fit *f = &j->fit;
+    bool bound = false;
     fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", j->study.name, f->x->data,
             f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
             f->params > f->free ? " (offsets and drifts included)" : "");
@@ -79,7 +80,9 @@ void wf_fit_print(FILE *to, const struct wf_fit_job *j)
     sensors(to, f);
     fprintf(to, "\nreduced chi-square %.4g with %zu degrees of freedom%s\n", f->reduced, f->freedom,
             f->sigma_estimated ? " (1 by construction where sigmas are estimated)" : "");
-    if (f->loose_n == 0) fprintf(to, "the data determine every parameter\n");
+    for (size_t k = 0; k < f->free; k++) bound |= f->estimate[k].at_low || f->estimate[k].at_high;
+    if (f->loose_n == 0)
+        fprintf(to, "the data determine every parameter%s\n", bound ? " that did not end on a bound" : "");
     for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
     if (j->rival.made) {
         const struct wf_fit *r = &j->rival.fit;

@@ -97,11 +97,17 @@ static void records(FILE *f, const struct wf_fit_job *j)
     }
 }
 
+static size_t recorded_tests(const struct wf_fit_job *j)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < j->x.tests; k++) n += j->input[k].record.n > 0;
+    return n;
+}
+
 static void words(FILE *f, const struct wf_fit_job *j)
 {
-    size_t profiled = 0, recorded = 0;
+    size_t profiled = 0, recorded = recorded_tests(j);
     for (size_t k = 0; k < j->fit.free; k++) profiled += j->fit.estimate[k].points > 1;
-    for (size_t k = 0; k < j->x.tests; k++) recorded += j->input[k].record.n > 0;
     fprintf(f, "GROUPS = %zu\nPARAMS = %zu\nPROFILED = %zu\nTESTS = %zu\nRECORDED = %zu\nLIMIT = %.9g\n",
             j->fit.groups, j->fit.free, profiled, j->x.tests, recorded, j->fit.quantile * j->fit.quantile);
     fprintf(f, "array GROUP[%zu]\narray GROUP_Y[%zu]\narray GROUP_X[%zu]\n", j->fit.groups, j->fit.groups,
@@ -219,6 +225,7 @@ static json_t *document(struct wf_doc *d, const struct wf_fit_job *j)
         wf_doc_number(d, t, "height", j->x.tree[k].height),
             wf_doc_count(d, t, "segments", j->x.tree[k].tree.n);
     }
+    wf_doc_count(d, o, "records", recorded_tests(j));
     json_t *sways = wf_doc_put(d, o, "sways", wf_doc_array(d));
     for (size_t k = 0; k < j->x.tests; k++) {
         const struct wf_ring_down *s = &j->input[k].sway;

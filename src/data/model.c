@@ -107,6 +107,7 @@ void wf_model_finish(struct wf_yaml *y, void *model)
 {
     struct wf_model *m = model;
     keys_of_generator(y, m);
+    wf_stem_finish(y, m);
     pipes(y, m);
     if (m->generator == WF_GENERATOR_STEM)
         crown_finish(y, m);

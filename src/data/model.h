@@ -5,6 +5,7 @@
 #include "base/diag.h"
 #include "base/err.h"
 #include "data/branching.h"
+#include "data/section.h"
 #include "data/species.h"
 #include "data/tree.h"
 
@@ -16,6 +17,18 @@ enum wf_taper {
 
 enum wf_season { WF_LEAF_ON, WF_LEAF_OFF };
 enum wf_standing_shape { WF_SHAPE_STRESS_FREE, WF_SHAPE_UNDER_WEIGHT };
+
+/* A solid section at a place of the stem. */
+struct wf_stem_section {
+    double at, width, height; /* [m] */
+    enum wf_section_shape shape;
+};
+/* Masses of a piece of the stem, from where the last one ends. */
+struct wf_stem_mass {
+    double to;               /* [m]                                       */
+    double own, left, right; /* [kg]; own NAN: by the species' density    */
+    double lever;            /* of left and right, along the width [m]    */
+};
 
 struct wf_model {
     const char *key, *name, *note, *source, *file;
@@ -42,6 +55,10 @@ struct wf_model {
     struct wf_foliage foliage;      /* generators levels and ifs                          */
     const struct wf_tree *measured; /* generator measured: segments and levels, without materials     */
     const uint8_t *measured_kind;   /* of its segments, see grow/clothe.h; NULL: all wood              */
+    size_t sections, masses;        /* generator stem; sections 0: round, by radius and taper             */
+    struct wf_stem_section *section;
+    struct wf_stem_mass *mass;
+    double turn; /* of the sections about the axis, right-handed [rad] */
 };
 
 /* Read a tree model. Returned: WF_OK and *out, or WF_EINPUT with every mistake in `d`. */

@@ -1,4 +1,5 @@
 #include "data/tree.h"
+#include "base/vec.h"
 #include <math.h>
 #include <stdbool.h>
 
@@ -26,6 +27,17 @@ enum wf_status wf_tree_alloc(struct wf_tree *t, size_t n, struct wf_arena *a, st
     return WF_OK;
 }
 
+enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_tree_sections *c = t->section = WF_TAKE(a, 1, struct wf_tree_sections);
+    bool ok = c != NULL;
+    double **const column[] = { &c->width0, &c->width1, &c->height0, &c->height1, &c->side0,
+                                &c->side1,  &c->mix0,   &c->mix1,    &c->up };
+    for (size_t k = 0; ok && k < sizeof column / sizeof *column; k++)
+        ok = (*column[k] = WF_TAKE(a, (k < 6 ? 1 : 3) * t->n, double)) != NULL;
+    return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory for the sections of %zu segments", t->n);
+}
+
 double wf_tree_height(const struct wf_tree *t)
 {
     double low = INFINITY, high = -INFINITY;
@@ -44,6 +56,26 @@ double wf_tree_length(const struct wf_tree *t, size_t i)
     const double *k = t->bend + 3 * i;
     double half = 0.5 * chord * hypot(hypot(k[0], k[1]), k[2]);
     return half > 0 ? chord * (asin(fmin(half, 1.0)) / half) : chord;
+}
+
+/* What is wrong with the section of row i. */
+static const char *section_fault(const struct wf_tree *t, size_t i)
+{
+    const struct wf_tree_sections *c = t->section;
+    const double *up = c->up + 3 * i, *m0 = c->mix0 + 3 * i, *m1 = c->mix1 + 3 * i;
+    double axis[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] };
+    double least = fmin(fmin(c->width0[i], c->width1[i]), fmin(c->height0[i], c->height1[i]));
+    if (!(least > 0 && isfinite(c->width0[i] + c->width1[i] + c->height0[i] + c->height1[i])))
+        return "a width or height of the section is not positive";
+    for (int k = 0; k < 3; k++)
+        if (!(m0[k] >= 0 && m1[k] >= 0)) return "the share of a section's shape is negative";
+    if (!(fabs(m0[0] + m0[1] + m0[2] - 1) < 1e-9 && fabs(m1[0] + m1[1] + m1[2] - 1) < 1e-9))
+        return "the shares of a section's shapes do not sum up to 1";
+    if (!(fabs(wf_dot(up, up) - 1) < 1e-9 && fabs(wf_dot(up, axis)) < 1e-9 * sqrt(wf_dot(axis, axis))))
+        return "the section's height is not measured across the segment";
+    if (!isfinite(c->side0[i] + c->side1[i])) return "the burden's first moment is not finite";
+    if (t->stiff || t->bend) return "a section that is not round needs a straight row of given moduli";
+    return t->i0[i] > 0 || t->i1[i] > 0 ? "a section that is not round is solid" : NULL;
 }
 
 /* What is wrong with row i, NULL when nothing is. */
@@ -81,7 +113,7 @@ static const char *fault(const struct wf_tree *t, size_t i)
         if (fabs(k[0] * c[0] + k[1] * c[1] + k[2] * c[2]) > 1e-9 * curvature * chord)
             return "the initial curvature is not across the segment";
     }
-    return NULL;
+    return t->section ? section_fault(t, i) : NULL;
 }
 
 enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct wf_err *e)

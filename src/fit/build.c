@@ -3,18 +3,18 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A height of one tree where something is, and who wants to know its row. */
+/* Who wants to know the row of a place. */
 struct place {
-    double height;
+    struct wf_fit_place at;
     int32_t *row;
 };
 enum { PLACES = 64 };
 
-static enum wf_status place(struct place *list, size_t *n, double height, int32_t *row, const char *tree,
-                            struct wf_err *e)
+static enum wf_status place(struct place *list, size_t *n, double at, bool along, int32_t *row,
+                            const char *tree, struct wf_err *e)
 {
     if (*n == PLACES) return wf_fail(e, WF_EINPUT, "tree %s: more than %d places", tree, (int)PLACES);
-    list[(*n)++] = (struct place){ height, row };
+    list[(*n)++] = (struct place){ { at, along }, row };
     return WF_OK;
 }
 
@@ -23,7 +23,7 @@ static enum wf_status cut(const struct wf_fit_build *b, struct wf_experiment *x,
                           struct wf_arena *a, struct wf_err *e)
 {
     struct place list[PLACES];
-    double height[PLACES] = { 0 };
+    struct wf_fit_place at[PLACES] = { { 0 } };
     int32_t row[PLACES];
     size_t n = 0;
     struct wf_fit_tree *t = &x->tree[tree];
@@ -32,19 +32,27 @@ static enum wf_status cut(const struct wf_fit_build *b, struct wf_experiment *x,
         struct wf_fit_test *q = &x->test[k];
         if (q->tree != tree) continue;
         if (q->load == WF_FIT_PULL)
-            status = place(list, &n, b->study->test[k].pull.height, &q->pull_row, t->name, e);
+            status = place(list, &n, b->study->test[k].pull.height, false, &q->pull_row, t->name, e);
+        bool places = b->study->test[k].along != NULL;
+        for (size_t s = 0; places && s < q->states && !status; s++)
+            status = place(list, &n, q->state[s].load, true, &q->state[s].row, t->name, e);
         for (size_t s = 0; s < q->sensors && !status; s++) {
             struct wf_fit_sensor *w = &q->sensor[s];
             bool gauge = w->kind == WF_SENSOR_STRAIN || w->kind == WF_SENSOR_EXTENSION;
-            if (!wf_sensor_rows[w->kind].placed) continue;
-            status = place(list, &n, w->height + (gauge ? 0.5 * w->gauge : 0), &w->row, t->name, e);
+            if (gauge && t->tree.section)
+                return wf_fail(e, WF_EINPUT,
+                               "%s: test %s: %s: strain is not computed for a stem with 'sections'",
+                               b->study->file, q->name, w->name);
+            if (!wf_sensor_rows[w->kind].placed || places) continue;
+            status = place(list, &n, w->height + (gauge ? 0.5 * w->gauge : 0), w->along, &w->row, t->name, e);
             if (gauge && !status)
-                status = place(list, &n, fmax(w->height - 0.5 * w->gauge, 0), &w->low_row, t->name, e);
+                status =
+                    place(list, &n, fmax(w->height - 0.5 * w->gauge, 0), w->along, &w->low_row, t->name, e);
         }
     }
-    for (size_t k = 0; k < n; k++) height[k] = list[k].height;
+    for (size_t k = 0; k < n; k++) at[k] = list[k].at;
     struct wf_err why = { 0 };
-    if (!status && wf_fit_divide(&t->tree, t->height / 40, height, n, row, a, &why))
+    if (!status && wf_fit_divide(&t->tree, t->size / 40, at, n, row, a, &why))
         return wf_fail(e, why.code, "%s: tree %s: %s", b->study->file, t->name, why.text);
     for (size_t k = 0; k < n && !status; k++) *list[k].row = row[k];
     return status;
@@ -62,14 +70,15 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
     for (size_t k = 0; k < s->trees && !status; k++) status = wf_fit_build_tree(b, k, a, d, &x->tree[k], e);
     for (size_t k = 0; k < s->tests && !status; k++) {
         const char *named = s->test[k].data;
-        bool wants = !b->plan && (s->test[k].pull.given || s->test[k].wind.given || s->test[k].sway.given);
+        bool wants = s->test[k].along ||
+                     (!b->plan && (s->test[k].pull.given || s->test[k].wind.given || s->test[k].sway.given));
         if (wants && !named && used < b->datas) named = b->data[used++];
         if (wants && !named)
             return wf_fail(e, WF_EUSAGE, "%s: test %s names no data; give it with --data FILE", s->file,
                            s->test[k].name);
         struct wf_fit_datum *data = NULL;
         size_t n = 0;
-        status = wf_fit_build_test(b, k, b->plan ? NULL : named, a, d, &x->test[k], &in[k], &data, &n, e);
+        status = wf_fit_build_test(b, k, wants ? named : NULL, a, d, &x->test[k], &in[k], &data, &n, e);
         if (status) break;
         if (x->data + n > room) {
             room = 2 * (x->data + n);

@@ -20,7 +20,8 @@ static enum wf_status sensor(struct wf_units *u, const struct wf_fit_study *stud
     bool sway = s->kind == WF_SENSOR_FREQUENCY || s->kind == WF_SENSOR_DAMPING;
     *out = (struct wf_fit_sensor){ .name = s->name,
                                    .kind = s->kind,
-                                   .height = s->height,
+                                   .height = isnan(s->along) ? s->height : s->along,
+                                   .along = !isnan(s->along),
                                    .azimuth = isnan(s->azimuth) && !sway ? load : s->azimuth,
                                    .gauge = isnan(s->gauge) ? 0.1 : s->gauge,
                                    .sigma_share = isnan(s->sigma_share) ? 0 : s->sigma_share,
@@ -42,7 +43,10 @@ static enum wf_status sensor(struct wf_units *u, const struct wf_fit_study *stud
 
 static void load_of(const struct wf_study_test *s, struct wf_fit_test *t, struct wf_fit_input *in)
 {
-    t->load = s->pull.given ? WF_FIT_PULL : s->wind.given ? WF_FIT_WIND : WF_FIT_FREE;
+    bool sways =
+        s->sway.given ||
+        (s->sensors && (s->sensor[0].kind == WF_SENSOR_FREQUENCY || s->sensor[0].kind == WF_SENSOR_DAMPING));
+    t->load = s->pull.given ? WF_FIT_PULL : s->wind.given ? WF_FIT_WIND : sways ? WF_FIT_FREE : WF_FIT_WEIGHT;
     t->from_rest = s->zero == 0;
     if (s->pull.given) {
         t->azimuth = s->pull.azimuth, t->elevation = s->pull.elevation;
@@ -58,6 +62,8 @@ static void load_of(const struct wf_study_test *s, struct wf_fit_test *t, struct
                                     .roughness = s->wind.roughness,
                                     .exponent = s->wind.exponent };
         in->load_name = "wind", in->load_unit = "m/s", in->load_factor = 1;
+    } else if (t->load == WF_FIT_WEIGHT) {
+        in->load_name = s->along ? "along the axis" : "weight", in->load_unit = s->along ? "m" : "";
     }
 }
 
@@ -111,6 +117,19 @@ static enum wf_status windows(const struct wf_study_test *s, struct wf_fit_recor
     return left ? WF_OK : wf_fail(e, WF_EINPUT, "test %s: no row between 'after' and 'until'", s->name);
 }
 
+static enum wf_status sensor_columns(const struct wf_fit_build *b, const struct wf_study_test *s,
+                                     struct wf_record_column *column, struct wf_err *e)
+{
+    for (size_t k = 0; k < s->sensors; k++) {
+        const struct wf_study_sensor *q = &s->sensor[k];
+        column[k] = (struct wf_record_column){ q->column, q->unit, wf_sensor_rows[q->kind].dimension };
+        if (!q->column)
+            return wf_fail(e, WF_EINPUT, "%s: test %s: sensor %s names no column", b->study->file, s->name,
+                           q->name);
+    }
+    return WF_OK;
+}
+
 static enum wf_status from_file(const struct wf_fit_build *b, const struct wf_study_test *s, const char *path,
                                 const double *sign, struct wf_arena *a, struct wf_diag *d,
                                 struct wf_fit_test *t, struct wf_fit_input *in, struct wf_fit_datum **data,
@@ -125,14 +144,8 @@ static enum wf_status from_file(const struct wf_fit_build *b, const struct wf_st
     if (!column[0].name)
         return wf_fail(e, WF_EINPUT, "%s: test %s: the %s names no column", b->study->file, s->name,
                        in->load_name);
-    for (size_t k = 0; k < s->sensors; k++) {
-        const struct wf_study_sensor *q = &s->sensor[k];
-        column[k + 1] = (struct wf_record_column){ q->column, q->unit, wf_sensor_rows[q->kind].dimension };
-        if (!q->column)
-            return wf_fail(e, WF_EINPUT, "%s: test %s: sensor %s names no column", b->study->file, s->name,
-                           q->name);
-    }
-    enum wf_status status = wf_fit_path(b->study, path, a, &in->path, e);
+    enum wf_status status = sensor_columns(b, s, column + 1, e);
+    if (!status) status = wf_fit_path(b->study, path, a, &in->path, e);
     if (!status)
         status = wf_fit_record_read(in->path, column, s->sensors + 1, s->time, s->rows, s->rows_n, a,
                                     &in->record, d, e);
@@ -148,6 +161,42 @@ static enum wf_status from_file(const struct wf_fit_build *b, const struct wf_st
     if (!(most > 0))
         return wf_fail(e, WF_EINPUT, "test %s: the %s is zero throughout", s->name, in->load_name);
     return average(s, t, &in->record, sign, a, data, n, e);
+}
+
+/* Rows are places along the axis: each is a state of its own, in which every sensor sits there. */
+static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_study_test *s,
+                                  const char *path, const double *sign, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_fit_test *t, struct wf_fit_input *in, struct wf_fit_datum **data,
+                                  size_t *n, struct wf_err *e)
+{
+    struct wf_record_column *column = WF_TAKE(a, s->sensors + 1, struct wf_record_column);
+    struct wf_fit_record r;
+    if (!column) return wf_fail(e, WF_ENOMEM, "no room for the columns of %s", path);
+    column[0] = (struct wf_record_column){ s->along, NULL, WF_DIM_LENGTH };
+    enum wf_status status = sensor_columns(b, s, column + 1, e);
+    if (!status) status = wf_fit_path(b->study, path, a, &in->path, e);
+    if (!status)
+        status = wf_fit_record_read(in->path, column, s->sensors + 1, NULL, s->rows, s->rows_n, a, &r, d, e);
+    if (status) return status;
+    t->state = WF_TAKE(a, r.n, struct wf_fit_state);
+    *data = WF_TAKE(a, r.n * t->sensors, struct wf_fit_datum);
+    if (!t->state || !*data) return wf_fail(e, WF_ENOMEM, "no room for test %s", s->name);
+    for (size_t i = 0; i < r.n; i++) {
+        const double *row = r.value + i * r.columns;
+        if (fabs(row[0]) <= 1e-3) continue; /* the base itself */
+        for (size_t c = 0; c < t->sensors; c++) {
+            double v = sign[c] * row[c + 1];
+            (*data)[(*n)++] = (struct wf_fit_datum){ .state = t->states,
+                                                     .sensor = c,
+                                                     .value = b->plan ? (double)NAN : v,
+                                                     .line = r.line[i],
+                                                     .weight = 1,
+                                                     .sigma = sigma_of(&t->sensor[c], v) };
+        }
+        t->state[t->states++] =
+            (struct wf_fit_state){ .load = row[0], .time = (double)i, .rows = 1, .row = -1 };
+    }
+    return t->states ? WF_OK : wf_fail(e, WF_EINPUT, "test %s: no row beyond the base", s->name);
 }
 
 /* Frequency and damping from a record of free sway become two readings. */
@@ -249,9 +298,12 @@ enum wf_status wf_fit_build_test(const struct wf_fit_build *b, size_t index, con
     if (s->sway.given && !b->plan) return from_sway(b, s, path, a, d, t, in, data, n, e);
     if (s->pull.given || s->wind.given)
         return b->plan ? planned(s, a, t, data, n, e) : from_file(b, s, path, sign, a, d, t, in, data, n, e);
+    if (s->along && path) return from_places(b, s, path, sign, a, d, t, in, data, n, e);
+    if (s->along) return wf_fail(e, WF_EINPUT, "test %s: its places are read from 'data'", s->name);
     t->states = 1;
     t->state = WF_TAKE(a, 1, struct wf_fit_state), *data = WF_TAKE(a, s->sensors + 1, struct wf_fit_datum);
     if (!t->state || !*data) return wf_fail(e, WF_ENOMEM, "no room for test %s", s->name);
+    t->state[0].row = -2;
     for (size_t k = 0; k < s->sensors; k++) {
         value = b->plan ? (double)NAN : given[k];
         (*data)[(*n)++] = (struct wf_fit_datum){

@@ -49,6 +49,7 @@ enum wf_status wf_fit_build_tree(const struct wf_fit_build *b, size_t index, str
     if (!status && !s->qsm) status = wf_grow_stem(&m, sp, a, &out->tree, e);
     if (status) return status;
     out->height = wf_tree_height(&out->tree);
+    out->size = s->qsm ? out->height : m.height;
     wf_loads_default(&out->loads);
     out->loads.gravity = s->gravity;
     const struct wf_streamlining *law = &sp->streamlining;

@@ -6,7 +6,7 @@
 
 bool wf_disturbs(const struct wf_fit_param *p, size_t tree)
 {
-    if (wf_param_nuisance(p) || p->quantity == WF_FIT_DAMPING) return false;
+    if (wf_param_nuisance(p) || p->quantity == WF_FIT_DAMPING || p->quantity == WF_FIT_FRAME) return false;
     return p->tree < 0 || (size_t)p->tree == tree;
 }
 

@@ -23,23 +23,61 @@ static void main_axis(const struct wf_tree *t, int32_t *above, bool *axis)
     for (int32_t i = 0; i >= 0; i = above[i]) axis[i] = true;
 }
 
-/* The axis' row that passes a height, and where in it; the lowest such row. */
-static bool row_at(const struct wf_tree *t, const bool *axis, double height, size_t *row, double *s)
+/* The main axis of a tree, and how far along it every row begins [m]. */
+struct axis {
+    const bool *on;
+    const double *start;
+};
+
+static enum wf_status axis_of(const struct wf_tree *t, struct wf_arena *a, struct axis *out, struct wf_err *e)
 {
-    double ground = t->z0[0];
+    int32_t *above = WF_TAKE(a, t->n, int32_t);
+    bool *on = WF_TAKE(a, t->n, bool);
+    double *start = WF_TAKE(a, t->n, double);
+    if (!above || !on || !start) return wf_fail(e, WF_ENOMEM, "no room to divide the tree");
+    main_axis(t, above, on);
     for (size_t i = 0; i < t->n; i++) {
-        double from = t->z0[i] - ground, to = t->z1[i] - ground;
-        if (!axis[i] || height <= from - least || height > to + least || to <= from) continue;
+        int32_t p = t->parent[i];
+        start[i] = p < 0 ? 0 : start[p] + wf_tree_length(t, (size_t)p);
+    }
+    *out = (struct axis){ on, start };
+    return WF_OK;
+}
+
+static double axis_length(const struct wf_tree *t, const struct axis *axis)
+{
+    double most = 0;
+    for (size_t i = 0; i < t->n; i++)
+        if (axis->on[i]) most = fmax(most, axis->start[i] + wf_tree_length(t, i));
+    return most;
+}
+
+/* Where a row begins and ends in the measure of a place [m]. */
+static void range_of(const struct wf_tree *t, const struct axis *axis, size_t i, bool along, double *from,
+                     double *to)
+{
+    *from = along ? axis->start[i] : t->z0[i] - t->z0[0];
+    *to = along ? axis->start[i] + wf_tree_length(t, i) : t->z1[i] - t->z0[0];
+}
+
+/* The axis' row that passes a place, and where in it; the lowest such row. */
+static bool row_at(const struct wf_tree *t, const struct axis *axis, const struct wf_fit_place *p,
+                   size_t *row, double *s)
+{
+    for (size_t i = 0; i < t->n; i++) {
+        double from, to;
+        range_of(t, axis, i, p->along, &from, &to);
+        if (!axis->on[i] || p->at <= from - least || p->at > to + least || to <= from) continue;
         *row = i;
-        *s = (height - from) / (to - from);
+        *s = (p->at - from) / (to - from);
         return true;
     }
     return false;
 }
 
 /* Shares of a row at which it is cut, 0 and 1 included. */
-static size_t cuts_of(const struct wf_tree *t, const bool *axis, size_t i, double length,
-                      const double *height, size_t n, double *cut)
+static size_t cuts_of(const struct wf_tree *t, const struct axis *axis, size_t i, double length,
+                      const struct wf_fit_place *place, size_t n, double *cut)
 {
     double far = wf_tree_length(t, i), s;
     size_t k = 0, pieces = (size_t)fmin(ceil(far / length - 1e-9), 1000), row;
@@ -47,7 +85,7 @@ static size_t cuts_of(const struct wf_tree *t, const bool *axis, size_t i, doubl
     fixed[k++] = 0;
     fixed[k++] = 1;
     for (size_t j = 0; j < n; j++)
-        if (height[j] > least && row_at(t, axis, height[j], &row, &s) && row == i && s * far > least &&
+        if (place[j].at > least && row_at(t, axis, &place[j], &row, &s) && row == i && s * far > least &&
             (1 - s) * far > least)
             fixed[k++] = s;
     qsort(fixed, k, sizeof *fixed, ascending);
@@ -91,45 +129,77 @@ static void copy_part(const struct wf_tree *from, size_t i, double s0, double s1
     to->id[at] = from->id[i];
 }
 
-enum wf_status wf_fit_divide(struct wf_tree *t, double length, const double *height, size_t n, int32_t *row,
-                             struct wf_arena *a, struct wf_err *e)
+/* The part of row i that goes from s0 to s1 of it, of a tree whose sections are not round. */
+static void copy_section(const struct wf_tree_sections *from, size_t i, double s0, double s1,
+                         struct wf_tree_sections *to, size_t at)
 {
-    size_t total = 0, place;
+    double *const ends[][4] = {
+        { from->width0, from->width1, to->width0, to->width1 },
+        { from->height0, from->height1, to->height0, to->height1 },
+        { from->side0, from->side1, to->side0, to->side1 },
+    };
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
+        ends[k][2][at] = between(ends[k][0][i], ends[k][1][i], s0);
+        ends[k][3][at] = between(ends[k][0][i], ends[k][1][i], s1);
+    }
+    for (size_t k = 0; k < 3; k++) {
+        to->mix0[3 * at + k] = between(from->mix0[3 * i + k], from->mix1[3 * i + k], s0);
+        to->mix1[3 * at + k] = between(from->mix0[3 * i + k], from->mix1[3 * i + k], s1);
+        to->up[3 * at + k] = from->up[3 * i + k];
+    }
+}
+
+/* Rows at whose ends the places are. */
+static void find_rows(const struct wf_tree *t, const struct axis *axis, const struct wf_fit_place *place,
+                      size_t n, int32_t *row)
+{
+    for (size_t j = 0; j < n; j++) {
+        row[j] = -1;
+        for (size_t i = 0; place[j].at > least && i < t->n && row[j] < 0; i++) {
+            double from, to;
+            range_of(t, axis, i, place[j].along, &from, &to);
+            if (axis->on[i] && fabs(to - place[j].at) <= 2 * least) row[j] = (int32_t)i;
+        }
+    }
+}
+
+enum wf_status wf_fit_divide(struct wf_tree *t, double length, const struct wf_fit_place *place, size_t n,
+                             int32_t *row, struct wf_arena *a, struct wf_err *e)
+{
+    size_t total = 0, found;
     double s;
     double *cut = WF_TAKE(a, 1100 + 2 * PLACES_MAX, double);
     int32_t *last = WF_TAKE(a, t->n, int32_t);
-    bool *axis = WF_TAKE(a, t->n, bool);
-    if (!cut || !last || !axis) return wf_fail(e, WF_ENOMEM, "no room to divide the tree");
+    struct axis axis, axis_out;
+    if (!cut || !last) return wf_fail(e, WF_ENOMEM, "no room to divide the tree");
     if (n > PLACES_MAX)
         return wf_fail(e, WF_EINPUT, "%zu places on one tree; at most %d", n, (int)PLACES_MAX);
     if (t->bend || t->stiff || t->mass1)
         return wf_fail(e, WF_EINTERNAL, "only straight rows without masses are divided");
-    main_axis(t, last, axis);
+    enum wf_status status = axis_of(t, a, &axis, e);
+    if (status) return status;
     for (size_t j = 0; j < n; j++)
-        if (!(height[j] >= 0) || (height[j] > least && !row_at(t, axis, height[j], &place, &s)))
-            return wf_fail(e, WF_EINPUT, "the stem has no place %g m above the ground; it ends at %g m",
-                           height[j], wf_tree_height(t));
-    for (size_t i = 0; i < t->n; i++) total += cuts_of(t, axis, i, length, height, n, cut);
+        if (!(place[j].at >= 0) || (place[j].at > least && !row_at(t, &axis, &place[j], &found, &s)))
+            return wf_fail(e, WF_EINPUT, "the stem has no place %g m %s; it ends at %g m", place[j].at,
+                           place[j].along ? "from its base" : "above the ground",
+                           place[j].along ? axis_length(t, &axis) : wf_tree_height(t));
+    for (size_t i = 0; i < t->n; i++) total += cuts_of(t, &axis, i, length, place, n, cut);
     struct wf_tree out;
-    enum wf_status status = wf_tree_alloc(&out, total, a, e);
+    status = wf_tree_alloc(&out, total, a, e);
+    if (!status && t->section) status = wf_tree_alloc_sections(&out, a, e);
     if (status) return status;
     out.name = t->name;
-    bool *axis_out = WF_TAKE(a, total, bool);
-    if (!axis_out) return wf_fail(e, WF_ENOMEM, "no room to divide the tree");
     for (size_t i = 0, at = 0; i < t->n; i++) {
-        size_t m = cuts_of(t, axis, i, length, height, n, cut);
+        size_t m = cuts_of(t, &axis, i, length, place, n, cut);
         for (size_t k = 0; k < m; k++, at++) {
             copy_part(t, i, cut[k], cut[k + 1], &out, at);
-            axis_out[at] = axis[i];
+            if (t->section) copy_section(t->section, i, cut[k], cut[k + 1], out.section, at);
             out.parent[at] = k ? (int32_t)at - 1 : t->parent[i] < 0 ? -1 : last[t->parent[i]];
         }
         last[i] = (int32_t)at - 1;
     }
-    for (size_t j = 0; j < n; j++) {
-        row[j] = -1;
-        for (size_t i = 0; height[j] > least && i < out.n && row[j] < 0; i++)
-            if (axis_out[i] && fabs(out.z1[i] - out.z0[0] - height[j]) <= 2 * least) row[j] = (int32_t)i;
-    }
+    status = axis_of(&out, a, &axis_out, e);
+    if (!status) find_rows(&out, &axis_out, place, n, row);
     *t = out;
-    return WF_OK;
+    return status;
 }

@@ -17,6 +17,8 @@ enum wf_sensor_kind {
     WF_SENSOR_TILT,       /* inclination of the axis towards an azimuth [rad]                   */
     WF_SENSOR_STRAIN,     /* mean strain of a fibre on the bark over a gauge length [-]         */
     WF_SENSOR_EXTENSION,  /* change of that gauge length [m]                                    */
+    WF_SENSOR_REACH,      /* horizontal place of the axis along an azimuth, from the stem's base [m] */
+    WF_SENSOR_RISE,       /* its place above the stem's base [m]                                */
     WF_SENSOR_MOMENT,     /* overturning moment on the ground towards an azimuth [N m]          */
     WF_SENSOR_FREQUENCY,  /* natural frequency of free sway [Hz]                                */
     WF_SENSOR_DAMPING,    /* damping ratio of free sway [-]                                     */
@@ -35,17 +37,20 @@ struct wf_fit_sensor {
     const char *name;
     enum wf_sensor_kind kind;
     double height, azimuth, gauge; /* [m], [rad], [m]; NAN where the kind has none             */
+    bool along;                    /* height counts along the axis from its base               */
     double sigma, sigma_share;     /* uncertainty: absolute [SI] and as a share of the value   */
     bool estimated;                /* sigma was not given: found from the scatter              */
     bool offset, drift;            /* nuisance: unknown zero, and its change with time         */
     int32_t row, low_row;          /* rows whose ends it sits on; -1 = the ground              */
 };
 
-enum wf_fit_load { WF_FIT_FREE, WF_FIT_PULL, WF_FIT_WIND };
+enum wf_fit_load { WF_FIT_FREE, WF_FIT_PULL, WF_FIT_WIND, WF_FIT_WEIGHT };
 struct wf_fit_state {
-    double load; /* rope force [N] or wind speed [m/s]   */
+    double
+        load; /* rope force [N], wind speed [m/s]; under weight alone the sensors' place along the axis [m] */
     double time; /* since the record's first row [s]     */
     size_t rows; /* rows of the record averaged in it    */
+    int32_t row; /* under weight alone: where all sensors of this state sit; below -1: at their own places */
 };
 
 struct wf_fit_test {
@@ -69,7 +74,7 @@ struct wf_fit_tree {
     struct wf_tree tree; /* one element a row                                           */
     struct wf_loads loads;
     struct wf_solve_options options; /* with the root stiffness                         */
-    double height;
+    double height, size;             /* vertical; length of a stem model's axis, else the height [m] */
 };
 
 /* One measured number. */
@@ -87,9 +92,14 @@ struct wf_experiment {
     struct wf_fit_datum *datum; /* by test, state, sensor */
 };
 
-/* Cut the tree so that every row is at most `length` long and a row of the stem ends at each of n heights
- * above the first base; row[k] = that row, -1 for heights up to 1 mm. Errors: WF_EINPUT for a height above
- * the stem, WF_ENOMEM. Along a divided row everything stays linear, so the tree is the same. */
-enum wf_status wf_fit_divide(struct wf_tree *t, double length, const double *height, size_t n, int32_t *row,
-                             struct wf_arena *a, struct wf_err *e);
+/* A place of the main axis. */
+struct wf_fit_place {
+    double at; /* above the first base, or from it along the axis [m] */
+    bool along;
+};
+/* Cut the tree so that every row is at most `length` long and a row of the main axis ends at each of n
+ * places; row[k] = that row, -1 for places up to 1 mm. Errors: WF_EINPUT for a place beyond the stem,
+ * WF_ENOMEM. Along a divided row everything stays linear, so the tree is the same. */
+enum wf_status wf_fit_divide(struct wf_tree *t, double length, const struct wf_fit_place *place, size_t n,
+                             int32_t *row, struct wf_arena *a, struct wf_err *e);
 #endif

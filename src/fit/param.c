@@ -24,6 +24,8 @@ const struct wf_fit_quantity_row wf_fit_quantities[WF_FIT_QUANTITIES] = {
                       "rotational stiffness of the root plate" },
     [WF_FIT_DAMPING] = { "damping_ratio", WF_DIM_NONE, "%", 100, true, 1e-4, 0.9,
                          "damping ratio of free sway, all causes together" },
+    [WF_FIT_FRAME] = { "frame.azimuth", WF_DIM_ANGLE, "deg", 180 / M_PI, false, -M_PI, M_PI,
+                       "direction, in the model, of azimuth 0 of measured coordinates (deflection, reach)" },
     [WF_FIT_OFFSET] = { NULL, WF_DIM_NONE, "", 1, false, -1e3, 1e3, "zero of a sensor" },
     [WF_FIT_DRIFT] = { NULL, WF_DIM_NONE, "", 1, false, -1e3, 1e3, "drift of a sensor's zero" },
 };
@@ -124,7 +126,7 @@ void wf_param_apply(const struct wf_experiment *x, const struct wf_fit_param *p,
             options->root_stiffness[0] = options->root_stiffness[1] = v;
         else if (p[k].quantity == WF_FIT_VOGEL)
             loads->streamline_par.exponent = v;
-        else if (p[k].quantity != WF_FIT_DAMPING)
+        else if (p[k].quantity != WF_FIT_DAMPING && p[k].quantity != WF_FIT_FRAME)
             scale_rows(&p[k], t, into, v);
     }
 }

@@ -15,6 +15,7 @@ enum wf_fit_quantity {
     WF_FIT_VOGEL,
     WF_FIT_ROOT,    /* rotational stiffness of the root plate about any horizontal axis */
     WF_FIT_DAMPING, /* damping ratio of free sway, all causes together                  */
+    WF_FIT_FRAME,   /* azimuth, in the model, of the measured coordinates' x axis       */
     WF_FIT_OFFSET,  /* zero of one sensor                                               */
     WF_FIT_DRIFT,   /* its change with time                                             */
     WF_FIT_QUANTITIES

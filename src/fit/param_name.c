@@ -32,6 +32,9 @@ static enum wf_status from_species(const struct wf_experiment *x, struct wf_fit_
     if (v) p->start = v->value;
     if (p->quantity == WF_FIT_AXIS_DRAG && isnan(p->start)) p->start = 1;
     if (p->quantity == WF_FIT_DAMPING) p->start = 0.05;
+    if (p->quantity == WF_FIT_FRAME) p->start = 0;
+    if (t->tree.section && (p->quantity == WF_FIT_RADIUS || p->quantity == WF_FIT_DENSITY))
+        return wf_fail(e, WF_EUSAGE, "%s: not for a stem with 'sections'", p->name);
     /* a root plate that adds as much rotation as a stem of that size bends */
     if (p->quantity == WF_FIT_ROOT)
         p->start = t->options.root_stiffness[0] > 0
@@ -64,7 +67,7 @@ static enum wf_status unknown(const char *name, struct wf_err *e)
                    "no parameter is called '%s'; known are levelN.youngs_modulus, wood.youngs_modulus, "
                    "youngs_modulus_tip_share, levelN.shear_modulus, levelN.density, levelN.radius_factor, "
                    "levelN.drag_coefficient, crown.drag_coefficient, crown.streamlining.exponent, "
-                   "root.stiffness, damping_ratio",
+                   "root.stiffness, damping_ratio, frame.azimuth",
                    name);
 }
 

@@ -55,9 +55,20 @@ struct bench {
     struct wf_beam_small *small; /* kept aside while the beam is being solved */
     struct wf_point_load pull;
     struct wf_wind wind;
-    double force; /* in the rope [N] */
+    double force;                   /* in the rope [N]                                   */
+    double frame;                   /* azimuth of measured coordinates                   */
+    const struct wf_fit_state *now; /* the state in hand; NULL: at rest                  */
     double (*ends)[6], (*moved)[6], (*node)[6], (*root)[3];
 };
+
+/* A sensor as it stands in the state in hand. */
+static struct wf_fit_sensor placed(const struct bench *k, size_t s)
+{
+    struct wf_fit_sensor sensor = k->test->sensor[s];
+    if (k->test->load == WF_FIT_WEIGHT && k->now->row >= -1) sensor.row = k->now->row;
+    if (wf_sensor_framed(&sensor)) sensor.azimuth += k->frame;
+    return sensor;
+}
 
 /* Set the rope's force by its present direction; returned: its free length [m]. */
 static double aim(struct bench *k, const double at[3], double u[3])
@@ -178,6 +189,12 @@ static void slopes(struct bench *k, const double *internal, double *slope)
     bool roped = rope(k, C, K);
     for (size_t p = 0; p < w->params; p++) {
         struct wf_disturber d = { &w->x->tree[k->test->tree], &w->p[p], internal[p] };
+        bool frame =
+            w->p[p].quantity == WF_FIT_FRAME && (w->p[p].tree < 0 || (size_t)w->p[p].tree == k->test->tree);
+        for (size_t s = 0; frame && s < k->test->sensors; s++) {
+            struct wf_fit_sensor sensor = placed(k, s);
+            slope[s * w->params + p] = wf_sensor_by_azimuth(&sensor, b);
+        }
         if (!wf_disturbs(&w->p[p], k->test->tree)) continue;
         struct wf_beam_small_answer x = { .ends = k->ends };
         bool root = w->p[p].quantity == WF_FIT_ROOT;
@@ -197,9 +214,10 @@ static void slopes(struct bench *k, const double *internal, double *slope)
             for (int c = 0; c < 6; c++) x.ground[c] += more[c], b->root_change[0][c] += spin[c];
         }
         for (size_t s = 0; s < k->test->sensors; s++) {
-            const struct wf_fit_sensor *sensor = &k->test->sensor[s];
-            slope[s * w->params + p] = wf_sensor_change(sensor, b, (const double(*)[6])k->ends, x.ground);
-            if (w->p[p].quantity == WF_FIT_RADIUS) slope[s * w->params + p] += wf_sensor_by_radius(sensor, b);
+            struct wf_fit_sensor sensor = placed(k, s);
+            slope[s * w->params + p] = wf_sensor_change(&sensor, b, (const double(*)[6])k->ends, x.ground);
+            if (w->p[p].quantity == WF_FIT_RADIUS)
+                slope[s * w->params + p] += wf_sensor_by_radius(&sensor, b);
         }
     }
 }
@@ -232,7 +250,10 @@ static enum wf_status state(struct bench *k, size_t warm, const double *internal
     memcpy(last->shape, b->shape, n * sizeof *b->shape);
     memcpy(last->tilt, b->tilt, n * sizeof *b->tilt);
     last->known = true;
-    for (size_t s = 0; s < k->test->sensors; s++) reading[s] = wf_sensor_read(&k->test->sensor[s], b);
+    for (size_t s = 0; s < k->test->sensors; s++) {
+        struct wf_fit_sensor sensor = placed(k, s);
+        reading[s] = wf_sensor_read(&sensor, b);
+    }
     if (!slope) return WF_OK;
     memset(slope, 0, k->test->sensors * k->w->params * sizeof *slope);
     slopes(k, internal, slope);
@@ -248,6 +269,9 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
     struct wf_solve_options options;
     wf_param_apply(w->x, w->p, w->params, internal, t->tree, tree, &loads, &options);
     struct bench k = { .w = w, .test = t, .wind = t->wind, .pull = { .segment = t->pull_row } };
+    for (size_t p = 0; p < w->params; p++)
+        if (w->p[p].quantity == WF_FIT_FRAME && (w->p[p].tree < 0 || (size_t)w->p[p].tree == t->tree))
+            k.frame = wf_param_value(&w->p[p], internal[p]);
     if (t->load == WF_FIT_WIND) loads.wind = &k.wind;
     if (t->load == WF_FIT_PULL) loads.point = &k.pull, loads.points = 1;
     enum wf_status status = wf_beam_init(&k.beam, tree, &loads, &options, NULL, &w->scratch, e);
@@ -267,7 +291,8 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
             state(&k, w->first_state[index] + t->states, internal, w->rest, slope ? w->rest_slope : NULL, e);
     for (size_t i = 0; i < t->states && !status; i++) {
         double u[3];
-        k.force = t->state[i].load;
+        k.now = &t->state[i];
+        k.force = t->load == WF_FIT_PULL ? t->state[i].load : 0;
         k.wind.speed = t->load == WF_FIT_WIND ? t->state[i].load : 0;
         if (t->load == WF_FIT_PULL) aim(&k, k.beam.pose[t->pull_row].r, u);
         status = state(&k, w->first_state[index] + i, internal, w->other, slope ? w->other_slope : NULL, e);

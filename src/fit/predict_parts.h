@@ -13,6 +13,11 @@ double wf_sensor_change(const struct wf_fit_sensor *s, const struct wf_beam *b, 
 /* Its direct change with the logarithm of the radius, at a fixed axis. */
 double wf_sensor_by_radius(const struct wf_fit_sensor *s, const struct wf_beam *b);
 
+/* A horizontal coordinate, which the parameter frame.azimuth turns; and its change with the azimuth [/rad].
+ */
+bool wf_sensor_framed(const struct wf_fit_sensor *s);
+double wf_sensor_by_azimuth(const struct wf_fit_sensor *s, const struct wf_beam *b);
+
 /* What a unit change of an internal value disturbs at fixed shape. */
 struct wf_disturber {
     const struct wf_fit_tree *tree;

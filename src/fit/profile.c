@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SIDE = 12 }; /* points on each side at most */
+enum { SIDE = 12, CLOSER = 8 }; /* points on each side at most: outwards, and back after a leap */
 
 struct walk {
     struct wf_session *s;
@@ -16,6 +16,36 @@ struct walk {
     size_t n;
 };
 
+/* Root of the rise with the parameter held at x; NAN where that has no answer. */
+static double rise_at(struct walk *w, double x)
+{
+    struct wf_session *s = w->s;
+    struct wf_lsq_result r;
+    struct wf_err e = { 0 };
+    s->internal[w->k] = x;
+    if (wf_session_solve(s, &r, &e) || r.stopped) return NAN;
+    double rise = fmax(2 * (r.cost - w->best), 0);
+    w->point[w->n++] = (struct wf_profile_point){ wf_param_value(&s->p[w->k], x), rise };
+    return sqrt(rise);
+}
+
+/* Where the root of the rise passes the goal between two values: one step, or where it leapt far beyond the
+ * goal a few that halve or interpolate. */
+static double cross(struct walk *w, double from, double root, double x, double now, double goal)
+{
+    bool leapt = now > 1.5 * goal;
+    for (int i = 0; i < CLOSER && leapt && now > 1.05 * goal; i++) {
+        double share = fmin(fmax((goal - root) / (now - root), 0.25), 0.75), at = from + share * (x - from);
+        double here = rise_at(w, at);
+        if (isnan(here)) return NAN;
+        if (here < goal)
+            from = at, root = here;
+        else
+            x = at, now = here;
+    }
+    return now > root ? from + (x - from) * (goal - root) / (now - root) : x;
+}
+
 /* From the optimum outwards until the rise passes the limit or the bound is met. Returned: internal value
  * where it passes, NAN where it does not. */
 static double side(struct walk *w, double step)
@@ -24,17 +54,13 @@ static double side(struct walk *w, double step)
     double x = w->optimum[w->k], root = 0, bound = step > 0 ? s->high[w->k] : s->low[w->k];
     memcpy(s->internal, w->optimum, s->n * sizeof *s->internal);
     for (int i = 0; i < SIDE; i++) {
-        struct wf_lsq_result r;
-        struct wf_err e = { 0 };
         double from = x;
         x += step;
         bool last = step > 0 ? x >= bound : x <= bound;
         if (last) x = bound;
-        s->internal[w->k] = x;
-        if (wf_session_solve(s, &r, &e) || r.stopped) return NAN;
-        double rise = fmax(2 * (r.cost - w->best), 0), now = sqrt(rise), goal = sqrt(w->limit);
-        w->point[w->n++] = (struct wf_profile_point){ wf_param_value(&s->p[w->k], x), rise };
-        if (now >= goal) return now > root ? from + (x - from) * (goal - root) / (now - root) : x;
+        double now = rise_at(w, x), goal = sqrt(w->limit);
+        if (isnan(now)) return NAN;
+        if (now >= goal) return cross(w, from, root, x, now, goal);
         /* the root of the rise is nearly straight: aim a little beyond the limit */
         double slope = (now - root) / (x - from);
         root = now;
@@ -65,7 +91,7 @@ enum wf_status wf_fit_profiles(struct wf_session *s, struct wf_fit *out, struct 
         struct walk w = {
             .s = s, .k = k, .best = here.cost, .optimum = optimum, .limit = out->quantile * out->quantile
         };
-        if (!(w.point = WF_TAKE(a, 2 * SIDE + 1, struct wf_profile_point)))
+        if (!(w.point = WF_TAKE(a, 2 * (SIDE + CLOSER) + 1, struct wf_profile_point)))
             return wf_fail(e, WF_ENOMEM, "no room for the profiles");
         w.point[w.n++] = (struct wf_profile_point){ wf_param_value(&s->p[k], optimum[k]), 0 };
         double step = q->sd > 0 && q->sd < 0.5 ? q->sd : 0.5;

@@ -15,7 +15,7 @@ enum wf_status wf_fit_restart(struct wf_session *s, struct wf_fit *out, struct w
     enum wf_status status = wf_session_solve(s, &r, e);
     if (status || r.stopped) return status;
     memcpy(best, s->internal, s->n * sizeof *best);
-    double least = r.cost;
+    double least = r.cost, first = r.cost;
     out->starts = out->starts_same = 1;
     for (size_t i = 1; i < s->o->starts; i++) {
         struct wf_err why = { 0 };
@@ -38,7 +38,8 @@ enum wf_status wf_fit_restart(struct wf_session *s, struct wf_fit *out, struct w
         }
     }
     memcpy(s->internal, best, s->n * sizeof *best);
-    return wf_session_solve(s, &out->lsq, e);
+    /* another minimum has residuals, and sigmas, of its own */
+    return least < first * (1 - 1e-6) ? wf_fit_spread(s, out, a, e) : wf_session_solve(s, &out->lsq, e);
 }
 
 static int ascending(const void *a, const void *b)

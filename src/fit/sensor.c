@@ -60,6 +60,11 @@ static void gauge_of(const struct wf_fit_sensor *s, const struct wf_beam *b, str
     g->rest_length = sqrt(wf_dot(g->rest, g->rest));
 }
 
+bool wf_sensor_framed(const struct wf_fit_sensor *s)
+{
+    return s->kind == WF_SENSOR_DEFLECTION || s->kind == WF_SENSOR_REACH;
+}
+
 double wf_sensor_read(const struct wf_fit_sensor *s, const struct wf_beam *b)
 {
     struct place p;
@@ -73,11 +78,15 @@ double wf_sensor_read(const struct wf_fit_sensor *s, const struct wf_beam *b)
         return s->kind == WF_SENSOR_STRAIN ? more / g.rest_length : more;
     }
     place_of(b, s->row, &p);
-    for (int i = 0; i < 3; i++) moved[i] = p.pose.r[i] - p.at[i];
+    const struct wf_tree *t = b->mesh.tree;
+    const double base[3] = { t->x0[0], t->y0[0], t->z0[0] };
+    bool absolute = s->kind == WF_SENSOR_REACH || s->kind == WF_SENSOR_RISE;
+    for (int i = 0; i < 3; i++) moved[i] = p.pose.r[i] - (absolute ? base[i] : p.at[i]);
     m3_apply(p.pose.L, p.axis, a);
     switch (s->kind) {
     case WF_SENSOR_HORIZONTAL:
         return hypot(moved[0], moved[1]);
+    case WF_SENSOR_RISE:
     case WF_SENSOR_VERTICAL:
         return moved[2];
     case WF_SENSOR_TILT:
@@ -115,6 +124,7 @@ double wf_sensor_change(const struct wf_fit_sensor *s, const struct wf_beam *b, 
     switch (s->kind) {
     case WF_SENSOR_HORIZONTAL:
         return far > 0 ? (x * c[0] + y * c[1]) / far : hypot(c[0], c[1]);
+    case WF_SENSOR_RISE:
     case WF_SENSOR_VERTICAL:
         return c[2];
     case WF_SENSOR_TILT:
@@ -125,6 +135,14 @@ double wf_sensor_change(const struct wf_fit_sensor *s, const struct wf_beam *b, 
     default:
         return wf_dot(c, d);
     }
+}
+
+double wf_sensor_by_azimuth(const struct wf_fit_sensor *s, const struct wf_beam *b)
+{
+    if (!wf_sensor_framed(s)) return 0;
+    struct wf_fit_sensor across = *s;
+    across.azimuth += M_PI / 2;
+    return wf_sensor_read(&across, b);
 }
 
 double wf_sensor_by_radius(const struct wf_fit_sensor *s, const struct wf_beam *b)

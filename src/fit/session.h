@@ -13,6 +13,7 @@ struct wf_session {
     double *sigma;    /* per datum, as it takes part                              */
     double *internal; /* all parameters                                           */
     bool *held;
+    bool *pinned;       /* scratch: parameters held because they sit on a bound                */
     double *low, *high; /* internal bounds                                          */
     double *reading, *slope;
     double *start, *free_low, *free_high; /* scratch of the solver, packed             */
@@ -31,7 +32,8 @@ double wf_robust_sd(const double *x, size_t n, double *scratch);
 
 /* Parts of wf_fit_run; they fill *out from a session at its optimum. */
 enum wf_status wf_fit_spread(struct wf_session *s, struct wf_fit *out, struct wf_arena *a, struct wf_err *e);
-/* The best of several random starts within a factor of 3 of the given one; sigmas stay as they are. */
+/* The best of several random starts within a factor of 3 of the given one, with the sigmas as they are;
+ * sigmas and misfit are found again where it is a better one. */
 enum wf_status wf_fit_restart(struct wf_session *s, struct wf_fit *out, struct wf_arena *a, struct wf_err *e);
 enum wf_status wf_fit_covariance(struct wf_session *s, struct wf_fit *out, struct wf_arena *a,
                                  struct wf_err *e);

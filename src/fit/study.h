@@ -12,9 +12,9 @@ struct wf_study_tree {
 struct wf_study_sensor {
     const char *name, *column, *unit, *sigma, *value, *group;
     enum wf_sensor_kind kind;
-    double height, azimuth, gauge, sigma_share; /* NAN: not given */
-    size_t sign;                                /* index in +, -  */
-    size_t offset, drift;                       /* index in no, yes */
+    double height, along, azimuth, gauge, sigma_share; /* NAN: not given */
+    size_t sign;                                       /* index in +, -  */
+    size_t offset, drift;                              /* index in no, yes */
 };
 struct wf_study_pull {
     const char *column, *unit;
@@ -37,7 +37,7 @@ struct wf_study_sway {
     bool given;
 };
 struct wf_study_test {
-    const char *name, *tree, *data, *time;
+    const char *name, *tree, *data, *time, *along;
     size_t rows_n;
     struct wf_yaml_pair *rows; /* column = text that a row must have */
     struct wf_study_pull pull;

@@ -10,8 +10,9 @@ static const char *const no_yes[] = { "no", "yes", NULL };
 static const char *const signs[] = { "+", "-", NULL };
 static const char *const zeros[] = { "rest", "unloaded", NULL };
 static const char *const joints[] = { "axis", "bridge", NULL };
-static const char *const kinds[] = { "deflection", "horizontal",  "vertical",  "tilt",    "strain",
-                                     "extension",  "base_moment", "frequency", "damping", NULL };
+static const char *const kinds[] = { "deflection",  "horizontal", "vertical", "tilt",
+                                     "strain",      "extension",  "reach",    "rise",
+                                     "base_moment", "frequency",  "damping",  NULL };
 static const char *const profiles[] = { "uniform", "power", "log", NULL };
 
 #define ROW(T, k, yaml, member) .key = k, .kind = yaml, .offset = offsetof(T, member)
@@ -50,11 +51,13 @@ static const struct wf_yaml_row sensor_rows[] = {
     { ROW(T, "name", WF_YAML_NAME, name), .required = true, .doc = "Name of the sensor.",
       .example = "clino_1" },
     { ROW(T, "kind", WF_YAML_ENUM, kind), .required = true, .choices = kinds,
-      .doc = "What it measures: deflection along an azimuth, horizontal and vertical displacement, tilt of "
-             "the axis "
-             "towards an azimuth, strain of the bark over a gauge length or its extension, overturning "
-             "moment on the "
-             "ground, natural frequency, damping ratio." },
+      .doc =
+          "What it measures: deflection along an azimuth, horizontal and vertical displacement, tilt of "
+          "the axis "
+          "towards an azimuth, strain of the bark over a gauge length or its extension, place of a point of "
+          "the axis: horizontally along an azimuth (reach) or upwards (rise) from the stem's base, "
+          "overturning moment on the "
+          "ground, natural frequency, damping ratio." },
     { ROW(T, "column", WF_YAML_TEXT, column), .absent = "needs value, or a plan without data",
       .doc = "Column of the data file; its name ends in the unit: tilt_deg, deflection_mm, strain_um_m." },
     { ROW(T, "unit", WF_YAML_TEXT, unit), .absent = "by the column's name",
@@ -64,6 +67,8 @@ static const struct wf_yaml_row sensor_rows[] = {
     { QUANTITY(T, "height", height, WF_DIM_LENGTH, "m", 0, 150),
       .absent = "not for base_moment, frequency, damping",
       .doc = "Above the ground; middle of a gauge; 0 is the root plate." },
+    { QUANTITY(T, "along", along, WF_DIM_LENGTH, "m", 0, 150), .absent = "by 'height'",
+      .doc = "The same as a distance along the stem's axis from its base, for leaning stems and branches." },
     { AZIMUTH(T), .absent = "that of the load",
       .doc = "Direction measured, from +x towards +y; for strain the side of the stem, for a frequency the "
              "direction of "
@@ -164,8 +169,15 @@ static const struct wf_yaml_row test_rows[] = {
       .doc = "Leave out what was after." },
     { ROW(T, "points", WF_YAML_INTEGER, points), .low = 2, .high = 2000, .preset = "50",
       .doc = "Neighbouring rows are averaged down to this number." },
+    { ROW(T, "along", WF_YAML_TEXT, along), .absent = "sensors have places of their own",
+      .doc =
+          "Column of the distance along the stem's axis at which all sensors of a row sit; for a test under "
+          "weight alone. Rows at 0 are left out.",
+      .example = "along_m" },
     { ROW(T, "zero", WF_YAML_ENUM, zero), .choices = zeros, .preset = "rest",
-      .doc = "What readings are counted from: the tree at rest under its weight, or its unloaded shape." },
+      .doc =
+          "What readings are counted from: the tree at rest under its weight, or its unloaded shape. A test "
+          "without pull, wind and sway bends the tree by its weight alone and needs 'unloaded'." },
     { ROW(T, "pull", WF_YAML_TABLE, pull), .table = &pull_table, .given = 1 + offsetof(T, pull.given),
       .absent = "no pull", .doc = "A rope." },
     { ROW(T, "wind", WF_YAML_TABLE, wind), .table = &wind_table, .given = 1 + offsetof(T, wind.given),
@@ -196,6 +208,65 @@ static const struct wf_yaml_table free_table = {
 };
 #undef T
 
+/* A test without pull and wind bends the tree by its weight alone. */
+static void under_weight(struct wf_yaml *y, const struct wf_study_test *t, const char *place,
+                         const struct wf_study_sensor *q)
+{
+    const char *name = wf_sensor_rows[q->kind].name;
+    bool directed = q->kind == WF_SENSOR_DEFLECTION || q->kind == WF_SENSOR_TILT ||
+                    q->kind == WF_SENSOR_REACH || q->kind == WF_SENSOR_STRAIN ||
+                    q->kind == WF_SENSOR_EXTENSION || q->kind == WF_SENSOR_MOMENT;
+    if (t->zero == 0)
+        wf_yaml_error(y, place, "a %s needs a pull or a wind, or 'zero: unloaded' to be of weight alone",
+                      name);
+    if (directed && isnan(q->azimuth))
+        wf_yaml_error(y, place, "a %s under weight alone needs 'azimuth'", name);
+    if (!t->along && !q->value) wf_yaml_error(y, place, "a %s under weight alone needs 'value'", name);
+}
+
+static void sensor_finish(struct wf_yaml *y, const struct wf_study_test *t, const char *place,
+                          const struct wf_study_sensor *q)
+{
+    const struct wf_sensor_row *r = &wf_sensor_rows[q->kind];
+    bool sway = q->kind == WF_SENSOR_FREQUENCY || q->kind == WF_SENSOR_DAMPING;
+    bool absolute = q->kind == WF_SENSOR_REACH || q->kind == WF_SENSOR_RISE;
+    if (r->placed && isnan(q->height) && isnan(q->along) && !t->along)
+        wf_yaml_error(y, place, "a sensor of kind %s needs 'height' or 'along'", r->name);
+    if (!isnan(q->height) && !isnan(q->along)) wf_yaml_error(y, place, "has both 'height' and 'along'");
+    if (t->along && !(isnan(q->height) && isnan(q->along)))
+        wf_yaml_error(y, place, "has a place of its own beside the test's 'along'");
+    if (sway && !q->value)
+        wf_yaml_error(y, place, "a %s needs 'value'; records of sway go under 'sway'", r->name);
+    if (sway && (t->pull.given || t->wind.given || t->along))
+        wf_yaml_error(y, place, "a %s is of free sway: give it a test of its own", r->name);
+    if (absolute && t->zero == 0)
+        wf_yaml_error(y, place, "a %s is a place, not counted from rest; it needs 'zero: unloaded'", r->name);
+    if (!sway && !t->pull.given && !t->wind.given) under_weight(y, t, place, q);
+}
+
+static void test_finish(struct wf_yaml *y, const struct wf_fit_study *s, size_t i)
+{
+    const struct wf_study_test *t = &s->test[i];
+    char place[64];
+    size_t sways = 0;
+    snprintf(place, sizeof place, "tests[%zu]", i);
+    if (t->pull.given + t->wind.given + t->sway.given > 1)
+        wf_yaml_error(y, place, "has more than one of 'pull', 'wind' and 'sway'");
+    if (t->along && (t->pull.given || t->wind.given || t->sway.given))
+        wf_yaml_error(y, place, "'along' is for a test under weight alone");
+    if (!t->sensors && !t->sway.given) wf_yaml_error(y, place, "needs 'sensors'");
+    if (t->pull.from >= t->pull.to) wf_yaml_error(y, place, "pull: 'from' is not below 'to'");
+    if (!t->tree && s->trees > 1) wf_yaml_error(y, place, "needs 'tree': the study has %zu", s->trees);
+    for (size_t k = 0; t->sensor && k < t->sensors; k++)
+        sways += t->sensor[k].kind == WF_SENSOR_FREQUENCY || t->sensor[k].kind == WF_SENSOR_DAMPING;
+    if (sways && sways < t->sensors && !t->pull.given && !t->wind.given)
+        wf_yaml_error(y, place, "has sensors of free sway and others: give each a test of its own");
+    for (size_t k = 0; t->sensor && k < t->sensors; k++) {
+        snprintf(place, sizeof place, "tests[%zu].sensors[%zu]", i, k);
+        sensor_finish(y, t, place, &t->sensor[k]);
+    }
+}
+
 static void finish(struct wf_yaml *y, void *study)
 {
     struct wf_fit_study *s = study;
@@ -204,29 +275,7 @@ static void finish(struct wf_yaml *y, void *study)
         snprintf(place, sizeof place, "trees[%zu]", i);
         if (!s->tree[i].model == !s->tree[i].qsm) wf_yaml_error(y, place, "needs either 'model' or 'qsm'");
     }
-    for (size_t i = 0; s->test && i < s->tests; i++) {
-        const struct wf_study_test *t = &s->test[i];
-        snprintf(place, sizeof place, "tests[%zu]", i);
-        if (t->pull.given + t->wind.given + t->sway.given > 1)
-            wf_yaml_error(y, place, "has more than one of 'pull', 'wind' and 'sway'");
-        if (!t->sensors && !t->sway.given) wf_yaml_error(y, place, "needs 'sensors'");
-        if (t->pull.from >= t->pull.to) wf_yaml_error(y, place, "pull: 'from' is not below 'to'");
-        if (!t->tree && s->trees > 1) wf_yaml_error(y, place, "needs 'tree': the study has %zu", s->trees);
-        for (size_t k = 0; t->sensor && k < t->sensors; k++) {
-            const struct wf_study_sensor *q = &t->sensor[k];
-            const struct wf_sensor_row *r = &wf_sensor_rows[q->kind];
-            snprintf(place, sizeof place, "tests[%zu].sensors[%zu]", i, k);
-            bool sway = q->kind == WF_SENSOR_FREQUENCY || q->kind == WF_SENSOR_DAMPING;
-            if (r->placed && isnan(q->height))
-                wf_yaml_error(y, place, "a sensor of kind %s needs 'height'", r->name);
-            if (sway && !q->value)
-                wf_yaml_error(y, place, "a %s needs 'value'; records of sway go under 'sway'", r->name);
-            if (sway && (t->pull.given || t->wind.given))
-                wf_yaml_error(y, place, "a %s is of free sway: give it a test of its own", r->name);
-            if (!sway && !t->pull.given && !t->wind.given)
-                wf_yaml_error(y, place, "a %s needs a pull or a wind", r->name);
-        }
-    }
+    for (size_t i = 0; s->test && i < s->tests; i++) test_finish(y, s, i);
 }
 
 #define T struct wf_fit_study

@@ -69,6 +69,11 @@ static enum wf_status grow_measured(const struct wf_model *m, const struct wf_sp
 enum wf_status wf_grow(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
                        struct wf_tree *out, struct wf_diag *d, struct wf_err *e)
 {
+    if (m->sections)
+        return wf_fail(e, WF_EINPUT,
+                       "%s: stress in sections that are not round is not computed; 'windfirm fit' and "
+                       "'windfirm simulate-test' take a stem with 'sections'",
+                       m->key);
     if (m->generator == WF_GENERATOR_STEM) return wf_grow_stem(m, sp, a, out, e);
     if (!sp->levels) return wf_fail(e, WF_EINPUT, "%s: the species has no levels", sp->key);
     if (m->generator == WF_GENERATOR_MEASURED) return grow_measured(m, sp, a, out, e);

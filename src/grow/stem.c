@@ -35,7 +35,7 @@ static bool place_ends(const struct wf_model *m, const struct wf_along *wall, st
                        struct ends *out)
 {
     const struct wf_along *profile = &m->profile, *shape = &m->crown_shape;
-    size_t most = 4 + wall->n + profile->n + shape->n;
+    size_t most = 4 + wall->n + profile->n + shape->n + m->sections + m->masses;
     struct ends k = { .s = WF_TAKE(a, most, double) };
     out->s = WF_TAKE(a, most + m->segments, double);
     if (!k.s || !out->s) return false;
@@ -43,6 +43,8 @@ static bool place_ends(const struct wf_model *m, const struct wf_along *wall, st
     k.s[k.n++] = 1;
     if (m->taper == WF_TAPER_TABLE) add(&k, profile, 0, 1);
     add(&k, wall, 0, 1);
+    for (size_t i = 0; i < m->sections; i++) k.s[k.n++] = m->section[i].at / m->height;
+    for (size_t i = 0; i < m->masses; i++) k.s[k.n++] = m->mass[i].to / m->height;
     if (m->leaf_area > 0) {
         k.s[k.n++] = m->crown_base / m->height;
         k.s[k.n++] = m->crown_top / m->height;
@@ -75,8 +77,8 @@ static void wood(struct wf_tree *t, const struct wf_model *m, const struct wf_le
             start[k][i] = s[i] * m->height * axis[k];
             end[k][i] = s[i + 1] * m->height * axis[k];
         }
-        t->r0[i] = base * wf_model_taper(m, s[i]);
-        t->r1[i] = base * wf_model_taper(m, s[i + 1]);
+        t->r0[i] = m->sections ? 0 : base * wf_model_taper(m, s[i]);
+        t->r1[i] = m->sections ? 0 : base * wf_model_taper(m, s[i + 1]);
         t->i0[i] = t->r0[i] * (1 - wf_along_at(&l->wall, s[i], 1));
         t->i1[i] = t->r1[i] * (1 - wf_along_at(&l->wall, s[i + 1], 1));
         t->youngs[i] = l->youngs_modulus.value;
@@ -120,6 +122,9 @@ enum wf_status wf_grow_stem(const struct wf_model *m, const struct wf_species *s
         return wf_fail(e, WF_EINPUT, "%s: the model has leaves, but the species table %s has no 'crown'",
                        m->key, sp->key);
     const struct wf_level *stem = &sp->level[0];
+    if (m->sections && stem->wall.n)
+        return wf_fail(e, WF_EINPUT, "%s: 'sections' are solid, but the stem of %s has a wall", m->key,
+                       sp->key);
     struct ends ends;
     if (!place_ends(m, &stem->wall, a, &ends))
         return wf_fail(e, WF_ENOMEM, "%s: no memory for the stem", m->key);
@@ -127,6 +132,7 @@ enum wf_status wf_grow_stem(const struct wf_model *m, const struct wf_species *s
     if (code) return code;
     out->name = m->name;
     wood(out, m, stem, ends.s);
+    if (m->sections) return wf_stem_sections(m, ends.s, out, a, e);
     if (m->leaf_area > 0) leaves(out, m, sp, ends.s);
     return WF_OK;
 }

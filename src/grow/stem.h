@@ -14,7 +14,12 @@
  * everywhere. Crown: leaf area per length follows the model's shape, zero outside the crown, scaled so that
  * the rows add up to m->leaf_area; sail = leaf area x leaf_frontal_share x crown_drag; burden = leaf area x
  * leaf mass. Strength is the modulus of rupture times the knot factor, 0 where the species has none. Errors:
- * WF_EINPUT for leaves without a crown in the species table; WF_ENOMEM. */
+ * WF_EINPUT for leaves without a crown in the species table, for sections of a hollow species; WF_ENOMEM. */
 enum wf_status wf_grow_stem(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
                             struct wf_tree *out, struct wf_err *e);
+
+/* Sections that are not round, radii of the same area, and masses for the rows of a stem that has its places
+ * and materials. s: row ends as shares of its height. */
+enum wf_status wf_stem_sections(const struct wf_model *m, const double *s, struct wf_tree *t,
+                                struct wf_arena *a, struct wf_err *e);
 #endif

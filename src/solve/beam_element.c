@@ -1,8 +1,8 @@
 /* The element on its own: where it lies, what loads it, what it carries, how far the material law is missed.
  */
 #include "solve/beam_element.h"
+#include "solve/beam_law.h"
 #include "solve/gauss.h"
-#include "solve/vec.h"
 
 void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u,
                    const struct wf_beam_pose *base, struct wf_beam_stage *s, struct wf_beam_pose *end)
@@ -26,6 +26,27 @@ void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u,
     m3_mul(base->L, R, end->L);
 }
 
+void wf_beam_turn(const struct wf_beam_shape *u, const double L[9], struct wf_beam_flat *flat)
+{
+    double R[9];
+    for (int j = 0; j < 2; j++) {
+        rotation_matrix(u->v[j], R);
+        m3_apply(R, flat->across[j], flat->across[j]);
+        m3_apply(L, flat->across[j], flat->across[j]);
+    }
+}
+
+/* side across x (0, 0, -weight) */
+void wf_beam_couple(const struct wf_beam_flat *flat, double couple[2][3])
+{
+    for (int j = 0; j < 2; j++) {
+        double moment = flat ? flat->side[j] * flat->weight : 0;
+        couple[j][0] = flat ? -moment * flat->across[j][1] : 0;
+        couple[j][1] = flat ? moment * flat->across[j][0] : 0;
+        couple[j][2] = 0;
+    }
+}
+
 void wf_beam_load(const struct wf_beam_part *p, const struct wf_loads *l, const struct wf_beam_stage *s,
                   struct wf_line_load load[2])
 {
@@ -35,16 +56,18 @@ void wf_beam_load(const struct wf_beam_part *p, const struct wf_loads *l, const 
     }
 }
 
-void wf_beam_balance(double h, const struct wf_beam_stage *s, const struct wf_line_load load[2],
-                     const struct wf_beam_wrench *end, struct wf_beam_wrench at[2],
-                     struct wf_beam_wrench *base)
+void wf_beam_balance(double h, const struct wf_beam_stage *s, const struct wf_beam_flat *flat,
+                     const struct wf_line_load load[2], const struct wf_beam_wrench *end,
+                     struct wf_beam_wrench at[2], struct wf_beam_wrench *base)
 {
-    double turn[2][3];
+    double turn[2][3], couple[2][3];
+    wf_beam_couple(flat, couple);
     for (int j = 0; j < 2; j++) {
         for (int i = 0; i < 3; i++)
             at[j].n[i] =
                 end->n[i] + h * (gauss_down[j][0] * load[0].force[i] + gauss_down[j][1] * load[1].force[i]);
         wf_cross(s->rp[j], at[j].n, turn[j]);
+        v3_add(turn[j], 1, couple[j]);
     }
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 2; j++)
@@ -67,9 +90,10 @@ void wf_beam_curvature(const struct wf_beam_part *p, const struct wf_beam_shape 
     }
 }
 
-void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
-                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
-                        const struct wf_beam_wrench at[2], struct wf_beam_misfit *sum)
+WF_INLINE void misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
+                          const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                          const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],
+                          struct wf_beam_misfit *sum)
 {
     const double slight = 1e-3; /* of n h: smaller moments are measured by this one */
     double k[2][3];
@@ -78,17 +102,28 @@ void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape
         double law[3], miss[3], work[3], strain[3];
         for (int i = 0; i < 3; i++) law[i] = (1 + creep->rate) * k[j][i] - creep->rate * creep->k0[j][i];
         m3_apply(base_L, law, miss);
-        v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, work);
-        sum->energy += 0.25 * p->h *
-                       (wf_dot(work, at[j].m) +
-                        slight * slight * p->h * p->h * wf_dot(at[j].n, at[j].n) / p->ei[j]);
+        law_give(p, flat, s, j, at[j].m, work);
+        sum->energy +=
+            0.25 * p->h *
+            (wf_dot(work, at[j].m) + slight * slight * p->h * p->h * wf_dot(at[j].n, at[j].n) / p->ei[j]);
         sum->turn = fmax(sum->turn, p->h * sqrt(wf_dot(work, work)));
         v3_add(miss, -1, work);
-        v3_section(p->ei[j], p->gj[j], s->t[j], miss, work);
+        law_hold(p, flat, s, j, miss, work);
         sum->bending += 0.25 * p->h * wf_dot(work, miss);
         v3_section(p->cs[j], p->ca[j], s->t[j], at[j].n, strain);
         sum->turn = fmax(sum->turn, sqrt(wf_dot(strain, strain)));
         for (int i = 0; i < 3; i++) strain[i] += s->t[j][i] - s->rp[j][i];
         sum->strain = fmax(sum->strain, sqrt(wf_dot(strain, strain)));
     }
+}
+
+void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
+                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                        const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],
+                        struct wf_beam_misfit *sum)
+{
+    if (flat)
+        misfit_add(p, u, base_L, creep, s, flat, at, sum);
+    else
+        misfit_add(p, u, base_L, creep, s, NULL, at, sum);
 }

@@ -12,6 +12,10 @@
  * ends accurate to h^4, keeps the balance of forces and moments exact on every mesh, and has no locking,
  * because the section's compliances may be zero.
  *
+ * G is 1/EI across and 1/GJ along the axis; a section that is not round has another 1/EI about its width,
+ * whose direction turns with it, and weight that hangs to one side of the axis adds its moment per length to
+ * -m' (struct wf_beam_flat).
+ *
  * Unknown are only the two rotation vectors. For a given shape the internal forces follow by sums from the
  * tips down; what is left is the material law k = G m, solved by Newton with its exact derivative (but for
  * the effect of stretch on the load within one element, of relative size (r/h)^2 and below). */
@@ -44,14 +48,21 @@ struct wf_beam_answer {
 void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u,
                    const struct wf_beam_pose *base, struct wf_beam_stage *s, struct wf_beam_pose *end);
 
+/* Turn what is not round with the element: *flat comes from the mesh. */
+void wf_beam_turn(const struct wf_beam_shape *u, const double base_L[9], struct wf_beam_flat *flat);
+
+/* Moment of the burden's weight about the axis, per length [N m/m]; zero for flat NULL. */
+void wf_beam_couple(const struct wf_beam_flat *flat, double couple[2][3]);
+
 /* The element's loads at its stages, with their derivatives. */
 void wf_beam_load(const struct wf_beam_part *p, const struct wf_loads *l, const struct wf_beam_stage *s,
                   struct wf_line_load load[2]);
 
-/* Internal forces at the stages and at the base, from those at the end.  h: length [m]. */
-void wf_beam_balance(double h, const struct wf_beam_stage *s, const struct wf_line_load load[2],
-                     const struct wf_beam_wrench *end, struct wf_beam_wrench at[2],
-                     struct wf_beam_wrench *base);
+/* Internal forces at the stages and at the base, from those at the end.  h: length [m]; flat: NULL = round.
+ */
+void wf_beam_balance(double h, const struct wf_beam_stage *s, const struct wf_beam_flat *flat,
+                     const struct wf_line_load load[2], const struct wf_beam_wrench *end,
+                     struct wf_beam_wrench at[2], struct wf_beam_wrench *base);
 
 /* Creep that stiffens an element while it moves: the moment of the material law becomes
  * G^-1 ((1 + rate) k - rate k0), with k0 the curvature (base axes) it starts from. rate = 0: elastic. */
@@ -72,7 +83,8 @@ struct wf_beam_misfit {
 };
 void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
                         const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
-                        const struct wf_beam_wrench at[2], struct wf_beam_misfit *sum);
+                        const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],
+                        struct wf_beam_misfit *sum);
 
 /* Unstable directions: those whose stiffness lies below -margin of the elastic one. A margin above rounding
  * is for answers with a neutral direction (a fallen stem may turn about the vertical at no cost). */
@@ -105,6 +117,15 @@ bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, co
                        struct wf_beam_reaction *node, struct wf_beam_answer *answer,
                        struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count,
                        struct wf_beam_small *small);
+
+/* The same for a section that is not round, flat turned with the element. */
+bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                            struct wf_beam_shape *u, const double base_L[9],
+                            const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                            const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
+                            struct wf_beam_reaction *node, struct wf_beam_answer *answer,
+                            struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count,
+                            struct wf_beam_small *small);
 
 /* Newton correction of the unknowns from the change p of the base: dv[2][3] in base axes; end[6] = change of
  * the end, as node (see above) has it. */

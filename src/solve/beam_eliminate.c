@@ -12,8 +12,6 @@
  * equations in the six y remain. */
 #include "solve/beam_linearise.h"
 #include "solve/gauss.h"
-#include "solve/vec.h"
-#include "solve/wide.h"
 
 /* Rows by the base's change p and 1 (and a spare column, so that rows are whole vector registers). */
 typedef double by_base[6][8];
@@ -31,19 +29,19 @@ static inline void put8(by_base A, int row, int col, const double B[9])
 }
 
 /* S y + R (p_base, 1) = 0 without the part above; its answer enters through Mn: dn_end -> dm_j. */
-WF_INLINE void equations(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
-                         const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], double S[6][6],
-                         by_base A, double Mn[2][9])
+WF_INLINE void equations(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                         const struct kinematics *k, const struct statics *q, const struct wf_beam_stage *s,
+                         const struct wf_beam_wrench at[2], double S[6][6], by_base A, double Mn[2][9])
 {
     for (int j = 0; j < 2; j++) {
         double law[3], bent[3], M[2][9], G[9], C[9], R[9];
-        const double d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1], ei = p->ei[j], gj = p->gj[j];
-        v3_section(ei, gj, s->t[j], k->k[j], law);
+        const double d0 = p->h * gauss_down[j][0], d1 = p->h * gauss_down[j][1];
+        law_hold(p, flat, s, j, k->k[j], law);
         for (int m = 0; m < 2; m++)
             for (int i = 0; i < 9; i++) M[m][i] = d0 * q->V[0][m][i] + d1 * q->V[1][m][i];
         /* turning the section: d(G^-1) k = -[m] q + G^-1 [G m] q, taking the curvature that goes with the
          * moment */
-        v3_section(1 / ei, 1 / gj, s->t[j], at[j].m, bent);
+        law_give(p, flat, s, j, at[j].m, bent);
         memset(C, 0, sizeof C);
         m3_add_cross(C, -1, at[j].m);
         for (int i = 0; i < 9; i++) R[i] = C[i] - M[0][i] - M[1][i];
@@ -51,11 +49,11 @@ WF_INLINE void equations(const struct wf_beam_part *p, const struct kinematics *
         memset(G, 0, sizeof G);
         m3_add_cross(G, 1, bent);
         m3_add(G, 1, k->QP[j][j]);
-        m3_add_section_mul(C, ei, gj, s->t[j], G);
+        law_hold_mul(p, flat, s, j, G, C);
         m3_add(C, -1, M[j]);
         put6(S, 3 * j, 3 * j, C);
         for (int i = 0; i < 9; i++) C[i] = -M[1 - j][i];
-        m3_add_section_mul(C, ei, gj, s->t[j], k->QP[j][1 - j]);
+        law_hold_mul(p, flat, s, j, k->QP[j][1 - j], C);
         put6(S, 3 * j, 3 - 3 * j, C);
         for (int i = 0; i < 9; i++) R[i] = -d0 * q->Vr[0][i] - d1 * q->Vr[1][i];
         put8(A, 3 * j, 0, R);
@@ -261,33 +259,34 @@ WF_INLINE bool leaps(by_base A, double P[6][6])
 /* Solve for y = -A (p_base, 1). With `guard`, an element that leaps is taken on its own: damped elastic
  * bending towards the moments it bears now, following its base stiffly and handing no reaction down (*apart).
  * Twigs past their buckling load so fall over in a few steps without throwing what carries them. */
-WF_INLINE bool answer(const struct wf_beam_part *p, const struct kinematics *k, const struct statics *q,
-                      const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
-                      const struct wf_beam_reaction *above, double P[6][6], by_base Z, by_base A, bool guard,
-                      bool *apart, struct wf_beam_stability *count, struct wf_beam_small *small)
+WF_INLINE bool answer(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                      const struct kinematics *k, const struct statics *q, const struct wf_beam_stage *s,
+                      const struct wf_beam_wrench at[2], const struct wf_beam_reaction *above, double P[6][6],
+                      by_base Z, by_base A, bool guard, bool *apart, struct wf_beam_stability *count,
+                      struct wf_beam_small *small)
 {
     static const struct statics none;
     double S[6][6], Mn[2][9];
     *apart = false;
-    equations(p, k, q, s, at, S, A, Mn);
+    equations(p, flat, k, q, s, at, S, A, Mn);
     attach(Mn, above, P, Z, S, A);
     if (small) invert(S, small->R);
     if (count) count->negative += unstable_directions(p, S, k, count->margin);
     bool solved = solve6(S, A);
     if (!guard || (solved && !leaps(A, P))) return solved;
     *apart = true;
-    equations(p, k, &none, s, at, S, A, Mn);
+    equations(p, flat, k, &none, s, at, S, A, Mn);
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) A[i][c] = 0;
     return solve6(S, A);
 }
 
-WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
-                               const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
-                               const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
-                               struct wf_beam_reaction *node, struct wf_beam_answer *o,
-                               struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count,
-                               struct wf_beam_small *small)
+WF_INLINE bool eliminate(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                         struct wf_beam_shape *u, const double L[9], const struct wf_beam_creep *creep,
+                         const struct wf_beam_stage *s, const struct wf_line_load load[2],
+                         const struct wf_beam_wrench at[2], struct wf_beam_reaction *node,
+                         struct wf_beam_answer *o, struct wf_beam_reaction *below, bool guard,
+                         struct wf_beam_stability *count, struct wf_beam_small *small)
 {
     struct kinematics k;
     struct statics q;
@@ -295,11 +294,11 @@ WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shap
     by_base y, Z, B, W = { { 0 } };
     const double half = 0.5 * p->h;
     bool apart;
-    kinematics_of(p, u, L, creep, s, at, &k);
-    statics_of(p, u, L, s, load, at, &q);
+    kinematics_of(p, flat, u, L, creep, s, at, &k);
+    statics_of(p, flat, u, L, s, load, at, &q);
     end_of(half, &k, &q, P, Z);
     base_of(half, &q, load, S, B);
-    if (!answer(p, &k, &q, s, at, node, P, Z, y, guard, &apart, count, small)) return false;
+    if (!answer(p, flat, &k, &q, s, at, node, P, Z, y, guard, &apart, count, small)) return false;
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 8; c++) y[i][c] = -y[i][c];
 
@@ -323,6 +322,28 @@ WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shap
         below->k[i] += W[i][6] + B[i][6];
     }
     return true;
+}
+
+/* One source for both section laws: with flat constant the compiler leaves out what a round one has not. */
+WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
+                               const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                               const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
+                               struct wf_beam_reaction *node, struct wf_beam_answer *o,
+                               struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count,
+                               struct wf_beam_small *small)
+{
+    return eliminate(p, NULL, u, L, creep, s, load, at, node, o, below, guard, count, small);
+}
+
+WF_WIDE bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                                    struct wf_beam_shape *u, const double L[9],
+                                    const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                                    const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
+                                    struct wf_beam_reaction *node, struct wf_beam_answer *o,
+                                    struct wf_beam_reaction *below, bool guard,
+                                    struct wf_beam_stability *count, struct wf_beam_small *small)
+{
+    return eliminate(p, flat, u, L, creep, s, load, at, node, o, below, guard, count, small);
 }
 
 void wf_beam_correct(const struct wf_beam_shape *u, const double L[9], const struct wf_beam_answer *o,

@@ -3,10 +3,8 @@
 /* Derivatives within one element, inlined into its elimination (beam_eliminate.c, where the equations are):
  * of curvature and end by the spins at the Gauss points, of loads and of r' x n by spins, end force and base.
  */
-#include "solve/beam_element.h"
+#include "solve/beam_law.h"
 #include "solve/gauss.h"
-#include "solve/vec.h"
-#include "solve/wide.h"
 
 struct kinematics {
     double k[2][3];     /* curvature of the material law, creep included */
@@ -18,15 +16,16 @@ struct kinematics {
  * damped Newton step for that element alone. Twigs that double over then do not hold up the rest of the tree,
  * and as the misfit goes to zero so does the damping, at the same rate, so that convergence stays quadratic.
  */
-WF_INLINE double damping(const struct wf_beam_part *p, const struct kinematics *c,
-                         const struct wf_beam_stage *s, const struct wf_beam_wrench at[2])
+WF_INLINE double damping(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                         const struct kinematics *c, const struct wf_beam_stage *s,
+                         const struct wf_beam_wrench at[2])
 {
     const double free_turn = 0.05,
                  full_turn = 0.25; /* rad an element may turn undamped; turn that halves the step */
     double most = 0;
     for (int j = 0; j < 2; j++) {
         double miss[3];
-        v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, miss);
+        law_give(p, flat, s, j, at[j].m, miss);
         v3_add(miss, -1, c->k[j]);
         most = fmax(most, wf_dot(miss, miss));
     }
@@ -40,7 +39,8 @@ WF_INLINE void stiffen(struct kinematics *c, double factor)
             for (int i = 0; i < 9; i++) c->QP[j][m][i] *= factor;
 }
 
-WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double L[9],
+WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                             const struct wf_beam_shape *u, const double L[9],
                              const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                              const struct wf_beam_wrench at[2], struct kinematics *c)
 {
@@ -71,7 +71,7 @@ WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_
         m3_mul(Te, Ti[j], c->W[j]);
         for (int i = 0; i < 9; i++) c->W[j][i] *= gauss_end[j];
     }
-    stiffen(c, 1 + creep->rate + damping(p, c, s, at));
+    stiffen(c, 1 + creep->rate + damping(p, flat, c, s, at));
 }
 
 /* Derivatives of the loads and of r' x n inside the element. */
@@ -83,9 +83,19 @@ struct statics {
     double Vc[2][3];               /* its part of d(r' x n)_j           */
 };
 
-WF_INLINE void statics_of(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
-                          const struct wf_beam_stage *s, const struct wf_line_load load[2],
-                          const struct wf_beam_wrench at[2], struct statics *c)
+/* The weight's moment about the axis turns with the section: d(o x f) = f x (o x q) = (o f' - f.o) q. */
+WF_INLINE void hang(const struct wf_beam_flat *flat, int j, double V[9])
+{
+    double offset[3] = { 0, 0, 0 }, force[3] = { 0, 0, -flat->weight };
+    v3_add(offset, flat->side[j], flat->across[j]);
+    m3_add_outer(V, 1, offset, force);
+    for (int i = 0; i < 3; i++) V[4 * i] -= wf_dot(force, offset);
+}
+
+WF_INLINE void statics_of(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                          struct wf_beam_shape *u, const double L[9], const struct wf_beam_stage *s,
+                          const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
+                          struct statics *c)
 {
     memset(c, 0, sizeof *c);
     for (int j = 0; j < 2; j++) {
@@ -118,6 +128,7 @@ WF_INLINE void statics_of(const struct wf_beam_part *p, struct wf_beam_shape *u,
             m3_add_cross_mul(c->V[j][m], 1, s->rp[j], N);
         }
         m3_add_cross_mul(c->V[j][j], -1, at[j].n, c->Y[j]);
+        if (flat) hang(flat, j, c->V[j][j]);
         for (int i = 0; i < 9; i++)
             N[i] = p->h * (gauss_down[j][0] * load[0].by_place[i] + gauss_down[j][1] * load[1].by_place[i]);
         m3_add_cross_mul(c->Vr[j], 1, s->rp[j], N);

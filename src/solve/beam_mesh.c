@@ -1,4 +1,5 @@
 #include "solve/beam_mesh.h"
+#include "data/section.h"
 #include "solve/gauss.h"
 #include "solve/vec.h"
 #include <math.h>
@@ -48,7 +49,20 @@ int32_t wf_beam_first_pieces(const struct wf_tree *t, const struct wf_solve_opti
 
 struct section {
     double ei, gj, ea, ga;
+    double across; /* stiffness about the width, where it is another */
 };
+
+/* 5/6: the shear factor of a rectangle without lateral contraction, for all shapes */
+static struct section flat_section(const struct wf_tree *t, size_t i, double s, double shear_factor)
+{
+    struct wf_section c;
+    wf_section_at(t, i, s, &c);
+    return (struct section){ .ei = t->youngs[i] * c.lying,
+                             .across = t->youngs[i] * c.upright,
+                             .gj = t->shear[i] * c.torsion,
+                             .ea = t->youngs[i] * c.area,
+                             .ga = (shear_factor > 0 ? shear_factor : 5. / 6) * t->shear[i] * c.area };
+}
 
 static struct section section_at(const struct wf_tree *t, size_t i, double s, double shear_factor)
 {
@@ -56,6 +70,7 @@ static struct section section_at(const struct wf_tree *t, size_t i, double s, do
         const double *k = t->stiff + 4 * i;
         return (struct section){ .ea = k[0], .ga = k[1], .ei = k[2], .gj = k[3] };
     }
+    if (t->section) return flat_section(t, i, s, shear_factor);
     double a = between(t->r0[i], t->r1[i], s), b = between(t->i0[i], t->i1[i], s), m = b / a;
     double area = PI * (a * a - b * b), inertia = 0.25 * PI * (a * a * a * a - b * b * b * b);
     double nu = t->youngs[i] / (2 * t->shear[i]) - 1, k = shear_factor;
@@ -107,6 +122,26 @@ static void stiffen(const struct wf_tree *t, size_t i, double s0, double s1, con
     }
 }
 
+/* How the section differs from a round one: see stiffen for its own part of the stiffness. */
+static void flatten(const struct wf_tree *t, size_t i, double s0, double s1, const struct wf_solve_options *o,
+                    const struct wf_beam_part *p, struct wf_beam_flat *f)
+{
+    const struct wf_tree_sections *sections = t->section;
+    double bend[8], c[2];
+    for (int k = 0; k < 8; k++)
+        bend[k] = 1 / section_at(t, i, between(s0, s1, gauss8[k]), o->shear_factor).across;
+    two_moments(bend, c);
+    bool extreme = !(c[0] > 0 && c[1] > 0);
+    for (int j = 0; j < 2; j++) {
+        double s = between(s0, s1, gauss_place[j]), ei = 1 / c[j];
+        if (extreme) ei = section_at(t, i, s, o->shear_factor).across;
+        f->more[j] = ei - p->ei[j];
+        f->give[j] = 1 / ei - 1 / p->ei[j];
+        wf_cross(sections->up + 3 * i, p->t[j], f->across[j]);
+        f->side[j] = between(sections->side0[i], sections->side1[i], s);
+    }
+}
+
 static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i, double s,
                      struct wf_beam_part *p, int j)
 {
@@ -116,9 +151,14 @@ static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i
                                          .drag = t->drag[i],
                                          .lift = t->lift[i],
                                          .sail = between(t->sail0[i], t->sail1[i], s),
-                                         .mass = t->density[i] * PI * (a * a - b * b) +
+                                         .mass = t->density[i] * wf_tree_area(t, i, s) +
                                                  between(t->burden0[i], t->burden1[i], s) };
     p->spin[j] = t->density[i] * 0.5 * PI * (a * a * a * a - b * b * b * b);
+    if (t->section) {
+        struct wf_section c;
+        wf_section_at(t, i, s, &c);
+        p->spin[j] = t->density[i] * (c.upright + c.lying);
+    }
     if (l->line)
         for (size_t k = 0; k < 3; k++) p->dead[j][k] = between(l->line[6 * i + k], l->line[6 * i + 3 + k], s);
 }
@@ -144,7 +184,8 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
     m->first = WF_TAKE(a, t->n, int32_t);
     m->last = WF_TAKE(a, t->n, int32_t);
     if (t->mass1) m->mass1 = WF_TAKE(a, m->n, double);
-    if (!m->part || !m->first || !m->last || (t->mass1 && !m->mass1))
+    if (t->section) m->flat = WF_TAKE(a, m->n, struct wf_beam_flat);
+    if (!m->part || !m->first || !m->last || (t->mass1 && !m->mass1) || (t->section && !m->flat))
         return wf_fail(e, WF_ENOMEM, "no room for %zu beam elements", m->n);
     int32_t at = 0;
     for (size_t i = 0; i < t->n; i++) {
@@ -160,6 +201,7 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
             p->h = wf_tree_length(t, i) / cut;
             stiffen(t, i, s0, s1, o, p);
             for (int j = 0; j < 2; j++) describe(t, l, i, between(s0, s1, gauss_place[j]), p, j);
+            if (t->section) flatten(t, i, s0, s1, o, p, m->flat + at);
         }
         m->last[i] = at - 1;
         if (t->mass1) m->mass1[at - 1] = t->mass1[i];

@@ -22,13 +22,23 @@ struct wf_beam_part {
     double dead[2][3]; /* dead line load [N/m]                                              */
 };
 
+/* What a section that is not round adds to a part; in the mesh unloaded, in the beam turned with it. Its
+ * stiffness is ei + more about the width, ei about the height. */
+struct wf_beam_flat {
+    double more[2], give[2]; /* stiffness about the width less ei [N m2]; compliance likewise [1/(N m2)] */
+    double across[2][3];     /* unit vector along the width, to the left                              */
+    double side[2];          /* first moment of the burden towards it, per length [kg]                */
+    double weight;           /* of a unit mass [m/s2]                                                 */
+};
+
 struct wf_beam_mesh {
     const struct wf_tree *tree;
     size_t n; /* elements                                                     */
     struct wf_beam_part *part;
-    int32_t *last;  /* per row: its last element                                    */
-    int32_t *first; /* per row: its first element                                   */
-    double *mass1;  /* per element: point mass at its end [kg]; NULL = none         */
+    struct wf_beam_flat *flat; /* per element; NULL = all sections are round            */
+    int32_t *last;             /* per row: its last element                                    */
+    int32_t *first;            /* per row: its first element                                   */
+    double *mass1;             /* per element: point mass at its end [kg]; NULL = none         */
 };
 
 /* Given: tree, loads (for dead line loads), options (beam model), pieces[n] per row (NULL = 1 each).

@@ -18,13 +18,15 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     b->shape = WF_TAKE(a, n, struct wf_beam_shape);
     b->pose = WF_TAKE(a, n, struct wf_beam_pose);
     b->stage = WF_TAKE(a, n, struct wf_beam_stage);
+    if (b->mesh.flat) b->flat = WF_TAKE(a, n, struct wf_beam_flat);
     b->wrench = WF_TAKE(a, n, struct wf_beam_wrench);
     b->node = WF_TAKE(a, n, struct wf_beam_reaction);
     b->answer = WF_TAKE(a, n, struct wf_beam_answer);
     b->change = wf_arena_take(a, n, sizeof *b->change);
     b->dv = wf_arena_take(a, n, sizeof *b->dv);
     if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->root_hold || !b->shape ||
-        !b->pose || !b->stage || !b->wrench || !b->node || !b->answer || !b->change || !b->dv)
+        !b->pose || !b->stage || !b->wrench || !b->node || !b->answer || !b->change || !b->dv ||
+        (b->mesh.flat && !b->flat))
         return wf_fail(e, WF_ENOMEM, "no room for the state of %zu beam elements", n);
     return WF_OK;
 }

@@ -16,6 +16,7 @@ struct wf_beam {
     struct wf_beam_shape *shape; /* per element, as all below                                 */
     struct wf_beam_pose *pose;   /* of the element's end                                      */
     struct wf_beam_stage *stage;
+    struct wf_beam_flat *flat;     /* turned with the element; NULL = all sections are round    */
     struct wf_beam_wrench *wrench; /* just below the element's end                              */
     struct wf_beam_reaction *node;
     struct wf_beam_answer *answer;
@@ -40,9 +41,9 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
 
 /* Base to tips: place every element from the unknowns. */
 void wf_beam_sweep_up(struct wf_beam *b);
-/* Tips to base: forces, misfit; with `eliminate` also the tangent. count (may be NULL): also unstable
+/* Tips to base: forces, misfit; with `tangent` also the tangent. count (may be NULL): also unstable
  * directions. false when the tangent is singular. */
-bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stability *count);
+bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count);
 
 /* Newton with line search at the present loads, from the present shape. Returned: WF_OK, or WF_ENOCONV with
  * the shape where it stalled. */
@@ -61,4 +62,10 @@ enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_b
 /* Where element i starts: the end of the element below, or the ground plate under a root (written to
  * *ground). The answer points to one of the two. */
 const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struct wf_beam_pose *ground);
+
+/* Section of element i that is not round, turned with it; NULL: it is round. */
+static inline const struct wf_beam_flat *wf_beam_flat_of(const struct wf_beam *b, size_t i)
+{
+    return b->flat ? &b->flat[i] : NULL;
+}
 #endif

@@ -8,15 +8,18 @@ static void bear(const struct wf_beam *b, size_t i, const double first[3], struc
 {
     struct wf_line_load q[2];
     struct wf_beam_wrench at[2];
+    double couple[2][3];
     const struct wf_beam_part *p = &b->mesh.part[i];
     wf_beam_load(p, &b->loads, &b->stage[i], q);
-    wf_beam_balance(p->h, &b->stage[i], q, &b->wrench[i], at, base);
+    wf_beam_couple(wf_beam_flat_of(b, i), couple);
+    wf_beam_balance(p->h, &b->stage[i], wf_beam_flat_of(b, i), q, &b->wrench[i], at, base);
     for (int j = 0; j < 2; j++) {
         double arm[3], lever[3];
         for (int k = 0; k < 3; k++) arm[k] = b->stage[i].r[j][k] - first[k];
         wf_cross(arm, q[j].force, lever);
         v3_add(load, 0.5 * p->h, q[j].force);
         v3_add(moment, 0.5 * p->h, lever);
+        v3_add(moment, 0.5 * p->h, couple[j]);
     }
 }
 

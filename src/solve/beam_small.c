@@ -1,7 +1,6 @@
 #include "solve/beam_small.h"
+#include "solve/beam_law.h"
 #include "solve/gauss.h"
-#include "solve/vec.h"
-#include "solve/wide.h"
 
 enum wf_status wf_beam_linearise(struct wf_beam *b, bool frozen, struct wf_arena *a, struct wf_err *e)
 {
@@ -26,7 +25,7 @@ void wf_beam_law_moment(const struct wf_beam *b, size_t i, double moment[2][3])
     wf_beam_curvature(p, &b->shape[i], k);
     for (int j = 0; j < 2; j++) {
         m3_apply(base->L, k[j], bent);
-        v3_section(p->ei[j], p->gj[j], b->stage[i].t[j], bent, moment[j]);
+        law_hold(p, wf_beam_flat_of(b, i), &b->stage[i], j, bent, moment[j]);
     }
 }
 

@@ -18,6 +18,30 @@ void wf_beam_sweep_up(struct wf_beam *b)
     struct wf_beam_pose ground;
     for (size_t i = 0; i < b->mesh.n; i++)
         wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i], &b->pose[i]);
+    for (size_t i = 0; b->flat && i < b->mesh.n; i++) {
+        b->flat[i] = b->mesh.flat[i];
+        wf_beam_turn(&b->shape[i], wf_beam_base(b, i, &ground)->L, &b->flat[i]);
+    }
+}
+
+/* The weight of what hangs to one side, as the loads are scaled now. */
+static void weigh(struct wf_beam *b)
+{
+    for (size_t i = 0; b->flat && i < b->mesh.n; i++)
+        b->flat[i].weight = b->loads.weight_scale * b->loads.gravity;
+}
+
+static bool eliminate(struct wf_beam *b, size_t i, const double L[9], const struct wf_beam_creep *creep,
+                      const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
+                      struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count)
+{
+    const struct wf_beam_part *p = &b->mesh.part[i];
+    struct wf_beam_small *small = b->small ? &b->small[i] : NULL;
+    if (b->flat)
+        return wf_beam_eliminate_flat(p, &b->flat[i], &b->shape[i], L, creep, &b->stage[i], load, at,
+                                      &b->node[i], &b->answer[i], below, guard, count, small);
+    return wf_beam_eliminate(p, &b->shape[i], L, creep, &b->stage[i], load, at, &b->node[i], &b->answer[i],
+                             below, guard, count, small);
 }
 
 /* Loads that act at element ends: point masses, dead and follower forces and moments. */
@@ -106,7 +130,7 @@ static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench
         for (int j = 0; j < 3; j++) b->root_hold[row][i][j] = r->K[i][3 + j];
 }
 
-bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stability *count)
+bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
 {
     static const double still[2][3];
     struct wf_beam_pose ground;
@@ -117,11 +141,13 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stabil
     if (count) count->negative = 0, count->bears = 0;
     b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     load_nodes(b);
-    if (eliminate) react_nodes(b);
+    weigh(b);
+    if (tangent) react_nodes(b);
     memcpy(first, wf_beam_base(b, 0, &ground)->r, sizeof first);
     for (size_t i = b->mesh.n; i-- > 0;) {
         const struct wf_beam_part *p = &b->mesh.part[i];
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
+        const struct wf_beam_flat *flat = wf_beam_flat_of(b, i);
         struct wf_beam_creep creep = { b->creep, b->creep > 0 ? (const double(*)[3])b->k0[i] : still };
         struct wf_line_load load[2];
         struct wf_beam_wrench at[2], down;
@@ -131,13 +157,11 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stabil
         for (int j = 0; j < 2 && b->frozen; j++)
             memset(load[j].by_place, 0, sizeof load[j].by_place),
                 memset(load[j].by_turn, 0, sizeof load[j].by_turn);
-        wf_beam_balance(p->h, &b->stage[i], load, &b->wrench[i], at, &down);
-        wf_beam_misfit_add(p, &b->shape[i], base->L, &creep, &b->stage[i], at, &b->misfit);
+        wf_beam_balance(p->h, &b->stage[i], flat, load, &b->wrench[i], at, &down);
+        wf_beam_misfit_add(p, &b->shape[i], base->L, &creep, &b->stage[i], flat, at, &b->misfit);
         size_t unstable = count ? count->negative : 0;
-        if (eliminate &&
-            !wf_beam_eliminate(p, &b->shape[i], base->L, &creep, &b->stage[i], load, at, &b->node[i],
-                               &b->answer[i], grounded ? &root : &b->node[p->parent], guard, count,
-                               b->small ? &b->small[i] : NULL))
+        if (tangent &&
+            !eliminate(b, i, base->L, &creep, load, at, grounded ? &root : &b->node[p->parent], guard, count))
             return false;
         if (count && count->negative > unstable)
             count->bears = fmax(count->bears, sqrt(wf_dot(down.n, down.n)));
@@ -152,7 +176,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool eliminate, struct wf_beam_stabil
         v3_add(b->base.m, 1, down.m);
         v3_add(b->base.m, 1, lever);
         unstable = count ? count->negative : 0;
-        tilt_root(b, (size_t)p->row, &down, eliminate ? &root : NULL, count);
+        tilt_root(b, (size_t)p->row, &down, tangent ? &root : NULL, count);
         if (count && count->negative > unstable) count->bears = INFINITY;
     }
     return isfinite(b->misfit.bending);

@@ -151,6 +151,7 @@ enum wf_status wf_chain_solve(const struct wf_chain_scheme *c, const struct wf_t
                               struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
+    if (!status) status = wf_solve_check_round(t, "the chain", e);
     if (status || (status = wf_tree_check(t, d, e))) return status;
     struct wf_loads loads = *l;
     struct tally sum = { 0 };

@@ -27,7 +27,7 @@ static enum wf_status check_loads(const struct wf_tree *t, const struct wf_loads
 }
 
 enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l, struct wf_diag *d,
-                             struct wf_err *e)
+                              struct wf_err *e)
 {
     struct wf_arena own = { 0 };
     struct wf_diag faults = { .arena = &own };
@@ -36,4 +36,10 @@ enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l,
         status = wf_fail(e, status, "%s", faults.first ? faults.first->text : "the tree has no segments");
     wf_arena_free(&own);
     return status ? status : check_loads(t, l, e);
+}
+
+enum wf_status wf_solve_check_round(const struct wf_tree *t, const char *what, struct wf_err *e)
+{
+    if (!t->section) return WF_OK;
+    return wf_fail(e, WF_EINPUT, "%s: %s knows round sections only", t->name ? t->name : "tree", what);
 }

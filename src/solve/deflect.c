@@ -35,6 +35,8 @@ enum wf_status wf_deflect_open(const struct wf_tree *t, const struct wf_loads *l
                                const struct wf_deflect_scheme *scheme, struct wf_arena *a,
                                struct wf_deflect *d, struct wf_err *e)
 {
+    enum wf_status round = wf_solve_check_round(t, "the deflection recursion", e);
+    if (round) return round;
     if (!(scheme->restoring >= 0 && scheme->restoring < 1))
         return wf_fail(e, WF_EUSAGE,
                        "restoring factor k = %.6g is outside 0 <= k < 1: F(t) = F_1 - k F(t-1) settles to "

@@ -23,7 +23,7 @@ static void displace(struct wf_beam *b, double (*u)[3], double (*q)[3])
         struct wf_beam_wrench at[2], base;
         double k[2][3], up[2][3], q0[3] = { 0, 0, 0 }, u0[3] = { 0, 0, 0 };
         wf_beam_load(p, &b->loads, s, load);
-        wf_beam_balance(p->h, s, load, &b->wrench[i], at, &base);
+        wf_beam_balance(p->h, s, NULL, load, &b->wrench[i], at, &base);
         if (p->parent >= 0)
             memcpy(q0, q[p->parent], sizeof q0), memcpy(u0, u[p->parent], sizeof u0);
         else
@@ -111,6 +111,7 @@ static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
     int32_t *pieces = WF_TAKE(&work, t->n, int32_t), cut = 1;
     if (!status && !pieces) status = wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    if (!status) status = wf_solve_check_round(t, "the linear solver", e);
     if (!status) status = wf_solve_check(t, l, d, e);
     if (!status) status = answer_on(t, l, o, cut, pieces, &work, &x, e);
     while (!status && o->mesh_tolerance > 0 && cut < most) {

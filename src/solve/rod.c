@@ -106,7 +106,7 @@ static enum wf_status start_from_beam(struct wf_rod *r, const struct wf_solve_op
         struct wf_line_load load[2];
         double v[3];
         wf_beam_load(&b.mesh.part[i], &b.loads, &b.stage[i], load);
-        wf_beam_balance(b.mesh.part[i].h, &b.stage[i], load, &b.wrench[i], at, &root);
+        wf_beam_balance(b.mesh.part[i].h, &b.stage[i], NULL, load, &b.wrench[i], at, &root);
         rotation_vector(base->L, v);
         wf_rod_quaternion(v, r->node[i].pose.q);
         memcpy(r->node[i].pose.r, base->r, sizeof base->r);
@@ -219,6 +219,7 @@ static enum wf_status solve(bool printed, const struct wf_tree *t, const struct 
     struct wf_solve_options rigid = *o;
     rigid.inextensible = true;
     enum wf_status status = wf_response_alloc(out, t->n, a, e);
+    if (!status) status = wf_solve_check_round(t, "the rod solver", e);
     if (status || (status = wf_tree_check(t, d, e))) return status;
     if (printed && t->bend && d)
         wf_diag_warn(d, "straight-rows",

@@ -50,7 +50,10 @@ struct wf_solver {
 /* Refuse what no solver can take: a tree wf_tree_check refuses, loads that are not finite or act on rows that
  * are not there. Returned: WF_EINPUT, each bad row a line in *d; with d NULL *e names the first. */
 enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l, struct wf_diag *d,
-                             struct wf_err *e);
+                              struct wf_err *e);
+
+/* Refuse sections that are not round, which `what` does not know. Returned: WF_EINPUT. */
+enum wf_status wf_solve_check_round(const struct wf_tree *t, const char *what, struct wf_err *e);
 
 extern const struct wf_solver *const wf_solvers[]; /* ends at NULL; the first is the default */
 const struct wf_solver *wf_solver_named(const char *name);

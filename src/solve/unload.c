@@ -47,7 +47,7 @@ static void straighten(const struct wf_beam *b, size_t i, double L[9], struct wf
     struct wf_beam_wrench at[2], base;
     double k[2][3], chord[3] = { 0, 0, 0 }, bend[3] = { 0, 0, 0 }, turn[3], R[9], end[9];
     wf_beam_load(p, &b->loads, s, load);
-    wf_beam_balance(p->h, s, load, &b->wrench[i], at, &base);
+    wf_beam_balance(p->h, s, NULL, load, &b->wrench[i], at, &base);
     for (int j = 0; j < 2; j++) v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, k[j]);
     for (int j = 0; j < 2; j++) {
         double here[9], axis[3], curve[3];
@@ -127,7 +127,8 @@ enum wf_status wf_unload(const struct wf_tree *t, const struct wf_loads *l, cons
     struct wf_loads weight = *l;
     weight.wind = NULL, weight.points = 0, weight.line = NULL;
     struct wf_arena work = { 0 };
-    enum wf_status status = wf_solve_check(t, l, NULL, e);
+    enum wf_status status = wf_solve_check_round(t, "the search for the unloaded shape", e);
+    if (!status) status = wf_solve_check(t, l, NULL, e);
     if (!status) status = copy_shape(t, a, out, e);
     if (!status) status = straighten_all(t, &weight, o, &work, out, e);
     wf_arena_free(&work);

@@ -1,0 +1,58 @@
+#include "data/section.h"
+#include <math.h>
+
+const char *const wf_section_words[] = { "ellipse", "rectangle", "triangle", NULL };
+
+/* J / (long side * short side^3): 1/3 (1 - 192/pi^5 short/long sum_odd tanh(n pi long / (2 short)) / n^5). */
+static double rectangle_torsion(double w, double h)
+{
+    double shorter = fmin(w, h), longer = fmax(w, h), sum = 0;
+    for (int n = 1; n < 100; n += 2) sum += tanh(n * M_PI * longer / (2 * shorter)) / pow(n, 5);
+    double cut = 192 / pow(M_PI, 5) * shorter / longer * sum;
+    return longer * shorter * shorter * shorter * (1 - cut) / 3;
+}
+
+void wf_section_of(enum wf_section_shape shape, double w, double h, struct wf_section *out)
+{
+    double area = w * h, w2 = w * w, h2 = h * h;
+    switch (shape) {
+    case WF_SECTION_ELLIPSE:
+        area *= M_PI / 4;
+        *out = (struct wf_section){ area, area * h2 / 16, area * w2 / 16, area * w2 * h2 / (4 * (w2 + h2)) };
+        return;
+    case WF_SECTION_TRIANGLE:
+        *out = (struct wf_section){ area / 2, area * h2 / 36, area * w2 / 48,
+                                    area * area * area / (15 * w2 + 20 * h2) };
+        return;
+    default:
+        *out = (struct wf_section){ area, area * h2 / 12, area * w2 / 12, rectangle_torsion(w, h) };
+    }
+}
+
+static double between(double a, double b, double s) { return a + (b - a) * s; }
+
+void wf_section_at(const struct wf_tree *t, size_t i, double s, struct wf_section *out)
+{
+    const struct wf_tree_sections *c = t->section;
+    double w = between(c->width0[i], c->width1[i], s), h = between(c->height0[i], c->height1[i], s);
+    *out = (struct wf_section){ 0 };
+    for (size_t k = 0; k < WF_SECTION_SHAPES; k++) {
+        double share = between(c->mix0[WF_SECTION_SHAPES * i + k], c->mix1[WF_SECTION_SHAPES * i + k], s);
+        struct wf_section one;
+        if (!(share > 0)) continue;
+        wf_section_of((enum wf_section_shape)k, w, h, &one);
+        out->area += share * one.area;
+        out->upright += share * one.upright;
+        out->lying += share * one.lying;
+        out->torsion += share * one.torsion;
+    }
+}
+
+double wf_tree_area(const struct wf_tree *t, size_t i, double s)
+{
+    double outer = between(t->r0[i], t->r1[i], s), inner = between(t->i0[i], t->i1[i], s);
+    struct wf_section of;
+    if (!t->section) return M_PI * (outer * outer - inner * inner);
+    wf_section_at(t, i, s, &of);
+    return of.area;
+}

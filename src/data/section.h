@@ -1,0 +1,29 @@
+#ifndef WF_DATA_SECTION_H
+#define WF_DATA_SECTION_H
+/* Solid cross-sections that are not round: petioles, rachides, flattened branches. */
+#include "data/tree.h"
+
+enum wf_section_shape { WF_SECTION_ELLIPSE, WF_SECTION_RECTANGLE, WF_SECTION_TRIANGLE, WF_SECTION_SHAPES };
+extern const char *const wf_section_words[]; /* in that order; ends at NULL */
+
+struct wf_section {
+    double area;    /* [m2]                                                                        */
+    double upright; /* second moment for bending in the plane of the height [m4]                   */
+    double lying;   /* second moment for bending in the plane of the width [m4]                    */
+    double torsion; /* Saint-Venant's torsion constant [m4]                                        */
+};
+
+/* Properties of a section of given width and height [m] about its centroid; a triangle is isosceles with the
+ * width as its base, either way up. Torsion: ellipse, exact (Roark 7th ed., table 10.1); rectangle, series to
+ * rounding (Timoshenko & Goodier 1970, art. 109); triangle, w^3 h^3 / (15 w^2 + 20 h^2) (Roark, same table),
+ * exact for equal sides, within 4 % for an angle of 39 to 82 degrees opposite the base and always too small:
+ * it is the first step of Ritz' method. */
+void wf_section_of(enum wf_section_shape shape, double width, double height, struct wf_section *out);
+
+/* Section of row i at s of its length (0 base, 1 end). Width and height are linear; where the shape changes
+ * along the row the properties of the shapes are mixed in linear proportion. The row has sections. */
+void wf_section_at(const struct wf_tree *t, size_t i, double s, struct wf_section *out);
+
+/* Area of the material of row i at s, round rows included [m2]. */
+double wf_tree_area(const struct wf_tree *t, size_t i, double s);
+#endif
