@@ -15,7 +15,8 @@ struct wf_session {
     bool *held;
     double *low, *high; /* internal bounds                                          */
     double *reading, *slope;
-    double *start, *free_low, *free_high; /* scratch of the solver, packed             */
+    double *chain; /* change of an internal value with what the solver of least squares has for it */
+    double *start, *free_low, *free_high; /* scratch of that solver, packed                     */
     double scale;                         /* of the loss, in sigma                                    */
     struct wf_err model;                  /* why the model last had no answer                         */
 };
