@@ -58,7 +58,7 @@ int main(void)
     wf_fit_options_default(&o);
     o.profile = false;
     thousand(&s, WINDS);
-    s.tree.options.tolerance = 1e-9;
+    s.tree.options.tolerance = 1e-11; /* as studies have it */
     free_parameter(&s, "wood.youngs_modulus");
     free_parameter(&s, "root.stiffness");
     measure(&s);
@@ -70,7 +70,7 @@ int main(void)
         best = fmin(best, now() - from);
         floor = fmin(floor, solutions(&s));
     }
-    const double target = 20;
+    const double target = 15;
     bool good = fabs(f.estimate[0].value / (1.2 * s.param[0].start) - 1) < 0.1 && best <= target * floor;
     printf("fit of E and root, %zu rows, %zu readings: %.3f s; its %d states solved from rest once: %.3f s; "
            "ratio %.1f, at most %.0f: %s\n",
