@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-static void range(FILE *to, double low, double high, double factor)
+static void range(FILE *to, double low, double high, double factor, const char *none)
 {
     if (isnan(low) && isnan(high))
-        fprintf(to, "  %-21s", "-");
+        fprintf(to, "  %-21s", none);
     else if (isnan(low))
         fprintf(to, "  below %-15.4g", high * factor);
     else if (isnan(high))
@@ -27,9 +27,9 @@ static void parameters(FILE *to, const struct wf_fit *f)
         double factor;
         const char *unit = wf_param_unit(f->x, &f->param[k], &factor);
         fprintf(to, "%-34s %12.5g %-9s", f->param[k].name, q->value * factor, unit);
-        range(to, q->low, q->high, factor);
-        range(to, q->profile_low, q->profile_high, factor);
-        if (resampled) range(to, q->resampled_low, q->resampled_high, factor);
+        range(to, q->low, q->high, factor, "-");
+        range(to, q->profile_low, q->profile_high, factor, q->profiled ? "no limit" : "-");
+        if (resampled) range(to, q->resampled_low, q->resampled_high, factor, "-");
         fputs(q->at_low ? "  AT LOWER BOUND\n" : q->at_high ? "  AT UPPER BOUND\n" : "\n", to);
     }
 }
@@ -60,6 +60,27 @@ static void sensors(FILE *to, const struct wf_fit *f)
     }
 }
 
+static void verdict(FILE *to, const struct wf_fit *f)
+{
+    bool open = f->loose_n > 0;
+    for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
+    for (size_t k = 0; k < f->free; k++) {
+        const struct wf_estimate *q = &f->estimate[k];
+        bool low = isnan(q->profile_low), high = isnan(q->profile_high);
+        if (q->at_low || q->at_high)
+            fprintf(to, "NOT DETERMINED: %s, at its bound\n", f->param[k].name);
+        else if (q->profiled && (low || high))
+            fprintf(to, "NOT DETERMINED: %s, without a limit%s\n", f->param[k].name,
+                    low && high ? ""
+                    : low       ? " below"
+                                : " above");
+        else
+            continue;
+        open = true;
+    }
+    if (!open) fprintf(to, "the data determine every parameter\n");
+}
+
 void wf_fit_print(FILE *to, const struct wf_fit_job *j)
 {
     const struct wf_fit *f = &j->fit;
@@ -79,8 +100,7 @@ void wf_fit_print(FILE *to, const struct wf_fit_job *j)
     sensors(to, f);
     fprintf(to, "\nreduced chi-square %.4g with %zu degrees of freedom%s\n", f->reduced, f->freedom,
             f->sigma_estimated ? " (1 by construction where sigmas are estimated)" : "");
-    if (f->loose_n == 0) fprintf(to, "the data determine every parameter\n");
-    for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
+    verdict(to, f);
     if (j->rival.made) {
         const struct wf_fit *r = &j->rival.fit;
         fprintf(to, "\nthe same with a %s:", j->rival.text);

@@ -45,6 +45,9 @@ static enum wf_status check(const struct wf_experiment *x, const struct wf_fit_p
                        nuisance ? " (offsets and drifts of sensors included)" : "");
     }
     for (size_t k = 0; k < n; k++)
+        if (!(p[k].low < p[k].high))
+            return wf_fail(e, WF_EUSAGE, "%s: its lower bound is not below its upper bound", p[k].name);
+    for (size_t k = 0; k < n; k++)
         if (!(p[k].start >= p[k].low && p[k].start <= p[k].high)) {
             double factor;
             const char *unit = wf_param_unit(x, &p[k], &factor);
@@ -85,6 +88,22 @@ static enum wf_status moves(struct wf_session *s, struct wf_err *e)
     return status;
 }
 
+/* Sides on which the profile found no end: the data do not limit the parameter there. */
+static void warn_open(const struct wf_fit *f, struct wf_diag *d)
+{
+    for (size_t k = 0; k < f->free; k++) {
+        const struct wf_estimate *q = &f->estimate[k];
+        bool low = isnan(q->profile_low), high = isnan(q->profile_high);
+        if (!q->profiled || q->at_low || q->at_high || (!low && !high)) continue;
+        wf_diag_warn(d, "not-determined",
+                     "the data do not limit %s %s: its estimate is one of many that fit as well",
+                     f->param[k].name,
+                     low && high ? "at all"
+                     : low       ? "from below"
+                                 : "from above");
+    }
+}
+
 static void warn(const struct wf_fit *f, struct wf_diag *d)
 {
     for (size_t k = 0; k < f->free; k++) {
@@ -94,6 +113,11 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
                          "%s ended on its %s bound: this is no estimate, the data ask for a value beyond",
                          f->param[k].name, q->at_low ? "lower" : "upper");
     }
+    if (wf_fit_at_bound(f) && f->free > 1)
+        wf_diag_warn(
+            d, "conditional",
+            "the other parameters and their intervals by covariance hold only for the one at its bound");
+    warn_open(f, d);
     for (size_t i = 0; i < f->loose_n; i++)
         wf_diag_warn(d, "not-determined", "the data do not determine %s", f->loose[i].text);
     if (!f->sigma_estimated && f->freedom && f->reduced > 2)
@@ -113,21 +137,32 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
     if (f->lsq.stopped)
         wf_diag_warn(d, "stopped",
                      "the fit was interrupted: the best parameters so far are given, without profiles");
-    else if (!f->lsq.converged)
+    else if (f->stopped)
+        wf_diag_warn(d, "stopped", "interrupted after the fit itself: profiles or bootstrap are incomplete");
+    if (!f->lsq.stopped && !f->lsq.converged)
         wf_diag_warn(d, "not-converged", "the fit did not converge: %s", f->lsq.message);
     if (f->starts > 1 && f->starts_same < f->starts)
         wf_diag_warn(d, "several-minima", "only %zu of %zu starting points led to the best fit",
                      f->starts_same, f->starts);
 }
 
-double wf_fit_aicc(const struct wf_fit *f, const double *sigma)
+bool wf_fit_at_bound(const struct wf_fit *f)
 {
-    double m = (double)f->x->data, k = (double)f->params + 1, sum = 0;
+    bool any = false;
+    for (size_t k = 0; k < f->free; k++) any |= f->estimate[k].at_low || f->estimate[k].at_high;
+    return any;
+}
+
+double wf_fit_aicc(const struct wf_fit *f, const struct wf_fit *like)
+{
+    double m = (double)f->x->data, alone = 0, k = (double)f->params + 1, sum = 0;
     for (size_t i = 0; i < f->x->data; i++) {
-        double r = (f->x->datum[i].value - f->reading[i]) / sigma[i];
+        double r = (f->x->datum[i].value - f->reading[i]) / like->sigma[i];
         sum += r * r;
     }
-    return m > k + 1 ? m * log(sum / m) + 2 * k + 2 * k * (k + 1) / (m - k - 1) : (double)NAN;
+    for (size_t i = 0; i < like->groups; i++)
+        alone += (double)like->group[i].n / (like->group[i].inflation * like->group[i].inflation);
+    return alone > k + 1 ? alone * log(sum / m) + 2 * k + 2 * k * (k + 1) / (alone - k - 1) : (double)NAN;
 }
 
 enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
@@ -151,7 +186,8 @@ enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p,
     if (!status && !out->lsq.stopped && o->profile) status = wf_fit_profiles(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->resamples) status = wf_fit_resample(&s, out, a, e);
     wf_session_close(&s);
-    if (!status) out->aicc = wf_fit_aicc(out, out->sigma);
+    out->stopped = s.stopped;
+    if (!status) out->aicc = wf_fit_aicc(out, out);
     if (!status) warn(out, d);
     return status;
 }

@@ -279,6 +279,13 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
             for (size_t p = 0; slope && p < m; p++)
                 slope[*at * m + p] = w->other_slope[s * m + p] - w->rest_slope[s * m + p];
         }
+        if (status && e) {
+            const struct wf_err why = *e;
+            *e = (struct wf_err){ 0 };
+            return wf_fail(e, status, "test %s, %s %.4g %s: %.700s", t->name,
+                           t->load == WF_FIT_PULL ? "pull" : "wind", t->state[i].load,
+                           t->load == WF_FIT_PULL ? "N" : "m/s", why.text);
+        }
     }
     return status;
 }

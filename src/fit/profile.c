@@ -72,6 +72,8 @@ enum wf_status wf_fit_profiles(struct wf_session *s, struct wf_fit *out, struct 
         s->held[k] = true;
         double low = q->at_low ? NAN : side(&w, -0.7 * step), high = q->at_high ? NAN : side(&w, 0.7 * step);
         s->held[k] = false;
+        if (s->stopped) break;
+        q->profiled = true;
         q->profile_low = isnan(low) ? NAN : wf_param_value(&s->p[k], low);
         q->profile_high = isnan(high) ? NAN : wf_param_value(&s->p[k], high);
         q->point = w.point, q->points = w.n;

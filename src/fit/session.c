@@ -88,8 +88,9 @@ static bool model(void *ctx, const double *packed, double *residual, double *jac
 
 static bool progress(void *ctx, size_t iteration, double cost)
 {
-    const struct wf_session *s = ctx;
-    return s->o->progress && s->o->progress(s->o->progress_ctx, iteration, cost);
+    struct wf_session *s = ctx;
+    s->stopped = s->stopped || (s->o->progress && s->o->progress(s->o->progress_ctx, iteration, cost));
+    return s->stopped;
 }
 
 /* Nothing is free: the cost alone. */
@@ -111,6 +112,7 @@ static enum wf_status evaluate(struct wf_session *s, struct wf_lsq_result *out, 
             double r = (s->internal[k] - s->p[k].prior_mean) / s->p[k].prior_sd;
             out->cost += 0.5 * r * r;
         }
+    out->stopped = progress(s, 0, out->cost);
     return WF_OK;
 }
 

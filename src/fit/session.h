@@ -18,6 +18,7 @@ struct wf_session {
     double *chain; /* change of an internal value with what the solver of least squares has for it */
     double *start, *free_low, *free_high; /* scratch of that solver, packed                     */
     double scale;                         /* of the loss, in sigma                                    */
+    bool stopped;                         /* progress said so                                         */
     struct wf_err model;                  /* why the model last had no answer                         */
 };
 
