@@ -43,6 +43,13 @@ static void answers(void **unused)
           "$T/mine.yaml",
           0, "measured  fit_sample_pull");
     check("$W fit $S --loss cauchy --no-report --no-profile --no-rival -o $T/o", 0, "root.stiffness");
+    check("sed \"/^    data:/d; s|sample_pine|$PWD/models/field/sample_pine|; "
+          "s|sample_small_pine|$PWD/models/field/sample_small_pine|\" "
+          "models/field/sample_two_trees.yaml > $T/s.yaml; D=models/field/data; $W fit $T/s.yaml --data "
+          "$D/sample_pull_large.csv --data $D/sample_pull_small.csv -f level0.youngs_modulus -f "
+          "each:root.stiffness "
+          "--no-report --no-profile --no-rival -o $T/o",
+          0, "small:root.stiffness");
     check("$W simulate-test $S -o $T/o && head -1 $T/o/pull.csv", 0, "t_s,force_N,clino_root_rad");
     check("$W schema fit", 0, "sensors[]");
 }

@@ -172,10 +172,13 @@ static void speeds(struct wf_reading *r, const struct wf_option *o, const char *
 void wf_args_value(struct wf_reading *r, size_t k, const char *text)
 {
     const struct wf_option *o = &r->out->option[k];
-    r->out->text[k] = text;
+    bool adds = o->kind == WF_OPTION_TEXTS && r->out->text[k];
+    r->out->text[k] = adds ? wf_arena_print(r->arena, "%s,%s", r->out->text[k], text) : text;
+    if (!r->out->text[k]) wf_args_mistake(r, o->name, "out of memory");
     switch (o->kind) {
     case WF_OPTION_FLAG:
     case WF_OPTION_TEXT:
+    case WF_OPTION_TEXTS:
         break;
     case WF_OPTION_CHOICE:
         choice(r, o, text);

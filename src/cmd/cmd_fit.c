@@ -8,12 +8,12 @@
 static const struct wf_option options[] = {
     { .name = "--data",
       .letter = "-d",
-      .kind = WF_OPTION_TEXT,
+      .kind = WF_OPTION_TEXTS,
       .value = "FILE[,FILE]",
       .help = "CSV files of the tests that name none, in their order" },
     { .name = "--free",
       .letter = "-f",
-      .kind = WF_OPTION_TEXT,
+      .kind = WF_OPTION_TEXTS,
       .value = "NAME[,NAME]",
       .help = "parameters to fit, in place of the study's: level0.youngs_modulus, root.stiffness, "
               "each:root.stiffness, "

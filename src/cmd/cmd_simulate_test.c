@@ -10,7 +10,7 @@
 static const struct wf_option options[] = {
     { .name = "--free",
       .letter = "-f",
-      .kind = WF_OPTION_TEXT,
+      .kind = WF_OPTION_TEXTS,
       .value = "NAME[,NAME]",
       .help = "parameters the test is to determine, in place of the study's" },
     { .name = "--seed",
