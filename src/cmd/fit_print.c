@@ -60,27 +60,6 @@ static void sensors(FILE *to, const struct wf_fit *f)
     }
 }
 
-static void verdict(FILE *to, const struct wf_fit *f)
-{
-    bool open = f->loose_n > 0;
-    for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
-    for (size_t k = 0; k < f->free; k++) {
-        const struct wf_estimate *q = &f->estimate[k];
-        bool low = isnan(q->profile_low), high = isnan(q->profile_high);
-        if (q->at_low || q->at_high)
-            fprintf(to, "NOT DETERMINED: %s, at its bound\n", f->param[k].name);
-        else if (q->profiled && (low || high))
-            fprintf(to, "NOT DETERMINED: %s, without a limit%s\n", f->param[k].name,
-                    low && high ? ""
-                    : low       ? " below"
-                                : " above");
-        else
-            continue;
-        open = true;
-    }
-    if (!open) fprintf(to, "the data determine every parameter\n");
-}
-
 void wf_fit_print(FILE *to, const struct wf_fit_job *j)
 {
     const struct wf_fit *f = &j->fit;
@@ -100,7 +79,8 @@ void wf_fit_print(FILE *to, const struct wf_fit_job *j)
     sensors(to, f);
     fprintf(to, "\nreduced chi-square %.4g with %zu degrees of freedom%s\n", f->reduced, f->freedom,
             f->sigma_estimated ? " (1 by construction where sigmas are estimated)" : "");
-    verdict(to, f);
+    if (f->loose_n == 0) fprintf(to, "the data determine every parameter\n");
+    for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
     if (j->rival.made) {
         const struct wf_fit *r = &j->rival.fit;
         fprintf(to, "\nthe same with a %s:", j->rival.text);

@@ -88,22 +88,6 @@ static enum wf_status moves(struct wf_session *s, struct wf_err *e)
     return status;
 }
 
-/* Sides on which the profile found no end: the data do not limit the parameter there. */
-static void warn_open(const struct wf_fit *f, struct wf_diag *d)
-{
-    for (size_t k = 0; k < f->free; k++) {
-        const struct wf_estimate *q = &f->estimate[k];
-        bool low = isnan(q->profile_low), high = isnan(q->profile_high);
-        if (!q->profiled || q->at_low || q->at_high || (!low && !high)) continue;
-        wf_diag_warn(d, "not-determined",
-                     "the data do not limit %s %s: its estimate is one of many that fit as well",
-                     f->param[k].name,
-                     low && high ? "at all"
-                     : low       ? "from below"
-                                 : "from above");
-    }
-}
-
 static void warn(const struct wf_fit *f, struct wf_diag *d)
 {
     for (size_t k = 0; k < f->free; k++) {
@@ -117,9 +101,9 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
         wf_diag_warn(
             d, "conditional",
             "the other parameters and their intervals by covariance hold only for the one at its bound");
-    warn_open(f, d);
     for (size_t i = 0; i < f->loose_n; i++)
-        wf_diag_warn(d, "not-determined", "the data do not determine %s", f->loose[i].text);
+        if (!f->loose[i].bound)
+            wf_diag_warn(d, "not-determined", "the data do not determine %s", f->loose[i].text);
     if (!f->sigma_estimated && f->freedom && f->reduced > 2)
         wf_diag_warn(
             d, "misfit",
@@ -181,10 +165,10 @@ enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p,
     if (!status) status = wf_fit_spread(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->starts > 1) status = wf_fit_restart(&s, out, a, e);
     if (!status) status = wf_fit_covariance(&s, out, a, e);
-    if (!status) status = wf_fit_loose(out, a, e);
     if (!status) memcpy(out->internal, s.internal, n * sizeof *out->internal);
     if (!status && !out->lsq.stopped && o->profile) status = wf_fit_profiles(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->resamples) status = wf_fit_resample(&s, out, a, e);
+    if (!status) status = wf_fit_loose(out, a, e);
     wf_session_close(&s);
     out->stopped = s.stopped;
     if (!status) out->aicc = wf_fit_aicc(out, out);

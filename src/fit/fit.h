@@ -37,7 +37,8 @@ struct wf_estimate {
 
 /* A direction of the parameters that the data leave open. */
 struct wf_loose {
-    double sd;        /* of the combination, in internal units; INFINITY: not determined at all */
+    double sd;        /* of the combination, in internal units; NAN: of one that has a bound or no limit */
+    bool bound;       /* a parameter on its bound                                               */
     const char *text; /* which parameters change together                                       */
 };
 
