@@ -75,7 +75,7 @@
   </xsl:choose>
   <xsl:if test="$r/rival">
     <p>The same data with a <xsl:value-of select="$r/rival/text"/>:
-      <xsl:for-each select="$r/rival/parameters/item[nuisance = 'false']"><xsl:if test="position() &gt; 1">, </xsl:if><xsl:value-of select="name"/><xsl:text> </xsl:text><xsl:call-template name="value"/><xsl:if test="bound != ''"> (at its bound)</xsl:if></xsl:for-each>.
+      <xsl:for-each select="$r/rival/parameters/item[nuisance = 'false']"><xsl:if test="position() &gt; 1">, </xsl:if><xsl:value-of select="name"/><xsl:text> </xsl:text><xsl:call-template name="value"/><xsl:choose><xsl:when test="bound != ''"> (at its bound)</xsl:when><xsl:when test="low = ''"> (not determined)</xsl:when></xsl:choose></xsl:for-each>.
       <xsl:if test="$r/rival/aicc != '' and $r/rival/own_aicc != ''">
         AICc <xsl:call-template name="number"><xsl:with-param name="x" select="$r/rival/own_aicc"/></xsl:call-template> here, <xsl:call-template name="number"><xsl:with-param name="x" select="$r/rival/aicc"/></xsl:call-template> there:
         <xsl:variable name="gap" select="$r/rival/aicc - $r/rival/own_aicc"/>

@@ -50,6 +50,23 @@ static void answers(void **unused)
           "each:root.stiffness "
           "--no-report --no-profile --no-rival -o $T/o",
           0, "small:root.stiffness");
+    check("$W fit $S --loss tukey --starts 3 --bootstrap 25 --seed 7 --no-report --no-profile --no-rival -o "
+          "$T/o && "
+          "head -1 $T/o/tables/readings.csv",
+          0, "95 % by bootstrap");
+    if (!strstr(output, "influence_sd")) fail_msg("it printed:\n%s", output);
+    /* a profile that falls off steeply: the clamped tree's 7.67 is the least modulus, whatever the root */
+    check("$W fit models/field/slash_pine_1.yaml --free level0.youngs_modulus,root.stiffness --no-report "
+          "--no-rival "
+          "-o $T/o",
+          0, "above 7.67");
+    /* a series of wind speed and overturning moment, written and read again */
+    check("M=tests/data/fit/wind_moment.yaml; $W simulate-test $M --seed 3 -q -o $T/m && $W fit $M --data "
+          "$T/m/gusts.csv "
+          "-q --no-report --no-rival -o $T/o && awk -F, '/drag/ && $4 < .55 && .55 < $5 { n++ } /exponent/ "
+          "&& $4 < -.75 && "
+          "-.75 < $5 { n++ } END { print n, \"within\" }' $T/o/tables/parameters.csv",
+          0, "2 within");
     check("$W simulate-test $S -o $T/o && head -1 $T/o/pull.csv", 0, "t_s,force_N,clino_root_rad");
     check("$W schema fit", 0, "sensors[]");
 }

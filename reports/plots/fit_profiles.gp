@@ -22,10 +22,11 @@ do for [k=1:SHOWN] {
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 150)/HEIGHT
     set xlabel PARAM[k]; set ylabel "rise of the misfit" offset 1,0
     set yrange [*:*]; set xrange [*:*]
-    stats PROFILES using (pick(of_param(k), column("value"))) nooutput
+    stats PROFILES using (pick(of_param(k) && column("rise") < 4*LIMIT, column("value"))) nooutput
     WIDE = (STATS_max - STATS_min)/(SHOWN == 1 ? 6.0 : 3.0); WIDE = WIDE > 0 ? WIDE : 1; TEN = 10.0**floor(log10(WIDE))
     TICK = WIDE/TEN > 5 ? 5*TEN : WIDE/TEN > 2 ? 2*TEN : TEN
-    set xtics TICK
+    unset logscale x
+    if (LOGGED[k] && STATS_max > 8*STATS_min) { set logscale x; set xtics autofreq } else { set xtics TICK }
     set xrange [STATS_min:STATS_max]; set yrange [0:1.3*LIMIT]; set samples 200
     set label 1 "95 %" at graph 0.5, first LIMIT center offset 0,0.6
     plot PROFILES using (pick(of_param(k), column("value"))):"rise" with linespoints lt 1, LIMIT with lines lt 2, \

@@ -87,8 +87,11 @@ void wf_fit_print(FILE *to, const struct wf_fit_job *j)
         for (size_t k = 0; k < r->free; k++) {
             double factor;
             const char *unit = wf_param_unit(r->x, &r->param[k], &factor);
-            fprintf(to, "%s %s %.5g %s%s", k ? "," : "", r->param[k].name, r->estimate[k].value * factor,
-                    unit, r->estimate[k].at_high || r->estimate[k].at_low ? " (at its bound)" : "");
+            fprintf(to, "%s %s %.5g%s%s%s", k ? "," : "", r->param[k].name, r->estimate[k].value * factor,
+                    *unit ? " " : "", unit,
+                    r->estimate[k].at_high || r->estimate[k].at_low ? " (at its bound)"
+                    : isnan(r->estimate[k].low)                     ? " (not determined)"
+                                                                    : "");
         }
         if (!isnan(j->rival.aicc) && !isnan(j->rival.own))
             fprintf(to, "\nAICc %.2f here, %.2f there: the data %s\n", j->rival.own, j->rival.aicc,
