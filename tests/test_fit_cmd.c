@@ -127,7 +127,7 @@ static void open_question_is_flagged(void **unused)
     check("sed \"s|data/sample|$PWD/models/field/data/sample|; s|sample_pine|$PWD/models/field/sample_pine|; "
           "/name: clino_root/d; /name: strain/d\" $S > $T/s.yaml; $W fit $T/s.yaml --no-report --no-rival -o "
           "$T/o",
-          0, "NOT DETERMINED: level0.youngs_modulus, from above");
+          0, "NOT DETERMINED: level0.youngs_modulus from above");
     if (!strstr(output, "AT UPPER BOUND") || strstr(output, "determine every parameter"))
         fail_msg("it printed:\n%s", output);
 }
