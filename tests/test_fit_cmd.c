@@ -119,6 +119,31 @@ static void refusals(void **unused)
     check("env -u WINDFIRM_REFERENCE $W fit models/field/wytham_t3.yaml -o $T/o", 1, "WINDFIRM_REFERENCE");
 }
 
+/* Cases that are fits pass, fail and are skipped as others do. */
+static void cases_of_validate(void **unused)
+{
+    (void)unused;
+    static const char text[] =
+        "printf 'kind field\\nsource x\\nfit %%s\\nwant fitted_modulus %s GPa within 0.01\\n' "
+        "$PWD/models/field/%s.yaml > $T/a.case; %s $W validate $T/a.case";
+    static const struct {
+        const char *want, *study, *before;
+        int code;
+        const char *words;
+    } row[] = {
+        { "level0.youngs_modulus 7.977", "slash_pine_1", "", 0, "1 passed" },
+        { "level0.youngs_modulus 15.99", "slash_pine_1", "", 1, "1 failed" },
+        { "level1.youngs_modulus 15.99", "slash_pine_1", "", 1, "fits no parameter 'level1.youngs_modulus'" },
+        { "level0.youngs_modulus 1", "nowhere", "", 1, "there is no such file" },
+        { "level0.youngs_modulus 1", "wytham_t3", "env -u WINDFIRM_REFERENCE", 0, "1 skipped" },
+    };
+    char command[1024];
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        snprintf(command, sizeof command, text, row[i].want, row[i].study, row[i].before);
+        check(command, row[i].code, row[i].words);
+    }
+}
+
 /* One inclinometer on the stem cannot tell the root from the wood: neither number may pass for an estimate.
  */
 static void open_question_is_flagged(void **unused)
@@ -149,6 +174,7 @@ int main(void)
     program = getenv("WINDFIRM");
     if (!program) program = "build/windfirm";
     const struct CMUnitTest tests[] = { cmocka_unit_test(answers), cmocka_unit_test(refusals),
+                                        cmocka_unit_test(cases_of_validate),
                                         cmocka_unit_test(open_question_is_flagged),
                                         cmocka_unit_test(interrupted_fit_is_whole) };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -186,6 +186,34 @@ static void sample_gives_its_tree_back(void **unused)
     wf_arena_free(&j.arena);
 }
 
+/* Two made-up trees at E 7.3 GPa, roots 300 and 60 kN m/rad: one modulus, a root each. The small tree alone
+ * has one sensor, which cannot tell its root. */
+static void two_trees_share_a_modulus(void **unused)
+{
+    (void)unused;
+    struct job j;
+    struct wf_fit_study s;
+    struct wf_experiment x;
+    struct wf_fit_param *p;
+    struct wf_fit f;
+    struct wf_fit_options o;
+    size_t n;
+    const double truth[3] = { 7.3e9, 3e5, 6e4 };
+    build_study(&j, "models/field/sample_two_trees.yaml", false, &s, &x, &p, &n);
+    wf_fit_options_default(&o);
+    o.profile = false;
+    if (wf_fit_run(&x, p, n, &o, &j.arena, &j.diag, &f, &j.err)) fail_msg("%s", j.err.text);
+    assert_int_equal(n, 3);
+    assert_int_equal(f.loose_n, 0);
+    for (size_t k = 0; k < 3; k++) {
+        assert_close(f.estimate[k].value, truth[k], 0.02);
+        assert_true(f.estimate[k].low < truth[k] && truth[k] < f.estimate[k].high);
+    }
+    for (size_t i = 0; i < x.data; i++) /* no root acts on the other tree */
+        assert_true((f.slope[i * n + (x.datum[i].test ? 1 : 2)]) == 0);
+    wf_arena_free(&j.arena);
+}
+
 /* Deflections of the shipped moso culm at 10 and 15 m/s with 5 % noise give its 10 GPa back. */
 static void moso_gives_its_modulus_back(void **unused)
 {
@@ -276,10 +304,11 @@ static void mistakes_of_a_study(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(units_come_from_the_names),  cmocka_unit_test(gaps_dates_and_mistakes),
-        cmocka_unit_test(loading_branch_is_found),    cmocka_unit_test(sway_record),
-        cmocka_unit_test(sample_gives_its_tree_back), cmocka_unit_test(moso_gives_its_modulus_back),
-        cmocka_unit_test(finer_rows_read_the_same),   cmocka_unit_test(mistakes_of_a_study),
+        cmocka_unit_test(units_come_from_the_names),   cmocka_unit_test(gaps_dates_and_mistakes),
+        cmocka_unit_test(loading_branch_is_found),     cmocka_unit_test(sway_record),
+        cmocka_unit_test(sample_gives_its_tree_back),  cmocka_unit_test(two_trees_share_a_modulus),
+        cmocka_unit_test(moso_gives_its_modulus_back), cmocka_unit_test(finer_rows_read_the_same),
+        cmocka_unit_test(mistakes_of_a_study),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,6 +21,7 @@ do for [k=1:SHOWN] {
     set xlabel "time (s)"; set ylabel TEST_Y[k] offset 1,0
     set xrange [*:*]; set yrange [*:*]
     if (SWAY[k]) {
+        unset ylabel; set title TEST[k].": ".TEST_Y[k]
         plot RECORDS using (pick(of_test(k), column("time_s"))):"load" with points lt 1 pt 7 ps 0.3, '' using (pick(of_test(k), column("time_s"))):"fitted" with lines lt 2 dt 1
     } else {
         plot RECORDS using (pick(of_test(k), column("time_s"))):"load" with lines lt 1 lc rgb '#999999' lw 0.8, \

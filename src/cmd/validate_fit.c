@@ -20,7 +20,7 @@ struct trial {
 static enum wf_status build(struct trial *t, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_case *c = t->of;
-    const char *slash = strrchr(c->file, '/');
+    const char *slash = *c->fit_study == '/' ? NULL : strrchr(c->file, '/');
     const char *path =
         wf_arena_print(a, "%.*s%s", slash ? (int)(slash + 1 - c->file) : 0, c->file, c->fit_study);
     struct wf_diag d = { .arena = a };
