@@ -62,6 +62,7 @@
     <p><b><xsl:value-of select="name"/></b>:
       <xsl:choose>
         <xsl:when test="bound != ''">no estimate: the fit ended on its <xsl:value-of select="bound"/> bound, <xsl:call-template name="value"/>.</xsl:when>
+        <xsl:when test="(profile_low != '') != (profile_high != '')">no estimate: any value <xsl:call-template name="range"><xsl:with-param name="low" select="profile_low"/><xsl:with-param name="high" select="profile_high"/></xsl:call-template><xsl:text> </xsl:text><xsl:value-of select="unit"/> fits (95 %, profile likelihood).</xsl:when>
         <xsl:otherwise><xsl:call-template name="value"/>, 95 % interval <xsl:choose>
           <xsl:when test="profile_low != '' or profile_high != ''"><xsl:call-template name="range"><xsl:with-param name="low" select="profile_low"/><xsl:with-param name="high" select="profile_high"/></xsl:call-template> (profile likelihood)</xsl:when>
           <xsl:otherwise><xsl:call-template name="range"><xsl:with-param name="low" select="low"/><xsl:with-param name="high" select="high"/></xsl:call-template> (covariance)</xsl:otherwise>
@@ -96,7 +97,7 @@
 <table class="data">
   <caption>Intervals hold 95 %. A dash: not asked for, not determined, or the fit ended on a bound.</caption>
   <thead><tr><th>parameter</th><th>unit</th><th class="r">estimate</th><th class="r">by covariance</th><th class="r">by profile</th>
-    <xsl:if test="$f/resampled &gt; 19"><th class="r">by bootstrap</th></xsl:if><th>bounds</th></tr></thead>
+    <xsl:if test="$f/resampled &gt; 19"><th class="r">by bootstrap</th></xsl:if><th class="r">bounds</th></tr></thead>
   <tbody>
   <xsl:for-each select="$f/parameters/item">
     <tr><td><xsl:value-of select="name"/></td><td><xsl:value-of select="unit"/></td>
@@ -104,13 +105,14 @@
       <td class="r"><xsl:call-template name="range"><xsl:with-param name="low" select="low"/><xsl:with-param name="high" select="high"/></xsl:call-template></td>
       <td class="r"><xsl:call-template name="range"><xsl:with-param name="low" select="profile_low"/><xsl:with-param name="high" select="profile_high"/></xsl:call-template></td>
       <xsl:if test="$f/resampled &gt; 19"><td class="r"><xsl:call-template name="range"><xsl:with-param name="low" select="bootstrap_low"/><xsl:with-param name="high" select="bootstrap_high"/></xsl:call-template></td></xsl:if>
-      <td><xsl:if test="nuisance = 'false'"><xsl:call-template name="range"><xsl:with-param name="low" select="bound_low"/><xsl:with-param name="high" select="bound_high"/></xsl:call-template></xsl:if><xsl:if test="bound != ''"> <b> on its <xsl:value-of select="bound"/> bound</b></xsl:if></td></tr>
+      <td class="r"><xsl:if test="nuisance = 'false'"><xsl:call-template name="range"><xsl:with-param name="low" select="bound_low"/><xsl:with-param name="high" select="bound_high"/></xsl:call-template></xsl:if><xsl:if test="bound != ''"> <b> on its <xsl:value-of select="bound"/> bound</b></xsl:if></td></tr>
   </xsl:for-each>
   </tbody>
 </table>
 <xsl:if test="count($f/parameters/item[nuisance = 'false']) &gt; 1">
   <table class="data">
     <caption>Correlation of the estimates</caption>
+    <thead><tr><th></th><xsl:for-each select="$f/parameters/item[nuisance = 'false']"><th class="r"><xsl:value-of select="name"/></th></xsl:for-each></tr></thead>
     <tbody>
     <xsl:for-each select="$f/parameters/item[nuisance = 'false']">
       <xsl:variable name="row" select="position()"/>

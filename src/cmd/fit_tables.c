@@ -198,7 +198,8 @@ static void fit_part(struct wf_doc *d, json_t *o, const struct wf_fit *f)
         wf_doc_text(d, q, "test", t->name), wf_doc_text(d, q, "tree", f->x->tree[t->tree].name);
         wf_doc_text(d, q, "sensor", s->name), wf_doc_text(d, q, "kind", r->name),
             wf_doc_text(d, q, "unit", r->unit);
-        wf_doc_number(d, q, "height", s->height), wf_doc_count(d, q, "readings", g->n);
+        wf_doc_number(d, q, "height", r->placed ? s->height : (double)NAN),
+            wf_doc_count(d, q, "readings", g->n);
         wf_doc_number(d, q, "sigma", g->sigma * r->factor), wf_doc_number(d, q, "rms", g->rms * r->factor);
         wf_doc_number(d, q, "correlation", g->correlation), wf_doc_flag(d, q, "estimated", s->estimated);
     }
