@@ -282,9 +282,11 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
         if (status && e) {
             const struct wf_err why = *e;
             *e = (struct wf_err){ 0 };
-            return wf_fail(e, status, "test %s, %s %.4g %s: %.700s", t->name,
-                           t->load == WF_FIT_PULL ? "pull" : "wind", t->state[i].load,
-                           t->load == WF_FIT_PULL ? "N" : "m/s", why.text);
+            if (t->load != WF_FIT_PULL && t->load != WF_FIT_WIND)
+                return wf_fail(e, status, "test %s: %.700s", t->name, why.text);
+            bool pull = t->load == WF_FIT_PULL;
+            return wf_fail(e, status, "test %s, %s %.4g %s: %.700s", t->name, pull ? "pull" : "wind",
+                           t->state[i].load, pull ? "N" : "m/s", why.text);
         }
     }
     return status;
