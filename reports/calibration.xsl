@@ -62,6 +62,7 @@
     <p><b><xsl:value-of select="name"/></b>:
       <xsl:choose>
         <xsl:when test="bound != ''">no estimate: the fit ended on its <xsl:value-of select="bound"/> bound, <xsl:call-template name="value"/><xsl:if test="profile_low != '' or profile_high != ''">; 95 % limit <xsl:call-template name="range"><xsl:with-param name="low" select="profile_low"/><xsl:with-param name="high" select="profile_high"/></xsl:call-template> (profile likelihood)</xsl:if>.</xsl:when>
+        <xsl:when test="(profile_low != '') != (profile_high != '')">no estimate: any value <xsl:call-template name="range"><xsl:with-param name="low" select="profile_low"/><xsl:with-param name="high" select="profile_high"/></xsl:call-template><xsl:text> </xsl:text><xsl:value-of select="unit"/> fits (95 %, profile likelihood).</xsl:when>
         <xsl:otherwise><xsl:call-template name="value"/>, 95 % interval <xsl:choose>
           <xsl:when test="profile_low != '' or profile_high != ''"><xsl:call-template name="range"><xsl:with-param name="low" select="profile_low"/><xsl:with-param name="high" select="profile_high"/></xsl:call-template> (profile likelihood)</xsl:when>
           <xsl:otherwise><xsl:call-template name="range"><xsl:with-param name="low" select="low"/><xsl:with-param name="high" select="high"/></xsl:call-template> (covariance)</xsl:otherwise>
@@ -76,7 +77,7 @@
   </xsl:choose>
   <xsl:if test="$r/rival">
     <p>The same data with a <xsl:value-of select="$r/rival/text"/>:
-      <xsl:for-each select="$r/rival/parameters/item[nuisance = 'false']"><xsl:if test="position() &gt; 1">, </xsl:if><xsl:value-of select="name"/><xsl:text> </xsl:text><xsl:call-template name="value"/><xsl:if test="bound != ''"> (at its bound)</xsl:if></xsl:for-each>.
+      <xsl:for-each select="$r/rival/parameters/item[nuisance = 'false']"><xsl:if test="position() &gt; 1">, </xsl:if><xsl:value-of select="name"/><xsl:text> </xsl:text><xsl:call-template name="value"/><xsl:choose><xsl:when test="bound != ''"> (at its bound)</xsl:when><xsl:when test="low = ''"> (not determined)</xsl:when></xsl:choose></xsl:for-each>.
       <xsl:if test="$r/rival/aicc != '' and $r/rival/own_aicc != ''">
         AICc <xsl:call-template name="number"><xsl:with-param name="x" select="$r/rival/own_aicc"/></xsl:call-template> here, <xsl:call-template name="number"><xsl:with-param name="x" select="$r/rival/aicc"/></xsl:call-template> there:
         <xsl:variable name="gap" select="$r/rival/aicc - $r/rival/own_aicc"/>
@@ -97,7 +98,7 @@
 <table class="data">
   <caption>Intervals hold 95 %. A dash: not asked for, not determined, or the fit ended on a bound.</caption>
   <thead><tr><th>parameter</th><th>unit</th><th class="r">estimate</th><th class="r">by covariance</th><th class="r">by profile</th>
-    <xsl:if test="$f/resampled &gt; 19"><th class="r">by bootstrap</th></xsl:if><th>bounds</th></tr></thead>
+    <xsl:if test="$f/resampled &gt; 19"><th class="r">by bootstrap</th></xsl:if><th class="r">bounds</th></tr></thead>
   <tbody>
   <xsl:for-each select="$f/parameters/item">
     <tr><td><xsl:value-of select="name"/></td><td><xsl:value-of select="unit"/></td>
@@ -105,13 +106,14 @@
       <td class="r"><xsl:call-template name="range"><xsl:with-param name="low" select="low"/><xsl:with-param name="high" select="high"/></xsl:call-template></td>
       <td class="r"><xsl:call-template name="range"><xsl:with-param name="low" select="profile_low"/><xsl:with-param name="high" select="profile_high"/></xsl:call-template></td>
       <xsl:if test="$f/resampled &gt; 19"><td class="r"><xsl:call-template name="range"><xsl:with-param name="low" select="bootstrap_low"/><xsl:with-param name="high" select="bootstrap_high"/></xsl:call-template></td></xsl:if>
-      <td><xsl:if test="nuisance = 'false'"><xsl:call-template name="range"><xsl:with-param name="low" select="bound_low"/><xsl:with-param name="high" select="bound_high"/></xsl:call-template></xsl:if><xsl:if test="bound != ''"> <b> on its <xsl:value-of select="bound"/> bound</b></xsl:if></td></tr>
+      <td class="r"><xsl:if test="nuisance = 'false'"><xsl:call-template name="range"><xsl:with-param name="low" select="bound_low"/><xsl:with-param name="high" select="bound_high"/></xsl:call-template></xsl:if><xsl:if test="bound != ''"> <b> on its <xsl:value-of select="bound"/> bound</b></xsl:if></td></tr>
   </xsl:for-each>
   </tbody>
 </table>
 <xsl:if test="count($f/parameters/item[nuisance = 'false']) &gt; 1">
   <table class="data">
     <caption>Correlation of the estimates</caption>
+    <thead><tr><th></th><xsl:for-each select="$f/parameters/item[nuisance = 'false']"><th class="r"><xsl:value-of select="name"/></th></xsl:for-each></tr></thead>
     <tbody>
     <xsl:for-each select="$f/parameters/item[nuisance = 'false']">
       <xsl:variable name="row" select="position()"/>
@@ -148,17 +150,17 @@
 </xsl:if>
 
 <h2>Measured and predicted</h2>
-<xsl:call-template name="figure"><xsl:with-param name="name">fit_readings</xsl:with-param><xsl:with-param name="caption">Points: readings with their sigma as it took part. Line: the fitted tree, with the 95 % band of its prediction. At most eight sensors are drawn.</xsl:with-param></xsl:call-template>
+<xsl:call-template name="figure"><xsl:with-param name="name">fit_readings</xsl:with-param><xsl:with-param name="caption">Circles: readings with their sigma as it took part. Line: the fitted tree, with the 95 % band of its prediction. At most eight sensors are drawn.</xsl:with-param></xsl:call-template>
 <xsl:call-template name="figure"><xsl:with-param name="name">fit_residuals</xsl:with-param><xsl:with-param name="caption">Above: measured minus predicted over sigma; 95 % lie in the shade if the model and the sigmas are right. Below: how far an estimate would move, in its standard deviations, if the reading were left out.</xsl:with-param></xsl:call-template>
 <h2>How sharply the data tell</h2>
-<xsl:call-template name="figure"><xsl:with-param name="name">fit_profiles</xsl:with-param><xsl:with-param name="caption">Misfit as a parameter is held at a value and the others are fitted again; the interval of 95 % is where the curve is below the dashed line. A parabola: the interval by covariance is right. A flat side: the data leave that side open.</xsl:with-param></xsl:call-template>
+<xsl:call-template name="figure"><xsl:with-param name="name">fit_profiles</xsl:with-param><xsl:with-param name="caption">Misfit as a parameter is held at a value and the others are fitted again; the interval of 95 % is where the curve is below the dashed line. Dotted: what the covariance says; where both agree, its interval is right. A flat side: the data leave that side open.</xsl:with-param></xsl:call-template>
 <xsl:if test="$r/records &gt; 0">
 <h2>The records</h2>
 <xsl:call-template name="figure"><xsl:with-param name="name">fit_records</xsl:with-param><xsl:with-param name="caption">The records as read; marked rows took part: the first loading between the shares of the largest force that the study names, or the part of a sway record to which the curve was fitted.</xsl:with-param></xsl:call-template>
 </xsl:if>
 
 <h2>How it was done</h2>
-<p>The tree is the same geometrically exact beam model that computes wind loads; a rope that runs to an anchor follows the strap as the tree bends. Readings are counted from rest unless the study says otherwise; reach and rise are places, counted from the stem's base. The misfit is the sum of squared residuals over sigma<xsl:if test="$r/loss != 'none'"> under the robust loss '<xsl:value-of select="$r/loss"/>'</xsl:if><xsl:if test="$r/priors = 'true'">, with the ranges of the species table as normal priors</xsl:if>, minimised within bounds by Levenberg and Marquardt's method with exact sensitivities (natural frequencies: by differences). Moduli, stiffnesses and factors are fitted as logarithms. Where neighbouring residuals repeat each other, or scatter more than their sigmas say, intervals are widened.<xsl:if test="$f/starts &gt; 0"> Of <xsl:value-of select="$f/starts"/> starting points <xsl:value-of select="$f/starts_same"/> led to this fit.</xsl:if></p>
+<p>The tree is the same geometrically exact beam model that computes wind loads; a rope that runs to an anchor follows the strap as the tree bends. Readings are counted from rest unless the study says otherwise; reach and rise are places, counted from the stem's base. The misfit is the sum of squared residuals over sigma<xsl:if test="$r/loss != 'none'"> under the robust loss '<xsl:value-of select="$r/loss"/>'</xsl:if><xsl:if test="$r/priors = 'true'">, with the ranges of the species table as normal priors</xsl:if>, minimised within bounds by Levenberg and Marquardt's method with the engine's own sensitivities. Intervals of moduli, stiffnesses and factors are those of their logarithms. Where neighbouring residuals repeat each other, or scatter more than their sigmas say, intervals are widened.<xsl:if test="$f/starts &gt; 0"> Of <xsl:value-of select="$f/starts"/> starting points <xsl:value-of select="$f/starts_same"/> led to this fit.</xsl:if></p>
 <table class="block">
   <tr><th>trees</th><td><xsl:for-each select="$r/trees/item"><xsl:if test="position() &gt; 1">; </xsl:if><xsl:value-of select="name"/> (<xsl:value-of select="species"/>, <xsl:call-template name="number"><xsl:with-param name="x" select="height"/></xsl:call-template> m, <xsl:value-of select="segments"/> segments)</xsl:for-each></td></tr>
   <tr><th>command</th><td><xsl:value-of select="$r/command"/></td></tr>

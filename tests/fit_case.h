@@ -45,7 +45,8 @@ static inline void materials(struct set *s)
     };
 }
 
-static inline void sensors(struct set *s, double height)
+/* Sensors about half a height, rows cut where they sit and to at most `length`. */
+static inline void sensors(struct set *s, double height, double length)
 {
     static const enum wf_sensor_kind kind[] = { WF_SENSOR_DEFLECTION, WF_SENSOR_HORIZONTAL,
                                                 WF_SENSOR_VERTICAL,   WF_SENSOR_TILT,
@@ -56,7 +57,7 @@ static inline void sensors(struct set *s, double height)
                                      { height * 0.6, false } };
     int32_t row[3];
     struct wf_tree *t = &s->tree.tree;
-    if (wf_fit_divide(t, height / 30, place, 3, row, &s->arena, &s->err)) fail_msg("%s", s->err.text);
+    if (wf_fit_divide(t, length, place, 3, row, &s->arena, &s->err)) fail_msg("%s", s->err.text);
     for (int k = 0; k < 8; k++)
         s->sensor[k] = (struct wf_fit_sensor){
             .name = "s", .kind = kind[k], .azimuth = 0.4, .row = row[1], .low_row = row[0]
@@ -117,7 +118,7 @@ static inline void stem(struct set *s, enum wf_fit_load load)
                                      .exponent = 0.2 };
     s->state[0].load = load == WF_FIT_PULL ? 200 : 9;
     s->state[1].load = load == WF_FIT_PULL ? 900 : 22;
-    sensors(s, 9);
+    sensors(s, 9, 0.3);
     s->tree.options.root_stiffness[0] = s->tree.options.root_stiffness[1] = 4e4;
 }
 
@@ -136,6 +137,6 @@ static inline void thousand(struct set *s, size_t n)
                                      .direction = { 0.8, 0.6, 0 },
                                      .reference_height = 10 };
     for (size_t i = 0; i < n; i++) s->state[i].load = 40.0 * (double)(i + 1) / (double)n;
-    sensors(s, wf_tree_height(t) * 0.4);
+    sensors(s, wf_tree_height(t) * 0.4, INFINITY);
 }
 #endif

@@ -4,7 +4,6 @@
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_multifit_nlinear.h>
 #include <stdlib.h>
-#include <time.h>
 
 static void names_free(struct set *s, const char *const *name)
 {
@@ -277,27 +276,6 @@ static void refusals(void **unused)
     wf_arena_free(&s.arena);
 }
 
-static void thousand_rows_in_a_second(void **unused)
-{
-    (void)unused;
-    struct set s = { 0 };
-    struct wf_fit f;
-    struct wf_fit_options o = plain();
-    struct timespec from, to;
-    thousand(&s, 7); /* 56 readings */
-    s.tree.options.tolerance = 1e-9;
-    free_parameter(&s, "wood.youngs_modulus");
-    free_parameter(&s, "root.stiffness");
-    measure(&s, 1.2, 1, 4);
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &from);
-    run(&s, &o, &f);
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &to);
-    double spent = (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);
-    print_message("1000 rows, %zu readings: %.3f s, %zu evaluations\n", s.x.data, spent, f.lsq.evaluations);
-    assert_true(fabs(f.estimate[0].value / (1.2 * s.param[0].start) - 1) < 0.1);
-    wf_arena_free(&s.arena);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -309,7 +287,6 @@ int main(void)
         cmocka_unit_test(open_combination_is_named),
         cmocka_unit_test(bound_is_told),
         cmocka_unit_test(refusals),
-        cmocka_unit_test(thousand_rows_in_a_second),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

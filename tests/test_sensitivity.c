@@ -68,12 +68,41 @@ static void rope_that_follows(void **unused)
     wf_arena_free(&s.arena);
 }
 
+/* Natural frequencies, along the lean and whatever the direction, of a leaning stem with a crown and of the
+ * tree of a thousand rows; with and without weight. */
+static void natural_frequencies(void **unused)
+{
+    (void)unused;
+    static const char *const names[] = { "level0.youngs_modulus", "youngs_modulus_tip_share",
+                                         "level0.density",        "level0.radius_factor",
+                                         "root.stiffness",        "damping_ratio" };
+    for (int k = 0; k < 4; k++) {
+        struct set s = { 0 };
+        if (k < 2)
+            stem(&s, WF_FIT_WIND);
+        else
+            thousand(&s, 1);
+        if (k % 2) s.tree.loads.gravity = 0;
+        s.test.load = WF_FIT_FREE, s.test.states = 1, s.test.sensors = 3;
+        s.sensor[0] = (struct wf_fit_sensor){ .kind = WF_SENSOR_FREQUENCY, .azimuth = NAN };
+        s.sensor[1] = (struct wf_fit_sensor){ .kind = WF_SENSOR_FREQUENCY, .azimuth = 1.2 };
+        s.sensor[2] = (struct wf_fit_sensor){ .kind = WF_SENSOR_DAMPING, .azimuth = NAN };
+        s.x.data = 3;
+        for (size_t i = 0; i < 3; i++)
+            s.datum[i] = (struct wf_fit_datum){ .sensor = i, .sigma = 1, .weight = 1 };
+        for (size_t i = 0; i < sizeof names / sizeof *names; i++) free_parameter(&s, names[i]);
+        compare(&s, 1e-6);
+        wf_arena_free(&s.arena);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(tree_of_a_thousand),
         cmocka_unit_test(crown_in_wind),
         cmocka_unit_test(rope_that_follows),
+        cmocka_unit_test(natural_frequencies),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

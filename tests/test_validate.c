@@ -56,6 +56,12 @@ static const struct {
     const char *words;
 } mistakes[] = {
     { MAST "wnat moment base y 1 N m\n", 8, 1, "did you mean 'want'" },
+    { HEAD "fit x.yaml\nwant moment base y 1 N m\n", 4, 1, "cannot be wanted of a fit" },
+    { HEAD "fit x.yaml\nwant fitted_modulus\n", 4, 20, "name of a fitted parameter" },
+    { HEAD "fit\nwant fitted_modulus E 1 GPa\n", 3, 4, "calibration study" },
+    { MAST "fit x.yaml\n", 8, 1, "brings its own" },
+    { MAST "want fitted_modulus E 1 GPa\n", 8, 1, "cannot be wanted of a structure" },
+    { HEAD "fit x.yaml\nfree\nwant fitted_modulus E 1 GPa\n", 4, 5, "names of parameters" },
     { MAST "forse tip 1 0 0 N\n", 8, 1, "did you mean 'force'" },
     { MAST "force tipp 1 0 0 N\n", 8, 7, "did you mean 'tip'" },
     { MAST "force tip 1 0 0 kg\n", 8, 11, "not a unit of a force" },

@@ -6,7 +6,10 @@ load HERE.'style.gp'
 PROFILES = DIR.'/tables/profiles.csv'
 SHOWN = PROFILED > 8 ? 8 : PROFILED
 ROWS = SHOWN ? (SHOWN + 1)/2 : 1
-WIDTH = 640.0; HEIGHT = 220.0*ROWS + 10
+WIDTH = 640.0; STEP = 240.0; HEIGHT = STEP*ROWS
+SPAN = SHOWN == 1 ? 560.0 : 236.0
+# what the covariance alone would say: a parabola in the value's logarithm, or in the value
+parabola(k, x) = LOGGED[k] ? LIMIT*(2*log(x/VALUE[k])/log(HIGH[k]/LOW[k]))**2 : LIMIT*(2*(x - VALUE[k])/(HIGH[k] - LOW[k]))**2
 of_param(k) = column("parameter") == k
 @start
 set multiplot
@@ -14,17 +17,20 @@ unset key
 set yrange [0:2.2*LIMIT]
 if (!SHOWN) { unset border; unset tics; set label 1 "no profiles were asked for" at graph 0.5,0.5 center; plot [0:1] -1 }
 do for [k=1:SHOWN] {
-    i = k - 1; x0 = (i%2) ? 392.0 : 68.0; y1 = HEIGHT - 16.0 - 220.0*(i/2)
-    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + 236)/WIDTH
+    i = k - 1; x0 = (i%2) ? 392.0 : 68.0; y1 = HEIGHT - 16.0 - STEP*(i/2)
+    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + SPAN)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 150)/HEIGHT
-    set yrange [0:2.2*LIMIT]
-    set xlabel PARAM[k]; set ylabel "rise" offset 1,0
+    set xlabel PARAM[k]; set ylabel "rise of the misfit" offset 1,0
     set yrange [*:*]; set xrange [*:*]
-    stats PROFILES using (pick(of_param(k), column("value"))) nooutput
-    SPAN = (STATS_max - STATS_min)/3.0; SPAN = SPAN > 0 ? SPAN : 1; TEN = 10.0**floor(log10(SPAN))
-    TICK = SPAN/TEN > 5 ? 5*TEN : SPAN/TEN > 2 ? 2*TEN : TEN
-    set xtics TICK
-    plot PROFILES using (pick(of_param(k), column("value"))):"rise" with linespoints lt 1, LIMIT with lines lt 2
+    stats PROFILES using (pick(of_param(k) && column("rise") < 4*LIMIT, column("value"))) nooutput
+    WIDE = (STATS_max - STATS_min)/(SHOWN == 1 ? 6.0 : 3.0); WIDE = WIDE > 0 ? WIDE : 1; TEN = 10.0**floor(log10(WIDE))
+    TICK = WIDE/TEN > 5 ? 5*TEN : WIDE/TEN > 2 ? 2*TEN : TEN
+    unset logscale x
+    if (LOGGED[k] && STATS_max > 8*STATS_min) { set logscale x; set xtics autofreq } else { set xtics TICK }
+    set xrange [STATS_min:STATS_max]; set yrange [0:1.3*LIMIT]; set samples 200
+    set label 1 "95 %" at graph 0.5, first LIMIT center offset 0,0.6
+    plot PROFILES using (pick(of_param(k), column("value"))):"rise" with linespoints lt 1, LIMIT with lines lt 2, \
+         parabola(k, x) with lines lt 1 lc rgb '#606060' lw 1 dt 3
 }
 unset multiplot
 set output

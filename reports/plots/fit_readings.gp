@@ -6,23 +6,25 @@ load HERE.'style.gp'
 READINGS = DIR.'/tables/readings.csv'
 SHOWN = GROUPS > 8 ? 8 : GROUPS
 ROWS = (SHOWN + 1)/2
-WIDTH = 640.0; HEIGHT = 230.0*ROWS + 10
+WIDTH = 640.0; STEP = 250.0; HEIGHT = STEP*ROWS
+SPAN = SHOWN == 1 ? 556.0 : 232.0
 in(g) = column("group") == g
 @start
 set multiplot
 unset key
 do for [g=1:SHOWN] {
-    i = g - 1; x0 = (i%2) ? 396.0 : 72.0; y1 = HEIGHT - 28.0 - 230.0*(i/2)
-    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + 232)/WIDTH
-    set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 150)/HEIGHT
+    i = g - 1; x0 = (i%2) ? 396.0 : 72.0; y1 = HEIGHT - 28.0 - STEP*(i/2)
+    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + SPAN)/WIDTH
+    set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 160)/HEIGHT
     set title GROUP[g] offset 0,-0.6
     set xlabel GROUP_X[g]; set ylabel GROUP_Y[g] offset 1,0
     FREE = GROUP_X[g] eq 'free sway'
-    set xrange [*:*]; if (FREE) { set xrange [-1:1]; set xtics ("" 0); set yrange [0:*] } else { set xtics autofreq; set yrange [*:*] }
+    set xrange [*:*]; set yrange [*:*]; set xtics autofreq; set offsets graph 0.03, graph 0.03, graph 0.05, graph 0.05
+    if (FREE) { set xrange [-0.5:1.5]; set xtics ("measured" 0, "fitted" 1); set xlabel " "; unset ylabel; set title GROUP[g]." ".GROUP_Y[g][strstrt(GROUP_Y[g],"("):]; set format y "%g"; set offsets 0, 0, graph 0.3, graph 0.3 }
     plot READINGS using (pick(in(g) && !FREE, column("load"))):(pick(in(g), column("predicted")-column("band_95"))):(pick(in(g), column("predicted")+column("band_95"))) with filledcurves fs solid 0.2 noborder lt 1, \
-         '' using (pick(in(g), FREE ? 0 : column("load"))):(pick(in(g), column("measured"))):"sigma" with yerrorbars lt 2 lw 0.8 dt 1 pt 7 ps 0.35, \
+         '' using (pick(in(g), FREE ? 0 : column("load"))):(pick(in(g), column("measured"))):"sigma" with yerrorbars lt 2 lw 1 dt 1 pt 6 ps 0.6, \
          '' using (pick(in(g) && !FREE, column("load"))):(pick(in(g), column("predicted"))) with lines lt 1, \
-         '' using (pick(in(g) && FREE, 0.25)):(pick(in(g), column("predicted"))):"band_95" with yerrorbars lt 1 lw 1.2 pt 4 ps 0.7
+         '' using (pick(in(g) && FREE, 1)):(pick(in(g), column("predicted"))):"band_95" with yerrorbars lt 1 lw 1.2 pt 4 ps 0.7
 }
 unset multiplot
 set output

@@ -50,7 +50,7 @@ static int option(struct wf_reading *r, int argc, char **argv, int i)
     }
     const struct wf_option *o = &r->out->option[k];
     const char *value = equals ? equals + 1 : i + 1 < argc ? argv[i + 1] : NULL;
-    if (r->out->given[k]) wf_args_mistake(r, o->name, "given twice");
+    if (r->out->given[k] && o->kind != WF_OPTION_TEXTS) wf_args_mistake(r, o->name, "given twice");
     r->out->given[k] = true;
     if (o->kind == WF_OPTION_FLAG) {
         if (equals) wf_args_mistake(r, o->name, "takes no value");

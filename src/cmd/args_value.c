@@ -77,10 +77,13 @@ size_t wf_args_choices(const struct wf_option *o, const char *word[static WF_CHO
 void wf_args_value(struct wf_reading *r, size_t k, const char *text)
 {
     const struct wf_option *o = &r->out->option[k];
-    r->out->text[k] = text;
+    bool adds = o->kind == WF_OPTION_TEXTS && r->out->text[k];
+    r->out->text[k] = adds ? wf_arena_print(r->arena, "%s,%s", r->out->text[k], text) : text;
+    if (!r->out->text[k]) wf_args_mistake(r, o->name, "out of memory");
     switch (o->kind) {
     case WF_OPTION_FLAG:
     case WF_OPTION_TEXT:
+    case WF_OPTION_TEXTS:
         break;
     case WF_OPTION_CHOICE:
         choice(r, o, text);

@@ -35,6 +35,7 @@ int wf_cmd_wind(int argc, char **argv);
 enum wf_option_kind {
     WF_OPTION_FLAG,   /* takes no value                                     */
     WF_OPTION_TEXT,   /* any text                                           */
+    WF_OPTION_TEXTS,  /* texts separated by commas; given again, it adds    */
     WF_OPTION_CHOICE, /* one of `choices` or of the words `word` names        */
     WF_OPTION_NUMBER, /* a number, with or without a unit, within low..high */
     WF_OPTION_WHOLE,  /* a whole number within low..high                    */

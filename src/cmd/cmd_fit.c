@@ -8,12 +8,12 @@
 static const struct wf_option options[] = {
     { .name = "--data",
       .letter = "-d",
-      .kind = WF_OPTION_TEXT,
+      .kind = WF_OPTION_TEXTS,
       .value = "FILE[,FILE]",
       .help = "CSV files of the tests that name none, in their order" },
     { .name = "--free",
       .letter = "-f",
-      .kind = WF_OPTION_TEXT,
+      .kind = WF_OPTION_TEXTS,
       .value = "NAME[,NAME]",
       .help = "parameters to fit, in place of the study's: level0.youngs_modulus, root.stiffness, "
               "each:root.stiffness, "
@@ -185,10 +185,10 @@ static void rival(struct wf_fit_job *j, struct wf_fit_options o)
     enum wf_status s = wf_fit_run(&j->x, p, n, &o, &j->arena, &d, &r->fit, &e);
     for (size_t k = 0; k < j->x.trees; k++)
         j->x.tree[k].options.root_stiffness[0] = j->x.tree[k].options.root_stiffness[1] = stiffness[k];
-    if (s || r->fit.lsq.stopped) return;
+    if (s || r->fit.stopped) return;
     const struct wf_fit *rich = had ? &j->fit : &r->fit;
-    r->aicc = wf_fit_aicc(&r->fit, rich->sigma);
-    r->own = wf_fit_aicc(&j->fit, rich->sigma);
+    r->aicc = wf_fit_aicc(&r->fit, rich);
+    r->own = wf_fit_aicc(&j->fit, rich);
     r->made = true;
 }
 
@@ -221,10 +221,15 @@ static enum wf_status run(struct wf_fit_job *j, bool quiet, struct wf_err *e)
     const char *write = wf_args_text(&j->args, "--write");
     enum wf_status s = build(j, e);
     if (!s) s = fit(j, e);
+    if (!s && interrupted && !j->fit.stopped)
+        wf_diag_warn(&j->diag, "stopped", "interrupted before the comparison with the root the other way");
+    if (!s && interrupted && write)
+        wf_diag_warn(&j->diag, "stopped", "interrupted: %s is not written", write);
     if (!s && !quiet) wf_fit_print(stdout, j);
     fflush(stdout);
     wf_print_findings(&j->diag, quiet);
     if (!s) s = wf_fit_write(j, e);
+    if (interrupted) write = NULL; /* what others would take for the answer */
     if (!s && write) s = wf_fit_write_species(j, write, e);
     bool report = !wf_args_given(&j->args, "--no-report");
     if (!s && report) s = pages(j, e);
@@ -247,7 +252,7 @@ int wf_cmd_fit(int argc, char **argv)
         j.date = wf_run_date(&j.arena);
         enum wf_status s = j.command && j.date ? run(&j, wf_args_given(&j.args, "--quiet"), &e)
                                                : wf_fail(&e, WF_ENOMEM, "no room for the command line");
-        code = s ? wf_complain(&e) : 0;
+        code = s ? wf_complain(&e) : interrupted ? 1 : 0;
     }
     wf_arena_free(&j.arena);
     return code;

@@ -1,9 +1,8 @@
 /* windfirm simulate-test: what a planned test would tell, before anyone climbs the tree. */
 #include "base/file.h"
 #include "base/quiet.h"
-#include "base/random.h"
 #include "cmd/fit_job.h"
-#include "fit/predict.h"
+#include "fit/plan.h"
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <string.h>
@@ -11,7 +10,7 @@
 static const struct wf_option options[] = {
     { .name = "--free",
       .letter = "-f",
-      .kind = WF_OPTION_TEXT,
+      .kind = WF_OPTION_TEXTS,
       .value = "NAME[,NAME]",
       .help = "parameters the test is to determine, in place of the study's" },
     { .name = "--seed",
@@ -40,7 +39,6 @@ static const char about[] =
     "\n"
     "  windfirm simulate-test models/field/sample_pull.yaml --free level0.youngs_modulus,root.stiffness";
 
-enum { NOISE = 43 };
 struct plan {
     struct wf_arena arena;
     struct wf_args args;
@@ -132,8 +130,7 @@ static enum wf_status table(const struct plan *p, struct wf_err *e)
 }
 
 /* One file a test: load and readings with noise, columns as the study names them or would. */
-static enum wf_status write_test(const struct plan *p, size_t test, const char *folder, uint64_t seed,
-                                 struct wf_err *e)
+static enum wf_status write_test(const struct plan *p, size_t test, const char *folder, struct wf_err *e)
 {
     const struct wf_fit_test *t = &p->x.test[test];
     const char *path = wf_arena_print((struct wf_arena *)&p->arena, "%s/%s.csv", folder, t->name);
@@ -154,8 +151,7 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
         fprintf(f.stream, "%.9g,%.9g", t->state[i].time, t->state[i].load);
         for (size_t k = 0; k < t->sensors; k++) {
             while (p->x.datum[d].test != test || p->x.datum[d].state != i || p->x.datum[d].sensor != k) d++;
-            double noise = wf_random_normal(seed, wf_random_stream(NOISE, test, k), i);
-            double v = p->reading[d] + noise * p->x.datum[d].sigma;
+            double v = p->x.datum[d].value;
             fprintf(f.stream, ",%.9g", t->sensor[k].kind == WF_SENSOR_STRAIN ? 1e6 * v : v);
         }
         fputc('\n', f.stream);
@@ -168,7 +164,6 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
 static enum wf_status run(struct plan *p, struct wf_diag *d, bool quiet, struct wf_err *e)
 {
     struct wf_fit_build b = { .study = &p->study, .share = wf_share(), .plan = true };
-    struct wf_predictor *w = NULL;
     const char *folder = wf_args_text(&p->args, "--output");
     enum wf_status s = wf_fit_study_read(p->args.operand[0], &p->arena, &p->study, d, e);
     if (s) return s;
@@ -183,28 +178,13 @@ static enum wf_status run(struct plan *p, struct wf_diag *d, bool quiet, struct 
     if (s) return s;
     size_t n = p->params, m = p->x.data;
     p->reading = WF_TAKE(&p->arena, m, double), p->slope = WF_TAKE(&p->arena, m * n, double);
-    double *at = WF_TAKE(&p->arena, n, double);
-    if (!p->reading || !p->slope || !at) return wf_fail(e, WF_ENOMEM, "no room for the plan");
-    for (size_t k = 0; k < n; k++) {
-        at[k] = wf_param_internal(&p->param[k], p->param[k].start);
-        p->free += !wf_param_nuisance(&p->param[k]);
-    }
-    s = wf_predictor_open(&p->x, p->param, n, &p->arena, &w, e);
-    if (!s) s = wf_predict(w, at, p->reading, p->slope, e);
-    if (w) wf_predictor_close(w);
-    for (size_t i = 0; i < m && !s; i++) {
-        struct wf_fit_datum *q = &p->x.datum[i];
-        const struct wf_fit_sensor *sensor = &p->x.test[q->test].sensor[q->sensor];
-        if (sensor->estimated)
-            return wf_fail(e, WF_EINPUT, "test %s: sensor %s: a plan needs its 'sigma' or 'sigma_share'",
-                           p->x.test[q->test].name, sensor->name);
-        q->sigma = fmax(hypot(sensor->sigma, sensor->sigma_share * p->reading[i]),
-                        1e-12 * fabs(p->reading[i]) + 1e-300);
-    }
+    if (!p->reading || !p->slope) return wf_fail(e, WF_ENOMEM, "no room for the plan");
+    for (size_t k = 0; k < n; k++) p->free += !wf_param_nuisance(&p->param[k]);
+    s = wf_fit_expect(&p->x, p->param, n, &p->arena, p->reading, p->slope, e);
+    if (!s) wf_fit_make_up(&p->x, p->reading, (uint64_t)wf_args_number(&p->args, "--seed"), 1);
     if (!s && !quiet) s = table(p, e);
     if (!s) s = wf_mkdirs(folder, e);
-    for (size_t t = 0; t < p->x.tests && !s; t++)
-        s = write_test(p, t, folder, (uint64_t)wf_args_number(&p->args, "--seed"), e);
+    for (size_t t = 0; t < p->x.tests && !s; t++) s = write_test(p, t, folder, e);
     if (!s && !quiet) printf("\nMade-up readings: %s\n", folder);
     return s;
 }

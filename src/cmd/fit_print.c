@@ -2,10 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-static void range(FILE *to, double low, double high, double factor)
+static void range(FILE *to, double low, double high, double factor, const char *none)
 {
     if (isnan(low) && isnan(high))
-        fprintf(to, "  %-21s", "-");
+        fprintf(to, "  %-21s", none);
     else if (isnan(low))
         fprintf(to, "  below %-15.4g", high * factor);
     else if (isnan(high))
@@ -27,9 +27,9 @@ static void parameters(FILE *to, const struct wf_fit *f)
         double factor;
         const char *unit = wf_param_unit(f->x, &f->param[k], &factor);
         fprintf(to, "%-34s %12.5g %-9s", f->param[k].name, q->value * factor, unit);
-        range(to, q->low, q->high, factor);
-        range(to, q->profile_low, q->profile_high, factor);
-        if (resampled) range(to, q->resampled_low, q->resampled_high, factor);
+        range(to, q->low, q->high, factor, "-");
+        range(to, q->profile_low, q->profile_high, factor, q->profiled ? "no limit" : "-");
+        if (resampled) range(to, q->resampled_low, q->resampled_high, factor, "-");
         fputs(q->at_low ? "  AT LOWER BOUND\n" : q->at_high ? "  AT UPPER BOUND\n" : "\n", to);
     }
 }
@@ -90,8 +90,11 @@ void wf_fit_print(FILE *to, const struct wf_fit_job *j)
         for (size_t k = 0; k < r->free; k++) {
             double factor;
             const char *unit = wf_param_unit(r->x, &r->param[k], &factor);
-            fprintf(to, "%s %s %.5g %s%s", k ? "," : "", r->param[k].name, r->estimate[k].value * factor,
-                    unit, r->estimate[k].at_high || r->estimate[k].at_low ? " (at its bound)" : "");
+            fprintf(to, "%s %s %.5g%s%s%s", k ? "," : "", r->param[k].name, r->estimate[k].value * factor,
+                    *unit ? " " : "", unit,
+                    r->estimate[k].at_high || r->estimate[k].at_low ? " (at its bound)"
+                    : isnan(r->estimate[k].low)                     ? " (not determined)"
+                                                                    : "");
         }
         if (!isnan(j->rival.aicc) && !isnan(j->rival.own))
             fprintf(to, "\nAICc %.2f here, %.2f there: the data %s\n", j->rival.own, j->rival.aicc,

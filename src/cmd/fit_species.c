@@ -40,7 +40,7 @@ static void value(FILE *f, const char *indent, const char *key, const struct wf_
     double low = v->low, high = v->high, x = v->value;
     bool open = false;
     if (q) {
-        bool profile = !isnan(q->profile_low) && !isnan(q->profile_high);
+        bool profile = q->profiled;
         x = q->value * share;
         low = (profile ? q->profile_low : q->low) * share,
         high = (profile ? q->profile_high : q->high) * share;

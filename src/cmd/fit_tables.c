@@ -120,13 +120,22 @@ static void words(FILE *f, const struct wf_fit_job *j)
                 t->name, t->sensor[j->fit.group[g].sensor].name, g + 1, r->name, r->unit, g + 1,
                 in->load_name, *in->load_unit ? " (" : "", in->load_unit, *in->load_unit ? ")" : "");
     }
+    fprintf(f, "array VALUE[%zu]\narray LOW[%zu]\narray HIGH[%zu]\narray LOGGED[%zu]\n", j->fit.free + 1,
+            j->fit.free + 1, j->fit.free + 1, j->fit.free + 1);
     fprintf(f, "array PARAM[%zu]\narray TEST[%zu]\narray TEST_Y[%zu]\narray SWAY[%zu]\n", j->fit.free + 1,
             j->x.tests, j->x.tests, j->x.tests);
     for (size_t k = 0; k < j->fit.free; k++) {
         double u;
         const char *unit = wf_param_unit(&j->x, &j->param[k], &u);
+        const struct wf_estimate *q = &j->fit.estimate[k];
         fprintf(f, "PARAM[%zu] = '%s%s%s%s'\n", k + 1, j->param[k].name, *unit ? " (" : "", unit,
                 *unit ? ")" : "");
+        fprintf(f, "VALUE[%zu] = %.9g\nLOGGED[%zu] = %d\n", k + 1, q->value * u, k + 1,
+                wf_fit_quantities[j->param[k].quantity].log);
+        if (isnan(q->low) || isnan(q->high))
+            fprintf(f, "LOW[%zu] = NaN\nHIGH[%zu] = NaN\n", k + 1, k + 1);
+        else
+            fprintf(f, "LOW[%zu] = %.9g\nHIGH[%zu] = %.9g\n", k + 1, q->low * u, k + 1, q->high * u);
     }
     for (size_t k = 0; k < j->x.tests; k++)
         fprintf(f, "TEST[%zu] = '%s'\nTEST_Y[%zu] = '%s%s%s%s'\nSWAY[%zu] = %d\n", k + 1, j->x.test[k].name,
@@ -195,7 +204,8 @@ static void fit_part(struct wf_doc *d, json_t *o, const struct wf_fit *f)
         wf_doc_text(d, q, "test", t->name), wf_doc_text(d, q, "tree", f->x->tree[t->tree].name);
         wf_doc_text(d, q, "sensor", s->name), wf_doc_text(d, q, "kind", r->name),
             wf_doc_text(d, q, "unit", r->unit);
-        wf_doc_number(d, q, "height", s->height), wf_doc_count(d, q, "readings", g->n);
+        wf_doc_number(d, q, "height", r->placed ? s->height : (double)NAN),
+            wf_doc_count(d, q, "readings", g->n);
         wf_doc_number(d, q, "sigma", g->sigma * r->factor), wf_doc_number(d, q, "rms", g->rms * r->factor);
         wf_doc_number(d, q, "correlation", g->correlation), wf_doc_flag(d, q, "estimated", s->estimated);
     }

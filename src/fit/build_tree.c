@@ -62,6 +62,7 @@ enum wf_status wf_fit_build_tree(const struct wf_fit_build *b, size_t index, str
                                                                 .share = law->table.v };
     }
     wf_solve_options_default(&out->options);
+    out->options.tolerance = 1e-11; /* else small steps drown in what is left of the last answer */
     if (!isnan(s->root_stiffness))
         out->options.root_stiffness[0] = out->options.root_stiffness[1] = s->root_stiffness;
     return WF_OK;

@@ -120,9 +120,9 @@ wf_status solve(const wf_lsq *q, double *p, wf_lsq_result *out, wf_err *e)
     o.logging_type = ceres::SILENT;
     o.num_threads = 1;
     o.max_num_iterations = q->iterations_max ? static_cast<int>(q->iterations_max) : 100;
-    o.function_tolerance = 1e-14;
+    o.function_tolerance = 1e-11;
     o.gradient_tolerance = 1e-14;
-    o.parameter_tolerance = 1e-11;
+    o.parameter_tolerance = 1e-9;
     o.update_state_every_iteration = true;
     Progress progress;
     progress.q = q;

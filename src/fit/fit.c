@@ -45,6 +45,9 @@ static enum wf_status check(const struct wf_experiment *x, const struct wf_fit_p
                        nuisance ? " (offsets and drifts of sensors included)" : "");
     }
     for (size_t k = 0; k < n; k++)
+        if (!(p[k].low < p[k].high))
+            return wf_fail(e, WF_EUSAGE, "%s: its lower bound is not below its upper bound", p[k].name);
+    for (size_t k = 0; k < n; k++)
         if (!(p[k].start >= p[k].low && p[k].start <= p[k].high)) {
             double factor;
             const char *unit = wf_param_unit(x, &p[k], &factor);
@@ -94,8 +97,13 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
                          "%s ended on its %s bound: this is no estimate, the data ask for a value beyond",
                          f->param[k].name, q->at_low ? "lower" : "upper");
     }
+    if (wf_fit_at_bound(f) && f->free > 1)
+        wf_diag_warn(
+            d, "conditional",
+            "the other parameters and their intervals by covariance hold only for the one at its bound");
     for (size_t i = 0; i < f->loose_n; i++)
-        wf_diag_warn(d, "not-determined", "the data do not determine %s", f->loose[i].text);
+        if (!f->loose[i].bound)
+            wf_diag_warn(d, "not-determined", "the data do not determine %s", f->loose[i].text);
     if (!f->sigma_estimated && f->freedom && f->reduced > 2)
         wf_diag_warn(
             d, "misfit",
@@ -113,21 +121,35 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
     if (f->lsq.stopped)
         wf_diag_warn(d, "stopped",
                      "the fit was interrupted: the best parameters so far are given, without profiles");
-    else if (!f->lsq.converged)
+    else if (f->stopped)
+        wf_diag_warn(d, "stopped", "interrupted after the fit itself: profiles or bootstrap are incomplete");
+    if (!f->freedom)
+        wf_diag_warn(d, "nothing-left",
+                     "as many parameters as readings: none is left that could speak against the model");
+    if (!f->lsq.stopped && !f->lsq.converged)
         wf_diag_warn(d, "not-converged", "the fit did not converge: %s", f->lsq.message);
     if (f->starts > 1 && f->starts_same < f->starts)
         wf_diag_warn(d, "several-minima", "only %zu of %zu starting points led to the best fit",
                      f->starts_same, f->starts);
 }
 
-double wf_fit_aicc(const struct wf_fit *f, const double *sigma)
+bool wf_fit_at_bound(const struct wf_fit *f)
 {
-    double m = (double)f->x->data, k = (double)f->params + 1, sum = 0;
+    bool any = false;
+    for (size_t k = 0; k < f->free; k++) any |= f->estimate[k].at_low || f->estimate[k].at_high;
+    return any;
+}
+
+double wf_fit_aicc(const struct wf_fit *f, const struct wf_fit *like)
+{
+    double m = (double)f->x->data, alone = 0, k = (double)f->params + 1, sum = 0;
     for (size_t i = 0; i < f->x->data; i++) {
-        double r = (f->x->datum[i].value - f->reading[i]) / sigma[i];
+        double r = (f->x->datum[i].value - f->reading[i]) / like->sigma[i];
         sum += r * r;
     }
-    return m > k + 1 ? m * log(sum / m) + 2 * k + 2 * k * (k + 1) / (m - k - 1) : (double)NAN;
+    for (size_t i = 0; i < like->groups; i++)
+        alone += (double)like->group[i].n / (like->group[i].inflation * like->group[i].inflation);
+    return alone > k + 1 ? alone * log(sum / m) + 2 * k + 2 * k * (k + 1) / (alone - k - 1) : (double)NAN;
 }
 
 enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
@@ -146,12 +168,13 @@ enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p,
     if (!status) status = wf_fit_spread(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->starts > 1) status = wf_fit_restart(&s, out, a, e);
     if (!status) status = wf_fit_covariance(&s, out, a, e);
-    if (!status) status = wf_fit_loose(out, a, e);
     if (!status) memcpy(out->internal, s.internal, n * sizeof *out->internal);
     if (!status && !out->lsq.stopped && o->profile) status = wf_fit_profiles(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->resamples) status = wf_fit_resample(&s, out, a, e);
+    if (!status) status = wf_fit_loose(out, a, e);
     wf_session_close(&s);
-    if (!status) out->aicc = wf_fit_aicc(out, out->sigma);
+    out->stopped = s.stopped;
+    if (!status) out->aicc = wf_fit_aicc(out, out);
     if (!status) warn(out, d);
     return status;
 }

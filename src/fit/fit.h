@@ -29,6 +29,7 @@ struct wf_estimate {
     double sd;                        /* of the internal value                                           */
     double profile_low, profile_high; /* 95 % by profile; NAN: open on that side or not asked for        */
     double resampled_low, resampled_high; /* 2.5 and 97.5 % of the bootstrap; NAN: not asked for          */
+    bool profiled;        /* a profile was walked to its ends                                            */
     bool at_low, at_high; /* ended on a bound: the true optimum may lie beyond               */
     size_t points;
     struct wf_profile_point *point; /* rising values */
@@ -36,7 +37,8 @@ struct wf_estimate {
 
 /* A direction of the parameters that the data leave open. */
 struct wf_loose {
-    double sd;        /* of the combination, in internal units; INFINITY: not determined at all */
+    double sd;        /* of the combination, in internal units; NAN: of one that has a bound or no limit */
+    bool bound;       /* a parameter on its bound                                               */
     const char *text; /* which parameters change together                                       */
 };
 
@@ -72,13 +74,18 @@ struct wf_fit {
     struct wf_loose *loose;
     size_t starts, starts_same; /* starting points that gave an answer, and those that gave the best */
     size_t resampled;           /* bootstrap data sets that gave an answer                           */
+    bool stopped;               /* by progress, at the latest in profiles or bootstrap           */
     struct wf_lsq_result lsq;
 };
 
-/* Akaike's criterion with the correction for few data (Hurvich and Tsai 1989), variance unknown:
- * m ln(S/m) + 2 k + 2 k (k+1)/(m-k-1), S = squared residuals over `sigma` (one per datum), k = parameters
- * + 1. To compare two fits of the same data give both the same sigma. NAN where there are too few data. */
-double wf_fit_aicc(const struct wf_fit *f, const double *sigma);
+/* Did a parameter that is no nuisance end on a bound? */
+bool wf_fit_at_bound(const struct wf_fit *f);
+
+/* Akaike's criterion with the correction for few data (Hurvich and Tsai 1989), variance unknown: n ln(S/m) +
+ * 2 k + 2 k (k+1)/(n-k-1), S = squared residuals over the sigmas of `like`, m = readings, k = parameters + 1,
+ * n = readings that do not repeat their neighbours (each sensor's over its inflation squared, of `like`). To
+ * compare two fits of the same data give both the same `like`. NAN where there are too few data. */
+double wf_fit_aicc(const struct wf_fit *f, const struct wf_fit *like);
 
 /* Fit. Given: experiment, parameters (free ones first, then nuisance) with start and bounds, options.
  * Returned: WF_OK and *out, all from `a`; warnings in d. Errors: WF_EUSAGE, WF_EINPUT as wf_lsq_solve.

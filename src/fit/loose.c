@@ -33,11 +33,26 @@ static const char *describe(const struct wf_fit *f, const double *v, double sd, 
                                     exp(1.96 * sd), text);
 }
 
+/* A single parameter that is no estimate: on its bound, or without an end to its profile. */
+static void single(struct wf_fit *f, size_t k, struct wf_arena *a)
+{
+    const struct wf_estimate *q = &f->estimate[k];
+    bool low = isnan(q->profile_low), high = isnan(q->profile_high), bound = q->at_low || q->at_high;
+    if (!bound && !(q->profiled && (low || high))) return;
+    const char *why = q->at_low ? ": the fit ended on its lower bound" : ": the fit ended on its upper bound";
+    if (!bound) why = low && high ? " on either side" : low ? " from below" : " from above";
+    struct wf_loose *l = &f->loose[f->loose_n++];
+    *l = (struct wf_loose){ .sd = NAN,
+                            .bound = bound,
+                            .text = wf_arena_print(a, "%s%s", f->param[k].name, why) };
+    if (!l->text) l->text = f->param[k].name;
+}
+
 enum wf_status wf_fit_loose(struct wf_fit *f, struct wf_arena *a, struct wf_err *e)
 {
     size_t n = f->free;
     f->loose_n = 0;
-    f->loose = WF_TAKE(a, n, struct wf_loose);
+    f->loose = WF_TAKE(a, 2 * n, struct wf_loose);
     double *v = WF_TAKE(a, n, double);
     if (!f->loose || !v) return wf_fail(e, WF_ENOMEM, "no room for the verdict");
     wf_quiet_begin();
@@ -56,6 +71,7 @@ enum wf_status wf_fit_loose(struct wf_fit *f, struct wf_arena *a, struct wf_err 
         *l = (struct wf_loose){ .sd = sd, .text = describe(f, v, sd, a) };
         if (!l->text) l->text = "a combination of the parameters";
     }
+    for (size_t k = 0; ok && k < n; k++) single(f, k, a);
     if (C) gsl_matrix_free(C);
     if (V) gsl_matrix_free(V);
     if (value) gsl_vector_free(value);

@@ -62,6 +62,11 @@ static enum wf_status unknown(const char *name, struct wf_err *e)
         if (wf_fit_quantities[k].name) known[n++] = wf_fit_quantities[k].name;
     known[n++] = "wood.youngs_modulus";
     const char *near = wf_nearest(name, known, n);
+    int level = 0;
+    (void)sscanf(name, "level%d", &level);
+    if (near && !strncmp(near, "levelN", 6))
+        return wf_fail(e, WF_EUSAGE, "no parameter is called '%s'; did you mean 'level%d%s'?", name, level,
+                       near + 6);
     if (near) return wf_fail(e, WF_EUSAGE, "no parameter is called '%s'; did you mean '%s'?", name, near);
     return wf_fail(e, WF_EUSAGE,
                    "no parameter is called '%s'; known are levelN.youngs_modulus, wood.youngs_modulus, "

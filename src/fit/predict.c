@@ -39,7 +39,8 @@ enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_
     if (!(w->solved = WF_TAKE(a, n, double))) return wf_fail(e, WF_ENOMEM, "no room for the parameters");
     for (size_t k = 0; k < n; k++) w->solved[k] = NAN;
     w->rest_slope = WF_TAKE(a, m * n, double), w->other_slope = WF_TAKE(a, m * n, double);
-    if (!w->rest || !w->other || !w->rest_slope || !w->other_slope)
+    w->told = WF_TAKE(a, x->data, double), w->told_slope = WF_TAKE(a, x->data * n, double);
+    if (!w->rest || !w->other || !w->rest_slope || !w->other_slope || !w->told || !w->told_slope)
         return wf_fail(e, WF_ENOMEM, "no room for the readings");
     *out = w;
     return WF_OK;
@@ -303,6 +304,15 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
             for (size_t p = 0; slope && p < m; p++)
                 slope[*at * m + p] = w->other_slope[s * m + p] - w->rest_slope[s * m + p];
         }
+        if (status && e) {
+            const struct wf_err why = *e;
+            *e = (struct wf_err){ 0 };
+            if (t->load != WF_FIT_PULL && t->load != WF_FIT_WIND)
+                return wf_fail(e, status, "test %s: %.700s", t->name, why.text);
+            bool pull = t->load == WF_FIT_PULL;
+            return wf_fail(e, status, "test %s, %s %.4g %s: %.700s", t->name, pull ? "pull" : "wind",
+                           t->state[i].load, pull ? "N" : "m/s", why.text);
+        }
     }
     return status;
 }
@@ -324,23 +334,38 @@ static void nuisance(const struct wf_predictor *w, const double *internal, doubl
     }
 }
 
+/* Same internal values as those of the readings last told; nuisance: those of sensors too. */
+static bool repeated(const struct wf_predictor *w, const double *internal, bool nuisance)
+{
+    for (size_t p = 0; p < w->params; p++)
+        if (internal[p] != w->solved[p] && (nuisance || !wf_param_nuisance(&w->p[p]))) return false;
+    return true;
+}
+
 enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double *reading, double *slope,
                           struct wf_err *e)
 {
+    const size_t m = w->x->data, n = w->params;
+    if (repeated(w, internal, true) && (w->sloped || !slope)) {
+        memcpy(reading, w->told, m * sizeof *reading);
+        if (slope) memcpy(slope, w->told_slope, m * n * sizeof *slope);
+        return WF_OK;
+    }
     size_t at = 0;
     enum wf_status status = WF_OK;
-    if (slope) memset(slope, 0, w->x->data * w->params * sizeof *slope);
-    w->same = true;
-    for (size_t p = 0; p < w->params; p++)
-        w->same &= internal[p] == w->solved[p] || wf_param_nuisance(&w->p[p]);
-    for (size_t p = 0; p < w->params; p++) w->solved[p] = NAN;
+    if (slope) memset(slope, 0, m * n * sizeof *slope);
+    w->same = repeated(w, internal, false);
+    for (size_t p = 0; p < n; p++) w->solved[p] = NAN;
     for (size_t k = 0; k < w->x->tests && !status; k++) {
         bool free = w->x->test[k].load == WF_FIT_FREE;
         status = (free ? wf_sway_test : static_test)(w, k, internal, reading, slope, &at, e);
         wf_arena_free(&w->scratch);
     }
     if (status) return status;
-    memcpy(w->solved, internal, w->params * sizeof *internal);
     nuisance(w, internal, reading, slope);
+    memcpy(w->solved, internal, n * sizeof *internal);
+    memcpy(w->told, reading, m * sizeof *reading);
+    if (slope) memcpy(w->told_slope, slope, m * n * sizeof *slope);
+    w->sloped = slope != NULL;
     return WF_OK;
 }

@@ -15,8 +15,8 @@ void wf_predictor_close(struct wf_predictor *w);
 /* Given: internal parameter values. Returned: reading[data] [SI], slope[data x n] (may be NULL): change with
  * each internal value. Method: geometrically exact beams; sensitivities are first-order answers of the solved
  * tree to the change a parameter makes in its balance (solve/beam_small.h), exact but for the stretch of the
- * axis; those of natural frequencies are central differences. Errors: WF_EUNSTABLE, WF_ENOCONV where the
- * tree has no equilibrium. */
+ * axis; those of natural frequencies are Rayleigh quotients of the mode held (wf_modes_held). Errors:
+ * WF_EUNSTABLE, WF_ENOCONV where the tree has no equilibrium. */
 enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double *reading, double *slope,
                           struct wf_err *e);
 #endif

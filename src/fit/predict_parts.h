@@ -50,7 +50,9 @@ struct wf_predictor {
     double *other, *other_slope; /* of the state in hand                            */
     double *solved;              /* internal values for which all shapes are solutions */
     bool same;                   /* those in hand are these                         */
-    struct wf_arena scratch;     /* of one test                                          */
+    double *told, *told_slope;   /* readings at them, and if sloped their slopes: asked for more than once */
+    bool sloped;
+    struct wf_arena scratch; /* of one test                                          */
 };
 
 /* Readings of a test of free sway, from *at on; *at goes to the first datum behind them. */

@@ -58,13 +58,14 @@ enum wf_status wf_column_unit(struct wf_units *u, const struct wf_record_column 
         }
     tail = strrchr(c->name, '_');
     bool mass = c->dimension == WF_DIM_FORCE && tail && !strcasecmp(tail + 1, "kg");
+    int stem = mass ? (int)(tail - c->name) : (int)strlen(c->name);
     return wf_fail(
         e, WF_EINPUT,
-        "column '%s' does not end in a unit of %s%s; name it for example '%.40s_%s', or give 'unit'", c->name,
+        "column '%s' does not end in a unit of %s%s; name it for example '%.*s_%s', or give 'unit'", c->name,
         row->name + (!strncmp(row->name, "a ", 2)    ? 2
                      : !strncmp(row->name, "an ", 3) ? 3
                                                      : 0),
-        mass ? " (kg is a mass; a force read off a scale in kg is kgf)" : "", c->name,
+        mass ? " (kg is a mass; a force read off a scale in kg is kgf)" : "", stem > 40 ? 40 : stem, c->name,
         mass ? "kgf" : row->si);
 }
 
@@ -172,6 +173,9 @@ enum wf_status wf_fit_record_read(const char *path, const struct wf_record_colum
     }
     if (c.mistakes)
         return wf_fail(e, WF_EINPUT, "%s: %zu mistake%s", path, c.mistakes, c.mistakes == 1 ? "" : "s");
+    if (!out->n && !out->missing)
+        return wf_fail(e, WF_EINPUT, "%s: no row %s", path,
+                       onlys ? "is among those asked for" : "stands below the header");
     if (!out->n)
         return wf_fail(e, WF_EINPUT,
                        "%s: no row with numbers in every column%s; %zu rows had an empty or NA cell", path,
@@ -198,8 +202,10 @@ enum wf_status wf_loading_branch(struct wf_fit_record *r, size_t column, double 
         left += r->used[i];
     }
     if (left < 3)
-        return wf_fail(e, WF_EINPUT,
-                       "test %s: only %zu row%s of the first loading between %g and %g of the largest force",
-                       name, left, left == 1 ? "" : "s", from, to);
+        return wf_fail(
+            e, WF_EINPUT,
+            "test %s: only %zu row%s of the first loading between %g and %g of the largest force; a "
+            "fit needs 3",
+            name, left, left == 1 ? "" : "s", from, to);
     return WF_OK;
 }

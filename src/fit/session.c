@@ -15,10 +15,10 @@ enum wf_status wf_session_open(struct wf_experiment *x, const struct wf_fit_para
     s->pinned = WF_TAKE(a, n, bool);
     s->low = WF_TAKE(a, n, double), s->high = WF_TAKE(a, n, double);
     s->reading = WF_TAKE(a, m, double), s->slope = WF_TAKE(a, m * n, double);
-    s->start = WF_TAKE(a, n, double), s->free_low = WF_TAKE(a, n, double),
+    s->chain = WF_TAKE(a, n, double), s->start = WF_TAKE(a, n, double), s->free_low = WF_TAKE(a, n, double),
     s->free_high = WF_TAKE(a, n, double);
     if (!s->sigma || !s->internal || !s->held || !s->pinned || !s->low || !s->high || !s->reading ||
-        !s->slope || !s->start || !s->free_low || !s->free_high)
+        !s->slope || !s->chain || !s->start || !s->free_low || !s->free_high)
         return wf_fail(e, WF_ENOMEM, "no room for the fit of %zu readings", m);
     for (size_t k = 0; k < n; k++) {
         s->low[k] = wf_param_internal(&p[k], p[k].low);
@@ -34,12 +34,35 @@ void wf_session_close(struct wf_session *s)
     if (s->predictor) wf_predictor_close(s->predictor);
 }
 
+/* The solver sees stiffnesses as flexibilities over that of the start: readings are nearly linear in them, so
+ * that the valley in which the wood gives for the root is straight, not curved. */
+static bool flexible(const struct wf_fit_param *p)
+{
+    return p->quantity == WF_FIT_YOUNGS || p->quantity == WF_FIT_SHEAR || p->quantity == WF_FIT_ROOT;
+}
+
+static double packed_of(const struct wf_session *s, size_t k, double internal)
+{
+    double x = fmin(fmax(internal, s->low[k]), s->high[k]);
+    return flexible(&s->p[k]) ? exp(wf_param_internal(&s->p[k], s->p[k].start) - x) : internal;
+}
+
+/* slope: change of the internal value with the packed one. */
+static double internal_of(const struct wf_session *s, size_t k, double packed, double *slope)
+{
+    *slope = 1;
+    if (!flexible(&s->p[k])) return packed;
+    *slope = -1 / packed;
+    double x = wf_param_internal(&s->p[k], s->p[k].start) - log(packed);
+    return fmin(fmax(x, s->low[k]), s->high[k]);
+}
+
 static bool model(void *ctx, const double *packed, double *residual, double *jacobian)
 {
     struct wf_session *s = ctx;
     size_t m = s->x->data, row = m, column = 0, wide = 0;
     for (size_t k = 0; k < s->n; k++)
-        if (!s->held[k]) s->internal[k] = packed[wide++];
+        if (!s->held[k]) s->internal[k] = internal_of(s, k, packed[wide], &s->chain[k]), wide++;
     s->model = (struct wf_err){ 0 };
     if (wf_predict(s->predictor, s->internal, s->reading, jacobian ? s->slope : NULL, &s->model))
         return false;
@@ -48,7 +71,7 @@ static bool model(void *ctx, const double *packed, double *residual, double *jac
         residual[i] = w * (s->reading[i] - s->x->datum[i].value);
         column = 0;
         for (size_t k = 0; jacobian && k < s->n; k++)
-            if (!s->held[k]) jacobian[i * wide + column++] = w * s->slope[i * s->n + k];
+            if (!s->held[k]) jacobian[i * wide + column++] = w * s->slope[i * s->n + k] * s->chain[k];
     }
     column = 0;
     for (size_t k = 0; k < s->n; k++) {
@@ -56,7 +79,7 @@ static bool model(void *ctx, const double *packed, double *residual, double *jac
         if (prior) {
             residual[row] = (s->internal[k] - s->p[k].prior_mean) / s->p[k].prior_sd;
             for (size_t c = 0; jacobian && c < wide; c++) jacobian[row * wide + c] = 0;
-            if (jacobian && !s->held[k]) jacobian[row * wide + column] = 1 / s->p[k].prior_sd;
+            if (jacobian && !s->held[k]) jacobian[row * wide + column] = s->chain[k] / s->p[k].prior_sd;
             row++;
         }
         column += !s->held[k];
@@ -66,8 +89,9 @@ static bool model(void *ctx, const double *packed, double *residual, double *jac
 
 static bool progress(void *ctx, size_t iteration, double cost)
 {
-    const struct wf_session *s = ctx;
-    return s->o->progress && s->o->progress(s->o->progress_ctx, iteration, cost);
+    struct wf_session *s = ctx;
+    s->stopped = s->stopped || (s->o->progress && s->o->progress(s->o->progress_ctx, iteration, cost));
+    return s->stopped;
 }
 
 /* Nothing is free: the cost alone. */
@@ -89,6 +113,7 @@ static enum wf_status evaluate(struct wf_session *s, struct wf_lsq_result *out, 
             double r = (s->internal[k] - s->p[k].prior_mean) / s->p[k].prior_sd;
             out->cost += 0.5 * r * r;
         }
+    out->stopped = progress(s, 0, out->cost);
     return WF_OK;
 }
 
@@ -105,15 +130,16 @@ static enum wf_status search(struct wf_session *s, struct wf_lsq_result *out, st
                         .plain = s->priors };
     for (size_t k = 0; k < s->n; k++) {
         if (s->held[k]) continue;
-        s->start[q.params] = s->internal[k];
-        s->free_low[q.params] = s->low[k], s->free_high[q.params++] = s->high[k];
+        double low = packed_of(s, k, s->low[k]), high = packed_of(s, k, s->high[k]);
+        s->start[q.params] = packed_of(s, k, s->internal[k]);
+        s->free_low[q.params] = fmin(low, high), s->free_high[q.params++] = fmax(low, high);
     }
     if (!q.params) return evaluate(s, out, e);
     enum wf_status status = wf_lsq_solve(&q, s->start, out, e);
     if (status == WF_EINPUT && s->model.code && e)
         snprintf(e->text, sizeof e->text, "at the start values: %.900s", s->model.text);
     for (size_t k = 0, c = 0; k < s->n; k++)
-        if (!s->held[k]) s->internal[k] = s->start[c++];
+        if (!s->held[k]) s->internal[k] = internal_of(s, k, s->start[c], &s->chain[k]), c++;
     return status;
 }
 

@@ -16,8 +16,10 @@ struct wf_session {
     bool *pinned;       /* scratch: parameters held because they sit on a bound                */
     double *low, *high; /* internal bounds                                          */
     double *reading, *slope;
-    double *start, *free_low, *free_high; /* scratch of the solver, packed             */
+    double *chain; /* change of an internal value with what the solver of least squares has for it */
+    double *start, *free_low, *free_high; /* scratch of that solver, packed                     */
     double scale;                         /* of the loss, in sigma                                    */
+    bool stopped;                         /* progress said so                                         */
     struct wf_err model;                  /* why the model last had no answer                         */
 };
 

@@ -1,4 +1,5 @@
 #include "fit/study.h"
+#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -208,6 +209,23 @@ static const struct wf_yaml_table free_table = {
 };
 #undef T
 
+/* A name that stands twice in a list: tests and parameters are told apart by it. */
+static void twice(struct wf_yaml *y, const char *list, const void *first, size_t n, size_t size, size_t at)
+{
+    const char *base = first;
+    char place[64];
+    for (size_t i = 1; base && i < n; i++)
+        for (size_t k = 0; k < i; k++) {
+            const char *a = *(const char *const *)(const void *)(base + i * size + at),
+                       *b = *(const char *const *)(const void *)(base + k * size + at);
+            snprintf(place, sizeof place, "%s[%zu]", list, i);
+            if (a && b && !strcmp(a, b)) {
+                wf_yaml_error(y, place, "the name '%s' is given twice", a);
+                break;
+            }
+        }
+}
+
 /* A test without pull and wind bends the tree by its weight alone. */
 static void under_weight(struct wf_yaml *y, const struct wf_study_test *t, const char *place,
                          const struct wf_study_sensor *q)
@@ -275,7 +293,14 @@ static void finish(struct wf_yaml *y, void *study)
         snprintf(place, sizeof place, "trees[%zu]", i);
         if (!s->tree[i].model == !s->tree[i].qsm) wf_yaml_error(y, place, "needs either 'model' or 'qsm'");
     }
-    for (size_t i = 0; s->test && i < s->tests; i++) test_finish(y, s, i);
+    twice(y, "trees", s->tree, s->trees, sizeof *s->tree, offsetof(struct wf_study_tree, name));
+    twice(y, "tests", s->test, s->tests, sizeof *s->test, offsetof(struct wf_study_test, name));
+    for (size_t i = 0; s->test && i < s->tests; i++) {
+        snprintf(place, sizeof place, "tests[%zu].sensors", i);
+        twice(y, place, s->test[i].sensor, s->test[i].sensors, sizeof *s->test[i].sensor,
+              offsetof(struct wf_study_sensor, name));
+        test_finish(y, s, i);
+    }
 }
 
 #define T struct wf_fit_study
@@ -319,8 +344,9 @@ enum wf_status wf_fit_path(const struct wf_fit_study *s, const char *name, struc
                            const char **out, struct wf_err *e)
 {
     static const char variable[] = "${WINDFIRM_REFERENCE}/";
+    bool outside = !strncmp(name, variable, sizeof variable - 1);
     const char *folder = getenv("WINDFIRM_REFERENCE"), *slash = strrchr(s->file, '/');
-    if (!strncmp(name, variable, sizeof variable - 1)) {
+    if (outside) {
         if (!folder || !*folder)
             return wf_fail(
                 e, WF_EMISSING,
@@ -333,5 +359,7 @@ enum wf_status wf_fit_path(const struct wf_fit_study *s, const char *name, struc
         *out = wf_arena_print(a, "%.*s/%s", (int)(slash - s->file), s->file, name);
     if (!*out) return wf_fail(e, WF_ENOMEM, "%s: no memory", name);
     if (access(*out, R_OK) && access(name, R_OK) == 0) *out = name;
-    return access(*out, R_OK) ? wf_fail(e, WF_EMISSING, "%s: cannot be read", *out) : WF_OK;
+    if (!access(*out, R_OK)) return WF_OK;
+    return wf_fail(e, outside ? WF_EMISSING : WF_EINPUT, "%s: names '%s', which cannot be read: %s", s->file,
+                   *out, strerror(errno));
 }

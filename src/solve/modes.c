@@ -43,14 +43,37 @@ static void arrange(double *value, size_t *order, size_t n)
         }
 }
 
+static double hertz(double value)
+{
+    return value > 0 ? 1 / (TWO_PI * sqrt(value)) : -1 / (TWO_PI * sqrt(-value));
+}
+
+/* Room for what is kept of a beam, and its state. */
+static enum wf_status keep(const struct wf_beam *b, const int32_t *pieces, size_t count, struct wf_arena *a,
+                           struct wf_modes_kept *kept, struct wf_err *e)
+{
+    size_t rows = b->mesh.tree->n;
+    kept->size = wf_beam_motion_size(b);
+    kept->pieces = WF_TAKE(a, rows, int32_t);
+    kept->shape = WF_TAKE(a, b->mesh.n, struct wf_beam_shape);
+    kept->tilt = wf_arena_take(a, rows, sizeof *kept->tilt);
+    kept->motion = WF_TAKE(a, count * kept->size, double);
+    if (!kept->pieces || !kept->shape || !kept->tilt || !kept->motion)
+        return wf_fail(e, WF_ENOMEM, "no room for %zu modes", count);
+    memcpy(kept->pieces, pieces, rows * sizeof *pieces);
+    memcpy(kept->shape, b->shape, b->mesh.n * sizeof *b->shape);
+    memcpy(kept->tilt, b->tilt, rows * sizeof *b->tilt);
+    return WF_OK;
+}
+
 /* Frequencies on the beam's mesh; ends' displacements by one more answer to the mode's inertia. */
 static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena *work, double *frequency,
-                               double *shape, struct wf_err *e)
+                               double *shape, struct wf_modes_kept *kept, struct wf_err *e)
 {
     size_t size = wf_beam_motion_size(b), n = b->mesh.tree->n;
     enum wf_status status = wf_beam_linearise(b, true, work, e);
     double *value = WF_TAKE(work, count, double),
-           *vector = shape ? WF_TAKE(work, count * size, double) : NULL;
+           *vector = shape || kept ? WF_TAKE(work, count * size, double) : NULL;
     double *answer = WF_TAKE(work, size, double);
     size_t *order = WF_TAKE(work, count, size_t);
     struct sway s = { .beam = b,
@@ -59,20 +82,23 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena 
                       .u = WF_TAKE(work, size, double),
                       .node = wf_arena_take(work, b->mesh.n, sizeof *s.node),
                       .ends = wf_arena_take(work, b->mesh.n, sizeof *s.ends) };
-    if (!value || (shape && !vector) || !answer || !order || !s.root || !s.u || !s.node || !s.ends)
+    if (!value || ((shape || kept) && !vector) || !answer || !order || !s.root || !s.u || !s.node || !s.ends)
         return wf_fail(e, WF_ENOMEM, "no room for %zu modes", count);
     wf_beam_motion_mass(b, s.root);
     for (size_t i = 0; i < size; i++) s.root[i] = sqrt(s.root[i]);
-    struct wf_lanczos l = { .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = 1e-5 };
+    struct wf_lanczos l = {
+        .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = kept ? 1e-8 : 1e-5
+    };
     if (!status) status = wf_lanczos(&l, value, vector, work, e);
     if (status) return status;
     arrange(value, order, count);
     for (size_t i = 0; i < count; i++) {
-        double v = value[order[i]], most = 0;
-        frequency[i] = v > 0 ? 1 / (TWO_PI * sqrt(v)) : -1 / (TWO_PI * sqrt(-v));
-        if (!shape) continue;
-        for (size_t k = 0; k < size; k++)
+        double most = 0;
+        frequency[i] = hertz(value[order[i]]);
+        for (size_t k = 0; vector && k < size; k++)
             s.u[k] = s.root[k] > 0 ? vector[order[i] * size + k] / s.root[k] : 0;
+        if (kept) memcpy(kept->motion + i * size, s.u, size * sizeof *s.u);
+        if (!shape) continue;
         wf_beam_inertia_answer(b, s.u, answer, s.node, s.ends);
         for (size_t r = 0; r < n; r++)
             for (size_t c = 0; c < 3; c++) {
@@ -98,8 +124,9 @@ static bool finer(const double *coarse, const double *fine, size_t count, double
     return true;
 }
 
-enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
-                        size_t count, struct wf_arena *a, double *frequency, double *shape, struct wf_err *e)
+enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
+                             const struct wf_solve_options *o, size_t count, struct wf_arena *a,
+                             double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e)
 {
     enum { MESHES = 6 };
     struct wf_arena work = { 0 };
@@ -115,7 +142,8 @@ enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const
         status = wf_beam_init(&b, t, l, o, pieces, &work, e);
         if (!status && mesh > 0) wf_beam_carry(&last, &b);
         if (!status) status = balance(&b, &work, e);
-        if (!status) status = modes_on(&b, count, &work, frequency, shape, e);
+        if (!status && kept) status = keep(&b, pieces, count, a, kept, e);
+        if (!status) status = modes_on(&b, count, &work, frequency, shape, kept, e);
         if (status || !(o->mesh_tolerance > 0)) break;
         if (mesh == 0)
             for (size_t i = 0; i < t->n; i++) pieces[i] *= 2;
@@ -125,6 +153,45 @@ enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const
         }
         memcpy(before, frequency, count * sizeof *before);
         last = b;
+    }
+    wf_arena_free(&work);
+    return status;
+}
+
+enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
+                        size_t count, struct wf_arena *a, double *frequency, double *shape, struct wf_err *e)
+{
+    return wf_modes_keep(t, l, o, count, a, frequency, shape, NULL, e);
+}
+
+enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
+                             const struct wf_solve_options *o, const struct wf_modes_kept *kept, size_t k,
+                             double *frequency, struct wf_err *e)
+{
+    struct wf_arena work = { 0 };
+    struct wf_beam b;
+    const double *u = kept->motion + k * kept->size;
+    double *mass = WF_TAKE(&work, kept->size, double), *answer = WF_TAKE(&work, kept->size, double), up = 0,
+           down = 0;
+    enum wf_status status = wf_beam_init(&b, t, l, o, kept->pieces, &work, e);
+    double(*node)[6] = status ? NULL : wf_arena_take(&work, b.mesh.n, sizeof *node);
+    double(*ends)[6] = status ? NULL : wf_arena_take(&work, b.mesh.n, sizeof *ends);
+    if (!status && (!mass || !answer || !node || !ends))
+        status = wf_fail(e, WF_ENOMEM, "no room for a motion of %zu segments", t->n);
+    if (!status) {
+        memcpy(b.shape, kept->shape, b.mesh.n * sizeof *b.shape);
+        memcpy(b.tilt, kept->tilt, t->n * sizeof *b.tilt);
+        status = balance(&b, &work, e);
+    }
+    if (!status) status = wf_beam_linearise(&b, true, &work, e);
+    if (!status) {
+        wf_beam_motion_mass(&b, mass);
+        wf_beam_inertia_answer(&b, u, answer, node, ends);
+        for (size_t i = 0; i < kept->size; i++) {
+            up += mass[i] * u[i] * answer[i];
+            down += mass[i] * u[i] * u[i];
+        }
+        *frequency = hertz(up / down);
     }
     wf_arena_free(&work);
     return status;

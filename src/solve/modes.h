@@ -18,6 +18,28 @@
 enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
                         size_t count, struct wf_arena *a, double *frequency, double *shape, struct wf_err *e);
 
+/* What wf_modes found, kept to ask how a frequency changes when the tree's values do. */
+struct wf_beam_shape;
+struct wf_modes_kept {
+    int32_t *pieces;             /* elements of each row               */
+    size_t size;                 /* of a motion                        */
+    double *motion;              /* count x size, as in beam_vibrate.h */
+    struct wf_beam_shape *shape; /* the equilibrium they sway about    */
+    double (*tilt)[3];
+};
+/* As wf_modes, with what it found in *kept (from `a`). The motions are found to 1e-8, not only the figures.
+ */
+enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
+                             const struct wf_solve_options *o, size_t count, struct wf_arena *a,
+                             double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e);
+/* Frequency of kept mode k with its motion held, of a tree with the same rows whose other values differ a
+ * little, about that tree's own equilibrium [Hz; sign as wf_modes]. By Rayleigh's principle the figure is
+ * stationary in the motion: it differs from the tree's own frequency in second order of what differs, so a
+ * difference of two is a derivative without a search for modes. Errors: as wf_modes. */
+enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
+                             const struct wf_solve_options *o, const struct wf_modes_kept *kept, size_t k,
+                             double *frequency, struct wf_err *e);
+
 /* Generalised Greenhill factor: the multiple of the weight (gravity of `l`, wood, burden, point masses) at
  * which the unloaded shape, prestressed by that weight, loses its stiffness (linear buckling; wind and other
  * loads are left out). For an upright stem this is the exact bifurcation: Greenhill 1881, factor 7.8373 E I /

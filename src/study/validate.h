@@ -63,6 +63,7 @@ struct wf_want {
     const struct wf_quantity *quantity;
     struct wf_place at;
     size_t number;    /* of a mode, from 1 */
+    const char *name; /* of a fitted parameter */
     int component;    /* 0..2 = x, y, z; 3 = norm; -1 = all three */
     double value[3];  /* SI; NAN = not given; scalars use value[0] */
     double tolerance; /* NAN = the case's */
@@ -85,7 +86,8 @@ enum wf_case_shape {
     WF_SHAPE_ARC,
     WF_SHAPE_BRANCHES,
     WF_SHAPE_TREE,
-    WF_SHAPE_FLOW
+    WF_SHAPE_FLOW,
+    WF_SHAPE_FIT /* a calibration study: fitted by whoever runs the case, see wf_case_hold */
 };
 enum wf_case_model { WF_MODEL_K, WF_MODEL_EB, WF_MODEL_SR };
 enum { WF_CASE_KEYS_MAX = 64, WF_CASE_SOLVERS_MAX = 6, WF_CASE_PIECES_MAX = 8 };
@@ -110,6 +112,8 @@ struct wf_case {
     struct wf_list loads, masses;
     double line_load[3], line_by_radius[3];
     double wind[3], air_density, drag, cauchy, gravity, weight_parameter;
+    const char *fit_study, *fit_free; /* file beside the case; parameters, NULL: the study's */
+    double data_sets, noise; /* made-up data sets and their noise in sigmas; NAN: the study's data, 1 */
     const char *flow;
     double flow_speed, flow_radius, flow_circulation, flow_strength, flow_segment[2];
     const struct wf_solver *solver[WF_CASE_SOLVERS_MAX];
@@ -148,6 +152,12 @@ struct wf_verdict {
  * Returned: WF_OK and a verdict (a run that fails is a failed verdict); WF_ENOMEM. */
 enum wf_status wf_case_run(const struct wf_case *c, size_t k, size_t pieces, struct wf_arena *a,
                            struct wf_verdict *v, struct wf_err *e);
+
+/* A case whose values come from elsewhere (WF_SHAPE_FIT): hold them against what is wanted. answer(ctx, want,
+ * out, e): the value of one want [SI]. Returned: as wf_case_run. */
+typedef enum wf_status wf_case_answer(void *ctx, const struct wf_want *w, double out[3], struct wf_err *e);
+enum wf_status wf_case_hold(const struct wf_case *c, const char *solver, wf_case_answer *answer, void *ctx,
+                            struct wf_arena *a, struct wf_verdict *v, struct wf_err *e);
 
 /* Order of convergence: one verdict a mesh, each with one element a row and rows split by c->piece[].
  * Returned: verdicts[c->pieces]. The observed order between meshes i-1 and i of check j is

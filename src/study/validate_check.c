@@ -97,14 +97,16 @@ static void check_wants(struct checking *k)
 {
     struct wf_case *c = k->c;
     struct wf_want *w = c->wants.data;
-    bool by_flow = c->shape == WF_SHAPE_FLOW, by_solver = false;
+    bool by_flow = c->shape == WF_SHAPE_FLOW, by_fit = c->shape == WF_SHAPE_FIT, by_solver = false;
     need(k, c->wants.n > 0, "a wanted value ('want ...')");
     for (size_t i = 0; i < c->wants.n; i++) {
         enum wf_answer by = w[i].quantity->by;
         by_solver |= by == WF_BY_SOLVER;
-        if ((by == WF_BY_FLOW) != by_flow)
+        if ((by == WF_BY_FLOW) != by_flow || (by == WF_BY_FIT) != by_fit)
             wrong(k, w[i].line, "'%s' cannot be wanted of %s", w[i].quantity->name,
-                  by_flow ? "a flow" : "a structure");
+                  by_flow  ? "a flow"
+                  : by_fit ? "a fit"
+                           : "a structure");
         if (by == WF_BY_MODES || by == WF_BY_BUCKLING)
             if (!given(c, "density") && !given(c, "mass_per_length") && !given(c, "weight_parameter"))
                 wrong(k, w[i].line, "'%s' needs density, mass_per_length or weight_parameter",
@@ -124,12 +126,12 @@ void wf_case_check(struct wf_case *c, struct wf_diag *d)
     if (c->faulty) return; /* what is wrong has been said; what follows from it would only confuse */
     need(&k, c->kind >= 0, "kind");
     need(&k, c->source != NULL, "source");
-    need(&k, c->shape != WF_SHAPE_NONE, "a structure (cantilever, arc, node and branch, tree or flow)");
+    need(&k, c->shape != WF_SHAPE_NONE, "a structure (cantilever, arc, node and branch, tree, flow or fit)");
     if (c->shape == WF_SHAPE_BRANCHES) need(&k, c->branches.n > 0, "a branch");
     if (c->shape == WF_SHAPE_NONE) return;
     if (c->shape == WF_SHAPE_FLOW)
         need(&k, !wf_flow_missing(c), wf_flow_missing(c));
-    else
+    else if (c->shape != WF_SHAPE_FIT)
         check_section(&k), check_loads(&k);
     const struct wf_case_load *l = c->loads.data;
     for (size_t i = 0; i < c->loads.n; i++) check_place(&k, &l[i].at, l[i].line);

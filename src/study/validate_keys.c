@@ -83,6 +83,11 @@ const struct wf_case_key wf_case_keys[] = {
     NUMBER("circulation", flow_circulation, WF_DIM_VISCOSITY, -VAST, VAST),
     NUMBER("strength", flow_strength, WF_DIM_NONE, -VAST, VAST),
     { "segment", wf_key_numbers, AT(flow_segment), WF_DIM_LENGTH, 2, 2, -VAST, VAST, NULL, false },
+    /* calibration */
+    SPECIAL("fit", wf_key_fit, false),
+    SPECIAL("free", wf_key_free, false),
+    NUMBER("data_sets", data_sets, WF_DIM_NONE, 1, 10000),
+    NUMBER("noise", noise, WF_DIM_NONE, 0, 1),
     /* how it is run, what is wanted */
     SPECIAL("solver", wf_key_solver, false),
     SPECIAL("mesh", wf_key_mesh, false),

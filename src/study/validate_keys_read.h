@@ -17,6 +17,8 @@ wf_key_reader wf_key_support;    /* clamped | spring ABOUT_X [ABOUT_Y] UNIT     
 wf_key_reader wf_key_point;      /* force|moment|follower PLACE X Y Z UNIT             */
 wf_key_reader wf_key_mass;       /* PLACE MASS UNIT                                    */
 wf_key_reader wf_key_flow;       /* cylinder | line-source | point-source | finite-line-source */
+wf_key_reader wf_key_fit;        /* STUDY.yaml                                         */
+wf_key_reader wf_key_free;       /* NAME...                                            */
 wf_key_reader wf_key_solver;     /* NAME...                                            */
 wf_key_reader wf_key_mesh;       /* default | one-element-per-row | tolerance NUMBER   */
 wf_key_reader wf_key_order;      /* PARTS PARTS...                                     */

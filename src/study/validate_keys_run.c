@@ -64,6 +64,28 @@ bool wf_key_mesh(struct wf_words *w, struct wf_case *c, const struct wf_case_key
     return wf_words_end(w);
 }
 
+bool wf_key_fit(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+{
+    (void)k;
+    if (c->shape != WF_SHAPE_NONE && c->shape != WF_SHAPE_FIT)
+        return wf_words_wrong(w, 0, "the case has a structure; a fit brings its own");
+    if (!wf_words_peek(w))
+        return wf_words_wrong(w, w->n,
+                              "the name of a calibration study, from the case's folder, is expected");
+    c->shape = WF_SHAPE_FIT;
+    c->fit_study = w->word[w->next++];
+    return wf_words_end(w);
+}
+
+bool wf_key_free(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+{
+    (void)k;
+    if (!*w->rest) return wf_words_wrong(w, w->n, "names of parameters are expected");
+    c->fit_free = w->rest;
+    w->next = w->n;
+    return true;
+}
+
 bool wf_key_order(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;

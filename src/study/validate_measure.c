@@ -224,5 +224,9 @@ const struct wf_quantity wf_quantities[] = {
     { "buckling_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_BUCKLING, buckling },
     { "velocity", WF_DIM_SPEED, true, WF_NEED_POINT, WF_BY_FLOW, wf_flow_velocity },
     { "pressure_coefficient", WF_DIM_NONE, false, WF_NEED_POINT, WF_BY_FLOW, wf_flow_cp },
+    { "fitted_modulus", WF_DIM_PRESSURE, false, WF_NEED_NAME, WF_BY_FIT, NULL },
+    { "fitted_stiffness", WF_DIM_ROTATIONAL_STIFFNESS, false, WF_NEED_NAME, WF_BY_FIT, NULL },
+    { "fitted_number", WF_DIM_NONE, false, WF_NEED_NAME, WF_BY_FIT, NULL },
+    { "intervals_that_cover", WF_DIM_NONE, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { .name = NULL },
 };

@@ -16,8 +16,8 @@ struct wf_setup {
     double *end;   /* rows: share of the length at a row's end (cantilever, arc) */
 };
 
-enum wf_need { WF_NEED_NOTHING, WF_NEED_PLACE, WF_NEED_NUMBER, WF_NEED_POINT };
-enum wf_answer { WF_BY_SOLVER, WF_BY_MODES, WF_BY_BUCKLING, WF_BY_FLOW, WF_BY_SETUP };
+enum wf_need { WF_NEED_NOTHING, WF_NEED_PLACE, WF_NEED_NUMBER, WF_NEED_POINT, WF_NEED_NAME };
+enum wf_answer { WF_BY_SOLVER, WF_BY_MODES, WF_BY_BUCKLING, WF_BY_FLOW, WF_BY_SETUP, WF_BY_FIT };
 
 struct wf_measured {
     const struct wf_case *of;
@@ -36,7 +36,7 @@ struct wf_quantity {
     bool vector;
     enum wf_need need;
     enum wf_answer by;
-    /* out: 3 numbers of a vector, or out[0] [SI] */
+    /* out: 3 numbers of a vector, or out[0] [SI]; NULL of WF_BY_FIT */
     enum wf_status (*measure)(const struct wf_measured *m, const struct wf_want *w, double out[3],
                               struct wf_err *e);
 };

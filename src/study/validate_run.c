@@ -57,12 +57,13 @@ static void check(struct wf_verdict *v, const struct wf_want *w, int component, 
     if (use > v->worst) v->worst = use;
 }
 
-static enum wf_status compare(const struct wf_measured *m, struct wf_verdict *v, struct wf_err *e)
+static enum wf_status compare(const struct wf_case *c, wf_case_answer *answer, void *ctx,
+                              struct wf_verdict *v, struct wf_err *e)
 {
-    const struct wf_want *w = m->of->wants.data;
-    for (size_t i = 0; i < m->of->wants.n; i++) {
+    const struct wf_want *w = c->wants.data;
+    for (size_t i = 0; i < c->wants.n; i++) {
         double got[3] = { NAN, NAN, NAN };
-        if (w[i].quantity->measure(m, &w[i], got, e)) return e->code;
+        if (answer(ctx, &w[i], got, e)) return e->code;
         if (!w[i].quantity->vector || w[i].component >= 0) {
             double one = !w[i].quantity->vector ? got[0]
                          : w[i].component == 3  ? sqrt(got[0] * got[0] + got[1] * got[1] + got[2] * got[2])
@@ -74,6 +75,31 @@ static enum wf_status compare(const struct wf_measured *m, struct wf_verdict *v,
         }
     }
     return WF_OK;
+}
+
+/* What became of a run: `status` and its message, and what was compared. */
+static enum wf_status conclude(struct wf_verdict *v, enum wf_status status, const struct wf_err *own,
+                               struct wf_arena *a, struct wf_err *e)
+{
+    if (status == WF_ENOMEM) return wf_fail(e, status, "%s", own->text);
+    v->outcome = status == WF_EMISSING ? WF_SKIPPED : status || v->failed ? WF_FAILED : WF_PASSED;
+    if (status && !(v->why = wf_arena_text(a, own->text))) return wf_fail(e, WF_ENOMEM, "no memory");
+    return WF_OK;
+}
+
+enum wf_status wf_case_hold(const struct wf_case *c, const char *solver, wf_case_answer *answer, void *ctx,
+                            struct wf_arena *a, struct wf_verdict *v, struct wf_err *e)
+{
+    struct wf_err own = { WF_OK, "" };
+    *v = (struct wf_verdict){ .of = c, .solver = solver };
+    if (!(v->check = WF_TAKE(a, 3 * c->wants.n, struct wf_check))) return wf_fail(e, WF_ENOMEM, "no memory");
+    enum wf_status status = compare(c, answer, ctx, v, &own);
+    return conclude(v, status, &own, a, e);
+}
+
+static enum wf_status measured(void *ctx, const struct wf_want *w, double out[3], struct wf_err *e)
+{
+    return w->quantity->measure(ctx, w, out, e);
 }
 
 static enum wf_status attempt(const struct wf_case *c, size_t k, size_t pieces, double mesh_tolerance,
@@ -91,14 +117,15 @@ static enum wf_status attempt(const struct wf_case *c, size_t k, size_t pieces, 
     v->check = WF_TAKE(a, 3 * c->wants.n, struct wf_check);
     if (!s || !v->check) return wf_fail(e, WF_ENOMEM, "no memory");
     bool flow = c->shape == WF_SHAPE_FLOW; /* has no tree, loads or mesh */
-    enum wf_status status = flow ? WF_OK : wf_setup_build(c, pieces, a, s, &own);
-    if (!isnan(mesh_tolerance)) s->options.mesh_tolerance = mesh_tolerance;
+    enum wf_status status = WF_OK;
+    if (c->shape == WF_SHAPE_FIT)
+        status = wf_fail(&own, WF_EUSAGE, "a fit is run by the program, not by the library");
+    else if (!flow)
+        status = wf_setup_build(c, pieces, a, s, &own);
+    if (!status && !isnan(mesh_tolerance)) s->options.mesh_tolerance = mesh_tolerance;
     if (!status && !flow) status = compute(&m, s, &own);
-    if (!status) status = compare(&m, v, &own);
-    if (status == WF_ENOMEM) return wf_fail(e, status, "%s", own.text);
-    v->outcome = status == WF_EMISSING ? WF_SKIPPED : status || v->failed ? WF_FAILED : WF_PASSED;
-    if (status && !(v->why = wf_arena_text(a, own.text))) return wf_fail(e, WF_ENOMEM, "no memory");
-    return WF_OK;
+    if (!status) status = compare(c, measured, &m, v, &own);
+    return conclude(v, status, &own, a, e);
 }
 
 enum wf_status wf_case_run(const struct wf_case *c, size_t k, size_t pieces, struct wf_arena *a,

@@ -134,6 +134,7 @@ enum wf_status wf_case_shape_build(const struct wf_case *c, struct wf_arena *a, 
     case WF_SHAPE_TREE:
         return tree_file(c, a, t, e);
     case WF_SHAPE_FLOW:
+    case WF_SHAPE_FIT:
     case WF_SHAPE_NONE:
         break;
     }

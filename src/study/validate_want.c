@@ -48,6 +48,10 @@ static bool where_read(struct wf_words *w, struct wf_want *want)
         if (!wf_words_whole(w, "number of the mode", 1, 1000, &number)) return false;
         want->number = (size_t)number;
         return true;
+    case WF_NEED_NAME:
+        if (!wf_words_peek(w)) return wf_words_wrong(w, w->n, "the name of a fitted parameter is expected");
+        want->name = w->word[w->next++];
+        return true;
     case WF_NEED_POINT:
         break;
     }
@@ -118,7 +122,7 @@ bool wf_want_read(struct wf_words *w, struct wf_want *want)
 void wf_want_print(const struct wf_want *w, int component, char *buf, size_t size)
 {
     static const char *const axis[] = { " x", " y", " z", " norm" };
-    char at[96] = "";
+    char at[128] = "";
     switch (w->at.kind) {
     case WF_PLACE_NONE:
         break;
@@ -140,6 +144,7 @@ void wf_want_print(const struct wf_want *w, int component, char *buf, size_t siz
     case WF_PLACE_POINT:
         (void)snprintf(at, sizeof at, " %g %g %g", w->at.point[0], w->at.point[1], w->at.point[2]);
     }
+    if (w->name) (void)snprintf(at, sizeof at, " %s", w->name);
     if (w->number) (void)snprintf(at, sizeof at, " %zu", w->number);
     (void)snprintf(buf, size, "%s%s%s", w->quantity->name, at, w->quantity->vector ? axis[component] : "");
 }

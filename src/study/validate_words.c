@@ -67,7 +67,7 @@ bool wf_words_skip(struct wf_words *w, const char *text)
 
 bool wf_words_choice(struct wf_words *w, const char *what, const char *const *known, size_t n, size_t *out)
 {
-    char all[256] = "";
+    char all[512] = "";
     const char *s = wf_words_peek(w);
     for (*out = 0; s && *out < n; ++*out)
         if (!strcmp(s, known[*out])) {
