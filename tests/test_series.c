@@ -33,6 +33,9 @@ static void start(struct made *m, const char *species, const char *model)
                                           .damping = NAN,
                                           .transmission = NAN,
                                           .reference_height = NAN,
+                                          .leaf_amplitude = NAN,
+                                          .leaf_follow = NAN,
+                                          .leaf_period = NAN,
                                           .keys = 1,
                                           .seed = 1 };
     if (wf_species_read(species, &m->arena, &m->species, &m->diag, &m->err)) fail_msg("%s", m->err.text);

@@ -6,6 +6,7 @@ static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]-
 static const char *preset_word(size_t i) { return wf_presets[i].name; }
 static const char *profile_word(size_t i) { return wf_profiles[i].name; }
 static const char *gust_word(size_t i) { return i ? wf_gust_models[i - 1].name : "steady"; }
+static const char *leaf_word(size_t i) { return wf_leaf_motions[i].name; }
 static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 
 #define CHOICE(n, start, list, text)                                                                         \
@@ -38,6 +39,13 @@ static const struct wf_option options[] = {
     NUMBER("--seed", "NUMBER", "1", WF_DIM_NONE, NULL, 0, 1e9, "of the random numbers"),
     NUMBER("--restoring", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 100, "k of the deflect scheme, below 1"),
     NUMBER("--damping", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 1e9, "c of the deflect scheme, N s2"),
+    CHOICE("--leaf-motion", NULL, leaf_word,
+           "how leaves turn, a look that enters no load [the preset's, else eq13]"),
+    NUMBER("--leaf-amplitude", "ANGLE", "30", WF_DIM_ANGLE, "deg", 0, 180,
+           "largest turn by one of the three noises"),
+    NUMBER("--leaf-follow", "NUMBER", "0.5", WF_DIM_NONE, NULL, -10, 10,
+           "lambda: share of theta_x added to theta_z"),
+    NUMBER("--leaf-period", "TIME", "1", WF_DIM_TIME, "s", 1e-3, 3600, "of the noise's first octave"),
     NUMBER("--youngs-modulus", "MODULUS", NULL, WF_DIM_PRESSURE, "Pa", 1e5, 1e12, "in place of the species'"),
     NUMBER("--reference-height", "LENGTH", "10", WF_DIM_LENGTH, "m", 0.01, 1000,
            "where the wind has its speed"),
@@ -90,6 +98,10 @@ int wf_cmd_series(int argc, char **argv)
                                           .damping = wf_args_number(&g, "--damping"),
                                           .transmission = NAN,
                                           .reference_height = wf_args_number(&g, "--reference-height"),
+                                          .leaf_motion = wf_args_text(&g, "--leaf-motion"),
+                                          .leaf_amplitude = wf_args_number(&g, "--leaf-amplitude"),
+                                          .leaf_follow = wf_args_number(&g, "--leaf-follow"),
+                                          .leaf_period = wf_args_number(&g, "--leaf-period"),
                                           .keys = (size_t)wf_args_number(&g, "--keys"),
                                           .seed = (size_t)wf_args_number(&g, "--seed") };
         struct wf_series_plan plan = {

@@ -40,6 +40,7 @@ const struct wf_preset wf_presets[] = {
                 "Engineering and Applications 49(14):160-163",
       .solver = "deflect-as-printed",
       .gust = "sine-perlin-as-printed",
+      .leaves = "noise",
       .drag = WF_ZHAO_DRAG,
       .lift = WF_ZHAO_LIFT,
       .air_density = WF_ZHAO_AIR,

@@ -8,6 +8,7 @@ struct wf_preset {
     const char *name, *title, *source;
     const char *solver; /* row of wf_solvers; NULL: the user's            */
     const char *gust;   /* row of wf_gust_models, for time series         */
+    const char *leaves; /* row of wf_leaf_motions, for time series; NULL: the first */
     double drag, lift;  /* coefficients of wood and crown; NAN: the species' [-] */
     double air_density; /* [kg m-3]; NAN: the scenario's                  */
     bool solid;         /* sections without a hollow                      */

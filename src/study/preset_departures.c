@@ -69,10 +69,11 @@ void wf_departures_feng(const struct wf_analysis *an, struct wf_diag *d)
             d, "relative-radius",
             "feng1999: radii are printed without a unit; read as metres they are those of weeping twigs, "
             "far too thin for limbs");
-    wf_diag_warn(
-        d, "dropped-products",
-        "feng1999: eq 2 leaves out products of first derivatives of the angles and takes a segment as "
-        "uniform; the error falls with the length of the segments");
+    if (an->solver->as_printed)
+        wf_diag_warn(
+            d, "dropped-products",
+            "feng1999: eq 2 leaves out products of first derivatives of the angles and takes a segment as "
+            "uniform; the error falls with the length of the segments");
 }
 
 void wf_departures_zhao(const struct wf_analysis *an, struct wf_diag *d)
