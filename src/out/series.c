@@ -241,5 +241,6 @@ enum wf_status wf_series_tables(const struct wf_series_page *p, const char *fold
         table[i].write(p, f.stream);
         status = wf_file_commit(&f, e);
     }
-    return status ? status : wf_series_leaf_tables(p, folder, e);
+    if (!status) status = wf_series_leaf_tables(p, folder, e);
+    return status || !p->explained ? status : wf_explain_tables(p->explain, p->explained, folder, e);
 }

@@ -14,6 +14,7 @@
         .doc = text, __VA_ARGS__                                                                             \
     }
 
+static const char *const no_yes[] = { "no", "yes", NULL };
 static const struct wf_yaml_row run_rows[] = {
     WORD(name, "What the run is called in tables and panels.", .required = true, .example = "10 m/s"),
     WORD(species, "Species table, a file or a shipped name.", .required = true, .example = "moso_bamboo"),
@@ -56,6 +57,13 @@ static const struct wf_yaml_row run_rows[] = {
              "lambda: share of theta_x added to theta_z.", .preset = "0.5", .example = "0.5"),
     QUANTITY("leaf_period", leaf_period, WF_DIM_TIME, "s", 1e-3, 3600, "Period of the noise's first octave.",
              .preset = "1 s", .example = "1 s"),
+    { .key = "explain",
+      .kind = WF_YAML_CHOICE,
+      .choices = no_yes,
+      .preset = "no",
+      AT(explain),
+      .doc = "Every method against beam theory on this tree in the mean wind, branch by branch.",
+      .example = "yes" },
     { .key = "keys",
       .kind = WF_YAML_INTEGER,
       .low = 1,

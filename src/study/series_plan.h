@@ -5,7 +5,7 @@
 #include "study/series.h"
 
 struct wf_series_plan_run { /* NULL, NAN: the default */
-    const char *name, *species, *model, *preset, *solver, *gust, *shelter, *profile, *leaf_motion;
+    const char *name, *species, *model, *preset, *solver, *gust, *shelter, *profile, *leaf_motion, *explain;
     double wind, intensity, period, duration, step, youngs, restoring, damping, transmission,
         reference_height, leaf_amplitude, leaf_follow, leaf_period;
     size_t keys, seed;
