@@ -5,6 +5,7 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 load HERE.'style.gp'
 EXPLAIN = DIR.'/tables/explain.csv'
 WIDTH = 640.0; KEY = 24.0 + 20.0*ceil(METHODS/3.0); HEIGHT = 330.0 + KEY
+set linetype 7 lc rgb '#000000' pt 2 ps 0.7
 @start
 set multiplot
 set lmargin at screen 84.0/WIDTH; set rmargin at screen 625.0/WIDTH

@@ -1,11 +1,13 @@
 # Key frames as small panels, seen across the wind, which blows to the right; grey: the tree without wind, dashed:
 # the plumb line of its height.
-#   gnuplot -c frames.gp FOLDER [FILE]     plots/run.gp: SHOWN = run, 0 = one panel for each run
+#   gnuplot -c frames.gp FOLDER [FILE]     plots/run.gp: SHOWN = run, 0 = the runs of one key frame
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'frames.svg'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
-PANELS = SHOWN > 0 ? KEYS[SHOWN] : RUNS
-RUN_OF(p) = SHOWN > 0 ? SHOWN : p
+SINGLE = ""
+do for [r=1:RUNS] { if (KEYS[r] == 1) { SINGLE = SINGLE.r." " } }
+PANELS = SHOWN > 0 ? KEYS[SHOWN] : words(SINGLE)
+RUN_OF(p) = SHOWN > 0 ? SHOWN : nth(SINGLE, p)
 KEY_OF(p) = SHOWN > 0 ? p : 1
 low = 0.0; high = 0.0; top = 0.0; leafy = 0
 do for [p=1:PANELS] {
@@ -37,7 +39,8 @@ LINES = ceil(PANELS/(1.0*COLUMNS))
 WIDTH = 640.0
 # the same scale both ways
 WIDE = (WIDTH - 50)/COLUMNS - 10; TALL = WIDE*top/(high - low)
-if (TALL > 330) { TALL = 330.0 }
+most = 560.0/LINES - 46; most = most > 330 ? 330.0 : most
+if (TALL > most) { TALL = most }
 PER = TALL/top; WIDE = PER*(high - low)
 HEIGHT = LINES*(TALL + 46) + 34
 @start
@@ -56,7 +59,7 @@ do for [p=1:PANELS] {
     r = RUN_OF(p); k = KEY_OF(p)
     set title (SHOWN > 0 ? word(TIMES[r], k)." s, ".word(WINDS[r], k)." m/s" : NAME[r]) font ",9" offset 0,-0.9
     if (c == 0) { set border 3; set ytics nomirror scale 0.4 font ",8" autofreq } else { set border 1; unset ytics }
-    set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead dt (4,4) lc rgb '#909090' lw 0.8
+    set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead front dt (4,4) lc rgb '#606060' lw 0.9
     if (LEAVES[r] > 0) {
         plot $WOOD using (pick(of(r, 0), $4)):5:6:7 with vectors nohead lc rgb '#c8c8c8' lw 0.8 dt 1, \
             $LEAF using (pick(of(r, k), $4)):5:6:7 with vectors nohead lc rgb '#7fbf9f' lw 0.5 dt 1, \

@@ -45,6 +45,16 @@ static void print(const struct wf_series_page *p)
     printf("\n");
 }
 
+/* Findings of all runs, those that several have in common once. */
+static void print_findings(const struct wf_diag *diag, size_t runs, bool quiet, struct wf_arena *a)
+{
+    struct wf_diag once = { .arena = a };
+    for (size_t r = 0; r < runs; r++)
+        for (const struct wf_finding *w = diag[r].first; w; w = w->next)
+            wf_diag_warn(&once, w->code, "%s", w->text);
+    wf_print_findings(&once, quiet);
+}
+
 static enum wf_status run_all(const struct wf_series_job *j, struct wf_series *series, struct wf_diag *diag,
                               struct wf_arena *a, struct wf_err *e)
 {
@@ -108,7 +118,7 @@ int wf_series_perform(const struct wf_series_job *j, struct wf_arena *a)
     if (s) return wf_complain(&e);
     if (!j->quiet) print(&page);
     fflush(stdout);
-    for (size_t r = 0; r < plan->runs; r++) wf_print_findings(&diag[r], j->quiet);
+    print_findings(diag, plan->runs, j->quiet, a);
     s = wf_series_tables(&page, j->folder, &e);
     if (!s && j->vtk) s = wf_series_vtk(&page, j->folder, &e);
     if (!s && j->page) {

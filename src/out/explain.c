@@ -73,17 +73,18 @@ enum wf_status wf_explain_tables(const struct wf_explained *x, size_t n, const c
 static void heads(FILE *f, const struct wf_explain *x)
 {
     for (size_t m = 0; m < x->methods; m++)
-        fputs("<th>", f), wf_html_text(f, x->method[m]->name), fputs("</th>", f);
+        fputs("<th class=\"r\">", f), wf_html_text(f, x->method[m]->name), fputs("</th>", f);
     fputs("</tr></thead>\n", f);
 }
 
 static void by_level(FILE *f, const struct wf_explained *x)
 {
     const struct wf_explain *o = x->of;
-    fputs("<table class=\"data\"><caption>By level: middle ratio of the branches, below it the lowest and "
-          "the highest. "
-          "1.00 is agreement with beam theory.</caption><thead><tr><th>level</th><th>branches</th>",
-          f);
+    fputs(
+        "<table class=\"data\"><caption>By level: middle ratio of the branches, below it the lowest and "
+        "the highest. "
+        "1.00 is agreement with beam theory.</caption><thead><tr><th>level</th><th class=\"r\">branches</th>",
+        f);
     heads(f, o);
     for (int32_t l = 0; l <= wf_explain_top(o); l++) {
         fprintf(f, "<tbody><tr><td>%d</td>", (int)l);
@@ -92,8 +93,10 @@ static void by_level(FILE *f, const struct wf_explained *x)
             wf_explain_spread(o, m, l, &s);
             if (!m) fprintf(f, "<td class=\"r\">%zu</td>", s.branches);
             if (s.answers)
-                fprintf(f, "<td class=\"r\">%.3g<span class=\"why\">%.2g to %.2g</span></td>", s.middle,
-                        s.low, s.high);
+                fprintf(f,
+                        s.answers > 1 ? "<td class=\"r\">%.3g<span class=\"why\">%.2g to %.2g</span></td>"
+                                      : "<td class=\"r\">%.3g</td>",
+                        s.middle, s.low, s.high);
             else
                 fputs("<td class=\"r\">-</td>", f);
         }
@@ -117,8 +120,9 @@ static void by_branch(FILE *f, const struct wf_explained *x)
         "<table class=\"data\"><caption>Branch by branch: %s%zu of %zu; all are in tables/explain.csv. Beam: "
         "how far "
         "the end bends away from where a stiff branch on the same foot would have it.</caption><thead><tr>"
-        "<th>branch</th><th>level</th><th>foot at<span class=\"u\">m</span></th><th>length<span class=\"u\">m"
-        "</span></th><th>beam<span class=\"u\">m</span></th>",
+        "<th>branch</th><th>level</th><th class=\"r\">foot at<span class=\"u\">m</span></th><th "
+        "class=\"r\">length<span class=\"u\">m"
+        "</span></th><th class=\"r\">beam<span class=\"u\">m</span></th>",
         n < o->axes ? "the first " : "", n, o->axes);
     heads(f, o);
     fputs("<tbody class=\"long\">", f);
@@ -139,13 +143,13 @@ void wf_explain_section(const struct wf_explained *x, const char *folder, FILE *
     char name[32], caption[400];
     struct wf_err e = { 0 };
     fputs("<h2>Where each method can be trusted: ", f), wf_html_text(f, x->name);
-    fprintf(f,
-            ", %.3g m/s</h2>\n<p>Every method bends the same tree under the same wind, air and drag. A ratio "
-            "is the "
-            "branch's own bending by the method over that by beam theory, less what its foot does, so an "
-            "error of the "
-            "parent is not counted again.</p>\n",
-            x->speed);
+    fprintf(
+        f,
+        "</h2>\n<p>Every method bends the same tree under the same air, drag and steady wind of %.3g m/s. A "
+        "ratio is the branch's own bending by the method over that by beam theory, less what its foot does, "
+        "so "
+        "an error of the parent is not counted again.</p>\n",
+        x->speed);
     by_level(f, x);
     snprintf(name, sizeof name, "explain_%zu", x->run);
     snprintf(
@@ -153,7 +157,7 @@ void wf_explain_section(const struct wf_explained *x, const char *folder, FILE *
         "Own bending of every branch over that by beam theory, by level (0: the stem), methods side by side. "
         "The line at 1 is agreement.");
     if (!wf_html_show(folder, x->run, &e)) wf_html_figure(folder, "explain", name, caption, f, d, first);
-    by_branch(f, x);
+    if (x->of->axes > 1) by_branch(f, x);
 }
 
 enum wf_status wf_explain_page(const struct wf_explained *x, const struct wf_html_head *head,

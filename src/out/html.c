@@ -31,27 +31,20 @@ void wf_html_number(FILE *f, const char *format, double x)
     fputs("</td>", f);
 }
 
-/* Was a finding told by an earlier one of the n runs, or earlier in its own? */
-static bool told(const struct wf_diag *const *d, size_t run, const struct wf_finding *w)
-{
-    for (size_t r = 0; r <= run; r++)
-        for (const struct wf_finding *v = d[r]->first; v && v != w; v = v->next)
-            if (!strcmp(v->text, w->text)) return true;
-    return false;
-}
-
 void wf_html_findings(FILE *f, const struct wf_diag *const *d, size_t n)
 {
-    bool any = false;
+    struct wf_arena scratch = { 0 };
+    struct wf_diag once = { .arena = &scratch };
     for (size_t r = 0; r < n; r++)
-        for (const struct wf_finding *w = d[r]->first; w; w = w->next) {
-            if (told(d, r, w)) continue;
-            if (!any) fputs("<h2>Where these answers leave physics</h2>\n<dl>", f);
-            any = true;
-            fputs("<dt>", f), wf_html_text(f, w->code), fputs("</dt><dd>", f), wf_html_text(f, w->text);
-            fputs("</dd>\n", f);
-        }
-    if (any) fputs("</dl>\n", f);
+        for (const struct wf_finding *w = d[r]->first; w; w = w->next)
+            wf_diag_warn(&once, w->code, "%s", w->text);
+    if (once.first) fputs("<h2>Where these answers leave physics</h2>\n<ul class=\"findings\">", f);
+    for (const struct wf_finding *w = once.first; w; w = w->next) {
+        fputs("<li><b>", f), wf_html_text(f, w->code), fputs("</b> ", f), wf_html_text(f, w->text);
+        fputs("</li>\n", f);
+    }
+    if (once.first) fputs("</ul>\n", f);
+    wf_arena_free(&scratch);
 }
 
 static enum wf_status hang(FILE *f, xmlDoc *svg, struct wf_err *e)

@@ -208,6 +208,7 @@ static void plot_facts(const struct wf_series_page *p, FILE *f)
         }
     }
     fputs("]\n", f);
+    wf_series_sweep_facts(p, f);
 }
 
 enum wf_status wf_series_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e)

@@ -1,20 +1,22 @@
 /* The page of runs in time: what was run, panels of key frames, courses in time, amplitudes, warnings. */
 #include "out/html.h"
 #include "out/page.h"
-#include "out/series.h"
+#include "out/series_parts.h"
 #include <math.h>
 #include <string.h>
 
 static void runs(const struct wf_series_page *p, FILE *f)
 {
-    fputs(
-        "<table class=\"data\"><caption>What was run. Deflection is that of the stem's tip from the unloaded "
-        "shape.</caption><thead><tr><th>run</th><th>species, model</th><th>method</th><th>wind<span "
-        "class=\"u\">m/s, "
-        "mean</span></th><th>E<span class=\"u\">GPa, stem</span></th><th>mean<span "
-        "class=\"u\">m</span></th><th>most"
-        "<span class=\"u\">m</span></th><th>share<span class=\"u\">of height</span></th></tr></thead>",
-        f);
+    fputs("<h2>What was run</h2>\n<table class=\"data runs\"><caption>Deflection is that of the stem's tip "
+          "from the unloaded "
+          "shape.</caption><thead><tr><th>run</th><th>species, model</th><th>method</th><th "
+          "class=\"r\">wind<span "
+          "class=\"u\">m/s, "
+          "mean</span></th><th class=\"r\">E<span class=\"u\">GPa, stem</span></th><th class=\"r\">mean<span "
+          "class=\"u\">m</span></th><th class=\"r\">most"
+          "<span class=\"u\">m</span></th><th class=\"r\">share<span class=\"u\">of "
+          "height</span></th></tr></thead>",
+          f);
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
         double sum = 0, most = 0, n = 0;
@@ -39,14 +41,16 @@ static void levels(const struct wf_series_page *p, FILE *f)
     for (size_t r = 0; r < p->n; r++) any = any || p->run[r].series->frames > 1;
     if (!any) return;
     fputs(
-        "<table class=\"data\"><caption>Amplitude by level: half of the way along the wind between the "
+        "<h2>Amplitude by level</h2>\n<table class=\"data runs\"><caption>Half of the way along the wind "
+        "between the "
         "extreme "
         "places of an axis' end, mean over the axes of a level; own: against the foot of the axis; windward, "
         "leeward: axes whose end lies on that side of the "
         "stem.</caption><thead><tr><th>run</th><th>level</th>"
-        "<th>axes</th><th>mean<span class=\"u\">m</span></th><th>largest<span "
-        "class=\"u\">m</span></th><th>own"
-        "<span class=\"u\">m</span></th><th>windward<span class=\"u\">m</span></th><th>leeward<span "
+        "<th>axes</th><th class=\"r\">mean<span class=\"u\">m</span></th><th class=\"r\">largest<span "
+        "class=\"u\">m</span></th><th class=\"r\">own"
+        "<span class=\"u\">m</span></th><th class=\"r\">windward<span class=\"u\">m</span></th><th "
+        "class=\"r\">leeward<span "
         "class=\"u\">m"
         "</span></th></tr></thead>",
         f);
@@ -89,31 +93,46 @@ static enum wf_status figures(const struct wf_series_page *p, const char *folder
         course = course || s->frames > 1, single = single || s->spec.keys == 1;
         leafy = leafy || (s->frames > 1 && s->leaves.n > 0);
     }
-    if (single && !wf_html_show(folder, 0, &e))
+    size_t swept;
+    if (single && !wf_html_show(folder, 0, &e)) {
+        fputs("<h2>Bent shapes</h2>\n", f);
+        if (wf_series_sweep(p, &swept)) {
+            const struct wf_series *s = p->run[swept].series;
+            snprintf(caption, sizeof caption,
+                     "Deflection of the stem's tip by Young's modulus, %.60s in %.3g m/s, all else the same.",
+                     s->spec.species->name, s->spec.speed);
+            wf_html_figure(folder, "modulus", "modulus", caption, f, d, &first);
+        }
         wf_html_figure(
             folder, "frames", "frames_all",
             "The runs side by side, seen across the wind, which blows to the right. Grey: the unloaded tree. "
             "Dashed: the plumb line of its height. One scale for all, equal both ways, metres.",
             f, d, &first);
-    for (size_t r = 0; r < p->n; r++) {
+    }
+    for (size_t r = 0, shown = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
         if (s->spec.keys < 2 || wf_html_show(folder, r + 1, &e)) continue;
+        if (!shown++) fputs("<h2>Key frames</h2>\n", f);
         snprintf(name, sizeof name, "frames_%zu", r + 1);
         snprintf(caption, sizeof caption,
                  "Run %zu, %.200s: key frames with their time and wind speed, seen across the wind, which "
-                 "blows to the right; metres. Grey: the unloaded tree.",
+                 "blows to the right; metres. Grey: the unloaded tree, dashed: its plumb line.",
                  r + 1, s->spec.name);
         wf_html_figure(folder, "frames", name, caption, f, d, &first);
     }
-    if (course)
-        wf_html_figure(folder, "series", "series",
-                       "Wind at the reference height, and deflection of the stem's tip.", f, d, &first);
+    if (course) {
+        fputs("<h2>In time</h2>\n", f);
+        wf_html_figure(
+            folder, "series", "series",
+            "Wind at the reference height, and deflection of the stem's tip from the unloaded shape.", f, d,
+            &first);
+    }
     if (leafy)
         wf_html_figure(
             folder, "leaf_angles", "leaf_angles",
-            "How the first leaf of a run turns on its stalk: swing and twist in proportion to the wind (Tang "
-            "and others 2012, eq 13), or turns theta about x, y and z from three noises (Zhao and Zhang "
-            "2013). A look: leaves bear the wind in the load as area alone, and these angles enter none.",
+            "How the first leaf of a run turns on its stalk: swing and twist in proportion to the wind "
+            "(Tang and others 2012, eq 13), or turns theta about x, y and z from three noises (Zhao and "
+            "Zhang 2013). A look alone: these angles enter no load.",
             f, d, &first);
     return first;
 }

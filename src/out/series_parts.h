@@ -10,6 +10,11 @@ double wf_series_along(const struct wf_series *s, const double x[3]);
 void wf_series_number(FILE *f, double x);
 enum wf_status wf_series_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e);
 
+/* The largest group of single frames that differ in the modulus alone. Returned: its size, 0 below three, and
+ * one of its runs in *first; as facts for the figure script SWEPT, the numbers of the runs. */
+size_t wf_series_sweep(const struct wf_series_page *p, size_t *first);
+void wf_series_sweep_facts(const struct wf_series_page *p, FILE *f);
+
 /* tables/leaves.csv and leaf_angles.csv. */
 enum wf_status wf_series_leaf_tables(const struct wf_series_page *p, const char *folder, struct wf_err *e);
 #endif
