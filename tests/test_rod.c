@@ -1,6 +1,8 @@
 /* The rod solver against the beam engine without stretch, statics at forks and tips, and the printed form. */
+#include "base/vec.h"
 #include "beam_cases.h"
 #include "solve/rod.h"
+#include "wind/shelter.h"
 
 static double apart(const double *a, const double *b, size_t n)
 {
@@ -249,6 +251,93 @@ static void printed_refuses(void **state)
     beam_free(&c);
 }
 
+/* Shelter of the trees' own: ratios of neighbouring cells jump, the field's curvature with them. The answer
+ * is the beam engine's, on the branch no other bends. */
+static void sheltered_wind(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    struct wf_shelter s;
+    struct wf_shelter_request q;
+    struct wf_wind field;
+    beam_tree7(&c);
+    c.loads.gravity = 9.81;
+    for (size_t i = 0; i < c.tree.n; i++) c.tree.sail0[i] = c.tree.sail1[i] = 0.1;
+    beam_blow(&c, 25, 0, 0);
+    wf_shelter_request_default(&q);
+    q.law = wf_shelter_law_named("feng1999");
+    q.slabs = 24, q.cells = 96;
+    if (wf_shelter_make(&c.tree, &c.wind, &q, &c.arena, &s, &c.err)) fail_msg("%s", c.err.text);
+    wf_shelter_field(&s, &field);
+    c.loads.wind = &field;
+    assert_non_null(field.clear);
+    c.options.inextensible = true;
+    c.options.mesh_tolerance = 1e-7;
+    beam_solve(&c);
+    struct wf_response beam = c.out;
+    rod_solve(&c);
+    size_t n = 3 * c.tree.n;
+    assert_true(apart(c.out.end, beam.end, n) < 1e-4); /* the beam's mesh does not know the faces */
+    assert_true(apart(c.out.base_moment, beam.base_moment, 3) < 1e-4);
+    beam_free(&c);
+}
+
+/* Distance to the next face: a step there ends on a whole cell, and none is nearer. */
+static void faces_of_cells(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    struct wf_shelter s;
+    struct wf_shelter_request q;
+    struct wf_wind field;
+    beam_tree3(&c);
+    beam_blow(&c, 3, 4, 0);
+    wf_shelter_request_default(&q);
+    q.slabs = 8, q.cells = 16;
+    if (wf_shelter_make(&c.tree, &c.wind, &q, &c.arena, &s, &c.err)) fail_msg("%s", c.err.text);
+    wf_shelter_field(&s, &field);
+    for (int k = 0; k < 40; k++) {
+        double x[3] = { 0.03 * k - 0.4, 0.3 - 0.02 * k, 0.05 * k }, a = 0.7 * k, to[3], near = 1;
+        const double t[3] = { 0.6 * cos(a), 0.6 * sin(a), 0.8 };
+        double far = field.clear(&field, x, t);
+        for (int j = 0; j < 3; j++) to[j] = x[j] + far * t[j];
+        for (int j = 0; j < 3; j++) {
+            double at = (wf_dot(s.axis[j], to) - s.low[j]) / s.step[j];
+            near = fmin(near, fabs(at - round(at)));
+        }
+        assert_true(far > 0 && near < 1e-9);
+    }
+    beam_free(&c);
+}
+
+/* A twig too long to stand by itself on a tree that does: both solvers answer and warn; as heavy as the tree
+ * it is not let through as it stands. */
+static void loose_twig(void **state)
+{
+    (void)state;
+    for (int heavy = 0; heavy < 2; heavy++) {
+        struct beam_case c;
+        beam_new(&c, 2);
+        const double a[3] = { 0, 0, 0 }, b[3] = { 0, 0, 2 }, tip[3] = { 0, 0, 4.5 };
+        beam_row(&c, 0, -1, a, b, 0.05, 0.05);
+        beam_row(&c, 1, 0, b, tip, heavy ? 0.01 : 0.002, heavy ? 0.01 : 0.002);
+        c.tree.youngs[1] = 1e9, c.tree.shear[1] = 4e8;
+        c.tree.burden0[1] = c.tree.burden1[1] = heavy ? 5 : 0;
+        c.loads.gravity = 9.81;
+        const struct wf_solver *solver[] = { &wf_solver_beam, &wf_solver_rod };
+        for (int k = 0; k < 2; k++) {
+            bool loose = false, limit = false;
+            c.diag = (struct wf_diag){ .arena = &c.arena };
+            if (beam_try(&c, solver[k])) fail_msg("%s: %s", solver[k]->name, c.err.text);
+            for (const struct wf_finding *f = c.diag.first; f; f = f->next)
+                loose = loose || !strcmp(f->code, "loose-parts"),
+                limit = limit || !strcmp(f->code, "limit-point");
+            assert_true(loose == !heavy && limit == heavy);
+        }
+        beam_free(&c);
+    }
+}
+
 static void refuses_bad_input(void **state)
 {
     (void)state;
@@ -277,6 +366,9 @@ int main(void)
         cmocka_unit_test(forks_and_tips),
         cmocka_unit_test(printed_converges),
         cmocka_unit_test(printed_refuses),
+        cmocka_unit_test(sheltered_wind),
+        cmocka_unit_test(faces_of_cells),
+        cmocka_unit_test(loose_twig),
         cmocka_unit_test(refuses_bad_input),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
