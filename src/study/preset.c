@@ -22,7 +22,8 @@ const struct wf_preset wf_presets[] = {
       .air_density = NAN,
       .solid = true,
       .rigid = true,
-      .departures = wf_departures_tang },
+      .departures = wf_departures_tang,
+      .in_time = wf_departures_tang_in_time },
     { .name = "feng1999",
       .title = "inextensible rods in three angles a segment",
       .source =
@@ -46,7 +47,8 @@ const struct wf_preset wf_presets[] = {
       .air_density = WF_ZHAO_AIR,
       .solid = true,
       .rigid = true,
-      .departures = wf_departures_zhao },
+      .departures = wf_departures_zhao,
+      .in_time = wf_departures_zhao_in_time },
     { .name = NULL },
 };
 

@@ -15,6 +15,7 @@ struct wf_preset {
     bool rigid;         /* crowns that do not streamline                  */
     /* One warning a departure from physics, with its reason and its size in this analysis. */
     void (*departures)(const struct wf_analysis *an, struct wf_diag *d);
+    void (*in_time)(struct wf_diag *d); /* those of its wind, memory and leaves; NULL: none */
 };
 extern const struct wf_preset wf_presets[]; /* corrected first; ends at name == NULL */
 const struct wf_preset *wf_preset_named(const char *name);

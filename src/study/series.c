@@ -1,5 +1,6 @@
 #include "study/series.h"
 #include "solve/vec.h"
+#include "study/preset_departures.h"
 #include "study/speed.h"
 #include <string.h>
 
@@ -274,5 +275,7 @@ enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena 
                      "it was held at 90 degrees",
                      spec->name, s->clamped, s->frames);
     wf_preset_warn(spec->preset, &s->an, d);
+    if (spec->preset->in_time && spec->frames > 1) spec->preset->in_time(d);
+    if (spec->shelter && spec->shelter->as_printed) wf_departures_shelter(d);
     return WF_OK;
 }
