@@ -1,9 +1,11 @@
 #ifndef WF_TESTS_SERIES_CASES_H
 #define WF_TESTS_SERIES_CASES_H
 /* Runs in time for tests: a species and a model, words as in a file of runs. */
+#include "base/file.h"
 #include "close.h"
 #include "study/series_plan.h"
 #include <math.h>
+#include <stdio.h>
 
 struct made {
     struct wf_arena arena;
@@ -47,4 +49,16 @@ static inline enum wf_status try(struct made *m)
     return s ? s : wf_series_run(&m->spec, &m->arena, &m->diag, &m->series, &m->err);
 }
 
+/* Lines of a file of a results folder. */
+static inline size_t lines(const char *folder, const char *name, struct wf_arena *a)
+{
+    char path[400];
+    struct wf_bytes b;
+    struct wf_err e = { 0 };
+    size_t n = 0;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    if (wf_file_read(path, a, &b, &e)) fail_msg("%s", e.text);
+    for (size_t i = 0; i < b.size; i++) n += b.data[i] == '\n';
+    return n;
+}
 #endif

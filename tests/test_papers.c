@@ -123,18 +123,6 @@ static void wrong_words(void **state)
     wf_arena_free(&m.arena);
 }
 
-static size_t lines(const char *folder, const char *name, struct wf_arena *a)
-{
-    char path[400];
-    struct wf_bytes b;
-    struct wf_err e = { 0 };
-    size_t n = 0;
-    snprintf(path, sizeof path, "%s/%s", folder, name);
-    if (wf_file_read(path, a, &b, &e)) fail_msg("%s", e.text);
-    for (size_t i = 0; i < b.size; i++) n += b.data[i] == '\n';
-    return n;
-}
-
 /* Tables of leaves and of the comparison of methods. */
 static void tables(void **state)
 {

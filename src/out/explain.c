@@ -1,5 +1,4 @@
 #include "out/explain.h"
-#include "out/page.h"
 #include <math.h>
 
 static void row(FILE *f, const struct wf_explained *x, size_t b)
@@ -165,7 +164,6 @@ enum wf_status wf_explain_page(const struct wf_explained *x, const struct wf_htm
 {
     char html[WF_PATH_MAX], pdf[WF_PATH_MAX];
     enum wf_status drawn = WF_OK;
-    struct wf_err why = { 0 };
     struct wf_file f = { 0 };
     snprintf(html, sizeof html, "%.4000s/explain.html", folder);
     snprintf(pdf, sizeof pdf, "%.4000s/explain.pdf", folder);
@@ -177,7 +175,6 @@ enum wf_status wf_explain_page(const struct wf_explained *x, const struct wf_htm
     }
     wf_file_abandon(&f);
     if (status) return status;
-    status = wf_page_print(html, pdf, &why);
-    if (status) wf_diag_warn(d, "no-pdf", "%s", why.text);
+    status = wf_html_print(html, pdf, d);
     return drawn ? drawn : status;
 }

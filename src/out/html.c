@@ -1,5 +1,6 @@
 #include "out/html.h"
 #include "out/figures.h"
+#include "out/page.h"
 #include <libxml/tree.h>
 #include <math.h>
 #include <string.h>
@@ -138,4 +139,12 @@ enum wf_status wf_html_end(struct wf_file *f, struct wf_err *e)
 {
     fputs("</body></html>\n", f->stream);
     return wf_file_commit(f, e);
+}
+
+enum wf_status wf_html_print(const char *html, const char *pdf, struct wf_diag *d)
+{
+    struct wf_err why = { 0 };
+    enum wf_status status = wf_page_print(html, pdf, &why);
+    if (status) wf_diag_warn(d, "no-pdf", "%s", why.text);
+    return status;
 }

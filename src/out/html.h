@@ -14,6 +14,9 @@ enum wf_status wf_html_begin(struct wf_file *f, const char *path, const struct w
 /* End and commit it. */
 enum wf_status wf_html_end(struct wf_file *f, struct wf_err *e);
 
+/* Print it as PDF; what hinders that is a warning in `d` and is returned. */
+enum wf_status wf_html_print(const char *html, const char *pdf, struct wf_diag *d);
+
 /* Words with what HTML reserves written out. */
 void wf_html_text(FILE *f, const char *text);
 /* A cell of a table; '-' for a number that is not finite. */

@@ -1,6 +1,5 @@
 /* The page of runs in time: what was run, panels of key frames, courses in time, amplitudes, warnings. */
 #include "out/html.h"
-#include "out/page.h"
 #include "out/series_parts.h"
 #include <math.h>
 #include <string.h>
@@ -143,7 +142,6 @@ enum wf_status wf_series_report(const struct wf_series_page *p, const char *fold
     char html[WF_PATH_MAX], pdf[WF_PATH_MAX];
     const struct wf_html_head head = { p->title, p->note, p->command, p->version, p->date };
     enum wf_status drawn = WF_OK;
-    struct wf_err why = { 0 };
     struct wf_file f = { 0 };
     snprintf(html, sizeof html, "%.4000s/series.html", folder);
     snprintf(pdf, sizeof pdf, "%.4000s/series.pdf", folder);
@@ -159,7 +157,6 @@ enum wf_status wf_series_report(const struct wf_series_page *p, const char *fold
     }
     wf_file_abandon(&f);
     if (status) return status;
-    status = wf_page_print(html, pdf, &why);
-    if (status) wf_diag_warn(d, "no-pdf", "%s", why.text);
+    status = wf_html_print(html, pdf, d);
     return drawn ? drawn : status;
 }
