@@ -15,7 +15,9 @@ set yrange [LOW:HIGH]; set xrange [-0.5:EXPLAIN_LEVELS - 0.5]
 set xtics 1; set xlabel "level of the branch (0: stem)"; set ylabel "own bending over beam theory" offset 1.5,0
 set arrow 1 from -0.5,1 to EXPLAIN_LEVELS - 0.5,1 nohead lc rgb '#404040' lw 1
 set format y "%g"
-plot for [m=1:METHODS] EXPLAIN using (pick(column("run") == SHOWN, column("level")) + (m - 0.5*(METHODS + 1))*0.8/METHODS):(column(FIRST + m)) with points lt m
+LIST = value(sprintf("ANSWERS_%d", SHOWN))
+M(k) = nth(LIST, k)
+plot for [k=1:words(LIST)] EXPLAIN using (pick(column("run") == SHOWN, column("level")) + (M(k) - 0.5*(METHODS + 1))*0.8/METHODS):(column(FIRST + M(k))) with points lt M(k)
 @strip
 set key maxcols 3 samplen 1 width 0
 plot for [m=1:METHODS] -1 with points lt m title METHOD[m]

@@ -20,6 +20,14 @@ static void table(FILE *f, const struct wf_explained *x, size_t n)
         for (size_t b = 0; b < x[i].of->axes; b++) row(f, &x[i], b);
 }
 
+/* Has a method an answer that a logarithmic scale can show? */
+static bool answers(const struct wf_explain *x, size_t method)
+{
+    for (size_t b = 0; b < x->axes; b++)
+        if (x->axis[b].ratio[method] > 0 && isfinite(x->axis[b].ratio[method])) return true;
+    return false;
+}
+
 /* For the figure script: names of the methods, the first of their columns, levels, range of the ratios. */
 static void facts(FILE *f, const struct wf_explained *x, size_t n)
 {
@@ -37,7 +45,13 @@ static void facts(FILE *f, const struct wf_explained *x, size_t n)
             x->of->methods, (int)top + 1, pow(10, floor(log10(low))), pow(10, ceil(log10(high))),
             x->of->methods);
     for (size_t m = 0; m < x->of->methods; m++) fprintf(f, "%s'%s'", m ? ", " : "", x->of->method[m]->name);
-    fputs("]\n", f);
+    fputs("]\n# by run: numbers of the methods that have an answer\n", f);
+    for (size_t i = 0; i < n; i++) {
+        fprintf(f, "ANSWERS_%zu = \"", x[i].run);
+        for (size_t m = 0; m < x[i].of->methods; m++)
+            if (answers(x[i].of, m)) fprintf(f, "%zu ", m + 1);
+        fputs("\"\n", f);
+    }
 }
 
 enum wf_status wf_explain_tables(const struct wf_explained *x, size_t n, const char *folder, struct wf_err *e)
@@ -103,7 +117,7 @@ static void by_level(FILE *f, const struct wf_explained *x)
     }
     fputs("<tbody><tr><td>stem's tip</td><td></td>", f);
     for (size_t m = 0; m < o->methods; m++) wf_html_number(f, "%.3g", o->tip[m]);
-    fputs("</tr></tbody><tbody><tr><td>within 5 %</td><td></td>", f);
+    fputs("</tr></tbody><tbody><tr><td>branches within 5 %</td><td></td>", f);
     for (size_t m = 0; m < o->methods; m++)
         fprintf(f, "<td class=\"r\">%.0f %%</td>", 100 * wf_explain_share(o, m, 0.05));
     fputs("</tr></tbody></table>\n", f);
