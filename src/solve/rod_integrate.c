@@ -191,6 +191,19 @@ static void complete(const double t[3], double F[9])
     for (int k = 0; k < 3; k++) F[3 * k] = t[k], F[3 * k + 1] = e2[k], F[3 * k + 2] = e3[k];
 }
 
+/* The same on the unloaded axis, carried along by the turn of the base: axes chosen on the loaded one would
+ * jump where the choice changes, and the printed equations with them. */
+static void carried_axes(const double axis[3], const double q[4], double F[9])
+{
+    double unloaded[9], e[3], turned[3];
+    complete(axis, unloaded);
+    for (int c = 0; c < 3; c++) {
+        for (int k = 0; k < 3; k++) e[k] = unloaded[3 * k + c];
+        wf_rod_turn(q, e, turned);
+        for (int k = 0; k < 3; k++) F[3 * k + c] = turned[k];
+    }
+}
+
 static void start(struct wf_rod_integrator *g, struct wf_rod_piece *p, const struct wf_rod_pose *base)
 {
     double place[3];
@@ -221,9 +234,8 @@ bool wf_rod_along(struct wf_rod_integrator *g, struct wf_rod_piece *p, const str
     start(g, p, base);
     for (int k = 0; k < 3; k++) y[f + k] = at->n[k] / force, y[m + k] = at->m[k] / moment;
     if (g->printed) {
-        double t[3], about[3];
-        wf_rod_turn(base->q, g->axis, t);
-        complete(t, g->frame);
+        double about[3];
+        carried_axes(g->axis, base->q, g->frame);
         m3_apply_transposed(g->frame, y + m, about);
         y[RATE] = about[2] * p->stiffness / g->ei;
         y[RATE + 1] = about[1] * p->stiffness / g->ei;
