@@ -14,7 +14,7 @@ enum { BRANCHES = 12, TWIGS = 8, SEGMENTS = 5, LEAVES = 800 };
 static double now(void)
 {
     struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t); /* of this program alone, whatever else the machine does */
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
@@ -48,10 +48,12 @@ static void grow(struct beam_case *c)
     beam_blow(c, 10, 0, 0);
 }
 
-static double frames(struct beam_case *c, bool printed)
+static void frames(struct beam_case *c, bool printed, double damping)
 {
     const struct wf_octaves octaves = { 4, 0.5, 2, 1 };
-    struct wf_deflect_scheme scheme = { .printed = printed, .restoring = printed ? 0.3 : 0, .damping = 0.1 };
+    struct wf_deflect_scheme scheme = { .printed = printed,
+                                        .restoring = printed ? 0.3 : 0,
+                                        .damping = damping };
     struct wf_deflect d;
     struct wf_leaf_pose *pose = WF_TAKE(&c->arena, LEAVES, struct wf_leaf_pose);
     struct wf_leaf_stand *stand = WF_TAKE(&c->arena, LEAVES, struct wf_leaf_stand);
@@ -61,9 +63,13 @@ static double frames(struct beam_case *c, bool printed)
                                            .along = 0.1,
                                            .direction = { 0, 0.6, -0.8 },
                                            .side = { 1, 0, 0 } };
-    const size_t count = 20000;
-    double start = now(), check = 0;
-    for (size_t k = 0; k < count; k++) {
+    enum { COUNT = 20000, BATCH = 200 };
+    double start = now(), mark = start, best = 0, check = 0;
+    for (size_t k = 0; k < COUNT; k++) {
+        if (k && k % BATCH == 0) { /* a busy machine shares caches and pipes: the best batch had them alone */
+            double time = now();
+            best = fmax(best, BATCH / (time - mark)), mark = time;
+        }
         double t = (double)k, angle[3], R[9];
         double v = 1 + sin(3.14 / 120 * t) + 0.4 * wf_noise_octaves(1, 7, &octaves, t / 61);
         wf_deflect_frame(&d, v, 1. / 61);
@@ -74,18 +80,22 @@ static double frames(struct beam_case *c, bool printed)
             wf_leaf_place(&stand[i], (const double(*)[9])d.turn, (const double(*)[3])d.end, R, &pose[i]);
         check += pose[k % LEAVES].tip[0];
     }
-    double rate = (double)count / (now() - start);
-    printf("deflect%-12s %6.0f frames/s (545 segments, 800 leaves; checksum %.3f)\n",
-           printed ? "-as-printed" : "", rate, check);
-    return rate;
+    double rate = COUNT / (now() - start);
+    printf(
+        "deflect%-12s %6.0f frames/s, best of 100 batches %6.0f (545 segments, 800 leaves; checksum %.3f)\n",
+        printed       ? "-as-printed"
+        : damping > 0 ? ", damped"
+                      : "",
+        rate, best, check);
 }
 
 int main(void)
 {
     struct beam_case c;
     grow(&c);
-    frames(&c, true);
-    frames(&c, false);
+    frames(&c, true, 0.1);
+    frames(&c, false, 0);
+    frames(&c, false, 0.1);
     beam_free(&c);
     beam_tree7(&c);
     c.loads.gravity = 9.81;

@@ -3,48 +3,9 @@
 #include "close.h"
 #include "out/series.h"
 #include "scratch.h"
-#include "study/series_plan.h"
+#include "series_cases.h"
 #include <stdlib.h>
 #include <string.h>
-
-struct made {
-    struct wf_arena arena;
-    struct wf_diag diag;
-    struct wf_err err;
-    struct wf_species species;
-    struct wf_model model;
-    struct wf_series_plan_run run;
-    struct wf_series_spec spec;
-    struct wf_series series;
-};
-
-static void start(struct made *m, const char *species, const char *model)
-{
-    *m = (struct made){ 0 };
-    m->diag.arena = &m->arena;
-    m->run = (struct wf_series_plan_run){ .name = "run",
-                                          .wind = 10,
-                                          .intensity = NAN,
-                                          .period = NAN,
-                                          .duration = NAN,
-                                          .step = 0.5,
-                                          .youngs = NAN,
-                                          .restoring = NAN,
-                                          .damping = NAN,
-                                          .transmission = NAN,
-                                          .profile = WF_PROFILE_UNSAID,
-                                          .keys = 1,
-                                          .seed = 1 };
-    if (wf_species_read(species, &m->arena, &m->species, &m->diag, &m->err)) fail_msg("%s", m->err.text);
-    if (wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err)) fail_msg("%s", m->err.text);
-}
-
-static enum wf_status try(struct made *m)
-{
-    m->err = (struct wf_err){ 0 };
-    enum wf_status s = wf_series_plan_spec(&m->run, &m->species, &m->model, &m->arena, &m->spec, &m->err);
-    return s ? s : wf_series_run(&m->spec, &m->arena, &m->diag, &m->series, &m->err);
-}
 
 static double deflection(struct made *m)
 {
@@ -218,14 +179,7 @@ static void files(void **state)
     static const char *const name[] = { "tables/series.csv", "tables/frames.csv", "tables/trajectories.csv" };
     size_t n = m.series.an.tree.n;
     const size_t rows[] = { 10, 3 * n, 10 * n };
-    for (int k = 0; k < 3; k++) {
-        struct wf_bytes b;
-        size_t lines = 0;
-        snprintf(path, sizeof path, "%s/%s", folder, name[k]);
-        if (wf_file_read(path, &m.arena, &b, &m.err)) fail_msg("%s", m.err.text);
-        for (size_t i = 0; i < b.size; i++) lines += b.data[i] == '\n';
-        assert_int_equal(lines, rows[k] + 1);
-    }
+    for (int k = 0; k < 3; k++) assert_int_equal(lines(folder, name[k], &m.arena), rows[k] + 1);
     struct wf_bytes b;
     snprintf(path, sizeof path, "%s/vtk/run1_00003.vtp", folder);
     if (wf_file_read(path, &m.arena, &b, &m.err)) fail_msg("%s", m.err.text);

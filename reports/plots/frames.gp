@@ -1,20 +1,37 @@
 # Key frames as small panels, seen across the wind, which blows to the right; grey: the tree without wind, dashed:
 # the plumb line of its height.
-#   gnuplot -c frames.gp FOLDER [FILE]     plots/run.gp: SHOWN = run, 0 = one panel for each run
+#   gnuplot -c frames.gp FOLDER [FILE]     plots/run.gp: SHOWN = run, 0 = the runs of one key frame
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'frames.svg'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
-FRAMES_CSV = DIR.'/tables/frames.csv'
-LEAVES_CSV = DIR.'/tables/leaves.csv'
-PANELS = SHOWN > 0 ? KEYS[SHOWN] : RUNS
-RUN_OF(p) = SHOWN > 0 ? SHOWN : p
+SINGLE = ""
+do for [r=1:RUNS] { if (KEYS[r] == 1) { SINGLE = SINGLE.r." " } }
+PANELS = SHOWN > 0 ? KEYS[SHOWN] : words(SINGLE)
+RUN_OF(p) = SHOWN > 0 ? SHOWN : nth(SINGLE, p)
 KEY_OF(p) = SHOWN > 0 ? p : 1
-low = 0.0; high = 0.0; top = 0.0
+low = 0.0; high = 0.0; top = 0.0; leafy = 0
 do for [p=1:PANELS] {
     low = LEFT[RUN_OF(p)] < low ? LEFT[RUN_OF(p)] : low
     high = RIGHT[RUN_OF(p)] > high ? RIGHT[RUN_OF(p)] : high
     top = TOP[RUN_OF(p)] > top ? TOP[RUN_OF(p)] : top
+    leafy = leafy || LEAVES[RUN_OF(p)] > 0
 }
+# What is to be drawn, read once: run, key, level, base and way to the end
+wanted(r, k) = SHOWN > 0 ? r == SHOWN : k <= 1
+way = '(column("along0_m")):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m"))'
+set table $WOOD separator comma
+plot DIR.'/tables/frames.csv' using (column("run")):(column("key")):(column("level")):@way with table if (wanted(column("run"), column("key")))
+unset table
+if (leafy) {
+    set table $LEAF separator comma
+    plot DIR.'/tables/leaves.csv' using (column("run")):(column("key")):(0):@way with table if (wanted(column("run"), column("key")))
+    unset table
+}
+set datafile nocolumnheaders
+of(r, k) = $1 == r && $2 == k
+set style arrow 1 nohead lc rgb '#14324a' lw 2.2
+set style arrow 2 nohead lc rgb '#14324a' lw 1.1
+set style arrow 3 nohead lc rgb '#14324a' lw 0.6
 margin = 0.04*top; low = low - margin; high = high + margin; top = 1.04*top
 if (high - low < 0.3*top) { middle = 0.5*(low + high); low = middle - 0.15*top; high = middle + 0.15*top }
 COLUMNS = PANELS < 4 ? PANELS : 4
@@ -22,7 +39,8 @@ LINES = ceil(PANELS/(1.0*COLUMNS))
 WIDTH = 640.0
 # the same scale both ways
 WIDE = (WIDTH - 50)/COLUMNS - 10; TALL = WIDE*top/(high - low)
-if (TALL > 330) { TALL = 330.0 }
+most = 560.0/LINES - 46; most = most > 330 ? 330.0 : most
+if (TALL > most) { TALL = most }
 PER = TALL/top; WIDE = PER*(high - low)
 HEIGHT = LINES*(TALL + 46) + 34
 @start
@@ -39,17 +57,16 @@ do for [p=1:PANELS] {
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - TALL)/HEIGHT
     set xrange [low:high]; set yrange [0:top]
     r = RUN_OF(p); k = KEY_OF(p)
-    mine(i) = column("run") == r && column("key") == i
     set title (SHOWN > 0 ? word(TIMES[r], k)." s, ".word(WINDS[r], k)." m/s" : NAME[r]) font ",9" offset 0,-0.9
     if (c == 0) { set border 3; set ytics nomirror scale 0.4 font ",8" autofreq } else { set border 1; unset ytics }
-    set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead dt (4,4) lc rgb '#909090' lw 0.8
+    set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead front dt (4,4) lc rgb '#606060' lw 0.9
     if (LEAVES[r] > 0) {
-        plot FRAMES_CSV using (pick(mine(0), column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#c8c8c8' lw 0.8 dt 1, \
-            LEAVES_CSV using (pick(mine(k), column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#7fbf9f' lw 0.5 dt 1, \
-            for [v=0:LEVELS[r]-1] FRAMES_CSV using (pick(mine(k) && column("level") == v, column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#14324a' lw (v == 0 ? 2.2 : v == 1 ? 1.1 : 0.6) dt 1
+        plot $WOOD using (pick(of(r, 0), $4)):5:6:7 with vectors nohead lc rgb '#c8c8c8' lw 0.8 dt 1, \
+            $LEAF using (pick(of(r, k), $4)):5:6:7 with vectors nohead lc rgb '#7fbf9f' lw 0.5 dt 1, \
+            $WOOD using (pick(of(r, k), $4)):5:6:7:($3 < 2 ? $3 + 1 : 3) with vectors arrowstyle variable
     } else {
-        plot FRAMES_CSV using (pick(mine(0), column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#c8c8c8' lw 0.8 dt 1, \
-            for [v=0:LEVELS[r]-1] FRAMES_CSV using (pick(mine(k) && column("level") == v, column("along0_m"))):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#14324a' lw (v == 0 ? 2.2 : v == 1 ? 1.1 : 0.6) dt 1
+        plot $WOOD using (pick(of(r, 0), $4)):5:6:7 with vectors nohead lc rgb '#c8c8c8' lw 0.8 dt 1, \
+            $WOOD using (pick(of(r, k), $4)):5:6:7:($3 < 2 ? $3 + 1 : 3) with vectors arrowstyle variable
     }
 }
 unset multiplot

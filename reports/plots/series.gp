@@ -6,21 +6,21 @@ load HERE.'style.gp'
 SERIES = DIR.'/tables/series.csv'
 MOVING = ""
 do for [r=1:RUNS] { if (FRAMES[r] > 1) { MOVING = MOVING.r." " } }
-WIDTH = 640.0; ROW = 92.0; KEY = 30.0 + 17.0*ceil(words(MOVING)/2.0)
-HEIGHT = 2*190 + 40 + KEY
+WIDTH = 640.0; KEY = 30.0 + 17.0*ceil(words(MOVING)/2.0)
+ROW = 140.0; HEIGHT = 2*(ROW + 12) + 52 + KEY
 of(r) = column("run") == r
 SPAN = 0.0
 do for [r=1:RUNS] { SPAN = FRAMES[r]*STEP[r] > SPAN && FRAMES[r] > 1 ? FRAMES[r]*STEP[r] : SPAN }
 @start
 set multiplot
-set lmargin at screen 70.0/WIDTH; set rmargin at screen 625.0/WIDTH
+set lmargin at screen 82.0/WIDTH; set rmargin at screen 625.0/WIDTH
 set xrange [0:SPAN]
-set tmargin at screen 1 - 12.0/HEIGHT; set bmargin at screen 1 - 190.0/HEIGHT
+set tmargin at screen 1 - 12.0/HEIGHT; set bmargin at screen 1 - (12 + ROW)/HEIGHT
 set ylabel "wind (m/s)"; set format x ""
 plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time_s"))):(column("wind_m_s")) with lines lt c lw 1.2
 set format x "%g"
-set tmargin at screen 1 - 205.0/HEIGHT; set bmargin at screen 1 - 385.0/HEIGHT
-set ylabel "tip deflection (m)"; set xlabel "time (s)"
+set tmargin at screen 1 - (24 + ROW)/HEIGHT; set bmargin at screen 1 - (24 + 2*ROW)/HEIGHT
+set ylabel "tip deflection (m)" offset 1.2,0; set xlabel "time (s)"
 plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time_s"))):(column("tip_deflection_m")) with lines lt c lw 1.2
 @strip
 set key maxcols 2

@@ -9,6 +9,7 @@
 static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 static const char *preset_word(size_t i) { return wf_presets[i].name; }
 static const char *gust_word(size_t i) { return i ? wf_gust_models[i - 1].name : "steady"; }
+static const char *leaf_word(size_t i) { return wf_leaf_motions[i].name; }
 static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 
 #define CHOICE(n, start, list, text)                                                                         \
@@ -54,6 +55,13 @@ const struct wf_option wf_series_options[] = {
     WHOLE("--seed", "1", 0, 1e9, "of the random numbers"),
     NUMBER("--restoring", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 100, "k of the deflect scheme, below 1"),
     NUMBER("--damping", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 1e9, "c of the deflect scheme, N s2"),
+    CHOICE("--leaf-motion", NULL, leaf_word,
+           "how leaves turn, a look that enters no load [the preset's, else eq13]"),
+    NUMBER("--leaf-amplitude", "ANGLE", "30", WF_DIM_ANGLE, "deg", 0, 180,
+           "largest turn by one of the three noises"),
+    NUMBER("--leaf-follow", "NUMBER", "0.5", WF_DIM_NONE, NULL, -10, 10,
+           "lambda: share of theta_x added to theta_z"),
+    NUMBER("--leaf-period", "TIME", "1", WF_DIM_TIME, "s", 1e-3, 3600, "of the noise's first octave"),
     NUMBER("--youngs-modulus", "MODULUS", NULL, WF_DIM_PRESSURE, "Pa", 1e5, 1e12, "in place of the species'"),
     { .name = "--output",
       .letter = "-o",
@@ -61,6 +69,9 @@ const struct wf_option wf_series_options[] = {
       .value = "FOLDER",
       .initial = "out/series",
       .help = "where tables, frames and the page go" },
+    { .name = "--explain",
+      .kind = WF_OPTION_FLAG,
+      .help = "every method against beam theory, branch by branch, too" },
     { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "write tables only" },
     { .name = "--no-vtk", .kind = WF_OPTION_FLAG, .help = "leave out the frames for ParaView" },
     { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
@@ -108,6 +119,11 @@ int wf_cmd_series(int argc, char **argv)
                                           .restoring = wf_args_number(&g, "--restoring"),
                                           .damping = wf_args_number(&g, "--damping"),
                                           .transmission = NAN,
+                                          .leaf_motion = wf_args_text(&g, "--leaf-motion"),
+                                          .explain = wf_args_given(&g, "--explain") ? "yes" : "no",
+                                          .leaf_amplitude = wf_args_number(&g, "--leaf-amplitude"),
+                                          .leaf_follow = wf_args_number(&g, "--leaf-follow"),
+                                          .leaf_period = wf_args_number(&g, "--leaf-period"),
                                           .keys = (size_t)wf_args_number(&g, "--keys"),
                                           .seed = (size_t)wf_args_number(&g, "--seed") };
         struct wf_series_plan plan = {

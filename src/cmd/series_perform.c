@@ -1,6 +1,7 @@
 #include "cmd/series_perform.h"
 #include "out/results.h"
 #include "out/series.h"
+#include "study/explain.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -44,6 +45,16 @@ static void print(const struct wf_series_page *p)
     printf("\n");
 }
 
+/* Findings of all runs, those that several have in common once. */
+static void print_findings(const struct wf_diag *diag, size_t runs, bool quiet, struct wf_arena *a)
+{
+    struct wf_diag once = { .arena = a };
+    for (size_t r = 0; r < runs; r++)
+        for (const struct wf_finding *w = diag[r].first; w; w = w->next)
+            wf_diag_warn(&once, w->code, "%s", w->text);
+    wf_print_findings(&once, quiet);
+}
+
 static enum wf_status run_all(const struct wf_series_job *j, struct wf_series *series, struct wf_diag *diag,
                               struct wf_arena *a, struct wf_err *e)
 {
@@ -60,6 +71,28 @@ static enum wf_status run_all(const struct wf_series_job *j, struct wf_series *s
         if (s) return s;
     }
     return WF_OK;
+}
+
+/* Every method on the trees of the runs that ask for it. What it warns of stands with the run. */
+static enum wf_status explain_runs(const struct wf_series_plan *plan, const struct wf_series *series,
+                                   struct wf_diag *diag, struct wf_arena *a, struct wf_series_page *page,
+                                   struct wf_err *e)
+{
+    struct wf_explained *of = WF_TAKE(a, plan->runs, struct wf_explained);
+    struct wf_explain *made = WF_TAKE(a, plan->runs, struct wf_explain);
+    enum wf_status s = of && made ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
+    page->explain = of;
+    for (size_t r = 0; r < plan->runs && !s; r++) {
+        const struct wf_series *x = &series[r];
+        if (!plan->run[r].explain || strcmp(plan->run[r].explain, "yes") != 0) continue;
+        wf_progress("every method on the tree of run %zu ...", r + 1);
+        s = wf_explain_run(&x->an, &x->spec.solve, x->spec.speed, a, &diag[r], &made[r], e);
+        wf_progress(NULL);
+        of[page->explained++] = (struct wf_explained){
+            .run = r + 1, .name = x->spec.name, .of = &made[r], .tree = &x->an.tree, .speed = x->spec.speed
+        };
+    }
+    return s;
 }
 
 int wf_series_perform(const struct wf_series_job *j, struct wf_arena *a)
@@ -82,10 +115,11 @@ int wf_series_perform(const struct wf_series_job *j, struct wf_arena *a)
     }
     for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_run){ &series[r], &diag[r] };
     enum wf_status s = run_all(j, series, diag, a, &e);
+    if (!s) s = explain_runs(plan, series, diag, a, &page, &e);
     if (s) return wf_complain(&e);
     if (!j->quiet) print(&page);
     fflush(stdout);
-    for (size_t r = 0; r < plan->runs; r++) wf_print_findings(&diag[r], j->quiet);
+    print_findings(diag, plan->runs, j->quiet, a);
     s = wf_series_tables(&page, j->folder, &e);
     if (!s && j->vtk) s = wf_series_vtk(&page, j->folder, &e);
     if (!s && j->page) {

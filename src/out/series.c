@@ -1,11 +1,10 @@
-#include "out/series.h"
 #include "base/file.h"
 #include "base/sha256.h"
+#include "out/series_parts.h"
 #include <math.h>
 #include <string.h>
 
-/* Along the wind and above ground: the plane the panels show. */
-static double along(const struct wf_series *s, const double x[3])
+double wf_series_along(const struct wf_series *s, const double x[3])
 {
     const double *to = s->an.wind.direction;
     return to[0] * x[0] + to[1] * x[1];
@@ -33,7 +32,7 @@ static void end_of(const struct wf_series *s, size_t frame, size_t row, double x
     for (int k = 0; k < 3; k++) x[k] = p[k];
 }
 
-static void number(FILE *f, double x)
+void wf_series_number(FILE *f, double x)
 {
     fputc(',', f);
     if (isfinite(x)) fprintf(f, "%.7g", x);
@@ -50,9 +49,10 @@ static void series(const struct wf_series_page *p, FILE *f)
             double x[3];
             end_of(s, k, s->tip, x);
             fprintf(f, "%zu,%zu,%.7g", r + 1, k, (double)k * s->spec.step);
-            number(f, s->wind[k]), number(f, s->deflection[k]), number(f, along(s, x)), number(f, x[2]);
-            number(f, s->moment[k]), number(f, s->across ? s->across[k] : 0), number(f, s->up ? s->up[k] : 0);
-            number(f, across(s, x));
+            wf_series_number(f, s->wind[k]), wf_series_number(f, s->deflection[k]),
+                wf_series_number(f, wf_series_along(s, x)), wf_series_number(f, x[2]);
+            wf_series_number(f, s->moment[k]), wf_series_number(f, s->across ? s->across[k] : 0);
+            wf_series_number(f, s->up ? s->up[k] : 0), wf_series_number(f, across(s, x));
             fputc('\n', f);
         }
     }
@@ -72,29 +72,10 @@ static void frames(const struct wf_series_page *p, FILE *f)
                 if (k) base_of(s, frame, i, a), end_of(s, frame, i, b);
                 fprintf(f, "%zu,%zu,%.6g,%.6g,%lld,%d,%.5g,%.6g,%.6g,%.6g,%.6g\n", r + 1, k,
                         k ? (double)frame * s->spec.step : 0, k ? s->wind[frame] : 0, (long long)t->id[i],
-                        (int)t->level[i], 0.5 * (t->r0[i] + t->r1[i]), along(s, a), a[2], along(s, b), b[2]);
+                        (int)t->level[i], 0.5 * (t->r0[i] + t->r1[i]), wf_series_along(s, a), a[2],
+                        wf_series_along(s, b), b[2]);
             }
     }
-}
-
-static enum wf_status leaves(const struct wf_series_page *p, FILE *f, struct wf_err *e)
-{
-    fputs("run,key,leaf,along0_m,z0_m,along1_m,z1_m\n", f);
-    for (size_t r = 0; r < p->n; r++) {
-        const struct wf_series *s = p->run[r].series;
-        struct wf_arena scratch = { 0 };
-        double *at = WF_TAKE(&scratch, 3 * s->leaves.n, double),
-               *tip = WF_TAKE(&scratch, 3 * s->leaves.n, double);
-        for (size_t k = 0; at && tip && s->leaves.n && k < s->spec.keys; k++) {
-            wf_series_leaves(s, s->key[k], at, tip);
-            for (size_t i = 0; i < s->leaves.n; i++)
-                fprintf(f, "%zu,%zu,%zu,%.6g,%.6g,%.6g,%.6g\n", r + 1, k + 1, i + 1, along(s, at + 3 * i),
-                        at[3 * i + 2], along(s, tip + 3 * i), tip[3 * i + 2]);
-        }
-        wf_arena_free(&scratch);
-        if (!at || !tip) return wf_fail(e, WF_ENOMEM, "no room for %zu leaves", s->leaves.n);
-    }
-    return WF_OK;
 }
 
 static void levels(const struct wf_series_page *p, FILE *f)
@@ -106,8 +87,9 @@ static void levels(const struct wf_series_page *p, FILE *f)
         for (size_t k = 0; k < p->run[r].series->levels; k++) {
             const struct wf_series_level *l = &p->run[r].series->level[k];
             fprintf(f, "%zu,%zu,%zu", r + 1, k, l->axes);
-            number(f, l->swing_mean), number(f, l->swing_most), number(f, l->own_mean);
-            number(f, l->windward), number(f, l->leeward);
+            wf_series_number(f, l->swing_mean), wf_series_number(f, l->swing_most),
+                wf_series_number(f, l->own_mean);
+            wf_series_number(f, l->windward), wf_series_number(f, l->leeward);
             fputc('\n', f);
         }
 }
@@ -152,10 +134,11 @@ static void runs(const struct wf_series_page *p, FILE *f)
         text(f, s->spec.name);
         fprintf(f, ",%s,%s,%s,%s,%s,%.6g", s->spec.species->key, s->spec.model->key, s->spec.preset->name,
                 s->spec.solver->name, s->spec.gust ? s->spec.gust : "steady", s->spec.speed);
-        number(f, s->an.tree.youngs[0]);
+        wf_series_number(f, s->an.tree.youngs[0]);
         fprintf(f, ",%s,%llu,%zu,%.6g", s->spec.shelter ? s->spec.shelter->name : "none",
                 (unsigned long long)s->spec.seed, s->frames, s->spec.step);
-        number(f, sum / n), number(f, most), number(f, low), number(f, high), number(f, wind);
+        wf_series_number(f, sum / n), wf_series_number(f, most), wf_series_number(f, low),
+            wf_series_number(f, high), wf_series_number(f, wind);
         fprintf(f, ",%d,", s->across ? 3 : 1);
         text(f, s->gust_words ? s->gust_words : "");
         file(f, s->spec.gust_file);
@@ -223,8 +206,8 @@ static void plot_facts(const struct wf_series_page *p, FILE *f)
                 for (size_t i = 0; i < t->n; i++) {
                     double x[3], rest[3] = { t->x1[i], t->y1[i], t->z1[i] };
                     end_of(s, s->key[k], i, x);
-                    left = fmin(left, fmin(along(s, x), along(s, rest)));
-                    right = fmax(right, fmax(along(s, x), along(s, rest)));
+                    left = fmin(left, fmin(wf_series_along(s, x), wf_series_along(s, rest)));
+                    right = fmax(right, fmax(wf_series_along(s, x), wf_series_along(s, rest)));
                     top = fmax(top, fmax(x[2], rest[2]));
                 }
             const double value[] = {
@@ -239,7 +222,10 @@ static void plot_facts(const struct wf_series_page *p, FILE *f)
         }
         fputs("]\n", f);
     }
-    fprintf(f, "array LEVELS[%zu] = [", p->n);
+    fprintf(f, "array MOTION[%zu] = [", p->n);
+    for (size_t r = 0; r < p->n; r++)
+        fprintf(f, r ? ", '%s'" : "'%s'", p->run[r].series->spec.leaf_motion->name);
+    fprintf(f, "]\narray LEVELS[%zu] = [", p->n);
     for (size_t r = 0; r < p->n; r++) fprintf(f, r ? ", %zu" : "%zu", p->run[r].series->levels);
     for (int c = 0; c < 2; c++) {
         fprintf(f, "]\n# of the key frames\narray %s[%zu] = [", c ? "WINDS" : "TIMES", p->n);
@@ -252,9 +238,10 @@ static void plot_facts(const struct wf_series_page *p, FILE *f)
         }
     }
     fputs("]\n", f);
+    wf_series_sweep_facts(p, f);
 }
 
-static enum wf_status begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e)
+enum wf_status wf_series_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e)
 {
     char path[WF_PATH_MAX];
     int n = snprintf(path, sizeof path, "%s/%s", folder, name);
@@ -281,14 +268,10 @@ enum wf_status wf_series_tables(const struct wf_series_page *p, const char *fold
     }
     for (size_t i = 0; i < sizeof table / sizeof *table && !status; i++) {
         struct wf_file f = { 0 };
-        if ((status = begin(&f, folder, table[i].name, e))) break;
+        if ((status = wf_series_begin(&f, folder, table[i].name, e))) break;
         table[i].write(p, f.stream);
         status = wf_file_commit(&f, e);
     }
-    struct wf_file f = { 0 };
-    if (!status) status = begin(&f, folder, "tables/leaves.csv", e);
-    if (!status) status = leaves(p, f.stream, e);
-    if (!status) status = wf_file_commit(&f, e);
-    wf_file_abandon(&f);
-    return status;
+    if (!status) status = wf_series_leaf_tables(p, folder, e);
+    return status || !p->explained ? status : wf_explain_tables(p->explain, p->explained, folder, e);
 }

@@ -1,8 +1,7 @@
 #ifndef WF_OUT_SERIES_H
 #define WF_OUT_SERIES_H
 /* Runs in time as files: tables, a VTK time series, key-frame panels, a page. */
-#include "base/diag.h"
-#include "base/err.h"
+#include "out/explain.h"
 #include "study/series.h"
 #include <stdio.h>
 
@@ -14,12 +13,15 @@ struct wf_series_page {
     const char *title, *note, *command, *date, *version;
     size_t n;
     const struct wf_series_run *run;
+    size_t explained; /* runs whose tree every method bends */
+    const struct wf_explained *explain;
 };
 
 /* Write FOLDER/tables/series.csv (a row a frame), frames.csv (key frames, a row a segment), leaves.csv (key
- * frames, a row a leaf, where there are leaves), levels.csv, runs.csv, warnings.csv and trajectories.csv
- * (ends of segments in every frame; of the tips of axes alone where that would be more than 200000 rows),
- * and FOLDER/plots/run.gp. */
+ * frames, a row a leaf, where there are leaves), leaf_angles.csv (every frame, the own angles of at most 12
+ * leaves), levels.csv, runs.csv, explain.csv (where runs ask), warnings.csv and trajectories.csv (ends of
+ * segments in every frame; of the tips of axes alone where that would be more than 200000 rows), and
+ * FOLDER/plots/run.gp. */
 enum wf_status wf_series_tables(const struct wf_series_page *p, const char *folder, struct wf_err *e);
 
 /* Write FOLDER/vtk/RUN.pvd and its frames FOLDER/vtk/RUN_0000.vtp ...: lines from base to end of every

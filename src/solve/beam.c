@@ -132,6 +132,21 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
     return WF_OK;
 }
 
+void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, struct wf_diag *d)
+{
+    if (!d) return;
+    if (b->loose > 0)
+        wf_diag_warn(
+            d, "loose-parts",
+            "%zu small parts, each bearing less than 1 %% of the load, are balanced but not stable: they may "
+            "snap to another shape",
+            b->loose);
+    if (out->beyond_limit)
+        wf_diag_warn(d, "limit-point",
+                     "the tree gives way at %.3g of the load; the answer is where it comes to rest",
+                     out->load_factor);
+}
+
 static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
                             struct wf_diag *d, struct wf_err *e)
@@ -145,16 +160,7 @@ static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
     if (!status) status = wf_beam_solve(t, l, o, &work, &b, &out, e);
     if (!status) wf_beam_read(&b, r);
     r->load_factor = out.load_factor;
-    if (!status && b.loose > 0)
-        wf_diag_warn(
-            d, "loose-parts",
-            "%zu small parts, each bearing less than 1 %% of the load, are balanced but not stable: they may "
-            "snap to another shape",
-            b.loose);
-    if (!status && out.beyond_limit)
-        wf_diag_warn(d, "limit-point",
-                     "the tree gives way at %.3g of the load; the answer is where it comes to rest",
-                     out.load_factor);
+    if (!status) wf_beam_warn(&b, &out, d);
     wf_arena_free(&work);
     return status;
 }

@@ -12,4 +12,6 @@ extern const struct wf_solver wf_solver_linear; /* one linear step, loads on the
 enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
                              const struct wf_solve_options *o, struct wf_arena *work, struct wf_beam *b,
                              struct wf_beam_outcome *out, struct wf_err *e);
+/* Findings of an answer: small parts that are not stable, a limit point on the way. d may be NULL. */
+void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, struct wf_diag *d);
 #endif

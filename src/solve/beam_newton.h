@@ -59,6 +59,11 @@ struct wf_beam_outcome {
 enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
                               struct wf_err *e);
 
+/* Does the present, balanced shape stand (after wf_beam_sweep_up)? The one rule for every solver that asks
+ * the beam engine: unstable directions bring the tree down unless the parts that have them bear less than a
+ * hundredth of what the ground does; such parts are counted in b->loose. */
+bool wf_beam_stable(struct wf_beam *b);
+
 /* Where element i starts: the end of the element below, or the ground plate under a root (written to
  * *ground). The answer points to one of the two. */
 const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struct wf_beam_pose *ground);

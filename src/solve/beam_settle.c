@@ -31,7 +31,7 @@ static void scale(struct wf_beam *b, const struct wf_loads *full, double share)
 /* A fallen stem may turn about the vertical at no cost, and the tangent is symmetric only to second order in
  * an element's own turn: allow for that much. A twig that may snap to another shape does not bring down the
  * tree: parts that bear less than a hundredth of what the ground does are counted (loose), not refused. */
-static bool stable(struct wf_beam *b)
+bool wf_beam_stable(struct wf_beam *b)
 {
     const double small = 0.01;
     double turn = 0;
@@ -55,7 +55,7 @@ static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct 
     while (share < 1 && size > 2e-4 && b->iterations < most) {
         double next = fmin(1, share + size);
         scale(b, full, next);
-        if (wf_beam_newton(b) == WF_OK && stable(b)) {
+        if (wf_beam_newton(b) == WF_OK && wf_beam_stable(b)) {
             share = next;
             size *= 2;
             b->steps++;
@@ -93,7 +93,7 @@ static bool creep(struct wf_beam *b, struct saved *last)
         keep(b, last);
         for (size_t i = 0; i < b->mesh.n; i++) wf_beam_curvature(&b->mesh.part[i], &b->shape[i], b->k0[i]);
         b->creep = rate;
-        bool moved = wf_beam_newton(b) == WF_OK && stable(b);
+        bool moved = wf_beam_newton(b) == WF_OK && wf_beam_stable(b);
         b->creep = 0;
         b->steps++;
         if (!moved) {
@@ -105,7 +105,7 @@ static bool creep(struct wf_beam *b, struct saved *last)
         rate *= 0.6;
         if (rate > 0.02) continue;
         keep(b, last);
-        if (wf_beam_newton(b) == WF_OK && stable(b)) return true;
+        if (wf_beam_newton(b) == WF_OK && wf_beam_stable(b)) return true;
         restore(b, last);
         if (rate < 1e-8) rate = 1; /* slower and slower creep has not left an unstable shape: begin again */
     }
@@ -117,7 +117,7 @@ enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_b
 {
     const struct wf_loads full = b->loads;
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (wf_beam_newton(b) == WF_OK && stable(b)) return WF_OK;
+    if (wf_beam_newton(b) == WF_OK && wf_beam_stable(b)) return WF_OK;
 
     struct saved last = { WF_TAKE(a, b->mesh.n, struct wf_beam_shape),
                           wf_arena_take(a, b->mesh.tree->n, sizeof *last.tilt) };

@@ -20,6 +20,10 @@ static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i
         o->base[0] -= t->x1[o->parent], o->base[1] -= t->y1[o->parent], o->base[2] -= t->z1[o->parent];
     }
     if (l->wind) l->wind->sample(l->wind, x, o->wind, du);
+    const double along = wf_dot(o->wind, o->axis);
+    for (int k = 0; k < 3; k++) o->normal[k] = o->wind[k] - along * o->axis[k];
+    o->across = sqrt(wf_dot(o->normal, o->normal)), o->speed = sqrt(wf_dot(o->wind, o->wind));
+    wf_cross(o->axis, o->normal, o->lifted);
     o->drag = isnan(t->drag[i]) ? -half * 2 * r * o->length : half * t->drag[i] * 2 * r * o->length;
     o->lift = half * t->lift[i] * 2 * r * o->length;
     o->sail = half * middle(t->sail0[i], t->sail1[i]) * o->length;
@@ -86,6 +90,23 @@ static void wind_force(const struct wf_loads *l, const struct wf_deflect_row *o,
     }
 }
 
+/* The same on the unbent row, where only the speed changes. */
+static void wind_force_unbent(const struct wf_loads *l, const struct wf_deflect_row *o, double gust,
+                              double f[3])
+{
+    double drag = o->drag, size = fabs(gust), pressure = gust * size * o->across;
+    if (drag < 0) {
+        double slope;
+        drag *= -wf_cylinder_drag(size * o->across, 2 * o->radius, l->air_viscosity, &slope);
+    }
+    for (int k = 0; k < 3; k++) f[k] = pressure * (drag * o->normal[k] + o->lift * o->lifted[k]);
+    if (o->sail > 0) {
+        double share = 1, slope;
+        if (l->streamline) share = l->streamline->share(&l->streamline_par, size * o->speed, &slope);
+        v3_add(f, o->sail * share * gust * size * o->speed, o->wind);
+    }
+}
+
 /* R' = turn by the angle of sine s and cosine c about the unit axis a, times R */
 static void turn_by(const double a[3], double s, double c, const double R[9], double out[9])
 {
@@ -121,7 +142,15 @@ static double bounded(struct wf_deflect *d, size_t i, double ratio)
 static void remember(struct wf_deflect *d, size_t i, double sine, double step)
 {
     if (!(d->scheme.damping > 0)) return;
-    double angle = asin(sine);
+    double y = sine * sine, angle;
+    if (y < 0.01) /* series to rounding */
+        angle =
+            sine *
+            (1 + y * (1. / 6 +
+                      y * (3. / 40 +
+                           y * (15. / 336 + y * (105. / 3456 + y * (945. / 42240 + y * 10395. / 599040))))));
+    else
+        angle = asin(sine);
     d->spin[i] = step > 0 ? (angle - d->angle[i]) / step : 0;
     d->angle[i] = angle;
 }
@@ -155,7 +184,8 @@ static void damp(const struct wf_deflect *d, size_t i, double f[3])
     double along = wf_dot(f, d->row[i].axis);
     for (int k = 0; k < 3; k++) side[k] = f[k] - along * d->row[i].axis[k];
     double size = sqrt(wf_dot(side, side));
-    if (size > 0) v3_add(f, -fmin(fmax(against / size, -1), 1), side);
+    if (fabs(against) > size) against = against > 0 ? size : -size;
+    if (size > 0) v3_add(f, -against / size, side);
 }
 
 /* Tips to root on the unbent tree: what is above each row's end. */
@@ -170,8 +200,8 @@ static void hand_down(struct wf_deflect *d, double gust)
     for (size_t i = d->n; i-- > 0;) {
         const struct wf_deflect_row *o = &d->row[i];
         const double *P = d->above[i];
-        double *f = d->force[i], lever[3], total[3], below[3];
-        wind_force(l, o, gust, o->axis, f);
+        double *f = d->force[i], lever[3], total[3], by_length[3], by_base[3];
+        wind_force_unbent(l, o, gust, f);
         f[2] -= o->weight;
         if (l->line)
             for (size_t k = 0; k < 3; k++)
@@ -179,59 +209,54 @@ static void hand_down(struct wf_deflect *d, double gust)
         damp(d, i, f);
         if (o->parent < 0) continue;
         for (int k = 0; k < 3; k++) total[k] = P[k] + f[k], lever[k] = o->length * (P[k] + 0.5 * f[k]);
-        v3_add(d->above[o->parent], 1, total);
-        v3_add(d->above[o->parent] + 3, 1, P + 3);
-        wf_cross(o->axis, lever, below);
-        v3_add(d->above[o->parent] + 3, 1, below);
-        wf_cross(o->base, total, below);
-        v3_add(d->above[o->parent] + 3, 1, below);
+        wf_cross(o->axis, lever, by_length);
+        wf_cross(o->base, total, by_base);
+        double *below = d->above[o->parent];
+        for (int k = 0; k < 3; k++)
+            below[k] += total[k], below[3 + k] += P[3 + k] + by_length[k] + by_base[k];
     }
 }
 
-/* Sine and cosine of a small angle to rounding where it is small, by the library elsewhere. */
-static inline void sine_cosine(double x, double *s, double *c)
+/* out = R exp([v]x), row by row: r cos + (r x v) sin/angle + (r.v) v (1 - cos)/angle^2 */
+static inline void turned(const double R[9], const double v[3], double out[9])
 {
-    double y = x * x;
-    if (y < 0.01) {
-        *s = x * (1 - y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72))));
-        *c = 1 - y / 2 * (1 - y / 12 * (1 - y / 30 * (1 - y / 56 * (1 - y / 90))));
-    } else {
-        *s = sin(x), *c = cos(x);
+    double x = wf_dot(v, v), by[3];
+    struct rotation o = rotation_of(x);
+    double sine = 1 - x * o.b, cosine = 1 - x * o.a;
+    for (int k = 0; k < 9; k += 3) {
+        double along = o.a * wf_dot(R + k, v);
+        wf_cross(R + k, v, by);
+        for (int j = 0; j < 3; j++) out[k + j] = cosine * R[k + j] + sine * by[j] + along * v[j];
     }
 }
 
 static void frame_corrected(struct wf_deflect *d, double gust, double step)
 {
+    const double third = 1. / 3, sixth = 1. / 6;
     hand_down(d, gust);
     for (size_t i = 0; i < d->n; i++) {
         const struct wf_deflect_row *o = &d->row[i];
         const double *P = d->above[i], *m = d->above[i] + 3, *f = d->force[i];
-        double at[3], push[3], slope[3], hinge[3], chord[3], turn[3], L = o->length, s, c;
+        const double *t = o->axis, L = o->length, bend = o->bend * L, along = wf_dot(m, t);
+        double at[3], push[3], slope[3], chord[3], turn[3], lean[3];
         const double *base = stand(d, i, at);
-        /* cantilever: end force P, spread force f, end moment m */
+        /* cantilever: end force P, spread force f, end moment m; turns of its chord and of its end */
         for (int k = 0; k < 3; k++)
-            push[k] = o->bend * L * L * (P[k] / 3 + f[k] / 8),
-            slope[k] = o->bend * L * L * (P[k] / 2 + f[k] / 6);
-        wf_cross(o->axis, push, chord);
-        wf_cross(o->axis, slope, turn);
-        double twist = wf_dot(m, o->axis);
+            push[k] = L * (third * P[k] + 0.125 * f[k]), slope[k] = L * (0.5 * P[k] + sixth * f[k]);
+        wf_cross(t, push, chord);
+        wf_cross(t, slope, turn);
         for (int k = 0; k < 3; k++) {
-            double across = m[k] - twist * o->axis[k];
-            chord[k] += 0.5 * o->bend * L * across;
-            turn[k] += o->bend * L * across + o->twist * L * twist * o->axis[k];
+            double across = m[k] - along * t[k];
+            chord[k] = bend * (chord[k] + 0.5 * across);
+            turn[k] = bend * (turn[k] + across) + o->twist * L * along * t[k];
         }
-        double ratio = sqrt(wf_dot(chord, chord)), sine = bounded(d, i, ratio), lean[3], side[3];
-        for (int k = 0; k < 3; k++) hinge[k] = ratio > 0 ? chord[k] / ratio : 0;
-        wf_cross(hinge, o->axis, side);
-        double cosine = sqrt(1 - sine * sine);
-        for (int k = 0; k < 3; k++) lean[k] = cosine * o->axis[k] + sine * side[k];
+        double square = wf_dot(chord, chord), ratio = sqrt(square), sine = bounded(d, i, ratio);
+        double shrink = ratio > 1 ? 1 / ratio : 1, cosine = ratio > 1 ? 0 : sqrt(1 - square);
+        wf_cross(chord, t, lean);
+        for (int k = 0; k < 3; k++) lean[k] = cosine * t[k] + shrink * lean[k];
         m3_apply(base, lean, d->chord[i]);
         for (int k = 0; k < 3; k++) d->end[i][k] = at[k] + L * d->chord[i][k];
-        double angle = sqrt(wf_dot(turn, turn)), swing[9];
-        for (int k = 0; k < 3; k++) hinge[k] = angle > 0 ? turn[k] / angle : 0;
-        sine_cosine(angle, &s, &c);
-        turn_by(hinge, s, c, upright, swing);
-        m3_mul(base, swing, d->turn[i]);
+        turned(base, turn, d->turn[i]);
         remember(d, i, sine, step);
     }
 }

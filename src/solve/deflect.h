@@ -21,9 +21,10 @@ struct wf_deflect_scheme {
 
 struct wf_deflect_row { /* what does not change from frame to frame */
     int32_t parent;
-    double base[3];          /* from the end of the row below to this one's base, unbent [m] */
-    double axis[3], length;  /* unbent                                                        */
-    double wind[3];          /* at the middle, at the speed of the wind field [m/s]           */
+    double base[3];                      /* from the end of the row below to this one's base, unbent [m] */
+    double axis[3], length;              /* unbent                                                        */
+    double wind[3], speed;               /* at the middle, at the speed of the wind field [m/s]           */
+    double normal[3], across, lifted[3]; /* its part across the unbent row; the axis x that [m/s] */
     double drag, lift, sail; /* force by velocity squared [N s2/m2]; drag negative: by Reynolds law   */
     double weight;           /* [N]                                                           */
     double bend, twist;      /* 1/(EI), 1/(GJ) at the middle [1/(N m2)]                       */

@@ -5,13 +5,6 @@
 #include "solve/gauss.h"
 #include "solve/rod_shoot.h"
 
-static void scale(struct wf_rod *r, const struct wf_loads *full, double share)
-{
-    r->loads.wind_scale = share * full->wind_scale;
-    r->loads.weight_scale = share * full->weight_scale;
-    r->loads.point_scale = share * full->point_scale;
-}
-
 /* The beam engine on the same pieces, one element a piece. */
 static enum wf_status beam_of(const struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
                               struct wf_beam *b, struct wf_err *e)
@@ -22,14 +15,10 @@ static enum wf_status beam_of(const struct wf_rod *r, const struct wf_solve_opti
     return wf_beam_init(b, r->tree, &r->loads, o, cut, a, e);
 }
 
-/* Does the shape found stand? The quadratic of turn along a piece that has its curvature at the base and its
- * end is handed to the beam engine, which counts the directions in which the tree would fall. */
-static bool stands(const struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a)
+/* The beam engine in the shape found: the quadratic of turn along a piece that has its curvature at the base
+ * and its end. */
+static void pose_beam(const struct wf_rod *r, struct wf_beam *b)
 {
-    struct wf_beam b;
-    struct wf_err e = { 0 };
-    double widest = 0;
-    if (beam_of(r, o, a, &b, &e)) return true;
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_piece *p = &r->piece[i];
         const double *q = r->node[i].pose.q, back[4] = { q[0], -q[1], -q[2], -q[3] };
@@ -44,13 +33,10 @@ static bool stands(const struct wf_rod *r, const struct wf_solve_options *o, str
         wf_rod_turn(back, k, base);
         for (int j = 0; j < 2; j++)
             for (int x = 0; x < 3; x++)
-                b.shape[i].v[j][x] = gauss_place[j] * (base[x] + gauss_place[j] * (v[x] - base[x]));
-        widest = fmax(widest, wf_dot(v, v));
-        if (p->parent < 0) memcpy(b.tilt[p->row], r->node[i].tilt, sizeof b.tilt[p->row]);
+                b->shape[i].v[j][x] = gauss_place[j] * (base[x] + gauss_place[j] * (v[x] - base[x]));
+        if (p->parent < 0) memcpy(b->tilt[p->row], r->node[i].tilt, sizeof b->tilt[p->row]);
     }
-    struct wf_beam_stability count = { .margin = 1e-6 + 0.5 * widest };
-    wf_beam_sweep_up(&b);
-    return wf_beam_sweep_down(&b, true, &count) && count.negative == 0;
+    wf_beam_sweep_up(b);
 }
 
 /* Largest turn between two states: where it is large, another branch of answers may have been caught. */
@@ -67,77 +53,65 @@ static double leap(const struct wf_rod *r, const struct wf_rod_node *from)
     return most;
 }
 
-/* Full load at once, else in steps that turn no part by more than 40 degrees, as far as that goes. Returned:
- * share of the load reached. */
-static double climb(struct wf_rod *r, const struct wf_loads *full, const struct wf_solve_options *o,
-                    struct wf_arena *a)
+/* Newton from the present nodes. Its end is kept when no part has turned by more than 40 degrees and the beam
+ * engine finds that it stands. */
+static bool close_up(struct wf_rod *r, struct wf_beam *b, struct wf_rod_node *kept)
 {
-    struct wf_rod_node *kept = WF_TAKE(a, r->n, struct wf_rod_node);
-    double share = 0, size = 1;
-    if (!kept) return 0;
     memcpy(kept, r->node, r->n * sizeof *kept);
-    while (share < 1 && size > 1e-3) {
-        double next = fmin(1, share + size);
-        scale(r, full, next);
-        if (wf_rod_newton(r) && stands(r, o, a) && (size < 0.01 || leap(r, kept) < 0.7)) {
-            share = next;
-            size *= 2;
-            r->steps++;
-            memcpy(kept, r->node, r->n * sizeof *kept);
-        } else {
-            memcpy(r->node, kept, r->n * sizeof *kept);
-            size *= 0.25;
-        }
-    }
-    return share;
+    r->fault = NULL;
+    if (!wf_rod_newton(r) || leap(r, kept) > 0.7) return false;
+    pose_beam(r, b);
+    r->steps++;
+    return wf_beam_stable(b);
 }
 
-/* Where the way up from rest ends, start from the shape in which the beam engine comes to rest. */
-static enum wf_status start_from_beam(struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
-                                      struct wf_beam_outcome *out, struct wf_err *e)
+/* Nodes where the beam engine has come to rest. */
+static void start_from_beam(struct wf_rod *r, const struct wf_beam *b)
 {
-    struct wf_beam b;
-    enum wf_status status = beam_of(r, o, a, &b, e);
-    if (!status) status = wf_beam_settle(&b, a, out, e);
-    for (size_t i = 0; !status && i < r->n; i++) {
+    for (size_t i = 0; i < r->n; i++) {
         struct wf_beam_pose ground;
-        const struct wf_beam_pose *base = wf_beam_base(&b, i, &ground);
+        const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
         struct wf_beam_wrench at[2], root;
         struct wf_line_load load[2];
         double v[3];
-        wf_beam_load(&b.mesh.part[i], &b.loads, &b.stage[i], load);
-        wf_beam_balance(b.mesh.part[i].h, &b.stage[i], NULL, load, &b.wrench[i], at, &root);
+        wf_beam_load(&b->mesh.part[i], &b->loads, &b->stage[i], load);
+        wf_beam_balance(b->mesh.part[i].h, &b->stage[i], NULL, load, &b->wrench[i], at, &root);
         rotation_vector(base->L, v);
         wf_rod_quaternion(v, r->node[i].pose.q);
         memcpy(r->node[i].pose.r, base->r, sizeof base->r);
         memcpy(r->node[i].wrench.n, root.n, sizeof root.n);
         memcpy(r->node[i].wrench.m, root.m, sizeof root.m);
-        memcpy(r->node[i].tilt, b.tilt[r->piece[i].row], sizeof r->node[i].tilt);
+        memcpy(r->node[i].tilt, b->tilt[r->piece[i].row], sizeof r->node[i].tilt);
     }
-    return status;
 }
 
-static enum wf_status settle(struct wf_rod *r, const struct wf_loads *full, const struct wf_solve_options *o,
-                             struct wf_arena *a, double *load_factor, struct wf_diag *d, struct wf_err *e)
+/* From rest where that is near; else from the shape in which the beam engine comes to rest, which it reaches
+ * by load steps and, past a limit point, by creep. */
+static enum wf_status settle(struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
+                             double *load_factor, struct wf_diag *d, struct wf_err *e)
 {
-    struct wf_beam_outcome out = { 0 };
+    struct wf_beam b;
+    struct wf_beam_outcome out = { .load_factor = 1 };
     struct wf_err why = { 0 };
-    *load_factor = climb(r, full, o, a);
-    if (*load_factor >= 1) return WF_OK;
-    if (r->fault) return wf_fail(e, WF_ENOCONV, "%s", r->fault);
-    scale(r, full, 1);
-    enum wf_status status = start_from_beam(r, o, a, &out, &why);
-    if (status == WF_EUNSTABLE || status == WF_ENOCONV) *load_factor = out.load_factor;
-    if (status) return wf_fail(e, status, "%s", why.text);
-    if (!wf_rod_newton(r))
-        return wf_fail(e, WF_ENOCONV, "the integration from root to tips did not close at %.3g of the load",
-                       *load_factor);
+    struct wf_rod_node *kept = WF_TAKE(a, r->n, struct wf_rod_node);
+    enum wf_status status = kept ? beam_of(r, o, a, &b, e) : wf_fail(e, WF_ENOMEM, "no room for rods");
+    if (status) return status;
+    if (!close_up(r, &b, kept)) {
+        status = wf_beam_settle(&b, a, &out, &why);
+        if (status) {
+            *load_factor = out.load_factor;
+            return wf_fail(e, status, "%s", why.text);
+        }
+        start_from_beam(r, &b);
+        if (!close_up(r, &b, kept))
+            return wf_fail(e, WF_ENOCONV, "%s",
+                           r->fault                ? r->fault
+                           : r->integrator.printed ? "the printed equations do not close from root to tips; "
+                                                     "shorter segments bring them nearer to beam theory"
+                                                   : "the integration from root to tips did not close");
+    }
     *load_factor = 1;
-    r->steps++;
-    if (out.beyond_limit && d)
-        wf_diag_warn(d, "limit-point",
-                     "the tree gives way at %.3g of the load; the answer is where it comes to rest",
-                     out.load_factor);
+    wf_beam_warn(&b, &out, d);
     return WF_OK;
 }
 
@@ -226,7 +200,7 @@ static enum wf_status solve(bool printed, const struct wf_tree *t, const struct 
                      "the printed rod takes curved segments as straight between their ends");
     wf_quiet_begin();
     status = wf_rod_init(&r, t, l, &rigid, printed, &work, e);
-    if (!status) status = settle(&r, l, &rigid, &work, &out->load_factor, d, e);
+    if (!status) status = settle(&r, &rigid, &work, &out->load_factor, d, e);
     if (!status) read(&r, out);
     out->iterations = r.iterations, out->steps = r.steps;
     wf_rod_done(&r);

@@ -1,5 +1,5 @@
-#include "solve/rod_integrate.h"
 #include "solve/beam_mesh.h"
+#include "solve/rod_step.h"
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
@@ -150,19 +150,17 @@ static int angles(double sigma, const double y[], double dy[], void *context)
 }
 
 enum wf_status wf_rod_open(struct wf_rod_integrator *g, const struct wf_tree *t, const struct wf_loads *l,
-                           bool printed, struct wf_err *e)
+                           bool printed, struct wf_arena *a, struct wf_err *e)
 {
     const double tight = 1e-11, loose = 1e-4; /* a derivative good to four digits gains four a Newton step */
-    *g = (struct wf_rod_integrator){ .tree = t, .loads = l, .printed = printed };
+    *g = (struct wf_rod_integrator){ .tree = t, .loads = l, .arena = a, .printed = printed };
     g->state_system = (gsl_odeiv2_system){ .function = printed ? angles : frame,
                                            .dimension = printed ? WF_ROD_ANGLES : WF_ROD_FRAME,
                                            .params = g };
     g->varied_system = (gsl_odeiv2_system){ .function = varied, .dimension = WF_ROD_VARIED, .params = g };
     g->state = gsl_odeiv2_driver_alloc_y_new(&g->state_system, gsl_odeiv2_step_rk8pd, 1, tight, 0);
     g->varied = gsl_odeiv2_driver_alloc_y_new(&g->varied_system, gsl_odeiv2_step_rkck, 1, loose, loose);
-    if (g->state && g->varied && !gsl_odeiv2_driver_set_nmax(g->state, 400) &&
-        !gsl_odeiv2_driver_set_nmax(g->varied, 100))
-        return WF_OK;
+    if (g->state && g->varied && !gsl_odeiv2_driver_set_nmax(g->varied, 400)) return WF_OK;
     wf_rod_close(g);
     return wf_fail(e, WF_ENOMEM, "no room for the integrators of the rods");
 }
@@ -193,6 +191,19 @@ static void complete(const double t[3], double F[9])
     for (int k = 0; k < 3; k++) F[3 * k] = t[k], F[3 * k + 1] = e2[k], F[3 * k + 2] = e3[k];
 }
 
+/* The same on the unloaded axis, carried along by the turn of the base: axes chosen on the loaded one would
+ * jump where the choice changes, and the printed equations with them. */
+static void carried_axes(const double axis[3], const double q[4], double F[9])
+{
+    double unloaded[9], e[3], turned[3];
+    complete(axis, unloaded);
+    for (int c = 0; c < 3; c++) {
+        for (int k = 0; k < 3; k++) e[k] = unloaded[3 * k + c];
+        wf_rod_turn(q, e, turned);
+        for (int k = 0; k < 3; k++) F[3 * k + c] = turned[k];
+    }
+}
+
 static void start(struct wf_rod_integrator *g, struct wf_rod_piece *p, const struct wf_rod_pose *base)
 {
     double place[3];
@@ -213,16 +224,6 @@ static void start(struct wf_rod_integrator *g, struct wf_rod_piece *p, const str
     for (int k = 0; k < 3; k++) g->axis[k] = chord[k] / size;
 }
 
-static bool drive(gsl_odeiv2_driver *d, double first, double *y, double *last)
-{
-    double sigma = 0;
-    if (gsl_odeiv2_driver_reset_hstart(d, fmin(first, 1)) ||
-        gsl_odeiv2_driver_apply(d, &sigma, 1, y) != GSL_SUCCESS)
-        return false;
-    if (last) *last = fmin(fmax(d->h, 1e-3), 1);
-    return true;
-}
-
 bool wf_rod_along(struct wf_rod_integrator *g, struct wf_rod_piece *p, const struct wf_rod_pose *base,
                   const struct wf_rod_wrench *at, struct wf_rod_pose *end, struct wf_rod_wrench *wrench,
                   double tally[3])
@@ -233,9 +234,8 @@ bool wf_rod_along(struct wf_rod_integrator *g, struct wf_rod_piece *p, const str
     start(g, p, base);
     for (int k = 0; k < 3; k++) y[f + k] = at->n[k] / force, y[m + k] = at->m[k] / moment;
     if (g->printed) {
-        double t[3], about[3];
-        wf_rod_turn(base->q, g->axis, t);
-        complete(t, g->frame);
+        double about[3];
+        carried_axes(g->axis, base->q, g->frame);
         m3_apply_transposed(g->frame, y + m, about);
         y[RATE] = about[2] * p->stiffness / g->ei;
         y[RATE + 1] = about[1] * p->stiffness / g->ei;
@@ -243,7 +243,7 @@ bool wf_rod_along(struct wf_rod_integrator *g, struct wf_rod_piece *p, const str
     } else {
         memcpy(y + QUATERNION, base->q, sizeof base->q);
     }
-    if (!drive(g->state, p->first_step, y, &p->first_step)) return false;
+    if (!wf_rod_drive(g, y)) return false;
     for (int k = 0; k < 3; k++) {
         end->r[k] = base->r[k] + p->h * y[PLACE + k];
         wrench->n[k] = force * y[f + k];
@@ -277,7 +277,10 @@ bool wf_rod_vary(struct wf_rod_integrator *g, struct wf_rod_piece *p, const stru
     memcpy(y + QUATERNION, base->q, sizeof base->q);
     for (int k = 0; k < 3; k++) y[FORCE + k] = at->n[k] / force, y[MOMENT + k] = at->m[k] / moment;
     for (int c = 0; c < 12; c++) y[VARIED + 13 * c] = 1;
-    if (!drive(g->varied, 1, y, NULL)) return false;
+    double sigma = 0;
+    if (gsl_odeiv2_driver_reset_hstart(g->varied, 1) ||
+        gsl_odeiv2_driver_apply(g->varied, &sigma, 1, y) != GSL_SUCCESS)
+        return false;
     for (int c = 0; c < 12; c++)
         for (int r = 0; r < 12; r++) J[12 * r + c] = y[VARIED + 12 * c + r] * measure[r / 3] / measure[c / 3];
     return true;

@@ -20,7 +20,9 @@ enum { WF_ROD_FRAME = 16, WF_ROD_ANGLES = 18, WF_ROD_VARIED = 157 };
 struct wf_rod_integrator {
     const struct wf_tree *tree;
     const struct wf_loads *loads;
+    struct wf_arena *arena; /* for the steps */
     bool printed;
+    bool fixed; /* take the steps kept with the pieces again */
     gsl_odeiv2_driver *state, *varied;
     gsl_odeiv2_system state_system, varied_system;
     struct wf_rod_piece *piece; /* under way */
@@ -31,9 +33,9 @@ struct wf_rod_integrator {
     const char *fault;          /* why it stopped; NULL = a step could not be taken            */
 };
 
-/* t and l stay where they are. WF_ENOMEM. */
+/* t, l and the arena stay where they are. WF_ENOMEM. */
 enum wf_status wf_rod_open(struct wf_rod_integrator *g, const struct wf_tree *t, const struct wf_loads *l,
-                           bool printed, struct wf_err *e);
+                           bool printed, struct wf_arena *a, struct wf_err *e);
 void wf_rod_close(struct wf_rod_integrator *g);
 /* Error accepted a step, in the piece's measure (lengths by h, forces by EI/h2, turns). */
 void wf_rod_accuracy(struct wf_rod_integrator *g, double error);

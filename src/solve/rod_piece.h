@@ -22,6 +22,8 @@ struct wf_rod_piece {
     double h;          /* arc length [m]                                           */
     double stiffness;  /* bending stiffness to measure force and moment by [N m2]  */
     double first_step; /* last step the integrator took here, share of the piece   */
+    double *step;      /* all it took, see rod_step.h                              */
+    size_t steps, room;
 };
 
 /* The section and the axis of a row at share s of its arc. */

@@ -263,11 +263,26 @@ static void swap(struct wf_rod *r)
     r->trial = node;
 }
 
+/* Choose the steps of all pieces anew where the nodes are, to an accuracy, and keep to them from here.
+ * Returned: size of Newton's next change with the present derivative; NAN when the integration fails. */
+static double fix_steps(struct wf_rod *r, double accuracy)
+{
+    double turn;
+    r->integrator.fixed = false;
+    wf_rod_accuracy(&r->integrator, accuracy);
+    if (!arrive(r, r->node)) return NAN;
+    r->integrator.fixed = true;
+    solve(r, r->node, r->step, r->tilt);
+    return norm(r, (const double(*)[12])r->step, &turn);
+}
+
 bool wf_rod_newton(struct wf_rod *r)
 {
-    const double tolerance = r->options->tolerance, rounding = 1e-14;
+    const double tolerance = r->options->tolerance, rounding = 1e-14, near = 1e-3;
+    const double serves = fmax(0.1 * r->options->mesh_tolerance, tolerance);
     double turn, size, share = 1;
     bool fresh = false;
+    r->integrator.fixed = false;
     wf_rod_accuracy(&r->integrator, tolerance);
     if (!arrive(r, r->node)) return false;
     for (size_t round = 0; round < r->options->iterations_max; round++) {
@@ -278,10 +293,12 @@ bool wf_rod_newton(struct wf_rod *r)
             share = 1;
         }
         size = norm(r, (const double(*)[12])r->step, &turn);
+        double scale = fmax(answer(r), 1e-12), next = INFINITY;
+        if (!r->integrator.fixed && size < near * scale) size = fix_steps(r, 0.01 * tolerance * scale);
         if (!isfinite(size)) return false;
         share = fmin(share, turn > 1 ? 1 / turn : 1);
-        double scale = fmax(answer(r), 1e-12), next = INFINITY;
-        wf_rod_accuracy(&r->integrator, 0.01 * tolerance * fmin(1, fmax(scale, size)));
+        if (!r->integrator.fixed)
+            wf_rod_accuracy(&r->integrator, 0.01 * tolerance * fmin(1, fmax(scale, size)));
         for (;; share *= 0.5) {
             if (share < 1e-3) return false;
             move(r, share, (const double(*)[12])r->step, (const double(*)[3])r->tilt, r->trial);
@@ -291,7 +308,14 @@ bool wf_rod_newton(struct wf_rod *r)
             if (next <= (1 - 0.25 * share) * size || next <= tolerance * scale + rounding) break;
         }
         swap(r);
-        if (share >= 1 && fmin(size, next) <= tolerance * scale + rounding) return true;
+        if (share >= 1 && fmin(size, next) <= tolerance * scale + rounding) {
+            /* done if the steps chosen where it ended find the same */
+            size = fix_steps(r, 0.01 * tolerance * scale);
+            if (size <= serves * scale + rounding) return true;
+            if (!isfinite(size)) return false;
+            fresh = true;
+            continue;
+        }
         /* keep the derivative where it still gains a digit a step */
         fresh = share >= 1 && next < 0.1 * size;
         share = fmin(1, 2 * share);
@@ -353,7 +377,7 @@ enum wf_status wf_rod_init(struct wf_rod *r, const struct wf_tree *t, const stru
         r->size = fmax(r->size, hypot(t->x1[i] - t->x0[0], hypot(t->y1[i] - t->y0[0], t->z1[i] - t->z0[0])));
     sort_points(r);
     wf_rod_rest(r);
-    return wf_rod_open(&r->integrator, t, &r->loads, printed, e);
+    return wf_rod_open(&r->integrator, t, &r->loads, printed, a, e);
 }
 
 void wf_rod_done(struct wf_rod *r) { wf_rod_close(&r->integrator); }

@@ -2,6 +2,7 @@
 #include "solve/vec.h"
 #include "study/scenario.h"
 #include "study/speed.h"
+#include <stdlib.h>
 #include <string.h>
 
 /* Motion of the end of `row` that a stiff branch fixed to the end of the row `foot` would not have. */
@@ -56,8 +57,9 @@ enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solv
     struct wf_response beam, r;
     wind.speed = wf_scenario_speed(&an->scenario, speed);
     loads.wind = speed > 0 ? &wind : NULL;
-    *out = (struct wf_explain){ .axis = WF_TAKE(a, t->n, struct wf_explain_axis) };
-    if (!out->axis) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    *out = (struct wf_explain){ .axis = WF_TAKE(a, t->n, struct wf_explain_axis),
+                                .room = WF_TAKE(a, t->n, double) };
+    if (!out->axis || !out->room) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
     find_axes(t, out);
     enum wf_status status = wf_solvers[0]->solve(t, &loads, o, a, &beam, d, e);
     if (status) return status;
@@ -77,4 +79,40 @@ enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solv
             out->axis[b].ratio[m] = ok ? own(t, &r, &out->axis[b]) / out->axis[b].beam : NAN;
     }
     return WF_OK;
+}
+
+int32_t wf_explain_top(const struct wf_explain *x)
+{
+    int32_t top = 0;
+    for (size_t b = 0; b < x->axes; b++) top = x->axis[b].level > top ? x->axis[b].level : top;
+    return top;
+}
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+void wf_explain_spread(const struct wf_explain *x, size_t method, int32_t level,
+                       struct wf_explain_spread *out)
+{
+    double *r = x->room;
+    *out = (struct wf_explain_spread){ .low = NAN, .middle = NAN, .high = NAN };
+    for (size_t b = 0; b < x->axes; b++) {
+        if (x->axis[b].level != level) continue;
+        out->branches++;
+        if (isfinite(x->axis[b].ratio[method])) r[out->answers++] = x->axis[b].ratio[method];
+    }
+    size_t n = out->answers;
+    if (!n) return;
+    qsort(r, n, sizeof *r, ascending);
+    out->low = r[0], out->high = r[n - 1], out->middle = 0.5 * (r[(n - 1) / 2] + r[n / 2]);
+}
+
+double wf_explain_share(const struct wf_explain *x, size_t method, double off)
+{
+    double n = 0;
+    for (size_t b = 0; b < x->axes; b++) n += fabs(x->axis[b].ratio[method] - 1) <= off;
+    return n / (double)x->axes;
 }

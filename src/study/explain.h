@@ -18,6 +18,7 @@ struct wf_explain {
     const struct wf_solver *method[WF_EXPLAIN_METHODS];
     enum wf_status status[WF_EXPLAIN_METHODS];
     struct wf_explain_axis *axis;
+    double *room;                   /* axes, for sorting */
     double tip[WF_EXPLAIN_METHODS]; /* whole deflection of the stem's tip over the beam's [-] */
 };
 
@@ -28,4 +29,15 @@ struct wf_explain {
 enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
                               struct wf_arena *a, struct wf_diag *d, struct wf_explain *out,
                               struct wf_err *e);
+
+int32_t wf_explain_top(const struct wf_explain *x); /* highest level */
+struct wf_explain_spread {
+    size_t branches, answers;
+    double low, middle, high; /* ratios; NAN without an answer [-] */
+};
+/* Ratios of a method over the branches of a level. */
+void wf_explain_spread(const struct wf_explain *x, size_t method, int32_t level,
+                       struct wf_explain_spread *out);
+/* Share of all branches whose ratio is within `off` of 1 [-]. */
+double wf_explain_share(const struct wf_explain *x, size_t method, double off);
 #endif

@@ -22,7 +22,8 @@ const struct wf_preset wf_presets[] = {
       .air_density = NAN,
       .solid = true,
       .rigid = true,
-      .departures = wf_departures_tang },
+      .departures = wf_departures_tang,
+      .in_time = wf_departures_tang_in_time },
     { .name = "feng1999",
       .title = "inextensible rods in three angles a segment",
       .source =
@@ -40,12 +41,14 @@ const struct wf_preset wf_presets[] = {
                 "Engineering and Applications 49(14):160-163",
       .solver = "deflect-as-printed",
       .gust = "sine-perlin-as-printed",
+      .leaves = "noise",
       .drag = WF_ZHAO_DRAG,
       .lift = WF_ZHAO_LIFT,
       .air_density = WF_ZHAO_AIR,
       .solid = true,
       .rigid = true,
-      .departures = wf_departures_zhao },
+      .departures = wf_departures_zhao,
+      .in_time = wf_departures_zhao_in_time },
     { .name = NULL },
 };
 

@@ -8,12 +8,14 @@ struct wf_preset {
     const char *name, *title, *source;
     const char *solver; /* row of wf_solvers; NULL: the user's            */
     const char *gust;   /* row of wf_gust_models, for time series         */
+    const char *leaves; /* row of wf_leaf_motions, for time series; NULL: the first */
     double drag, lift;  /* coefficients of wood and crown; NAN: the species' [-] */
     double air_density; /* [kg m-3]; NAN: the scenario's                  */
     bool solid;         /* sections without a hollow                      */
     bool rigid;         /* crowns that do not streamline                  */
     /* One warning a departure from physics, with its reason and its size in this analysis. */
     void (*departures)(const struct wf_analysis *an, struct wf_diag *d);
+    void (*in_time)(struct wf_diag *d); /* those of its wind, memory and leaves; NULL: none */
 };
 extern const struct wf_preset wf_presets[]; /* corrected first; ends at name == NULL */
 const struct wf_preset *wf_preset_named(const char *name);

@@ -41,6 +41,36 @@ void wf_departures_tang(const struct wf_analysis *an, struct wf_diag *d)
         "tang2012: displacements of the segments are added up, so a strongly bent stem grows longer");
 }
 
+void wf_departures_tang_in_time(struct wf_diag *d)
+{
+    wf_diag_warn(
+        d, "unprinted-constants",
+        "tang2012: mu_d, mu_l, sigma and omega are not printed; drag is the species', the gust as asked");
+    wf_diag_warn(d, "phase-once",
+                 "tang2012: eq 4 reads as if the phase were drawn at every call; that is white noise of 0.71 "
+                 "sigma U, no "
+                 "gust; here it is drawn once a run");
+    wf_diag_warn(d, "leaf-look",
+                 "tang2012: eq 13 turns leaves in proportion to the wind, without limit; it is a look and "
+                 "enters no load");
+}
+
+void wf_departures_shelter(struct wf_diag *d)
+{
+    wf_diag_warn(d, "wake-recovery",
+                 "feng1999: the wind counts as recovered 5 to 7 radii behind a stem; that is potential flow "
+                 "(0.96 to 0.98 "
+                 "on the axis), a real wake takes tens of diameters");
+    wf_diag_warn(d, "transmission",
+                 "feng1999: 20 %% of the energy pass a covered cell, 0.45 of the speed; were the speed meant "
+                 "it would be "
+                 "0.2, a drag 5 times smaller");
+    wf_diag_warn(
+        d, "superposition",
+        "feng1999: potentials of neighbouring cells are added up without bound: many holes side by side can "
+        "blow more than the wind");
+}
+
 void wf_departures_feng(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_species *sp = an->species;
@@ -57,6 +87,12 @@ void wf_departures_feng(const struct wf_analysis *an, struct wf_diag *d)
                 "feng1999: %s: E = %.3g GPa as printed (10.8e10) is that of titanium; neighbours "
                 "differ 3.3 and 3.6-fold, this one 30-fold; 10.8e9, a tenth, is the likely intention",
                 l->name, l->youngs_modulus.value / 1e9);
+        if (l->youngs_modulus.value < 0.7e9)
+            wf_diag_warn(d, "modulus-low",
+                         "feng1999: %s: E = %.3g GPa is that of soft green shoots; living branches have 0.7 "
+                         "to 4.6 GPa, "
+                         "so it bends 2 to 15 times too far",
+                         l->name, l->youngs_modulus.value / 1e9);
         if (l->density.value > 1500)
             wf_diag_warn(
                 d, "density-outlier",
@@ -69,10 +105,11 @@ void wf_departures_feng(const struct wf_analysis *an, struct wf_diag *d)
             d, "relative-radius",
             "feng1999: radii are printed without a unit; read as metres they are those of weeping twigs, "
             "far too thin for limbs");
-    wf_diag_warn(
-        d, "dropped-products",
-        "feng1999: eq 2 leaves out products of first derivatives of the angles and takes a segment as "
-        "uniform; the error falls with the length of the segments");
+    if (an->solver->as_printed)
+        wf_diag_warn(
+            d, "dropped-products",
+            "feng1999: eq 2 leaves out products of first derivatives of the angles and takes a segment as "
+            "uniform; the error falls with the length of the segments");
 }
 
 void wf_departures_zhao(const struct wf_analysis *an, struct wf_diag *d)
@@ -107,4 +144,26 @@ void wf_departures_zhao(const struct wf_analysis *an, struct wf_diag *d)
         "zhao2013: the segment turns by asin(delta/L), the angle of its chord; the end of a tip-loaded "
         "cantilever turns 1.5 times as far");
     wf_diag_warn(d, "no-weight", "zhao2013: weight does not act");
+}
+
+void wf_departures_zhao_in_time(struct wf_diag *d)
+{
+    wf_diag_warn(d, "omega-unit",
+                 "zhao2013: omega = 3.14/120 has no unit; read per frame at 61 frames a second the sine "
+                 "takes 3.9 s, per "
+                 "second it would take 240 s");
+    wf_diag_warn(
+        d, "sine-swing",
+        "zhao2013: V_0 (1 + sin) swings from 0 to twice V_0, an intensity of 0.71 against 0.2 to 0.6 in real "
+        "wind; noise of 0 to 4 m/s adds 2 m/s to the mean, 20 %% at 10 m/s, 57 %% at 3.5 m/s");
+    wf_diag_warn(d, "restoring",
+                 "zhao2013: -k F(t-1) takes elasticity, which is in E, a second time: a steady load settles "
+                 "at F_1/(1 + k), "
+                 "with k = 0.3 at 0.77");
+    wf_diag_warn(d, "damping-sign",
+                 "zhao2013: k omega^2 never changes its sign, so it would drive half of each swing; along "
+                 "the axis, as "
+                 "printed, it bends nothing");
+    wf_diag_warn(d, "leaf-look",
+                 "zhao2013: leaves turn by three noises whatever the wind; it is a look and enters no load");
 }

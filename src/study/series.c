@@ -1,7 +1,7 @@
 #include "study/series.h"
 #include "solve/vec.h"
 #include "study/limits.h"
-#include "study/series_leaf.h"
+#include "study/preset_departures.h"
 #include "study/series_wind.h"
 #include "study/speed.h"
 #include "wind/gust_words.h"
@@ -22,7 +22,11 @@ void wf_series_default(struct wf_series_spec *s)
                                   .keys = 8,
                                   .youngs = NAN,
                                   .transmission = 0.2,
+                                  .leaf_motion = &wf_leaf_motions[0],
+                                  .leaf_period = 1,
+                                  .flutter = { { 3, 0.5, 2, 1 }, { 0 }, 0.5 },
                                   .profile = WF_PROFILE_UNSAID };
+    wf_leaf_amplitude(0.5235987755982988, &s->flutter); /* 30 degrees */
     wf_solve_options_default(&s->solve);
     wf_scenario_default(&s->scenario);
 }
@@ -115,6 +119,16 @@ static enum wf_status run_frames(struct wf_series *s, bool printed, struct wf_ar
     return WF_OK;
 }
 
+/* A frame without an answer shows the one before it, the first the unloaded tree. */
+static void show_last(struct wf_series *s, size_t k)
+{
+    const struct wf_tree *t = &s->an.tree;
+    double *to = s->place + k * 3 * t->n;
+    if (k) memcpy(to, to - 3 * t->n, 3 * t->n * sizeof *to);
+    for (size_t i = 0; !k && i < t->n; i++)
+        to[3 * i] = t->x1[i], to[3 * i + 1] = t->y1[i], to[3 * i + 2] = t->z1[i];
+}
+
 /* A balance every moment. */
 static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struct wf_err *e)
 {
@@ -141,7 +155,7 @@ static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struc
             if (!first.code) first = why;
             s->failed++;
             s->deflection[k] = s->moment[k] = NAN;
-            if (k) memcpy(s->place + k * 3 * t->n, s->place + (k - 1) * 3 * t->n, 3 * t->n * sizeof(double));
+            show_last(s, k);
         }
         wf_arena_free(&scratch);
         if (status == WF_ENOMEM || status == WF_EINPUT || status == WF_EUSAGE)
@@ -243,48 +257,7 @@ enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena 
                      "it was held at 90 degrees",
                      spec->name, s->clamped, s->frames);
     wf_preset_warn(spec->preset, &s->an, d);
+    if (spec->preset->in_time && spec->frames > 1) spec->preset->in_time(d);
+    if (spec->shelter && spec->shelter->as_printed) wf_departures_shelter(d);
     return WF_OK;
-}
-
-/* Turn that brings a row's unbent direction to its present one, the shortest way. */
-static void chord_turn(const struct wf_series *s, size_t row, const double *place, double at[3], double R[9])
-{
-    const struct wf_tree *t = &s->an.tree;
-    const double base[3] = { t->x0[row], t->y0[row], t->z0[row] };
-    double was[3] = { t->x1[row] - base[0], t->y1[row] - base[1], t->z1[row] - base[2] }, is[3], v[3],
-           foot[3];
-    int32_t p = t->parent[row];
-    for (int k = 0; k < 3; k++) {
-        foot[k] = p >= 0 ? place[3 * p + k] : base[k];
-        at[k] = place[3 * row + (size_t)k];
-        is[k] = at[k] - foot[k];
-    }
-    double a = sqrt(wf_dot(was, was)), b = sqrt(wf_dot(is, is));
-    wf_cross(was, is, v);
-    double size = sqrt(wf_dot(v, v)), angle = atan2(size, wf_dot(was, is));
-    for (int k = 0; k < 3; k++) v[k] = size > 1e-12 * a * b ? v[k] * angle / size : 0;
-    rotation_matrix(v, R);
-}
-
-void wf_series_leaves(const struct wf_series *s, size_t frame, double *at, double *tip)
-{
-    const struct wf_tree *t = &s->an.tree;
-    const double *place = s->place + frame * 3 * t->n;
-    for (size_t i = 0; i < s->leaves.n; i++) {
-        size_t row = (size_t)s->leaves.row[i];
-        double end[3], R[9],
-            axis[3] = { t->x1[row] - t->x0[row], t->y1[row] - t->y0[row], t->z1[row] - t->z0[row] }, back[3];
-        chord_turn(s, row, place, end, R);
-        m3_apply(R, axis, back);
-        struct wf_leaf_pose p;
-        m3_apply(R, s->leaves.direction + 3 * i, p.tip);
-        m3_apply(R, s->leaves.side + 3 * i, p.side);
-        for (int k = 0; k < 3; k++) p.at[k] = end[k] - (1 - s->leaves.place[i]) * back[k];
-        wf_leaf_swing(s->leaves.swing * s->wind[frame], s->leaves.twist * s->wind[frame], &p);
-        double length = sqrt(s->leaves.area[i]); /* drawn as long as a square of its area is wide */
-        for (size_t k = 0; k < 3; k++) {
-            at[3 * i + k] = p.at[k];
-            tip[3 * i + k] = p.at[k] + length * p.tip[k];
-        }
-    }
 }

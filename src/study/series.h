@@ -8,8 +8,23 @@
 #include "study/analysis.h"
 #include "study/preset.h"
 #include "study/scenario.h"
+#include "study/series_leaf.h"
 #include "wind/gust.h"
+#include "wind/noise.h"
 #include "wind/shelter.h"
+
+struct wf_series;
+/* How leaves turn on their stalks: rows. A look: they enter no load. */
+struct wf_leaf_motion {
+    const char *name, *title, *source;
+    const char *angles[3]; /* what they are called; NULL: fewer */
+    void (*angle)(const struct wf_series *s, size_t leaf, size_t frame, double angle[3]); /* [rad] */
+    /* Turn the leaf the branch carries; NULL: the angles are turns about the tree's x, y, z before the branch
+     * moves it. */
+    void (*hang)(const double angle[3], struct wf_leaf_pose *p);
+};
+extern const struct wf_leaf_motion wf_leaf_motions[]; /* eq13, noise; ends at name == NULL */
+const struct wf_leaf_motion *wf_leaf_motion_named(const char *name);
 
 struct wf_series_spec {
     const char *name;                 /* of the run                                                   */
@@ -34,7 +49,13 @@ struct wf_series_spec {
     double youngs;             /* in place of the species' on every level [Pa]; NAN: the species'      */
     const struct wf_shelter_law *shelter; /* wind inside the crown; NULL: every part meets the free wind */
     double transmission; /* of a fully covered cell, share of the wind's energy [-]              */
+    const struct wf_leaf_motion *leaf_motion;
+    struct wf_leaf_flutter flutter; /* by noise: see wf_leaf_amplitude                          */
+    double leaf_period;             /* of the first octave [s]                                  */
 };
+/* Largest angle any of the three noises alone can give [rad]; the octaves are to be set. */
+void wf_leaf_amplitude(double angle, struct wf_leaf_flutter *f);
+
 /* 10 m/s, steady, corrected, one frame a tenth of a second for 60 s, 8 key frames. */
 void wf_series_default(struct wf_series_spec *s);
 
@@ -75,7 +96,9 @@ struct wf_series {
 enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena *a, struct wf_diag *d,
                              struct wf_series *out, struct wf_err *e);
 
-/* Where the leaves are in a frame (eq 13 of Tang et al. 2012, see series_leaf.h): 3 numbers a leaf each,
- * hanging point and end of a leaf. Rows carry them by the turn of their chord. */
+/* Own angles of a leaf in a frame [rad], as spec.leaf_motion names them. */
+void wf_series_leaf_angles(const struct wf_series *s, size_t leaf, size_t frame, double angle[3]);
+/* Where the leaves are in a frame: 3 numbers a leaf each, hanging point and end of a leaf. Rows carry them by
+ * the turn of their chord. */
 void wf_series_leaves(const struct wf_series *s, size_t frame, double *at, double *tip);
 #endif

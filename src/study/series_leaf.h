@@ -4,8 +4,8 @@
  *
  * Tang et al. 2012, eq 13: turn about the hanging point and about the vertical in proportion to the wind's
  * speed, phi = lambda_1 U(t), psi = lambda_2 U(t), on top of what the branch does. Zhao & Zhang 2013: turns
- * about three axes from three noises, M_x N_x(t), M_y N_y(t), M_z N_z(t) + lambda theta_x, the same for all
- * leaves. */
+ * about three axes from three noises, M_x N_x(t), M_y N_y(t), M_z N_z(t) + lambda theta_x. The paper prints
+ * no number of a leaf; here each has noises of its own. */
 #include <stdint.h>
 
 struct wf_leaf_stand { /* a leaf of size 1 on the unbent tree */

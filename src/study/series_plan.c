@@ -15,6 +15,7 @@
         .doc = text, __VA_ARGS__                                                                             \
     }
 
+static const char *const no_yes[] = { "no", "yes", NULL };
 static const struct wf_yaml_row run_rows[] = {
     WORD(name, "What the run is called in tables and panels.", .required = true, .example = "10 m/s"),
     WORD(species, "Species table, a file or a shipped name.", .required = true, .example = "moso_bamboo"),
@@ -82,6 +83,23 @@ static const struct wf_yaml_row run_rows[] = {
              .example = "0.2"),
     QUANTITY("reference_height", profile.reference_height, WF_DIM_LENGTH, "m", 0.01, 1000,
              "Where the wind has its speed.", .preset = "10 m", .example = "10 m"),
+    WORD(leaf_motion,
+         "How leaves turn, a look that enters no load: eq13 (Tang et al. 2012), noise (Zhao & Zhang 2013).",
+         .absent = "the preset's, else eq13", .example = "noise"),
+    QUANTITY("leaf_amplitude", leaf_amplitude, WF_DIM_ANGLE, "deg", 0, 180,
+             "Largest turn by one of the three noises, M_x = M_y = M_z.", .absent = "30 deg",
+             .example = "30 deg"),
+    QUANTITY("leaf_follow", leaf_follow, WF_DIM_NONE, NULL, -10, 10,
+             "lambda: share of theta_x added to theta_z.", .preset = "0.5", .example = "0.5"),
+    QUANTITY("leaf_period", leaf_period, WF_DIM_TIME, "s", 1e-3, 3600, "Period of the noise's first octave.",
+             .preset = "1 s", .example = "1 s"),
+    { .key = "explain",
+      .kind = WF_YAML_CHOICE,
+      .choices = no_yes,
+      .preset = "no",
+      AT(explain),
+      .doc = "Every method against beam theory on this tree in the mean wind, branch by branch.",
+      .example = "yes" },
     { .key = "keys",
       .kind = WF_YAML_INTEGER,
       .low = 1,
@@ -191,6 +209,12 @@ enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const str
     if (!isnan(r->restoring)) s->restoring = r->restoring;
     if (!isnan(r->damping)) s->damping = r->damping;
     if (!isnan(r->transmission)) s->transmission = r->transmission;
+    const char *leaf = given(r->leaf_motion, "") ? r->leaf_motion : s->preset->leaves;
+    if (leaf && !(s->leaf_motion = wf_leaf_motion_named(leaf)))
+        return wf_fail(e, WF_EUSAGE, "run '%s': no motion of leaves is called '%s'", r->name, leaf);
+    if (!isnan(r->leaf_amplitude)) wf_leaf_amplitude(r->leaf_amplitude, &s->flutter);
+    if (!isnan(r->leaf_follow)) s->flutter.follow = r->leaf_follow;
+    if (r->leaf_period > 0) s->leaf_period = r->leaf_period;
     double frames = isnan(r->duration) ? 1 : floor(r->duration / s->step + 1e-9);
     if (!(frames <= 1e6))
         return wf_fail(e, WF_EUSAGE, "run '%s': %.0f frames are too many (1e6)", r->name, frames);

@@ -5,10 +5,11 @@
 #include "study/series.h"
 
 struct wf_series_plan_run { /* NULL, NAN: the default */
-    const char *name, *species, *model, *preset, *solver, *gust, *shelter;
+    const char *name, *species, *model, *preset, *solver, *gust, *shelter, *leaf_motion, *explain;
     const char *set, *file, *columns; /* of the gust model, see wind/gust_words.h */
     struct wf_profile_words profile;
-    double wind, intensity, period, duration, step, youngs, restoring, damping, transmission;
+    double wind, intensity, period, duration, step, youngs, restoring, damping, transmission, leaf_amplitude,
+        leaf_follow, leaf_period;
     size_t keys, seed, components;
 };
 struct wf_series_plan {

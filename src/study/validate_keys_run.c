@@ -1,4 +1,5 @@
 /* Readers of the keys that say what acts, how a case is run and what is wanted of it. */
+#include "solve/chain_variants.h"
 #include "study/validate_keys_read.h"
 #include "study/validate_want.h"
 #include <string.h>
@@ -34,15 +35,19 @@ bool wf_key_mass(struct wf_words *w, struct wf_case *c, const struct wf_case_key
 bool wf_key_solver(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
-    const char *name[32];
+    enum { KNOWN = 32 };
+    const struct wf_solver *known[KNOWN];
+    const char *name[KNOWN];
     size_t n = 0, chosen;
-    while (n < 32 && wf_solvers[n]) name[n] = wf_solvers[n]->name, n++;
+    for (size_t i = 0; n < KNOWN && wf_solvers[i]; i++) known[n++] = wf_solvers[i];
+    for (size_t i = 0; n < KNOWN && wf_chain_variants[i]; i++) known[n++] = wf_chain_variants[i];
+    for (size_t i = 0; i < n; i++) name[i] = known[i]->name;
     c->solvers = 0;
     do {
         if (c->solvers == WF_CASE_SOLVERS_MAX)
             return wf_words_wrong(w, w->next, "at most %d solvers", WF_CASE_SOLVERS_MAX);
         if (!wf_words_choice(w, "solver", name, n, &chosen)) return false;
-        c->solver[c->solvers++] = wf_solvers[chosen];
+        c->solver[c->solvers++] = known[chosen];
     } while (wf_words_peek(w));
     return true;
 }

@@ -1,4 +1,5 @@
 /* The sheltered wind at any point, from the ratios at planes and cells. */
+#include "base/vec.h"
 #include "wind/shelter.h"
 #include "wind/shelter_parts.h"
 #include <math.h>
@@ -87,9 +88,28 @@ static void sample(const struct wf_wind *w, const double x[3], double u[3], doub
         }
 }
 
+/* To the next face between cells, where the curvature of the splines jumps; a face at hand counts as passed.
+ */
+static double clear(const struct wf_wind *w, const double x[3], const double t[3])
+{
+    const struct wf_shelter *s = w->field;
+    const double at_hand = 2e-3; /* cells */
+    double local[3], nearest = INFINITY;
+    wf_shelter_turn(s, x, local);
+    for (int k = 0; k < 3; k++) {
+        double at = (local[k] - s->low[k]) / s->step[k] - (k == 0 ? WF_SHELTER_LAG : 0.0);
+        double rate = wf_dot(s->axis[k], t) / s->step[k], ahead = floor(at) + 1.0 - at;
+        if (rate < 0.0) rate = -rate, ahead = at + 1.0 - ceil(at);
+        if (ahead < at_hand) ahead += 1.0;
+        if (rate > 0.0) nearest = fmin(nearest, ahead / rate);
+    }
+    return nearest;
+}
+
 void wf_shelter_field(const struct wf_shelter *s, struct wf_wind *out)
 {
     *out = s->base;
     out->sample = sample;
+    out->clear = clear;
     out->field = s;
 }

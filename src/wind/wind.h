@@ -19,6 +19,9 @@ struct wf_wind {
     double canopy_height;    /* h [m] (canopy); 0: displacement / 0.7                  */
     double attenuation;      /* a [-] (canopy); 0: the one that joins the log law smoothly */
     const void *field;       /* other fields' own data                                 */
+    /* Distance from x along the unit vector t to the next place where a derivative of the field jumps [m];
+     * NULL: it is smooth everywhere. */
+    double (*clear)(const struct wf_wind *w, const double x[3], const double t[3]);
 };
 
 struct wf_profile {
