@@ -23,7 +23,7 @@ static void test_speeds(void **state)
         { "$W series oak $M " QUIET "--no-vtk --duration 1 --wind beaufort:8",
           CODE_OK,
           { "taken as 19.0", "19" } },
-        { "$W explain oak $M -o $T/out --no-plots --wind hko:typhoon", CODE_OK, { "taken as 37.2" } },
+        { "$W explain oak $M -o $T/out --no-report --wind hko:typhoon", CODE_OK, { "taken as 37.2" } },
         { "$W shelter $M -s oak -o $T/out --no-plots --no-motion --slabs 4 --wind beaufort:9",
           CODE_OK,
           { "22.6" } },
@@ -66,7 +66,7 @@ static void test_profile(void **state)
           { "wind profile measured", "the measured profile ends at 10 m", "p.csv",
             "\"role\": \"profile\"" } },
         { PROFILE
-          "for c in 'series --no-vtk --no-report --duration 1' 'explain --no-plots' ; do set -- $c; c=$1; "
+          "for c in 'series --no-vtk --no-report --duration 1' 'explain --no-report' ; do set -- $c; c=$1; "
           "shift\n"
           "$W $c oak $M -o $T/out $* --profile-file $T/p.csv || exit; done; cat $T/out/tables/runs.csv",
           CODE_OK,
