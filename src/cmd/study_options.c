@@ -2,6 +2,7 @@
 #include "cmd/study_directions.h"
 #include "cmd/wind_speed.h"
 #include "wind/shelter.h"
+#include <math.h>
 #include <string.h>
 
 static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
@@ -140,6 +141,7 @@ enum wf_status wf_study_from_args(const struct wf_args *g, struct wf_arena *a, s
     s->speed_max = wf_args_number(g, "--search-to");
     s->shelter = strcmp(wf_args_text(g, "--shelter"), "none") == 0 ? NULL : wf_args_text(g, "--shelter");
     wf_solve_options_default(&out->solve);
+    out->solve.threads = (size_t)llround(wf_args_number(g, "--threads"));
     out->solve.mesh_tolerance = wf_args_number(g, "--mesh-tolerance");
     if (wf_args_given(g, "--root-stiffness"))
         out->solve.root_stiffness[0] = out->solve.root_stiffness[1] = wf_args_number(g, "--root-stiffness");

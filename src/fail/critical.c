@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-enum { RUNGS = 32, STEPS_MAX = 100 };
+enum { STEPS_MAX = 100 };
 
 typedef enum wf_status criterion_fn(void *ctx, double speed, double *value, struct wf_err *e);
 
@@ -105,6 +105,8 @@ static double slope(struct search *s, double root)
     return s->lost <= above ? -low / (root - below) : (high - low) / (above - below);
 }
 
+double wf_critical_rung(double speed_max, int k) { return speed_max * k / WF_CRITICAL_RUNGS; }
+
 enum wf_status wf_critical_search(criterion_fn *criterion, void *ctx, double speed_max, double tolerance,
                                   struct wf_critical *out, struct wf_err *e)
 {
@@ -125,8 +127,8 @@ enum wf_status wf_critical_search(criterion_fn *criterion, void *ctx, double spe
         return WF_OK;
     }
 
-    for (int k = 1; k <= RUNGS && !s.fault && isinf(s.falls) && isinf(s.lost); k++)
-        excess(speed_max * k / RUNGS, &s);
+    for (int k = 1; k <= WF_CRITICAL_RUNGS && !s.fault && isinf(s.falls) && isinf(s.lost); k++)
+        excess(wf_critical_rung(speed_max, k), &s);
     if (isinf(s.falls) && isinf(s.lost))
         out->outcome = WF_CRITICAL_ABOVE;
     else {

@@ -29,5 +29,9 @@ struct wf_critical {
 enum wf_status
 wf_critical_search(enum wf_status (*criterion)(void *ctx, double speed, double *value, struct wf_err *e),
                    void *ctx, double speed_max, double tolerance, struct wf_critical *out, struct wf_err *e);
+/* Speed of the k-th of those steps, k = 0..WF_CRITICAL_RUNGS [m/s]: a caller that has several processors may
+ * work out some before the search asks for them. */
+enum { WF_CRITICAL_RUNGS = 32 };
+double wf_critical_rung(double speed_max, int k);
 const char *wf_critical_text(enum wf_critical_outcome o);
 #endif

@@ -13,5 +13,7 @@ enum wf_status wf_response_alloc(struct wf_response *r, size_t n, struct wf_aren
 
 void wf_solve_options_default(struct wf_solve_options *o)
 {
-    *o = (struct wf_solve_options){ .tolerance = 1e-9, .mesh_tolerance = 1e-6, .iterations_max = 100 };
+    *o = (struct wf_solve_options){
+        .tolerance = 1e-9, .mesh_tolerance = 1e-6, .iterations_max = 100, .threads = 1
+    };
 }

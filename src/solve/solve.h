@@ -33,6 +33,8 @@ struct wf_solve_options {
     size_t iterations_max; /* per load step, default 100 */
     bool inextensible, shear_flexible; /* beam models K / EB (default) / SR */
     double shear_factor;               /* k in k G A; 0 = Cowper 1966, circular sections */
+    size_t threads; /* processors for solutions that do not depend on each other, default 1; 0: all; the
+                     * answers are the same */
     double root_stiffness[2]; /* rotational springs of the root plate about x and y [N m/rad]; 0 = clamped */
 };
 void wf_solve_options_default(struct wf_solve_options *o);

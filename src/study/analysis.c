@@ -4,6 +4,7 @@
 #include "study/limits.h"
 #include "study/scenario.h"
 #include "study/speed.h"
+#include "study/together.h"
 #include <math.h>
 
 static enum wf_status check_call(const struct wf_scenario *sc, const double *speeds, size_t n,
@@ -47,110 +48,19 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
     return !s && an->model->shape == WF_SHAPE_UNDER_WEIGHT ? unload(an, a, d, e) : s;
 }
 
-/* Answers at speeds already asked for: two searches go up the same ladder. */
-enum { KNOWN_MAX = 200 };
-struct known {
-    int n;
-    double tolerance[KNOWN_MAX]; /* of the mesh */
-    struct wf_at_speed at[KNOWN_MAX];
-};
-
-struct search {
+/* Points of the curves. */
+struct curve {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
-    bool stem; /* the stem alone */
-    struct known *known;
+    struct wf_at_speed *at;
+    enum wf_status *status;
+    struct wf_err *why;
 };
 
-static enum wf_status totals(const struct search *q, double speed, struct wf_at_speed *at, struct wf_err *e)
+static void point(void *context, size_t k)
 {
-    struct known *k = q->known;
-    for (int i = 0; i < k->n; i++)
-        if (k->at[i].speed == speed && k->tolerance[i] == q->o->mesh_tolerance) {
-            *at = k->at[i];
-            return WF_OK;
-        }
-    enum wf_status s = wf_speed_totals(q->an, q->o, speed, at, e);
-    if (s || k->n == KNOWN_MAX) return s;
-    k->tolerance[k->n] = q->o->mesh_tolerance;
-    k->at[k->n++] = *at;
-    return WF_OK;
-}
-
-/* Stress over strength at the worst section. */
-static enum wf_status utilisation(void *ctx, double speed, double *value, struct wf_err *e)
-{
-    const struct search *s = ctx;
-    struct wf_at_speed at;
-    enum wf_status status = totals(s, speed, &at, e);
-    if (status) return status;
-    if (at.status) return wf_fail(e, at.status, "no equilibrium at %.6g m/s", speed);
-    *value = 1.0 / (s->stem ? at.breakage.stem_safety : at.breakage.least_safety);
-    return WF_OK;
-}
-
-/* The speed found on a quick mesh, brought to the asked one by secants on its slope, which hardly differ;
- * *at: totals there. */
-static enum wf_status polish(const struct search *search, struct wf_critical *c, struct wf_at_speed *at,
-                             struct wf_err *e)
-{
-    const double near = 3e-6; /* of the strength */
-    for (int k = 0;; k++) {
-        enum wf_status s = totals(search, c->speed, at, e);
-        c->evaluations++;
-        if (s || at->status) return s;
-        double excess = 1.0 / (search->stem ? at->breakage.stem_safety : at->breakage.least_safety) - 1.0;
-        double step = excess / c->gradient;
-        if (fabs(excess) <= near || k == 4 || !(fabs(step) < 0.02 * c->speed)) return WF_OK;
-        c->speed -= step;
-    }
-}
-
-/* Has any row a strength, on the stem (level 0) or on the branches? */
-static bool strong(const struct wf_tree *t, bool stem)
-{
-    for (size_t i = 0; i < t->n; i++)
-        if (t->strength[i] > 0.0 && (t->level[i] == 0) == stem) return true;
-    return false;
-}
-
-static enum wf_status find_break(const struct wf_analysis *an, const struct wf_solve_options *o, bool stem,
-                                 struct known *known, struct wf_break *out, struct wf_err *e)
-{
-    struct wf_solve_options quick = *o;
-    if (o->mesh_tolerance > 0.0) quick.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4);
-    struct search search = { an, &quick, stem, known };
-    struct wf_critical *c = &out->critical;
-    struct wf_at_speed at;
-    *out = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
-    if (!strong(&an->tree, true) && (stem || !strong(&an->tree, false))) {
-        *c = (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
-        return WF_OK;
-    }
-    enum wf_status s = wf_critical_search(utilisation, &search, an->scenario.speed_max, 1e-4, c, e);
-    if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
-    search.o = o;
-    s = c->outcome == WF_CRITICAL_FOUND ? polish(&search, c, &at, e) : totals(&search, 0.0, &at, e);
-    int32_t row = stem ? at.breakage.stem_governing : at.breakage.governing;
-    double place = stem ? at.breakage.stem_governing_s : at.breakage.governing_s;
-    if (s || at.status || row < 0) return s;
-    if (c->outcome == WF_CRITICAL_FOUND) out->at = at;
-    out->row = row;
-    out->height = an->tree.z0[row] + place * (an->tree.z1[row] - an->tree.z0[row]);
-    return WF_OK;
-}
-
-enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  struct wf_break *first, struct wf_break *stem, struct wf_err *e)
-{
-    struct wf_arena scratch = { 0 };
-    struct known *known = WF_TAKE(&scratch, 1, struct known);
-    if (!known) return wf_fail(e, WF_ENOMEM, "no room for the search of the critical speed");
-    enum wf_status s = find_break(an, o, false, known, first, e);
-    *stem = *first;
-    if (!s && strong(&an->tree, false)) s = find_break(an, o, true, known, stem, e);
-    wf_arena_free(&scratch);
-    return s;
+    const struct curve *c = context;
+    c->status[k] = wf_speed_totals(c->an, c->o, c->at[k].speed, &c->at[k], &c->why[k]);
 }
 
 /* Speeds from 0 past the asked and the critical ones, at a step a reader can name; a quarter of it for the
@@ -171,12 +81,21 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     an->sweep_n = (size_t)ceil(top / step - 1e-9) + 3 * QUARTERED + 1;
     if (!(an->sweep = WF_TAKE(a, an->sweep_n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "no room for a sweep of %zu speeds", an->sweep_n);
-    for (size_t k = 0; k < an->sweep_n; k++) {
-        double steps_up = k < 4 * QUARTERED ? 0.25 * (double)k : (double)k - 3 * QUARTERED;
-        enum wf_status s = wf_speed_totals(an, &curve, step * steps_up, &an->sweep[k], e);
-        if (s) return s;
+    struct wf_arena scratch = { 0 };
+    struct curve c = { an, &curve, an->sweep, WF_TAKE(&scratch, an->sweep_n, enum wf_status),
+                       WF_TAKE(&scratch, an->sweep_n, struct wf_err) };
+    if (!c.status || !c.why) {
+        wf_arena_free(&scratch);
+        return wf_fail(e, WF_ENOMEM, "no room for a sweep of %zu speeds", an->sweep_n);
     }
-    return WF_OK;
+    for (size_t k = 0; k < an->sweep_n; k++)
+        an->sweep[k].speed = step * (k < 4 * QUARTERED ? 0.25 * (double)k : (double)k - 3 * QUARTERED);
+    wf_together(an->sweep_n, o->threads, point, &c);
+    enum wf_status s = WF_OK;
+    for (size_t k = 0; k < an->sweep_n && !s; k++)
+        if (c.status[k]) s = wf_fail(e, c.status[k], "%s", c.why[k].text);
+    wf_arena_free(&scratch);
+    return s;
 }
 
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,

@@ -1,13 +1,10 @@
 #include "study/directions.h"
 #include "study/speed.h"
+#include "study/together.h"
 #include "wind/scale.h"
 #include <math.h>
-#include <pthread.h>
-#include <stdatomic.h>
-#include <unistd.h>
 
 static const double turn = 2.0 * M_PI;
-enum { THREADS_MAX = 64 };
 
 double wf_direction_azimuth(const struct wf_directions_request *q, double from)
 {
@@ -26,7 +23,6 @@ struct work {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
     struct wf_directions *out;
-    atomic_size_t next;     /* direction nobody has taken yet */
     enum wf_status *status; /* one a direction                */
     struct wf_err *why;
 };
@@ -47,26 +43,10 @@ static enum wf_status one(const struct work *w, struct wf_direction *d, struct w
     return wf_analysis_breaks(&an, w->o, &d->breaks, &d->stem, e);
 }
 
-static void *run(void *context)
+static void run(void *context, size_t k)
 {
     struct work *w = context;
-    for (size_t k; (k = atomic_fetch_add(&w->next, 1)) < w->out->request.n;)
-        w->status[k] = one(w, &w->out->direction[k], &w->why[k]);
-    return NULL;
-}
-
-/* One thread is this one; those that cannot be started are not missed. */
-static void run_all(struct work *w)
-{
-    pthread_t thread[THREADS_MAX];
-    size_t asked = w->out->request.threads, started = 0;
-    if (!asked) asked = (size_t)fmax((double)sysconf(_SC_NPROCESSORS_ONLN), 1.0);
-    asked = asked < THREADS_MAX ? asked : THREADS_MAX;
-    while (started + 1 < asked && started + 1 < w->out->request.n &&
-           pthread_create(&thread[started], NULL, run, w) == 0)
-        started++;
-    run(w);
-    for (size_t k = 0; k < started; k++) pthread_join(thread[k], NULL);
+    w->status[k] = one(w, &w->out->direction[k], &w->why[k]);
 }
 
 /* Share of all hours whose mean times `gust` is above what breaks the tree in this direction. */
@@ -118,8 +98,10 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
     struct wf_arena scratch = { 0 };
     enum wf_status s = check(q, &out->gust, e);
     if (s) return s;
+    struct wf_solve_options alone = *o;
+    alone.threads = 1; /* a direction is one thread's */
     struct work w = { .an = an,
-                      .o = o,
+                      .o = &alone,
                       .out = out,
                       .status = WF_TAKE(&scratch, q->n, enum wf_status),
                       .why = WF_TAKE(&scratch, q->n, struct wf_err) };
@@ -133,7 +115,7 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
         out->direction[k].from = turn * (double)k / (double)q->n;
         out->direction[k].at = at + k * an->n;
     }
-    run_all(&w);
+    wf_together(q->n, q->threads, run, &w);
     for (size_t k = 0; k < q->n && !s; k++)
         if (w.status[k]) s = wf_fail(e, w.status[k], "%s", w.why[k].text);
     wf_arena_free(&scratch);

@@ -1,0 +1,179 @@
+/* The critical wind speed of what breaks first, and of the stem alone. */
+#include "fail/critical.h"
+#include "study/analysis.h"
+#include "study/speed.h"
+#include "study/together.h"
+#include <math.h>
+
+/* Answers at speeds already asked for: two searches go up the same ladder. */
+enum { KNOWN_MAX = 200 };
+struct known {
+    int n;
+    double tolerance[KNOWN_MAX]; /* of the mesh */
+    struct wf_at_speed at[KNOWN_MAX];
+};
+
+struct search {
+    const struct wf_analysis *an;
+    const struct wf_solve_options *o;
+    bool stem; /* the stem alone */
+    struct known *known;
+};
+
+static const struct wf_at_speed *recall(const struct search *q, double speed)
+{
+    const struct known *k = q->known;
+    for (int i = 0; i < k->n; i++)
+        if (k->at[i].speed == speed && k->tolerance[i] == q->o->mesh_tolerance) return &k->at[i];
+    return NULL;
+}
+
+static void keep(struct known *k, double tolerance, const struct wf_at_speed *at)
+{
+    if (k->n == KNOWN_MAX) return;
+    k->tolerance[k->n] = tolerance;
+    k->at[k->n++] = *at;
+}
+
+static enum wf_status totals(const struct search *q, double speed, struct wf_at_speed *at, struct wf_err *e)
+{
+    const struct wf_at_speed *known = recall(q, speed);
+    if (known) *at = *known;
+    if (known) return WF_OK;
+    enum wf_status s = wf_speed_totals(q->an, q->o, speed, at, e);
+    if (!s) keep(q->known, q->o->mesh_tolerance, at);
+    return s;
+}
+
+static double safety(const struct search *q, const struct wf_at_speed *at)
+{
+    return q->stem ? at->breakage.stem_safety : at->breakage.least_safety;
+}
+
+static bool falls(const struct search *q, const struct wf_at_speed *at)
+{
+    return at->status || !(safety(q, at) > 1.0);
+}
+
+/* Stress over strength at the worst section. */
+static enum wf_status utilisation(void *ctx, double speed, double *value, struct wf_err *e)
+{
+    const struct search *s = ctx;
+    struct wf_at_speed at;
+    enum wf_status status = totals(s, speed, &at, e);
+    if (status) return status;
+    if (at.status) return wf_fail(e, at.status, "no equilibrium at %.6g m/s", speed);
+    *value = 1.0 / safety(s, &at);
+    return WF_OK;
+}
+
+/* The speed found on a quick mesh, brought to the asked one by secants on its slope, which hardly differ;
+ * *at: totals there. */
+static enum wf_status polish(const struct search *search, struct wf_critical *c, struct wf_at_speed *at,
+                             struct wf_err *e)
+{
+    const double near = 3e-6; /* of the strength */
+    for (int k = 0;; k++) {
+        enum wf_status s = totals(search, c->speed, at, e);
+        c->evaluations++;
+        if (s || at->status) return s;
+        double excess = 1.0 / safety(search, at) - 1.0;
+        double step = excess / c->gradient;
+        if (fabs(excess) <= near || k == 4 || !(fabs(step) < 0.02 * c->speed)) return WF_OK;
+        c->speed -= step;
+    }
+}
+
+/* Has any row a strength, on the stem (level 0) or on the branches? */
+static bool strong(const struct wf_tree *t, bool stem)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (t->strength[i] > 0.0 && (t->level[i] == 0) == stem) return true;
+    return false;
+}
+
+/* A batch of rungs at once. */
+struct batch {
+    const struct search *search;
+    double speed[WF_CRITICAL_RUNGS + 1];
+    struct wf_at_speed at[WF_CRITICAL_RUNGS + 1];
+    bool kept[WF_CRITICAL_RUNGS + 1];
+};
+
+static void rung(void *context, size_t k)
+{
+    struct batch *b = context;
+    struct wf_err e = { 0 };
+    b->kept[k] = !wf_speed_totals(b->search->an, b->search->o, b->speed[k], &b->at[k], &e);
+}
+
+/* Up the ladder that wf_critical_search will climb, as many rungs at a time as there are threads, until one
+ * falls; what was found is kept for it. Faults are left for it to meet again. */
+static enum wf_status climb(const struct search *q, struct wf_err *e)
+{
+    struct known *known = q->known;
+    size_t threads = wf_together_threads(q->o->threads);
+    struct wf_arena scratch = { 0 };
+    struct batch *b = WF_TAKE(&scratch, 1, struct batch);
+    if (!b) return wf_fail(e, WF_ENOMEM, "no room for the search of the critical speed");
+    b->search = q;
+    bool fell = threads < 2;
+    for (int k = 0; k <= WF_CRITICAL_RUNGS && !fell;) {
+        size_t n = 0;
+        for (; k <= WF_CRITICAL_RUNGS && n < threads; k++) {
+            double speed = wf_critical_rung(q->an->scenario.speed_max, k);
+            const struct wf_at_speed *at = recall(q, speed);
+            if (at)
+                fell = fell || falls(q, at);
+            else
+                b->speed[n++] = speed;
+        }
+        wf_together(n, q->o->threads, rung, b);
+        for (size_t i = 0; i < n; i++) {
+            fell = fell || !b->kept[i] || falls(q, &b->at[i]);
+            if (b->kept[i]) keep(known, q->o->mesh_tolerance, &b->at[i]);
+        }
+    }
+    wf_arena_free(&scratch);
+    return WF_OK;
+}
+
+static enum wf_status find_break(const struct wf_analysis *an, const struct wf_solve_options *o, bool stem,
+                                 struct known *known, struct wf_break *out, struct wf_err *e)
+{
+    struct wf_solve_options quick = *o;
+    if (o->mesh_tolerance > 0.0) quick.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4);
+    struct search search = { an, &quick, stem, known };
+    struct wf_critical *c = &out->critical;
+    struct wf_at_speed at;
+    *out = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
+    if (!strong(&an->tree, true) && (stem || !strong(&an->tree, false))) {
+        *c = (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
+        return WF_OK;
+    }
+    enum wf_status s = climb(&search, e);
+    if (!s) s = wf_critical_search(utilisation, &search, an->scenario.speed_max, 1e-4, c, e);
+    if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
+    search.o = o;
+    s = c->outcome == WF_CRITICAL_FOUND ? polish(&search, c, &at, e) : totals(&search, 0.0, &at, e);
+    int32_t row = stem ? at.breakage.stem_governing : at.breakage.governing;
+    double place = stem ? at.breakage.stem_governing_s : at.breakage.governing_s;
+    if (s || at.status || row < 0) return s;
+    if (c->outcome == WF_CRITICAL_FOUND) out->at = at;
+    out->row = row;
+    out->height = an->tree.z0[row] + place * (an->tree.z1[row] - an->tree.z0[row]);
+    return WF_OK;
+}
+
+enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_break *first, struct wf_break *stem, struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    struct known *known = WF_TAKE(&scratch, 1, struct known);
+    if (!known) return wf_fail(e, WF_ENOMEM, "no room for the search of the critical speed");
+    enum wf_status s = find_break(an, o, false, known, first, e);
+    *stem = *first;
+    if (!s && strong(&an->tree, false)) s = find_break(an, o, true, known, stem, e);
+    wf_arena_free(&scratch);
+    return s;
+}

@@ -1,0 +1,13 @@
+#ifndef WF_STUDY_TOGETHER_H
+#define WF_STUDY_TOGETHER_H
+/* Solutions that do not depend on each other, shared out to the processors: the only threads of the library.
+ */
+#include <stddef.h>
+
+/* Threads that so many are asked for come to: 0 is as many as there are processors; at most 64. */
+size_t wf_together_threads(size_t asked);
+/* Call one(context, k) for k = 0..n-1, in any order, from so many threads (see above) at once; the calling
+ * one is among them. `one` writes what belongs to k alone, so that any number of threads gives the same
+ * bytes. */
+void wf_together(size_t n, size_t threads, void (*one)(void *context, size_t k), void *context);
+#endif
