@@ -32,7 +32,7 @@ static inline void start(struct made *m, const char *species, const char *model)
                                           .restoring = NAN,
                                           .damping = NAN,
                                           .transmission = NAN,
- .profile = WF_PROFILE_UNSAID,
+                                          .profile = WF_PROFILE_UNSAID,
                                           .leaf_amplitude = NAN,
                                           .leaf_follow = NAN,
                                           .leaf_period = NAN,

@@ -10,16 +10,19 @@ enum { CODE_OK = 0, CODE_RUN = 1, CODE_INPUT = 2 };
 static char output[1 << 16];
 static const char *program;
 
-/* Run a shell command with $W the program, $T a scratch folder, $RUN the rest of a quick analysis; stdout and
+/* Run a shell command with $W the program (of the environment's WINDFIRM), $T a scratch folder, $D the
+ * measured trees of the tests, $RUN the rest of a quick analysis; stdout and
  * stderr go to `output`. Returned: exit code, 128 + signal when it was killed. */
 static inline int shell(const char *command)
 {
     char all[8192];
-    snprintf(
-        all, sizeof all,
-        "{ T=%s.scratch; W=%s; M='--model models/culm.yaml'; RUN=\"$M --wind 10 --no-report -o $T/out\"\n"
-        "rm -rf $T; mkdir -p $T\n%s\n} 2>&1 </dev/null",
-        program, program, command);
+    if (!program) program = getenv("WINDFIRM");
+    if (!program) program = "build/windfirm";
+    snprintf(all, sizeof all,
+             "{ T=%s.scratch; W=%s; D=tests/data/qsm; M='--model models/culm.yaml'; RUN=\"$M --wind 10 "
+             "--no-report -o $T/out\"\n"
+             "rm -rf $T; mkdir -p $T\n%s\n} 2>&1 </dev/null",
+             program, program, command);
     FILE *pipe = popen(all, "r");
     assert_non_null(pipe);
     size_t got = fread(output, 1, sizeof output - 1, pipe);

@@ -1,47 +1,6 @@
 /* The commands import and tree info as a user meets them: output and exit code. */
 #include "close.h"
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
-
-static char output[1 << 15];
-
-/* Run a shell command with $W the program, $D the test files, $T a scratch folder. Returned: its exit code.
- */
-static int shell(const char *command)
-{
-    char all[2048];
-    const char *program = getenv("WINDFIRM");
-    if (!program) program = "build/windfirm";
-    snprintf(all, sizeof all,
-             "{ W=%s; D=tests/data/qsm; T=$(mktemp -d); trap 'rm -rf \"$T\"' EXIT\n%s\n} 2>&1 </dev/null",
-             program, command);
-    FILE *pipe = popen(all, "r");
-    assert_non_null(pipe);
-    size_t got = fread(output, 1, sizeof output - 1, pipe);
-    output[got] = '\0';
-    int status = pclose(pipe);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-struct row {
-    const char *command;
-    int code;
-    const char *expect[4];
-};
-
-static void check(const struct row *rows, size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        int code = shell(rows[i].command);
-        if (code != rows[i].code)
-            fail_msg("%s\nexit %d, want %d:\n%s", rows[i].command, code, rows[i].code, output);
-        for (size_t k = 0; k < 4 && rows[i].expect[k]; k++)
-            if (!strstr(output, rows[i].expect[k]))
-                fail_msg("%s\ndoes not print '%s' but:\n%s", rows[i].command, rows[i].expect[k], output);
-    }
-}
-#define CHECK(rows) check(rows, sizeof rows / sizeof *rows)
+#include "shell.h"
 
 static void import_writes_and_reports(void **state)
 {

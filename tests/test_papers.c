@@ -60,7 +60,8 @@ static void strong_wind_sways_more(void **state)
         struct made m;
         start(&m, "species/poplar.yaml", "models/zhao2013_ifs.yaml");
         m.run.preset = k == 2 ? "zhao2013" : "corrected", m.run.solver = k == 2 ? NULL : "deflect";
-        m.run.gust = "sine-perlin", m.run.intensity = 0.4, m.run.period = 3.934, m.run.profile.name = "uniform";
+        m.run.gust = "sine-perlin", m.run.intensity = 0.4, m.run.period = 3.934,
+        m.run.profile.name = "uniform";
         m.run.wind = k == 1 ? 3.5 : 10, m.run.duration = 3.935, m.run.step = 3.934 / 24;
         if (try(&m)) fail_msg("%s", m.err.text);
         for (size_t f = 0; f < m.series.frames; f++) most[k] = fmax(most[k], m.series.deflection[f]);

@@ -1,37 +1,6 @@
 /* Branched and measured trees on the command line: which tree is meant, seasons, pictures. */
 #include "close.h"
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
-
-static char output[1 << 16];
-
-struct row {
-    const char *command;
-    int code;
-    const char *expect[3]; /* pieces of what is printed */
-};
-
-/* Run with $W the program and $T a scratch folder. */
-static void check(const struct row *rows, size_t n)
-{
-    const char *program = getenv("WINDFIRM") ? getenv("WINDFIRM") : "build/windfirm";
-    for (size_t i = 0; i < n; i++) {
-        char all[2048];
-        snprintf(all, sizeof all, "{ W=%s; T=$(mktemp -d); %s\nc=$?; rm -rf $T; exit $c; } 2>&1 </dev/null",
-                 program, rows[i].command);
-        FILE *pipe = popen(all, "r");
-        assert_non_null(pipe);
-        output[fread(output, 1, sizeof output - 1, pipe)] = '\0';
-        int status = pclose(pipe), code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-        if (code != rows[i].code)
-            fail_msg("%s\nexit code %d, want %d; it printed:\n%s", rows[i].command, code, rows[i].code,
-                     output);
-        for (size_t k = 0; k < 3 && rows[i].expect[k]; k++)
-            if (!strstr(output, rows[i].expect[k]))
-                fail_msg("%s\ndoes not print '%s' but:\n%s", rows[i].command, rows[i].expect[k], output);
-    }
-}
+#include "shell.h"
 
 #define QSM "tests/data/qsm/"
 #define QUICK "--wind 10 --no-report --mesh-tolerance 1e-2 -o $T/out "

@@ -156,6 +156,6 @@ enum wf_status wf_file_read_text(const char *path, struct wf_arena *a, struct wf
     }
     struct wf_utf8_fault fault;
     if (wf_utf8_valid(out->data, out->size, &fault)) return WF_OK;
-    return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: byte 0x%02X is not UTF-8 text; save the file as UTF-8",
-                   path, fault.line, fault.column, fault.byte);
+    return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: byte 0x%02X is not UTF-8 text; save the file as UTF-8", path,
+                   fault.line, fault.column, fault.byte);
 }

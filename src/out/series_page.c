@@ -30,7 +30,8 @@ static void runs(const struct wf_series_page *p, FILE *f)
                 s->spec.shelter ? "; shelter " : "", s->spec.shelter ? s->spec.shelter->name : "",
                 s->an.scenario.profile);
         wf_html_number(f, "%.3g", wind), wf_html_number(f, "%.3g", s->an.tree.youngs[0] / 1e9);
-        wf_html_number(f, "%.3g", sum / n), wf_html_number(f, "%.3g", most), wf_html_number(f, "%.3g", most / s->an.tallness);
+        wf_html_number(f, "%.3g", sum / n), wf_html_number(f, "%.3g", most),
+            wf_html_number(f, "%.3g", most / s->an.tallness);
         fputs("</tr></tbody>\n", f);
     }
     fputs("</table>\n", f);
