@@ -55,7 +55,8 @@ struct Progress : ceres::IterationCallback {
     ceres::CallbackReturnType operator()(const ceres::IterationSummary &s) override
     {
         stopped = q->progress && q->progress(q->ctx, static_cast<size_t>(s.iteration), s.cost);
-        return stopped ? ceres::SOLVER_ABORT : ceres::SOLVER_CONTINUE;
+        // an abort counts as no solution: the best so far, and its cost, would not be given back
+        return stopped ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
     }
 };
 

@@ -74,7 +74,7 @@ enum wf_status wf_explain_tables(const struct wf_explained *x, size_t n, const c
     wf_file_read(path, &scratch, &old, &none);
     if (!s) s = wf_file_begin(&f, path, e);
     if (!s) {
-        fwrite(old.data, 1, old.size, f.stream);
+        if (old.size) fwrite(old.data, 1, old.size, f.stream);
         if (n) facts(f.stream, x, n);
         s = wf_file_commit(&f, e);
     }
