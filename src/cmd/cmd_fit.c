@@ -135,11 +135,14 @@ static enum wf_status build(struct wf_fit_job *j, struct wf_err *e)
     enum wf_status s = wf_fit_study_read(j->args.operand[0], &j->arena, &j->study, &j->diag, e);
     if (s) return s;
     j->input = WF_TAKE(&j->arena, j->study.tests, struct wf_fit_input);
-    j->file = WF_TAKE(&j->arena, 1 + j->study.trees + j->study.tests, struct wf_input_file);
+    j->file = WF_TAKE(&j->arena, 1 + 2 * j->study.trees + j->study.tests, struct wf_input_file);
     if (!j->input || !j->file) return wf_fail(e, WF_ENOMEM, "no room for the study");
     s = wf_fit_build(&b, &j->arena, &j->diag, &j->x, j->input, e);
     if (!s) s = note(j, "study", j->args.operand[0], e);
-    for (size_t k = 0; k < j->x.trees && !s; k++) s = note(j, "species", j->x.tree[k].species->file, e);
+    for (size_t k = 0; k < j->x.trees && !s; k++) {
+        s = note(j, "species", j->x.tree[k].species->file, e);
+        if (!s && j->x.tree[k].file) s = note(j, "tree", j->x.tree[k].file, e);
+    }
     for (size_t k = 0; k < j->x.tests && !s; k++)
         if (j->input[k].path) s = note(j, "data", j->input[k].path, e);
     return s ? s

@@ -27,7 +27,7 @@ struct wf_fit_job {
     struct wf_fit_rival rival;
     struct wf_diag diag;
     size_t files;
-    struct wf_input_file *file; /* study, species, data */
+    struct wf_input_file *file; /* study, species, trees, data */
 };
 
 void wf_fit_print(FILE *to, const struct wf_fit_job *j);

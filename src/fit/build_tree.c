@@ -44,6 +44,7 @@ enum wf_status wf_fit_build_tree(const struct wf_fit_build *b, size_t index, str
     if (!status) status = wf_species_read(path, a, sp, d, e);
     *out = (struct wf_fit_tree){ .name = s->name, .species = sp };
     if (!status) status = find(b, "models", s->qsm ? s->qsm : s->model, a, &path, e);
+    if (!status) out->file = path;
     if (!status && s->qsm) status = measured(s, path, sp, a, d, &out->tree, e);
     if (!status && !s->qsm) status = wf_model_read(path, a, &m, d, e);
     if (!status && !s->qsm) status = wf_grow_stem(&m, sp, a, &out->tree, e);

@@ -70,6 +70,7 @@ struct wf_fit_test {
 
 struct wf_fit_tree {
     const char *name;
+    const char *file; /* model or measured tree it was grown from; NULL: none */
     const struct wf_species *species;
     struct wf_tree tree; /* one element a row                                           */
     struct wf_loads loads;
