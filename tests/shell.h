@@ -11,7 +11,7 @@ static char output[1 << 16];
 static const char *program;
 
 /* Run a shell command with $W the program (of the environment's WINDFIRM), $T a scratch folder, $D the
- * measured trees of the tests, $RUN the rest of a quick analysis; stdout and
+ * measured trees of the tests, $S the shipped sample of a fit, $RUN the rest of a quick analysis; stdout and
  * stderr go to `output`. Returned: exit code, 128 + signal when it was killed. */
 static inline int shell(const char *command)
 {
@@ -19,7 +19,8 @@ static inline int shell(const char *command)
     if (!program) program = getenv("WINDFIRM");
     if (!program) program = "build/windfirm";
     snprintf(all, sizeof all,
-             "{ T=%s.scratch; W=%s; D=tests/data/qsm; M='--model models/culm.yaml'; RUN=\"$M --wind 10 "
+             "{ T=%s.scratch; W=%s; D=tests/data/qsm; S=models/field/sample_pull.yaml; M='--model "
+             "models/culm.yaml'; RUN=\"$M --wind 10 "
              "--no-report -o $T/out\"\n"
              "rm -rf $T; mkdir -p $T\n%s\n} 2>&1 </dev/null",
              program, program, command);

@@ -123,8 +123,10 @@ static void any_number_of_threads(void **state)
     struct wf_directions one, four;
     start(&m, 0.2, 0.7);
     analyse(&m, 0);
-    around(&m, &(struct wf_directions_request){ .n = N, .threads = 1 }, &one);
-    around(&m, &(struct wf_directions_request){ .n = N, .threads = 4 }, &four);
+    m.options.threads = 1;
+    around(&m, &(struct wf_directions_request){ .n = N }, &one);
+    m.options.threads = 4;
+    around(&m, &(struct wf_directions_request){ .n = N }, &four);
     for (size_t k = 0; k < N; k++) {
         assert_memory_equal(one.direction[k].at, four.direction[k].at, WINDS * sizeof *one.direction[k].at);
         assert_memory_equal(&one.direction[k].breaks, &four.direction[k].breaks,

@@ -1,30 +1,8 @@
 /* windfirm fit and simulate-test as a user meets them. */
 #include "close.h"
-#include <stdlib.h>
-#include <string.h>
-#include <sys/wait.h>
+#include "shell.h"
 
-static char output[1 << 16];
-static const char *program;
-
-/* $W the program, $T a scratch folder, $S the shipped sample study. Returned: exit code. */
-static int shell(const char *command)
-{
-    char all[4096];
-    snprintf(all, sizeof all,
-             "{ T=%s.fit; W=%s; S=models/field/sample_pull.yaml\nrm -rf $T; mkdir -p $T\n%s\nC=$?; rm -rf "
-             "$T; exit $C; } "
-             "2>&1 </dev/null",
-             program, program, command);
-    FILE *pipe = popen(all, "r");
-    assert_non_null(pipe);
-    size_t got = fread(output, 1, sizeof output - 1, pipe);
-    output[got] = '\0';
-    int status = pclose(pipe);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
-
-static void check(const char *command, int code, const char *words)
+static void prints(const char *command, int code, const char *words)
 {
     int got = shell(command);
     if (got != code || !strstr(output, words))
@@ -34,41 +12,42 @@ static void check(const char *command, int code, const char *words)
 static void answers(void **unused)
 {
     (void)unused;
-    check("$W fit $S --no-report --no-profile -o $T/o", 0, "the data determine every parameter");
-    check("$W fit $S --no-report --no-profile -o $T/o", 0, "the data prefer this fit");
-    check("$W fit $S --no-report --no-profile --no-rival -q -o $T/o && cat $T/o/results.json", 0,
-          "\"name\": \"windfirm-fit\"");
-    check("$W fit $S --no-report --no-profile --no-rival -q --write $T/mine.yaml -o $T/o && "
-          "$W analyze $T/mine.yaml --model models/culm.yaml --wind 10 --no-report -o $T/a && $W species show "
-          "$T/mine.yaml",
-          0, "measured  fit_sample_pull");
-    check("$W fit $S --loss cauchy --no-report --no-profile --no-rival -o $T/o", 0, "root.stiffness");
-    check("sed \"/^    data:/d; s|sample_pine|$PWD/models/field/sample_pine|; "
-          "s|sample_small_pine|$PWD/models/field/sample_small_pine|\" "
-          "models/field/sample_two_trees.yaml > $T/s.yaml; D=models/field/data; $W fit $T/s.yaml --data "
-          "$D/sample_pull_large.csv --data $D/sample_pull_small.csv -f level0.youngs_modulus -f "
-          "each:root.stiffness "
-          "--no-report --no-profile --no-rival -o $T/o",
-          0, "small:root.stiffness");
-    check("$W fit $S --loss tukey --starts 3 --bootstrap 25 --seed 7 --no-report --no-profile --no-rival -o "
-          "$T/o && "
-          "head -1 $T/o/tables/readings.csv",
-          0, "95 % by bootstrap");
+    prints("$W fit $S --no-report --no-profile -o $T/o", 0, "the data determine every parameter");
+    prints("$W fit $S --no-report --no-profile -o $T/o", 0, "the data prefer this fit");
+    prints("$W fit $S --no-report --no-profile --no-rival -q -o $T/o && cat $T/o/results.json", 0,
+           "\"name\": \"windfirm-fit\"");
+    prints(
+        "$W fit $S --no-report --no-profile --no-rival -q --write $T/mine.yaml -o $T/o && "
+        "$W analyze $T/mine.yaml --model models/culm.yaml --wind 10 --no-report -o $T/a && $W species show "
+        "$T/mine.yaml",
+        0, "measured  fit_sample_pull");
+    prints("$W fit $S --loss cauchy --no-report --no-profile --no-rival -o $T/o", 0, "root.stiffness");
+    prints("sed \"/^    data:/d; s|sample_pine|$PWD/models/field/sample_pine|; "
+           "s|sample_small_pine|$PWD/models/field/sample_small_pine|\" "
+           "models/field/sample_two_trees.yaml > $T/s.yaml; D=models/field/data; $W fit $T/s.yaml --data "
+           "$D/sample_pull_large.csv --data $D/sample_pull_small.csv -f level0.youngs_modulus -f "
+           "each:root.stiffness "
+           "--no-report --no-profile --no-rival -o $T/o",
+           0, "small:root.stiffness");
+    prints("$W fit $S --loss tukey --starts 3 --bootstrap 25 --seed 7 --no-report --no-profile --no-rival -o "
+           "$T/o && "
+           "head -1 $T/o/tables/readings.csv",
+           0, "95 % by bootstrap");
     if (!strstr(output, "influence_sd")) fail_msg("it printed:\n%s", output);
     /* a profile that falls off steeply: the clamped tree's 7.67 is the least modulus, whatever the root */
-    check("$W fit models/field/slash_pine_1.yaml --free level0.youngs_modulus,root.stiffness --no-report "
-          "--no-rival "
-          "-o $T/o",
-          0, "above 7.669");
+    prints("$W fit models/field/slash_pine_1.yaml --free level0.youngs_modulus,root.stiffness --no-report "
+           "--no-rival "
+           "-o $T/o",
+           0, "above 7.669");
     /* a series of wind speed and overturning moment, written and read again */
-    check("M=tests/data/fit/wind_moment.yaml; $W simulate-test $M --seed 3 -q -o $T/m && $W fit $M --data "
-          "$T/m/gusts.csv "
-          "-q --no-report --no-rival -o $T/o && awk -F, '/drag/ && $4 < .55 && .55 < $5 { n++ } /exponent/ "
-          "&& $4 < -.75 && "
-          "-.75 < $5 { n++ } END { print n, \"within\" }' $T/o/tables/parameters.csv",
-          0, "2 within");
-    check("$W simulate-test $S -o $T/o && head -1 $T/o/pull.csv", 0, "t_s,force_N,clino_root_rad");
-    check("$W schema fit", 0, "sensors[]");
+    prints("M=tests/data/fit/wind_moment.yaml; $W simulate-test $M --seed 3 -q -o $T/m && $W fit $M --data "
+           "$T/m/gusts.csv "
+           "-q --no-report --no-rival -o $T/o && awk -F, '/drag/ && $4 < .55 && .55 < $5 { n++ } /exponent/ "
+           "&& $4 < -.75 && "
+           "-.75 < $5 { n++ } END { print n, \"within\" }' $T/o/tables/parameters.csv",
+           0, "2 within");
+    prints("$W simulate-test $S -o $T/o && head -1 $T/o/pull.csv", 0, "t_s,force_N,clino_root_rad");
+    prints("$W schema fit", 0, "sensors[]");
 }
 
 static void refusals(void **unused)
@@ -109,14 +88,14 @@ static void refusals(void **unused)
     };
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         snprintf(command, sizeof command, "%s%s; $W fit $T/s.yaml --no-report -o $T/o", bad, row[i][0]);
-        check(command, 2, row[i][1]);
+        prints(command, 2, row[i][1]);
     }
-    check("$W fit $S --free level0.youngs_modulos -o $T/o", 2, "did you mean 'level0.youngs_modulus'");
-    check("$W fit $S --free root.stiffness,root.stiffness -o $T/o", 2, "named twice");
-    check("$W fit $S --free level0.drag_coefficient -o $T/o", 2,
-          "no reading depends on level0.drag_coefficient");
-    check("$W fit $S --data more.csv -o $T/o", 2, "is not needed");
-    check("env -u WINDFIRM_REFERENCE $W fit models/field/wytham_t3.yaml -o $T/o", 1, "WINDFIRM_REFERENCE");
+    prints("$W fit $S --free level0.youngs_modulos -o $T/o", 2, "did you mean 'level0.youngs_modulus'");
+    prints("$W fit $S --free root.stiffness,root.stiffness -o $T/o", 2, "named twice");
+    prints("$W fit $S --free level0.drag_coefficient -o $T/o", 2,
+           "no reading depends on level0.drag_coefficient");
+    prints("$W fit $S --data more.csv -o $T/o", 2, "is not needed");
+    prints("env -u WINDFIRM_REFERENCE $W fit models/field/wytham_t3.yaml -o $T/o", 1, "WINDFIRM_REFERENCE");
 }
 
 /* Cases that are fits pass, fail and are skipped as others do. */
@@ -140,7 +119,7 @@ static void cases_of_validate(void **unused)
     char command[1024];
     for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
         snprintf(command, sizeof command, text, row[i].want, row[i].study, row[i].before);
-        check(command, row[i].code, row[i].words);
+        prints(command, row[i].code, row[i].words);
     }
 }
 
@@ -149,10 +128,11 @@ static void cases_of_validate(void **unused)
 static void open_question_is_flagged(void **unused)
 {
     (void)unused;
-    check("sed \"s|data/sample|$PWD/models/field/data/sample|; s|sample_pine|$PWD/models/field/sample_pine|; "
-          "/name: clino_root/d; /name: strain/d\" $S > $T/s.yaml; $W fit $T/s.yaml --no-report --no-rival -o "
-          "$T/o",
-          0, "NOT DETERMINED: level0.youngs_modulus from above");
+    prints(
+        "sed \"s|data/sample|$PWD/models/field/data/sample|; s|sample_pine|$PWD/models/field/sample_pine|; "
+        "/name: clino_root/d; /name: strain/d\" $S > $T/s.yaml; $W fit $T/s.yaml --no-report --no-rival -o "
+        "$T/o",
+        0, "NOT DETERMINED: level0.youngs_modulus from above");
     if (!strstr(output, "AT UPPER BOUND") || strstr(output, "determine every parameter"))
         fail_msg("it printed:\n%s", output);
 }
@@ -161,18 +141,16 @@ static void open_question_is_flagged(void **unused)
 static void interrupted_fit_is_whole(void **unused)
 {
     (void)unused;
-    check("timeout -s INT 1.5 $W fit $S --no-report --bootstrap 10000 --write $T/w.yaml -o $T/o; test $? != "
-          "0 && test ! -e "
-          "$T/w.yaml && $W --version >/dev/null; tail -c 3 $T/o/results.json; ls -A $T/o",
-          0, "}");
+    prints("timeout -s INT 1.5 $W fit $S --no-report --bootstrap 10000 --write $T/w.yaml -o $T/o; test $? != "
+           "0 && test ! -e "
+           "$T/w.yaml && $W --version >/dev/null; tail -c 3 $T/o/results.json; ls -A $T/o",
+           0, "}");
     if (!strstr(output, "[stopped]") || !strstr(output, "level0.youngs_modulus"))
         fail_msg("it printed:\n%s", output);
 }
 
 int main(void)
 {
-    program = getenv("WINDFIRM");
-    if (!program) program = "build/windfirm";
     const struct CMUnitTest tests[] = { cmocka_unit_test(answers), cmocka_unit_test(refusals),
                                         cmocka_unit_test(cases_of_validate),
                                         cmocka_unit_test(open_question_is_flagged),

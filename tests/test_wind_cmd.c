@@ -222,8 +222,6 @@ static void test_stream(void **state)
 
 int main(void)
 {
-    program = getenv("WINDFIRM");
-    if (!program) program = "build/windfirm";
     const struct CMUnitTest tests[] = { cmocka_unit_test(test_speeds), cmocka_unit_test(test_profile),
                                         cmocka_unit_test(test_directions), cmocka_unit_test(test_gusts),
                                         cmocka_unit_test(test_stream) };

@@ -61,7 +61,7 @@ static const char *key_of(const struct wf_option *o, struct wf_arena *a)
     return key;
 }
 
-/* What an option means, with range and default, and whose it is. */
+/* What an option means, with range and default, and whose it is; for the printed schema. */
 static const char *doc_of(const struct wf_option *o, struct wf_arena *a)
 {
     char text[1024] = "";
@@ -97,21 +97,12 @@ static bool fill(struct book *b, struct wf_arena *a)
     for (size_t i = 0; i < sizeof first / sizeof *first; i++) add(b, first[i]);
     for (const struct taker *c = takers; c->command; c++)
         for (const struct wf_option *o = c->option; o->name; o++) {
-            const char *key = key_of(o, a), *doc = doc_of(o, a);
+            const char *key = key_of(o, a), *doc = b->reading ? o->help : doc_of(o, a);
             if (!key || !doc) return false;
             if (strcmp(key, "study") != 0)
                 add(b, (struct wf_yaml_row){ .key = key, .kind = WF_YAML_JOINED, .doc = doc });
         }
     return true;
-}
-
-/* A file named in a study stands beside it, or where the name leads from the present folder. */
-static const char *beside(const struct book *b, const char *name)
-{
-    const char *slash = strrchr(b->file, '/');
-    if (!slash || name[0] == '/') return name;
-    const char *path = wf_arena_print(b->reading->arena, "%.*s/%s", (int)(slash - b->file), b->file, name);
-    return path && access(path, F_OK) == 0 ? path : name;
 }
 
 static bool names_file(const struct wf_option *o)
@@ -142,7 +133,8 @@ static void operands(struct book *b, const char *list)
     }
     for (char *w = strtok_r(text, ",", &rest); w; w = strtok_r(NULL, ",", &rest)) {
         w += strspn(w, " ");
-        operand[out->n++] = b->taker->option == wf_wind_options ? w : beside(b, w);
+        operand[out->n++] =
+            b->taker->option == wf_wind_options ? w : wf_beside(b->file, w, b->reading->arena);
     }
     out->operand = operand;
 }
@@ -174,7 +166,7 @@ static void apply(struct wf_yaml *y, void *book)
         if (o->kind == WF_OPTION_FLAG)
             flag(r, k, b->value[at]);
         else
-            wf_args_value(r, k, names_file(o) ? beside(b, b->value[at]) : b->value[at]);
+            wf_args_value(r, k, names_file(o) ? wf_beside(b->file, b->value[at], r->arena) : b->value[at]);
     }
     size_t at = subject ? find(b, subject) : b->keys;
     if (at < b->keys && b->value[at]) {
@@ -201,8 +193,9 @@ static void tell_left(const struct book *b)
 static struct book *open_book(struct wf_reading *r, struct wf_arena *a)
 {
     struct book *b = WF_TAKE(a, 1, struct book);
-    if (!b || !fill(b, a)) return NULL;
+    if (!b) return NULL;
     b->reading = r;
+    if (!fill(b, a)) return NULL;
     b->taker = takers;
     while (r && b->taker->command && strcmp(b->taker->command, r->command) != 0) b->taker++;
     return b;

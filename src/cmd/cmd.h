@@ -99,6 +99,9 @@ const char *wf_share(void);
 /* The file a user means: the path itself when it is there or looks like one, else the shipped
  * SHARE/room/NAME.yaml. Returned: text in the arena, or `name` without room. */
 const char *wf_shipped(const char *room, const char *name, struct wf_arena *a);
+/* A file that `file` names: beside it when it is there, else as the name leads from the present folder.
+ * Returned: text in the arena, or `name`. */
+const char *wf_beside(const char *file, const char *name, struct wf_arena *a);
 /* One line of progress on stderr when it is a terminal, in place of the last; NULL clears it. */
 void wf_progress(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
 /* Print findings to stderr: errors always, warnings unless quiet. */

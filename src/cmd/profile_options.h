@@ -6,6 +6,13 @@
 
 const char *wf_profile_word(size_t i);
 
+#define WF_AZIMUTH_OPTION                                                                                    \
+    {                                                                                                        \
+        .name = "--azimuth", .kind = WF_OPTION_NUMBER, .value = "ANGLE", .initial = "0",                     \
+        .dimension = WF_DIM_ANGLE, .unit = "deg", .low = -360, .high = 360,                                  \
+        .help = "direction the wind blows towards, from +x towards +y"                                       \
+    }
+
 #define WF_PROFILE_OPTIONS                                                                                   \
     { .name = "--profile",                                                                                   \
       .kind = WF_OPTION_CHOICE,                                                                              \

@@ -18,6 +18,14 @@ const char *wf_shipped(const char *room, const char *name, struct wf_arena *a)
     return shipped && access(shipped, F_OK) == 0 ? shipped : name;
 }
 
+const char *wf_beside(const char *file, const char *name, struct wf_arena *a)
+{
+    const char *slash = strrchr(file, '/');
+    if (!slash || name[0] == '/') return name;
+    const char *path = wf_arena_print(a, "%.*s/%s", (int)(slash - file), file, name);
+    return path && access(path, F_OK) == 0 ? path : name;
+}
+
 void wf_progress(const char *fmt, ...)
 {
     if (!isatty(STDERR_FILENO)) return;

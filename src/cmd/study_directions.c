@@ -15,8 +15,7 @@ enum wf_status wf_directions_asked(const struct wf_args *g, struct wf_arena *a, 
     *out = (struct wf_directions_request){ .n = n ? (size_t)atoi(n) : 0,
                                            .north = wf_args_number(g, "--north"),
                                            .climate_file = climate,
-                                           .law = law ? law : "durst",
-                                           .threads = (size_t)llround(wf_args_number(g, "--threads")) };
+                                           .law = law ? law : "durst" };
     if (!climate) return WF_OK;
     struct wf_rose *rose = WF_TAKE(a, 1, struct wf_rose);
     if (!rose) return wf_fail(e, WF_ENOMEM, "no room for a climate");

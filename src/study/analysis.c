@@ -53,14 +53,12 @@ struct curve {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
     struct wf_at_speed *at;
-    enum wf_status *status;
-    struct wf_err *why;
 };
 
-static void point(void *context, size_t k)
+static enum wf_status point(void *context, size_t k, struct wf_err *e)
 {
     const struct curve *c = context;
-    c->status[k] = wf_speed_totals(c->an, c->o, c->at[k].speed, &c->at[k], &c->why[k]);
+    return wf_speed_totals(c->an, c->o, c->at[k].speed, &c->at[k], e);
 }
 
 /* Speeds from 0 past the asked and the critical ones, at a step a reader can name; a quarter of it for the
@@ -81,21 +79,10 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     an->sweep_n = (size_t)ceil(top / step - 1e-9) + 3 * QUARTERED + 1;
     if (!(an->sweep = WF_TAKE(a, an->sweep_n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "no room for a sweep of %zu speeds", an->sweep_n);
-    struct wf_arena scratch = { 0 };
-    struct curve c = { an, &curve, an->sweep, WF_TAKE(&scratch, an->sweep_n, enum wf_status),
-                       WF_TAKE(&scratch, an->sweep_n, struct wf_err) };
-    if (!c.status || !c.why) {
-        wf_arena_free(&scratch);
-        return wf_fail(e, WF_ENOMEM, "no room for a sweep of %zu speeds", an->sweep_n);
-    }
     for (size_t k = 0; k < an->sweep_n; k++)
         an->sweep[k].speed = step * (k < 4 * QUARTERED ? 0.25 * (double)k : (double)k - 3 * QUARTERED);
-    wf_together(an->sweep_n, o->threads, point, &c);
-    enum wf_status s = WF_OK;
-    for (size_t k = 0; k < an->sweep_n && !s; k++)
-        if (c.status[k]) s = wf_fail(e, c.status[k], "%s", c.why[k].text);
-    wf_arena_free(&scratch);
-    return s;
+    struct curve c = { an, &curve, an->sweep };
+    return wf_together(an->sweep_n, o->threads, point, &c, e);
 }
 
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,

@@ -100,11 +100,11 @@ struct batch {
     bool kept[WF_CRITICAL_RUNGS + 1];
 };
 
-static void rung(void *context, size_t k)
+static enum wf_status rung(void *context, size_t k, struct wf_err *e)
 {
     struct batch *b = context;
-    struct wf_err e = { 0 };
-    b->kept[k] = !wf_speed_totals(b->search->an, b->search->o, b->speed[k], &b->at[k], &e);
+    b->kept[k] = !wf_speed_totals(b->search->an, b->search->o, b->speed[k], &b->at[k], e);
+    return WF_OK;
 }
 
 /* Up the ladder that wf_critical_search will climb, as many rungs at a time as there are threads, until one
@@ -128,7 +128,11 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
             else
                 b->speed[n++] = speed;
         }
-        wf_together(n, q->o->threads, rung, b);
+        enum wf_status s = wf_together(n, q->o->threads, rung, b, e);
+        if (s) {
+            wf_arena_free(&scratch);
+            return s;
+        }
         for (size_t i = 0; i < n; i++) {
             fell = fell || !b->kept[i] || falls(q, &b->at[i]);
             if (b->kept[i]) keep(known, q->o->mesh_tolerance, &b->at[i]);

@@ -23,17 +23,17 @@ struct work {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
     struct wf_directions *out;
-    enum wf_status *status; /* one a direction                */
-    struct wf_err *why;
 };
 
-static enum wf_status one(const struct work *w, struct wf_direction *d, struct wf_err *e)
+static enum wf_status one(void *context, size_t at, struct wf_err *e)
 {
+    const struct work *w = context;
+    struct wf_direction *d = &w->out->direction[at];
     struct wf_analysis an = *w->an;
     double azimuth = wf_direction_azimuth(&w->out->request, d->from);
     const double *exposed = w->out->request.speed_up;
     an.scenario.azimuth = azimuth;
-    if (exposed) an.scenario.speed_up = exposed[d - w->out->direction];
+    if (exposed) an.scenario.speed_up = exposed[at];
     an.wind.direction[0] = cos(azimuth), an.wind.direction[1] = sin(azimuth);
     an.loads.wind = &an.wind;
     for (size_t k = 0; k < an.n; k++) {
@@ -41,12 +41,6 @@ static enum wf_status one(const struct work *w, struct wf_direction *d, struct w
         if (s) return s;
     }
     return wf_analysis_breaks(&an, w->o, &d->breaks, &d->stem, e);
-}
-
-static void run(void *context, size_t k)
-{
-    struct work *w = context;
-    w->status[k] = one(w, &w->out->direction[k], &w->why[k]);
 }
 
 /* Share of all hours whose mean times `gust` is above what breaks the tree in this direction. */
@@ -95,30 +89,19 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
                                  struct wf_directions *out, struct wf_err *e)
 {
     *out = (struct wf_directions){ .request = *q };
-    struct wf_arena scratch = { 0 };
     enum wf_status s = check(q, &out->gust, e);
     if (s) return s;
     struct wf_solve_options alone = *o;
     alone.threads = 1; /* a direction is one thread's */
-    struct work w = { .an = an,
-                      .o = &alone,
-                      .out = out,
-                      .status = WF_TAKE(&scratch, q->n, enum wf_status),
-                      .why = WF_TAKE(&scratch, q->n, struct wf_err) };
-    out->direction = WF_TAKE(a, q->n, struct wf_direction);
+    struct work w = { an, &alone, out };
     struct wf_at_speed *at = WF_TAKE(a, q->n * an->n, struct wf_at_speed);
-    if (!w.status || !w.why || !out->direction || !at) {
-        wf_arena_free(&scratch);
-        return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
-    }
+    out->direction = WF_TAKE(a, q->n, struct wf_direction);
+    if (!out->direction || !at) return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
     for (size_t k = 0; k < q->n; k++) {
         out->direction[k].from = turn * (double)k / (double)q->n;
         out->direction[k].at = at + k * an->n;
     }
-    wf_together(q->n, q->threads, run, &w);
-    for (size_t k = 0; k < q->n && !s; k++)
-        if (w.status[k]) s = wf_fail(e, w.status[k], "%s", w.why[k].text);
-    wf_arena_free(&scratch);
+    s = wf_together(q->n, o->threads, one, &w, e);
     if (!s) add_climate(out);
     return s;
 }

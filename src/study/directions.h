@@ -14,7 +14,6 @@ struct wf_directions_request {
     const double
         *speed_up;   /* n: exposure of the site by direction, in place of the scenario's; NULL: the same */
     const char *law; /* row of wf_averaging_laws: the strongest 10-min mean within an hour */
-    size_t threads;  /* 0: as many as there are processors; the answers are the same */
 };
 
 struct wf_direction {
@@ -41,13 +40,13 @@ double wf_direction_azimuth(const struct wf_directions_request *q, double from);
 /* The reverse: where a wind towards `azimuth` comes from, 0..2 pi. */
 double wf_direction_from(const struct wf_directions_request *q, double azimuth);
 
-/* Given: a finished analysis (its own direction does not matter). Returned: *out, each direction with the
- * totals at every speed of the analysis, and the critical wind speeds. Directions are independent of each
- * other: any number of threads gives the same bytes. Errors: WF_EUSAGE for a number of directions
- * outside 2..360 or other than the climate's; those of wf_analyze. Climate: the share of a direction's hours
- * with an hourly mean above U is exp(-(U/A)^k). The critical wind is one that lasts (10-min mean): `hourly`
- * compares the mean of the hour itself with it, `strongest` the strongest 10-min mean within the hour by the
- * averaging law, which is what the tree meets. */
+/* Given: a finished analysis (its own direction does not matter), options with the threads to use. Returned:
+ * *out, each direction with the totals at every speed of the analysis, and the critical wind speeds.
+ * Directions are independent of each other: any number of threads gives the same bytes. Errors: WF_EUSAGE for
+ * a number of directions outside 2..360 or other than the climate's; those of wf_analyze. Climate: the share
+ * of a direction's hours with an hourly mean above U is exp(-(U/A)^k). The critical wind is one that lasts
+ * (10-min mean): `hourly` compares the mean of the hour itself with it, `strongest` the strongest 10-min mean
+ * within the hour by the averaging law, which is what the tree meets. */
 enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_solve_options *o,
                                  const struct wf_directions_request *q, struct wf_arena *a,
                                  struct wf_directions *out, struct wf_err *e);
