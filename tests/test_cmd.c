@@ -82,6 +82,22 @@ static void test_wind(void **state)
     CHECK(rows);
 }
 
+/* A wind that does not change has its page too; the papers' models are found from any folder. */
+static void test_series(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W series moso_bamboo --model moso_culm --duration 2 --no-vtk -o $T/out && head -c 5 "
+          "$T/out/series.pdf",
+          CODE_OK,
+          { "page: ", "%PDF-" } },
+        { "W=$PWD/$W; cd $T && $W papers tang2012 --no-report --no-vtk -o out",
+          CODE_OK,
+          { "printed, 40 segments" } },
+    };
+    CHECK(rows);
+}
+
 /* Options from a file: what is typed comes first, mistakes know their line, other commands' keys are named.
  */
 static void test_study(void **state)
@@ -255,11 +271,10 @@ static void test_library(void **state)
 
 int main(void)
 {
-    program = getenv("WINDFIRM");
-    if (!program) program = "build/windfirm";
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_usage),  cmocka_unit_test(test_wind),    cmocka_unit_test(test_bad_files),
         cmocka_unit_test(test_output), cmocka_unit_test(test_library), cmocka_unit_test(test_study),
+        cmocka_unit_test(test_series),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,16 +11,23 @@ ROW = 140.0; HEIGHT = 2*(ROW + 12) + 52 + KEY
 of(r) = column("run") == r
 SPAN = 0.0
 do for [r=1:RUNS] { SPAN = FRAMES[r]*STEP[r] > SPAN && FRAMES[r] > 1 ? FRAMES[r]*STEP[r] : SPAN }
+# a steady wind draws a level line, whose range gnuplot would find empty: room above and below it
+level(low, high) = high - low <= 1e-9*abs(high)
+room(low, high) = level(low, high) ? sprintf("set yrange [%.9g:%.9g]", low - 0.1*abs(low) - 1e-9, high + 0.1*abs(high) + 1e-9) : "set yrange [*:*]"
+stats SERIES using "wind_m_s" name "WIND" nooutput
+stats SERIES using "tip_deflection_m" name "TIP" nooutput
 @start
 set multiplot
 set lmargin at screen 82.0/WIDTH; set rmargin at screen 625.0/WIDTH
 set xrange [0:SPAN]
 set tmargin at screen 1 - 12.0/HEIGHT; set bmargin at screen 1 - (12 + ROW)/HEIGHT
 set ylabel "wind (m/s)"; set format x ""
+eval room(WIND_min, WIND_max)
 plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time_s"))):(column("wind_m_s")) with lines lt c lw 1.2
 set format x "%g"
 set tmargin at screen 1 - (24 + ROW)/HEIGHT; set bmargin at screen 1 - (24 + 2*ROW)/HEIGHT
 set ylabel "tip deflection (m)" offset 1.2,0; set xlabel "time (s)"
+eval room(TIP_min, TIP_max)
 plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time_s"))):(column("tip_deflection_m")) with lines lt c lw 1.2
 @strip
 set key maxcols 2

@@ -13,8 +13,14 @@ char *wf_series_typed(int argc, char **argv, struct wf_arena *a)
     return text;
 }
 
+/* A file a run names, or a shipped one. `file`: that of the runs; NULL: they were typed. */
+static const char *named(const char *room, const char *name, const char *file, struct wf_arena *a)
+{
+    return wf_shipped(room, file ? wf_beside(file, name, a) : name, a);
+}
+
 /* Species and model of a run. Every mistake is printed. */
-static enum wf_status read_run(const struct wf_series_plan_run *r, struct wf_arena *a,
+static enum wf_status read_run(const struct wf_series_plan_run *r, const char *file, struct wf_arena *a,
                                struct wf_series_spec *out, struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
@@ -22,8 +28,8 @@ static enum wf_status read_run(const struct wf_series_plan_run *r, struct wf_are
     struct wf_model *m = WF_TAKE(a, 1, struct wf_model);
     struct wf_err why[2] = { { 0 }, { 0 } };
     if (!sp || !m) return wf_fail(e, WF_ENOMEM, "no memory");
-    enum wf_status s = wf_species_read(wf_shipped("species", r->species, a), a, sp, &d, &why[0]);
-    enum wf_status t = wf_model_read(wf_shipped("models", r->model, a), a, m, &d, &why[1]);
+    enum wf_status s = wf_species_read(named("species", r->species, file, a), a, sp, &d, &why[0]);
+    enum wf_status t = wf_model_read(named("models", r->model, file, a), a, m, &d, &why[1]);
     wf_print_findings(&d, false);
     if (s || t) return wf_fail(e, s ? s : t, "run '%s': %s", r->name, s ? why[0].text : why[1].text);
     return wf_series_plan_spec(r, sp, m, a, out, e);
@@ -62,7 +68,7 @@ static enum wf_status run_all(const struct wf_series_job *j, struct wf_series *s
     for (size_t r = 0; r < plan->runs; r++) {
         struct wf_series_spec spec;
         diag[r].arena = a;
-        enum wf_status s = read_run(&plan->run[r], a, &spec, e);
+        enum wf_status s = read_run(&plan->run[r], plan->file, a, &spec, e);
         if (s) return s;
         wf_progress("run %zu of %zu: %s ...", r + 1, plan->runs, spec.name);
         s = wf_series_run(&spec, a, &diag[r], &series[r], e);
