@@ -1,6 +1,6 @@
 /* Processor time to make the shelter of the generated tree of 10k segments on 32 slabs of 128 x 128 cells. */
 #include "base/csv.h"
-#include "study/validate_measure.h"
+#include "cases/measure.h"
 #include "wind/shelter.h"
 #include <stdio.h>
 #include <time.h>

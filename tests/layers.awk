@@ -1,6 +1,6 @@
 # Rooms from the ground up. A file includes its own room or a lower one; never a higher one or a sibling (a|b).
 BEGIN {
-    n = split("base data grow wind load solve fail stand study fit|out cmd", room, " ")
+    n = split("base data grow wind load solve fail study fit cases out cmd", room, " ")
     for (i = 1; i <= n; i++) {
         k = split(room[i], side, "|")
         for (j = 1; j <= k; j++) rank[side[j]] = i

@@ -2,7 +2,7 @@
 #include "close.h"
 #include "solve/beam.h"
 #include "study/sheltered.h"
-#include "study/validate_measure.h"
+#include "cases/measure.h"
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>

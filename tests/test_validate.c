@@ -1,9 +1,9 @@
 /* Validation cases: the format and its mistakes, what passes and what must fail, the shipped files. */
 #include "base/file.h"
 #include "close.h"
-#include "study/validate.h"
-#include "study/validate_keys.h"
-#include "study/validate_measure.h"
+#include "cases/case.h"
+#include "cases/keys.h"
+#include "cases/measure.h"
 #include <fts.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
+#include "cases/case.h"
+#include "cases/fit.h"
 #include "cmd/cmd.h"
-#include "cmd/validate_fit.h"
 #include "cmd/validate_print.h"
-#include "study/validate.h"
 #include <fts.h>
 #include <stdio.h>
 #include <string.h>
@@ -24,8 +24,8 @@ static int run_solver(struct run *r, const struct wf_case *c, size_t k, struct w
     struct wf_err e = { WF_OK, "" };
     struct wf_verdict v, mesh[WF_CASE_PIECES_MAX];
     wf_progress("%s: %s", c->file, c->name);
-    enum wf_status status =
-        c->shape == WF_SHAPE_FIT ? wf_validate_fit(c, work, &v, &e) : wf_case_run(c, k, 1, work, &v, &e);
+    enum wf_status status = c->shape == WF_SHAPE_FIT ? wf_case_fit(c, wf_share(), work, &v, &e)
+                                                     : wf_case_run(c, k, 1, work, &v, &e);
     wf_progress(NULL);
     if (status) return wf_complain(&e);
     wf_validate_count(&r->tally, &v);

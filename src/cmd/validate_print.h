@@ -1,7 +1,7 @@
 #ifndef WF_CMD_VALIDATE_PRINT_H
 #define WF_CMD_VALIDATE_PRINT_H
 /* Tables of `windfirm validate`. */
-#include "study/validate.h"
+#include "cases/case.h"
 
 struct wf_validate_tally {
     size_t of_kind[WF_CASE_KIND_COUNT][WF_OUTCOME_COUNT], outcome[WF_OUTCOME_COUNT], checks;

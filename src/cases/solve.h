@@ -1,7 +1,7 @@
-#ifndef WF_STUDY_VALIDATE_SOLVE_H
-#define WF_STUDY_VALIDATE_SOLVE_H
+#ifndef WF_CASES_SOLVE_H
+#define WF_CASES_SOLVE_H
 /* Running what a validation case asks for. */
-#include "study/validate_measure.h"
+#include "cases/measure.h"
 
 /* Static answer of one solver. Errors: the solver's. */
 enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *solver, struct wf_arena *a,

@@ -1,5 +1,5 @@
-#ifndef WF_STUDY_VALIDATE_WORDS_H
-#define WF_STUDY_VALIDATE_WORDS_H
+#ifndef WF_CASES_WORDS_H
+#define WF_CASES_WORDS_H
 /* A line of a case file as words with their columns; a key's reader takes them from left to right. A wrong
  * word is reported once, with line and column, and the reader gives up on its line by returning false. */
 #include "base/arena.h"

@@ -1,8 +1,8 @@
-#ifndef WF_STUDY_VALIDATE_MEASURE_H
-#define WF_STUDY_VALIDATE_MEASURE_H
+#ifndef WF_CASES_MEASURE_H
+#define WF_CASES_MEASURE_H
 /* A case made ready to run, and the quantities that can be wanted of it. Inside the validation runner. */
 #include "base/units.h"
-#include "study/validate.h"
+#include "cases/case.h"
 #include "wind/wind.h"
 
 /* Tree, loads and options of a case. */

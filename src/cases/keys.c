@@ -1,5 +1,5 @@
-#include "study/validate_keys.h"
-#include "study/validate_keys_read.h"
+#include "cases/keys.h"
+#include "cases/keys_read.h"
 #include <math.h>
 #include <stdint.h>
 #include <string.h>

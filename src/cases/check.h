@@ -1,8 +1,8 @@
-#ifndef WF_STUDY_VALIDATE_CHECK_H
-#define WF_STUDY_VALIDATE_CHECK_H
+#ifndef WF_CASES_CHECK_H
+#define WF_CASES_CHECK_H
 /* What a validation case must say, checked when it is complete. */
 #include "base/diag.h"
-#include "study/validate.h"
+#include "cases/case.h"
 
 /* Fill defaults that depend on other keys (tolerance of each want, solver) and report what is missing or does
  * not fit together, at the case's line. */

@@ -1,5 +1,5 @@
-#include "study/validate_keys_read.h"
-#include "study/validate_want.h"
+#include "cases/keys_read.h"
+#include "cases/want.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 #include "base/vec.h"
-#include "study/validate_measure.h"
+#include "cases/measure.h"
 #include <math.h>
 #include <string.h>
 

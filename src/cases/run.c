@@ -1,6 +1,6 @@
 /* Running a validation case and holding what comes out against what is wanted. */
+#include "cases/solve.h"
 #include "solve/modes.h"
-#include "study/validate_solve.h"
 #include <math.h>
 #include <string.h>
 

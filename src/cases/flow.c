@@ -1,4 +1,4 @@
-#include "study/validate_flow.h"
+#include "cases/flow.h"
 #include "wind/potential.h"
 #include <math.h>
 #include <string.h>

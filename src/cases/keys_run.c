@@ -1,7 +1,7 @@
 /* Readers of the keys that say what acts, how a case is run and what is wanted of it. */
+#include "cases/keys_read.h"
+#include "cases/want.h"
 #include "solve/chain_variants.h"
-#include "study/validate_keys_read.h"
-#include "study/validate_want.h"
 #include <string.h>
 
 bool wf_key_point(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)

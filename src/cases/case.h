@@ -1,5 +1,5 @@
-#ifndef WF_STUDY_VALIDATE_H
-#define WF_STUDY_VALIDATE_H
+#ifndef WF_CASES_CASE_H
+#define WF_CASES_CASE_H
 /* Validation cases: claims of correctness as text files (docs/validation-cases.md), read, run and compared.
  * A file holds one case or several; each names its source, a structure, loads, solvers and wanted values. */
 #include "base/arena.h"

@@ -1,4 +1,4 @@
-#include "study/validate_words.h"
+#include "cases/words.h"
 #include "base/near.h"
 #include "base/number.h"
 #include <errno.h>

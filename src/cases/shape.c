@@ -1,6 +1,6 @@
 /* The structure of a validation case as a tree of rows, before any splitting. */
 #include "base/vec.h"
-#include "study/validate_build.h"
+#include "cases/build.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,8 @@
-#ifndef WF_STUDY_VALIDATE_KEYS_H
-#define WF_STUDY_VALIDATE_KEYS_H
+#ifndef WF_CASES_KEYS_H
+#define WF_CASES_KEYS_H
 /* The keys of a case file as rows. What a key takes, its dimension and range stand only here. */
-#include "study/validate.h"
-#include "study/validate_words.h"
+#include "cases/case.h"
+#include "cases/words.h"
 
 struct wf_case_key {
     const char *name;

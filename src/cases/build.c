@@ -1,4 +1,4 @@
-#include "study/validate_build.h"
+#include "cases/build.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
-#ifndef WF_STUDY_VALIDATE_BUILD_H
-#define WF_STUDY_VALIDATE_BUILD_H
+#ifndef WF_CASES_BUILD_H
+#define WF_CASES_BUILD_H
 /* From the words of a validation case to rows. Inside wf_setup_build. */
-#include "study/validate_measure.h"
+#include "cases/measure.h"
 
 double wf_case_length(const struct wf_case *c); /* along the axis of a cantilever or arc [m] */
 

@@ -1,5 +1,5 @@
-#include "study/validate_want.h"
-#include "study/validate_measure.h"
+#include "cases/want.h"
+#include "cases/measure.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,7 @@
-#ifndef WF_STUDY_VALIDATE_FLOW_H
-#define WF_STUDY_VALIDATE_FLOW_H
+#ifndef WF_CASES_FLOW_H
+#define WF_CASES_FLOW_H
 /* What can be wanted of a potential flow (wind/potential.h). Inside the validation runner. */
-#include "study/validate_measure.h"
+#include "cases/measure.h"
 
 /* Velocity and pressure coefficient at the point of the want. WF_EINPUT within a cylinder or on a source. */
 enum wf_status wf_flow_velocity(const struct wf_measured *m, const struct wf_want *w, double out[3],

@@ -1,8 +1,8 @@
-#ifndef WF_STUDY_VALIDATE_WANT_H
-#define WF_STUDY_VALIDATE_WANT_H
+#ifndef WF_CASES_WANT_H
+#define WF_CASES_WANT_H
 /* Reading the places and wanted values of a validation case. */
-#include "study/validate.h"
-#include "study/validate_words.h"
+#include "cases/case.h"
+#include "cases/words.h"
 
 /* "base", "tip", "node 3", "row 1000", "at 0.5"; false after a report. */
 bool wf_place_read(struct wf_words *w, struct wf_place *p);

@@ -1,8 +1,8 @@
 /* The quantities a validation case can want, as rows. */
-#include "study/validate_measure.h"
+#include "cases/measure.h"
 #include "base/vec.h"
-#include "study/validate_flow.h"
-#include "study/validate_solve.h"
+#include "cases/flow.h"
+#include "cases/solve.h"
 #include <math.h>
 #include <stdint.h>
 

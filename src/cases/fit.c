@@ -1,14 +1,14 @@
-#include "cmd/validate_fit.h"
-#include "cmd/cmd.h"
+#include "cases/fit.h"
+#include "cases/measure.h"
 #include "fit/build.h"
 #include "fit/fit.h"
 #include "fit/plan.h"
-#include "study/validate_measure.h"
 #include <math.h>
 #include <string.h>
 
 struct trial {
     const struct wf_case *of;
+    const char *share; /* folder of the shipped species and models */
     struct wf_fit_study study;
     struct wf_experiment x;
     struct wf_fit_param *param;
@@ -24,7 +24,7 @@ static enum wf_status build(struct trial *t, struct wf_arena *a, struct wf_err *
     const char *path =
         wf_arena_print(a, "%.*s%s", slash ? (int)(slash + 1 - c->file) : 0, c->file, c->fit_study);
     struct wf_diag d = { .arena = a };
-    struct wf_fit_build b = { .study = &t->study, .share = wf_share(), .plan = !isnan(c->data_sets) };
+    struct wf_fit_build b = { .study = &t->study, .share = t->share, .plan = !isnan(c->data_sets) };
     if (!path) return wf_fail(e, WF_ENOMEM, "no memory");
     enum wf_status s = wf_fit_study_read(path, a, &t->study, &d, e);
     struct wf_fit_input *in = s ? NULL : WF_TAKE(a, t->study.tests, struct wf_fit_input);
@@ -84,10 +84,10 @@ static enum wf_status answer(void *ctx, const struct wf_want *w, double out[3], 
     return wf_fail(e, WF_EINPUT, "%s:%zu: the study fits no parameter '%s'", t->of->file, w->line, w->name);
 }
 
-enum wf_status wf_validate_fit(const struct wf_case *c, struct wf_arena *a, struct wf_verdict *v,
-                               struct wf_err *e)
+enum wf_status wf_case_fit(const struct wf_case *c, const char *share, struct wf_arena *a,
+                           struct wf_verdict *v, struct wf_err *e)
 {
-    struct trial t = { .of = c };
+    struct trial t = { .of = c, .share = share };
     struct wf_err own = { WF_OK, "" };
     enum wf_status s = build(&t, a, &own);
     if (!s) s = isnan(c->data_sets) ? fit(&t, &own) : made_up(&t, a, &own);

@@ -1,7 +1,7 @@
-#include "study/validate_check.h"
-#include "study/validate_flow.h"
-#include "study/validate_keys.h"
-#include "study/validate_measure.h"
+#include "cases/check.h"
+#include "cases/flow.h"
+#include "cases/keys.h"
+#include "cases/measure.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

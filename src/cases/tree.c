@@ -1,6 +1,6 @@
 #include "base/csv.h"
-#include "study/validate_keys.h"
-#include "study/validate_measure.h"
+#include "cases/keys.h"
+#include "cases/measure.h"
 #include <stdlib.h>
 
 enum column { ID, PARENT, X0, Y0, Z0, X1, Y1, Z1, R0, R1, LEVEL, COLUMNS };

@@ -1,9 +1,9 @@
 /* A validation file to cases. Lines above the first `case` belong to every case of the file. */
 #include "base/file.h"
 #include "base/near.h"
-#include "study/validate_check.h"
-#include "study/validate_keys.h"
-#include "study/validate_measure.h"
+#include "cases/check.h"
+#include "cases/keys.h"
+#include "cases/measure.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "study/validate_solve.h"
+#include "cases/solve.h"
 #include "base/vec.h"
 #include <math.h>
 

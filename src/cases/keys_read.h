@@ -1,7 +1,7 @@
-#ifndef WF_STUDY_VALIDATE_KEYS_READ_H
-#define WF_STUDY_VALIDATE_KEYS_READ_H
+#ifndef WF_CASES_KEYS_READ_H
+#define WF_CASES_KEYS_READ_H
 /* Readers of the keys of a case file: each takes the words of its line; false after a report. */
-#include "study/validate_keys.h"
+#include "cases/keys.h"
 
 typedef bool wf_key_reader(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k);
 

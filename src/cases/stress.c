@@ -1,5 +1,5 @@
 #include "base/vec.h"
-#include "study/validate_measure.h"
+#include "cases/measure.h"
 #include <math.h>
 
 static const double pi = 3.14159265358979323846;
