@@ -48,7 +48,11 @@ $(B)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(SANF) $(CFLAGS) -c $< -o $@
 # the numeric kernels are small fixed-size loops: unroll and vectorise them
-$(B)/src/solve/%.o $(B)/src/load/%.o $(B)/src/wind/shelter_wake.o $(B)/src/wind/gust_spectral.o $(B)/src/wind/gust_coherence.o: CFLAGS += -O3
+KERNELS := $(wildcard src/solve/*.c src/load/*.c) src/wind/shelter_laws.c src/wind/gust_spectral.c
+$(call obj,$(KERNELS)): CFLAGS += -O3
+# a rule that names a file which is not there would be passed over in silence
+NAMED   := $(KERNELS) src/main.c src/fit/ceres.cpp
+$(if $(filter-out $(wildcard $(NAMED)),$(NAMED)),$(error not there: $(filter-out $(wildcard $(NAMED)),$(NAMED))))
 
 demo: packages ## install what is missing, build, compare bamboo and willow: out/demo/report.pdf
 	@$(MAKE) -s -j$$(nproc) all

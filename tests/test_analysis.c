@@ -1,4 +1,5 @@
 /* wf_analyze on stems whose answers are known: closed forms, balance of forces, invariance, limits. */
+#include "solve/solvers.h"
 #include "close.h"
 #include "study/analysis.h"
 #include "study/limits.h"

@@ -2,9 +2,8 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
-#include "base/near.h"
-#include "base/number.h"
-#include "base/utf8.h"
+#include "base/num.h"
+#include "base/text.h"
 #include "close.h"
 #include <stdlib.h>
 #include <string.h>

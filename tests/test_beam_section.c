@@ -1,6 +1,7 @@
 /* Sections that are not round: two bending stiffnesses that turn with the section, torsion, weight to one
  * side. */
-#include "base/vec.h"
+#include "solve/solvers.h"
+#include "base/vec3.h"
 #include "beam_cases.h"
 #include "data/section.h"
 #include "solve/modes.h"

@@ -1,6 +1,7 @@
 /* The eliminated tangent is exact: a Newton correction leads back to an equilibrium that was left. */
+#include "base/vec3.h"
 #include "beam_cases.h"
-#include "solve/vec.h"
+#include "solve/beam_eliminate.h"
 
 /* Largest part of the correction that is wrong, after each unknown of an equilibrium was moved by up to
  * `size`: quadratic convergence means that it falls with size^2. */

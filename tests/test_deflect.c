@@ -1,10 +1,10 @@
 /* The frame-by-frame method: the printed formula to the digit, the corrected one against chain and beam, and
  * how leaves ride. */
-#include "base/vec.h"
+#include "base/vec3.h"
 #include "beam_cases.h"
 #include "solve/chain.h"
 #include "solve/deflect.h"
-#include "study/series_leaf.h"
+#include "study/series_leaves.h"
 
 static const double R = 0.02, L = 2, E = 9e9;
 

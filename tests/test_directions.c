@@ -1,4 +1,5 @@
 /* Winds from all around: where they come from, symmetry, the same bytes on any number of threads, climate. */
+#include "solve/solvers.h"
 #include "close.h"
 #include "study/directions.h"
 #include "study/scenario.h"

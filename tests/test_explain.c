@@ -1,4 +1,5 @@
 /* Methods against beam theory, branch by branch. */
+#include "solve/solvers.h"
 #include "close.h"
 #include "study/explain.h"
 #include "study/scenario.h"

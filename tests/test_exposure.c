@@ -1,5 +1,6 @@
 /* Ground around a tree: level ground changes nothing, the factor is that of the map, and the load feels it.
  */
+#include "solve/solvers.h"
 #include "close.h"
 #include "study/analysis.h"
 #include "study/exposure.h"

@@ -2,9 +2,9 @@
 #include "base/random.h"
 #include "close.h"
 #include "wind/gust.h"
-#include "wind/gust_coherence.h"
-#include "wind/gust_stats.h"
-#include "wind/spectrum_estimate.h"
+#include "wind/gust_report.h"
+#include "wind/gust_spectral.h"
+#include "wind/spectrum.h"
 #include <stdlib.h>
 #include <string.h>
 

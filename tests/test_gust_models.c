@@ -2,10 +2,9 @@
 #include "close.h"
 #include "wind/gust.h"
 #include "wind/gust_report.h"
-#include "wind/gust_rows.h"
-#include "wind/gust_stats.h"
+#include "wind/gust.h"
 #include "wind/noise.h"
-#include "wind/spectrum_estimate.h"
+#include "wind/spectrum.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* A stem with sections and masses of its own, bent by its weight: grown, predicted, fitted, and what users
  * get wrong. */
-#include "base/vec.h"
+#include "base/vec3.h"
 #include "close.h"
 #include "fit/build.h"
 #include "fit/fit.h"

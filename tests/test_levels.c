@@ -1,4 +1,5 @@
 /* Trees of levels: counts, places, angles, lengths, radii, curves, spread, and what is refused. */
+#include "solve/solvers.h"
 #include "branched.h"
 #include "close.h"
 #include "edited.h"

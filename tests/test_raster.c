@@ -1,7 +1,7 @@
 /* Area coverage by outlines against exact geometry. */
 #include "base/random.h"
 #include "close.h"
-#include "wind/raster.h"
+#include "base/raster.h"
 #include <string.h>
 
 static const double pi = 3.14159265358979323846;

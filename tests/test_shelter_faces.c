@@ -1,5 +1,5 @@
 /* Where the wind inside a crown is not smooth: the faces of its cells. */
-#include "base/vec.h"
+#include "base/vec3.h"
 #include "beam_cases.h"
 #include "wind/shelter.h"
 

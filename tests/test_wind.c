@@ -1,6 +1,6 @@
 /* Wind profiles and air. */
 #include "close.h"
-#include "wind/measured.h"
+#include "wind/wind.h"
 #include <string.h>
 
 static struct wf_wind blowing(const char *name)

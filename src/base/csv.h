@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_CSV_H
 #define WF_BASE_CSV_H
 /* Tables from spreadsheets: comma, semicolon or tab separated text with a header row, read in place.

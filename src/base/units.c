@@ -1,5 +1,5 @@
 #include "base/units.h"
-#include "base/number.h"
+#include "base/num.h"
 #include <ctype.h>
 #include <math.h>
 #include <stdbool.h>

@@ -1,7 +1,493 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/yaml.h"
 #include "base/file.h"
+#include "base/num.h"
 #include "base/yaml_parts.h"
+#include <ctype.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* Where a mistake is: marks, paths, nodes. */
+
+static void add(struct wf_yaml *y, yaml_mark_t m, const char *key, const char *fmt, va_list args)
+{
+    char text[1536];
+    if (++y->mistakes > WF_YAML_LISTED) {
+        if (y->mistakes == WF_YAML_LISTED + 1)
+            wf_diag_error(y->diag, y->file, 0, 0, "more than %d mistakes; the rest is counted but not listed",
+                          (int)WF_YAML_LISTED);
+        else
+            y->diag->errors++;
+        return;
+    }
+    int n = snprintf(text, sizeof text, "%s%s%s%s", y->path, *y->path && *key && *key != '[' ? "." : "", key,
+                     *y->path || *key ? ": " : "");
+    if (n >= 0 && (size_t)n < sizeof text) (void)vsnprintf(text + n, sizeof text - (size_t)n, fmt, args);
+    wf_diag_error(y->diag, y->file, m.line + 1, m.column + 1, "%s", text);
+}
+
+void wf_yaml_mark(struct wf_yaml *y, yaml_mark_t m, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    add(y, m, "", fmt, args);
+    va_end(args);
+}
+
+void wf_yaml_at(struct wf_yaml *y, const yaml_node_t *n, const char *fmt, ...)
+{
+    va_list args;
+    va_start(args, fmt);
+    add(y, n->start_mark, "", fmt, args);
+    va_end(args);
+}
+
+/* Follow "levels[1].density.low" from the table in hand as far as the file goes. */
+static const yaml_node_t *follow(struct wf_yaml *y, const char *key)
+{
+    const yaml_node_t *n = y->node, *next = n;
+    while (next && *key) {
+        n = next;
+        if (*key == '[') {
+            char *end;
+            size_t i = strtoul(key + 1, &end, 10);
+            size_t have = n->type == YAML_SEQUENCE_NODE
+                              ? (size_t)(n->data.sequence.items.top - n->data.sequence.items.start)
+                              : 0;
+            next = i < have ? wf_yaml_node(y, n->data.sequence.items.start[i]) : NULL;
+            key = *end == ']' ? end + 1 : end;
+        } else {
+            size_t length = strcspn(key, ".[");
+            next = wf_yaml_find(y, n, key, length);
+            key += length;
+        }
+        if (*key == '.') key++;
+    }
+    return next ? next : n;
+}
+
+void wf_yaml_error(struct wf_yaml *y, const char *key, const char *fmt, ...)
+{
+    const yaml_node_t *found = follow(y, key), *n = found ? found : y->place;
+    va_list args;
+    va_start(args, fmt);
+    add(y, n ? n->start_mark : (yaml_mark_t){ 0 }, key, fmt, args);
+    va_end(args);
+}
+
+void *wf_yaml_take(struct wf_yaml *y, size_t n, size_t size)
+{
+    void *p = wf_arena_take(y->arena, n, size);
+    if (!p) y->no_memory = true;
+    return p;
+}
+
+size_t wf_yaml_push(struct wf_yaml *y, const char *key)
+{
+    size_t n = strlen(y->path);
+    (void)snprintf(y->path + n, sizeof y->path - n, "%s%s", n ? "." : "", key);
+    return n;
+}
+
+size_t wf_yaml_push_index(struct wf_yaml *y, size_t index)
+{
+    size_t n = strlen(y->path);
+    (void)snprintf(y->path + n, sizeof y->path - n, "[%zu]", index);
+    return n;
+}
+
+void wf_yaml_pop(struct wf_yaml *y, size_t length) { y->path[length] = '\0'; }
+
+const yaml_node_t *wf_yaml_node(struct wf_yaml *y, int id)
+{
+    return yaml_document_get_node(&y->document, id);
+}
+
+const char *wf_yaml_scalar(const yaml_node_t *n)
+{
+    return n->type == YAML_SCALAR_NODE ? (const char *)n->data.scalar.value : NULL;
+}
+
+const char *wf_yaml_type(const yaml_node_t *n)
+{
+    if (n->type == YAML_MAPPING_NODE) return "a mapping (keys with values)";
+    if (n->type == YAML_SEQUENCE_NODE) return "a list";
+    return n->data.scalar.length ? "a single value" : "nothing";
+}
+
+const yaml_node_t *wf_yaml_find(struct wf_yaml *y, const yaml_node_t *map, const char *key, size_t length)
+{
+    if (!map || map->type != YAML_MAPPING_NODE) return NULL;
+    for (yaml_node_pair_t *q = map->data.mapping.pairs.start; q < map->data.mapping.pairs.top; q++) {
+        const char *k = wf_yaml_scalar(wf_yaml_node(y, q->key));
+        if (k && strlen(k) == length && !memcmp(k, key, length)) return wf_yaml_node(y, q->value);
+    }
+    return NULL;
+}
+
+const char *wf_yaml_raw(struct wf_yaml *y, const char *key)
+{
+    const yaml_node_t *n = wf_yaml_find(y, y->node, key, strlen(key));
+    return n ? wf_yaml_scalar(n) : NULL;
+}
+
+bool wf_yaml_has(struct wf_yaml *y, const char *key)
+{
+    const yaml_node_t *n = y->node;
+    while (n && *key) {
+        size_t length = strcspn(key, ".");
+        n = wf_yaml_find(y, n, key, length);
+        key += length + (key[length] == '.');
+    }
+    return n != NULL;
+}
+
+/* Single values: numbers with units, texts, choices. */
+
+double wf_yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char *text,
+                        const struct wf_yaml_row *r)
+{
+    struct wf_err why = { 0 };
+    double v;
+    const char *unit = r->unit ? r->unit : "";
+    if (wf_quantity_read_as(y->units, text, r->dimension, unit, &v, &why)) {
+        wf_yaml_at(y, n, "%s", why.text);
+        return NAN;
+    }
+    /* a bound written in its own unit may differ from its SI value in the last digit */
+    double slack = 1e-12 * fmax(fabs(r->low), fabs(r->high));
+    if (v >= r->low - slack && v <= r->high + slack) return v;
+    char low[64], high[64];
+    (void)wf_quantity_print(y->units, r->low, r->dimension, unit, low, sizeof low);
+    (void)wf_quantity_print(y->units, r->high, r->dimension, unit, high, sizeof high);
+    wf_yaml_at(y, n, "%s is outside %s to %s", text, low, high);
+    return NAN;
+}
+
+static void choice(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
+                   unsigned char *out)
+{
+    unsigned i = 0;
+    while (r->choices[i] && strcmp(r->choices[i], text) != 0) i++;
+    if (r->choices[i]) {
+        if (r->kind == WF_YAML_ENUM)
+            memcpy(out + r->offset, &i, sizeof i);
+        else
+            memcpy(out + r->offset, &r->choices[i], sizeof r->choices[i]);
+        return;
+    }
+    char all[256] = "";
+    size_t used = 0;
+    for (size_t k = 0; k < i && used < sizeof all; k++)
+        used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", k ? ", " : "", r->choices[k]);
+    const char *near = wf_nearest(text, r->choices, i);
+    if (near)
+        wf_yaml_at(y, n, "'%.60s' is not one of: %s; did you mean '%s'?", text, all, near);
+    else
+        wf_yaml_at(y, n, "'%.60s' is not one of: %s", text, all);
+}
+
+static void integer(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
+                    unsigned char *out)
+{
+    size_t digits = strspn(text, "0123456789");
+    size_t v = digits && digits <= 15 && !text[digits] ? (size_t)strtoull(text, NULL, 10) : (size_t)-1;
+    if (!digits || text[digits])
+        wf_yaml_at(y, n, "'%.60s' is not a whole number; write for example '%s'", text, r->example);
+    else if ((double)v < r->low || (double)v > r->high)
+        wf_yaml_at(y, n, "%.60s is outside %.15g to %.15g", text, r->low, r->high);
+    else
+        memcpy(out + r->offset, &v, sizeof v);
+}
+
+static void words(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
+                  unsigned char *out)
+{
+    if (!text[strspn(text, " \t\n")]) {
+        wf_yaml_at(y, n, "a text is expected, not %s", wf_yaml_type(n));
+        return;
+    }
+    for (const char *p = text; r->kind == WF_YAML_NAME && *p; p++)
+        if (!isalnum((unsigned char)*p) && *p != '_' && *p != '-') {
+            wf_yaml_at(y, n, "'%.60s': a name has only letters a-z, digits, '_' and '-'", text);
+            return;
+        }
+    if (r->offset == WF_YAML_DROP) return;
+    const char *copy = wf_arena_text(y->arena, text);
+    if (!copy) y->no_memory = true;
+    memcpy(out + r->offset, &copy, sizeof copy);
+}
+
+void wf_yaml_put(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
+                 const struct wf_yaml_row *outer, unsigned char *out)
+{
+    struct wf_yaml_row own = *r;
+    if (r->dimension == WF_DIM_COUNT && outer) {
+        own.dimension = outer->dimension;
+        own.unit = outer->unit;
+        own.low = outer->low;
+        own.high = outer->high;
+    }
+    if (r->kind == WF_YAML_QUANTITY) {
+        double v = wf_yaml_quantity(y, n, text, &own);
+        memcpy(out + r->offset, &v, sizeof v);
+    } else if (r->kind == WF_YAML_INTEGER) {
+        integer(y, n, text, r, out);
+    } else if (r->kind == WF_YAML_CHOICE || r->kind == WF_YAML_ENUM) {
+        choice(y, n, text, r, out);
+    } else {
+        words(y, n, text, r, out);
+    }
+}
+
+/* Lists and free mappings. */
+
+static void keep(const struct wf_yaml_row *r, unsigned char *out, const void *items, size_t n)
+{
+    memcpy(out + r->offset, &items, sizeof items);
+    memcpy(out + r->count, &n, sizeof n);
+}
+
+/* Length of a list node; 0 after a finding about its type or when it is empty. */
+static size_t length_of(struct wf_yaml *y, const yaml_node_t *n, const char *of)
+{
+    if (n->type != YAML_SEQUENCE_NODE) {
+        wf_yaml_at(y, n, "a list of %s is expected, not %s", of, wf_yaml_type(n));
+        return 0;
+    }
+    size_t count = (size_t)(n->data.sequence.items.top - n->data.sequence.items.start);
+    if (!count) wf_yaml_at(y, n, "the list is empty; %s are expected", of);
+    return count;
+}
+
+/* Lists that belong together must be equally long. Returned: false after a finding. */
+static bool same_length(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, size_t count)
+{
+    const yaml_node_t *other =
+        r->same_length_as ? wf_yaml_find(y, y->node, r->same_length_as, strlen(r->same_length_as)) : NULL;
+    if (!other || other->type != YAML_SEQUENCE_NODE) return true;
+    size_t want = (size_t)(other->data.sequence.items.top - other->data.sequence.items.start);
+    if (want == count) return true;
+    wf_yaml_at(y, n, "%zu value%s, but '%s' has %zu", count, count == 1 ? "" : "s", r->same_length_as, want);
+    return false;
+}
+
+void wf_yaml_quantities(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
+                        unsigned char *out)
+{
+    size_t count = length_of(y, n, "values");
+    if (!count) return;
+    double *v = wf_yaml_take(y, count, sizeof *v);
+    if (!v) return;
+    for (size_t i = 0; i < count; i++) {
+        const yaml_node_t *item = wf_yaml_node(y, n->data.sequence.items.start[i]);
+        size_t length = wf_yaml_push_index(y, i);
+        const char *text = wf_yaml_scalar(item);
+        if (text)
+            v[i] = wf_yaml_quantity(y, item, text, r);
+        else
+            wf_yaml_at(y, item, "a single value is expected, not %s", wf_yaml_type(item));
+        wf_yaml_pop(y, length);
+    }
+    if (same_length(y, n, r, count)) keep(r, out, v, count);
+}
+
+void wf_yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, unsigned char *out)
+{
+    if (n->type != YAML_MAPPING_NODE) {
+        wf_yaml_at(y, n, "a mapping of names to texts is expected, not %s", wf_yaml_type(n));
+        return;
+    }
+    const yaml_node_pair_t *first = n->data.mapping.pairs.start;
+    size_t count = (size_t)(n->data.mapping.pairs.top - first), kept = 0;
+    if (count > WF_YAML_ENTRIES) {
+        wf_yaml_at(y, n, "%zu entries; at most %d are read", count, (int)WF_YAML_ENTRIES);
+        return;
+    }
+    struct wf_yaml_pair *pair = wf_yaml_take(y, count, sizeof *pair);
+    struct wf_yaml_row key = { .kind = WF_YAML_NAME, .offset = offsetof(struct wf_yaml_pair, key) };
+    struct wf_yaml_row text = { .kind = WF_YAML_TEXT, .offset = offsetof(struct wf_yaml_pair, text) };
+    for (size_t i = 0; pair && i < count; i++) {
+        const yaml_node_t *k = wf_yaml_node(y, first[i].key), *v = wf_yaml_node(y, first[i].value);
+        const char *name = wf_yaml_scalar(k), *words = wf_yaml_scalar(v);
+        if (!name) {
+            wf_yaml_at(y, k, "a name is expected, not %s", wf_yaml_type(k));
+            continue;
+        }
+        wf_yaml_put(y, k, name, &key, NULL, (unsigned char *)&pair[kept]);
+        size_t length = wf_yaml_push(y, name);
+        bool twice = false;
+        for (size_t j = 0; j < kept; j++) twice |= !strcmp(pair[j].key, name);
+        if (twice)
+            wf_yaml_at(y, k, "is given twice");
+        else if (words)
+            wf_yaml_put(y, v, words, &text, NULL, (unsigned char *)&pair[kept]);
+        else
+            wf_yaml_at(y, v, "a text is expected, not %s", wf_yaml_type(v));
+        wf_yaml_pop(y, length);
+        kept += !twice && pair[kept].key != NULL;
+    }
+    keep(r, out, pair, pair ? kept : 0);
+}
+
+/* Append one value, after a comma where it is not the first. */
+static const char *append(struct wf_yaml *y, const char *all, const char *key, const yaml_node_t *v)
+{
+    const char *text = wf_yaml_scalar(v);
+    if (!text) wf_yaml_at(y, v, "a single value is expected, not %s", wf_yaml_type(v));
+    if (!text || !all) return all;
+    all = wf_arena_print(y->arena, "%s%s%s%s%s", all, *all ? "," : "", key, *key ? "=" : "", text);
+    if (!all) y->no_memory = true;
+    return all;
+}
+
+void wf_yaml_joined(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, unsigned char *out)
+{
+    const char *all = "";
+    if (n->type == YAML_SEQUENCE_NODE)
+        for (yaml_node_item_t *i = n->data.sequence.items.start; i < n->data.sequence.items.top; i++)
+            all = append(y, all, "", wf_yaml_node(y, *i));
+    else if (n->type == YAML_MAPPING_NODE)
+        for (yaml_node_pair_t *q = n->data.mapping.pairs.start; q < n->data.mapping.pairs.top; q++) {
+            const char *key = wf_yaml_scalar(wf_yaml_node(y, q->key));
+            all = append(y, all, key ? key : "", wf_yaml_node(y, q->value));
+        }
+    else
+        all = append(y, all, "", n);
+    if (all && !*all) wf_yaml_at(y, n, "a value is expected, not %s", wf_yaml_type(n));
+    memcpy(out + r->offset, &all, sizeof all);
+}
+
+void wf_yaml_list(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, unsigned char *out)
+{
+    size_t count = length_of(y, n, "mappings");
+    if (!count) return;
+    unsigned char *items = wf_yaml_take(y, count, r->table->size);
+    if (!items) return;
+    for (size_t i = 0; i < count; i++) {
+        size_t length = wf_yaml_push_index(y, i);
+        wf_yaml_fill(y, wf_yaml_node(y, n->data.sequence.items.start[i]), r->table, r,
+                     items + i * r->table->size);
+        wf_yaml_pop(y, length);
+    }
+    keep(r, out, items, count);
+}
+
+/* Mappings under their schema rows. */
+
+enum { ROWS_MAX = 160 };
+
+static const struct wf_yaml_row *row_of(const struct wf_yaml_table *t, const char *key)
+{
+    for (const struct wf_yaml_row *r = t->row; r->key; r++)
+        if (!strcmp(r->key, key)) return r;
+    return NULL;
+}
+
+static void unknown(struct wf_yaml *y, const yaml_node_t *k, const struct wf_yaml_table *t)
+{
+    const char *word = wf_yaml_scalar(k), *known[ROWS_MAX];
+    char all[512] = "";
+    size_t n = 0, used = 0;
+    for (const struct wf_yaml_row *r = t->row; r->key && n < ROWS_MAX; r++) {
+        known[n++] = r->key;
+        if (used < sizeof all)
+            used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", r->key);
+    }
+    const char *near = wf_nearest(word, known, n);
+    if (near)
+        wf_yaml_at(y, k, "unknown key '%.60s'; did you mean '%s'?", word, near);
+    else
+        wf_yaml_at(y, k, "unknown key '%.60s'; keys here are: %s", word, all);
+}
+
+static void one(struct wf_yaml *y, const yaml_node_t *v, const struct wf_yaml_row *r,
+                const struct wf_yaml_row *outer, unsigned char *out)
+{
+    size_t length = wf_yaml_push(y, r->key);
+    if (r->given) out[r->given - 1] = true;
+    const char *text = wf_yaml_scalar(v);
+    if (r->kind == WF_YAML_TABLE)
+        wf_yaml_fill(y, v, r->table, r, out + r->offset);
+    else if (r->kind == WF_YAML_LIST)
+        wf_yaml_list(y, v, r, out);
+    else if (r->kind == WF_YAML_TEXTS)
+        wf_yaml_texts(y, v, r, out);
+    else if (r->kind == WF_YAML_QUANTITIES)
+        wf_yaml_quantities(y, v, r, out);
+    else if (r->kind == WF_YAML_JOINED)
+        wf_yaml_joined(y, v, r, out);
+    else if (text)
+        wf_yaml_put(y, v, text, r, outer, out);
+    else
+        wf_yaml_at(y, v, "a single value is expected, not %s", wf_yaml_type(v));
+    wf_yaml_pop(y, length);
+}
+
+/* What a row's member holds before its key is met. */
+static void initial(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
+                    const struct wf_yaml_row *outer, unsigned char *out)
+{
+    const double none = NAN;
+    if (r->kind == WF_YAML_QUANTITY) memcpy(out + r->offset, &none, sizeof none);
+    if (r->preset && r->kind != WF_YAML_TABLE) wf_yaml_put(y, n, r->preset, r, outer, out);
+}
+
+static void missing(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r)
+{
+    if (r->example)
+        wf_yaml_at(y, n, "missing key '%s' (%s); for example '%s: %s'", r->key, r->doc, r->key, r->example);
+    else
+        wf_yaml_at(y, n, "missing key '%s' (%s)", r->key, r->doc);
+}
+
+static void keys(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
+                 const struct wf_yaml_row *outer, unsigned char *out, bool seen[static ROWS_MAX])
+{
+    for (yaml_node_pair_t *q = n->data.mapping.pairs.start; q < n->data.mapping.pairs.top; q++) {
+        const yaml_node_t *k = wf_yaml_node(y, q->key);
+        const char *key = wf_yaml_scalar(k);
+        const struct wf_yaml_row *r = key ? row_of(t, key) : NULL;
+        if (!key)
+            wf_yaml_at(y, k, "a key is expected, not %s", wf_yaml_type(k));
+        else if (!r)
+            unknown(y, k, t);
+        else if (seen[r - t->row])
+            wf_yaml_at(y, k, "key '%s' is given twice", key);
+        else
+            one(y, wf_yaml_node(y, q->value), r, outer, out);
+        if (r) seen[r - t->row] = true;
+    }
+}
+
+void wf_yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
+                  const struct wf_yaml_row *outer, unsigned char *out)
+{
+    bool seen[ROWS_MAX] = { false };
+    const yaml_node_t *above = y->node, *above_place = y->place, *place = n ? n : above_place;
+    bool mapping = n && n->type == YAML_MAPPING_NODE;
+    const char *bare = n ? wf_yaml_scalar(n) : outer ? outer->preset : NULL;
+    y->node = n;
+    y->place = place;
+    for (const struct wf_yaml_row *r = t->row; r->key; r++) initial(y, place, r, outer, out);
+    if (mapping)
+        keys(y, n, t, outer, out, seen);
+    else if (t->bare && bare)
+        wf_yaml_put(y, place, bare, row_of(t, t->bare), outer, out);
+    else if (n)
+        wf_yaml_at(y, n, "a mapping (keys with values) is expected, not %s", wf_yaml_type(n));
+    for (const struct wf_yaml_row *r = t->row; r->key; r++) {
+        if (seen[r - t->row]) continue;
+        if (mapping && r->required) missing(y, n, r);
+        if (r->kind == WF_YAML_TABLE) wf_yaml_fill(y, NULL, r->table, r, out + r->offset);
+    }
+    if (t->finish) t->finish(y, out);
+    y->node = above;
+    y->place = above_place;
+}
 
 static void syntax(struct wf_yaml *y, const yaml_parser_t *p, const char *text, size_t size)
 {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_YAML_H
 #define WF_BASE_YAML_H
 /* YAML files under a schema. One row a key says what it holds, its dimension, range, default and meaning; the

@@ -1,6 +1,308 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cases/build.h"
+#include "base/csv.h"
+#include "base/vec3.h"
+#include "cases/keys.h"
+#include "cases/measure.h"
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+/* The structure of a validation case as a tree of rows, before any splitting. */
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static void add_share(double *s, size_t *n, const struct wf_place *p)
+{
+    if (p->kind == WF_PLACE_AT) s[(*n)++] = p->share;
+}
+
+/* Row boundaries as shares of the length: evenly spaced, and wherever the case names a place. */
+static double *boundaries(const struct wf_case *c, struct wf_arena *a, size_t *rows)
+{
+    size_t even = (size_t)c->rows, n = 0, kept = 0;
+    double *s = WF_TAKE(a, even + 1 + c->loads.n + c->masses.n + c->wants.n, double);
+    if (!s) return NULL;
+    for (size_t i = 0; i <= even; i++) s[n++] = (double)i / (double)even;
+    const struct wf_case_load *l = c->loads.data;
+    const struct wf_case_mass *m = c->masses.data;
+    const struct wf_want *w = c->wants.data;
+    for (size_t i = 0; i < c->loads.n; i++) add_share(s, &n, &l[i].at);
+    for (size_t i = 0; i < c->masses.n; i++) add_share(s, &n, &m[i].at);
+    for (size_t i = 0; i < c->wants.n; i++) add_share(s, &n, &w[i].at);
+    qsort(s, n, sizeof *s, ascending);
+    for (size_t i = 1; i < n; i++)
+        if (s[i] - s[kept] > 1e-9) s[++kept] = s[i];
+    *rows = kept;
+    return s;
+}
+
+/* Point of the unloaded axis at arc length s [m]: straight, or a circle from its root tangent f towards n. */
+static void axis_point(const struct wf_case *c, const double f[3], const double n[3], double s, double x[3])
+{
+    double r = c->arc[0], u = s, v = 0.0;
+    if (c->shape == WF_SHAPE_ARC) u = r * sin(s / r), v = r * (1.0 - cos(s / r));
+    for (int j = 0; j < 3; j++) x[j] = u * f[j] + v * n[j];
+}
+
+static void unit(const double in[3], double out[3])
+{
+    double size = sqrt(wf_dot(in, in));
+    for (int j = 0; j < 3; j++) out[j] = in[j] / size;
+}
+
+static enum wf_status single_axis(const struct wf_case *c, struct wf_arena *a, struct wf_setup *s,
+                                  struct wf_tree *t, struct wf_err *e)
+{
+    bool arc = c->shape == WF_SHAPE_ARC;
+    double length = wf_case_length(c), f[3], n[3] = { 0 }, curvature[3];
+    size_t rows;
+    double *share = boundaries(c, a, &rows);
+    if (!share) return wf_fail(e, WF_ENOMEM, "no memory");
+    if (wf_tree_alloc(t, rows, a, e)) return e->code;
+    if (arc && !(t->bend = WF_TAKE(a, 3 * rows, double))) return wf_fail(e, WF_ENOMEM, "no memory");
+    s->end = share + 1;
+    unit(arc ? c->arc_from : c->direction, f);
+    if (arc) unit(c->arc_towards, n);
+    wf_cross(f, n, curvature);
+    for (size_t i = 0; i < rows; i++) {
+        double x[3], r[2], q[2];
+        t->parent[i] = (int32_t)i - 1;
+        t->id[i] = (int64_t)i + 1;
+        axis_point(c, f, n, share[i] * length, x);
+        t->x0[i] = x[0], t->y0[i] = x[1], t->z0[i] = x[2];
+        axis_point(c, f, n, share[i + 1] * length, x);
+        t->x1[i] = x[0], t->y1[i] = x[1], t->z1[i] = x[2];
+        for (size_t k = 0; k < 2; k++) {
+            wf_case_radius(c, r, q);
+            double at = share[i + k], outer = r[0] + at * (r[1] - r[0]), inner = q[0] + at * (q[1] - q[0]);
+            (k ? t->r1 : t->r0)[i] = outer;
+            (k ? t->i1 : t->i0)[i] = inner;
+        }
+        for (size_t j = 0; arc && j < 3; j++) t->bend[3 * i + j] = curvature[j] / c->arc[0];
+    }
+    return WF_OK;
+}
+
+static enum wf_status branches(const struct wf_case *c, struct wf_arena *a, struct wf_tree *t,
+                               struct wf_err *e)
+{
+    const struct wf_case_branch *b = c->branches.data;
+    const struct wf_case_node *node = c->nodes.data;
+    if (wf_tree_alloc(t, c->branches.n, a, e)) return e->code;
+    for (size_t i = 0; i < c->branches.n; i++) {
+        const struct wf_case_node *from = node, *to = node;
+        while (from->id != b[i].from) from++;
+        while (to->id != b[i].to) to++;
+        t->parent[i] = -1;
+        for (size_t k = 0; k < i; k++)
+            if (b[k].to == b[i].from) t->parent[i] = (int32_t)k;
+        t->level[i] = t->parent[i] < 0 ? 0 : t->level[t->parent[i]] + 1;
+        t->id[i] = b[i].to;
+        t->x0[i] = from->x[0], t->y0[i] = from->x[1], t->z0[i] = from->x[2];
+        t->x1[i] = to->x[0], t->y1[i] = to->x[1], t->z1[i] = to->x[2];
+        t->r0[i] = b[i].radius[0], t->r1[i] = b[i].radius[1];
+    }
+    return WF_OK;
+}
+
+/* Beside the case file, or in the folder that WINDFIRM_REFERENCE names (for files too large to ship). */
+static enum wf_status tree_file(const struct wf_case *c, struct wf_arena *a, struct wf_tree *t,
+                                struct wf_err *e)
+{
+    const char *slash = strrchr(c->file, '/'), *folder = getenv("WINDFIRM_REFERENCE");
+    const char *beside =
+        wf_arena_print(a, "%.*s%s", slash ? (int)(slash - c->file + 1) : 0, c->file, c->tree_file);
+    const char *apart = folder ? wf_arena_print(a, "%s/%s", folder, c->tree_file) : NULL;
+    if (!beside) return wf_fail(e, WF_ENOMEM, "no memory");
+    if (access(beside, R_OK) == 0) return wf_case_tree_read(beside, a, t, e);
+    if (apart && access(apart, R_OK) == 0) return wf_case_tree_read(apart, a, t, e);
+    return wf_fail(e, WF_EMISSING, "tree file %s is not there%s", c->tree_file,
+                   folder ? "" : "; WINDFIRM_REFERENCE can name a folder that holds it");
+}
+
+enum wf_status wf_case_shape_build(const struct wf_case *c, struct wf_arena *a, struct wf_setup *s,
+                                   struct wf_tree *t, struct wf_err *e)
+{
+    switch (c->shape) {
+    case WF_SHAPE_CANTILEVER:
+    case WF_SHAPE_ARC:
+        return single_axis(c, a, s, t, e);
+    case WF_SHAPE_BRANCHES:
+        return branches(c, a, t, e);
+    case WF_SHAPE_TREE:
+        return tree_file(c, a, t, e);
+    case WF_SHAPE_FLOW:
+    case WF_SHAPE_FIT:
+    case WF_SHAPE_NONE:
+        break;
+    }
+    return wf_fail(e, WF_EINTERNAL, "%s:%zu: a case without a structure", c->file, c->line);
+}
+
+/* Point at share s of a row's arc: on the chord of a straight row, on the circle of a bent one. A circle of
+ * curvature vector k (perpendicular to the chord of length c, direction d) starts along d turned back by half
+ * its angle about k. */
+static void point_at(const struct wf_tree *t, size_t i, double s, double x[3])
+{
+    double base[3] = { t->x0[i], t->y0[i], t->z0[i] }, chord[3], along[3], side[3];
+    for (int j = 0; j < 3; j++) chord[j] = (double[]){ t->x1[i], t->y1[i], t->z1[i] }[j] - base[j];
+    double c = sqrt(wf_dot(chord, chord)),
+           kappa = t->bend ? sqrt(wf_dot(t->bend + 3 * i, t->bend + 3 * i)) : 0.0;
+    if (kappa * c < 1e-12) {
+        for (int j = 0; j < 3; j++) x[j] = base[j] + s * chord[j];
+        return;
+    }
+    double angle = 2.0 * asin(0.5 * kappa * c), unit[3];
+    for (int j = 0; j < 3; j++) unit[j] = t->bend[3 * i + (size_t)j] / kappa, along[j] = chord[j] / c;
+    wf_cross(unit, along, side);
+    /* tangent at the base: cos(a/2) d - sin(a/2) (k x d); its normal: cos(a/2) (k x d) + sin(a/2) d */
+    double ch = cos(0.5 * angle), sh = sin(0.5 * angle), u = sin(s * angle) / kappa,
+           v = (1.0 - cos(s * angle)) / kappa;
+    for (int j = 0; j < 3; j++)
+        x[j] = base[j] + u * (ch * along[j] - sh * side[j]) + v * (ch * side[j] + sh * along[j]);
+}
+
+static double between(double a, double b, double s) { return a + s * (b - a); }
+
+static void split_row(const struct wf_tree *t, const double *line, size_t i, size_t pieces, struct wf_tree *o,
+                      double *out_line)
+{
+    for (size_t p = 0; p < pieces; p++) {
+        size_t j = i * pieces + p;
+        double s0 = (double)p / (double)pieces, s1 = (double)(p + 1) / (double)pieces, x[3];
+        o->parent[j] = p                  ? (int32_t)j - 1
+                       : t->parent[i] < 0 ? -1
+                                          : (int32_t)((size_t)t->parent[i] * pieces + pieces - 1);
+        o->level[j] = t->level[i];
+        o->id[j] = t->id[i];
+        point_at(t, i, s0, x);
+        o->x0[j] = x[0], o->y0[j] = x[1], o->z0[j] = x[2];
+        point_at(t, i, s1, x);
+        o->x1[j] = x[0], o->y1[j] = x[1], o->z1[j] = x[2];
+        double *const pair[][4] = { { t->r0, t->r1, o->r0, o->r1 },
+                                    { t->i0, t->i1, o->i0, o->i1 },
+                                    { t->sail0, t->sail1, o->sail0, o->sail1 },
+                                    { t->leaf0, t->leaf1, o->leaf0, o->leaf1 },
+                                    { t->burden0, t->burden1, o->burden0, o->burden1 } };
+        for (size_t k = 0; k < sizeof pair / sizeof *pair; k++) {
+            pair[k][2][j] = between(pair[k][0][i], pair[k][1][i], s0);
+            pair[k][3][j] = between(pair[k][0][i], pair[k][1][i], s1);
+        }
+        double *const same[][2] = { { t->youngs, o->youngs },   { t->shear, o->shear },
+                                    { t->density, o->density }, { t->strength, o->strength },
+                                    { t->drag, o->drag },       { t->lift, o->lift },
+                                    { t->damping, o->damping } };
+        for (size_t k = 0; k < sizeof same / sizeof *same; k++) same[k][1][j] = same[k][0][i];
+        if (t->bend) memcpy(o->bend + 3 * j, t->bend + 3 * i, 3 * sizeof(double));
+        if (t->stiff) memcpy(o->stiff + 4 * j, t->stiff + 4 * i, 4 * sizeof(double));
+        if (t->mass1) o->mass1[j] = p + 1 == pieces ? t->mass1[i] : 0.0;
+        for (size_t k = 0; line && k < 3; k++) {
+            out_line[6 * j + k] = between(line[6 * i + k], line[6 * i + 3 + k], s0);
+            out_line[6 * j + 3 + k] = between(line[6 * i + k], line[6 * i + 3 + k], s1);
+        }
+    }
+}
+
+enum wf_status wf_tree_split(const struct wf_tree *t, const double *line, size_t pieces, struct wf_arena *a,
+                             struct wf_tree *out, double **out_line, struct wf_err *e)
+{
+    size_t n = t->n * pieces;
+    if (pieces == 0 || n / pieces != t->n || n > INT32_MAX)
+        return wf_fail(e, WF_EINPUT, "a mesh of %zu x %zu rows is too fine", t->n, pieces);
+    if (wf_tree_alloc(out, n, a, e)) return e->code;
+    out->name = t->name;
+    *out_line = line ? WF_TAKE(a, 6 * n, double) : NULL;
+    if (t->bend) out->bend = WF_TAKE(a, 3 * n, double);
+    if (t->stiff) out->stiff = WF_TAKE(a, 4 * n, double);
+    if (t->mass1) out->mass1 = WF_TAKE(a, n, double);
+    if ((line && !*out_line) || (t->bend && !out->bend) || (t->stiff && !out->stiff) ||
+        (t->mass1 && !out->mass1))
+        return wf_fail(e, WF_ENOMEM, "no memory for a tree of %zu rows", n);
+    for (size_t i = 0; i < t->n; i++) split_row(t, line, i, pieces, out, *out_line);
+    return WF_OK;
+}
+
+enum column { ID, PARENT, X0, Y0, Z0, X1, Y1, Z1, R0, R1, LEVEL, COLUMNS };
+static const char *const names[COLUMNS] = { "id", "parent", "x0",      "y0",      "z0",   "x1",
+                                            "y1", "z1",     "radius0", "radius1", "level" };
+
+struct record {
+    long long id, parent, level;
+    double v[R1 + 1]; /* X0..R1 */
+};
+
+struct by_id {
+    long long id;
+    int32_t row;
+};
+
+static int order(const void *a, const void *b)
+{
+    const struct by_id *x = a, *y = b;
+    return (x->id > y->id) - (x->id < y->id);
+}
+
+static bool record_read(struct wf_csv *f, const size_t at[COLUMNS], struct record *r)
+{
+    bool ok = wf_csv_integer(f, at[ID], 1, INT64_MAX, &r->id);
+    ok &= wf_csv_integer(f, at[PARENT], 0, INT64_MAX, &r->parent);
+    ok &= wf_csv_integer(f, at[LEVEL], 0, 1000, &r->level);
+    for (size_t k = X0; k <= Z1; k++) ok &= wf_csv_number(f, at[k], -1e6, 1e6, &r->v[k]);
+    for (size_t k = R0; k <= R1; k++) ok &= wf_csv_number(f, at[k], 1e-9, 1e3, &r->v[k]);
+    return ok;
+}
+
+static enum wf_status fill(const struct record *r, size_t n, const char *path, struct wf_arena *a,
+                           struct wf_tree *t, struct wf_err *e)
+{
+    struct by_id *index = WF_TAKE(a, n, struct by_id);
+    if (!index) return wf_fail(e, WF_ENOMEM, "%s: no memory for %zu rows", path, n);
+    for (size_t i = 0; i < n; i++) index[i] = (struct by_id){ r[i].id, (int32_t)i };
+    qsort(index, n, sizeof *index, order);
+    if (wf_tree_alloc(t, n, a, e)) return e->code;
+    for (size_t i = 0; i < n; i++) {
+        struct by_id key = { r[i].parent, 0 },
+                     *found = r[i].parent ? bsearch(&key, index, n, sizeof key, order) : NULL;
+        if (r[i].parent && (!found || found->row >= (int32_t)i))
+            return wf_fail(e, WF_EINPUT, "%s: row with id %lld: its parent %lld is not a row above it", path,
+                           r[i].id, r[i].parent);
+        t->parent[i] = found ? found->row : -1;
+        t->id[i] = r[i].id;
+        t->level[i] = (int32_t)r[i].level;
+        t->x0[i] = r[i].v[X0], t->y0[i] = r[i].v[Y0], t->z0[i] = r[i].v[Z0];
+        t->x1[i] = r[i].v[X1], t->y1[i] = r[i].v[Y1], t->z1[i] = r[i].v[Z1];
+        t->r0[i] = r[i].v[R0], t->r1[i] = r[i].v[R1];
+    }
+    return WF_OK;
+}
+
+enum wf_status wf_case_tree_read(const char *path, struct wf_arena *a, struct wf_tree *t, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = a };
+    struct wf_csv f;
+    size_t at[COLUMNS];
+    struct wf_list rows = { 0 };
+    if (wf_csv_open(&f, path, a, &d, e)) return e->code;
+    for (size_t k = 0; k < COLUMNS; k++) at[k] = wf_csv_need(&f, names[k]);
+    while (!d.errors && wf_csv_next(&f)) {
+        struct record r;
+        if (record_read(&f, at, &r) && !wf_list_add(&rows, &r, sizeof r, a))
+            return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
+    }
+    if (d.errors) {
+        char text[900];
+        return wf_fail(e, WF_EINPUT, "%s", wf_finding_print(d.first, text, sizeof text));
+    }
+    if (!rows.n) return wf_fail(e, WF_EINPUT, "%s: no rows", path);
+    return fill(rows.data, rows.n, path, a, t, e);
+}
 
 static const double pi = 3.14159265358979323846;
 

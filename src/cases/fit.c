@@ -2,7 +2,7 @@
 #include "cases/measure.h"
 #include "fit/build.h"
 #include "fit/fit.h"
-#include "fit/plan.h"
+#include "fit/predict.h"
 #include <math.h>
 #include <string.h>
 

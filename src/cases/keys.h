@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_CASES_KEYS_H
 #define WF_CASES_KEYS_H
 /* The keys of a case file as rows. What a key takes, its dimension and range stand only here. */

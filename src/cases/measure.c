@@ -1,12 +1,174 @@
-/* The quantities a validation case can want, as rows. */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cases/measure.h"
-#include "base/vec.h"
-#include "cases/flow.h"
-#include "cases/solve.h"
+#include "base/vec3.h"
+#include "wind/potential.h"
 #include <math.h>
 #include <stdint.h>
+#include <string.h>
 
 static const double pi = 3.14159265358979323846;
+
+/* Axis direction at a row's base (0) or end (1): bent, or unbent where the answer is one of small deflection.
+ */
+static void axis_at(const struct wf_tree *t, const struct wf_response *r, size_t row, bool end,
+                    double axis[3])
+{
+    const double *bent = (end ? r->tangent1 : r->tangent0) + 3 * row;
+    const double chord[3] = { t->x1[row] - t->x0[row], t->y1[row] - t->y0[row], t->z1[row] - t->z0[row] };
+    double size = sqrt(wf_dot(chord, chord));
+    for (int k = 0; k < 3; k++) axis[k] = r->small_deflection ? chord[k] / size : bent[k];
+}
+
+double wf_stress_at(const struct wf_tree *t, const struct wf_response *r, size_t row, double s)
+{
+    double axis0[3], axis1[3], slope0[3], slope1[3], m[3], axis[3], length = wf_tree_length(t, row);
+    axis_at(t, r, row, false, axis0);
+    axis_at(t, r, row, true, axis1);
+    /* the cubic with the end moments and, from dM/ds = -t x F, the end slopes */
+    wf_cross(r->force0 + 3 * row, axis0, slope0);
+    wf_cross(r->force1 + 3 * row, axis1, slope1);
+    double h00 = (1 + 2 * s) * (1 - s) * (1 - s), h10 = s * (1 - s) * (1 - s), h01 = s * s * (3 - 2 * s),
+           h11 = s * s * (s - 1);
+    for (size_t k = 0; k < 3; k++) {
+        m[k] = h00 * r->moment0[3 * row + k] + h01 * r->moment1[3 * row + k] +
+               length * (h10 * slope0[k] + h11 * slope1[k]);
+        axis[k] = (1 - s) * axis0[k] + s * axis1[k];
+    }
+    double outer = t->r0[row] + s * (t->r1[row] - t->r0[row]),
+           inner = t->i0[row] + s * (t->i1[row] - t->i0[row]);
+    double twist = wf_dot(m, axis), bending = wf_dot(m, m) - twist * twist / wf_dot(axis, axis);
+    return sqrt(fmax(bending, 0.0)) * outer / (0.25 * pi * (pow(outer, 4) - pow(inner, 4)));
+}
+
+double wf_span_stress(const struct wf_tree *t, const struct wf_response *r, size_t row, double *share)
+{
+    enum { SAMPLES = 64 };
+    const double golden = 0.61803398874989484820;
+    size_t best = 0;
+    for (size_t i = 1; i <= SAMPLES; i++)
+        if (wf_stress_at(t, r, row, (double)i / SAMPLES) > wf_stress_at(t, r, row, (double)best / SAMPLES))
+            best = i;
+    double a = fmax(0.0, ((double)best - 1) / SAMPLES), b = fmin(1.0, ((double)best + 1) / SAMPLES);
+    for (int i = 0; i < 48; i++) { /* golden section down to rounding */
+        double left = b - golden * (b - a), right = a + golden * (b - a);
+        if (wf_stress_at(t, r, row, left) < wf_stress_at(t, r, row, right))
+            a = left;
+        else
+            b = right;
+    }
+    double s = 0.5 * (a + b);
+    for (int k = 0; k < 2; k++) /* a maximum at an end of the row lies exactly there */
+        if (wf_stress_at(t, r, row, k) >= wf_stress_at(t, r, row, s)) s = k;
+    *share = s;
+    return wf_stress_at(t, r, row, s);
+}
+
+static double or_zero(double v) { return isnan(v) ? 0.0 : v; }
+
+const char *wf_flow_missing(const struct wf_case *c)
+{
+    if (strcmp(c->flow, "cylinder") == 0)
+        return isnan(c->flow_speed) ? "speed" : isnan(c->flow_radius) ? "cylinder_radius" : NULL;
+    if (isnan(c->flow_strength)) return "strength";
+    return strcmp(c->flow, "finite-line-source") == 0 && isnan(c->flow_segment[0]) ? "segment" : NULL;
+}
+
+enum wf_status wf_flow_velocity(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                struct wf_err *e)
+{
+    const struct wf_case *c = m->of;
+    const double *x = w->at.point;
+    out[2] = 0.0;
+    if (strcmp(c->flow, "cylinder") == 0) {
+        if (hypot(x[0], x[1]) < c->flow_radius)
+            return wf_fail(e, WF_EINPUT, "%s:%zu: the point lies inside the cylinder", c->file, w->line);
+        wf_flow_cylinder(c->flow_speed, c->flow_radius, or_zero(c->flow_circulation), x, out);
+    } else if (strcmp(c->flow, "line-source") == 0) {
+        wf_flow_line_source(c->flow_strength, x, out);
+    } else if (strcmp(c->flow, "point-source") == 0) {
+        wf_flow_point_source(c->flow_strength, x, out);
+    } else {
+        wf_flow_segment_source(c->flow_strength, c->flow_segment[0], c->flow_segment[1], x, out);
+    }
+    if (!isfinite(out[0] + out[1] + out[2]))
+        return wf_fail(e, WF_EINPUT, "%s:%zu: the point lies on the source", c->file, w->line);
+    return WF_OK;
+}
+
+enum wf_status wf_flow_cp(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                          struct wf_err *e)
+{
+    double u[3];
+    if (strcmp(m->of->flow, "cylinder") != 0 || m->of->flow_speed == 0.0)
+        return wf_fail(e, WF_EINPUT, "%s:%zu: a pressure coefficient needs a stream: flow cylinder, speed",
+                       m->of->file, w->line);
+    if (wf_flow_velocity(m, w, u, e)) return e->code;
+    out[0] = wf_flow_pressure(m->of->flow_speed, u);
+    return WF_OK;
+}
+
+enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *solver, struct wf_arena *a,
+                              struct wf_response *r, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = a };
+    enum wf_status status = solver->solve(&s->tree, &s->loads, &s->options, a, r, &d, e);
+    if (status) return status;
+    char text[800];
+    if (d.errors) return wf_fail(e, WF_EINPUT, "%s", wf_finding_print(d.first, text, sizeof text));
+    if (!(r->load_factor >= 1.0))
+        return wf_fail(e, WF_EUNSTABLE, "only %.4g of the load was carried", r->load_factor);
+    return WF_OK;
+}
+
+enum wf_status wf_rigid_drag(const struct wf_setup *s, double *drag, struct wf_err *e)
+{
+    static const double place[2] = { 0.33998104358485626480, 0.86113631159405257522 };
+    static const double weight[2] = { 0.65214515486254614263, 0.34785484513745385737 };
+    const struct wf_tree *t = &s->tree;
+    if (!s->loads.wind) return wf_fail(e, WF_EINPUT, "without wind there is no drag to compare with");
+    *drag = 0.0;
+    for (size_t i = 0; i < t->n; i++) {
+        double base[3] = { t->x0[i], t->y0[i], t->z0[i] }, end[3] = { t->x1[i], t->y1[i], t->z1[i] }, axis[3],
+               x[3];
+        double length = wf_tree_length(t, i), chord = 0.0;
+        for (int k = 0; k < 3; k++) axis[k] = end[k] - base[k], chord += axis[k] * axis[k];
+        for (int k = 0; k < 3; k++) axis[k] /= sqrt(chord);
+        for (int g = 0; g < 4; g++) {
+            double u = 0.5 * (1.0 + (g % 2 ? 1.0 : -1.0) * place[g / 2]);
+            struct wf_line_parts parts;
+            struct wf_line_point p = { .diameter = 2.0 * (t->r0[i] + u * (t->r1[i] - t->r0[i])),
+                                       .drag = t->drag[i] };
+            for (int k = 0; k < 3; k++) x[k] = base[k] + u * (end[k] - base[k]);
+            wf_line_parts(&s->loads, &p, x, axis, &parts);
+            *drag += 0.5 * weight[g / 2] * length * wf_dot(parts.drag_axis, s->wind.direction);
+        }
+    }
+    return WF_OK;
+}
+
+enum wf_status wf_local_vogel(const struct wf_setup *s, const struct wf_solver *solver, struct wf_arena *a,
+                              double *v, struct wf_err *e)
+{
+    static const double step[4] = { -2, -1, 1, 2 }, coefficient[4] = { 1. / 12, -8. / 12, 8. / 12, -1. / 12 };
+    const double h = 0.01;
+    if (!s->loads.wind) return wf_fail(e, WF_EINPUT, "without wind there is no Vogel exponent");
+    *v = -2.0;
+    for (int i = 0; i < 4; i++) {
+        struct wf_setup other = *s;
+        struct wf_response r;
+        other.loads.wind = &other.wind;
+        other.wind.speed = s->wind.speed * exp(step[i] * h);
+        if (wf_setup_solve(&other, solver, a, &r, e)) return e->code;
+        double f = wf_dot(r.base_force, s->wind.direction);
+        if (!(f > 0.0)) return wf_fail(e, WF_EINPUT, "the force along the wind is not positive");
+        *v += coefficient[i] * log(f) / h;
+    }
+    return WF_OK;
+}
+
+/* The quantities a validation case can want, as rows. */
+
+static const double measure_pi = 3.14159265358979323846;
 
 static int32_t row_of(const struct wf_measured *m, const struct wf_want *w)
 {
@@ -168,7 +330,7 @@ static enum wf_status bending_stiffness(const struct wf_measured *m, const struc
     (void)e;
     double r = i < 0 ? t->r0[0] : t->r1[i], q = i < 0 ? t->i0[0] : t->i1[i];
     out[0] = t->stiff ? t->stiff[4 * (i < 0 ? 0 : i) + 2]
-                      : t->youngs[i < 0 ? 0 : i] * 0.25 * pi * (pow(r, 4) - pow(q, 4));
+                      : t->youngs[i < 0 ? 0 : i] * 0.25 * measure_pi * (pow(r, 4) - pow(q, 4));
     return WF_OK;
 }
 
@@ -192,7 +354,7 @@ static enum wf_status angular_frequency(const struct wf_measured *m, const struc
                                         struct wf_err *e)
 {
     (void)e;
-    out[0] = 2.0 * pi * m->frequency[w->number - 1];
+    out[0] = 2.0 * measure_pi * m->frequency[w->number - 1];
     return WF_OK;
 }
 

@@ -1,5 +1,5 @@
 /* Running a validation case and holding what comes out against what is wanted. */
-#include "cases/solve.h"
+#include "cases/measure.h"
 #include "solve/modes.h"
 #include <math.h>
 #include <string.h>

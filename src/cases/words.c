@@ -1,6 +1,5 @@
 #include "cases/words.h"
-#include "base/near.h"
-#include "base/number.h"
+#include "base/num.h"
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>

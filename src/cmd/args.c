@@ -1,4 +1,4 @@
-#include "base/near.h"
+#include "base/num.h"
 #include "base/yaml.h"
 #include "cmd/wind_speed.h"
 #include <math.h>

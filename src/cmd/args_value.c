@@ -1,5 +1,4 @@
-#include "base/near.h"
-#include "base/number.h"
+#include "base/num.h"
 #include "cmd/args.h"
 #include <math.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #include "cmd/wind_speed.h"
 #include "out/explain.h"
 #include "out/results.h"
+#include "solve/solvers.h"
 #include "study/limits.h"
 #include "study/preset.h"
 #include "study/scenario.h"

@@ -1,10 +1,10 @@
-#include "base/near.h"
+#include "base/num.h"
 #include "base/yaml.h"
 #include "cmd/cmd.h"
 #include "cmd/study_file.h"
-#include "data/model_schema.h"
+#include "data/model.h"
 #include "data/species_schema.h"
-#include "fit/study.h"
+#include "fit/calibration.h"
 #include <stdio.h>
 #include <string.h>
 

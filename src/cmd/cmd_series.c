@@ -2,6 +2,7 @@
 #include "cmd/profile_options.h"
 #include "cmd/series_perform.h"
 #include "cmd/wind_speed.h"
+#include "solve/solvers.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -7,6 +7,7 @@
 #include "grow/clothe.h"
 #include "grow/grow.h"
 #include "grow/qsm_model.h"
+#include "solve/solvers.h"
 #include "study/limits.h"
 #include "study/scenario.h"
 #include <math.h>

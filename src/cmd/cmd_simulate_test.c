@@ -1,8 +1,8 @@
 /* windfirm simulate-test: what a planned test would tell, before anyone climbs the tree. */
 #include "base/file.h"
-#include "base/quiet.h"
+#include "base/num.h"
 #include "cmd/fit_job.h"
-#include "fit/plan.h"
+#include "fit/predict.h"
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "base/near.h"
+#include "base/num.h"
 #include "cmd/cmd.h"
 #include "data/species.h"
 #include <glob.h>

@@ -1,4 +1,4 @@
-#include "base/near.h"
+#include "base/num.h"
 #include "cmd/import_options.h"
 #include "cmd/tree_draw.h"
 #include "cmd/tree_print.h"

@@ -1,12 +1,12 @@
 /* windfirm wind: make a gusty wind, look at it, draw it. */
-#include "base/near.h"
+#include "base/num.h"
 #include "cmd/gust_options.h"
 #include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"
 #include "cmd/wind_stream.h"
 #include "cmd/wind_tables.h"
-#include "wind/points.h"
 #include "wind/scale.h"
+#include "wind/wind.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

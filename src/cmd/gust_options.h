@@ -2,7 +2,7 @@
 #define WF_CMD_GUST_OPTIONS_H
 /* A gust model's parameters and file, asked for in the same words by every command. */
 #include "cmd/cmd.h"
-#include "wind/gust_words.h"
+#include "wind/gust.h"
 
 #define WF_GUST_OPTIONS                                                                                      \
     { .name = "--set",                                                                                       \

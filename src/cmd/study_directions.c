@@ -1,5 +1,5 @@
 #include "cmd/study_directions.h"
-#include "base/number.h"
+#include "base/num.h"
 #include "wind/scale.h"
 #include <math.h>
 #include <stdlib.h>

@@ -50,7 +50,7 @@
     {                                                                                                        \
         .name = "--threads", .kind = WF_OPTION_WHOLE, .value = "NUMBER", .initial = "0",                     \
         .dimension = WF_DIM_NONE, .low = 0, .high = 64,                                                      \
-        .help = "processors to use, 0: all; the results are the same"                            \
+        .help = "processors to use, 0: all; the results are the same"                                        \
     }
 
 /* What the options ask for; a climate is read, its mistakes are in `d`. Returned: *out, n = 0 where no

@@ -1,6 +1,7 @@
 #include "cmd/profile_options.h"
 #include "cmd/study_directions.h"
 #include "cmd/wind_speed.h"
+#include "solve/solvers.h"
 #include "wind/shelter.h"
 #include <math.h>
 #include <string.h>

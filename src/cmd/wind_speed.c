@@ -1,5 +1,5 @@
 #include "cmd/wind_speed.h"
-#include "base/number.h"
+#include "base/num.h"
 #include "wind/scale.h"
 #include <math.h>
 #include <stdarg.h>

@@ -2,6 +2,7 @@
 #include "base/file.h"
 #include "cmd/cmd.h"
 #include "wind/gust_report.h"
+#include "wind/gust_spectral.h"
 #include <math.h>
 #include <stdint.h>
 #include <string.h>

@@ -1,8 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_DATA_BRANCHING_H
 #define WF_DATA_BRANCHING_H
 /* How branches stand on their parents: the parameters of one branching level, of an iterated function system
  * and of the leaves. Angles in radians, lengths in metres; `place` is a position along an axis, 0 = base,
  * 1 = tip. */
+#include "base/yaml.h"
 #include "data/species.h"
 #include <stddef.h>
 
@@ -100,4 +102,15 @@ double wf_stretch(const double a[9]);
 /* Similarity dimension D of the maps that act on every level: sum of factor^D = 1 (Moran 1946; for maps that
  * stretch unequally an upper bound). 0 for fewer than two maps. */
 double wf_ifs_dimension(const struct wf_ifs *f);
+
+/* Schema tables of the parts of a branched model, and the words of their choices. */
+
+extern const struct wf_yaml_table wf_branching_table; /* struct wf_branching */
+extern const struct wf_yaml_table wf_place_table, wf_azimuth_table, wf_insertion_table; /* parts of it */
+extern const struct wf_yaml_table wf_curve_table;   /* struct wf_curve     */
+extern const struct wf_yaml_table wf_ifs_table;     /* struct wf_ifs       */
+extern const struct wf_yaml_table wf_foliage_table; /* struct wf_foliage   */
+/* Words of the choices in the order of their enums; end at NULL. */
+extern const char *const wf_azimuth_words[], *const wf_length_words[], *const wf_radius_words[],
+                                                                           *const wf_ifs_words[];
 #endif

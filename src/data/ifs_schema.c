@@ -1,7 +1,6 @@
 /* Maps of an iterated function system: their schema, and what makes them contractive. */
-#include "base/quiet.h"
+#include "base/num.h"
 #include "data/branching.h"
-#include "data/branching_schema.h"
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdio.h>

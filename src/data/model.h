@@ -1,9 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_DATA_MODEL_H
 #define WF_DATA_MODEL_H
 /* A tree model (models/ *.yaml): the architecture, to be clothed with a species' materials. */
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
+#include "base/yaml.h"
 #include "data/branching.h"
 #include "data/section.h"
 #include "data/species.h"
@@ -85,4 +87,6 @@ double wf_model_taper(const struct wf_model *m, double s);
 
 /* The model's schema as text: every key with dimension, range, default, meaning. NULL: no room. */
 char *wf_model_schema(struct wf_arena *a, struct wf_err *e);
+
+extern const struct wf_yaml_table wf_model_table; /* struct wf_model */
 #endif

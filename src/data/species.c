@@ -1,5 +1,5 @@
 #include "data/species.h"
-#include "base/near.h"
+#include "base/num.h"
 #include "data/species_schema.h"
 #include <math.h>
 #include <stdio.h>

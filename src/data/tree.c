@@ -1,5 +1,5 @@
 #include "data/tree.h"
-#include "base/vec.h"
+#include "base/vec3.h"
 #include <math.h>
 #include <stdbool.h>
 

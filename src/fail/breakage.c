@@ -1,5 +1,5 @@
 #include "fail/breakage.h"
-#include "base/vec.h"
+#include "base/vec3.h"
 #include <math.h>
 
 #define PI 3.14159265358979323846

@@ -1,5 +1,5 @@
 #include "fail/critical.h"
-#include "base/quiet.h"
+#include "base/num.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 #include <math.h>

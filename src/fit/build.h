@@ -1,10 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_BUILD_H
 #define WF_FIT_BUILD_H
 /* From a study and its files to an experiment. */
+#include "fit/calibration.h"
 #include "fit/param.h"
 #include "fit/record.h"
 #include "fit/ring_down.h"
-#include "fit/study.h"
 
 /* What was read for one test, kept for figures. */
 struct wf_fit_input {

@@ -1,4 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/experiment.h"
+#include <math.h>
+#include <stdlib.h>
 
 const struct wf_sensor_row wf_sensor_rows[WF_SENSOR_KINDS] = {
     [WF_SENSOR_DEFLECTION] = { "deflection", WF_DIM_LENGTH, "mm", 1e3, true },
@@ -13,3 +16,206 @@ const struct wf_sensor_row wf_sensor_rows[WF_SENSOR_KINDS] = {
     [WF_SENSOR_FREQUENCY] = { "frequency", WF_DIM_FREQUENCY, "Hz", 1, false },
     [WF_SENSOR_DAMPING] = { "damping", WF_DIM_NONE, "%", 100, false },
 };
+
+/* Cutting rows of a tree where something is measured or pulled. */
+
+enum { PLACES_MAX = 64 };
+static const double least = 1e-3; /* nearer than this to a row's end is that end [m] */
+
+static int ascending(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The main axis: from the first base, at every fork the thickest way on. above: scratch, one per row. */
+static void main_axis(const struct wf_tree *t, int32_t *above, bool *axis)
+{
+    for (size_t i = 0; i < t->n; i++) above[i] = -1, axis[i] = false;
+    for (size_t i = 0; i < t->n; i++) {
+        int32_t p = t->parent[i];
+        if (p >= 0 && (above[p] < 0 || t->r0[i] > t->r0[above[p]])) above[p] = (int32_t)i;
+    }
+    for (int32_t i = 0; i >= 0; i = above[i]) axis[i] = true;
+}
+
+/* The main axis of a tree, and how far along it every row begins [m]. */
+struct axis {
+    const bool *on;
+    const double *start;
+};
+
+static enum wf_status axis_of(const struct wf_tree *t, struct wf_arena *a, struct axis *out, struct wf_err *e)
+{
+    int32_t *above = WF_TAKE(a, t->n, int32_t);
+    bool *on = WF_TAKE(a, t->n, bool);
+    double *start = WF_TAKE(a, t->n, double);
+    if (!above || !on || !start) return wf_fail(e, WF_ENOMEM, "no room to divide the tree");
+    main_axis(t, above, on);
+    for (size_t i = 0; i < t->n; i++) {
+        int32_t p = t->parent[i];
+        start[i] = p < 0 ? 0 : start[p] + wf_tree_length(t, (size_t)p);
+    }
+    *out = (struct axis){ on, start };
+    return WF_OK;
+}
+
+static double axis_length(const struct wf_tree *t, const struct axis *axis)
+{
+    double most = 0;
+    for (size_t i = 0; i < t->n; i++)
+        if (axis->on[i]) most = fmax(most, axis->start[i] + wf_tree_length(t, i));
+    return most;
+}
+
+/* Where a row begins and ends in the measure of a place [m]. */
+static void range_of(const struct wf_tree *t, const struct axis *axis, size_t i, bool along, double *from,
+                     double *to)
+{
+    *from = along ? axis->start[i] : t->z0[i] - t->z0[0];
+    *to = along ? axis->start[i] + wf_tree_length(t, i) : t->z1[i] - t->z0[0];
+}
+
+/* The axis' row that passes a place, and where in it; the lowest such row. */
+static bool row_at(const struct wf_tree *t, const struct axis *axis, const struct wf_fit_place *p,
+                   size_t *row, double *s)
+{
+    for (size_t i = 0; i < t->n; i++) {
+        double from, to;
+        range_of(t, axis, i, p->along, &from, &to);
+        if (!axis->on[i] || p->at <= from - least || p->at > to + least || to <= from) continue;
+        *row = i;
+        *s = (p->at - from) / (to - from);
+        return true;
+    }
+    return false;
+}
+
+/* Shares of a row at which it is cut, 0 and 1 included. */
+static size_t cuts_of(const struct wf_tree *t, const struct axis *axis, size_t i, double length,
+                      const struct wf_fit_place *place, size_t n, double *cut)
+{
+    double far = wf_tree_length(t, i), s;
+    size_t k = 0, pieces = (size_t)fmin(ceil(far / length - 1e-9), 1000), row;
+    double fixed[PLACES_MAX + 2];
+    fixed[k++] = 0;
+    fixed[k++] = 1;
+    for (size_t j = 0; j < n; j++)
+        if (place[j].at > least && row_at(t, axis, &place[j], &row, &s) && row == i && s * far > least &&
+            (1 - s) * far > least)
+            fixed[k++] = s;
+    qsort(fixed, k, sizeof *fixed, ascending);
+    size_t m = 0;
+    for (size_t j = 0; j + 1 < k; j++) {
+        double share = fixed[j + 1] - fixed[j];
+        if (share * far <= least) continue;
+        size_t steps = (size_t)ceil(share * (double)(pieces ? pieces : 1) - 1e-9);
+        if (!steps) steps = 1;
+        for (size_t q = 0; q < steps; q++) cut[m++] = fixed[j] + share * (double)q / (double)steps;
+    }
+    cut[m] = 1;
+    return m;
+}
+
+static double between(double a, double b, double s) { return s <= 0 ? a : s >= 1 ? b : a + (b - a) * s; }
+
+static void copy_part(const struct wf_tree *from, size_t i, double s0, double s1, struct wf_tree *to,
+                      size_t at)
+{
+    double *const ends[][4] = {
+        { from->x0, from->x1, to->x0, to->x1 },
+        { from->y0, from->y1, to->y0, to->y1 },
+        { from->z0, from->z1, to->z0, to->z1 },
+        { from->r0, from->r1, to->r0, to->r1 },
+        { from->i0, from->i1, to->i0, to->i1 },
+        { from->sail0, from->sail1, to->sail0, to->sail1 },
+        { from->leaf0, from->leaf1, to->leaf0, to->leaf1 },
+        { from->burden0, from->burden1, to->burden0, to->burden1 },
+    };
+    double *const single[][2] = { { from->youngs, to->youngs },   { from->shear, to->shear },
+                                  { from->density, to->density }, { from->strength, to->strength },
+                                  { from->drag, to->drag },       { from->lift, to->lift },
+                                  { from->damping, to->damping } };
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
+        ends[k][2][at] = between(ends[k][0][i], ends[k][1][i], s0);
+        ends[k][3][at] = between(ends[k][0][i], ends[k][1][i], s1);
+    }
+    for (size_t k = 0; k < sizeof single / sizeof *single; k++) single[k][1][at] = single[k][0][i];
+    to->level[at] = from->level[i];
+    to->id[at] = from->id[i];
+}
+
+/* The part of row i that goes from s0 to s1 of it, of a tree whose sections are not round. */
+static void copy_section(const struct wf_tree_sections *from, size_t i, double s0, double s1,
+                         struct wf_tree_sections *to, size_t at)
+{
+    double *const ends[][4] = {
+        { from->width0, from->width1, to->width0, to->width1 },
+        { from->height0, from->height1, to->height0, to->height1 },
+        { from->side0, from->side1, to->side0, to->side1 },
+    };
+    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
+        ends[k][2][at] = between(ends[k][0][i], ends[k][1][i], s0);
+        ends[k][3][at] = between(ends[k][0][i], ends[k][1][i], s1);
+    }
+    for (size_t k = 0; k < 3; k++) {
+        to->mix0[3 * at + k] = between(from->mix0[3 * i + k], from->mix1[3 * i + k], s0);
+        to->mix1[3 * at + k] = between(from->mix0[3 * i + k], from->mix1[3 * i + k], s1);
+        to->up[3 * at + k] = from->up[3 * i + k];
+    }
+}
+
+/* Rows at whose ends the places are. */
+static void find_rows(const struct wf_tree *t, const struct axis *axis, const struct wf_fit_place *place,
+                      size_t n, int32_t *row)
+{
+    for (size_t j = 0; j < n; j++) {
+        row[j] = -1;
+        for (size_t i = 0; place[j].at > least && i < t->n && row[j] < 0; i++) {
+            double from, to;
+            range_of(t, axis, i, place[j].along, &from, &to);
+            if (axis->on[i] && fabs(to - place[j].at) <= 2 * least) row[j] = (int32_t)i;
+        }
+    }
+}
+
+enum wf_status wf_fit_divide(struct wf_tree *t, double length, const struct wf_fit_place *place, size_t n,
+                             int32_t *row, struct wf_arena *a, struct wf_err *e)
+{
+    size_t total = 0, found;
+    double s;
+    double *cut = WF_TAKE(a, 1100 + 2 * PLACES_MAX, double);
+    int32_t *last = WF_TAKE(a, t->n, int32_t);
+    struct axis axis, axis_out;
+    if (!cut || !last) return wf_fail(e, WF_ENOMEM, "no room to divide the tree");
+    if (n > PLACES_MAX)
+        return wf_fail(e, WF_EINPUT, "%zu places on one tree; at most %d", n, (int)PLACES_MAX);
+    if (t->bend || t->stiff || t->mass1)
+        return wf_fail(e, WF_EINTERNAL, "only straight rows without masses are divided");
+    enum wf_status status = axis_of(t, a, &axis, e);
+    if (status) return status;
+    for (size_t j = 0; j < n; j++)
+        if (!(place[j].at >= 0) || (place[j].at > least && !row_at(t, &axis, &place[j], &found, &s)))
+            return wf_fail(e, WF_EINPUT, "the stem has no place %g m %s; it ends at %g m", place[j].at,
+                           place[j].along ? "from its base" : "above the ground",
+                           place[j].along ? axis_length(t, &axis) : wf_tree_height(t));
+    for (size_t i = 0; i < t->n; i++) total += cuts_of(t, &axis, i, length, place, n, cut);
+    struct wf_tree out;
+    status = wf_tree_alloc(&out, total, a, e);
+    if (!status && t->section) status = wf_tree_alloc_sections(&out, a, e);
+    if (status) return status;
+    out.name = t->name;
+    for (size_t i = 0, at = 0; i < t->n; i++) {
+        size_t m = cuts_of(t, &axis, i, length, place, n, cut);
+        for (size_t k = 0; k < m; k++, at++) {
+            copy_part(t, i, cut[k], cut[k + 1], &out, at);
+            if (t->section) copy_section(t->section, i, cut[k], cut[k + 1], out.section, at);
+            out.parent[at] = k ? (int32_t)at - 1 : t->parent[i] < 0 ? -1 : last[t->parent[i]];
+        }
+        last[i] = (int32_t)at - 1;
+    }
+    status = axis_of(&out, a, &axis_out, e);
+    if (!status) find_rows(&out, &axis_out, place, n, row);
+    *t = out;
+    return status;
+}

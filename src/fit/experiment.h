@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_EXPERIMENT_H
 #define WF_FIT_EXPERIMENT_H
 /* What was measured on which tree under which load: everything a fit compares with the engine. */

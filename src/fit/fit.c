@@ -1,4 +1,4 @@
-#include "fit/session.h"
+#include "fit/intervals.h"
 #include <math.h>
 #include <string.h>
 

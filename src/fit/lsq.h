@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_LSQ_H
 #define WF_FIT_LSQ_H
 /* Bounded nonlinear least squares with robust losses. Behind this header stands Ceres; nothing of it shows.
@@ -5,6 +6,7 @@
 #include "base/err.h"
 #include <stdbool.h>
 #include <stddef.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif

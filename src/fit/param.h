@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_PARAM_H
 #define WF_FIT_PARAM_H
 /* What a fit may change. Quantities are rows; a free parameter is a quantity of a level and a tree. The

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_PREDICT_H
 #define WF_FIT_PREDICT_H
 /* What the engine says every sensor reads, and how that changes with every parameter. */
@@ -19,4 +20,14 @@ void wf_predictor_close(struct wf_predictor *w);
  * WF_EUNSTABLE, WF_ENOCONV where the tree has no equilibrium. */
 enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double *reading, double *slope,
                           struct wf_err *e);
+
+/* Readings a test would give: for planning one, and to see whether a fit gives a known tree back. */
+
+/* What the sensors of an experiment read when the parameters have their start values, and the sigma of every
+ * datum. Given: slope: data x n, may be NULL. Returned: reading[data] [SI]. Errors: WF_EINPUT for a sensor
+ * without a sigma; as wf_predict. */
+enum wf_status wf_fit_expect(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
+                             struct wf_arena *a, double *reading, double *slope, struct wf_err *e);
+/* Make the data such readings with normal noise of so many sigmas: the same seed, the same noise. */
+void wf_fit_make_up(struct wf_experiment *x, const double *reading, uint64_t seed, double noise);
 #endif

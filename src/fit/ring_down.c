@@ -1,5 +1,5 @@
 #include "fit/ring_down.h"
-#include "base/quiet.h"
+#include "base/num.h"
 #include "fit/lsq.h"
 #include <gsl/gsl_linalg.h>
 #include <math.h>

@@ -31,17 +31,4 @@ void wf_session_close(struct wf_session *s);
 enum wf_status wf_session_solve(struct wf_session *s, struct wf_lsq_result *out, struct wf_err *e);
 /* Robust standard deviation 1.4826 MAD of n numbers (about 0); scratch: n. */
 double wf_robust_sd(const double *x, size_t n, double *scratch);
-
-/* Parts of wf_fit_run; they fill *out from a session at its optimum. */
-enum wf_status wf_fit_spread(struct wf_session *s, struct wf_fit *out, struct wf_arena *a, struct wf_err *e);
-/* The best of several random starts within a factor of 3 of the given one, with the sigmas as they are;
- * sigmas and misfit are found again where it is a better one. */
-enum wf_status wf_fit_restart(struct wf_session *s, struct wf_fit *out, struct wf_arena *a, struct wf_err *e);
-enum wf_status wf_fit_covariance(struct wf_session *s, struct wf_fit *out, struct wf_arena *a,
-                                 struct wf_err *e);
-enum wf_status wf_fit_loose(struct wf_fit *out, struct wf_arena *a, struct wf_err *e);
-enum wf_status wf_fit_profiles(struct wf_session *s, struct wf_fit *out, struct wf_arena *a,
-                               struct wf_err *e);
-enum wf_status wf_fit_resample(struct wf_session *s, struct wf_fit *out, struct wf_arena *a,
-                               struct wf_err *e);
 #endif

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_AXES_H
 #define WF_GROW_AXES_H
 /* The axes of a branched tree, level by level, and the rows they become: shared by the generators. */

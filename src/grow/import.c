@@ -1,7 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Which reader a file needs, told by its content. */
 #include "grow/import.h"
-#include "base/near.h"
-#include "grow/import_readers.h"
+#include "base/num.h"
+#include "grow/import_mat.h"
+#include "grow/import_mtg.h"
+#include "grow/import_text.h"
+#include "grow/qsm_repair.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -77,18 +81,6 @@ static const char *file_name(const char *path)
 {
     const char *slash = strrchr(path, '/');
     return slash ? slash + 1 : path;
-}
-
-void wf_import_bad_row(struct wf_qsm *q, bool strict, size_t line, size_t column, const char *text,
-                       struct wf_diag *d)
-{
-    enum { LISTED = 100 };
-    wf_qsm_count(q, WF_REPAIR_BAD_ROW, 1, (int64_t)line);
-    if (q->repairs.count[WF_REPAIR_BAD_ROW] > LISTED) return;
-    if (strict)
-        wf_diag_error(d, q->file, line, column, "%s", text);
-    else
-        wf_diag_warn(d, "row-left-out", "%s:%zu: %s", q->file, line, text);
 }
 
 /* A stem thicker than a fifth of the tree's extent is a unit mistaken, or a stump. */

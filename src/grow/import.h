@@ -1,14 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_IMPORT_H
 #define WF_GROW_IMPORT_H
 /* Trees from the files other programs write, read into the neutral table of grow/qsm.h. */
-#include "grow/qsm.h"
-
-struct wf_import_options {
-    const char *format;   /* a row of wf_import_formats; NULL = by content                            */
-    bool strict;          /* refuse a file that needs a repair                                        */
-    double length_unit;   /* metres per unit of lengths without a unit; NAN: 1 (an MTG: 0.01)         */
-    double diameter_unit; /* the same for radii and diameters; NAN: 1 (an MTG: from the sizes)        */
-};
+#include "grow/import_file.h"
 
 struct wf_import_format {
     const char *name;  /* for --format                          */

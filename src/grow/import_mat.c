@@ -1,6 +1,6 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* MATLAB files through libmatio: the structures TreeQSM saves and the matrices made from them. */
-#include "grow/import_field.h"
-#include "grow/import_readers.h"
+#include "grow/import_mat.h"
 #ifndef WF_MATIO
 enum wf_status wf_import_mat(const struct wf_import_head *h, const struct wf_import_options *o,
                              struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)

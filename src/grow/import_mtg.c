@@ -1,10 +1,261 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "grow/import_mtg.h"
+#include "base/file.h"
+#include "base/num.h"
+#include <ctype.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+/* The graph of a multi-scale tree graph file (Godin & Caraglio 1998, J. Theor. Biol. 191:1-46): entities at
+ * several scales, '/' decomposes an entity, '<' follows and '+' branches from one of the same scale. */
+
+enum { WF_MTG_CLASSES = 64, WF_MTG_COLUMNS = 256 };
+
+struct wf_mtg_class {
+    char symbol[16];
+    int scale;
+};
+
+/* One entity. Links are indices, -1 = none. */
+struct wf_mtg_entity {
+    int scale;
+    char edge;       /* '/', '<' or '+': how it came to be; for '/' that of its complex */
+    int32_t complex; /* the entity one scale up it is part of                          */
+    int32_t below;   /* the entity it follows or branches from, as fine as is known     */
+    int32_t fine;    /* its last part at the finest scale                               */
+    bool first;      /* first part of its complex                                       */
+    size_t line;
+    double point[3]; /* XX YY ZZ, NAN = not given */
+    double diameter; /* NAN = not given           */
+};
+
+struct wf_mtg {
+    struct wf_mtg_class class[WF_MTG_CLASSES];
+    size_t classes;
+    size_t entity_columns; /* tab columns that may hold an entity                     */
+    size_t column[4];      /* of XX, YY, ZZ and the diameter                          */
+    double diameter_share; /* 1 for diameters, 2 for a radius column                  */
+    struct wf_mtg_entity *entity;
+    size_t n, room;
+    int finest;
+    int32_t last[WF_MTG_COLUMNS]; /* the newest entity of each tab column */
+};
+
+/* Classes and features, up to and with the ENTITY-CODE line. Given: text, which is advanced to the line after
+ * it, and the line number. Errors: WF_EINPUT naming what is missing. */
+enum wf_status wf_mtg_head(struct wf_mtg *g, const char *file, const char **at, size_t *line,
+                           struct wf_err *e);
+
+/* One line of entities. Returned: NULL, or what is wrong with it. `start`..`stop` without the line end. */
+const char *wf_mtg_line(struct wf_mtg *g, const char *start, const char *stop, size_t line);
+
+/* Header of a multi-scale tree graph: symbols with their scale, and which tab column holds which feature. */
+
+/* The next line without its end; false at the end of the text. */
+static bool next_line(const char **at, const char **stop, size_t *line)
+{
+    if (!**at) return false;
+    *stop = *at + strcspn(*at, "\n");
+    (*line)++;
+    return true;
+}
+
+static void class_row(struct wf_mtg *g, const char *p)
+{
+    char symbol[16];
+    size_t n = strcspn(p, " \t\r\n");
+    if (!n || n >= sizeof symbol || g->classes == WF_MTG_CLASSES) return;
+    memcpy(symbol, p, n);
+    symbol[n] = '\0';
+    p += n + strspn(p + n, " \t");
+    if (!isdigit((unsigned char)*p)) return;
+    struct wf_mtg_class *c = &g->class[g->classes++];
+    memcpy(c->symbol, symbol, sizeof symbol);
+    c->scale = (int)strtol(p, NULL, 10);
+}
+
+/* Given a cell of the ENTITY-CODE line: which feature it names, -1 when none that matters. */
+static int feature(struct wf_mtg *g, const char *p, size_t n)
+{
+    static const struct {
+        const char *name;
+        int feature;
+        double share;
+    } names[] = {
+        { "XX", 0, 1 },     { "X", 0, 1 },        { "YY", 1, 1 },       { "Y", 1, 1 },
+        { "ZZ", 2, 1 },     { "Z", 2, 1 },        { "TopDia", 3, 1 },   { "Diam", 3, 1 },
+        { "Dia", 3, 1 },    { "Diameter", 3, 1 }, { "diameter", 3, 1 }, { "TopDiameter", 3, 1 },
+        { "radius", 3, 2 },
+    };
+    while (n && (p[n - 1] == ' ' || p[n - 1] == '\r')) n--;
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+        if (strlen(names[k].name) != n || strncasecmp(p, names[k].name, n)) continue;
+        if (names[k].feature == 3) g->diameter_share = names[k].share;
+        return names[k].feature;
+    }
+    return -1;
+}
+
+static enum wf_status feature_columns(struct wf_mtg *g, const char *file, const char *p, const char *stop,
+                                      size_t line, struct wf_err *e)
+{
+    bool found[4] = { false };
+    g->entity_columns = 0;
+    for (size_t column = 0;; column++) {
+        size_t n = strcspn(p, "\t\n");
+        if (column && n && *p != '\r' && !g->entity_columns) g->entity_columns = column;
+        int f = column ? feature(g, p, n) : -1;
+        if (f >= 0) g->column[f] = column, found[f] = true;
+        p += n;
+        if (p >= stop || *p != '\t') break;
+        p++;
+    }
+    if (!found[0] || !found[1] || !found[2] || !found[3])
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s:%zu: error: the features XX, YY, ZZ and a diameter (TopDia, Diam, diameter) are needed; "
+            "%s is missing",
+            file, line, !found[3] ? "a diameter" : "a coordinate");
+    if (!g->entity_columns || g->entity_columns > WF_MTG_COLUMNS)
+        return wf_fail(e, WF_EINPUT, "%s:%zu: error: no column for entities before the features", file, line);
+    return WF_OK;
+}
+
+enum wf_status wf_mtg_head(struct wf_mtg *g, const char *file, const char **at, size_t *line,
+                           struct wf_err *e)
+{
+    enum { BEFORE, CLASSES, BEHIND } part = BEFORE;
+    const char *stop;
+    for (; next_line(at, &stop, line); *at = *stop ? stop + 1 : stop) {
+        if (!strncmp(*at, "ENTITY-CODE", 11)) {
+            if (!g->classes) return wf_fail(e, WF_EINPUT, "%s: error: no classes before ENTITY-CODE", file);
+            enum wf_status s = feature_columns(g, file, *at, stop, *line, e);
+            *at = *stop ? stop + 1 : stop;
+            return s;
+        }
+        if (!strncmp(*at, "CLASSES", 7))
+            part = CLASSES;
+        else if (!strncmp(*at, "DESCRIPTION", 11) || !strncmp(*at, "FEATURES", 8))
+            part = BEHIND;
+        else if (part == CLASSES && strncmp(*at, "SYMBOL", 6))
+            class_row(g, *at);
+    }
+    return wf_fail(e, WF_EINPUT, "%s: error: no ENTITY-CODE line in this tree graph", file);
+}
+
+/* Lines of a multi-scale tree graph: where an entity stands in the graph follows from its tab column and
+ * edges. */
+
+static int scale_of(const struct wf_mtg *g, const char *p, size_t n)
+{
+    for (size_t k = 0; k < g->classes; k++)
+        if (strlen(g->class[k].symbol) == n && !strncmp(g->class[k].symbol, p, n)) return g->class[k].scale;
+    return -1;
+}
+
+/* The entity of a coarser or equal scale that contains `v`. */
+static int32_t at_scale(const struct wf_mtg *g, int32_t v, int scale)
+{
+    while (v >= 0 && g->entity[v].scale > scale) v = g->entity[v].complex;
+    return v;
+}
+
+/* Add one entity reached from `from` over `edge`. Returned: its index, -1 when the graph does not allow it.
+ */
+static int32_t add(struct wf_mtg *g, int32_t from, char edge, int scale, size_t line)
+{
+    struct wf_mtg_entity v = { .scale = scale, .edge = edge, .complex = -1, .below = -1, .line = line };
+    if (from >= 0 && edge == '/') {
+        v.complex = at_scale(g, from, scale - 1);
+        if (v.complex < 0 || g->entity[v.complex].scale >= scale) return -1;
+        const struct wf_mtg_entity *c = &g->entity[v.complex];
+        v.first = c->fine == v.complex; /* no finer part yet */
+        v.below = v.first ? c->below : c->fine;
+        v.edge = v.first ? c->edge : '<';
+    } else if (from >= 0) {
+        int32_t p = at_scale(g, from, scale);
+        if (p < 0 || g->entity[p].scale != scale) return -1;
+        v.complex = g->entity[p].complex;
+        v.below = g->entity[from].fine;
+    }
+    int32_t me = (int32_t)g->n++;
+    v.fine = me;
+    for (int k = 0; k < 3; k++) v.point[k] = (double)NAN;
+    v.diameter = (double)NAN;
+    g->entity[me] = v;
+    for (int32_t c = v.complex; c >= 0; c = g->entity[c].complex) g->entity[c].fine = me;
+    if (scale > g->finest) g->finest = scale;
+    return me;
+}
+
+/* A code such as "^<S2" or "/P1/A1": every entity of it in turn. Returned: NULL or what is wrong. */
+static const char *code(struct wf_mtg *g, size_t column, const char *p, const char *stop, size_t line)
+{
+    int32_t from = -1;
+    if (*p == '^') {
+        from = g->last[column];
+        if (from < 0) return "'^' without an entity above it in this column";
+        p++;
+    } else {
+        for (size_t k = column; k-- > 0 && from < 0;) from = g->last[k];
+        if (column && from < 0) return "no entity in a column to the left to start from";
+    }
+    if (p == stop) return "an entity is expected behind '^'";
+    while (p < stop) {
+        char edge = *p++;
+        if (edge != '/' && edge != '<' && edge != '+') return "an entity starts with '/', '<' or '+'";
+        const char *symbol = p;
+        while (p < stop && isalpha((unsigned char)*p)) p++;
+        int scale = scale_of(g, symbol, (size_t)(p - symbol));
+        if (scale < 0) return "the entity is not of a class this file declares";
+        while (p < stop && isdigit((unsigned char)*p)) p++;
+        if (g->n == g->room) return "more entities than there are places for";
+        from = add(g, from, edge, scale, line);
+        if (from < 0) return "the edge does not fit the scales of the two entities";
+    }
+    g->last[column] = from;
+    for (size_t k = column + 1; k < g->entity_columns; k++) g->last[k] = -1;
+    return NULL;
+}
+
+static const char *features(struct wf_mtg *g, const char *p, const char *stop)
+{
+    struct wf_mtg_entity *v = &g->entity[g->n - 1];
+    double value[4] = { (double)NAN, (double)NAN, (double)NAN, (double)NAN };
+    for (size_t column = 0;; column++) {
+        const char *tab = memchr(p, '\t', (size_t)(stop - p)), *end = tab ? tab : stop;
+        for (int f = 0; f < 4; f++)
+            if (g->column[f] == column && end > p && wf_number_read(p, end, '.', &value[f]) != end)
+                return "a coordinate or diameter is not a number";
+        if (!tab) break;
+        p = tab + 1;
+    }
+    memcpy(v->point, value, sizeof v->point);
+    v->diameter = value[3] * g->diameter_share;
+    return NULL;
+}
+
+const char *wf_mtg_line(struct wf_mtg *g, const char *start, const char *stop, size_t line)
+{
+    const char *p = start;
+    size_t column = 0;
+    while (stop > start && (stop[-1] == '\r' || stop[-1] == ' ')) stop--;
+    while (p < stop && *p == '\t') p++, column++;
+    if (p == stop || *p == '#') return NULL;
+    if (column >= g->entity_columns) return "features without an entity";
+    const char *end = memchr(p, '\t', (size_t)(stop - p));
+    if (!end) end = stop;
+    const char *trimmed = end;
+    while (trimmed > p && trimmed[-1] == ' ') trimmed--;
+    const char *wrong = code(g, column, p, trimmed, line);
+    return wrong ? wrong : features(g, start, stop);
+}
+
 /* OpenAlea multi-scale tree graphs: each entity of the finest scale is a segment that ends at its
  * coordinates. It starts at the end of the entity it follows or branches from; the first of an axis starts at
  * the coordinates of the axis, when the file gives these. Lengths are centimetres unless told otherwise. */
-#include "grow/import_mtg.h"
-#include "base/file.h"
-#include <math.h>
-#include <string.h>
 
 /* Diameters have no stated unit: centimetres if the trunk then is slenderer than 5, else millimetres. */
 static double diameter_unit(struct wf_qsm *q, const struct wf_mtg *g, double length_unit)

@@ -1,6 +1,6 @@
 #include "grow/leaves.h"
 #include "base/random.h"
-#include "base/vec.h"
+#include "base/vec3.h"
 #include "grow/axes.h"
 #include <math.h>
 

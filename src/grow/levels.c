@@ -1,6 +1,6 @@
 #include "grow/levels.h"
 #include "base/random.h"
-#include "base/vec.h"
+#include "base/vec3.h"
 #include <math.h>
 #include <string.h>
 

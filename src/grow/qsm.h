@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_QSM_H
 #define WF_GROW_QSM_H
 /* A measured tree as a neutral table of cylinders: what every file format is read into, before any modelling.
@@ -93,16 +94,31 @@ void wf_qsm_count(struct wf_qsm *q, enum wf_repair what, size_t how_many, int64_
 enum wf_status wf_qsm_pick(struct wf_qsm *q, const int32_t *pick, size_t n, struct wf_arena *a,
                            struct wf_err *e);
 
-/* From what was read to a sound table: every parent before its children, one or several grounded stems, radii
- * and lengths positive and finite, branch order from 0 at the stem, base of the main stem at the origin.
- * Everything changed is counted in q->repairs. `strict`: refuse instead, naming every repair in `d`. Errors:
- * WF_EINPUT when nothing usable is left or strict refuses. */
-enum wf_status wf_qsm_repair(struct wf_qsm *q, bool strict, struct wf_arena *a, struct wf_diag *d,
-                             struct wf_err *e);
-
 /* One finding for each kind of repair (and note) that occurred: code, how many, where first. */
 void wf_qsm_report(const struct wf_qsm *q, struct wf_diag *d);
 
 double wf_qsm_distance(const struct wf_qsm *q, size_t i); /* start to end of row i [m] */
 double wf_qsm_volume(const struct wf_qsm *q, size_t i); /* frustum of stated length [m3]                    */
+
+/* Small indices over a table of cylinders: row of an id, children of a row. */
+
+/* Open-addressing hash from id to row; the first row with an id keeps it. */
+struct wf_ids {
+    size_t slots; /* a power of two, at least twice the ids */
+    int32_t *row; /* -1 = free                              */
+    const int64_t *id;
+};
+enum wf_status wf_ids_begin(struct wf_ids *x, const int64_t *id, size_t n, struct wf_arena *a,
+                            struct wf_err *e);
+/* Enter row i under id[i]. Returned: i, or the earlier row that has this id. */
+int32_t wf_ids_enter(struct wf_ids *x, int32_t i);
+/* Row of an id; -1 when there is none. */
+int32_t wf_ids_find(const struct wf_ids *x, int64_t id);
+
+/* Children of row i: child[begin[i] .. begin[i+1]), in row order; roots: child[begin[n] .. begin[n+1]). */
+struct wf_children {
+    int32_t *begin, *child;
+};
+enum wf_status wf_children_of(const int32_t *parent, size_t n, struct wf_arena *a, struct wf_children *out,
+                              struct wf_err *e);
 #endif

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_QSM_MODEL_H
 #define WF_GROW_QSM_MODEL_H
 /* From a measured table of cylinders to the connected segments a structural analysis needs.

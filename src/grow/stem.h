@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_STEM_H
 #define WF_GROW_STEM_H
 /* A tree from a stem model and a species' materials. */

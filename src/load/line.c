@@ -1,7 +1,7 @@
 /* The load on one point of an axis and its exact derivatives. Called for every load point of every
  * element in every iteration, so: no allocation, one square root a speed, no division by a speed that
  * may be zero. */
-#include "base/vec.h"
+#include "base/vec3.h"
 #include "load/cylinder.h"
 #include "load/load.h"
 #include <math.h>

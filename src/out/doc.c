@@ -1,5 +1,5 @@
 #include "out/doc.h"
-#include "base/utf8.h"
+#include "base/text.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

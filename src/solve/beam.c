@@ -1,7 +1,328 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam.h"
-#include "solve/beam_refine.h"
-#include "solve/beam_response.h"
-#include "solve/vec.h"
+#include "base/vec3.h"
+#include "solve/beam_mesh.h"
+#include "solve/beam_newton.h"
+
+/* The mesh a tolerance asks for, found by comparing answers on two meshes row by row. */
+
+/* Error of place that the mesh leaves at the worst node [m], from the answers on a mesh and a finer one of
+ * the same tree: each row's own part (its end seen from its base) falls with the fourth power of the piece
+ * length, and is carried outwards by the reach of what stands on it. share[n]: each row's part of it [m]; a
+ * row that was not cut finer keeps what it had. */
+double wf_beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *reach,
+                          double *share);
+
+/* Path length from each row's end to its farthest tip [m]. */
+void wf_tree_reach(const struct wf_tree *t, double *reach);
+
+/* Force and moment at an element's base, load on it and the load's moment about `first`. */
+static void bear(const struct wf_beam *b, size_t i, const double first[3], struct wf_beam_wrench *base,
+                 double load[3], double moment[3])
+{
+    struct wf_line_load q[2];
+    struct wf_beam_wrench at[2];
+    double couple[2][3];
+    const struct wf_beam_part *p = &b->mesh.part[i];
+    wf_beam_load(p, &b->loads, &b->stage[i], q);
+    wf_beam_couple(wf_beam_flat_of(b, i), couple);
+    wf_beam_balance(p->h, &b->stage[i], wf_beam_flat_of(b, i), q, &b->wrench[i], at, base);
+    for (int j = 0; j < 2; j++) {
+        double arm[3], lever[3];
+        for (int k = 0; k < 3; k++) arm[k] = b->stage[i].r[j][k] - first[k];
+        wf_cross(arm, q[j].force, lever);
+        v3_add(load, 0.5 * p->h, q[j].force);
+        v3_add(moment, 0.5 * p->h, lever);
+        v3_add(moment, 0.5 * p->h, couple[j]);
+    }
+}
+
+/* Loads at element ends, summed about `first`: independent of the sweep that made the reactions. */
+static void bear_ends(const struct wf_beam *b, const double first[3], double force[3], double moment[3])
+{
+    const struct wf_loads *l = &b->loads;
+    double lever[3], arm[3];
+    for (size_t i = 0; b->mesh.mass1 && i < b->mesh.n; i++) {
+        const double f[3] = { 0, 0, -l->weight_scale * l->gravity * b->mesh.mass1[i] };
+        for (int k = 0; k < 3; k++) arm[k] = b->pose[i].r[k] - first[k];
+        wf_cross(arm, f, lever);
+        v3_add(force, 1, f), v3_add(moment, 1, lever);
+    }
+    for (size_t q = 0; q < l->points; q++) {
+        const struct wf_point_load *p = &l->point[q];
+        const struct wf_beam_pose *at = &b->pose[b->mesh.last[p->segment]];
+        double f[3], m[3];
+        memcpy(f, p->force, sizeof f), memcpy(m, p->moment, sizeof m);
+        if (p->kind == WF_POINT_FOLLOWER) m3_apply(at->L, f, f), m3_apply(at->L, m, m);
+        for (int k = 0; k < 3; k++) arm[k] = at->r[k] - first[k];
+        wf_cross(arm, f, lever);
+        v3_add(force, l->point_scale, f);
+        v3_add(moment, l->point_scale, m), v3_add(moment, l->point_scale, lever);
+    }
+}
+
+static double apart(const double a[3], const double b[3])
+{
+    double d[3] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
+    return sqrt(wf_dot(d, d));
+}
+
+static void read_row(const struct wf_beam *b, size_t i, const double first[3], struct wf_response *r,
+                     double force[3], double moment[3])
+{
+    const struct wf_tree *t = b->mesh.tree;
+    size_t from = (size_t)b->mesh.first[i], to = (size_t)b->mesh.last[i];
+    struct wf_beam_pose ground;
+    const struct wf_beam_pose *base = wf_beam_base(b, from, &ground);
+    const struct wf_beam_pose *end = &b->pose[to];
+    double at[3], axis[3], load[3] = { 0, 0, 0 };
+    const double tip[3] = { t->x1[i], t->y1[i], t->z1[i] };
+    for (size_t k = to + 1; k-- > from;) {
+        struct wf_beam_wrench w;
+        bear(b, k, first, &w, load, moment);
+        if (k == from)
+            memcpy(r->force0 + 3 * i, w.n, sizeof w.n), memcpy(r->moment0 + 3 * i, w.m, sizeof w.m);
+    }
+    v3_add(force, 1, load);
+    wf_row_axis(t, i, 0, at, axis);
+    m3_apply(base->L, axis, r->tangent0 + 3 * i);
+    wf_row_axis(t, i, 1, at, axis);
+    m3_apply(end->L, axis, r->tangent1 + 3 * i);
+    rotation_vector(end->L, r->turn + 3 * i);
+    for (size_t k = 0; k < 3; k++) {
+        r->end[3 * i + k] = end->r[k] - tip[k];
+        r->force1[3 * i + k] = b->wrench[to].n[k];
+        r->moment1[3 * i + k] = b->wrench[to].m[k];
+        r->load[3 * i + k] = load[k];
+    }
+}
+
+void wf_beam_read(const struct wf_beam *b, struct wf_response *r)
+{
+    const struct wf_tree *t = b->mesh.tree;
+    const double first[3] = { t->x0[0], t->y0[0], t->z0[0] };
+    double force[3] = { 0, 0, 0 }, moment[3] = { 0, 0, 0 };
+    for (size_t i = 0; i < t->n; i++) read_row(b, i, first, r, force, moment);
+    bear_ends(b, first, force, moment);
+    memcpy(r->base_force, b->base.n, sizeof r->base_force);
+    memcpy(r->base_moment, b->base.m, sizeof r->base_moment);
+    double f = sqrt(wf_dot(force, force)), m = sqrt(wf_dot(moment, moment));
+    r->imbalance = fmax(f > 0 ? apart(force, b->base.n) / f : 0, m > 0 ? apart(moment, b->base.m) / m : 0);
+    r->iterations = b->iterations;
+    r->steps = b->steps;
+}
+
+void wf_beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
+{
+    int32_t from = b->mesh.first[row], cut = b->mesh.last[row] - from + 1;
+    int32_t k = (int32_t)fmin(floor(s * cut), cut - 1);
+    double x = s * cut - k, v[3], R[9];
+    const struct wf_beam_shape *u = &b->shape[from + k];
+    /* the quadratic through 0 at the base and the two Gauss points */
+    double a = x * (x - gauss_place[1]) / (gauss_place[0] * (gauss_place[0] - gauss_place[1]));
+    double c = x * (x - gauss_place[0]) / (gauss_place[1] * (gauss_place[1] - gauss_place[0]));
+    for (int i = 0; i < 3; i++) v[i] = a * u->v[0][i] + c * u->v[1][i];
+    struct wf_beam_pose ground;
+    rotation_matrix(v, R);
+    m3_mul(wf_beam_base(b, (size_t)(from + k), &ground)->L, R, L);
+}
+
+void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
+{
+    memcpy(fine->tilt, coarse->tilt, fine->mesh.tree->n * sizeof *fine->tilt);
+    for (size_t i = 0; i < fine->mesh.tree->n; i++) {
+        int32_t from = fine->mesh.first[i], cut = fine->mesh.last[i] - from + 1;
+        for (int32_t k = 0; k < cut; k++) {
+            double base[9], at[9], R[9];
+            wf_beam_rotation_at(coarse, i, (double)k / cut, base);
+            for (int j = 0; j < 2; j++) {
+                wf_beam_rotation_at(coarse, i, (k + gauss_place[j]) / cut, at);
+                m3_mul_transposed(base, at, R);
+                rotation_vector(R, fine->shape[from + k].v[j]);
+            }
+        }
+    }
+}
+
+/* End of row i seen from its base. */
+static void seen_from_base(const struct wf_beam *b, size_t i, double place[3], double L[9])
+{
+    size_t from = (size_t)b->mesh.first[i];
+    struct wf_beam_pose ground;
+    const struct wf_beam_pose *base = wf_beam_base(b, from, &ground), *end = &b->pose[b->mesh.last[i]];
+    double d[3] = { end->r[0] - base->r[0], end->r[1] - base->r[1], end->r[2] - base->r[2] };
+    m3_apply_transposed(base->L, d, place);
+    m3_mul_transposed(base->L, end->L, L);
+}
+
+void wf_tree_reach(const struct wf_tree *t, double *reach)
+{
+    for (size_t i = 0; i < t->n; i++) reach[i] = 0;
+    for (size_t i = t->n; i-- > 0;) {
+        if (t->parent[i] < 0) continue;
+        double far = reach[i] + wf_tree_length(t, i);
+        if (far > reach[t->parent[i]]) reach[t->parent[i]] = far;
+    }
+}
+
+double wf_beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *reach,
+                          double *share)
+{
+    const struct wf_tree *t = fine->mesh.tree;
+    double worst = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        double a[3], b[3], A[9], B[9], R[9], turn[3];
+        double kc = coarse->mesh.last[i] - coarse->mesh.first[i] + 1,
+               kf = fine->mesh.last[i] - fine->mesh.first[i] + 1;
+        double fall = pow(kf / kc, 4) - 1; /* error(coarse) = error(fine) (kf/kc)^4 */
+        seen_from_base(coarse, i, a, A);
+        seen_from_base(fine, i, b, B);
+        m3_mul_transposed(A, B, R);
+        rotation_vector(R, turn);
+        v3_add(a, -1, b);
+        if (fall > 0) share[i] = (sqrt(wf_dot(a, a)) + reach[i] * sqrt(wf_dot(turn, turn))) / fall;
+    }
+    /* the worst path from the ground: summed upwards in place of the rows' own shares, then undone */
+    for (size_t i = 0; i < t->n; i++) {
+        if (t->parent[i] >= 0) share[i] += share[t->parent[i]];
+        worst = fmax(worst, share[i]);
+    }
+    for (size_t i = t->n; i-- > 0;)
+        if (t->parent[i] >= 0) share[i] -= share[t->parent[i]];
+    return worst;
+}
+
+/* One linear step on the beam elements: loads and balance of the unbent tree, small displacements and
+ * rotations. */
+
+/* Rotation of a root plate under a moment. */
+static void plate_tilt(const struct wf_beam *b, const double moment[3], double q[3])
+{
+    for (int j = 0; j < 2; j++)
+        if (b->options->root_stiffness[j] > 0) q[j] = moment[j] / b->options->root_stiffness[j];
+}
+
+/* Rotation q and displacement u of the unbent tree under its internal forces:
+ * q' = G m,  u' = q x t + H n,  by the same collocation as the full element. */
+static void displace(struct wf_beam *b, double (*u)[3], double (*q)[3])
+{
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        const struct wf_beam_part *p = &b->mesh.part[i];
+        const struct wf_beam_stage *s = &b->stage[i];
+        struct wf_line_load load[2];
+        struct wf_beam_wrench at[2], base;
+        double k[2][3], up[2][3], q0[3] = { 0, 0, 0 }, u0[3] = { 0, 0, 0 };
+        wf_beam_load(p, &b->loads, s, load);
+        wf_beam_balance(p->h, s, NULL, load, &b->wrench[i], at, &base);
+        if (p->parent >= 0)
+            memcpy(q0, q[p->parent], sizeof q0), memcpy(u0, u[p->parent], sizeof u0);
+        else
+            plate_tilt(b, base.m, q0);
+        for (int j = 0; j < 2; j++) v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, k[j]);
+        for (int j = 0; j < 2; j++) {
+            double turn[3], stretch[3];
+            for (int c = 0; c < 3; c++)
+                turn[c] = q0[c] + p->h * (gauss_up[j][0] * k[0][c] + gauss_up[j][1] * k[1][c]);
+            wf_cross(turn, s->t[j], up[j]);
+            v3_section(p->cs[j], p->ca[j], s->t[j], at[j].n, stretch);
+            v3_add(up[j], 1, stretch);
+        }
+        for (int c = 0; c < 3; c++) {
+            q[i][c] = q0[c] + 0.5 * p->h * (k[0][c] + k[1][c]);
+            u[i][c] = u0[c] + 0.5 * p->h * (up[0][c] + up[1][c]);
+        }
+    }
+}
+
+struct answer {
+    struct wf_beam beam;
+    double (*u)[3], (*q)[3];
+};
+
+static enum wf_status answer_on(const struct wf_tree *t, const struct wf_loads *l,
+                                const struct wf_solve_options *o, int32_t pieces_each, int32_t *pieces,
+                                struct wf_arena *work, struct answer *x, struct wf_err *e)
+{
+    for (size_t i = 0; i < t->n; i++) pieces[i] = pieces_each;
+    enum wf_status status = wf_beam_init(&x->beam, t, l, o, pieces, work, e);
+    if (status) return status;
+    x->u = wf_arena_take(work, x->beam.mesh.n, sizeof *x->u);
+    x->q = wf_arena_take(work, x->beam.mesh.n, sizeof *x->q);
+    if (!x->u || !x->q) return wf_fail(e, WF_ENOMEM, "no room for %zu displacements", x->beam.mesh.n);
+    wf_beam_sweep_up(&x->beam);
+    wf_beam_sweep_down(&x->beam, false, NULL);
+    displace(&x->beam, x->u, x->q);
+    return WF_OK;
+}
+
+/* Error of the finer of two meshes of ratio 2, relative to the largest displacement and rotation. */
+static double error_of(const struct answer *coarse, const struct answer *fine)
+{
+    double off[2] = { 0, 0 }, size[2] = { 0, 0 };
+    for (size_t i = 0; i < fine->beam.mesh.tree->n; i++) {
+        size_t a = (size_t)coarse->beam.mesh.last[i], b = (size_t)fine->beam.mesh.last[i];
+        for (int c = 0; c < 3; c++) {
+            off[0] = fmax(off[0], fabs(coarse->u[a][c] - fine->u[b][c]));
+            off[1] = fmax(off[1], fabs(coarse->q[a][c] - fine->q[b][c]));
+            size[0] = fmax(size[0], fabs(fine->u[b][c]));
+            size[1] = fmax(size[1], fabs(fine->q[b][c]));
+        }
+    }
+    return fmax(size[0] > 0 ? off[0] / size[0] : 0, size[1] > 0 ? off[1] / size[1] : 0) / 15;
+}
+
+static void read_linear(const struct answer *x, struct wf_response *r)
+{
+    const struct wf_beam *b = &x->beam;
+    wf_beam_read(b, r);
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        int32_t last = b->mesh.last[i], below = b->mesh.part[b->mesh.first[i]].parent;
+        double c[3], q0[3] = { 0, 0, 0 };
+        if (below < 0) plate_tilt(b, r->moment0 + 3 * i, q0);
+        memcpy(r->end + 3 * i, x->u[last], sizeof *x->u);
+        memcpy(r->turn + 3 * i, x->q[last], sizeof *x->q);
+        wf_cross(x->q[last], r->tangent1 + 3 * i, c);
+        v3_add(r->tangent1 + 3 * i, 1, c);
+        wf_cross(below < 0 ? q0 : x->q[below], r->tangent0 + 3 * i, c);
+        v3_add(r->tangent0 + 3 * i, 1, c);
+    }
+    r->load_factor = 1;
+    r->iterations = r->steps = 1;
+    r->small_deflection = true;
+}
+
+static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
+                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
+                            struct wf_diag *d, struct wf_err *e)
+{
+    const int32_t most = 512;
+    struct wf_arena work = { 0 };
+    struct answer x, last;
+    enum wf_status status = wf_response_alloc(r, t->n, a, e);
+    int32_t *pieces = WF_TAKE(&work, t->n, int32_t), cut = 1;
+    if (!status && !pieces) status = wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    if (!status) status = wf_solve_check_round(t, "the linear solver", e);
+    if (!status) status = wf_solve_check(t, l, d, e);
+    if (!status) status = answer_on(t, l, o, cut, pieces, &work, &x, e);
+    while (!status && o->mesh_tolerance > 0 && cut < most) {
+        last = x;
+        status = answer_on(t, l, o, cut *= 2, pieces, &work, &x, e);
+        if (!status && error_of(&last, &x) <= 0.25 * o->mesh_tolerance) break;
+    }
+    if (!status) read_linear(&x, r);
+    wf_arena_free(&work);
+    return status;
+}
+
+const struct wf_solver wf_solver_linear = {
+    .name = "linear",
+    .title = "linear beams, small deflections",
+    .source = "Euler-Bernoulli beam theory",
+    .validity =
+        "Deflections below 10 % of height and slopes below 15 degrees: loads and balance of the unbent tree.",
+    .small_deflection = true,
+    .solve = solve,
+};
 
 static double largest_displacement(const struct wf_beam *b)
 {
@@ -147,9 +468,9 @@ void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, st
                      out->load_factor);
 }
 
-static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
-                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
-                            struct wf_diag *d, struct wf_err *e)
+static enum wf_status beam_solve(const struct wf_tree *t, const struct wf_loads *l,
+                                 const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
+                                 struct wf_diag *d, struct wf_err *e)
 {
     struct wf_arena work = { 0 };
     struct wf_beam b;
@@ -172,5 +493,5 @@ const struct wf_solver wf_solver_beam = {
               "Elasticity, "
               "ch. 8; Gauss collocation: Hairer, Lubich & Wanner 2006, II.1.3",
     .validity = "Elastic wood, static mean wind; any deflection. Loads follow the bent shape.",
-    .solve = solve,
+    .solve = beam_solve,
 };

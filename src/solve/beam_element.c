@@ -1,8 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "solve/beam_element.h"
+#include "solve/beam_kernel.h"
+#include "solve/beam_mesh.h"
+
 /* The element on its own: where it lies, what loads it, what it carries, how far the material law is missed.
  */
-#include "solve/beam_element.h"
-#include "solve/beam_law.h"
-#include "solve/gauss.h"
 
 void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u,
                    const struct wf_beam_pose *base, struct wf_beam_stage *s, struct wf_beam_pose *end)

@@ -10,8 +10,9 @@
  * with A, B the load's derivatives by place and by turn, T the tangent of the rotation vector, Q = D T^-1,
  * P_jm = T_j T_m^-1. The end's wrench is what the part above answers, dw = K p_end + k, so that six
  * equations in the six y remain. */
-#include "solve/beam_linearise.h"
-#include "solve/gauss.h"
+#include "solve/beam_eliminate.h"
+#include "solve/beam_kernel.h"
+#include "solve/beam_mesh.h"
 
 /* Rows by the base's change p and 1 (and a spare column, so that rows are whole vector registers). */
 typedef double by_base[6][8];

@@ -1,7 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam_mesh.h"
+#include "base/vec3.h"
 #include "data/section.h"
-#include "solve/gauss.h"
-#include "solve/vec.h"
 #include <math.h>
 
 #define PI 3.14159265358979323846

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_NEWTON_H
 #define WF_SOLVE_BEAM_NEWTON_H
 /* All elements of a tree together: sweeps up and down the tree, Newton, and the ways on when Newton stalls.

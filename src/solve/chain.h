@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_CHAIN_H
 #define WF_SOLVE_CHAIN_H
 /* A tree as a chain of cantilevers: each row bends as a cantilever on the end of the row below it, under its
@@ -30,4 +31,12 @@ enum wf_status wf_chain_solve(const struct wf_chain_scheme *scheme, const struct
                               struct wf_response *r, struct wf_diag *d, struct wf_err *e);
 
 extern const struct wf_solver wf_solver_chain, wf_solver_chain_as_printed;
+
+/* The ways between the printed and the corrected chain, to see which missing piece does what: for validation
+ * cases alone.
+ *   S1 force handed down, spread over the row (eq 12); S2 force at the row's end; S3, S4 the same with the
+ * moment. chain-S1 ... chain-S4: every row on an upright base; ...-turned: it takes over the rotation below.
+ * S4-turned is the corrected chain, S1 the printed one but for taper and weight. */
+
+extern const struct wf_solver *const wf_chain_variants[]; /* ends at NULL */
 #endif

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_DEFLECT_H
 #define WF_SOLVE_DEFLECT_H
 /* A tree as straight rods, each turned about its base by its own deflection, frame by frame.

@@ -1,6 +1,6 @@
 #include "solve/lanczos.h"
-#include "base/quiet.h"
-#include "solve/wide.h"
+#include "base/num.h"
+#include "base/vec3.h"
 #include <gsl/gsl_eigen.h>
 #include <math.h>
 #include <stdbool.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_MODES_H
 #define WF_SOLVE_MODES_H
 /* Natural frequencies and self-buckling of a tree. */

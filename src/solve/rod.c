@@ -1,8 +1,7 @@
 #include "solve/rod.h"
-#include "base/quiet.h"
+#include "base/num.h"
 #include "solve/beam.h"
 #include "solve/beam_mesh.h"
-#include "solve/gauss.h"
 #include "solve/rod_shoot.h"
 
 /* The beam engine on the same pieces, one element a piece. */

@@ -1,23 +1,64 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/solve.h"
-#include "solve/beam.h"
-#include "solve/chain.h"
-#include "solve/deflect.h"
-#include "solve/rod.h"
-#include <string.h>
+#include <math.h>
 
-const struct wf_solver *const wf_solvers[] = { &wf_solver_beam,
-                                               &wf_solver_linear,
-                                               &wf_solver_chain,
-                                               &wf_solver_chain_as_printed,
-                                               &wf_solver_rod,
-                                               &wf_solver_rod_as_printed,
-                                               &wf_solver_deflect,
-                                               &wf_solver_deflect_as_printed,
-                                               NULL };
-
-const struct wf_solver *wf_solver_named(const char *name)
+enum wf_status wf_response_alloc(struct wf_response *r, size_t n, struct wf_arena *a, struct wf_err *e)
 {
-    for (const struct wf_solver *const *s = wf_solvers; *s; s++)
-        if (!strcmp((*s)->name, name)) return *s;
-    return NULL;
+    double **const column[] = { &r->end,     &r->turn,     &r->force0,   &r->moment0, &r->force1,
+                                &r->moment1, &r->tangent0, &r->tangent1, &r->load };
+    *r = (struct wf_response){ .n = n };
+    for (size_t i = 0; i < sizeof column / sizeof *column; i++)
+        if (!(*column[i] = WF_TAKE(a, 3 * n, double)))
+            return wf_fail(e, WF_ENOMEM, "no room for the response of %zu segments", n);
+    return WF_OK;
+}
+
+void wf_solve_options_default(struct wf_solve_options *o)
+{
+    *o = (struct wf_solve_options){
+        .tolerance = 1e-9, .mesh_tolerance = 1e-6, .iterations_max = 100, .threads = 1
+    };
+}
+
+static bool finite3(const double x[3]) { return isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]); }
+
+static enum wf_status check_loads(const struct wf_tree *t, const struct wf_loads *l, struct wf_err *e)
+{
+    if (!isfinite(l->gravity) || !isfinite(l->wind_scale) || !isfinite(l->weight_scale) ||
+        !isfinite(l->point_scale))
+        return wf_fail(e, WF_EINPUT, "gravity or a load factor is not a finite number");
+    if (l->wind && !(isfinite(l->wind->speed) && finite3(l->wind->direction) && isfinite(l->air_density)))
+        return wf_fail(e, WF_EINPUT, "the wind or the air's density is not a finite number");
+    for (size_t k = 0; k < l->points; k++) {
+        const struct wf_point_load *p = &l->point[k];
+        if (p->segment < 0 || (size_t)p->segment >= t->n)
+            return wf_fail(e, WF_EINPUT, "point load %zu acts on row %ld; the tree has rows 0 to %zu", k + 1,
+                           (long)p->segment, t->n - 1);
+        if (!finite3(p->force) || !finite3(p->moment))
+            return wf_fail(e, WF_EINPUT, "point load %zu on segment %lld is not a finite number", k + 1,
+                           (long long)t->id[p->segment]);
+    }
+    for (size_t i = 0; l->line && i < 2 * t->n; i++)
+        if (!finite3(l->line + 3 * i))
+            return wf_fail(e, WF_EINPUT, "the line load on segment %lld is not a finite number",
+                           (long long)t->id[i / 2]);
+    return WF_OK;
+}
+
+enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l, struct wf_diag *d,
+                              struct wf_err *e)
+{
+    struct wf_arena own = { 0 };
+    struct wf_diag faults = { .arena = &own };
+    enum wf_status status = wf_tree_check(t, d ? d : &faults, d ? e : NULL);
+    if (status && !d)
+        status = wf_fail(e, status, "%s", faults.first ? faults.first->text : "the tree has no segments");
+    wf_arena_free(&own);
+    return status ? status : check_loads(t, l, e);
+}
+
+enum wf_status wf_solve_check_round(const struct wf_tree *t, const char *what, struct wf_err *e)
+{
+    if (!t->section) return WF_OK;
+    return wf_fail(e, WF_EINPUT, "%s: %s knows round sections only", t->name ? t->name : "tree", what);
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_SOLVE_H
 #define WF_SOLVE_SOLVE_H
 /* Solvers are rows: a tree and its loads in, its bent shape and internal forces out. */
@@ -56,7 +57,4 @@ enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l,
 
 /* Refuse sections that are not round, which `what` does not know. Returned: WF_EINPUT. */
 enum wf_status wf_solve_check_round(const struct wf_tree *t, const char *what, struct wf_err *e);
-
-extern const struct wf_solver *const wf_solvers[]; /* ends at NULL; the first is the default */
-const struct wf_solver *wf_solver_named(const char *name);
 #endif

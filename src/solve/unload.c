@@ -1,7 +1,7 @@
 #include "solve/unload.h"
+#include "base/vec3.h"
 #include "solve/beam.h"
-#include "solve/gauss.h"
-#include "solve/vec.h"
+#include "solve/beam_mesh.h"
 
 static void set_end(struct wf_tree *t, size_t i, const double chord[3])
 {

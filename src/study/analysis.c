@@ -1,10 +1,10 @@
 #include "study/analysis.h"
+#include "base/parallel.h"
 #include "grow/grow.h"
 #include "solve/unload.h"
 #include "study/limits.h"
 #include "study/scenario.h"
 #include "study/speed.h"
-#include "study/together.h"
 #include <math.h>
 
 static enum wf_status check_call(const struct wf_scenario *sc, const double *speeds, size_t n,

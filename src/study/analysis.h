@@ -11,7 +11,6 @@
 #include "fail/critical.h"
 #include "load/load.h"
 #include "solve/solve.h"
-#include "wind/measured.h"
 #include "wind/wind.h"
 
 struct wf_site; /* study/exposure.h */

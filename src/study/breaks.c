@@ -1,8 +1,8 @@
 /* The critical wind speed of what breaks first, and of the stem alone. */
+#include "base/parallel.h"
 #include "fail/critical.h"
 #include "study/analysis.h"
 #include "study/speed.h"
-#include "study/together.h"
 #include <math.h>
 
 /* Answers at speeds already asked for: two searches go up the same ladder. */

@@ -1,6 +1,6 @@
 #include "study/directions.h"
+#include "base/parallel.h"
 #include "study/speed.h"
-#include "study/together.h"
 #include "wind/scale.h"
 #include <math.h>
 

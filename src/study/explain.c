@@ -1,5 +1,6 @@
 #include "study/explain.h"
-#include "solve/vec.h"
+#include "base/vec3.h"
+#include "solve/solvers.h"
 #include "study/scenario.h"
 #include "study/speed.h"
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 #include "study/figures.h"
-#include "solve/vec.h"
+#include "base/vec3.h"
 #include <math.h>
 
 /* Gauss-Legendre, five points on 0..1 */

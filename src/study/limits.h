@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_LIMITS_H
 #define WF_STUDY_LIMITS_H
 /* Validity of a finished analysis: each limit that was passed becomes a warning that states by how much.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_PRESET_H
 #define WF_STUDY_PRESET_H
 /* Presets: a published method by name, formula and constants as printed. `corrected` changes nothing. */
@@ -26,4 +27,20 @@ enum wf_status wf_preset_apply(const struct wf_preset *p, struct wf_arena *a, st
                                struct wf_scenario *sc, const struct wf_solver **solver, struct wf_err *e);
 /* The departures as findings: codes r-cubed, air-density, aerofoil-coefficients, modulus-outlier, ... */
 void wf_preset_warn(const struct wf_preset *p, const struct wf_analysis *an, struct wf_diag *d);
+
+/* Where each paper's printed formula or constant leaves physics, by how much on the tree in hand. */
+
+/* Zhao & Zhang 2013, below eq 2: C_D, C_L [-]; rho_a = 2.37e-3 g/m3 in kg/m3. */
+#define WF_ZHAO_DRAG 0.013
+#define WF_ZHAO_LIFT 0.75
+#define WF_ZHAO_AIR 2.37e-6
+
+void wf_departures_tang(const struct wf_analysis *an, struct wf_diag *d);
+void wf_departures_feng(const struct wf_analysis *an, struct wf_diag *d);
+void wf_departures_zhao(const struct wf_analysis *an, struct wf_diag *d);
+/* Of their winds, memories and leaves, in series. */
+void wf_departures_tang_in_time(struct wf_diag *d);
+void wf_departures_zhao_in_time(struct wf_diag *d);
+/* Of the printed shelter of Feng et al. */
+void wf_departures_shelter(struct wf_diag *d);
 #endif

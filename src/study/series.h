@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_SERIES_H
 #define WF_STUDY_SERIES_H
 /* A tree in a wind that changes: the balance of every moment for itself (quasi-static: no inertia, so gusts
@@ -8,7 +9,7 @@
 #include "study/analysis.h"
 #include "study/preset.h"
 #include "study/scenario.h"
-#include "study/series_leaf.h"
+#include "study/series_leaves.h"
 #include "wind/gust.h"
 #include "wind/noise.h"
 #include "wind/shelter.h"

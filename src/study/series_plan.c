@@ -1,6 +1,7 @@
 #include "study/series_plan.h"
 #include "base/yaml.h"
-#include "wind/gust_words.h"
+#include "solve/solvers.h"
+#include "wind/gust.h"
 #include <math.h>
 #include <string.h>
 

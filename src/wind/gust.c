@@ -1,9 +1,351 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/gust.h"
-#include "base/near.h"
-#include "wind/gust_rows.h"
+#include "base/num.h"
+#include "base/random.h"
+#include "wind/gust_spectral.h"
 #include "wind/noise.h"
 #include <math.h>
 #include <string.h>
+
+/* Gusts that are a formula in time: one wind for all points, carried along at the mean speed (Taylor 1938).
+ */
+
+enum { STREAM_PHASE = 0x32, STREAM_NOISE = 7 };
+#define TAU 6.28318530717958647692
+enum { DIRECT_BLOCK = 4096 };
+
+static enum wf_status wf_gust_direct_open(struct wf_gust *g, struct wf_arena *a, struct wf_err *e)
+{
+    (void)a, (void)e;
+    g->block = g->spec.block ? g->spec.block : DIRECT_BLOCK;
+    return WF_OK;
+}
+
+/* Time at the point: what passed the origin x/U ago. */
+static double local_time(const struct wf_gust_spec *s, size_t point, size_t step)
+{
+    return (double)step * s->step - wf_gust_place(s, point, 0) / s->speed;
+}
+
+static double drawn_phase(const struct wf_gust_spec *s)
+{
+    return TAU * wf_random_uniform(s->seed, wf_random_stream(STREAM_PHASE, 0, 0), 0);
+}
+
+/* U(t) = Ua (1 + a cos(omega t + phi)), phi drawn once; a = sqrt(2) times the turbulence intensity. */
+static enum wf_status wf_gust_cosine_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                          struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    double omega = TAU / wf_gust_get(s, "period"), phase = drawn_phase(s), part = sqrt(2.0) * s->intensity;
+    (void)e;
+    for (size_t p = 0; p < s->points; p++)
+        for (size_t i = 0; i < steps; i++)
+            out[p * g->block + i] =
+                wf_gust_mean(s, p) + s->speed * part * cos(omega * local_time(s, p, first + i) + phase);
+    return WF_OK;
+}
+
+void wf_gust_octaves(const struct wf_gust_spec *s, struct wf_octaves *o)
+{
+    *o = (struct wf_octaves){ (unsigned)wf_gust_get(s, "octaves"), wf_gust_get(s, "persistence"),
+                              wf_gust_get(s, "lacunarity"), 1 };
+}
+
+static enum wf_status wf_gust_perlin_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                          struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    struct wf_octaves o;
+    wf_gust_octaves(s, &o);
+    double period = wf_gust_get(s, "period"), scale = s->intensity * s->speed / sqrt(wf_noise_variance(&o));
+    (void)e;
+    for (size_t p = 0; p < s->points; p++)
+        for (size_t i = 0; i < steps; i++)
+            out[p * g->block + i] =
+                wf_gust_mean(s, p) +
+                scale * wf_noise_octaves(s->seed, STREAM_NOISE, &o, local_time(s, p, first + i) / period);
+    return WF_OK;
+}
+
+/* V0 + A sin + B N with N of zero mean and unit variance; A^2/2 + B^2 = (Iu V0)^2. */
+static enum wf_status wf_gust_sine_perlin_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                               struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    struct wf_octaves o;
+    wf_gust_octaves(s, &o);
+    double period = wf_gust_get(s, "period"), share = wf_gust_get(s, "sine-share"), phase = drawn_phase(s);
+    double deviation = s->intensity * s->speed, wave = deviation * sqrt(2.0 * share);
+    double noise = deviation * sqrt((1.0 - share) / wf_noise_variance(&o)),
+           cell = wf_gust_get(s, "noise-period");
+    (void)e;
+    for (size_t p = 0; p < s->points; p++)
+        for (size_t i = 0; i < steps; i++) {
+            double t = local_time(s, p, first + i);
+            out[p * g->block + i] = wf_gust_mean(s, p) + wave * sin(TAU * t / period + phase) +
+                                    noise * wf_noise_octaves(s->seed, STREAM_NOISE, &o, t / cell);
+        }
+    return WF_OK;
+}
+
+/* As printed: V0 + V0 sin(omega t + alpha) + epsilon N(t), t counted in frames, N value noise in 0..1 with
+ * one lattice number a frame-second as octaves are not given. */
+static enum wf_status wf_gust_zhao_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                        struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    double omega = wf_gust_get(s, "omega"), alpha = wf_gust_get(s, "alpha"),
+           rate = wf_gust_get(s, "frame-rate");
+    double epsilon = wf_gust_get(s, "epsilon"), cell = wf_gust_get(s, "noise-frames");
+    (void)e;
+    for (size_t p = 0; p < s->points; p++)
+        for (size_t i = 0; i < steps; i++) {
+            double frame = (double)(first + i) * s->step * rate;
+            out[p * g->block + i] = wf_gust_mean(s, p) + s->speed * sin(omega * frame + alpha) +
+                                    epsilon * wf_noise_value(s->seed, STREAM_NOISE, frame / cell);
+        }
+    return WF_OK;
+}
+
+/* Speed change of the extreme operating gust over its mean, at time t after its start [m/s]. */
+static double wf_gust_eog(double amplitude, double duration, double t)
+{
+    if (!(t > 0.0 && t < duration)) return 0.0;
+    return -0.37 * amplitude * sin(1.5 * TAU * t / duration) * (1.0 - cos(TAU * t / duration));
+}
+
+/* IEC 61400-1: min(1.35 (Ve1 - U), 3.3 sigma / (1 + 0.1 D / Lambda)), Lambda = 0.7 z up to 60 m, then 42 m.
+ */
+double wf_gust_eog_amplitude(const struct wf_gust_spec *s)
+{
+    double length = s->height <= 60.0 ? 0.7 * s->height : 42.0, once = wf_gust_get(s, "annual-extreme");
+    double turbulent = 3.3 * s->intensity * s->speed / (1.0 + 0.1 * wf_gust_get(s, "breadth") / length);
+    return once > s->speed ? fmin(1.35 * (once - s->speed), turbulent) : turbulent;
+}
+
+static enum wf_status wf_gust_eog_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                       struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    double amplitude = wf_gust_eog_amplitude(s), start = wf_gust_get(s, "start"),
+           t = wf_gust_get(s, "duration");
+    (void)e;
+    for (size_t p = 0; p < s->points; p++)
+        for (size_t i = 0; i < steps; i++)
+            out[p * g->block + i] =
+                wf_gust_mean(s, p) + wf_gust_eog(amplitude, t, local_time(s, p, first + i) - start);
+    return WF_OK;
+}
+
+/* A measured record as a gust model: resampled to the step by straight lines, the same at all points, carried
+ * along at the mean speed. */
+
+struct play {
+    const double *part[3];
+    double scale; /* of all components: asked mean wind / recorded mean wind, 1 without rescaling */
+};
+
+static enum wf_status wf_gust_record_open(struct wf_gust *g, struct wf_arena *a, struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    const struct wf_record *r = s->record;
+    struct play *w = WF_TAKE(a, 1, struct play);
+    if (!w) return wf_fail(e, WF_ENOMEM, "no room for a gust model");
+    *w = (struct play){ { r->u, r->v, r->w }, wf_gust_get(s, "rescale") > 0.0 ? s->speed / r->mean : 1.0 };
+    g->work = w;
+    return wf_gust_direct_open(g, a, e);
+}
+
+static double at_time(const double *x, const struct wf_record *r, double t)
+{
+    double place = fmin(fmax(t / r->step, 0.0), (double)(r->n - 1));
+    size_t i = (size_t)place;
+    if (i + 1 >= r->n) return x[r->n - 1];
+    return x[i] + (x[i + 1] - x[i]) * (place - (double)i);
+}
+
+static enum wf_status wf_gust_record_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                          struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    const struct play *w = g->work;
+    const struct wf_record *r = s->record;
+    double carried = w->scale * r->mean;
+    (void)e;
+    for (unsigned c = 0; c < s->components; c++)
+        for (size_t p = 0; p < s->points; p++) {
+            double shift = c == 0 && s->mean ? s->mean[p] - carried : 0.0;
+            for (size_t i = 0; i < steps; i++) {
+                double t = (double)(first + i) * s->step - wf_gust_place(s, p, 0) / carried;
+                out[(c * s->points + p) * g->block + i] =
+                    w->part[c] ? shift + w->scale * at_time(w->part[c], r, t) : 0.0;
+            }
+        }
+    return WF_OK;
+}
+
+/* What a gust specification must keep to, and making it ready. */
+
+static void within(struct wf_diag *d, const char *name, double value, double low, double high,
+                   const char *unit)
+{
+    if (!(value >= low && value <= high))
+        wf_diag_error(d, NULL, 0, 0, "%s = %g is outside %g..%g%s%s", name, value, low, high,
+                      *unit ? " " : "", unit);
+}
+
+static void check_record(const struct wf_gust_spec *s, struct wf_diag *d)
+{
+    const struct wf_record *r = s->record;
+    if (!r) {
+        wf_diag_error(d, NULL, 0, 0, "record: needs a file");
+        return;
+    }
+    double length = (double)(r->n - 1) * r->step, asked = (double)(s->steps - 1) * s->step;
+    if (asked > length * (1.0 + 1e-9))
+        wf_diag_error(d, r->file, 0, 0, "the record lasts %g s, %g s are asked for", length, asked);
+    if (s->components > 1 && r->components < 3)
+        wf_diag_error(d, r->file, 0, 0, "3 components are asked for, %u recorded", r->components);
+    if (!(r->mean > 0.0)) wf_diag_error(d, r->file, 0, 0, "the recorded mean wind is %g m/s", r->mean);
+}
+
+static void check_places(const struct wf_gust_spec *s, struct wf_diag *d)
+{
+    if (s->points < 1 || s->points > WF_GUST_POINTS_MAX) {
+        wf_diag_error(d, NULL, 0, 0, "points = %zu is outside 1..%d", s->points, WF_GUST_POINTS_MAX);
+        return;
+    }
+    if (s->points > 1 && !s->place) {
+        wf_diag_error(d, NULL, 0, 0, "%zu points need places", s->points);
+        return;
+    }
+    for (size_t p = 0; p < s->points; p++) {
+        double mean = wf_gust_mean(s, p), z = wf_gust_place(s, p, 2);
+        if (!(mean > 0.0 && mean <= 120.0))
+            wf_diag_error(d, NULL, 0, 0, "point %zu: mean wind %g m/s is outside 0..120 m/s", p, mean);
+        if (!(isfinite(wf_gust_place(s, p, 0)) && isfinite(wf_gust_place(s, p, 1)) && z >= 0.0 &&
+              z <= 1000.0))
+            wf_diag_error(d, NULL, 0, 0, "point %zu: place is not finite or not 0..1000 m above ground", p);
+    }
+}
+
+static void warn(const struct wf_gust_spec *s, struct wf_diag *d)
+{
+    const char *name = s->model->name;
+    if (s->model->fill == wf_gust_zhao_fill)
+        wf_diag_warn(d, "as-printed",
+                     "%s: printed sine and noise give an intensity of about 0.7 and shift the mean by "
+                     "half the noise",
+                     name);
+    if (s->model->spectrum && s->intensity > 0.35)
+        wf_diag_warn(d, "gaussian",
+                     "%s: at intensity %g a Gaussian wind blows backwards at times; canopy wind is skewed "
+                     "instead",
+                     name, s->intensity);
+    if (strcmp(name, "kaimal") == 0) {
+        double lowest = INFINITY, highest = 0.0, displacement = wf_gust_get(s, "displacement");
+        for (size_t p = 0; p < s->points; p++) {
+            lowest = fmin(lowest, wf_gust_place(s, p, 2) - displacement);
+            highest = fmax(highest, wf_gust_place(s, p, 2) - displacement);
+        }
+        if (lowest < 2.0)
+            wf_diag_warn(d, "spectrum-height",
+                         "kaimal: points lower than 2 m above the displaced ground take the spectrum of 2 m");
+        if (highest > 100.0)
+            wf_diag_warn(d, "spectrum-height",
+                         "kaimal: points up to %g m are above the surface layer the spectra describe",
+                         highest);
+    }
+}
+
+enum wf_status wf_gust_check(const struct wf_gust_spec *s, struct wf_diag *d, struct wf_err *e)
+{
+    size_t before = d->errors;
+    const struct wf_gust_model *m = s->model;
+    bool measured = m->fill == wf_gust_record_fill;
+    within(d, "wind speed", s->speed, 0.1, 120.0, "m/s");
+    within(d, "height", s->height, 0.1, 1000.0, "m");
+    if (!measured)
+        within(d, "turbulence intensity", s->intensity, 0.0, 1.0, "(standard deviation / mean wind)");
+    within(d, "step", s->step, 1e-4, 60.0, "s");
+    if (s->steps < 2 || s->steps > (size_t)1 << 40)
+        wf_diag_error(d, NULL, 0, 0, "steps = %zu is outside 2..2^40", s->steps);
+    if (s->components != 1 && s->components != 3)
+        wf_diag_error(d, NULL, 0, 0, "components = %u: 1 or 3", s->components);
+    if (s->components > m->components)
+        wf_diag_error(
+            d, NULL, 0, 0,
+            "%s gives the wind along its mean direction only; 3 components need kaimal, von-karman or record",
+            m->name);
+    if (s->block && (s->block < 64 || (s->block & (s->block - 1))))
+        wf_diag_error(d, NULL, 0, 0, "block = %zu: a power of two of at least 64 steps", s->block);
+    for (size_t i = 0; m->par[i].name; i++)
+        within(d, m->par[i].name, s->value[i], m->par[i].low, m->par[i].high, m->par[i].unit);
+    if (m->spectrum && strcmp(m->spectrum, "one-over-f") == 0 && !(wf_gust_get(s, "low") < 0.5 / s->step))
+        wf_diag_error(d, NULL, 0, 0, "low = %g Hz is not below half the sampling frequency, %g Hz",
+                      wf_gust_get(s, "low"), 0.5 / s->step);
+    check_places(s, d);
+    if (measured) check_record(s, d);
+    if (d->errors > before) return wf_fail(e, WF_EUSAGE, "the gust model %s cannot be run as asked", m->name);
+    warn(s, d);
+    return WF_OK;
+}
+
+enum wf_status wf_gust_open(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
+                            struct wf_gust *g, struct wf_err *e)
+{
+    memset(g, 0, sizeof *g);
+    if (wf_gust_check(s, d, e)) return WF_EUSAGE;
+    g->spec = *s;
+    enum wf_status status = s->model->open(g, a, e);
+    if (status) {
+        wf_gust_close(g);
+        return status;
+    }
+    g->blocks = (s->steps + g->block - 1) / g->block;
+    if (g->joint > 0.05)
+        wf_diag_warn(d, "short-window",
+                     "%s: eddies longer than the window of %zu steps; neighbouring blocks differ by "
+                     "%.1f %% of the standard deviation where they meet",
+                     s->model->name, 2 * g->block, 100.0 * g->joint);
+    return WF_OK;
+}
+
+enum wf_status wf_gust_series(struct wf_gust *g, size_t point, unsigned component, double *block, double *out,
+                              struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    if (point >= s->points || component >= s->components)
+        return wf_fail(e, WF_EUSAGE, "there is no component %u at point %zu", component, point);
+    for (size_t b = 0; b < g->blocks; b++) {
+        enum wf_status status = wf_gust_block(g, b, block, e);
+        if (status) return status;
+        size_t first = b * g->block, steps = s->steps - first < g->block ? s->steps - first : g->block;
+        memcpy(out + first, block + (component * s->points + point) * g->block, steps * sizeof *out);
+    }
+    return WF_OK;
+}
+
+enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const char *columns,
+                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_record_request q;
+    struct wf_record *r = WF_TAKE(a, 1, struct wf_record);
+    char *rest = NULL, *words = wf_arena_text(a, columns);
+    if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs the file of an anemometer");
+    if (!r || !words) return wf_fail(e, WF_ENOMEM, "no room for a record");
+    wf_record_request_default(&q);
+    q.time = strtok_r(words, ",", &rest);
+    for (int k = 0; k < 3; k++) q.part[k] = strtok_r(NULL, ",", &rest);
+    if (!q.time || !q.part[0] || strtok_r(NULL, ",", &rest))
+        return wf_fail(
+            e, WF_EUSAGE,
+            "columns '%s': a time column and one to three components are needed, separated by commas",
+            columns);
+    s->record = r;
+    return wf_record_read(file, &q, a, d, r, e);
+}
 
 #define COHERENCE_PARS                                                                                       \
     { "decay-along", "-", 3.0, 0.0, 100.0, "coherence decay for separation along the wind" },                \
@@ -134,65 +476,6 @@ const struct wf_gust_model *wf_gust_named(const char *name)
     for (const struct wf_gust_model *m = wf_gust_models; m->name; m++)
         if (strcmp(m->name, name) == 0) return m;
     return NULL;
-}
-
-void wf_gust_spec_default(const struct wf_gust_model *m, struct wf_gust_spec *s)
-{
-    *s = (struct wf_gust_spec){ .model = m,
-                                .speed = 10.0,
-                                .height = 10.0,
-                                .intensity = 0.2,
-                                .step = 0.1,
-                                .steps = 6000,
-                                .points = 1,
-                                .components = 1,
-                                .seed = 1 };
-    for (size_t i = 0; m->par[i].name; i++) s->value[i] = m->par[i].fallback;
-}
-
-double wf_gust_get(const struct wf_gust_spec *s, const char *name)
-{
-    for (size_t i = 0; s->model->par[i].name; i++)
-        if (strcmp(s->model->par[i].name, name) == 0) return s->value[i];
-    return NAN;
-}
-
-enum wf_status wf_gust_set(struct wf_gust_spec *s, const char *name, double value, struct wf_err *e)
-{
-    const struct wf_gust_par *par = s->model->par;
-    const char *known[WF_GUST_PARS];
-    char list[512] = "";
-    size_t n = 0;
-    for (; par[n].name; n++) {
-        known[n] = par[n].name;
-        if (n) strncat(list, ", ", sizeof list - strlen(list) - 1);
-        strncat(list, par[n].name, sizeof list - strlen(list) - 1);
-        if (strcmp(par[n].name, name) != 0) continue;
-        if (!(value >= par[n].low && value <= par[n].high))
-            return wf_fail(e, WF_EUSAGE, "%s: %s = %g is outside %g..%g %s (%s)", s->model->name, name, value,
-                           par[n].low, par[n].high, par[n].unit, par[n].help);
-        s->value[n] = value;
-        return WF_OK;
-    }
-    const char *near = wf_nearest(name, known, n);
-    if (near)
-        return wf_fail(e, WF_EUSAGE, "%s: unknown parameter '%s'; did you mean '%s'?", s->model->name, name,
-                       near);
-    return wf_fail(e, WF_EUSAGE, "%s: unknown parameter '%s'; it has %s", s->model->name, name, list);
-}
-
-/* The spectrum's height is above the displaced ground; close to it and below, that of 2 m. */
-struct wf_spectrum_par wf_gust_spectrum_par(const struct wf_gust_spec *s, size_t point)
-{
-    double displacement = wf_gust_get(s, "displacement"), d = isnan(displacement) ? 0.0 : displacement;
-    return (struct wf_spectrum_par){ .speed = wf_gust_mean(s, point),
-                                     .height = fmax(wf_gust_place(s, point, 2) - d, 2.0),
-                                     .deviation = s->intensity * s->speed,
-                                     .length = wf_gust_get(s, "length"),
-                                     .share = { wf_gust_get(s, "share-across"), wf_gust_get(s, "share-up") },
-                                     .slope = wf_gust_get(s, "slope"),
-                                     .low = wf_gust_get(s, "low"),
-                                     .high = 0.5 / s->step };
 }
 
 double wf_gust_target(const struct wf_gust_spec *s, size_t point, enum wf_component c, double f)

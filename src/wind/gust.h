@@ -1,68 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_WIND_GUST_H
 #define WF_WIND_GUST_H
 /* Wind that changes with time, at many points, in blocks of time. Models are rows, each with source, range
  * and parameters. Velocities are in wind axes: along the mean wind, across it to the left, up.
  * A value is a function of (seed, point, time) alone: any block may be made at any time, by any thread that
  * has a wf_gust of its own, and comes out the same to the byte. */
-#include "base/arena.h"
-#include "base/diag.h"
-#include "base/err.h"
-#include "wind/record.h"
-#include "wind/spectrum.h"
-#include <stdint.h>
+#include "wind/gust_spec.h"
 
-enum { WF_GUST_PARS = 8, WF_GUST_POINTS_MAX = 20000 };
-
-struct wf_gust_par {
-    const char *name, *unit;
-    double fallback, low, high; /* default and allowed range, in `unit` */
-    const char *help;
-};
-
-struct wf_gust_spec;
-struct wf_gust;
-struct wf_gust_model {
-    const char *name, *title, *source, *validity;
-    const char *corrected;         /* what differs from the printed form and why; NULL: as printed */
-    unsigned components;           /* most it can give: 1 or 3 */
-    const char *spectrum;          /* row of wf_spectra; NULL: not made from a spectrum */
-    const struct wf_gust_par *par; /* ends at name == NULL */
-    enum wf_status (*open)(struct wf_gust *g, struct wf_arena *a, struct wf_err *e);
-    enum wf_status (*fill)(struct wf_gust *g, size_t first, size_t steps, double *out, struct wf_err *e);
-    void (*close)(struct wf_gust *g); /* NULL: nothing but the arena */
-};
 extern const struct wf_gust_model wf_gust_models[]; /* ends at name == NULL */
 const struct wf_gust_model *wf_gust_named(const char *name);
-
-struct wf_gust_spec {
-    const struct wf_gust_model *model;
-    double speed;     /* mean wind [m/s]                                          */
-    double height;    /* of a single point above the ground [m]                   */
-    double intensity; /* standard deviation of the along-wind part / speed [-]    */
-    double step;      /* [s]                                                      */
-    size_t steps;
-    size_t points;       /* 1 and place NULL: one point at `height`                  */
-    const double *place; /* 3 a point: along the wind, across, above ground [m]      */
-    const double *mean;  /* mean wind at each point [m/s]; NULL: `speed` everywhere  */
-    unsigned components; /* 1 or 3                                                   */
-    uint64_t seed;
-    size_t block;                   /* steps a block; 0: chosen                                 */
-    double value[WF_GUST_PARS];     /* in the order of model->par                    */
-    const struct wf_record *record; /* model `record`                                */
-};
-
-struct wf_gust {
-    struct wf_gust_spec spec;
-    size_t block, blocks; /* steps in a block (the last may be shorter), number of blocks */
-    double joint;         /* expected mismatch where blocks meet / standard deviation [-] (spectral models) */
-    void *work;           /* the model's own */
-};
-
-/* 10 m/s at 10 m, intensity 0.2, 0.1 s, 10 min, one point, one component, seed 1, the model's defaults. */
-void wf_gust_spec_default(const struct wf_gust_model *m, struct wf_gust_spec *s);
-/* Set a model's parameter by name. WF_EUSAGE names the parameters there are and the allowed range. */
-enum wf_status wf_gust_set(struct wf_gust_spec *s, const char *name, double value, struct wf_err *e);
-double wf_gust_get(const struct wf_gust_spec *s, const char *name); /* NAN: the model has no such parameter */
 
 /* Everything wrong with a specification, as findings; warnings for use outside a model's range.
  * Returned: WF_EUSAGE when there is any error. */
@@ -85,6 +31,12 @@ double wf_gust_target(const struct wf_gust_spec *s, size_t point, enum wf_compon
 /* Variance of a component at a point [m2/s2] that a series of this step can hold (up to half the sampling
  * frequency); for models without a spectrum the variance of the model; NAN: not known in advance. */
 double wf_gust_variance(const struct wf_gust_spec *s, size_t point, enum wf_component c);
-/* Parameters of the target spectrum at a point. */
-struct wf_spectrum_par wf_gust_spectrum_par(const struct wf_gust_spec *s, size_t point);
+
+struct wf_octaves; /* wind/noise.h */
+/* Octaves of the perlin rows as set in the specification, stationary. */
+void wf_gust_octaves(const struct wf_gust_spec *s, struct wf_octaves *o);
+
+/* Its amplitude for a specification [m/s]. */
+double wf_gust_eog_amplitude(const struct wf_gust_spec *s);
+
 #endif

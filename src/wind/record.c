@@ -1,6 +1,6 @@
 #include "wind/record.h"
 #include "base/csv.h"
-#include "base/number.h"
+#include "base/num.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_WIND_SCALE_H
 #define WF_WIND_SCALE_H
 /* Wind named by a scale, and the same wind under another averaging time. */

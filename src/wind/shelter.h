@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_WIND_SHELTER_H
 #define WF_WIND_SHELTER_H
 /* The wind inside and behind a tree: what its own branches and leaves leave of it.

@@ -1,6 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/terrain.h"
+#include "base/file.h"
+#include "base/num.h"
 #include "base/random.h"
+#include <ctype.h>
+#include <gsl/gsl_fft_complex.h>
 #include <math.h>
+#include <string.h>
+#include <strings.h>
 
 enum { STREAM_TERRAIN = 0x41 };
 
@@ -100,4 +107,307 @@ double wf_terrain_steepest(const struct wf_terrain *t)
             if (slope > worst) worst = slope;
         }
     return worst;
+}
+
+/* ESRI ASCII grids. */
+
+struct text {
+    const char *path, *at, *end, *word;
+    size_t line, column, size; /* of the word in hand */
+    const char *start;         /* of the line         */
+};
+
+/* The next word; false at the end. */
+static bool next(struct text *t)
+{
+    while (t->at < t->end && isspace((unsigned char)*t->at))
+        if (*t->at++ == '\n') t->line++, t->start = t->at;
+    t->word = t->at;
+    t->column = (size_t)(t->at - t->start) + 1;
+    while (t->at < t->end && !isspace((unsigned char)*t->at)) t->at++;
+    t->size = (size_t)(t->at - t->word);
+    return t->size > 0;
+}
+
+static enum wf_status number(struct text *t, const char *what, double *value, struct wf_err *e)
+{
+    if (!next(t))
+        return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: error: the file ends where %s is expected", t->path,
+                       t->line, t->column, what);
+    const char *end = wf_number_read(t->word, t->word + t->size, '.', value);
+    if (end == t->word + t->size) return WF_OK;
+    return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: error: %s: expected a number, got '%.*s'", t->path, t->line,
+                   t->column, what, (int)(t->size < 40 ? t->size : 40), t->word);
+}
+
+enum { COLUMNS, ROWS, X, Y, CELL, NODATA, X_CENTRE, Y_CENTRE, KEYS };
+static const char *const key[KEYS] = { "ncols",    "nrows",        "xllcorner", "yllcorner",
+                                       "cellsize", "nodata_value", "xllcenter", "yllcenter" };
+
+static enum wf_status header(struct text *t, double value[KEYS], struct wf_err *e)
+{
+    for (int k = 0; k < KEYS; k++) value[k] = NAN;
+    for (;;) {
+        struct text before = *t;
+        if (!next(t)) break;
+        if (!isalpha((unsigned char)t->word[0]) || strncasecmp(t->word, "nan", t->size) == 0) {
+            *t = before;
+            break;
+        }
+        int k = 0;
+        while (k < KEYS && !(strlen(key[k]) == t->size && strncasecmp(key[k], t->word, t->size) == 0)) k++;
+        if (k == KEYS)
+            return wf_fail(e, WF_EINPUT,
+                           "%s:%zu:%zu: error: unknown header word '%.*s'; an ESRI ASCII grid has ncols, "
+                           "nrows, xllcorner, "
+                           "yllcorner, cellsize, nodata_value",
+                           t->path, t->line, t->column, (int)(t->size < 40 ? t->size : 40), t->word);
+        if (number(t, key[k], &value[k], e)) return WF_EINPUT;
+    }
+    for (int k = COLUMNS; k <= CELL; k++) {
+        bool centre = (k == X && !isnan(value[X_CENTRE])) || (k == Y && !isnan(value[Y_CENTRE]));
+        if (isnan(value[k]) && !centre)
+            return wf_fail(e, WF_EINPUT, "%s: error: the header has no %s", t->path, key[k]);
+    }
+    for (int k = COLUMNS; k <= ROWS; k++)
+        if (!(value[k] >= 2.0 && value[k] <= WF_TERRAIN_MAX && value[k] == floor(value[k])))
+            return wf_fail(e, WF_EINPUT, "%s: error: %s = %g: a whole number 2..%d", t->path, key[k],
+                           value[k], WF_TERRAIN_MAX);
+    if (!(value[CELL] > 0.0 && value[CELL] <= 1e5))
+        return wf_fail(e, WF_EINPUT, "%s: error: %s = %g m: above 0, at most 100 km", t->path, key[CELL],
+                       value[CELL]);
+    return WF_OK;
+}
+
+enum wf_status wf_terrain_read(const char *path, struct wf_arena *a, struct wf_terrain *out, struct wf_err *e)
+{
+    struct wf_bytes bytes;
+    double value[KEYS];
+    if (wf_file_read_text(path, a, &bytes, e)) return e ? e->code : WF_EINPUT;
+    struct text t = {
+        .path = path, .at = bytes.data, .end = bytes.data + bytes.size, .line = 1, .start = bytes.data
+    };
+    if (header(&t, value, e)) return WF_EINPUT;
+    enum wf_status s = wf_terrain_alloc(out, (size_t)value[COLUMNS], (size_t)value[ROWS], value[CELL], a, e);
+    if (s) return s;
+    out->x0 = isnan(value[X_CENTRE]) ? value[X] + 0.5 * out->cell : value[X_CENTRE];
+    out->y0 = isnan(value[Y_CENTRE]) ? value[Y] + 0.5 * out->cell : value[Y_CENTRE];
+    for (size_t r = out->rows; r-- > 0;)
+        for (size_t c = 0; c < out->columns; c++) {
+            double *z = &out->z[r * out->columns + c];
+            if (number(&t, "a height", z, e)) return WF_EINPUT;
+            if (*z == value[NODATA])
+                *z = NAN;
+            else if (fabs(*z) > 12000.0)
+                return wf_fail(e, WF_EINPUT,
+                               "%s:%zu:%zu: error: height %g m; is the no-data value %g in the header?", path,
+                               t.line, t.column, *z, *z);
+        }
+    if (next(&t))
+        return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: error: more heights than ncols x nrows = %zu", path, t.line,
+                       t.column, out->rows * out->columns);
+    return WF_OK;
+}
+
+enum wf_status wf_terrain_write(const char *path, const struct wf_terrain *t, const double *values,
+                                struct wf_err *e)
+{
+    struct wf_file f;
+    const double *z = values ? values : t->z;
+    if (wf_file_begin(&f, path, e)) return e ? e->code : WF_EOUTPUT;
+    fprintf(f.stream,
+            "ncols %zu\nnrows %zu\nxllcorner %.12g\nyllcorner %.12g\ncellsize %.12g\nNODATA_value -9999\n",
+            t->columns, t->rows, t->x0 - 0.5 * t->cell, t->y0 - 0.5 * t->cell, t->cell);
+    for (size_t r = t->rows; r-- > 0;)
+        for (size_t c = 0; c < t->columns; c++) {
+            double v = z[r * t->columns + c];
+            fprintf(f.stream, "%.7g%c", isnan(v) ? -9999.0 : v, c + 1 < t->columns ? ' ' : '\n');
+        }
+    return wf_file_commit(&f, e);
+}
+
+/* Shelter by the ground itself: angles to the skyline within a distance. */
+
+#define PI 3.14159265358979323846
+
+double wf_terrain_horizon(const struct wf_terrain *t, size_t column, size_t row, double towards,
+                          double distance, bool *seen)
+{
+    double here = t->z[row * t->columns + column], best = NAN, ex = sin(towards), ey = cos(towards);
+    double x = t->x0 + (double)column * t->cell, y = t->y0 + (double)row * t->cell;
+    /* along a diagonal the steps hit grid points too */
+    double step = t->cell / fmax(fabs(ex), fabs(ey));
+    *seen = true;
+    for (size_t i = 1; (double)i * step <= distance * (1.0 + 1e-9); i++) {
+        double run = (double)i * step, z = wf_terrain_height(t, x + run * ex, y + run * ey);
+        if (isnan(z)) {
+            *seen = false;
+            continue;
+        }
+        double angle = atan2(z - here, run);
+        if (!(angle <= best)) best = angle;
+    }
+    return best;
+}
+
+double wf_terrain_topex(const struct wf_terrain *t, size_t column, size_t row, double distance, double *seen)
+{
+    double sum = 0.0, whole = 0.0;
+    for (int d = 0; d < 8; d++) {
+        bool on_map;
+        double angle = wf_terrain_horizon(t, column, row, d * PI / 4.0, distance, &on_map);
+        if (!isnan(angle)) sum += angle;
+        whole += on_map ? 0.125 : 0.0;
+    }
+    if (seen) *seen = whole;
+    return isnan(t->z[row * t->columns + column]) ? NAN : sum;
+}
+
+/* Wind over low hills: the linear response of a neutral wind, by Fourier transform of the map. */
+
+#define TAU 6.28318530717958647692
+
+struct plane {
+    size_t nx, ny;
+    double *h; /* complex, ny rows of nx */
+    gsl_fft_complex_wavetable *wx, *wy;
+    gsl_fft_complex_workspace *sx, *sy;
+};
+
+/* The next size at least n with no other prime factors than 2, 3, 5. */
+static size_t smooth(size_t n)
+{
+    for (;; n++) {
+        size_t rest = n;
+        while (rest % 2 == 0) rest /= 2;
+        while (rest % 3 == 0) rest /= 3;
+        while (rest % 5 == 0) rest /= 5;
+        if (rest == 1) return n;
+    }
+}
+
+static void drop(struct plane *p)
+{
+    if (p->wx) gsl_fft_complex_wavetable_free(p->wx);
+    if (p->wy) gsl_fft_complex_wavetable_free(p->wy);
+    if (p->sx) gsl_fft_complex_workspace_free(p->sx);
+    if (p->sy) gsl_fft_complex_workspace_free(p->sy);
+}
+
+static enum wf_status lay_out(struct plane *p, const struct wf_terrain *t, struct wf_arena *a,
+                              struct wf_err *e)
+{
+    p->nx = smooth(2 * t->columns - 2);
+    p->ny = smooth(2 * t->rows - 2);
+    p->h = WF_TAKE(a, 2 * p->nx * p->ny, double);
+    p->wx = gsl_fft_complex_wavetable_alloc(p->nx);
+    p->wy = gsl_fft_complex_wavetable_alloc(p->ny);
+    p->sx = gsl_fft_complex_workspace_alloc(p->nx);
+    p->sy = gsl_fft_complex_workspace_alloc(p->ny);
+    if (p->h && p->wx && p->wy && p->sx && p->sy) return WF_OK;
+    drop(p);
+    return wf_fail(e, WF_ENOMEM, "no room for the transform of a map of %zu x %zu", t->columns, t->rows);
+}
+
+static void transform(struct plane *p, gsl_fft_direction way)
+{
+    for (size_t r = 0; r < p->ny; r++)
+        gsl_fft_complex_transform(p->h + 2 * r * p->nx, 1, p->nx, p->wx, p->sx, way);
+    for (size_t c = 0; c < p->nx; c++)
+        gsl_fft_complex_transform(p->h + 2 * c, p->nx, p->ny, p->wy, p->sy, way);
+}
+
+/* Which grid point stands at place i of the doubled map: there and back, then the first again up to a size
+ * that transforms well. */
+static size_t mirrored(size_t i, size_t n) { return i < n ? i : i < 2 * n - 2 ? 2 * n - 2 - i : 0; }
+
+static double wavenumber(size_t i, size_t n, double cell)
+{
+    double k = i <= n / 2 ? (double)i : (double)i - (double)n;
+    return TAU * k / ((double)n * cell);
+}
+
+/* Mean of 1/|k|, each wave with its share of the height variance per |k|: for one wave of number k it is 1/k.
+ */
+static double mean_length(const struct plane *p, double cell)
+{
+    double energy = 0.0, weighted = 0.0;
+    for (size_t r = 0; r < p->ny; r++)
+        for (size_t c = 0; c < p->nx; c++) {
+            const double *h = p->h + 2 * (r * p->nx + c);
+            double k = hypot(wavenumber(c, p->nx, cell), wavenumber(r, p->ny, cell)),
+                   e2 = h[0] * h[0] + h[1] * h[1];
+            energy += k > 0.0 ? e2 : 0.0;
+            weighted += k * e2;
+        }
+    return weighted > 0.0 ? energy / weighted : 0.0;
+}
+
+/* l ln(l/z0) = 2 kappa^2 L with kappa = 0.4, by Newton from above (the left side is convex there). */
+static double inner_height(double length, double z0)
+{
+    double l = fmax(length, 3.0 * z0);
+    for (int i = 0; i < 60; i++) l -= (l * log(l / z0) - 0.32 * length) / (log(l / z0) + 1.0);
+    return l;
+}
+
+static enum wf_status respond(const struct wf_terrain *t, const struct wf_speedup_request *q, struct plane *p,
+                              struct wf_speedup *out, struct wf_err *e)
+{
+    double ex = -sin(q->from), ey = -cos(q->from);
+    out->length = q->length > 0.0 ? q->length : mean_length(p, t->cell);
+    if (!(out->length > 4.0 * q->roughness) && out->length > 0.0)
+        return wf_fail(e, WF_EUSAGE, "hills %g m long over a roughness of %g m", out->length, q->roughness);
+    out->inner = out->length > 0.0 ? inner_height(out->length, q->roughness) : 0.0;
+    double z = fmin(fmax(q->height, out->inner), fmax(out->length, out->inner));
+    double ratio = out->length > 0.0 ? log(out->length / q->roughness) / log(z / q->roughness) : 1.0;
+    out->gain = ratio * ratio;
+    for (size_t r = 0; r < p->ny; r++)
+        for (size_t c = 0; c < p->nx; c++) {
+            double kx = wavenumber(c, p->nx, t->cell), ky = wavenumber(r, p->ny, t->cell), k = hypot(kx, ky);
+            double along = kx * ex + ky * ey;
+            double response = k > 0.0 ? out->gain * along * along / k * exp(-k * q->height) : 0.0;
+            p->h[2 * (r * p->nx + c)] *= response;
+            p->h[2 * (r * p->nx + c) + 1] *= response;
+        }
+    return WF_OK;
+}
+
+enum wf_status wf_terrain_speedup(const struct wf_terrain *t, const struct wf_speedup_request *q,
+                                  struct wf_arena *a, struct wf_speedup *out, struct wf_err *e)
+{
+    struct plane p = { 0 };
+    double mean = 0.0;
+    memset(out, 0, sizeof *out);
+    if (!(q->roughness > 0.0 && q->roughness <= 10.0 && q->height > q->roughness && q->height <= 500.0 &&
+          q->length >= 0.0))
+        return wf_fail(e, WF_EUSAGE,
+                       "speed-up at %g m over a roughness of %g m: 0 < z0 <= 10 m, z0 < z <= 500 m",
+                       q->height, q->roughness);
+    for (size_t i = 0; i < t->rows * t->columns; i++) {
+        if (isnan(t->z[i]))
+            return wf_fail(
+                e, WF_EINPUT,
+                "the map has points without data (first at %.9g, %.9g); the speed-up needs a whole map: "
+                "fill them, or cut out a part without gaps",
+                t->x0 + (double)(i % t->columns) * t->cell, t->y0 + (double)(i / t->columns) * t->cell);
+        mean += t->z[i] / (double)(t->rows * t->columns);
+    }
+    out->ds = WF_TAKE(a, t->rows * t->columns, double);
+    if (!out->ds || lay_out(&p, t, a, e)) return wf_fail(e, WF_ENOMEM, "no room for the speed-up of a map");
+    for (size_t r = 0; r < p.ny; r++)
+        for (size_t c = 0; c < p.nx; c++)
+            p.h[2 * (r * p.nx + c)] =
+                t->z[mirrored(r, t->rows) * t->columns + mirrored(c, t->columns)] - mean;
+    transform(&p, gsl_fft_forward);
+    enum wf_status s = respond(t, q, &p, out, e);
+    if (!s) {
+        transform(&p, gsl_fft_backward);
+        for (size_t r = 0; r < t->rows; r++)
+            for (size_t c = 0; c < t->columns; c++)
+                out->ds[r * t->columns + c] = p.h[2 * (r * p.nx + c)] / (double)(p.nx * p.ny);
+    }
+    out->steepest = wf_terrain_steepest(t);
+    drop(&p);
+    return s;
 }

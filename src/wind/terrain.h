@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_WIND_TERRAIN_H
 #define WF_WIND_TERRAIN_H
 /* Heights of the ground on a square grid, made or read, and what they do to the wind at each position.

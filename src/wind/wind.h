@@ -1,6 +1,9 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_WIND_WIND_H
 #define WF_WIND_WIND_H
 /* The mean wind as a field: velocity and its gradient anywhere. Rows, each with source and range. */
+#include "base/arena.h"
+#include "base/diag.h"
 #include "base/err.h"
 #include <stddef.h>
 
@@ -48,4 +51,38 @@ double wf_air_density(double temperature, double altitude);
 /* Kinematic viscosity [m2/s] of air at a temperature [K] and density [kg m-3]: Sutherland's law with the
  * constants of ISO 2533:1975; 100..1900 K. */
 double wf_air_viscosity(double temperature, double density);
+
+/* A mean wind profile as it was measured: speeds at heights, from CSV. */
+
+struct wf_measured_profile {
+    size_t n;
+    double *z, *u; /* ascending [m], [m/s]; the ground at speed 0 is added below the lowest */
+    double *slope; /* of the curve at the heights [1/s] */
+};
+
+/* Read columns height_m and speed_ms, at least two heights. Every bad cell is a finding; heights must ascend.
+ */
+enum wf_status wf_measured_read(const char *path, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_measured_profile *out, struct wf_err *e);
+
+wf_wind_sample wf_measured_sample; /* w->field is the profile */
+/* Make `w` blow with this shape: w->speed is the speed at w->reference_height. Between heights a monotone
+ * cubic (Steffen M. 1990, Astron. Astrophys. 239:443-450) so that nothing overshoots and the gradient is
+ * continuous; above the highest the speed there, below the lowest down to 0 at the ground. WF_EINPUT where
+ * the profile has no wind at the reference height. The profile must outlive the wind. */
+enum wf_status wf_measured_blow(const struct wf_measured_profile *p, struct wf_wind *w, struct wf_err *e);
+
+/* Places at which a wind is wanted, from CSV. */
+
+struct wf_points {
+    size_t n;
+    double *place; /* 3 a point: along the mean wind, across it to the left, above ground [m] */
+    double *mean;  /* mean wind there [m/s]; NULL: the file does not say                      */
+};
+
+/* Read columns x_m, y_m, z_m and, where there is one, mean_ms; at most `most` points. Every bad cell is a
+ * finding.
+ */
+enum wf_status wf_points_read(const char *path, size_t most, struct wf_arena *a, struct wf_diag *d,
+                              struct wf_points *out, struct wf_err *e);
 #endif

@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/num.h"
+#include <gsl/gsl_errno.h>
+#include <locale.h>
+#include <math.h>
+#include <pthread.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static bool digit(const char *s, const char *end) { return s < end && *s >= '0' && *s <= '9'; }
+
+/* Digits in any number: copied with a '.' and given to the C library under the "C" locale. */
+static bool slow(const char *s, const char *end, char point, double *value)
+{
+    char local[128], *copy = local;
+    size_t n = (size_t)(end - s);
+    if (n >= sizeof local && !(copy = malloc(n + 1))) return false;
+    memcpy(copy, s, n);
+    copy[n] = '\0';
+    char *p = strchr(copy, point);
+    if (p) *p = '.';
+    locale_t c = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    *value = c ? strtod_l(copy, NULL, c) : NAN;
+    bool ok = isfinite(*value) && *value != 0; /* the digits are not all zero here */
+    if (c) freelocale(c);
+    if (copy != local) free(copy);
+    return ok;
+}
+
+const char *wf_number_read(const char *s, const char *end, char point, double *value)
+{
+    static const double power[] = { 1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                                    1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22 };
+    const char *start = s;
+    bool negative = s < end && *s == '-';
+    if (s < end && (*s == '-' || *s == '+')) s++;
+    uint64_t m = 0;
+    int digits = 0, seen = 0, scale = 0, ten = 0;
+    for (; digit(s, end); s++, seen = 1) {
+        if (digits < 19) m = m * 10 + (uint64_t)(*s - '0');
+        digits += digits > 0 || *s != '0';
+    }
+    if (s < end && *s == point && (seen || digit(s + 1, end)))
+        for (s++; digit(s, end); s++, seen = 1, scale--) {
+            if (digits < 19) m = m * 10 + (uint64_t)(*s - '0');
+            digits += digits > 0 || *s != '0';
+            if (scale < -100000) return NULL;
+        }
+    if (!seen) return NULL;
+    if (s < end && (*s == 'e' || *s == 'E')) {
+        const char *x = s + 1;
+        bool down = x < end && *x == '-';
+        if (x < end && (*x == '-' || *x == '+')) x++;
+        if (digit(x, end)) {
+            for (; digit(x, end); x++)
+                if (ten < 100000) ten = ten * 10 + (*x - '0');
+            ten = down ? -ten : ten;
+            s = x;
+        }
+    }
+    int e10 = scale + ten;
+    if (digits <= 19 && m <= (UINT64_C(1) << 53) && e10 >= -22 && e10 <= 22) {
+        double v = (double)m;
+        v = e10 < 0 ? v / power[-e10] : v * power[e10];
+        *value = negative ? -v : v;
+        return s;
+    }
+    if (digits == 0) {
+        *value = negative ? -0.0 : 0.0;
+        return s;
+    }
+    return slow(start, s, point, value) ? s : NULL;
+}
+
+enum { WORD_MAX = 63 };
+
+static unsigned char lower(char c) { return (unsigned char)(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c); }
+
+static size_t least(size_t a, size_t b) { return a < b ? a : b; }
+
+size_t wf_word_distance(const char *a, const char *b)
+{
+    size_t n = strlen(a), m = strlen(b);
+    if (n > WORD_MAX || m > WORD_MAX) return (size_t)-1;
+    size_t row[3][WORD_MAX + 1]; /* rows i-2, i-1, i of the table, in turn */
+    for (size_t j = 0; j <= m; j++) row[0][j] = j;
+    for (size_t i = 1; i <= n; i++) {
+        size_t *now = row[i % 3], *before = row[(i + 2) % 3], *earlier = row[(i + 1) % 3];
+        now[0] = i;
+        for (size_t j = 1; j <= m; j++) {
+            unsigned char x = lower(a[i - 1]), y = lower(b[j - 1]);
+            now[j] = least(before[j - 1] + (x != y), least(before[j], now[j - 1]) + 1);
+            if (i > 1 && j > 1 && x == lower(b[j - 2]) && lower(a[i - 2]) == y)
+                now[j] = least(now[j], earlier[j - 2] + 1);
+        }
+    }
+    return row[n % 3][m];
+}
+
+int wf_word_is_near(const char *word, size_t distance)
+{
+    size_t n = strlen(word);
+    return distance <= (n <= 4 ? 1u : n <= 8 ? 2u : 3u);
+}
+
+/* One word begins with the other, as "youngs" for "youngs_modulus". */
+static bool shortened(const char *a, const char *b)
+{
+    size_t n = 0;
+    while (a[n] && b[n] && lower(a[n]) == lower(b[n])) n++;
+    return n >= 3 && (!a[n] || !b[n]);
+}
+
+const char *wf_nearest(const char *word, const char *const *known, size_t n)
+{
+    const char *best = NULL;
+    size_t best_distance = (size_t)-1;
+    for (size_t i = 0; i < n; i++) {
+        size_t d = wf_word_distance(word, known[i]);
+        if (d < best_distance && wf_word_is_near(word, d)) {
+            best = known[i];
+            best_distance = d;
+        }
+    }
+    for (size_t i = 0; i < n && !best; i++)
+        if (shortened(word, known[i])) best = known[i];
+    return best;
+}
+
+static pthread_mutex_t door = PTHREAD_MUTEX_INITIALIZER;
+static unsigned inside;
+static gsl_error_handler_t *before;
+
+void wf_quiet_begin(void)
+{
+    pthread_mutex_lock(&door);
+    if (inside++ == 0) before = gsl_set_error_handler_off();
+    pthread_mutex_unlock(&door);
+}
+
+void wf_quiet_end(void)
+{
+    pthread_mutex_lock(&door);
+    if (--inside == 0) gsl_set_error_handler(before);
+    pthread_mutex_unlock(&door);
+}

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_FIT_CALIBRATION_H
+#define WF_FIT_CALIBRATION_H
+/* A calibration study (YAML): which trees, which tests on them, which sensors, what is free. */
+#include "base/diag.h"
+#include "base/yaml.h"
+#include "fit/experiment.h"
+
+struct wf_study_tree {
+    const char *name, *species, *model, *qsm, *joint;
+    double leaf_area, root_stiffness, gravity; /* [m2], [N m/rad]: NAN clamped, [m s-2] */
+};
+struct wf_study_sensor {
+    const char *name, *column, *unit, *sigma, *value, *group;
+    enum wf_sensor_kind kind;
+    double height, along, azimuth, gauge, sigma_share; /* NAN: not given */
+    size_t sign;                                       /* index in +, -  */
+    size_t offset, drift;                              /* index in no, yes */
+};
+struct wf_study_pull {
+    const char *column, *unit;
+    double height, azimuth, elevation, anchor_distance, anchor_height; /* [m], [rad], [m] */
+    double from, to;                                                   /* shares of the largest force */
+    size_t loads;
+    double *load; /* for planning [N] */
+    bool given;
+};
+struct wf_study_wind {
+    const char *column, *unit, *profile;
+    double reference_height, exponent, roughness, azimuth;
+    size_t speeds;
+    double *speed; /* for planning [m/s] */
+    bool given;
+};
+struct wf_study_sway {
+    const char *column;
+    double azimuth; /* of the mode; NAN: the lowest */
+    bool given;
+};
+struct wf_study_test {
+    const char *name, *tree, *data, *time, *along;
+    size_t rows_n;
+    struct wf_yaml_pair *rows; /* column = text that a row must have */
+    struct wf_study_pull pull;
+    struct wf_study_wind wind;
+    struct wf_study_sway sway;
+    size_t zero; /* index in rest, unloaded */
+    size_t points;
+    double after, until; /* [s] of the record */
+    size_t sensors;
+    struct wf_study_sensor *sensor;
+};
+struct wf_study_free {
+    const char *parameter, *start, *low, *high;
+};
+struct wf_fit_study {
+    const char *key, *name, *note, *source, *reference, *file;
+    size_t trees, tests, frees;
+    struct wf_study_tree *tree;
+    struct wf_study_test *test;
+    struct wf_study_free *free;
+};
+extern const struct wf_yaml_table wf_fit_study_table;
+
+enum wf_status wf_fit_study_read(const char *path, struct wf_arena *a, struct wf_fit_study *out,
+                                 struct wf_diag *d, struct wf_err *e);
+
+/* A file named in a study: "${WINDFIRM_REFERENCE}/..." by the environment, else beside the study file, else
+ * as it is. Returned: text in the arena. Errors: WF_EMISSING where the variable is not set or the file is not
+ * there. */
+enum wf_status wf_fit_path(const struct wf_fit_study *s, const char *name, struct wf_arena *a,
+                           const char **out, struct wf_err *e);
+#endif

@@ -1,0 +1,163 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "grow/import_file.h"
+#include <ctype.h>
+#include <math.h>
+#include <string.h>
+
+const struct wf_field_row wf_field_rows[] = {
+    { WF_FIELD_ID, " id cylid cylinderid cylinder segid ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_NEXT, " extension extensionid ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_ORDER, " branchorder branchingorder level order ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_ADDED, " added ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_X0, " startx x0 basex xstart ", 1, WF_FIELD_METRES },
+    { WF_FIELD_Y0, " starty y0 basey ystart ", 1, WF_FIELD_METRES },
+    { WF_FIELD_Z0, " startz z0 basez zstart ", 1, WF_FIELD_METRES },
+    { WF_FIELD_X1, " endx x1 tipx xend ", 1, WF_FIELD_METRES },
+    { WF_FIELD_Y1, " endy y1 tipy yend ", 1, WF_FIELD_METRES },
+    { WF_FIELD_Z1, " endz z1 tipz zend ", 1, WF_FIELD_METRES },
+    { WF_FIELD_AX, " axisx ax ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_AY, " axisy ay ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_AZ, " axisz az ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_RADIUS, " radius radiuscyl rad r ", 1, WF_FIELD_METRES },
+    { WF_FIELD_R0, " radius0 r0 baseradius radiusbase ", 1, WF_FIELD_METRES },
+    { WF_FIELD_R1, " radius1 r1 tipradius radiustip endradius ", 1, WF_FIELD_METRES },
+    { WF_FIELD_RADIUS, " diameter diam dia d ", 0.5, WF_FIELD_METRES },
+    { WF_FIELD_R0, " diameter0 basediameter diameterbase dbase d0 ", 0.5, WF_FIELD_METRES },
+    { WF_FIELD_R1, " diameter1 tipdiameter diametertip dtip d1 ", 0.5, WF_FIELD_METRES },
+    { WF_FIELD_LENGTH, " length len ", 1, WF_FIELD_METRES },
+    { WF_FIELD_ANGLE, " angle insertionangle branchangle ", 1, WF_FIELD_RADIANS },
+    { WF_FIELD_ZENITH, " zenith inclination tilt ", 1, WF_FIELD_RADIANS },
+    { WF_FIELD_AZIMUTH, " azimuth ", 1, WF_FIELD_RADIANS },
+    { WF_FIELD_DISTANCE, " distance offset ", 1, WF_FIELD_METRES },
+    { WF_FIELD_SHARE, " share position relativeposition ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_NONE, "", 1, WF_FIELD_PLAIN },
+};
+
+static const struct {
+    const char *name;
+    enum wf_field_unit unit;
+    double factor;
+} units[] = {
+    { "m", WF_FIELD_METRES, 1 },      { "cm", WF_FIELD_METRES, 0.01 },
+    { "mm", WF_FIELD_METRES, 0.001 }, { "deg", WF_FIELD_RADIANS, M_PI / 180 },
+    { "rad", WF_FIELD_RADIANS, 1 },
+};
+
+/* Letters and digits of a name in lower case, between blanks for a search among spellings. A last word that
+ * is a unit is taken off. Returned: row of `units`, -1 when the name ends in none. */
+static int plain_word(const char *name, char *out, size_t size)
+{
+    size_t n = 0, word = 0; /* where the last word starts */
+    bool gap = false;
+    out[n++] = ' ';
+    for (const char *p = name; *p && n + 2 < size; p++) {
+        if (!isalnum((unsigned char)*p)) {
+            gap = true;
+            continue;
+        }
+        if (gap && n > 1) word = n;
+        gap = false;
+        out[n++] = (char)tolower((unsigned char)*p);
+    }
+    out[n] = '\0';
+    int unit = -1;
+    for (size_t k = 0; word && k < sizeof units / sizeof *units; k++)
+        if (!strcmp(out + word, units[k].name)) unit = (int)k;
+    if (unit >= 0) n = word;
+    out[n++] = ' ';
+    out[n] = '\0';
+    return unit;
+}
+
+enum wf_field wf_field_of(const char *name, double length_unit, double diameter_unit, double *factor)
+{
+    char word[64];
+    int unit = plain_word(name, word, sizeof word);
+    for (const struct wf_field_row *f = wf_field_rows; f->field != WF_FIELD_NONE; f++) {
+        if (!strstr(f->names, word)) continue;
+        bool thick = f->field == WF_FIELD_RADIUS || f->field == WF_FIELD_R0 || f->field == WF_FIELD_R1;
+        *factor = f->factor;
+        if (unit >= 0 && units[unit].unit == f->unit)
+            *factor *= units[unit].factor;
+        else if (f->unit == WF_FIELD_METRES)
+            *factor *= thick ? diameter_unit : length_unit;
+        else if (f->unit == WF_FIELD_RADIANS)
+            *factor *= M_PI / 180;
+        return f->field;
+    }
+    return WF_FIELD_NONE;
+}
+
+/* Beyond these it is not a tree in metres; the thickest trees known have a radius of 5.8 m. */
+static const double FARTHEST = 1e8, LONGEST = 200, THICKEST = 6; /* [m] */
+
+static bool point(const double v[3])
+{
+    return fabs(v[0]) <= FARTHEST && fabs(v[1]) <= FARTHEST && fabs(v[2]) <= FARTHEST;
+}
+
+/* End of row i from start, axis and length. */
+static const char *end_by_axis(struct wf_qsm *q, size_t i, const double *v)
+{
+    const double *axis = v + WF_FIELD_AX;
+    double norm = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]),
+           length = v[WF_FIELD_LENGTH];
+    if (isnan(length)) return "neither an end point nor a length";
+    if (!(norm > 0 && norm < INFINITY)) return "neither an end point nor an axis direction";
+    if (fabs(norm - 1) > 1e-3) wf_qsm_count(q, WF_REPAIR_AXIS, 1, q->id[i]);
+    q->x1[i] = q->x0[i] + length * axis[0] / norm;
+    q->y1[i] = q->y0[i] + length * axis[1] / norm;
+    q->z1[i] = q->z0[i] + length * axis[2] / norm;
+    return NULL;
+}
+
+static const char *numbers(struct wf_qsm *q, size_t i, const double *v)
+{
+    double id = v[WF_FIELD_ID], parent = v[WF_FIELD_PARENT];
+    if (id < 0 || id > 9e15 || id != floor(id)) return "the id is not a whole number from 0";
+    if (!isnan(parent) && (parent < -1 || parent > 9e15 || parent != floor(parent)))
+        return "the parent is not a whole number";
+    q->id[i] = isnan(id) ? (int64_t)i + 1 : (int64_t)id;
+    q->parent_id[i] = isnan(parent) ? WF_QSM_NO_PARENT : (int64_t)parent;
+    double order = v[WF_FIELD_ORDER], next = v[WF_FIELD_NEXT];
+    q->order[i] = order >= 0 && order < 1000 ? (int32_t)order : -1;
+    q->next_id[i] = next > 0 && next < 9e15 ? (int64_t)next : 0;
+    q->added[i] = v[WF_FIELD_ADDED] > 0;
+    return NULL;
+}
+
+const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double v[WF_FIELD_COUNT])
+{
+    const char *wrong = numbers(q, i, v);
+    if (wrong) return wrong;
+    double r = v[WF_FIELD_RADIUS], r0 = v[WF_FIELD_R0], r1 = v[WF_FIELD_R1], length = v[WF_FIELD_LENGTH];
+    q->r0[i] = isnan(r0) ? r : r0;
+    q->r1[i] = isnan(r1) ? r : r1;
+    if (q->r0[i] > THICKEST || q->r1[i] > THICKEST)
+        return "a radius beyond 6 m; is its unit in the column's name, as in diameter_cm?";
+    if (length < 0 || length > LONGEST) return "a length below 0 or beyond 200 m";
+    q->length[i] = length;
+    if (isnan(v[WF_FIELD_X0])) { /* a table of lengths and angles: placed later */
+        q->x0[i] = q->y0[i] = q->z0[i] = q->x1[i] = q->y1[i] = q->z1[i] = (double)NAN;
+        return isnan(length) ? "no length" : NULL;
+    }
+    if (!point(v + WF_FIELD_X0)) return "the start is not a point within 100000 km";
+    q->x0[i] = v[WF_FIELD_X0], q->y0[i] = v[WF_FIELD_Y0], q->z0[i] = v[WF_FIELD_Z0];
+    if (isnan(v[WF_FIELD_X1])) return end_by_axis(q, i, v);
+    if (!point(v + WF_FIELD_X1)) return "the end is not a point within 100000 km";
+    q->x1[i] = v[WF_FIELD_X1], q->y1[i] = v[WF_FIELD_Y1], q->z1[i] = v[WF_FIELD_Z1];
+    return wf_qsm_distance(q, i) > LONGEST ? "start and end are more than 200 m apart" : NULL;
+}
+
+void wf_import_bad_row(struct wf_qsm *q, bool strict, size_t line, size_t column, const char *text,
+                       struct wf_diag *d)
+{
+    enum { LISTED = 100 };
+    wf_qsm_count(q, WF_REPAIR_BAD_ROW, 1, (int64_t)line);
+    if (q->repairs.count[WF_REPAIR_BAD_ROW] > LISTED) return;
+    if (strict)
+        wf_diag_error(d, q->file, line, column, "%s", text);
+    else
+        wf_diag_warn(d, "row-left-out", "%s:%zu: %s", q->file, line, text);
+}

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_GROW_IMPORT_FILE_H
+#define WF_GROW_IMPORT_FILE_H
+/* A tree file as its readers see it: options, the first bytes, what its columns mean, rows that cannot be
+ * read. */
+#include "grow/qsm.h"
+
+struct wf_import_options {
+    const char *format;   /* a row of wf_import_formats; NULL = by content                            */
+    bool strict;          /* refuse a file that needs a repair                                        */
+    double length_unit;   /* metres per unit of lengths without a unit; NAN: 1 (an MTG: 0.01)         */
+    double diameter_unit; /* the same for radii and diameters; NAN: 1 (an MTG: from the sizes)        */
+};
+
+/* The beginning of a file, enough to tell its format. */
+struct wf_import_head {
+    const char *path;
+    char *text; /* NUL-terminated */
+    size_t size;
+    bool ends_open; /* the file's last line has no line end */
+};
+
+typedef enum wf_status wf_import_reader(const struct wf_import_head *h, const struct wf_import_options *o,
+                                        struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d,
+                                        struct wf_err *e);
+
+enum wf_field {
+    WF_FIELD_ID,
+    WF_FIELD_PARENT,
+    WF_FIELD_NEXT,
+    WF_FIELD_ORDER,
+    WF_FIELD_ADDED,
+    WF_FIELD_X0,
+    WF_FIELD_Y0,
+    WF_FIELD_Z0,
+    WF_FIELD_X1,
+    WF_FIELD_Y1,
+    WF_FIELD_Z1,
+    WF_FIELD_AX,
+    WF_FIELD_AY,
+    WF_FIELD_AZ,
+    WF_FIELD_RADIUS,
+    WF_FIELD_R0,
+    WF_FIELD_R1,
+    WF_FIELD_LENGTH,
+    WF_FIELD_ANGLE,    /* from the parent's axis                           */
+    WF_FIELD_ZENITH,   /* from the vertical                                */
+    WF_FIELD_AZIMUTH,  /* of the horizontal direction, from +x towards +y  */
+    WF_FIELD_DISTANCE, /* of the start from the parent's base              */
+    WF_FIELD_SHARE,    /* the same as a share of the parent's length       */
+    WF_FIELD_COUNT,
+    WF_FIELD_NONE = WF_FIELD_COUNT
+};
+
+enum wf_field_unit { WF_FIELD_PLAIN, WF_FIELD_METRES, WF_FIELD_RADIANS };
+
+struct wf_field_row {
+    enum wf_field field;
+    const char *names;       /* spellings, lower case, letters and digits only, between blanks */
+    double factor;           /* 0.5 for diameters                                              */
+    enum wf_field_unit unit; /* of `field`                                                     */
+};
+/* Ends at field == WF_FIELD_NONE. */
+extern const struct wf_field_row wf_field_rows[];
+
+/* Meaning of a column by its name. Given: a header cell such as " startX", "diameter_mm", "radius (m)";
+ * metres per unit for lengths and for diameters and radii without a unit in their name. Returned: the field
+ * (WF_FIELD_NONE for a column of no interest) and the factor to SI. */
+enum wf_field wf_field_of(const char *name, double length_unit, double diameter_unit, double *factor);
+
+/* Given: value[WF_FIELD_COUNT] in SI, NAN = not in the file. Returned: NULL and row i of q, or what is wrong
+ * with the row. An end is taken as given, else start + length along the normalised axis. Rows without
+ * coordinates keep NAN ends.
+ */
+const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double value[WF_FIELD_COUNT]);
+
+/* A finding about an unreadable row: an error when strict, else a warning; counted in q. At most 100 are
+ * listed. */
+void wf_import_bad_row(struct wf_qsm *q, bool strict, size_t line, size_t column, const char *text,
+                       struct wf_diag *d);
+#endif

@@ -1,0 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_GROW_IMPORT_MAT_H
+#define WF_GROW_IMPORT_MAT_H
+/* Reader of MATLAB files through libmatio. */
+#include "grow/import_file.h"
+
+wf_import_reader wf_import_mat;
+#endif

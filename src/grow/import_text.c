@@ -1,0 +1,490 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "grow/import_text.h"
+#include "base/csv.h"
+#include "base/file.h"
+#include "base/num.h"
+#include "base/vec3.h"
+#include "grow/qsm.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Coordinates of a table without any, from lengths and angles. Given: per row angle, zenith, azimuth [rad],
+ * distance [m], share [-], each NAN where not measured, as rows of value[n][WF_FIELD_COUNT]. */
+struct wf_hand {
+    double *angle, *zenith, *azimuth, *distance, *share;
+};
+static enum wf_status wf_import_place(struct wf_qsm *q, const struct wf_hand *hand, struct wf_arena *a,
+                                      struct wf_err *e);
+
+/* Tables with a header row: normalised, SimpleForest, aRchi, rTwig, plain segments, hand-measured. */
+
+struct column {
+    enum wf_field field;
+    size_t index;
+    double factor;
+};
+
+struct table {
+    struct wf_csv csv;
+    struct column column[WF_FIELD_COUNT];
+    size_t columns;
+    bool has[WF_FIELD_COUNT];
+    bool placed; /* the file has coordinates */
+};
+
+/* A format is told by a column that only its program writes. */
+static const struct {
+    const char *column, *format;
+} marks[] = {
+    { "growthLength", "SimpleForest CSV" }, { "reverseBranchOrder", "SimpleForest CSV" },
+    { "radius_cyl", "aRchi CSV" },          { "UnmodRadius", "rTwig CSV" },
+    { "raw_radius", "rTwig CSV" },          { "radius0", "plain CSV of segments" },
+    { "radius_m", "normalised CSV" },
+};
+
+static const char *title(const struct table *t)
+{
+    if (!t->placed) return "hand-measured table";
+    for (size_t k = 0; k < sizeof marks / sizeof *marks; k++)
+        if (wf_csv_column(&t->csv, marks[k].column) != WF_CSV_NONE) return marks[k].format;
+    return "CSV of cylinders";
+}
+
+static void map_columns(struct table *t, const struct wf_import_options *o)
+{
+    double length_unit = isnan(o->length_unit) ? 1 : o->length_unit;
+    double diameter_unit = isnan(o->diameter_unit) ? length_unit : o->diameter_unit;
+    for (size_t k = 0; k < t->csv.columns; k++) {
+        struct column c = { .index = k };
+        c.field = wf_field_of(t->csv.name[k].text, length_unit, diameter_unit, &c.factor);
+        if (c.field == WF_FIELD_NONE || t->has[c.field]) continue;
+        t->has[c.field] = true;
+        t->column[t->columns++] = c;
+    }
+}
+
+static bool three(const struct table *t, enum wf_field first)
+{
+    return t->has[first] && t->has[first + 1] && t->has[first + 2];
+}
+
+/* What the header lacks for a tree, NULL when nothing. */
+static const char *lacking(struct table *t)
+{
+    bool start = three(t, WF_FIELD_X0), end = three(t, WF_FIELD_X1);
+    bool axis = three(t, WF_FIELD_AX) && t->has[WF_FIELD_LENGTH];
+    bool any = t->has[WF_FIELD_X0] || t->has[WF_FIELD_X1] || t->has[WF_FIELD_AX];
+    bool radius = t->has[WF_FIELD_RADIUS] || t->has[WF_FIELD_R0] || t->has[WF_FIELD_R1];
+    t->placed = start && (end || axis);
+    if (!t->has[WF_FIELD_PARENT]) return "a parent column (parent, parentID, parent_ID)";
+    if (!radius) return "a radius or diameter column (radius, radius_m, diameter_cm)";
+    if (any && !start) return "the start point (start_x, start_y, start_z or x0, y0, z0)";
+    if (any && !t->placed) return "the end point (end_x.. or x1..), or axis_x, axis_y, axis_z and length";
+    if (!any && !t->has[WF_FIELD_LENGTH]) return "a length column, or start and end points";
+    return NULL;
+}
+
+static enum wf_status refuse_header(const struct table *t, const char *what, struct wf_err *e)
+{
+    char names[512] = "";
+    size_t n = 0;
+    for (size_t k = 0; k < t->csv.columns && n + 64 < sizeof names; k++)
+        n += (size_t)snprintf(names + n, sizeof names - n, "%s%.40s", k ? ", " : "", t->csv.name[k].text);
+    return wf_fail(e, WF_EINPUT, "%s:%zu: error: no known tree format: the header lacks %s; it has: %s",
+                   t->csv.file, t->csv.columns ? t->csv.name[0].line : 1, what, names);
+}
+
+static bool blank(const char *s)
+{
+    return !*s || !strcmp(s, "NA") || !strcmp(s, "NaN") || !strcmp(s, "nan") || !strcmp(s, "NULL");
+}
+
+/* The row in hand in SI. false after a finding. */
+static bool take_row(struct table *t, double *value)
+{
+    for (int f = 0; f < WF_FIELD_COUNT; f++) value[f] = (double)NAN;
+    if (!t->has[WF_FIELD_ID]) value[WF_FIELD_ID] = (double)t->csv.row;
+    for (size_t k = 0; k < t->columns; k++) {
+        const struct column *c = &t->column[k];
+        if (blank(wf_csv_text(&t->csv, c->index))) continue;
+        double v;
+        if (!wf_csv_number(&t->csv, c->index, -INFINITY, INFINITY, &v)) return false;
+        value[c->field] = v * c->factor;
+    }
+    if (!t->placed || !isnan(value[WF_FIELD_X0])) return true;
+    wf_csv_mistake(&t->csv, WF_CSV_NONE, "no start point");
+    return false;
+}
+
+static size_t lines_left(const struct wf_csv *c)
+{
+    size_t n = 1;
+    for (const char *p = c->at; p < c->end && (p = memchr(p, '\n', (size_t)(c->end - p))); p++) n++;
+    if (n == 1) /* line ends of old systems */
+        for (const char *p = c->at; p < c->end; p++) n += *p == '\r';
+    return n;
+}
+
+/* What the CSV reader found goes to the caller's list, one line a row. */
+static void hand_on(struct table *t, const struct wf_import_head *h, bool strict, struct wf_qsm *q,
+                    struct wf_diag *d)
+{
+    size_t last = 0, listed = 0;
+    for (const struct wf_finding *f = t->csv.diag->first; f && listed < WF_CSV_LISTED;
+         f = f->next, listed++) {
+        wf_import_bad_row(q, strict, f->line, f->column, f->text, d);
+        last = f->line;
+    }
+    if (t->csv.mistakes > listed) wf_qsm_count(q, WF_REPAIR_BAD_ROW, t->csv.mistakes - listed, 0);
+    if (last && h->ends_open && last == t->csv.row_line) {
+        q->repairs.count[WF_REPAIR_BAD_ROW]--;
+        wf_qsm_count(q, WF_REPAIR_TRUNCATED, 1, (int64_t)last);
+    }
+}
+
+static enum wf_status hand_columns(struct wf_hand *hand, size_t n, struct wf_arena *a, struct wf_err *e)
+{
+    double **column[] = { &hand->angle, &hand->zenith, &hand->azimuth, &hand->distance, &hand->share };
+    for (size_t k = 0; k < sizeof column / sizeof *column; k++)
+        if (!(*column[k] = WF_TAKE(a, n, double))) return wf_fail(e, WF_ENOMEM, "no room for %zu rows", n);
+    return WF_OK;
+}
+
+/* Without ids rows are counted from 1, unless a parent of -1 shows that this file counts from 0. */
+static void count_from_zero(struct wf_qsm *q, const struct table *t)
+{
+    bool minus = false;
+    for (size_t i = 0; i < q->n && !t->has[WF_FIELD_ID]; i++) minus = minus || q->parent_id[i] == -1;
+    for (size_t i = 0; i < q->n && minus; i++) q->id[i]--;
+}
+
+static enum wf_status rows(struct table *t, const struct wf_import_head *h, const struct wf_import_options *o,
+                           struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_hand hand;
+    size_t room = lines_left(&t->csv), n = 0;
+    enum wf_status s = wf_qsm_alloc(q, room, a, e);
+    if (!s && !t->placed) s = hand_columns(&hand, room, a, e);
+    if (s) return s;
+    double v[WF_FIELD_COUNT];
+    while (wf_csv_next(&t->csv)) {
+        if (!take_row(t, v)) continue;
+        const char *wrong = wf_field_cylinder(q, n, v);
+        if (wrong) {
+            wf_csv_mistake(&t->csv, WF_CSV_NONE, "%s", wrong);
+            continue;
+        }
+        q->line[n] = t->csv.row_line;
+        if (!t->placed) {
+            hand.angle[n] = v[WF_FIELD_ANGLE], hand.zenith[n] = v[WF_FIELD_ZENITH];
+            hand.azimuth[n] = v[WF_FIELD_AZIMUTH], hand.distance[n] = v[WF_FIELD_DISTANCE];
+            hand.share[n] = v[WF_FIELD_SHARE];
+        }
+        n++;
+    }
+    q->n = n;
+    count_from_zero(q, t);
+    if (t->csv.point == ',') wf_qsm_count(q, WF_NOTE_DECIMAL_COMMA, 1, -1);
+    hand_on(t, h, o->strict, q, d);
+    return t->placed || !n ? WF_OK : wf_import_place(q, &hand, a, e);
+}
+
+enum wf_status wf_import_table(const struct wf_import_head *h, const struct wf_import_options *o,
+                               struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_diag own = { .arena = a };
+    struct table t = { 0 };
+    enum wf_status s = wf_csv_open(&t.csv, h->path, a, &own, e);
+    if (s) {
+        for (const struct wf_finding *f = own.first; f; f = f->next)
+            wf_diag_error(d, f->file, f->line, f->column, "%s", f->text);
+        return s;
+    }
+    map_columns(&t, o);
+    const char *what = lacking(&t);
+    if (what) return refuse_header(&t, what, e);
+    q->format = title(&t);
+    size_t blanks = 0;
+    for (const char *p = h->text; *p && *p != '\n'; p++)
+        blanks += *p == ' ' && (p == h->text || p[-1] == ',');
+    wf_qsm_count(q, WF_NOTE_HEADER, blanks, -1);
+    return rows(&t, h, o, a, q, d, e);
+}
+
+/* TreeQSM text: columns of numbers between tabs or blanks, one cylinder a line, ids by line.
+ * Layouts. 14: the CylData matrix of early TreeQSM. 15: two orders are in use, told apart by which column
+ * holds the unmodified radius (the only one of the last four that is not whole): the text TreeQSM 2.3 writes
+ * (branch, order, position, added, unmodified radius) and that of aRchi's samples (added, unmodified radius,
+ * branch, order, position). 17 with a header: TreeQSM 2.4 (Raumonen et al. 2013, Remote Sens. 5:491-520;
+ * save_model_text 1.1.0). */
+
+enum { WIDEST = 64 };
+
+#define GEOMETRY                                                                                             \
+    WF_FIELD_RADIUS, WF_FIELD_LENGTH, WF_FIELD_X0, WF_FIELD_Y0, WF_FIELD_Z0, WF_FIELD_AX, WF_FIELD_AY,       \
+        WF_FIELD_AZ, WF_FIELD_PARENT, WF_FIELD_NEXT
+#define NONE WF_FIELD_NONE
+static const struct layout {
+    size_t columns;
+    enum wf_field field[17];
+} layouts[] = {
+    { 14, { GEOMETRY, NONE, WF_FIELD_ORDER, NONE, WF_FIELD_ADDED } },
+    { 15, { GEOMETRY, NONE, WF_FIELD_ORDER, NONE, WF_FIELD_ADDED, NONE } },
+    { 15, { GEOMETRY, WF_FIELD_ADDED, NONE, NONE, WF_FIELD_ORDER, NONE } },
+    { 17, { GEOMETRY, NONE, WF_FIELD_ORDER, NONE, NONE, NONE, WF_FIELD_ADDED, NONE } },
+};
+#undef GEOMETRY
+#undef NONE
+enum { LAYOUTS = sizeof layouts / sizeof *layouts, ARCHI = 2, UNMODIFIED = 11 };
+
+struct lines {
+    const char *at, *end;
+    size_t line;
+    char point;
+};
+
+static bool between(char c, char point)
+{
+    return c == ' ' || c == '\t' || c == '\r' || c == ';' || (c == ',' && point != ',');
+}
+
+/* Numbers of the next line that holds any. Returned: how many, 0 at the end of the file; *whole is false when
+ * the line holds something else. */
+static size_t next_line(struct lines *t, double *value, bool *whole)
+{
+    while (t->at < t->end) {
+        const char *stop = memchr(t->at, '\n', (size_t)(t->end - t->at)), *p = t->at;
+        if (!stop) stop = t->end;
+        t->at = stop < t->end ? stop + 1 : stop;
+        t->line++;
+        size_t n = 0;
+        *whole = true;
+        while (p < stop && between(*p, t->point)) p++;
+        if (p == stop || *p == '#') continue;
+        while (p < stop && n < WIDEST) {
+            const char *after = wf_number_read(p, stop, t->point, &value[n]);
+            if (!after && stop - p >= 3 && !strncmp(p, "NaN", 3)) value[n] = (double)NAN, after = p + 3;
+            if (!after || (after < stop && !between(*after, t->point))) {
+                *whole = false;
+                return n ? n : 1;
+            }
+            n++;
+            for (p = after; p < stop && between(*p, t->point);) p++;
+        }
+        return n;
+    }
+    return 0;
+}
+
+/* A comma is a decimal sign where blanks or tabs part the numbers and no point is met. */
+static char decimal_sign(const char *text, size_t size)
+{
+    const char *stop = memchr(text, '\n', size);
+    size_t n = stop ? (size_t)(stop - text) : size;
+    bool blanks = memchr(text, '\t', n) || memchr(text, ';', n);
+    return blanks && memchr(text, ',', n) && !memchr(text, '.', n) ? ',' : '.';
+}
+
+static const char *first_line(const struct wf_import_head *h)
+{
+    const char *p = h->text;
+    if (!strncmp(p, "\xEF\xBB\xBF", 3)) p += 3;
+    while (*p == '\n' || *p == '\r' || *p == ' ' || *p == '\t' || *p == '#') {
+        if (*p == '#') p += strcspn(p, "\n");
+        if (*p) p++;
+    }
+    return p;
+}
+
+static bool has_header(const char *line)
+{
+    return !strncmp(line, "radius", 6) && strstr(line, "start_point");
+}
+
+bool wf_import_is_bare(const struct wf_import_head *h)
+{
+    const char *p = first_line(h);
+    double v;
+    return has_header(p) || wf_number_read(p, p + strlen(p), '.', &v);
+}
+
+/* The layout of the file by the width of its first row; of the two with 15 columns, by where fractions stand.
+ */
+static const struct layout *layout_of(struct lines t)
+{
+    double v[WIDEST];
+    bool whole, last_is_radius = false;
+    size_t columns = next_line(&t, v, &whole);
+    while (columns == 15 && !last_is_radius) {
+        if (whole && v[UNMODIFIED] != floor(v[UNMODIFIED])) break;
+        last_is_radius = whole && v[14] != floor(v[14]);
+        if (!next_line(&t, v, &whole)) break;
+    }
+    for (size_t k = 0; k < LAYOUTS; k++)
+        if (layouts[k].columns == columns)
+            return columns == 15 && !last_is_radius ? &layouts[ARCHI] : &layouts[k];
+    return NULL;
+}
+
+static enum wf_status import_bare_rows(struct lines *t, const struct layout *layout, bool ends_open,
+                                       bool strict, struct wf_qsm *q, struct wf_diag *d)
+{
+    double number[WIDEST], value[WF_FIELD_COUNT + 1];
+    bool whole;
+    size_t n = 0, row = 0, bad = 0;
+    for (size_t m; (m = next_line(t, number, &whole));) {
+        char text[128];
+        const char *wrong = NULL;
+        for (int f = 0; f <= WF_FIELD_COUNT; f++) value[f] = (double)NAN;
+        for (size_t k = 0; k < layout->columns && k < m; k++) value[layout->field[k]] = number[k];
+        value[WF_FIELD_ID] = (double)++row;
+        if (!whole || m != layout->columns) {
+            (void)snprintf(text, sizeof text,
+                           whole ? "%zu numbers, the first row has %zu" : "cell %zu is not a number",
+                           whole ? m : m + 1, layout->columns);
+            wrong = text;
+        } else if (isnan(value[WF_FIELD_X0])) {
+            wrong = "no start point";
+        } else {
+            wrong = wf_field_cylinder(q, n, value);
+        }
+        q->line[n] = t->line;
+        if (wrong)
+            wf_import_bad_row(q, strict, bad = t->line, 0, wrong, d);
+        else
+            n++;
+    }
+    q->n = n;
+    if (bad && bad == t->line && ends_open) {
+        q->repairs.count[WF_REPAIR_BAD_ROW]--;
+        wf_qsm_count(q, WF_REPAIR_TRUNCATED, 1, (int64_t)bad);
+    }
+    return WF_OK;
+}
+
+enum wf_status wf_import_bare(const struct wf_import_head *h, const struct wf_import_options *o,
+                              struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_bytes b;
+    enum wf_status s = wf_file_read_text(h->path, a, &b, e);
+    if (s) return s;
+    struct lines t = { .at = b.data, .end = b.data + b.size };
+    if (has_header(first_line(h))) {
+        const char *after = memchr(t.at, '\n', b.size);
+        t.at = after ? after + 1 : t.end;
+        t.line = 1;
+    }
+    t.point = decimal_sign(t.at, (size_t)(t.end - t.at));
+    if (t.point == ',') wf_qsm_count(q, WF_NOTE_DECIMAL_COMMA, 1, -1);
+    const struct layout *layout = layout_of(t);
+    if (!layout)
+        return wf_fail(e, WF_EINPUT, "%s: error: no header and not TreeQSM's 14, 15 or 17 columns of numbers",
+                       h->path);
+    size_t room = 1;
+    for (const char *p = t.at; p < t.end; p++) room += *p == '\n';
+    q->format = "TreeQSM text";
+    if ((s = wf_qsm_alloc(q, room, a, e))) return s;
+    return import_bare_rows(&t, layout, h->ends_open, o->strict, q, d);
+}
+
+/* Coordinates for a table of lengths, diameters and angles. */
+
+static const double GOLDEN = 137.50776405003785 / 180 * M_PI; /* divergence of spiral leaf positions [rad] */
+
+/* Unit vector across `t` that points as nearly as can be to the azimuth `az`. */
+static void across(const double t[3], double az, double out[3])
+{
+    double h[3] = { cos(az), sin(az), 0 };
+    double along = wf_dot(h, t);
+    for (int k = 0; k < 3; k++) out[k] = h[k] - along * t[k];
+    double norm = sqrt(wf_dot(out, out));
+    if (norm < 1e-9) { /* the parent lies along the azimuth: tilt upwards */
+        out[0] = out[1] = 0, out[2] = 1;
+        norm = 1;
+    }
+    for (int k = 0; k < 3; k++) out[k] /= norm;
+}
+
+struct place {
+    struct wf_qsm *q;
+    const struct wf_hand *hand;
+    double azimuth; /* given to the next branch whose own was not measured */
+};
+
+static double azimuth_of(struct place *p, size_t i, bool leaning)
+{
+    double az = p->hand->azimuth[i];
+    if (!isnan(az) || !leaning) return isnan(az) ? 0 : az;
+    wf_qsm_count(p->q, WF_REPAIR_AZIMUTH, 1, p->q->id[i]);
+    p->azimuth += GOLDEN;
+    return p->azimuth;
+}
+
+static void put(struct place *p, size_t i, int32_t parent)
+{
+    struct wf_qsm *q = p->q;
+    const struct wf_hand *h = p->hand;
+    double start[3] = { 0, 0, 0 }, t[3] = { 0, 0, 1 }, d[3], u[3];
+    if (parent >= 0) {
+        size_t k = (size_t)parent;
+        double length = wf_qsm_distance(q, k);
+        double s = !isnan(h->distance[i]) ? h->distance[i] / length : isnan(h->share[i]) ? 1 : h->share[i];
+        s = s < 0 ? 0 : s > 1 ? 1 : s;
+        t[0] = (q->x1[k] - q->x0[k]) / length, t[1] = (q->y1[k] - q->y0[k]) / length;
+        t[2] = (q->z1[k] - q->z0[k]) / length;
+        start[0] = q->x0[k] + s * length * t[0], start[1] = q->y0[k] + s * length * t[1];
+        start[2] = q->z0[k] + s * length * t[2];
+    }
+    double up[3] = { 0, 0, 1 };
+    bool from_vertical = !isnan(h->zenith[i]);
+    double angle = from_vertical ? h->zenith[i] : isnan(h->angle[i]) ? 0 : h->angle[i];
+    const double *from = from_vertical ? up : t;
+    across(from, azimuth_of(p, i, fabs(angle) > 1e-9), u);
+    for (int k = 0; k < 3; k++) d[k] = q->length[i] * (cos(angle) * from[k] + sin(angle) * u[k]);
+    q->x0[i] = start[0], q->y0[i] = start[1], q->z0[i] = start[2];
+    q->x1[i] = start[0] + d[0], q->y1[i] = start[1] + d[1], q->z1[i] = start[2] + d[2];
+}
+
+/* Row of each parent; 0, -1, an empty cell and an unknown id make a root, as in wf_qsm_resolve. */
+static enum wf_status parents(const struct wf_qsm *q, int32_t *parent, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_ids ids;
+    enum wf_status s = wf_ids_begin(&ids, q->id, q->n, a, e);
+    if (s) return s;
+    for (size_t i = 0; i < q->n; i++) (void)wf_ids_enter(&ids, (int32_t)i);
+    for (size_t i = 0; i < q->n; i++)
+        parent[i] = q->parent_id[i] < 0 ? -1 : wf_ids_find(&ids, q->parent_id[i]);
+    return WF_OK;
+}
+
+static enum wf_status wf_import_place(struct wf_qsm *q, const struct wf_hand *hand, struct wf_arena *a,
+                                      struct wf_err *e)
+{
+    struct place p = { .q = q, .hand = hand };
+    struct wf_children c;
+    int32_t *parent = WF_TAKE(a, q->n, int32_t), *queue = WF_TAKE(a, q->n, int32_t);
+    if (!parent || !queue) return wf_fail(e, WF_ENOMEM, "no room for %zu rows", q->n);
+    enum wf_status s = parents(q, parent, a, e);
+    if (!s) s = wf_children_of(parent, q->n, a, &c, e);
+    if (s) return s;
+    for (size_t i = 0; i < q->n; i++)
+        if (!(q->length[i] > 0))
+            return wf_fail(e, WF_EINPUT,
+                           "%s:%zu: error: length: row %lld has no length, and no coordinates either",
+                           q->file, q->line[i], (long long)q->id[i]);
+    size_t n = 0;
+    for (int32_t k = c.begin[q->n]; k < c.begin[q->n + 1]; k++) queue[n++] = c.child[k];
+    for (size_t k = 0; k < n; k++) {
+        int32_t i = queue[k];
+        put(&p, (size_t)i, parent[i]);
+        for (int32_t m = c.begin[i]; m < c.begin[i + 1]; m++) queue[n++] = c.child[m];
+    }
+    for (size_t i = 0; i < q->n && n < q->n; i++)
+        if (isnan(q->x0[i]))
+            return wf_fail(
+                e, WF_EINPUT,
+                "%s:%zu: error: parent: row %lld is its own ancestor; without coordinates it has no place",
+                q->file, q->line[i], (long long)q->id[i]);
+    return WF_OK;
+}

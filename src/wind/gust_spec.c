@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "wind/gust_spec.h"
+#include "base/num.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+void wf_gust_spec_default(const struct wf_gust_model *m, struct wf_gust_spec *s)
+{
+    *s = (struct wf_gust_spec){ .model = m,
+                                .speed = 10.0,
+                                .height = 10.0,
+                                .intensity = 0.2,
+                                .step = 0.1,
+                                .steps = 6000,
+                                .points = 1,
+                                .components = 1,
+                                .seed = 1 };
+    for (size_t i = 0; m->par[i].name; i++) s->value[i] = m->par[i].fallback;
+}
+
+double wf_gust_get(const struct wf_gust_spec *s, const char *name)
+{
+    for (size_t i = 0; s->model->par[i].name; i++)
+        if (strcmp(s->model->par[i].name, name) == 0) return s->value[i];
+    return NAN;
+}
+
+enum wf_status wf_gust_set(struct wf_gust_spec *s, const char *name, double value, struct wf_err *e)
+{
+    const struct wf_gust_par *par = s->model->par;
+    const char *known[WF_GUST_PARS];
+    char list[512] = "";
+    size_t n = 0;
+    for (; par[n].name; n++) {
+        known[n] = par[n].name;
+        if (n) strncat(list, ", ", sizeof list - strlen(list) - 1);
+        strncat(list, par[n].name, sizeof list - strlen(list) - 1);
+        if (strcmp(par[n].name, name) != 0) continue;
+        if (!(value >= par[n].low && value <= par[n].high))
+            return wf_fail(e, WF_EUSAGE, "%s: %s = %g is outside %g..%g %s (%s)", s->model->name, name, value,
+                           par[n].low, par[n].high, par[n].unit, par[n].help);
+        s->value[n] = value;
+        return WF_OK;
+    }
+    const char *near = wf_nearest(name, known, n);
+    if (near)
+        return wf_fail(e, WF_EUSAGE, "%s: unknown parameter '%s'; did you mean '%s'?", s->model->name, name,
+                       near);
+    return wf_fail(e, WF_EUSAGE, "%s: unknown parameter '%s'; it has %s", s->model->name, name, list);
+}
+
+double wf_gust_place(const struct wf_gust_spec *s, size_t point, int axis)
+{
+    if (s->place) return s->place[3 * point + (size_t)axis];
+    return axis == 2 ? s->height : 0.0;
+}
+
+double wf_gust_mean(const struct wf_gust_spec *s, size_t point)
+{
+    return s->mean ? s->mean[point] : s->speed;
+}
+
+/* The spectrum's height is above the displaced ground; close to it and below, that of 2 m. */
+struct wf_spectrum_par wf_gust_spectrum_par(const struct wf_gust_spec *s, size_t point)
+{
+    double displacement = wf_gust_get(s, "displacement"), d = isnan(displacement) ? 0.0 : displacement;
+    return (struct wf_spectrum_par){ .speed = wf_gust_mean(s, point),
+                                     .height = fmax(wf_gust_place(s, point, 2) - d, 2.0),
+                                     .deviation = s->intensity * s->speed,
+                                     .length = wf_gust_get(s, "length"),
+                                     .share = { wf_gust_get(s, "share-across"), wf_gust_get(s, "share-up") },
+                                     .slope = wf_gust_get(s, "slope"),
+                                     .low = wf_gust_get(s, "low"),
+                                     .high = 0.5 / s->step };
+}
+
+enum wf_status wf_gust_set_words(struct wf_gust_spec *s, const char *words, struct wf_arena *a,
+                                 struct wf_err *e)
+{
+    char *rest = NULL, *copy = words ? wf_arena_text(a, words) : NULL;
+    if (words && !copy) return wf_fail(e, WF_ENOMEM, "no room for the parameters of a gust model");
+    for (char *item = copy ? strtok_r(copy, ",", &rest) : NULL; item; item = strtok_r(NULL, ",", &rest)) {
+        char *equals = strchr(item, '=');
+        double value;
+        const char *number = equals ? equals + 1 : "",
+                   *end = wf_number_read(number, number + strlen(number), '.', &value);
+        while (*item == ' ') item++;
+        if (!end || *end)
+            return wf_fail(e, WF_EUSAGE, "parameters of %s: '%s': expected name=number", s->model->name,
+                           item);
+        *equals = '\0';
+        enum wf_status status = wf_gust_set(s, item, value, e);
+        if (status) return status;
+    }
+    return WF_OK;
+}
+
+char *wf_gust_words(const struct wf_gust_spec *s, struct wf_arena *a)
+{
+    char *text = wf_arena_print(a, "intensity=%.6g", s->intensity);
+    for (size_t i = 0; text && s->model->par[i].name; i++)
+        text = wf_arena_print(a, "%s;%s=%.6g", text, s->model->par[i].name, s->value[i]);
+    return text;
+}

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_WIND_GUST_SPEC_H
+#define WF_WIND_GUST_SPEC_H
+/* A gust model and what is asked of it. Models are rows (wind/gust.h). */
+#include "base/arena.h"
+#include "base/diag.h"
+#include "base/err.h"
+#include "wind/record.h"
+#include "wind/spectrum.h"
+#include <stdint.h>
+
+enum { WF_GUST_PARS = 8, WF_GUST_POINTS_MAX = 20000 };
+
+struct wf_gust_par {
+    const char *name, *unit;
+    double fallback, low, high; /* default and allowed range, in `unit` */
+    const char *help;
+};
+
+struct wf_gust_spec;
+struct wf_gust;
+struct wf_gust_model {
+    const char *name, *title, *source, *validity;
+    const char *corrected;         /* what differs from the printed form and why; NULL: as printed */
+    unsigned components;           /* most it can give: 1 or 3 */
+    const char *spectrum;          /* row of wf_spectra; NULL: not made from a spectrum */
+    const struct wf_gust_par *par; /* ends at name == NULL */
+    enum wf_status (*open)(struct wf_gust *g, struct wf_arena *a, struct wf_err *e);
+    enum wf_status (*fill)(struct wf_gust *g, size_t first, size_t steps, double *out, struct wf_err *e);
+    void (*close)(struct wf_gust *g); /* NULL: nothing but the arena */
+};
+struct wf_gust_spec {
+    const struct wf_gust_model *model;
+    double speed;     /* mean wind [m/s]                                          */
+    double height;    /* of a single point above the ground [m]                   */
+    double intensity; /* standard deviation of the along-wind part / speed [-]    */
+    double step;      /* [s]                                                      */
+    size_t steps;
+    size_t points;       /* 1 and place NULL: one point at `height`                  */
+    const double *place; /* 3 a point: along the wind, across, above ground [m]      */
+    const double *mean;  /* mean wind at each point [m/s]; NULL: `speed` everywhere  */
+    unsigned components; /* 1 or 3                                                   */
+    uint64_t seed;
+    size_t block;                   /* steps a block; 0: chosen                                 */
+    double value[WF_GUST_PARS];     /* in the order of model->par                    */
+    const struct wf_record *record; /* model `record`                                */
+};
+
+struct wf_gust {
+    struct wf_gust_spec spec;
+    size_t block, blocks; /* steps in a block (the last may be shorter), number of blocks */
+    double joint;         /* expected mismatch where blocks meet / standard deviation [-] (spectral models) */
+    void *work;           /* the model's own */
+};
+
+/* 10 m/s at 10 m, intensity 0.2, 0.1 s, 10 min, one point, one component, seed 1, the model's defaults. */
+void wf_gust_spec_default(const struct wf_gust_model *m, struct wf_gust_spec *s);
+/* Set a model's parameter by name. WF_EUSAGE names the parameters there are and the allowed range. */
+enum wf_status wf_gust_set(struct wf_gust_spec *s, const char *name, double value, struct wf_err *e);
+double wf_gust_get(const struct wf_gust_spec *s, const char *name); /* NAN: the model has no such parameter */
+
+/* Parameters of the target spectrum at a point. */
+struct wf_spectrum_par wf_gust_spectrum_par(const struct wf_gust_spec *s, size_t point);
+/* Distance along the wind and mean wind of a point. */
+double wf_gust_place(const struct wf_gust_spec *s, size_t point, int axis);
+double wf_gust_mean(const struct wf_gust_spec *s, size_t point);
+
+/* Set parameters of the model from "name=number,name=number"; NULL: none. WF_EUSAGE tells what is wrong and
+ * what there is. */
+enum wf_status wf_gust_set_words(struct wf_gust_spec *s, const char *words, struct wf_arena *a,
+                                 struct wf_err *e);
+/* The reverse: intensity and every parameter with its value, as "name=number;..."; NULL: no room. */
+char *wf_gust_words(const struct wf_gust_spec *s, struct wf_arena *a);
+
+/* Columns of an anemometer file as wf_record_request_default has them, in words. */
+#define WF_RECORD_COLUMNS "t_s,u_ms,v_ms,w_ms"
+/* Read the anemometer file of the model `record` and hang it into the specification. Given: the file, its
+ * columns "time,u[,v[,w]]". Errors: WF_EUSAGE without a file or with other columns, those of wf_record_read.
+ */
+enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const char *columns,
+                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
+#endif
