@@ -1,4 +1,5 @@
 /* The rod solver against the beam engine without stretch, statics at forks and tips, and the printed form. */
+#include "wind/shelter_laws.h"
 #include "beam_cases.h"
 #include "solve/rod.h"
 #include "wind/shelter.h"

@@ -1,4 +1,5 @@
 /* The wind inside and behind a tree: exact cases, symmetry, conservation, refusals. */
+#include "wind/shelter_laws.h"
 #include "close.h"
 #include "wind/shelter.h"
 #include <string.h>

@@ -1,4 +1,5 @@
 /* Where the wind inside a crown is not smooth: the faces of its cells. */
+#include "wind/shelter_laws.h"
 #include "base/vec3.h"
 #include "beam_cases.h"
 #include "wind/shelter.h"

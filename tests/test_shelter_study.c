@@ -1,4 +1,5 @@
 /* A tree solved in its own shelter, and the command as a user meets it. */
+#include "wind/shelter_laws.h"
 #include "close.h"
 #include "solve/beam.h"
 #include "study/sheltered.h"

@@ -125,7 +125,7 @@ static double own_edges(const struct wf_outline *const *list, size_t n, const st
     return twice;
 }
 
-double wf_outline_union(const struct wf_outline *const *list, size_t n, const double corner[2])
+static double outline_union(const struct wf_outline *const *list, size_t n, const double corner[2])
 {
     const double x = corner[0], y = corner[1];
     const struct wf_outline cell = { 4, { { x, y }, { x + 1, y }, { x + 1, y + 1 }, { x, y + 1 } } };
@@ -231,7 +231,7 @@ enum wf_status wf_raster_union(struct wf_raster *r, const struct wf_outline *o, 
         for (int32_t l = r->head[cell]; l >= 0; l = r->next[l]) {
             list[m++] = &o[r->item[l]];
             if (m < WF_UNION_MAX && r->next[l] >= 0) continue;
-            open *= 1.0 - wf_outline_union(list, m, corner);
+            open *= 1.0 - outline_union(list, m, corner);
             m = 0;
         }
         out[cell] = 1.0 - open;

@@ -34,7 +34,6 @@ bool wf_outline_frustum(const double p0[2], const double p1[2], double r0, doubl
 double wf_outline_area(const struct wf_outline *o);
 /* Area of the union of n outlines, at most WF_UNION_MAX, within the unit square at `corner`. */
 enum { WF_UNION_MAX = 64 };
-double wf_outline_union(const struct wf_outline *const *list, size_t n, const double corner[2]);
 
 struct wf_raster {
     size_t nx, ny;

@@ -10,6 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+static const yaml_node_t *yaml_node(struct wf_yaml *y, int id);
+
+static const yaml_node_t *yaml_find(struct wf_yaml *y, const yaml_node_t *map, const char *key,
+                                    size_t length);
+
+static void yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
+                      const struct wf_yaml_row *outer, unsigned char *out);
+
 /* Where a mistake is: marks, paths, nodes. */
 
 static void add(struct wf_yaml *y, yaml_mark_t m, const char *key, const char *fmt, va_list args)
@@ -29,7 +37,8 @@ static void add(struct wf_yaml *y, yaml_mark_t m, const char *key, const char *f
     wf_diag_error(y->diag, y->file, m.line + 1, m.column + 1, "%s", text);
 }
 
-void wf_yaml_mark(struct wf_yaml *y, yaml_mark_t m, const char *fmt, ...)
+/* A finding at a mark of the parser. */
+static void yaml_mark(struct wf_yaml *y, yaml_mark_t m, const char *fmt, ...)
 {
     va_list args;
     va_start(args, fmt);
@@ -37,7 +46,8 @@ void wf_yaml_mark(struct wf_yaml *y, yaml_mark_t m, const char *fmt, ...)
     va_end(args);
 }
 
-void wf_yaml_at(struct wf_yaml *y, const yaml_node_t *n, const char *fmt, ...)
+/* A finding at a node, prefixed with the path in hand. */
+static void yaml_at(struct wf_yaml *y, const yaml_node_t *n, const char *fmt, ...)
 {
     va_list args;
     va_start(args, fmt);
@@ -57,11 +67,11 @@ static const yaml_node_t *follow(struct wf_yaml *y, const char *key)
             size_t have = n->type == YAML_SEQUENCE_NODE
                               ? (size_t)(n->data.sequence.items.top - n->data.sequence.items.start)
                               : 0;
-            next = i < have ? wf_yaml_node(y, n->data.sequence.items.start[i]) : NULL;
+            next = i < have ? yaml_node(y, n->data.sequence.items.start[i]) : NULL;
             key = *end == ']' ? end + 1 : end;
         } else {
             size_t length = strcspn(key, ".[");
-            next = wf_yaml_find(y, n, key, length);
+            next = yaml_find(y, n, key, length);
             key += length;
         }
         if (*key == '.') key++;
@@ -85,53 +95,55 @@ void *wf_yaml_take(struct wf_yaml *y, size_t n, size_t size)
     return p;
 }
 
-size_t wf_yaml_push(struct wf_yaml *y, const char *key)
+/* Extend the path by a key or index; the returned length gives it back with wf_yaml_pop. */
+static size_t yaml_push(struct wf_yaml *y, const char *key)
 {
     size_t n = strlen(y->path);
     (void)snprintf(y->path + n, sizeof y->path - n, "%s%s", n ? "." : "", key);
     return n;
 }
 
-size_t wf_yaml_push_index(struct wf_yaml *y, size_t index)
+static size_t yaml_push_index(struct wf_yaml *y, size_t index)
 {
     size_t n = strlen(y->path);
     (void)snprintf(y->path + n, sizeof y->path - n, "[%zu]", index);
     return n;
 }
 
-void wf_yaml_pop(struct wf_yaml *y, size_t length) { y->path[length] = '\0'; }
+static void yaml_pop(struct wf_yaml *y, size_t length) { y->path[length] = '\0'; }
 
-const yaml_node_t *wf_yaml_node(struct wf_yaml *y, int id)
+static const yaml_node_t *yaml_node(struct wf_yaml *y, int id)
 {
     return yaml_document_get_node(&y->document, id);
 }
 
-const char *wf_yaml_scalar(const yaml_node_t *n)
+static const char *yaml_scalar(const yaml_node_t *n)
 {
     return n->type == YAML_SCALAR_NODE ? (const char *)n->data.scalar.value : NULL;
 }
 
-const char *wf_yaml_type(const yaml_node_t *n)
+static const char *yaml_type(const yaml_node_t *n)
 {
     if (n->type == YAML_MAPPING_NODE) return "a mapping (keys with values)";
     if (n->type == YAML_SEQUENCE_NODE) return "a list";
     return n->data.scalar.length ? "a single value" : "nothing";
 }
 
-const yaml_node_t *wf_yaml_find(struct wf_yaml *y, const yaml_node_t *map, const char *key, size_t length)
+/* Value of a key of a mapping, NULL when there is none. */
+static const yaml_node_t *yaml_find(struct wf_yaml *y, const yaml_node_t *map, const char *key, size_t length)
 {
     if (!map || map->type != YAML_MAPPING_NODE) return NULL;
     for (yaml_node_pair_t *q = map->data.mapping.pairs.start; q < map->data.mapping.pairs.top; q++) {
-        const char *k = wf_yaml_scalar(wf_yaml_node(y, q->key));
-        if (k && strlen(k) == length && !memcmp(k, key, length)) return wf_yaml_node(y, q->value);
+        const char *k = yaml_scalar(yaml_node(y, q->key));
+        if (k && strlen(k) == length && !memcmp(k, key, length)) return yaml_node(y, q->value);
     }
     return NULL;
 }
 
 const char *wf_yaml_raw(struct wf_yaml *y, const char *key)
 {
-    const yaml_node_t *n = wf_yaml_find(y, y->node, key, strlen(key));
-    return n ? wf_yaml_scalar(n) : NULL;
+    const yaml_node_t *n = yaml_find(y, y->node, key, strlen(key));
+    return n ? yaml_scalar(n) : NULL;
 }
 
 bool wf_yaml_has(struct wf_yaml *y, const char *key)
@@ -139,7 +151,7 @@ bool wf_yaml_has(struct wf_yaml *y, const char *key)
     const yaml_node_t *n = y->node;
     while (n && *key) {
         size_t length = strcspn(key, ".");
-        n = wf_yaml_find(y, n, key, length);
+        n = yaml_find(y, n, key, length);
         key += length + (key[length] == '.');
     }
     return n != NULL;
@@ -147,14 +159,15 @@ bool wf_yaml_has(struct wf_yaml *y, const char *key)
 
 /* Single values: numbers with units, texts, choices. */
 
-double wf_yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char *text,
-                        const struct wf_yaml_row *r)
+/* Read a quantity. Returned: NAN after a finding. */
+static double yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char *text,
+                            const struct wf_yaml_row *r)
 {
     struct wf_err why = { 0 };
     double v;
     const char *unit = r->unit ? r->unit : "";
     if (wf_quantity_read_as(y->units, text, r->dimension, unit, &v, &why)) {
-        wf_yaml_at(y, n, "%s", why.text);
+        yaml_at(y, n, "%s", why.text);
         return NAN;
     }
     /* a bound written in its own unit may differ from its SI value in the last digit */
@@ -163,7 +176,7 @@ double wf_yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char *tex
     char low[64], high[64];
     (void)wf_quantity_print(y->units, r->low, r->dimension, unit, low, sizeof low);
     (void)wf_quantity_print(y->units, r->high, r->dimension, unit, high, sizeof high);
-    wf_yaml_at(y, n, "%s is outside %s to %s", text, low, high);
+    yaml_at(y, n, "%s is outside %s to %s", text, low, high);
     return NAN;
 }
 
@@ -185,9 +198,9 @@ static void choice(struct wf_yaml *y, const yaml_node_t *n, const char *text, co
         used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", k ? ", " : "", r->choices[k]);
     const char *near = wf_nearest(text, r->choices, i);
     if (near)
-        wf_yaml_at(y, n, "'%.60s' is not one of: %s; did you mean '%s'?", text, all, near);
+        yaml_at(y, n, "'%.60s' is not one of: %s; did you mean '%s'?", text, all, near);
     else
-        wf_yaml_at(y, n, "'%.60s' is not one of: %s", text, all);
+        yaml_at(y, n, "'%.60s' is not one of: %s", text, all);
 }
 
 static void integer(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
@@ -196,9 +209,9 @@ static void integer(struct wf_yaml *y, const yaml_node_t *n, const char *text, c
     size_t digits = strspn(text, "0123456789");
     size_t v = digits && digits <= 15 && !text[digits] ? (size_t)strtoull(text, NULL, 10) : (size_t)-1;
     if (!digits || text[digits])
-        wf_yaml_at(y, n, "'%.60s' is not a whole number; write for example '%s'", text, r->example);
+        yaml_at(y, n, "'%.60s' is not a whole number; write for example '%s'", text, r->example);
     else if ((double)v < r->low || (double)v > r->high)
-        wf_yaml_at(y, n, "%.60s is outside %.15g to %.15g", text, r->low, r->high);
+        yaml_at(y, n, "%.60s is outside %.15g to %.15g", text, r->low, r->high);
     else
         memcpy(out + r->offset, &v, sizeof v);
 }
@@ -207,12 +220,12 @@ static void words(struct wf_yaml *y, const yaml_node_t *n, const char *text, con
                   unsigned char *out)
 {
     if (!text[strspn(text, " \t\n")]) {
-        wf_yaml_at(y, n, "a text is expected, not %s", wf_yaml_type(n));
+        yaml_at(y, n, "a text is expected, not %s", yaml_type(n));
         return;
     }
     for (const char *p = text; r->kind == WF_YAML_NAME && *p; p++)
         if (!isalnum((unsigned char)*p) && *p != '_' && *p != '-') {
-            wf_yaml_at(y, n, "'%.60s': a name has only letters a-z, digits, '_' and '-'", text);
+            yaml_at(y, n, "'%.60s': a name has only letters a-z, digits, '_' and '-'", text);
             return;
         }
     if (r->offset == WF_YAML_DROP) return;
@@ -221,8 +234,9 @@ static void words(struct wf_yaml *y, const yaml_node_t *n, const char *text, con
     memcpy(out + r->offset, &copy, sizeof copy);
 }
 
-void wf_yaml_put(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
-                 const struct wf_yaml_row *outer, unsigned char *out)
+/* Read a scalar into the row's member. `outer`: the row that holds the table, for inherited dimensions. */
+static void yaml_put(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
+                     const struct wf_yaml_row *outer, unsigned char *out)
 {
     struct wf_yaml_row own = *r;
     if (r->dimension == WF_DIM_COUNT && outer) {
@@ -232,7 +246,7 @@ void wf_yaml_put(struct wf_yaml *y, const yaml_node_t *n, const char *text, cons
         own.high = outer->high;
     }
     if (r->kind == WF_YAML_QUANTITY) {
-        double v = wf_yaml_quantity(y, n, text, &own);
+        double v = yaml_quantity(y, n, text, &own);
         memcpy(out + r->offset, &v, sizeof v);
     } else if (r->kind == WF_YAML_INTEGER) {
         integer(y, n, text, r, out);
@@ -255,11 +269,11 @@ static void keep(const struct wf_yaml_row *r, unsigned char *out, const void *it
 static size_t length_of(struct wf_yaml *y, const yaml_node_t *n, const char *of)
 {
     if (n->type != YAML_SEQUENCE_NODE) {
-        wf_yaml_at(y, n, "a list of %s is expected, not %s", of, wf_yaml_type(n));
+        yaml_at(y, n, "a list of %s is expected, not %s", of, yaml_type(n));
         return 0;
     }
     size_t count = (size_t)(n->data.sequence.items.top - n->data.sequence.items.start);
-    if (!count) wf_yaml_at(y, n, "the list is empty; %s are expected", of);
+    if (!count) yaml_at(y, n, "the list is empty; %s are expected", of);
     return count;
 }
 
@@ -267,67 +281,69 @@ static size_t length_of(struct wf_yaml *y, const yaml_node_t *n, const char *of)
 static bool same_length(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, size_t count)
 {
     const yaml_node_t *other =
-        r->same_length_as ? wf_yaml_find(y, y->node, r->same_length_as, strlen(r->same_length_as)) : NULL;
+        r->same_length_as ? yaml_find(y, y->node, r->same_length_as, strlen(r->same_length_as)) : NULL;
     if (!other || other->type != YAML_SEQUENCE_NODE) return true;
     size_t want = (size_t)(other->data.sequence.items.top - other->data.sequence.items.start);
     if (want == count) return true;
-    wf_yaml_at(y, n, "%zu value%s, but '%s' has %zu", count, count == 1 ? "" : "s", r->same_length_as, want);
+    yaml_at(y, n, "%zu value%s, but '%s' has %zu", count, count == 1 ? "" : "s", r->same_length_as, want);
     return false;
 }
 
-void wf_yaml_quantities(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
-                        unsigned char *out)
+/* Read the collections of a row. */
+static void yaml_quantities(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
+                            unsigned char *out)
 {
     size_t count = length_of(y, n, "values");
     if (!count) return;
     double *v = wf_yaml_take(y, count, sizeof *v);
     if (!v) return;
     for (size_t i = 0; i < count; i++) {
-        const yaml_node_t *item = wf_yaml_node(y, n->data.sequence.items.start[i]);
-        size_t length = wf_yaml_push_index(y, i);
-        const char *text = wf_yaml_scalar(item);
+        const yaml_node_t *item = yaml_node(y, n->data.sequence.items.start[i]);
+        size_t length = yaml_push_index(y, i);
+        const char *text = yaml_scalar(item);
         if (text)
-            v[i] = wf_yaml_quantity(y, item, text, r);
+            v[i] = yaml_quantity(y, item, text, r);
         else
-            wf_yaml_at(y, item, "a single value is expected, not %s", wf_yaml_type(item));
-        wf_yaml_pop(y, length);
+            yaml_at(y, item, "a single value is expected, not %s", yaml_type(item));
+        yaml_pop(y, length);
     }
     if (same_length(y, n, r, count)) keep(r, out, v, count);
 }
 
-void wf_yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, unsigned char *out)
+static void yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
+                       unsigned char *out)
 {
     if (n->type != YAML_MAPPING_NODE) {
-        wf_yaml_at(y, n, "a mapping of names to texts is expected, not %s", wf_yaml_type(n));
+        yaml_at(y, n, "a mapping of names to texts is expected, not %s", yaml_type(n));
         return;
     }
     const yaml_node_pair_t *first = n->data.mapping.pairs.start;
     size_t count = (size_t)(n->data.mapping.pairs.top - first), kept = 0;
     if (count > WF_YAML_ENTRIES) {
-        wf_yaml_at(y, n, "%zu entries; at most %d are read", count, (int)WF_YAML_ENTRIES);
+        yaml_at(y, n, "%zu entries; at most %d are read", count, (int)WF_YAML_ENTRIES);
         return;
     }
     struct wf_yaml_pair *pair = wf_yaml_take(y, count, sizeof *pair);
     struct wf_yaml_row key = { .kind = WF_YAML_NAME, .offset = offsetof(struct wf_yaml_pair, key) };
     struct wf_yaml_row text = { .kind = WF_YAML_TEXT, .offset = offsetof(struct wf_yaml_pair, text) };
     for (size_t i = 0; pair && i < count; i++) {
-        const yaml_node_t *k = wf_yaml_node(y, first[i].key), *v = wf_yaml_node(y, first[i].value);
-        const char *name = wf_yaml_scalar(k), *words = wf_yaml_scalar(v);
+        const yaml_node_t *k = yaml_node(y, first[i].key), *v = yaml_node(y, first[i].value);
+        const char *name = yaml_scalar(k), *words = yaml_scalar(v);
         if (!name) {
-            wf_yaml_at(y, k, "a name is expected, not %s", wf_yaml_type(k));
+            yaml_at(y, k, "a name is expected, not %s", yaml_type(k));
             continue;
         }
-        wf_yaml_put(y, k, name, &key, NULL, (unsigned char *)&pair[kept]);
-        size_t length = wf_yaml_push(y, name);
+        yaml_put(y, k, name, &key, NULL, (unsigned char *)&pair[kept]);
+        size_t length = yaml_push(y, name);
         bool twice = false;
         for (size_t j = 0; j < kept; j++) twice |= !strcmp(pair[j].key, name);
         if (twice)
-            wf_yaml_at(y, k, "is given twice");
+            yaml_at(y, k, "is given twice");
         else if (words)
-            wf_yaml_put(y, v, words, &text, NULL, (unsigned char *)&pair[kept]);
+            yaml_put(y, v, words, &text, NULL, (unsigned char *)&pair[kept]);
         else
-            wf_yaml_at(y, v, "a text is expected, not %s", wf_yaml_type(v));
-        wf_yaml_pop(y, length);
+            yaml_at(y, v, "a text is expected, not %s", yaml_type(v));
+        yaml_pop(y, length);
         kept += !twice && pair[kept].key != NULL;
     }
     keep(r, out, pair, pair ? kept : 0);
@@ -336,42 +352,43 @@ void wf_yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml
 /* Append one value, after a comma where it is not the first. */
 static const char *append(struct wf_yaml *y, const char *all, const char *key, const yaml_node_t *v)
 {
-    const char *text = wf_yaml_scalar(v);
-    if (!text) wf_yaml_at(y, v, "a single value is expected, not %s", wf_yaml_type(v));
+    const char *text = yaml_scalar(v);
+    if (!text) yaml_at(y, v, "a single value is expected, not %s", yaml_type(v));
     if (!text || !all) return all;
     all = wf_arena_print(y->arena, "%s%s%s%s%s", all, *all ? "," : "", key, *key ? "=" : "", text);
     if (!all) y->no_memory = true;
     return all;
 }
 
-void wf_yaml_joined(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, unsigned char *out)
+static void yaml_joined(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
+                        unsigned char *out)
 {
     const char *all = "";
     if (n->type == YAML_SEQUENCE_NODE)
         for (yaml_node_item_t *i = n->data.sequence.items.start; i < n->data.sequence.items.top; i++)
-            all = append(y, all, "", wf_yaml_node(y, *i));
+            all = append(y, all, "", yaml_node(y, *i));
     else if (n->type == YAML_MAPPING_NODE)
         for (yaml_node_pair_t *q = n->data.mapping.pairs.start; q < n->data.mapping.pairs.top; q++) {
-            const char *key = wf_yaml_scalar(wf_yaml_node(y, q->key));
-            all = append(y, all, key ? key : "", wf_yaml_node(y, q->value));
+            const char *key = yaml_scalar(yaml_node(y, q->key));
+            all = append(y, all, key ? key : "", yaml_node(y, q->value));
         }
     else
         all = append(y, all, "", n);
-    if (all && !*all) wf_yaml_at(y, n, "a value is expected, not %s", wf_yaml_type(n));
+    if (all && !*all) yaml_at(y, n, "a value is expected, not %s", yaml_type(n));
     memcpy(out + r->offset, &all, sizeof all);
 }
 
-void wf_yaml_list(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, unsigned char *out)
+static void yaml_list(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
+                      unsigned char *out)
 {
     size_t count = length_of(y, n, "mappings");
     if (!count) return;
     unsigned char *items = wf_yaml_take(y, count, r->table->size);
     if (!items) return;
     for (size_t i = 0; i < count; i++) {
-        size_t length = wf_yaml_push_index(y, i);
-        wf_yaml_fill(y, wf_yaml_node(y, n->data.sequence.items.start[i]), r->table, r,
-                     items + i * r->table->size);
-        wf_yaml_pop(y, length);
+        size_t length = yaml_push_index(y, i);
+        yaml_fill(y, yaml_node(y, n->data.sequence.items.start[i]), r->table, r, items + i * r->table->size);
+        yaml_pop(y, length);
     }
     keep(r, out, items, count);
 }
@@ -389,7 +406,7 @@ static const struct wf_yaml_row *row_of(const struct wf_yaml_table *t, const cha
 
 static void unknown(struct wf_yaml *y, const yaml_node_t *k, const struct wf_yaml_table *t)
 {
-    const char *word = wf_yaml_scalar(k), *known[ROWS_MAX];
+    const char *word = yaml_scalar(k), *known[ROWS_MAX];
     char all[512] = "";
     size_t n = 0, used = 0;
     for (const struct wf_yaml_row *r = t->row; r->key && n < ROWS_MAX; r++) {
@@ -399,32 +416,32 @@ static void unknown(struct wf_yaml *y, const yaml_node_t *k, const struct wf_yam
     }
     const char *near = wf_nearest(word, known, n);
     if (near)
-        wf_yaml_at(y, k, "unknown key '%.60s'; did you mean '%s'?", word, near);
+        yaml_at(y, k, "unknown key '%.60s'; did you mean '%s'?", word, near);
     else
-        wf_yaml_at(y, k, "unknown key '%.60s'; keys here are: %s", word, all);
+        yaml_at(y, k, "unknown key '%.60s'; keys here are: %s", word, all);
 }
 
 static void one(struct wf_yaml *y, const yaml_node_t *v, const struct wf_yaml_row *r,
                 const struct wf_yaml_row *outer, unsigned char *out)
 {
-    size_t length = wf_yaml_push(y, r->key);
+    size_t length = yaml_push(y, r->key);
     if (r->given) out[r->given - 1] = true;
-    const char *text = wf_yaml_scalar(v);
+    const char *text = yaml_scalar(v);
     if (r->kind == WF_YAML_TABLE)
-        wf_yaml_fill(y, v, r->table, r, out + r->offset);
+        yaml_fill(y, v, r->table, r, out + r->offset);
     else if (r->kind == WF_YAML_LIST)
-        wf_yaml_list(y, v, r, out);
+        yaml_list(y, v, r, out);
     else if (r->kind == WF_YAML_TEXTS)
-        wf_yaml_texts(y, v, r, out);
+        yaml_texts(y, v, r, out);
     else if (r->kind == WF_YAML_QUANTITIES)
-        wf_yaml_quantities(y, v, r, out);
+        yaml_quantities(y, v, r, out);
     else if (r->kind == WF_YAML_JOINED)
-        wf_yaml_joined(y, v, r, out);
+        yaml_joined(y, v, r, out);
     else if (text)
-        wf_yaml_put(y, v, text, r, outer, out);
+        yaml_put(y, v, text, r, outer, out);
     else
-        wf_yaml_at(y, v, "a single value is expected, not %s", wf_yaml_type(v));
-    wf_yaml_pop(y, length);
+        yaml_at(y, v, "a single value is expected, not %s", yaml_type(v));
+    yaml_pop(y, length);
 }
 
 /* What a row's member holds before its key is met. */
@@ -433,56 +450,57 @@ static void initial(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yam
 {
     const double none = NAN;
     if (r->kind == WF_YAML_QUANTITY) memcpy(out + r->offset, &none, sizeof none);
-    if (r->preset && r->kind != WF_YAML_TABLE) wf_yaml_put(y, n, r->preset, r, outer, out);
+    if (r->preset && r->kind != WF_YAML_TABLE) yaml_put(y, n, r->preset, r, outer, out);
 }
 
 static void missing(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r)
 {
     if (r->example)
-        wf_yaml_at(y, n, "missing key '%s' (%s); for example '%s: %s'", r->key, r->doc, r->key, r->example);
+        yaml_at(y, n, "missing key '%s' (%s); for example '%s: %s'", r->key, r->doc, r->key, r->example);
     else
-        wf_yaml_at(y, n, "missing key '%s' (%s)", r->key, r->doc);
+        yaml_at(y, n, "missing key '%s' (%s)", r->key, r->doc);
 }
 
 static void keys(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
                  const struct wf_yaml_row *outer, unsigned char *out, bool seen[static ROWS_MAX])
 {
     for (yaml_node_pair_t *q = n->data.mapping.pairs.start; q < n->data.mapping.pairs.top; q++) {
-        const yaml_node_t *k = wf_yaml_node(y, q->key);
-        const char *key = wf_yaml_scalar(k);
+        const yaml_node_t *k = yaml_node(y, q->key);
+        const char *key = yaml_scalar(k);
         const struct wf_yaml_row *r = key ? row_of(t, key) : NULL;
         if (!key)
-            wf_yaml_at(y, k, "a key is expected, not %s", wf_yaml_type(k));
+            yaml_at(y, k, "a key is expected, not %s", yaml_type(k));
         else if (!r)
             unknown(y, k, t);
         else if (seen[r - t->row])
-            wf_yaml_at(y, k, "key '%s' is given twice", key);
+            yaml_at(y, k, "key '%s' is given twice", key);
         else
-            one(y, wf_yaml_node(y, q->value), r, outer, out);
+            one(y, yaml_node(y, q->value), r, outer, out);
         if (r) seen[r - t->row] = true;
     }
 }
 
-void wf_yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
-                  const struct wf_yaml_row *outer, unsigned char *out)
+/* Read a table from a mapping or a bare value; n == NULL: the key is absent, defaults only. */
+static void yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
+                      const struct wf_yaml_row *outer, unsigned char *out)
 {
     bool seen[ROWS_MAX] = { false };
     const yaml_node_t *above = y->node, *above_place = y->place, *place = n ? n : above_place;
     bool mapping = n && n->type == YAML_MAPPING_NODE;
-    const char *bare = n ? wf_yaml_scalar(n) : outer ? outer->preset : NULL;
+    const char *bare = n ? yaml_scalar(n) : outer ? outer->preset : NULL;
     y->node = n;
     y->place = place;
     for (const struct wf_yaml_row *r = t->row; r->key; r++) initial(y, place, r, outer, out);
     if (mapping)
         keys(y, n, t, outer, out, seen);
     else if (t->bare && bare)
-        wf_yaml_put(y, place, bare, row_of(t, t->bare), outer, out);
+        yaml_put(y, place, bare, row_of(t, t->bare), outer, out);
     else if (n)
-        wf_yaml_at(y, n, "a mapping (keys with values) is expected, not %s", wf_yaml_type(n));
+        yaml_at(y, n, "a mapping (keys with values) is expected, not %s", yaml_type(n));
     for (const struct wf_yaml_row *r = t->row; r->key; r++) {
         if (seen[r - t->row]) continue;
         if (mapping && r->required) missing(y, n, r);
-        if (r->kind == WF_YAML_TABLE) wf_yaml_fill(y, NULL, r->table, r, out + r->offset);
+        if (r->kind == WF_YAML_TABLE) yaml_fill(y, NULL, r->table, r, out + r->offset);
     }
     if (t->finish) t->finish(y, out);
     y->node = above;
@@ -496,12 +514,12 @@ static void syntax(struct wf_yaml *y, const yaml_parser_t *p, const char *text, 
     if (p->error == YAML_MEMORY_ERROR)
         y->no_memory = true;
     else if (tab)
-        wf_yaml_mark(y, p->problem_mark, "a tab cannot indent; use spaces");
+        yaml_mark(y, p->problem_mark, "a tab cannot indent; use spaces");
     else if (open)
-        wf_yaml_mark(y, p->problem_mark, "not YAML: %s (%s that starts on line %zu)", p->problem, p->context,
-                     p->context_mark.line + 1);
+        yaml_mark(y, p->problem_mark, "not YAML: %s (%s that starts on line %zu)", p->problem, p->context,
+                  p->context_mark.line + 1);
     else
-        wf_yaml_mark(y, p->problem_mark, "not YAML: %s", p->problem ? p->problem : "unreadable");
+        yaml_mark(y, p->problem_mark, "not YAML: %s", p->problem ? p->problem : "unreadable");
 }
 
 static void screen_event(struct wf_yaml *y, const yaml_event_t *v, size_t *depth, size_t *documents)
@@ -510,11 +528,11 @@ static void screen_event(struct wf_yaml *y, const yaml_event_t *v, size_t *depth
     switch (v->type) {
     case YAML_DOCUMENT_START_EVENT:
         if (++*documents == 2)
-            wf_yaml_mark(y, v->start_mark, "a second document starts here; one a file is expected");
+            yaml_mark(y, v->start_mark, "a second document starts here; one a file is expected");
         break;
     case YAML_ALIAS_EVENT:
-        wf_yaml_mark(y, v->start_mark, "the alias '*%s' is not understood here; write the value out",
-                     (const char *)v->data.alias.anchor);
+        yaml_mark(y, v->start_mark, "the alias '*%s' is not understood here; write the value out",
+                  (const char *)v->data.alias.anchor);
         break;
     case YAML_SCALAR_EVENT:
         anchor = v->data.scalar.anchor;
@@ -538,14 +556,15 @@ static void screen_event(struct wf_yaml *y, const yaml_event_t *v, size_t *depth
         break;
     }
     if (anchor)
-        wf_yaml_mark(y, v->start_mark, "the anchor '&%s' is not understood here; write the value out",
-                     (const char *)anchor);
-    if (tag) wf_yaml_mark(y, v->start_mark, "the tag '%s' is not understood here", (const char *)tag);
-    if (*depth > WF_YAML_DEPTH)
-        wf_yaml_mark(y, v->start_mark, "nested more than %d deep", (int)WF_YAML_DEPTH);
+        yaml_mark(y, v->start_mark, "the anchor '&%s' is not understood here; write the value out",
+                  (const char *)anchor);
+    if (tag) yaml_mark(y, v->start_mark, "the tag '%s' is not understood here", (const char *)tag);
+    if (*depth > WF_YAML_DEPTH) yaml_mark(y, v->start_mark, "nested more than %d deep", (int)WF_YAML_DEPTH);
 }
 
-bool wf_yaml_screen(struct wf_yaml *y, const char *text, size_t size)
+/* Refuse what is not one plain document: syntax errors, anchors, aliases, tags, several documents, depth.
+ * Returned: false after findings. */
+static bool yaml_screen(struct wf_yaml *y, const char *text, size_t size)
 {
     yaml_parser_t p;
     if (!yaml_parser_initialize(&p)) return y->no_memory = true, false;
@@ -571,7 +590,7 @@ static void read_document(struct wf_yaml *y, const struct wf_bytes *b, const str
                           void *out)
 {
     yaml_parser_t p;
-    if (!wf_yaml_screen(y, b->data, b->size)) return;
+    if (!yaml_screen(y, b->data, b->size)) return;
     if (!yaml_parser_initialize(&p)) {
         y->no_memory = true;
         return;
@@ -580,11 +599,11 @@ static void read_document(struct wf_yaml *y, const struct wf_bytes *b, const str
     yaml_parser_set_input_string(&p, (const unsigned char *)b->data, b->size);
     if (yaml_parser_load(&p, &y->document)) {
         const yaml_node_t *root = yaml_document_get_root_node(&y->document);
-        const char *text = root ? wf_yaml_scalar(root) : "";
+        const char *text = root ? yaml_scalar(root) : "";
         if (text && !*text)
-            wf_yaml_mark(y, (yaml_mark_t){ 0 }, "the file is empty; %s is expected", t->title);
+            yaml_mark(y, (yaml_mark_t){ 0 }, "the file is empty; %s is expected", t->title);
         else
-            wf_yaml_fill(y, root, t, NULL, out);
+            yaml_fill(y, root, t, NULL, out);
         yaml_document_delete(&y->document);
     } else {
         syntax(y, &p, b->data, b->size);

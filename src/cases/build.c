@@ -10,6 +10,10 @@
 #include <string.h>
 #include <unistd.h>
 
+static void case_radius(const struct wf_case *c, double outer[2], double inner[2]);
+
+static double case_length(const struct wf_case *c);
+
 /* The structure of a validation case as a tree of rows, before any splitting. */
 
 static int ascending(const void *a, const void *b)
@@ -61,7 +65,7 @@ static enum wf_status single_axis(const struct wf_case *c, struct wf_arena *a, s
                                   struct wf_tree *t, struct wf_err *e)
 {
     bool arc = c->shape == WF_SHAPE_ARC;
-    double length = wf_case_length(c), f[3], n[3] = { 0 }, curvature[3];
+    double length = case_length(c), f[3], n[3] = { 0 }, curvature[3];
     size_t rows;
     double *share = boundaries(c, a, &rows);
     if (!share) return wf_fail(e, WF_ENOMEM, "no memory");
@@ -80,7 +84,7 @@ static enum wf_status single_axis(const struct wf_case *c, struct wf_arena *a, s
         axis_point(c, f, n, share[i + 1] * length, x);
         t->x1[i] = x[0], t->y1[i] = x[1], t->z1[i] = x[2];
         for (size_t k = 0; k < 2; k++) {
-            wf_case_radius(c, r, q);
+            case_radius(c, r, q);
             double at = share[i + k], outer = r[0] + at * (r[1] - r[0]), inner = q[0] + at * (q[1] - q[0]);
             (k ? t->r1 : t->r0)[i] = outer;
             (k ? t->i1 : t->i0)[i] = inner;
@@ -127,8 +131,10 @@ static enum wf_status tree_file(const struct wf_case *c, struct wf_arena *a, str
                    folder ? "" : "; WINDFIRM_REFERENCE can name a folder that holds it");
 }
 
-enum wf_status wf_case_shape_build(const struct wf_case *c, struct wf_arena *a, struct wf_setup *s,
-                                   struct wf_tree *t, struct wf_err *e)
+/* Parents, coordinates, radii and ids of the case's structure; s->end for a single axis. WF_EINPUT,
+ * WF_ENOMEM; WF_EMISSING when a tree file is not there. */
+static enum wf_status case_shape_build(const struct wf_case *c, struct wf_arena *a, struct wf_setup *s,
+                                       struct wf_tree *t, struct wf_err *e)
 {
     switch (c->shape) {
     case WF_SHAPE_CANTILEVER:
@@ -308,14 +314,16 @@ static const double pi = 3.14159265358979323846;
 
 static double or_else(double v, double otherwise) { return isnan(v) ? otherwise : v; }
 
-double wf_case_length(const struct wf_case *c)
+static double case_length(const struct wf_case *c)
 {
     return c->shape == WF_SHAPE_ARC ? c->arc[0] * c->arc[1] : c->length;
 }
 
-void wf_case_radius(const struct wf_case *c, double outer[2], double inner[2])
+/* Outer and inner radius at base and tip [m]. Where EI is given and no radius, length/1000 at the base: a
+ * slender rod whose bending stiffness is EI, so that only EI matters. */
+static void case_radius(const struct wf_case *c, double outer[2], double inner[2])
 {
-    outer[0] = or_else(c->radius[0], wf_case_length(c) / 1000.0);
+    outer[0] = or_else(c->radius[0], case_length(c) / 1000.0);
     outer[1] = or_else(c->radius[1], outer[0]) * or_else(c->taper, 1.0);
     for (int k = 0; k < 2; k++) inner[k] = or_else(c->inner[k], 0.0);
 }
@@ -438,7 +446,7 @@ static void fields(const struct wf_case *c, struct wf_setup *s, double ei, doubl
 {
     double u[3] = { or_else(c->wind[0], isnan(c->cauchy) ? 0.0 : 1.0), or_else(c->wind[1], 0.0),
                     or_else(c->wind[2], 0.0) };
-    double length = wf_case_length(c), speed = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    double length = case_length(c), speed = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     wf_loads_default(&s->loads);
     s->loads.air_density = or_else(c->air_density, s->loads.air_density);
     s->loads.gravity = or_else(c->gravity, 0.0);
@@ -472,7 +480,7 @@ enum wf_status wf_setup_build(const struct wf_case *c, size_t pieces, struct wf_
     struct wf_tree rows;
     double ei, mass, *line = NULL, *split_line;
     *s = (struct wf_setup){ 0 };
-    if (wf_case_shape_build(c, a, s, &rows, e) || material(c, &rows, a, &ei, &mass, e) ||
+    if (case_shape_build(c, a, s, &rows, e) || material(c, &rows, a, &ei, &mass, e) ||
         places(c, s, &rows, a, e))
         return e->code;
     fields(c, s, ei, mass, 2.0 * rows.r0[0]);

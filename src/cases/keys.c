@@ -9,30 +9,10 @@
 
 /* Readers of the keys of a case file: each takes the words of its line; false after a report. */
 
-typedef bool wf_key_reader(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k);
-
-wf_key_reader wf_key_text;       /* prose; a repeated key continues it                 */
-wf_key_reader wf_key_choice;     /* one word of k->choices                             */
-wf_key_reader wf_key_numbers;    /* k->count_low..k->count numbers and a unit, within k->low..k->high */
-wf_key_reader wf_key_cantilever; /* LENGTH                                             */
-wf_key_reader wf_key_arc;        /* RADIUS UNIT ANGLE UNIT from X Y Z towards X Y Z    */
-wf_key_reader wf_key_node;       /* ID X Y Z UNIT                                      */
-wf_key_reader wf_key_branch;     /* FROM TO RADIUS RADIUS UNIT                         */
-wf_key_reader wf_key_tree;       /* FILE.csv                                           */
-wf_key_reader wf_key_support;    /* clamped | spring ABOUT_X [ABOUT_Y] UNIT            */
-wf_key_reader wf_key_point;      /* force|moment|follower PLACE X Y Z UNIT             */
-wf_key_reader wf_key_mass;       /* PLACE MASS UNIT                                    */
-wf_key_reader wf_key_flow;       /* cylinder | line-source | point-source | finite-line-source */
-wf_key_reader wf_key_fit;        /* STUDY.yaml                                         */
-wf_key_reader wf_key_free;       /* NAME...                                            */
-wf_key_reader wf_key_solver;     /* NAME...                                            */
-wf_key_reader wf_key_mesh;       /* default | one-element-per-row | tolerance NUMBER   */
-wf_key_reader wf_key_order;      /* PARTS PARTS...                                     */
-wf_key_reader wf_key_want;       /* see wf_want_read                                   */
-
 static void *field(struct wf_case *c, const struct wf_case_key *k) { return (char *)c + k->offset; }
 
-bool wf_key_text(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* prose; a repeated key continues it */
+static bool key_text(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     const char **text = field(c, k), *joined = w->rest;
     if (!*w->rest) return wf_words_wrong(w, w->n, "words are expected");
@@ -43,7 +23,8 @@ bool wf_key_text(struct wf_words *w, struct wf_case *c, const struct wf_case_key
     return true;
 }
 
-bool wf_key_choice(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* one word of k->choices */
+static bool key_choice(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     const char *word[8];
     char *all = wf_arena_text(w->arena, k->choices), *save = NULL;
@@ -55,7 +36,8 @@ bool wf_key_choice(struct wf_words *w, struct wf_case *c, const struct wf_case_k
     return true;
 }
 
-bool wf_key_numbers(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* k->count_low..k->count numbers and a unit, within k->low..k->high */
+static bool key_numbers(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     double v[3];
     size_t n, at = w->next;
@@ -80,7 +62,8 @@ static bool shape(struct wf_words *w, struct wf_case *c, enum wf_case_shape s)
     return true;
 }
 
-bool wf_key_cantilever(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* LENGTH */
+static bool key_cantilever(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     size_t n;
@@ -98,7 +81,8 @@ static bool vector_after(struct wf_words *w, const char *word, double out[3])
     return true;
 }
 
-bool wf_key_arc(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* RADIUS UNIT ANGLE UNIT from X Y Z towards X Y Z */
+static bool key_arc(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     size_t n;
@@ -124,7 +108,8 @@ bool wf_key_arc(struct wf_words *w, struct wf_case *c, const struct wf_case_key 
     return true;
 }
 
-bool wf_key_node(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* ID X Y Z UNIT */
+static bool key_node(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     struct wf_case_node node = { .line = w->line };
@@ -149,7 +134,8 @@ static const struct wf_case_node *node_named(const struct wf_case *c, long long 
     return NULL;
 }
 
-bool wf_key_branch(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* FROM TO RADIUS RADIUS UNIT */
+static bool key_branch(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     struct wf_case_branch b = { .line = w->line };
@@ -178,7 +164,8 @@ bool wf_key_branch(struct wf_words *w, struct wf_case *c, const struct wf_case_k
     return wf_list_add(&c->branches, &b, sizeof b, w->arena) || wf_words_wrong(w, 1, "no memory");
 }
 
-bool wf_key_tree(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* FILE.csv */
+static bool key_tree(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     if (!shape(w, c, WF_SHAPE_TREE)) return false;
@@ -188,7 +175,8 @@ bool wf_key_tree(struct wf_words *w, struct wf_case *c, const struct wf_case_key
     return wf_words_end(w);
 }
 
-bool wf_key_support(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* clamped | spring ABOUT_X [ABOUT_Y] UNIT */
+static bool key_support(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     static const char *const known[] = { "clamped", "spring" };
@@ -204,7 +192,8 @@ bool wf_key_support(struct wf_words *w, struct wf_case *c, const struct wf_case_
     return true;
 }
 
-bool wf_key_flow(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* cylinder | line-source | point-source | finite-line-source */
+static bool key_flow(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     static const char *const known[] = { "cylinder", "line-source", "point-source", "finite-line-source" };
@@ -217,7 +206,8 @@ bool wf_key_flow(struct wf_words *w, struct wf_case *c, const struct wf_case_key
 
 /* Readers of the keys that say what acts, how a case is run and what is wanted of it. */
 
-bool wf_key_point(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* force|moment|follower PLACE X Y Z UNIT */
+static bool key_point(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     struct wf_case_load l = { .line = w->line };
     size_t n;
@@ -231,7 +221,8 @@ bool wf_key_point(struct wf_words *w, struct wf_case *c, const struct wf_case_ke
     return wf_list_add(&c->loads, &l, sizeof l, w->arena) || wf_words_wrong(w, 1, "no memory");
 }
 
-bool wf_key_mass(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* PLACE MASS UNIT */
+static bool key_mass(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     struct wf_case_mass m = { .line = w->line };
@@ -245,7 +236,8 @@ bool wf_key_mass(struct wf_words *w, struct wf_case *c, const struct wf_case_key
     return wf_list_add(&c->masses, &m, sizeof m, w->arena) || wf_words_wrong(w, 1, "no memory");
 }
 
-bool wf_key_solver(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* NAME... */
+static bool key_solver(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     enum { KNOWN = 32 };
@@ -265,7 +257,8 @@ bool wf_key_solver(struct wf_words *w, struct wf_case *c, const struct wf_case_k
     return true;
 }
 
-bool wf_key_mesh(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* default | one-element-per-row | tolerance NUMBER */
+static bool key_mesh(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     static const char *const known[] = { "default", "one-element-per-row", "tolerance" };
@@ -282,7 +275,8 @@ bool wf_key_mesh(struct wf_words *w, struct wf_case *c, const struct wf_case_key
     return wf_words_end(w);
 }
 
-bool wf_key_fit(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* STUDY.yaml */
+static bool key_fit(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     if (c->shape != WF_SHAPE_NONE && c->shape != WF_SHAPE_FIT)
@@ -295,7 +289,8 @@ bool wf_key_fit(struct wf_words *w, struct wf_case *c, const struct wf_case_key 
     return wf_words_end(w);
 }
 
-bool wf_key_free(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* NAME... */
+static bool key_free(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     if (!*w->rest) return wf_words_wrong(w, w->n, "names of parameters are expected");
@@ -304,7 +299,8 @@ bool wf_key_free(struct wf_words *w, struct wf_case *c, const struct wf_case_key
     return true;
 }
 
-bool wf_key_order(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* PARTS PARTS... */
+static bool key_order(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     long long parts, before = 0;
@@ -317,7 +313,8 @@ bool wf_key_order(struct wf_words *w, struct wf_case *c, const struct wf_case_ke
            wf_words_wrong(w, w->n, "at least two meshes are needed, for example: order 1 2 4 8");
 }
 
-bool wf_key_want(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+/* see wf_want_read */
+static bool key_want(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
     struct wf_want want;
@@ -328,23 +325,23 @@ bool wf_key_want(struct wf_words *w, struct wf_case *c, const struct wf_case_key
 #define AT(field) offsetof(struct wf_case, field)
 #define NUMBER(name, field, dim, lo, hi)                                                                     \
     {                                                                                                        \
-        name, wf_key_numbers, AT(field), dim, 1, 1, lo, hi, NULL, false                                      \
+        name, key_numbers, AT(field), dim, 1, 1, lo, hi, NULL, false                                         \
     }
 #define PAIR(name, field, dim, lo, hi)                                                                       \
     {                                                                                                        \
-        name, wf_key_numbers, AT(field), dim, 1, 2, lo, hi, NULL, false                                      \
+        name, key_numbers, AT(field), dim, 1, 2, lo, hi, NULL, false                                         \
     }
 #define VECTOR(name, field, dim)                                                                             \
     {                                                                                                        \
-        name, wf_key_numbers, AT(field), dim, 3, 3, -HUGE_VAL, HUGE_VAL, NULL, false                         \
+        name, key_numbers, AT(field), dim, 3, 3, -HUGE_VAL, HUGE_VAL, NULL, false                            \
     }
 #define TEXT(name, field)                                                                                    \
     {                                                                                                        \
-        name, wf_key_text, AT(field), 0, 0, 0, 0, 0, NULL, true                                              \
+        name, key_text, AT(field), 0, 0, 0, 0, 0, NULL, true                                                 \
     }
 #define CHOICE(name, field, words)                                                                           \
     {                                                                                                        \
-        name, wf_key_choice, AT(field), 0, 0, 0, 0, 0, words, false                                          \
+        name, key_choice, AT(field), 0, 0, 0, 0, 0, words, false                                             \
     }
 #define SPECIAL(name, reader, repeats)                                                                       \
     {                                                                                                        \
@@ -361,13 +358,13 @@ const struct wf_case_key wf_case_keys[] = {
     CHOICE("kind", kind, "closed-form|published|computed-reference|field|regression"),
     CHOICE("units", nondimensional, "si|none"),
     /* the structure */
-    SPECIAL("cantilever", wf_key_cantilever, false),
+    SPECIAL("cantilever", key_cantilever, false),
     NUMBER("rows", rows, WF_DIM_NONE, 1, 100000),
     VECTOR("direction", direction, WF_DIM_NONE),
-    SPECIAL("arc", wf_key_arc, false),
-    SPECIAL("node", wf_key_node, true),
-    SPECIAL("branch", wf_key_branch, true),
-    SPECIAL("tree", wf_key_tree, false),
+    SPECIAL("arc", key_arc, false),
+    SPECIAL("node", key_node, true),
+    SPECIAL("branch", key_branch, true),
+    SPECIAL("tree", key_tree, false),
     /* section and material */
     PAIR("radius", radius, WF_DIM_LENGTH, TINY, VAST),
     PAIR("inner_radius", inner, WF_DIM_LENGTH, 0, VAST),
@@ -383,12 +380,12 @@ const struct wf_case_key wf_case_keys[] = {
     NUMBER("mass_per_length", mass_per_length, WF_DIM_MASS_PER_LENGTH, 0, VAST),
     CHOICE("model", model, "K|EB|SR"),
     NUMBER("shear_factor", shear_factor, WF_DIM_NONE, TINY, 2),
-    SPECIAL("support", wf_key_support, false),
+    SPECIAL("support", key_support, false),
     /* loads */
-    SPECIAL("force", wf_key_point, true),
-    SPECIAL("moment", wf_key_point, true),
-    SPECIAL("follower", wf_key_point, true),
-    SPECIAL("mass", wf_key_mass, true),
+    SPECIAL("force", key_point, true),
+    SPECIAL("moment", key_point, true),
+    SPECIAL("follower", key_point, true),
+    SPECIAL("mass", key_mass, true),
     VECTOR("line_load", line_load, WF_DIM_FORCE_PER_LENGTH),
     VECTOR("line_load_by_radius", line_by_radius, WF_DIM_FORCE_PER_LENGTH),
     VECTOR("wind", wind, WF_DIM_SPEED),
@@ -398,24 +395,24 @@ const struct wf_case_key wf_case_keys[] = {
     NUMBER("gravity", gravity, WF_DIM_ACCELERATION, -VAST, VAST),
     NUMBER("weight_parameter", weight_parameter, WF_DIM_NONE, -VAST, VAST),
     /* potential flow */
-    SPECIAL("flow", wf_key_flow, false),
+    SPECIAL("flow", key_flow, false),
     NUMBER("speed", flow_speed, WF_DIM_SPEED, -VAST, VAST),
     NUMBER("cylinder_radius", flow_radius, WF_DIM_LENGTH, TINY, VAST),
     NUMBER("circulation", flow_circulation, WF_DIM_VISCOSITY, -VAST, VAST),
     NUMBER("strength", flow_strength, WF_DIM_NONE, -VAST, VAST),
-    { "segment", wf_key_numbers, AT(flow_segment), WF_DIM_LENGTH, 2, 2, -VAST, VAST, NULL, false },
+    { "segment", key_numbers, AT(flow_segment), WF_DIM_LENGTH, 2, 2, -VAST, VAST, NULL, false },
     /* calibration */
-    SPECIAL("fit", wf_key_fit, false),
-    SPECIAL("free", wf_key_free, false),
+    SPECIAL("fit", key_fit, false),
+    SPECIAL("free", key_free, false),
     NUMBER("data_sets", data_sets, WF_DIM_NONE, 1, 10000),
     NUMBER("noise", noise, WF_DIM_NONE, 0, 1),
     /* how it is run, what is wanted */
-    SPECIAL("solver", wf_key_solver, false),
-    SPECIAL("mesh", wf_key_mesh, false),
+    SPECIAL("solver", key_solver, false),
+    SPECIAL("mesh", key_mesh, false),
     NUMBER("accuracy", accuracy, WF_DIM_NONE, 1e-15, 1e-3),
     NUMBER("tolerance", tolerance, WF_DIM_NONE, 1e-15, 0.5),
-    SPECIAL("order", wf_key_order, false),
-    SPECIAL("want", wf_key_want, true),
+    SPECIAL("order", key_order, false),
+    SPECIAL("want", key_want, true),
     { .name = NULL },
 };
 _Static_assert(sizeof wf_case_keys / sizeof *wf_case_keys <= WF_CASE_KEYS_MAX,
@@ -435,7 +432,7 @@ void wf_case_default(struct wf_case *c)
     };
     c->direction[2] = 1.0;
     for (const struct wf_case_key *k = wf_case_keys; k->name; k++)
-        if (k->read == wf_key_numbers && k->offset != AT(rows) && k->offset != AT(direction) &&
+        if (k->read == key_numbers && k->offset != AT(rows) && k->offset != AT(direction) &&
             k->offset != AT(tolerance))
             for (size_t i = 0; i < k->count; i++) ((double *)(void *)((char *)c + k->offset))[i] = NAN;
     c->length = c->arc[0] = c->arc[1] = c->mesh_tolerance = NAN;

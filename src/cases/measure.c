@@ -19,7 +19,8 @@ static void axis_at(const struct wf_tree *t, const struct wf_response *r, size_t
     for (int k = 0; k < 3; k++) axis[k] = r->small_deflection ? chord[k] / size : bent[k];
 }
 
-double wf_stress_at(const struct wf_tree *t, const struct wf_response *r, size_t row, double s)
+/* The same at share s of the row [Pa]. */
+static double stress_at(const struct wf_tree *t, const struct wf_response *r, size_t row, double s)
 {
     double axis0[3], axis1[3], slope0[3], slope1[3], m[3], axis[3], length = wf_tree_length(t, row);
     axis_at(t, r, row, false, axis0);
@@ -40,27 +41,30 @@ double wf_stress_at(const struct wf_tree *t, const struct wf_response *r, size_t
     return sqrt(fmax(bending, 0.0)) * outer / (0.25 * pi * (pow(outer, 4) - pow(inner, 4)));
 }
 
-double wf_span_stress(const struct wf_tree *t, const struct wf_response *r, size_t row, double *share)
+/* Largest extreme-fibre bending stress [Pa] of a row's span and where, as share of the row's length. Between
+ * the row's ends the moment is the cubic through the moments and shears at them: exact at small deflection
+ * for loads per length up to linear. */
+static double span_stress(const struct wf_tree *t, const struct wf_response *r, size_t row, double *share)
 {
     enum { SAMPLES = 64 };
     const double golden = 0.61803398874989484820;
     size_t best = 0;
     for (size_t i = 1; i <= SAMPLES; i++)
-        if (wf_stress_at(t, r, row, (double)i / SAMPLES) > wf_stress_at(t, r, row, (double)best / SAMPLES))
+        if (stress_at(t, r, row, (double)i / SAMPLES) > stress_at(t, r, row, (double)best / SAMPLES))
             best = i;
     double a = fmax(0.0, ((double)best - 1) / SAMPLES), b = fmin(1.0, ((double)best + 1) / SAMPLES);
     for (int i = 0; i < 48; i++) { /* golden section down to rounding */
         double left = b - golden * (b - a), right = a + golden * (b - a);
-        if (wf_stress_at(t, r, row, left) < wf_stress_at(t, r, row, right))
+        if (stress_at(t, r, row, left) < stress_at(t, r, row, right))
             a = left;
         else
             b = right;
     }
     double s = 0.5 * (a + b);
     for (int k = 0; k < 2; k++) /* a maximum at an end of the row lies exactly there */
-        if (wf_stress_at(t, r, row, k) >= wf_stress_at(t, r, row, s)) s = k;
+        if (stress_at(t, r, row, k) >= stress_at(t, r, row, s)) s = k;
     *share = s;
-    return wf_stress_at(t, r, row, s);
+    return stress_at(t, r, row, s);
 }
 
 static double or_zero(double v) { return isnan(v) ? 0.0 : v; }
@@ -73,8 +77,9 @@ const char *wf_flow_missing(const struct wf_case *c)
     return strcmp(c->flow, "finite-line-source") == 0 && isnan(c->flow_segment[0]) ? "segment" : NULL;
 }
 
-enum wf_status wf_flow_velocity(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                struct wf_err *e)
+/* Velocity and pressure coefficient at the point of the want. WF_EINPUT within a cylinder or on a source. */
+static enum wf_status flow_velocity(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                    struct wf_err *e)
 {
     const struct wf_case *c = m->of;
     const double *x = w->at.point;
@@ -95,14 +100,14 @@ enum wf_status wf_flow_velocity(const struct wf_measured *m, const struct wf_wan
     return WF_OK;
 }
 
-enum wf_status wf_flow_cp(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                          struct wf_err *e)
+static enum wf_status flow_cp(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                              struct wf_err *e)
 {
     double u[3];
     if (strcmp(m->of->flow, "cylinder") != 0 || m->of->flow_speed == 0.0)
         return wf_fail(e, WF_EINPUT, "%s:%zu: a pressure coefficient needs a stream: flow cylinder, speed",
                        m->of->file, w->line);
-    if (wf_flow_velocity(m, w, u, e)) return e->code;
+    if (flow_velocity(m, w, u, e)) return e->code;
     out[0] = wf_flow_pressure(m->of->flow_speed, u);
     return WF_OK;
 }
@@ -120,7 +125,9 @@ enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *
     return WF_OK;
 }
 
-enum wf_status wf_rigid_drag(const struct wf_setup *s, double *drag, struct wf_err *e)
+/* Drag of the unbent tree along the wind [N]: line load on the undeformed axis, four Gauss points a row
+ * (exact for a uniform wind). WF_EINPUT when there is no wind. */
+static enum wf_status rigid_drag(const struct wf_setup *s, double *drag, struct wf_err *e)
 {
     static const double place[2] = { 0.33998104358485626480, 0.86113631159405257522 };
     static const double weight[2] = { 0.65214515486254614263, 0.34785484513745385737 };
@@ -146,8 +153,11 @@ enum wf_status wf_rigid_drag(const struct wf_setup *s, double *drag, struct wf_e
     return WF_OK;
 }
 
-enum wf_status wf_local_vogel(const struct wf_setup *s, const struct wf_solver *solver, struct wf_arena *a,
-                              double *v, struct wf_err *e)
+/* Local Vogel exponent d ln F / d ln U - 2 of the base force F along the wind: fourth-order central
+ * difference over four runs at U exp(-2h), U exp(-h), U exp(h), U exp(2h), h = 0.01. Errors: the solver's,
+ * WF_EINPUT. */
+static enum wf_status local_vogel(const struct wf_setup *s, const struct wf_solver *solver,
+                                  struct wf_arena *a, double *v, struct wf_err *e)
 {
     static const double step[4] = { -2, -1, 1, 2 }, coefficient[4] = { 1. / 12, -8. / 12, 8. / 12, -1. / 12 };
     const double h = 0.01;
@@ -230,7 +240,7 @@ static enum wf_status stress(const struct wf_measured *m, const struct wf_want *
 {
     int32_t i = row_of(m, w);
     (void)e;
-    out[0] = wf_stress_at(&m->setup->tree, m->response, i < 0 ? 0 : (size_t)i, i < 0 ? 0.0 : 1.0);
+    out[0] = stress_at(&m->setup->tree, m->response, i < 0 ? 0 : (size_t)i, i < 0 ? 0.0 : 1.0);
     return WF_OK;
 }
 
@@ -241,7 +251,7 @@ static double largest_stress(const struct wf_measured *m, double *place)
     const struct wf_tree *t = &m->setup->tree;
     double best = -1.0, at = 0.0, length = 0.0, share;
     for (size_t i = 0; i < t->n; i++) {
-        double s = wf_span_stress(t, m->response, i, &share), own = wf_tree_length(t, i);
+        double s = span_stress(t, m->response, i, &share), own = wf_tree_length(t, i);
         if (s > best) best = s, at = length + share * own;
         length += own;
     }
@@ -309,8 +319,8 @@ static enum wf_status reconfiguration(const struct wf_measured *m, const struct 
                                       struct wf_err *e)
 {
     (void)w;
-    double rigid;
-    if (wf_rigid_drag(m->setup, &rigid, e)) return e->code;
+    double rigid = 0;
+    if (rigid_drag(m->setup, &rigid, e)) return e->code;
     out[0] = wf_dot(m->response->base_force, m->setup->wind.direction) / rigid;
     return WF_OK;
 }
@@ -319,7 +329,7 @@ static enum wf_status vogel(const struct wf_measured *m, const struct wf_want *w
                             struct wf_err *e)
 {
     (void)w;
-    return wf_local_vogel(m->setup, m->solver, m->arena, out, e);
+    return local_vogel(m->setup, m->solver, m->arena, out, e);
 }
 
 static enum wf_status bending_stiffness(const struct wf_measured *m, const struct wf_want *w, double out[3],
@@ -384,8 +394,8 @@ const struct wf_quantity wf_quantities[] = {
     { "frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, frequency },
     { "angular_frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, angular_frequency },
     { "buckling_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_BUCKLING, buckling },
-    { "velocity", WF_DIM_SPEED, true, WF_NEED_POINT, WF_BY_FLOW, wf_flow_velocity },
-    { "pressure_coefficient", WF_DIM_NONE, false, WF_NEED_POINT, WF_BY_FLOW, wf_flow_cp },
+    { "velocity", WF_DIM_SPEED, true, WF_NEED_POINT, WF_BY_FLOW, flow_velocity },
+    { "pressure_coefficient", WF_DIM_NONE, false, WF_NEED_POINT, WF_BY_FLOW, flow_cp },
     { "fitted_modulus", WF_DIM_PRESSURE, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { "fitted_stiffness", WF_DIM_ROTATIONAL_STIFFNESS, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { "fitted_number", WF_DIM_NONE, false, WF_NEED_NAME, WF_BY_FIT, NULL },

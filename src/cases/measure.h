@@ -61,36 +61,14 @@ enum wf_status wf_tree_split(const struct wf_tree *t, const double *line, size_t
  */
 enum wf_status wf_case_tree_read(const char *path, struct wf_arena *a, struct wf_tree *t, struct wf_err *e);
 
-/* Largest extreme-fibre bending stress [Pa] of a row's span and where, as share of the row's length. Between
- * the row's ends the moment is the cubic through the moments and shears at them: exact at small deflection
- * for loads per length up to linear. */
-double wf_span_stress(const struct wf_tree *t, const struct wf_response *r, size_t row, double *share);
-/* The same at share s of the row [Pa]. */
-double wf_stress_at(const struct wf_tree *t, const struct wf_response *r, size_t row, double s);
-
 /* Running what a validation case asks for. */
 
 /* Static answer of one solver. Errors: the solver's. */
 enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *solver, struct wf_arena *a,
                               struct wf_response *r, struct wf_err *e);
 
-/* Drag of the unbent tree along the wind [N]: line load on the undeformed axis, four Gauss points a row
- * (exact for a uniform wind). WF_EINPUT when there is no wind. */
-enum wf_status wf_rigid_drag(const struct wf_setup *s, double *drag, struct wf_err *e);
-
-/* Local Vogel exponent d ln F / d ln U - 2 of the base force F along the wind: fourth-order central
- * difference over four runs at U exp(-2h), U exp(-h), U exp(h), U exp(2h), h = 0.01. Errors: the solver's,
- * WF_EINPUT. */
-enum wf_status wf_local_vogel(const struct wf_setup *s, const struct wf_solver *solver, struct wf_arena *a,
-                              double *v, struct wf_err *e);
-
 /* What can be wanted of a potential flow (wind/potential.h). Inside the validation runner. */
 
-/* Velocity and pressure coefficient at the point of the want. WF_EINPUT within a cylinder or on a source. */
-enum wf_status wf_flow_velocity(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                struct wf_err *e);
-enum wf_status wf_flow_cp(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                          struct wf_err *e);
 /* Keys a flow needs and a case does not give, in words; NULL when nothing is missing. */
 const char *wf_flow_missing(const struct wf_case *c);
 #endif

@@ -13,10 +13,6 @@
 
 /* What a validation case must say, checked when it is complete. */
 
-/* Fill defaults that depend on other keys (tolerance of each want, solver) and report what is missing or does
- * not fit together, at the case's line. */
-void wf_case_check(struct wf_case *c, struct wf_diag *d);
-
 static bool given(const struct wf_case *c, const char *key) { return c->given[wf_case_key_index(key)] != 0; }
 
 struct checking {
@@ -131,7 +127,9 @@ static void check_wants(struct checking *k)
     if (!by_solver) c->solvers = 0;
 }
 
-void wf_case_check(struct wf_case *c, struct wf_diag *d)
+/* Fill defaults that depend on other keys (tolerance of each want, solver) and report what is missing or does
+ * not fit together, at the case's line. */
+static void case_check(struct wf_case *c, struct wf_diag *d)
 {
     struct checking k = { c, d };
     if (c->faulty) return; /* what is wrong has been said; what follows from it would only confuse */
@@ -195,7 +193,7 @@ static bool copy_case(const struct wf_case *c, struct wf_case *out, struct wf_ar
 
 static bool close_case(struct reader *r)
 {
-    wf_case_check(&r->now, r->w.diag);
+    case_check(&r->now, r->w.diag);
     return wf_list_add(&r->cases, &r->now, sizeof r->now, r->w.arena) ||
            wf_words_wrong(&r->w, 0, "no memory");
 }

@@ -3,6 +3,7 @@
 #include "cmd/series_perform.h"
 #include "cmd/wind_speed.h"
 #include "solve/solvers.h"
+#include "wind/shelter_laws.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,6 +10,7 @@
 #include "solve/solvers.h"
 #include "study/limits.h"
 #include "study/scenario.h"
+#include "wind/shelter_laws.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #include "cmd/wind_speed.h"
 #include "solve/solvers.h"
 #include "wind/shelter.h"
+#include "wind/shelter_laws.h"
 #include <math.h>
 #include <string.h>
 

@@ -14,7 +14,7 @@
 #define NUMBER(l, h) .kind = WF_YAML_QUANTITY, .low = (l), .high = (h)
 #define NUMBERS(l, h) .kind = WF_YAML_QUANTITIES, .low = (l), .high = (h)
 
-const char *const wf_azimuth_words[] = { "spiral", "whorl", "planar", "random", NULL };
+static const char *const azimuth_words[] = { "spiral", "whorl", "planar", "random", NULL };
 
 static const struct wf_yaml_row place_rows[] = {
     { .key = "from",
@@ -84,7 +84,7 @@ static void place_finish(struct wf_yaml *y, void *branching)
         wf_yaml_error(y, "from", "%g is not below 'to', %g", b->from, b->to);
     if (b->at) wf_value_ascending(y, "at", b->places, b->at);
 }
-const struct wf_yaml_table wf_place_table = {
+static const struct wf_yaml_table place_table = {
     .title = "places", .row = place_rows, .finish = place_finish, .doc = ""
 };
 
@@ -92,7 +92,7 @@ static const struct wf_yaml_row azimuth_rows[] = {
     { .key = "rule",
       .kind = WF_YAML_ENUM,
       .preset = "spiral",
-      .choices = wf_azimuth_words,
+      .choices = azimuth_words,
       AT(azimuth),
       .doc = "spiral: each place turned by the divergence from the one below (phyllotaxis); whorl: whorls of "
              "per_whorl branches, the next in the gaps of the last; planar: to both sides in turn; random.",
@@ -125,11 +125,11 @@ static void azimuth_finish(struct wf_yaml *y, void *branching)
     struct wf_branching *b = branching;
     bool turned = b->azimuth == WF_AZIMUTH_SPIRAL || b->azimuth == WF_AZIMUTH_WHORL;
     if (!turned && wf_yaml_has(y, "divergence"))
-        wf_yaml_error(y, "divergence", "is not used by rule '%s'", wf_azimuth_words[b->azimuth]);
+        wf_yaml_error(y, "divergence", "is not used by rule '%s'", azimuth_words[b->azimuth]);
     if (isnan(b->azimuth_start)) b->azimuth_start = b->azimuth == WF_AZIMUTH_PLANAR ? TURN / 4 : 0;
     if (isnan(b->divergence) && b->azimuth == WF_AZIMUTH_SPIRAL) b->divergence = 137.5 / 360 * TURN;
 }
-const struct wf_yaml_table wf_azimuth_table = {
+static const struct wf_yaml_table azimuth_table = {
     .title = "directions", .row = azimuth_rows, .finish = azimuth_finish, .doc = ""
 };
 
@@ -177,7 +177,7 @@ static void insertion_finish(struct wf_yaml *y, void *branching)
         wf_yaml_error(y, "", "'at' and 'angles' go together");
     if (b->insertion_along.s) wf_value_ascending(y, "at", b->insertion_along.n, b->insertion_along.s);
 }
-const struct wf_yaml_table wf_insertion_table = {
+static const struct wf_yaml_table insertion_table = {
     .title = "an insertion", .row = insertion_rows, .finish = insertion_finish, .doc = ""
 };
 
@@ -285,7 +285,7 @@ const struct wf_yaml_table wf_foliage_table = {
         .example = "[1, 0.9, 0.2]"                                                                           \
     }
 
-const char *const wf_length_words[] = { "absolute", "parent", "rest", NULL };
+static const char *const length_words[] = { "absolute", "parent", "rest", NULL };
 const char *const wf_radius_words[] = { "parent", "species", "absolute", "length", "pipe", NULL };
 
 static void course(struct wf_yaml *y, const struct wf_along *along)
@@ -298,7 +298,7 @@ static const struct wf_yaml_row length_rows[] = {
     { .key = "law",
       .kind = WF_YAML_ENUM,
       .required = true,
-      .choices = wf_length_words,
+      .choices = length_words,
       AT(length_law),
       .doc =
           "absolute: `value`; parent: the parent's length; rest: the parent's length above the branch. All "
@@ -460,9 +460,9 @@ static const struct wf_yaml_row branching_rows[] = {
       .absent = "no name",
       .doc = "Name for people.",
       .example = "first order" },
-    { PART("place", wf_place_table, "Where on each parent the branches stand."), .required = true },
-    { PART("azimuth", wf_azimuth_table, "To which side of the parent they go."), .absent = "a spiral" },
-    { PART("insertion", wf_insertion_table, "At which angle they leave it."), .required = true,
+    { PART("place", place_table, "Where on each parent the branches stand."), .required = true },
+    { PART("azimuth", azimuth_table, "To which side of the parent they go."), .absent = "a spiral" },
+    { PART("insertion", insertion_table, "At which angle they leave it."), .required = true,
       .example = "{angle: 60 deg}" },
     { PART("length", length_table, "How long they are."), .required = true,
       .example = "{law: parent, factor: 0.5}" },

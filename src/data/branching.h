@@ -60,32 +60,6 @@ struct wf_branching {
     struct wf_curve curve;
 };
 
-enum wf_ifs_form {
-    WF_IFS_MONOPODIAL,       /* the axis goes on; every map stands below its tip                   */
-    WF_IFS_SYMPODIAL,        /* the tip dies; one map at the tip takes over                        */
-    WF_IFS_FALSE_DICHOTOMOUS /* the tip dies; every map stands for two, opposite each other, those at
-                                the tip make the fork                                              */
-};
-
-/* x -> a x + b in units of the parent's axis, which runs from 0 to (0, 0, 1). */
-struct wf_ifs_map {
-    const char *name;
-    double position, scale, inclination, azimuth, roll;
-    double radius; /* base radius over the parent's base radius */
-    size_t until;  /* last level on which the map acts          */
-    double *matrix;
-    size_t cells;
-    double a[9], b[3];
-    double factor; /* largest stretch: spectral norm of a */
-};
-
-struct wf_ifs {
-    enum wf_ifs_form form;
-    size_t levels; /* the stem included */
-    size_t maps;
-    struct wf_ifs_map *map;
-};
-
 /* Leaves on the last levels. */
 struct wf_foliage {
     double area;          /* one-sided, whole tree [m2]                               */
@@ -97,20 +71,10 @@ struct wf_foliage {
     double swing, twist;  /* turn about the hanging point and about the vertical at 10 m/s [rad] */
 };
 
-/* Largest stretch of a linear map of space (row by row), its spectral norm. */
-double wf_stretch(const double a[9]);
-/* Similarity dimension D of the maps that act on every level: sum of factor^D = 1 (Moran 1946; for maps that
- * stretch unequally an upper bound). 0 for fewer than two maps. */
-double wf_ifs_dimension(const struct wf_ifs *f);
-
-/* Schema tables of the parts of a branched model, and the words of their choices. */
-
+/* Schema tables of the parts of a branched model. */
 extern const struct wf_yaml_table wf_branching_table; /* struct wf_branching */
-extern const struct wf_yaml_table wf_place_table, wf_azimuth_table, wf_insertion_table; /* parts of it */
-extern const struct wf_yaml_table wf_curve_table;   /* struct wf_curve     */
-extern const struct wf_yaml_table wf_ifs_table;     /* struct wf_ifs       */
-extern const struct wf_yaml_table wf_foliage_table; /* struct wf_foliage   */
-/* Words of the choices in the order of their enums; end at NULL. */
-extern const char *const wf_azimuth_words[], *const wf_length_words[], *const wf_radius_words[],
-                                                                           *const wf_ifs_words[];
+extern const struct wf_yaml_table wf_curve_table;     /* struct wf_curve     */
+extern const struct wf_yaml_table wf_foliage_table;   /* struct wf_foliage   */
+/* Words of enum wf_radius_law, in its order; end at NULL. */
+extern const char *const wf_radius_words[];
 #endif

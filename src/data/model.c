@@ -7,12 +7,13 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The rows of a tree model; the checks between keys are in model.c. */
+static void taper_finish(struct wf_yaml *y, void *model);
 
-void wf_stem_finish(struct wf_yaml *y, struct wf_model *m);
-void wf_taper_finish(struct wf_yaml *y, void *model);
-void wf_shape_finish(struct wf_yaml *y, void *model);
-void wf_model_finish(struct wf_yaml *y, void *model);
+static void shape_finish(struct wf_yaml *y, void *model);
+
+static void model_finish(struct wf_yaml *y, void *model);
+
+/* The rows of a tree model; the checks between keys are in model.c. */
 
 /* Stems whose section is not round, and what hangs on them, piece by piece. */
 
@@ -84,7 +85,7 @@ static void reaches(struct wf_yaml *y, const char *list, const char *key, size_t
         wf_yaml_error(y, place, "the last ends at %g m, the stem at %g m", here, height);
 }
 
-void wf_stem_finish(struct wf_yaml *y, struct wf_model *m)
+static void stem_finish(struct wf_yaml *y, struct wf_model *m)
 {
     bool flat = wf_yaml_has(y, "stem.sections");
     static const char *const round[] = { "stem.taper", "stem.base_radius", "crown" };
@@ -166,7 +167,7 @@ static const struct wf_yaml_row taper_rows[] = {
     { .key = NULL },
 };
 static const struct wf_yaml_table taper_table = {
-    .title = "a taper", .row = taper_rows, .finish = wf_taper_finish, .doc = ""
+    .title = "a taper", .row = taper_rows, .finish = taper_finish, .doc = ""
 };
 
 static const struct wf_yaml_row stem_rows[] = {
@@ -287,7 +288,7 @@ static const struct wf_yaml_row shape_rows[] = {
     { .key = NULL },
 };
 static const struct wf_yaml_table shape_table = {
-    .title = "a crown shape", .row = shape_rows, .finish = wf_shape_finish, .doc = ""
+    .title = "a crown shape", .row = shape_rows, .finish = shape_finish, .doc = ""
 };
 
 static const struct wf_yaml_row crown_rows[] = {
@@ -406,7 +407,7 @@ const struct wf_yaml_table wf_model_table = {
     .title = "a tree model",
     .row = model_rows,
     .size = sizeof(struct wf_model),
-    .finish = wf_model_finish,
+    .finish = model_finish,
     .doc = "A tree model (YAML): the outer shape and the leaves of a tree, to be clothed with the materials "
            "of a "
            "species table. Quantities carry their units. A whole model to start from: models/moso_culm.yaml.",
@@ -420,7 +421,7 @@ static void key_of_taper(struct wf_yaml *y, const char *key, bool used, const ch
     if (!used && has) wf_yaml_error(y, key, "is not used by law '%s'", law);
 }
 
-void wf_taper_finish(struct wf_yaml *y, void *model)
+static void taper_finish(struct wf_yaml *y, void *model)
 {
     const struct wf_model *m = model;
     const char *law = wf_yaml_raw(y, "law");
@@ -441,7 +442,7 @@ void wf_taper_finish(struct wf_yaml *y, void *model)
         wf_yaml_error(y, "share[0]", "is %g; shares are of the base radius, so the first is 1", p->v[0]);
 }
 
-void wf_shape_finish(struct wf_yaml *y, void *model)
+static void shape_finish(struct wf_yaml *y, void *model)
 {
     const struct wf_along *s = &((struct wf_model *)model)->crown_shape;
     wf_value_ascending(y, "at", s->s ? s->n : 0, s->s);
@@ -509,11 +510,11 @@ static void pipes(struct wf_yaml *y, const struct wf_model *m)
                       (int)WF_BRANCH_LEVELS_MAX);
 }
 
-void wf_model_finish(struct wf_yaml *y, void *model)
+static void model_finish(struct wf_yaml *y, void *model)
 {
     struct wf_model *m = model;
     keys_of_generator(y, m);
-    wf_stem_finish(y, m);
+    stem_finish(y, m);
     pipes(y, m);
     if (m->generator == WF_GENERATOR_STEM)
         crown_finish(y, m);

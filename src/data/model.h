@@ -7,6 +7,7 @@
 #include "base/err.h"
 #include "base/yaml.h"
 #include "data/branching.h"
+#include "data/ifs.h"
 #include "data/section.h"
 #include "data/species.h"
 #include "data/tree.h"

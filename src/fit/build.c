@@ -34,8 +34,9 @@ static enum wf_status measured(const struct wf_study_tree *s, const char *path, 
     return status;
 }
 
-enum wf_status wf_fit_build_tree(const struct wf_fit_build *b, size_t index, struct wf_arena *a,
-                                 struct wf_diag *d, struct wf_fit_tree *out, struct wf_err *e)
+/* Inside. */
+static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index, struct wf_arena *a,
+                                     struct wf_diag *d, struct wf_fit_tree *out, struct wf_err *e)
 {
     const struct wf_study_tree *s = &b->study->tree[index];
     struct wf_species *sp = WF_TAKE(a, 1, struct wf_species);
@@ -337,10 +338,10 @@ static enum wf_status planned(const struct wf_study_test *s, struct wf_arena *a,
     return WF_OK;
 }
 
-enum wf_status wf_fit_build_test(const struct wf_fit_build *b, size_t index, const char *path,
-                                 struct wf_arena *a, struct wf_diag *d, struct wf_fit_test *t,
-                                 struct wf_fit_input *in, struct wf_fit_datum **data, size_t *n,
-                                 struct wf_err *e)
+static enum wf_status fit_build_test(const struct wf_fit_build *b, size_t index, const char *path,
+                                     struct wf_arena *a, struct wf_diag *d, struct wf_fit_test *t,
+                                     struct wf_fit_input *in, struct wf_fit_datum **data, size_t *n,
+                                     struct wf_err *e)
 {
     const struct wf_study_test *s = &b->study->test[index];
     struct wf_units *u;
@@ -446,7 +447,7 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
     x->tree = WF_TAKE(a, s->trees, struct wf_fit_tree), x->test = WF_TAKE(a, s->tests, struct wf_fit_test);
     if (!x->tree || !x->test) return wf_fail(e, WF_ENOMEM, "%s: no room", s->file);
     enum wf_status status = WF_OK;
-    for (size_t k = 0; k < s->trees && !status; k++) status = wf_fit_build_tree(b, k, a, d, &x->tree[k], e);
+    for (size_t k = 0; k < s->trees && !status; k++) status = fit_build_tree(b, k, a, d, &x->tree[k], e);
     for (size_t k = 0; k < s->tests && !status; k++) {
         const char *named = s->test[k].data;
         bool wants = s->test[k].along ||
@@ -457,7 +458,7 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
                            s->test[k].name);
         struct wf_fit_datum *data = NULL;
         size_t n = 0;
-        status = wf_fit_build_test(b, k, wants ? named : NULL, a, d, &x->test[k], &in[k], &data, &n, e);
+        status = fit_build_test(b, k, wants ? named : NULL, a, d, &x->test[k], &in[k], &data, &n, e);
         if (status) break;
         if (x->data + n > room) {
             room = 2 * (x->data + n);

@@ -36,11 +36,4 @@ enum wf_status wf_fit_params(const struct wf_fit_study *s, const char *names, co
                              bool plan, struct wf_arena *a, struct wf_fit_param **out, size_t *n,
                              struct wf_err *e);
 
-/* Inside. */
-enum wf_status wf_fit_build_tree(const struct wf_fit_build *b, size_t index, struct wf_arena *a,
-                                 struct wf_diag *d, struct wf_fit_tree *out, struct wf_err *e);
-enum wf_status wf_fit_build_test(const struct wf_fit_build *b, size_t index, const char *path,
-                                 struct wf_arena *a, struct wf_diag *d, struct wf_fit_test *t,
-                                 struct wf_fit_input *in, struct wf_fit_datum **data, size_t *n,
-                                 struct wf_err *e);
 #endif

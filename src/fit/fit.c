@@ -2,6 +2,8 @@
 #include <math.h>
 #include <string.h>
 
+static bool fit_at_bound(const struct wf_fit *f);
+
 void wf_fit_options_default(struct wf_fit_options *o)
 {
     *o = (struct wf_fit_options){
@@ -97,7 +99,7 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
                          "%s ended on its %s bound: this is no estimate, the data ask for a value beyond",
                          f->param[k].name, q->at_low ? "lower" : "upper");
     }
-    if (wf_fit_at_bound(f) && f->free > 1)
+    if (fit_at_bound(f) && f->free > 1)
         wf_diag_warn(
             d, "conditional",
             "the other parameters and their intervals by covariance hold only for the one at its bound");
@@ -133,7 +135,8 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
                      f->starts_same, f->starts);
 }
 
-bool wf_fit_at_bound(const struct wf_fit *f)
+/* Did a parameter that is no nuisance end on a bound? */
+static bool fit_at_bound(const struct wf_fit *f)
 {
     bool any = false;
     for (size_t k = 0; k < f->free; k++) any |= f->estimate[k].at_low || f->estimate[k].at_high;

@@ -78,9 +78,6 @@ struct wf_fit {
     struct wf_lsq_result lsq;
 };
 
-/* Did a parameter that is no nuisance end on a bound? */
-bool wf_fit_at_bound(const struct wf_fit *f);
-
 /* Akaike's criterion with the correction for few data (Hurvich and Tsai 1989), variance unknown: n ln(S/m) +
  * 2 k + 2 k (k+1)/(n-k-1), S = squared residuals over the sigmas of `like`, m = readings, k = parameters + 1,
  * n = readings that do not repeat their neighbours (each sensor's over its inflation squared, of `like`). To

@@ -91,7 +91,7 @@ static size_t earlier(const struct wf_experiment *x, size_t at, double azimuth)
 }
 
 static void damping(const struct wf_predictor *w, size_t tree, const double *internal, double *reading,
-                         double *row)
+                    double *row)
 {
     *reading = 0;
     for (size_t p = 0; p < w->params; p++) {
@@ -101,8 +101,9 @@ static void damping(const struct wf_predictor *w, size_t tree, const double *int
     }
 }
 
-enum wf_status wf_sway_test(struct wf_predictor *w, size_t index, const double *internal, double *reading,
-                            double *slope, size_t *at, struct wf_err *e)
+/* Readings of a test of free sway, from *at on; *at goes to the first datum behind them. */
+static enum wf_status sway_test(struct wf_predictor *w, size_t index, const double *internal, double *reading,
+                                double *slope, size_t *at, struct wf_err *e)
 {
     const struct wf_fit_test *t = &w->x->test[index];
     enum wf_status status = WF_OK;
@@ -479,7 +480,7 @@ enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double
     for (size_t p = 0; p < n; p++) w->solved[p] = NAN;
     for (size_t k = 0; k < w->x->tests && !status; k++) {
         bool free = w->x->test[k].load == WF_FIT_FREE;
-        status = (free ? wf_sway_test : static_test)(w, k, internal, reading, slope, &at, e);
+        status = (free ? sway_test : static_test)(w, k, internal, reading, slope, &at, e);
         wf_arena_free(&w->scratch);
     }
     if (status) return status;

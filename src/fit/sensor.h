@@ -56,7 +56,4 @@ struct wf_predictor {
     struct wf_arena scratch; /* of one test                                          */
 };
 
-/* Readings of a test of free sway, from *at on; *at goes to the first datum behind them. */
-enum wf_status wf_sway_test(struct wf_predictor *w, size_t index, const double *internal, double *reading,
-                            double *slope, size_t *at, struct wf_err *e);
 #endif

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-const struct wf_field_row wf_field_rows[] = {
+static const struct wf_field_row field_rows[] = {
     { WF_FIELD_ID, " id cylid cylinderid cylinder segid ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_NEXT, " extension extensionid ", 1, WF_FIELD_PLAIN },
@@ -74,7 +74,7 @@ enum wf_field wf_field_of(const char *name, double length_unit, double diameter_
 {
     char word[64];
     int unit = plain_word(name, word, sizeof word);
-    for (const struct wf_field_row *f = wf_field_rows; f->field != WF_FIELD_NONE; f++) {
+    for (const struct wf_field_row *f = field_rows; f->field != WF_FIELD_NONE; f++) {
         if (!strstr(f->names, word)) continue;
         bool thick = f->field == WF_FIELD_RADIUS || f->field == WF_FIELD_R0 || f->field == WF_FIELD_R1;
         *factor = f->factor;

@@ -60,8 +60,6 @@ struct wf_field_row {
     double factor;           /* 0.5 for diameters                                              */
     enum wf_field_unit unit; /* of `field`                                                     */
 };
-/* Ends at field == WF_FIELD_NONE. */
-extern const struct wf_field_row wf_field_rows[];
 
 /* Meaning of a column by its name. Given: a header cell such as " startX", "diameter_mm", "radius (m)";
  * metres per unit for lengths and for diameters and radii without a unit in their name. Returned: the field

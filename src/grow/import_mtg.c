@@ -43,14 +43,6 @@ struct wf_mtg {
     int32_t last[WF_MTG_COLUMNS]; /* the newest entity of each tab column */
 };
 
-/* Classes and features, up to and with the ENTITY-CODE line. Given: text, which is advanced to the line after
- * it, and the line number. Errors: WF_EINPUT naming what is missing. */
-enum wf_status wf_mtg_head(struct wf_mtg *g, const char *file, const char **at, size_t *line,
-                           struct wf_err *e);
-
-/* One line of entities. Returned: NULL, or what is wrong with it. `start`..`stop` without the line end. */
-const char *wf_mtg_line(struct wf_mtg *g, const char *start, const char *stop, size_t line);
-
 /* Header of a multi-scale tree graph: symbols with their scale, and which tab column holds which feature. */
 
 /* The next line without its end; false at the end of the text. */
@@ -123,8 +115,10 @@ static enum wf_status feature_columns(struct wf_mtg *g, const char *file, const 
     return WF_OK;
 }
 
-enum wf_status wf_mtg_head(struct wf_mtg *g, const char *file, const char **at, size_t *line,
-                           struct wf_err *e)
+/* Classes and features, up to and with the ENTITY-CODE line. Given: text, which is advanced to the line after
+ * it, and the line number. Errors: WF_EINPUT naming what is missing. */
+static enum wf_status mtg_head(struct wf_mtg *g, const char *file, const char **at, size_t *line,
+                               struct wf_err *e)
 {
     enum { BEFORE, CLASSES, BEHIND } part = BEFORE;
     const char *stop;
@@ -237,7 +231,8 @@ static const char *features(struct wf_mtg *g, const char *p, const char *stop)
     return NULL;
 }
 
-const char *wf_mtg_line(struct wf_mtg *g, const char *start, const char *stop, size_t line)
+/* One line of entities. Returned: NULL, or what is wrong with it. `start`..`stop` without the line end. */
+static const char *mtg_line(struct wf_mtg *g, const char *start, const char *stop, size_t line)
 {
     const char *p = start;
     size_t column = 0;
@@ -331,14 +326,14 @@ enum wf_status wf_import_mtg(const struct wf_import_head *h, const struct wf_imp
     for (int k = 0; k < WF_MTG_COLUMNS; k++) g->last[k] = -1;
     const char *at = b.data, *end = b.data + b.size;
     size_t line = 0, bad = 0;
-    if ((s = wf_mtg_head(g, h->path, &at, &line, e))) return s;
+    if ((s = mtg_head(g, h->path, &at, &line, e))) return s;
     for (const char *p = at; p < end; p++) g->room += *p == '/' || *p == '<' || *p == '+';
     g->entity = WF_TAKE(a, g->room, struct wf_mtg_entity);
     if (!g->entity) return wf_fail(e, WF_ENOMEM, "%s: no room for %zu entities", h->path, g->room);
     while (at < end) {
         const char *stop = memchr(at, '\n', (size_t)(end - at));
         if (!stop) stop = end;
-        const char *wrong = wf_mtg_line(g, at, stop, ++line);
+        const char *wrong = mtg_line(g, at, stop, ++line);
         if (wrong) wf_import_bad_row(q, o->strict, bad = line, 0, wrong, d);
         at = stop < end ? stop + 1 : stop;
     }

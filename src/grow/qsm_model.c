@@ -22,15 +22,10 @@ struct wf_hold_row {
     double base[3]; /* where the row's own wood starts [m]             */
 };
 
-/* Rows nearer than this to each other, or shorter, are one point: 1 mm or a tenth of the radius there. */
-double wf_joint_tolerance(double radius);
-
-/* Given: a sorted table and how it is joined. Returned: hold[n]. */
-void wf_joint_find(const struct wf_qsm *q, enum wf_joint joint, struct wf_hold_row *hold);
-
 static const double POINT = 1e-3; /* [m] */
 
-double wf_joint_tolerance(double radius) { return fmax(POINT, 0.1 * radius); }
+/* Rows nearer than this to each other, or shorter, are one point: 1 mm or a tenth of the radius there. */
+static double joint_tolerance(double radius) { return fmax(POINT, 0.1 * radius); }
 
 static double apart(const double a[3], const double b[3])
 {
@@ -56,7 +51,7 @@ static void lateral(const struct wf_qsm *q, size_t p, const struct wf_hold_row *
     }
     double length = sqrt(length2), s = length > 0 ? fmin(fmax(dot / length2, 0), 1) : 1;
     h->radius = q->r0[p] + s * (q->r1[p] - q->r0[p]);
-    double tolerance = wf_joint_tolerance(h->radius);
+    double tolerance = joint_tolerance(h->radius);
     h->at = WF_HOLD_AXIS;
     if ((1 - s) * length <= tolerance)
         h->at = WF_HOLD_END, s = 1;
@@ -75,7 +70,8 @@ static void lateral(const struct wf_qsm *q, size_t p, const struct wf_hold_row *
     copy(h->base, h->straight ? point : start);
 }
 
-void wf_joint_find(const struct wf_qsm *q, enum wf_joint joint, struct wf_hold_row *hold)
+/* Given: a sorted table and how it is joined. Returned: hold[n]. */
+static void joint_find(const struct wf_qsm *q, enum wf_joint joint, struct wf_hold_row *hold)
 {
     for (size_t i = 0; i < q->n; i++) {
         struct wf_hold_row *h = &hold[i];
@@ -155,13 +151,13 @@ static int32_t reach(struct build *b, size_t i)
     const struct wf_hold_row *h = &b->hold[i];
     double from[3], to[3], across[3], r = b->q->r0[i];
     if (h->straight) {
-        if (h->gap > wf_joint_tolerance(h->radius)) b->m->gaps++;
+        if (h->gap > joint_tolerance(h->radius)) b->m->gaps++;
         return b->held[i];
     }
     point_of(b, i, from);
     for (int k = 0; k < 3; k++) across[k] = h->base[k] - from[k];
     double gap = sqrt(across[0] * across[0] + across[1] * across[1] + across[2] * across[2]);
-    bool beyond = gap > h->radius + wf_joint_tolerance(h->radius);
+    bool beyond = gap > h->radius + joint_tolerance(h->radius);
     for (int k = 0; k < 3; k++) to[k] = from[k] + across[k] * (beyond ? h->radius / gap : 1);
     double stout = fmax(r, fmin(h->radius, 3 * r));
     int32_t at = b->held[i];
@@ -213,7 +209,7 @@ static void wood(struct build *b, size_t i)
     for (size_t k = 0; k < n; k++) {
         size_t c = (size_t)b->sorted[k].row;
         double s = b->hold[c].share, point[3];
-        double least = wf_joint_tolerance(b->hold[c].radius) / length;
+        double least = joint_tolerance(b->hold[c].radius) / length;
         if (!(done > 0 && s - done <= least) && 1 - s > 0.5 * least) {
             double r1 = q->r0[i] + s * (q->r1[i] - q->r0[i]);
             for (int d = 0; d < 3; d++) point[d] = base[d] + s * (end[d] - base[d]);
@@ -266,7 +262,7 @@ enum wf_status wf_qsm_to_tree(const struct wf_qsm *q, enum wf_joint joint, struc
     *out = (struct wf_qsm_model){ 0 };
     struct wf_hold_row *hold = WF_TAKE(a, q->n, struct wf_hold_row);
     if (!hold) return wf_fail(e, WF_ENOMEM, "%s: no room for %zu rows", q->name, q->n);
-    wf_joint_find(q, joint, hold);
+    joint_find(q, joint, hold);
     struct build b = { .q = q, .hold = hold, .m = out, .t = &out->tree };
     b.shortest = joint == WF_JOINT_AXIS ? SHORTEST : NO_LENGTH;
     enum wf_status s = room(&b, a, e);

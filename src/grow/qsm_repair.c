@@ -6,27 +6,6 @@
 
 /* The steps of wf_qsm_repair, in the order in which they run. Each counts what it changes. */
 
-/* Ids to rows: repeated rows removed, repeated ids renumbered, parents and continuations found. */
-enum wf_status wf_qsm_resolve(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e);
-
-/* One tree: rings cut, then every root that does not stand on the ground joined to the nearest axis.
- * Ground: the lowest start of a root whose part holds at least 1 % of the largest part's wood. A root within
- * 0.5 m above it stands; any other is loose and, from the lowest up, becomes a child of the row whose surface
- * is nearest to its start. Errors: WF_EINPUT when more than 1000 parts are loose: then the parent column does
- * not fit the ids. */
-enum wf_status wf_qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e);
-
-/* Every parent before its children; the file's order is kept when it already is so. */
-enum wf_status wf_qsm_sort(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e);
-
-/* Rows shorter than 1e-9 m removed, missing radii and lengths filled. Needs sorted rows. */
-enum wf_status wf_qsm_fill(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e);
-
-/* Branch order from 0 at the stem, continuations, limbs and branch numbers. Needs sorted rows.
- * A continuation the file does not name is, among the children of the same order, the one that starts nearest
- * the row's end; where the file has no orders, the thickest child that starts at the row's end. */
-enum wf_status wf_qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e);
-
 /* Ids of a table of cylinders to rows. */
 
 static bool same_row(const struct wf_qsm *q, size_t i, size_t k)
@@ -79,7 +58,8 @@ static int32_t parent_row(struct wf_qsm *q, const struct wf_ids *ids, size_t i, 
     return row;
 }
 
-enum wf_status wf_qsm_resolve(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
+/* Ids to rows: repeated rows removed, repeated ids renumbered, parents and continuations found. */
+static enum wf_status qsm_resolve(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_ids ids;
     enum wf_status s = enter(q, &ids, a, e);
@@ -152,7 +132,8 @@ static enum wf_status fill_radii(struct wf_qsm *q, struct wf_err *e)
     return WF_OK;
 }
 
-enum wf_status wf_qsm_fill(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
+/* Rows shorter than 1e-9 m removed, missing radii and lengths filled. Needs sorted rows. */
+static enum wf_status qsm_fill(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     enum wf_status s = remove_points(q, a, e);
     if (s) return s;
@@ -224,7 +205,10 @@ static void limbs(struct wf_qsm *q)
     }
 }
 
-enum wf_status wf_qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
+/* Branch order from 0 at the stem, continuations, limbs and branch numbers. Needs sorted rows.
+ * A continuation the file does not name is, among the children of the same order, the one that starts nearest
+ * the row's end; where the file has no orders, the thickest child that starts at the row's end. */
+static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_children c;
     enum wf_status s = wf_children_of(q->parent, q->n, a, &c, e);
@@ -344,7 +328,12 @@ static void join(struct wf_qsm *q, const int32_t *root, uint8_t *standing, int32
     standing[part] = 1;
 }
 
-enum wf_status wf_qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
+/* One tree: rings cut, then every root that does not stand on the ground joined to the nearest axis.
+ * Ground: the lowest start of a root whose part holds at least 1 % of the largest part's wood. A root within
+ * 0.5 m above it stands; any other is loose and, from the lowest up, becomes a child of the row whose surface
+ * is nearest to its start. Errors: WF_EINPUT when more than 1000 parts are loose: then the parent column does
+ * not fit the ids. */
+static enum wf_status qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     int32_t *root = WF_TAKE(a, q->n, int32_t);
     double *wood = WF_TAKE(a, q->n, double);
@@ -378,7 +367,8 @@ enum wf_status wf_qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_err *
     return WF_OK;
 }
 
-enum wf_status wf_qsm_sort(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
+/* Every parent before its children; the file's order is kept when it already is so. */
+static enum wf_status qsm_sort(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     size_t late = 0;
     int64_t first = 0;
@@ -441,11 +431,11 @@ enum wf_status wf_qsm_repair(struct wf_qsm *q, bool strict, struct wf_arena *a, 
                              struct wf_err *e)
 {
     if (!q->n) return wf_fail(e, WF_EINPUT, "%s: no cylinder in it", q->name);
-    enum wf_status s = wf_qsm_resolve(q, a, e);
-    if (!s) s = wf_qsm_join(q, a, e);
-    if (!s) s = wf_qsm_sort(q, a, e);
-    if (!s) s = wf_qsm_fill(q, a, e);
-    if (!s) s = wf_qsm_branches(q, a, e);
+    enum wf_status s = qsm_resolve(q, a, e);
+    if (!s) s = qsm_join(q, a, e);
+    if (!s) s = qsm_sort(q, a, e);
+    if (!s) s = qsm_fill(q, a, e);
+    if (!s) s = qsm_branches(q, a, e);
     if (s) return s;
     to_origin(q);
     return strict ? refuse(q, d, e) : WF_OK;

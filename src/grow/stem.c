@@ -52,8 +52,10 @@ static void load_piece(const struct wf_stem_mass *p, double from, size_t first, 
     }
 }
 
-enum wf_status wf_stem_sections(const struct wf_model *m, const double *s, struct wf_tree *t,
-                                struct wf_arena *a, struct wf_err *e)
+/* Sections that are not round, radii of the same area, and masses for the rows of a stem that has its places
+ * and materials. s: row ends as shares of its height. */
+static enum wf_status stem_sections(const struct wf_model *m, const double *s, struct wf_tree *t,
+                                    struct wf_arena *a, struct wf_err *e)
 {
     enum wf_status status = wf_tree_alloc_sections(t, a, e);
     if (status) return status;
@@ -202,7 +204,7 @@ enum wf_status wf_grow_stem(const struct wf_model *m, const struct wf_species *s
     if (code) return code;
     out->name = m->name;
     wood(out, m, stem, ends.s);
-    if (m->sections) return wf_stem_sections(m, ends.s, out, a, e);
+    if (m->sections) return stem_sections(m, ends.s, out, a, e);
     if (m->leaf_area > 0) leaves(out, m, sp, ends.s);
     return WF_OK;
 }

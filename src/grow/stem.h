@@ -19,8 +19,4 @@
 enum wf_status wf_grow_stem(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
                             struct wf_tree *out, struct wf_err *e);
 
-/* Sections that are not round, radii of the same area, and masses for the rows of a stem that has its places
- * and materials. s: row ends as shares of its height. */
-enum wf_status wf_stem_sections(const struct wf_model *m, const double *s, struct wf_tree *t,
-                                struct wf_arena *a, struct wf_err *e);
 #endif

@@ -3,6 +3,7 @@
 #include "study/exposure.h"
 #include "wind/scale.h"
 #include "wind/shelter.h"
+#include "wind/shelter_laws.h"
 #include <math.h>
 #include <stddef.h>
 #include <string.h>

@@ -6,16 +6,6 @@
 
 /* The mesh a tolerance asks for, found by comparing answers on two meshes row by row. */
 
-/* Error of place that the mesh leaves at the worst node [m], from the answers on a mesh and a finer one of
- * the same tree: each row's own part (its end seen from its base) falls with the fourth power of the piece
- * length, and is carried outwards by the reach of what stands on it. share[n]: each row's part of it [m]; a
- * row that was not cut finer keeps what it had. */
-double wf_beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *reach,
-                          double *share);
-
-/* Path length from each row's end to its farthest tip [m]. */
-void wf_tree_reach(const struct wf_tree *t, double *reach);
-
 /* Force and moment at an element's base, load on it and the load's moment about `first`. */
 static void bear(const struct wf_beam *b, size_t i, const double first[3], struct wf_beam_wrench *base,
                  double load[3], double moment[3])
@@ -97,7 +87,8 @@ static void read_row(const struct wf_beam *b, size_t i, const double first[3], s
     }
 }
 
-void wf_beam_read(const struct wf_beam *b, struct wf_response *r)
+/* Fill the response's columns from a solved beam. The response is allocated for the tree's rows. */
+static void beam_read(const struct wf_beam *b, struct wf_response *r)
 {
     const struct wf_tree *t = b->mesh.tree;
     const double first[3] = { t->x0[0], t->y0[0], t->z0[0] };
@@ -112,7 +103,8 @@ void wf_beam_read(const struct wf_beam *b, struct wf_response *r)
     r->steps = b->steps;
 }
 
-void wf_beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
+/* Rotation at row fraction s of a row (0..1), from the unloaded to the loaded state. */
+static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
 {
     int32_t from = b->mesh.first[row], cut = b->mesh.last[row] - from + 1;
     int32_t k = (int32_t)fmin(floor(s * cut), cut - 1);
@@ -134,9 +126,9 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
         int32_t from = fine->mesh.first[i], cut = fine->mesh.last[i] - from + 1;
         for (int32_t k = 0; k < cut; k++) {
             double base[9], at[9], R[9];
-            wf_beam_rotation_at(coarse, i, (double)k / cut, base);
+            beam_rotation_at(coarse, i, (double)k / cut, base);
             for (int j = 0; j < 2; j++) {
-                wf_beam_rotation_at(coarse, i, (k + gauss_place[j]) / cut, at);
+                beam_rotation_at(coarse, i, (k + gauss_place[j]) / cut, at);
                 m3_mul_transposed(base, at, R);
                 rotation_vector(R, fine->shape[from + k].v[j]);
             }
@@ -155,7 +147,8 @@ static void seen_from_base(const struct wf_beam *b, size_t i, double place[3], d
     m3_mul_transposed(base->L, end->L, L);
 }
 
-void wf_tree_reach(const struct wf_tree *t, double *reach)
+/* Path length from each row's end to its farthest tip [m]. */
+static void tree_reach(const struct wf_tree *t, double *reach)
 {
     for (size_t i = 0; i < t->n; i++) reach[i] = 0;
     for (size_t i = t->n; i-- > 0;) {
@@ -165,8 +158,12 @@ void wf_tree_reach(const struct wf_tree *t, double *reach)
     }
 }
 
-double wf_beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *reach,
-                          double *share)
+/* Error of place that the mesh leaves at the worst node [m], from the answers on a mesh and a finer one of
+ * the same tree: each row's own part (its end seen from its base) falls with the fourth power of the piece
+ * length, and is carried outwards by the reach of what stands on it. share[n]: each row's part of it [m]; a
+ * row that was not cut finer keeps what it had. */
+static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *reach,
+                              double *share)
 {
     const struct wf_tree *t = fine->mesh.tree;
     double worst = 0;
@@ -274,7 +271,7 @@ static double error_of(const struct answer *coarse, const struct answer *fine)
 static void read_linear(const struct answer *x, struct wf_response *r)
 {
     const struct wf_beam *b = &x->beam;
-    wf_beam_read(b, r);
+    beam_read(b, r);
     for (size_t i = 0; i < b->mesh.tree->n; i++) {
         int32_t last = b->mesh.last[i], below = b->mesh.part[b->mesh.first[i]].parent;
         double c[3], q0[3] = { 0, 0, 0 };
@@ -428,7 +425,7 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
 
     double depth = deepest(t, share);
     row_loads(b, before);
-    wf_tree_reach(t, reach);
+    tree_reach(t, reach);
     for (size_t i = 0; i < t->n; i++) pieces[i] = 2 * start;
     for (int mesh = 1; mesh < MESHES; mesh++) {
         struct wf_beam fine;
@@ -442,7 +439,7 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
         fine.iterations += b->iterations, fine.steps += b->steps;
         double allowed = o->mesh_tolerance * safety;
         double target = fmax(allowed * largest_displacement(&fine), rounding * size(t));
-        double error = wf_beam_mesh_error(b, &fine, reach, share);
+        double error = beam_mesh_error(b, &fine, reach, share);
         row_loads(&fine, load);
         double reactions = load_error(b, &fine, before, load, bear);
         *b = fine;
@@ -479,7 +476,7 @@ static enum wf_status beam_solve(const struct wf_tree *t, const struct wf_loads 
     if (status) return status;
     status = wf_solve_check(t, l, d, e);
     if (!status) status = wf_beam_solve(t, l, o, &work, &b, &out, e);
-    if (!status) wf_beam_read(&b, r);
+    if (!status) beam_read(&b, r);
     r->load_factor = out.load_factor;
     if (!status) wf_beam_warn(&b, &out, d);
     wf_arena_free(&work);

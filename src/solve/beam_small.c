@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam_small.h"
-#include "solve/beam_kernel.h"
 #include "base/vec3.h"
 #include "solve/beam_element.h"
+#include "solve/beam_kernel.h"
 #include "solve/beam_mesh.h"
 
 enum wf_status wf_beam_linearise(struct wf_beam *b, bool frozen, struct wf_arena *a, struct wf_err *e)

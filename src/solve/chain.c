@@ -14,7 +14,6 @@ enum { WF_CHAIN_POINTS = 8 };
 struct wf_chain_rule {
     double x[WF_CHAIN_POINTS], w[WF_CHAIN_POINTS], above[WF_CHAIN_POINTS][WF_CHAIN_POINTS];
 };
-void wf_chain_rule_fill(struct wf_chain_rule *g);
 
 struct wf_chain_row {
     double load[3];        /* line load, summed [N]                                     */
@@ -22,14 +21,6 @@ struct wf_chain_row {
     double bend[3];        /* displacement of the end against the clamped base [m]      */
     double turn[3];        /* rotation of the end against it [rad]                      */
 };
-/* Given: rule, scheme, tree, row, loads, force [N] and moment [N m] the upper part puts on the row's end.
- * Returned: *out.
- * Method: curvature M/(EI) across and M/(GJ) along the axis, integrated by the rule over panels short enough
- * (radius ratio at most 1.5) for rounding-error accuracy; displacement = integral of (l - s) curvature x
- * tangent. */
-void wf_chain_row_bend(const struct wf_chain_rule *g, const struct wf_chain_scheme *c,
-                       const struct wf_tree *t, size_t i, const struct wf_loads *l, const double force[3],
-                       const double moment[3], struct wf_chain_row *out);
 
 #define VARIANT(id, called, spread, handed, turned)                                                          \
     static enum wf_status solve_##id(const struct wf_tree *t, const struct wf_loads *l,                      \
@@ -69,7 +60,7 @@ static const double node[N / 2] = { 0.18343464249564980494, 0.525532409916328985
 static const double weight[N / 2] = { 0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
                                       0.10122853629037625915 };
 
-void wf_chain_rule_fill(struct wf_chain_rule *g)
+static void chain_rule_fill(struct wf_chain_rule *g)
 {
     for (int k = 0; k < N / 2; k++) {
         g->x[N / 2 - 1 - k] = 0.5 * (1 - node[k]), g->x[N / 2 + k] = 0.5 * (1 + node[k]);
@@ -145,9 +136,14 @@ static double panel_limit(const struct panels *p, int k)
     return (p->v0 * pow(p->v1 / p->v0, (double)k / p->n) - p->v0) / (p->v1 - p->v0);
 }
 
-void wf_chain_row_bend(const struct wf_chain_rule *g, const struct wf_chain_scheme *c,
-                       const struct wf_tree *t, size_t i, const struct wf_loads *l, const double force[3],
-                       const double moment[3], struct wf_chain_row *out)
+/* Given: rule, scheme, tree, row, loads, force [N] and moment [N m] the upper part puts on the row's end.
+ * Returned: *out.
+ * Method: curvature M/(EI) across and M/(GJ) along the axis, integrated by the rule over panels short enough
+ * (radius ratio at most 1.5) for rounding-error accuracy; displacement = integral of (l - s) curvature x
+ * tangent. */
+static void chain_row_bend(const struct wf_chain_rule *g, const struct wf_chain_scheme *c,
+                           const struct wf_tree *t, size_t i, const struct wf_loads *l, const double force[3],
+                           const double moment[3], struct wf_chain_row *out)
 {
     const double base[3] = { t->x0[i], t->y0[i], t->z0[i] };
     double axis[3] = { t->x1[i] - base[0], t->y1[i] - base[1], t->z1[i] - base[2] };
@@ -265,14 +261,14 @@ static void hand_down(const struct wf_chain_scheme *c, const struct wf_tree *t, 
                       struct wf_response *r, struct tally *sum)
 {
     struct wf_chain_rule rule;
-    wf_chain_rule_fill(&rule);
+    chain_rule_fill(&rule);
     for (size_t i = t->n; i-- > 0;) {
         const double base[3] = { t->x0[i], t->y0[i], t->z0[i] };
         const double chord[3] = { t->x1[i] - base[0], t->y1[i] - base[1], t->z1[i] - base[2] };
         double *f0 = r->force0 + 3 * i, *m0 = r->moment0 + 3 * i, *f1 = r->force1 + 3 * i,
                *m1 = r->moment1 + 3 * i;
         struct wf_chain_row row;
-        wf_chain_row_bend(&rule, c, t, i, l, f1, m1, &row);
+        chain_row_bend(&rule, c, t, i, l, f1, m1, &row);
         for (size_t k = 0; k < 3; k++) {
             r->load[3 * i + k] = row.load[k];
             r->end[3 * i + k] = row.bend[k];

@@ -13,10 +13,6 @@
  * cannot end below the scatter (Bock 1981, internal numerical differentiation, in: Modelling of Chemical
  * Reaction Systems, Springer, 102-125). */
 
-/* From base to end. Given: the state y at the base; g->piece is the piece under way. Returned: y at the end;
- * false when a step could not be taken. */
-bool wf_rod_drive(struct wf_rod_integrator *g, double *y);
-
 #define PI 3.14159265358979323846
 
 static double between(double a, double b, double s) { return a + (b - a) * s; }
@@ -152,7 +148,12 @@ static bool again(struct wf_rod_integrator *g, double *y)
     return true;
 }
 
-bool wf_rod_drive(struct wf_rod_integrator *g, double *y) { return g->fixed ? again(g, y) : choose(g, y); }
+/* From base to end. Given: the state y at the base; g->piece is the piece under way. Returned: y at the end;
+ * false when a step could not be taken. */
+static bool rod_drive(struct wf_rod_integrator *g, double *y)
+{
+    return g->fixed ? again(g, y) : choose(g, y);
+}
 
 /* The state in the piece's own measure: lengths by h, forces by EI/h2, moments by EI/h, arc by h. */
 enum { PLACE = 0, QUATERNION = 3, FORCE = 7, MOMENT = 10, TALLY = 13, VARIED = 13 };
@@ -394,7 +395,7 @@ bool wf_rod_along(struct wf_rod_integrator *g, struct wf_rod_piece *p, const str
     } else {
         memcpy(y + QUATERNION, base->q, sizeof base->q);
     }
-    if (!wf_rod_drive(g, y)) return false;
+    if (!rod_drive(g, y)) return false;
     for (int k = 0; k < 3; k++) {
         end->r[k] = base->r[k] + p->h * y[PLACE + k];
         wrench->n[k] = force * y[f + k];

@@ -327,7 +327,8 @@ bool wf_rod_newton(struct wf_rod *r)
     return false;
 }
 
-void wf_rod_rest(struct wf_rod *r)
+/* Unloaded pose and no forces everywhere. */
+static void rod_rest(struct wf_rod *r)
 {
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_piece *p = &r->piece[i];
@@ -376,7 +377,7 @@ enum wf_status wf_rod_init(struct wf_rod *r, const struct wf_tree *t, const stru
     for (size_t i = 0; i < t->n; i++)
         r->size = fmax(r->size, hypot(t->x1[i] - t->x0[0], hypot(t->y1[i] - t->y0[0], t->z1[i] - t->z0[0])));
     sort_points(r);
-    wf_rod_rest(r);
+    rod_rest(r);
     return wf_rod_open(&r->integrator, t, &r->loads, printed, a, e);
 }
 

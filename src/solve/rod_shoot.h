@@ -58,8 +58,6 @@ enum wf_status wf_rod_init(struct wf_rod *r, const struct wf_tree *t, const stru
                            struct wf_err *e);
 void wf_rod_done(struct wf_rod *r);
 
-/* Unloaded pose and no forces everywhere. */
-void wf_rod_rest(struct wf_rod *r);
 /* Newton at the present loads from the present nodes; afterwards the ends belong to the nodes. false:
  * stalled, the nodes are where it did. */
 bool wf_rod_newton(struct wf_rod *r);

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+static void limits_wind(const struct wf_analysis *an, struct wf_diag *d);
+
 #define DEGREES (180.0 / M_PI)
 
 /* Speeds whose `test` holds, as "15, 25" or, when more than four, "12 wind speeds from 15 to 40", into buf;
@@ -158,7 +160,10 @@ static bool has_crown(const struct wf_tree *t)
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-char *wf_limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
+/* The values of the species that are assumptions and take part (levels grown, radius where the model gives
+ * none), as one text ("culm: density, shear_modulus; crown: ..."), or "" when there is none. Returned: buf.
+ */
+static char *limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
 {
     const struct wf_species *sp = an->species;
     buf[0] = '\0';
@@ -198,7 +203,7 @@ char *wf_limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
 static void check_assumed(const struct wf_analysis *an, struct wf_diag *d)
 {
     char list[900];
-    if (*wf_limits_assumed(an, list, sizeof list))
+    if (*limits_assumed(an, list, sizeof list))
         wf_diag_warn(d, "assumed-values", "%s: these values are assumptions, not measurements: %s",
                      an->species->name, list);
 }
@@ -208,7 +213,7 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
     check_equilibrium(an, d);
     check_small_deflection(an, d);
     check_small_critical(an, d);
-    wf_limits_wind(an, d);
+    limits_wind(an, d);
     check_critical(an, d);
     check_as_printed(an, d);
     check_assumed(an, d);
@@ -345,7 +350,8 @@ static void check_site(const struct wf_site *s, struct wf_diag *d)
             s->file, s->edge);
 }
 
-void wf_limits_wind(const struct wf_analysis *an, struct wf_diag *d)
+/* The part of it that looks at the wind: streamline-range, profile-range, reynolds-range, steep, map-edge. */
+static void limits_wind(const struct wf_analysis *an, struct wf_diag *d)
 {
     check_streamline(an, d);
     wf_limits_profile(&an->scenario, an->tallness, an->model->name, d);

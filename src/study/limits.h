@@ -19,14 +19,7 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d);
  */
 bool wf_limits_small_passed(const struct wf_at_speed *at);
 
-/* The part of it that looks at the wind: streamline-range, profile-range, reynolds-range, steep, map-edge. */
-void wf_limits_wind(const struct wf_analysis *an, struct wf_diag *d);
-
 /* The profile-range warnings alone, for a tree of that height [m]. */
 void wf_limits_profile(const struct wf_scenario *s, double tallness, const char *tree, struct wf_diag *d);
 
-/* The values of the species that are assumptions and take part (levels grown, radius where the model gives
- * none), as one text ("culm: density, shear_modulus; crown: ..."), or "" when there is none. Returned: buf.
- */
-char *wf_limits_assumed(const struct wf_analysis *an, char *buf, size_t size);
 #endif

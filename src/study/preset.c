@@ -15,7 +15,7 @@ static size_t stem_rows(const struct wf_tree *t)
     return n;
 }
 
-void wf_departures_tang(const struct wf_analysis *an, struct wf_diag *d)
+static void departures_tang(const struct wf_analysis *an, struct wf_diag *d)
 {
     double n = (double)stem_rows(&an->tree);
     wf_diag_warn(
@@ -43,7 +43,8 @@ void wf_departures_tang(const struct wf_analysis *an, struct wf_diag *d)
         "tang2012: displacements of the segments are added up, so a strongly bent stem grows longer");
 }
 
-void wf_departures_tang_in_time(struct wf_diag *d)
+/* Of their winds, memories and leaves, in series. */
+static void departures_tang_in_time(struct wf_diag *d)
 {
     wf_diag_warn(
         d, "unprinted-constants",
@@ -73,7 +74,7 @@ void wf_departures_shelter(struct wf_diag *d)
         "blow more than the wind");
 }
 
-void wf_departures_feng(const struct wf_analysis *an, struct wf_diag *d)
+static void departures_feng(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_species *sp = an->species;
     bool table = sp->level[0].youngs_modulus.standing == WF_PRINTED;
@@ -114,7 +115,7 @@ void wf_departures_feng(const struct wf_analysis *an, struct wf_diag *d)
             "uniform; the error falls with the length of the segments");
 }
 
-void wf_departures_zhao(const struct wf_analysis *an, struct wf_diag *d)
+static void departures_zhao(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_tree *t = &an->tree;
     double low = INFINITY, high = 0;
@@ -148,7 +149,7 @@ void wf_departures_zhao(const struct wf_analysis *an, struct wf_diag *d)
     wf_diag_warn(d, "no-weight", "zhao2013: weight does not act");
 }
 
-void wf_departures_zhao_in_time(struct wf_diag *d)
+static void departures_zhao_in_time(struct wf_diag *d)
 {
     wf_diag_warn(d, "omega-unit",
                  "zhao2013: omega = 3.14/120 has no unit; read per frame at 61 frames a second the sine "
@@ -189,8 +190,8 @@ const struct wf_preset wf_presets[] = {
       .air_density = NAN,
       .solid = true,
       .rigid = true,
-      .departures = wf_departures_tang,
-      .in_time = wf_departures_tang_in_time },
+      .departures = departures_tang,
+      .in_time = departures_tang_in_time },
     { .name = "feng1999",
       .title = "inextensible rods in three angles a segment",
       .source =
@@ -201,7 +202,7 @@ const struct wf_preset wf_presets[] = {
       .lift = NAN,
       .air_density = NAN,
       .rigid = true,
-      .departures = wf_departures_feng },
+      .departures = departures_feng },
     { .name = "zhao2013",
       .title = "rods turned by their own wind force, R cubed",
       .source = "Zhao P., Zhang Z. 2013. Research on fast dynamic simulation of IFS trees swaying. Computer "
@@ -214,8 +215,8 @@ const struct wf_preset wf_presets[] = {
       .air_density = WF_ZHAO_AIR,
       .solid = true,
       .rigid = true,
-      .departures = wf_departures_zhao,
-      .in_time = wf_departures_zhao_in_time },
+      .departures = departures_zhao,
+      .in_time = departures_zhao_in_time },
     { .name = NULL },
 };
 

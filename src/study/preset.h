@@ -35,12 +35,6 @@ void wf_preset_warn(const struct wf_preset *p, const struct wf_analysis *an, str
 #define WF_ZHAO_LIFT 0.75
 #define WF_ZHAO_AIR 2.37e-6
 
-void wf_departures_tang(const struct wf_analysis *an, struct wf_diag *d);
-void wf_departures_feng(const struct wf_analysis *an, struct wf_diag *d);
-void wf_departures_zhao(const struct wf_analysis *an, struct wf_diag *d);
-/* Of their winds, memories and leaves, in series. */
-void wf_departures_tang_in_time(struct wf_diag *d);
-void wf_departures_zhao_in_time(struct wf_diag *d);
 /* Of the printed shelter of Feng et al. */
 void wf_departures_shelter(struct wf_diag *d);
 #endif

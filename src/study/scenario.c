@@ -1,5 +1,6 @@
 #include "study/scenario.h"
 #include "wind/shelter.h"
+#include "wind/shelter_laws.h"
 #include <math.h>
 #include <string.h>
 

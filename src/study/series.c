@@ -6,15 +6,11 @@
 #include "study/preset.h"
 #include "study/speed.h"
 #include "wind/gust.h"
+#include "wind/shelter_laws.h"
 #include <math.h>
 #include <string.h>
 
 /* The changing wind of a series; for series.c. */
-
-/* Fill s->wind, and s->across and s->up where the wind turns, from the gust model. */
-enum wf_status wf_series_wind(struct wf_series *s, struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
-/* Speed and direction of frame k in place of those of the mean wind. */
-void wf_series_blow(const struct wf_series *s, size_t k, struct wf_wind *wind);
 
 /* Can every frame have a direction of its own? */
 static bool turns(const struct wf_series_spec *q)
@@ -63,7 +59,9 @@ static enum wf_status specify(const struct wf_series *s, struct wf_gust_spec *ou
     return status;
 }
 
-enum wf_status wf_series_wind(struct wf_series *s, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+/* Fill s->wind, and s->across and s->up where the wind turns, from the gust model. */
+static enum wf_status series_wind(struct wf_series *s, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_err *e)
 {
     const struct wf_series_spec *q = &s->spec;
     struct wf_gust_spec spec;
@@ -86,7 +84,8 @@ enum wf_status wf_series_wind(struct wf_series *s, struct wf_arena *a, struct wf
     return status;
 }
 
-void wf_series_blow(const struct wf_series *s, size_t k, struct wf_wind *wind)
+/* Speed and direction of frame k in place of those of the mean wind. */
+static void series_blow(const struct wf_series *s, size_t k, struct wf_wind *wind)
 {
     double along = s->wind[k], across = s->across ? s->across[k] : 0.0, up = s->up ? s->up[k] : 0.0;
     double to[3] = { wind->direction[0], wind->direction[1], 0.0 }, speed = hypot(hypot(along, across), up);
@@ -229,7 +228,7 @@ static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struc
         struct wf_wind wind = s->an.wind;
         struct wf_loads loads = s->an.loads;
         struct wf_response r;
-        wf_series_blow(s, k, &wind);
+        series_blow(s, k, &wind);
         loads.wind = wind.speed > 0 ? &wind : NULL;
         enum wf_status status =
             s->an.solver->solve(t, &loads, &s->spec.solve, &scratch, &r, k ? &quiet : d, &why);
@@ -326,7 +325,7 @@ enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena 
     s->wind = WF_TAKE(a, s->frames, double);
     if (!shelter || !s->wind) return wf_fail(e, WF_ENOMEM, "no room for %zu frames", s->frames);
     enum wf_status status = set_up(s, shelter, a, d, e);
-    if (!status) status = wf_series_wind(s, a, d, e);
+    if (!status) status = series_wind(s, a, d, e);
     if (!status) status = take(s, a, e);
     s->an.loads.wind = &s->an.wind;
     bool printed = spec->solver == &wf_solver_deflect_as_printed;

@@ -2,6 +2,7 @@
 #include "base/yaml.h"
 #include "solve/solvers.h"
 #include "wind/gust.h"
+#include "wind/shelter_laws.h"
 #include <math.h>
 #include <string.h>
 

@@ -2,6 +2,7 @@
 #include "study/figures.h"
 #include "study/scenario.h"
 #include "study/sheltered.h"
+#include "wind/shelter_laws.h"
 #include <math.h>
 #include <string.h>
 

@@ -259,7 +259,9 @@ static void warn(const struct wf_gust_spec *s, struct wf_diag *d)
     }
 }
 
-enum wf_status wf_gust_check(const struct wf_gust_spec *s, struct wf_diag *d, struct wf_err *e)
+/* Everything wrong with a specification, as findings; warnings for use outside a model's range.
+ * Returned: WF_EUSAGE when there is any error. */
+static enum wf_status gust_check(const struct wf_gust_spec *s, struct wf_diag *d, struct wf_err *e)
 {
     size_t before = d->errors;
     const struct wf_gust_model *m = s->model;
@@ -296,7 +298,7 @@ enum wf_status wf_gust_open(const struct wf_gust_spec *s, struct wf_arena *a, st
                             struct wf_gust *g, struct wf_err *e)
 {
     memset(g, 0, sizeof *g);
-    if (wf_gust_check(s, d, e)) return WF_EUSAGE;
+    if (gust_check(s, d, e)) return WF_EUSAGE;
     g->spec = *s;
     enum wf_status status = s->model->open(g, a, e);
     if (status) {

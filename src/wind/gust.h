@@ -10,10 +10,6 @@
 extern const struct wf_gust_model wf_gust_models[]; /* ends at name == NULL */
 const struct wf_gust_model *wf_gust_named(const char *name);
 
-/* Everything wrong with a specification, as findings; warnings for use outside a model's range.
- * Returned: WF_EUSAGE when there is any error. */
-enum wf_status wf_gust_check(const struct wf_gust_spec *s, struct wf_diag *d, struct wf_err *e);
-
 /* Check and make ready. Memory from the arena; wf_gust_close gives back what is not in the arena. */
 enum wf_status wf_gust_open(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
                             struct wf_gust *g, struct wf_err *e);

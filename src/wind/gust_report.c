@@ -101,7 +101,8 @@ enum wf_status wf_gust_stats(const double *x, size_t n, double step, double gust
     return time_scale(x, n, step, a, out, e);
 }
 
-void wf_histogram(const double *x, size_t n, double low, double high, size_t bins, size_t *count)
+/* Counts of x in `bins` equal bins from low to high; outside goes to the end bins. */
+static void histogram(const double *x, size_t n, double low, double high, size_t bins, size_t *count)
 {
     memset(count, 0, bins * sizeof *count);
     for (size_t i = 0; i < n; i++) {
@@ -331,8 +332,7 @@ enum wf_status wf_gust_report_make(const struct wf_gust_spec *s, struct wf_arena
     if (status) return status;
     o->bin_low = o->stats[0].low;
     o->bin_width = fmax((o->stats[0].high - o->stats[0].low) / WF_REPORT_BINS, 1e-9);
-    wf_histogram(o->x, s->steps, o->bin_low, o->bin_low + o->bin_width * WF_REPORT_BINS, WF_REPORT_BINS,
-                 o->bin);
+    histogram(o->x, s->steps, o->bin_low, o->bin_low + o->bin_width * WF_REPORT_BINS, WF_REPORT_BINS, o->bin);
     check_moments(o);
     status = check_synthesis(o, a, e);
     if (!status) check_spectrum(o);

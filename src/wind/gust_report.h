@@ -26,9 +26,6 @@ struct wf_gust_stats {
 enum wf_status wf_gust_stats(const double *x, size_t n, double step, double gust_window, double period,
                              struct wf_arena *a, struct wf_gust_stats *out, struct wf_err *e);
 
-/* Counts of x in `bins` equal bins from low to high; outside goes to the end bins. */
-void wf_histogram(const double *x, size_t n, double low, double high, size_t bins, size_t *count);
-
 /* A gust model run once and looked at: does it do what it was asked to? */
 
 enum { WF_REPORT_BANDS = 96, WF_REPORT_BINS = 40 };

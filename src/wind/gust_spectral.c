@@ -127,7 +127,8 @@ enum wf_status wf_coherence_make(size_t n, const double *place, const double dec
     return WF_OK;
 }
 
-void wf_coherence_find(const struct wf_coherence *c, double g, size_t *rung, double *share)
+/* Where g lies on the ladder: rung and share towards the next, both clamped. */
+static void coherence_find(const struct wf_coherence *c, double g, size_t *rung, double *share)
 {
     if (!(g > c->rung[0])) {
         *rung = 0, *share = 0.0;
@@ -146,7 +147,7 @@ double wf_coherence_error(const struct wf_coherence *c, double g, struct wf_aren
     double share, worst = 0.0;
     double *made = WF_TAKE(a, n * n, double);
     if (!made) return NAN;
-    wf_coherence_find(c, g, &q, &share);
+    coherence_find(c, g, &q, &share);
     for (size_t i = 0; i < n; i++) {
         const double *w0 = c->weight + (q * c->n + i) * c->near, *w1 = w0 + c->n * c->near;
         double rest = (1.0 - share) * c->rest[q * c->n + i] + share * c->rest[(q + 1) * c->n + i];
@@ -329,7 +330,7 @@ static enum wf_status lay_ladder(const struct wf_gust_spec *s, struct spectral *
         size_t at;
         double f = (double)frequency_of(i) / ((double)n * s->step);
         w->wavenumber[i] = hypot(f / w->speed, q);
-        wf_coherence_find(&w->coherence, w->wavenumber[i], &at, &w->share[i]);
+        coherence_find(&w->coherence, w->wavenumber[i], &at, &w->share[i]);
         if (at == rung) continue;
         w->segment_first[w->segments] = i;
         w->segment_rung[w->segments++] = rung = at;

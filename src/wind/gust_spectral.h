@@ -45,8 +45,6 @@ struct wf_coherence {
 /* Given: n places (3 each) [m], decays C[3] (0: fully coherent in that direction), the range of g [1/m]. */
 enum wf_status wf_coherence_make(size_t n, const double *place, const double decay[3], double g_low,
                                  double g_high, struct wf_arena *a, struct wf_coherence *c, struct wf_err *e);
-/* Where g lies on the ladder: rung and share towards the next, both clamped. */
-void wf_coherence_find(const struct wf_coherence *c, double g, size_t *rung, double *share);
 /* Largest difference, over all pairs of at most 400 points, between the root-coherence made at g and
  * exp(-r g); NAN when there is no room for the check. */
 double wf_coherence_error(const struct wf_coherence *c, double g, struct wf_arena *a);

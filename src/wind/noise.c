@@ -31,7 +31,8 @@ double wf_noise_value(uint64_t seed, uint64_t stream, double x)
     return (1.0 - f) * lattice(seed, stream, k) + f * lattice(seed, stream, k + 1.0);
 }
 
-double wf_noise_shift(uint64_t seed, uint64_t stream, const struct wf_octaves *o, unsigned i)
+/* The shift of octave i. */
+static double noise_shift(uint64_t seed, uint64_t stream, const struct wf_octaves *o, unsigned i)
 {
     return o->shifted ? wf_random_uniform(seed, wf_random_stream(STREAM_SHIFT, stream, i), 0) : 0.0;
 }
@@ -40,7 +41,7 @@ double wf_noise_octaves(uint64_t seed, uint64_t stream, const struct wf_octaves 
 {
     double sum = 0.0, amplitude = 1.0, frequency = 1.0;
     for (unsigned i = 0; i < o->count; i++) {
-        double at = frequency * x + wf_noise_shift(seed, stream, o, i);
+        double at = frequency * x + noise_shift(seed, stream, o, i);
         sum += amplitude * wf_noise_gradient(seed, wf_random_stream(STREAM_OCTAVE, stream, i), at);
         amplitude *= o->persistence;
         frequency *= o->lacunarity;

@@ -28,8 +28,6 @@ double wf_noise_octaves(uint64_t seed, uint64_t stream, const struct wf_octaves 
 double wf_noise_range(const struct wf_octaves *o);
 /* Variance of N over all slopes and places: 535/27027 sum persistence^2i (exact integral of the quintic). */
 double wf_noise_variance(const struct wf_octaves *o);
-/* The shift of octave i. */
-double wf_noise_shift(uint64_t seed, uint64_t stream, const struct wf_octaves *o, unsigned i);
 
 /* Three angles of a leaf from three octave sums, the third with a share `follow` of the first added.
  * Given: leaf number, time over the noise's period [-], amplitudes [rad]. Returned: angle[3] [rad].

@@ -2,7 +2,6 @@
 #include "wind/shelter.h"
 #include "base/raster.h"
 #include "base/vec3.h"
-#include "wind/shelter_laws.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -69,7 +68,7 @@ static void gaps(struct sheet *h)
         }
 }
 
-void wf_shelter_classify(struct wf_shelter *s, double thickest)
+static void shelter_classify(struct wf_shelter *s, double thickest)
 {
     size_t cells = s->up * s->across;
     for (size_t p = 0; p < s->slabs; p++) {
@@ -278,9 +277,10 @@ static enum wf_status project_all(struct wf_shelter *s, const struct wf_tree *t,
     return WF_OK;
 }
 
-enum wf_status wf_shelter_cover(const struct wf_tree *t, const struct wf_wind *base,
-                                const struct wf_shelter_request *q, struct wf_arena *a,
-                                struct wf_shelter *out, struct wf_err *e)
+/* Its parts: grid and coverage; classes; the wind by the request's law. */
+static enum wf_status shelter_cover(const struct wf_tree *t, const struct wf_wind *base,
+                                    const struct wf_shelter_request *q, struct wf_arena *a,
+                                    struct wf_shelter *out, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct wf_err why = { 0 };
@@ -418,55 +418,6 @@ void wf_shelter_field(const struct wf_shelter *s, struct wf_wind *out)
     out->field = s;
 }
 
-const struct wf_shelter_law wf_shelter_laws[] = {
-    { "wake", "drag takes momentum, wakes spread and recover",
-      "momentum balance of a porous sheet; Gaussian wake: Bastankhah M., Porte-Agel F. 2014, A new "
-      "analytical "
-      "model for wind-turbine wakes, Renew. Energy 70:116-123; local superposition: Niayifar A., Porte-Agel "
-      "F. "
-      "2016, Analytical modeling of wind farms, Energies 9:741",
-      "inside a crown and behind it up to some crown widths; no speed-up beside it, no eddies behind dense "
-      "walls; the growth of wakes is borrowed from turbines (0.03 to 0.08 for turbulence of 7 to 20 %)",
-      false, 1, wf_shelter_wake },
-    { "feng1999", "classes and potential flows as printed",
-      "Feng J., Yan T., Chen Y., Wu E. 1999, Research on whole tree's movement and tree's inner wind field, "
-      "section 3",
-      "for comparison: potential flow has no wake (behind a cylinder 96 % of the wind are back at 5 radii; a "
-      "real wake takes tens of diameters), and behind covered cells the wind never recovers",
-      true, 3, wf_shelter_feng },
-    { .name = NULL },
-};
-
-const struct wf_shelter_law *wf_shelter_law_named(const char *name)
-{
-    for (const struct wf_shelter_law *l = wf_shelter_laws; name && l->name; l++)
-        if (strcmp(l->name, name) == 0) return l;
-    return NULL;
-}
-
-const char *wf_cell_class_name(enum wf_cell_class c)
-{
-    static const char *const name[WF_CELL_CLASSES] = { "none", "cylinder", "hole", "slit", "transmitting" };
-    return c < WF_CELL_CLASSES ? name[c] : "?";
-}
-
-void wf_shelter_request_default(struct wf_shelter_request *q)
-{
-    *q = (struct wf_shelter_request){ .law = wf_shelter_laws,
-                                      .slabs = 32,
-                                      .cells = 128,
-                                      .transmission = 0.2,
-                                      .energy = true,
-                                      .wood_drag = 1.0,
-                                      .crown_drag = 1.0,
-                                      .sail_share = 1.0,
-                                      .leaf_reach = 0.25,
-                                      .clear = 0.05,
-                                      .full = 0.95,
-                                      .gap = 1,
-                                      .wake_growth = 0.08 };
-}
-
 enum wf_status wf_shelter_request_check(const struct wf_shelter_request *q, struct wf_err *e)
 {
     const struct {
@@ -549,7 +500,7 @@ static void state(struct wf_shelter *s)
     }
 }
 
-enum wf_status wf_shelter_wind(struct wf_shelter *s, struct wf_arena *a, struct wf_err *e)
+static enum wf_status shelter_wind(struct wf_shelter *s, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     size_t n = s->planes * s->up * s->across;
@@ -568,9 +519,9 @@ enum wf_status wf_shelter_make(const struct wf_tree *t, const struct wf_wind *ba
                                struct wf_err *e)
 {
     double thickest = 0.0;
-    enum wf_status s = wf_shelter_cover(t, base, q, a, out, e);
+    enum wf_status s = shelter_cover(t, base, q, a, out, e);
     if (s) return s;
     for (size_t i = 0; i < t->n; i++) thickest = fmax(thickest, 2.0 * fmax(t->r0[i], t->r1[i]));
-    wf_shelter_classify(out, thickest);
-    return wf_shelter_wind(out, a, e);
+    shelter_classify(out, thickest);
+    return shelter_wind(out, a, e);
 }

@@ -40,7 +40,6 @@ enum wf_cell_class {
     WF_CELL_TRANSMITTING,
     WF_CELL_CLASSES
 };
-const char *wf_cell_class_name(enum wf_cell_class c);
 
 struct wf_shelter;
 struct wf_shelter_law {
@@ -50,8 +49,6 @@ struct wf_shelter_law {
     /* Fill s->part from coverage and classes. */
     enum wf_status (*fill)(struct wf_shelter *s, struct wf_arena *scratch, struct wf_err *e);
 };
-extern const struct wf_shelter_law wf_shelter_laws[]; /* wake, feng1999; ends at name == NULL */
-const struct wf_shelter_law *wf_shelter_law_named(const char *name);
 
 enum { WF_SHELTER_CELLS_MAX = 40000000 }; /* slabs x cells x cells: about 2 GB */
 struct wf_shelter_request {
@@ -67,9 +64,6 @@ struct wf_shelter_request {
     size_t gap;          /* widest hole or slit [cells]                       */
     double wake_growth;  /* standard deviation of a wake per distance (law wake) [-] */
 };
-/* Law wake, 32 slabs, 128 cells, 20 % of the energy, Cd 1, crown Cd 1, full sail, 0.25 m, 0.05, 0.95, 1 cell,
- * growth 0.08. */
-void wf_shelter_request_default(struct wf_shelter_request *q);
 /* Refuse what no shelter can be made with: WF_EUSAGE with name, value and range. */
 enum wf_status wf_shelter_request_check(const struct wf_shelter_request *q, struct wf_err *e);
 /* Share of the speed that a fully covered cell lets through [-]. */
@@ -112,12 +106,6 @@ struct wf_shelter {
 enum wf_status wf_shelter_make(const struct wf_tree *t, const struct wf_wind *base,
                                const struct wf_shelter_request *q, struct wf_arena *a, struct wf_shelter *out,
                                struct wf_err *e);
-/* Its parts: grid and coverage; classes; the wind by the request's law. */
-enum wf_status wf_shelter_cover(const struct wf_tree *t, const struct wf_wind *base,
-                                const struct wf_shelter_request *q, struct wf_arena *a,
-                                struct wf_shelter *out, struct wf_err *e);
-void wf_shelter_classify(struct wf_shelter *s, double thickest);
-enum wf_status wf_shelter_wind(struct wf_shelter *s, struct wf_arena *a, struct wf_err *e);
 
 /* Coverage of a cell by wood and leaves together [0..1]. */
 double wf_shelter_coverage(const struct wf_shelter *s, size_t cell);
@@ -131,4 +119,10 @@ void wf_shelter_ratio(const struct wf_shelter *s, const double x[3], double rati
 /* The sheltered wind as a field: base with wind->speed kept live, so searches may scale it. *s must outlive
  * it. */
 void wf_shelter_field(const struct wf_shelter *s, struct wf_wind *out);
+
+/* Coordinates along, across, up. */
+static inline void wf_shelter_turn(const struct wf_shelter *s, const double x[3], double out[3])
+{
+    for (int i = 0; i < 3; i++) out[i] = s->axis[i][0] * x[0] + s->axis[i][1] * x[1] + s->axis[i][2] * x[2];
+}
 #endif

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "data/ifs.h"
 /* Maps of an iterated function system: their schema, and what makes them contractive. */
 #include "base/num.h"
 #include "data/branching.h"
@@ -12,7 +14,7 @@
     .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_ANGLE, .unit = "deg", .low = (l)*TURN, .high = (h)*TURN
 #define NUMBER(l, h) .kind = WF_YAML_QUANTITY, .low = (l), .high = (h)
 
-const char *const wf_ifs_words[] = { "monopodial", "sympodial", "false_dichotomous", NULL };
+static const char *const ifs_words[] = { "monopodial", "sympodial", "false_dichotomous", NULL };
 
 double wf_stretch(const double a[9])
 {
@@ -192,7 +194,7 @@ static const struct wf_yaml_row ifs_rows[] = {
     { .key = "form",
       .kind = WF_YAML_ENUM,
       .preset = "monopodial",
-      .choices = wf_ifs_words,
+      .choices = ifs_words,
       AT(form),
       .doc =
           "monopodial: the axis goes on above every copy; sympodial: its tip dies and one copy at the tip "
@@ -245,7 +247,7 @@ static void ifs_finish(struct wf_yaml *y, void *ifs)
     }
     if (f->maps && wanted == 1 && tip != 1)
         wf_yaml_error(y, "maps", "%zu stand at the tip (position 1); form '%s' needs exactly one", tip,
-                      wf_ifs_words[f->form]);
+                      ifs_words[f->form]);
     if (f->form == WF_IFS_FALSE_DICHOTOMOUS) double_maps(y, f);
 }
 const struct wf_yaml_table wf_ifs_table = {
