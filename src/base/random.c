@@ -1,4 +1,5 @@
 #include "base/random.h"
+#include "base/num.h"
 #include <math.h>
 
 static void multiply(uint32_t a, uint32_t b, uint32_t *high, uint32_t *low)
@@ -53,7 +54,7 @@ static void normal_pair(uint64_t seed, uint64_t stream, uint64_t pair, double ou
     uint32_t w[4];
     wf_random_words(seed, stream, pair, w);
     double radius = sqrt(-2.0 * log(unit(w[0], w[1])));
-    double angle = 6.283185307179586476925 * unit(w[2], w[3]);
+    double angle = WF_TURN * unit(w[2], w[3]);
     out[0] = radius * cos(angle);
     out[1] = radius * sin(angle);
 }

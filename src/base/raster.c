@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/raster.h"
+#include "base/num.h"
 #include <math.h>
 #include <string.h>
 
 /* Outlines: silhouettes of frustums, and the area of their union within a cell. */
-
-static const double pi = 3.14159265358979323846;
 
 /* Half an ellipse around an end, from one end of its chord to the other, in steps of equal angle. The
  * polygon's area is made that of the half ellipse by stretching it along the axis. */
@@ -13,9 +12,9 @@ static void cap(struct wf_outline *o, const double centre[2], const double along
                 double cosine, bool disc)
 {
     size_t n = disc ? WF_OUTLINE_ROUND : 1;
-    double stretch = disc ? pi / ((double)n * sin(pi / (double)n)) : 0.0;
+    double stretch = disc ? WF_PI / ((double)n * sin(WF_PI / (double)n)) : 0.0;
     for (size_t k = 0; k <= n; k++) {
-        double angle = pi * ((double)k / (double)n - 0.5);
+        double angle = WF_PI * ((double)k / (double)n - 0.5);
         double out = k == 0 || k == n ? 0.0 : stretch * cosine * cos(angle), side = sin(angle);
         o->x[o->n][0] = centre[0] + radius * (out * along[0] - side * along[1]);
         o->x[o->n][1] = centre[1] + radius * (out * along[1] + side * along[0]);

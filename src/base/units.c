@@ -98,7 +98,7 @@ static bool plain_unit(const char *s)
 static bool angle_spelling(const char *s)
 {
     static const char *const known[] = { "deg", "degree", "degrees", "\xC2\xB0", "rad", "radian", "radians" };
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    for (size_t i = 0; i < WF_COUNT(known); i++)
         if (!strcmp(s, known[i])) return true;
     return false;
 }
@@ -109,7 +109,7 @@ static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dime
     if (!plain_unit(text)) return NULL;
     if (d == WF_DIM_NONE && strcmp(text, "%") != 0 && strcmp(text, "percent") != 0) return NULL;
     if (d == WF_DIM_ANGLE && !angle_spelling(text)) return NULL;
-    for (size_t i = 0; i < sizeof aliases / sizeof *aliases; i++)
+    for (size_t i = 0; i < WF_COUNT(aliases); i++)
         if (!strcmp(text, aliases[i].spelling)) text = aliases[i].meaning;
     ut_unit *unit = ut_parse(u->system, text, UT_UTF8);
     if (!unit) return NULL;

@@ -2,6 +2,7 @@
 #include "base/yaml.h"
 #include "base/file.h"
 #include "base/num.h"
+#include "base/text.h"
 #include "base/yaml_parts.h"
 #include <ctype.h>
 #include <math.h>
@@ -196,11 +197,7 @@ static void choice(struct wf_yaml *y, const yaml_node_t *n, const char *text, co
     size_t used = 0;
     for (size_t k = 0; k < i && used < sizeof all; k++)
         used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", k ? ", " : "", r->choices[k]);
-    const char *near = wf_nearest(text, r->choices, i);
-    if (near)
-        yaml_at(y, n, "'%.60s' is not one of: %s; did you mean '%s'?", text, all, near);
-    else
-        yaml_at(y, n, "'%.60s' is not one of: %s", text, all);
+    yaml_at(y, n, "'%.60s' is not one of: %s%s", text, all, wf_did_you_mean(text, r->choices, i).text);
 }
 
 static void integer(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
@@ -407,18 +404,9 @@ static const struct wf_yaml_row *row_of(const struct wf_yaml_table *t, const cha
 static void unknown(struct wf_yaml *y, const yaml_node_t *k, const struct wf_yaml_table *t)
 {
     const char *word = yaml_scalar(k), *known[ROWS_MAX];
-    char all[512] = "";
-    size_t n = 0, used = 0;
-    for (const struct wf_yaml_row *r = t->row; r->key && n < ROWS_MAX; r++) {
-        known[n++] = r->key;
-        if (used < sizeof all)
-            used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", used ? ", " : "", r->key);
-    }
-    const char *near = wf_nearest(word, known, n);
-    if (near)
-        yaml_at(y, k, "unknown key '%.60s'; did you mean '%s'?", word, near);
-    else
-        yaml_at(y, k, "unknown key '%.60s'; keys here are: %s", word, all);
+    size_t n = 0;
+    for (const struct wf_yaml_row *r = t->row; r->key && n < ROWS_MAX; r++) known[n++] = r->key;
+    yaml_at(y, k, "unknown key '%.60s'%s", word, wf_did_you_mean_or(word, known, n, "keys here are: ").text);
 }
 
 static void one(struct wf_yaml *y, const yaml_node_t *v, const struct wf_yaml_row *r,

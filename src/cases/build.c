@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cases/build.h"
 #include "base/csv.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include "cases/keys.h"
 #include "cases/measure.h"
@@ -15,12 +16,6 @@ static void case_radius(const struct wf_case *c, double outer[2], double inner[2
 static double case_length(const struct wf_case *c);
 
 /* The structure of a validation case as a tree of rows, before any splitting. */
-
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 static void add_share(double *s, size_t *n, const struct wf_place *p)
 {
@@ -40,7 +35,7 @@ static double *boundaries(const struct wf_case *c, struct wf_arena *a, size_t *r
     for (size_t i = 0; i < c->loads.n; i++) add_share(s, &n, &l[i].at);
     for (size_t i = 0; i < c->masses.n; i++) add_share(s, &n, &m[i].at);
     for (size_t i = 0; i < c->wants.n; i++) add_share(s, &n, &w[i].at);
-    qsort(s, n, sizeof *s, ascending);
+    qsort(s, n, sizeof *s, wf_ascending);
     for (size_t i = 1; i < n; i++)
         if (s[i] - s[kept] > 1e-9) s[++kept] = s[i];
     *rows = kept;
@@ -175,8 +170,6 @@ static void point_at(const struct wf_tree *t, size_t i, double s, double x[3])
         x[j] = base[j] + u * (ch * along[j] - sh * side[j]) + v * (ch * side[j] + sh * along[j]);
 }
 
-static double between(double a, double b, double s) { return a + s * (b - a); }
-
 static void split_row(const struct wf_tree *t, const double *line, size_t i, size_t pieces, struct wf_tree *o,
                       double *out_line)
 {
@@ -197,21 +190,21 @@ static void split_row(const struct wf_tree *t, const double *line, size_t i, siz
                                     { t->sail0, t->sail1, o->sail0, o->sail1 },
                                     { t->leaf0, t->leaf1, o->leaf0, o->leaf1 },
                                     { t->burden0, t->burden1, o->burden0, o->burden1 } };
-        for (size_t k = 0; k < sizeof pair / sizeof *pair; k++) {
-            pair[k][2][j] = between(pair[k][0][i], pair[k][1][i], s0);
-            pair[k][3][j] = between(pair[k][0][i], pair[k][1][i], s1);
+        for (size_t k = 0; k < WF_COUNT(pair); k++) {
+            pair[k][2][j] = wf_between(pair[k][0][i], pair[k][1][i], s0);
+            pair[k][3][j] = wf_between(pair[k][0][i], pair[k][1][i], s1);
         }
         double *const same[][2] = { { t->youngs, o->youngs },   { t->shear, o->shear },
                                     { t->density, o->density }, { t->strength, o->strength },
                                     { t->drag, o->drag },       { t->lift, o->lift },
                                     { t->damping, o->damping } };
-        for (size_t k = 0; k < sizeof same / sizeof *same; k++) same[k][1][j] = same[k][0][i];
+        for (size_t k = 0; k < WF_COUNT(same); k++) same[k][1][j] = same[k][0][i];
         if (t->bend) memcpy(o->bend + 3 * j, t->bend + 3 * i, 3 * sizeof(double));
         if (t->stiff) memcpy(o->stiff + 4 * j, t->stiff + 4 * i, 4 * sizeof(double));
         if (t->mass1) o->mass1[j] = p + 1 == pieces ? t->mass1[i] : 0.0;
         for (size_t k = 0; line && k < 3; k++) {
-            out_line[6 * j + k] = between(line[6 * i + k], line[6 * i + 3 + k], s0);
-            out_line[6 * j + 3 + k] = between(line[6 * i + k], line[6 * i + 3 + k], s1);
+            out_line[6 * j + k] = wf_between(line[6 * i + k], line[6 * i + 3 + k], s0);
+            out_line[6 * j + 3 + k] = wf_between(line[6 * i + k], line[6 * i + 3 + k], s1);
         }
     }
 }
@@ -310,8 +303,6 @@ enum wf_status wf_case_tree_read(const char *path, struct wf_arena *a, struct wf
     return fill(rows.data, rows.n, path, a, t, e);
 }
 
-static const double pi = 3.14159265358979323846;
-
 static double or_else(double v, double otherwise) { return isnan(v) ? otherwise : v; }
 
 static double case_length(const struct wf_case *c)
@@ -332,8 +323,8 @@ static void case_radius(const struct wf_case *c, double outer[2], double inner[2
 static enum wf_status material(const struct wf_case *c, struct wf_tree *t, struct wf_arena *a, double *ei,
                                double *mass, struct wf_err *e)
 {
-    double r = t->r0[0], q = t->i0[0], area = pi * (r * r - q * q),
-           inertia = 0.25 * pi * (pow(r, 4) - pow(q, 4));
+    double r = t->r0[0], q = t->i0[0], area = WF_PI * (r * r - q * q),
+           inertia = 0.25 * WF_PI * (pow(r, 4) - pow(q, 4));
     double youngs = or_else(c->youngs, c->ei / inertia), poisson = or_else(c->poisson, 0.0);
     double shear = or_else(c->shear, 0.5 * youngs / (1.0 + poisson));
     *mass = or_else(c->mass_per_length, or_else(c->density * area, isnan(c->weight_parameter) ? 0.0 : 1.0));

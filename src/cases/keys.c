@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cases/keys.h"
+#include "base/num.h"
 #include "cases/want.h"
 #include "solve/chain.h"
 #include "solve/solvers.h"
@@ -415,8 +416,7 @@ const struct wf_case_key wf_case_keys[] = {
     SPECIAL("want", key_want, true),
     { .name = NULL },
 };
-_Static_assert(sizeof wf_case_keys / sizeof *wf_case_keys <= WF_CASE_KEYS_MAX,
-               "room for every key in wf_case.given");
+_Static_assert(WF_COUNT(wf_case_keys) <= WF_CASE_KEYS_MAX, "room for every key in wf_case.given");
 
 size_t wf_case_key_index(const char *name)
 {

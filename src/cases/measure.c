@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cases/measure.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include "wind/potential.h"
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
-
-static const double pi = 3.14159265358979323846;
 
 /* Axis direction at a row's base (0) or end (1): bent, or unbent where the answer is one of small deflection.
  */
@@ -38,7 +37,7 @@ static double stress_at(const struct wf_tree *t, const struct wf_response *r, si
     double outer = t->r0[row] + s * (t->r1[row] - t->r0[row]),
            inner = t->i0[row] + s * (t->i1[row] - t->i0[row]);
     double twist = wf_dot(m, axis), bending = wf_dot(m, m) - twist * twist / wf_dot(axis, axis);
-    return sqrt(fmax(bending, 0.0)) * outer / (0.25 * pi * (pow(outer, 4) - pow(inner, 4)));
+    return sqrt(fmax(bending, 0.0)) * outer / (0.25 * WF_PI * (pow(outer, 4) - pow(inner, 4)));
 }
 
 /* Largest extreme-fibre bending stress [Pa] of a row's span and where, as share of the row's length. Between
@@ -177,8 +176,6 @@ static enum wf_status local_vogel(const struct wf_setup *s, const struct wf_solv
 }
 
 /* The quantities a validation case can want, as rows. */
-
-static const double measure_pi = 3.14159265358979323846;
 
 static int32_t row_of(const struct wf_measured *m, const struct wf_want *w)
 {
@@ -340,7 +337,7 @@ static enum wf_status bending_stiffness(const struct wf_measured *m, const struc
     (void)e;
     double r = i < 0 ? t->r0[0] : t->r1[i], q = i < 0 ? t->i0[0] : t->i1[i];
     out[0] = t->stiff ? t->stiff[4 * (i < 0 ? 0 : i) + 2]
-                      : t->youngs[i < 0 ? 0 : i] * 0.25 * measure_pi * (pow(r, 4) - pow(q, 4));
+                      : t->youngs[i < 0 ? 0 : i] * 0.25 * WF_PI * (pow(r, 4) - pow(q, 4));
     return WF_OK;
 }
 
@@ -364,7 +361,7 @@ static enum wf_status angular_frequency(const struct wf_measured *m, const struc
                                         struct wf_err *e)
 {
     (void)e;
-    out[0] = 2.0 * measure_pi * m->frequency[w->number - 1];
+    out[0] = 2.0 * WF_PI * m->frequency[w->number - 1];
     return WF_OK;
 }
 

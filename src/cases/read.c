@@ -2,6 +2,7 @@
 #include "base/diag.h"
 #include "base/file.h"
 #include "base/num.h"
+#include "base/text.h"
 #include "cases/case.h"
 #include "cases/keys.h"
 #include "cases/measure.h"
@@ -219,9 +220,8 @@ static void unknown_key(struct wf_words *w)
     size_t n = 0;
     for (; wf_case_keys[n].name; n++) names[n] = wf_case_keys[n].name;
     names[n++] = "case";
-    const char *near = wf_nearest(w->key, names, n);
-    wf_diag_error(w->diag, w->file, w->line, w->column[0],
-                  near ? "unknown key '%s'; did you mean '%s'?" : "unknown key '%s'", w->key, near);
+    wf_diag_error(w->diag, w->file, w->line, w->column[0], "unknown key '%s'%s", w->key,
+                  wf_did_you_mean(w->key, names, n).text);
 }
 
 static void read_line(struct reader *r, const char *text, size_t length)

@@ -1,4 +1,5 @@
 #include "cases/want.h"
+#include "base/num.h"
 #include "cases/measure.h"
 #include <math.h>
 #include <stdio.h>
@@ -10,7 +11,7 @@ bool wf_place_read(struct wf_words *w, struct wf_place *p)
     size_t kind;
     long long id;
     *p = (struct wf_place){ .row = -1 };
-    if (!wf_words_choice(w, "place", known, sizeof known / sizeof *known, &kind)) return false;
+    if (!wf_words_choice(w, "place", known, WF_COUNT(known), &kind)) return false;
     p->kind =
         (enum wf_place_kind[]){ WF_PLACE_BASE, WF_PLACE_TIP, WF_PLACE_NODE, WF_PLACE_ROW, WF_PLACE_AT }[kind];
     if (p->kind == WF_PLACE_NODE || p->kind == WF_PLACE_ROW) {

@@ -1,5 +1,6 @@
 #include "cases/words.h"
 #include "base/num.h"
+#include "base/text.h"
 #include <errno.h>
 #include <math.h>
 #include <stdarg.h>
@@ -76,9 +77,8 @@ bool wf_words_choice(struct wf_words *w, const char *what, const char *const *kn
     for (size_t i = 0, used = 0; i < n && used < sizeof all; i++)
         used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", known[i]);
     if (!s) return wf_words_wrong(w, w->n, "%s is missing; one of: %s", what, all);
-    const char *near = wf_nearest(s, known, n);
-    if (near) return wf_words_wrong(w, w->next, "unknown %s '%s'; did you mean '%s'?", what, s, near);
-    return wf_words_wrong(w, w->next, "unknown %s '%s'; one of: %s", what, s, all);
+    return wf_words_wrong(w, w->next, "unknown %s '%s'%s", what, s,
+                          wf_did_you_mean_or(s, known, n, "one of: ").text);
 }
 
 bool wf_words_number(struct wf_words *w, const char *what, double *out)

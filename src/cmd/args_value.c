@@ -1,4 +1,5 @@
 #include "base/num.h"
+#include "base/text.h"
 #include "cmd/args.h"
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,5 @@
 #include "base/num.h"
+#include "base/text.h"
 #include "base/yaml.h"
 #include "cmd/cmd.h"
 #include "cmd/study_file.h"

@@ -1,4 +1,5 @@
 #include "base/num.h"
+#include "base/text.h"
 #include "cmd/cmd.h"
 #include "data/species.h"
 #include <glob.h>

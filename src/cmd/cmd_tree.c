@@ -1,4 +1,5 @@
 #include "base/num.h"
+#include "base/text.h"
 #include "cmd/import_options.h"
 #include "cmd/tree_draw.h"
 #include "cmd/tree_print.h"

@@ -1,5 +1,6 @@
 /* windfirm wind: make a gusty wind, look at it, draw it. */
 #include "base/num.h"
+#include "base/text.h"
 #include "cmd/gust_options.h"
 #include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "data/branching.h"
+#include "base/num.h"
 #include "data/value.h"
 #include <math.h>
 #include <stdbool.h>
@@ -7,10 +8,10 @@
 
 /* Where on its parent a branch stands: schema of places, directions and angles. */
 
-#define TURN 6.28318530717958647693
 #define AT(member) .offset = offsetof(struct wf_branching, member)
 #define ANGLE(l, h)                                                                                          \
-    .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_ANGLE, .unit = "deg", .low = (l)*TURN, .high = (h)*TURN
+    .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_ANGLE, .unit = "deg", .low = (l)*WF_TURN,                  \
+    .high = (h)*WF_TURN
 #define NUMBER(l, h) .kind = WF_YAML_QUANTITY, .low = (l), .high = (h)
 #define NUMBERS(l, h) .kind = WF_YAML_QUANTITIES, .low = (l), .high = (h)
 
@@ -126,8 +127,8 @@ static void azimuth_finish(struct wf_yaml *y, void *branching)
     bool turned = b->azimuth == WF_AZIMUTH_SPIRAL || b->azimuth == WF_AZIMUTH_WHORL;
     if (!turned && wf_yaml_has(y, "divergence"))
         wf_yaml_error(y, "divergence", "is not used by rule '%s'", azimuth_words[b->azimuth]);
-    if (isnan(b->azimuth_start)) b->azimuth_start = b->azimuth == WF_AZIMUTH_PLANAR ? TURN / 4 : 0;
-    if (isnan(b->divergence) && b->azimuth == WF_AZIMUTH_SPIRAL) b->divergence = 137.5 / 360 * TURN;
+    if (isnan(b->azimuth_start)) b->azimuth_start = b->azimuth == WF_AZIMUTH_PLANAR ? WF_TURN / 4 : 0;
+    if (isnan(b->divergence) && b->azimuth == WF_AZIMUTH_SPIRAL) b->divergence = 137.5 / 360 * WF_TURN;
 }
 static const struct wf_yaml_table azimuth_table = {
     .title = "directions", .row = azimuth_rows, .finish = azimuth_finish, .doc = ""
@@ -152,7 +153,7 @@ static const struct wf_yaml_row insertion_rows[] = {
       .dimension = WF_DIM_ANGLE,
       .unit = "deg",
       .low = 0,
-      .high = 0.5 * TURN,
+      .high = 0.5 * WF_TURN,
       .same_length_as = "at",
       AT(insertion_along.v),
       .count = offsetof(struct wf_branching, insertion_along.n),
@@ -392,7 +393,7 @@ static void radius_finish(struct wf_yaml *y, void *branching)
     if (law && !valued && has) wf_yaml_error(y, "value", "is not used by law '%s'", law);
     if (law && !power && wf_yaml_has(y, "exponent"))
         wf_yaml_error(y, "exponent", "is not used by law '%s'", law);
-    for (size_t k = 0; pipe && k < sizeof others / sizeof *others; k++)
+    for (size_t k = 0; pipe && k < WF_COUNT(others); k++)
         if (wf_yaml_has(y, others[k])) wf_yaml_error(y, others[k], "is not used by law 'pipe'");
     if (power && !wf_yaml_has(y, "exponent")) b->radius_exponent = pipe ? 2 : 1.5;
     course(y, &b->radius_along);

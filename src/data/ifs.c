@@ -8,10 +8,10 @@
 #include <stdio.h>
 #include <string.h>
 
-#define TURN 6.28318530717958647693
 #define AT(member) .offset = offsetof(struct wf_ifs_map, member)
 #define ANGLE(l, h)                                                                                          \
-    .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_ANGLE, .unit = "deg", .low = (l)*TURN, .high = (h)*TURN
+    .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_ANGLE, .unit = "deg", .low = (l)*WF_TURN,                  \
+    .high = (h)*WF_TURN
 #define NUMBER(l, h) .kind = WF_YAML_QUANTITY, .low = (l), .high = (h)
 
 static const char *const ifs_words[] = { "monopodial", "sympodial", "false_dichotomous", NULL };
@@ -138,7 +138,7 @@ static void compose(struct wf_ifs_map *m)
 static bool from_matrix(struct wf_yaml *y, struct wf_ifs_map *m)
 {
     static const char *const others[] = { "position", "scale", "inclination", "azimuth", "roll" };
-    for (size_t k = 0; k < sizeof others / sizeof *others; k++)
+    for (size_t k = 0; k < WF_COUNT(others); k++)
         if (wf_yaml_has(y, others[k])) wf_yaml_error(y, others[k], "is not used beside 'matrix'");
     if (m->cells != 12)
         return wf_yaml_error(y, "matrix", "%zu numbers; three rows of four are 12", m->cells), false;

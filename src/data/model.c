@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "data/model.h"
+#include "base/num.h"
 #include "base/yaml.h"
 #include "data/branching.h"
 #include "data/value.h"
@@ -97,7 +98,7 @@ static void stem_finish(struct wf_yaml *y, struct wf_model *m)
     for (size_t k = 0; k < 2; k++)
         if (!flat && wf_yaml_has(y, own[k])) wf_yaml_error(y, own[k], "needs 'sections'");
     if (!flat) return;
-    for (size_t k = 0; k < sizeof round / sizeof *round; k++)
+    for (size_t k = 0; k < WF_COUNT(round); k++)
         if (wf_yaml_has(y, round[k])) wf_yaml_error(y, round[k], "is not used where 'sections' are given");
     if (m->generator != WF_GENERATOR_STEM) wf_yaml_error(y, "stem.sections", "needs 'generator: stem'");
     if (m->shape != WF_SHAPE_STRESS_FREE) wf_yaml_error(y, "shape", "sections need 'stress_free'");
@@ -112,7 +113,6 @@ static void stem_finish(struct wf_yaml *y, struct wf_model *m)
         reaches(y, "masses", "to", i, m->masses, i ? m->mass[i - 1].to : 0, m->mass[i].to, m->height);
 }
 
-#define TURN 6.28318530717958647693
 #define AT(member) .offset = offsetof(struct wf_model, member)
 
 const char *const wf_generator_words[] = { "stem", "levels", "ifs", NULL, "measured" };
@@ -208,8 +208,8 @@ static const struct wf_yaml_row stem_rows[] = {
       .kind = WF_YAML_QUANTITY,
       .dimension = WF_DIM_ANGLE,
       .unit = "deg",
-      .low = -TURN,
-      .high = TURN,
+      .low = -WF_TURN,
+      .high = WF_TURN,
       .preset = "0 deg",
       AT(turn),
       .doc = "Turn of the sections about the axis, right-handed from base to tip. Without it the height is "
@@ -235,7 +235,7 @@ static const struct wf_yaml_row stem_rows[] = {
       .dimension = WF_DIM_ANGLE,
       .unit = "deg",
       .low = 0,
-      .high = TURN / 4,
+      .high = WF_TURN / 4,
       .preset = "0 deg",
       AT(lean),
       .doc = "Angle of the straight stem from the vertical.",
@@ -244,8 +244,8 @@ static const struct wf_yaml_row stem_rows[] = {
       .kind = WF_YAML_QUANTITY,
       .dimension = WF_DIM_ANGLE,
       .unit = "deg",
-      .low = -TURN,
-      .high = TURN,
+      .low = -WF_TURN,
+      .high = WF_TURN,
       .preset = "0 deg",
       AT(lean_azimuth),
       .doc =
@@ -480,7 +480,7 @@ static void keys_of_generator(struct wf_yaml *y, const struct wf_model *m)
         { "leaves", WF_GENERATOR_LEVELS, WF_GENERATOR_IFS, false },
     };
     const char *name = wf_generator_words[m->generator];
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    for (size_t i = 0; i < WF_COUNT(rows); i++) {
         bool has = wf_yaml_has(y, rows[i].key),
              mine = m->generator == rows[i].own || m->generator == rows[i].also;
         if (has && !mine) {

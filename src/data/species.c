@@ -1,5 +1,6 @@
 #include "data/species.h"
 #include "base/num.h"
+#include "base/text.h"
 #include "data/species_schema.h"
 #include <math.h>
 #include <stdio.h>

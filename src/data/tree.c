@@ -1,4 +1,5 @@
 #include "data/tree.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include <math.h>
 #include <stdbool.h>
@@ -16,8 +17,7 @@ enum wf_status wf_tree_alloc(struct wf_tree *t, size_t n, struct wf_arena *a, st
     t->level = WF_TAKE(a, n, int32_t);
     t->id = WF_TAKE(a, n, int64_t);
     bool ok = t->parent && t->level && t->id && n <= INT32_MAX;
-    for (size_t k = 0; ok && k < sizeof column / sizeof *column; k++)
-        ok = (*column[k] = WF_TAKE(a, n, double)) != NULL;
+    for (size_t k = 0; ok && k < WF_COUNT(column); k++) ok = (*column[k] = WF_TAKE(a, n, double)) != NULL;
     if (!ok) return wf_fail(e, WF_ENOMEM, "no memory for a tree of %zu segments", n);
     for (size_t i = 0; i < n; i++) {
         t->parent[i] = -1;
@@ -33,7 +33,7 @@ enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, str
     bool ok = c != NULL;
     double **const column[] = { &c->width0, &c->width1, &c->height0, &c->height1, &c->side0,
                                 &c->side1,  &c->mix0,   &c->mix1,    &c->up };
-    for (size_t k = 0; ok && k < sizeof column / sizeof *column; k++)
+    for (size_t k = 0; ok && k < WF_COUNT(column); k++)
         ok = (*column[k] = WF_TAKE(a, (k < 6 ? 1 : 3) * t->n, double)) != NULL;
     return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory for the sections of %zu segments", t->n);
 }
@@ -86,7 +86,7 @@ static const char *fault(const struct wf_tree *t, size_t i)
                               t->youngs[i],  t->shear[i],  t->density[i], t->strength[i], t->lift[i],
                               t->damping[i], t->sail0[i],  t->sail1[i],   t->leaf0[i],    t->leaf1[i],
                               t->burden0[i], t->burden1[i] };
-    for (size_t k = 0; k < sizeof finite / sizeof *finite; k++)
+    for (size_t k = 0; k < WF_COUNT(finite); k++)
         if (!isfinite(finite[k])) return "a value is not a finite number";
     if (t->parent[i] < -1 || t->parent[i] >= (int32_t)i) return "the parent is not an earlier row";
     if (!(wf_tree_length(t, i) > 0)) return "the segment has no length";

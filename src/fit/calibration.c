@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/calibration.h"
+#include "base/num.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -7,7 +8,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#define TURN 6.28318530717958647693
 static const char *const no_yes[] = { "no", "yes", NULL };
 static const char *const signs[] = { "+", "-", NULL };
 static const char *const zeros[] = { "rest", "unloaded", NULL };
@@ -20,7 +20,7 @@ static const char *const profiles[] = { "uniform", "power", "log", NULL };
 #define ROW(T, k, yaml, member) .key = k, .kind = yaml, .offset = offsetof(T, member)
 #define QUANTITY(T, k, member, dim, u, from, to)                                                             \
     ROW(T, k, WF_YAML_QUANTITY, member), .dimension = dim, .unit = u, .low = from, .high = to
-#define AZIMUTH(T) QUANTITY(T, "azimuth", azimuth, WF_DIM_ANGLE, "deg", -TURN, TURN)
+#define AZIMUTH(T) QUANTITY(T, "azimuth", azimuth, WF_DIM_ANGLE, "deg", -WF_TURN, WF_TURN)
 
 #define T struct wf_study_tree
 static const struct wf_yaml_row tree_rows[] = {
@@ -104,7 +104,7 @@ static const struct wf_yaml_row pull_rows[] = {
     { QUANTITY(T, "height", height, WF_DIM_LENGTH, "m", 1e-2, 150), .required = true,
       .doc = "Of the strap on the stem.", .example = "4.8 m" },
     { AZIMUTH(T), .preset = "0 deg", .doc = "Direction of the pull, from +x towards +y." },
-    { QUANTITY(T, "elevation", elevation, WF_DIM_ANGLE, "deg", -TURN / 4, TURN / 4), .preset = "0 deg",
+    { QUANTITY(T, "elevation", elevation, WF_DIM_ANGLE, "deg", -WF_TURN / 4, WF_TURN / 4), .preset = "0 deg",
       .doc = "Of the rope seen from the strap; negative: down. Not used with an anchor." },
     { QUANTITY(T, "anchor_distance", anchor_distance, WF_DIM_LENGTH, "m", 0.1, 1000),
       .absent = "the rope keeps its direction",

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/experiment.h"
+#include "base/num.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -7,7 +8,7 @@ const struct wf_sensor_row wf_sensor_rows[WF_SENSOR_KINDS] = {
     [WF_SENSOR_DEFLECTION] = { "deflection", WF_DIM_LENGTH, "mm", 1e3, true },
     [WF_SENSOR_HORIZONTAL] = { "horizontal", WF_DIM_LENGTH, "mm", 1e3, true },
     [WF_SENSOR_VERTICAL] = { "vertical", WF_DIM_LENGTH, "mm", 1e3, true },
-    [WF_SENSOR_TILT] = { "tilt", WF_DIM_ANGLE, "deg", 180 / 3.14159265358979323846, true },
+    [WF_SENSOR_TILT] = { "tilt", WF_DIM_ANGLE, "deg", 180 / WF_PI, true },
     [WF_SENSOR_STRAIN] = { "strain", WF_DIM_NONE, "um/m", 1e6, true },
     [WF_SENSOR_EXTENSION] = { "extension", WF_DIM_LENGTH, "um", 1e6, true },
     [WF_SENSOR_REACH] = { "reach", WF_DIM_LENGTH, "mm", 1e3, true },
@@ -21,12 +22,6 @@ const struct wf_sensor_row wf_sensor_rows[WF_SENSOR_KINDS] = {
 
 enum { PLACES_MAX = 64 };
 static const double least = 1e-3; /* nearer than this to a row's end is that end [m] */
-
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
 
 /* The main axis: from the first base, at every fork the thickest way on. above: scratch, one per row. */
 static void main_axis(const struct wf_tree *t, int32_t *above, bool *axis)
@@ -104,7 +99,7 @@ static size_t cuts_of(const struct wf_tree *t, const struct axis *axis, size_t i
         if (place[j].at > least && row_at(t, axis, &place[j], &row, &s) && row == i && s * far > least &&
             (1 - s) * far > least)
             fixed[k++] = s;
-    qsort(fixed, k, sizeof *fixed, ascending);
+    qsort(fixed, k, sizeof *fixed, wf_ascending);
     size_t m = 0;
     for (size_t j = 0; j + 1 < k; j++) {
         double share = fixed[j + 1] - fixed[j];
@@ -136,11 +131,11 @@ static void copy_part(const struct wf_tree *from, size_t i, double s0, double s1
                                   { from->density, to->density }, { from->strength, to->strength },
                                   { from->drag, to->drag },       { from->lift, to->lift },
                                   { from->damping, to->damping } };
-    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
+    for (size_t k = 0; k < WF_COUNT(ends); k++) {
         ends[k][2][at] = between(ends[k][0][i], ends[k][1][i], s0);
         ends[k][3][at] = between(ends[k][0][i], ends[k][1][i], s1);
     }
-    for (size_t k = 0; k < sizeof single / sizeof *single; k++) single[k][1][at] = single[k][0][i];
+    for (size_t k = 0; k < WF_COUNT(single); k++) single[k][1][at] = single[k][0][i];
     to->level[at] = from->level[i];
     to->id[at] = from->id[i];
 }
@@ -154,7 +149,7 @@ static void copy_section(const struct wf_tree_sections *from, size_t i, double s
         { from->height0, from->height1, to->height0, to->height1 },
         { from->side0, from->side1, to->side0, to->side1 },
     };
-    for (size_t k = 0; k < sizeof ends / sizeof *ends; k++) {
+    for (size_t k = 0; k < WF_COUNT(ends); k++) {
         ends[k][2][at] = between(ends[k][0][i], ends[k][1][i], s0);
         ends[k][3][at] = between(ends[k][0][i], ends[k][1][i], s1);
     }

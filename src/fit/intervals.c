@@ -172,12 +172,6 @@ enum wf_status wf_fit_restart(struct wf_session *s, struct wf_fit *out, struct w
     return least < first * (1 - 1e-6) ? wf_fit_spread(s, out, a, e) : wf_session_solve(s, &out->lsq, e);
 }
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static double quantile(const double *x, size_t n, double p)
 {
     double at = p * (double)(n - 1);
@@ -228,7 +222,7 @@ enum wf_status wf_fit_resample(struct wf_session *s, struct wf_fit *out, struct 
     for (size_t i = 0; i < s->x->data; i++) s->x->datum[i].weight = 1;
     memcpy(s->internal, optimum, s->n * sizeof *optimum);
     for (size_t k = 0; k < out->free && out->resampled >= 20; k++) {
-        qsort(value + k * most, out->resampled, sizeof *value, ascending);
+        qsort(value + k * most, out->resampled, sizeof *value, wf_ascending);
         out->estimate[k].resampled_low = quantile(value + k * most, out->resampled, 0.025);
         out->estimate[k].resampled_high = quantile(value + k * most, out->resampled, 0.975);
     }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/param.h"
 #include "base/num.h"
+#include "base/text.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,7 +29,7 @@ const struct wf_fit_quantity_row wf_fit_quantities[WF_FIT_QUANTITIES] = {
                       "rotational stiffness of the root plate" },
     [WF_FIT_DAMPING] = { "damping_ratio", WF_DIM_NONE, "%", 100, true, 1e-4, 0.9,
                          "damping ratio of free sway, all causes together" },
-    [WF_FIT_FRAME] = { "frame.azimuth", WF_DIM_ANGLE, "deg", 180 / M_PI, false, -M_PI, M_PI,
+    [WF_FIT_FRAME] = { "frame.azimuth", WF_DIM_ANGLE, "deg", 180 / WF_PI, false, -WF_PI, WF_PI,
                        "direction, in the model, of azimuth 0 of measured coordinates (deflection, reach)" },
     [WF_FIT_OFFSET] = { NULL, WF_DIM_NONE, "", 1, false, -1e3, 1e3, "zero of a sensor" },
     [WF_FIT_DRIFT] = { NULL, WF_DIM_NONE, "", 1, false, -1e3, 1e3, "drift of a sensor's zero" },
@@ -120,7 +121,7 @@ void wf_param_apply(const struct wf_experiment *x, const struct wf_fit_param *p,
         { into->i1, t->tree.i1 },         { into->drag, t->tree.drag },   { into->sail0, t->tree.sail0 },
         { into->sail1, t->tree.sail1 },
     };
-    for (size_t k = 0; k < sizeof column / sizeof *column; k++) memcpy(column[k][0], column[k][1], bytes);
+    for (size_t k = 0; k < WF_COUNT(column); k++) memcpy(column[k][0], column[k][1], bytes);
     *loads = t->loads;
     *options = t->options;
     for (size_t k = 0; k < n; k++) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/predict.h"
+#include "base/num.h"
 #include "base/random.h"
 #include "base/vec3.h"
 #include "fit/sensor.h"
@@ -142,7 +143,7 @@ enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_
         *t = x->tree[k].tree;
         double **column[] = { &t->youngs, &t->shear, &t->density, &t->r0,    &t->r1,
                               &t->i0,     &t->i1,    &t->drag,    &t->sail0, &t->sail1 };
-        for (size_t c = 0; c < sizeof column / sizeof *column; c++)
+        for (size_t c = 0; c < WF_COUNT(column); c++)
             if (!(*column[c] = WF_TAKE(a, t->n, double))) return wf_fail(e, WF_ENOMEM, "no room for a tree");
     }
     for (size_t k = 0; k < x->tests; k++) {

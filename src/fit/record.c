@@ -1,4 +1,5 @@
 #include "fit/record.h"
+#include "base/num.h"
 #include "base/yaml.h"
 #include <ctype.h>
 #include <math.h>
@@ -16,7 +17,7 @@ static bool part_of_one(const char *unit, double *factor)
     } known[] = { { "um_m", 1e-6 },    { "um/m", 1e-6 }, { "microstrain", 1e-6 }, { "ustrain", 1e-6 },
                   { "ppm", 1e-6 },     { "mm_m", 1e-3 }, { "mm/m", 1e-3 },        { "permille", 1e-3 },
                   { "percent", 1e-2 }, { "%", 1e-2 } };
-    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    for (size_t i = 0; i < WF_COUNT(known); i++)
         if (!strcmp(unit, known[i].name)) {
             *factor = known[i].factor;
             return true;
@@ -72,7 +73,7 @@ enum wf_status wf_column_unit(struct wf_units *u, const struct wf_record_column 
 static bool missing(const char *t)
 {
     static const char *const words[] = { "", "NA", "NaN", "null", "-", "#N/A", "n/a" };
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+    for (size_t i = 0; i < WF_COUNT(words); i++)
         if (!strcasecmp(t, words[i])) return true;
     return false;
 }

@@ -5,7 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#define TURN 6.28318530717958647693
 enum { N = 5 }; /* cosine and sine part, decay rate, angular frequency, mean */
 
 struct data {
@@ -35,8 +34,8 @@ static double strongest(const struct data *d, double mean, double low, double hi
     for (size_t k = 0; k < steps; k++) {
         double f = low + (high - low) * (double)k / (double)(steps - 1), c = 0, s = 0;
         for (size_t i = 0; i < d->n; i++) {
-            c += (d->y[i] - mean) * cos(TURN * f * d->t[i]);
-            s += (d->y[i] - mean) * sin(TURN * f * d->t[i]);
+            c += (d->y[i] - mean) * cos(WF_TURN * f * d->t[i]);
+            s += (d->y[i] - mean) * sin(WF_TURN * f * d->t[i]);
         }
         if (c * c + s * s > most) most = c * c + s * s, best = f;
     }
@@ -80,10 +79,10 @@ enum wf_status wf_ring_down(const double *t, const double *y, size_t n, struct w
            least = INFINITY;
     double best[N] = { 0 };
     for (int k = 0; k < 6; k++) { /* start from slow and fast decay, and beside the line */
-        double size = sqrt(2 * variance), decay = (k % 3 == 0 ? 0.01 : k % 3 == 1 ? 0.05 : 0.2) * TURN * f;
-        double p[N] = { y[0] - mean, k < 3 ? 0 : size, decay, TURN * f * (k < 3 ? 1 : 1.05), mean };
-        const double lows[N] = { -1e3 * size, -1e3 * size, 0, 0.3 * TURN * low, mean - 1e2 * size };
-        const double highs[N] = { 1e3 * size, 1e3 * size, TURN * high, TURN * high, mean + 1e2 * size };
+        double size = sqrt(2 * variance), decay = (k % 3 == 0 ? 0.01 : k % 3 == 1 ? 0.05 : 0.2) * WF_TURN * f;
+        double p[N] = { y[0] - mean, k < 3 ? 0 : size, decay, WF_TURN * f * (k < 3 ? 1 : 1.05), mean };
+        const double lows[N] = { -1e3 * size, -1e3 * size, 0, 0.3 * WF_TURN * low, mean - 1e2 * size };
+        const double highs[N] = { 1e3 * size, 1e3 * size, WF_TURN * high, WF_TURN * high, mean + 1e2 * size };
         struct wf_lsq q = {
             .params = N, .residuals = n, .low = lows, .high = highs, .model = model, .ctx = &d
         };
@@ -97,7 +96,7 @@ enum wf_status wf_ring_down(const double *t, const double *y, size_t n, struct w
     enum wf_status status = errors(&d, best, r, J, C, e);
     if (status) return status;
     double w = best[3], k = best[2], whole = hypot(w, k);
-    *out = (struct wf_ring_down){ .frequency = whole / TURN,
+    *out = (struct wf_ring_down){ .frequency = whole / WF_TURN,
                                   .damping = k / whole,
                                   .amplitude = hypot(best[0], best[1]),
                                   .phase = atan2(-best[1], best[0]),
@@ -105,11 +104,11 @@ enum wf_status wf_ring_down(const double *t, const double *y, size_t n, struct w
                                   .decay = k,
                                   .turn = w,
                                   .explained = 1 - 2 * least / ((double)n * variance) };
-    out->frequency_sd = sqrt(fmax(0, k * k * C[12] + 2 * k * w * C[13] + w * w * C[18])) / whole / TURN;
+    out->frequency_sd = sqrt(fmax(0, k * k * C[12] + 2 * k * w * C[13] + w * w * C[18])) / whole / WF_TURN;
     /* zeta = k / hypot(k, w): d zeta = (w^2 dk - k w dw) / hypot^3 */
     out->damping_sd =
         w * sqrt(fmax(0, w * w * C[12] - 2 * k * w * C[13] + k * k * C[18])) / (whole * whole * whole);
-    if (span * w < 1.5 * TURN)
+    if (span * w < 1.5 * WF_TURN)
         return wf_fail(e, WF_EINPUT, "the sway record is shorter than a period and a half");
     return WF_OK;
 }

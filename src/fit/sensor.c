@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/sensor.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include "solve/beam_mesh.h"
 #include "solve/beam_small.h"
@@ -145,7 +146,7 @@ double wf_sensor_by_azimuth(const struct wf_fit_sensor *s, const struct wf_beam 
 {
     if (!wf_sensor_framed(s)) return 0;
     struct wf_fit_sensor across = *s;
-    across.azimuth += M_PI / 2;
+    across.azimuth += WF_PI / 2;
     return wf_sensor_read(&across, b);
 }
 
@@ -208,7 +209,7 @@ static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_
     for (int j = 0; j < 2; j++) {
         double side[2][3], outer = t->r0[row] + (t->r1[row] - t->r0[row]) * gauss_place[j],
                            inner = t->i0[row] + (t->i1[row] - t->i0[row]) * gauss_place[j];
-        double wood = t->density[row] * M_PI * (outer * outer - inner * inner);
+        double wood = t->density[row] * WF_PI * (outer * outer - inner * inner);
         for (int k = 0; k < 2; k++) {
             double up = k ? step : -step, factor = exp(up);
             struct wf_loads l = b->loads;

@@ -1,4 +1,5 @@
 #include "fit/session.h"
+#include "base/num.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -177,17 +178,11 @@ enum wf_status wf_session_solve(struct wf_session *s, struct wf_lsq_result *out,
     return status;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 double wf_robust_sd(const double *x, size_t n, double *scratch)
 {
     if (!n) return 0;
     for (size_t i = 0; i < n; i++) scratch[i] = fabs(x[i]);
-    qsort(scratch, n, sizeof *scratch, ascending);
+    qsort(scratch, n, sizeof *scratch, wf_ascending);
     double middle = n % 2 ? scratch[n / 2] : 0.5 * (scratch[n / 2 - 1] + scratch[n / 2]);
     return 1.4826 * middle;
 }

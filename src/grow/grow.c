@@ -1,4 +1,5 @@
 #include "grow/grow.h"
+#include "base/num.h"
 #include "grow/axes.h"
 #include "grow/clothe.h"
 #include "grow/ifs.h"
@@ -58,7 +59,7 @@ static enum wf_status grow_measured(const struct wf_model *m, const struct wf_sp
     if (s) return s;
     double *const to[] = { out->x0, out->y0, out->z0, out->x1, out->y1, out->z1, out->r0, out->r1 };
     const double *const from[] = { t->x0, t->y0, t->z0, t->x1, t->y1, t->z1, t->r0, t->r1 };
-    for (size_t k = 0; k < sizeof to / sizeof *to; k++) memcpy(to[k], from[k], t->n * sizeof(double));
+    for (size_t k = 0; k < WF_COUNT(to); k++) memcpy(to[k], from[k], t->n * sizeof(double));
     memcpy(out->parent, t->parent, t->n * sizeof *t->parent);
     memcpy(out->level, t->level, t->n * sizeof *t->level);
     memcpy(out->id, t->id, t->n * sizeof *t->id);

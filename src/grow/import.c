@@ -2,6 +2,7 @@
 /* Which reader a file needs, told by its content. */
 #include "grow/import.h"
 #include "base/num.h"
+#include "base/text.h"
 #include "grow/import_mat.h"
 #include "grow/import_mtg.h"
 #include "grow/import_text.h"
@@ -72,9 +73,8 @@ static enum wf_status known_format(const char *format, struct wf_err *e)
         if (!strcmp(f->name, format)) return WF_OK;
         names[n++] = f->name;
     }
-    const char *near = wf_nearest(format, names, n);
-    return wf_fail(e, WF_EUSAGE, "format '%s' is not known%s%s%s; see 'windfirm import --help'", format,
-                   near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    return wf_fail(e, WF_EUSAGE, "format '%s' is not known%s; see 'windfirm import --help'", format,
+                   wf_did_you_mean(format, names, n).text);
 }
 
 static const char *file_name(const char *path)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/import_file.h"
+#include "base/num.h"
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
@@ -40,7 +41,7 @@ static const struct {
     double factor;
 } units[] = {
     { "m", WF_FIELD_METRES, 1 },      { "cm", WF_FIELD_METRES, 0.01 },
-    { "mm", WF_FIELD_METRES, 0.001 }, { "deg", WF_FIELD_RADIANS, M_PI / 180 },
+    { "mm", WF_FIELD_METRES, 0.001 }, { "deg", WF_FIELD_RADIANS, WF_PI / 180 },
     { "rad", WF_FIELD_RADIANS, 1 },
 };
 
@@ -62,7 +63,7 @@ static int plain_word(const char *name, char *out, size_t size)
     }
     out[n] = '\0';
     int unit = -1;
-    for (size_t k = 0; word && k < sizeof units / sizeof *units; k++)
+    for (size_t k = 0; word && k < WF_COUNT(units); k++)
         if (!strcmp(out + word, units[k].name)) unit = (int)k;
     if (unit >= 0) n = word;
     out[n++] = ' ';
@@ -83,7 +84,7 @@ enum wf_field wf_field_of(const char *name, double length_unit, double diameter_
         else if (f->unit == WF_FIELD_METRES)
             *factor *= thick ? diameter_unit : length_unit;
         else if (f->unit == WF_FIELD_RADIANS)
-            *factor *= M_PI / 180;
+            *factor *= WF_PI / 180;
         return f->field;
     }
     return WF_FIELD_NONE;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* MATLAB files through libmatio: the structures TreeQSM saves and the matrices made from them. */
 #include "grow/import_mat.h"
+#include "base/num.h"
 #ifndef WF_MATIO
 enum wf_status wf_import_mat(const struct wf_import_head *h, const struct wf_import_options *o,
                              struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
@@ -40,7 +41,7 @@ static const struct {
     { "parent", "CPar", 9, 1, WF_FIELD_PARENT },  { "extension", "CExt", 10, 1, WF_FIELD_NEXT },
     { "BranchOrder", "", 12, 1, WF_FIELD_ORDER }, { "added", "Added", 14, 1, WF_FIELD_ADDED },
 };
-enum { PARTS = sizeof parts / sizeof *parts, MATRIX = 14, VARIABLES = 64 };
+enum { PARTS = WF_COUNT(parts), MATRIX = 14, VARIABLES = 64 };
 
 static bool numeric(const matvar_t *v)
 {

@@ -82,7 +82,7 @@ static int feature(struct wf_mtg *g, const char *p, size_t n)
         { "radius", 3, 2 },
     };
     while (n && (p[n - 1] == ' ' || p[n - 1] == '\r')) n--;
-    for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
+    for (size_t k = 0; k < WF_COUNT(names); k++) {
         if (strlen(names[k].name) != n || strncasecmp(p, names[k].name, n)) continue;
         if (names[k].feature == 3) g->diameter_share = names[k].share;
         return names[k].feature;

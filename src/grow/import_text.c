@@ -46,7 +46,7 @@ static const struct {
 static const char *title(const struct table *t)
 {
     if (!t->placed) return "hand-measured table";
-    for (size_t k = 0; k < sizeof marks / sizeof *marks; k++)
+    for (size_t k = 0; k < WF_COUNT(marks); k++)
         if (wf_csv_column(&t->csv, marks[k].column) != WF_CSV_NONE) return marks[k].format;
     return "CSV of cylinders";
 }
@@ -146,7 +146,7 @@ static void hand_on(struct table *t, const struct wf_import_head *h, bool strict
 static enum wf_status hand_columns(struct wf_hand *hand, size_t n, struct wf_arena *a, struct wf_err *e)
 {
     double **column[] = { &hand->angle, &hand->zenith, &hand->azimuth, &hand->distance, &hand->share };
-    for (size_t k = 0; k < sizeof column / sizeof *column; k++)
+    for (size_t k = 0; k < WF_COUNT(column); k++)
         if (!(*column[k] = WF_TAKE(a, n, double))) return wf_fail(e, WF_ENOMEM, "no room for %zu rows", n);
     return WF_OK;
 }
@@ -236,7 +236,7 @@ static const struct layout {
 };
 #undef GEOMETRY
 #undef NONE
-enum { LAYOUTS = sizeof layouts / sizeof *layouts, ARCHI = 2, UNMODIFIED = 11 };
+enum { LAYOUTS = WF_COUNT(layouts), ARCHI = 2, UNMODIFIED = 11 };
 
 struct lines {
     const char *at, *end;
@@ -390,7 +390,7 @@ enum wf_status wf_import_bare(const struct wf_import_head *h, const struct wf_im
 
 /* Coordinates for a table of lengths, diameters and angles. */
 
-static const double GOLDEN = 137.50776405003785 / 180 * M_PI; /* divergence of spiral leaf positions [rad] */
+static const double GOLDEN = 137.50776405003785 / 180 * WF_PI; /* divergence of spiral leaf positions [rad] */
 
 /* Unit vector across `t` that points as nearly as can be to the azimuth `az`. */
 static void across(const double t[3], double az, double out[3])

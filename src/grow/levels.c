@@ -1,10 +1,9 @@
 #include "grow/levels.h"
+#include "base/num.h"
 #include "base/random.h"
 #include "base/vec3.h"
 #include <math.h>
 #include <string.h>
-
-#define TURN 6.28318530717958647693
 
 /* Draws of a branch, by purpose. */
 enum { DRAW_PLACE, DRAW_AZIMUTH, DRAW_INSERTION, DRAW_LENGTH, DRAW_RADIUS };
@@ -44,14 +43,14 @@ static double place(const struct wf_branching *b, size_t group, double gap)
 
 static double azimuth(const struct wf_branching *b, uint64_t seed, uint64_t key, size_t group, size_t of)
 {
-    double around = (double)of / (double)b->per_whorl * TURN, g = (double)group;
+    double around = (double)of / (double)b->per_whorl * WF_TURN, g = (double)group;
     switch (b->azimuth) {
     case WF_AZIMUTH_RANDOM:
-        return TURN * wf_random_uniform(seed, key, DRAW_AZIMUTH);
+        return WF_TURN * wf_random_uniform(seed, key, DRAW_AZIMUTH);
     case WF_AZIMUTH_PLANAR:
-        return b->azimuth_start + TURN / 2 * (g * (double)b->per_whorl + (double)of);
+        return b->azimuth_start + WF_TURN / 2 * (g * (double)b->per_whorl + (double)of);
     case WF_AZIMUTH_WHORL:
-        if (isnan(b->divergence)) return b->azimuth_start + around + g * TURN / 2 / (double)b->per_whorl;
+        if (isnan(b->divergence)) return b->azimuth_start + around + g * WF_TURN / 2 / (double)b->per_whorl;
         break;
     default:
         break;

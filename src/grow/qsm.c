@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/qsm.h"
+#include "base/num.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -113,7 +114,7 @@ static const struct {
     COLUMN(r0),    COLUMN(r1),        COLUMN(length), COLUMN(added), COLUMN(line),
 };
 #undef COLUMN
-enum { COLUMNS = sizeof columns / sizeof *columns };
+enum { COLUMNS = WF_COUNT(columns) };
 
 static void *get(const struct wf_qsm *q, size_t c)
 {

@@ -1,4 +1,5 @@
 #include "grow/qsm_metrics.h"
+#include "base/num.h"
 #include <math.h>
 
 static const double BREAST = 1.3; /* [m] */
@@ -44,7 +45,7 @@ void wf_qsm_measure(const struct wf_qsm *q, struct wf_qsm_metrics *m)
         if (order > 0 && !(m->crown_base <= q->z1[i])) m->crown_base = q->z1[i];
         m->length += l, m->order_length[o] += l;
         m->volume += volume, m->order_volume[o] += volume;
-        m->area += M_PI * (r0 + r1) * sqrt(l * l + (r0 - r1) * (r0 - r1));
+        m->area += WF_PI * (r0 + r1) * sqrt(l * l + (r0 - r1) * (r0 - r1));
         high = fmax(high, fmax(q->z0[i], q->z1[i]));
         x0 = fmin(x0, fmin(q->x0[i], q->x1[i])), x1 = fmax(x1, fmax(q->x0[i], q->x1[i]));
         y0 = fmin(y0, fmin(q->y0[i], q->y1[i])), y1 = fmax(y1, fmax(q->y0[i], q->y1[i]));

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/qsm_model.h"
+#include "base/num.h"
 #include "grow/qsm.h"
 #include <math.h>
 #include <stdlib.h>
@@ -132,7 +133,7 @@ static int32_t append(struct build *b, int32_t below, const double base[3], cons
     t->r0[k] = r0, t->r1[k] = r1;
     b->m->kind[k] = (uint8_t)kind;
     b->m->row[k] = (int32_t)row;
-    double volume = M_PI / 3 * wf_tree_length(t, k) * (r0 * r0 + r0 * r1 + r1 * r1);
+    double volume = WF_PI / 3 * wf_tree_length(t, k) * (r0 * r0 + r0 * r1 + r1 * r1);
     if (kind != WF_SEGMENT_LINK) b->m->volume += volume;
     if (kind == WF_SEGMENT_BRIDGE) b->m->bridge_volume += volume;
     return (int32_t)k;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/stem.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include <math.h>
 #include <stdbool.h>
@@ -64,8 +65,8 @@ static enum wf_status stem_sections(const struct wf_model *m, const double *s, s
         upward(m, c->up + 3 * i);
         section_at(m, s[i] * m->height, &c->width0[i], &c->height0[i], c->mix0 + 3 * i);
         section_at(m, s[i + 1] * m->height, &c->width1[i], &c->height1[i], c->mix1 + 3 * i);
-        t->r0[i] = sqrt(wf_tree_area(t, i, 0) / M_PI);
-        t->r1[i] = sqrt(wf_tree_area(t, i, 1) / M_PI);
+        t->r0[i] = sqrt(wf_tree_area(t, i, 0) / WF_PI);
+        t->r1[i] = sqrt(wf_tree_area(t, i, 1) / WF_PI);
     }
     for (size_t k = 0, i = 0; k < m->masses; k++) {
         size_t first = i;
@@ -81,16 +82,10 @@ struct ends {
     double *s;
 };
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 static size_t sort_unique(double *s, size_t n, double apart)
 {
     size_t kept = 0;
-    qsort(s, n, sizeof *s, ascending);
+    qsort(s, n, sizeof *s, wf_ascending);
     for (size_t i = 0; i < n; i++)
         if (!kept || s[i] - s[kept - 1] > apart) s[kept++] = s[i];
     return kept;
@@ -132,7 +127,7 @@ static bool place_ends(const struct wf_model *m, const struct wf_along *wall, st
         while (k.s[j + 1] < s) j++;
         if (s - k.s[j] > 0.1 * step && k.s[j + 1] - s > 0.1 * step) out->s[out->n++] = s;
     }
-    qsort(out->s, out->n, sizeof *out->s, ascending);
+    qsort(out->s, out->n, sizeof *out->s, wf_ascending);
     return true;
 }
 

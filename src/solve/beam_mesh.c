@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam_mesh.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include "data/section.h"
 #include <math.h>
 
-#define PI 3.14159265358979323846
 /* eight-point Gauss-Legendre rule on 0..1, exact to degree 15 */
 static const double gauss8[8] = { 0.01985507175123188416, 0.10166676129318663020, 0.23723379504183550709,
                                   0.40828267875217509753, 0.59171732124782490247, 0.76276620495816449291,
@@ -12,8 +12,6 @@ static const double gauss8[8] = { 0.01985507175123188416, 0.10166676129318663020
 static const double weight8[8] = { 0.05061426814518812958, 0.11119051722668723527, 0.15685332293894364367,
                                    0.18134189168918099148, 0.18134189168918099148, 0.15685332293894364367,
                                    0.11119051722668723527, 0.05061426814518812958 };
-
-static double between(double a, double b, double s) { return a + (b - a) * s; }
 
 /* An arc of constant curvature between two points: base tangent from chord and curvature vector. */
 void wf_row_axis(const struct wf_tree *t, size_t i, double s, double position[3], double tangent[3])
@@ -71,8 +69,8 @@ static struct section section_at(const struct wf_tree *t, size_t i, double s, do
         return (struct section){ .ea = k[0], .ga = k[1], .ei = k[2], .gj = k[3] };
     }
     if (t->section) return flat_section(t, i, s, shear_factor);
-    double a = between(t->r0[i], t->r1[i], s), b = between(t->i0[i], t->i1[i], s), m = b / a;
-    double area = PI * (a * a - b * b), inertia = 0.25 * PI * (a * a * a * a - b * b * b * b);
+    double a = wf_between(t->r0[i], t->r1[i], s), b = wf_between(t->i0[i], t->i1[i], s), m = b / a;
+    double area = WF_PI * (a * a - b * b), inertia = 0.25 * WF_PI * (a * a * a * a - b * b * b * b);
     double nu = t->youngs[i] / (2 * t->shear[i]) - 1, k = shear_factor;
     if (!(k > 0)) { /* Cowper 1966, J. Appl. Mech. 33:335, hollow circle */
         double q = (1 + m * m) * (1 + m * m), p = m * m;
@@ -99,14 +97,14 @@ static void stiffen(const struct wf_tree *t, size_t i, double s0, double s1, con
 {
     double bend[8], twist[8], stretch[8], slide[8], c[2];
     for (int k = 0; k < 8; k++) {
-        struct section s = section_at(t, i, between(s0, s1, gauss8[k]), o->shear_factor);
+        struct section s = section_at(t, i, wf_between(s0, s1, gauss8[k]), o->shear_factor);
         bend[k] = 1 / s.ei, twist[k] = 1 / s.gj, stretch[k] = 1 / s.ea, slide[k] = 1 / s.ga;
     }
     two_moments(bend, c);
     bool extreme =
         !(c[0] > 0 && c[1] > 0); /* a piece running out to a point: plain values, refined by pieces */
     for (int j = 0; j < 2; j++) {
-        struct section s = section_at(t, i, between(s0, s1, gauss_place[j]), o->shear_factor);
+        struct section s = section_at(t, i, wf_between(s0, s1, gauss_place[j]), o->shear_factor);
         p->ei[j] = extreme ? s.ei : 1 / c[j];
         p->gj[j] = s.gj, p->ca[j] = 1 / s.ea, p->cs[j] = 1 / s.ga;
     }
@@ -129,38 +127,39 @@ static void flatten(const struct wf_tree *t, size_t i, double s0, double s1, con
     const struct wf_tree_sections *sections = t->section;
     double bend[8], c[2];
     for (int k = 0; k < 8; k++)
-        bend[k] = 1 / section_at(t, i, between(s0, s1, gauss8[k]), o->shear_factor).across;
+        bend[k] = 1 / section_at(t, i, wf_between(s0, s1, gauss8[k]), o->shear_factor).across;
     two_moments(bend, c);
     bool extreme = !(c[0] > 0 && c[1] > 0);
     for (int j = 0; j < 2; j++) {
-        double s = between(s0, s1, gauss_place[j]), ei = 1 / c[j];
+        double s = wf_between(s0, s1, gauss_place[j]), ei = 1 / c[j];
         if (extreme) ei = section_at(t, i, s, o->shear_factor).across;
         f->more[j] = ei - p->ei[j];
         f->give[j] = 1 / ei - 1 / p->ei[j];
         wf_cross(sections->up + 3 * i, p->t[j], f->across[j]);
-        f->side[j] = between(sections->side0[i], sections->side1[i], s);
+        f->side[j] = wf_between(sections->side0[i], sections->side1[i], s);
     }
 }
 
 static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i, double s,
                      struct wf_beam_part *p, int j)
 {
-    double a = between(t->r0[i], t->r1[i], s), b = between(t->i0[i], t->i1[i], s), at[3];
+    double a = wf_between(t->r0[i], t->r1[i], s), b = wf_between(t->i0[i], t->i1[i], s), at[3];
     wf_row_axis(t, i, s, at, p->t[j]);
     p->line[j] = (struct wf_line_point){ .diameter = 2 * a,
                                          .drag = t->drag[i],
                                          .lift = t->lift[i],
-                                         .sail = between(t->sail0[i], t->sail1[i], s),
+                                         .sail = wf_between(t->sail0[i], t->sail1[i], s),
                                          .mass = t->density[i] * wf_tree_area(t, i, s) +
-                                                 between(t->burden0[i], t->burden1[i], s) };
-    p->spin[j] = t->density[i] * 0.5 * PI * (a * a * a * a - b * b * b * b);
+                                                 wf_between(t->burden0[i], t->burden1[i], s) };
+    p->spin[j] = t->density[i] * 0.5 * WF_PI * (a * a * a * a - b * b * b * b);
     if (t->section) {
         struct wf_section c;
         wf_section_at(t, i, s, &c);
         p->spin[j] = t->density[i] * (c.upright + c.lying);
     }
     if (l->line)
-        for (size_t k = 0; k < 3; k++) p->dead[j][k] = between(l->line[6 * i + k], l->line[6 * i + 3 + k], s);
+        for (size_t k = 0; k < 3; k++)
+            p->dead[j][k] = wf_between(l->line[6 * i + k], l->line[6 * i + 3 + k], s);
 }
 
 static enum wf_status joined(const struct wf_tree *t, size_t i, struct wf_err *e)
@@ -200,7 +199,7 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
             p->parent = k ? at - 1 : t->parent[i] < 0 ? -1 : m->last[t->parent[i]];
             p->h = wf_tree_length(t, i) / cut;
             stiffen(t, i, s0, s1, o, p);
-            for (int j = 0; j < 2; j++) describe(t, l, i, between(s0, s1, gauss_place[j]), p, j);
+            for (int j = 0; j < 2; j++) describe(t, l, i, wf_between(s0, s1, gauss_place[j]), p, j);
             if (t->section) flatten(t, i, s0, s1, o, p, m->flat + at);
         }
         m->last[i] = at - 1;

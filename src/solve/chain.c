@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/chain.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include "data/tree.h"
 #include "load/load.h"
@@ -52,7 +53,6 @@ const struct wf_solver *const wf_chain_variants[] = { &s1,        &s1_turned, &s
                                                       &s3_turned, &s4,        &s4_turned, NULL };
 
 enum { N = WF_CHAIN_POINTS };
-#define PI 3.14159265358979323846
 
 /* abscissae and weights on -1..1, Abramowitz & Stegun 1964, table 25.4 */
 static const double node[N / 2] = { 0.18343464249564980494, 0.52553240991632898582, 0.79666647741362673959,
@@ -79,13 +79,11 @@ static void chain_rule_fill(struct wf_chain_rule *g)
         }
 }
 
-static double between(double a, double b, double s) { return a + (b - a) * s; }
-
 /* Compliance in bending and torsion at s. */
 static void compliance(const struct wf_tree *t, size_t i, double s, double *bending, double *torsion)
 {
-    double outer = between(t->r0[i], t->r1[i], s), inner = between(t->i0[i], t->i1[i], s);
-    double inertia = 0.25 * PI * (pow(outer, 4) - pow(inner, 4));
+    double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
+    double inertia = 0.25 * WF_PI * (pow(outer, 4) - pow(inner, 4));
     double ei = t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia;
     double gj = t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia;
     *bending = 1 / ei;
@@ -96,19 +94,19 @@ static void compliance(const struct wf_tree *t, size_t i, double s, double *bend
 static void line_load(const struct wf_tree *t, size_t i, const struct wf_loads *l, const double base[3],
                       const double axis[3], double length, double s, double q[3])
 {
-    double outer = between(t->r0[i], t->r1[i], s), inner = between(t->i0[i], t->i1[i], s), x[3];
+    double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s), x[3];
     for (int k = 0; k < 3; k++) x[k] = base[k] + s * length * axis[k];
     struct wf_line_point p = { .diameter = 2 * outer,
                                .drag = t->drag[i],
                                .lift = t->lift[i],
-                               .sail = between(t->sail0[i], t->sail1[i], s),
-                               .mass = t->density[i] * PI * (outer * outer - inner * inner) +
-                                       between(t->burden0[i], t->burden1[i], s) };
+                               .sail = wf_between(t->sail0[i], t->sail1[i], s),
+                               .mass = t->density[i] * WF_PI * (outer * outer - inner * inner) +
+                                       wf_between(t->burden0[i], t->burden1[i], s) };
     struct wf_line_load f;
     wf_line_load(l, &p, x, axis, &f);
     for (size_t k = 0; k < 3; k++) {
         q[k] = f.force[k];
-        if (l->line) q[k] += l->point_scale * between(l->line[6 * i + k], l->line[6 * i + 3 + k], s);
+        if (l->line) q[k] += l->point_scale * wf_between(l->line[6 * i + k], l->line[6 * i + 3 + k], s);
     }
 }
 

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/deflect.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include "load/cylinder.h"
 #include "solve/chain.h"
-
-#define PI 3.14159265358979323846
 
 static double middle(double a, double b) { return 0.5 * (a + b); }
 
@@ -12,7 +11,7 @@ static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i
 {
     const double base[3] = { t->x0[i], t->y0[i], t->z0[i] }, end[3] = { t->x1[i], t->y1[i], t->z1[i] };
     double x[3], du[9], r = middle(t->r0[i], t->r1[i]), q = middle(t->i0[i], t->i1[i]);
-    double inertia = 0.25 * PI * (r * r * r * r - q * q * q * q);
+    double inertia = 0.25 * WF_PI * (r * r * r * r - q * q * q * q);
     double half = 0.5 * l->air_density * l->wind_scale;
     o->parent = t->parent[i];
     for (int k = 0; k < 3; k++) o->axis[k] = end[k] - base[k], x[k] = middle(base[k], end[k]);
@@ -30,11 +29,11 @@ static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i
     o->lift = half * t->lift[i] * 2 * r * o->length;
     o->sail = half * middle(t->sail0[i], t->sail1[i]) * o->length;
     o->weight = l->gravity * l->weight_scale * o->length *
-                (t->density[i] * PI * (r * r - q * q) + middle(t->burden0[i], t->burden1[i]));
+                (t->density[i] * WF_PI * (r * r - q * q) + middle(t->burden0[i], t->burden1[i]));
     o->bend = 1 / (t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia);
     o->twist = 1 / (t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia);
     o->radius = r;
-    o->printed = 4 * o->length * o->length / (3 * PI * t->youngs[i] * r * r * r);
+    o->printed = 4 * o->length * o->length / (3 * WF_PI * t->youngs[i] * r * r * r);
 }
 
 enum wf_status wf_deflect_open(const struct wf_tree *t, const struct wf_loads *l,

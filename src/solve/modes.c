@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/modes.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include "solve/beam.h"
 #include "solve/beam_small.h"
 #include "solve/lanczos.h"
-
-#define TWO_PI 6.28318530717958647693
 
 /* Flexibility x mass made symmetric: with x = sqrt(mass) u, A = sqrt(mass) flexibility sqrt(mass). */
 struct sway {
@@ -44,7 +43,7 @@ static void arrange(double *value, size_t *order, size_t n)
 
 static double hertz(double value)
 {
-    return value > 0 ? 1 / (TWO_PI * sqrt(value)) : -1 / (TWO_PI * sqrt(-value));
+    return value > 0 ? 1 / (WF_TURN * sqrt(value)) : -1 / (WF_TURN * sqrt(-value));
 }
 
 /* Room for what is kept of a beam, and its state. */

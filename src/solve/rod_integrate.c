@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/rod_integrate.h"
+#include "base/num.h"
 #include "solve/beam_mesh.h"
 #include <gsl/gsl_errno.h>
 #include <math.h>
@@ -13,25 +14,22 @@
  * cannot end below the scatter (Bock 1981, internal numerical differentiation, in: Modelling of Chemical
  * Reaction Systems, Springer, 102-125). */
 
-#define PI 3.14159265358979323846
-
-static double between(double a, double b, double s) { return a + (b - a) * s; }
-
 void wf_rod_section_at(const struct wf_tree *t, const struct wf_loads *l, size_t i, double s,
                        struct wf_rod_section *out)
 {
-    double a = between(t->r0[i], t->r1[i], s), b = between(t->i0[i], t->i1[i], s);
-    double a2 = a * a, b2 = b * b, inertia = 0.25 * PI * (a2 * a2 - b2 * b2);
+    double a = wf_between(t->r0[i], t->r1[i], s), b = wf_between(t->i0[i], t->i1[i], s);
+    double a2 = a * a, b2 = b * b, inertia = 0.25 * WF_PI * (a2 * a2 - b2 * b2);
     out->ei = t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia;
     out->gj = t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia;
     out->line = (struct wf_line_point){ .diameter = 2 * a,
                                         .drag = t->drag[i],
                                         .lift = t->lift[i],
-                                        .sail = between(t->sail0[i], t->sail1[i], s),
-                                        .mass = t->density[i] * PI * (a2 - b2) +
-                                                between(t->burden0[i], t->burden1[i], s) };
+                                        .sail = wf_between(t->sail0[i], t->sail1[i], s),
+                                        .mass = t->density[i] * WF_PI * (a2 - b2) +
+                                                wf_between(t->burden0[i], t->burden1[i], s) };
     for (size_t k = 0; k < 3; k++)
-        out->dead[k] = l->line ? l->point_scale * between(l->line[6 * i + k], l->line[6 * i + 3 + k], s) : 0;
+        out->dead[k] =
+            l->line ? l->point_scale * wf_between(l->line[6 * i + k], l->line[6 * i + 3 + k], s) : 0;
 }
 
 /* Size of the load on a row and its end, on the unloaded shape [N]. */

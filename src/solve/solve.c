@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/solve.h"
+#include "base/num.h"
 #include <math.h>
 
 enum wf_status wf_response_alloc(struct wf_response *r, size_t n, struct wf_arena *a, struct wf_err *e)
@@ -7,7 +8,7 @@ enum wf_status wf_response_alloc(struct wf_response *r, size_t n, struct wf_aren
     double **const column[] = { &r->end,     &r->turn,     &r->force0,   &r->moment0, &r->force1,
                                 &r->moment1, &r->tangent0, &r->tangent1, &r->load };
     *r = (struct wf_response){ .n = n };
-    for (size_t i = 0; i < sizeof column / sizeof *column; i++)
+    for (size_t i = 0; i < WF_COUNT(column); i++)
         if (!(*column[i] = WF_TAKE(a, 3 * n, double)))
             return wf_fail(e, WF_ENOMEM, "no room for the response of %zu segments", n);
     return WF_OK;

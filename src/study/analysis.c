@@ -1,4 +1,5 @@
 #include "study/analysis.h"
+#include "base/num.h"
 #include "base/parallel.h"
 #include "grow/grow.h"
 #include "solve/unload.h"
@@ -74,7 +75,7 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     for (size_t k = 0; k < an->n; k++) top = fmax(top, an->at[k].speed);
     if (an->breaks.critical.outcome == WF_CRITICAL_FOUND)
         top = fmax(top, fmin(1.1 * an->breaks.critical.speed, an->scenario.speed_max));
-    for (size_t k = 0; k < sizeof steps / sizeof *steps; k++)
+    for (size_t k = 0; k < WF_COUNT(steps); k++)
         if ((step = steps[k]) * STEPS >= top) break;
     an->sweep_n = (size_t)ceil(top / step - 1e-9) + 3 * QUARTERED + 1;
     if (!(an->sweep = WF_TAKE(a, an->sweep_n, struct wf_at_speed)))

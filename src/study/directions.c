@@ -1,21 +1,20 @@
 #include "study/directions.h"
+#include "base/num.h"
 #include "base/parallel.h"
 #include "study/speed.h"
 #include "wind/scale.h"
 #include <math.h>
 
-static const double turn = 2.0 * M_PI;
-
 double wf_direction_azimuth(const struct wf_directions_request *q, double from)
 {
-    return -0.5 * M_PI - (from + q->north);
+    return -0.5 * WF_PI - (from + q->north);
 }
 
 double wf_direction_from(const struct wf_directions_request *q, double azimuth)
 {
-    double from = fmod(-0.5 * M_PI - azimuth - q->north, turn);
-    if (from < 0.0) from += turn;
-    return turn - from < 1e-9 ? 0.0 : from;
+    double from = fmod(-0.5 * WF_PI - azimuth - q->north, WF_TURN);
+    if (from < 0.0) from += WF_TURN;
+    return WF_TURN - from < 1e-9 ? 0.0 : from;
 }
 
 /* What the threads share. */
@@ -98,7 +97,7 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
     out->direction = WF_TAKE(a, q->n, struct wf_direction);
     if (!out->direction || !at) return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
     for (size_t k = 0; k < q->n; k++) {
-        out->direction[k].from = turn * (double)k / (double)q->n;
+        out->direction[k].from = WF_TURN * (double)k / (double)q->n;
         out->direction[k].at = at + k * an->n;
     }
     s = wf_together(q->n, o->threads, one, &w, e);

@@ -1,4 +1,5 @@
 #include "study/explain.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include "solve/solvers.h"
 #include "study/scenario.h"
@@ -89,12 +90,6 @@ int32_t wf_explain_top(const struct wf_explain *x)
     return top;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 void wf_explain_spread(const struct wf_explain *x, size_t method, int32_t level,
                        struct wf_explain_spread *out)
 {
@@ -107,7 +102,7 @@ void wf_explain_spread(const struct wf_explain *x, size_t method, int32_t level,
     }
     size_t n = out->answers;
     if (!n) return;
-    qsort(r, n, sizeof *r, ascending);
+    qsort(r, n, sizeof *r, wf_ascending);
     out->low = r[0], out->high = r[n - 1], out->middle = 0.5 * (r[(n - 1) / 2] + r[n / 2]);
 }
 

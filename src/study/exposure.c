@@ -1,4 +1,5 @@
 #include "study/exposure.h"
+#include "base/num.h"
 #include <math.h>
 
 enum wf_status wf_site_read(struct wf_site *s, struct wf_arena *a, struct wf_err *e)
@@ -34,7 +35,7 @@ enum wf_status wf_site_speed_up(const struct wf_site *s, double from, double hei
                 e, WF_EINPUT,
                 "%s: wind from %.1f deg would be %.3g times that over level ground; slopes up to %.2f are "
                 "too steep for the linear speed-up",
-                s->file, from * 180.0 / M_PI, *factor, s->steepest);
+                s->file, from * 180.0 / WF_PI, *factor, s->steepest);
     }
     wf_arena_free(&scratch);
     return status;

@@ -1,4 +1,5 @@
 #include "study/figures.h"
+#include "base/num.h"
 #include "base/vec3.h"
 #include <math.h>
 
@@ -9,8 +10,6 @@ static const double gauss_w[5] = { 0.11846344252809454, 0.23931433524968324, 0.2
                                    0.23931433524968324, 0.11846344252809454 };
 
 static double norm(const double a[3]) { return sqrt(wf_dot(a, a)); }
-static double between(double v0, double v1, double s) { return v0 + s * (v1 - v0); }
-
 /* A row as a curve: its ends and the tangents there, both scaled to the row's length. */
 struct curve {
     double p0[3], p1[3], t0[3], t1[3];
@@ -62,14 +61,14 @@ static void curve_at(const struct curve *c, double s, double x[3], double tangen
 
 static struct wf_line_point line_point(const struct wf_tree *t, size_t i, double s)
 {
-    double outer = between(t->r0[i], t->r1[i], s), inner = between(t->i0[i], t->i1[i], s);
-    double wood = t->density[i] * M_PI * (outer * outer - inner * inner);
+    double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
+    double wood = t->density[i] * WF_PI * (outer * outer - inner * inner);
     return (struct wf_line_point){
         .diameter = 2.0 * outer,
         .drag = t->drag[i],
         .lift = t->lift[i],
-        .sail = between(t->sail0[i], t->sail1[i], s),
-        .mass = wood + between(t->burden0[i], t->burden1[i], s),
+        .sail = wf_between(t->sail0[i], t->sail1[i], s),
+        .mass = wood + wf_between(t->burden0[i], t->burden1[i], s),
     };
 }
 
@@ -126,7 +125,7 @@ enum wf_status wf_figures_fill(const struct wf_tree *t, const struct wf_loads *l
                                struct wf_figures *out, struct wf_totals *totals, struct wf_err *e)
 {
     double **column[] = { &out->projected_area, &out->drag, &out->lift, &out->deflection, &out->slope };
-    for (size_t k = 0; k < sizeof column / sizeof *column; k++)
+    for (size_t k = 0; k < WF_COUNT(column); k++)
         if (!(*column[k] = WF_TAKE(a, t->n, double)))
             return wf_fail(e, WF_ENOMEM, "no room for the figures of %zu rows", t->n);
     *totals = (struct wf_totals){ 0 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/limits.h"
+#include "base/num.h"
 #include "study/exposure.h"
 #include "study/scenario.h"
 #include <math.h>
@@ -8,7 +9,7 @@
 
 static void limits_wind(const struct wf_analysis *an, struct wf_diag *d);
 
-#define DEGREES (180.0 / M_PI)
+#define DEGREES (180.0 / WF_PI)
 
 /* Speeds whose `test` holds, as "15, 25" or, when more than four, "12 wind speeds from 15 to 40", into buf;
  * returned: how many. */
@@ -158,8 +159,6 @@ static bool has_crown(const struct wf_tree *t)
     return false;
 }
 
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
 /* The values of the species that are assumptions and take part (levels grown, radius where the model gives
  * none), as one text ("culm: density, shear_modulus; crown: ..."), or "" when there is none. Returned: buf.
  */
@@ -179,10 +178,10 @@ static char *limits_assumed(const struct wf_analysis *an, char *buf, size_t size
             { "drag_coefficient", &l->drag_coefficient },
             { "lift_coefficient", &l->lift_coefficient },
         };
-        struct named_value used[COUNT(all) + 2];
+        struct named_value used[WF_COUNT(all) + 2];
         size_t n = 0;
         /* of the defaults nobody wrote only the first three can change an answer */
-        for (size_t k = 0; k < COUNT(all); k++)
+        for (size_t k = 0; k < WF_COUNT(all); k++)
             if (all[k].value->given || k < 3) used[n++] = all[k];
         if (i == 0 && isnan(an->model->radius)) used[n++] = (struct named_value){ "radius", &l->radius };
         if (l->wall.n) used[n++] = (struct named_value){ "wall", &l->wall_note };
@@ -196,7 +195,7 @@ static char *limits_assumed(const struct wf_analysis *an, char *buf, size_t size
         { "streamlining exponent", &sp->streamlining.exponent },
     };
     bool vogel = sp->streamlining.law && strcmp(sp->streamlining.law, "vogel") == 0;
-    add_assumed(buf, size, "crown", crown, COUNT(crown) - (vogel ? 0 : 1));
+    add_assumed(buf, size, "crown", crown, WF_COUNT(crown) - (vogel ? 0 : 1));
     return buf;
 }
 

@@ -1,4 +1,5 @@
 #include "study/scenario.h"
+#include "base/num.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
@@ -38,7 +39,7 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         { "canopy height", "m", s->canopy_height, 0.0, 100.0 },
         { "attenuation", "", s->attenuation, 0.0, 10.0 },
         { "power-law exponent", "", s->exponent, 0.0, 1.0 },
-        { "azimuth", "rad", s->azimuth, -4.0 * M_PI, 4.0 * M_PI },
+        { "azimuth", "rad", s->azimuth, -4.0 * WF_PI, 4.0 * WF_PI },
         { "temperature", "K", s->temperature, 200.0, 340.0 },
         { "altitude", "m", s->altitude, -500.0, 11000.0 },
         { "air density", "kg/m3", isnan(s->air_density) ? 1.0 : s->air_density, 1e-6, 2000.0 },
@@ -49,7 +50,7 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         return wf_fail(e, WF_EUSAGE, "no wind profile is called '%s'", s->profile ? s->profile : "");
     if (s->shelter && !wf_shelter_law_named(s->shelter))
         return wf_fail(e, WF_EUSAGE, "no law of shelter is called '%s'", s->shelter);
-    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
+    for (size_t i = 0; i < WF_COUNT(limits); i++)
         if (!(limits[i].value >= limits[i].low && limits[i].value <= limits[i].high))
             return wf_fail(e, WF_EUSAGE, "%s %.6g %s is outside %.6g..%.6g", limits[i].name, limits[i].value,
                            limits[i].unit, limits[i].low, limits[i].high);
@@ -80,7 +81,7 @@ static void numbers(struct wf_scenario *s, const struct wf_profile_words *w)
                 { &s->displacement, w->displacement },
                 { &s->canopy_height, w->canopy_height },
                 { &s->attenuation, w->attenuation } };
-    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    for (size_t i = 0; i < WF_COUNT(all); i++)
         if (!isnan(all[i].said)) *all[i].to = all[i].said;
     if (strcmp(s->profile, "canopy") == 0) complete_canopy(s, w);
 }

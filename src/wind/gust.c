@@ -11,7 +11,6 @@
  */
 
 enum { STREAM_PHASE = 0x32, STREAM_NOISE = 7 };
-#define TAU 6.28318530717958647692
 enum { DIRECT_BLOCK = 4096 };
 
 static enum wf_status wf_gust_direct_open(struct wf_gust *g, struct wf_arena *a, struct wf_err *e)
@@ -29,7 +28,7 @@ static double local_time(const struct wf_gust_spec *s, size_t point, size_t step
 
 static double drawn_phase(const struct wf_gust_spec *s)
 {
-    return TAU * wf_random_uniform(s->seed, wf_random_stream(STREAM_PHASE, 0, 0), 0);
+    return WF_TURN * wf_random_uniform(s->seed, wf_random_stream(STREAM_PHASE, 0, 0), 0);
 }
 
 /* U(t) = Ua (1 + a cos(omega t + phi)), phi drawn once; a = sqrt(2) times the turbulence intensity. */
@@ -37,7 +36,8 @@ static enum wf_status wf_gust_cosine_fill(struct wf_gust *g, size_t first, size_
                                           struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
-    double omega = TAU / wf_gust_get(s, "period"), phase = drawn_phase(s), part = sqrt(2.0) * s->intensity;
+    double omega = WF_TURN / wf_gust_get(s, "period"), phase = drawn_phase(s),
+           part = sqrt(2.0) * s->intensity;
     (void)e;
     for (size_t p = 0; p < s->points; p++)
         for (size_t i = 0; i < steps; i++)
@@ -83,7 +83,7 @@ static enum wf_status wf_gust_sine_perlin_fill(struct wf_gust *g, size_t first, 
     for (size_t p = 0; p < s->points; p++)
         for (size_t i = 0; i < steps; i++) {
             double t = local_time(s, p, first + i);
-            out[p * g->block + i] = wf_gust_mean(s, p) + wave * sin(TAU * t / period + phase) +
+            out[p * g->block + i] = wf_gust_mean(s, p) + wave * sin(WF_TURN * t / period + phase) +
                                     noise * wf_noise_octaves(s->seed, STREAM_NOISE, &o, t / cell);
         }
     return WF_OK;
@@ -112,7 +112,7 @@ static enum wf_status wf_gust_zhao_fill(struct wf_gust *g, size_t first, size_t 
 static double wf_gust_eog(double amplitude, double duration, double t)
 {
     if (!(t > 0.0 && t < duration)) return 0.0;
-    return -0.37 * amplitude * sin(1.5 * TAU * t / duration) * (1.0 - cos(TAU * t / duration));
+    return -0.37 * amplitude * sin(1.5 * WF_TURN * t / duration) * (1.0 - cos(WF_TURN * t / duration));
 }
 
 /* IEC 61400-1: min(1.35 (Ve1 - U), 3.3 sigma / (1 + 0.1 D / Lambda)), Lambda = 0.7 z up to 60 m, then 42 m.

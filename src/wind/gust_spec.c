@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/gust_spec.h"
 #include "base/num.h"
+#include "base/text.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,12 +32,9 @@ enum wf_status wf_gust_set(struct wf_gust_spec *s, const char *name, double valu
 {
     const struct wf_gust_par *par = s->model->par;
     const char *known[WF_GUST_PARS];
-    char list[512] = "";
     size_t n = 0;
     for (; par[n].name; n++) {
         known[n] = par[n].name;
-        if (n) strncat(list, ", ", sizeof list - strlen(list) - 1);
-        strncat(list, par[n].name, sizeof list - strlen(list) - 1);
         if (strcmp(par[n].name, name) != 0) continue;
         if (!(value >= par[n].low && value <= par[n].high))
             return wf_fail(e, WF_EUSAGE, "%s: %s = %g is outside %g..%g %s (%s)", s->model->name, name, value,
@@ -44,11 +42,8 @@ enum wf_status wf_gust_set(struct wf_gust_spec *s, const char *name, double valu
         s->value[n] = value;
         return WF_OK;
     }
-    const char *near = wf_nearest(name, known, n);
-    if (near)
-        return wf_fail(e, WF_EUSAGE, "%s: unknown parameter '%s'; did you mean '%s'?", s->model->name, name,
-                       near);
-    return wf_fail(e, WF_EUSAGE, "%s: unknown parameter '%s'; it has %s", s->model->name, name, list);
+    return wf_fail(e, WF_EUSAGE, "%s: unknown parameter '%s'%s", s->model->name, name,
+                   wf_did_you_mean_or(name, known, n, "it has ").text);
 }
 
 double wf_gust_place(const struct wf_gust_spec *s, size_t point, int axis)

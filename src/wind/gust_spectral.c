@@ -2,6 +2,7 @@
 #include "wind/gust_spectral.h"
 #include "base/arena.h"
 #include "base/err.h"
+#include "base/num.h"
 #include "base/random.h"
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
@@ -180,7 +181,6 @@ static const double WINDOW_SECONDS = 800.0; /* first choice: longer than the 10 
 static const double JOINT_WANTED = 0.02;    /* share of the standard deviation */
 static const double ROOM_WANTED = 160e6;    /* bytes for the spectra of all points */
 static const double APART = 7.0; /* stretched distance times g beyond which points are free: e^-7 */
-#define TAU 6.28318530717958647692
 
 struct spectral {
     size_t window;     /* L [steps] */
@@ -468,7 +468,7 @@ enum wf_status wf_gust_spectral_fill(struct wf_gust *g, size_t first, size_t ste
             }
             double delay = wf_gust_place(s, p, 0) / w->speed;
             shape(y, w->amplitude + (class * s->components + component) * half, w->window,
-                  TAU * delay / ((double)w->window * s->step));
+                  WF_TURN * delay / ((double)w->window * s->step));
             gsl_fft_halfcomplex_inverse(y, 1, w->window, w->back, w->space);
             double mean = component == WF_ALONG ? wf_gust_mean(s, p) : 0.0;
             for (size_t i = 0; i < steps; i++) to[i] = mean + y[w->window / 4 + i];

@@ -99,12 +99,6 @@ static enum wf_status read_rows(const char *path, const struct wf_record_request
     return WF_OK;
 }
 
-static int ascending(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The even step: the median of the differences between readable times. */
 static enum wf_status find_step(const char *path, struct raw *r, struct wf_record *out, struct wf_err *e)
 {
@@ -124,7 +118,7 @@ static enum wf_status find_step(const char *path, struct raw *r, struct wf_recor
         }
         before = r->time[i];
     }
-    if (n) qsort(gap, n, sizeof *gap, ascending);
+    if (n) qsort(gap, n, sizeof *gap, wf_ascending);
     out->step = n ? gap[n / 2] : NAN;
     free(gap);
     return n ? WF_OK : wf_fail(e, WF_EINPUT, "%s: no two readable times", path);

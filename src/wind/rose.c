@@ -1,8 +1,8 @@
 #include "wind/rose.h"
 #include "base/csv.h"
+#include "base/num.h"
 #include <math.h>
 
-#define PI 3.14159265358979323846
 enum { SECTORS_MAX = 16 };
 
 /* The sector a direction is the middle of; SECTORS_MAX when it is none. */
@@ -44,7 +44,7 @@ enum wf_status wf_rose_read(const char *path, struct wf_arena *a, struct wf_diag
         else if (out->scale[s] > 0.0)
             wf_diag_error(d, path, line[i], 0, "direction_deg: %g is given twice", row[i][0]);
         else
-            out->from[s] = 2.0 * PI * (double)s / (double)n, out->frequency[s] = row[i][1],
+            out->from[s] = 2.0 * WF_PI * (double)s / (double)n, out->frequency[s] = row[i][1],
             out->scale[s] = row[i][2], out->shape[s] = row[i][3], out->typed_sum += row[i][1];
     }
     if (d->errors == errors && !(out->typed_sum > 0.0))

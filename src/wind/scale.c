@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/scale.h"
 #include "base/num.h"
+#include "base/text.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -63,14 +64,8 @@ bool wf_wind_scale_is(const char *text) { return strchr(text, ':') && text[strsp
 static enum wf_status unknown(const char *what, const char *word, const char *const *known, size_t n,
                               struct wf_err *e)
 {
-    char list[512] = "";
-    const char *near = wf_nearest(word, known, n);
-    if (near) return wf_fail(e, WF_EUSAGE, "unknown %s '%s'; did you mean '%s'?", what, word, near);
-    for (size_t i = 0; i < n; i++) {
-        size_t used = strlen(list);
-        snprintf(list + used, sizeof list - used, "%s%s", i ? ", " : "", known[i]);
-    }
-    return wf_fail(e, WF_EUSAGE, "unknown %s '%s'; there are: %s", what, word, list);
+    return wf_fail(e, WF_EUSAGE, "unknown %s '%s'%s", what, word,
+                   wf_did_you_mean_or(word, known, n, "there are: ").text);
 }
 
 enum wf_status wf_wind_scale_parse(const char *text, struct wf_scale_wind *out, struct wf_err *e)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/shelter.h"
+#include "base/num.h"
 #include "base/raster.h"
 #include "base/vec3.h"
 #include <float.h>
@@ -437,7 +438,7 @@ enum wf_status wf_shelter_request_check(const struct wf_shelter_request *q, stru
         { "growth of a wake", "", q->wake_growth, 0, 1 },
     };
     if (!q->law) return wf_fail(e, WF_EUSAGE, "no law of shelter is named");
-    for (size_t i = 0; i < sizeof limit / sizeof *limit; i++)
+    for (size_t i = 0; i < WF_COUNT(limit); i++)
         if (!(limit[i].value >= limit[i].low && limit[i].value <= limit[i].high))
             return wf_fail(e, WF_EUSAGE, "%s %.6g%s is outside %.6g..%.6g", limit[i].name, limit[i].value,
                            limit[i].unit, limit[i].low, limit[i].high);

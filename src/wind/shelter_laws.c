@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/shelter_laws.h"
+#include "base/num.h"
 #include "wind/potential.h"
 #include <math.h>
 #include <string.h>
@@ -213,18 +214,16 @@ static enum wf_status shelter_wake(struct wf_shelter *s, struct wf_arena *scratc
 /* The law "feng1999": flows of the classes superposed, as the paper prints them.
  *
  * What is printed: the cylinder f = Q(z + a^2/z) with the remark that the wind is back beyond 5 to 7 radii;
- * the hole f = Q/(2 pi) ln z with radial speed like 1/r; the slit psi = -Q(R - R1); 20 % through a cell that
- * is covered altogether; superposition. What is not printed is how a flow's strength follows from the wind
- * and what happens behind a cell that is covered in part. Here: transmitting  the wind behind is 1 - (1 - T)
- * coverage of the wind before, and stays so; cylinder      the disturbance of eq. (6) by a stem of the run's
- * solid width, in the plane across the stem, behind it up to 7 radii; farther off the wind counts as
+ * the hole f = Q/(2 WF_PI) ln z with radial speed like 1/r; the slit psi = -Q(R - R1); 20 % through a cell
+ * that is covered altogether; superposition. What is not printed is how a flow's strength follows from the
+ * wind and what happens behind a cell that is covered in part. Here: transmitting  the wind behind is 1 - (1
+ * - T) coverage of the wind before, and stays so; cylinder      the disturbance of eq. (6) by a stem of the
+ * run's solid width, in the plane across the stem, behind it up to 7 radii; farther off the wind counts as
  * undisturbed; hole, slit    the wall around them is taken as one, T of the wind passes everywhere; the rest
  * of the wind comes through the hole and spreads by eq. (7), with speed (1 - T) U at the radius r0 of a
  *                 circle of the cell's area, or through the slit by eq. (8) as printed, with speed (1 - T) U
  *                 on its middle; both up to 20 r0 (for a slit r0 is half its width).
  * Nothing bounds the sum: many holes side by side can blow more than the wind. */
-
-static const double pi = 3.14159265358979323846;
 
 /* A flow that starts at a place of the grid: how far it is followed, and its velocity over that of the wind
  * at a point along, across and up from there. */
@@ -251,7 +250,7 @@ static void cylinder(const struct flow *f, const double x[3], double u[3])
 static void hole(const struct flow *f, const double x[3], double u[3])
 {
     double r = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
-    double v[3], strength = 2.0 * pi * f->radius;
+    double v[3], strength = 2.0 * WF_PI * f->radius;
     const double plane[3] = { fmax(r, f->radius), 0.0, 0.0 };
     wf_flow_line_source(strength, plane, v);
     for (int k = 0; k < 3; k++) u[k] = v[0] * x[k] / r;
@@ -356,7 +355,7 @@ static void holes(struct wf_shelter *s, size_t k, const double *wind, double sha
         struct flow f = { .strength = share * wind[c],
                           .centre = { s->low[1] + ((double)(c % s->across) + 0.5) * s->step[1],
                                       s->low[2] + ((double)(c / s->across) + 0.5) * s->step[2] },
-                          .radius = sqrt(s->step[1] * s->step[2] / pi),
+                          .radius = sqrt(s->step[1] * s->step[2] / WF_PI),
                           .velocity = hole };
         f.reach = 20.0 * f.radius;
         blow(s, k, &f);

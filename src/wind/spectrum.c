@@ -16,9 +16,8 @@
  *   w: 2.1 f/(1+5.3 f^(5/3)) / n     -> 2.1 * 5.3^-0.6 * 0.6 pi / sin(0.6 pi)                            */
 #define KAIMAL_U (105.0 / 33.0 * 1.5)
 #define KAIMAL_V (17.0 / 9.5 * 1.5)
-#define PI 3.14159265358979323846
 
-static double kaimal_w(void) { return 2.1 * pow(5.3, -0.6) * 0.6 * PI / sin(0.6 * PI); }
+static double kaimal_w(void) { return 2.1 * pow(5.3, -0.6) * 0.6 * WF_PI / sin(0.6 * WF_PI); }
 
 static double kaimal_friction2(const struct wf_spectrum_par *p)
 {
@@ -134,7 +133,7 @@ struct integrand {
 static double weighted(double log_f, void *ctx)
 {
     const struct integrand *g = ctx;
-    double f = exp(log_f), arg = PI * f * g->window;
+    double f = exp(log_f), arg = WF_PI * f * g->window;
     double sinc = arg > 1e-8 ? sin(arg) / arg : 1.0;
     return f * g->s->density(g->p, g->c, f) * sinc * sinc;
 }
@@ -199,7 +198,7 @@ static enum wf_status cut(struct segments *s, size_t n, size_t length, struct wf
         return wf_fail(e, WF_ENOMEM, "no room for a spectrum of %zu steps", length);
     }
     for (size_t i = 0; i < length; i++) {
-        s->taper[i] = 0.5 - 0.5 * cos(6.28318530717958647692 * ((double)i + 0.5) / (double)length);
+        s->taper[i] = 0.5 - 0.5 * cos(WF_TURN * ((double)i + 0.5) / (double)length);
         s->power += s->taper[i] * s->taper[i];
     }
     return WF_OK;

@@ -228,8 +228,6 @@ enum wf_status wf_terrain_write(const char *path, const struct wf_terrain *t, co
 
 /* Shelter by the ground itself: angles to the skyline within a distance. */
 
-#define PI 3.14159265358979323846
-
 double wf_terrain_horizon(const struct wf_terrain *t, size_t column, size_t row, double towards,
                           double distance, bool *seen)
 {
@@ -255,7 +253,7 @@ double wf_terrain_topex(const struct wf_terrain *t, size_t column, size_t row, d
     double sum = 0.0, whole = 0.0;
     for (int d = 0; d < 8; d++) {
         bool on_map;
-        double angle = wf_terrain_horizon(t, column, row, d * PI / 4.0, distance, &on_map);
+        double angle = wf_terrain_horizon(t, column, row, d * WF_PI / 4.0, distance, &on_map);
         if (!isnan(angle)) sum += angle;
         whole += on_map ? 0.125 : 0.0;
     }
@@ -264,8 +262,6 @@ double wf_terrain_topex(const struct wf_terrain *t, size_t column, size_t row, d
 }
 
 /* Wind over low hills: the linear response of a neutral wind, by Fourier transform of the map. */
-
-#define TAU 6.28318530717958647692
 
 struct plane {
     size_t nx, ny;
@@ -324,7 +320,7 @@ static size_t mirrored(size_t i, size_t n) { return i < n ? i : i < 2 * n - 2 ? 
 static double wavenumber(size_t i, size_t n, double cell)
 {
     double k = i <= n / 2 ? (double)i : (double)i - (double)n;
-    return TAU * k / ((double)n * cell);
+    return WF_TURN * k / ((double)n * cell);
 }
 
 /* Mean of 1/|k|, each wave with its share of the height variance per |k|: for one wave of number k it is 1/k.
