@@ -14,10 +14,7 @@ void wf_fit_options_default(struct wf_fit_options *o)
 /* Where 95 % of the efficiency for normal errors is kept. */
 static double usual_scale(const struct wf_fit_options *o)
 {
-    static const double scale[] = {
-        [WF_LOSS_NONE] = 1, [WF_LOSS_HUBER] = 1.345, [WF_LOSS_CAUCHY] = 2.385, [WF_LOSS_TUKEY] = 4.685
-    };
-    return isnan(o->loss_scale) ? scale[o->loss] : o->loss_scale;
+    return isnan(o->loss_scale) ? wf_losses[o->loss].usual_scale : o->loss_scale;
 }
 
 static enum wf_status room(struct wf_fit *f, struct wf_arena *a, struct wf_err *e)

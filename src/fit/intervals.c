@@ -294,7 +294,7 @@ static enum wf_status sandwich(const struct wf_session *s, const bool *at_bound,
         weighted(s, i, at_bound, w);
         if (i < s->x->data) {
             double r = (s->x->datum[i].value - s->reading[i]) / s->sigma[i];
-            wf_loss_slopes(s->o->loss, s->scale, r, &psi, &slope);
+            wf_losses[s->o->loss].slopes(s->scale, r, &psi, &slope);
             /* the smaller of both keeps the bread positive where a loss turns down again */
             slope = fmax(slope, 0.05 * (r != 0 ? psi / r : 1));
         }
@@ -340,7 +340,7 @@ static void readings(const struct wf_session *s, struct wf_fit *out, const bool 
     for (size_t i = 0; i < s->x->data; i++) {
         double lever = 0, r = (s->x->datum[i].value - s->reading[i]) / s->sigma[i], psi, slope;
         weighted(s, i, at_bound, w);
-        wf_loss_slopes(s->o->loss, s->scale, r, &psi, &slope);
+        wf_losses[s->o->loss].slopes(s->scale, r, &psi, &slope);
         for (size_t j = 0; j < n; j++)
             for (size_t k = 0; k < n; k++) lever += w[j] * out->covariance[j * n + k] * w[k];
         lever = fmin(lever, 1 - 1e-9);

@@ -17,6 +17,17 @@ enum wf_loss {
     WF_LOSS_CAUCHY, /* logarithmic beyond the scale                       */
     WF_LOSS_TUKEY   /* constant beyond the scale (Beaton and Tukey 1974)  */
 };
+/* A loss as a row. Its scale a is where it departs from squares, in standard deviations; usual_scale keeps 95
+ * % of the efficiency of least squares for normal errors (Holland and Welsch 1977, Commun. Statist. A6:813).
+ */
+struct wf_loss_row {
+    const char *name, *source;
+    double usual_scale;
+    double (*rho)(double a, double residual); /* twice the cost of a residual */
+    /* psi = d (rho / 2) / d residual, and its slope: what the covariance of a robust estimate needs. */
+    void (*slopes)(double a, double residual, double *psi, double *slope);
+};
+extern const struct wf_loss_row wf_losses[]; /* by enum wf_loss; ends at name == NULL */
 
 /* Residuals (and, unless NULL, their Jacobian, row-major residuals x params) at p. Returned: false when the
  * model has no answer there; the step is then shortened. Called from one thread only. */
@@ -50,9 +61,6 @@ struct wf_lsq_result {
  */
 enum wf_status wf_lsq_solve(const struct wf_lsq *q, double *p, struct wf_lsq_result *out, struct wf_err *e);
 
-/* Weight psi(r)/r and slope psi'(r) of a loss, psi = d loss / d r: what the covariance of a robust estimate
- * needs. */
-void wf_loss_slopes(enum wf_loss loss, double scale, double residual, double *psi, double *slope);
 #ifdef __cplusplus
 }
 #endif

@@ -102,12 +102,7 @@ static enum wf_status evaluate(struct wf_session *s, struct wf_lsq_result *out, 
     if (wf_predict(s->predictor, s->internal, s->reading, NULL, e)) return e->code;
     for (size_t i = 0; i < s->x->data; i++) {
         double r = (s->reading[i] - s->x->datum[i].value) / s->sigma[i] * sqrt(s->x->datum[i].weight);
-        double u2 = r * r / (s->scale * s->scale), a2 = s->scale * s->scale;
-        double rho = r * r;
-        if (s->o->loss == WF_LOSS_HUBER && u2 > 1) rho = 2 * s->scale * fabs(r) - a2;
-        if (s->o->loss == WF_LOSS_CAUCHY) rho = a2 * log1p(u2);
-        if (s->o->loss == WF_LOSS_TUKEY) rho = a2 / 3 * (u2 < 1 ? 1 - pow(1 - u2, 3) : 1);
-        out->cost += 0.5 * rho;
+        out->cost += 0.5 * wf_losses[s->o->loss].rho(s->scale, r);
     }
     for (size_t k = 0; k < s->n; k++)
         if (s->o->priors && s->p[k].prior_sd > 0) {
