@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "data/section.h"
 #include <math.h>
 
@@ -52,7 +53,7 @@ double wf_tree_area(const struct wf_tree *t, size_t i, double s)
 {
     double outer = between(t->r0[i], t->r1[i], s), inner = between(t->i0[i], t->i1[i], s);
     struct wf_section of;
-    if (!t->section) return M_PI * (outer * outer - inner * inner);
+    if (!t->section) return wf_ring_area(outer, inner);
     wf_section_at(t, i, s, &of);
     return of.area;
 }

@@ -1,4 +1,5 @@
 #include "solve/deflect.h"
+#include "data/section.h"
 #include "load/cylinder.h"
 #include "solve/vec.h"
 
@@ -10,7 +11,7 @@ static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i
 {
     const double base[3] = { t->x0[i], t->y0[i], t->z0[i] }, end[3] = { t->x1[i], t->y1[i], t->z1[i] };
     double x[3], du[9], r = middle(t->r0[i], t->r1[i]), q = middle(t->i0[i], t->i1[i]);
-    double inertia = 0.25 * PI * (r * r * r * r - q * q * q * q);
+    double inertia = wf_ring_inertia(r, q);
     double half = 0.5 * l->air_density * l->wind_scale;
     o->parent = t->parent[i];
     for (int k = 0; k < 3; k++) o->axis[k] = end[k] - base[k], x[k] = middle(base[k], end[k]);
