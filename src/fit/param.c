@@ -121,12 +121,14 @@ void wf_param_apply(const struct wf_experiment *x, const struct wf_fit_param *p,
     *options = t->options;
     for (size_t k = 0; k < n; k++) {
         if (wf_param_nuisance(&p[k]) || (p[k].tree >= 0 && (size_t)p[k].tree != tree)) continue;
-        double v = wf_param_value(&p[k], internal[k]);
+        double v = wf_param_value(&p[k], internal[k]), *number;
         if (p[k].quantity == WF_FIT_ROOT)
             options->root_stiffness[0] = options->root_stiffness[1] = v;
-        else if (p[k].quantity == WF_FIT_VOGEL)
-            loads->streamline_par.exponent = v;
-        else if (p[k].quantity != WF_FIT_DAMPING && p[k].quantity != WF_FIT_FRAME)
+        else if (p[k].quantity == WF_FIT_VOGEL &&
+                 (number = wf_loads_streamline_number(loads, WF_FIT_CROWN_LAW)))
+            *number = v;
+        else if (p[k].quantity != WF_FIT_VOGEL && p[k].quantity != WF_FIT_DAMPING &&
+                 p[k].quantity != WF_FIT_FRAME)
             scale_rows(&p[k], t, into, v);
     }
 }

@@ -1,6 +1,5 @@
 #include "solve/deflect.h"
 #include "data/section.h"
-#include "load/cylinder.h"
 #include "solve/vec.h"
 
 #define PI 3.14159265358979323846
@@ -77,7 +76,8 @@ static void wind_force(const struct wf_loads *l, const struct wf_deflect_row *o,
     double across = sqrt(wf_dot(n, n)), drag = o->drag;
     if (drag < 0) {
         double slope;
-        drag *= -wf_cylinder_drag(across, 2 * o->radius, l->air_viscosity, &slope);
+        drag *=
+            -l->axis_drag->coefficient(&l->axis_drag_par, across, 2 * o->radius, l->air_viscosity, &slope);
     }
     for (int k = 0; k < 3; k++) f[k] = drag * across * n[k];
     if (o->lift > 0 || o->lift < 0) {
@@ -98,7 +98,8 @@ static void wind_force_unbent(const struct wf_loads *l, const struct wf_deflect_
     double drag = o->drag, size = fabs(gust), pressure = gust * size * o->across;
     if (drag < 0) {
         double slope;
-        drag *= -wf_cylinder_drag(size * o->across, 2 * o->radius, l->air_viscosity, &slope);
+        drag *= -l->axis_drag->coefficient(&l->axis_drag_par, size * o->across, 2 * o->radius,
+                                           l->air_viscosity, &slope);
     }
     for (int k = 0; k < 3; k++) f[k] = pressure * (drag * o->normal[k] + o->lift * o->lifted[k]);
     if (o->sail > 0) {

@@ -185,10 +185,18 @@ char *wf_limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
         { "drag_coefficient", &sp->crown_drag },
         { "leaf_mass_per_area", &sp->leaf_mass_per_area },
         { "frontal_share", &sp->leaf_frontal_share },
-        { "streamlining exponent", &sp->streamlining.exponent },
     };
-    bool vogel = sp->streamlining.law && strcmp(sp->streamlining.law, "vogel") == 0;
-    add_assumed(buf, size, "crown", crown, COUNT(crown) - (vogel ? 0 : 1));
+    struct named_value all[COUNT(crown) + WF_LAW_PARAMETERS];
+    char name[WF_LAW_PARAMETERS][64];
+    size_t n = COUNT(crown);
+    memcpy(all, crown, sizeof crown);
+    const struct wf_law *law = an->loads.streamline ? &an->loads.streamline->law : NULL;
+    for (size_t k = 0, count = wf_law_count(law); k < count; k++) {
+        if (law->parameter[k].kind != WF_LAW_VALUE) continue;
+        (void)snprintf(name[k], sizeof name[k], "streamlining %s", law->parameter[k].name);
+        all[n++] = (struct named_value){ name[k], &sp->streamlining.parameter[k] };
+    }
+    add_assumed(buf, size, "crown", all, n);
     return buf;
 }
 

@@ -1,7 +1,6 @@
 /* The quantities a validation case can want, as rows. */
 #include "study/validate_measure.h"
 #include "base/vec.h"
-#include "data/section.h"
 #include "study/validate_flow.h"
 #include "study/validate_solve.h"
 #include <math.h>
@@ -169,7 +168,7 @@ static enum wf_status bending_stiffness(const struct wf_measured *m, const struc
     (void)e;
     double r = i < 0 ? t->r0[0] : t->r1[i], q = i < 0 ? t->i0[0] : t->i1[i];
     out[0] = t->stiff ? t->stiff[4 * (i < 0 ? 0 : i) + 2]
-                      : t->youngs[i < 0 ? 0 : i] * wf_ring_inertia(r, q);
+                      : t->youngs[i < 0 ? 0 : i] * 0.25 * pi * (pow(r, 4) - pow(q, 4));
     return WF_OK;
 }
 

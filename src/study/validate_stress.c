@@ -1,7 +1,8 @@
 #include "base/vec.h"
-#include "data/section.h"
 #include "study/validate_measure.h"
 #include <math.h>
+
+static const double pi = 3.14159265358979323846;
 
 /* Axis direction at a row's base (0) or end (1): bent, or unbent where the answer is one of small deflection.
  */
@@ -32,7 +33,7 @@ double wf_stress_at(const struct wf_tree *t, const struct wf_response *r, size_t
     double outer = t->r0[row] + s * (t->r1[row] - t->r0[row]),
            inner = t->i0[row] + s * (t->i1[row] - t->i0[row]);
     double twist = wf_dot(m, axis), bending = wf_dot(m, m) - twist * twist / wf_dot(axis, axis);
-    return sqrt(fmax(bending, 0.0)) * outer / wf_ring_inertia(outer, inner);
+    return sqrt(fmax(bending, 0.0)) * outer / (0.25 * pi * (pow(outer, 4) - pow(inner, 4)));
 }
 
 double wf_span_stress(const struct wf_tree *t, const struct wf_response *r, size_t row, double *share)
