@@ -79,7 +79,7 @@
     <td colspan="4">
       <xsl:variable name="law"><xsl:call-template name="term"><xsl:with-param name="id" select="concat('streamlining.', law)"/><xsl:with-param name="otherwise" select="law"/></xsl:call-template></xsl:variable>
       <xsl:choose>
-        <xsl:when test="law = 'vogel'"><xsl:call-template name="say"><xsl:with-param name="id">in.streamlining.from</xsl:with-param><xsl:with-param name="a" select="$law"/>
+        <xsl:when test="number(reference_speed/value) = number(reference_speed/value)"><xsl:call-template name="say"><xsl:with-param name="id">in.streamlining.from</xsl:with-param><xsl:with-param name="a" select="$law"/>
           <xsl:with-param name="b"><xsl:call-template name="given"><xsl:with-param name="x" select="reference_speed/value"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:when>
         <xsl:otherwise><xsl:value-of select="$law"/></xsl:otherwise>
       </xsl:choose>

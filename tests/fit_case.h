@@ -41,7 +41,7 @@ static inline void materials(struct set *s)
         .crown_drag = { .value = 0.5, .given = true },
         .leaf_mass_per_area = { .value = 0.2 },
         .leaf_frontal_share = { .value = 0.4 },
-        .streamlining = { .law = "vogel", .exponent = { .value = -0.7 }, .reference_speed = 5 }
+        .streamlining = { .law = "vogel", .parameter = { { .value = -0.7 }, { .value = 5 } } }
     };
 }
 
@@ -105,7 +105,7 @@ static inline void stem(struct set *s, enum wf_fit_load load)
     if (wf_grow_stem(&m, &s->species, &s->arena, &s->tree.tree, &s->err)) fail_msg("%s", s->err.text);
     wf_loads_default(&s->tree.loads);
     s->tree.loads.streamline = wf_streamline_named("vogel");
-    s->tree.loads.streamline_par = (struct wf_streamline_par){ .exponent = -0.7, .reference_speed = 5 };
+    s->tree.loads.streamline_par = (struct wf_law_values){ .number = { -0.7, 5 } };
     s->test = (struct wf_fit_test){ .name = "stem",
                                     .load = load,
                                     .states = 2,

@@ -9,6 +9,7 @@
 #include "data/model.h"
 #include "data/species.h"
 #include "grow/stem.h"
+#include "load/drag.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -88,7 +89,7 @@ static void species(const char *path, struct wf_arena *a, struct wf_diag *d, str
                                 .segments = 5,
                                 .crown_base = 4,
                                 .crown_top = 10 };
-    if (wf_species_read(path, a, &sp, d, e)) return;
+    if (wf_species_read(path, &wf_laws, a, &sp, d, e)) return;
     must(sp.levels > 0, "an accepted species has levels");
     for (size_t i = 0; i < sp.levels; i++) {
         const struct wf_value *v = &sp.level[i].density;

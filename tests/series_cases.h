@@ -38,7 +38,7 @@ static inline void start(struct made *m, const char *species, const char *model)
                                           .leaf_period = NAN,
                                           .keys = 1,
                                           .seed = 1 };
-    if (wf_species_read(species, &m->arena, &m->species, &m->diag, &m->err)) fail_msg("%s", m->err.text);
+    if (wf_species_read(species, &wf_laws, &m->arena, &m->species, &m->diag, &m->err)) fail_msg("%s", m->err.text);
     if (wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err)) fail_msg("%s", m->err.text);
 }
 

@@ -52,7 +52,7 @@ static void set_up(struct bench *b)
                                       .crown_drag = measured(0.5),
                                       .leaf_mass_per_area = measured(0.2),
                                       .leaf_frontal_share = measured(0.4),
-                                      .streamlining = { .law = "none", .exponent = measured(0) } };
+                                      .streamlining = { .law = "none", .parameter = { measured(0) } } };
     b->model = (struct wf_model){ .key = "post",
                                   .name = "Post",
                                   .height = HEIGHT,
@@ -173,8 +173,8 @@ static void test_crown(void **state)
     wf_arena_free(&b.arena);
     set_up(&b); /* Vogel: twice the reference speed, area halves */
     b.model.leaf_area = 10;
-    b.species.streamlining = (struct wf_streamlining){
-        .law = "vogel", .exponent = measured(-1), .reference_speed = 5, .speed_low = 1, .speed_high = 12
+    b.species.streamlining = (struct wf_law_use){
+        .law = "vogel", .parameter = { measured(-1), { .value = 5 } }, .low = 1, .high = 12
     };
     assert_int_equal(run(&b, "linear", (const double[]){ 10, 20 }, 2), WF_OK);
     assert_close(b.out.at[0].drag, axis + crown / 2, 1e-9);

@@ -1,5 +1,6 @@
 /* Stress and safety of sections, against closed forms of a cantilever. */
 #include "close.h"
+#include "data/section.h"
 #include "fail/breakage.h"
 #include "solve/chain.h"
 

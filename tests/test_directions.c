@@ -25,7 +25,7 @@ static void start(struct made *m, double lean, double azimuth)
 {
     *m = (struct made){ 0 };
     m->diag.arena = &m->arena;
-    if (wf_species_read("species/weeping_willow.yaml", &m->arena, &m->species, &m->diag, &m->err) ||
+    if (wf_species_read("species/weeping_willow.yaml", &wf_laws, &m->arena, &m->species, &m->diag, &m->err) ||
         wf_model_read("models/culm.yaml", &m->arena, &m->model, &m->diag, &m->err))
         fail_msg("%s", m->err.text);
     m->model.lean = lean, m->model.lean_azimuth = azimuth;

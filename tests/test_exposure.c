@@ -93,7 +93,7 @@ static void load_feels_it(void **state)
     struct wf_solve_options o;
     struct wf_analysis plain, exposed;
     const double named = 8, met = 10;
-    if (wf_species_read("species/weeping_willow.yaml", &arena, &sp, &d, &e) ||
+    if (wf_species_read("species/weeping_willow.yaml", &wf_laws, &arena, &sp, &d, &e) ||
         wf_model_read("models/culm.yaml", &arena, &m, &d, &e))
         fail_msg("%s", e.text);
     wf_scenario_default(&sc);

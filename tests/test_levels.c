@@ -381,7 +381,7 @@ static void shipped_models_grow(void **state)
         g = (struct grown){ 0 };
         g.diag.arena = &g.arena;
         if (wf_model_read(model, &g.arena, &g.model, &g.diag, &e) ||
-            wf_species_read(species, &g.arena, &g.species, &g.diag, &e) ||
+            wf_species_read(species, &wf_laws, &g.arena, &g.species, &g.diag, &e) ||
             wf_grow(&g.model, &g.species, &g.arena, &g.tree, &g.diag, &e) ||
             wf_tree_check(&g.tree, &g.diag, &e))
             fail_msg("%s", e.text);

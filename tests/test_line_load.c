@@ -88,7 +88,7 @@ static void crown_goes_with_the_wind(void **state)
     assert_close(f.force[2], 0, 0);
     for (int i = 0; i < 9; i++) assert_close(f.by_turn[i], 0, 0);
     l.streamline = wf_streamline_named("vogel");
-    l.streamline_par = (struct wf_streamline_par){ .exponent = -0.7, .reference_speed = 5 };
+    l.streamline_par = (struct wf_law_values){ .number = { -0.7, 5 } };
     wf_line_load(&l, &p, origin, to_y, &f);
     assert_close(f.force[0], 0.5 * 1.225 * 0.8 * 225 * pow(3, -0.7), 1e-14);
 }
@@ -102,7 +102,7 @@ static void still_air_gives_weight_alone(void **state)
     struct wf_line_load f;
     const double below[3] = { 0, 0, 0.4 };
     l.streamline = wf_streamline_named("vogel");
-    l.streamline_par = (struct wf_streamline_par){ .exponent = -0.7, .reference_speed = 5 };
+    l.streamline_par = (struct wf_law_values){ .number = { -0.7, 5 } };
     for (int still = 0; still < 2; still++) { /* in the calm layer, and without any wind */
         if (still) l.wind = NULL;
         wf_line_load(&l, &p, below, up, &f);
@@ -141,7 +141,7 @@ static void scales_act_on_the_force(void **state)
     struct wf_line_load whole, part;
     double t[3] = { 0.36, 0.48, 0.8 };
     l.streamline = wf_streamline_named("vogel");
-    l.streamline_par = (struct wf_streamline_par){ .exponent = -0.5, .reference_speed = 4 };
+    l.streamline_par = (struct wf_law_values){ .number = { -0.5, 4 } };
     wf_line_load(&l, &p, origin, t, &whole);
     l.wind_scale = 0.25, l.weight_scale = 0.5;
     wf_line_load(&l, &p, origin, t, &part);
@@ -212,9 +212,7 @@ static void derivatives(void **state)
         if (!strcmp(name, "swirl")) w.sample = swirl;
         struct wf_loads l = in_wind(&w);
         l.streamline = wf_streamline_named(law[k / 4 % 4]);
-        l.streamline_par = (struct wf_streamline_par){
-            .exponent = -0.7, .reference_speed = 5, .n = 4, .speed = speeds, .share = shares
-        };
+        l.streamline_par = (struct wf_law_values){ .number = { -0.7, 5 }, .n = 4, .list = { speeds, shares } };
         struct wf_line_point p = { .diameter = 0.15 + 0.1 * dice(&seed),
                                    .drag = k % 3 ? NAN : 1.1,
                                    .lift = 0.4 * dice(&seed),

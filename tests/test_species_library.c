@@ -3,6 +3,7 @@
 #include "close.h"
 #include "data/model.h"
 #include "data/species.h"
+#include "load/drag.h"
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -42,7 +43,7 @@ static struct wf_species read_species(const char *path, struct wf_arena *a)
     struct wf_diag d = { .arena = a };
     struct wf_err e = { 0 };
     struct wf_species s;
-    if (wf_species_read(path, a, &s, &d, &e) != WF_OK) print_error("%s: %s\n", path, e.text);
+    if (wf_species_read(path, &wf_laws, a, &s, &d, &e) != WF_OK) print_error("%s: %s\n", path, e.text);
     fail_on_findings(&d);
     assert_int_equal(e.code, WF_OK);
     return s;
@@ -86,13 +87,13 @@ static void check_crown(const char *key, const struct wf_species *s)
     check_value(key, &s->crown_drag, 0.2, 1.2);
     check_value(key, &s->leaf_mass_per_area, 0.05, 1.0);
     check_value(key, &s->leaf_frontal_share, 0.1, 0.6);
-    const struct wf_streamlining *m = &s->streamlining;
+    const struct wf_law_use *m = &s->streamlining;
     assert_string_equal(m->law, "vogel");
-    check_value(key, &m->exponent, -1.3, -0.2);
-    assert_true(m->speed_low < m->speed_high && m->speed_high <= 30);
-    assert_true(m->reference_speed >= 4 && m->reference_speed <= 10);
+    check_value(key, &m->parameter[0], -1.3, -0.2);
+    assert_true(m->low < m->high && m->high <= 30);
+    assert_true(m->parameter[1].value >= 4 && m->parameter[1].value <= 10);
     /* tunnel and field crowns on still-air area: 0.1 to 0.6 at 20 m/s */
-    double at_20 = s->crown_drag.value * pow(20 / m->reference_speed, m->exponent.value);
+    double at_20 = s->crown_drag.value * pow(20 / m->parameter[1].value, m->parameter[0].value);
     if (at_20 < 0.1 || at_20 > 0.6)
         fail_msg("%s: crown drag coefficient %g at 20 m/s, want 0.1 to 0.6", key, at_20);
 }

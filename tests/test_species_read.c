@@ -2,6 +2,7 @@
 #include "close.h"
 #include "data/species.h"
 #include "edited.h"
+#include "load/drag.h"
 
 static const char good[] =
     "species: moso\n"
@@ -45,7 +46,7 @@ static void read_text(const char *text, struct wf_arena *a, struct reading *r)
     memset(r, 0, sizeof *r);
     r->diag.arena = a;
     scratch_write(&s, text, strlen(text));
-    r->status = wf_species_read(s.path, a, &r->species, &r->diag, &r->err);
+    r->status = wf_species_read(s.path, &wf_laws, a, &r->species, &r->diag, &r->err);
     findings_print(&r->diag, r->findings, sizeof r->findings);
     scratch_remove(&s);
 }
@@ -103,12 +104,12 @@ static void a_table_is_read_in_si(void **state)
     assert_close(l[1].drag_coefficient.value, 1.1, 0);
     assert_value(&s->leaf_mass_per_area, 0.2, 0.15, 0.2, WF_ASSUMED, true);
     assert_close(s->leaf_frontal_share.value, 0.3, 0);
-    const struct wf_streamlining *m = &s->streamlining;
+    const struct wf_law_use *m = &s->streamlining;
     assert_string_equal(m->law, "vogel");
-    assert_value(&m->exponent, -0.7, -0.7, -0.7, WF_BORROWED, true);
+    assert_value(&m->parameter[0], -0.7, -0.7, -0.7, WF_BORROWED, true);
     assert_string_equal(m->source, "wang");
-    assert_close(m->reference_speed, 5, 1e-15);
-    assert_close(m->speed_high, 20, 0);
+    assert_close(m->parameter[1].value, 5, 1e-15);
+    assert_close(m->high, 20, 0);
     wf_arena_free(&a);
 }
 
@@ -126,10 +127,10 @@ static void a_table_law_and_no_crown_are_read(void **state)
     read_text(text, &a, &r);
     free(text);
     assert_string_equal(r.findings, "");
-    assert_string_equal(r.species.streamlining.law, "table");
+    const struct wf_law_use *m = &r.species.streamlining;
+    assert_string_equal(m->law, "table");
     assert_int_equal(r.species.streamlining.standing, WF_MEASURED);
-    assert_close(wf_along_at(&r.species.streamlining.table, 12, 1), 0.64, 1e-15);
-    assert_true(isnan(r.species.streamlining.reference_speed));
+    assert_close(wf_along_at(&(struct wf_along){ m->list[0].n, m->list[0].v, m->list[1].v }, 12, 1), 0.64, 1e-15);
     wf_arena_free(&a);
 
     char *bare = strdup(good);
@@ -139,7 +140,7 @@ static void a_table_law_and_no_crown_are_read(void **state)
     assert_int_equal(r.status, WF_OK);
     assert_string_equal(r.species.streamlining.law, "none");
     assert_true(!r.species.crown_drag.given && isnan(r.species.crown_drag.value));
-    assert_true(isnan(r.species.streamlining.speed_low));
+    assert_true(isnan(r.species.streamlining.low));
     wf_arena_free(&a);
 }
 
@@ -288,7 +289,7 @@ static void all_mistakes_of_a_file_come_at_once(void **state)
     struct wf_err e = { 0 };
     struct wf_species s;
     char text[4096];
-    assert_int_equal(wf_species_read("tests/data/bad/species.yaml", &a, &s, &d, &e), WF_EINPUT);
+    assert_int_equal(wf_species_read("tests/data/bad/species.yaml", &wf_laws, &a, &s, &d, &e), WF_EINPUT);
     findings_print(&d, text, sizeof text);
     assert_string_equal(
         text,
@@ -348,7 +349,7 @@ static void the_schema_is_printed(void **state)
     (void)state;
     struct wf_arena a = { 0 };
     struct wf_err e = { 0 };
-    const char *text = wf_species_schema(&a, &e);
+    const char *text = wf_species_schema(&wf_laws, &a, &e);
     assert_non_null(text);
     static const char *const lines[] = { "  levels[].youngs_modulus  (required)\n",
                                          "  crown.streamlining.exponent\n",

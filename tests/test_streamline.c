@@ -1,13 +1,10 @@
 /* Streamlining laws: values, continuity, derivative, and the spline against GSL's. */
 #include "close.h"
-#include "load/smooth.h"
-#include "load/streamline.h"
+#include "load/drag.h"
 #include <gsl/gsl_spline.h>
 
 static const double speed[] = { 2, 5, 6, 11, 20, 23 }, share[] = { 1, 0.9, 0.6, 0.45, 0.28, 0.28 };
-static const struct wf_streamline_par par = {
-    .exponent = -0.7, .reference_speed = 5, .n = 6, .speed = speed, .share = share
-};
+static const struct wf_law_values par = { .number = { -0.7, 5 }, .n = 6, .list = { speed, share } };
 
 static double at(const char *law, double u)
 {
@@ -18,9 +15,9 @@ static double at(const char *law, double u)
 static void rows(void **state)
 {
     (void)state;
-    for (const struct wf_streamline_law *l = wf_streamline_laws; l->name; l++) {
-        assert_ptr_equal(wf_streamline_named(l->name), l);
-        assert_true(l->source && l->validity && l->speed_high > l->speed_low && l->share);
+    for (const struct wf_streamline_law *l = wf_streamline_laws; l->law.name; l++) {
+        assert_ptr_equal(wf_streamline_named(l->law.name), l);
+        assert_true(l->law.source && l->law.validity && l->law.high > l->law.low && l->share);
     }
     assert_null(wf_streamline_named("Vogel"));
     assert_null(wf_streamline_named(NULL));
@@ -58,7 +55,7 @@ static void table_law(void **state)
         assert_true(at("table", u) <= before + 1e-15);
         before = at("table", u);
     }
-    const struct wf_streamline_par one = { .n = 1, .speed = speed, .share = share + 2 }, none = { 0 };
+    const struct wf_law_values one = { .n = 1, .list = { speed, share + 2 } }, none = { 0 };
     double slope;
     assert_close(wf_streamline_named("table")->share(&one, 1, &slope), 0.6, 0);
     assert_close(wf_streamline_named("table")->share(&one, 2, &slope), 0.6, 0);
@@ -68,7 +65,7 @@ static void table_law(void **state)
 static void continuous_derivative(void **state)
 {
     (void)state;
-    for (const struct wf_streamline_law *l = wf_streamline_laws; l->name; l++)
+    for (const struct wf_streamline_law *l = wf_streamline_laws; l->law.name; l++)
         for (double u = 0.013, before = 0; u < 30; u += 0.0037) {
             double slope, ignored, h = 1e-6;
             l->share(&par, u, &slope);

@@ -28,7 +28,7 @@ const char *wf_nearest(const char *word, const char *const *known, size_t n);
 /* The end of a message about a word that is not known: "; did you mean 'NEAREST'?", or "" where none is near.
  * For use as an argument: wf_did_you_mean(word, known, n).text. */
 struct wf_hint {
-    char text[640];
+    char text[2048];
 };
 struct wf_hint wf_did_you_mean(const char *word, const char *const *known, size_t n);
 /* The same; where no word is near "; OTHERWISE a, b, c" with all known words. */

@@ -5,6 +5,7 @@
 #include "base/vec3.h"
 #include "cases/keys.h"
 #include "cases/measure.h"
+#include "data/section.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -323,8 +324,7 @@ static void case_radius(const struct wf_case *c, double outer[2], double inner[2
 static enum wf_status material(const struct wf_case *c, struct wf_tree *t, struct wf_arena *a, double *ei,
                                double *mass, struct wf_err *e)
 {
-    double r = t->r0[0], q = t->i0[0], area = WF_PI * (r * r - q * q),
-           inertia = 0.25 * WF_PI * (pow(r, 4) - pow(q, 4));
+    double r = t->r0[0], q = t->i0[0], area = wf_ring_area(r, q), inertia = wf_ring_inertia(r, q);
     double youngs = or_else(c->youngs, c->ei / inertia), poisson = or_else(c->poisson, 0.0);
     double shear = or_else(c->shear, 0.5 * youngs / (1.0 + poisson));
     *mass = or_else(c->mass_per_length, or_else(c->density * area, isnan(c->weight_parameter) ? 0.0 : 1.0));

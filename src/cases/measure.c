@@ -2,6 +2,7 @@
 #include "cases/measure.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "data/section.h"
 #include "wind/potential.h"
 #include <math.h>
 #include <stdint.h>
@@ -37,7 +38,7 @@ static double stress_at(const struct wf_tree *t, const struct wf_response *r, si
     double outer = t->r0[row] + s * (t->r1[row] - t->r0[row]),
            inner = t->i0[row] + s * (t->i1[row] - t->i0[row]);
     double twist = wf_dot(m, axis), bending = wf_dot(m, m) - twist * twist / wf_dot(axis, axis);
-    return sqrt(fmax(bending, 0.0)) * outer / (0.25 * WF_PI * (pow(outer, 4) - pow(inner, 4)));
+    return sqrt(fmax(bending, 0.0)) * outer / wf_ring_inertia(outer, inner);
 }
 
 /* Largest extreme-fibre bending stress [Pa] of a row's span and where, as share of the row's length. Between
@@ -336,8 +337,7 @@ static enum wf_status bending_stiffness(const struct wf_measured *m, const struc
     int32_t i = row_of(m, w);
     (void)e;
     double r = i < 0 ? t->r0[0] : t->r1[i], q = i < 0 ? t->i0[0] : t->i1[i];
-    out[0] = t->stiff ? t->stiff[4 * (i < 0 ? 0 : i) + 2]
-                      : t->youngs[i < 0 ? 0 : i] * 0.25 * WF_PI * (pow(r, 4) - pow(q, 4));
+    out[0] = t->stiff ? t->stiff[4 * (i < 0 ? 0 : i) + 2] : t->youngs[i < 0 ? 0 : i] * wf_ring_inertia(r, q);
     return WF_OK;
 }
 

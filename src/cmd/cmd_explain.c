@@ -104,7 +104,7 @@ static enum wf_status run(const struct wf_args *g, const char *command, struct w
     wf_scenario_default(&an.scenario);
     an.scenario.azimuth = wf_args_number(g, "--azimuth");
     wf_solve_options_default(&o);
-    enum wf_status s = wf_species_read(wf_shipped("species", g->operand[0], a), a, &sp, &d, e);
+    enum wf_status s = wf_species_read(wf_shipped("species", g->operand[0], a), &wf_laws, a, &sp, &d, e);
     if (!s) s = wf_model_read(wf_shipped("models", wf_args_text(g, "--model"), a), a, &m, &d, e);
     if (!s) s = wf_scenario_profile(&an.scenario, &profile, a, &d, e);
     if (!s) s = wf_scenario_check(&an.scenario, e);

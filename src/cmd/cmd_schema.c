@@ -4,8 +4,9 @@
 #include "cmd/cmd.h"
 #include "cmd/study_file.h"
 #include "data/model.h"
-#include "data/species_schema.h"
+#include "data/species.h"
 #include "fit/calibration.h"
+#include "load/drag.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -15,8 +16,8 @@ int wf_cmd_schema(int argc, char **argv)
                                 "  windfirm schema study";
     enum { WORDS = 4 };
     static const char *const word[WORDS] = { "species", "model", "fit", "study" };
-    static const struct wf_yaml_table *const table[WORDS] = { &wf_species_table, &wf_model_table,
-                                                              &wf_fit_study_table, NULL };
+    static const struct wf_yaml_table *const table[WORDS] = { NULL, &wf_model_table, &wf_fit_study_table,
+                                                              NULL };
     static const struct wf_option none[] = { { 0 } };
     struct wf_arena arena = { 0 };
     struct wf_args args;
@@ -31,8 +32,9 @@ int wf_cmd_schema(int argc, char **argv)
                     args.operand[0], near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
             code = 2;
         } else {
-            const char *text =
-                table[k] ? wf_yaml_schema(table[k], &arena, &e) : wf_study_file_schema(&arena, &e);
+            const char *text = table[k] ? wf_yaml_schema(table[k], &arena, &e)
+                               : k == 0 ? wf_species_schema(&wf_laws, &arena, &e)
+                                        : wf_study_file_schema(&arena, &e);
             code = text ? (fputs(text, stdout), 0) : wf_complain(&e);
         }
     }

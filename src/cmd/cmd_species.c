@@ -2,6 +2,7 @@
 #include "base/text.h"
 #include "cmd/cmd.h"
 #include "data/species.h"
+#include "load/drag.h"
 #include <glob.h>
 #include <stdio.h>
 #include <string.h>
@@ -16,7 +17,7 @@ static int list(struct wf_arena *a)
     printf("%-18s %-8s %-28s %s\n", "name", "preset", "species", "latin");
     for (size_t i = 0; i < found.gl_pathc; i++) {
         struct wf_species sp;
-        if (wf_species_read(found.gl_pathv[i], a, &sp, &d, NULL)) continue;
+        if (wf_species_read(found.gl_pathv[i], &wf_laws, a, &sp, &d, NULL)) continue;
         printf("%-18s %-8s %-28s %s\n", sp.key, strcmp(sp.preset, "corrected") ? "printed" : "", sp.name,
                sp.latin ? sp.latin : "");
     }
@@ -52,7 +53,6 @@ static const struct shown crown_rows[] = {
     { "drag_coefficient", offsetof(struct wf_species, crown_drag), WF_DIM_NONE, "" },
     { "leaf_mass_per_area", offsetof(struct wf_species, leaf_mass_per_area), WF_DIM_MASS_PER_AREA, "kg/m2" },
     { "frontal_share", offsetof(struct wf_species, leaf_frontal_share), WF_DIM_NONE, "" },
-    { "streamlining exponent", offsetof(struct wf_species, streamlining.exponent), WF_DIM_NONE, "" },
 };
 
 static void show_values(struct wf_units *u, const char *base, const struct shown *row, size_t n)
@@ -75,13 +75,25 @@ static void show_values(struct wf_units *u, const char *base, const struct shown
     }
 }
 
+/* The sourced values of a crown's law. */
+static void show_law(struct wf_units *u, const struct wf_law *law, const struct wf_law_use *use)
+{
+    for (size_t k = 0, n = wf_law_count(law); k < n; k++) {
+        const struct wf_law_parameter *p = &law->parameter[k];
+        char name[64];
+        snprintf(name, sizeof name, "streamlining %s", p->name);
+        const struct shown row = { name, 0, p->dimension, p->unit ? p->unit : "" };
+        if (p->kind == WF_LAW_VALUE) show_values(u, (const char *)&use->parameter[k], &row, 1);
+    }
+}
+
 static int show(const char *name, struct wf_arena *a)
 {
     struct wf_diag d = { .arena = a };
     struct wf_err e = { 0 };
     struct wf_species sp;
     struct wf_units *u;
-    if (wf_species_read(wf_shipped("species", name, a), a, &sp, &d, &e)) {
+    if (wf_species_read(wf_shipped("species", name, a), &wf_laws, a, &sp, &d, &e)) {
         wf_print_findings(&d, false);
         return d.errors ? 2 : wf_complain(&e);
     }
@@ -99,6 +111,7 @@ static int show(const char *name, struct wf_arena *a)
     }
     printf("\ncrown\n");
     show_values(u, (const char *)&sp, crown_rows, sizeof crown_rows / sizeof *crown_rows);
+    show_law(u, wf_law_named(wf_laws.streamlining, sp.streamlining.law), &sp.streamlining);
     wf_units_close(u);
     return 0;
 }

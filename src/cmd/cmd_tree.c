@@ -3,6 +3,7 @@
 #include "cmd/import_options.h"
 #include "cmd/tree_draw.h"
 #include "cmd/tree_print.h"
+#include "load/drag.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -92,7 +93,7 @@ static int info(struct ask *k, struct wf_arena *a)
     k->wear.density = wf_args_number(k->args, "--density");
     k->wear.leaf_area = wf_args_number(k->args, "--leaf-area");
     if (name) {
-        enum wf_status s = wf_species_read(wf_shipped("species", name, a), a, &species, &d, &e);
+        enum wf_status s = wf_species_read(wf_shipped("species", name, a), &wf_laws, a, &species, &d, &e);
         wf_print_findings(&d, false);
         if (s) return wf_complain(&e);
         k->wear.species = &species;

@@ -102,25 +102,45 @@ static void level(FILE *f, const struct wf_fit_job *j, const struct wf_species *
     along(f, "wall", &l->wall, &l->wall_note);
 }
 
-static void streamlining(FILE *f, const struct wf_fit_job *j, const struct wf_streamlining *s,
-                         const char *study)
+/* "speed: [4 m/s, 20 m/s]" */
+static void list(FILE *f, const char *key, const struct wf_numbers *v, const char *unit)
 {
+    fprintf(f, "    %s: [", key);
+    for (size_t i = 0; i < v->n; i++)
+        fprintf(f, "%s%.9g%s%s", i ? ", " : "", v->v[i], *unit ? " " : "", unit);
+    fputs("]\n", f);
+}
+
+static void parameter(FILE *f, const struct wf_fit_job *j, const struct wf_law_parameter *p,
+                      const struct wf_law_use *u, size_t k, const char *study)
+{
+    const char *si = wf_dimension_row(p->dimension)->si, *unit = p->dimension == WF_DIM_NONE ? "" : si;
+    char spaced[32];
+    snprintf(spaced, sizeof spaced, "%s%s", *unit ? " " : "", unit);
+    if (p->kind == WF_LAW_LIST)
+        list(f, p->name, &u->list[k], unit);
+    else if (p->kind == WF_LAW_NUMBER)
+        fprintf(f, "    %s: %.9g%s\n", p->name, u->parameter[k].value, spaced);
+    else
+        value(f, "    ", p->name, &u->parameter[k],
+              strcmp(p->name, WF_FIT_CROWN_LAW) ? NULL : fitted(j, WF_FIT_VOGEL, -1), 1,
+              (struct unit){ spaced, 1 }, study);
+}
+
+static void streamlining(FILE *f, const struct wf_fit_job *j, const struct wf_law_use *s, const char *study)
+{
+    const struct wf_law *law = wf_law_named(wf_laws.streamlining, s->law);
+    bool lists = false;
     if (!s->law) return;
     fprintf(f, "  streamlining:\n    law: %s\n", s->law);
-    if (!strcmp(s->law, "vogel")) {
-        value(f, "    ", "exponent", &s->exponent, fitted(j, WF_FIT_VOGEL, -1), 1, plain, study);
-        fprintf(f, "    reference_speed: %.9g m/s\n", s->reference_speed);
+    for (size_t k = 0, n = wf_law_count(law); k < n; k++) {
+        parameter(f, j, &law->parameter[k], s, k, study);
+        lists |= law->parameter[k].kind == WF_LAW_LIST;
     }
-    if (s->table.n) {
-        fputs("    speed: [", f);
-        for (size_t i = 0; i < s->table.n; i++) fprintf(f, "%s%.9g m/s", i ? ", " : "", s->table.s[i]);
-        fputs("]\n    share: [", f);
-        for (size_t i = 0; i < s->table.n; i++) fprintf(f, "%s%.9g", i ? ", " : "", s->table.v[i]);
-        fprintf(f, "]\n    status: %s\n", wf_standing_text(s->standing));
-    }
+    if (lists) fprintf(f, "    status: %s\n", wf_standing_text(s->standing));
     if (s->source) fprintf(f, "    source: %s\n", s->source);
-    if (!isnan(s->speed_low)) fprintf(f, "    valid_from: %.9g m/s\n", s->speed_low);
-    if (!isnan(s->speed_high)) fprintf(f, "    valid_to: %.9g m/s\n", s->speed_high);
+    if (!isnan(s->low)) fprintf(f, "    valid_from: %.9g m/s\n", s->low);
+    if (!isnan(s->high)) fprintf(f, "    valid_to: %.9g m/s\n", s->high);
 }
 
 /* What was fitted and has no key in a species table. */

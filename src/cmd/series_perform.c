@@ -28,7 +28,7 @@ static enum wf_status read_run(const struct wf_series_plan_run *r, const char *f
     struct wf_model *m = WF_TAKE(a, 1, struct wf_model);
     struct wf_err why[2] = { { 0 }, { 0 } };
     if (!sp || !m) return wf_fail(e, WF_ENOMEM, "no memory");
-    enum wf_status s = wf_species_read(named("species", r->species, file, a), a, sp, &d, &why[0]);
+    enum wf_status s = wf_species_read(named("species", r->species, file, a), &wf_laws, a, sp, &d, &why[0]);
     enum wf_status t = wf_model_read(named("models", r->model, file, a), a, m, &d, &why[1]);
     wf_print_findings(&d, false);
     if (s || t) return wf_fail(e, s ? s : t, "run '%s': %s", r->name, s ? why[0].text : why[1].text);

@@ -51,7 +51,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
         const char *path = wf_shipped("species", w->args.operand[k], &w->arena);
         size_t before = d.errors;
         next = (struct wf_err){ 0 };
-        enum wf_status s = wf_species_read(path, &w->arena, &w->species[k], &d, &next);
+        enum wf_status s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
         if (s && d.errors == before) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
         if (s && !worst) worst = s;
         if (!s && (s = note(w, "species", path, e))) return s;

@@ -1,6 +1,7 @@
 #include "cmd/tree_draw.h"
 #include "cmd/study.h"
 #include "grow/grow.h"
+#include "load/drag.h"
 #include "out/tree_picture.h"
 
 static const struct wf_option options[] = {
@@ -33,7 +34,9 @@ static enum wf_status draw(const struct wf_args *g, struct wf_arena *a, struct w
     struct wf_tree tree;
     const char *path, *to = wf_args_text(g, "--output");
     enum wf_status s = wf_study_tree(g, g->n ? g->operand[0] : NULL, a, &model, &path, d, e);
-    if (!s) s = wf_species_read(wf_shipped("species", wf_args_text(g, "--species"), a), a, &species, d, e);
+    if (!s)
+        s = wf_species_read(wf_shipped("species", wf_args_text(g, "--species"), a), &wf_laws, a, &species, d,
+                            e);
     if (!s) s = wf_grow(&model, &species, a, &tree, d, e);
     if (!s) s = wf_tree_check(&tree, d, e);
     if (s) return s;

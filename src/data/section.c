@@ -1,4 +1,6 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "data/section.h"
+#include "base/num.h"
 #include <math.h>
 
 const char *const wf_section_words[] = { "ellipse", "rectangle", "triangle", NULL };
@@ -7,8 +9,8 @@ const char *const wf_section_words[] = { "ellipse", "rectangle", "triangle", NUL
 static double rectangle_torsion(double w, double h)
 {
     double shorter = fmin(w, h), longer = fmax(w, h), sum = 0;
-    for (int n = 1; n < 100; n += 2) sum += tanh(n * M_PI * longer / (2 * shorter)) / pow(n, 5);
-    double cut = 192 / pow(M_PI, 5) * shorter / longer * sum;
+    for (int n = 1; n < 100; n += 2) sum += tanh(n * WF_PI * longer / (2 * shorter)) / pow(n, 5);
+    double cut = 192 / pow(WF_PI, 5) * shorter / longer * sum;
     return longer * shorter * shorter * shorter * (1 - cut) / 3;
 }
 
@@ -17,7 +19,7 @@ void wf_section_of(enum wf_section_shape shape, double w, double h, struct wf_se
     double area = w * h, w2 = w * w, h2 = h * h;
     switch (shape) {
     case WF_SECTION_ELLIPSE:
-        area *= M_PI / 4;
+        area *= WF_PI / 4;
         *out = (struct wf_section){ area, area * h2 / 16, area * w2 / 16, area * w2 * h2 / (4 * (w2 + h2)) };
         return;
     case WF_SECTION_TRIANGLE:
@@ -52,7 +54,7 @@ double wf_tree_area(const struct wf_tree *t, size_t i, double s)
 {
     double outer = between(t->r0[i], t->r1[i], s), inner = between(t->i0[i], t->i1[i], s);
     struct wf_section of;
-    if (!t->section) return M_PI * (outer * outer - inner * inner);
+    if (!t->section) return wf_ring_area(outer, inner);
     wf_section_at(t, i, s, &of);
     return of.area;
 }

@@ -1,7 +1,22 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_DATA_SECTION_H
 #define WF_DATA_SECTION_H
-/* Solid cross-sections that are not round: petioles, rachides, flattened branches. */
+/* Cross-sections: rings, and solid ones that are not round: petioles, rachides, flattened branches. */
+#include "base/num.h"
 #include "data/tree.h"
+#include <math.h>
+
+/* Area of a ring; radii [m] -> [m2]. An inner radius of 0 is a solid circle. */
+static inline double wf_ring_area(double outer, double inner)
+{
+    return WF_PI * (outer * outer - inner * inner);
+}
+
+/* Second moment of area of a ring about a diameter; radii [m] -> [m4]. Its polar moment is twice that. */
+static inline double wf_ring_inertia(double outer, double inner)
+{
+    return 0.25 * WF_PI * (outer * outer * outer * outer - inner * inner * inner * inner);
+}
 
 enum wf_section_shape { WF_SECTION_ELLIPSE, WF_SECTION_RECTANGLE, WF_SECTION_TRIANGLE, WF_SECTION_SHAPES };
 extern const char *const wf_section_words[]; /* in that order; ends at NULL */

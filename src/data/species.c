@@ -1,7 +1,9 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The species table: its rows, the checks between its keys, and what is asked of it. */
 #include "data/species.h"
 #include "base/num.h"
 #include "base/text.h"
-#include "data/species_schema.h"
+#include "data/value.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,12 +27,25 @@ const char *wf_species_source(const struct wf_species *sp, const char *key)
     return NULL;
 }
 
+const struct wf_level *wf_species_level(const struct wf_species *sp, int32_t level)
+{
+    size_t k = level < 0 ? 0 : (size_t)level;
+    return &sp->level[k < sp->levels ? k : sp->levels - 1];
+}
+
+const struct wf_level *wf_species_wood(const struct wf_species *sp, int32_t order, double radius)
+{
+    const struct wf_level *v = wf_species_level(sp, order);
+    while (v > sp->level && v->radius.given && radius > v->radius.high) v--;
+    return v;
+}
+
 /* Shear modulus along the grain when nobody measured it. E/G of the species in Forest Products Laboratory
  * 2010 (Wood Handbook, FPL-GTR-190, Table 5-1, 12 % moisture) lies between 7 (cherry) and 27 (balsa) for the
  * two planes along the grain; 16 is near the middle. Bending hardly depends on it, torsion does. */
 static const double modulus_ratio = 16.0;
 
-void wf_level_finish(struct wf_yaml *y, void *level)
+static void level_finish(struct wf_yaml *y, void *level)
 {
     struct wf_level *l = level;
     (void)y;
@@ -49,38 +64,369 @@ static void need_source(struct wf_yaml *y, enum wf_standing s)
                       wf_standing_text(s));
 }
 
-void wf_wall_finish(struct wf_yaml *y, void *level)
+static void wall_finish(struct wf_yaml *y, void *level)
 {
     const struct wf_level *l = level;
     wf_value_ascending(y, "at", l->wall.s ? l->wall.n : 0, l->wall.s);
     need_source(y, l->wall_note.standing);
 }
 
-/* Keys that belong to one law: needed by it, refused by the others. */
-static void keys_of_law(struct wf_yaml *y, const char *law, const char *chosen, const char *const key[2])
+#define WALL(member)                                                                                         \
+    .offset = offsetof(struct wf_level, wall.member), .count = offsetof(struct wf_level, wall.n)
+#define WALL_NOTE(member) .offset = offsetof(struct wf_level, wall_note.member)
+static const struct wf_yaml_row wall_rows[] = {
+    { .key = "at",
+      .kind = WF_YAML_QUANTITIES,
+      .required = true,
+      .low = 0,
+      .high = 1,
+      WALL(s),
+      .doc = "Relative positions along the axis, 0 = base, 1 = tip, ascending.",
+      .example = "[0, 0.3, 1]" },
+    { .key = "share",
+      .kind = WF_YAML_QUANTITIES,
+      .required = true,
+      .low = 1e-3,
+      .high = 0.999,
+      .same_length_as = "at",
+      WALL(v),
+      .doc =
+          "Wall thickness over the local outer radius at these positions; linear between, constant outside.",
+      .example = "[0.2, 0.2, 0.24]" },
+    { .key = "status",
+      .kind = WF_YAML_ENUM,
+      .preset = "assumed",
+      .choices = wf_standing_words,
+      WALL_NOTE(standing),
+      .doc = "As for a value." },
+    { .key = "source",
+      .kind = WF_YAML_NAME,
+      .absent = "allowed for an assumed wall only",
+      WALL_NOTE(source),
+      .doc = "A key of 'sources'." },
+    { .key = "note",
+      .kind = WF_YAML_TEXT,
+      .absent = "no note",
+      WALL_NOTE(note),
+      .doc = "Conditions of the measurement, reasons of an assumption." },
+    { .key = NULL },
+};
+static const struct wf_yaml_table wall_table = {
+    .title = "a hollow section", .row = wall_rows, .finish = wall_finish, .doc = ""
+};
+
+#define LEVEL(k, dim, u, from, to)                                                                           \
+    .key = #k, WF_VALUE_ROW(struct wf_level, k), .dimension = dim, .unit = u, .low = from, .high = to
+static const struct wf_yaml_row level_rows[] = {
+    { .key = "name",
+      .kind = WF_YAML_NAME,
+      .required = true,
+      .offset = offsetof(struct wf_level, name),
+      .doc = "Name of the level.",
+      .example = "branch" },
+    { LEVEL(youngs_modulus, WF_DIM_PRESSURE, "GPa", 1e6, 200e9), .required = true,
+      .doc = "Young's modulus along the grain, green.", .example = "10 GPa" },
+    { LEVEL(shear_modulus, WF_DIM_PRESSURE, "GPa", 1e5, 100e9), .absent = "youngs_modulus / 16, assumed",
+      .doc = "Shear modulus in planes along the grain, green.", .example = "0.6 GPa" },
+    { LEVEL(density, WF_DIM_DENSITY, "kg/m3", 50, 4000), .required = true,
+      .doc = "Mass of the living axis, water included, per volume of its wall.", .example = "900 kg/m3" },
+    { LEVEL(modulus_of_rupture, WF_DIM_PRESSURE, "MPa", 1e5, 2e9),
+      .absent = "no breakage check of this level",
+      .doc = "Bending strength along the grain, green, of clear wood.", .example = "60 MPa" },
+    { LEVEL(radius, WF_DIM_LENGTH, "mm", 1e-5, 5), .required = true,
+      .doc = "Typical outer radius at the base of the axis.", .example = "50 mm" },
+    { LEVEL(damping_ratio, WF_DIM_NONE, NULL, 0, 1), .preset = "0", .absent = "0, undamped",
+      .doc = "Internal damping as a share of critical.", .example = "0.03" },
+    { LEVEL(knot_factor, WF_DIM_NONE, NULL, 0.01, 1), .preset = "1",
+      .doc = "Bending strength of the axis over that of clear wood.", .example = "0.85" },
+    { LEVEL(drag_coefficient, WF_DIM_NONE, NULL, 0, 3), .absent = "a rough cylinder's, by Reynolds number",
+      .doc = "Drag coefficient of the bare axis in cross-flow on its diameter.", .example = "1.2" },
+    { LEVEL(lift_coefficient, WF_DIM_NONE, NULL, -3, 3), .preset = "0",
+      .doc = "Force across wind and axis, as the drag coefficient.", .example = "0.1" },
+    { .key = "wall",
+      .kind = WF_YAML_TABLE,
+      .table = &wall_table,
+      .given = 1 + offsetof(struct wf_level, wall_note.given),
+      .absent = "a solid section",
+      .doc = "Hollow section." },
+    { .key = NULL },
+};
+static const struct wf_yaml_table level_table = { .title = "a branching level",
+                                                  .row = level_rows,
+                                                  .size = sizeof(struct wf_level),
+                                                  .finish = level_finish,
+                                                  .doc = "" };
+
+/* Keys of a law: the choice, then the parameters of all laws of the table, each key once. While a file is
+ * read the parameters stand in the order of the keys; at the end those of the law chosen move to the front.
+ */
+#define USE(member) offsetof(struct wf_law_use, member)
+#define SPEED(k, member, words)                                                                              \
+    .key = k, .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_SPEED, .unit = "m/s", .low = 0, .high = 150,     \
+    .absent = "not said", .offset = USE(member), .doc = words
+static const struct wf_yaml_row range_rows[] = {
+    /* of streamlining laws */
+    { SPEED("valid_from", low, "Lowest wind speed the source covers; a run outside says so."),
+      .example = "4 m/s" },
+    { SPEED("valid_to", high, "Highest wind speed the source covers."), .example = "20 m/s" },
+    { .key = NULL },
+};
+static const struct wf_yaml_row origin_rows[] = {
+    { .key = "status",
+      .kind = WF_YAML_ENUM,
+      .preset = "assumed",
+      .choices = wf_standing_words,
+      .offset = USE(standing),
+      .doc = "Standing of the table, as for a value." },
+    { .key = "source", .kind = WF_YAML_NAME, .offset = USE(source), .doc = "A key of 'sources'." },
+    { .key = "note",
+      .kind = WF_YAML_TEXT,
+      .absent = "no note",
+      .offset = WF_YAML_DROP,
+      .doc = "Conditions of the measurement, reasons of an assumption." },
+    { .key = NULL },
+};
+
+enum { LAWS_MAX = 24, LAW_ROWS = 1 + WF_LAW_KEYS + 6 };
+
+/* The k-th key of a table of laws; NULL behind the last. *owner: the first law that has it. */
+static const struct wf_law_parameter *law_key(struct wf_law_table t, size_t k, const struct wf_law **owner)
 {
-    bool mine = !strcmp(law, chosen);
-    for (int i = 0; i < 2; i++) {
-        bool has = wf_yaml_has(y, key[i]);
-        if (mine && !has) wf_yaml_error(y, "", "law '%s' needs the key '%s'", law, key[i]);
-        if (!mine && has) wf_yaml_error(y, key[i], "is for law '%s'; the law here is '%s'", law, chosen);
+    const struct wf_law *l;
+    for (size_t i = 0, found = 0; (l = wf_law_row(t, i)); i++)
+        for (size_t p = 0, n = wf_law_count(l); p < n; p++) {
+            if (wf_law_owner(t, l->parameter[p].name) != l) continue;
+            *owner = l;
+            if (found++ == k) return &l->parameter[p];
+        }
+    return NULL;
+}
+
+/* "vogel", or "vogel, mayhead": the laws that have a parameter of that name. */
+static void law_names(struct wf_law_table t, const char *name, char *buf, size_t size)
+{
+    const struct wf_law *l;
+    size_t used = 0;
+    for (size_t i = 0; (l = wf_law_row(t, i)) && used < size; i++)
+        if (wf_law_find(l, name) >= 0)
+            used += (size_t)snprintf(buf + used, size - used, "%s%s", used ? ", " : "", l->name);
+}
+
+/* "none: a rigid crown; vogel: ... ." */
+static char *law_summary(struct wf_law_table t, struct wf_arena *a)
+{
+    const struct wf_law *l;
+    char *text = wf_arena_text(a, "");
+    for (size_t i = 0; text && (l = wf_law_row(t, i)); i++)
+        text = wf_arena_print(a, "%s%s%s: %s", text, i ? "; " : "", l->name, l->summary);
+    return text ? wf_arena_print(a, "%s.", text) : NULL;
+}
+
+/* The list of a law that must ascend, and that its others are as long as. */
+static const struct wf_law_parameter *first_list(const struct wf_law *l)
+{
+    for (size_t k = 0, n = wf_law_count(l); k < n; k++)
+        if (l->parameter[k].kind == WF_LAW_LIST) return &l->parameter[k];
+    return NULL;
+}
+
+/* The row of the k-th key. Returned: false without room. */
+static bool law_row(struct wf_law_table t, size_t k, struct wf_arena *a, struct wf_yaml_row *out)
+{
+    char names[200] = "";
+    const struct wf_law *owner;
+    const struct wf_law_parameter *p = law_key(t, k, &owner), *first = first_list(owner);
+    const size_t value = USE(parameter) + k * sizeof(struct wf_value);
+    const size_t list = USE(list) + k * sizeof(struct wf_numbers);
+    law_names(t, p->name, names, sizeof names);
+    *out = (struct wf_yaml_row){ .key = p->name,
+                                 .dimension = p->dimension,
+                                 .unit = p->unit,
+                                 .low = p->low,
+                                 .high = p->high,
+                                 .preset = p->preset,
+                                 .doc = p->doc,
+                                 .example = p->example };
+    out->absent = p->preset ? wf_arena_print(a, "%s by law %s, refused by the others", p->preset, names)
+                            : wf_arena_print(a, "needed by law %s, refused by the others", names);
+    switch (p->kind) {
+    case WF_LAW_NUMBER:
+        out->kind = WF_YAML_QUANTITY, out->offset = value + offsetof(struct wf_value, value);
+        break;
+    case WF_LAW_VALUE:
+        out->kind = WF_YAML_TABLE, out->table = &wf_value_table, out->offset = value;
+        out->given = 1 + value + offsetof(struct wf_value, given);
+        break;
+    case WF_LAW_LIST:
+        out->kind = WF_YAML_QUANTITIES, out->offset = list + offsetof(struct wf_numbers, v);
+        out->count = list + offsetof(struct wf_numbers, n);
+        out->same_length_as = first == p ? NULL : first->name;
+    }
+    return out->absent != NULL;
+}
+
+/* Keys that belong to some laws: needed by them, refused by the others. */
+static void law_keys_fit(struct wf_yaml *y, const struct wf_law_use *u)
+{
+    const struct wf_law *chosen = wf_law_named(u->from, u->law), *owner;
+    const struct wf_law_parameter *p;
+    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++) {
+        bool mine = wf_law_find(chosen, p->name) >= 0, has = wf_yaml_has(y, p->name);
+        if (mine && !has && !p->preset)
+            wf_yaml_error(y, "", "law '%s' needs the key '%s'", chosen->name, p->name);
+        if (!mine && has)
+            wf_yaml_error(y, p->name, "is for law '%s'; the law here is '%s'", owner->name, chosen->name);
     }
 }
 
-void wf_streamlining_finish(struct wf_yaml *y, void *species)
+/* Source of the first parameter that has one. */
+static const char *law_parameter_source(const struct wf_law_use *u)
 {
-    struct wf_streamlining *s = &((struct wf_species *)species)->streamlining;
+    const struct wf_law *owner;
+    for (size_t k = 0; law_key(u->from, k, &owner); k++)
+        if (u->parameter[k].source) return u->parameter[k].source;
+    return NULL;
+}
+
+static void law_finish(struct wf_yaml *y, void *use)
+{
+    struct wf_law_use *u = use;
     const char *law = wf_yaml_raw(y, "law");
-    bool chosen = law && !strcmp(law, s->law); /* a law that is not known was refused already */
-    if (chosen) keys_of_law(y, "vogel", s->law, (const char *const[]){ "exponent", "reference_speed" });
-    if (chosen) keys_of_law(y, "table", s->law, (const char *const[]){ "speed", "share" });
-    wf_value_ascending(y, "speed", s->table.s ? s->table.n : 0, s->table.s);
-    need_source(y, s->standing);
-    if (s->speed_low >= s->speed_high)
+    const struct wf_law *owner;
+    const struct wf_law_parameter *p;
+    if (law && !strcmp(law, u->law)) law_keys_fit(y, u); /* a law that is not known was refused already */
+    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++)
+        if (p == first_list(owner))
+            wf_value_ascending(y, p->name, u->list[k].v ? u->list[k].n : 0, u->list[k].v);
+    need_source(y, u->standing);
+    if (u->low >= u->high)
         wf_yaml_error(y, "valid_to", "%s is not above valid_from %s", wf_yaml_raw(y, "valid_to"),
                       wf_yaml_raw(y, "valid_from"));
-    if (!s->source) s->source = s->exponent.source;
+    if (!u->source) u->source = law_parameter_source(u);
 }
+
+/* From the order of the keys to that of the chosen law's row. */
+static void law_settle(struct wf_law_use *u)
+{
+    const struct wf_law *chosen = wf_law_named(u->from, u->law), *owner;
+    const struct wf_law_use read = *u;
+    const struct wf_law_parameter *p;
+    memset(u->parameter, 0, sizeof u->parameter);
+    memset(u->list, 0, sizeof u->list);
+    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++) {
+        int at = wf_law_find(chosen, p->name);
+        if (at >= 0) u->parameter[at] = read.parameter[k], u->list[at] = read.list[k];
+    }
+}
+
+/* The schema of a table's keys. */
+struct law_schema {
+    const char *word[LAWS_MAX];
+    struct wf_yaml_row row[LAW_ROWS];
+    struct wf_yaml_table table;
+};
+
+static size_t copy_rows(struct wf_yaml_row *to, const struct wf_yaml_row *from)
+{
+    size_t n = 0;
+    while (from[n].key) to[n] = from[n], n++;
+    return n;
+}
+
+/* Given: the laws, rows between their parameters and the origin. Returned: false without room. */
+static bool law_schema(struct wf_law_table t, const char *title, const struct wf_yaml_row *between,
+                       struct wf_arena *a, struct law_schema *out)
+{
+    const struct wf_law *l, *owner, *example = NULL;
+    const struct wf_law_parameter *p, *sourced = NULL;
+    struct wf_yaml_row *r = out->row;
+    for (size_t i = 0; i + 1 < LAWS_MAX && (l = wf_law_row(t, i)); i++) {
+        out->word[i] = l->name;
+        if (!example && l->parameter) example = l;
+    }
+    *r++ = (struct wf_yaml_row){ .key = "law",
+                                 .kind = WF_YAML_CHOICE,
+                                 .required = true,
+                                 .preset = out->word[0],
+                                 .choices = out->word,
+                                 .offset = USE(law),
+                                 .doc = law_summary(t, a),
+                                 .example = example ? example->name : out->word[0] };
+    if (!out->row[0].doc) return false;
+    for (size_t k = 0; k < WF_LAW_KEYS && (p = law_key(t, k, &owner)); k++, r++) {
+        if (!law_row(t, k, a, r)) return false;
+        if (!sourced && p->kind == WF_LAW_VALUE) sourced = p;
+    }
+    r += copy_rows(r, between);
+    size_t last = copy_rows(r, origin_rows);
+    for (size_t i = 0; i < last; i++)
+        if (!strcmp(r[i].key, "source"))
+            r[i].absent = sourced ? wf_arena_print(a, "that of the %s", sourced->name) : "none";
+    out->table = (struct wf_yaml_table){ .title = title, .row = out->row, .finish = law_finish, .doc = "" };
+    return true;
+}
+
+#define CROWN(k, member) .key = k, WF_VALUE_ROW(struct wf_species, member), .required = true
+static const struct wf_yaml_row crown_rows[] = {
+    { CROWN("drag_coefficient", crown_drag), .low = 0, .high = 3,
+      .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5" },
+    { CROWN("leaf_mass_per_area", leaf_mass_per_area), .dimension = WF_DIM_MASS_PER_AREA, .unit = "kg/m2",
+      .low = 1e-3, .high = 5, .doc = "Fresh leaf mass per one-sided leaf area.", .example = "0.2 kg/m2" },
+    { CROWN("frontal_share", leaf_frontal_share), .low = 0, .high = 1,
+      .doc = "Frontal area of the crown in still air over its one-sided leaf area.", .example = "0.3" },
+    { .key = "streamlining",
+      .kind = WF_YAML_TABLE,
+      .offset = offsetof(struct wf_species, streamlining),
+      .absent = "law none, a rigid crown",
+      .doc = "How the crown's drag area shrinks in the wind." },
+    { .key = NULL },
+};
+
+#define TEXT(k, member) .key = k, .kind = WF_YAML_TEXT, .offset = offsetof(struct wf_species, member)
+static const struct wf_yaml_row species_rows[] = {
+    { .key = "species",
+      .kind = WF_YAML_NAME,
+      .required = true,
+      .offset = offsetof(struct wf_species, key),
+      .doc = "Key of the table, as its file's name.",
+      .example = "moso_bamboo" },
+    { TEXT("name", name), .required = true, .doc = "English name.", .example = "Moso bamboo" },
+    { TEXT("name_zh", name_zh), .absent = "no Chinese name", .doc = "Chinese name.", .example = "毛竹" },
+    { TEXT("latin", latin), .absent = "no Latin name", .doc = "Latin name.",
+      .example = "Phyllostachys edulis" },
+    { .key = "preset",
+      .kind = WF_YAML_NAME,
+      .preset = "corrected",
+      .offset = offsetof(struct wf_species, preset),
+      .doc = "corrected: physical values; else the paper whose printed values the table keeps.",
+      .example = "feng1999" },
+    { TEXT("note", note), .absent = "no note", .doc = "What a user of the table should know." },
+    { .key = "sources",
+      .kind = WF_YAML_TEXTS,
+      .absent = "no source; every value is then an assumption",
+      .offset = offsetof(struct wf_species, source),
+      .count = offsetof(struct wf_species, sources),
+      .doc = "Full citations by key; values refer to the keys.",
+      .example = "{tang2012: \"Tang L. et al. 2012. Trans. Chin. Soc. Agric. Mach. 43(1):165-168\"}" },
+    { .key = "levels",
+      .kind = WF_YAML_LIST,
+      .required = true,
+      .table = &level_table,
+      .offset = offsetof(struct wf_species, level),
+      .count = offsetof(struct wf_species, levels),
+      .doc = "Material and section by branching level, the stem first." },
+    { .key = "crown",
+      .kind = WF_YAML_TABLE,
+      .absent = "no leaves; a model with leaves is then refused",
+      .doc = "The leaves in the wind." },
+    { .key = NULL },
+};
+/* Where there is only one law of axis drag there is nothing to choose, and no key. */
+static const struct wf_yaml_row axis_drag_row = { .key = "axis_drag",
+                                                  .kind = WF_YAML_TABLE,
+                                                  .offset = offsetof(struct wf_species, axis_drag),
+                                                  .absent = "the first law",
+                                                  .doc = "Drag law of axes without a drag_coefficient." };
 
 static void source_exists(struct wf_yaml *y, const struct wf_species *sp, const char *key, const char *place)
 {
@@ -111,44 +457,87 @@ static void sources_of_rows(struct wf_yaml *y, const struct wf_species *sp, cons
     }
 }
 
-void wf_species_finish(struct wf_yaml *y, void *species)
+static void sources_of_law(struct wf_yaml *y, const struct wf_species *sp, const struct wf_law_use *u,
+                           const char *path)
 {
-    const struct wf_species *sp = species;
+    char place[160];
+    const struct wf_law *owner;
+    const struct wf_law_parameter *p;
+    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++) {
+        (void)snprintf(place, sizeof place, "%s.%s.source", path, p->name);
+        source_exists(y, sp, u->parameter[k].source, place);
+    }
+    (void)snprintf(place, sizeof place, "%s.source", path);
+    if (u->source != law_parameter_source(u)) source_exists(y, sp, u->source, place);
+}
+
+static void species_finish(struct wf_yaml *y, void *species)
+{
+    struct wf_species *sp = species;
     char path[64], place[96];
     for (size_t i = 0; i < sp->levels; i++) {
         (void)snprintf(path, sizeof path, "levels[%zu]", i);
-        sources_of_rows(y, sp, wf_level_rows, &sp->level[i], path);
+        sources_of_rows(y, sp, level_rows, &sp->level[i], path);
         (void)snprintf(place, sizeof place, "%s.wall.source", path);
         source_exists(y, sp, sp->level[i].wall_note.source, place);
     }
-    sources_of_rows(y, sp, wf_crown_rows, sp, "crown");
-    const struct wf_streamlining *s = &sp->streamlining;
-    source_exists(y, sp, s->exponent.source, "crown.streamlining.exponent.source");
-    if (s->source != s->exponent.source) source_exists(y, sp, s->source, "crown.streamlining.source");
+    sources_of_rows(y, sp, crown_rows, sp, "crown");
+    sources_of_law(y, sp, &sp->streamlining, "crown.streamlining");
+    sources_of_law(y, sp, &sp->axis_drag, "axis_drag");
+    law_settle(&sp->streamlining);
+    law_settle(&sp->axis_drag);
 }
 
-enum wf_status wf_species_read(const char *path, struct wf_arena *a, struct wf_species *out,
-                               struct wf_diag *d, struct wf_err *e)
+/* The table with the keys of the laws given. */
+struct species_schema {
+    struct law_schema streamlining, axis_drag;
+    struct wf_yaml_row crown[sizeof crown_rows / sizeof *crown_rows];
+    struct wf_yaml_row species[sizeof species_rows / sizeof *species_rows + 1];
+    struct wf_yaml_table crown_table, table;
+};
+
+static const struct wf_yaml_table *species_schema(const struct wf_laws *laws, struct wf_arena *a)
 {
+    static const struct wf_yaml_row none[] = { { .key = NULL } };
+    struct species_schema *s = WF_TAKE(a, 1, struct species_schema);
+    if (!s || !law_schema(laws->streamlining, "a streamlining law", range_rows, a, &s->streamlining) ||
+        !law_schema(laws->axis_drag, "a drag law", none, a, &s->axis_drag))
+        return NULL;
+    size_t n = copy_rows(s->crown, crown_rows);
+    s->crown[n - 1].table = &s->streamlining.table;
+    s->crown_table = (struct wf_yaml_table){ .title = "a crown", .row = s->crown, .doc = "" };
+    n = copy_rows(s->species, species_rows);
+    s->species[n - 1].table = &s->crown_table;
+    if (wf_law_row(laws->axis_drag, 1)) {
+        s->species[n] = axis_drag_row;
+        s->species[n].table = &s->axis_drag.table;
+    }
+    s->table = (struct wf_yaml_table){
+        .title = "a species table",
+        .row = s->species,
+        .size = sizeof(struct wf_species),
+        .finish = species_finish,
+        .doc = "A species table (YAML): the material and section of every branching level and how the crown "
+               "meets the wind. Quantities carry their units. A whole table to start from: "
+               "species/moso_bamboo.yaml.",
+    };
+    return &s->table;
+}
+
+enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, struct wf_arena *a,
+                               struct wf_species *out, struct wf_diag *d, struct wf_err *e)
+{
+    const struct wf_yaml_table *table = species_schema(laws, a);
     *out = (struct wf_species){ .file = wf_arena_text(a, path) };
-    if (!out->file) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
-    return wf_yaml_read(path, &wf_species_table, out, a, d, e);
+    if (!out->file || !table) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
+    out->streamlining.from = laws->streamlining;
+    out->axis_drag.from = laws->axis_drag;
+    return wf_yaml_read(path, table, out, a, d, e);
 }
 
-char *wf_species_schema(struct wf_arena *a, struct wf_err *e)
+char *wf_species_schema(const struct wf_laws *laws, struct wf_arena *a, struct wf_err *e)
 {
-    return wf_yaml_schema(&wf_species_table, a, e);
-}
-
-const struct wf_level *wf_species_level(const struct wf_species *sp, int32_t level)
-{
-    size_t k = level < 0 ? 0 : (size_t)level;
-    return &sp->level[k < sp->levels ? k : sp->levels - 1];
-}
-
-const struct wf_level *wf_species_wood(const struct wf_species *sp, int32_t order, double radius)
-{
-    const struct wf_level *v = wf_species_level(sp, order);
-    while (v > sp->level && v->radius.given && radius > v->radius.high) v--;
-    return v;
+    const struct wf_yaml_table *table = species_schema(laws, a);
+    if (!table) (void)wf_fail(e, WF_ENOMEM, "no memory for the text of the schema");
+    return table ? wf_yaml_schema(table, a, e) : NULL;
 }

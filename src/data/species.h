@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_DATA_SPECIES_H
 #define WF_DATA_SPECIES_H
 /* A species table: material and section per branching level, and how the crown meets the wind.
@@ -6,6 +7,7 @@
 #include "base/diag.h"
 #include "base/err.h"
 #include "base/yaml.h"
+#include "data/law.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -32,6 +34,12 @@ struct wf_along {
     double *s, *v;
 };
 
+/* A list of numbers. */
+struct wf_numbers {
+    size_t n;
+    double *v;
+};
+
 struct wf_level {
     const char *name;                   /* "culm", "branch", ... */
     struct wf_value youngs_modulus;     /* longitudinal, green [Pa]             */
@@ -41,22 +49,22 @@ struct wf_level {
     struct wf_value radius;             /* typical outer radius at the axis' base [m] */
     struct wf_value damping_ratio;      /* of critical, internal [-]            */
     struct wf_value knot_factor;        /* strength of the stem / clear wood, 0..1 [-] */
-    struct wf_value drag_coefficient;   /* of the bare axis, cross-flow; not given: Reynolds law [-] */
+    struct wf_value drag_coefficient;   /* of the bare axis, cross-flow; not given: by its law [-] */
     struct wf_value lift_coefficient;   /* across wind and axis, default 0 [-]  */
     struct wf_along wall;               /* wall thickness / local outer radius, along the axis [-];
                                            n == 0: solid                        */
     struct wf_value wall_note;          /* source and standing of `wall`        */
 };
 
-/* Streamlining of the crown: frontal area times drag coefficient as a share of the still-air value. */
-struct wf_streamlining {
-    const char *law;              /* a row of load/streamline.h: "none", "vogel", "table" */
-    struct wf_value exponent;     /* Vogel exponent V: force ~ U^(2+V) [-]              */
-    double reference_speed;       /* speed below which the crown is rigid [m/s]; NAN: no such */
-    double speed_low, speed_high; /* speeds the source covers [m/s]; NAN: not said   */
-    struct wf_along table;        /* "table": s = speed [m/s], v = share of still-air Cd*A [-] */
-    const char *source;           /* of the law; for "vogel" that of the exponent when it names none */
-    enum wf_standing standing;    /* of `table` */
+/* A law a species chooses, with its parameters in the order of the law's row. */
+struct wf_law_use {
+    struct wf_law_table from;               /* it is chosen from; set by the reader                   */
+    const char *law;                        /* a row of its table of laws; NULL: not chosen           */
+    struct wf_value parameter[WF_LAW_KEYS]; /* numbers [SI]; of plain ones only the value             */
+    struct wf_numbers list[WF_LAW_KEYS];    /* [SI]                                                   */
+    double low, high;          /* what the source covers, in the unit of the table of laws; NAN: not said */
+    const char *source;        /* of the law; that of its first sourced parameter when it names none      */
+    enum wf_standing standing; /* of the lists                                                           */
 };
 
 struct wf_species {
@@ -67,7 +75,8 @@ struct wf_species {
     struct wf_value crown_drag;         /* crown drag coefficient on still-air frontal area [-] */
     struct wf_value leaf_mass_per_area; /* fresh leaf mass per one-sided leaf area [kg m-2]   */
     struct wf_value leaf_frontal_share; /* still-air frontal area per one-sided leaf area [-] */
-    struct wf_streamlining streamlining;
+    struct wf_law_use streamlining;     /* frontal area times drag coefficient over its still-air value */
+    struct wf_law_use axis_drag;        /* of axes without a drag_coefficient */
     size_t sources;
     struct wf_yaml_pair *source; /* citations by key */
 };
@@ -84,13 +93,14 @@ const struct wf_level *wf_species_level(const struct wf_species *sp, int32_t lev
  * is no twig. Given: order, radius [m]. */
 const struct wf_level *wf_species_wood(const struct wf_species *sp, int32_t order, double radius);
 
-/* Read a species table. Given: path, arena for all it keeps, findings list. Returned: WF_OK and *out,
- * or WF_EINPUT with every mistake in `d`. */
-enum wf_status wf_species_read(const char *path, struct wf_arena *a, struct wf_species *out,
-                               struct wf_diag *d, struct wf_err *e);
+/* Read a species table. Given: path, the laws it may choose from (wf_laws of load/drag.h), arena for all it
+ * keeps, findings list. Returned: WF_OK and *out, or WF_EINPUT with every mistake in `d`. */
+enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, struct wf_arena *a,
+                               struct wf_species *out, struct wf_diag *d, struct wf_err *e);
 
-/* The table's schema as text: every key with dimension, range, default, meaning. NULL: no room. */
-char *wf_species_schema(struct wf_arena *a, struct wf_err *e);
+/* The table's schema as text: every key with dimension, range, default, meaning; the laws and their
+ * parameters are those given. NULL: no room. */
+char *wf_species_schema(const struct wf_laws *laws, struct wf_arena *a, struct wf_err *e);
 
 /* Value of an along-table at relative position s (clamped to its ends); `fallback` when empty. */
 double wf_along_at(const struct wf_along *a, double s, double fallback);

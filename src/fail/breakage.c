@@ -1,15 +1,7 @@
 #include "fail/breakage.h"
 #include "base/vec3.h"
+#include "data/section.h"
 #include <math.h>
-
-#define PI 3.14159265358979323846
-
-double wf_ring_area(double outer, double inner) { return PI * (outer * outer - inner * inner); }
-
-double wf_ring_inertia(double outer, double inner)
-{
-    return 0.25 * PI * (outer * outer * outer * outer - inner * inner * inner * inner);
-}
 
 /* What a section bears, split along and across its axis. */
 struct section {

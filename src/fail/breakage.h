@@ -33,7 +33,4 @@ struct wf_breakage {
  * another tree). */
 enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, struct wf_arena *a,
                                  struct wf_breakage *out, struct wf_err *e);
-
-double wf_ring_area(double outer, double inner);    /* radii [m] -> [m2] */
-double wf_ring_inertia(double outer, double inner); /* radii [m] -> second moment of area [m4] */
 #endif

@@ -44,7 +44,7 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
     const char *path;
     if (!sp) return wf_fail(e, WF_ENOMEM, "no room for a species");
     enum wf_status status = find(b, "species", s->species, a, &path, e);
-    if (!status) status = wf_species_read(path, a, sp, d, e);
+    if (!status) status = wf_species_read(path, &wf_laws, a, sp, d, e);
     *out = (struct wf_fit_tree){ .name = s->name, .species = sp };
     if (!status) status = find(b, "models", s->qsm ? s->qsm : s->model, a, &path, e);
     if (!status) out->file = path;
@@ -56,15 +56,7 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
     out->size = s->qsm ? out->height : m.height;
     wf_loads_default(&out->loads);
     out->loads.gravity = s->gravity;
-    const struct wf_streamlining *law = &sp->streamlining;
-    if (law->law) {
-        out->loads.streamline = wf_streamline_named(law->law);
-        out->loads.streamline_par = (struct wf_streamline_par){ .exponent = law->exponent.value,
-                                                                .reference_speed = law->reference_speed,
-                                                                .n = law->table.n,
-                                                                .speed = law->table.s,
-                                                                .share = law->table.v };
-    }
+    if ((status = wf_loads_laws(&out->loads, sp, e))) return status;
     wf_solve_options_default(&out->options);
     out->options.tolerance = 1e-11; /* else small steps drown in what is left of the last answer */
     if (!isnan(s->root_stiffness))

@@ -126,12 +126,14 @@ void wf_param_apply(const struct wf_experiment *x, const struct wf_fit_param *p,
     *options = t->options;
     for (size_t k = 0; k < n; k++) {
         if (wf_param_nuisance(&p[k]) || (p[k].tree >= 0 && (size_t)p[k].tree != tree)) continue;
-        double v = wf_param_value(&p[k], internal[k]);
+        double v = wf_param_value(&p[k], internal[k]), *number;
         if (p[k].quantity == WF_FIT_ROOT)
             options->root_stiffness[0] = options->root_stiffness[1] = v;
-        else if (p[k].quantity == WF_FIT_VOGEL)
-            loads->streamline_par.exponent = v;
-        else if (p[k].quantity != WF_FIT_DAMPING && p[k].quantity != WF_FIT_FRAME)
+        else if (p[k].quantity == WF_FIT_VOGEL &&
+                 (number = wf_loads_streamline_number(loads, WF_FIT_CROWN_LAW)))
+            *number = v;
+        else if (p[k].quantity != WF_FIT_VOGEL && p[k].quantity != WF_FIT_DAMPING &&
+                 p[k].quantity != WF_FIT_FRAME)
             scale_rows(&p[k], t, into, v);
     }
 }
@@ -141,6 +143,13 @@ void wf_param_apply(const struct wf_experiment *x, const struct wf_fit_param *p,
 static double ratio(const struct wf_value *v)
 {
     return v->high > v->low && v->low > 0 ? log(v->high / v->low) : 0;
+}
+
+/* The parameter of the crown's law that can be fitted; NULL when the law has none. */
+static const struct wf_value *crown_law(const struct wf_species *sp)
+{
+    int k = wf_law_find(wf_law_named(wf_laws.streamlining, sp->streamlining.law), WF_FIT_CROWN_LAW);
+    return k < 0 ? NULL : &sp->streamlining.parameter[k];
 }
 
 /* Start value and range of the species table: the range is taken to hold 95 % of the plausible values. */
@@ -155,7 +164,7 @@ static enum wf_status from_species(const struct wf_experiment *x, struct wf_fit_
     const struct wf_value *const of[WF_FIT_QUANTITIES] = {
         [WF_FIT_YOUNGS] = &l->youngs_modulus,  [WF_FIT_SHEAR] = &l->shear_modulus,
         [WF_FIT_DENSITY] = &l->density,        [WF_FIT_AXIS_DRAG] = &l->drag_coefficient,
-        [WF_FIT_CROWN_DRAG] = &sp->crown_drag, [WF_FIT_VOGEL] = &sp->streamlining.exponent,
+        [WF_FIT_CROWN_DRAG] = &sp->crown_drag, [WF_FIT_VOGEL] = crown_law(sp),
     };
     const struct wf_value *v = of[p->quantity];
     double radius = t->tree.r0[0], height = t->height;
@@ -172,10 +181,10 @@ static enum wf_status from_species(const struct wf_experiment *x, struct wf_fit_
         p->start = t->options.root_stiffness[0] > 0
                        ? t->options.root_stiffness[0]
                        : 10 * l->youngs_modulus.value * 0.785 * pow(radius, 4) / height;
-    if (v && (isnan(p->start) || (wf_fit_quantities[p->quantity].log && !(p->start > 0))))
+    if (p->quantity == WF_FIT_VOGEL && !v) p->start = NAN;
+    if ((v || isnan(p->start)) &&
+        (isnan(p->start) || (wf_fit_quantities[p->quantity].log && !(p->start > 0))))
         return wf_fail(e, WF_EUSAGE, "%s: the species table %s has no value to start from", p->name, sp->key);
-    if (p->quantity == WF_FIT_VOGEL && (!sp->streamlining.law || strcmp(sp->streamlining.law, "vogel") != 0))
-        return wf_fail(e, WF_EUSAGE, "%s: the crown of %s does not follow the law 'vogel'", p->name, sp->key);
     if (v && wf_fit_quantities[p->quantity].log && ratio(v) > 0) {
         p->prior_mean = log(v->value);
         p->prior_sd = ratio(v) / (2 * 1.96);

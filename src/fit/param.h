@@ -5,6 +5,9 @@
  * solver of least squares sees internal values: the logarithm of positive quantities, others over `unit`. */
 #include "fit/experiment.h"
 
+/* Parameter of a crown's streamlining law that a fit may change (WF_FIT_VOGEL). */
+#define WF_FIT_CROWN_LAW "exponent"
+
 enum wf_fit_quantity {
     WF_FIT_YOUNGS,
     WF_FIT_YOUNGS_TIP, /* E at the top of the tree over E at its base, linear between */

@@ -211,7 +211,7 @@ static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_
                            inner = t->i0[row] + (t->i1[row] - t->i0[row]) * gauss_place[j];
         double wood = t->density[row] * WF_PI * (outer * outer - inner * inner);
         for (int k = 0; k < 2; k++) {
-            double up = k ? step : -step, factor = exp(up);
+            double up = k ? step : -step, factor = exp(up), *number;
             struct wf_loads l = b->loads;
             struct wf_line_point q = part->line[j];
             switch (x->param->quantity) {
@@ -228,7 +228,8 @@ static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_
                 q.sail *= factor;
                 break;
             default: /* Vogel exponent; its internal value is the exponent itself over `unit` */
-                l.streamline_par.exponent += up * x->param->unit;
+                if ((number = wf_loads_streamline_number(&l, WF_FIT_CROWN_LAW)))
+                    *number += up * x->param->unit;
             }
             load_at(&l, &q, b, i, j, side[k]);
         }

@@ -1,9 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_LOAD_LOAD_H
 #define WF_LOAD_LOAD_H
 /* What acts on a tree. A case is read-only while a solver runs; the solver samples it on the bent shape. */
 #include "base/err.h"
 #include "data/tree.h"
-#include "load/streamline.h"
+#include "load/drag.h"
 #include "wind/wind.h"
 #include <stddef.h>
 
@@ -20,23 +21,34 @@ struct wf_point_load {
 struct wf_loads {
     const struct wf_wind *wind;                   /* NULL = still air                               */
     double air_density;                           /* [kg m-3]                                       */
-    double air_viscosity;                         /* kinematic [m2/s], for the Reynolds law         */
+    double air_viscosity;                         /* kinematic [m2/s], for the axis' drag law       */
     double gravity;                               /* [m s-2]; 0 = weightless                        */
     double wind_scale, weight_scale, point_scale; /* factors for continuation, normally 1 */
     const struct wf_streamline_law *streamline;   /* crown's law; NULL = rigid crown  */
-    struct wf_streamline_par streamline_par;
+    struct wf_law_values streamline_par;
+    const struct wf_axis_drag_law *axis_drag; /* where a row gives no coefficient; not NULL */
+    struct wf_law_values axis_drag_par;
     const struct wf_point_load *point;
     size_t points;
     const double *line; /* 6n: dead load per unit reference length at a row's base (3) and end (3), linear
                          * between, keeping its global direction [N/m]; NULL = none. Scaled by point_scale. */
 };
-/* Still air of 1.225 kg/m3 and 1.4607e-5 m2/s (15 C, sea level), 9.81 m/s2, scales 1, rigid crown. */
+/* Still air of 1.225 kg/m3 and 1.4607e-5 m2/s (15 C, sea level), 9.81 m/s2, scales 1, rigid crown, axes with
+ * bark.
+ */
 void wf_loads_default(struct wf_loads *l);
+struct wf_species;
+/* The laws a species chooses, with its values. Given: defaults of a species that was read, or made by hand.
+ * Returned: the laws of *l; WF_EINPUT for a law that does not exist. Lists stay the species'. */
+enum wf_status wf_loads_laws(struct wf_loads *l, const struct wf_species *sp, struct wf_err *e);
+/* The number of a parameter of the streamlining law, to be varied; NULL when the law has none of that name.
+ */
+double *wf_loads_streamline_number(struct wf_loads *l, const char *name);
 
 /* One point of an axis, per unit reference length. */
 struct wf_line_point {
     double diameter; /* outer [m]                                              */
-    double drag;     /* cross-flow coefficient; NAN = Reynolds law [-]         */
+    double drag;     /* cross-flow coefficient; NAN = by the axis' drag law [-] */
     double lift;     /* [-]                                                    */
     double sail;     /* still-air crown area times its Cd per length [m]       */
     double mass;     /* wood and burden per length [kg/m]                      */

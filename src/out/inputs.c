@@ -30,7 +30,6 @@ static const struct quantity crown_quantities[] = {
     { "crown_drag_coefficient", "1", offsetof(struct wf_species, crown_drag) },
     { "leaf_mass_per_area", "kg/m2", offsetof(struct wf_species, leaf_mass_per_area) },
     { "leaf_frontal_share", "1", offsetof(struct wf_species, leaf_frontal_share) },
-    { "vogel_exponent", "1", offsetof(struct wf_species, streamlining.exponent) },
 };
 
 /* The full citation where the table has one, else its key. */
@@ -89,16 +88,44 @@ static void add_values(struct wf_doc *d, json_t *list, const struct wf_analysis 
     }
 }
 
+/* The sourced values of the streamlining law. */
+static void add_law_values(struct wf_doc *d, json_t *list, const struct wf_analysis *a, bool grown)
+{
+    const struct wf_law *law = wf_law_named(wf_laws.streamlining, a->species->streamlining.law);
+    for (size_t k = 0, n = wf_law_count(law); k < n; k++) {
+        const struct wf_law_parameter *p = &law->parameter[k];
+        const struct quantity q = { p->result, wf_dimension_row(p->dimension)->si, 0 };
+        const struct values one = { "crown", &a->species->streamlining.parameter[k], &q, 1, grown };
+        if (p->kind == WF_LAW_VALUE) add_values(d, list, a, &one);
+    }
+}
+
+/* The plain numbers, or the lists, of all streamlining laws; empty for those that are not the species'. */
+static void put_law(struct wf_doc *d, json_t *o, const struct wf_law_use *u, enum wf_law_kind kind)
+{
+    const struct wf_law *chosen = wf_law_named(wf_laws.streamlining, u->law), *l;
+    for (size_t i = 0; (l = wf_law_row(wf_laws.streamlining, i)); i++)
+        for (size_t k = 0, n = wf_law_count(l); k < n; k++) {
+            const struct wf_law_parameter *p = &l->parameter[k];
+            int at = wf_law_find(chosen, p->name);
+            if (p->kind != kind || wf_law_owner(wf_laws.streamlining, p->name) != l) continue;
+            if (kind == WF_LAW_LIST)
+                wf_doc_numbers(d, o, p->result, at < 0 ? NULL : u->list[at].v, at < 0 ? 0 : u->list[at].n);
+            else
+                wf_doc_quantity(d, o, p->result, at < 0 ? NAN : u->parameter[at].value,
+                                wf_dimension_row(p->dimension)->si, "not given");
+        }
+}
+
 static json_t *streamlining(struct wf_doc *d, const struct wf_species *sp)
 {
-    const struct wf_streamlining *s = &sp->streamlining;
+    const struct wf_law_use *s = &sp->streamlining;
     json_t *o = wf_doc_object(d);
     wf_doc_text(d, o, "law", s->law);
-    wf_doc_quantity(d, o, "reference_speed", s->reference_speed, "m/s", "not given");
-    wf_doc_quantity(d, o, "speed_low", s->speed_low, "m/s", "not given");
-    wf_doc_quantity(d, o, "speed_high", s->speed_high, "m/s", "not given");
-    wf_doc_numbers(d, o, "table_speed_m_s", s->table.s, s->table.n);
-    wf_doc_numbers(d, o, "table_share", s->table.v, s->table.n);
+    put_law(d, o, s, WF_LAW_NUMBER);
+    wf_doc_quantity(d, o, "speed_low", s->low, "m/s", "not given");
+    wf_doc_quantity(d, o, "speed_high", s->high, "m/s", "not given");
+    put_law(d, o, s, WF_LAW_LIST);
     put_source(d, o, sp, s->source);
     return o;
 }
@@ -129,10 +156,10 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
         wf_doc_flag(d, wall, "used", all.grown);
         put_standing(d, wall, sp, &level->wall_note);
     }
-    bool vogel = sp->streamlining.law && !strcmp(sp->streamlining.law, "vogel");
-    const struct values crown = { "crown", sp, crown_quantities, COUNT(crown_quantities) - (vogel ? 0 : 1),
+    const struct values crown = { "crown", sp, crown_quantities, COUNT(crown_quantities),
                                   a->model->leaf_area > 0 };
     add_values(d, values, a, &crown);
+    add_law_values(d, values, a, crown.grown);
     wf_doc_put(d, o, "streamlining", streamlining(d, sp));
     return o;
 }
@@ -212,10 +239,21 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     return o;
 }
 
+/* Of a species that chooses its axes' drag law. */
+static void put_axis_drag(struct wf_doc *d, json_t *method, const struct wf_law *law)
+{
+    json_t *o = wf_doc_put(d, method, "axis_drag", wf_doc_object(d));
+    wf_doc_text(d, o, "name", law->name);
+    wf_doc_text(d, o, "source", law->source);
+    wf_doc_text(d, o, "validity", law->validity);
+    wf_doc_quantity(d, o, "reynolds_low", law->low, "1", "no limit is known");
+    wf_doc_quantity(d, o, "reynolds_high", law->high, "1", "no limit is known");
+}
+
 json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
 {
     const struct wf_profile *profile = wf_profile_named(a->scenario.profile);
-    const struct wf_streamline_law *law = a->loads.streamline;
+    const struct wf_law *law = a->loads.streamline ? &a->loads.streamline->law : NULL;
     json_t *o = wf_doc_object(d);
     json_t *solver = wf_doc_put(d, o, "solver", wf_doc_object(d));
     wf_doc_text(d, solver, "name", a->solver->name);
@@ -237,7 +275,8 @@ json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_text(d, crown, "name", law ? law->name : "none");
     wf_doc_text(d, crown, "source", law ? law->source : NULL);
     wf_doc_text(d, crown, "validity", law ? law->validity : NULL);
-    wf_doc_quantity(d, crown, "speed_low", law ? law->speed_low : NAN, "m/s", "no limit is known");
-    wf_doc_quantity(d, crown, "speed_high", law ? law->speed_high : NAN, "m/s", "no limit is known");
+    wf_doc_quantity(d, crown, "speed_low", law ? law->low : NAN, "m/s", "no limit is known");
+    wf_doc_quantity(d, crown, "speed_high", law ? law->high : NAN, "m/s", "no limit is known");
+    if (a->species->axis_drag.law) put_axis_drag(d, o, &a->loads.axis_drag->law);
     return o;
 }

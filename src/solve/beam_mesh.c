@@ -70,7 +70,7 @@ static struct section section_at(const struct wf_tree *t, size_t i, double s, do
     }
     if (t->section) return flat_section(t, i, s, shear_factor);
     double a = wf_between(t->r0[i], t->r1[i], s), b = wf_between(t->i0[i], t->i1[i], s), m = b / a;
-    double area = WF_PI * (a * a - b * b), inertia = 0.25 * WF_PI * (a * a * a * a - b * b * b * b);
+    double area = wf_ring_area(a, b), inertia = wf_ring_inertia(a, b);
     double nu = t->youngs[i] / (2 * t->shear[i]) - 1, k = shear_factor;
     if (!(k > 0)) { /* Cowper 1966, J. Appl. Mech. 33:335, hollow circle */
         double q = (1 + m * m) * (1 + m * m), p = m * m;

@@ -2,6 +2,7 @@
 #include "solve/chain.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "data/section.h"
 #include "data/tree.h"
 #include "load/load.h"
 #include <math.h>
@@ -83,7 +84,7 @@ static void chain_rule_fill(struct wf_chain_rule *g)
 static void compliance(const struct wf_tree *t, size_t i, double s, double *bending, double *torsion)
 {
     double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
-    double inertia = 0.25 * WF_PI * (pow(outer, 4) - pow(inner, 4));
+    double inertia = wf_ring_inertia(outer, inner);
     double ei = t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia;
     double gj = t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia;
     *bending = 1 / ei;

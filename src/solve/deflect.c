@@ -2,7 +2,7 @@
 #include "solve/deflect.h"
 #include "base/num.h"
 #include "base/vec3.h"
-#include "load/cylinder.h"
+#include "data/section.h"
 #include "solve/chain.h"
 
 static double middle(double a, double b) { return 0.5 * (a + b); }
@@ -11,7 +11,7 @@ static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i
 {
     const double base[3] = { t->x0[i], t->y0[i], t->z0[i] }, end[3] = { t->x1[i], t->y1[i], t->z1[i] };
     double x[3], du[9], r = middle(t->r0[i], t->r1[i]), q = middle(t->i0[i], t->i1[i]);
-    double inertia = 0.25 * WF_PI * (r * r * r * r - q * q * q * q);
+    double inertia = wf_ring_inertia(r, q);
     double half = 0.5 * l->air_density * l->wind_scale;
     o->parent = t->parent[i];
     for (int k = 0; k < 3; k++) o->axis[k] = end[k] - base[k], x[k] = middle(base[k], end[k]);
@@ -29,7 +29,7 @@ static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i
     o->lift = half * t->lift[i] * 2 * r * o->length;
     o->sail = half * middle(t->sail0[i], t->sail1[i]) * o->length;
     o->weight = l->gravity * l->weight_scale * o->length *
-                (t->density[i] * WF_PI * (r * r - q * q) + middle(t->burden0[i], t->burden1[i]));
+                (t->density[i] * wf_ring_area(r, q) + middle(t->burden0[i], t->burden1[i]));
     o->bend = 1 / (t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia);
     o->twist = 1 / (t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia);
     o->radius = r;
@@ -77,7 +77,8 @@ static void wind_force(const struct wf_loads *l, const struct wf_deflect_row *o,
     double across = sqrt(wf_dot(n, n)), drag = o->drag;
     if (drag < 0) {
         double slope;
-        drag *= -wf_cylinder_drag(across, 2 * o->radius, l->air_viscosity, &slope);
+        drag *=
+            -l->axis_drag->coefficient(&l->axis_drag_par, across, 2 * o->radius, l->air_viscosity, &slope);
     }
     for (int k = 0; k < 3; k++) f[k] = drag * across * n[k];
     if (o->lift > 0 || o->lift < 0) {
@@ -98,7 +99,8 @@ static void wind_force_unbent(const struct wf_loads *l, const struct wf_deflect_
     double drag = o->drag, size = fabs(gust), pressure = gust * size * o->across;
     if (drag < 0) {
         double slope;
-        drag *= -wf_cylinder_drag(size * o->across, 2 * o->radius, l->air_viscosity, &slope);
+        drag *= -l->axis_drag->coefficient(&l->axis_drag_par, size * o->across, 2 * o->radius,
+                                           l->air_viscosity, &slope);
     }
     for (int k = 0; k < 3; k++) f[k] = pressure * (drag * o->normal[k] + o->lift * o->lifted[k]);
     if (o->sail > 0) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/rod_integrate.h"
 #include "base/num.h"
+#include "data/section.h"
 #include "solve/beam_mesh.h"
 #include <gsl/gsl_errno.h>
 #include <math.h>
@@ -18,14 +19,14 @@ void wf_rod_section_at(const struct wf_tree *t, const struct wf_loads *l, size_t
                        struct wf_rod_section *out)
 {
     double a = wf_between(t->r0[i], t->r1[i], s), b = wf_between(t->i0[i], t->i1[i], s);
-    double a2 = a * a, b2 = b * b, inertia = 0.25 * WF_PI * (a2 * a2 - b2 * b2);
+    double inertia = wf_ring_inertia(a, b);
     out->ei = t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia;
     out->gj = t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia;
     out->line = (struct wf_line_point){ .diameter = 2 * a,
                                         .drag = t->drag[i],
                                         .lift = t->lift[i],
                                         .sail = wf_between(t->sail0[i], t->sail1[i], s),
-                                        .mass = t->density[i] * WF_PI * (a2 - b2) +
+                                        .mass = t->density[i] * wf_ring_area(a, b) +
                                                 wf_between(t->burden0[i], t->burden1[i], s) };
     for (size_t k = 0; k < 3; k++)
         out->dead[k] =

@@ -192,10 +192,18 @@ static char *limits_assumed(const struct wf_analysis *an, char *buf, size_t size
         { "drag_coefficient", &sp->crown_drag },
         { "leaf_mass_per_area", &sp->leaf_mass_per_area },
         { "frontal_share", &sp->leaf_frontal_share },
-        { "streamlining exponent", &sp->streamlining.exponent },
     };
-    bool vogel = sp->streamlining.law && strcmp(sp->streamlining.law, "vogel") == 0;
-    add_assumed(buf, size, "crown", crown, WF_COUNT(crown) - (vogel ? 0 : 1));
+    struct named_value all[WF_COUNT(crown) + WF_LAW_PARAMETERS];
+    char name[WF_LAW_PARAMETERS][64];
+    size_t n = WF_COUNT(crown);
+    memcpy(all, crown, sizeof crown);
+    const struct wf_law *law = an->loads.streamline ? &an->loads.streamline->law : NULL;
+    for (size_t k = 0, count = wf_law_count(law); k < count; k++) {
+        if (law->parameter[k].kind != WF_LAW_VALUE) continue;
+        (void)snprintf(name[k], sizeof name[k], "streamlining %s", law->parameter[k].name);
+        all[n++] = (struct named_value){ name[k], &sp->streamlining.parameter[k] };
+    }
+    add_assumed(buf, size, "crown", all, n);
     return buf;
 }
 
@@ -245,35 +253,34 @@ static bool crown_wind(const struct wf_analysis *an, double speed, double *low, 
 
 static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
 {
-    const struct wf_streamlining *law = &an->species->streamlining;
+    const struct wf_law_use *law = &an->species->streamlining;
     double least = INFINITY, largest = 0.0, low, high;
     bool critical = an->breaks.critical.outcome == WF_CRITICAL_FOUND;
-    if (!law->law || strcmp(law->law, "none") == 0 || !(law->speed_high > 0.0)) return;
+    if (!an->loads.streamline || an->loads.streamline->rigid || !(law->high > 0.0)) return;
     for (size_t k = 0; k < an->n + critical; k++) {
         double speed = k < an->n ? an->at[k].speed : an->breaks.critical.speed;
         if (!crown_wind(an, speed, &low, &high)) continue;
         least = fmin(least, low);
         largest = fmax(largest, high);
     }
-    if (largest > law->speed_high)
+    if (largest > law->high)
         wf_diag_warn(
             d, "streamline-range",
             "%s: the crown meets wind up to %.1f m/s%s; the evidence for its streamlining law '%s' ends at "
             "%.3g m/s (%.0f %% beyond)",
-            an->species->name, largest, critical ? " (critical speed included)" : "", law->law,
-            law->speed_high, 100.0 * (largest / law->speed_high - 1.0));
-    if (least < law->speed_low)
+            an->species->name, largest, critical ? " (critical speed included)" : "", law->law, law->high,
+            100.0 * (largest / law->high - 1.0));
+    if (least < law->low)
         wf_diag_warn(
             d, "streamline-range",
             "%s: the crown meets wind down to %.1f m/s; the evidence for its streamlining law '%s' begins "
             "at %.3g m/s (%.0f %% below)",
-            an->species->name, least, law->law, law->speed_low, 100.0 * (1.0 - least / law->speed_low));
+            an->species->name, least, law->law, law->low, 100.0 * (1.0 - least / law->low));
 }
 
-/* The Reynolds law of the cylinder is measured for 1 <= Re <= 1e7. */
 static void check_reynolds(const struct wf_analysis *an, struct wf_diag *d)
 {
-    const double law_low = 1.0, law_high = 1e7;
+    const double law_low = an->loads.axis_drag->law.low, law_high = an->loads.axis_drag->law.high;
     double least = INFINITY, largest = 0.0;
     for (size_t k = 0; k < an->n; k++)
         for (size_t i = 0; i < an->tree.n; i++) {

@@ -251,7 +251,7 @@ enum wf_status wf_preset_apply(const struct wf_preset *p, struct wf_arena *a, st
         if (!isnan(p->lift)) level[i].lift_coefficient = printed(p->lift, p->name);
     }
     if (!isnan(p->drag) && sp->crown_drag.given) sp->crown_drag = printed(p->drag, p->name);
-    if (p->rigid) sp->streamlining = (struct wf_streamlining){ .law = "none", .reference_speed = NAN };
+    if (p->rigid) sp->streamlining = (struct wf_law_use){ .law = "none" };
     if (!isnan(p->air_density)) sc->air_density = p->air_density;
     if (p->solver) *solver = wf_solver_named(p->solver);
     return *solver ? WF_OK : wf_fail(e, WF_EINTERNAL, "preset '%s' names no solver", p->name);

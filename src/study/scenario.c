@@ -125,25 +125,13 @@ double wf_scenario_speed(const struct wf_scenario *s, double named) { return nam
 enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
                                  struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e)
 {
-    const struct wf_streamlining *law = &sp->streamlining;
     wf_scenario_wind(s, wind);
     wf_loads_default(loads);
     loads->wind = wind;
     loads->air_density = wf_scenario_air_density(s);
     loads->air_viscosity = wf_air_viscosity(s->temperature, loads->air_density);
     loads->gravity = s->gravity;
-    if (!law->law) return WF_OK;
-    loads->streamline = wf_streamline_named(law->law);
-    if (!loads->streamline)
-        return wf_fail(e, WF_EINPUT, "%s: no streamlining law is called '%s'", sp->key, law->law);
-    loads->streamline_par = (struct wf_streamline_par){
-        .exponent = law->exponent.value,
-        .reference_speed = law->reference_speed,
-        .n = law->table.n,
-        .speed = law->table.s,
-        .share = law->table.v,
-    };
-    return WF_OK;
+    return wf_loads_laws(loads, sp, e);
 }
 
 double wf_scenario_air_density(const struct wf_scenario *s)

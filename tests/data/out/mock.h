@@ -80,11 +80,12 @@ static inline struct wf_species *mock_species(const struct mock_kind *kind, stru
     sp->crown_drag = mock_value(0.5, 0.4, WF_BORROWED, vollsinger);
     sp->leaf_mass_per_area = mock_value(0.13, 0.2, WF_BORROWED, vollsinger);
     sp->leaf_frontal_share = mock_value(0.35, 0.4, WF_ASSUMED, NULL);
-    sp->streamlining = (struct wf_streamlining){ .law = "vogel",
-                                                 .reference_speed = 5,
-                                                 .speed_low = 4,
-                                                 .speed_high = 20,
-                                                 .exponent = mock_value(-0.7, 0.2, WF_BORROWED, vollsinger) };
+    sp->streamlining = (struct wf_law_use){
+        .law = "vogel",
+        .low = 4,
+        .high = 20,
+        .parameter = { mock_value(-0.7, 0.2, WF_BORROWED, vollsinger), { .value = 5 } }
+    };
     return sp;
 }
 
@@ -194,6 +195,7 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
                                           .gravity = 9.81 };
     out->loads.air_density = 1.225;
     out->loads.streamline = wf_streamline_named("vogel");
+    out->loads.axis_drag = wf_axis_drag_laws;
     mock_tree(out, kind, 14, a);
     out->at = WF_TAKE(a, n, struct wf_at_speed);
     for (size_t k = 0; k < n; k++) mock_speed(out, kind, speed[k], true, &out->at[k], a);

@@ -1,9 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The load on one point of an axis and its exact derivatives. Called for every load point of every
  * element in every iteration, so: no allocation, one square root a speed, no division by a speed that
  * may be zero. */
-#include "base/vec3.h"
-#include "load/cylinder.h"
 #include "load/load.h"
+#include "base/vec3.h"
+#include "data/species.h"
 #include <math.h>
 
 void wf_loads_default(struct wf_loads *l)
@@ -13,7 +14,45 @@ void wf_loads_default(struct wf_loads *l)
                             .gravity = 9.81,
                             .wind_scale = 1,
                             .weight_scale = 1,
-                            .point_scale = 1 };
+                            .point_scale = 1,
+                            .axis_drag = &wf_axis_drag_laws[0] };
+}
+
+/* The numbers and lists of a law as the species gives them. */
+static struct wf_law_values values(const struct wf_law_use *use, const struct wf_law *l)
+{
+    struct wf_law_values v = { 0 };
+    for (size_t k = 0, n = wf_law_count(l); k < n; k++) {
+        v.number[k] = use->parameter[k].value;
+        if (l->parameter[k].kind != WF_LAW_LIST) continue;
+        v.list[k] = use->list[k].v;
+        v.n = use->list[k].n;
+    }
+    return v;
+}
+
+enum wf_status wf_loads_laws(struct wf_loads *l, const struct wf_species *sp, struct wf_err *e)
+{
+    const struct wf_law_use *crown = &sp->streamlining, *axis = &sp->axis_drag;
+    if (crown->law) {
+        l->streamline = wf_streamline_named(crown->law);
+        if (!l->streamline)
+            return wf_fail(e, WF_EINPUT, "%s: no streamlining law is called '%s'", sp->key, crown->law);
+        l->streamline_par = values(crown, &l->streamline->law);
+    }
+    if (axis->law) {
+        l->axis_drag = wf_axis_drag_named(axis->law);
+        if (!l->axis_drag)
+            return wf_fail(e, WF_EINPUT, "%s: no drag law of an axis is called '%s'", sp->key, axis->law);
+        l->axis_drag_par = values(axis, &l->axis_drag->law);
+    }
+    return WF_OK;
+}
+
+double *wf_loads_streamline_number(struct wf_loads *l, const char *name)
+{
+    int k = l->streamline ? wf_law_find(&l->streamline->law, name) : -1;
+    return k < 0 ? NULL : &l->streamline_par.number[k];
 }
 
 /* The air at a point, and the coefficients k of force = k * velocity. */
@@ -48,7 +87,9 @@ static inline void flow_at(const struct wf_loads *l, const struct wf_line_point 
     wf_cross(t, f->n, f->m);
     double speed = split(f->u, f->e);
 
-    if (isnan(cd)) cd = wf_cylinder_drag(f->across, p->diameter, l->air_viscosity, &cd_slope);
+    if (isnan(cd))
+        cd =
+            l->axis_drag->coefficient(&l->axis_drag_par, f->across, p->diameter, l->air_viscosity, &cd_slope);
     double a = half * p->diameter * f->across;
     f->drag = a * cd;
     f->drag_grow = a * (cd + cd_slope * f->across);
