@@ -3,7 +3,7 @@
 /* A tree file read for a test, and what must hold of every tree that was read and joined. */
 #include "grow/clothe.h"
 #include "grow/import.h"
-#include "grow/qsm_metrics.h"
+#include "load/qsm_metrics.h"
 #include "grow/qsm_model.h"
 #include "scratch.h"
 

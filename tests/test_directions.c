@@ -2,7 +2,7 @@
 #include "solve/solvers.h"
 #include "close.h"
 #include "study/directions.h"
-#include "study/scenario.h"
+#include "load/scene.h"
 #include "wind/scale.h"
 #include <string.h>
 

@@ -2,7 +2,7 @@
 #include "solve/solvers.h"
 #include "close.h"
 #include "study/explain.h"
-#include "study/scenario.h"
+#include "load/scene.h"
 #include <string.h>
 
 struct made {

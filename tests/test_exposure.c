@@ -3,8 +3,8 @@
 #include "solve/solvers.h"
 #include "close.h"
 #include "study/analysis.h"
-#include "study/exposure.h"
-#include "study/scenario.h"
+#include "wind/terrain.h"
+#include "load/scene.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

@@ -1,12 +1,12 @@
 #include "cmd/profile_options.h"
 #include "cmd/series_perform.h"
 #include "cmd/wind_speed.h"
+#include "load/scene.h"
 #include "out/explain.h"
 #include "out/results.h"
 #include "solve/solvers.h"
 #include "study/limits.h"
 #include "study/preset.h"
-#include "study/scenario.h"
 #include <math.h>
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 #include "base/file.h"
 #include "cmd/import_options.h"
 #include "grow/export.h"
-#include "grow/qsm_metrics.h"
+#include "load/qsm_metrics.h"
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>

@@ -7,9 +7,9 @@
 #include "grow/clothe.h"
 #include "grow/grow.h"
 #include "grow/qsm_model.h"
+#include "load/scene.h"
 #include "solve/solvers.h"
 #include "study/limits.h"
-#include "study/scenario.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
 #include <stdio.h>

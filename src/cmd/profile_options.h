@@ -2,7 +2,7 @@
 #define WF_CMD_PROFILE_OPTIONS_H
 /* How the mean wind grows with height, asked for in the same words by every command. */
 #include "cmd/cmd.h"
-#include "study/scenario.h"
+#include "load/scene.h"
 
 const char *wf_profile_word(size_t i);
 

@@ -4,7 +4,7 @@
  * a terminal. */
 #include "cmd/study.h"
 #include "study/directions.h"
-#include "study/exposure.h"
+#include "wind/terrain.h"
 
 #define WF_EXPOSURE_OPTIONS                                                                                  \
     { .name = "--speed-up",                                                                                  \

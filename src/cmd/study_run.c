@@ -1,6 +1,6 @@
 #include "cmd/study.h"
 #include "out/report.h"
-#include "study/exposure.h"
+#include "wind/terrain.h"
 #include <string.h>
 #include <sys/stat.h>
 

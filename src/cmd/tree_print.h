@@ -2,8 +2,8 @@
 #define WF_CMD_TREE_PRINT_H
 /* Figures of a measured tree on the terminal. */
 #include "data/species.h"
-#include "grow/qsm_metrics.h"
 #include "grow/qsm_model.h"
+#include "load/qsm_metrics.h"
 #include <stdio.h>
 
 /* What the user knows beyond the geometry. */

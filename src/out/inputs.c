@@ -1,9 +1,9 @@
 /* What went in: species values with range, standing and source; model; scenario; method. */
 #include "out/parts.h"
-#include "study/exposure.h"
 #include "wind/scale.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
+#include "wind/terrain.h"
 #include <math.h>
 #include <stddef.h>
 #include <string.h>

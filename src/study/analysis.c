@@ -2,9 +2,9 @@
 #include "base/num.h"
 #include "base/parallel.h"
 #include "grow/grow.h"
+#include "load/scene.h"
 #include "solve/unload.h"
 #include "study/limits.h"
-#include "study/scenario.h"
 #include "study/speed.h"
 #include <math.h>
 

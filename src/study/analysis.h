@@ -10,30 +10,9 @@
 #include "fail/breakage.h"
 #include "fail/critical.h"
 #include "load/load.h"
+#include "load/scene.h"
 #include "solve/solve.h"
 #include "wind/wind.h"
-
-struct wf_site; /* study/exposure.h */
-struct wf_scenario {
-    const char *profile;                        /* row of wf_profiles */
-    const struct wf_measured_profile *measured; /* of the profile "measured" */
-    const char *profile_file;                   /* it was read from */
-    double reference_height;                    /* height of the named wind speeds [m] */
-    double speed_up; /* wind at the tree over the wind named, at every height: exposure of the site [-] */
-    const struct wf_site *site; /* it was found on this ground; NULL: it was given */
-    double roughness, displacement,
-        exponent; /* [m], [m], [-]: of the log and canopy, log and canopy, power profile */
-    double canopy_height, attenuation; /* [m], [-]: of the canopy profile; 0: derived, see wind/wind.h */
-    double azimuth;                    /* direction the wind blows towards, from +x towards +y [rad] */
-    double temperature, altitude;      /* [K], [m] */
-    double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
-    double gravity;
-    double speed_max;       /* the critical wind speed is searched for up to here [m/s] */
-    const char *shelter;    /* row of wf_shelter_laws: the tree shelters itself; NULL: it does not */
-    const char *winds_said; /* how the wind speeds came to 10-min means; NULL: they were given so */
-};
-/* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2, search up to 100 m/s. */
-void wf_scenario_default(struct wf_scenario *s);
 
 /* What one segment bears, columns. */
 struct wf_figures {

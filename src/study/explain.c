@@ -1,8 +1,8 @@
 #include "study/explain.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "load/scene.h"
 #include "solve/solvers.h"
-#include "study/scenario.h"
 #include "study/speed.h"
 #include <stdlib.h>
 #include <string.h>

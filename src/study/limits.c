@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/limits.h"
 #include "base/num.h"
-#include "study/exposure.h"
-#include "study/scenario.h"
+#include "load/scene.h"
+#include "wind/terrain.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -5,10 +5,10 @@
  * are to be slow against the tree's own sway), or, with the deflect scheme, frame after frame with its memory
  * of the last one. */
 #include "grow/leaves.h"
+#include "load/scene.h"
 #include "solve/deflect.h"
 #include "study/analysis.h"
 #include "study/preset.h"
-#include "study/scenario.h"
 #include "study/series_leaves.h"
 #include "wind/gust.h"
 #include "wind/noise.h"

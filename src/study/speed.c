@@ -1,6 +1,6 @@
 #include "study/speed.h"
+#include "load/scene.h"
 #include "study/figures.h"
-#include "study/scenario.h"
 #include "study/sheltered.h"
 #include "wind/shelter_laws.h"
 #include <math.h>

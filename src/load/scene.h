@@ -1,10 +1,35 @@
-#ifndef WF_STUDY_SCENARIO_H
-#define WF_STUDY_SCENARIO_H
-/* From the scenario a user names to the wind field and the air. */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_LOAD_SCENE_H
+#define WF_LOAD_SCENE_H
+/* From the scenario a user names, and a species, to wind field, air and loads: once, for every room above. */
 #include "base/diag.h"
 #include "base/err.h"
-#include "study/analysis.h"
+#include "data/species.h"
+#include "load/load.h"
+#include "wind/wind.h"
 #include <math.h>
+
+struct wf_site; /* wind/terrain.h */
+struct wf_scenario {
+    const char *profile;                        /* row of wf_profiles */
+    const struct wf_measured_profile *measured; /* of the profile "measured" */
+    const char *profile_file;                   /* it was read from */
+    double reference_height;                    /* height of the named wind speeds [m] */
+    double speed_up; /* wind at the tree over the wind named, at every height: exposure of the site [-] */
+    const struct wf_site *site; /* it was found on this ground; NULL: it was given */
+    double roughness, displacement,
+        exponent; /* [m], [m], [-]: of the log and canopy, log and canopy, power profile */
+    double canopy_height, attenuation; /* [m], [-]: of the canopy profile; 0: derived, see wind/wind.h */
+    double azimuth;                    /* direction the wind blows towards, from +x towards +y [rad] */
+    double temperature, altitude;      /* [K], [m] */
+    double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
+    double gravity;
+    double speed_max;       /* the critical wind speed is searched for up to here [m/s] */
+    const char *shelter;    /* row of wf_shelter_laws: the tree shelters itself; NULL: it does not */
+    const char *winds_said; /* how the wind speeds came to 10-min means; NULL: they were given so */
+};
+/* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2, search up to 100 m/s. */
+void wf_scenario_default(struct wf_scenario *s);
 
 /* Refuse a scenario that no field can be made of. Returned: WF_OK or WF_EUSAGE. */
 enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e);
@@ -28,8 +53,6 @@ enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profil
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
 /* Speed at the reference height at the tree when the wind named is `named` [m/s]: on an exposed site more. */
 double wf_scenario_speed(const struct wf_scenario *s, double named);
-struct wf_species;
-struct wf_loads;
 /* What a checked scenario does to a tree of this species: wind field (at speed 0), air, gravity,
  * streamlining. Returned: *wind, and *loads pointing at it. WF_EINPUT for a streamlining law that does not
  * exist. */

@@ -1,5 +1,8 @@
-#include "grow/qsm_metrics.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "load/qsm_metrics.h"
 #include "base/num.h"
+#include "base/vec3.h"
+#include "load/load.h"
 #include <math.h>
 
 static const double BREAST = 1.3; /* [m] */
@@ -78,13 +81,25 @@ double wf_qsm_sail(const struct wf_qsm *q, double azimuth)
 void wf_qsm_drag(const struct wf_qsm *q, double pressure, double drag_coefficient, double azimuth,
                  double *force, double *moment)
 {
-    double wx = cos(azimuth), wy = sin(azimuth), low = INFINITY;
+    struct wf_loads l;
+    wf_loads_default(&l);
+    l.gravity = 0;
+    const struct wf_wind wind = { .sample = wf_profile_named("uniform")->sample,
+                                  .speed = sqrt(2 * pressure / l.air_density),
+                                  .direction = { cos(azimuth), sin(azimuth), 0 } };
+    double low = INFINITY;
+    l.wind = &wind;
     for (size_t i = 0; i < q->n; i++)
         if (q->parent[i] < 0) low = fmin(low, q->z0[i]);
     *force = *moment = 0;
     for (size_t i = 0; i < q->n; i++) {
-        double c = along(q, i, wx, wy);
-        double f = pressure * drag_coefficient * (q->r0[i] + q->r1[i]) * q->length[i] * (1 - c * c);
+        const struct wf_line_point point = { .diameter = q->r0[i] + q->r1[i], .drag = drag_coefficient };
+        const double d = wf_qsm_distance(q, i), x[3] = { q->x0[i], q->y0[i], q->z0[i] };
+        if (!(d > 0)) continue;
+        const double t[3] = { (q->x1[i] - x[0]) / d, (q->y1[i] - x[1]) / d, (q->z1[i] - x[2]) / d };
+        struct wf_line_parts parts;
+        wf_line_parts(&l, &point, x, t, &parts);
+        double f = q->length[i] * sqrt(wf_dot(parts.drag_axis, parts.drag_axis));
         *force += f;
         *moment += f * (0.5 * (q->z0[i] + q->z1[i]) - low);
     }

@@ -1,5 +1,5 @@
-#ifndef WF_GROW_QSM_METRICS_H
-#define WF_GROW_QSM_METRICS_H
+#ifndef WF_LOAD_QSM_METRICS_H
+#define WF_LOAD_QSM_METRICS_H
 /* Size of a measured tree, from the cylinders as they were measured (stated lengths, before any joining). */
 #include "grow/qsm.h"
 
@@ -27,9 +27,9 @@ void wf_qsm_measure(const struct wf_qsm *q, struct wf_qsm_metrics *m);
  * between wind and axis). Given: azimuth towards which the wind blows, from +x towards +y [rad]. */
 double wf_qsm_sail(const struct wf_qsm *q, double azimuth);
 
-/* Uncoupled drag of all axes, no shelter, normal pressure by the cross-flow principle (Hoerner 1965): each
- * row q Cd (r0 + r1) length (1 - (axis . wind)^2) at its mid-height. Given: pressure [Pa], drag coefficient,
- * azimuth [rad]. Returned: *force [N] and *moment about the lowest base [N m], along the wind. */
+/* Uncoupled drag of all axes in a uniform wind, no shelter: the axis drag of load/load.h, normal to each axis
+ * (cross-flow principle, Hoerner 1965), at its mid-height. Given: pressure [Pa], drag coefficient, azimuth
+ * [rad]. Returned: *force, the sum of the magnitudes [N], and *moment about the lowest base [N m]. */
 void wf_qsm_drag(const struct wf_qsm *q, double pressure, double drag_coefficient, double azimuth,
                  double *force, double *moment);
 #endif

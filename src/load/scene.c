@@ -1,4 +1,5 @@
-#include "study/scenario.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "load/scene.h"
 #include "base/num.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
