@@ -1,7 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/near.h"
 #include "base/yaml.h"
+#include "cmd/args.h"
 #include "cmd/cmd.h"
-#include "cmd/study_file.h"
 #include "data/model_schema.h"
 #include "data/species_schema.h"
 #include "fit/study.h"
@@ -31,7 +32,7 @@ int wf_cmd_schema(int argc, char **argv)
             code = 2;
         } else {
             const char *text =
-                table[k] ? wf_yaml_schema(table[k], &arena, &e) : wf_study_file_schema(&arena, &e);
+                table[k] ? wf_yaml_schema(table[k], &arena, &e) : wf_args_study_schema(&arena, &e);
             code = text ? (fputs(text, stdout), 0) : wf_complain(&e);
         }
     }

@@ -1,3 +1,5 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "cmd/validate_fit.h"
 #include "cmd/validate_print.h"
@@ -86,35 +88,37 @@ static size_t run_path(struct run *r, const char *path)
     return files;
 }
 
+struct validate_options {
+    struct wf_args args;
+    bool order, verbose;
+};
+
+#define OPTIONS struct validate_options
+static const struct wf_option options[] = {
+    FLAG("--order", order,
+         "also refine the mesh where a case asks for it, and print the observed order of convergence"),
+    FLAG("--verbose", verbose, "every wanted value, not only the worst of long lists", .letter = "-v"),
+    { 0 },
+};
+
 int wf_cmd_validate(int argc, char **argv)
 {
     static const char about[] =
         "Without a path: every case that is shipped. A path is a case file or a folder of them. The format "
         "is described in docs/validation-cases.md. A case whose large tree file is not there is skipped; "
         "WINDFIRM_REFERENCE can name the folder that holds it.";
-    static const struct wf_option options[] = {
-        { .name = "--order",
-          .kind = WF_OPTION_FLAG,
-          .help =
-              "also refine the mesh where a case asks for it, and print the observed order of convergence" },
-        { .name = "--verbose",
-          .letter = "-v",
-          .kind = WF_OPTION_FLAG,
-          .help = "every wanted value, not only the worst of long lists" },
-        { 0 },
-    };
     struct wf_arena arena = { 0 };
-    struct wf_args args;
-    int code = wf_args_read(argc, argv, options, about, 0, 1000, &arena, &args);
+    struct validate_options o;
+    int code = wf_args_read(argc, argv, options, about, 0, 1000, &arena, &o.args);
     if (code >= 0) {
         wf_arena_free(&arena);
         return code;
     }
-    struct run r = { .order = wf_args_given(&args, "--order"), .verbose = wf_args_given(&args, "--verbose") };
+    struct run r = { .order = o.order, .verbose = o.verbose };
     const char *shipped = wf_arena_print(&arena, "%s/validation", wf_share());
-    size_t paths = args.n ? args.n : 1;
+    size_t paths = o.args.n ? o.args.n : 1;
     for (size_t i = 0; i < paths && shipped; i++) {
-        const char *path = args.n ? args.operand[i] : shipped;
+        const char *path = o.args.n ? o.args.operand[i] : shipped;
         if (run_path(&r, path)) continue;
         struct stat s;
         fprintf(stderr, "windfirm validate: %s: %s\n", path,

@@ -14,10 +14,12 @@ struct wf_fit_rival { /* the same data without, or with, a root plate that gives
     double aicc, own; /* of the rival, and of the fit itself with the same sigmas */
 };
 
+struct fit_options;
 struct wf_fit_job {
     struct wf_arena arena;
-    struct wf_args args;
-    const char *folder, *command, *date;
+    const struct fit_options *options; /* as typed */
+    const char *folder, *command, *date, *loss;
+    bool priors;
     struct wf_fit_study study;
     struct wf_experiment x;
     struct wf_fit_input *input; /* per test */
@@ -30,7 +32,6 @@ struct wf_fit_job {
     struct wf_input_file *file; /* study, species, trees, data */
 };
 
-void wf_fit_print(FILE *to, const struct wf_fit_job *j);
 /* results.json, tables/ and plots/run.gp of the folder. */
 enum wf_status wf_fit_write(const struct wf_fit_job *j, struct wf_err *e);
 /* plots/ *.svg, calibration.html and calibration.pdf of the folder; parts that could not be made are

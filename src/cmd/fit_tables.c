@@ -219,8 +219,8 @@ static json_t *document(struct wf_doc *d, const struct wf_fit_job *j)
     wf_doc_text(d, o, "title", j->study.name), wf_doc_text(d, o, "note", j->study.note);
     wf_doc_text(d, o, "source", j->study.source), wf_doc_text(d, o, "reference", j->study.reference);
     wf_doc_text(d, o, "version", WF_VERSION), wf_doc_text(d, o, "date", j->date);
-    wf_doc_text(d, o, "command", j->command), wf_doc_text(d, o, "loss", wf_args_text(&j->args, "--loss"));
-    wf_doc_flag(d, o, "priors", wf_args_given(&j->args, "--priors"));
+    wf_doc_text(d, o, "command", j->command), wf_doc_text(d, o, "loss", j->loss);
+    wf_doc_flag(d, o, "priors", j->priors);
     json_t *files = wf_doc_put(d, o, "files", wf_doc_array(d));
     for (size_t i = 0; i < j->files; i++) {
         json_t *f = wf_doc_add(d, files, wf_doc_object(d));
