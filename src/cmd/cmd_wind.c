@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm wind: make a gusty wind, look at it, draw it. */
+#include "base/file.h"
 #include "base/near.h"
 #include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "cmd/option_groups.h"
-#include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"
 #include "cmd/wind_stream.h"
 #include "cmd/wind_tables.h"
 #include "wind/points.h"
+#include "wind/rose.h"
 #include "wind/scale.h"
 #include <math.h>
 #include <stdio.h>
@@ -126,8 +127,8 @@ static enum wf_status place_points(const struct wind_options *o, struct wf_gust_
     return WF_OK;
 }
 
-static enum wf_status specify(const struct wind_options *o, struct wf_gust_spec *s, struct wf_arena *a,
-                              struct wf_diag *d, struct wf_err *e)
+static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spec *s, struct wf_arena *a,
+                                struct wf_diag *d, struct wf_err *e)
 {
     const char *name = o->args.operand[0], *known[16];
     size_t n = 0;
@@ -220,11 +221,78 @@ static enum wf_status make_wind(const struct wind_options *o, struct wf_arena *a
     struct wf_gust_spec spec;
     const char *stream = o->stream;
     bool quiet = o->args.quiet;
-    enum wf_status s = specify(o, &spec, a, &d, e);
+    enum wf_status s = make_spec(o, &spec, a, &d, e);
     if (!s) s = stream ? wf_wind_stream(&spec, stream, quiet, a, &d, e) : show_wind(o, &spec, a, &d, e);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     return s;
+}
+
+/* ---- windfirm wind rose ---- */
+
+static const double above[] = { 5.0, 10.0, 15.0, 20.0 };
+enum { CLASSES = sizeof above / sizeof above[0] };
+
+static double degrees(double rad) { return rad * 57.295779513082321; }
+
+static void print_rose(const char *file, const struct wf_rose *r)
+{
+    printf("%s: %zu directions, frequencies sum to %g in the file\n\n", file, r->sectors, r->typed_sum);
+    printf("%-8s %10s %10s %7s  above", "from", "frequency", "mean m/s", "shape");
+    for (int k = 0; k < CLASSES; k++) printf(" %6.0f", above[k]);
+    printf(" m/s (hours a year)\n");
+    for (size_t s = 0; s <= r->sectors; s++) {
+        bool all = s == r->sectors;
+        if (all)
+            printf("%-8s %10.4f %10.3f %7s       ", "all", 1.0, wf_rose_mean(r), "");
+        else
+            printf("%5.1f    %10.4f %10.3f %7.3f       ", degrees(r->from[s]), r->frequency[s],
+                   r->scale[s] * tgamma(1.0 + 1.0 / r->shape[s]), r->shape[s]);
+        for (int k = 0; k < CLASSES; k++)
+            printf(" %6.1f", 8766.0 * (all ? wf_rose_above(r, above[k])
+                                           : r->frequency[s] * wf_rose_sector_above(r, s, above[k])));
+        printf("\n");
+    }
+    printf("\nhourly mean exceeded 1 %% of the time: %.2f m/s; 0.1 %%: %.2f m/s\n", wf_rose_speed(r, 0.01),
+           wf_rose_speed(r, 0.001));
+}
+
+static enum wf_status write_rose(const char *folder, const struct wf_rose *r, struct wf_err *e)
+{
+    struct wf_file f = { 0 };
+    enum wf_status status = wf_wind_begin(&f, folder, "tables/rose.csv", e);
+    if (status) return status;
+    fprintf(f.stream, "from_deg,frequency,weibull_scale_m_s,weibull_shape");
+    for (int k = 0; k < CLASSES; k++) fprintf(f.stream, ",share_above_%g_m_s", above[k]);
+    for (size_t s = 0; s < r->sectors; s++) {
+        fprintf(f.stream, "\n%.6g,%.6g,%.6g,%.6g", degrees(r->from[s]), r->frequency[s], r->scale[s],
+                r->shape[s]);
+        for (int k = 0; k < CLASSES; k++)
+            fprintf(f.stream, ",%.6g", r->frequency[s] * wf_rose_sector_above(r, s, above[k]));
+    }
+    fputc('\n', f.stream);
+    status = wf_file_commit(&f, e);
+    if (!status) status = wf_wind_begin(&f, folder, "plots/run.gp", e);
+    if (status) return status;
+    fprintf(f.stream, "SECTORS = %zu\n", r->sectors);
+    return wf_file_commit(&f, e);
+}
+
+/* A wind climate: read, printed unless quiet, written to FOLDER/tables/rose.csv, drawn. */
+static enum wf_status show_rose(const struct wind_options *o, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_err *e)
+{
+    static const char *const figures[] = { "wind_rose", NULL };
+    const char *file = o->gust.file, *folder = o->output;
+    struct wf_rose r;
+    if (!file) return wf_fail(e, WF_EUSAGE, "the wind rose needs --file");
+    enum wf_status status = wf_rose_read(file, a, d, &r, e);
+    if (status) return status;
+    if (!o->args.quiet) print_rose(file, &r);
+    status = wf_wind_folders(folder, e);
+    if (!status) status = write_rose(folder, &r, e);
+    if (!status && !o->no_plots) status = wf_wind_figures(folder, figures, e);
+    return status;
 }
 
 int wf_cmd_wind(int argc, char **argv)
@@ -236,9 +304,8 @@ int wf_cmd_wind(int argc, char **argv)
     if (code < 0 && strcmp(o.args.operand[0], "list") == 0) code = list_models();
     if (code < 0 && strcmp(o.args.operand[0], "rose") == 0) {
         struct wf_diag d = { .arena = &arena };
-        bool quiet = o.args.quiet;
-        enum wf_status s = wf_wind_rose(o.gust.file, o.output, !o.no_plots, quiet, &arena, &d, &e);
-        wf_print_findings(&d, quiet);
+        enum wf_status s = show_rose(&o, &arena, &d, &e);
+        wf_print_findings(&d, o.args.quiet);
         code = s ? wf_complain(&e) : 0;
     }
     if (code < 0) code = make_wind(&o, &arena, &e) ? wf_complain(&e) : 0;

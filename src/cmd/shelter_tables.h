@@ -22,11 +22,6 @@ struct wf_shelter_run {
     struct wf_tip *tip;
     size_t tips;
 };
-/* Fill tip, tips from the responses. WF_ENOMEM. */
-enum wf_status wf_shelter_tips(struct wf_shelter_run *r, const struct wf_loads *open, struct wf_arena *a,
-                               struct wf_err *e);
-/* Slabs and the windward and leeward thirds, for a terminal. */
-void wf_shelter_print(FILE *to, const struct wf_shelter_run *r);
 /* FOLDER/tables/{slabs,cells,cut_level,cut_upright,rows,tips}.csv and FOLDER/plots/run.gp. */
 enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *e);
 #endif
