@@ -119,79 +119,79 @@ static struct wf_fit_options options_of(const struct wf_args *g)
 
 static enum wf_status note(struct wf_fit_job *j, const char *role, const char *path, struct wf_err *e)
 {
-    for (size_t i = 0; i < j->files; i++)
-        if (!strcmp(j->file[i].path, path)) return WF_OK;
-    return wf_input_file_note(role, path, &j->arena, &j->file[j->files++], e);
+    for (size_t i = 0; i < j->r.files; i++)
+        if (!strcmp(j->r.file[i].path, path)) return WF_OK;
+    return wf_input_file_note(role, path, &j->arena, &j->r.file[j->r.files++], e);
 }
 
 static enum wf_status build(struct wf_fit_job *j, struct wf_err *e)
 {
     const char *names = wf_args_text(&j->args, "--data"), *list[64];
     char *rest = NULL, *copy = names ? wf_arena_text(&j->arena, names) : NULL;
-    struct wf_fit_build b = { .study = &j->study, .share = wf_share(), .data = list };
+    struct wf_fit_build b = { .study = &j->r.study, .share = wf_share(), .data = list };
     for (char *p = copy ? strtok_r(copy, ",", &rest) : NULL; p && b.datas < 64;
          p = strtok_r(NULL, ",", &rest))
         list[b.datas++] = p;
-    enum wf_status s = wf_fit_study_read(j->args.operand[0], &j->arena, &j->study, &j->diag, e);
+    enum wf_status s = wf_fit_study_read(j->args.operand[0], &j->arena, &j->r.study, &j->r.diag, e);
     if (s) return s;
-    j->input = WF_TAKE(&j->arena, j->study.tests, struct wf_fit_input);
-    j->file = WF_TAKE(&j->arena, 1 + 2 * j->study.trees + j->study.tests, struct wf_input_file);
-    if (!j->input || !j->file) return wf_fail(e, WF_ENOMEM, "no room for the study");
-    s = wf_fit_build(&b, &j->arena, &j->diag, &j->x, j->input, e);
+    j->r.input = WF_TAKE(&j->arena, j->r.study.tests, struct wf_fit_input);
+    j->r.file = WF_TAKE(&j->arena, 1 + 2 * j->r.study.trees + j->r.study.tests, struct wf_input_file);
+    if (!j->r.input || !j->r.file) return wf_fail(e, WF_ENOMEM, "no room for the study");
+    s = wf_fit_build(&b, &j->arena, &j->r.diag, &j->r.x, j->r.input, e);
     if (!s) s = note(j, "study", j->args.operand[0], e);
-    for (size_t k = 0; k < j->x.trees && !s; k++) {
-        s = note(j, "species", j->x.tree[k].species->file, e);
-        if (!s && j->x.tree[k].file) s = note(j, "tree", j->x.tree[k].file, e);
+    for (size_t k = 0; k < j->r.x.trees && !s; k++) {
+        s = note(j, "species", j->r.x.tree[k].species->file, e);
+        if (!s && j->r.x.tree[k].file) s = note(j, "tree", j->r.x.tree[k].file, e);
     }
-    for (size_t k = 0; k < j->x.tests && !s; k++)
-        if (j->input[k].path) s = note(j, "data", j->input[k].path, e);
+    for (size_t k = 0; k < j->r.x.tests && !s; k++)
+        if (j->r.input[k].path) s = note(j, "data", j->r.input[k].path, e);
     return s ? s
-             : wf_fit_params(&j->study, wf_args_text(&j->args, "--free"), &j->x, false, &j->arena, &j->param,
-                             &j->params, e);
+             : wf_fit_params(&j->r.study, wf_args_text(&j->args, "--free"), &j->r.x, false, &j->arena,
+                             &j->r.param, &j->r.params, e);
 }
 
 /* The same fit with the root clamped where it gives, or giving where it is clamped. A rival that cannot be
  * fitted is left out: it is no fault of the fit that was asked for. */
 static void rival(struct wf_fit_job *j, struct wf_fit_options o)
 {
-    struct wf_fit_param *p = WF_TAKE(&j->arena, j->params + j->x.trees + 1, struct wf_fit_param);
+    struct wf_fit_param *p = WF_TAKE(&j->arena, j->r.params + j->r.x.trees + 1, struct wf_fit_param);
     struct wf_diag d = { .arena = &j->arena };
     struct wf_err e = { 0 };
     size_t n = 0, nuisance = 0;
     bool had = false, tested = false;
-    for (size_t k = 0; k < j->x.tests; k++)
-        for (size_t s = 0; s < j->x.test[k].sensors; s++)
-            tested |= j->x.test[k].sensor[s].kind != WF_SENSOR_DAMPING;
+    for (size_t k = 0; k < j->r.x.tests; k++)
+        for (size_t s = 0; s < j->r.x.test[k].sensors; s++)
+            tested |= j->r.x.test[k].sensor[s].kind != WF_SENSOR_DAMPING;
     if (!p || !tested) return;
-    for (size_t k = 0; k < j->params; k++) had |= j->param[k].quantity == WF_FIT_ROOT;
-    for (size_t k = 0; k < j->params; k++) {
-        if (wf_param_nuisance(&j->param[k]))
+    for (size_t k = 0; k < j->r.params; k++) had |= j->r.param[k].quantity == WF_FIT_ROOT;
+    for (size_t k = 0; k < j->r.params; k++) {
+        if (wf_param_nuisance(&j->r.param[k]))
             nuisance++;
-        else if (j->param[k].quantity != WF_FIT_ROOT)
-            p[n++] = j->param[k];
+        else if (j->r.param[k].quantity != WF_FIT_ROOT)
+            p[n++] = j->r.param[k];
     }
-    if (!had &&
-        wf_param_add(&j->x, j->x.trees > 1 ? "each:root.stiffness" : "root.stiffness", &j->arena, p, &n, &e))
+    if (!had && wf_param_add(&j->r.x, j->r.x.trees > 1 ? "each:root.stiffness" : "root.stiffness", &j->arena,
+                             p, &n, &e))
         return;
     if (!n) return;
-    for (size_t k = j->params - nuisance; k < j->params; k++) p[n++] = j->param[k];
+    for (size_t k = j->r.params - nuisance; k < j->r.params; k++) p[n++] = j->r.param[k];
     o.profile = false, o.resamples = 0, o.starts = 1;
-    struct wf_fit_rival *r = &j->rival;
+    struct wf_fit_rival *r = &j->r.rival;
     r->text = had ? "clamped root" : "root plate that gives";
-    double *stiffness = WF_TAKE(&j->arena, j->x.trees, double);
+    double *stiffness = WF_TAKE(&j->arena, j->r.x.trees, double);
     if (!stiffness) return;
-    for (size_t k = 0; k < j->x.trees; k++) {
-        double *of = j->x.tree[k].options.root_stiffness;
+    for (size_t k = 0; k < j->r.x.trees; k++) {
+        double *of = j->r.x.tree[k].options.root_stiffness;
         stiffness[k] = of[0];
         if (had) of[0] = of[1] = 0; /* clamped, whatever the study gives */
     }
-    enum wf_status s = wf_fit_run(&j->x, p, n, &o, &j->arena, &d, &r->fit, &e);
-    for (size_t k = 0; k < j->x.trees; k++)
-        j->x.tree[k].options.root_stiffness[0] = j->x.tree[k].options.root_stiffness[1] = stiffness[k];
+    enum wf_status s = wf_fit_run(&j->r.x, p, n, &o, &j->arena, &d, &r->fit, &e);
+    for (size_t k = 0; k < j->r.x.trees; k++)
+        j->r.x.tree[k].options.root_stiffness[0] = j->r.x.tree[k].options.root_stiffness[1] = stiffness[k];
     if (s || r->fit.stopped) return;
-    const struct wf_fit *rich = had ? &j->fit : &r->fit;
+    const struct wf_fit *rich = had ? &j->r.fit : &r->fit;
     r->aicc = wf_fit_aicc(&r->fit, rich);
-    r->own = wf_fit_aicc(&j->fit, rich);
+    r->own = wf_fit_aicc(&j->r.fit, rich);
     r->made = true;
 }
 
@@ -201,7 +201,7 @@ static enum wf_status fit(struct wf_fit_job *j, struct wf_err *e)
     struct wf_fit_options o = options_of(&j->args);
     struct sigaction act = { .sa_handler = interrupt }, before;
     sigaction(SIGINT, &act, &before);
-    enum wf_status s = wf_fit_run(&j->x, j->param, j->params, &o, &j->arena, &j->diag, &j->fit, e);
+    enum wf_status s = wf_fit_run(&j->r.x, j->r.param, j->r.params, &o, &j->arena, &j->r.diag, &j->r.fit, e);
     if (!s && !interrupted && !wf_args_given(&j->args, "--no-rival")) rival(j, o);
     sigaction(SIGINT, &before, NULL);
     wf_progress(NULL);
@@ -213,7 +213,7 @@ static enum wf_status pages(struct wf_fit_job *j, struct wf_err *e)
     struct wf_diag d = { .arena = &j->arena };
     struct wf_err why = { 0 };
     wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_fit_pages(j->folder, &d, &why);
+    enum wf_status s = wf_fit_results_pages(j->folder, &d, &why);
     wf_progress(NULL);
     wf_print_findings(&d, false);
     return s == WF_OK || s == WF_EMISSING ? WF_OK : wf_fail(e, s, "%s", why.text);
@@ -224,16 +224,16 @@ static enum wf_status run(struct wf_fit_job *j, bool quiet, struct wf_err *e)
     const char *write = wf_args_text(&j->args, "--write");
     enum wf_status s = build(j, e);
     if (!s) s = fit(j, e);
-    if (!s && interrupted && !j->fit.stopped)
-        wf_diag_warn(&j->diag, "stopped", "interrupted before the comparison with the root the other way");
+    if (!s && interrupted && !j->r.fit.stopped)
+        wf_diag_warn(&j->r.diag, "stopped", "interrupted before the comparison with the root the other way");
     if (!s && interrupted && write)
-        wf_diag_warn(&j->diag, "stopped", "interrupted: %s is not written", write);
-    if (!s && !quiet) wf_fit_print(stdout, j);
+        wf_diag_warn(&j->r.diag, "stopped", "interrupted: %s is not written", write);
+    if (!s && !quiet) wf_fit_print(stdout, &j->r);
     fflush(stdout);
-    wf_print_findings(&j->diag, quiet);
-    if (!s) s = wf_fit_write(j, e);
+    wf_print_findings(&j->r.diag, quiet);
+    if (!s) s = wf_fit_results_write(&j->r, j->folder, e);
     if (interrupted) write = NULL; /* what others would take for the answer */
-    if (!s && write) s = wf_fit_write_species(j, write, e);
+    if (!s && write) s = wf_fit_species_write(&j->r, write, e);
     bool report = !wf_args_given(&j->args, "--no-report");
     if (!s && report) s = pages(j, e);
     if (!s && !quiet) printf("\nResults, tables%s: %s\n", report ? ", plots and pages" : "", j->folder);
@@ -245,16 +245,18 @@ int wf_cmd_fit(int argc, char **argv)
 {
     struct wf_fit_job j = { 0 };
     struct wf_err e = { 0 };
-    j.diag.arena = &j.arena;
+    j.r.diag.arena = &j.arena;
     int code = wf_args_read(argc, argv, options, about, 1, 1, &j.arena, &j.args);
     if (code < 0) {
         j.folder = wf_args_text(&j.args, "--output");
-        j.command = wf_arena_text(&j.arena, "windfirm");
-        for (int i = 0; j.command && i < argc; i++)
-            j.command = wf_arena_print(&j.arena, "%s %s", j.command, argv[i]);
-        j.date = wf_run_date(&j.arena);
-        enum wf_status s = j.command && j.date ? run(&j, wf_args_given(&j.args, "--quiet"), &e)
-                                               : wf_fail(&e, WF_ENOMEM, "no room for the command line");
+        j.r.loss = wf_args_text(&j.args, "--loss");
+        j.r.priors = wf_args_given(&j.args, "--priors");
+        j.r.command = wf_arena_text(&j.arena, "windfirm");
+        for (int i = 0; j.r.command && i < argc; i++)
+            j.r.command = wf_arena_print(&j.arena, "%s %s", j.r.command, argv[i]);
+        j.r.date = wf_run_date(&j.arena);
+        enum wf_status s = j.r.command && j.r.date ? run(&j, wf_args_given(&j.args, "--quiet"), &e)
+                                                   : wf_fail(&e, WF_ENOMEM, "no room for the command line");
         code = s ? wf_complain(&e) : interrupted ? 1 : 0;
     }
     wf_arena_free(&j.arena);

@@ -1,12 +1,12 @@
 /* windfirm shelter: what a tree leaves of the wind inside and behind itself. */
 #include "cmd/import_options.h"
 #include "cmd/profile_options.h"
-#include "cmd/shelter_tables.h"
+#include "cmd/shelter_print.h"
 #include "cmd/wind_speed.h"
-#include "cmd/wind_tables.h"
 #include "grow/clothe.h"
 #include "grow/grow.h"
 #include "grow/qsm_model.h"
+#include "out/wind_results.h"
 #include "study/limits.h"
 #include "study/scenario.h"
 #include <math.h>

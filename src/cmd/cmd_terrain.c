@@ -1,9 +1,7 @@
 /* windfirm terrain: ground made or read, what shelters it and what speeds the wind up. */
-#include "base/csv.h"
-#include "base/file.h"
 #include "cmd/cmd.h"
-#include "cmd/wind_tables.h"
-#include "wind/terrain.h"
+#include "out/terrain_results.h"
+#include "out/wind_results.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -122,16 +120,8 @@ static const char about[] =
     "  windfirm terrain --size 8 --relief 40 --seed 3 --from 240\n"
     "  windfirm terrain --dem heights.asc --positions trees.csv -o out/site";
 
-struct site {
-    struct wf_terrain ground;
-    struct wf_speedup speedup;
-    double *topex, *factor; /* [deg], U/U0 [-] */
-    size_t unseen;          /* points from which a sight line leaves the map */
-    const char *folder;
-    double from;
-};
-
-static enum wf_status look(const struct wf_args *g, struct site *s, struct wf_arena *a, struct wf_err *e)
+static enum wf_status look(const struct wf_args *g, struct wf_terrain_site *s, struct wf_arena *a,
+                           struct wf_err *e)
 {
     const struct wf_terrain *t = &s->ground;
     size_t n = t->rows * t->columns;
@@ -154,78 +144,6 @@ static enum wf_status look(const struct wf_args *g, struct site *s, struct wf_ar
     return status;
 }
 
-/* Every point of the map, blank line after each row as gnuplot's maps want it. */
-static enum wf_status write_points(const struct site *s, struct wf_err *e)
-{
-    const struct wf_terrain *t = &s->ground;
-    struct wf_file f = { 0 };
-    enum wf_status status = wf_wind_begin(&f, s->folder, "tables/terrain.csv", e);
-    if (status) return status;
-    fprintf(f.stream, "x_m,y_m,height_m,topex_deg,wind_factor\n");
-    for (size_t r = 0; r < t->rows; r++) {
-        for (size_t c = 0; c < t->columns; c++) {
-            size_t i = r * t->columns + c;
-            fprintf(f.stream, "%.9g,%.9g,%.6g,%.5g,%.5g\n", t->x0 + (double)c * t->cell,
-                    t->y0 + (double)r * t->cell, t->z[i], s->topex[i], s->factor[i]);
-        }
-        fputc('\n', f.stream);
-    }
-    return wf_file_commit(&f, e);
-}
-
-static enum wf_status write_grids(const struct site *s, struct wf_err *e)
-{
-    static const char *const name[] = { "height.asc", "topex_deg.asc", "wind_factor.asc" };
-    const double *const value[] = { s->ground.z, s->topex, s->factor };
-    for (int i = 0; i < 3; i++) {
-        char path[WF_PATH_MAX];
-        int n = snprintf(path, sizeof path, "%s/tables/%s", s->folder, name[i]);
-        if (n < 0 || (size_t)n >= sizeof path)
-            return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", s->folder);
-        enum wf_status status = wf_terrain_write(path, &s->ground, value[i], e);
-        if (status) return status;
-    }
-    struct wf_file f = { 0 };
-    enum wf_status status = wf_wind_begin(&f, s->folder, "plots/run.gp", e);
-    if (status) return status;
-    fprintf(f.stream, "FROM = %.9g\nCELL = %.9g\n", s->from * 180 / M_PI, s->ground.cell);
-    return wf_file_commit(&f, e);
-}
-
-/* The grid point nearest to each place asked for; the height is interpolated. */
-static enum wf_status write_positions(const struct site *s, const char *file, struct wf_arena *a,
-                                      struct wf_diag *d, struct wf_err *e)
-{
-    const struct wf_terrain *t = &s->ground;
-    struct wf_csv csv = { 0 };
-    struct wf_file f = { 0 };
-    size_t errors = d->errors;
-    enum wf_status status = wf_csv_open(&csv, file, a, d, e);
-    if (status) return status;
-    size_t cx = wf_csv_need(&csv, "x_m"), cy = wf_csv_need(&csv, "y_m");
-    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a list of positions", file);
-    status = wf_wind_begin(&f, s->folder, "tables/positions.csv", e);
-    if (status) return status;
-    fprintf(f.stream, "x_m,y_m,height_m,topex_deg,wind_factor\n");
-    while (wf_csv_next(&csv)) {
-        double x, y;
-        if (!wf_csv_number(&csv, cx, -1e9, 1e9, &x) || !wf_csv_number(&csv, cy, -1e9, 1e9, &y)) continue;
-        double z = wf_terrain_height(t, x, y);
-        if (isnan(z)) {
-            wf_csv_mistake(&csv, cx, "%.9g, %.9g lies outside the map or where it has no data", x, y);
-            continue;
-        }
-        size_t i =
-            (size_t)llround((y - t->y0) / t->cell) * t->columns + (size_t)llround((x - t->x0) / t->cell);
-        fprintf(f.stream, "%.9g,%.9g,%.6g,%.5g,%.5g\n", x, y, z, s->topex[i], s->factor[i]);
-    }
-    if (d->errors > errors) {
-        wf_file_abandon(&f);
-        return wf_fail(e, WF_EINPUT, "%s: positions that cannot be used", file);
-    }
-    return wf_file_commit(&f, e);
-}
-
 static void range(const char *name, const char *unit, const double *v, size_t n)
 {
     double low = INFINITY, high = -INFINITY, sum = 0.0, count = 0.0;
@@ -238,7 +156,7 @@ static void range(const char *name, const char *unit, const double *v, size_t n)
     printf("%-24s %10.3f %10.3f %10.3f  %s\n", name, low, sum / count, high, unit);
 }
 
-static void print(const struct site *s)
+static void print(const struct wf_terrain_site *s)
 {
     const struct wf_terrain *t = &s->ground;
     size_t n = t->rows * t->columns;
@@ -251,7 +169,7 @@ static void print(const struct site *s)
            s->speedup.length, s->speedup.inner, s->speedup.gain, s->speedup.steepest);
 }
 
-static void warn(const struct site *s, struct wf_diag *d)
+static void warn(const struct wf_terrain_site *s, struct wf_diag *d)
 {
     if (s->speedup.steepest > 0.3)
         wf_diag_warn(
@@ -267,10 +185,11 @@ static void warn(const struct site *s, struct wf_diag *d)
             100.0 * (double)s->unseen / (double)(s->ground.rows * s->ground.columns));
 }
 
-static enum wf_status run(const struct wf_args *g, struct site *s, struct wf_arena *a, struct wf_diag *d,
-                          struct wf_err *e)
+static enum wf_status run(const struct wf_args *g, struct wf_terrain_site *s, struct wf_arena *a,
+                          struct wf_diag *d, struct wf_err *e)
 {
-    const char *dem = wf_args_text(g, "--dem"), *positions = wf_args_text(g, "--positions");
+    const char *dem = wf_args_text(g, "--dem"), *positions = wf_args_text(g, "--positions"),
+               *folder = wf_args_text(g, "--output");
     static const char *const figures[] = { "terrain", NULL };
     enum wf_status status =
         dem ? wf_terrain_read(dem, a, &s->ground, e)
@@ -278,13 +197,10 @@ static enum wf_status run(const struct wf_args *g, struct site *s, struct wf_are
                               wf_args_number(g, "--smoothness"), wf_args_number(g, "--relief"),
                               (uint64_t)llround(wf_args_number(g, "--seed")), a, &s->ground, e);
     s->from = wf_args_number(g, "--from");
-    s->folder = wf_args_text(g, "--output");
     if (!status) status = look(g, s, a, e);
-    if (!status) status = wf_wind_folders(s->folder, e);
-    if (!status) status = write_points(s, e);
-    if (!status) status = write_grids(s, e);
-    if (!status && positions) status = write_positions(s, positions, a, d, e);
-    if (!status && !wf_args_given(g, "--no-plots")) status = wf_wind_figures(s->folder, figures, e);
+    if (!status) status = wf_terrain_results_write(s, folder, e);
+    if (!status && positions) status = wf_terrain_positions_write(s, positions, folder, a, d, e);
+    if (!status && !wf_args_given(g, "--no-plots")) status = wf_wind_figures(folder, figures, e);
     if (!status) warn(s, d);
     return status;
 }
@@ -297,13 +213,13 @@ int wf_cmd_terrain(int argc, char **argv)
     int code = wf_args_read(argc, argv, options, about, 0, 0, &arena, &args);
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
-        struct site s = { 0 };
+        struct wf_terrain_site s = { 0 };
         bool quiet = wf_args_given(&args, "--quiet");
         enum wf_status status = run(&args, &s, &arena, &d, &e);
         wf_print_findings(&d, quiet);
         if (!status && !quiet) {
             print(&s);
-            printf("Tables, grids and map: %s\n", s.folder);
+            printf("Tables, grids and map: %s\n", wf_args_text(&args, "--output"));
         }
         code = status ? wf_complain(&e) : 0;
     }

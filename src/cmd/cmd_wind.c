@@ -3,8 +3,8 @@
 #include "cmd/gust_options.h"
 #include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"
-#include "cmd/wind_stream.h"
-#include "cmd/wind_tables.h"
+#include "out/wind_results.h"
+#include "out/wind_stream.h"
 #include "wind/points.h"
 #include "wind/scale.h"
 #include <math.h>
@@ -262,14 +262,47 @@ static enum wf_status show(const struct wf_args *g, const struct wf_gust_spec *s
     return s;
 }
 
+static void progress(size_t block, size_t blocks) { wf_progress("block %zu of %zu ...", block, blocks); }
+
+static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_streamed *w, const char *path)
+{
+    static const char *const name[WF_COMPONENTS] = { "along the wind", "across", "up" };
+    printf("%s: %zu points, %zu steps of %g s, %u component%s, seed %llu: %s\n", s->model->name, s->points,
+           s->steps, s->step, s->components, s->components == 1 ? "" : "s", (unsigned long long)s->seed,
+           path);
+    printf("%zu blocks of %zu steps, made and written in %.1f s of processor time\n", w->blocks, w->block,
+           w->seconds);
+    for (unsigned c = 0; c < s->components; c++) {
+        printf("first point, %-15s mean %8.3f m/s, standard deviation %7.3f m/s", name[c], w->mean[c],
+               w->deviation[c]);
+        if (isnan(w->asked[c]))
+            printf("\n");
+        else
+            printf(" (asked %.3f)\n", w->asked[c]);
+    }
+    if (s->model->spectrum)
+        printf("blocks meet within %.3f %% of the standard deviation\n", 100.0 * w->joint);
+    if (!isnan(w->coherence)) printf("coherence made within %.4f of the one asked for\n", w->coherence);
+}
+
+static enum wf_status stream(const struct wf_args *g, const struct wf_gust_spec *spec, struct wf_arena *a,
+                             struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_wind_streamed w;
+    const char *path = wf_args_text(g, "--stream");
+    enum wf_status s = wf_wind_stream(spec, path, progress, a, d, &w, e);
+    wf_progress(NULL);
+    if (!s && !wf_args_given(g, "--quiet")) print_streamed(spec, &w, path);
+    return s;
+}
+
 static enum wf_status run(const struct wf_args *g, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
     struct wf_gust_spec spec;
-    const char *stream = wf_args_text(g, "--stream");
     bool quiet = wf_args_given(g, "--quiet");
     enum wf_status s = specify(g, &spec, a, &d, e);
-    if (!s) s = stream ? wf_wind_stream(&spec, stream, quiet, a, &d, e) : show(g, &spec, a, &d, e);
+    if (!s) s = wf_args_text(g, "--stream") ? stream(g, &spec, a, &d, e) : show(g, &spec, a, &d, e);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     return s;

@@ -60,22 +60,22 @@ static void sensors(FILE *to, const struct wf_fit *f)
     }
 }
 
-void wf_fit_print(FILE *to, const struct wf_fit_job *j)
+void wf_fit_print(FILE *to, const struct wf_fit_results *of)
 {
-    const struct wf_fit *f = &j->fit;
+    const struct wf_fit *f = &of->fit;
     bool bound = false;
-    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", j->study.name, f->x->data,
+    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", of->study.name, f->x->data,
             f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
             f->params > f->free ? " (offsets and drifts included)" : "");
     parameters(to, f);
-    for (size_t k = 0; k < j->x.tests; k++)
-        if (j->input[k].swung) {
-            const struct wf_ring_down *s = &j->input[k].sway;
+    for (size_t k = 0; k < of->x.tests; k++)
+        if (of->input[k].swung) {
+            const struct wf_ring_down *s = &of->input[k].sway;
             fprintf(to, "\n%s: %.4f +- %.4f Hz, damping %.2f +- %.2f %%, %.1f %% of the variance explained",
-                    j->x.test[k].name, s->frequency, 1.96 * s->frequency_sd, 100 * s->damping,
+                    of->x.test[k].name, s->frequency, 1.96 * s->frequency_sd, 100 * s->damping,
                     196 * s->damping_sd, 100 * s->explained);
         }
-    if (j->x.tests && j->input[0].swung) fputc('\n', to);
+    if (of->x.tests && of->input[0].swung) fputc('\n', to);
     correlations(to, f);
     sensors(to, f);
     fprintf(to, "\nreduced chi-square %.4g with %zu degrees of freedom%s\n", f->reduced, f->freedom,
@@ -84,9 +84,9 @@ void wf_fit_print(FILE *to, const struct wf_fit_job *j)
     if (f->loose_n == 0)
         fprintf(to, "the data determine every parameter%s\n", bound ? " that did not end on a bound" : "");
     for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
-    if (j->rival.made) {
-        const struct wf_fit *r = &j->rival.fit;
-        fprintf(to, "\nthe same with a %s:", j->rival.text);
+    if (of->rival.made) {
+        const struct wf_fit *r = &of->rival.fit;
+        fprintf(to, "\nthe same with a %s:", of->rival.text);
         for (size_t k = 0; k < r->free; k++) {
             double factor;
             const char *unit = wf_param_unit(r->x, &r->param[k], &factor);
@@ -96,13 +96,13 @@ void wf_fit_print(FILE *to, const struct wf_fit_job *j)
                     : isnan(r->estimate[k].low)                     ? " (not determined)"
                                                                     : "");
         }
-        if (!isnan(j->rival.aicc) && !isnan(j->rival.own))
-            fprintf(to, "\nAICc %.2f here, %.2f there: the data %s\n", j->rival.own, j->rival.aicc,
-                    fabs(j->rival.own - j->rival.aicc) < 2 ? "do not choose between them"
-                    : j->rival.own < j->rival.aicc         ? "prefer this fit"
-                                                           : "prefer the other");
+        if (!isnan(of->rival.aicc) && !isnan(of->rival.own))
+            fprintf(to, "\nAICc %.2f here, %.2f there: the data %s\n", of->rival.own, of->rival.aicc,
+                    fabs(of->rival.own - of->rival.aicc) < 2 ? "do not choose between them"
+                    : of->rival.own < of->rival.aicc         ? "prefer this fit"
+                                                             : "prefer the other");
         else
             fprintf(to, "\ntoo few readings to compare the two\n");
     }
-    if (j->study.reference) fprintf(to, "\nfor comparison: %s\n", j->study.reference);
+    if (of->study.reference) fprintf(to, "\nfor comparison: %s\n", of->study.reference);
 }
