@@ -1,10 +1,7 @@
-# Rooms from the ground up. A file includes its own room or a lower one; never a higher one or a sibling (a|b).
+# Rooms from the ground up. A file includes its own room or a lower one, never a higher one.
 BEGIN {
-    n = split("base data grow wind load solve fail stand study fit|out cmd", room, " ")
-    for (i = 1; i <= n; i++) {
-        k = split(room[i], side, "|")
-        for (j = 1; j <= k; j++) rank[side[j]] = i
-    }
+    n = split("base data grow wind load solve fail study fit cases out cmd", room, " ")
+    for (i = 1; i <= n; i++) rank[room[i]] = i
 }
 /^[ \t]*#[ \t]*include[ \t]*"/ {
     split(FILENAME, path, "/"); split($0, quoted, "\""); split(quoted[2], target, "/")

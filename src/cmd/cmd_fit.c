@@ -2,7 +2,7 @@
 /* windfirm fit: calibrate a tree to what was measured on it. */
 #include "cmd/args.h"
 #include "cmd/cmd.h"
-#include "cmd/fit_job.h"
+#include "out/fit_results.h"
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -117,22 +117,22 @@ static void print_sensors(FILE *to, const struct wf_fit *f)
     }
 }
 
-static void print_fit(FILE *to, const struct wf_fit_job *j)
+static void print_fit(FILE *to, const struct wf_fit_results *of)
 {
-    const struct wf_fit *f = &j->fit;
+    const struct wf_fit *f = &of->fit;
     bool bound = false;
-    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", j->study.name, f->x->data,
+    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", of->study.name, f->x->data,
             f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
             f->params > f->free ? " (offsets and drifts included)" : "");
     print_parameters(to, f);
-    for (size_t k = 0; k < j->x.tests; k++)
-        if (j->input[k].swung) {
-            const struct wf_ring_down *s = &j->input[k].sway;
+    for (size_t k = 0; k < of->x.tests; k++)
+        if (of->input[k].swung) {
+            const struct wf_ring_down *s = &of->input[k].sway;
             fprintf(to, "\n%s: %.4f +- %.4f Hz, damping %.2f +- %.2f %%, %.1f %% of the variance explained",
-                    j->x.test[k].name, s->frequency, 1.96 * s->frequency_sd, 100 * s->damping,
+                    of->x.test[k].name, s->frequency, 1.96 * s->frequency_sd, 100 * s->damping,
                     196 * s->damping_sd, 100 * s->explained);
         }
-    if (j->x.tests && j->input[0].swung) fputc('\n', to);
+    if (of->x.tests && of->input[0].swung) fputc('\n', to);
     print_correlations(to, f);
     print_sensors(to, f);
     fprintf(to, "\nreduced chi-square %.4g with %zu degrees of freedom%s\n", f->reduced, f->freedom,
@@ -141,9 +141,9 @@ static void print_fit(FILE *to, const struct wf_fit_job *j)
     if (f->loose_n == 0)
         fprintf(to, "the data determine every parameter%s\n", bound ? " that did not end on a bound" : "");
     for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
-    if (j->rival.made) {
-        const struct wf_fit *r = &j->rival.fit;
-        fprintf(to, "\nthe same with a %s:", j->rival.text);
+    if (of->rival.made) {
+        const struct wf_fit *r = &of->rival.fit;
+        fprintf(to, "\nthe same with a %s:", of->rival.text);
         for (size_t k = 0; k < r->free; k++) {
             double factor;
             const char *unit = wf_param_unit(r->x, &r->param[k], &factor);
@@ -153,18 +153,25 @@ static void print_fit(FILE *to, const struct wf_fit_job *j)
                     : isnan(r->estimate[k].low)                     ? " (not determined)"
                                                                     : "");
         }
-        if (!isnan(j->rival.aicc) && !isnan(j->rival.own))
-            fprintf(to, "\nAICc %.2f here, %.2f there: the data %s\n", j->rival.own, j->rival.aicc,
-                    fabs(j->rival.own - j->rival.aicc) < 2 ? "do not choose between them"
-                    : j->rival.own < j->rival.aicc         ? "prefer this fit"
-                                                           : "prefer the other");
+        if (!isnan(of->rival.aicc) && !isnan(of->rival.own))
+            fprintf(to, "\nAICc %.2f here, %.2f there: the data %s\n", of->rival.own, of->rival.aicc,
+                    fabs(of->rival.own - of->rival.aicc) < 2 ? "do not choose between them"
+                    : of->rival.own < of->rival.aicc         ? "prefer this fit"
+                                                             : "prefer the other");
         else
             fprintf(to, "\ntoo few readings to compare the two\n");
     }
-    if (j->study.reference) fprintf(to, "\nfor comparison: %s\n", j->study.reference);
+    if (of->study.reference) fprintf(to, "\nfor comparison: %s\n", of->study.reference);
 }
 
 /* ---- The fit ---- */
+
+struct fit_job {
+    struct wf_arena arena;
+    const struct fit_options *options;
+    const char *folder;
+    struct wf_fit_results r;
+};
 
 static volatile sig_atomic_t interrupted;
 static void note_interrupt(int number)
@@ -197,122 +204,123 @@ static struct wf_fit_options library_options(const struct fit_options *asked)
     return o;
 }
 
-static enum wf_status note_input(struct wf_fit_job *j, const char *role, const char *path, struct wf_err *e)
+static enum wf_status note_input(struct fit_job *j, const char *role, const char *path, struct wf_err *e)
 {
-    for (size_t i = 0; i < j->files; i++)
-        if (!strcmp(j->file[i].path, path)) return WF_OK;
-    return wf_input_file_note(role, path, &j->arena, &j->file[j->files++], e);
+    for (size_t i = 0; i < j->r.files; i++)
+        if (!strcmp(j->r.file[i].path, path)) return WF_OK;
+    return wf_input_file_note(role, path, &j->arena, &j->r.file[j->r.files++], e);
 }
 
-static enum wf_status build_experiment(struct wf_fit_job *j, struct wf_err *e)
+static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
 {
     const char *names = j->options->data, *list[64];
     char *rest = NULL, *copy = names ? wf_arena_text(&j->arena, names) : NULL;
-    struct wf_fit_build b = { .study = &j->study, .share = wf_share(), .data = list };
+    struct wf_fit_build b = { .study = &j->r.study, .share = wf_share(), .data = list };
     for (char *p = copy ? strtok_r(copy, ",", &rest) : NULL; p && b.datas < 64;
          p = strtok_r(NULL, ",", &rest))
         list[b.datas++] = p;
-    enum wf_status s = wf_fit_study_read(j->options->args.operand[0], &j->arena, &j->study, &j->diag, e);
+    enum wf_status s = wf_fit_study_read(j->options->args.operand[0], &j->arena, &j->r.study, &j->r.diag, e);
     if (s) return s;
-    j->input = WF_TAKE(&j->arena, j->study.tests, struct wf_fit_input);
-    j->file = WF_TAKE(&j->arena, 1 + 2 * j->study.trees + j->study.tests, struct wf_input_file);
-    if (!j->input || !j->file) return wf_fail(e, WF_ENOMEM, "no room for the study");
-    s = wf_fit_build(&b, &j->arena, &j->diag, &j->x, j->input, e);
+    j->r.input = WF_TAKE(&j->arena, j->r.study.tests, struct wf_fit_input);
+    j->r.file = WF_TAKE(&j->arena, 1 + 2 * j->r.study.trees + j->r.study.tests, struct wf_input_file);
+    if (!j->r.input || !j->r.file) return wf_fail(e, WF_ENOMEM, "no room for the study");
+    s = wf_fit_build(&b, &j->arena, &j->r.diag, &j->r.x, j->r.input, e);
     if (!s) s = note_input(j, "study", j->options->args.operand[0], e);
-    for (size_t k = 0; k < j->x.trees && !s; k++) {
-        s = note_input(j, "species", j->x.tree[k].species->file, e);
-        if (!s && j->x.tree[k].file) s = note_input(j, "tree", j->x.tree[k].file, e);
+    for (size_t k = 0; k < j->r.x.trees && !s; k++) {
+        s = note_input(j, "species", j->r.x.tree[k].species->file, e);
+        if (!s && j->r.x.tree[k].file) s = note_input(j, "tree", j->r.x.tree[k].file, e);
     }
-    for (size_t k = 0; k < j->x.tests && !s; k++)
-        if (j->input[k].path) s = note_input(j, "data", j->input[k].path, e);
+    for (size_t k = 0; k < j->r.x.tests && !s; k++)
+        if (j->r.input[k].path) s = note_input(j, "data", j->r.input[k].path, e);
     return s ? s
-             : wf_fit_params(&j->study, j->options->free, &j->x, false, &j->arena, &j->param, &j->params, e);
+             : wf_fit_params(&j->r.study, j->options->free, &j->r.x, false, &j->arena, &j->r.param,
+                             &j->r.params, e);
 }
 
 /* The same fit with the root clamped where it gives, or giving where it is clamped. A rival that cannot be
  * fitted is left out: it is no fault of the fit that was asked for. */
-static void fit_rival(struct wf_fit_job *j, struct wf_fit_options o)
+static void fit_rival(struct fit_job *j, struct wf_fit_options o)
 {
-    struct wf_fit_param *p = WF_TAKE(&j->arena, j->params + j->x.trees + 1, struct wf_fit_param);
+    struct wf_fit_param *p = WF_TAKE(&j->arena, j->r.params + j->r.x.trees + 1, struct wf_fit_param);
     struct wf_diag d = { .arena = &j->arena };
     struct wf_err e = { 0 };
     size_t n = 0, nuisance = 0;
     bool had = false, tested = false;
-    for (size_t k = 0; k < j->x.tests; k++)
-        for (size_t s = 0; s < j->x.test[k].sensors; s++)
-            tested |= j->x.test[k].sensor[s].kind != WF_SENSOR_DAMPING;
+    for (size_t k = 0; k < j->r.x.tests; k++)
+        for (size_t s = 0; s < j->r.x.test[k].sensors; s++)
+            tested |= j->r.x.test[k].sensor[s].kind != WF_SENSOR_DAMPING;
     if (!p || !tested) return;
-    for (size_t k = 0; k < j->params; k++) had |= j->param[k].quantity == WF_FIT_ROOT;
-    for (size_t k = 0; k < j->params; k++) {
-        if (wf_param_nuisance(&j->param[k]))
+    for (size_t k = 0; k < j->r.params; k++) had |= j->r.param[k].quantity == WF_FIT_ROOT;
+    for (size_t k = 0; k < j->r.params; k++) {
+        if (wf_param_nuisance(&j->r.param[k]))
             nuisance++;
-        else if (j->param[k].quantity != WF_FIT_ROOT)
-            p[n++] = j->param[k];
+        else if (j->r.param[k].quantity != WF_FIT_ROOT)
+            p[n++] = j->r.param[k];
     }
-    if (!had &&
-        wf_param_add(&j->x, j->x.trees > 1 ? "each:root.stiffness" : "root.stiffness", &j->arena, p, &n, &e))
+    if (!had && wf_param_add(&j->r.x, j->r.x.trees > 1 ? "each:root.stiffness" : "root.stiffness", &j->arena,
+                             p, &n, &e))
         return;
     if (!n) return;
-    for (size_t k = j->params - nuisance; k < j->params; k++) p[n++] = j->param[k];
+    for (size_t k = j->r.params - nuisance; k < j->r.params; k++) p[n++] = j->r.param[k];
     o.profile = false, o.resamples = 0, o.starts = 1;
-    struct wf_fit_rival *r = &j->rival;
+    struct wf_fit_rival *r = &j->r.rival;
     r->text = had ? "clamped root" : "root plate that gives";
-    double *stiffness = WF_TAKE(&j->arena, j->x.trees, double);
+    double *stiffness = WF_TAKE(&j->arena, j->r.x.trees, double);
     if (!stiffness) return;
-    for (size_t k = 0; k < j->x.trees; k++) {
-        double *of = j->x.tree[k].options.root_stiffness;
+    for (size_t k = 0; k < j->r.x.trees; k++) {
+        double *of = j->r.x.tree[k].options.root_stiffness;
         stiffness[k] = of[0];
         if (had) of[0] = of[1] = 0; /* clamped, whatever the study gives */
     }
-    enum wf_status s = wf_fit_run(&j->x, p, n, &o, &j->arena, &d, &r->fit, &e);
-    for (size_t k = 0; k < j->x.trees; k++)
-        j->x.tree[k].options.root_stiffness[0] = j->x.tree[k].options.root_stiffness[1] = stiffness[k];
+    enum wf_status s = wf_fit_run(&j->r.x, p, n, &o, &j->arena, &d, &r->fit, &e);
+    for (size_t k = 0; k < j->r.x.trees; k++)
+        j->r.x.tree[k].options.root_stiffness[0] = j->r.x.tree[k].options.root_stiffness[1] = stiffness[k];
     if (s || r->fit.stopped) return;
-    const struct wf_fit *rich = had ? &j->fit : &r->fit;
+    const struct wf_fit *rich = had ? &j->r.fit : &r->fit;
     r->aicc = wf_fit_aicc(&r->fit, rich);
-    r->own = wf_fit_aicc(&j->fit, rich);
+    r->own = wf_fit_aicc(&j->r.fit, rich);
     r->made = true;
 }
 
 /* A fit leaves the data's sigmas as it found them best; those of the main fit are kept for its figures. */
-static enum wf_status fit_tree(struct wf_fit_job *j, struct wf_err *e)
+static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
 {
     struct wf_fit_options o = library_options(j->options);
     struct sigaction act = { .sa_handler = note_interrupt }, before;
     sigaction(SIGINT, &act, &before);
-    enum wf_status s = wf_fit_run(&j->x, j->param, j->params, &o, &j->arena, &j->diag, &j->fit, e);
+    enum wf_status s = wf_fit_run(&j->r.x, j->r.param, j->r.params, &o, &j->arena, &j->r.diag, &j->r.fit, e);
     if (!s && !interrupted && !j->options->no_rival) fit_rival(j, o);
     sigaction(SIGINT, &before, NULL);
     wf_progress(NULL);
     return s;
 }
 
-static enum wf_status draw_pages(struct wf_fit_job *j, struct wf_err *e)
+static enum wf_status draw_pages(struct fit_job *j, struct wf_err *e)
 {
     struct wf_diag d = { .arena = &j->arena };
     struct wf_err why = { 0 };
     wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_fit_pages(j->folder, &d, &why);
+    enum wf_status s = wf_fit_results_pages(j->folder, &d, &why);
     wf_progress(NULL);
     wf_print_findings(&d, false);
     return s == WF_OK || s == WF_EMISSING ? WF_OK : wf_fail(e, s, "%s", why.text);
 }
 
-static enum wf_status calibrate(struct wf_fit_job *j, bool quiet, struct wf_err *e)
+static enum wf_status calibrate(struct fit_job *j, bool quiet, struct wf_err *e)
 {
     const char *write = j->options->write;
     enum wf_status s = build_experiment(j, e);
     if (!s) s = fit_tree(j, e);
-    if (!s && interrupted && !j->fit.stopped)
-        wf_diag_warn(&j->diag, "stopped", "interrupted before the comparison with the root the other way");
+    if (!s && interrupted && !j->r.fit.stopped)
+        wf_diag_warn(&j->r.diag, "stopped", "interrupted before the comparison with the root the other way");
     if (!s && interrupted && write)
-        wf_diag_warn(&j->diag, "stopped", "interrupted: %s is not written", write);
-    if (!s && !quiet) print_fit(stdout, j);
+        wf_diag_warn(&j->r.diag, "stopped", "interrupted: %s is not written", write);
+    if (!s && !quiet) print_fit(stdout, &j->r);
     fflush(stdout);
-    wf_print_findings(&j->diag, quiet);
-    if (!s) s = wf_fit_write(j, e);
+    wf_print_findings(&j->r.diag, quiet);
+    if (!s) s = wf_fit_results_write(&j->r, j->folder, e);
     if (interrupted) write = NULL; /* what others would take for the answer */
-    if (!s && write) s = wf_fit_write_species(j, write, e);
+    if (!s && write) s = wf_fit_species_write(&j->r, write, e);
     bool report = !j->options->no_report;
     if (!s && report) s = draw_pages(j, e);
     if (!s && !quiet) printf("\nResults, tables%s: %s\n", report ? ", plots and pages" : "", j->folder);
@@ -323,17 +331,17 @@ static enum wf_status calibrate(struct wf_fit_job *j, bool quiet, struct wf_err 
 int wf_cmd_fit(int argc, char **argv)
 {
     struct fit_options o;
-    struct wf_fit_job j = { .options = &o };
+    struct fit_job j = { .options = &o };
     struct wf_err e = { 0 };
-    j.diag.arena = &j.arena;
+    j.r.diag.arena = &j.arena;
     int code = wf_args_read(argc, argv, options, about, 1, 1, &j.arena, &o.args);
     if (code < 0) {
         j.folder = o.output;
-        j.command = wf_args_typed(argc, argv, &j.arena);
-        j.loss = o.loss, j.priors = o.priors;
-        j.date = wf_run_date(&j.arena);
-        enum wf_status s = j.command && j.date ? calibrate(&j, o.args.quiet, &e)
-                                               : wf_fail(&e, WF_ENOMEM, "no room for the command line");
+        j.r.command = wf_args_typed(argc, argv, &j.arena);
+        j.r.loss = o.loss, j.r.priors = o.priors;
+        j.r.date = wf_run_date(&j.arena);
+        enum wf_status s = j.r.command && j.r.date ? calibrate(&j, o.args.quiet, &e)
+                                                   : wf_fail(&e, WF_ENOMEM, "no room for the command line");
         code = s ? wf_complain(&e) : interrupted ? 1 : 0;
     }
     wf_arena_free(&j.arena);

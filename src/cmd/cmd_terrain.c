@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm terrain: ground made or read, what shelters it and what speeds the wind up. */
-#include "base/csv.h"
-#include "base/file.h"
 #include "cmd/args.h"
 #include "cmd/cmd.h"
-#include "cmd/wind_tables.h"
-#include "wind/terrain.h"
+#include "out/terrain_results.h"
+#include "out/wind_results.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -55,17 +53,8 @@ static const char about[] =
     "  windfirm terrain --size 8 --relief 40 --seed 3 --from 240\n"
     "  windfirm terrain --dem heights.asc --positions trees.csv -o out/site";
 
-struct site {
-    struct wf_terrain ground;
-    struct wf_speedup speedup;
-    double *topex, *factor; /* [deg], U/U0 [-] */
-    size_t unseen;          /* points from which a sight line leaves the map */
-    const char *folder;
-    double from;
-};
-
-static enum wf_status expose_points(const struct terrain_options *o, struct site *s, struct wf_arena *a,
-                                    struct wf_err *e)
+static enum wf_status expose_points(const struct terrain_options *o, struct wf_terrain_site *s,
+                                    struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_terrain *t = &s->ground;
     size_t n = t->rows * t->columns;
@@ -84,78 +73,6 @@ static enum wf_status expose_points(const struct terrain_options *o, struct site
     return status;
 }
 
-/* Every point of the map, blank line after each row as gnuplot's maps want it. */
-static enum wf_status write_points(const struct site *s, struct wf_err *e)
-{
-    const struct wf_terrain *t = &s->ground;
-    struct wf_file f = { 0 };
-    enum wf_status status = wf_wind_begin(&f, s->folder, "tables/terrain.csv", e);
-    if (status) return status;
-    fprintf(f.stream, "x_m,y_m,height_m,topex_deg,wind_factor\n");
-    for (size_t r = 0; r < t->rows; r++) {
-        for (size_t c = 0; c < t->columns; c++) {
-            size_t i = r * t->columns + c;
-            fprintf(f.stream, "%.9g,%.9g,%.6g,%.5g,%.5g\n", t->x0 + (double)c * t->cell,
-                    t->y0 + (double)r * t->cell, t->z[i], s->topex[i], s->factor[i]);
-        }
-        fputc('\n', f.stream);
-    }
-    return wf_file_commit(&f, e);
-}
-
-static enum wf_status write_grids(const struct site *s, struct wf_err *e)
-{
-    static const char *const name[] = { "height.asc", "topex_deg.asc", "wind_factor.asc" };
-    const double *const value[] = { s->ground.z, s->topex, s->factor };
-    for (int i = 0; i < 3; i++) {
-        char path[WF_PATH_MAX];
-        int n = snprintf(path, sizeof path, "%s/tables/%s", s->folder, name[i]);
-        if (n < 0 || (size_t)n >= sizeof path)
-            return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", s->folder);
-        enum wf_status status = wf_terrain_write(path, &s->ground, value[i], e);
-        if (status) return status;
-    }
-    struct wf_file f = { 0 };
-    enum wf_status status = wf_wind_begin(&f, s->folder, "plots/run.gp", e);
-    if (status) return status;
-    fprintf(f.stream, "FROM = %.9g\nCELL = %.9g\n", s->from * 180 / M_PI, s->ground.cell);
-    return wf_file_commit(&f, e);
-}
-
-/* The grid point nearest to each place asked for; the height is interpolated. */
-static enum wf_status write_positions(const struct site *s, const char *file, struct wf_arena *a,
-                                      struct wf_diag *d, struct wf_err *e)
-{
-    const struct wf_terrain *t = &s->ground;
-    struct wf_csv csv = { 0 };
-    struct wf_file f = { 0 };
-    size_t errors = d->errors;
-    enum wf_status status = wf_csv_open(&csv, file, a, d, e);
-    if (status) return status;
-    size_t cx = wf_csv_need(&csv, "x_m"), cy = wf_csv_need(&csv, "y_m");
-    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a list of positions", file);
-    status = wf_wind_begin(&f, s->folder, "tables/positions.csv", e);
-    if (status) return status;
-    fprintf(f.stream, "x_m,y_m,height_m,topex_deg,wind_factor\n");
-    while (wf_csv_next(&csv)) {
-        double x, y;
-        if (!wf_csv_number(&csv, cx, -1e9, 1e9, &x) || !wf_csv_number(&csv, cy, -1e9, 1e9, &y)) continue;
-        double z = wf_terrain_height(t, x, y);
-        if (isnan(z)) {
-            wf_csv_mistake(&csv, cx, "%.9g, %.9g lies outside the map or where it has no data", x, y);
-            continue;
-        }
-        size_t i =
-            (size_t)llround((y - t->y0) / t->cell) * t->columns + (size_t)llround((x - t->x0) / t->cell);
-        fprintf(f.stream, "%.9g,%.9g,%.6g,%.5g,%.5g\n", x, y, z, s->topex[i], s->factor[i]);
-    }
-    if (d->errors > errors) {
-        wf_file_abandon(&f);
-        return wf_fail(e, WF_EINPUT, "%s: positions that cannot be used", file);
-    }
-    return wf_file_commit(&f, e);
-}
-
 static void print_range(const char *name, const char *unit, const double *v, size_t n)
 {
     double low = INFINITY, high = -INFINITY, sum = 0.0, count = 0.0;
@@ -168,7 +85,7 @@ static void print_range(const char *name, const char *unit, const double *v, siz
     printf("%-24s %10.3f %10.3f %10.3f  %s\n", name, low, sum / count, high, unit);
 }
 
-static void print_site(const struct site *s)
+static void print_site(const struct wf_terrain_site *s)
 {
     const struct wf_terrain *t = &s->ground;
     size_t n = t->rows * t->columns;
@@ -181,7 +98,7 @@ static void print_site(const struct site *s)
            s->speedup.length, s->speedup.inner, s->speedup.gain, s->speedup.steepest);
 }
 
-static void warn_of_limits(const struct site *s, struct wf_diag *d)
+static void warn_of_limits(const struct wf_terrain_site *s, struct wf_diag *d)
 {
     if (s->speedup.steepest > 0.3)
         wf_diag_warn(
@@ -197,7 +114,7 @@ static void warn_of_limits(const struct site *s, struct wf_diag *d)
             100.0 * (double)s->unseen / (double)(s->ground.rows * s->ground.columns));
 }
 
-static enum wf_status survey(const struct terrain_options *o, struct site *s, struct wf_arena *a,
+static enum wf_status survey(const struct terrain_options *o, struct wf_terrain_site *s, struct wf_arena *a,
                              struct wf_diag *d, struct wf_err *e)
 {
     static const char *const figures[] = { "terrain", NULL };
@@ -205,13 +122,10 @@ static enum wf_status survey(const struct terrain_options *o, struct site *s, st
                                    : wf_terrain_make((unsigned)o->size, o->cell, o->smoothness, o->relief,
                                                      o->seed, a, &s->ground, e);
     s->from = o->from;
-    s->folder = o->output;
     if (!status) status = expose_points(o, s, a, e);
-    if (!status) status = wf_wind_folders(s->folder, e);
-    if (!status) status = write_points(s, e);
-    if (!status) status = write_grids(s, e);
-    if (!status && o->positions) status = write_positions(s, o->positions, a, d, e);
-    if (!status && !o->no_plots) status = wf_wind_figures(s->folder, figures, e);
+    if (!status) status = wf_terrain_results_write(s, o->output, e);
+    if (!status && o->positions) status = wf_terrain_positions_write(s, o->positions, o->output, a, d, e);
+    if (!status && !o->no_plots) status = wf_wind_figures(o->output, figures, e);
     if (!status) warn_of_limits(s, d);
     return status;
 }
@@ -224,13 +138,13 @@ int wf_cmd_terrain(int argc, char **argv)
     int code = wf_args_read(argc, argv, options, about, 0, 0, &arena, &o.args);
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
-        struct site s = { 0 };
+        struct wf_terrain_site s = { 0 };
         bool quiet = o.args.quiet;
         enum wf_status status = survey(&o, &s, &arena, &d, &e);
         wf_print_findings(&d, quiet);
         if (!status && !quiet) {
             print_site(&s);
-            printf("Tables, grids and map: %s\n", s.folder);
+            printf("Tables, grids and map: %s\n", o.output);
         }
         code = status ? wf_complain(&e) : 0;
     }

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm wind: make a gusty wind, look at it, draw it. */
-#include "base/file.h"
 #include "base/near.h"
 #include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
-#include "cmd/wind_stream.h"
-#include "cmd/wind_tables.h"
+#include "out/wind_results.h"
+#include "out/wind_stream.h"
 #include "wind/points.h"
 #include "wind/rose.h"
 #include "wind/scale.h"
@@ -215,14 +214,47 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     return s;
 }
 
+static void show_progress(size_t block, size_t blocks) { wf_progress("block %zu of %zu ...", block, blocks); }
+
+static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_streamed *w, const char *path)
+{
+    static const char *const name[WF_COMPONENTS] = { "along the wind", "across", "up" };
+    printf("%s: %zu points, %zu steps of %g s, %u component%s, seed %llu: %s\n", s->model->name, s->points,
+           s->steps, s->step, s->components, s->components == 1 ? "" : "s", (unsigned long long)s->seed,
+           path);
+    printf("%zu blocks of %zu steps, made and written in %.1f s of processor time\n", w->blocks, w->block,
+           w->seconds);
+    for (unsigned c = 0; c < s->components; c++) {
+        printf("first point, %-15s mean %8.3f m/s, standard deviation %7.3f m/s", name[c], w->mean[c],
+               w->deviation[c]);
+        if (isnan(w->asked[c]))
+            printf("\n");
+        else
+            printf(" (asked %.3f)\n", w->asked[c]);
+    }
+    if (s->model->spectrum)
+        printf("blocks meet within %.3f %% of the standard deviation\n", 100.0 * w->joint);
+    if (!isnan(w->coherence)) printf("coherence made within %.4f of the one asked for\n", w->coherence);
+}
+
+static enum wf_status write_stream(const struct wind_options *o, const struct wf_gust_spec *spec,
+                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_wind_streamed w;
+    const char *path = o->stream;
+    enum wf_status s = wf_wind_stream(spec, path, show_progress, a, d, &w, e);
+    wf_progress(NULL);
+    if (!s && !o->args.quiet) print_streamed(spec, &w, path);
+    return s;
+}
+
 static enum wf_status make_wind(const struct wind_options *o, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
     struct wf_gust_spec spec;
-    const char *stream = o->stream;
     bool quiet = o->args.quiet;
     enum wf_status s = make_spec(o, &spec, a, &d, e);
-    if (!s) s = stream ? wf_wind_stream(&spec, stream, quiet, a, &d, e) : show_wind(o, &spec, a, &d, e);
+    if (!s) s = o->stream ? write_stream(o, &spec, a, &d, e) : show_wind(o, &spec, a, &d, e);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     return s;
@@ -230,16 +262,13 @@ static enum wf_status make_wind(const struct wind_options *o, struct wf_arena *a
 
 /* ---- windfirm wind rose ---- */
 
-static const double above[] = { 5.0, 10.0, 15.0, 20.0 };
-enum { CLASSES = sizeof above / sizeof above[0] };
-
 static double degrees(double rad) { return rad * 57.295779513082321; }
 
 static void print_rose(const char *file, const struct wf_rose *r)
 {
     printf("%s: %zu directions, frequencies sum to %g in the file\n\n", file, r->sectors, r->typed_sum);
     printf("%-8s %10s %10s %7s  above", "from", "frequency", "mean m/s", "shape");
-    for (int k = 0; k < CLASSES; k++) printf(" %6.0f", above[k]);
+    for (int k = 0; k < WF_ROSE_CLASSES; k++) printf(" %6.0f", wf_rose_classes[k]);
     printf(" m/s (hours a year)\n");
     for (size_t s = 0; s <= r->sectors; s++) {
         bool all = s == r->sectors;
@@ -248,34 +277,14 @@ static void print_rose(const char *file, const struct wf_rose *r)
         else
             printf("%5.1f    %10.4f %10.3f %7.3f       ", degrees(r->from[s]), r->frequency[s],
                    r->scale[s] * tgamma(1.0 + 1.0 / r->shape[s]), r->shape[s]);
-        for (int k = 0; k < CLASSES; k++)
-            printf(" %6.1f", 8766.0 * (all ? wf_rose_above(r, above[k])
-                                           : r->frequency[s] * wf_rose_sector_above(r, s, above[k])));
+        for (int k = 0; k < WF_ROSE_CLASSES; k++)
+            printf(" %6.1f",
+                   8766.0 * (all ? wf_rose_above(r, wf_rose_classes[k])
+                                 : r->frequency[s] * wf_rose_sector_above(r, s, wf_rose_classes[k])));
         printf("\n");
     }
     printf("\nhourly mean exceeded 1 %% of the time: %.2f m/s; 0.1 %%: %.2f m/s\n", wf_rose_speed(r, 0.01),
            wf_rose_speed(r, 0.001));
-}
-
-static enum wf_status write_rose(const char *folder, const struct wf_rose *r, struct wf_err *e)
-{
-    struct wf_file f = { 0 };
-    enum wf_status status = wf_wind_begin(&f, folder, "tables/rose.csv", e);
-    if (status) return status;
-    fprintf(f.stream, "from_deg,frequency,weibull_scale_m_s,weibull_shape");
-    for (int k = 0; k < CLASSES; k++) fprintf(f.stream, ",share_above_%g_m_s", above[k]);
-    for (size_t s = 0; s < r->sectors; s++) {
-        fprintf(f.stream, "\n%.6g,%.6g,%.6g,%.6g", degrees(r->from[s]), r->frequency[s], r->scale[s],
-                r->shape[s]);
-        for (int k = 0; k < CLASSES; k++)
-            fprintf(f.stream, ",%.6g", r->frequency[s] * wf_rose_sector_above(r, s, above[k]));
-    }
-    fputc('\n', f.stream);
-    status = wf_file_commit(&f, e);
-    if (!status) status = wf_wind_begin(&f, folder, "plots/run.gp", e);
-    if (status) return status;
-    fprintf(f.stream, "SECTORS = %zu\n", r->sectors);
-    return wf_file_commit(&f, e);
 }
 
 /* A wind climate: read, printed unless quiet, written to FOLDER/tables/rose.csv, drawn. */
@@ -289,8 +298,7 @@ static enum wf_status show_rose(const struct wind_options *o, struct wf_arena *a
     enum wf_status status = wf_rose_read(file, a, d, &r, e);
     if (status) return status;
     if (!o->args.quiet) print_rose(file, &r);
-    status = wf_wind_folders(folder, e);
-    if (!status) status = write_rose(folder, &r, e);
+    status = wf_wind_rose_write(folder, &r, e);
     if (!status && !o->no_plots) status = wf_wind_figures(folder, figures, e);
     return status;
 }

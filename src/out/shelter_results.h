@@ -1,8 +1,8 @@
-#ifndef WF_CMD_SHELTER_TABLES_H
-#define WF_CMD_SHELTER_TABLES_H
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_OUT_SHELTER_RESULTS_H
+#define WF_OUT_SHELTER_RESULTS_H
 /* What `windfirm shelter` computes and leaves in its folder. */
 #include "study/sheltered.h"
-#include <stdio.h>
 
 /* A row that carries no other, in the open and in the tree's own shelter. */
 struct wf_tip {
@@ -22,6 +22,9 @@ struct wf_shelter_run {
     struct wf_tip *tip;
     size_t tips;
 };
+/* Fill tip, tips from the responses. WF_ENOMEM. */
+enum wf_status wf_shelter_tips(struct wf_shelter_run *r, const struct wf_loads *open, struct wf_arena *a,
+                               struct wf_err *e);
 /* FOLDER/tables/{slabs,cells,cut_level,cut_upright,rows,tips}.csv and FOLDER/plots/run.gp. */
 enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *e);
 #endif
