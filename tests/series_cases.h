@@ -2,6 +2,7 @@
 #define WF_TESTS_SERIES_CASES_H
 /* Runs in time for tests: a species and a model, words as in a file of runs. */
 #include "base/file.h"
+#include "load/drag.h"
 #include "close.h"
 #include "study/series_plan.h"
 #include <math.h>

@@ -1,5 +1,6 @@
 /* Winds from all around: where they come from, symmetry, the same bytes on any number of threads, climate. */
 #include "solve/solvers.h"
+#include "load/drag.h"
 #include "close.h"
 #include "study/directions.h"
 #include "load/scene.h"

@@ -1,5 +1,6 @@
 /* Methods against beam theory, branch by branch. */
 #include "solve/solvers.h"
+#include "load/drag.h"
 #include "close.h"
 #include "study/explain.h"
 #include "load/scene.h"

@@ -1,6 +1,7 @@
 /* Ground around a tree: level ground changes nothing, the factor is that of the map, and the load feels it.
  */
 #include "solve/solvers.h"
+#include "load/drag.h"
 #include "close.h"
 #include "study/analysis.h"
 #include "wind/terrain.h"

@@ -2,7 +2,6 @@
 #include "close.h"
 #include "wind/gust.h"
 #include "wind/gust_report.h"
-#include "wind/gust.h"
 #include "wind/noise.h"
 #include "wind/spectrum.h"
 #include <stdlib.h>

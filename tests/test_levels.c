@@ -1,5 +1,6 @@
 /* Trees of levels: counts, places, angles, lengths, radii, curves, spread, and what is refused. */
 #include "solve/solvers.h"
+#include "load/drag.h"
 #include "branched.h"
 #include "close.h"
 #include "edited.h"

@@ -1,106 +1,418 @@
-#include "base/num.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The way from a command line to an options struct: options and operands as typed, study files, the usage
+ * text. */
+#include "cmd/args.h"
+#include "base/file.h"
 #include "base/text.h"
 #include "base/yaml.h"
+#include "cmd/cmd.h"
 #include "cmd/wind_speed.h"
-#include <math.h>
-#include <stdarg.h>
 #include <string.h>
+#include <unistd.h>
 
-void wf_args_mistake(struct wf_reading *r, const char *name, const char *fmt, ...)
+/* ---- The usage text ---- */
+
+/* One paragraph from column `left` (where the cursor stands) to column 80, broken between words. */
+static void print_paragraph(FILE *to, const char *text, int left)
 {
-    va_list list;
-    char text[2048];
-    va_start(list, fmt);
-    vsnprintf(text, sizeof text, fmt, list);
-    va_end(list);
-    if (r->yaml)
-        wf_yaml_error(r->yaml, r->key, "%s", text);
-    else
-        fprintf(stderr, "windfirm %s: %s%s%s\n", r->command, name, *name ? ": " : "", text);
-    r->mistakes++;
+    int column = left;
+    while (*text) {
+        int word = (int)strcspn(text, " ");
+        if (column > left && column + 1 + word > 80) {
+            fprintf(to, "\n%*s", left, "");
+            column = left;
+        } else if (column > left) {
+            fputc(' ', to);
+            column++;
+        }
+        fprintf(to, "%.*s", word, text);
+        column += word;
+        text += word;
+        while (*text == ' ') text++;
+    }
+    fputc('\n', to);
 }
 
-static bool named(const struct wf_option *o, const char *word, size_t length)
+static void print_option(FILE *to, const struct wf_option *o)
+{
+    char text[1024] = "";
+    FILE *body = fmemopen(text, sizeof text, "w");
+    if (!body) return;
+    wf_option_text(o, body);
+    fclose(body);
+    int shown = fprintf(to, "  %s%s%s%s%s", o->letter ? o->letter : "", o->letter ? ", " : "", o->name,
+                        o->value ? " " : "", o->value ? o->value : "");
+    if (shown > 27) shown = fprintf(to, "\n") - 1;
+    fprintf(to, "%*s", 28 - shown, "");
+    print_paragraph(to, text, 28);
+}
+
+/* Paragraphs are parted by newlines; a line that starts with a blank stays as it is. */
+static void print_about(FILE *to, const char *about)
+{
+    while (*about) {
+        char line[1000];
+        size_t length = strcspn(about, "\n");
+        snprintf(line, sizeof line, "%.*s", (int)length, about);
+        if (line[0] == ' ' || !line[0])
+            fprintf(to, "%s\n", line);
+        else
+            print_paragraph(to, line, 0);
+        about += length + (about[length] == '\n');
+    }
+}
+
+/* The page shown by --help, made from the rows. */
+static void print_usage(FILE *to, const char *command, const struct wf_option *option, const char *about)
+{
+    const struct wf_command *c = wf_commands;
+    while (c->name && strcmp(c->name, command) != 0) c++;
+    fprintf(to, "Usage: windfirm %s %s\n\n", command, c->name ? c->operands : "");
+    if (c->name) print_paragraph(to, c->summary, 0);
+    if (about) {
+        fputc('\n', to);
+        print_about(to, about);
+    }
+    if (option && option->name) fprintf(to, "\nOptions (default in brackets):\n");
+    for (const struct wf_option *o = option; o && o->name; o++) print_option(to, o);
+}
+
+/* ---- Options and operands as typed ---- */
+
+static bool is_named(const struct wf_option *o, const char *word, size_t length)
 {
     return (strlen(o->name) == length && strncmp(o->name, word, length) == 0) ||
            (o->letter && strlen(o->letter) == length && strncmp(o->letter, word, length) == 0);
 }
 
-static void unknown(struct wf_reading *r, const char *word, size_t length)
+static void unknown_option(struct wf_reading *r, const char *word, size_t length)
 {
     const char *known[WF_OPTIONS_MAX + 1] = { 0 };
     char typed[64];
     size_t n = 0;
     snprintf(typed, sizeof typed, "%.*s", (int)length, word);
-    for (; n < r->options; n++) known[n] = r->out->option[n].name;
+    for (; n < r->options; n++) known[n] = r->args->option[n].name;
     known[n++] = "--help";
     const char *near = wf_nearest(typed, known, n);
-    wf_args_mistake(r, "", "unknown option '%s'%s%s%s", typed, near ? "; did you mean '" : "",
-                    near ? near : "", near ? "'?" : "; 'windfirm COMMAND --help' lists them");
+    wf_option_mistake(r, NULL, "", "unknown option '%s'%s%s%s", typed, near ? "; did you mean '" : "",
+                      near ? near : "", near ? "'?" : "; 'windfirm COMMAND --help' lists them");
 }
 
 /* The argument at argv[i], an option; returned: how many arguments it took. */
-static int option(struct wf_reading *r, int argc, char **argv, int i)
+static int read_option(struct wf_reading *r, int argc, char **argv, int i)
 {
     const char *word = argv[i], *equals = strchr(word, '=');
     size_t length = equals ? (size_t)(equals - word) : strlen(word), k = 0;
-    while (k < r->options && !named(&r->out->option[k], word, length)) k++;
+    while (k < r->options && !is_named(&r->args->option[k], word, length)) k++;
     if (k == r->options) {
-        unknown(r, word, length);
+        unknown_option(r, word, length);
         return 1;
     }
-    const struct wf_option *o = &r->out->option[k];
+    const struct wf_option *o = &r->args->option[k];
     const char *value = equals ? equals + 1 : i + 1 < argc ? argv[i + 1] : NULL;
-    if (r->out->given[k] && o->kind != WF_OPTION_TEXTS) wf_args_mistake(r, o->name, "given twice");
-    r->out->given[k] = true;
+    if (r->args->given[k] && o->kind != WF_OPTION_TEXTS) wf_option_mistake(r, NULL, o->name, "given twice");
+    r->args->given[k] = true;
     if (o->kind == WF_OPTION_FLAG) {
-        if (equals) wf_args_mistake(r, o->name, "takes no value");
+        if (equals) wf_option_mistake(r, NULL, o->name, "takes no value");
+        wf_option_take(r, k, "yes");
         return 1;
     }
     /* "--wind -o out": the value was forgotten; "--azimuth -90" and "-o -" are values */
     bool forgotten = value && !equals && strncmp(value, "--", 2) == 0;
     for (size_t j = 0; value && !equals && j < r->options; j++)
-        forgotten = forgotten || (r->out->option[j].letter && strcmp(value, r->out->option[j].letter) == 0);
+        forgotten = forgotten || (r->args->option[j].letter && strcmp(value, r->args->option[j].letter) == 0);
     if (!value || forgotten || !*value) {
-        wf_args_mistake(r, o->name, "needs a value: %s %s", o->name, o->value);
+        wf_option_mistake(r, NULL, o->name, "needs a value: %s %s", o->name, o->value);
         return value && !forgotten && !equals ? 2 : 1;
     }
-    wf_args_value(r, k, value);
+    wf_option_take(r, k, value);
     return equals ? 1 : 2;
 }
 
-static void operands_check(struct wf_reading *r, size_t low, size_t high)
+static void check_operands(struct wf_reading *r, size_t low, size_t high)
 {
-    if (r->out->n < low)
-        wf_args_mistake(r, "", "%zu argument%s needed, %zu given", low, low == 1 ? " is" : "s are",
-                        r->out->n);
-    if (r->out->n > high)
-        wf_args_mistake(r, "", "at most %zu argument%s taken; '%s' is too many", high,
-                        high == 1 ? " is" : "s are", r->out->operand[high]);
+    if (r->args->n < low)
+        wf_option_mistake(r, NULL, "", "%zu argument%s needed, %zu given", low, low == 1 ? " is" : "s are",
+                          r->args->n);
+    if (r->args->n > high)
+        wf_option_mistake(r, NULL, "", "at most %zu argument%s taken; '%s' is too many", high,
+                          high == 1 ? " is" : "s are", r->args->operand[high]);
 }
 
-void wf_args_complete(struct wf_reading *r)
+/* Defaults of what was not given, then the winds, which depend on other options. Called by the study file's
+ * reader while mistakes about keys still know their line, else at the end; a second call does nothing. */
+static void complete(struct wf_reading *r)
 {
-    const struct wf_args *out = r->out;
+    const struct wf_args *out = r->args;
     if (r->complete) return;
     r->complete = true;
     for (size_t k = 0; k < r->options; k++)
-        if (!out->given[k] && out->option[k].initial) wf_args_value(r, k, out->option[k].initial);
-    wf_args_winds(r);
+        if (!out->given[k] && out->option[k].initial) wf_option_take(r, k, out->option[k].initial);
+    wf_winds_read(r);
+}
+
+/* ---- Study files ----
+ * The options of a command as keys of a YAML file, so that an analysis can be kept, sent and run again. One
+ * file serves several commands: each takes the keys that are options of its own and lists the others. */
+
+enum { KEYS_MAX = 150 };
+
+/* Commands that take a study file. */
+static const struct taker {
+    const char *command;
+    const struct wf_option *option;
+    const char *subject; /* key that stands for its operands; NULL: none */
+    bool files;          /* operands may name files beside the study file */
+} takers[] = {
+    { "analyze", wf_analyze_options, "species", true },
+    { "compare", wf_analyze_options, "species", true },
+    { "explain", wf_explain_options, "species", true },
+    { "series", wf_series_options, "species", true },
+    { "shelter", wf_shelter_options, NULL, false },
+    { "wind", wf_wind_options, "gust", false },
+    { 0 },
+};
+
+/* The keys a study file may have: those of all commands that take one. */
+struct study_keys {
+    struct wf_reading *reading;
+    const struct taker *taker;
+    const char *file;
+    size_t keys;
+    struct wf_yaml_row row[KEYS_MAX + 1]; /* ends at key == NULL */
+    const char *value[KEYS_MAX];
+    bool used[KEYS_MAX];
+};
+
+static size_t find_key(const struct study_keys *b, const char *key)
+{
+    size_t k = 0;
+    while (k < b->keys && strcmp(b->row[k].key, key) != 0) k++;
+    return k;
+}
+
+static void add_key(struct study_keys *b, struct wf_yaml_row row)
+{
+    size_t k = find_key(b, row.key);
+    if (k < b->keys || k == KEYS_MAX) return;
+    row.offset = offsetof(struct study_keys, value) + k * sizeof b->value[0];
+    b->row[k] = row;
+    b->keys++;
+}
+
+/* "--root-stiffness" as a key: root_stiffness. Returned: text in the arena, NULL without room. */
+static const char *key_of(const struct wf_option *o, struct wf_arena *a)
+{
+    char *key = wf_arena_text(a, o->name + 2);
+    for (char *p = key; p && *p; p++)
+        if (*p == '-') *p = '_';
+    return key;
+}
+
+/* What an option means, with range and default, and which commands have it; for the printed schema. */
+static const char *doc_of(const struct wf_option *o, struct wf_arena *a)
+{
+    char text[1024] = "";
+    FILE *to = fmemopen(text, sizeof text, "w");
+    if (!to) return NULL;
+    wf_option_text(o, to);
+    fputs(" -", to);
+    for (const struct taker *c = takers; c->command; c++)
+        for (const struct wf_option *p = c->option; p && p->name; p++)
+            if (!strcmp(p->name, o->name)) fprintf(to, " %s", c->command);
+    fclose(to);
+    return wf_arena_text(a, text);
+}
+
+static bool fill_keys(struct study_keys *b, struct wf_arena *a)
+{
+    static const struct wf_yaml_row first[] = {
+        { .key = "study",
+          .kind = WF_YAML_TEXT,
+          .required = true,
+          .doc = "name of the study",
+          .example = "storm" },
+        { .key = "note", .kind = WF_YAML_TEXT, .doc = "in words, for the reader" },
+        { .key = "species",
+          .kind = WF_YAML_JOINED,
+          .doc = "species tables, files or names of shipped ones - analyze compare explain series shelter",
+          .example = "moso_bamboo" },
+        { .key = "gust",
+          .kind = WF_YAML_JOINED,
+          .doc = "gust model, a row of 'windfirm wind list' - series wind",
+          .example = "kaimal" },
+    };
+    for (size_t i = 0; i < sizeof first / sizeof *first; i++) add_key(b, first[i]);
+    for (const struct taker *c = takers; c->command; c++)
+        for (const struct wf_option *o = c->option; o->name; o++) {
+            const char *key = key_of(o, a), *doc = b->reading ? o->help : doc_of(o, a);
+            if (!key || !doc) return false;
+            if (strcmp(key, "study") != 0)
+                add_key(b, (struct wf_yaml_row){ .key = key, .kind = WF_YAML_JOINED, .doc = doc });
+        }
+    return true;
+}
+
+static void take_operands(struct study_keys *b, const char *list)
+{
+    struct wf_args *out = b->reading->args;
+    char *rest = NULL, *text = wf_arena_text(b->reading->arena, list);
+    const char **operand = WF_TAKE(b->reading->arena, strlen(list) + 1, const char *);
+    if (!text || !operand) {
+        wf_option_mistake(b->reading, b->taker->subject, "", "out of memory");
+        return;
+    }
+    for (char *w = strtok_r(text, ",", &rest); w; w = strtok_r(NULL, ",", &rest)) {
+        w += strspn(w, " ");
+        operand[out->n++] = b->taker->files ? wf_beside(b->file, w, b->reading->arena) : w;
+    }
+    out->operand = operand;
+}
+
+/* The value of row k, as it stands in the study file. What was typed comes first. */
+static void take_key(struct study_keys *b, size_t k)
+{
+    struct wf_reading *r = b->reading;
+    const struct wf_option *o = &r->args->option[k];
+    const char *key = o->kind == WF_OPTION_STUDY ? NULL : key_of(o, r->arena);
+    size_t at = key ? find_key(b, key) : b->keys;
+    if (at == b->keys || !b->value[at]) return;
+    b->used[at] = true;
+    if (r->args->given[k]) return;
+    r->args->given[k] = true;
+    r->key[k] = key;
+    wf_option_take(r, k,
+                   o->kind == WF_OPTION_PATH ? wf_beside(b->file, b->value[at], r->arena) : b->value[at]);
+}
+
+/* The YAML reader's `finish` hook: called when all keys are read, while mistakes still know their line. */
+static void apply_keys(struct wf_yaml *y, void *keys)
+{
+    struct study_keys *b = keys;
+    struct wf_reading *r = b->reading;
+    const char *subject = b->taker->subject;
+    r->yaml = y;
+    for (size_t k = 0; k < r->options; k++) take_key(b, k);
+    size_t at = subject ? find_key(b, subject) : b->keys;
+    if (at < b->keys && b->value[at]) {
+        b->used[at] = true;
+        if (!r->args->n) take_operands(b, b->value[at]);
+    }
+    complete(r);
+    r->yaml = NULL;
+}
+
+/* Warn about keys that belong to other commands. */
+static void warn_of_unused(const struct study_keys *b)
+{
+    const char *all = "";
+    for (size_t k = 2; k < b->keys && all; k++)
+        if (b->value[k] && !b->used[k])
+            all = wf_arena_print(b->reading->arena, "%s%s%s", all, *all ? ", " : "", b->row[k].key);
+    if (all && *all) fprintf(stderr, "%s: not used by '%s': %s\n", b->file, b->reading->command, all);
+}
+
+static struct study_keys *open_study_keys(struct wf_reading *r, struct wf_arena *a)
+{
+    struct study_keys *b = WF_TAKE(a, 1, struct study_keys);
+    if (!b) return NULL;
+    b->reading = r;
+    if (!fill_keys(b, a)) return NULL;
+    b->taker = takers;
+    while (r && b->taker->command && strcmp(b->taker->command, r->command) != 0) b->taker++;
+    return b;
+}
+
+static const struct wf_yaml_table study_table = {
+    .title = "a study",
+    .doc =
+        "A study: the options of a command as keys, so that an analysis can be kept and run again. Every "
+        "option of analyze, compare, explain, series, shelter and wind is a key, with '_' for '-'; a flag is "
+        "yes or no; a list is written [10, 15, 25]. What is typed comes before what the file says. Files are "
+        "looked for beside the study first.",
+    .finish = apply_keys,
+};
+
+/* Whether a file begins with the key of a study. */
+static bool is_study(const char *path, struct wf_arena *a)
+{
+    struct wf_bytes text;
+    struct wf_err e = { 0 };
+    if (access(path, R_OK) || wf_file_read_text(path, a, &text, &e)) return false;
+    for (const char *p = text.data; p && *p; p = strchr(p, '\n') ? strchr(p, '\n') + 1 : NULL)
+        if (*p != '#' && *p != '\n' && *p != '\r') return strncmp(p, "study:", 6) == 0;
+    return false;
+}
+
+/* The study file: that of --study, or the only operand when that is one. NULL: none. */
+static const char *study_named(struct wf_reading *r)
+{
+    struct wf_args *out = r->args;
+    size_t k = 0;
+    while (k < r->options && out->option[k].kind != WF_OPTION_STUDY) k++;
+    if (k == r->options) return NULL;
+    if (!out->study && out->n == 1 && is_study(out->operand[0], r->arena)) {
+        out->study = out->operand[0];
+        out->given[k] = true;
+        out->n = 0;
+    }
+    return out->study;
+}
+
+/* Take options and operands that were not typed from the study file, where there is one. */
+static void read_study(struct wf_reading *r)
+{
+    struct wf_diag d = { .arena = r->arena };
+    struct wf_err e = { 0 };
+    struct wf_yaml_table table = study_table;
+    const char *path = study_named(r);
+    if (!path) return;
+    struct study_keys *b = open_study_keys(r, r->arena);
+    if (!b) {
+        wf_option_mistake(r, NULL, "--study", "out of memory");
+        return;
+    }
+    b->file = path;
+    table.row = b->row;
+    size_t before = r->mistakes;
+    enum wf_status s = wf_yaml_read(path, &table, b, r->arena, &d, &e);
+    wf_print_findings(&d, false);
+    if (s && !d.errors) wf_option_mistake(r, NULL, "--study", "%s", e.text);
+    if (s && r->mistakes == before) r->mistakes += d.errors;
+    if (!s && !r->args->quiet) warn_of_unused(b);
+}
+
+char *wf_args_study_schema(struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_yaml_table table = study_table;
+    struct study_keys *b = open_study_keys(NULL, a);
+    if (!b) return (void)wf_fail(e, WF_ENOMEM, "no room for the keys of a study"), NULL;
+    table.row = b->row;
+    return wf_yaml_schema(&table, a, e);
+}
+
+/* ---- Command lines ---- */
+
+char *wf_args_typed(int argc, char **argv, struct wf_arena *a)
+{
+    char *text = wf_arena_text(a, "windfirm");
+    for (int i = 0; text && i < argc; i++) text = wf_arena_print(a, "%s %s", text, argv[i]);
+    return text;
 }
 
 int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char *about, size_t low,
                  size_t high, struct wf_arena *a, struct wf_args *out)
 {
-    struct wf_reading r = { .out = out, .arena = a, .command = argv[0] };
+    struct wf_reading r = { .args = out, .arena = a, .command = argv[0] };
     struct wf_err e = { 0 };
     bool end_of_options = false;
     *out = (struct wf_args){ .option = rows };
-    for (; rows && rows[r.options].name; r.options++) out->number[r.options] = NAN;
+    while (rows && rows[r.options].name) r.options++;
+    wf_option_clear(&r);
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "--") == 0) break;
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
-            wf_usage_print(stdout, argv[0], rows, about);
+            print_usage(stdout, argv[0], rows, about);
             return 0;
         }
     }
@@ -112,30 +424,19 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
             end_of_options = true;
             i++;
         } else if (!end_of_options && argv[i][0] == '-' && argv[i][1]) {
-            i += option(&r, argc, argv, i);
+            i += read_option(&r, argc, argv, i);
         } else {
             out->operand[out->n++] = argv[i++];
         }
     }
-    wf_args_study(&r);
-    operands_check(&r, low, high);
-    wf_args_complete(&r);
+    read_study(&r);
+    check_operands(&r, low, high);
+    complete(&r);
     wf_units_close(r.units);
     if (!r.mistakes) {
-        if (out->winds_said && !wf_args_given(out, "--quiet")) fprintf(stderr, "%s\n", out->winds_said);
+        if (out->winds_said && !out->quiet) fprintf(stderr, "%s\n", out->winds_said);
         return -1;
     }
     fprintf(stderr, "'windfirm %s --help' shows how it is used\n", argv[0]);
     return 2;
 }
-
-static size_t row_named(const struct wf_args *g, const char *name)
-{
-    size_t k = 0;
-    while (strcmp(g->option[k].name, name) != 0) k++;
-    return k;
-}
-
-const char *wf_args_text(const struct wf_args *g, const char *name) { return g->text[row_named(g, name)]; }
-double wf_args_number(const struct wf_args *g, const char *name) { return g->number[row_named(g, name)]; }
-bool wf_args_given(const struct wf_args *g, const char *name) { return g->given[row_named(g, name)]; }

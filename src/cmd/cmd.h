@@ -1,13 +1,12 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_CMD_CMD_H
 #define WF_CMD_CMD_H
-/* Subcommands and their options are rows; usage text is printed from them and what is typed is checked
- * against them. Only this room and main.c print, read argv or choose an exit code. */
+/* The subcommands, and what all of them need: files that are shipped, messages, exit codes. Only this room
+ * and main.c print, read argv or choose an exit code. */
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
-#include "base/units.h"
-#include <stdbool.h>
-#include <stddef.h>
+#include "cmd/option.h"
 
 struct wf_command {
     const char *name, *operands, *summary;
@@ -32,63 +31,9 @@ int wf_cmd_terrain(int argc, char **argv);
 int wf_cmd_validate(int argc, char **argv);
 int wf_cmd_wind(int argc, char **argv);
 
-enum wf_option_kind {
-    WF_OPTION_FLAG,   /* takes no value                                     */
-    WF_OPTION_TEXT,   /* any text                                           */
-    WF_OPTION_TEXTS,  /* texts separated by commas; given again, it adds    */
-    WF_OPTION_CHOICE, /* one of `choices` or of the words `word` names        */
-    WF_OPTION_NUMBER, /* a number, with or without a unit, within low..high */
-    WF_OPTION_WHOLE,  /* a whole number within low..high                    */
-    WF_OPTION_SPEED,  /* one mean wind: a number like the above, or "beaufort:8"; goes with
-                         WF_AVERAGING_OPTIONS */
-    WF_OPTION_SPEEDS  /* several: "10,15,25", "5:40:1", "36km/h", "cma:typhoon,30"; likewise */
-};
-struct wf_option {
-    const char *name;   /* "--solver"                                              */
-    const char *letter; /* "-s" or NULL                                            */
-    enum wf_option_kind kind;
-    const char *value;             /* word for the value in the usage text, e.g. "FILE"      */
-    const char *initial;           /* default as it would be typed; NULL: none               */
-    enum wf_dimension dimension;   /* of a number or speed                           */
-    const char *unit;              /* of a plain number and of low and high; NULL: none      */
-    double low, high;              /* allowed                                                */
-    const char *choices;           /* words separated by '|'                                 */
-    const char *(*word)(size_t i); /* or the i-th word of a list of rows, NULL behind the last */
-    const char *help;
-};
-
-/* Row of a command that takes a study file (cmd/args_study.c). */
-#define WF_STUDY_FILE_OPTION                                                                                 \
-    {                                                                                                        \
-        .name = "--study", .kind = WF_OPTION_TEXT, .value = "FILE",                                          \
-        .help =                                                                                              \
-            "options from a file, one key an option ('windfirm schema study'); what is typed comes first"    \
-    }
-extern const struct wf_option wf_explain_options[], wf_series_options[], wf_shelter_options[],
-    wf_study_options[], wf_wind_options[]; /* end at name == NULL */
-
-enum { WF_OPTIONS_MAX = 64 };
-struct wf_args {
-    const struct wf_option *option;
-    size_t n; /* operands */
-    const char **operand;
-    bool given[WF_OPTIONS_MAX];       /* by row of `option`                            */
-    const char *text[WF_OPTIONS_MAX]; /* as typed, else the default, else NULL         */
-    double number[WF_OPTIONS_MAX];    /* in SI; NAN when there is neither              */
-    size_t speeds;                    /* of the row of kind WF_OPTION_SPEEDS, ascending */
-    double *speed;                    /* [m/s]                                         */
-    const char *winds_said;           /* how winds came to 10-min means; NULL: they were typed so */
-};
-
-/* Read a subcommand's command line. Given: argv (argv[0] = subcommand), its option rows (ends at name ==
- * NULL), a paragraph for --help, how many operands it takes, an arena for what is kept. Returned: -1 to go
- * on, or the exit code: 0 after --help, 2 after every mistake was printed. --help and --quiet need no row. */
-int wf_args_read(int argc, char **argv, const struct wf_option *option, const char *about, size_t low,
-                 size_t high, struct wf_arena *a, struct wf_args *out);
-/* By option name; the name must be one of the rows. */
-const char *wf_args_text(const struct wf_args *g, const char *name);
-double wf_args_number(const struct wf_args *g, const char *name);
-bool wf_args_given(const struct wf_args *g, const char *name);
+/* Rows of the commands that take a study file; they end at name == NULL. */
+extern const struct wf_option wf_analyze_options[], wf_explain_options[], wf_series_options[],
+    wf_shelter_options[], wf_wind_options[];
 
 /* The exit code for a status: 0, 1 (a run failed) or 2 (usage or input). */
 int wf_exit_code(enum wf_status s);

@@ -1,4 +1,525 @@
-#include "cmd/study.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* windfirm analyze and windfirm compare: what a steady wind does to one or several species on one tree. */
+#include "base/num.h"
+#include "cmd/args.h"
+#include "cmd/cmd.h"
+#include "cmd/option_groups.h"
+#include "cmd/wind_speed.h"
+#include "load/drag.h"
+#include "out/report.h"
+#include "out/results.h"
+#include "solve/solve.h"
+#include "solve/solvers.h"
+#include "study/analysis.h"
+#include "study/directions.h"
+#include "study/preset.h"
+#include "wind/scale.h"
+#include "wind/terrain.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+struct analyze_options {
+    struct wf_args args;
+    struct wf_tree_asked tree;
+    struct wf_speeds wind;
+    struct wf_averaging averaging;
+    struct wf_profile_words profile;
+    const char *output, *solver, *preset, *shelter, *lang;
+    const char *directions, *climate; /* NULL: not given                           */
+    const char *dem, *at;
+    size_t threads;
+    double azimuth, north;           /* [rad]                                     */
+    double temperature, altitude;    /* [K], [m]                                  */
+    double air_density;              /* [kg m-3]; NAN: from the two above         */
+    double search_to;                /* [m/s]                                     */
+    double mesh_tolerance;           /* [-]                                       */
+    double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
+    bool no_report;
+};
+
+#define OPTIONS struct analyze_options
+const struct wf_option wf_analyze_options[] = {
+    STUDY,
+    WF_TREE_ROWS(tree),
+    SPEEDS("--wind", wind, averaging, 0, 200,
+           "mean wind speeds at the reference height, a list 10,15,25 or from:to:step 5:40:1; a unit behind "
+           "the last number holds for all: '36,54 km/h'",
+           .letter = "-w"),
+    WF_AVERAGING_ROWS(averaging),
+    TEXT("--output", output, "FOLDER", NULL,
+         "where results, tables, plots and pages go [out/analyze or out/compare]", .letter = "-o"),
+    WORD("--solver", solver, "NAME", wf_solver_word, "beam", "how the bent shape is computed",
+         .letter = "-s"),
+    WORD("--preset", preset, "NAME", wf_preset_word, "corrected",
+         "a published method, its formula and constants as printed; warnings tell where it leaves physics"),
+    WF_PROFILE_ROWS(profile),
+    WF_AZIMUTH_ROW(azimuth),
+    CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
+           "also let the wind come from all around, in so many directions"),
+    PATH("--climate", climate, "FILE", NULL,
+         "how often and how strongly the wind comes from where, for hours a year above the critical wind: a "
+         "CSV as for 'windfirm wind rose', hourly means at the reference height; its directions are taken"),
+    NUMBER("--north", north, "ANGLE", ANGLE, "deg", -360, 360, "0",
+           "where north is in the model: clockwise from +y as seen from above; 0: north is +y, east +x"),
+    WHOLE("--threads", threads, 0, 64, "0", "processors to use, 0: all; the results are the same"),
+    WORD("--shelter", shelter, "LAW", wf_shelter_word, "none",
+         "the wind inside the crown: none: as outside; wake: what drag of the windward parts leaves; "
+         "feng1999: potential flows as printed"),
+    NUMBER("--speed-up", speed_up, "NUMBER", NONE, NULL, 0.1, 5, NULL,
+           "exposure of the site: wind at the tree over the wind named [1]"),
+    PATH("--dem", dem, "FILE", NULL,
+         "or found, for each direction, on heights of the ground, an ESRI ASCII grid, as 'windfirm terrain' "
+         "finds it at the reference height"),
+    TEXT("--at", at, "X,Y", NULL, "where the tree stands on it [m]"),
+    NUMBER("--temperature", temperature, "TEMPERATURE", TEMPERATURE, "degC", -60, 60, "15", "of the air"),
+    NUMBER("--altitude", altitude, "LENGTH", LENGTH, "m", -500, 9000, "0",
+           "of the site above the sea, for the density of the air"),
+    NUMBER("--air-density", air_density, "DENSITY", DENSITY, "kg/m3", 0.1, 2, NULL,
+           "in place of the one from temperature and altitude"),
+    NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, "100",
+           "highest wind at which the critical speed is looked for"),
+    NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
+           "relative error accepted from the mesh; 0 takes one element a segment"),
+    NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
+           "rotational stiffness of the root plate; left out, the stem is clamped"),
+    FLAG("--no-report", no_report, "write results and tables only"),
+    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
+    QUIET("print errors only"),
+    { 0 },
+};
+
+/* What the options ask for, in the terms of the library. */
+struct request {
+    struct wf_scenario scenario;
+    struct wf_solve_options solve;
+    const struct wf_solver *solver;
+    const struct wf_preset *preset;
+    struct wf_directions_request directions; /* n = 0: none */
+};
+
+static double degrees(double rad) { return rad * 180.0 / M_PI; }
+
+/* ---- From options to a request ---- */
+
+/* The directions asked for; a climate is read, its mistakes are in `d`. Returned: *out, n = 0 where no
+ * directions are asked for. */
+static enum wf_status read_directions(const struct analyze_options *o, struct wf_arena *a, struct wf_diag *d,
+                                      struct wf_directions_request *out, struct wf_err *e)
+{
+    const char *n = o->directions, *climate = o->climate, *law = o->averaging.law;
+    *out = (struct wf_directions_request){
+        .n = n ? (size_t)atoi(n) : 0, .north = o->north, .climate_file = climate, .law = law ? law : "durst"
+    };
+    if (!climate) return WF_OK;
+    struct wf_rose *rose = WF_TAKE(a, 1, struct wf_rose);
+    if (!rose) return wf_fail(e, WF_ENOMEM, "no room for a climate");
+    enum wf_status s = wf_rose_read(climate, a, d, rose, e);
+    if (s) return s;
+    out->rose = rose;
+    if (n && out->n != rose->sectors)
+        return wf_fail(e, WF_EUSAGE, "--directions %s: %s has %zu; leave --directions out to take them", n,
+                       climate, rose->sectors);
+    out->n = rose->sectors;
+    return WF_OK;
+}
+
+/* "x,y". */
+static enum wf_status read_place(const char *text, double *x, double *y, struct wf_err *e)
+{
+    const char *end = text ? text + strlen(text) : NULL, *comma = text ? strchr(text, ',') : NULL;
+    if (comma && wf_number_read(text, comma, '.', x) == comma &&
+        wf_number_read(comma + 1, end, '.', y) == end)
+        return WF_OK;
+    return wf_fail(e, WF_EUSAGE,
+                   "--at: '%.100s': the tree's place on --dem is written x,y in m, for example 450,1200",
+                   text ? text : "");
+}
+
+/* The exposure on a map of the ground: for the wind from one direction and from all that are asked for. */
+static enum wf_status expose_site(struct wf_site *site, const char *at, struct wf_arena *a,
+                                  struct wf_scenario *s, struct wf_directions_request *q, struct wf_err *e)
+{
+    double *factor = WF_TAKE(a, q->n + 1, double), from = wf_direction_from(q, s->azimuth);
+    enum wf_status status = read_place(at, &site->x, &site->y, e);
+    if (!factor) return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
+    if (!status) status = wf_site_read(site, a, e);
+    if (!status) status = wf_site_speed_up(site, from, s->reference_height, s->roughness, &s->speed_up, e);
+    for (size_t k = 0; k < q->n && !status; k++)
+        status = wf_site_speed_up(site, 2.0 * M_PI * (double)k / (double)q->n, s->reference_height,
+                                  s->roughness, &factor[k], e);
+    s->site = site, q->speed_up = factor;
+    return status;
+}
+
+/* The exposure asked for, into the scenario and, by direction, into the request. */
+static enum wf_status read_exposure(const struct analyze_options *o, struct wf_arena *a,
+                                    struct wf_scenario *s, struct wf_directions_request *q, struct wf_err *e)
+{
+    bool given = !isnan(o->speed_up);
+    if (given) s->speed_up = o->speed_up;
+    if (!o->dem && o->at) return wf_fail(e, WF_EUSAGE, "--at: a place on the ground needs the ground, --dem");
+    if (o->dem && given)
+        return wf_fail(e, WF_EUSAGE, "--speed-up and --dem: one of them says how exposed the tree is");
+    if (!o->dem) return WF_OK;
+    struct wf_site *site = WF_TAKE(a, 1, struct wf_site);
+    if (!site) return wf_fail(e, WF_ENOMEM, "no room for a map");
+    site->file = o->dem;
+    return expose_site(site, o->at, a, s, q, e);
+}
+
+/* What the options ask for. A measured profile and a climate are read; their mistakes are in `d`. */
+static enum wf_status read_request(const struct analyze_options *o, struct wf_arena *a, struct wf_diag *d,
+                                   struct request *out, struct wf_err *e)
+{
+    struct wf_scenario *s = &out->scenario;
+    wf_scenario_default(s);
+    enum wf_status status = wf_scenario_profile(s, &o->profile, a, d, e);
+    if (status) return status;
+    s->winds_said = o->args.winds_said;
+    s->azimuth = o->azimuth;
+    s->temperature = o->temperature;
+    s->altitude = o->altitude;
+    s->air_density = o->air_density;
+    s->speed_max = o->search_to;
+    s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
+    wf_solve_options_default(&out->solve);
+    out->solve.threads = o->threads;
+    out->solve.mesh_tolerance = o->mesh_tolerance;
+    if (!isnan(o->root_stiffness))
+        out->solve.root_stiffness[0] = out->solve.root_stiffness[1] = o->root_stiffness;
+    out->solver = wf_solver_named(o->solver);
+    out->preset = wf_preset_named(o->preset);
+    status = read_directions(o, a, d, &out->directions, e);
+    return status ? status : read_exposure(o, a, s, &out->directions, e);
+}
+
+/* ---- Tables for a terminal ---- */
+
+static void print_cell(FILE *to, int width, int digits, double x)
+{
+    if (isfinite(x))
+        fprintf(to, "%*.*f", width, digits, x);
+    else
+        fprintf(to, "%*s", width, "-");
+}
+
+/* At the strongest wind asked for. */
+static void print_direction(FILE *to, const struct wf_analysis *an, const struct wf_direction *d)
+{
+    const struct wf_at_speed *at = &d->at[an->n - 1];
+    fprintf(to, "%8g", degrees(d->from));
+    print_cell(to, 13, 3, at->base_moment / 1e3);
+    print_cell(to, 11, 3, at->tip_deflection);
+    print_cell(to, 9, 2, at->status ? NAN : at->breakage.least_safety);
+    print_cell(to, 12, 2, d->breaks.critical.speed);
+    print_cell(to, 10, 2, d->breaks.height);
+    print_cell(to, 12, 2, d->stem.critical.speed);
+    const struct wf_directions_request *q = &an->directions->request;
+    if (q->speed_up) print_cell(to, 10, 3, q->speed_up[d - an->directions->direction]);
+    if (q->rose) {
+        print_cell(to, 12, 3, WF_HOURS_A_YEAR * d->hourly);
+        print_cell(to, 12, 3, WF_HOURS_A_YEAR * d->strongest);
+    }
+    fputc('\n', to);
+}
+
+static void print_climate(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_directions *x = an->directions;
+    fprintf(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
+    print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
+    print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
+    fprintf(to,
+            "\n  The critical wind is one that lasts, a 10-min mean at %.6g m. Hours a year: with an hourly "
+            "mean above "
+            "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
+            an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
+    if (x->above)
+        fprintf(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
+                an->scenario.speed_max);
+}
+
+/* The table of one analysis; nothing where it has no directions. */
+static void print_directions(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_directions *x = an->directions;
+    if (!x) return;
+    bool rose = x->request.rose, site = x->request.speed_up;
+    fprintf(to, "\n  Wind from all around, clockwise from north; north is ");
+    if (x->request.north == 0.0)
+        fprintf(to, "+y, east +x of the model\n");
+    else
+        fprintf(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
+    fprintf(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
+            "breaks", "stem alone", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
+    fprintf(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
+            site ? "          " : "", rose ? "  above: mean      10 min" : "");
+    for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
+    if (rose) print_climate(to, an);
+    fprintf(to, "  Moment, movement and safety at %.6g m/s.\n", an->at[an->n - 1].speed);
+}
+
+static void print_number(FILE *to, int width, int digits, double value)
+{
+    if (isfinite(value))
+        fprintf(to, "%*.*f", width, digits, value);
+    else
+        fprintf(to, "%*s", width, isinf(value) ? "inf" : "-");
+}
+
+static void print_speed(FILE *to, const struct wf_at_speed *at)
+{
+    print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
+    if (at->status) {
+        fprintf(to, "   no equilibrium; %.0f %% of the load stood\n", 100.0 * at->response.load_factor);
+        return;
+    }
+    print_number(to, 12, 3, at->tip_deflection);
+    print_number(to, 10, 1, 100.0 * at->tip_deflection_share);
+    print_number(to, 10, 1, at->tip_angle * 180.0 / M_PI);
+    print_number(to, 13, 3, at->base_moment / 1e3);
+    print_number(to, 12, 2, at->breakage.largest_stress / 1e6);
+    print_number(to, 10, 2, at->breakage.least_safety);
+    fputc('\n', to);
+}
+
+static void print_critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
+{
+    const struct wf_critical *c = &b->critical;
+    if (c->outcome != WF_CRITICAL_FOUND) {
+        fprintf(to, "  %s: none; %s\n", what, wf_critical_text(c->outcome));
+        return;
+    }
+    fprintf(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
+            an->scenario.reference_height);
+    if (b->row >= 0)
+        fprintf(to, "; the %s breaks%s %.2f m above the ground",
+                wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
+                b == &an->breaks ? " first" : "", b->height);
+    fputc('\n', to);
+}
+
+/* The results in a forester's units. */
+static void print_results(FILE *to, const struct wf_run *run)
+{
+    const struct wf_analysis *first = &run->analysis[0];
+    const struct wf_scenario *s = &first->scenario;
+    fprintf(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
+            first->tallness, s->profile, first->loads.air_density, first->solver->name);
+    fprintf(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
+    if (s->speed_up != 1.0)
+        fprintf(to,
+                "The tree meets %.4g times the wind named (exposure of the site); critical speeds are of the "
+                "wind "
+                "named\n",
+                s->speed_up);
+    for (size_t k = 0; k < run->n; k++) {
+        const struct wf_analysis *an = &run->analysis[k];
+        fprintf(to, "\n%s (%s)\n", an->species->name,
+                an->species->latin ? an->species->latin : an->species->key);
+        fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
+                "stress", "safety");
+        fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
+        for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
+        print_critical(to, an, "critical wind speed", &an->breaks);
+        if (an->breaks.row >= 0 && an->tree.level[an->breaks.row] > 0)
+            print_critical(to, an, "of the stem alone", &an->stem);
+        print_directions(to, an);
+    }
+}
+
+/* ---- The run ---- */
+
+enum { OTHER_FILES = 5 }; /* model, study, profile, climate, ground */
+
+/* Everything of one run, in one arena. */
+struct work {
+    struct wf_arena arena;
+    struct analyze_options options;
+    struct request request;
+    const char *folder;
+    struct wf_model model;
+    struct wf_species *species;
+    struct wf_analysis *analysis;
+    size_t inputs;
+    struct wf_input_file *input;
+    struct wf_diag *diag; /* one per species */
+};
+
+/* The command line as typed, quoted where a shell needs it. */
+static char *typed_quoted(struct wf_arena *a, int argc, char **argv)
+{
+    char *text = wf_arena_text(a, "windfirm");
+    for (int i = 0; text && i < argc; i++) {
+        bool plain = argv[i][0] && !strpbrk(argv[i], " \t'\"$&*;<>|");
+        text = wf_arena_print(a, plain ? "%s %s" : "%s '%s'", text, argv[i]);
+    }
+    return text;
+}
+
+static enum wf_status note_input(struct work *w, const char *role, const char *path, struct wf_err *e)
+{
+    return wf_input_file_note(role, path, &w->arena, &w->input[w->inputs++], e);
+}
+
+/* Model and species files; every mistake of every file is printed before the run is refused. */
+static enum wf_status read_inputs(struct work *w, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = &w->arena };
+    const char *model = NULL;
+    struct wf_err first = { 0 }, next = { 0 };
+    enum wf_status worst =
+        wf_tree_asked_read(&w->options.tree, NULL, &w->arena, &w->model, &model, &d, &first);
+    size_t found = d.errors;
+    enum wf_status asked = read_request(&w->options, &w->arena, &d, &w->request, &next);
+    if (asked && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
+    if (asked && !worst) worst = asked;
+    for (size_t k = 0; k < w->options.args.n; k++) {
+        const char *path = wf_shipped("species", w->options.args.operand[k], &w->arena);
+        size_t before = d.errors;
+        next = (struct wf_err){ 0 };
+        enum wf_status s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
+        if (s && d.errors == before) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
+        if (s && !worst) worst = s;
+        if (!s && (s = note_input(w, "species", path, e))) return s;
+    }
+    if (worst && first.code && !d.errors) wf_diag_error(&d, NULL, 0, 0, "%s", first.text);
+    wf_print_findings(&d, w->options.args.quiet);
+    if (worst)
+        return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
+                       d.errors == 1 ? "" : "s");
+    const char *const profile = w->request.scenario.profile_file, *const study = w->options.args.study,
+                      *const climate = w->request.directions.climate_file;
+    enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
+    if (!s && study) s = note_input(w, "study", study, e);
+    if (!s && profile) s = note_input(w, "profile", profile, e);
+    if (!s && w->request.scenario.site) s = note_input(w, "ground", w->request.scenario.site->file, e);
+    return !s && climate ? note_input(w, "climate", climate, e) : s;
+}
+
+/* The same from all directions, where asked for. */
+static enum wf_status run_directions(struct work *w, struct wf_analysis *an, struct wf_err *e)
+{
+    const struct wf_directions_request *q = &w->request.directions;
+    if (!q->n) return WF_OK;
+    struct wf_directions *out = WF_TAKE(&w->arena, 1, struct wf_directions);
+    if (!out) return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
+    wf_progress("%s: %zu directions ...", an->species->name, q->n);
+    an->directions = out;
+    return wf_directions_run(an, &w->request.solve, q, &w->arena, out, e);
+}
+
+static enum wf_status analyse(struct work *w, struct wf_err *e)
+{
+    for (size_t k = 0; k < w->options.args.n; k++) {
+        const struct wf_preset *preset = w->request.preset;
+        w->diag[k].arena = &w->arena;
+        if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
+            return e->code;
+        wf_progress("%s: %zu wind speeds, critical speed, curves ...", w->species[k].name, w->options.wind.n);
+        enum wf_status s =
+            wf_analyze(&w->species[k], &w->model, &w->request.scenario, w->request.solver, &w->request.solve,
+                       w->options.wind.speed, w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
+        if (!s) s = run_directions(w, &w->analysis[k], e);
+        wf_progress(NULL);
+        if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);
+        if (s) return s;
+        wf_preset_warn(preset, &w->analysis[k], &w->diag[k]);
+    }
+    return WF_OK;
+}
+
+/* Plots and pages. A drawing program that is not installed leaves the results complete; *whole tells whether
+ * everything was drawn. */
+static enum wf_status draw_report(struct work *w, bool *whole, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = &w->arena };
+    struct wf_err why = { 0 };
+    wf_progress("drawing plots and pages ...");
+    enum wf_status s = wf_report_make(w->folder, w->options.lang, &d, &why);
+    wf_progress(NULL);
+    wf_print_findings(&d, false);
+    *whole = s == WF_OK;
+    if (s == WF_OK || s == WF_EMISSING) return WF_OK;
+    return wf_fail(e, s, "%s", why.text);
+}
+
+/* Pages of an earlier run beside new results would be taken for theirs. */
+static void warn_of_old_pages(struct work *w)
+{
+    static const char *const page[] = { "report.html", "report.pdf" };
+    struct stat results, old;
+    const char *path = wf_arena_print(&w->arena, "%s/results.json", w->folder);
+    if (!path || stat(path, &results)) return;
+    for (size_t i = 0; i < sizeof page / sizeof *page; i++) {
+        path = wf_arena_print(&w->arena, "%s/%s", w->folder, page[i]);
+        if (!path || stat(path, &old)) continue;
+        if (old.st_mtim.tv_sec < results.st_mtim.tv_sec ||
+            (old.st_mtim.tv_sec == results.st_mtim.tv_sec && old.st_mtim.tv_nsec < results.st_mtim.tv_nsec))
+            fprintf(stderr,
+                    "warning: %s is the page of an earlier run; 'windfirm report %s' draws it again\n", path,
+                    w->folder);
+    }
+}
+
+static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_err *e)
+{
+    size_t n = w->options.args.n;
+    w->species = WF_TAKE(&w->arena, n, struct wf_species);
+    w->analysis = WF_TAKE(&w->arena, n, struct wf_analysis);
+    w->input = WF_TAKE(&w->arena, n + OTHER_FILES, struct wf_input_file);
+    w->inputs = 1; /* the model's place */
+    w->diag = WF_TAKE(&w->arena, n, struct wf_diag);
+    struct wf_run run = { .command = typed_quoted(&w->arena, argc, argv),
+                          .version = WF_VERSION,
+                          .date = wf_run_date(&w->arena),
+                          .n = n,
+                          .analysis = w->analysis,
+                          .input = w->input };
+    if (!w->species || !w->analysis || !w->input || !w->diag || !run.command || !run.date)
+        return wf_fail(e, WF_ENOMEM, "no room for %zu species", n);
+    enum wf_status s = read_inputs(w, e);
+    run.inputs = w->inputs;
+    if (s || (s = analyse(w, e))) return s;
+    if (!w->options.args.quiet) print_results(stdout, &run);
+    fflush(stdout); /* so that warnings stand below the table where both go to the same place */
+    for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
+    if ((s = wf_results_write(&run, w->folder, e))) return s;
+    bool pages = !w->options.no_report, whole = false;
+    if (pages) s = draw_report(w, &whole, e);
+    if (!w->options.args.quiet)
+        printf("\nResults%s: %s\n",
+               whole   ? ", tables, plots and pages"
+               : pages ? " and tables (plots and pages not complete)"
+                       : " and tables",
+               w->folder);
+    fflush(stdout);
+    if (!whole) warn_of_old_pages(w);
+    return s;
+}
+
+/* A whole run: read, analyse, print, write, draw. Given: the command line as typed, between low and high
+ * species. Returned: exit code. */
+static int analyze_or_compare(int argc, char **argv, const char *about, size_t low, size_t high)
+{
+    struct work w = { 0 };
+    struct wf_err e = { 0 };
+    int code = wf_args_read(argc, argv, wf_analyze_options, about, low, high, &w.arena, &w.options.args);
+    if (code < 0) code = wf_tree_asked_check(&w.options.tree, argv[0], NULL);
+    if (code < 0 && !w.options.wind.n) {
+        fprintf(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
+        code = 2;
+    }
+    if (code < 0) {
+        const char *asked = w.options.output;
+        w.folder = asked ? asked : wf_arena_print(&w.arena, "out/%s", argv[0]);
+        code = w.folder && run_all(&w, argc, argv, &e) == WF_OK ? 0 : wf_complain(&e);
+    }
+    wf_arena_free(&w.arena);
+    return code;
+}
 
 int wf_cmd_analyze(int argc, char **argv)
 {
@@ -10,5 +531,16 @@ int wf_cmd_analyze(int argc, char **argv)
         "shape. Deflection is counted from the unloaded shape, so it holds the sag under weight as well.\n"
         "\n"
         "  windfirm analyze species/moso_bamboo.yaml --model models/moso_culm.yaml --wind 5:40:1";
-    return wf_study_run(argc, argv, about, 1, 1);
+    return analyze_or_compare(argc, argv, about, 1, 1);
+}
+
+int wf_cmd_compare(int argc, char **argv)
+{
+    static const char about[] = "Every species is grown on the same model, so that a comparison shows "
+                                "material and section alone (a model "
+                                "may leave the base radius to the species).\n"
+                                "\n"
+                                "  windfirm compare species/moso_bamboo.yaml species/weeping_willow.yaml \\\n"
+                                "      --model models/culm.yaml --wind 10,15,25 -o out/mine";
+    return analyze_or_compare(argc, argv, about, 2, 32);
 }

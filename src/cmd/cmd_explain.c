@@ -1,6 +1,9 @@
-#include "cmd/profile_options.h"
-#include "cmd/series_perform.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/args.h"
+#include "cmd/cmd.h"
+#include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
+#include "load/drag.h"
 #include "load/scene.h"
 #include "out/explain.h"
 #include "out/results.h"
@@ -10,24 +13,26 @@
 #include <math.h>
 #include <stdio.h>
 
+struct explain_options {
+    struct wf_args args;
+    const char *model, *output;
+    double wind; /* [m/s] */
+    struct wf_averaging averaging;
+    struct wf_profile_words profile;
+    double azimuth; /* [rad] */
+    bool no_report;
+};
+
+#define OPTIONS struct explain_options
 const struct wf_option wf_explain_options[] = {
-    WF_STUDY_FILE_OPTION,
-    { .name = "--model",
-      .letter = "-m",
-      .kind = WF_OPTION_TEXT,
-      .value = "MODEL",
-      .help = "tree model: a file, or the name of a shipped one" },
-    WF_WIND_OPTIONS(0.01, 100, "mean wind at the reference height"),
-    WF_PROFILE_OPTIONS,
-    WF_AZIMUTH_OPTION,
-    { .name = "--output",
-      .letter = "-o",
-      .kind = WF_OPTION_TEXT,
-      .value = "FOLDER",
-      .initial = "out/explain",
-      .help = "where table, plot and page go" },
-    { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "write the table only" },
-    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    STUDY,
+    PATH("--model", model, "MODEL", NULL, "tree model: a file, or the name of a shipped one", .letter = "-m"),
+    WF_WIND_ROWS(wind, averaging, 0.01, 100, "mean wind at the reference height"),
+    WF_PROFILE_ROWS(profile),
+    WF_AZIMUTH_ROW(azimuth),
+    TEXT("--output", output, "FOLDER", "out/explain", "where table, plot and page go", .letter = "-o"),
+    FLAG("--no-report", no_report, "write the table only"),
+    QUIET("print errors only"),
     { 0 },
 };
 
@@ -39,7 +44,7 @@ static const char about[] = "SPECIES is a species table. Every solver bends the 
                             "\n"
                             "  windfirm explain poplar --model zhao2013_ifs --wind 10";
 
-static void print(const struct wf_explain *x, double speed, double height)
+static void print_methods(const struct wf_explain *x, double speed, double height)
 {
     printf("Wind %.4g m/s, a 10-min mean at %.6g m\n", speed, height);
     printf("Own bending of the branches over that by beam theory, middle of each level\n\n%-18s%10s%10s",
@@ -59,7 +64,7 @@ static void print(const struct wf_explain *x, double speed, double height)
 }
 
 /* What the printed methods leave out on this tree. */
-static void departures(const struct wf_analysis *an, struct wf_diag *d)
+static void warn_of_departures(const struct wf_analysis *an, struct wf_diag *d)
 {
     for (const struct wf_preset *p = wf_presets; p->name; p++) {
         struct wf_analysis as = *an;
@@ -68,11 +73,11 @@ static void departures(const struct wf_analysis *an, struct wf_diag *d)
     }
 }
 
-static enum wf_status write_files(const struct wf_args *g, const struct wf_explained *x, const char *command,
-                                  struct wf_arena *a, struct wf_err *e)
+static enum wf_status write_files(const struct explain_options *o, const struct wf_explained *x,
+                                  const char *command, struct wf_arena *a, struct wf_err *e)
 {
     char path[WF_PATH_MAX];
-    const char *folder = wf_args_text(g, "--output");
+    const char *folder = o->output;
     struct wf_diag drawn = { .arena = a };
     const struct wf_html_head head = { "Every method against beam theory",
                                        "The same tree in the same wind by beam theory and by every other "
@@ -84,65 +89,63 @@ static enum wf_status write_files(const struct wf_args *g, const struct wf_expla
     snprintf(path, sizeof path, "%.4000s/plots/run.gp", folder);
     remove(path); /* facts of an earlier run */
     enum wf_status s = wf_explain_tables(x, 1, folder, e);
-    if (s || wf_args_given(g, "--no-report")) return s;
+    if (s || o->no_report) return s;
     s = wf_explain_page(x, &head, folder, &drawn, e);
     wf_print_findings(&drawn, false);
     if (s == WF_EMISSING) return WF_OK;
     return s && !e->code ? wf_fail(e, s, "the page is not complete") : s;
 }
 
-static enum wf_status run(const struct wf_args *g, const char *command, struct wf_arena *a, struct wf_err *e)
+static enum wf_status explain(const struct explain_options *o, const char *command, struct wf_arena *a,
+                              struct wf_err *e)
 {
     struct wf_diag d = { .arena = a }, leaves = { .arena = a };
     struct wf_species sp;
     struct wf_model m;
     struct wf_explain x;
-    struct wf_solve_options o;
+    struct wf_solve_options solve;
     struct wf_analysis an = { .species = &sp, .model = &m, .solver = wf_solvers[0] };
-    bool quiet = wf_args_given(g, "--quiet");
-    const struct wf_profile_words profile = wf_profile_asked(g);
+    bool quiet = o->args.quiet;
     wf_scenario_default(&an.scenario);
-    an.scenario.azimuth = wf_args_number(g, "--azimuth");
-    wf_solve_options_default(&o);
-    enum wf_status s = wf_species_read(wf_shipped("species", g->operand[0], a), &wf_laws, a, &sp, &d, e);
-    if (!s) s = wf_model_read(wf_shipped("models", wf_args_text(g, "--model"), a), a, &m, &d, e);
-    if (!s) s = wf_scenario_profile(&an.scenario, &profile, a, &d, e);
+    an.scenario.azimuth = o->azimuth;
+    wf_solve_options_default(&solve);
+    enum wf_status s = wf_species_read(wf_shipped("species", o->args.operand[0], a), &wf_laws, a, &sp, &d, e);
+    if (!s) s = wf_model_read(wf_shipped("models", o->model, a), a, &m, &d, e);
+    if (!s) s = wf_scenario_profile(&an.scenario, &o->profile, a, &d, e);
     if (!s) s = wf_scenario_check(&an.scenario, e);
     if (!s) s = wf_analysis_set_up(&an, a, &d, e);
     if (!s) wf_limits_profile(&an.scenario, an.tallness, m.name, &d);
-    if (!s) s = wf_explain_run(&an, &o, wf_args_number(g, "--wind"), a, &d, &x, e);
-    if (!s && !quiet) print(&x, wf_args_number(g, "--wind"), an.scenario.reference_height);
+    if (!s) s = wf_explain_run(&an, &solve, o->wind, a, &d, &x, e);
+    if (!s && !quiet) print_methods(&x, o->wind, an.scenario.reference_height);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     if (s) return s;
-    departures(&an, &leaves);
+    warn_of_departures(&an, &leaves);
     const struct wf_explained of = { .run = 1,
                                      .name = wf_arena_print(a, "%s, %s", sp.key, m.key),
                                      .of = &x,
                                      .tree = &an.tree,
-                                     .speed = wf_args_number(g, "--wind"),
+                                     .speed = o->wind,
                                      .findings = &leaves };
-    s = of.name ? write_files(g, &of, command, a, e) : wf_fail(e, WF_ENOMEM, "no memory");
-    if (!s && !quiet)
-        printf("\nTable%s: %s\n", wf_args_given(g, "--no-report") ? "" : ", plot, page",
-               wf_args_text(g, "--output"));
+    s = of.name ? write_files(o, &of, command, a, e) : wf_fail(e, WF_ENOMEM, "no memory");
+    if (!s && !quiet) printf("\nTable%s: %s\n", o->no_report ? "" : ", plot, page", o->output);
     return s;
 }
 
 int wf_cmd_explain(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
-    struct wf_args g;
+    struct explain_options o;
     struct wf_err e = { 0 };
-    int code = wf_args_read(argc, argv, wf_explain_options, about, 1, 1, &arena, &g);
-    if (code < 0 && !wf_args_text(&g, "--model")) {
+    int code = wf_args_read(argc, argv, wf_explain_options, about, 1, 1, &arena, &o.args);
+    if (code < 0 && !o.model) {
         fprintf(stderr, "windfirm explain: --model is needed, for example --model models/culm.yaml\n");
         code = 2;
     }
     if (code < 0) {
-        const char *command = wf_series_typed(argc, argv, &arena);
+        const char *command = wf_args_typed(argc, argv, &arena);
         if (!command) wf_fail(&e, WF_ENOMEM, "no memory");
-        code = !command || run(&g, command, &arena, &e) ? wf_complain(&e) : 0;
+        code = !command || explain(&o, command, &arena, &e) ? wf_complain(&e) : 0;
     }
     wf_arena_free(&arena);
     return code;

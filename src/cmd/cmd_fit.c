@@ -1,78 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm fit: calibrate a tree to what was measured on it. */
-#include "cmd/fit_job.h"
+#include "cmd/args.h"
+#include "cmd/cmd.h"
+#include "out/fit_results.h"
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
+struct fit_options {
+    struct wf_args args;
+    const char *data, *free; /* lists with commas; NULL: the study's */
+    const char *loss;
+    double loss_scale;              /* [standard deviations]; NAN: the loss's own */
+    double starts, bootstrap, seed; /* numbers, cut to whole ones */
+    bool priors, no_profile, no_rival, no_report;
+    const char *write, *output; /* NULL: nothing is written; folder */
+};
+
+#define OPTIONS struct fit_options
 static const struct wf_option options[] = {
-    { .name = "--data",
-      .letter = "-d",
-      .kind = WF_OPTION_TEXTS,
-      .value = "FILE[,FILE]",
-      .help = "CSV files of the tests that name none, in their order" },
-    { .name = "--free",
-      .letter = "-f",
-      .kind = WF_OPTION_TEXTS,
-      .value = "NAME[,NAME]",
-      .help = "parameters to fit, in place of the study's: level0.youngs_modulus, root.stiffness, "
-              "each:root.stiffness, "
-              "damping_ratio, ..." },
-    { .name = "--loss",
-      .kind = WF_OPTION_CHOICE,
-      .value = "NAME",
-      .initial = "none",
-      .choices = "none|huber|cauchy|tukey",
-      .help = "what outliers count: squares, or a robust loss" },
-    { .name = "--loss-scale",
-      .kind = WF_OPTION_NUMBER,
-      .value = "NUMBER",
-      .dimension = WF_DIM_NONE,
-      .low = 0.1,
-      .high = 100,
-      .help = "where the loss departs from squares, in standard deviations [1.345 huber, 2.385 cauchy, 4.685 "
-              "tukey]" },
-    { .name = "--priors",
-      .kind = WF_OPTION_FLAG,
-      .help = "the species table's ranges take part as normal distributions" },
-    { .name = "--starts",
-      .kind = WF_OPTION_NUMBER,
-      .value = "NUMBER",
-      .initial = "1",
-      .dimension = WF_DIM_NONE,
-      .low = 1,
-      .high = 1000,
-      .help = "starting points tried, within a factor of 3 of the start" },
-    { .name = "--bootstrap",
-      .kind = WF_OPTION_NUMBER,
-      .value = "NUMBER",
-      .initial = "0",
-      .dimension = WF_DIM_NONE,
-      .low = 0,
-      .high = 10000,
-      .help = "resampled data sets for intervals by the bootstrap" },
-    { .name = "--seed",
-      .kind = WF_OPTION_NUMBER,
-      .value = "NUMBER",
-      .initial = "1",
-      .dimension = WF_DIM_NONE,
-      .low = 0,
-      .high = 9007199254740992.0,
-      .help = "of starts and bootstrap" },
-    { .name = "--no-profile", .kind = WF_OPTION_FLAG, .help = "no intervals by profile likelihood" },
-    { .name = "--no-rival", .kind = WF_OPTION_FLAG, .help = "no second fit with the root the other way" },
-    { .name = "--write",
-      .kind = WF_OPTION_TEXT,
-      .value = "FILE",
-      .help = "write the species table with the fitted values" },
-    { .name = "--output",
-      .letter = "-o",
-      .kind = WF_OPTION_TEXT,
-      .value = "FOLDER",
-      .initial = "out/fit",
-      .help = "where results, tables, plots and pages go" },
-    { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "results and tables only" },
-    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    TEXTS("--data", data, "FILE[,FILE]", "CSV files of the tests that name none, in their order",
+          .letter = "-d"),
+    TEXTS("--free", free, "NAME[,NAME]",
+          "parameters to fit, in place of the study's: level0.youngs_modulus, root.stiffness, "
+          "each:root.stiffness, damping_ratio, ...",
+          .letter = "-f"),
+    CHOICE("--loss", loss, "NAME", "none|huber|cauchy|tukey", "none",
+           "what outliers count: squares, or a robust loss"),
+    NUMBER("--loss-scale", loss_scale, "NUMBER", NONE, NULL, 0.1, 100, NULL,
+           "where the loss departs from squares, in standard deviations [1.345 huber, 2.385 cauchy, 4.685 "
+           "tukey]"),
+    FLAG("--priors", priors, "the species table's ranges take part as normal distributions"),
+    NUMBER("--starts", starts, "NUMBER", NONE, NULL, 1, 1000, "1",
+           "starting points tried, within a factor of 3 of the start"),
+    NUMBER("--bootstrap", bootstrap, "NUMBER", NONE, NULL, 0, 10000, "0",
+           "resampled data sets for intervals by the bootstrap"),
+    NUMBER("--seed", seed, "NUMBER", NONE, NULL, 0, 9007199254740992.0, "1", "of starts and bootstrap"),
+    FLAG("--no-profile", no_profile, "no intervals by profile likelihood"),
+    FLAG("--no-rival", no_rival, "no second fit with the root the other way"),
+    TEXT("--write", write, "FILE", NULL, "write the species table with the fitted values"),
+    TEXT("--output", output, "FOLDER", "out/fit", "where results, tables, plots and pages go",
+         .letter = "-o"),
+    FLAG("--no-report", no_report, "results and tables only"),
+    QUIET("print errors only"),
     { 0 },
 };
 
@@ -86,156 +57,272 @@ static const char about[] =
     "  windfirm fit models/field/sample_pull.yaml --free level0.youngs_modulus,root.stiffness\n"
     "  windfirm fit models/field/sample_pull.yaml --loss cauchy --write mine.yaml";
 
+/* ---- What is printed on a terminal ---- */
+
+static void print_range(FILE *to, double low, double high, double factor, const char *none)
+{
+    if (isnan(low) && isnan(high))
+        fprintf(to, "  %-21s", none);
+    else if (isnan(low))
+        fprintf(to, "  below %-15.4g", high * factor);
+    else if (isnan(high))
+        fprintf(to, "  above %-15.4g", low * factor);
+    else {
+        char text[48];
+        snprintf(text, sizeof text, "%.4g to %.4g", low * factor, high * factor);
+        fprintf(to, "  %-21s", text);
+    }
+}
+
+static void print_parameters(FILE *to, const struct wf_fit *f)
+{
+    bool resampled = f->resampled >= 20;
+    fprintf(to, "%-34s %12s %-9s  %-21s  %-21s%s\n", "parameter", "estimate", "", "95 % by covariance",
+            "95 % by profile", resampled ? "  95 % by bootstrap" : "");
+    for (size_t k = 0; k < f->params; k++) {
+        const struct wf_estimate *q = &f->estimate[k];
+        double factor;
+        const char *unit = wf_param_unit(f->x, &f->param[k], &factor);
+        fprintf(to, "%-34s %12.5g %-9s", f->param[k].name, q->value * factor, unit);
+        print_range(to, q->low, q->high, factor, "-");
+        print_range(to, q->profile_low, q->profile_high, factor, q->profiled ? "no limit" : "-");
+        if (resampled) print_range(to, q->resampled_low, q->resampled_high, factor, "-");
+        fputs(q->at_low ? "  AT LOWER BOUND\n" : q->at_high ? "  AT UPPER BOUND\n" : "\n", to);
+    }
+}
+
+static void print_correlations(FILE *to, const struct wf_fit *f)
+{
+    if (f->free < 2) return;
+    fprintf(to, "\ncorrelation of the estimates\n");
+    for (size_t i = 0; i < f->free; i++) {
+        fprintf(to, "%-34s", f->param[i].name);
+        for (size_t k = 0; k <= i; k++) fprintf(to, " %6.3f", f->correlation[i * f->params + k]);
+        fputc('\n', to);
+    }
+}
+
+static void print_sensors(FILE *to, const struct wf_fit *f)
+{
+    fprintf(to, "\n%-30s %8s %12s %12s  neighbours\n", "sensor", "readings", "sigma", "rms residual");
+    for (size_t i = 0; i < f->groups; i++) {
+        const struct wf_fit_group *g = &f->group[i];
+        const struct wf_fit_test *t = &f->x->test[g->test];
+        const struct wf_sensor_row *r = &wf_sensor_rows[t->sensor[g->sensor].kind];
+        char name[64];
+        snprintf(name, sizeof name, "%.30s %.30s", t->name, t->sensor[g->sensor].name);
+        fprintf(to, "%-30s %8zu %12.4g %12.4g  %5.2f  [%s]%s\n", name, g->n, g->sigma * r->factor,
+                g->rms * r->factor, g->correlation, r->unit,
+                t->sensor[g->sensor].estimated ? ", sigma from the scatter" : "");
+    }
+}
+
+static void print_fit(FILE *to, const struct wf_fit_results *of)
+{
+    const struct wf_fit *f = &of->fit;
+    bool bound = false;
+    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", of->study.name, f->x->data,
+            f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
+            f->params > f->free ? " (offsets and drifts included)" : "");
+    print_parameters(to, f);
+    for (size_t k = 0; k < of->x.tests; k++)
+        if (of->input[k].swung) {
+            const struct wf_ring_down *s = &of->input[k].sway;
+            fprintf(to, "\n%s: %.4f +- %.4f Hz, damping %.2f +- %.2f %%, %.1f %% of the variance explained",
+                    of->x.test[k].name, s->frequency, 1.96 * s->frequency_sd, 100 * s->damping,
+                    196 * s->damping_sd, 100 * s->explained);
+        }
+    if (of->x.tests && of->input[0].swung) fputc('\n', to);
+    print_correlations(to, f);
+    print_sensors(to, f);
+    fprintf(to, "\nreduced chi-square %.4g with %zu degrees of freedom%s\n", f->reduced, f->freedom,
+            f->sigma_estimated ? " (1 by construction where sigmas are estimated)" : "");
+    for (size_t k = 0; k < f->free; k++) bound |= f->estimate[k].at_low || f->estimate[k].at_high;
+    if (f->loose_n == 0)
+        fprintf(to, "the data determine every parameter%s\n", bound ? " that did not end on a bound" : "");
+    for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
+    if (of->rival.made) {
+        const struct wf_fit *r = &of->rival.fit;
+        fprintf(to, "\nthe same with a %s:", of->rival.text);
+        for (size_t k = 0; k < r->free; k++) {
+            double factor;
+            const char *unit = wf_param_unit(r->x, &r->param[k], &factor);
+            fprintf(to, "%s %s %.5g%s%s%s", k ? "," : "", r->param[k].name, r->estimate[k].value * factor,
+                    *unit ? " " : "", unit,
+                    r->estimate[k].at_high || r->estimate[k].at_low ? " (at its bound)"
+                    : isnan(r->estimate[k].low)                     ? " (not determined)"
+                                                                    : "");
+        }
+        if (!isnan(of->rival.aicc) && !isnan(of->rival.own))
+            fprintf(to, "\nAICc %.2f here, %.2f there: the data %s\n", of->rival.own, of->rival.aicc,
+                    fabs(of->rival.own - of->rival.aicc) < 2 ? "do not choose between them"
+                    : of->rival.own < of->rival.aicc         ? "prefer this fit"
+                                                             : "prefer the other");
+        else
+            fprintf(to, "\ntoo few readings to compare the two\n");
+    }
+    if (of->study.reference) fprintf(to, "\nfor comparison: %s\n", of->study.reference);
+}
+
+/* ---- The fit ---- */
+
+struct fit_job {
+    struct wf_arena arena;
+    const struct fit_options *options;
+    const char *folder;
+    struct wf_fit_results r;
+};
+
 static volatile sig_atomic_t interrupted;
-static void interrupt(int number)
+static void note_interrupt(int number)
 {
     (void)number;
     interrupted = 1;
 }
 
-static bool progress(void *ctx, size_t iteration, double cost)
+static bool show_progress(void *ctx, size_t iteration, double cost)
 {
     (void)ctx;
     wf_progress("iteration %zu, misfit %.6g ...", iteration, 2 * cost);
     return interrupted;
 }
 
-static struct wf_fit_options options_of(const struct wf_args *g)
+static struct wf_fit_options library_options(const struct fit_options *asked)
 {
     static const char *const words[] = { "none", "huber", "cauchy", "tukey" };
     struct wf_fit_options o;
     wf_fit_options_default(&o);
     for (int k = 0; k < 4; k++)
-        if (!strcmp(wf_args_text(g, "--loss"), words[k])) o.loss = (enum wf_loss)k;
-    o.loss_scale = wf_args_number(g, "--loss-scale");
-    o.priors = wf_args_given(g, "--priors");
-    o.profile = !wf_args_given(g, "--no-profile");
-    o.starts = (size_t)wf_args_number(g, "--starts");
-    o.resamples = (size_t)wf_args_number(g, "--bootstrap");
-    o.seed = (uint64_t)wf_args_number(g, "--seed");
-    o.progress = progress;
+        if (!strcmp(asked->loss, words[k])) o.loss = (enum wf_loss)k;
+    o.loss_scale = asked->loss_scale;
+    o.priors = asked->priors;
+    o.profile = !asked->no_profile;
+    o.starts = (size_t)asked->starts;
+    o.resamples = (size_t)asked->bootstrap;
+    o.seed = (uint64_t)asked->seed;
+    o.progress = show_progress;
     return o;
 }
 
-static enum wf_status note(struct wf_fit_job *j, const char *role, const char *path, struct wf_err *e)
+static enum wf_status note_input(struct fit_job *j, const char *role, const char *path, struct wf_err *e)
 {
-    for (size_t i = 0; i < j->files; i++)
-        if (!strcmp(j->file[i].path, path)) return WF_OK;
-    return wf_input_file_note(role, path, &j->arena, &j->file[j->files++], e);
+    for (size_t i = 0; i < j->r.files; i++)
+        if (!strcmp(j->r.file[i].path, path)) return WF_OK;
+    return wf_input_file_note(role, path, &j->arena, &j->r.file[j->r.files++], e);
 }
 
-static enum wf_status build(struct wf_fit_job *j, struct wf_err *e)
+static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
 {
-    const char *names = wf_args_text(&j->args, "--data"), *list[64];
+    const char *names = j->options->data, *list[64];
     char *rest = NULL, *copy = names ? wf_arena_text(&j->arena, names) : NULL;
-    struct wf_fit_build b = { .study = &j->study, .share = wf_share(), .data = list };
+    struct wf_fit_build b = { .study = &j->r.study, .share = wf_share(), .data = list };
     for (char *p = copy ? strtok_r(copy, ",", &rest) : NULL; p && b.datas < 64;
          p = strtok_r(NULL, ",", &rest))
         list[b.datas++] = p;
-    enum wf_status s = wf_fit_study_read(j->args.operand[0], &j->arena, &j->study, &j->diag, e);
+    enum wf_status s = wf_fit_study_read(j->options->args.operand[0], &j->arena, &j->r.study, &j->r.diag, e);
     if (s) return s;
-    j->input = WF_TAKE(&j->arena, j->study.tests, struct wf_fit_input);
-    j->file = WF_TAKE(&j->arena, 1 + 2 * j->study.trees + j->study.tests, struct wf_input_file);
-    if (!j->input || !j->file) return wf_fail(e, WF_ENOMEM, "no room for the study");
-    s = wf_fit_build(&b, &j->arena, &j->diag, &j->x, j->input, e);
-    if (!s) s = note(j, "study", j->args.operand[0], e);
-    for (size_t k = 0; k < j->x.trees && !s; k++) {
-        s = note(j, "species", j->x.tree[k].species->file, e);
-        if (!s && j->x.tree[k].file) s = note(j, "tree", j->x.tree[k].file, e);
+    j->r.input = WF_TAKE(&j->arena, j->r.study.tests, struct wf_fit_input);
+    j->r.file = WF_TAKE(&j->arena, 1 + 2 * j->r.study.trees + j->r.study.tests, struct wf_input_file);
+    if (!j->r.input || !j->r.file) return wf_fail(e, WF_ENOMEM, "no room for the study");
+    s = wf_fit_build(&b, &j->arena, &j->r.diag, &j->r.x, j->r.input, e);
+    if (!s) s = note_input(j, "study", j->options->args.operand[0], e);
+    for (size_t k = 0; k < j->r.x.trees && !s; k++) {
+        s = note_input(j, "species", j->r.x.tree[k].species->file, e);
+        if (!s && j->r.x.tree[k].file) s = note_input(j, "tree", j->r.x.tree[k].file, e);
     }
-    for (size_t k = 0; k < j->x.tests && !s; k++)
-        if (j->input[k].path) s = note(j, "data", j->input[k].path, e);
+    for (size_t k = 0; k < j->r.x.tests && !s; k++)
+        if (j->r.input[k].path) s = note_input(j, "data", j->r.input[k].path, e);
     return s ? s
-             : wf_fit_params(&j->study, wf_args_text(&j->args, "--free"), &j->x, false, &j->arena, &j->param,
-                             &j->params, e);
+             : wf_fit_params(&j->r.study, j->options->free, &j->r.x, false, &j->arena, &j->r.param,
+                             &j->r.params, e);
 }
 
 /* The same fit with the root clamped where it gives, or giving where it is clamped. A rival that cannot be
  * fitted is left out: it is no fault of the fit that was asked for. */
-static void rival(struct wf_fit_job *j, struct wf_fit_options o)
+static void fit_rival(struct fit_job *j, struct wf_fit_options o)
 {
-    struct wf_fit_param *p = WF_TAKE(&j->arena, j->params + j->x.trees + 1, struct wf_fit_param);
+    struct wf_fit_param *p = WF_TAKE(&j->arena, j->r.params + j->r.x.trees + 1, struct wf_fit_param);
     struct wf_diag d = { .arena = &j->arena };
     struct wf_err e = { 0 };
     size_t n = 0, nuisance = 0;
     bool had = false, tested = false;
-    for (size_t k = 0; k < j->x.tests; k++)
-        for (size_t s = 0; s < j->x.test[k].sensors; s++)
-            tested |= j->x.test[k].sensor[s].kind != WF_SENSOR_DAMPING;
+    for (size_t k = 0; k < j->r.x.tests; k++)
+        for (size_t s = 0; s < j->r.x.test[k].sensors; s++)
+            tested |= j->r.x.test[k].sensor[s].kind != WF_SENSOR_DAMPING;
     if (!p || !tested) return;
-    for (size_t k = 0; k < j->params; k++) had |= j->param[k].quantity == WF_FIT_ROOT;
-    for (size_t k = 0; k < j->params; k++) {
-        if (wf_param_nuisance(&j->param[k]))
+    for (size_t k = 0; k < j->r.params; k++) had |= j->r.param[k].quantity == WF_FIT_ROOT;
+    for (size_t k = 0; k < j->r.params; k++) {
+        if (wf_param_nuisance(&j->r.param[k]))
             nuisance++;
-        else if (j->param[k].quantity != WF_FIT_ROOT)
-            p[n++] = j->param[k];
+        else if (j->r.param[k].quantity != WF_FIT_ROOT)
+            p[n++] = j->r.param[k];
     }
-    if (!had &&
-        wf_param_add(&j->x, j->x.trees > 1 ? "each:root.stiffness" : "root.stiffness", &j->arena, p, &n, &e))
+    if (!had && wf_param_add(&j->r.x, j->r.x.trees > 1 ? "each:root.stiffness" : "root.stiffness", &j->arena,
+                             p, &n, &e))
         return;
     if (!n) return;
-    for (size_t k = j->params - nuisance; k < j->params; k++) p[n++] = j->param[k];
+    for (size_t k = j->r.params - nuisance; k < j->r.params; k++) p[n++] = j->r.param[k];
     o.profile = false, o.resamples = 0, o.starts = 1;
-    struct wf_fit_rival *r = &j->rival;
+    struct wf_fit_rival *r = &j->r.rival;
     r->text = had ? "clamped root" : "root plate that gives";
-    double *stiffness = WF_TAKE(&j->arena, j->x.trees, double);
+    double *stiffness = WF_TAKE(&j->arena, j->r.x.trees, double);
     if (!stiffness) return;
-    for (size_t k = 0; k < j->x.trees; k++) {
-        double *of = j->x.tree[k].options.root_stiffness;
+    for (size_t k = 0; k < j->r.x.trees; k++) {
+        double *of = j->r.x.tree[k].options.root_stiffness;
         stiffness[k] = of[0];
         if (had) of[0] = of[1] = 0; /* clamped, whatever the study gives */
     }
-    enum wf_status s = wf_fit_run(&j->x, p, n, &o, &j->arena, &d, &r->fit, &e);
-    for (size_t k = 0; k < j->x.trees; k++)
-        j->x.tree[k].options.root_stiffness[0] = j->x.tree[k].options.root_stiffness[1] = stiffness[k];
+    enum wf_status s = wf_fit_run(&j->r.x, p, n, &o, &j->arena, &d, &r->fit, &e);
+    for (size_t k = 0; k < j->r.x.trees; k++)
+        j->r.x.tree[k].options.root_stiffness[0] = j->r.x.tree[k].options.root_stiffness[1] = stiffness[k];
     if (s || r->fit.stopped) return;
-    const struct wf_fit *rich = had ? &j->fit : &r->fit;
+    const struct wf_fit *rich = had ? &j->r.fit : &r->fit;
     r->aicc = wf_fit_aicc(&r->fit, rich);
-    r->own = wf_fit_aicc(&j->fit, rich);
+    r->own = wf_fit_aicc(&j->r.fit, rich);
     r->made = true;
 }
 
 /* A fit leaves the data's sigmas as it found them best; those of the main fit are kept for its figures. */
-static enum wf_status fit(struct wf_fit_job *j, struct wf_err *e)
+static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
 {
-    struct wf_fit_options o = options_of(&j->args);
-    struct sigaction act = { .sa_handler = interrupt }, before;
+    struct wf_fit_options o = library_options(j->options);
+    struct sigaction act = { .sa_handler = note_interrupt }, before;
     sigaction(SIGINT, &act, &before);
-    enum wf_status s = wf_fit_run(&j->x, j->param, j->params, &o, &j->arena, &j->diag, &j->fit, e);
-    if (!s && !interrupted && !wf_args_given(&j->args, "--no-rival")) rival(j, o);
+    enum wf_status s = wf_fit_run(&j->r.x, j->r.param, j->r.params, &o, &j->arena, &j->r.diag, &j->r.fit, e);
+    if (!s && !interrupted && !j->options->no_rival) fit_rival(j, o);
     sigaction(SIGINT, &before, NULL);
     wf_progress(NULL);
     return s;
 }
 
-static enum wf_status pages(struct wf_fit_job *j, struct wf_err *e)
+static enum wf_status draw_pages(struct fit_job *j, struct wf_err *e)
 {
     struct wf_diag d = { .arena = &j->arena };
     struct wf_err why = { 0 };
     wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_fit_pages(j->folder, &d, &why);
+    enum wf_status s = wf_fit_results_pages(j->folder, &d, &why);
     wf_progress(NULL);
     wf_print_findings(&d, false);
     return s == WF_OK || s == WF_EMISSING ? WF_OK : wf_fail(e, s, "%s", why.text);
 }
 
-static enum wf_status run(struct wf_fit_job *j, bool quiet, struct wf_err *e)
+static enum wf_status calibrate(struct fit_job *j, bool quiet, struct wf_err *e)
 {
-    const char *write = wf_args_text(&j->args, "--write");
-    enum wf_status s = build(j, e);
-    if (!s) s = fit(j, e);
-    if (!s && interrupted && !j->fit.stopped)
-        wf_diag_warn(&j->diag, "stopped", "interrupted before the comparison with the root the other way");
+    const char *write = j->options->write;
+    enum wf_status s = build_experiment(j, e);
+    if (!s) s = fit_tree(j, e);
+    if (!s && interrupted && !j->r.fit.stopped)
+        wf_diag_warn(&j->r.diag, "stopped", "interrupted before the comparison with the root the other way");
     if (!s && interrupted && write)
-        wf_diag_warn(&j->diag, "stopped", "interrupted: %s is not written", write);
-    if (!s && !quiet) wf_fit_print(stdout, j);
+        wf_diag_warn(&j->r.diag, "stopped", "interrupted: %s is not written", write);
+    if (!s && !quiet) print_fit(stdout, &j->r);
     fflush(stdout);
-    wf_print_findings(&j->diag, quiet);
-    if (!s) s = wf_fit_write(j, e);
+    wf_print_findings(&j->r.diag, quiet);
+    if (!s) s = wf_fit_results_write(&j->r, j->folder, e);
     if (interrupted) write = NULL; /* what others would take for the answer */
-    if (!s && write) s = wf_fit_write_species(j, write, e);
-    bool report = !wf_args_given(&j->args, "--no-report");
-    if (!s && report) s = pages(j, e);
+    if (!s && write) s = wf_fit_species_write(&j->r, write, e);
+    bool report = !j->options->no_report;
+    if (!s && report) s = draw_pages(j, e);
     if (!s && !quiet) printf("\nResults, tables%s: %s\n", report ? ", plots and pages" : "", j->folder);
     if (!s && !quiet && write) printf("Species table: %s\n", write);
     return s;
@@ -243,18 +330,18 @@ static enum wf_status run(struct wf_fit_job *j, bool quiet, struct wf_err *e)
 
 int wf_cmd_fit(int argc, char **argv)
 {
-    struct wf_fit_job j = { 0 };
+    struct fit_options o;
+    struct fit_job j = { .options = &o };
     struct wf_err e = { 0 };
-    j.diag.arena = &j.arena;
-    int code = wf_args_read(argc, argv, options, about, 1, 1, &j.arena, &j.args);
+    j.r.diag.arena = &j.arena;
+    int code = wf_args_read(argc, argv, options, about, 1, 1, &j.arena, &o.args);
     if (code < 0) {
-        j.folder = wf_args_text(&j.args, "--output");
-        j.command = wf_arena_text(&j.arena, "windfirm");
-        for (int i = 0; j.command && i < argc; i++)
-            j.command = wf_arena_print(&j.arena, "%s %s", j.command, argv[i]);
-        j.date = wf_run_date(&j.arena);
-        enum wf_status s = j.command && j.date ? run(&j, wf_args_given(&j.args, "--quiet"), &e)
-                                               : wf_fail(&e, WF_ENOMEM, "no room for the command line");
+        j.folder = o.output;
+        j.r.command = wf_args_typed(argc, argv, &j.arena);
+        j.r.loss = o.loss, j.r.priors = o.priors;
+        j.r.date = wf_run_date(&j.arena);
+        enum wf_status s = j.r.command && j.r.date ? calibrate(&j, o.args.quiet, &e)
+                                                   : wf_fail(&e, WF_ENOMEM, "no room for the command line");
         code = s ? wf_complain(&e) : interrupted ? 1 : 0;
     }
     wf_arena_free(&j.arena);

@@ -1,20 +1,27 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/file.h"
-#include "cmd/import_options.h"
+#include "cmd/args.h"
+#include "cmd/cmd.h"
+#include "cmd/option_groups.h"
 #include "grow/export.h"
 #include "load/qsm_metrics.h"
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
+struct import_options {
+    struct wf_args args;
+    const char *output; /* NULL: nothing is written */
+    struct wf_import_asked import;
+};
+
+#define OPTIONS struct import_options
 static const struct wf_option options[] = {
-    { .name = "--output",
-      .letter = "-o",
-      .kind = WF_OPTION_TEXT,
-      .value = "FILE",
-      .help =
-          "write the tree: name.csv, name.txt (TreeQSM columns), name.vtk (ParaView); a folder for several" },
-    WF_IMPORT_OPTIONS,
-    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    TEXT("--output", output, "FILE", NULL,
+         "write the tree: name.csv, name.txt (TreeQSM columns), name.vtk (ParaView); a folder for several",
+         .letter = "-o"),
+    WF_IMPORT_ROWS(import),
+    QUIET("print errors only"),
     { 0 },
 };
 
@@ -23,7 +30,7 @@ static const char about[] =
     "  and plain tables), repair and count what needs repair, and write them in one form.\n"
     "  A file that cannot be read does not stop the others; the exit code is then 2.";
 
-static bool folder(const char *path)
+static bool is_folder(const char *path)
 {
     struct stat s;
     size_t n = strlen(path);
@@ -39,14 +46,14 @@ static const char *in_folder(const char *to, const char *path, struct wf_arena *
     return wf_arena_print(a, "%s%s%.*s.csv", to, slashed ? "" : "/", n, name);
 }
 
-static size_t repairs(const struct wf_qsm *q)
+static size_t count_repairs(const struct wf_qsm *q)
 {
     size_t n = 0;
     for (int k = 0; k < WF_REPAIR_COUNT; k++) n += wf_repair_rows[k].note ? 0 : q->repairs.count[k];
     return n;
 }
 
-static int one(const char *path, const char *to, const struct wf_import_options *o, bool quiet)
+static int import_file(const char *path, const char *to, const struct wf_import_options *o, bool quiet)
 {
     struct wf_arena a = { 0 };
     struct wf_diag d = { .arena = &a };
@@ -55,7 +62,7 @@ static int one(const char *path, const char *to, const struct wf_import_options 
     struct wf_qsm_metrics m;
     enum wf_status s = wf_import_read(path, o, &a, &q, &d, &e);
     wf_print_findings(&d, quiet);
-    if (!s && to && folder(to)) {
+    if (!s && to && is_folder(to)) {
         s = wf_mkdirs(to, &e);
         to = in_folder(to, path, &a);
         if (!s && !to) s = wf_fail(&e, WF_ENOMEM, "no memory for a file name");
@@ -64,7 +71,8 @@ static int one(const char *path, const char *to, const struct wf_import_options 
     if (!s && !quiet) {
         wf_qsm_measure(&q, &m);
         printf("%s: %s, %zu cylinders, height %.2f m, dbh %.3f m, wood %.5g m3, %zu repairs%s%s\n", path,
-               q.format, m.cylinders, m.height, m.dbh, m.volume, repairs(&q), to ? " -> " : "", to ? to : "");
+               q.format, m.cylinders, m.height, m.dbh, m.volume, count_repairs(&q), to ? " -> " : "",
+               to ? to : "");
     }
     int code = s ? wf_complain(&e) : 0;
     wf_arena_free(&a);
@@ -72,19 +80,19 @@ static int one(const char *path, const char *to, const struct wf_import_options 
 }
 
 /* Every file in turn; one that fails does not stop the rest. */
-static int all(const struct wf_args *args)
+static int import_all(const struct import_options *import)
 {
-    const char *to = wf_args_text(args, "--output");
-    struct wf_import_options o = wf_import_typed(args);
+    const char *to = import->output;
+    struct wf_import_options o = wf_import_asked_options(&import->import);
     int code = 0;
-    if (to && args->n > 1 && !folder(to)) {
+    if (to && import->args.n > 1 && !is_folder(to)) {
         fprintf(stderr,
                 "windfirm import: --output: '%s' is one file for %zu trees; name a folder, as in '%s/'\n", to,
-                args->n, to);
+                import->args.n, to);
         return 2;
     }
-    for (size_t k = 0; k < args->n; k++) {
-        int c = one(args->operand[k], to, &o, wf_args_given(args, "--quiet"));
+    for (size_t k = 0; k < import->args.n; k++) {
+        int c = import_file(import->args.operand[k], to, &o, import->args.quiet);
         code = c > code ? c : code;
     }
     return code;
@@ -93,9 +101,9 @@ static int all(const struct wf_args *args)
 int wf_cmd_import(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
-    struct wf_args args;
-    int code = wf_args_read(argc, argv, options, about, 1, (size_t)argc, &arena, &args);
-    if (code < 0) code = all(&args);
+    struct import_options o;
+    int code = wf_args_read(argc, argv, options, about, 1, (size_t)argc, &arena, &o.args);
+    if (code < 0) code = import_all(&o);
     wf_arena_free(&arena);
     return code;
 }

@@ -1,21 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "out/report.h"
 #include <stdio.h>
 #include <string.h>
 
+struct report_options {
+    struct wf_args args;
+    const char *lang;
+};
+
+#define OPTIONS struct report_options
 static const struct wf_option options[] = {
-    { .name = "--lang",
-      .kind = WF_OPTION_CHOICE,
-      .value = "NAME",
-      .initial = "en",
-      .choices = "en|zh",
-      .help = "language of the report" },
-    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
+    QUIET("print errors only"),
     { 0 },
 };
 
 /* Was the error printed among the findings? */
-static bool said(const struct wf_diag *d, const struct wf_err *e, bool quiet)
+static bool is_printed(const struct wf_diag *d, const struct wf_err *e, bool quiet)
 {
     for (const struct wf_finding *f = d->first; f; f = f->next)
         if ((f->severity == WF_ERROR || !quiet) && strcmp(f->text, e->text) == 0) return true;
@@ -29,18 +32,18 @@ int wf_cmd_report(int argc, char **argv)
         "\n"
         "  windfirm report out/compare --lang zh";
     struct wf_arena arena = { 0 };
-    struct wf_args args;
+    struct report_options o;
     struct wf_err e = { 0 };
-    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &args);
+    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &o.args);
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
-        bool quiet = wf_args_given(&args, "--quiet");
+        bool quiet = o.args.quiet;
         wf_progress("drawing plots and pages ...");
-        enum wf_status s = wf_report_make(args.operand[0], wf_args_text(&args, "--lang"), &d, &e);
+        enum wf_status s = wf_report_make(o.args.operand[0], o.lang, &d, &e);
         wf_progress(NULL);
         wf_print_findings(&d, quiet);
-        if (!s && !quiet) printf("Plots and pages: %s\n", args.operand[0]);
-        code = !s ? 0 : said(&d, &e, quiet) ? wf_exit_code(s) : wf_complain(&e);
+        if (!s && !quiet) printf("Plots and pages: %s\n", o.args.operand[0]);
+        code = !s ? 0 : is_printed(&d, &e, quiet) ? wf_exit_code(s) : wf_complain(&e);
     }
     wf_arena_free(&arena);
     return code;

@@ -1,8 +1,8 @@
-#include "base/num.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/text.h"
 #include "base/yaml.h"
+#include "cmd/args.h"
 #include "cmd/cmd.h"
-#include "cmd/study_file.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "fit/calibration.h"
@@ -24,17 +24,16 @@ int wf_cmd_schema(int argc, char **argv)
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, none, about, 1, 1, &arena, &args);
     if (code < 0) {
-        const char *near = wf_nearest(args.operand[0], word, WORDS);
         size_t k = 0;
         while (k < WORDS && strcmp(args.operand[0], word[k]) != 0) k++;
         if (k == WORDS) {
-            fprintf(stderr, "windfirm schema: '%s' is none of species, model, fit, study%s%s%s\n",
-                    args.operand[0], near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+            fprintf(stderr, "windfirm schema: '%s' is none of species, model, fit, study%s\n",
+                    args.operand[0], wf_did_you_mean(args.operand[0], word, WORDS).text);
             code = 2;
         } else {
             const char *text = table[k] ? wf_yaml_schema(table[k], &arena, &e)
                                : k == 0 ? wf_species_schema(&wf_laws, &arena, &e)
-                                        : wf_study_file_schema(&arena, &e);
+                                        : wf_args_study_schema(&arena, &e);
             code = text ? (fputs(text, stdout), 0) : wf_complain(&e);
         }
     }

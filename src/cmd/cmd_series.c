@@ -1,86 +1,215 @@
-#include "cmd/gust_options.h"
-#include "cmd/profile_options.h"
-#include "cmd/series_perform.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* windfirm series and windfirm papers: trees in winds that change. */
+#include "cmd/args.h"
+#include "cmd/cmd.h"
+#include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
-#include "solve/solvers.h"
-#include "wind/shelter_laws.h"
+#include "load/drag.h"
+#include "out/results.h"
+#include "out/series.h"
+#include "study/explain.h"
+#include "study/series_plan.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
-static const char *preset_word(size_t i) { return wf_presets[i].name; }
+/* ---- From a plan of runs to tables, frames and a page ---- */
+
+struct series_job {
+    const struct wf_series_plan *plan;
+    const char *folder, *command;
+    bool quiet, page, vtk;
+};
+
+/* A file a run names, or a shipped one. `file`: that of the runs; NULL: they were typed. */
+static const char *input_file(const char *room, const char *name, const char *file, struct wf_arena *a)
+{
+    return wf_shipped(room, file ? wf_beside(file, name, a) : name, a);
+}
+
+/* Species and model of a run. Every mistake is printed. */
+static enum wf_status read_run(const struct wf_series_plan_run *r, const char *file, struct wf_arena *a,
+                               struct wf_series_spec *out, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = a };
+    struct wf_species *sp = WF_TAKE(a, 1, struct wf_species);
+    struct wf_model *m = WF_TAKE(a, 1, struct wf_model);
+    struct wf_err why[2] = { { 0 }, { 0 } };
+    if (!sp || !m) return wf_fail(e, WF_ENOMEM, "no memory");
+    enum wf_status s =
+        wf_species_read(input_file("species", r->species, file, a), &wf_laws, a, sp, &d, &why[0]);
+    enum wf_status t = wf_model_read(input_file("models", r->model, file, a), a, m, &d, &why[1]);
+    wf_print_findings(&d, false);
+    if (s || t) return wf_fail(e, s ? s : t, "run '%s': %s", r->name, s ? why[0].text : why[1].text);
+    return wf_series_plan_spec(r, sp, m, a, out, e);
+}
+
+static void print_runs(const struct wf_series_page *p)
+{
+    printf("%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s", "tip mean m",
+           "most m");
+    for (size_t r = 0; r < p->n; r++) {
+        const struct wf_series *s = p->run[r].series;
+        double sum = 0, most = 0, wind = 0, n = 0;
+        for (size_t k = 0; k < s->frames; k++) {
+            wind += s->wind[k] / (double)s->frames;
+            if (isfinite(s->deflection[k])) sum += s->deflection[k], most = fmax(most, s->deflection[k]), n++;
+        }
+        printf("%4zu  %-34s%10zu%12.2f%12.4g%12.4g\n", r + 1, s->spec.name, s->frames, wind, sum / n, most);
+    }
+    printf("\n");
+}
+
+/* Findings of all runs, those that several have in common once. */
+static void print_findings_once(const struct wf_diag *diag, size_t runs, bool quiet, struct wf_arena *a)
+{
+    struct wf_diag once = { .arena = a };
+    for (size_t r = 0; r < runs; r++)
+        for (const struct wf_finding *w = diag[r].first; w; w = w->next)
+            wf_diag_warn(&once, w->code, "%s", w->text);
+    wf_print_findings(&once, quiet);
+}
+
+static enum wf_status run_all(const struct series_job *j, struct wf_series *series, struct wf_diag *diag,
+                              struct wf_arena *a, struct wf_err *e)
+{
+    const struct wf_series_plan *plan = j->plan;
+    for (size_t r = 0; r < plan->runs; r++) {
+        struct wf_series_spec spec;
+        diag[r].arena = a;
+        enum wf_status s = read_run(&plan->run[r], plan->file, a, &spec, e);
+        if (s) return s;
+        wf_progress("run %zu of %zu: %s ...", r + 1, plan->runs, spec.name);
+        s = wf_series_run(&spec, a, &diag[r], &series[r], e);
+        wf_progress(NULL);
+        if (s) wf_print_findings(&diag[r], j->quiet);
+        if (s) return s;
+    }
+    return WF_OK;
+}
+
+/* Every method on the trees of the runs that ask for it. What it warns of stands with the run. */
+static enum wf_status explain_runs(const struct wf_series_plan *plan, const struct wf_series *series,
+                                   struct wf_diag *diag, struct wf_arena *a, struct wf_series_page *page,
+                                   struct wf_err *e)
+{
+    struct wf_explained *of = WF_TAKE(a, plan->runs, struct wf_explained);
+    struct wf_explain *made = WF_TAKE(a, plan->runs, struct wf_explain);
+    enum wf_status s = of && made ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
+    page->explain = of;
+    for (size_t r = 0; r < plan->runs && !s; r++) {
+        const struct wf_series *x = &series[r];
+        if (!plan->run[r].explain || strcmp(plan->run[r].explain, "yes") != 0) continue;
+        wf_progress("every method on the tree of run %zu ...", r + 1);
+        s = wf_explain_run(&x->an, &x->spec.solve, x->spec.speed, a, &diag[r], &made[r], e);
+        wf_progress(NULL);
+        of[page->explained++] = (struct wf_explained){
+            .run = r + 1, .name = x->spec.name, .of = &made[r], .tree = &x->an.tree, .speed = x->spec.speed
+        };
+    }
+    return s;
+}
+
+/* Run a plan, write its files and draw its page. Returned: exit code. */
+static int perform_plan(const struct series_job *j, struct wf_arena *a)
+{
+    const struct wf_series_plan *plan = j->plan;
+    struct wf_err e = { 0 };
+    struct wf_series *series = WF_TAKE(a, plan->runs, struct wf_series);
+    struct wf_diag *diag = WF_TAKE(a, plan->runs, struct wf_diag), drawn = { .arena = a };
+    struct wf_series_run *run = WF_TAKE(a, plan->runs, struct wf_series_run);
+    struct wf_series_page page = { .title = plan->title,
+                                   .note = plan->note,
+                                   .command = j->command,
+                                   .version = WF_VERSION,
+                                   .date = wf_run_date(a),
+                                   .n = plan->runs,
+                                   .run = run };
+    if (!series || !diag || !run || !page.date || !j->command) {
+        wf_fail(&e, WF_ENOMEM, "no memory");
+        return wf_complain(&e);
+    }
+    for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_run){ &series[r], &diag[r] };
+    enum wf_status s = run_all(j, series, diag, a, &e);
+    if (!s) s = explain_runs(plan, series, diag, a, &page, &e);
+    if (s) return wf_complain(&e);
+    if (!j->quiet) print_runs(&page);
+    fflush(stdout);
+    print_findings_once(diag, plan->runs, j->quiet, a);
+    s = wf_series_tables(&page, j->folder, &e);
+    if (!s && j->vtk) s = wf_series_vtk(&page, j->folder, &e);
+    if (!s && j->page) {
+        wf_progress("drawing panels and page ...");
+        enum wf_status whole = wf_series_report(&page, j->folder, &drawn, &e);
+        wf_progress(NULL);
+        wf_print_findings(&drawn, false);
+        if (whole && whole != WF_EMISSING)
+            s = e.code ? e.code : wf_fail(&e, whole, "the page is not complete");
+    }
+    if (s) return wf_complain(&e);
+    if (!j->quiet) printf("\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
+    return 0;
+}
+
+/* ---- windfirm series ---- */
+
 static const char *gust_word(size_t i) { return i ? wf_gust_models[i - 1].name : "steady"; }
 static const char *leaf_word(size_t i) { return wf_leaf_motions[i].name; }
-static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 
-#define CHOICE(n, start, list, text)                                                                         \
-    {                                                                                                        \
-        .name = n, .kind = WF_OPTION_CHOICE, .value = "NAME", .initial = start, .word = list, .help = text   \
-    }
-#define NUMBER(n, v, start, dim, u, l, h, text)                                                              \
-    {                                                                                                        \
-        .name = n, .kind = WF_OPTION_NUMBER, .value = v, .initial = start, .dimension = dim, .unit = u,      \
-        .low = l, .high = h, .help = text                                                                    \
-    }
+struct series_options {
+    struct wf_args args;
+    struct wf_series_plan_run run; /* its words and numbers as typed */
+    struct wf_averaging averaging;
+    const char *components; /* "1" or "3"; NULL: not given */
+    const char *output;
+    bool explain, no_report, no_vtk;
+};
 
-#define WHOLE(n, start, l, h, text)                                                                          \
-    {                                                                                                        \
-        .name = n, .kind = WF_OPTION_WHOLE, .value = "NUMBER", .initial = start, .dimension = WF_DIM_NONE,   \
-        .low = l, .high = h, .help = text                                                                    \
-    }
-
+#define OPTIONS struct series_options
 const struct wf_option wf_series_options[] = {
-    WF_STUDY_FILE_OPTION,
-    { .name = "--model",
-      .letter = "-m",
-      .kind = WF_OPTION_TEXT,
-      .value = "MODEL",
-      .help = "tree model: a file, or the name of a shipped one" },
-    WF_WIND_OPTIONS(0, 100, "mean wind at the reference height"),
-    CHOICE("--gust", "steady", gust_word, "how the wind changes"),
-    CHOICE("--preset", "corrected", preset_word, "a published method, as printed"),
-    CHOICE("--solver", NULL, solver_word, "how the bent shape is computed [the preset's, else beam]"),
-    WF_PROFILE_OPTIONS,
-    CHOICE("--shelter", "none", shelter_word, "wind inside the crown"),
-    NUMBER("--intensity", "NUMBER", NULL, WF_DIM_NONE, NULL, 0, 1, "turbulence intensity of the gust model"),
-    NUMBER("--period", "TIME", NULL, WF_DIM_TIME, "s", 0.1, 3600, "of the gust model"),
-    WF_GUST_OPTIONS,
-    { .name = "--components",
-      .kind = WF_OPTION_CHOICE,
-      .value = "1|3",
-      .choices = "1|3",
-      .help = "of the gust: along the wind only, or along, across and up [3 where the model has them]" },
-    NUMBER("--duration", "TIME", "60", WF_DIM_TIME, "s", 1e-3, 86400, "time that is run"),
-    NUMBER("--step", "TIME", "0.1", WF_DIM_TIME, "s", 1e-4, 3600, "between frames"),
-    WHOLE("--keys", "8", 1, 64, "key frames drawn as panels"),
-    WHOLE("--seed", "1", 0, 1e9, "of the random numbers"),
-    NUMBER("--restoring", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 100, "k of the deflect scheme, below 1"),
-    NUMBER("--damping", "NUMBER", "0", WF_DIM_NONE, NULL, 0, 1e9, "c of the deflect scheme, N s2"),
-    CHOICE("--leaf-motion", NULL, leaf_word,
-           "how leaves turn, a look that enters no load [the preset's, else eq13]"),
-    NUMBER("--leaf-amplitude", "ANGLE", "30", WF_DIM_ANGLE, "deg", 0, 180,
+    STUDY,
+    PATH("--model", run.model, "MODEL", NULL, "tree model: a file, or the name of a shipped one",
+         .letter = "-m"),
+    WF_WIND_ROWS(run.wind, averaging, 0, 100, "mean wind at the reference height"),
+    WORD("--gust", run.gust, "NAME", gust_word, "steady", "how the wind changes"),
+    WORD("--preset", run.preset, "NAME", wf_preset_word, "corrected", "a published method, as printed"),
+    WORD("--solver", run.solver, "NAME", wf_solver_word, NULL,
+         "how the bent shape is computed [the preset's, else beam]"),
+    WF_PROFILE_ROWS(run.profile),
+    WORD("--shelter", run.shelter, "NAME", wf_shelter_word, "none", "wind inside the crown"),
+    NUMBER("--intensity", run.intensity, "NUMBER", NONE, NULL, 0, 1, NULL,
+           "turbulence intensity of the gust model"),
+    NUMBER("--period", run.period, "TIME", TIME, "s", 0.1, 3600, NULL, "of the gust model"),
+    WF_GUST_ROWS(run),
+    CHOICE("--components", components, "1|3", "1|3", NULL,
+           "of the gust: along the wind only, or along, across and up [3 where the model has them]"),
+    NUMBER("--duration", run.duration, "TIME", TIME, "s", 1e-3, 86400, "60", "time that is run"),
+    NUMBER("--step", run.step, "TIME", TIME, "s", 1e-4, 3600, "0.1", "between frames"),
+    WHOLE("--keys", run.keys, 1, 64, "8", "key frames drawn as panels"),
+    WHOLE("--seed", run.seed, 0, 1e9, "1", "of the random numbers"),
+    NUMBER("--restoring", run.restoring, "NUMBER", NONE, NULL, 0, 100, "0",
+           "k of the deflect scheme, below 1"),
+    NUMBER("--damping", run.damping, "NUMBER", NONE, NULL, 0, 1e9, "0", "c of the deflect scheme, N s2"),
+    WORD("--leaf-motion", run.leaf_motion, "NAME", leaf_word, NULL,
+         "how leaves turn, a look that enters no load [the preset's, else eq13]"),
+    NUMBER("--leaf-amplitude", run.leaf_amplitude, "ANGLE", ANGLE, "deg", 0, 180, "30",
            "largest turn by one of the three noises"),
-    NUMBER("--leaf-follow", "NUMBER", "0.5", WF_DIM_NONE, NULL, -10, 10,
+    NUMBER("--leaf-follow", run.leaf_follow, "NUMBER", NONE, NULL, -10, 10, "0.5",
            "lambda: share of theta_x added to theta_z"),
-    NUMBER("--leaf-period", "TIME", "1", WF_DIM_TIME, "s", 1e-3, 3600, "of the noise's first octave"),
-    NUMBER("--youngs-modulus", "MODULUS", NULL, WF_DIM_PRESSURE, "Pa", 1e5, 1e12, "in place of the species'"),
-    { .name = "--output",
-      .letter = "-o",
-      .kind = WF_OPTION_TEXT,
-      .value = "FOLDER",
-      .initial = "out/series",
-      .help = "where tables, frames and the page go" },
-    { .name = "--explain",
-      .kind = WF_OPTION_FLAG,
-      .help = "every method against beam theory, branch by branch, too" },
-    { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "write tables only" },
-    { .name = "--no-vtk", .kind = WF_OPTION_FLAG, .help = "leave out the frames for ParaView" },
-    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    NUMBER("--leaf-period", run.leaf_period, "TIME", TIME, "s", 1e-3, 3600, "1",
+           "of the noise's first octave"),
+    NUMBER("--youngs-modulus", run.youngs, "MODULUS", PRESSURE, "Pa", 1e5, 1e12, NULL,
+           "in place of the species'"),
+    TEXT("--output", output, "FOLDER", "out/series", "where tables, frames and the page go", .letter = "-o"),
+    FLAG("--explain", explain, "every method against beam theory, branch by branch, too"),
+    FLAG("--no-report", no_report, "write tables only"),
+    FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"),
+    QUIET("print errors only"),
     { 0 },
 };
 
-static const char about[] =
+static const char series_about[] =
     "SPECIES is a species table, a file or the name of a shipped one. Every frame is a balance of its own: "
     "wind, "
     "loads and shape without inertia, so it holds for winds that change slowly against the tree's own sway. "
@@ -92,52 +221,87 @@ static const char about[] =
 int wf_cmd_series(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
-    struct wf_args g;
-    int code = wf_args_read(argc, argv, wf_series_options, about, 1, 1, &arena, &g);
-    if (code < 0 && !wf_args_text(&g, "--model")) {
+    struct series_options o = { 0 };
+    int code = wf_args_read(argc, argv, wf_series_options, series_about, 1, 1, &arena, &o.args);
+    if (code < 0 && !o.run.model) {
         fprintf(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
         code = 2;
     }
     if (code < 0) {
-        const char *components = wf_args_text(&g, "--components");
-        struct wf_series_plan_run run = { .name = g.operand[0],
-                                          .species = g.operand[0],
-                                          .model = wf_args_text(&g, "--model"),
-                                          .preset = wf_args_text(&g, "--preset"),
-                                          .solver = wf_args_text(&g, "--solver"),
-                                          .gust = wf_args_text(&g, "--gust"),
-                                          .shelter = wf_args_text(&g, "--shelter"),
-                                          .profile = wf_profile_asked(&g),
-                                          .set = wf_args_text(&g, "--set"),
-                                          .file = wf_args_text(&g, "--file"),
-                                          .columns = wf_args_text(&g, "--columns"),
-                                          .components = components ? (size_t)atoi(components) : 0,
-                                          .wind = wf_args_number(&g, "--wind"),
-                                          .intensity = wf_args_number(&g, "--intensity"),
-                                          .period = wf_args_number(&g, "--period"),
-                                          .duration = wf_args_number(&g, "--duration"),
-                                          .step = wf_args_number(&g, "--step"),
-                                          .youngs = wf_args_number(&g, "--youngs-modulus"),
-                                          .restoring = wf_args_number(&g, "--restoring"),
-                                          .damping = wf_args_number(&g, "--damping"),
-                                          .transmission = NAN,
-                                          .leaf_motion = wf_args_text(&g, "--leaf-motion"),
-                                          .explain = wf_args_given(&g, "--explain") ? "yes" : "no",
-                                          .leaf_amplitude = wf_args_number(&g, "--leaf-amplitude"),
-                                          .leaf_follow = wf_args_number(&g, "--leaf-follow"),
-                                          .leaf_period = wf_args_number(&g, "--leaf-period"),
-                                          .keys = (size_t)wf_args_number(&g, "--keys"),
-                                          .seed = (size_t)wf_args_number(&g, "--seed") };
-        struct wf_series_plan plan = {
-            .key = "series", .title = "A tree in changing wind", .note = g.winds_said, .runs = 1, .run = &run
-        };
-        struct wf_series_job job = { .plan = &plan,
-                                     .folder = wf_args_text(&g, "--output"),
-                                     .command = wf_series_typed(argc, argv, &arena),
-                                     .quiet = wf_args_given(&g, "--quiet"),
-                                     .page = !wf_args_given(&g, "--no-report"),
-                                     .vtk = !wf_args_given(&g, "--no-vtk") };
-        code = wf_series_perform(&job, &arena);
+        o.run.name = o.run.species = o.args.operand[0];
+        o.run.components = o.components ? (size_t)atoi(o.components) : 0;
+        o.run.transmission = NAN;
+        o.run.explain = o.explain ? "yes" : "no";
+        struct wf_series_plan plan = { .key = "series",
+                                       .title = "A tree in changing wind",
+                                       .note = o.args.winds_said,
+                                       .runs = 1,
+                                       .run = &o.run };
+        struct series_job job = { .plan = &plan,
+                                  .folder = o.output,
+                                  .command = wf_args_typed(argc, argv, &arena),
+                                  .quiet = o.args.quiet,
+                                  .page = !o.no_report,
+                                  .vtk = !o.no_vtk };
+        code = perform_plan(&job, &arena);
+    }
+    wf_arena_free(&arena);
+    return code;
+}
+
+/* ---- windfirm papers ---- */
+
+struct papers_options {
+    struct wf_args args;
+    const char *output; /* NULL: out/NAME */
+    bool no_report, no_vtk;
+};
+
+#undef OPTIONS
+#define OPTIONS struct papers_options
+static const struct wf_option papers_options[] = {
+    TEXT("--output", output, "FOLDER", NULL, "where tables, frames and the page go [out/NAME]",
+         .letter = "-o"),
+    FLAG("--no-report", no_report, "write tables only"),
+    FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"),
+    QUIET("print errors only"),
+    { 0 },
+};
+
+static const char papers_about[] =
+    "NAME is tang2012, feng1999, zhao2013 or a file of runs like models/papers/tang2012.yaml: species, "
+    "model, "
+    "wind, method of every run, in as many runs as wanted. 'windfirm papers schema' lists the keys.\n"
+    "\n"
+    "  windfirm papers tang2012 -o out/tang";
+
+int wf_cmd_papers(int argc, char **argv)
+{
+    struct wf_arena arena = { 0 };
+    struct papers_options o;
+    struct wf_err e = { 0 };
+    struct wf_series_plan plan;
+    int code = wf_args_read(argc, argv, papers_options, papers_about, 1, 1, &arena, &o.args);
+    if (code < 0 && !strcmp(o.args.operand[0], "schema")) {
+        char *text = wf_series_plan_schema(&arena, &e);
+        if (text) fputs(text, stdout);
+        code = text ? 0 : wf_complain(&e);
+    }
+    if (code < 0) {
+        struct wf_diag d = { .arena = &arena };
+        const char *path = wf_shipped("models/papers", o.args.operand[0], &arena);
+        enum wf_status s = wf_series_plan_read(path, &arena, &plan, &d, &e);
+        wf_print_findings(&d, false);
+        if (s) code = wf_complain(&e);
+    }
+    if (code < 0) {
+        struct series_job job = { .plan = &plan,
+                                  .folder = o.output ? o.output : wf_arena_print(&arena, "out/%s", plan.key),
+                                  .command = wf_args_typed(argc, argv, &arena),
+                                  .quiet = o.args.quiet,
+                                  .page = !o.no_report,
+                                  .vtk = !o.no_vtk };
+        code = perform_plan(&job, &arena);
     }
     wf_arena_free(&arena);
     return code;

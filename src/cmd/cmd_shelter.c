@@ -1,13 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm shelter: what a tree leaves of the wind inside and behind itself. */
-#include "cmd/import_options.h"
-#include "cmd/profile_options.h"
-#include "cmd/shelter_tables.h"
+#include "cmd/args.h"
+#include "cmd/cmd.h"
+#include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
-#include "cmd/wind_tables.h"
 #include "grow/clothe.h"
 #include "grow/grow.h"
 #include "grow/qsm_model.h"
+#include "load/drag.h"
 #include "load/scene.h"
+#include "out/shelter_results.h"
+#include "out/wind_results.h"
 #include "solve/solvers.h"
 #include "study/limits.h"
 #include "wind/shelter_laws.h"
@@ -15,69 +18,52 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *law_word(size_t i) { return wf_shelter_laws[i].name; }
+static const char *shelter_law_word(size_t i) { return wf_shelter_laws[i].name; }
 
-#define WHOLE(option, start, least, most, text)                                                              \
-    {                                                                                                        \
-        .name = option, .kind = WF_OPTION_WHOLE, .value = "NUMBER", .initial = start,                        \
-        .dimension = WF_DIM_NONE, .low = least, .high = most, .help = text                                   \
-    }
-#define NUMBER(option, word, start, dim, base, least, most, text)                                            \
-    {                                                                                                        \
-        .name = option, .kind = WF_OPTION_NUMBER, .value = word, .initial = start, .dimension = dim,         \
-        .unit = base, .low = least, .high = most, .help = text                                               \
-    }
+struct shelter_options {
+    struct wf_args args;
+    const char *model, *tree, *species; /* NULL: not given */
+    double leaf_area;                   /* [m2]            */
+    double wind;                        /* [m/s]           */
+    struct wf_averaging averaging;
+    struct wf_profile_words profile;
+    double azimuth; /* [rad] */
+    const char *law, *as;
+    size_t slabs, cells, gap;
+    double transmission, leaf_reach, wake_growth; /* [-], [m], [-] */
+    struct wf_import_asked import;
+    const char *output;
+    bool no_motion, no_plots;
+};
 
+#define OPTIONS struct shelter_options
 const struct wf_option wf_shelter_options[] = {
-    WF_STUDY_FILE_OPTION,
-    { .name = "--model",
-      .letter = "-m",
-      .kind = WF_OPTION_TEXT,
-      .value = "MODEL",
-      .help = "tree model: a file, or the name of a shipped one" },
-    { .name = "--tree",
-      .kind = WF_OPTION_TEXT,
-      .value = "FILE",
-      .help = "or a measured tree, as for import" },
-    { .name = "--species",
-      .letter = "-s",
-      .kind = WF_OPTION_TEXT,
-      .value = "SPECIES",
-      .help = "wood and leaves: a species table, a file or the name of a shipped one" },
-    NUMBER("--leaf-area", "AREA", "0", WF_DIM_AREA, "m2", 0, 1e5, "one-sided leaf area of a measured tree"),
-    WF_WIND_OPTIONS(0, 200, "mean wind at the reference height"),
-    WF_PROFILE_OPTIONS,
-    WF_AZIMUTH_OPTION,
-    { .name = "--law",
-      .kind = WF_OPTION_CHOICE,
-      .value = "NAME",
-      .initial = "wake",
-      .word = law_word,
-      .help = "wake: drag and recovering wakes; feng1999: potential flows as printed" },
-    WHOLE("--slabs", "32", 1, 512, "along the wind"),
-    WHOLE("--cells", "128", 8, 1024, "across and up"),
-    NUMBER("--transmission", "SHARE", "0.2", WF_DIM_NONE, NULL, 0, 1, "of a fully covered cell"),
-    { .name = "--as",
-      .kind = WF_OPTION_CHOICE,
-      .value = "WHAT",
-      .initial = "energy",
-      .choices = "energy|speed",
-      .help = "what the transmission is a share of" },
-    WHOLE("--gap", "1", 1, 64, "widest hole or slit, in cells"),
-    NUMBER("--leaf-reach", "LENGTH", "0.25", WF_DIM_LENGTH, "m", 1e-3, 100,
+    STUDY,
+    PATH("--model", model, "MODEL", NULL, "tree model: a file, or the name of a shipped one", .letter = "-m"),
+    PATH("--tree", tree, "FILE", NULL, "or a measured tree, as for import"),
+    PATH("--species", species, "SPECIES", NULL,
+         "wood and leaves: a species table, a file or the name of a shipped one", .letter = "-s"),
+    NUMBER("--leaf-area", leaf_area, "AREA", AREA, "m2", 0, 1e5, "0",
+           "one-sided leaf area of a measured tree"),
+    WF_WIND_ROWS(wind, averaging, 0, 200, "mean wind at the reference height"),
+    WF_PROFILE_ROWS(profile),
+    WF_AZIMUTH_ROW(azimuth),
+    WORD("--law", law, "NAME", shelter_law_word, "wake",
+         "wake: drag and recovering wakes; feng1999: potential flows as printed"),
+    WHOLE("--slabs", slabs, 1, 512, "32", "along the wind"),
+    WHOLE("--cells", cells, 8, 1024, "128", "across and up"),
+    NUMBER("--transmission", transmission, "SHARE", NONE, NULL, 0, 1, "0.2", "of a fully covered cell"),
+    CHOICE("--as", as, "WHAT", "energy|speed", "energy", "what the transmission is a share of"),
+    WHOLE("--gap", gap, 1, 64, "1", "widest hole or slit, in cells"),
+    NUMBER("--leaf-reach", leaf_reach, "LENGTH", LENGTH, "m", 1e-3, 100, "0.25",
            "how far leaves stand from their segment"),
-    NUMBER("--wake-growth", "NUMBER", "0.08", WF_DIM_NONE, NULL, 0, 1,
+    NUMBER("--wake-growth", wake_growth, "NUMBER", NONE, NULL, 0, 1, "0.08",
            "standard deviation of a wake per distance (law wake)"),
-    WF_IMPORT_OPTIONS,
-    { .name = "--output",
-      .letter = "-o",
-      .kind = WF_OPTION_TEXT,
-      .value = "FOLDER",
-      .initial = "out/shelter",
-      .help = "where tables and plots go" },
-    { .name = "--no-motion", .kind = WF_OPTION_FLAG, .help = "only the wind; the tree is not bent" },
-    { .name = "--no-plots", .kind = WF_OPTION_FLAG, .help = "write the tables only" },
-    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    WF_IMPORT_ROWS(import),
+    TEXT("--output", output, "FOLDER", "out/shelter", "where tables and plots go", .letter = "-o"),
+    FLAG("--no-motion", no_motion, "only the wind; the tree is not bent"),
+    FLAG("--no-plots", no_plots, "write the tables only"),
+    QUIET("print errors only"),
     { 0 },
 };
 
@@ -90,7 +76,7 @@ static const char about[] =
 
 /* Everything of one run. */
 struct work {
-    struct wf_args args;
+    struct shelter_options options;
     struct wf_species species;
     struct wf_model model;
     struct wf_tree tree;
@@ -102,23 +88,22 @@ struct work {
     struct wf_sheltered sheltered;
 };
 
-static enum wf_status measured(struct work *w, const char *file, struct wf_arena *a, struct wf_diag *d,
-                               struct wf_err *e)
+static enum wf_status read_measured(struct work *w, const char *file, struct wf_arena *a, struct wf_diag *d,
+                                    struct wf_err *e)
 {
-    struct wf_import_options o = wf_import_typed(&w->args);
+    struct wf_import_options o = wf_import_asked_options(&w->options.import);
     struct wf_qsm q;
     struct wf_qsm_model m;
     enum wf_status s = wf_import_read(file, &o, a, &q, d, e);
     if (s || (s = wf_qsm_to_tree(&q, WF_JOINT_AXIS, a, &m, e))) return s;
-    const struct wf_clothing wears = { .leaf_area = wf_args_number(&w->args, "--leaf-area"), .kind = m.kind };
+    const struct wf_clothing wears = { .leaf_area = w->options.leaf_area, .kind = m.kind };
     w->tree = m.tree;
     return wf_clothe(&w->tree, &w->species, &wears, a, e);
 }
 
 static enum wf_status read_tree(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
-    const char *model = wf_args_text(&w->args, "--model"), *file = wf_args_text(&w->args, "--tree");
-    const char *species = wf_args_text(&w->args, "--species");
+    const char *model = w->options.model, *file = w->options.tree, *species = w->options.species;
     if (!model == !file) return wf_fail(e, WF_EUSAGE, "give a tree by --model or --tree, one of them");
     if (!species) return wf_fail(e, WF_EUSAGE, "--species is needed, for example --species oak");
     struct wf_err other = { 0 };
@@ -126,35 +111,104 @@ static enum wf_status read_tree(struct work *w, struct wf_arena *a, struct wf_di
                    t = WF_OK;
     if (model) t = wf_model_read(wf_shipped("models", model, a), a, &w->model, d, &other);
     if (s || t) return s ? s : wf_fail(e, t, "%s", other.text);
-    s = model ? wf_grow(&w->model, &w->species, a, &w->tree, d, e) : measured(w, file, a, d, e);
+    s = model ? wf_grow(&w->model, &w->species, a, &w->tree, d, e) : read_measured(w, file, a, d, e);
     return s ? s : wf_tree_check(&w->tree, d, e);
 }
 
-static enum wf_status specify(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+static enum wf_status make_request(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
-    const struct wf_args *g = &w->args;
+    const struct shelter_options *o = &w->options;
     struct wf_shelter_request *q = &w->request;
-    const struct wf_profile_words profile = wf_profile_asked(g);
     wf_scenario_default(&w->scenario);
-    w->run.speed = wf_args_number(g, "--wind");
-    w->scenario.azimuth = wf_args_number(g, "--azimuth");
+    w->run.speed = o->wind;
+    w->scenario.azimuth = o->azimuth;
     wf_shelter_request_default(q);
-    q->law = wf_shelter_law_named(wf_args_text(g, "--law"));
-    q->slabs = (size_t)llround(wf_args_number(g, "--slabs"));
-    q->cells = (size_t)llround(wf_args_number(g, "--cells"));
-    q->transmission = wf_args_number(g, "--transmission");
-    q->energy = strcmp(wf_args_text(g, "--as"), "energy") == 0;
-    q->gap = (size_t)llround(wf_args_number(g, "--gap"));
-    q->leaf_reach = wf_args_number(g, "--leaf-reach");
-    q->wake_growth = wf_args_number(g, "--wake-growth");
+    q->law = wf_shelter_law_named(o->law);
+    q->slabs = o->slabs;
+    q->cells = o->cells;
+    q->transmission = o->transmission;
+    q->energy = strcmp(o->as, "energy") == 0;
+    q->gap = o->gap;
+    q->leaf_reach = o->leaf_reach;
+    q->wake_growth = o->wake_growth;
     enum wf_status s = wf_shelter_request_check(q, e);
     if (s) return s;
-    s = wf_scenario_profile(&w->scenario, &profile, a, d, e);
+    s = wf_scenario_profile(&w->scenario, &o->profile, a, d, e);
     return s ? s : wf_scenario_check(&w->scenario, e);
 }
 
+static void print_slabs(FILE *to, const struct wf_shelter *s)
+{
+    fprintf(to,
+            "slab  from the front   wood     leaves   covered  cells: cylinder hole slit transmitting (full)"
+            "   arriving wind  volume flux  passes beside\n");
+    fprintf(to, "                 m      m2         m2        m2\n");
+    for (size_t k = 0; k <= s->slabs; k++) {
+        const struct wf_shelter_slab *b = &s->slab[k];
+        if (k == s->slabs)
+            fprintf(to, "behind      %6.2f  %72s", (double)k * s->step[0], "");
+        else
+            fprintf(to, "%4zu        %6.2f  %8.4f  %8.4f  %8.4f         %8zu %4zu %4zu %12zu %6zu", k + 1,
+                    (double)k * s->step[0], b->wood, b->leaf, b->covered, b->cells[WF_CELL_CYLINDER],
+                    b->cells[WF_CELL_HOLE], b->cells[WF_CELL_SLIT], b->cells[WF_CELL_TRANSMITTING], b->full);
+        fprintf(to, "   %12.4f %12.4f %13.4f\n", b->speed, b->flux, 1.0 - b->flux);
+    }
+}
+
+struct third {
+    double n, wind[2], move[2], swing[2];
+};
+
+static void print_thirds(FILE *to, const struct wf_shelter_run *r)
+{
+    static const char *const name[] = { "windward", "middle", "leeward" };
+    struct third third[3] = { { 0 } };
+    for (size_t i = 0; i < r->tips; i++) {
+        const struct wf_tip *p = &r->tip[i];
+        struct third *h = &third[(int)fmin(fmax(3.0 * p->along, 0.0), 2.0)];
+        h->n += 1.0;
+        for (int k = 0; k < 2; k++)
+            h->wind[k] += p->wind[k], h->move[k] += p->move[k], h->swing[k] += p->swing[k];
+    }
+    fprintf(to, "\n%-10s %6s   %-22s %-24s %s\n", "branch", "", "wind at tips m/s", "tips move m",
+            "relative to the branch's base m");
+    fprintf(to, "%-10s %6s   %-10s %-11s %-11s %-12s %-10s %s\n", "ends", "number", "open", "sheltered",
+            "open", "sheltered", "open", "sheltered");
+    for (int k = 0; k < 3; k++)
+        if (third[k].n > 0.0)
+            fprintf(to, "%-10s %6.0f   %-10.3f %-11.3f %-11.4f %-12.4f %-10.4f %.4f\n", name[k], third[k].n,
+                    third[k].wind[0] / third[k].n, third[k].wind[1] / third[k].n,
+                    third[k].move[0] / third[k].n, third[k].move[1] / third[k].n,
+                    third[k].swing[0] / third[k].n, third[k].swing[1] / third[k].n);
+    fprintf(
+        to,
+        "base moment %.6g N m in the open, %.6g N m sheltered; shape and shelter agree after %zu passes\n",
+        hypot(r->open.base_moment[0], r->open.base_moment[1]),
+        hypot(r->own.base_moment[0], r->own.base_moment[1]), r->sheltered->passes);
+}
+
+/* Slabs and the windward and leeward thirds. */
+static void print_shelter(FILE *to, const struct wf_shelter_run *r)
+{
+    const struct wf_shelter *s = &r->still;
+    const struct wf_shelter_request *q = &s->request;
+    fprintf(to, "wind %.4g m/s, a 10-min mean at %.6g m\n", r->speed, s->base.reference_height);
+    fprintf(to, "law %s: %s\n", q->law->name, q->law->title);
+    fprintf(to, "a covered cell lets %.0f %% of the %s through: %.3f of the speed\n", 100.0 * q->transmission,
+            q->energy ? "energy" : "speed", wf_shelter_speed_share(q));
+    fprintf(to, "%zu slabs of %.3f m, %zu x %zu cells of %.3f x %.3f m\n\n", s->slabs, s->step[0], s->across,
+            s->up, s->step[1], s->step[2]);
+    print_slabs(to, s);
+    fprintf(
+        to,
+        "The air that no longer passes the grid's cross-section (%.1f x %.1f m) must pass beside or above "
+        "it.\n",
+        (double)s->across * s->step[1], (double)s->up * s->step[2]);
+    if (r->moved) print_thirds(to, r);
+}
+
 /* The tree in the open and in its own shelter. */
-static enum wf_status move(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+static enum wf_status bend_tree(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_solve_options o;
     const struct wf_solver *solver = wf_solvers[0];
@@ -169,30 +223,28 @@ static enum wf_status move(struct work *w, struct wf_arena *a, struct wf_diag *d
     return s ? s : wf_shelter_tips(&w->run, &w->loads, a, e);
 }
 
-static enum wf_status run(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+static enum wf_status shelter(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     static const char *const figures[] = { "shelter_slabs", "shelter_wind", "shelter_motion", NULL };
     static const char *const still[] = { "shelter_slabs", "shelter_wind", NULL };
-    const struct wf_args *g = &w->args;
-    bool motion = !wf_args_given(g, "--no-motion"), quiet = wf_args_given(g, "--quiet");
-    enum wf_status s = specify(w, a, d, e);
+    const struct shelter_options *o = &w->options;
+    bool motion = !o->no_motion, quiet = o->args.quiet;
+    enum wf_status s = make_request(w, a, d, e);
     if (s || (s = read_tree(w, a, d, e))) return s;
     if (w->species.crown_drag.given) w->request.crown_drag = w->species.crown_drag.value;
     if ((s = wf_scenario_loads(&w->scenario, &w->species, &w->wind, &w->loads, e))) return s;
     w->wind.speed = w->run.speed;
-    wf_limits_profile(&w->scenario, wf_tree_height(&w->tree),
-                      wf_args_text(g, w->model.key ? "--model" : "--tree"), d);
-    w->run.folder = wf_args_text(g, "--output");
+    wf_limits_profile(&w->scenario, wf_tree_height(&w->tree), w->model.key ? o->model : o->tree, d);
+    w->run.folder = o->output;
     w->run.tree = &w->tree;
     wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");
     s = wf_shelter_make(&w->tree, &w->wind, &w->request, a, &w->run.still, e);
-    if (!s && motion && w->run.speed > 0.0) s = move(w, a, d, e);
+    if (!s && motion && w->run.speed > 0.0) s = bend_tree(w, a, d, e);
     wf_progress(NULL);
     if (s) return s;
-    if (!quiet) wf_shelter_print(stdout, &w->run);
+    if (!quiet) print_shelter(stdout, &w->run);
     s = wf_shelter_tables(&w->run, e);
-    if (!s && !wf_args_given(g, "--no-plots"))
-        s = wf_wind_figures(w->run.folder, w->run.moved ? figures : still, e);
+    if (!s && !o->no_plots) s = wf_wind_figures(w->run.folder, w->run.moved ? figures : still, e);
     if (!s && !quiet) printf("\nTables and plots: %s\n", w->run.folder);
     return s;
 }
@@ -202,12 +254,12 @@ int wf_cmd_shelter(int argc, char **argv)
     struct wf_arena arena = { 0 };
     struct work w = { 0 };
     struct wf_err e = { 0 };
-    int code = wf_args_read(argc, argv, wf_shelter_options, about, 0, 0, &arena, &w.args);
+    int code = wf_args_read(argc, argv, wf_shelter_options, about, 0, 0, &arena, &w.options.args);
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
-        enum wf_status s = run(&w, &arena, &d, &e);
+        enum wf_status s = shelter(&w, &arena, &d, &e);
         fflush(stdout);
-        wf_print_findings(&d, wf_args_given(&w.args, "--quiet"));
+        wf_print_findings(&d, w.options.args.quiet);
         code = s ? wf_complain(&e) : 0;
     }
     wf_sheltered_end(&w.sheltered);

@@ -1,33 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm simulate-test: what a planned test would tell, before anyone climbs the tree. */
 #include "base/file.h"
 #include "base/num.h"
-#include "cmd/fit_job.h"
+#include "cmd/args.h"
+#include "cmd/cmd.h"
+#include "fit/build.h"
 #include "fit/predict.h"
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <string.h>
 
+struct simulate_options {
+    struct wf_args args;
+    const char *free; /* NULL: the study's */
+    double seed;
+    const char *output;
+};
+
+#define OPTIONS struct simulate_options
 static const struct wf_option options[] = {
-    { .name = "--free",
-      .letter = "-f",
-      .kind = WF_OPTION_TEXTS,
-      .value = "NAME[,NAME]",
-      .help = "parameters the test is to determine, in place of the study's" },
-    { .name = "--seed",
-      .kind = WF_OPTION_NUMBER,
-      .value = "NUMBER",
-      .initial = "1",
-      .dimension = WF_DIM_NONE,
-      .low = 0,
-      .high = 9007199254740992.0,
-      .help = "of the noise" },
-    { .name = "--output",
-      .letter = "-o",
-      .kind = WF_OPTION_TEXT,
-      .value = "FOLDER",
-      .initial = "out/simulate-test",
-      .help = "where the made-up data go, one CSV file a test" },
-    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    TEXTS("--free", free, "NAME[,NAME]", "parameters the test is to determine, in place of the study's",
+          .letter = "-f"),
+    NUMBER("--seed", seed, "NUMBER", NONE, NULL, 0, 9007199254740992.0, "1", "of the noise"),
+    TEXT("--output", output, "FOLDER", "out/simulate-test", "where the made-up data go, one CSV file a test",
+         .letter = "-o"),
+    QUIET("print errors only"),
     { 0 },
 };
 static const char about[] =
@@ -41,7 +38,7 @@ static const char about[] =
 
 struct plan {
     struct wf_arena arena;
-    struct wf_args args;
+    struct simulate_options options;
     struct wf_fit_study study;
     struct wf_experiment x;
     struct wf_fit_param *param;
@@ -51,7 +48,7 @@ struct plan {
 
 /* 95 % half widths of the internal values when only some sensors are there; INFINITY where one is not
  * determined. The singular values below 1e-9 of the largest count as none. */
-static enum wf_status expected(const struct plan *p, const bool *with, double *half, struct wf_err *e)
+static enum wf_status expect_widths(const struct plan *p, const bool *with, double *half, struct wf_err *e)
 {
     size_t n = p->params, rows = p->x.data > n ? p->x.data : n, i = 0;
     wf_quiet_begin();
@@ -86,7 +83,7 @@ static enum wf_status expected(const struct plan *p, const bool *with, double *h
     return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for the plan");
 }
 
-static void line(const struct plan *p, const char *name, const double *half)
+static void print_widths(const struct plan *p, const char *name, const double *half)
 {
     printf("%-44s", name);
     for (size_t k = 0; k < p->free; k++) {
@@ -102,7 +99,7 @@ static void line(const struct plan *p, const char *name, const double *half)
     printf("\n");
 }
 
-static enum wf_status table(const struct plan *p, struct wf_err *e)
+static enum wf_status print_layouts(const struct plan *p, struct wf_err *e)
 {
     bool with[256] = { false };
     size_t sensors = 0, at = 0;
@@ -115,16 +112,16 @@ static enum wf_status table(const struct plan *p, struct wf_err *e)
     for (size_t k = 0; k < p->free; k++) printf("  %12.24s", p->param[k].name);
     printf("\n");
     for (size_t i = 0; i < sensors; i++) with[i] = true;
-    enum wf_status s = expected(p, with, half, e);
-    if (!s) line(p, "all", half);
+    enum wf_status s = expect_widths(p, with, half, e);
+    if (!s) print_widths(p, "all", half);
     for (int alone = 1; alone >= 0 && sensors > 1; alone--, at = 0)
         for (size_t t = 0; t < p->x.tests; t++)
             for (size_t k = 0; k < p->x.test[t].sensors && !s; k++, at++) {
                 for (size_t i = 0; i < sensors; i++) with[i] = (i == at) == (alone == 1);
                 snprintf(name, sizeof name, "%s %.30s %.30s", alone ? "only" : "without", p->x.test[t].name,
                          p->x.test[t].sensor[k].name);
-                s = expected(p, with, half, e);
-                if (!s) line(p, name, half);
+                s = expect_widths(p, with, half, e);
+                if (!s) print_widths(p, name, half);
             }
     return s;
 }
@@ -161,18 +158,16 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
     return s;
 }
 
-static enum wf_status run(struct plan *p, struct wf_diag *d, bool quiet, struct wf_err *e)
+static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, struct wf_err *e)
 {
     struct wf_fit_build b = { .study = &p->study, .share = wf_share(), .plan = true };
-    const char *folder = wf_args_text(&p->args, "--output");
-    enum wf_status s = wf_fit_study_read(p->args.operand[0], &p->arena, &p->study, d, e);
+    const char *folder = p->options.output;
+    enum wf_status s = wf_fit_study_read(p->options.args.operand[0], &p->arena, &p->study, d, e);
     if (s) return s;
     struct wf_fit_input *in = WF_TAKE(&p->arena, p->study.tests, struct wf_fit_input);
     if (!in) return wf_fail(e, WF_ENOMEM, "no room for the study");
     s = wf_fit_build(&b, &p->arena, d, &p->x, in, e);
-    if (!s)
-        s = wf_fit_params(&p->study, wf_args_text(&p->args, "--free"), &p->x, true, &p->arena, &p->param,
-                          &p->params, e);
+    if (!s) s = wf_fit_params(&p->study, p->options.free, &p->x, true, &p->arena, &p->param, &p->params, e);
     if (!s && !p->params)
         s = wf_fail(e, WF_EUSAGE, "nothing is free: name parameters with --free or in the study");
     if (s) return s;
@@ -181,8 +176,8 @@ static enum wf_status run(struct plan *p, struct wf_diag *d, bool quiet, struct 
     if (!p->reading || !p->slope) return wf_fail(e, WF_ENOMEM, "no room for the plan");
     for (size_t k = 0; k < n; k++) p->free += !wf_param_nuisance(&p->param[k]);
     s = wf_fit_expect(&p->x, p->param, n, &p->arena, p->reading, p->slope, e);
-    if (!s) wf_fit_make_up(&p->x, p->reading, (uint64_t)wf_args_number(&p->args, "--seed"), 1);
-    if (!s && !quiet) s = table(p, e);
+    if (!s) wf_fit_make_up(&p->x, p->reading, (uint64_t)p->options.seed, 1);
+    if (!s && !quiet) s = print_layouts(p, e);
     if (!s) s = wf_mkdirs(folder, e);
     for (size_t t = 0; t < p->x.tests && !s; t++) s = write_test(p, t, folder, e);
     if (!s && !quiet) printf("\nMade-up readings: %s\n", folder);
@@ -194,10 +189,10 @@ int wf_cmd_simulate_test(int argc, char **argv)
     struct plan p = { 0 };
     struct wf_err e = { 0 };
     struct wf_diag d = { .arena = &p.arena };
-    int code = wf_args_read(argc, argv, options, about, 1, 1, &p.arena, &p.args);
+    int code = wf_args_read(argc, argv, options, about, 1, 1, &p.arena, &p.options.args);
     if (code < 0) {
-        bool quiet = wf_args_given(&p.args, "--quiet");
-        enum wf_status s = run(&p, &d, quiet, &e);
+        bool quiet = p.options.args.quiet;
+        enum wf_status s = simulate(&p, &d, quiet, &e);
         fflush(stdout);
         wf_print_findings(&d, quiet);
         code = s ? wf_complain(&e) : 0;

@@ -1,5 +1,6 @@
-#include "base/num.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/text.h"
+#include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "data/species.h"
 #include "load/drag.h"
@@ -7,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static int list(struct wf_arena *a)
+static int list_species(struct wf_arena *a)
 {
     struct wf_diag d = { .arena = a };
     glob_t found;
@@ -87,7 +88,7 @@ static void show_law(struct wf_units *u, const struct wf_law *law, const struct 
     }
 }
 
-static int show(const char *name, struct wf_arena *a)
+static int show_species(const char *name, struct wf_arena *a)
 {
     struct wf_diag d = { .arena = a };
     struct wf_err e = { 0 };
@@ -127,9 +128,9 @@ int wf_cmd_species(int argc, char **argv)
     if (code < 0) {
         const char *what = args.operand[0], *near = wf_nearest(what, words, 2);
         if (strcmp(what, "list") == 0 && args.n == 1)
-            code = list(&arena);
+            code = list_species(&arena);
         else if (strcmp(what, "show") == 0 && args.n == 2)
-            code = show(args.operand[1], &arena);
+            code = show_species(args.operand[1], &arena);
         else {
             fprintf(stderr, "windfirm species: '%s' is neither 'list' nor 'show NAME'%s%s%s\n", what,
                     near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");

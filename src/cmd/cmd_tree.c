@@ -1,64 +1,196 @@
-#include "base/num.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* windfirm tree: the size of measured trees, and pictures of trees. */
 #include "base/text.h"
-#include "cmd/import_options.h"
-#include "cmd/tree_draw.h"
-#include "cmd/tree_print.h"
+#include "cmd/args.h"
+#include "cmd/cmd.h"
+#include "cmd/option_groups.h"
+#include "data/species.h"
+#include "grow/grow.h"
 #include "load/drag.h"
+#include "load/qsm_metrics.h"
+#include "out/tree_picture.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static const struct wf_option options[] = {
-    WF_IMPORT_OPTIONS,
-    { .name = "--joint",
-      .kind = WF_OPTION_CHOICE,
-      .value = "HOW",
-      .initial = "axis",
-      .choices = "axis|bridge",
-      .help = "how branches are held in the analysis: where they leave the parent's axis, or at its end" },
-    { .name = "--species",
-      .letter = "-s",
-      .kind = WF_OPTION_TEXT,
-      .value = "SPECIES",
-      .help = "take density and leaves from this species table" },
-    { .name = "--density",
-      .kind = WF_OPTION_NUMBER,
-      .value = "DENSITY",
-      .dimension = WF_DIM_DENSITY,
-      .unit = "kg/m3",
-      .low = 1,
-      .high = 3000,
-      .help = "of the wood as it stands, for the mass" },
-    { .name = "--leaf-area",
-      .kind = WF_OPTION_NUMBER,
-      .value = "AREA",
-      .dimension = WF_DIM_AREA,
-      .unit = "m2",
-      .low = 0,
-      .high = 1e5,
-      .help = "one-sided leaf area of the whole tree" },
-    { .name = "--csv", .kind = WF_OPTION_FLAG, .help = "one line a tree, with a header, for many trees" },
-    { .name = "--quiet",
-      .letter = "-q",
-      .kind = WF_OPTION_FLAG,
-      .help = "no repairs and notes, only the figures" },
+/* ---- windfirm tree info: what is printed ---- */
+
+/* What the user knows beyond the geometry. */
+struct known {
+    double density;                   /* NAN: of the species, else unknown [kg m-3] */
+    double leaf_area;                 /* one-sided; NAN: unknown [m2]               */
+    const struct wf_species *species; /* NULL: unknown                              */
+};
+
+/* Mass of the measured wood by the density given, else of the species by level; NAN when neither is known
+ * [kg]. */
+static double wood_mass(const struct wf_qsm_metrics *g, const struct known *w)
+{
+    double mass = 0;
+    for (size_t k = 0; k < WF_QSM_ORDERS; k++) {
+        double density = w->density;
+        if (isnan(density) && w->species && w->species->levels) {
+            size_t level = k < w->species->levels ? k : w->species->levels - 1;
+            density = w->species->level[level].density.value;
+        }
+        mass += density * g->order_volume[k];
+    }
+    return mass;
+}
+
+/* Still-air frontal area of the leaves [m2]; NAN when unknown. */
+static double leaf_sail(const struct known *w)
+{
+    return w->species ? w->leaf_area * w->species->leaf_frontal_share.value : (double)NAN;
+}
+
+static void print_repairs(FILE *to, const struct wf_qsm *q, bool note, const char *title)
+{
+    size_t kinds = 0;
+    for (int k = 0; k < WF_REPAIR_COUNT; k++) {
+        const struct wf_repair_row *row = &wf_repair_rows[k];
+        if (row->note != note || !q->repairs.count[k]) continue;
+        fprintf(to, "  %-20s", kinds++ ? "" : title);
+        if (!row->once) fprintf(to, "%zu ", q->repairs.count[k]);
+        fprintf(to, "%s\n", row->text);
+    }
+    if (!kinds) fprintf(to, "  %-20snone\n", title);
+}
+
+static void print_orders(FILE *to, const struct wf_qsm_metrics *g)
+{
+    fprintf(to, "  %-20s%8s %12s %12s\n", "by branch order", "order", "length m", "wood m3");
+    for (int k = 0; k <= g->highest_order && k < WF_QSM_ORDERS; k++)
+        fprintf(to, "  %-20s%8d %12.2f %12.6f\n", "", k, g->order_length[k], g->order_volume[k]);
+}
+
+static void print_modelled(FILE *to, const struct wf_qsm_metrics *g, const struct wf_qsm_model *m)
+{
+    fprintf(to, "  %-20s%zu segments, wood %.6g m3 (%+.2f %% of that measured)\n", "for analysis", m->tree.n,
+            m->volume, 100 * (m->volume / g->volume - 1));
+    fprintf(
+        to,
+        "  %-20s%zu lateral branches, %zu links in the parents' wood, %zu bridges of unseen wood (%.3g m3)\n",
+        "", m->laterals, m->links, m->bridges, m->bridge_volume);
+    fprintf(to, "  %-20s%zu gaps drawn together, the widest %.3f m; %zu rows too short to keep\n", "",
+            m->gaps, m->widest_gap, m->short_rows);
+}
+
+/* One tree, one page. */
+static void print_page(FILE *to, const char *path, const struct wf_qsm *q, const struct wf_qsm_model *m,
+                       const struct known *w)
+{
+    struct wf_qsm_metrics g;
+    wf_qsm_measure(q, &g);
+    double mass = wood_mass(&g, w), leaf = leaf_sail(w);
+    fprintf(to, "%s\n  %-20s%s\n", path, "format", q->format);
+    fprintf(to, "  %-20s%zu cylinders, %zu branches, %zu tips, highest order %d, %zu stem%s\n", "rows",
+            g.cylinders, g.branches, g.tips, g.highest_order, g.stems, g.stems == 1 ? "" : "s");
+    fprintf(to, "  %-20s%.3f m\n", "height", g.height);
+    if (isnan(g.dbh))
+        fprintf(to, "  %-20snone: the stem is lower than 1.3 m\n", "dbh");
+    else
+        fprintf(to, "  %-20s%.4f m at 1.3 m\n", "dbh", g.dbh);
+    fprintf(to, "  %-20s%.4f m\n", "base diameter", g.base_diameter);
+    fprintf(to, "  %-20s%.2f x %.2f m\n", "width x, y", g.width_x, g.width_y);
+    if (!isnan(g.crown_base)) fprintf(to, "  %-20s%.2f m (lowest branch end)\n", "crown base", g.crown_base);
+    fprintf(to, "  %-20s%.2f m\n", "length of axes", g.length);
+    fprintf(to, "  %-20s%.6g m3\n", "wood and bark", g.volume);
+    if (!isnan(mass)) fprintf(to, "  %-20s%.6g kg\n", "mass of wood", mass);
+    fprintf(to, "  %-20s%.5g m2\n", "woody surface", g.area);
+    if (!isnan(w->leaf_area)) fprintf(to, "  %-20s%.5g m2 one-sided\n", "leaf area", w->leaf_area);
+    fprintf(to, "  %-20s", "sail of bare wood");
+    for (int deg = 0; deg < 180; deg += 45)
+        fprintf(to, "%s%.4g m2 at %d", deg ? ", " : "", wf_qsm_sail(q, deg * M_PI / 180), deg);
+    fprintf(to, " degrees from +x\n");
+    if (!isnan(leaf)) fprintf(to, "  %-20s%.4g m2 in still air, any direction\n", "sail of leaves", leaf);
+    print_orders(to, &g);
+    print_modelled(to, &g, m);
+    print_repairs(to, q, false, "repairs");
+    print_repairs(to, q, true, "notes");
+}
+
+/* The header of the CSV table, one line a tree. */
+static void print_head(FILE *to)
+{
+    fprintf(
+        to,
+        "file,format,cylinders,branches,tips,stems,highest_order,height_m,dbh_m,base_diameter_m,width_x_m,"
+        "width_y_m,"
+        "crown_base_m,length_m,volume_m3,mass_kg,area_m2,leaf_area_m2,sail_0_m2,sail_45_m2,sail_90_m2,"
+        "sail_135_m2,leaf_sail_m2,segments,model_volume_m3,links,bridges,bridge_volume_m3,gaps,widest_gap_m");
+    for (int k = 0; k < WF_REPAIR_COUNT; k++) fprintf(to, ",%s", wf_repair_rows[k].code);
+    fputc('\n', to);
+}
+
+/* A number cell; empty when unknown. */
+static void print_cell(FILE *to, double v)
+{
+    if (isnan(v))
+        fputc(',', to);
+    else
+        fprintf(to, ",%.8g", v);
+}
+
+static void print_line(FILE *to, const char *path, const struct wf_qsm *q, const struct wf_qsm_model *m,
+                       const struct known *w)
+{
+    struct wf_qsm_metrics g;
+    wf_qsm_measure(q, &g);
+    fputc('"', to);
+    for (const char *p = path; *p; p++) fprintf(to, "%s%c", *p == '"' ? "\"" : "", *p);
+    fprintf(to, "\",%s,%zu,%zu,%zu,%zu,%d", q->format, g.cylinders, g.branches, g.tips, g.stems,
+            g.highest_order);
+    const double v[] = { g.height, g.dbh,    g.base_diameter,  g.width_x, g.width_y,   g.crown_base,
+                         g.length, g.volume, wood_mass(&g, w), g.area,    w->leaf_area };
+    for (size_t k = 0; k < sizeof v / sizeof *v; k++) print_cell(to, v[k]);
+    for (int deg = 0; deg < 180; deg += 45) print_cell(to, wf_qsm_sail(q, deg * M_PI / 180));
+    print_cell(to, leaf_sail(w));
+    fprintf(to, ",%zu,%.8g,%zu,%zu,%.8g,%zu,%.6g", m->tree.n, m->volume, m->links, m->bridges,
+            m->bridge_volume, m->gaps, m->widest_gap);
+    for (int k = 0; k < WF_REPAIR_COUNT; k++) fprintf(to, ",%zu", q->repairs.count[k]);
+    fputc('\n', to);
+}
+
+/* ---- windfirm tree info ---- */
+
+struct info_options {
+    struct wf_args args;
+    struct wf_import_asked import;
+    const char *joint, *species;
+    double density, leaf_area; /* [kg m-3], [m2]; NAN: not given */
+    bool csv;
+};
+
+#define OPTIONS struct info_options
+static const struct wf_option info_options[] = {
+    WF_IMPORT_ROWS(import),
+    CHOICE("--joint", joint, "HOW", "axis|bridge", "axis",
+           "how branches are held in the analysis: where they leave the parent's axis, or at its end"),
+    PATH("--species", species, "SPECIES", NULL, "take density and leaves from this species table",
+         .letter = "-s"),
+    NUMBER("--density", density, "DENSITY", DENSITY, "kg/m3", 1, 3000, NULL,
+           "of the wood as it stands, for the mass"),
+    NUMBER("--leaf-area", leaf_area, "AREA", AREA, "m2", 0, 1e5, NULL,
+           "one-sided leaf area of the whole tree"),
+    FLAG("--csv", csv, "one line a tree, with a header, for many trees"),
+    QUIET("no repairs and notes, only the figures"),
     { 0 },
 };
 
-static const char about[] =
+static const char info_about[] =
     "  windfirm tree info FILE...\n"
     "  Size of measured trees: height, dbh, wood, surface, sail, branches, and what had to be repaired.\n"
     "  A file that cannot be read does not stop the others; the exit code is then 2.";
 
 struct ask {
-    const struct wf_args *args;
+    const struct info_options *options;
     struct wf_import_options import;
-    enum wf_joint joint;
-    struct wf_tree_wear wear;
+    struct known known;
 };
 
 /* Repairs stand on the page by kind; only single rows need a line of their own. */
-static void rows_left_out(const struct wf_diag *d, bool quiet)
+static void print_rows_left_out(const struct wf_diag *d, bool quiet)
 {
     char line[2048];
     for (const struct wf_finding *f = d->first; f; f = f->next)
@@ -67,42 +199,43 @@ static void rows_left_out(const struct wf_diag *d, bool quiet)
             fprintf(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
 }
 
-static enum wf_status one(const char *path, const struct ask *k, struct wf_arena *a, struct wf_err *e)
+static enum wf_status measure_file(const char *path, const struct ask *k, struct wf_arena *a,
+                                   struct wf_err *e)
 {
-    bool quiet = wf_args_given(k->args, "--quiet");
+    bool quiet = k->options->args.quiet;
     struct wf_diag d = { .arena = a };
     struct wf_qsm q;
     struct wf_qsm_model m;
     enum wf_status s = wf_import_read(path, &k->import, a, &q, &d, e);
-    if (!s) s = wf_qsm_to_tree(&q, k->joint, a, &m, e);
-    if (!s && wf_args_given(k->args, "--csv"))
-        wf_tree_print_line(stdout, path, &q, &m, &k->wear);
+    if (!s) s = wf_qsm_to_tree(&q, wf_joint_named(k->options->joint), a, &m, e);
+    if (!s && k->options->csv)
+        print_line(stdout, path, &q, &m, &k->known);
     else if (!s)
-        wf_tree_print_page(stdout, path, &q, &m, &k->wear);
-    rows_left_out(&d, quiet);
+        print_page(stdout, path, &q, &m, &k->known);
+    print_rows_left_out(&d, quiet);
     return s;
 }
 
-static int info(struct ask *k, struct wf_arena *a)
+static int measure_files(struct ask *k, struct wf_arena *a)
 {
     struct wf_diag d = { .arena = a };
     struct wf_err e = { 0 };
     struct wf_species species;
-    const char *name = wf_args_text(k->args, "--species");
+    const char *name = k->options->species;
     int worst = 0;
-    k->wear.density = wf_args_number(k->args, "--density");
-    k->wear.leaf_area = wf_args_number(k->args, "--leaf-area");
+    k->known.density = k->options->density;
+    k->known.leaf_area = k->options->leaf_area;
     if (name) {
         enum wf_status s = wf_species_read(wf_shipped("species", name, a), &wf_laws, a, &species, &d, &e);
         wf_print_findings(&d, false);
         if (s) return wf_complain(&e);
-        k->wear.species = &species;
+        k->known.species = &species;
     }
-    if (wf_args_given(k->args, "--csv")) wf_tree_print_head(stdout);
-    for (size_t i = 1; i < k->args->n; i++) {
+    if (k->options->csv) print_head(stdout);
+    for (size_t i = 1; i < k->options->args.n; i++) {
         struct wf_arena tree = { 0 };
         e = (struct wf_err){ 0 };
-        int code = one(k->args->operand[i], k, &tree, &e) ? wf_complain(&e) : 0;
+        int code = measure_file(k->options->args.operand[i], k, &tree, &e) ? wf_complain(&e) : 0;
         worst = code > worst ? code : worst;
         fflush(stdout);
         wf_arena_free(&tree);
@@ -110,29 +243,90 @@ static int info(struct ask *k, struct wf_arena *a)
     return worst;
 }
 
+/* ---- windfirm tree draw ---- */
+
+struct draw_options {
+    struct wf_args args;
+    struct wf_tree_asked tree;
+    const char *species, *output;
+};
+
+#undef OPTIONS
+#define OPTIONS struct draw_options
+static const struct wf_option draw_options[] = {
+    WF_TREE_ROWS(tree),
+    PATH("--species", species, "SPECIES", "beech",
+         "radius of a stem whose model names none, names of the levels", .letter = "-s"),
+    TEXT("--output", output, "FILE", "tree.svg",
+         "the picture: .svg, .png or .pdf; many thousand segments are better as .png", .letter = "-o"),
+    QUIET("print errors only"),
+    { 0 },
+};
+
+static const char draw_about[] =
+    "  windfirm tree draw --model MODEL --species SPECIES -o FILE.svg\n"
+    "  windfirm tree draw TREE -o FILE.png\n"
+    "  A tree from the front and the side, coloured by branching level, with its parameters.";
+
+static enum wf_status draw_picture(const struct draw_options *o, struct wf_arena *a, struct wf_diag *d,
+                                   struct wf_err *e)
+{
+    struct wf_model model;
+    struct wf_species species;
+    struct wf_tree tree;
+    const char *path, *to = o->output;
+    enum wf_status s =
+        wf_tree_asked_read(&o->tree, o->args.n ? o->args.operand[0] : NULL, a, &model, &path, d, e);
+    if (!s) s = wf_species_read(wf_shipped("species", o->species, a), &wf_laws, a, &species, d, e);
+    if (!s) s = wf_grow(&model, &species, a, &tree, d, e);
+    if (!s) s = wf_tree_check(&tree, d, e);
+    if (s) return s;
+    const struct wf_tree_picture picture = { &tree, &model, &species };
+    if ((s = wf_tree_picture_draw(&picture, to, e))) return s;
+    if (!o->args.quiet) printf("%s: %zu segments -> %s\n", model.name, tree.n, to);
+    return WF_OK;
+}
+
+/* Given: the command line behind "tree". Returned: exit code. */
+static int draw_tree(int argc, char **argv)
+{
+    struct wf_arena arena = { 0 };
+    struct draw_options o;
+    struct wf_diag d = { .arena = &arena };
+    struct wf_err e = { 0 };
+    int code = wf_args_read(argc, argv, draw_options, draw_about, 0, 1, &arena, &o.args);
+    if (code < 0) code = wf_tree_asked_check(&o.tree, argv[0], o.args.n ? o.args.operand[0] : NULL);
+    if (code < 0) {
+        enum wf_status s = draw_picture(&o, &arena, &d, &e);
+        wf_print_findings(&d, o.args.quiet);
+        code = s ? wf_complain(&e) : 0;
+    }
+    wf_arena_free(&arena);
+    return code;
+}
+
 int wf_cmd_tree(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
-    struct wf_args args;
+    struct info_options o;
     if (argc > 1 && !strcmp(argv[1], "draw")) {
         static char name[] = "tree draw";
         argv[1] = name;
-        return wf_tree_draw(argc - 1, argv + 1);
+        return draw_tree(argc - 1, argv + 1);
     }
-    int code = wf_args_read(argc, argv, options, about, 2, (size_t)argc, &arena, &args);
-    if (code < 0 && strcmp(args.operand[0], "info")) {
+    int code = wf_args_read(argc, argv, info_options, info_about, 2, (size_t)argc, &arena, &o.args);
+    if (code < 0 && strcmp(o.args.operand[0], "info")) {
         static const char *const words[] = { "info", "draw" };
-        const char *near = wf_nearest(args.operand[0], words, 2);
+        const char *near = wf_nearest(o.args.operand[0], words, 2);
         fprintf(stderr,
                 "windfirm tree: '%s' is not known%s%s%s; it is: windfirm tree info FILE..., windfirm tree "
                 "draw\n",
-                args.operand[0], near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+                o.args.operand[0], near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
         code = 2;
     }
     if (code < 0) {
-        struct ask k = { .args = &args, .import = wf_import_typed(&args) };
-        k.joint = strcmp(wf_args_text(&args, "--joint"), "axis") ? WF_JOINT_BRIDGE : WF_JOINT_AXIS;
-        code = info(&k, &arena);
+        struct ask k = { .options = &o, .import = wf_import_asked_options(&o.import) };
+        code = measure_files(&k, &arena);
     }
     wf_arena_free(&arena);
     return code;

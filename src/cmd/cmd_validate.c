@@ -1,15 +1,139 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* windfirm validate: cases compared with their sources. */
 #include "cases/case.h"
 #include "cases/fit.h"
+#include "cmd/args.h"
 #include "cmd/cmd.h"
-#include "cmd/validate_print.h"
 #include <fts.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 
+struct tally {
+    size_t of_kind[WF_CASE_KIND_COUNT][WF_OUTCOME_COUNT], outcome[WF_OUTCOME_COUNT], checks;
+};
+enum { SHORT_LIST = 12, WORST = 3 };
+
+static const char *const outcome_word[WF_OUTCOME_COUNT] = { "passed", "FAILED", "skipped" };
+
+static void count_verdict(struct tally *t, const struct wf_verdict *v)
+{
+    if (v->of->kind >= 0) t->of_kind[v->of->kind][v->outcome]++;
+    t->outcome[v->outcome]++;
+    t->checks += v->n;
+}
+
+/* Heading of a file: its title and source, from its first case. */
+static void print_file(const struct wf_case *first)
+{
+    printf("\n%s\n", first->file);
+    if (first->title) printf("  %s\n", first->title);
+    printf("  source: %s\n", first->source);
+}
+
+static double used(const struct wf_check *c) { return isnan(c->error) ? HUGE_VAL : c->error / c->allowed; }
+
+/* Whether a line is among the few closest to their tolerance. */
+static bool among_worst(const struct wf_verdict *v, size_t i)
+{
+    size_t worse = 0;
+    for (size_t k = 0; k < v->n && worse < WORST; k++)
+        worse +=
+            used(&v->check[k]) > used(&v->check[i]) || (k < i && used(&v->check[k]) == used(&v->check[i]));
+    return worse < WORST;
+}
+
+static void print_check(const struct wf_check *c)
+{
+    char what[160], margin[32] = "exact", relative[32] = "-";
+    double f = c->want->unit_factor;
+    wf_want_print(c->want, c->component, what, sizeof what);
+    if (c->error > 0.0) (void)snprintf(margin, sizeof margin, "%.2g", c->allowed / c->error);
+    if (isnan(c->error)) (void)snprintf(margin, sizeof margin, "none");
+    if (!isnan(c->relative)) (void)snprintf(relative, sizeof relative, "%.1e", c->relative);
+    printf("    %-30s %20.12g %20.12g %-6s %9s %9s%s\n", what, c->wanted / f, c->got / f, c->want->unit,
+           relative, margin, c->passed ? "" : "  FAILED");
+}
+
+/* Outcome and one line a wanted value: wanted, got, error, margin (allowed error / error). Of a long list
+ * only what failed and the three closest to their tolerance, unless `all`. */
+static void print_case(const struct wf_verdict *v, bool all)
+{
+    const struct wf_case *c = v->of;
+    size_t shown = 0;
+    printf("  %s [%s, %s]: %s", c->name, v->solver, wf_case_kind_name((enum wf_case_kind)c->kind),
+           outcome_word[v->outcome]);
+    if (v->n)
+        printf(", %zu value%s, the worst uses %.2g of its tolerance", v->n, v->n == 1 ? "" : "s", v->worst);
+    printf("\n");
+    if (v->why) printf("    %s\n", v->why);
+    if (all && c->note) printf("    %s\n", c->note);
+    if (!v->n) return;
+    printf("    %-30s %20s %20s %-6s %9s %9s\n", "quantity", "wanted", "got", "unit", "rel.error", "margin");
+    bool full = all || v->n <= SHORT_LIST;
+    for (size_t i = 0; i < v->n; i++)
+        if (full || !v->check[i].passed || among_worst(v, i)) print_check(&v->check[i]), shown++;
+    if (shown < v->n) printf("    and %zu more within tolerance (--verbose lists them)\n", v->n - shown);
+}
+
+static bool all_ran(const struct wf_case *c, const struct wf_verdict *mesh)
+{
+    for (size_t i = 0; i < c->pieces; i++) {
+        if (!mesh[i].why) continue;
+        printf("    order of convergence: %zu parts a row: %s\n", c->piece[i], mesh[i].why);
+        return false;
+    }
+    return true;
+}
+
+/* Errors on each mesh and the observed order of convergence between neighbouring meshes. */
+static void print_order(const struct wf_case *c, const struct wf_verdict *mesh, bool all)
+{
+    if (!all_ran(c, mesh)) return;
+    size_t lines = all || mesh[0].n <= SHORT_LIST ? mesh[0].n : SHORT_LIST;
+    printf(
+        "    order of convergence: error with every row in so many elements; in brackets the order observed\n"
+        "    %-30s",
+        "parts");
+    for (size_t i = 0; i < c->pieces; i++) printf(" %15zu", c->piece[i]);
+    printf("\n");
+    for (size_t k = 0; k < lines; k++) {
+        char what[160];
+        wf_want_print(mesh[0].check[k].want, mesh[0].check[k].component, what, sizeof what);
+        printf("    %-30s", what);
+        for (size_t i = 0; i < c->pieces; i++) {
+            double now = mesh[i].check[k].error / mesh[i].check[k].want->unit_factor;
+            double before = i ? mesh[i - 1].check[k].error / mesh[i - 1].check[k].want->unit_factor : 0.0;
+            char order[24] = "";
+            if (now > 0.0 && before > 0.0)
+                (void)snprintf(order, sizeof order, "(%.2f)",
+                               log(before / now) / log((double)c->piece[i] / (double)c->piece[i - 1]));
+            printf(" %8.1e%7s", now, order);
+        }
+        printf("\n");
+    }
+}
+
+/* Counts by kind, and the last line "N passed, N failed, N skipped". */
+static void print_tally(const struct tally *t)
+{
+    printf("\n%-34s %8s %8s %8s\n", "kind", "passed", "failed", "skipped");
+    for (int k = 0; k < WF_CASE_KIND_COUNT; k++) {
+        const size_t *n = t->of_kind[k];
+        if (n[WF_PASSED] + n[WF_FAILED] + n[WF_SKIPPED] == 0) continue;
+        char kind[64];
+        (void)snprintf(kind, sizeof kind, "%s%s", wf_case_kind_name((enum wf_case_kind)k),
+                       k == WF_CASE_REGRESSION ? " (no evidence)" : "");
+        printf("%-34s %8zu %8zu %8zu\n", kind, n[WF_PASSED], n[WF_FAILED], n[WF_SKIPPED]);
+    }
+    printf("%zu values compared\n%zu passed, %zu failed, %zu skipped\n", t->checks, t->outcome[WF_PASSED],
+           t->outcome[WF_FAILED], t->outcome[WF_SKIPPED]);
+}
+
 struct run {
     bool order, verbose;
-    struct wf_validate_tally tally;
+    struct tally tally;
     int code; /* worst exit code so far */
 };
 
@@ -28,11 +152,11 @@ static int run_solver(struct run *r, const struct wf_case *c, size_t k, struct w
                                                      : wf_case_run(c, k, 1, work, &v, &e);
     wf_progress(NULL);
     if (status) return wf_complain(&e);
-    wf_validate_count(&r->tally, &v);
-    wf_validate_print_case(&v, r->verbose);
+    count_verdict(&r->tally, &v);
+    print_case(&v, r->verbose);
     if (!r->order || !c->pieces || v.outcome == WF_SKIPPED) return 0;
     if (wf_case_order(c, k, work, mesh, &e)) return wf_complain(&e);
-    wf_validate_print_order(c, mesh, r->verbose);
+    print_order(c, mesh, r->verbose);
     return 0;
 }
 
@@ -60,7 +184,7 @@ static void run_file(struct run *r, const char *path)
             (void)wf_complain(&e);
         worse(r, wf_exit_code(status));
     } else {
-        wf_validate_print_file(&cases[0]);
+        print_file(&cases[0]);
         for (size_t i = 0; i < n; i++) run_case(r, &cases[i]);
     }
     wf_arena_free(&arena);
@@ -86,42 +210,44 @@ static size_t run_path(struct run *r, const char *path)
     return files;
 }
 
+struct validate_options {
+    struct wf_args args;
+    bool order, verbose;
+};
+
+#define OPTIONS struct validate_options
+static const struct wf_option options[] = {
+    FLAG("--order", order,
+         "also refine the mesh where a case asks for it, and print the observed order of convergence"),
+    FLAG("--verbose", verbose, "every wanted value, not only the worst of long lists", .letter = "-v"),
+    { 0 },
+};
+
 int wf_cmd_validate(int argc, char **argv)
 {
     static const char about[] =
         "Without a path: every case that is shipped. A path is a case file or a folder of them. The format "
         "is described in docs/validation-cases.md. A case whose large tree file is not there is skipped; "
         "WINDFIRM_REFERENCE can name the folder that holds it.";
-    static const struct wf_option options[] = {
-        { .name = "--order",
-          .kind = WF_OPTION_FLAG,
-          .help =
-              "also refine the mesh where a case asks for it, and print the observed order of convergence" },
-        { .name = "--verbose",
-          .letter = "-v",
-          .kind = WF_OPTION_FLAG,
-          .help = "every wanted value, not only the worst of long lists" },
-        { 0 },
-    };
     struct wf_arena arena = { 0 };
-    struct wf_args args;
-    int code = wf_args_read(argc, argv, options, about, 0, 1000, &arena, &args);
+    struct validate_options o;
+    int code = wf_args_read(argc, argv, options, about, 0, 1000, &arena, &o.args);
     if (code >= 0) {
         wf_arena_free(&arena);
         return code;
     }
-    struct run r = { .order = wf_args_given(&args, "--order"), .verbose = wf_args_given(&args, "--verbose") };
+    struct run r = { .order = o.order, .verbose = o.verbose };
     const char *shipped = wf_arena_print(&arena, "%s/validation", wf_share());
-    size_t paths = args.n ? args.n : 1;
+    size_t paths = o.args.n ? o.args.n : 1;
     for (size_t i = 0; i < paths && shipped; i++) {
-        const char *path = args.n ? args.operand[i] : shipped;
+        const char *path = o.args.n ? o.args.operand[i] : shipped;
         if (run_path(&r, path)) continue;
         struct stat s;
         fprintf(stderr, "windfirm validate: %s: %s\n", path,
                 stat(path, &s) ? "no such file or folder" : "no *.case file in it");
         worse(&r, 2);
     }
-    wf_validate_print_tally(&r.tally);
+    print_tally(&r.tally);
     if (r.tally.outcome[WF_FAILED]) worse(&r, 1);
     wf_arena_free(&arena);
     return r.code;

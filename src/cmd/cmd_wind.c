@@ -1,11 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm wind: make a gusty wind, look at it, draw it. */
-#include "base/num.h"
 #include "base/text.h"
-#include "cmd/gust_options.h"
-#include "cmd/wind_rose.h"
+#include "cmd/args.h"
+#include "cmd/cmd.h"
+#include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
-#include "cmd/wind_stream.h"
-#include "cmd/wind_tables.h"
+#include "out/wind_results.h"
+#include "out/wind_stream.h"
+#include "wind/rose.h"
 #include "wind/scale.h"
 #include "wind/wind.h"
 #include <math.h>
@@ -15,97 +17,46 @@
 
 enum { SHOWN_MAX = 200 }; /* points that are looked at; more are only written */
 
+struct wind_options {
+    struct wf_args args;
+    double wind; /* [m/s] */
+    struct wf_averaging averaging;
+    double height, intensity, duration, step, spacing; /* [m], [-], [s], [s], [m] */
+    size_t seed, points;
+    const char *components;           /* "1" or "3"      */
+    const char *points_file, *stream; /* NULL: not given */
+    struct {
+        const char *set, *file, *columns;
+    } gust;
+    const char *output;
+    bool no_plots;
+};
+
+#define OPTIONS struct wind_options
 const struct wf_option wf_wind_options[] = {
-    WF_STUDY_FILE_OPTION,
-    WF_WIND_OPTIONS(0.01, 120, "mean wind"),
-    { .name = "--height",
-      .kind = WF_OPTION_NUMBER,
-      .value = "LENGTH",
-      .initial = "10",
-      .dimension = WF_DIM_LENGTH,
-      .unit = "m",
-      .low = 0.1,
-      .high = 1000,
-      .help = "of the point above the ground" },
-    { .name = "--intensity",
-      .kind = WF_OPTION_NUMBER,
-      .value = "NUMBER",
-      .initial = "0.2",
-      .dimension = WF_DIM_NONE,
-      .low = 0,
-      .high = 1,
-      .help = "turbulence intensity: standard deviation along the wind / mean wind" },
-    { .name = "--duration",
-      .kind = WF_OPTION_NUMBER,
-      .value = "TIME",
-      .initial = "3600",
-      .dimension = WF_DIM_TIME,
-      .unit = "s",
-      .low = 1,
-      .high = 1e6,
-      .help =
-          "length of the series; a record is at most as long as it is, one gust (eog) as long as it takes" },
-    { .name = "--step",
-      .kind = WF_OPTION_NUMBER,
-      .value = "TIME",
-      .initial = "0.1",
-      .dimension = WF_DIM_TIME,
-      .unit = "s",
-      .low = 1e-4,
-      .high = 60,
-      .help = "between two values" },
-    { .name = "--seed",
-      .kind = WF_OPTION_WHOLE,
-      .value = "NUMBER",
-      .initial = "1",
-      .dimension = WF_DIM_NONE,
-      .low = 0,
-      .high = 9007199254740992.0,
-      .help = "whole number; the same seed gives the same wind" },
-    { .name = "--components",
-      .kind = WF_OPTION_CHOICE,
-      .value = "1|3",
-      .initial = "1",
-      .choices = "1|3",
-      .help = "along the wind only, or along, across and up" },
-    { .name = "--points",
-      .kind = WF_OPTION_WHOLE,
-      .value = "NUMBER",
-      .initial = "1",
-      .dimension = WF_DIM_NONE,
-      .low = 1,
-      .high = WF_GUST_POINTS_MAX,
-      .help = "points in a row across the wind; more than 200 with --stream" },
-    { .name = "--spacing",
-      .kind = WF_OPTION_NUMBER,
-      .value = "LENGTH",
-      .initial = "2",
-      .dimension = WF_DIM_LENGTH,
-      .unit = "m",
-      .low = 0.01,
-      .high = 1000,
-      .help = "between neighbouring points" },
-    { .name = "--points-file",
-      .kind = WF_OPTION_TEXT,
-      .value = "FILE",
-      .help = "points in place of a row, a CSV with columns x_m (along the wind), y_m (across, to the left), "
-              "z_m (above "
-              "ground) and, where they differ, mean_ms" },
-    { .name = "--stream",
-      .kind = WF_OPTION_TEXT,
-      .value = "FILE",
-      .help = "write the wind to FILE block by block, for any number of points and steps, and nothing else: "
-              "NAME.csv as "
-              "a table, NAME.npy as 32-bit numbers, steps x points x components" },
-    WF_GUST_OPTIONS,
-    { .name = "--output",
-      .letter = "-o",
-      .kind = WF_OPTION_TEXT,
-      .value = "FOLDER",
-      .initial = "out/wind",
-      .help = "where tables and plots go" },
-    { .name = "--no-plots", .kind = WF_OPTION_FLAG, .help = "write the tables only" },
-    { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
+    STUDY,
+    WF_WIND_ROWS(wind, averaging, 0.01, 120, "mean wind"),
+    NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 1000, "10", "of the point above the ground"),
+    NUMBER("--intensity", intensity, "NUMBER", NONE, NULL, 0, 1, "0.2",
+           "turbulence intensity: standard deviation along the wind / mean wind"),
+    NUMBER("--duration", duration, "TIME", TIME, "s", 1, 1e6, "3600",
+           "length of the series; a record is at most as long as it is, one gust (eog) as long as it takes"),
+    NUMBER("--step", step, "TIME", TIME, "s", 1e-4, 60, "0.1", "between two values"),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "whole number; the same seed gives the same wind"),
+    CHOICE("--components", components, "1|3", "1|3", "1", "along the wind only, or along, across and up"),
+    WHOLE("--points", points, 1, WF_GUST_POINTS_MAX, "1",
+          "points in a row across the wind; more than 200 with --stream"),
+    NUMBER("--spacing", spacing, "LENGTH", LENGTH, "m", 0.01, 1000, "2", "between neighbouring points"),
+    PATH("--points-file", points_file, "FILE", NULL,
+         "points in place of a row, a CSV with columns x_m (along the wind), y_m (across, to the left), z_m "
+         "(above ground) and, where they differ, mean_ms"),
+    PATH("--stream", stream, "FILE", NULL,
+         "write the wind to FILE block by block, for any number of points and steps, and nothing else: "
+         "NAME.csv as a table, NAME.npy as 32-bit numbers, steps x points x components"),
+    WF_GUST_ROWS(gust),
+    TEXT("--output", output, "FOLDER", "out/wind", "where tables and plots go", .letter = "-o"),
+    FLAG("--no-plots", no_plots, "write the tables only"),
+    QUIET("print errors only"),
     { 0 },
 };
 
@@ -119,7 +70,7 @@ static const char about[] =
     "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms\n"
     "  windfirm wind kaimal --points-file crown.csv --duration 3600 --stream crown.npy";
 
-static int list(void)
+static int list_models(void)
 {
     for (const struct wf_gust_model *m = wf_gust_models; m->name; m++) {
         printf("%s: %s\n  source: %s\n  valid:  %s\n", m->name, m->title, m->source, m->validity);
@@ -132,20 +83,20 @@ static int list(void)
     return 0;
 }
 
-static enum wf_status read_record(const struct wf_args *g, struct wf_gust_spec *s, struct wf_arena *a,
+static enum wf_status read_record(const struct wind_options *o, struct wf_gust_spec *s, struct wf_arena *a,
                                   struct wf_diag *d, struct wf_err *e)
 {
-    const char *file = wf_args_text(g, "--file");
+    const char *file = o->gust.file;
     if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs --file");
-    enum wf_status status = wf_gust_record_words(s, file, wf_args_text(g, "--columns"), a, d, e);
+    enum wf_status status = wf_gust_record_words(s, file, o->gust.columns, a, d, e);
     if (status) return status;
     const struct wf_record *r = s->record;
     double length = (double)(r->n - 1) * r->step;
-    if (!wf_args_given(g, "--step")) s->step = r->step;
-    if (!wf_args_given(g, "--duration")) s->steps = (size_t)(length / s->step + 1e-6) + 1;
-    if (!wf_args_given(g, "--components") && r->components == 3) s->components = 3;
-    if (!wf_args_given(g, "--wind")) s->speed = r->mean;
-    if (!wf_args_given(g, "--quiet"))
+    if (!WF_GIVEN(o, step)) s->step = r->step;
+    if (!WF_GIVEN(o, duration)) s->steps = (size_t)(length / s->step + 1e-6) + 1;
+    if (!WF_GIVEN(o, components) && r->components == 3) s->components = 3;
+    if (!WF_GIVEN(o, wind)) s->speed = r->mean;
+    if (!o->args.quiet)
         printf("%s: %zu rows, %zu steps of %g s; %zu rows with unreadable cells, %zu steps bridged in %zu "
                "gaps (longest %zu)\n"
                "  mean %.3f m/s towards %.1f deg (first axis towards second), tilt %.1f deg\n",
@@ -155,11 +106,11 @@ static enum wf_status read_record(const struct wf_args *g, struct wf_gust_spec *
 }
 
 /* Points of a file, else in a row. */
-static enum wf_status places(const struct wf_args *g, struct wf_gust_spec *s, struct wf_arena *a,
-                             struct wf_diag *d, struct wf_err *e)
+static enum wf_status place_points(const struct wind_options *o, struct wf_gust_spec *s, struct wf_arena *a,
+                                   struct wf_diag *d, struct wf_err *e)
 {
-    const char *file = wf_args_text(g, "--points-file");
-    if (file && wf_args_given(g, "--points"))
+    const char *file = o->points_file;
+    if (file && WF_GIVEN(o, points))
         return wf_fail(e, WF_EUSAGE, "--points and --points-file: one of them says where the points are");
     if (file) {
         struct wf_points p;
@@ -170,15 +121,15 @@ static enum wf_status places(const struct wf_args *g, struct wf_gust_spec *s, st
     double *place = WF_TAKE(a, 3 * s->points, double);
     if (!place) return wf_fail(e, WF_ENOMEM, "no room for %zu points", s->points);
     for (size_t p = 0; p < s->points; p++)
-        place[3 * p + 1] = (double)p * wf_args_number(g, "--spacing"), place[3 * p + 2] = s->height;
+        place[3 * p + 1] = (double)p * o->spacing, place[3 * p + 2] = s->height;
     s->place = place;
     return WF_OK;
 }
 
-static enum wf_status specify(const struct wf_args *g, struct wf_gust_spec *s, struct wf_arena *a,
-                              struct wf_diag *d, struct wf_err *e)
+static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spec *s, struct wf_arena *a,
+                                struct wf_diag *d, struct wf_err *e)
 {
-    const char *name = g->operand[0], *known[16];
+    const char *name = o->args.operand[0], *known[16];
     size_t n = 0;
     for (; n < 15 && wf_gust_models[n].name; n++) known[n] = wf_gust_models[n].name;
     known[n] = "list";
@@ -190,20 +141,20 @@ static enum wf_status specify(const struct wf_args *g, struct wf_gust_spec *s, s
                        near ? "'?" : "; `windfirm wind list` shows them");
     }
     wf_gust_spec_default(m, s);
-    s->height = wf_args_number(g, "--height");
-    s->intensity = wf_args_number(g, "--intensity");
-    s->step = wf_args_number(g, "--step");
-    s->steps = (size_t)llround(fmin(wf_args_number(g, "--duration") / s->step, 1e12));
-    s->components = strcmp(wf_args_text(g, "--components"), "3") == 0 ? 3 : 1;
-    s->points = (size_t)llround(wf_args_number(g, "--points"));
-    s->seed = (uint64_t)llround(wf_args_number(g, "--seed"));
-    s->speed = wf_args_number(g, "--wind");
-    enum wf_status status = wf_gust_set_words(s, wf_args_text(g, "--set"), a, e);
-    if (!status && strcmp(m->name, "record") == 0) status = read_record(g, s, a, d, e);
-    if (strcmp(m->name, "eog") == 0 && !wf_args_given(g, "--duration")) /* as much before as after the gust */
+    s->height = o->height;
+    s->intensity = o->intensity;
+    s->step = o->step;
+    s->steps = (size_t)llround(fmin(o->duration / s->step, 1e12));
+    s->components = strcmp(o->components, "3") == 0 ? 3 : 1;
+    s->points = o->points;
+    s->seed = o->seed;
+    s->speed = o->wind;
+    enum wf_status status = wf_gust_set_words(s, o->gust.set, a, e);
+    if (!status && strcmp(m->name, "record") == 0) status = read_record(o, s, a, d, e);
+    if (strcmp(m->name, "eog") == 0 && !WF_GIVEN(o, duration)) /* as much before as after the gust */
         s->steps = (size_t)llround((2.0 * wf_gust_get(s, "start") + wf_gust_get(s, "duration")) / s->step);
-    if (!status) status = places(g, s, a, d, e);
-    if (status || wf_args_text(g, "--stream")) return status;
+    if (!status) status = place_points(o, s, a, d, e);
+    if (status || o->stream) return status;
     if (s->points > SHOWN_MAX || (double)s->points * s->components * (double)s->steps > 3e8)
         return wf_fail(
             e, WF_EUSAGE,
@@ -213,7 +164,7 @@ static enum wf_status specify(const struct wf_args *g, struct wf_gust_spec *s, s
     return WF_OK;
 }
 
-static void print(const struct wf_gust_report *r)
+static void print_wind(const struct wf_gust_report *r)
 {
     const struct wf_gust_spec *s = &r->spec;
     const struct wf_gust_stats *t = &r->stats[0];
@@ -247,51 +198,125 @@ static void print(const struct wf_gust_report *r)
 }
 
 /* Look at a wind: tables, plots and what is printed. */
-static enum wf_status show(const struct wf_args *g, const struct wf_gust_spec *spec, struct wf_arena *a,
-                           struct wf_diag *d, struct wf_err *e)
+static enum wf_status show_wind(const struct wind_options *o, const struct wf_gust_spec *spec,
+                                struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     static const char *const figures[] = { "wind", "wind_coherence", NULL }, *const one[] = { "wind", NULL };
     struct wf_gust_report *r = WF_TAKE(a, 1, struct wf_gust_report);
-    const char *folder = wf_args_text(g, "--output");
-    bool quiet = wf_args_given(g, "--quiet");
+    const char *folder = o->output;
+    bool quiet = o->args.quiet;
     if (!r) return wf_fail(e, WF_ENOMEM, "no room for a report");
     enum wf_status s = wf_gust_report_make(spec, a, d, r, e);
-    if (!s && !quiet) print(r);
+    if (!s && !quiet) print_wind(r);
     if (!s) s = wf_wind_tables(folder, r, e);
-    if (!s && !wf_args_given(g, "--no-plots")) s = wf_wind_figures(folder, r->coherence ? figures : one, e);
+    if (!s && !o->no_plots) s = wf_wind_figures(folder, r->coherence ? figures : one, e);
     if (!s && !quiet) printf("\nTables and plots: %s\n", folder);
     return s;
 }
 
-static enum wf_status run(const struct wf_args *g, struct wf_arena *a, struct wf_err *e)
+static void show_progress(size_t block, size_t blocks) { wf_progress("block %zu of %zu ...", block, blocks); }
+
+static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_streamed *w, const char *path)
+{
+    static const char *const name[WF_COMPONENTS] = { "along the wind", "across", "up" };
+    printf("%s: %zu points, %zu steps of %g s, %u component%s, seed %llu: %s\n", s->model->name, s->points,
+           s->steps, s->step, s->components, s->components == 1 ? "" : "s", (unsigned long long)s->seed,
+           path);
+    printf("%zu blocks of %zu steps, made and written in %.1f s of processor time\n", w->blocks, w->block,
+           w->seconds);
+    for (unsigned c = 0; c < s->components; c++) {
+        printf("first point, %-15s mean %8.3f m/s, standard deviation %7.3f m/s", name[c], w->mean[c],
+               w->deviation[c]);
+        if (isnan(w->asked[c]))
+            printf("\n");
+        else
+            printf(" (asked %.3f)\n", w->asked[c]);
+    }
+    if (s->model->spectrum)
+        printf("blocks meet within %.3f %% of the standard deviation\n", 100.0 * w->joint);
+    if (!isnan(w->coherence)) printf("coherence made within %.4f of the one asked for\n", w->coherence);
+}
+
+static enum wf_status write_stream(const struct wind_options *o, const struct wf_gust_spec *spec,
+                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_wind_streamed w;
+    const char *path = o->stream;
+    enum wf_status s = wf_wind_stream(spec, path, show_progress, a, d, &w, e);
+    wf_progress(NULL);
+    if (!s && !o->args.quiet) print_streamed(spec, &w, path);
+    return s;
+}
+
+static enum wf_status make_wind(const struct wind_options *o, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
     struct wf_gust_spec spec;
-    const char *stream = wf_args_text(g, "--stream");
-    bool quiet = wf_args_given(g, "--quiet");
-    enum wf_status s = specify(g, &spec, a, &d, e);
-    if (!s) s = stream ? wf_wind_stream(&spec, stream, quiet, a, &d, e) : show(g, &spec, a, &d, e);
+    bool quiet = o->args.quiet;
+    enum wf_status s = make_spec(o, &spec, a, &d, e);
+    if (!s) s = o->stream ? write_stream(o, &spec, a, &d, e) : show_wind(o, &spec, a, &d, e);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     return s;
 }
 
+/* ---- windfirm wind rose ---- */
+
+static double degrees(double rad) { return rad * 57.295779513082321; }
+
+static void print_rose(const char *file, const struct wf_rose *r)
+{
+    printf("%s: %zu directions, frequencies sum to %g in the file\n\n", file, r->sectors, r->typed_sum);
+    printf("%-8s %10s %10s %7s  above", "from", "frequency", "mean m/s", "shape");
+    for (int k = 0; k < WF_ROSE_CLASSES; k++) printf(" %6.0f", wf_rose_classes[k]);
+    printf(" m/s (hours a year)\n");
+    for (size_t s = 0; s <= r->sectors; s++) {
+        bool all = s == r->sectors;
+        if (all)
+            printf("%-8s %10.4f %10.3f %7s       ", "all", 1.0, wf_rose_mean(r), "");
+        else
+            printf("%5.1f    %10.4f %10.3f %7.3f       ", degrees(r->from[s]), r->frequency[s],
+                   r->scale[s] * tgamma(1.0 + 1.0 / r->shape[s]), r->shape[s]);
+        for (int k = 0; k < WF_ROSE_CLASSES; k++)
+            printf(" %6.1f",
+                   8766.0 * (all ? wf_rose_above(r, wf_rose_classes[k])
+                                 : r->frequency[s] * wf_rose_sector_above(r, s, wf_rose_classes[k])));
+        printf("\n");
+    }
+    printf("\nhourly mean exceeded 1 %% of the time: %.2f m/s; 0.1 %%: %.2f m/s\n", wf_rose_speed(r, 0.01),
+           wf_rose_speed(r, 0.001));
+}
+
+/* A wind climate: read, printed unless quiet, written to FOLDER/tables/rose.csv, drawn. */
+static enum wf_status show_rose(const struct wind_options *o, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_err *e)
+{
+    static const char *const figures[] = { "wind_rose", NULL };
+    const char *file = o->gust.file, *folder = o->output;
+    struct wf_rose r;
+    if (!file) return wf_fail(e, WF_EUSAGE, "the wind rose needs --file");
+    enum wf_status status = wf_rose_read(file, a, d, &r, e);
+    if (status) return status;
+    if (!o->args.quiet) print_rose(file, &r);
+    status = wf_wind_rose_write(folder, &r, e);
+    if (!status && !o->no_plots) status = wf_wind_figures(folder, figures, e);
+    return status;
+}
+
 int wf_cmd_wind(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
-    struct wf_args args;
+    struct wind_options o;
     struct wf_err e = { 0 };
-    int code = wf_args_read(argc, argv, wf_wind_options, about, 1, 1, &arena, &args);
-    if (code < 0 && strcmp(args.operand[0], "list") == 0) code = list();
-    if (code < 0 && strcmp(args.operand[0], "rose") == 0) {
+    int code = wf_args_read(argc, argv, wf_wind_options, about, 1, 1, &arena, &o.args);
+    if (code < 0 && strcmp(o.args.operand[0], "list") == 0) code = list_models();
+    if (code < 0 && strcmp(o.args.operand[0], "rose") == 0) {
         struct wf_diag d = { .arena = &arena };
-        bool quiet = wf_args_given(&args, "--quiet");
-        enum wf_status s = wf_wind_rose(wf_args_text(&args, "--file"), wf_args_text(&args, "--output"),
-                                        !wf_args_given(&args, "--no-plots"), quiet, &arena, &d, &e);
-        wf_print_findings(&d, quiet);
+        enum wf_status s = show_rose(&o, &arena, &d, &e);
+        wf_print_findings(&d, o.args.quiet);
         code = s ? wf_complain(&e) : 0;
     }
-    if (code < 0) code = run(&args, &arena, &e) ? wf_complain(&e) : 0;
+    if (code < 0) code = make_wind(&o, &arena, &e) ? wf_complain(&e) : 0;
     wf_arena_free(&arena);
     return code;
 }

@@ -1,4 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/cmd.h"
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
 
 const struct wf_command wf_commands[] = {
     { "analyze", "SPECIES --model MODEL --wind SPEEDS [option...]",
@@ -48,3 +54,64 @@ const struct wf_command wf_commands[] = {
       wf_cmd_wind },
     { 0 },
 };
+
+int wf_exit_code(enum wf_status s)
+{
+    switch (s) {
+    case WF_OK:
+        return 0;
+    case WF_EUSAGE:
+    case WF_EINPUT:
+        return 2;
+    default:
+        return 1;
+    }
+}
+
+int wf_complain(const struct wf_err *e)
+{
+    fprintf(stderr, "windfirm: %s\n", e->text[0] ? e->text : wf_status_text(e->code));
+    return wf_exit_code(e->code);
+}
+
+void wf_print_findings(const struct wf_diag *d, bool quiet)
+{
+    char line[2048];
+    for (const struct wf_finding *f = d->first; f; f = f->next)
+        if (f->severity == WF_ERROR || !quiet)
+            fprintf(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
+}
+
+const char *wf_share(void)
+{
+    const char *named = getenv("WINDFIRM_SHARE");
+    return named && *named ? named : WF_SHARE;
+}
+
+const char *wf_shipped(const char *room, const char *name, struct wf_arena *a)
+{
+    if (strpbrk(name, "/.") || access(name, F_OK) == 0) return name;
+    const char *shipped = wf_arena_print(a, "%s/%s/%s.yaml", wf_share(), room, name);
+    return shipped && access(shipped, F_OK) == 0 ? shipped : name;
+}
+
+const char *wf_beside(const char *file, const char *name, struct wf_arena *a)
+{
+    const char *slash = strrchr(file, '/');
+    if (!slash || name[0] == '/') return name;
+    const char *path = wf_arena_print(a, "%.*s/%s", (int)(slash - file), file, name);
+    return path && access(path, F_OK) == 0 ? path : name;
+}
+
+void wf_progress(const char *fmt, ...)
+{
+    if (!isatty(STDERR_FILENO)) return;
+    fputs("\r\033[K", stderr);
+    if (fmt) {
+        va_list list;
+        va_start(list, fmt);
+        vfprintf(stderr, fmt, list);
+        va_end(list);
+    }
+    fflush(stderr);
+}

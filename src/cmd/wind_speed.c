@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/wind_speed.h"
 #include "base/num.h"
 #include "wind/scale.h"
@@ -13,12 +14,15 @@ const char *wf_averaging_word(size_t i) { return wf_averaging_laws[i].name; }
 /* The winds of one option. */
 struct winds {
     struct wf_reading *r;
+    size_t k; /* row */
     const struct wf_option *o;
     const char *law; /* asked for; NULL: the one that suits           */
     double share;    /* 10-min mean over a plain speed as typed       */
     size_t n;
     double *speed; /* SPEEDS_MAX + 1 [m/s] */
 };
+
+#define winds_mistake(w, ...) wf_option_mistake((w)->r, (w)->r->key[(w)->k], (w)->o->name, __VA_ARGS__)
 
 __attribute__((format(printf, 2, 3))) static void say(struct winds *w, const char *fmt, ...)
 {
@@ -27,8 +31,8 @@ __attribute__((format(printf, 2, 3))) static void say(struct winds *w, const cha
     va_start(list, fmt);
     vsnprintf(line, sizeof line, fmt, list);
     va_end(list);
-    const char *before = w->r->out->winds_said;
-    w->r->out->winds_said =
+    const char *before = w->r->args->winds_said;
+    w->r->args->winds_said =
         wf_arena_print(w->r->arena, "%s%s%s", before ? before : "", before ? "; " : "", line);
 }
 
@@ -40,21 +44,21 @@ static const char *source_of(const char *law)
 }
 
 /* "beaufort:8", "cma:typhoon". */
-static void grade(struct winds *w, const char *text)
+static void read_grade(struct winds *w, const char *text)
 {
     struct wf_scale_wind g;
     struct wf_err e = { 0 };
     double *speed = &w->speed[w->n++];
     char range[48];
     if (wf_wind_scale_parse(text, &g, &e)) {
-        wf_args_mistake(w->r, w->o->name, "%s", e.text);
+        winds_mistake(w, "%s", e.text);
         return;
     }
     const char *law = w->law ? w->law : g.scale->law;
     bool other = g.scale->averaging != WF_MEAN_TIME;
     *speed = g.speed;
     if (other && wf_wind_average(law, g.speed, g.scale->averaging, WF_MEAN_TIME, speed, &e)) {
-        wf_args_mistake(w->r, w->o->name, "%s: %s", text, e.text);
+        winds_mistake(w, "%s: %s", text, e.text);
         return;
     }
     snprintf(range, sizeof range, isfinite(g.grade->high) ? "%.1f to %.1f m/s" : "from %.1f m/s",
@@ -69,27 +73,25 @@ static void grade(struct winds *w, const char *text)
 }
 
 /* "5:40:1": from, to, step. */
-static void range(struct winds *w, char *text, const char *unit)
+static void read_range(struct winds *w, char *text, const char *unit)
 {
     char *colon = strchr(text, ':'), *second = strchr(colon + 1, ':');
-    struct wf_option step = *w->o;
+    const double least_step = 1e-3; /* in the unit of the row */
     double from, to, by;
     if (!second || strchr(second + 1, ':')) {
-        wf_args_mistake(w->r, w->o->name, "'%.100s': a range is written from:to:step, for example 5:40:1",
-                        text);
+        winds_mistake(w, "'%.100s': a range is written from:to:step, for example 5:40:1", text);
         return;
     }
     *colon = *second = '\0';
-    step.low = 1e-3;
-    if (!wf_args_quantity(w->r, w->o, text, unit, &from) ||
-        !wf_args_quantity(w->r, w->o, colon + 1, unit, &to) ||
-        !wf_args_quantity(w->r, &step, second + 1, unit, &by))
+    if (!wf_option_quantity(w->r, w->k, text, unit, w->o->low, &from) ||
+        !wf_option_quantity(w->r, w->k, colon + 1, unit, w->o->low, &to) ||
+        !wf_option_quantity(w->r, w->k, second + 1, unit, least_step, &by))
         return;
     double count = floor((to - from) / by * (1 + 1e-12) + 1e-9) + 1.0;
     if (from > to)
-        wf_args_mistake(w->r, w->o->name, "a range runs from the lower to the higher speed");
+        winds_mistake(w, "a range runs from the lower to the higher speed");
     else if (count > (double)(SPEEDS_MAX - w->n))
-        wf_args_mistake(w->r, w->o->name, "more than %d wind speeds", SPEEDS_MAX);
+        winds_mistake(w, "more than %d wind speeds", SPEEDS_MAX);
     else
         for (size_t k = 0; k < (size_t)count; k++) w->speed[w->n++] = w->share * (from + by * (double)k);
 }
@@ -101,7 +103,7 @@ static bool shared_unit(const struct wf_option *o, const char *text, const char 
     bool earlier = false;
     *unit = o->unit;
     for (const char *p = text;; p++) {
-        const char *own = wf_args_unit(p), *next = strpbrk(p, ",:");
+        const char *own = wf_option_unit(p), *next = strpbrk(p, ",:");
         if (!next) {
             if (own && *own) *unit = own;
             return !(earlier && own && !*own);
@@ -117,55 +119,52 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void list(struct winds *w, char *text, const char *unit)
+static void read_list(struct winds *w, char *text, const char *unit)
 {
     char *rest = NULL;
     size_t before = w->r->mistakes;
     for (char *item = strtok_r(text, ",", &rest); item && w->n <= SPEEDS_MAX;
          item = strtok_r(NULL, ",", &rest)) {
         if (wf_wind_scale_is(item))
-            grade(w, item);
+            read_grade(w, item);
         else if (strchr(item, ':'))
-            range(w, item, unit);
-        else if (wf_args_quantity(w->r, w->o, item, unit, &w->speed[w->n]))
+            read_range(w, item, unit);
+        else if (wf_option_quantity(w->r, w->k, item, unit, w->o->low, &w->speed[w->n]))
             w->speed[w->n++] *= w->share;
     }
-    if (w->n > SPEEDS_MAX) wf_args_mistake(w->r, w->o->name, "more than %d wind speeds", SPEEDS_MAX);
-    if (w->n == 0 && w->r->mistakes == before) wf_args_mistake(w->r, w->o->name, "no wind speed is given");
+    if (w->n > SPEEDS_MAX) winds_mistake(w, "more than %d wind speeds", SPEEDS_MAX);
+    if (w->n == 0 && w->r->mistakes == before) winds_mistake(w, "no wind speed is given");
     qsort(w->speed, w->n, sizeof *w->speed, ascending);
 }
 
-/* Into the row of a list, the same speed once. */
-static void keep(struct winds *w)
+/* The speeds of a list, each once. */
+static void keep_list(const struct winds *w, struct wf_speeds *out)
 {
-    struct wf_args *out = w->r->out;
-    out->speed = w->speed;
-    out->speeds = 0;
+    *out = (struct wf_speeds){ .speed = w->speed };
     for (size_t k = 0; k < w->n; k++)
-        if (out->speeds == 0 || w->speed[k] > w->speed[out->speeds - 1] + 1e-9)
-            w->speed[out->speeds++] = w->speed[k];
+        if (out->n == 0 || w->speed[k] > w->speed[out->n - 1] + 1e-9) w->speed[out->n++] = w->speed[k];
 }
 
-static void read_winds(struct winds *w, size_t row)
+static void read_wind(struct winds *w, const char *text)
 {
-    const char *unit, *text = w->r->out->text[row];
+    const char *unit;
     char *copy = wf_arena_text(w->r->arena, text);
+    void *member = wf_option_member(w->r, w->k);
     w->speed = WF_TAKE(w->r->arena, SPEEDS_MAX + 1, double);
     if (!copy || !w->speed) {
-        wf_args_mistake(w->r, w->o->name, "out of memory");
+        winds_mistake(w, "out of memory");
     } else if (w->o->kind == WF_OPTION_SPEED && strchr(text, ',')) {
-        wf_args_mistake(w->r, w->o->name, "'%.100s': one wind speed is taken", text);
+        winds_mistake(w, "'%.100s': one wind speed is taken", text);
     } else if (!shared_unit(w->o, text, &unit)) {
-        wf_args_mistake(w->r, w->o->name,
-                        "'%.100s': write the unit behind the last number; it then holds for all", text);
+        winds_mistake(w, "'%.100s': write the unit behind the last number; it then holds for all", text);
     } else {
-        list(w, copy, unit);
+        read_list(w, copy, unit);
         if (w->o->kind == WF_OPTION_SPEEDS)
-            keep(w);
+            keep_list(w, member);
         else if (w->n > 1)
-            wf_args_mistake(w->r, w->o->name, "'%.100s': one wind speed is taken", text);
+            winds_mistake(w, "'%.100s': one wind speed is taken", text);
         else if (w->n == 1)
-            w->r->out->number[row] = w->speed[0];
+            *(double *)member = w->speed[0];
     }
 }
 
@@ -178,7 +177,7 @@ static double share_of(struct winds *w, double time)
     bool allowed = time >= 1.0 && time <= 3600.0; /* else the option is complained of already */
     if (!allowed || time == WF_MEAN_TIME) return 1.0;
     if (wf_wind_average(law, 1.0, time, WF_MEAN_TIME, &share, &e)) {
-        wf_args_mistake(w->r, "--averaging-time", "%s", e.text);
+        wf_option_mistake(w->r, w->r->key[w->k], "--averaging-time", "%s", e.text);
         return 1.0;
     }
     say(w, "winds named are averaged over %g s and taken times %.4g, as the %s, by the law '%s' (%s)", time,
@@ -189,14 +188,15 @@ static double share_of(struct winds *w, double time)
     return share;
 }
 
-void wf_args_winds(struct wf_reading *r)
+void wf_winds_read(struct wf_reading *r)
 {
     for (size_t k = 0; k < r->options; k++) {
-        const struct wf_option *o = &r->out->option[k];
+        const struct wf_option *o = &r->args->option[k];
         bool wind = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
-        if (!wind || !r->out->text[k]) continue;
-        struct winds w = { .r = r, .o = o, .law = wf_args_text(r->out, "--averaging") };
-        w.share = share_of(&w, wf_args_number(r->out, "--averaging-time"));
-        read_winds(&w, k);
+        if (!wind || !r->text[k]) continue;
+        const struct wf_averaging *beside = (const void *)((const char *)r->args + o->averaging);
+        struct winds w = { .r = r, .k = k, .o = o, .law = beside->law };
+        w.share = share_of(&w, beside->time);
+        read_wind(&w, r->text[k]);
     }
 }

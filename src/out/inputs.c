@@ -1,4 +1,5 @@
 /* What went in: species values with range, standing and source; model; scenario; method. */
+#include "load/drag.h"
 #include "out/parts.h"
 #include "wind/scale.h"
 #include "wind/shelter.h"

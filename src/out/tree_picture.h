@@ -2,6 +2,7 @@
 #define WF_OUT_TREE_PICTURE_H
 /* Picture of a tree from the front and the side, coloured by level, with its parameters beside it. */
 #include "base/err.h"
+#include "base/num.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "data/tree.h"

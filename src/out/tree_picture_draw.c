@@ -1,5 +1,6 @@
 /* The picture of a tree by gnuplot: for a file, and for a page. */
 #include "base/file.h"
+#include "base/num.h"
 #include "out/figures.h"
 #include "out/program.h"
 #include "out/tree_picture.h"

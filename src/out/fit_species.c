@@ -1,16 +1,19 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A species table with fitted values in place of the old ones, ready for analyze. */
 #include "base/file.h"
-#include "cmd/fit_job.h"
+#include "load/drag.h"
+#include "out/fit_results.h"
 #include <math.h>
 #include <string.h>
 
 /* The fitted parameter of a quantity and level; NULL: none. factor: share of level 0 that a level's E is. */
-static const struct wf_estimate *fitted(const struct wf_fit_job *j, enum wf_fit_quantity q, int32_t level)
+static const struct wf_estimate *fitted(const struct wf_fit_results *of, enum wf_fit_quantity q,
+                                        int32_t level)
 {
-    for (size_t k = 0; k < j->fit.free; k++) {
-        const struct wf_fit_param *p = &j->param[k];
+    for (size_t k = 0; k < of->fit.free; k++) {
+        const struct wf_fit_param *p = &of->param[k];
         if (p->quantity == q && p->tree <= 0 && (p->level < 0 || p->level == level))
-            return &j->fit.estimate[k];
+            return &of->fit.estimate[k];
     }
     return NULL;
 }
@@ -77,26 +80,26 @@ static void along(FILE *f, const char *key, const struct wf_along *w, const stru
     fputs("}\n", f);
 }
 
-static void level(FILE *f, const struct wf_fit_job *j, const struct wf_species *sp, size_t k,
+static void level(FILE *f, const struct wf_fit_results *of, const struct wf_species *sp, size_t k,
                   const char *study)
 {
     const struct wf_level *l = &sp->level[k];
     int32_t n = (int32_t)k;
     double share = 1;
     bool own = false; /* E of this level by itself, not by a factor on all wood */
-    for (size_t i = 0; i < j->fit.free; i++)
-        own |= j->param[i].quantity == WF_FIT_YOUNGS && j->param[i].level == n;
+    for (size_t i = 0; i < of->fit.free; i++)
+        own |= of->param[i].quantity == WF_FIT_YOUNGS && of->param[i].level == n;
     if (!own) share = l->youngs_modulus.value / sp->level[0].youngs_modulus.value;
     fprintf(f, "  - name: %s\n", l->name);
-    value(f, "    ", "youngs_modulus", &l->youngs_modulus, fitted(j, WF_FIT_YOUNGS, n), share, gpa, study);
-    value(f, "    ", "shear_modulus", &l->shear_modulus, fitted(j, WF_FIT_SHEAR, n), 1, gpa, study);
-    value(f, "    ", "density", &l->density, fitted(j, WF_FIT_DENSITY, n), 1, density, study);
+    value(f, "    ", "youngs_modulus", &l->youngs_modulus, fitted(of, WF_FIT_YOUNGS, n), share, gpa, study);
+    value(f, "    ", "shear_modulus", &l->shear_modulus, fitted(of, WF_FIT_SHEAR, n), 1, gpa, study);
+    value(f, "    ", "density", &l->density, fitted(of, WF_FIT_DENSITY, n), 1, density, study);
     value(f, "    ", "modulus_of_rupture", &l->modulus_of_rupture, NULL, 1, mpa, study);
     value(f, "    ", "radius", &l->radius, NULL, 1, mm, study);
-    value(f, "    ", "damping_ratio", &l->damping_ratio, k ? NULL : fitted(j, WF_FIT_DAMPING, n), 1, plain,
+    value(f, "    ", "damping_ratio", &l->damping_ratio, k ? NULL : fitted(of, WF_FIT_DAMPING, n), 1, plain,
           study);
     value(f, "    ", "knot_factor", &l->knot_factor, NULL, 1, plain, study);
-    value(f, "    ", "drag_coefficient", &l->drag_coefficient, fitted(j, WF_FIT_AXIS_DRAG, n), 1, plain,
+    value(f, "    ", "drag_coefficient", &l->drag_coefficient, fitted(of, WF_FIT_AXIS_DRAG, n), 1, plain,
           study);
     value(f, "    ", "lift_coefficient", &l->lift_coefficient, NULL, 1, plain, study);
     along(f, "wall", &l->wall, &l->wall_note);
@@ -111,7 +114,7 @@ static void list(FILE *f, const char *key, const struct wf_numbers *v, const cha
     fputs("]\n", f);
 }
 
-static void parameter(FILE *f, const struct wf_fit_job *j, const struct wf_law_parameter *p,
+static void parameter(FILE *f, const struct wf_fit_results *of, const struct wf_law_parameter *p,
                       const struct wf_law_use *u, size_t k, const char *study)
 {
     const char *si = wf_dimension_row(p->dimension)->si, *unit = p->dimension == WF_DIM_NONE ? "" : si;
@@ -123,18 +126,19 @@ static void parameter(FILE *f, const struct wf_fit_job *j, const struct wf_law_p
         fprintf(f, "    %s: %.9g%s\n", p->name, u->parameter[k].value, spaced);
     else
         value(f, "    ", p->name, &u->parameter[k],
-              strcmp(p->name, WF_FIT_CROWN_LAW) ? NULL : fitted(j, WF_FIT_VOGEL, -1), 1,
+              strcmp(p->name, WF_FIT_CROWN_LAW) ? NULL : fitted(of, WF_FIT_VOGEL, -1), 1,
               (struct unit){ spaced, 1 }, study);
 }
 
-static void streamlining(FILE *f, const struct wf_fit_job *j, const struct wf_law_use *s, const char *study)
+static void streamlining(FILE *f, const struct wf_fit_results *of, const struct wf_law_use *s,
+                         const char *study)
 {
     const struct wf_law *law = wf_law_named(wf_laws.streamlining, s->law);
     bool lists = false;
     if (!s->law) return;
     fprintf(f, "  streamlining:\n    law: %s\n", s->law);
     for (size_t k = 0, n = wf_law_count(law); k < n; k++) {
-        parameter(f, j, &law->parameter[k], s, k, study);
+        parameter(f, of, &law->parameter[k], s, k, study);
         lists |= law->parameter[k].kind == WF_LAW_LIST;
     }
     if (lists) fprintf(f, "    status: %s\n", wf_standing_text(s->standing));
@@ -144,16 +148,16 @@ static void streamlining(FILE *f, const struct wf_fit_job *j, const struct wf_la
 }
 
 /* What was fitted and has no key in a species table. */
-static char *beside(const struct wf_fit_job *j, struct wf_arena *a)
+static char *beside(const struct wf_fit_results *of, struct wf_arena *a)
 {
     char *out = wf_arena_print(a, "Fitted values stand in the levels and the crown.");
-    for (size_t k = 0; out && k < j->fit.free; k++) {
-        enum wf_fit_quantity q = j->param[k].quantity;
+    for (size_t k = 0; out && k < of->fit.free; k++) {
+        enum wf_fit_quantity q = of->param[k].quantity;
         double u;
-        const char *unit = wf_param_unit(&j->x, &j->param[k], &u);
-        if (q == WF_FIT_ROOT || q == WF_FIT_RADIUS || q == WF_FIT_YOUNGS_TIP || j->param[k].tree > 0)
+        const char *unit = wf_param_unit(&of->x, &of->param[k], &u);
+        if (q == WF_FIT_ROOT || q == WF_FIT_RADIUS || q == WF_FIT_YOUNGS_TIP || of->param[k].tree > 0)
             out = wf_arena_print(a, "%s Fitted with them, not in this table: %s = %.6g %s.", out,
-                                 j->param[k].name, j->fit.estimate[k].value * u, unit);
+                                 of->param[k].name, of->fit.estimate[k].value * u, unit);
         if (q == WF_FIT_DAMPING)
             out = wf_arena_print(
                 a, "%s The damping ratio is that of the whole tree in free sway, leaves and root included.",
@@ -162,9 +166,10 @@ static char *beside(const struct wf_fit_job *j, struct wf_arena *a)
     return out;
 }
 
-static void write(FILE *f, const struct wf_fit_job *j, const char *key, const char *study, const char *note)
+static void write(FILE *f, const struct wf_fit_results *of, const char *key, const char *study,
+                  const char *note)
 {
-    const struct wf_species *sp = j->x.tree[0].species;
+    const struct wf_species *sp = of->x.tree[0].species;
     fprintf(f, "species: %s\nname: ", key), text(f, sp->name), fputc('\n', f);
     if (sp->name_zh) fprintf(f, "name_zh: %s\n", sp->name_zh);
     if (sp->latin) fputs("latin: ", f), text(f, sp->latin), fputc('\n', f);
@@ -172,31 +177,32 @@ static void write(FILE *f, const struct wf_fit_job *j, const char *key, const ch
     fputs("note: ", f), text(f, note), fputs("\nsources:\n", f);
     for (size_t i = 0; i < sp->sources; i++)
         fprintf(f, "  %s: ", sp->source[i].key), text(f, sp->source[i].text), fputc('\n', f);
-    fprintf(f, "  %s: \"Calibration study %s, windfirm %s, %.10s;", study, j->study.key, WF_VERSION, j->date);
-    for (size_t i = 0; i < j->files; i++) fprintf(f, " %s sha256 %s;", j->file[i].path, j->file[i].sha256);
+    fprintf(f, "  %s: \"Calibration study %s, windfirm %s, %.10s;", study, of->study.key, WF_VERSION,
+            of->date);
+    for (size_t i = 0; i < of->files; i++) fprintf(f, " %s sha256 %s;", of->file[i].path, of->file[i].sha256);
     fputs("\"\nlevels:\n", f);
-    for (size_t k = 0; k < sp->levels; k++) level(f, j, sp, k, study);
+    for (size_t k = 0; k < sp->levels; k++) level(f, of, sp, k, study);
     if (!sp->crown_drag.given) return;
     fputs("crown:\n", f);
-    value(f, "  ", "drag_coefficient", &sp->crown_drag, fitted(j, WF_FIT_CROWN_DRAG, -1), 1, plain, study);
+    value(f, "  ", "drag_coefficient", &sp->crown_drag, fitted(of, WF_FIT_CROWN_DRAG, -1), 1, plain, study);
     value(f, "  ", "leaf_mass_per_area", &sp->leaf_mass_per_area, NULL, 1, area, study);
     value(f, "  ", "frontal_share", &sp->leaf_frontal_share, NULL, 1, plain, study);
-    streamlining(f, j, &sp->streamlining, study);
+    streamlining(f, of, &sp->streamlining, study);
 }
 
-enum wf_status wf_fit_write_species(const struct wf_fit_job *j, const char *path, struct wf_err *e)
+enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char *path, struct wf_err *e)
 {
     struct wf_arena a = { 0 };
     struct wf_file f = { 0 };
     const char *slash = strrchr(path, '/');
     char *key = wf_arena_text(&a, slash ? slash + 1 : path),
-         *study = wf_arena_print(&a, "fit_%s", j->study.key);
-    char *note = beside(j, &a);
+         *study = wf_arena_print(&a, "fit_%s", of->study.key);
+    char *note = beside(of, &a);
     enum wf_status s =
         key && study && note ? wf_file_begin(&f, path, e) : wf_fail(e, WF_ENOMEM, "%s: no room", path);
     if (!s) {
         if (strchr(key, '.')) *strchr(key, '.') = '\0';
-        write(f.stream, j, key, study, note);
+        write(f.stream, of, key, study, note);
         s = wf_file_commit(&f, e);
     }
     wf_file_abandon(&f);

@@ -1,9 +1,65 @@
-#include "cmd/shelter_tables.h"
-#include "base/file.h"
-#include "cmd/wind_tables.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "out/shelter_results.h"
+#include "out/folder.h"
 #include <math.h>
 
 enum { MAP = 64, CUT_LONG = 160, CUT_WIDE = 100 };
+
+/* Row at the base of the branch that ends in a tip: the lowest row of the tip's own level. */
+static size_t branch_base(const struct wf_tree *t, size_t row)
+{
+    while (t->parent[row] >= 0 && t->level[t->parent[row]] == t->level[row]) row = (size_t)t->parent[row];
+    return row;
+}
+
+static double speed_at(const struct wf_wind *w, const struct wf_tree *t, const struct wf_response *r,
+                       size_t i)
+{
+    const double x[3] = { t->x1[i] + r->end[3 * i], t->y1[i] + r->end[3 * i + 1],
+                          t->z1[i] + r->end[3 * i + 2] };
+    double u[3], du[9];
+    w->sample(w, x, u, du);
+    return sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+}
+
+static double size3(double x, double y, double z) { return sqrt(x * x + y * y + z * z); }
+
+/* How far a branch's end moves when its base is held in place, but not its direction there. */
+static double swing(const struct wf_tree *t, const struct wf_response *r, size_t row)
+{
+    int32_t from = t->parent[branch_base(t, row)];
+    const double *end = &r->end[3 * row], *base = from >= 0 ? &r->end[3 * (size_t)from] : NULL;
+    return base ? size3(end[0] - base[0], end[1] - base[1], end[2] - base[2]) : size3(end[0], end[1], end[2]);
+}
+
+enum wf_status wf_shelter_tips(struct wf_shelter_run *r, const struct wf_loads *open, struct wf_arena *a,
+                               struct wf_err *e)
+{
+    const struct wf_tree *t = r->tree;
+    const double *to = r->still.axis[0];
+    bool *carries = WF_TAKE(a, t->n, bool);
+    r->tip = WF_TAKE(a, t->n, struct wf_tip);
+    if (!carries || !r->tip) return wf_fail(e, WF_ENOMEM, "no room for %zu tips", t->n);
+    for (size_t i = 0; i < t->n; i++)
+        if (t->parent[i] >= 0) carries[t->parent[i]] = true;
+    for (size_t i = 0; i < t->n; i++) {
+        if (carries[i]) continue;
+        double place = to[0] * t->x1[i] + to[1] * t->y1[i] + to[2] * t->z1[i];
+        struct wf_tip *p = &r->tip[r->tips++];
+        *p = (struct wf_tip){ .row = i,
+                              .along =
+                                  (place - r->still.low[0]) / (r->still.step[0] * (double)r->still.slabs) };
+        const struct wf_response *both[2] = { &r->open, &r->own };
+        const struct wf_wind *wind[2] = { open->wind, &r->sheltered->wind };
+        for (int k = 0; k < 2; k++) {
+            const double *end = &both[k]->end[3 * i];
+            p->wind[k] = speed_at(wind[k], t, both[k], i);
+            p->move[k] = size3(end[0], end[1], end[2]);
+            p->swing[k] = swing(t, both[k], i);
+        }
+    }
+    return WF_OK;
+}
 
 static void slabs(FILE *f, const struct wf_shelter_run *r)
 {
@@ -170,10 +226,10 @@ enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *
                   { "tables/rows.csv", rows },
                   { "tables/tips.csv", tips },
                   { "plots/run.gp", words } };
-    enum wf_status status = wf_wind_folders(r->folder, e);
+    enum wf_status status = wf_folder_make(r->folder, e);
     for (size_t i = 0; i < sizeof table / sizeof table[0] && !status; i++) {
         struct wf_file f = { 0 };
-        status = wf_wind_begin(&f, r->folder, table[i].name, e);
+        status = wf_folder_begin(&f, r->folder, table[i].name, e);
         if (status) break;
         table[i].write(f.stream, r);
         status = wf_file_commit(&f, e);

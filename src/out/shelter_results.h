@@ -1,8 +1,8 @@
-#ifndef WF_CMD_SHELTER_TABLES_H
-#define WF_CMD_SHELTER_TABLES_H
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_OUT_SHELTER_RESULTS_H
+#define WF_OUT_SHELTER_RESULTS_H
 /* What `windfirm shelter` computes and leaves in its folder. */
 #include "study/sheltered.h"
-#include <stdio.h>
 
 /* A row that carries no other, in the open and in the tree's own shelter. */
 struct wf_tip {
@@ -25,8 +25,6 @@ struct wf_shelter_run {
 /* Fill tip, tips from the responses. WF_ENOMEM. */
 enum wf_status wf_shelter_tips(struct wf_shelter_run *r, const struct wf_loads *open, struct wf_arena *a,
                                struct wf_err *e);
-/* Slabs and the windward and leeward thirds, for a terminal. */
-void wf_shelter_print(FILE *to, const struct wf_shelter_run *r);
 /* FOLDER/tables/{slabs,cells,cut_level,cut_upright,rows,tips}.csv and FOLDER/plots/run.gp. */
 enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *e);
 #endif

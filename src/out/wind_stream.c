@@ -1,6 +1,6 @@
-#include "cmd/wind_stream.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "out/wind_stream.h"
 #include "base/file.h"
-#include "cmd/cmd.h"
 #include "wind/gust_report.h"
 #include "wind/gust_spectral.h"
 #include <math.h>
@@ -58,12 +58,13 @@ static void tile(struct stream *w, const double *block, size_t stride, size_t i,
     }
 }
 
-static enum wf_status blocks(struct stream *w, struct wf_gust *g, double *block, struct wf_err *e)
+static enum wf_status blocks(struct stream *w, struct wf_gust *g, double *block,
+                             void (*progress)(size_t block, size_t blocks), struct wf_err *e)
 {
     const struct wf_gust_spec *s = w->spec;
     double mean = s->mean ? s->mean[0] : s->speed;
     for (size_t b = 0; b < g->blocks; b++) {
-        wf_progress("block %zu of %zu ...", b + 1, g->blocks);
+        if (progress) progress(b + 1, g->blocks);
         enum wf_status status = wf_gust_block(g, b, block, e);
         if (status) return status;
         size_t first = b * g->block, n = s->steps - first < g->block ? s->steps - first : g->block;
@@ -76,40 +77,31 @@ static enum wf_status blocks(struct stream *w, struct wf_gust *g, double *block,
             }
         if (ferror(w->to)) break; /* the commit tells why */
     }
-    wf_progress(NULL);
     return WF_OK;
 }
 
-static void print(const struct stream *w, const struct wf_gust *g, double seconds, struct wf_arena *a,
-                  const char *path)
+static struct wf_wind_streamed streamed(const struct stream *w, const struct wf_gust *g, double seconds,
+                                        struct wf_arena *a)
 {
-    static const char *const name[WF_COMPONENTS] = { "along the wind", "across", "up" };
     const struct wf_gust_spec *s = w->spec;
-    double n = (double)s->steps, coherence = s->points > 1 ? wf_gust_coherence_error(g, a) : NAN;
-    printf("%s: %zu points, %zu steps of %g s, %u component%s, seed %llu: %s\n", s->model->name, s->points,
-           s->steps, s->step, s->components, s->components == 1 ? "" : "s", (unsigned long long)s->seed,
-           path);
-    printf("%zu blocks of %zu steps, made and written in %.1f s of processor time\n", g->blocks, g->block,
-           seconds);
+    double n = (double)s->steps;
+    struct wf_wind_streamed out = { .blocks = g->blocks,
+                                    .block = g->block,
+                                    .seconds = seconds,
+                                    .joint = g->joint,
+                                    .coherence = s->points > 1 ? wf_gust_coherence_error(g, a) : NAN };
     for (unsigned c = 0; c < s->components; c++) {
-        double off = w->sum[c] / n, wanted = wf_gust_variance(s, 0, (enum wf_component)c);
-        printf("first point, %-15s mean %8.3f m/s, standard deviation %7.3f m/s", name[c],
-               off + (c         ? 0.0
-                      : s->mean ? s->mean[0]
-                                : s->speed),
-               sqrt(fmax(w->square[c] / n - off * off, 0.0)));
-        if (isnan(wanted))
-            printf("\n");
-        else
-            printf(" (asked %.3f)\n", sqrt(wanted));
+        double off = w->sum[c] / n;
+        out.mean[c] = off + (c ? 0.0 : s->mean ? s->mean[0] : s->speed);
+        out.deviation[c] = sqrt(fmax(w->square[c] / n - off * off, 0.0));
+        out.asked[c] = sqrt(wf_gust_variance(s, 0, (enum wf_component)c));
     }
-    if (s->model->spectrum)
-        printf("blocks meet within %.3f %% of the standard deviation\n", 100.0 * g->joint);
-    if (!isnan(coherence)) printf("coherence made within %.4f of the one asked for\n", coherence);
+    return out;
 }
 
-enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path, bool quiet, struct wf_arena *a,
-                              struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path,
+                              void (*progress)(size_t block, size_t blocks), struct wf_arena *a,
+                              struct wf_diag *d, struct wf_wind_streamed *out, struct wf_err *e)
 {
     struct wf_gust g;
     struct wf_file f = { 0 };
@@ -126,11 +118,11 @@ enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path, bo
     else if (!(status = wf_file_begin(&f, path, e))) {
         w.to = f.stream;
         head(&w);
-        status = blocks(&w, &g, block, e);
+        status = blocks(&w, &g, block, progress, e);
     }
     if (!status) status = wf_file_commit(&f, e);
     wf_file_abandon(&f);
-    if (!status && !quiet) print(&w, &g, (double)(clock() - start) / CLOCKS_PER_SEC, a, path);
+    if (!status) *out = streamed(&w, &g, (double)(clock() - start) / CLOCKS_PER_SEC, a);
     wf_gust_close(&g);
     return status;
 }

@@ -1,31 +1,9 @@
-#include "cmd/wind_tables.h"
-#include "base/file.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "out/wind_results.h"
 #include "out/figures.h"
+#include "out/folder.h"
 #include <math.h>
 #include <string.h>
-
-enum wf_status wf_wind_begin(struct wf_file *f, const char *folder, const char *sub, struct wf_err *e)
-{
-    char path[WF_PATH_MAX];
-    int n = snprintf(path, sizeof path, "%s/%s", folder, sub);
-    if (n < 0 || (size_t)n >= sizeof path)
-        return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
-    return wf_file_begin(f, path, e);
-}
-
-enum wf_status wf_wind_folders(const char *folder, struct wf_err *e)
-{
-    static const char *const sub[] = { "tables", "plots" };
-    for (int i = 0; i < 2; i++) {
-        char path[WF_PATH_MAX];
-        int n = snprintf(path, sizeof path, "%s/%s", folder, sub[i]);
-        if (n < 0 || (size_t)n >= sizeof path)
-            return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
-        enum wf_status s = wf_mkdirs(path, e);
-        if (s) return s;
-    }
-    return WF_OK;
-}
 
 /* A cell; empty where there is no number. */
 static void cell(FILE *f, double value, const char *format)
@@ -113,15 +91,39 @@ enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r
                   { "tables/histogram.csv", histogram },
                   { "tables/coherence.csv", coherence },
                   { "plots/run.gp", words } };
-    enum wf_status status = wf_wind_folders(folder, e);
+    enum wf_status status = wf_folder_make(folder, e);
     for (size_t i = 0; i < sizeof table / sizeof table[0] && !status; i++) {
         struct wf_file f = { 0 };
-        status = wf_wind_begin(&f, folder, table[i].name, e);
+        status = wf_folder_begin(&f, folder, table[i].name, e);
         if (status) break;
         table[i].write(f.stream, r);
         status = wf_file_commit(&f, e);
     }
     return status;
+}
+
+const double wf_rose_classes[WF_ROSE_CLASSES] = { 5.0, 10.0, 15.0, 20.0 };
+
+enum wf_status wf_wind_rose_write(const char *folder, const struct wf_rose *r, struct wf_err *e)
+{
+    struct wf_file f = { 0 };
+    enum wf_status status = wf_folder_make(folder, e);
+    if (!status) status = wf_folder_begin(&f, folder, "tables/rose.csv", e);
+    if (status) return status;
+    fprintf(f.stream, "from_deg,frequency,weibull_scale_m_s,weibull_shape");
+    for (int k = 0; k < WF_ROSE_CLASSES; k++) fprintf(f.stream, ",share_above_%g_m_s", wf_rose_classes[k]);
+    for (size_t s = 0; s < r->sectors; s++) {
+        fprintf(f.stream, "\n%.6g,%.6g,%.6g,%.6g", 57.295779513082321 * r->from[s], r->frequency[s],
+                r->scale[s], r->shape[s]);
+        for (int k = 0; k < WF_ROSE_CLASSES; k++)
+            fprintf(f.stream, ",%.6g", r->frequency[s] * wf_rose_sector_above(r, s, wf_rose_classes[k]));
+    }
+    fputc('\n', f.stream);
+    status = wf_file_commit(&f, e);
+    if (!status) status = wf_folder_begin(&f, folder, "plots/run.gp", e);
+    if (status) return status;
+    fprintf(f.stream, "SECTORS = %zu\n", r->sectors);
+    return wf_file_commit(&f, e);
 }
 
 enum wf_status wf_wind_figures(const char *folder, const char *const *name, struct wf_err *e)

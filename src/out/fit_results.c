@@ -1,8 +1,9 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* results.json, tables and words for the figures of a calibration. */
+#include "out/fit_results.h"
 #include "base/file.h"
-#include "cmd/fit_job.h"
-#include "cmd/wind_tables.h"
 #include "out/doc.h"
+#include "out/folder.h"
 #include <math.h>
 #include <string.h>
 
@@ -14,20 +15,24 @@ static void cell(FILE *f, double x)
         fputc(',', f);
 }
 
-static void parameters(FILE *f, const struct wf_fit_job *j)
+static void parameters(FILE *f, const struct wf_fit_results *of)
 {
     fputs("parameter,unit,value,low_95,high_95,profile_low_95,profile_high_95,bootstrap_low_95,bootstrap_"
           "high_95,at_bound,"
           "nuisance\n",
           f);
-    for (size_t k = 0; k < j->fit.params; k++) {
-        const struct wf_estimate *q = &j->fit.estimate[k];
+    for (size_t k = 0; k < of->fit.params; k++) {
+        const struct wf_estimate *q = &of->fit.estimate[k];
         double u;
-        const char *unit = wf_param_unit(&j->x, &j->param[k], &u);
-        fprintf(f, "%s,%s", j->param[k].name, unit);
+        const char *unit = wf_param_unit(&of->x, &of->param[k], &u);
+        fprintf(f, "%s,%s", of->param[k].name, unit);
         cell(f, q->value * u), cell(f, q->low * u), cell(f, q->high * u), cell(f, q->profile_low * u);
         cell(f, q->profile_high * u), cell(f, q->resampled_low * u), cell(f, q->resampled_high * u);
-        fprintf(f, ",%s,%d\n", q->at_low ? "low" : q->at_high ? "high" : "", wf_param_nuisance(&j->param[k]));
+        fprintf(f, ",%s,%d\n",
+                q->at_low    ? "low"
+                : q->at_high ? "high"
+                             : "",
+                wf_param_nuisance(&of->param[k]));
     }
 }
 
@@ -38,51 +43,51 @@ static size_t group_of(const struct wf_fit *f, const struct wf_fit_datum *d)
     return g + 1;
 }
 
-static void readings(FILE *f, const struct wf_fit_job *j)
+static void readings(FILE *f, const struct wf_fit_results *of)
 {
     fputs("group,test,sensor,kind,unit,time_s,load,load_unit,line,measured,predicted,band_95,sigma,residual,"
           "influence_sd,"
           "influenced\n",
           f);
-    for (size_t n = 0; n < j->fit.groups * j->x.data;
+    for (size_t n = 0; n < of->fit.groups * of->x.data;
          n++) { /* sensor by sensor, so that a figure can draw lines */
-        size_t i = n % j->x.data;
-        const struct wf_fit_datum *d = &j->x.datum[i];
-        if (group_of(&j->fit, d) != 1 + n / j->x.data) continue;
-        const struct wf_fit_test *t = &j->x.test[d->test];
-        const struct wf_fit_input *in = &j->input[d->test];
+        size_t i = n % of->x.data;
+        const struct wf_fit_datum *d = &of->x.datum[i];
+        if (group_of(&of->fit, d) != 1 + n / of->x.data) continue;
+        const struct wf_fit_test *t = &of->x.test[d->test];
+        const struct wf_fit_input *in = &of->input[d->test];
         const struct wf_sensor_row *r = &wf_sensor_rows[t->sensor[d->sensor].kind];
-        fprintf(f, "%zu,%s,%s,%s,%s", group_of(&j->fit, d), t->name, t->sensor[d->sensor].name, r->name,
+        fprintf(f, "%zu,%s,%s,%s,%s", group_of(&of->fit, d), t->name, t->sensor[d->sensor].name, r->name,
                 r->unit);
         cell(f, t->state[d->state].time), cell(f, t->state[d->state].load * in->load_factor);
         fprintf(f, ",%s,%zu", in->load_unit, d->line);
-        cell(f, d->value * r->factor), cell(f, j->fit.reading[i] * r->factor),
-            cell(f, j->fit.band[i] * r->factor);
-        cell(f, j->fit.sigma[i] * r->factor), cell(f, j->fit.residual[i]), cell(f, j->fit.influence[i]);
-        fprintf(f, ",%s\n", j->fit.free ? j->param[j->fit.influenced[i]].name : "");
+        cell(f, d->value * r->factor), cell(f, of->fit.reading[i] * r->factor),
+            cell(f, of->fit.band[i] * r->factor);
+        cell(f, of->fit.sigma[i] * r->factor), cell(f, of->fit.residual[i]), cell(f, of->fit.influence[i]);
+        fprintf(f, ",%s\n", of->fit.free ? of->param[of->fit.influenced[i]].name : "");
     }
 }
 
-static void profiles(FILE *f, const struct wf_fit_job *j)
+static void profiles(FILE *f, const struct wf_fit_results *of)
 {
     fputs("parameter,unit,value,rise\n", f);
-    for (size_t k = 0; k < j->fit.free; k++)
-        for (size_t i = 0; i < j->fit.estimate[k].points; i++) {
+    for (size_t k = 0; k < of->fit.free; k++)
+        for (size_t i = 0; i < of->fit.estimate[k].points; i++) {
             double u;
-            const char *unit = wf_param_unit(&j->x, &j->param[k], &u);
+            const char *unit = wf_param_unit(&of->x, &of->param[k], &u);
             fprintf(f, "%zu,%s", k + 1, unit);
-            cell(f, j->fit.estimate[k].point[i].value * u), cell(f, j->fit.estimate[k].point[i].rise);
+            cell(f, of->fit.estimate[k].point[i].value * u), cell(f, of->fit.estimate[k].point[i].rise);
             fputc('\n', f);
         }
 }
 
 /* Rows as measured: load and first reading, and whether they took part; for sway the record and the fitted
  * curve. */
-static void records(FILE *f, const struct wf_fit_job *j)
+static void records(FILE *f, const struct wf_fit_results *of)
 {
     fputs("test,time_s,load,first,used,fitted\n", f);
-    for (size_t k = 0; k < j->x.tests; k++) {
-        const struct wf_fit_input *in = &j->input[k];
+    for (size_t k = 0; k < of->x.tests; k++) {
+        const struct wf_fit_input *in = &of->input[k];
         const struct wf_fit_record *r = &in->record;
         double start = NAN;
         for (size_t i = 0; i < r->n; i++) {
@@ -97,51 +102,52 @@ static void records(FILE *f, const struct wf_fit_job *j)
     }
 }
 
-static size_t recorded_tests(const struct wf_fit_job *j)
+static size_t recorded_tests(const struct wf_fit_results *of)
 {
     size_t n = 0;
-    for (size_t k = 0; k < j->x.tests; k++) n += j->input[k].record.n > 0;
+    for (size_t k = 0; k < of->x.tests; k++) n += of->input[k].record.n > 0;
     return n;
 }
 
-static void words(FILE *f, const struct wf_fit_job *j)
+static void words(FILE *f, const struct wf_fit_results *of)
 {
-    size_t profiled = 0, recorded = recorded_tests(j);
-    for (size_t k = 0; k < j->fit.free; k++) profiled += j->fit.estimate[k].points > 1;
+    size_t profiled = 0, recorded = recorded_tests(of);
+    for (size_t k = 0; k < of->fit.free; k++) profiled += of->fit.estimate[k].points > 1;
     fprintf(f, "GROUPS = %zu\nPARAMS = %zu\nPROFILED = %zu\nTESTS = %zu\nRECORDED = %zu\nLIMIT = %.9g\n",
-            j->fit.groups, j->fit.free, profiled, j->x.tests, recorded, j->fit.quantile * j->fit.quantile);
-    fprintf(f, "array GROUP[%zu]\narray GROUP_Y[%zu]\narray GROUP_X[%zu]\n", j->fit.groups, j->fit.groups,
-            j->fit.groups);
-    for (size_t g = 0; g < j->fit.groups; g++) {
-        const struct wf_fit_test *t = &j->x.test[j->fit.group[g].test];
-        const struct wf_sensor_row *r = &wf_sensor_rows[t->sensor[j->fit.group[g].sensor].kind];
-        const struct wf_fit_input *in = &j->input[j->fit.group[g].test];
+            of->fit.groups, of->fit.free, profiled, of->x.tests, recorded,
+            of->fit.quantile * of->fit.quantile);
+    fprintf(f, "array GROUP[%zu]\narray GROUP_Y[%zu]\narray GROUP_X[%zu]\n", of->fit.groups, of->fit.groups,
+            of->fit.groups);
+    for (size_t g = 0; g < of->fit.groups; g++) {
+        const struct wf_fit_test *t = &of->x.test[of->fit.group[g].test];
+        const struct wf_sensor_row *r = &wf_sensor_rows[t->sensor[of->fit.group[g].sensor].kind];
+        const struct wf_fit_input *in = &of->input[of->fit.group[g].test];
         fprintf(f, "GROUP[%zu] = '%s: %s'\nGROUP_Y[%zu] = '%s (%s)'\nGROUP_X[%zu] = '%s%s%s%s'\n", g + 1,
-                t->name, t->sensor[j->fit.group[g].sensor].name, g + 1, r->name, r->unit, g + 1,
+                t->name, t->sensor[of->fit.group[g].sensor].name, g + 1, r->name, r->unit, g + 1,
                 in->load_name, *in->load_unit ? " (" : "", in->load_unit, *in->load_unit ? ")" : "");
     }
-    fprintf(f, "array VALUE[%zu]\narray LOW[%zu]\narray HIGH[%zu]\narray LOGGED[%zu]\n", j->fit.free + 1,
-            j->fit.free + 1, j->fit.free + 1, j->fit.free + 1);
-    fprintf(f, "array PARAM[%zu]\narray TEST[%zu]\narray TEST_Y[%zu]\narray SWAY[%zu]\n", j->fit.free + 1,
-            j->x.tests, j->x.tests, j->x.tests);
-    for (size_t k = 0; k < j->fit.free; k++) {
+    fprintf(f, "array VALUE[%zu]\narray LOW[%zu]\narray HIGH[%zu]\narray LOGGED[%zu]\n", of->fit.free + 1,
+            of->fit.free + 1, of->fit.free + 1, of->fit.free + 1);
+    fprintf(f, "array PARAM[%zu]\narray TEST[%zu]\narray TEST_Y[%zu]\narray SWAY[%zu]\n", of->fit.free + 1,
+            of->x.tests, of->x.tests, of->x.tests);
+    for (size_t k = 0; k < of->fit.free; k++) {
         double u;
-        const char *unit = wf_param_unit(&j->x, &j->param[k], &u);
-        const struct wf_estimate *q = &j->fit.estimate[k];
-        fprintf(f, "PARAM[%zu] = '%s%s%s%s'\n", k + 1, j->param[k].name, *unit ? " (" : "", unit,
+        const char *unit = wf_param_unit(&of->x, &of->param[k], &u);
+        const struct wf_estimate *q = &of->fit.estimate[k];
+        fprintf(f, "PARAM[%zu] = '%s%s%s%s'\n", k + 1, of->param[k].name, *unit ? " (" : "", unit,
                 *unit ? ")" : "");
         fprintf(f, "VALUE[%zu] = %.9g\nLOGGED[%zu] = %d\n", k + 1, q->value * u, k + 1,
-                wf_fit_quantities[j->param[k].quantity].log);
+                wf_fit_quantities[of->param[k].quantity].log);
         if (isnan(q->low) || isnan(q->high))
             fprintf(f, "LOW[%zu] = NaN\nHIGH[%zu] = NaN\n", k + 1, k + 1);
         else
             fprintf(f, "LOW[%zu] = %.9g\nHIGH[%zu] = %.9g\n", k + 1, q->low * u, k + 1, q->high * u);
     }
-    for (size_t k = 0; k < j->x.tests; k++)
-        fprintf(f, "TEST[%zu] = '%s'\nTEST_Y[%zu] = '%s%s%s%s'\nSWAY[%zu] = %d\n", k + 1, j->x.test[k].name,
-                k + 1, j->input[k].swung ? "record" : j->input[k].load_name,
-                *j->input[k].load_unit ? " (" : "", j->input[k].load_unit, *j->input[k].load_unit ? ")" : "",
-                k + 1, j->input[k].swung);
+    for (size_t k = 0; k < of->x.tests; k++)
+        fprintf(f, "TEST[%zu] = '%s'\nTEST_Y[%zu] = '%s%s%s%s'\nSWAY[%zu] = %d\n", k + 1, of->x.test[k].name,
+                k + 1, of->input[k].swung ? "record" : of->input[k].load_name,
+                *of->input[k].load_unit ? " (" : "", of->input[k].load_unit,
+                *of->input[k].load_unit ? ")" : "", k + 1, of->input[k].swung);
 }
 
 static json_t *estimate(struct wf_doc *d, const struct wf_fit *f, size_t k)
@@ -211,83 +217,83 @@ static void fit_part(struct wf_doc *d, json_t *o, const struct wf_fit *f)
     }
 }
 
-static json_t *document(struct wf_doc *d, const struct wf_fit_job *j)
+static json_t *document(struct wf_doc *d, const struct wf_fit_results *of)
 {
     json_t *o = wf_doc_object(d), *schema = wf_doc_put(d, o, "schema", wf_doc_object(d));
     wf_doc_text(d, schema, "name", "windfirm-fit");
     wf_doc_count(d, schema, "version", 1);
-    wf_doc_text(d, o, "title", j->study.name), wf_doc_text(d, o, "note", j->study.note);
-    wf_doc_text(d, o, "source", j->study.source), wf_doc_text(d, o, "reference", j->study.reference);
-    wf_doc_text(d, o, "version", WF_VERSION), wf_doc_text(d, o, "date", j->date);
-    wf_doc_text(d, o, "command", j->command), wf_doc_text(d, o, "loss", wf_args_text(&j->args, "--loss"));
-    wf_doc_flag(d, o, "priors", wf_args_given(&j->args, "--priors"));
+    wf_doc_text(d, o, "title", of->study.name), wf_doc_text(d, o, "note", of->study.note);
+    wf_doc_text(d, o, "source", of->study.source), wf_doc_text(d, o, "reference", of->study.reference);
+    wf_doc_text(d, o, "version", WF_VERSION), wf_doc_text(d, o, "date", of->date);
+    wf_doc_text(d, o, "command", of->command), wf_doc_text(d, o, "loss", of->loss);
+    wf_doc_flag(d, o, "priors", of->priors);
     json_t *files = wf_doc_put(d, o, "files", wf_doc_array(d));
-    for (size_t i = 0; i < j->files; i++) {
+    for (size_t i = 0; i < of->files; i++) {
         json_t *f = wf_doc_add(d, files, wf_doc_object(d));
-        wf_doc_text(d, f, "role", j->file[i].role), wf_doc_text(d, f, "path", j->file[i].path);
-        wf_doc_text(d, f, "sha256", j->file[i].sha256);
+        wf_doc_text(d, f, "role", of->file[i].role), wf_doc_text(d, f, "path", of->file[i].path);
+        wf_doc_text(d, f, "sha256", of->file[i].sha256);
     }
     json_t *trees = wf_doc_put(d, o, "trees", wf_doc_array(d));
-    for (size_t k = 0; k < j->x.trees; k++) {
+    for (size_t k = 0; k < of->x.trees; k++) {
         json_t *t = wf_doc_add(d, trees, wf_doc_object(d));
-        wf_doc_text(d, t, "name", j->x.tree[k].name),
-            wf_doc_text(d, t, "species", j->x.tree[k].species->name);
-        wf_doc_number(d, t, "height", j->x.tree[k].height),
-            wf_doc_count(d, t, "segments", j->x.tree[k].tree.n);
+        wf_doc_text(d, t, "name", of->x.tree[k].name),
+            wf_doc_text(d, t, "species", of->x.tree[k].species->name);
+        wf_doc_number(d, t, "height", of->x.tree[k].height),
+            wf_doc_count(d, t, "segments", of->x.tree[k].tree.n);
     }
-    wf_doc_count(d, o, "records", recorded_tests(j));
+    wf_doc_count(d, o, "records", recorded_tests(of));
     json_t *sways = wf_doc_put(d, o, "sways", wf_doc_array(d));
-    for (size_t k = 0; k < j->x.tests; k++) {
-        const struct wf_ring_down *s = &j->input[k].sway;
-        if (!j->input[k].swung) continue;
+    for (size_t k = 0; k < of->x.tests; k++) {
+        const struct wf_ring_down *s = &of->input[k].sway;
+        if (!of->input[k].swung) continue;
         json_t *q = wf_doc_add(d, sways, wf_doc_object(d));
-        wf_doc_text(d, q, "test", j->x.test[k].name), wf_doc_number(d, q, "frequency", s->frequency);
+        wf_doc_text(d, q, "test", of->x.test[k].name), wf_doc_number(d, q, "frequency", s->frequency);
         wf_doc_number(d, q, "frequency_sd", s->frequency_sd),
             wf_doc_number(d, q, "damping", 100 * s->damping);
         wf_doc_number(d, q, "damping_sd", 100 * s->damping_sd),
             wf_doc_number(d, q, "explained", 100 * s->explained);
     }
-    fit_part(d, wf_doc_put(d, o, "fit", wf_doc_object(d)), &j->fit);
-    if (j->rival.made) {
+    fit_part(d, wf_doc_put(d, o, "fit", wf_doc_object(d)), &of->fit);
+    if (of->rival.made) {
         json_t *r = wf_doc_put(d, o, "rival", wf_doc_object(d));
-        wf_doc_text(d, r, "text", j->rival.text);
-        wf_doc_number(d, r, "aicc", j->rival.aicc), wf_doc_number(d, r, "own_aicc", j->rival.own);
-        fit_part(d, r, &j->rival.fit);
+        wf_doc_text(d, r, "text", of->rival.text);
+        wf_doc_number(d, r, "aicc", of->rival.aicc), wf_doc_number(d, r, "own_aicc", of->rival.own);
+        fit_part(d, r, &of->rival.fit);
     }
     json_t *w = wf_doc_put(d, o, "warnings", wf_doc_array(d));
-    for (const struct wf_finding *f = j->diag.first; f; f = f->next) {
+    for (const struct wf_finding *f = of->diag.first; f; f = f->next) {
         json_t *q = wf_doc_add(d, w, wf_doc_object(d));
         wf_doc_text(d, q, "code", f->code), wf_doc_text(d, q, "text", f->text);
     }
     return o;
 }
 
-static void results(FILE *f, const struct wf_fit_job *j)
+static void results(FILE *f, const struct wf_fit_results *of)
 {
     struct wf_doc d = { 0 };
-    json_t *o = document(&d, j);
+    json_t *o = document(&d, of);
     if (!d.failed) json_dumpf(o, f, JSON_INDENT(1) | JSON_REAL_PRECISION(12));
     json_decref(o);
     fputc('\n', f);
 }
 
-enum wf_status wf_fit_write(const struct wf_fit_job *j, struct wf_err *e)
+enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char *folder, struct wf_err *e)
 {
     static const struct {
         const char *name;
-        void (*write)(FILE *f, const struct wf_fit_job *j);
+        void (*write)(FILE *f, const struct wf_fit_results *of);
     } part[] = { { "tables/parameters.csv", parameters },
                  { "tables/readings.csv", readings },
                  { "tables/profiles.csv", profiles },
                  { "tables/records.csv", records },
                  { "plots/run.gp", words },
                  { "results.json", results } };
-    enum wf_status status = wf_wind_folders(j->folder, e);
+    enum wf_status status = wf_folder_make(folder, e);
     for (size_t i = 0; i < sizeof part / sizeof *part && !status; i++) {
         struct wf_file f = { 0 };
-        status = wf_wind_begin(&f, j->folder, part[i].name, e);
+        status = wf_folder_begin(&f, folder, part[i].name, e);
         if (status) break;
-        part[i].write(f.stream, j);
+        part[i].write(f.stream, of);
         status = wf_file_commit(&f, e);
     }
     return status;

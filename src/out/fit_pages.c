@@ -1,7 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Figures and pages of a calibration, from its folder alone. */
 #include "base/file.h"
-#include "cmd/fit_job.h"
 #include "out/figures.h"
+#include "out/fit_results.h"
 #include "out/page.h"
 #include "out/xml.h"
 #include <string.h>
@@ -50,7 +51,7 @@ static enum wf_status page(const char *html, xmlDoc *document, struct wf_err *e)
     return s;
 }
 
-enum wf_status wf_fit_pages(const char *folder, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_fit_results_pages(const char *folder, struct wf_diag *d, struct wf_err *e)
 {
     char path[WF_PATH_MAX], html[WF_PATH_MAX], pdf[WF_PATH_MAX];
     struct wf_arena a = { 0 };

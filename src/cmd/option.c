@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Option rows: values from text into the command's options struct, and the text that explains a row. */
+#include "cmd/option.h"
+#include "base/num.h"
+#include "base/text.h"
+#include "base/yaml.h"
+#include <assert.h>
+#include <math.h>
+#include <stdarg.h>
+#include <string.h>
+
+enum { CHOICES_MAX = 32 };
+
+bool wf_option_given(const struct wf_args *args, size_t member)
+{
+    size_t k = 0;
+    while (args->option[k].name && args->option[k].member != member) k++;
+    assert(args->option[k].name); /* a member that no row fills */
+    return args->given[k];
+}
+
+void wf_option_mistake(struct wf_reading *r, const char *key, const char *name, const char *fmt, ...)
+{
+    va_list list;
+    char text[2048];
+    va_start(list, fmt);
+    vsnprintf(text, sizeof text, fmt, list);
+    va_end(list);
+    if (key && r->yaml)
+        wf_yaml_error(r->yaml, key, "%s", text);
+    else
+        fprintf(stderr, "windfirm %s: %s%s%s\n", r->command, name, *name ? ": " : "", text);
+    r->mistakes++;
+}
+
+void *wf_option_member(const struct wf_reading *r, size_t k)
+{
+    return (char *)r->args + r->args->option[k].member;
+}
+
+void wf_option_clear(struct wf_reading *r)
+{
+    for (size_t k = 0; k < r->options; k++) {
+        void *member = wf_option_member(r, k);
+        switch (r->args->option[k].kind) {
+        case WF_OPTION_FLAG:
+            *(bool *)member = false;
+            break;
+        case WF_OPTION_TEXT:
+        case WF_OPTION_PATH:
+        case WF_OPTION_STUDY:
+        case WF_OPTION_TEXTS:
+        case WF_OPTION_CHOICE:
+            *(const char **)member = NULL;
+            break;
+        case WF_OPTION_NUMBER:
+        case WF_OPTION_SPEED:
+            *(double *)member = NAN;
+            break;
+        case WF_OPTION_WHOLE:
+            *(size_t *)member = 0;
+            break;
+        case WF_OPTION_SPEEDS:
+            *(struct wf_speeds *)member = (struct wf_speeds){ 0 };
+            break;
+        }
+    }
+}
+
+const char *wf_option_unit(const char *text)
+{
+    double value;
+    while (*text == ' ') text++;
+    const char *stop = wf_number_read(text, text + strlen(text), '.', &value);
+    while (stop && *stop == ' ') stop++;
+    return stop;
+}
+
+/* A quantity to SI; a plain number is one of `unit`. */
+static enum wf_status to_si(struct wf_reading *r, const struct wf_option *o, const char *text,
+                            const char *unit, double *si, struct wf_err *e)
+{
+    char with_unit[256];
+    const char *own = wf_option_unit(text);
+    if (unit && own && !*own) {
+        snprintf(with_unit, sizeof with_unit, "%s %s", text, unit);
+        text = with_unit;
+    }
+    return wf_quantity_read(r->units, text, o->dimension, si, e);
+}
+
+bool wf_option_quantity(struct wf_reading *r, size_t k, const char *text, const char *unit, double low,
+                        double *si)
+{
+    const struct wf_option *o = &r->args->option[k];
+    struct wf_err e = { 0 };
+    char low_text[32], high_text[32];
+    double si_low, si_high;
+    snprintf(low_text, sizeof low_text, "%.17g", low);
+    snprintf(high_text, sizeof high_text, "%.17g", o->high);
+    if (to_si(r, o, text, unit, si, &e) || to_si(r, o, low_text, o->unit, &si_low, &e) ||
+        to_si(r, o, high_text, o->unit, &si_high, &e)) {
+        wf_option_mistake(r, r->key[k], o->name, "%s", e.text);
+        return false;
+    }
+    const double slack = 1e-12; /* of the bound itself: a bound of 0 has none */
+    if (*si >= si_low - slack * fabs(si_low) && *si <= si_high + slack * fabs(si_high)) return true;
+    wf_option_mistake(r, r->key[k], o->name, "%.100s is outside %.6g..%.6g%s%s", text, low, o->high,
+                      o->unit ? " " : "", o->unit ? o->unit : "");
+    return false;
+}
+
+/* The words that a choice may be. Returned: how many; `list` holds them where they come from `choices`. */
+static size_t choice_words(const struct wf_option *o, const char *word[static CHOICES_MAX], char *list,
+                           size_t size)
+{
+    size_t n = 0;
+    char *rest = NULL;
+    for (; o->word && n < CHOICES_MAX && o->word(n); n++) word[n] = o->word(n);
+    if (o->word) return n;
+    snprintf(list, size, "%s", o->choices);
+    for (char *w = strtok_r(list, "|", &rest); w && n < CHOICES_MAX; w = strtok_r(NULL, "|", &rest))
+        word[n++] = w;
+    return n;
+}
+
+static void check_choice(struct wf_reading *r, size_t k, const char *text)
+{
+    const struct wf_option *o = &r->args->option[k];
+    const char *word[CHOICES_MAX];
+    char list[512];
+    size_t n = choice_words(o, word, list, sizeof list);
+    for (size_t i = 0; i < n; i++)
+        if (strcmp(text, word[i]) == 0) return;
+    const char *near = wf_nearest(text, word, n);
+    char all[768] = "";
+    for (size_t i = 0, used = 0; i < n && used < sizeof all; i++)
+        used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", word[i]);
+    wf_option_mistake(r, r->key[k], o->name, "'%.100s' is none of %s%s%s%s", text, all,
+                      near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+}
+
+static void take_flag(struct wf_reading *r, size_t k, const char *text)
+{
+    static const char *const word[] = { "yes", "true", "no", "false" };
+    size_t i = 0;
+    while (i < 4 && strcmp(text, word[i]) != 0) i++;
+    if (i == 4) wf_option_mistake(r, r->key[k], "", "'%.60s' is neither yes nor no", text);
+    r->args->given[k] = *(bool *)wf_option_member(r, k) = i < 2;
+}
+
+static void take_text(struct wf_reading *r, size_t k, const char *text)
+{
+    const struct wf_option *o = &r->args->option[k];
+    const char **member = wf_option_member(r, k);
+    bool adds = o->kind == WF_OPTION_TEXTS && *member;
+    *member = adds ? wf_arena_print(r->arena, "%s,%s", *member, text) : text;
+    if (!*member) wf_option_mistake(r, r->key[k], o->name, "out of memory");
+}
+
+static void take_whole(struct wf_reading *r, size_t k, const char *text)
+{
+    const struct wf_option *o = &r->args->option[k];
+    double value = 0;
+    if (!wf_option_quantity(r, k, text, o->unit, o->low, &value)) return;
+    if (value != floor(value)) wf_option_mistake(r, r->key[k], o->name, "%.100s is not a whole number", text);
+    *(size_t *)wf_option_member(r, k) = (size_t)llround(value);
+}
+
+void wf_option_take(struct wf_reading *r, size_t k, const char *text)
+{
+    const struct wf_option *o = &r->args->option[k];
+    r->text[k] = text;
+    switch (o->kind) {
+    case WF_OPTION_FLAG:
+        take_flag(r, k, text);
+        break;
+    case WF_OPTION_TEXT:
+    case WF_OPTION_PATH:
+    case WF_OPTION_STUDY:
+    case WF_OPTION_TEXTS:
+        take_text(r, k, text);
+        break;
+    case WF_OPTION_CHOICE:
+        take_text(r, k, text);
+        check_choice(r, k, text);
+        break;
+    case WF_OPTION_NUMBER:
+        wf_option_quantity(r, k, text, o->unit, o->low, wf_option_member(r, k));
+        break;
+    case WF_OPTION_WHOLE:
+        take_whole(r, k, text);
+        break;
+    case WF_OPTION_SPEED:
+    case WF_OPTION_SPEEDS:
+        break;
+    }
+}
+
+void wf_option_text(const struct wf_option *o, FILE *to)
+{
+    const char *unit = o->unit ? o->unit : "", *word[CHOICES_MAX];
+    char list[512];
+    fputs(o->help, to);
+    if (o->kind == WF_OPTION_CHOICE) {
+        size_t n = choice_words(o, word, list, sizeof list);
+        for (size_t i = 0; i < n; i++) fprintf(to, "%s%s", i ? ", " : ": ", word[i]);
+    }
+    bool wind = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
+    if (o->kind == WF_OPTION_NUMBER || o->kind == WF_OPTION_WHOLE || wind)
+        fprintf(to, " (%.6g..%.6g%s%s)", o->low, o->high, *unit ? " " : "", unit);
+    if (wind) fputs("; or a grade: beaufort:8, cma:typhoon, hko:typhoon", to);
+    if (o->initial)
+        fprintf(to, " [%s%s%s]", o->initial, o->kind != WF_OPTION_CHOICE && *unit ? " " : "",
+                o->kind != WF_OPTION_CHOICE ? unit : "");
+}

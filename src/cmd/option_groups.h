@@ -1,0 +1,103 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_CMD_OPTION_GROUPS_H
+#define WF_CMD_OPTION_GROUPS_H
+/* Groups of options that several commands have in the same words. A group is a struct, which is a member of
+ * the command's options struct, and a macro with its rows, whose argument `in` is the name of that member. */
+#include "cmd/option.h"
+#include "data/model.h"
+#include "grow/import.h"
+#include "grow/qsm_model.h"
+#include "load/scene.h"
+#include "wind/gust.h"
+
+/* Words of choices by number; NULL behind the last. For a shelter, "none" comes first. */
+const char *wf_solver_word(size_t i);
+const char *wf_preset_word(size_t i);
+const char *wf_shelter_word(size_t i);
+const char *wf_profile_word(size_t i);
+const char *wf_import_word(size_t i);
+
+#define WF_AZIMUTH_ROW(m)                                                                                    \
+    NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \
+           "direction the wind blows towards, from +x towards +y")
+
+/* How the mean wind grows with height; into a struct wf_profile_words. */
+#define WF_PROFILE_ROWS(in)                                                                                  \
+    WORD("--profile", in.name, "NAME", wf_profile_word, NULL,                                                \
+         "how the wind grows with height [power; measured with --profile-file]"),                            \
+        PATH("--profile-file", in.file, "FILE", NULL,                                                        \
+             "measured mean winds, a CSV with columns height_m and speed_ms; only their ratios count, "      \
+             "--wind says how strong it is at the reference height"),                                        \
+        NUMBER("--reference-height", in.reference_height, "LENGTH", LENGTH, "m", 0.01, 1000, "10",           \
+               "height at which the wind has the speed named"),                                              \
+        NUMBER("--exponent", in.exponent, "NUMBER", NONE, NULL, 0, 1, NULL, "of the power profile [0.16]"),  \
+        NUMBER("--roughness", in.roughness, "LENGTH", LENGTH, "m", 1e-6, 10, NULL,                           \
+               "roughness length of the log and canopy profiles [0.03 m; with canopy 0.1 of its height]"),   \
+        NUMBER("--displacement", in.displacement, "LENGTH", LENGTH, "m", 0, 100, NULL,                       \
+               "zero-plane displacement: height the log profile is lifted by, above and in a stand [0 m; "   \
+               "with canopy 0.7 of its height]"),                                                            \
+        NUMBER("--canopy-height", in.canopy_height, "LENGTH", LENGTH, "m", 0, 100, NULL,                     \
+               "of the stand around the tree, for the canopy profile [displacement / 0.7]"),                 \
+        NUMBER("--attenuation", in.attenuation, "NUMBER", NONE, NULL, 0, 10, NULL,                           \
+               "of the wind inside the canopy [0: joins the log law smoothly]")
+
+/* A gust model's parameters and file; into any struct with texts set, file (NULL: not given) and columns. */
+#define WF_GUST_ROWS(in)                                                                                     \
+    TEXT("--set", in.set, "NAME=NUMBER,...", NULL,                                                           \
+         "parameters of the gust model; `windfirm wind list` shows them"),                                   \
+        PATH("--file", in.file, "FILE", NULL,                                                                \
+             "anemometer CSV of the gust model record (of `windfirm wind rose`: a wind climate)"),           \
+        TEXT("--columns", in.columns, "T,U[,V[,W]]", WF_RECORD_COLUMNS,                                      \
+             "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s")
+
+/* How tree files are read. */
+struct wf_import_asked {
+    const char *format, *length_unit, *diameter_unit; /* NULL: not given */
+    bool strict;
+};
+#define WF_IMPORT_ROWS(in)                                                                                   \
+    WORD("--format", in.format, "FORMAT", wf_import_word, NULL,                                              \
+         "of the files; normally told by their content", .letter = "-f"),                                    \
+        FLAG("--strict", in.strict, "refuse a file that needs a repair"),                                    \
+        CHOICE("--length-unit", in.length_unit, "UNIT", "m|cm|mm", NULL,                                     \
+               "of coordinates and lengths whose column names no unit (m; MTG: cm)"),                        \
+        CHOICE("--diameter-unit", in.diameter_unit, "UNIT", "m|cm|mm", NULL,                                 \
+               "of radii and diameters whose column names no unit (as lengths; MTG: by size)")
+/* The same as the library takes it. */
+struct wf_import_options wf_import_asked_options(const struct wf_import_asked *asked);
+
+/* Which tree is meant: a model or a measured tree, and its season. */
+struct wf_tree_asked {
+    const char *model, *file; /* one of them; NULL: not given            */
+    const char *joint;        /* of a measured tree: "axis" or "bridge"  */
+    double leaf_area;         /* in place of the model's [m2]; NAN: its  */
+    const char *season;       /* "leaf_on" or "leaf_off"; NULL: its      */
+    bool unload;
+};
+#define WF_TREE_ROWS(in)                                                                                     \
+    PATH("--model", in.model, "MODEL", NULL,                                                                 \
+         "tree model: a file, or the name of a shipped one (culm, moso_culm)", .letter = "-m"),              \
+        PATH("--tree", in.file, "FILE", NULL,                                                                \
+             "a measured tree in place of a model, any format of 'windfirm import'", .letter = "-t"),        \
+        CHOICE("--joint", in.joint, "HOW", "axis|bridge", "axis",                                            \
+               "how branches of a measured tree are held: where they leave the parent's axis, or at its "    \
+               "end"),                                                                                       \
+        NUMBER("--leaf-area", in.leaf_area, "AREA", AREA, "m2", 0, 1e5, NULL,                                \
+               "one-sided leaf area of the whole tree, in place of the model's; a measured tree has none"),  \
+        CHOICE("--season", in.season, "SEASON", "leaf_on|leaf_off", NULL,                                    \
+               "in place of the model's: with its leaves, or when they have fallen"),                        \
+        FLAG("--unload", in.unload,                                                                          \
+             "the tree was measured or drawn standing under its own weight: find its stress-free shape "     \
+             "first")
+
+/* The joint of a measured tree that a word of --joint means. */
+enum wf_joint wf_joint_named(const char *word);
+/* Is exactly one tree asked for? Returned: -1 to go on, 2 after saying what is missing. `file`: a tree file
+ * given otherwise than by --tree; NULL: none. */
+int wf_tree_asked_check(const struct wf_tree_asked *t, const char *command, const char *file);
+/* Read the tree asked for, or `file`, in the season asked for. Returned: *out; *path, the file it was read
+ * from. Errors: mistakes of a file are findings in `d`; any other error is in `e`. */
+enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *file, struct wf_arena *a,
+                                  struct wf_model *out, const char **path, struct wf_diag *d,
+                                  struct wf_err *e);
+#endif

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_OUT_FIT_RESULTS_H
+#define WF_OUT_FIT_RESULTS_H
+/* The results of a calibration: results.json, tables, figures and pages of its folder, and a species table
+ * with the fitted values. Nothing here knows how the fit was asked for. */
+#include "fit/build.h"
+#include "fit/fit.h"
+#include "out/results.h"
+
+/* The same data without, or with, a root plate that gives. */
+struct wf_fit_rival {
+    bool made;
+    const char *text; /* "clamped root" or "root plate that gives" */
+    struct wf_fit fit;
+    double aicc, own; /* of the rival, and of the fit itself with the same sigmas [-] */
+};
+
+struct wf_fit_results {
+    const char *command, *date; /* as typed; ISO 8601, UTC                          */
+    const char *loss;           /* name of the loss that weighs residuals: "none"... */
+    bool priors;                /* the species table's ranges took part              */
+    struct wf_fit_study study;
+    struct wf_experiment x;
+    struct wf_fit_input *input; /* per test                        */
+    struct wf_fit_param *param; /* `params` of them, as in fit     */
+    size_t params;
+    struct wf_fit fit;
+    struct wf_fit_rival rival;
+    struct wf_diag diag; /* warnings of the fit             */
+    size_t files;
+    struct wf_input_file *file; /* study, species, trees, data     */
+};
+
+/* Write FOLDER/results.json, tables/{parameters,readings,profiles,records}.csv and plots/run.gp; the folder
+ * is made. Errors: WF_EOUTPUT, WF_ENOMEM. */
+enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char *folder, struct wf_err *e);
+/* Draw FOLDER/plots/ *.svg and write FOLDER/calibration.html and calibration.pdf from what is in the folder.
+ * Parts that cannot be made are warnings in `d`, and the status of the first is returned. */
+enum wf_status wf_fit_results_pages(const char *folder, struct wf_diag *d, struct wf_err *e);
+/* Write the species table of the first tree to `path` with the fitted values in place. Errors: WF_EOUTPUT,
+ * WF_ENOMEM. */
+enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char *path, struct wf_err *e);
+#endif
