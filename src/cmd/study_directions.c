@@ -87,10 +87,10 @@ static void row(FILE *to, const struct wf_analysis *an, const struct wf_directio
     fprintf(to, "%8g", degrees(d->from));
     cell(to, 13, 3, at->base_moment / 1e3);
     cell(to, 11, 3, at->tip_deflection);
-    cell(to, 9, 2, at->status ? NAN : at->breakage.least_safety);
-    cell(to, 12, 2, d->breaks.critical.speed);
-    cell(to, 10, 2, d->breaks.height);
-    cell(to, 12, 2, d->stem.critical.speed);
+    cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
+    cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
+    cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
+    cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed);
     const struct wf_directions_request *q = &an->directions->request;
     if (q->speed_up) cell(to, 10, 3, q->speed_up[d - an->directions->direction]);
     if (q->rose) {

@@ -21,7 +21,7 @@ static void row(FILE *to, const struct wf_at_speed *at)
     number(to, 10, 1, at->tip_angle * 180.0 / M_PI);
     number(to, 13, 3, at->base_moment / 1e3);
     number(to, 12, 2, at->breakage.largest_stress / 1e6);
-    number(to, 10, 2, at->breakage.least_safety);
+    number(to, 10, 2, at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
     fputc('\n', to);
 }
 
@@ -37,7 +37,7 @@ static void critical(FILE *to, const struct wf_analysis *an, const char *what, c
     if (b->row >= 0)
         fprintf(to, "; the %s breaks%s %.2f m above the ground",
                 wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
-                b == &an->breaks ? " first" : "", b->height);
+                b == &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE] ? " first" : "", b->height);
     fputc('\n', to);
 }
 
@@ -62,9 +62,10 @@ void wf_study_print(FILE *to, const struct wf_run *run)
                 "stress", "safety");
         fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
         for (size_t i = 0; i < an->n; i++) row(to, &an->at[i]);
-        critical(to, an, "critical wind speed", &an->breaks);
-        if (an->breaks.row >= 0 && an->tree.level[an->breaks.row] > 0)
-            critical(to, an, "of the stem alone", &an->stem);
+        critical(to, an, "critical wind speed", &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE]);
+        int32_t row = an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row;
+        if (row >= 0 && an->tree.level[row] > 0)
+            critical(to, an, "of the stem alone", &an->breaks[WF_BREAKAGE][WF_SCOPE_STEM]);
         wf_directions_print(to, an);
     }
 }

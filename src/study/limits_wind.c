@@ -33,10 +33,11 @@ static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_law_use *law = &an->species->streamlining;
     double least = INFINITY, largest = 0.0, low, high;
-    bool critical = an->breaks.critical.outcome == WF_CRITICAL_FOUND;
+    const struct wf_critical *first = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
+    bool critical = first->outcome == WF_CRITICAL_FOUND;
     if (!an->loads.streamline || an->loads.streamline->rigid || !(law->high > 0.0)) return;
     for (size_t k = 0; k < an->n + critical; k++) {
-        double speed = k < an->n ? an->at[k].speed : an->breaks.critical.speed;
+        double speed = k < an->n ? an->at[k].speed : first->speed;
         if (!crown_wind(an, speed, &low, &high)) continue;
         least = fmin(least, low);
         largest = fmax(largest, high);
