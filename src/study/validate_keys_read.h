@@ -13,6 +13,7 @@ wf_key_reader wf_key_arc;        /* RADIUS UNIT ANGLE UNIT from X Y Z towards X 
 wf_key_reader wf_key_node;       /* ID X Y Z UNIT                                      */
 wf_key_reader wf_key_branch;     /* FROM TO RADIUS RADIUS UNIT                         */
 wf_key_reader wf_key_tree;       /* FILE.csv                                           */
+wf_key_reader wf_key_law;        /* NAME [PARAMETER NUMBERS UNIT]...                   */
 wf_key_reader wf_key_support;    /* clamped | spring ABOUT_X [ABOUT_Y] UNIT            */
 wf_key_reader wf_key_point;      /* force|moment|follower PLACE X Y Z UNIT             */
 wf_key_reader wf_key_mass;       /* PLACE MASS UNIT                                    */
