@@ -122,13 +122,13 @@ static void test_critical_speed(void **state)
     struct bench b;
     set_up(&b);
     assert_int_equal(run(&b, "linear", (const double[]){ 20 }, 1), WF_OK);
-    assert_int_equal(b.out.breaks.critical.outcome, WF_CRITICAL_FOUND);
-    assert_close(b.out.breaks.critical.speed, 20 * sqrt(b.out.at[0].breakage.least_safety), 2e-6);
+    assert_int_equal(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_FOUND);
+    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 20 * sqrt(b.out.at[0].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety), 2e-6);
     double inertia = M_PI / 4 * pow(RADIUS, 4), moment = STRENGTH * inertia / RADIUS;
-    assert_close(b.out.breaks.critical.speed, sqrt(moment * 2 / (HEIGHT * HEIGHT) / (0.5 * 1.2 * 2 * RADIUS)), 2e-6);
-    assert_int_equal(b.out.breaks.row, 0);
-    assert_close(b.out.breaks.height, 0, 1e-9);
-    double before = b.out.breaks.critical.speed;
+    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, sqrt(moment * 2 / (HEIGHT * HEIGHT) / (0.5 * 1.2 * 2 * RADIUS)), 2e-6);
+    assert_int_equal(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].row, 0);
+    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].height, 0, 1e-9);
+    double before = b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed;
     /* the sweep begins in still air, is even behind its first, closer stretch, and reaches past the critical
      * speed */
     assert_true(b.out.sweep_n > 35);
@@ -139,19 +139,19 @@ static void test_critical_speed(void **state)
                      1e-9);
     assert_true(b.out.sweep[b.out.sweep_n - 1].speed >= before);
     for (size_t k = 1; k < b.out.sweep_n; k++) /* safety times U^2 stays the same */
-        assert_close(b.out.sweep[k].breakage.least_safety * pow(b.out.sweep[k].speed / 20, 2),
-                     b.out.at[0].breakage.least_safety, 1e-6);
+        assert_close(b.out.sweep[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety * pow(b.out.sweep[k].speed / 20, 2),
+                     b.out.at[0].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety, 1e-6);
     wf_arena_free(&b.arena);
     /* a thicker stem stands more, a taller one less */
     set_up(&b);
     b.model.radius = 1.2 * RADIUS;
     assert_int_equal(run(&b, "linear", (const double[]){ 20 }, 1), WF_OK);
-    assert_close(b.out.breaks.critical.speed, before * 1.2, 2e-6); /* moment ~ r^3, drag ~ r */
+    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, before * 1.2, 2e-6); /* moment ~ r^3, drag ~ r */
     wf_arena_free(&b.arena);
     set_up(&b);
     b.model.height = 2 * HEIGHT;
     assert_int_equal(run(&b, "linear", (const double[]){ 20 }, 1), WF_OK);
-    assert_close(b.out.breaks.critical.speed, before / 2, 2e-6);
+    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, before / 2, 2e-6);
     wf_arena_free(&b.arena);
 }
 
@@ -204,7 +204,7 @@ static void test_balance(void **state)
         assert_true(at->tip_deflection_share > 0.3);
         assert_close(at->base_shear, at->drag, 1e-9);
         assert_close(fabs(at->response.base_force[2]), at->weight + at->lift, 1e-4);
-        double now[4] = { at->tip_deflection, at->tip_angle, at->base_moment, b.out.breaks.critical.speed };
+        double now[4] = { at->tip_deflection, at->tip_angle, at->base_moment, b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed };
         for (int i = 0; k && i < 4; i++) assert_close(now[i], before[i], 1e-6);
         memcpy(before, now, sizeof now);
         wf_arena_free(&b.arena);
@@ -229,8 +229,8 @@ static void test_agreement(void **state)
         b.scenario.profile = "power";
         assert_int_equal(run(&b, solver[k], (const double[]){ 7 }, 1), WF_OK);
         assert_close(b.out.at[0].base_shear, b.out.at[0].drag, 1e-9);
-        assert_int_equal(b.out.breaks.critical.outcome, WF_CRITICAL_FOUND);
-        double critical = b.out.breaks.critical.speed, height = b.out.breaks.height;
+        assert_int_equal(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_FOUND);
+        double critical = b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, height = b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].height;
         wf_arena_free(&b.arena);
         set_up(&b);
         b.model.radius = 0.04;
@@ -238,10 +238,10 @@ static void test_agreement(void **state)
         b.scenario.gravity = 9.81;
         b.scenario.profile = "power";
         assert_int_equal(run(&b, solver[k], &critical, 1), WF_OK);
-        const struct wf_breakage *at = &b.out.at[0].breakage;
-        assert_close(at->least_safety, 1, 1e-5);
+        const struct wf_worst *at = &b.out.at[0].worst[WF_BREAKAGE][WF_SCOPE_TREE];
+        assert_close(at->safety, 1, 1e-5);
         const struct wf_tree *t = &b.out.tree;
-        assert_close(t->z0[at->governing] + at->governing_s * (t->z1[at->governing] - t->z0[at->governing]),
+        assert_close(t->z0[at->row] + at->place * (t->z1[at->row] - t->z0[at->row]),
                      height, 1e-3);
         wf_arena_free(&b.arena);
     }
@@ -271,7 +271,7 @@ static void test_limits(void **state)
     wf_arena_free(&b.arena);
     set_up(&b); /* ... but for a small-deflection method's breakage, where the post is far bent */
     assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
-    assert_true(!wf_limits_small_passed(&b.out.at[0]) && wf_limits_small_passed(&b.out.breaks.at));
+    assert_true(!wf_limits_small_passed(&b.out.at[0]) && wf_limits_small_passed(&b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].at));
     assert_int_equal(b.diag.warnings, 1);
     assert_non_null(strstr(warning(&b, "small-deflection"), "the critical wind speed of "));
     wf_arena_free(&b.arena);
@@ -309,16 +309,16 @@ static void test_limits(void **state)
     set_up(&b);
     b.level.modulus_of_rupture = (struct wf_value){ .standing = WF_ASSUMED };
     assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
-    assert_int_equal(b.out.breaks.critical.outcome, WF_CRITICAL_NO_STRENGTH);
-    assert_true(isnan(b.out.breaks.critical.speed));
-    assert_true(isnan(b.out.at[0].breakage.least_safety));
+    assert_int_equal(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_NO_STRENGTH);
+    assert_true(isnan(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed));
+    assert_true(isnan(b.out.at[0].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety));
     assert_non_null(warning(&b, "no-strength"));
     wf_arena_free(&b.arena);
 
     set_up(&b);
     b.scenario.speed_max = 10;
     assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
-    assert_int_equal(b.out.breaks.critical.outcome, WF_CRITICAL_ABOVE);
+    assert_int_equal(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_ABOVE);
     assert_non_null(strstr(warning(&b, "critical-above-range"), "10 m/s"));
     wf_arena_free(&b.arena);
 
@@ -348,7 +348,7 @@ static void test_cannot_stand(void **state)
     b.scenario.gravity = 9.81;
     assert_int_equal(run(&b, "beam", (const double[]){ 0, 5 }, 2), WF_OK);
     bool said = warning(&b, "no-equilibrium") || warning(&b, "limit-point");
-    assert_true(said || b.out.breaks.critical.outcome == WF_CRITICAL_SELF_WEIGHT);
+    assert_true(said || b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome == WF_CRITICAL_SELF_WEIGHT);
     wf_arena_free(&b.arena);
 }
 

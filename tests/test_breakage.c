@@ -12,6 +12,7 @@ struct fixture {
     struct wf_tree t;
     struct wf_response r;
     struct wf_breakage b;
+    struct wf_worst worst[WF_CRITERIA][WF_SCOPES];
     struct wf_err e;
 };
 
@@ -38,6 +39,7 @@ static void cantilever(struct fixture *f, size_t n, double tip, double inner, st
     l.gravity = gravity, l.point = &p, l.points = 1;
     assert_int_equal(wf_solver_chain.solve(&f->t, &l, &o, &f->arena, &f->r, NULL, &f->e), WF_OK);
     assert_int_equal(wf_breakage_check(&f->t, &f->r, &f->arena, &f->b, &f->e), WF_OK);
+    wf_criteria_check(&f->t, &f->r, &f->b, f->worst);
 }
 
 static const struct wf_point_load push = { .force = { 20, 0, 0 } };
@@ -62,9 +64,9 @@ static void uniform_stem_breaks_at_its_base(void **state)
     assert_close(f.b.stress0[0], stress, 1e-9);
     assert_close(f.b.stress1[0], 0.75 * stress, 1e-9);
     assert_close(f.b.safety0[0], STRENGTH / stress, 1e-9);
-    assert_close(f.b.least_safety, STRENGTH / stress, 1e-9);
-    assert_int_equal(f.b.governing, 0);
-    assert_close(f.b.governing_s, 0, 0);
+    assert_close(f.worst[0][0].safety, STRENGTH / stress, 1e-9);
+    assert_int_equal(f.worst[0][0].row, 0);
+    assert_close(f.worst[0][0].place, 0, 0);
     assert_close(f.b.largest_stress, stress, 1e-9);
     assert_true(isinf(f.b.safety1[3]) || f.b.safety1[3] > 1e6); /* the free end bears nothing but its shear */
     wf_arena_free(&f.arena);
@@ -101,11 +103,11 @@ static void tapered_stem_breaks_higher_up(void **state)
         for (size_t n = 1; n <= 7; n++) {
             struct fixture f;
             cantilever(&f, n, want[k].tip, 0, push, 0);
-            double place = ((double)f.b.governing + f.b.governing_s) / (double)n;
+            double place = ((double)f.worst[0][0].row + f.worst[0][0].place) / (double)n;
             assert_close(f.b.largest_stress, want[k].coefficient * stress0, 1e-6);
-            assert_close(f.b.least_safety, STRENGTH / (want[k].coefficient * stress0), 1e-6);
+            assert_close(f.worst[0][0].safety, STRENGTH / (want[k].coefficient * stress0), 1e-6);
             assert_true(fabs(place - want[k].place) < 1e-3);
-            assert_int_equal(f.b.largest_stress_row, f.b.governing);
+            assert_int_equal(f.b.largest_stress_row, f.worst[0][0].row);
             wf_arena_free(&f.arena);
         }
 }
@@ -119,13 +121,15 @@ static void strength_of_each_row_counts(void **state)
     double stress = 4 * P * L / (PI * R * R * R);
     f.t.strength[0] = 0, f.t.strength[2] = STRENGTH / 10;
     assert_int_equal(wf_breakage_check(&f.t, &f.r, &f.arena, &f.b, &f.e), WF_OK);
+    wf_criteria_check(&f.t, &f.r, &f.b, f.worst);
     assert_true(isnan(f.b.safety0[0]) && isnan(f.b.safety1[0]));
-    assert_int_equal(f.b.governing, 2);
-    assert_close(f.b.least_safety, STRENGTH / 10 / (0.5 * stress), 1e-9);
+    assert_int_equal(f.worst[0][0].row, 2);
+    assert_close(f.worst[0][0].safety, STRENGTH / 10 / (0.5 * stress), 1e-9);
     assert_int_equal(f.b.largest_stress_row, 0);
     for (size_t i = 0; i < 4; i++) f.t.strength[i] = 0;
     assert_int_equal(wf_breakage_check(&f.t, &f.r, &f.arena, &f.b, &f.e), WF_OK);
-    assert_true(isnan(f.b.least_safety) && f.b.governing == -1);
+    wf_criteria_check(&f.t, &f.r, &f.b, f.worst);
+    assert_true(isnan(f.worst[0][0].safety) && f.worst[0][0].row == -1);
     wf_arena_free(&f.arena);
 }
 
@@ -134,7 +138,7 @@ static void unstressed_and_refused(void **state)
     (void)state;
     struct fixture f;
     cantilever(&f, 3, 1, 0, (struct wf_point_load){ .force = { 0 } }, 0);
-    assert_true(isinf(f.b.least_safety) && isinf(f.b.safety0[0]) && f.b.largest_stress == 0);
+    assert_true(isinf(f.worst[0][0].safety) && isinf(f.b.safety0[0]) && f.b.largest_stress == 0);
     for (size_t limit = 1; limit < 200; limit += 16) {
         struct wf_arena small = { .limit = limit };
         assert_int_equal(wf_breakage_check(&f.t, &f.r, &small, &f.b, NULL), WF_ENOMEM);

@@ -78,7 +78,7 @@ static void each_direction_is_an_analysis(void **state)
     for (size_t k = 0; k < N; k++) {
         assert_close(straight.direction[k].at[1].base_moment, m.an.at[1].base_moment,
                      1e-7 * m.an.at[1].base_moment);
-        assert_close(straight.direction[k].breaks.critical.speed, m.an.breaks.critical.speed, 1e-4);
+        assert_close(straight.direction[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, m.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 1e-4);
     }
     wf_arena_free(&m.arena);
     start(&m, 0.2, 0.7);
@@ -92,8 +92,8 @@ static void each_direction_is_an_analysis(void **state)
             assert_close(leaning.direction[k].at[w].base_moment, one.an.at[w].base_moment, 0);
             assert_close(leaning.direction[k].at[w].tip_deflection, one.an.at[w].tip_deflection, 0);
         }
-        assert_close(leaning.direction[k].breaks.critical.speed, one.an.breaks.critical.speed, 0);
-        least = fmin(least, one.an.breaks.critical.speed), most = fmax(most, one.an.breaks.critical.speed);
+        assert_close(leaning.direction[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, one.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 0);
+        least = fmin(least, one.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed), most = fmax(most, one.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
         wf_arena_free(&one.arena);
     }
     assert_true(most > 1.05 * least); /* a leaning tree is weaker to the wind in its back */
@@ -113,7 +113,7 @@ static void the_tree_turned(void **state)
     for (size_t k = 0; k < N; k++) {
         const struct wf_direction *x = &east.direction[(k + N / 4) % N], *y = &north.direction[k];
         assert_close(y->at[1].base_moment, x->at[1].base_moment, 1e-6 * x->at[1].base_moment);
-        assert_close(y->breaks.critical.speed, x->breaks.critical.speed, 1e-3);
+        assert_close(y->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, x->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 1e-3);
     }
     wf_arena_free(&a.arena), wf_arena_free(&b.arena);
 }
@@ -131,7 +131,7 @@ static void any_number_of_threads(void **state)
     around(&m, &(struct wf_directions_request){ .n = N }, &four);
     for (size_t k = 0; k < N; k++) {
         assert_memory_equal(one.direction[k].at, four.direction[k].at, WINDS * sizeof *one.direction[k].at);
-        assert_memory_equal(&one.direction[k].breaks, &four.direction[k].breaks,
+        assert_memory_equal(one.direction[k].breaks, four.direction[k].breaks,
                             sizeof one.direction[k].breaks);
     }
     wf_arena_free(&m.arena);
@@ -151,7 +151,7 @@ static void hours_of_a_climate(void **state)
     start(&m, 0, 0);
     analyse(&m, 0);
     around(&m, &(struct wf_directions_request){ .n = N, .rose = &r, .law = "durst" }, &out);
-    double speed = m.an.breaks.critical.speed;
+    double speed = m.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed;
     assert_int_equal(wf_wind_average("durst", 1, 3600, 600, &factor, &m.err), WF_OK);
     assert_close(out.gust, factor, 1e-15);
     assert_true(factor > 1.04 && factor < 1.06); /* Durst 1960: 1.05 or so */

@@ -104,7 +104,7 @@ static void load_feels_it(void **state)
     assert_int_equal(wf_analyze(&sp, &m, &sc, wf_solvers[0], &o, &named, 1, &arena, &d, &exposed, &e), WF_OK);
     assert_close(exposed.at[0].speed, 8, 0);
     assert_close(exposed.at[0].base_moment, plain.at[0].base_moment, 1e-9 * plain.at[0].base_moment);
-    assert_close(1.25 * exposed.breaks.critical.speed, plain.breaks.critical.speed, 1e-3);
+    assert_close(1.25 * exposed.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, plain.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 1e-3);
     sc.speed_up = 0;
     assert_int_equal(wf_analyze(&sp, &m, &sc, wf_solvers[0], &o, &named, 1, &arena, &d, &exposed, &e),
                      WF_EUSAGE);

@@ -101,9 +101,9 @@ static void exact(void **state)
         snprintf(path, sizeof path, "trees/1/winds/%zu/base_moment/value", k);
         assert_close(number(o, path), want->base_moment, 0);
         snprintf(path, sizeof path, "trees/1/winds/%zu/least_safety/value", k);
-        assert_close(number(o, path), want->breakage.least_safety, 0);
+        assert_close(number(o, path), want->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety, 0);
     }
-    assert_close(number(o, "trees/1/critical/speed/value"), f->run.analysis[1].breaks.critical.speed, 0);
+    assert_close(number(o, "trees/1/critical/speed/value"), f->run.analysis[1].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 0);
     json_decref(o);
 }
 
@@ -127,7 +127,7 @@ static void units_and_reasons(void **state)
 {
     struct fixture *f = *state;
     struct wf_analysis *a = analysis(f, 0);
-    a->at[1].breakage.least_safety = NAN;
+    a->at[1].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety = NAN;
     a->at[1].lift = INFINITY;
     json_t *o = written(f);
     complete(o, "results.json");

@@ -182,14 +182,14 @@ static void missing_values(void **state)
     struct wf_analysis *a = (struct wf_analysis *)(uintptr_t)run.analysis;
     for (size_t k = 0; k < 3; k++) {
         a[0].at[k] = (struct wf_at_speed){ .speed = winds[k], .status = WF_EUNSTABLE };
-        a[1].at[k].breakage.least_safety = NAN;
+        a[1].at[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety = NAN;
     }
     for (size_t k = 1; k < MOCK_SWEEP; k++) a[0].sweep[k].status = WF_EUNSTABLE;
-    for (size_t k = 0; k < MOCK_SWEEP; k++) a[1].sweep[k].breakage.least_safety = NAN;
-    a[0].breaks.critical = (struct wf_critical){
+    for (size_t k = 0; k < MOCK_SWEEP; k++) a[1].sweep[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety = NAN;
+    a[0].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical = (struct wf_critical){
         .outcome = WF_CRITICAL_UNSOLVED, .speed = NAN, .speed_low = 0.5, .speed_high = 1
     };
-    a[1].breaks.critical = (struct wf_critical){
+    a[1].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical = (struct wf_critical){
         .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .speed_low = NAN, .speed_high = NAN
     };
     results(f, run);
@@ -212,9 +212,9 @@ static void no_strength(void **state)
     if (skipped("gnuplot")) return;
     struct wf_run run = mock_run(1, winds, 1, &f->arena);
     struct wf_analysis *a = (struct wf_analysis *)(uintptr_t)run.analysis;
-    a->at->breakage.least_safety = NAN;
-    for (size_t k = 0; k < MOCK_SWEEP; k++) a->sweep[k].breakage.least_safety = NAN;
-    a->breaks.critical = (struct wf_critical){
+    a->at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety = NAN;
+    for (size_t k = 0; k < MOCK_SWEEP; k++) a->sweep[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety = NAN;
+    a->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical = (struct wf_critical){
         .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .speed_low = NAN, .speed_high = NAN
     };
     results(f, run);

@@ -336,7 +336,8 @@ static enum wf_status material(const struct wf_case *c, struct wf_tree *t, struc
         t->youngs[i] = youngs;
         t->shear[i] = shear;
         t->density[i] = density;
-        t->drag[i] = or_else(c->drag, 0.0);
+        t->drag[i] = c->axis_drag ? c->drag : or_else(c->drag, 0.0);
+        t->sail0[i] = t->sail1[i] = or_else(c->crown_area, 0.0);
         if (direct) memcpy(t->stiff + 4 * i, (double[]){ c->ea, c->ga, c->ei, c->gj }, 4 * sizeof(double));
     }
     return WF_OK;
@@ -440,6 +441,9 @@ static void fields(const struct wf_case *c, struct wf_setup *s, double ei, doubl
     double length = case_length(c), speed = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
     wf_loads_default(&s->loads);
     s->loads.air_density = or_else(c->air_density, s->loads.air_density);
+    s->loads.air_viscosity = or_else(c->air_viscosity, s->loads.air_viscosity);
+    if (c->axis_drag) s->loads.axis_drag = c->axis_drag, s->loads.axis_drag_par = c->axis_drag_par;
+    s->loads.streamline = c->streamlining, s->loads.streamline_par = c->streamlining_par;
     s->loads.gravity = or_else(c->gravity, 0.0);
     if (!isnan(c->weight_parameter)) s->loads.gravity = c->weight_parameter * ei / (mass * pow(length, 3));
     if (speed > 0.0) {

@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
+#include "load/drag.h"
 #include "solve/solve.h"
 #include <stdbool.h>
 #include <stddef.h>
@@ -90,7 +91,7 @@ enum wf_case_shape {
     WF_SHAPE_FIT /* a calibration study: fitted by whoever runs the case, see wf_case_hold */
 };
 enum wf_case_model { WF_MODEL_K, WF_MODEL_EB, WF_MODEL_SR };
-enum { WF_CASE_KEYS_MAX = 64, WF_CASE_SOLVERS_MAX = 6, WF_CASE_PIECES_MAX = 8 };
+enum { WF_CASE_KEYS_MAX = 72, WF_CASE_SOLVERS_MAX = 6, WF_CASE_PIECES_MAX = 8 };
 
 /* One case; every number SI (or consistent units when nondimensional), NAN = not given. */
 struct wf_case {
@@ -111,6 +112,10 @@ struct wf_case {
     double shear_factor, spring[2];
     struct wf_list loads, masses;
     double line_load[3], line_by_radius[3];
+    const struct wf_axis_drag_law *axis_drag; /* NULL: not said */
+    const struct wf_streamline_law *streamlining;
+    struct wf_law_values axis_drag_par, streamlining_par;
+    double crown_area, air_viscosity; /* still-air crown area times its Cd per length [m]; [m2/s] */
     double wind[3], air_density, drag, cauchy, gravity, weight_parameter;
     const char *fit_study, *fit_free; /* file beside the case; parameters, NULL: the study's */
     double data_sets, noise; /* made-up data sets and their noise in sigmas; NAN: the study's data, 1 */

@@ -2,6 +2,7 @@
 #include "cases/keys.h"
 #include "base/num.h"
 #include "cases/want.h"
+#include "load/drag.h"
 #include "solve/chain.h"
 #include "solve/solvers.h"
 #include <math.h>
@@ -174,6 +175,53 @@ static bool key_tree(struct wf_words *w, struct wf_case *c, const struct wf_case
         return wf_words_wrong(w, w->n, "the name of a tree file beside the case is expected");
     c->tree_file = w->word[w->next++];
     return wf_words_end(w);
+}
+
+/* The parameters of a law behind their names, in the order of its row. */
+static bool law_parameters(struct wf_words *w, const struct wf_law *l, struct wf_law_values *out)
+{
+    for (size_t k = 0, n = wf_law_count(l), got; k < n; k++) {
+        const struct wf_law_parameter *p = &l->parameter[k];
+        bool list = p->kind == WF_LAW_LIST;
+        double *v = wf_arena_take(w->arena, WF_WORDS_MAX, sizeof *v);
+        if (!v) return wf_words_wrong(w, 1, "no memory");
+        if (!wf_words_skip(w, p->name))
+            return wf_words_wrong(w, w->next, "'%s NUMBER' is expected here", p->name);
+        size_t at = w->next;
+        if (!wf_words_quantities(w, p->dimension, 1, list ? WF_WORDS_MAX : 1, false, p[1].name, v, &got,
+                                 NULL))
+            return false;
+        for (size_t i = 0; i < got; i++)
+            if (v[i] < p->low || v[i] > p->high)
+                return wf_words_wrong(w, at + i, "'%s' is outside what is allowed: %g to %g", w->word[at + i],
+                                      p->low, p->high);
+        if (list && out->n && out->n != got)
+            return wf_words_wrong(w, at, "%zu numbers, but the list before has %zu", got, out->n);
+        if (list)
+            out->list[k] = v, out->n = got;
+        else
+            out->number[k] = *v;
+    }
+    return wf_words_end(w);
+}
+
+/* LAW [PARAMETER NUMBER UNIT]... */
+static bool key_law(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+{
+    enum { MOST = 24 };
+    bool axis = !strcmp(k->name, "axis_drag");
+    const char *known[MOST];
+    size_t n = 0, chosen;
+    for (const struct wf_law *l;
+         n < MOST && (l = wf_law_row(axis ? wf_laws.axis_drag : wf_laws.streamlining, n)); n++)
+        known[n] = l->name;
+    if (!wf_words_choice(w, "law", known, n, &chosen)) return false;
+    if (!axis) {
+        c->streamlining = &wf_streamline_laws[chosen];
+        return law_parameters(w, &c->streamlining->law, &c->streamlining_par);
+    }
+    c->axis_drag = &wf_axis_drag_laws[chosen];
+    return law_parameters(w, &c->axis_drag->law, &c->axis_drag_par);
 }
 
 /* clamped | spring ABOUT_X [ABOUT_Y] UNIT */
@@ -392,6 +440,10 @@ const struct wf_case_key wf_case_keys[] = {
     VECTOR("wind", wind, WF_DIM_SPEED),
     NUMBER("air_density", air_density, WF_DIM_DENSITY, TINY, VAST),
     NUMBER("drag_coefficient", drag, WF_DIM_NONE, 0, 100),
+    SPECIAL("axis_drag", key_law, false),
+    SPECIAL("streamlining", key_law, false),
+    NUMBER("crown_area", crown_area, WF_DIM_LENGTH, 0, VAST),
+    NUMBER("air_viscosity", air_viscosity, WF_DIM_VISCOSITY, TINY, VAST),
     NUMBER("cauchy", cauchy, WF_DIM_NONE, 0, VAST),
     NUMBER("gravity", gravity, WF_DIM_ACCELERATION, -VAST, VAST),
     NUMBER("weight_parameter", weight_parameter, WF_DIM_NONE, -VAST, VAST),

@@ -84,7 +84,9 @@ static void check_loads(struct checking *k)
     exclude(k, "cauchy", "air_density");
     if ((given(c, "cauchy") || given(c, "weight_parameter") || given(c, "line_load_by_radius")) && !straight)
         wrong(k, c->line, "cauchy, weight_parameter and line_load_by_radius go with a cantilever or an arc");
-    if (given(c, "wind") || given(c, "cauchy"))
+    exclude(k, "axis_drag", "drag_coefficient");
+    exclude(k, "axis_drag", "cauchy");
+    if ((given(c, "wind") && !given(c, "axis_drag")) || given(c, "cauchy"))
         need(k, given(c, "drag_coefficient"), "drag_coefficient (wind)");
     if (given(c, "wind") && !given(c, "cauchy")) need(k, given(c, "air_density"), "air_density (wind)");
     if (given(c, "gravity") && c->gravity != 0.0) need(k, massive, "density or mass_per_length (gravity)");

@@ -212,10 +212,10 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
     fprintf(to, "%8g", degrees(d->from));
     print_cell(to, 13, 3, at->base_moment / 1e3);
     print_cell(to, 11, 3, at->tip_deflection);
-    print_cell(to, 9, 2, at->status ? NAN : at->breakage.least_safety);
-    print_cell(to, 12, 2, d->breaks.critical.speed);
-    print_cell(to, 10, 2, d->breaks.height);
-    print_cell(to, 12, 2, d->stem.critical.speed);
+    print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
+    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
+    print_cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
+    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed);
     const struct wf_directions_request *q = &an->directions->request;
     if (q->speed_up) print_cell(to, 10, 3, q->speed_up[d - an->directions->direction]);
     if (q->rose) {
@@ -281,7 +281,7 @@ static void print_speed(FILE *to, const struct wf_at_speed *at)
     print_number(to, 10, 1, at->tip_angle * 180.0 / M_PI);
     print_number(to, 13, 3, at->base_moment / 1e3);
     print_number(to, 12, 2, at->breakage.largest_stress / 1e6);
-    print_number(to, 10, 2, at->breakage.least_safety);
+    print_number(to, 10, 2, at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
     fputc('\n', to);
 }
 
@@ -297,7 +297,7 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
     if (b->row >= 0)
         fprintf(to, "; the %s breaks%s %.2f m above the ground",
                 wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
-                b == &an->breaks ? " first" : "", b->height);
+                b == &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE] ? " first" : "", b->height);
     fputc('\n', to);
 }
 
@@ -323,9 +323,10 @@ static void print_results(FILE *to, const struct wf_run *run)
                 "stress", "safety");
         fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
         for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
-        print_critical(to, an, "critical wind speed", &an->breaks);
-        if (an->breaks.row >= 0 && an->tree.level[an->breaks.row] > 0)
-            print_critical(to, an, "of the stem alone", &an->stem);
+        print_critical(to, an, "critical wind speed", &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE]);
+        int32_t broken = an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row;
+        if (broken >= 0 && an->tree.level[broken] > 0)
+            print_critical(to, an, "of the stem alone", &an->breaks[WF_BREAKAGE][WF_SCOPE_STEM]);
         print_directions(to, an);
     }
 }

@@ -202,7 +202,7 @@ static const struct wf_law_parameter *law_key(struct wf_law_table t, size_t k, c
     return NULL;
 }
 
-/* "vogel", or "vogel, mayhead": the laws that have a parameter of that name. */
+/* "vogel", or "vogel, other": the laws that have a parameter of that name. */
 static void law_names(struct wf_law_table t, const char *name, char *buf, size_t size)
 {
     const struct wf_law *l;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fail/breakage.h"
 #include "base/vec3.h"
 #include "data/section.h"
@@ -71,8 +72,9 @@ static double safety(double strength, double stress)
 
 static bool take(struct wf_breakage *b, size_t n, struct wf_arena *a)
 {
-    double **column[] = { &b->shear0,   &b->shear1,   &b->axial0,  &b->axial1,  &b->bending0, &b->bending1,
-                          &b->torsion0, &b->torsion1, &b->stress0, &b->stress1, &b->safety0,  &b->safety1 };
+    double **column[] = { &b->shear0,   &b->shear1,   &b->axial0,   &b->axial1,    &b->bending0,
+                          &b->bending1, &b->torsion0, &b->torsion1, &b->stress0,   &b->stress1,
+                          &b->safety0,  &b->safety1,  &b->peak,     &b->peak_place };
     b->n = n;
     for (size_t k = 0; k < sizeof column / sizeof *column; k++)
         if (!(*column[k] = WF_TAKE(a, n, double))) return false;
@@ -82,11 +84,7 @@ static bool take(struct wf_breakage *b, size_t n, struct wf_arena *a)
 enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, struct wf_arena *a,
                                  struct wf_breakage *b, struct wf_err *e)
 {
-    *b = (struct wf_breakage){ .least_safety = NAN,
-                               .governing = -1,
-                               .stem_safety = NAN,
-                               .stem_governing = -1,
-                               .largest_stress_row = -1 };
+    *b = (struct wf_breakage){ .largest_stress_row = -1 };
     if (r->n != t->n)
         return wf_fail(e, WF_EINTERNAL, "breakage: the answer has %zu segments, the tree %zu", r->n, t->n);
     if (!take(b, t->n, a)) return wf_fail(e, WF_ENOMEM, "breakage: no room for %zu segments", t->n);
@@ -103,14 +101,22 @@ enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_respon
         b->safety0[i] = safety(t->strength[i], s0.stress);
         b->safety1[i] = safety(t->strength[i], s1.stress);
 
-        double place, peak = row_peak(t, r, i, s0.stress, s1.stress, &place),
-                      factor = safety(t->strength[i], peak);
-        if (b->largest_stress_row < 0 || peak > b->largest_stress)
-            b->largest_stress = peak, b->largest_stress_row = (int32_t)i;
-        if (!isnan(factor) && !(b->least_safety <= factor))
-            b->least_safety = factor, b->governing = (int32_t)i, b->governing_s = place;
-        if (t->level[i] == 0 && !isnan(factor) && !(b->stem_safety <= factor))
-            b->stem_safety = factor, b->stem_governing = (int32_t)i, b->stem_governing_s = place;
+        b->peak[i] = row_peak(t, r, i, s0.stress, s1.stress, &b->peak_place[i]);
+        if (b->largest_stress_row < 0 || b->peak[i] > b->largest_stress)
+            b->largest_stress = b->peak[i], b->largest_stress_row = (int32_t)i;
     }
     return WF_OK;
+}
+
+bool wf_breakage_known(const struct wf_tree *t, size_t row) { return t->strength[row] > 0; }
+
+void wf_breakage_utilisation(const struct wf_tree *t, const struct wf_response *r,
+                             const struct wf_breakage *b, enum wf_scope scope, struct wf_worst *out)
+{
+    (void)r;
+    for (size_t i = 0; i < t->n; i++) {
+        double factor = safety(t->strength[i], b->peak[i]);
+        if (!wf_scope_holds(scope, t, i) || isnan(factor) || out->safety <= factor) continue;
+        *out = (struct wf_worst){ .safety = factor, .row = (int32_t)i, .place = b->peak_place[i] };
+    }
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FAIL_BREAKAGE_H
 #define WF_FAIL_BREAKAGE_H
 /* Stem breakage: outer-fibre stress against the modulus of rupture, at both ends of every row and, where the
@@ -5,6 +6,7 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "data/tree.h"
+#include "fail/criterion.h"
 #include "solve/solve.h"
 
 struct wf_breakage {
@@ -15,17 +17,12 @@ struct wf_breakage {
     double *torsion0, *torsion1; /* moment about the axis [N m]                                   */
     double *stress0, *stress1;   /* |M| r / I + |N| / A, thin or thick ring [Pa]                   */
     double *safety0, *safety1;   /* strength / stress [-]; INFINITY unstressed, NAN strength unknown */
-    double least_safety;         /* smallest safety factor [-]; NAN when no row has a strength    */
-    int32_t governing;           /* its row; -1 when none                                         */
-    double governing_s;          /* 0 = at the row's base, 1 = at its end                         */
-    double stem_safety;          /* the same for the rows of level 0 alone: the stem               */
-    int32_t stem_governing;
-    double stem_governing_s;
-    double largest_stress; /* [Pa]                                                          */
+    double *peak, *peak_place;   /* largest stress in the row [Pa]; 0 = at its base, 1 = at its end  */
+    double largest_stress;       /* [Pa]                                                            */
     int32_t largest_stress_row;
 };
-/* Given: tree and its answer. Returned: *out with arrays of n in the arena; least_safety, largest_stress and
- * their places take the inside of each row into account. A row's safety0/1 are those of its two ends. Method:
+/* Given: tree and its answer. Returned: *out with arrays of n in the arena; the peaks and the largest
+ * stress take the inside of each row into account. A row's safety0/1 are those of its two ends. Method:
  * inside a row the moment is the cubic that fits moments and forces at both ends (dM/ds = -t x F), the force
  * is linear, the radii are linear; where the stress rises from both ends inwards its maximum is searched.
  * Source: elementary bending, Timoshenko 1955, Strength of Materials I. Valid for sound, round stems; shear
@@ -33,4 +30,9 @@ struct wf_breakage {
  * another tree). */
 enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, struct wf_arena *a,
                                  struct wf_breakage *out, struct wf_err *e);
+
+/* The row of wf_criteria: largest stress in a row against its modulus of rupture. */
+bool wf_breakage_known(const struct wf_tree *t, size_t row);
+void wf_breakage_utilisation(const struct wf_tree *t, const struct wf_response *r,
+                             const struct wf_breakage *b, enum wf_scope scope, struct wf_worst *out);
 #endif

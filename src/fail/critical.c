@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fail/critical.h"
 #include "base/num.h"
 #include <gsl/gsl_errno.h>
@@ -156,6 +157,8 @@ const char *wf_critical_text(enum wf_critical_outcome o)
         return "no strength known";
     case WF_CRITICAL_UNSOLVED:
         return "no equilibrium found beyond the speed given";
+    case WF_CRITICAL_UNSEARCHED:
+        return "not searched for: another part of the tree fails first";
     }
     return "unknown";
 }

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FAIL_CRITICAL_H
 #define WF_FAIL_CRITICAL_H
 /* Critical wind speed: the lowest speed at which a criterion (load / resistance) reaches 1. */
@@ -9,7 +10,8 @@ enum wf_critical_outcome {
     WF_CRITICAL_ABOVE,       /* criterion stays below 1 up to the highest speed searched     */
     WF_CRITICAL_SELF_WEIGHT, /* fails without wind                                            */
     WF_CRITICAL_NO_STRENGTH, /* no row has a modulus of rupture                               */
-    WF_CRITICAL_UNSOLVED     /* the model had no answer beyond `speed_low`: bracket is reported */
+    WF_CRITICAL_UNSOLVED,    /* the model had no answer beyond `speed_low`: bracket is reported */
+    WF_CRITICAL_UNSEARCHED   /* not searched for; it is not below `speed_low`                */
 };
 struct wf_critical {
     enum wf_critical_outcome outcome;

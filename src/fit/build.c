@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/build.h"
+#include "load/drag.h"
 #include "data/model.h"
 #include "grow/clothe.h"
 #include "grow/import.h"

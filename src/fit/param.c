@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/param.h"
+#include "load/drag.h"
 #include "base/num.h"
 #include "base/text.h"
 #include <math.h>

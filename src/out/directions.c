@@ -16,8 +16,9 @@ static json_t *one(struct wf_doc *d, const struct wf_analysis *a, const struct w
                     "1", NULL);
     winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
     for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wf_part_wind(d, a, &x->at[k]));
-    wf_doc_put(d, o, "critical", wf_part_critical(d, a, &x->breaks));
-    wf_doc_put(d, o, "critical_stem", wf_part_critical(d, a, &x->stem));
+    wf_doc_put(d, o, "critical", wf_part_critical(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
+    wf_doc_put(d, o, "critical_stem", wf_part_critical(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
+    wf_doc_put(d, o, "criteria", wf_part_criteria(d, a, x->breaks, x->at));
     wf_doc_quantity(d, o, "hours_a_year", WF_HOURS_A_YEAR * x->hourly, "h", none);
     wf_doc_quantity(d, o, "hours_a_year_10_min", WF_HOURS_A_YEAR * x->strongest, "h", none);
     return o;
@@ -50,16 +51,19 @@ static void row(const struct wf_run *run, size_t tree, size_t k, size_t wind, FI
     const struct wf_directions *x = a->directions;
     const struct wf_direction *d = &x->direction[k];
     const struct wf_at_speed *at = &d->at[wind];
-    const double total[] = {
-        at->tip_deflection,       degrees * at->tip_angle, at->drag,
-        at->base_shear,           at->base_moment,         1e-6 * at->breakage.largest_stress,
-        at->breakage.least_safety
-    };
+    const double total[] = { at->tip_deflection,
+                             degrees * at->tip_angle,
+                             at->drag,
+                             at->base_shear,
+                             at->base_moment,
+                             1e-6 * at->breakage.largest_stress,
+                             at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety };
     wf_table_lead(f, run, tree, at->speed);
     wf_table_cell(f, degrees * d->from);
     fprintf(f, ",%s", wf_part_status(at->status));
     for (size_t c = 0; c < sizeof total / sizeof *total; c++) wf_table_cell(f, at->status ? NAN : total[c]);
-    const struct wf_break *const breaks[] = { &d->breaks, &d->stem };
+    const struct wf_break *const breaks[] = { &d->breaks[WF_BREAKAGE][WF_SCOPE_TREE],
+                                              &d->breaks[WF_BREAKAGE][WF_SCOPE_STEM] };
     for (size_t c = 0; c < 2; c++) {
         wf_table_cell(f, breaks[c]->critical.speed);
         fprintf(f, ",%s", wf_part_outcome(breaks[c]->critical.outcome));

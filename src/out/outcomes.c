@@ -23,7 +23,8 @@ const char *wf_part_outcome(enum wf_critical_outcome o)
                                          [WF_CRITICAL_ABOVE] = "above",
                                          [WF_CRITICAL_SELF_WEIGHT] = "self-weight",
                                          [WF_CRITICAL_NO_STRENGTH] = "no-strength",
-                                         [WF_CRITICAL_UNSOLVED] = "unsolved" };
+                                         [WF_CRITICAL_UNSOLVED] = "unsolved",
+                                         [WF_CRITICAL_UNSEARCHED] = "unsearched" };
     return names[o];
 }
 
@@ -47,10 +48,16 @@ static json_t *section(struct wf_doc *d, const struct wf_analysis *a, int32_t ro
     return o;
 }
 
+static json_t *worst_section(struct wf_doc *d, const struct wf_analysis *a, const struct wf_worst *w)
+{
+    if (!w) return json_null();
+    return section(d, a, w->row, w->place, wf_part_height(&a->tree, w->row, w->place));
+}
+
 json_t *wf_part_wind(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)
 {
     static const char *const none = "no equilibrium was found at this wind speed";
-    const struct wf_breakage *b = &at->breakage;
+    const struct wf_worst *worst = &at->worst[WF_BREAKAGE][WF_SCOPE_TREE];
     bool solved = at->status == WF_OK;
     json_t *o = wf_doc_object(d);
     wf_doc_quantity(d, o, "speed", at->speed, "m/s", NULL);
@@ -70,18 +77,16 @@ json_t *wf_part_wind(struct wf_doc *d, const struct wf_analysis *a, const struct
         { "tip_angle", at->tip_angle, "rad" },
         { "base_shear", at->base_shear, "N" },
         { "base_moment", at->base_moment, "N m" },
-        { "largest_stress", b->largest_stress, "Pa" },
+        { "largest_stress", at->breakage.largest_stress, "Pa" },
         { "imbalance", at->response.imbalance, "1" },
     };
     for (size_t i = 0; i < sizeof total / sizeof *total; i++)
         wf_doc_quantity(d, o, total[i].key, solved ? total[i].value : NAN, total[i].unit, none);
-    const char *reason = !solved                  ? none
-                         : isnan(b->least_safety) ? "no modulus of rupture is given"
-                                                  : "no section is stressed";
-    wf_doc_quantity(d, o, "least_safety", solved ? b->least_safety : NAN, "1", reason);
-    int32_t governing = solved ? b->governing : -1;
-    wf_doc_put(d, o, "governing_section",
-               section(d, a, governing, b->governing_s, wf_part_height(&a->tree, governing, b->governing_s)));
+    const char *reason = !solved                ? none
+                         : isnan(worst->safety) ? "no modulus of rupture is given"
+                                                : "no section is stressed";
+    wf_doc_quantity(d, o, "least_safety", solved ? worst->safety : NAN, "1", reason);
+    wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? worst : NULL));
     wf_doc_flag(d, o, "small_deflection", at->response.small_deflection);
     wf_doc_flag(d, o, "within_limits", !wf_limits_small_passed(at));
     wf_doc_count(d, o, "iterations", at->response.iterations);
@@ -109,6 +114,45 @@ json_t *wf_part_critical(struct wf_doc *d, const struct wf_analysis *a, const st
     wf_doc_count(d, o, "evaluations", c->evaluations);
     wf_doc_put(d, o, "governing_section", section(d, a, b->row, NAN, b->height));
     return o;
+}
+
+/* How near a part of the tree is to failing by a criterion at a wind speed. */
+static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at,
+                           const struct wf_worst *w)
+{
+    bool solved = at->status == WF_OK;
+    double safety = solved ? w->safety : NAN;
+    const char *why = !solved         ? "no equilibrium was found at this wind speed"
+                      : isnan(safety) ? "no resistance is known"
+                                      : "nothing is loaded";
+    json_t *o = wf_doc_object(d);
+    wf_doc_quantity(d, o, "speed", at->speed, "m/s", NULL);
+    wf_doc_quantity(d, o, "safety", safety, "1", why);
+    wf_doc_quantity(d, o, "utilisation", 1 / safety, "1", why);
+    wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? w : NULL));
+    return o;
+}
+
+json_t *wf_part_criteria(struct wf_doc *d, const struct wf_analysis *a,
+                         const struct wf_break breaks[WF_CRITERIA][WF_SCOPES], const struct wf_at_speed *at)
+{
+    json_t *list = wf_doc_array(d);
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int s = 0; s < WF_SCOPES; s++) {
+            const struct wf_break *b = &breaks[c][s];
+            const char *text = wf_critical_text(b->critical.outcome);
+            json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+            wf_doc_text(d, o, "criterion", wf_criteria[c].name);
+            wf_doc_text(d, o, "scope", wf_scope_name((enum wf_scope)s));
+            wf_doc_text(d, o, "outcome", wf_part_outcome(b->critical.outcome));
+            wf_doc_text(d, o, "outcome_text", text);
+            wf_doc_quantity(d, o, "critical_speed", b->critical.speed, "m/s", text);
+            wf_doc_put(d, o, "governing_section", section(d, a, b->row, NAN, b->height));
+            json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
+            for (size_t k = 0; k < a->n; k++)
+                wf_doc_add(d, winds, utilisation(d, a, &at[k], &at[k].worst[c][s]));
+        }
+    return list;
 }
 
 json_t *wf_part_warnings(struct wf_doc *d, const struct wf_diag *diag)

@@ -51,7 +51,7 @@ static enum wf_status read_results(const char *folder, json_t **out, struct wf_e
     json_int_t version = json_integer_value(json_object_get(schema, "version"));
     if (!name || strcmp(name, WF_RESULTS_SCHEMA) != 0)
         code = wf_fail(e, WF_EINPUT, "%s: is not a results document of windfirm", path);
-    else if (version != WF_RESULTS_VERSION)
+    else if (!wf_results_readable(version, WF_RESULTS_VERSION))
         code = wf_fail(e, WF_EINPUT, "%s: results of version %lld; this program reads version %d", path,
                        (long long)version, WF_RESULTS_VERSION);
     else if (!json_array_size(json_object_get(*out, "trees")))

@@ -74,8 +74,9 @@ static json_t *tree(struct wf_doc *d, const struct wf_run *run, size_t index)
     wf_doc_count(d, o, "segments", a->tree.n);
     json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
     for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wf_part_wind(d, a, &a->at[k]));
-    wf_doc_put(d, o, "critical", wf_part_critical(d, a, &a->breaks));
-    wf_doc_put(d, o, "critical_stem", wf_part_critical(d, a, &a->stem));
+    wf_doc_put(d, o, "critical", wf_part_critical(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
+    wf_doc_put(d, o, "critical_stem", wf_part_critical(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
+    wf_doc_put(d, o, "criteria", wf_part_criteria(d, a, a->breaks, a->at));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", wf_part_directions(d, a));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");

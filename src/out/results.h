@@ -12,6 +12,12 @@
 
 #define WF_RESULTS_SCHEMA "windfirm-results"
 enum { WF_RESULTS_VERSION = 1 };
+/* Does a program of results version `own` read a document of version `found`? It reads its own and the one
+ * before; the first is 1. New keys leave the version; a key that goes or changes its meaning raises it. */
+static inline bool wf_results_readable(long long found, long long own)
+{
+    return found >= 1 && (found == own || found == own - 1);
+}
 
 struct wf_input_file {
     const char *role, *path;     /* "species", "model", ...; the path as the user wrote it */

@@ -44,8 +44,8 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
         const struct wf_analysis *a = &run->analysis[i];
         for (size_t k = 0; k < a->n; k++) {
             const struct wf_at_speed *at = &a->at[k];
-            const struct wf_breakage *b = &at->breakage;
-            double height = wf_part_height(&a->tree, b->governing, b->governing_s);
+            const struct wf_worst *worst = &at->worst[WF_BREAKAGE][WF_SCOPE_TREE];
+            double height = wf_part_height(&a->tree, worst->row, worst->place);
             const double total[] = { at->tip_deflection,
                                      100 * at->tip_deflection_share,
                                      degrees * at->tip_angle,
@@ -54,13 +54,14 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
                                      at->weight,
                                      at->base_shear,
                                      at->base_moment,
-                                     1e-6 * b->largest_stress,
-                                     b->least_safety,
+                                     1e-6 * at->breakage.largest_stress,
+                                     worst->safety,
                                      height };
             wf_table_lead(f, run, i, at->speed);
             fprintf(f, ",%s", wf_part_status(at->status));
             for (size_t c = 0; c < COUNT(total); c++) wf_table_cell(f, at->status ? NAN : total[c]);
-            const struct wf_break *const breaks[] = { &a->breaks, &a->stem };
+            const struct wf_break *const breaks[] = { &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE],
+                                                      &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM] };
             for (size_t c = 0; c < COUNT(breaks); c++) {
                 wf_table_cell(f, breaks[c]->critical.speed);
                 fprintf(f, ",%s", wf_part_outcome(breaks[c]->critical.outcome));
@@ -178,7 +179,7 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
                                      at->base_shear,
                                      at->base_moment,
                                      1e-6 * at->breakage.largest_stress,
-                                     at->breakage.least_safety };
+                                     at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety };
             wf_table_lead(f, run, i, at->speed);
             fprintf(f, ",%s", wf_part_status(at->status));
             for (size_t c = 0; c < COUNT(total); c++) wf_table_cell(f, at->status ? NAN : total[c]);

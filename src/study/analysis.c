@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/analysis.h"
 #include "base/num.h"
 #include "base/parallel.h"
@@ -73,8 +74,9 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     double top = 1.0, step = 0.0;
     if (o->mesh_tolerance > 0.0) curve.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4); /* no line is finer */
     for (size_t k = 0; k < an->n; k++) top = fmax(top, an->at[k].speed);
-    if (an->breaks.critical.outcome == WF_CRITICAL_FOUND)
-        top = fmax(top, fmin(1.1 * an->breaks.critical.speed, an->scenario.speed_max));
+    const struct wf_critical *first = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
+    if (first->outcome == WF_CRITICAL_FOUND)
+        top = fmax(top, fmin(1.1 * first->speed, an->scenario.speed_max));
     for (size_t k = 0; k < WF_COUNT(steps); k++)
         if ((step = steps[k]) * STEPS >= top) break;
     an->sweep_n = (size_t)ceil(top / step - 1e-9) + 3 * QUARTERED + 1;
@@ -101,7 +103,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
         return wf_fail(e, WF_ENOMEM, "no room for %zu speeds", n);
     for (size_t k = 0; k < n; k++)
         if ((s = wf_speed_solve(out, o, speeds[k], a, d, &out->at[k], e))) return s;
-    if ((s = wf_analysis_breaks(out, o, &out->breaks, &out->stem, e))) return s;
+    if ((s = wf_analysis_breaks(out, o, out->breaks, e))) return s;
     if ((s = sweep(out, o, a, e))) return s;
     wf_limits_check(out, d);
     return WF_OK;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_ANALYSIS_H
 #define WF_STUDY_ANALYSIS_H
 /* One tree in a list of winds: wind -> load -> solve -> fail, and the critical wind speed. */
@@ -8,6 +9,7 @@
 #include "data/species.h"
 #include "data/tree.h"
 #include "fail/breakage.h"
+#include "fail/criterion.h"
 #include "fail/critical.h"
 #include "load/load.h"
 #include "load/scene.h"
@@ -27,6 +29,7 @@ struct wf_at_speed {
     enum wf_status status; /* WF_OK, or why there is no answer (load_factor tells how far it stood) */
     struct wf_response response;
     struct wf_breakage breakage;
+    struct wf_worst worst[WF_CRITERIA][WF_SCOPES];
     struct wf_figures figures;
     double drag, lift, weight;      /* whole tree [N] */
     double tip_deflection;          /* horizontal and vertical together [m], of the stem's highest point */
@@ -35,7 +38,7 @@ struct wf_at_speed {
     double base_shear, base_moment; /* [N], [N m] */
 };
 
-/* When and where a tree, or its stem alone, breaks. */
+/* When and where a tree, or a part of it, fails by a criterion. */
 struct wf_break {
     struct wf_critical critical;
     struct wf_at_speed at; /* totals at the critical speed; speed NAN where there is none */
@@ -56,8 +59,7 @@ struct wf_analysis {
     struct wf_at_speed *at; /* the speeds asked for                            */
     size_t sweep_n;
     struct wf_at_speed *sweep; /* rising from 0, closer at first, for curves (totals only) */
-    struct wf_break breaks;    /* of the part that breaks first                             */
-    struct wf_break stem;      /* of the stem, level 0, alone; the same where there are no branches */
+    struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
     const struct wf_directions *directions; /* winds from all around; NULL: not asked for */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */
@@ -68,10 +70,12 @@ struct wf_analysis {
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_err *e);
 
-/* When what breaks first breaks, and when the stem alone does. Given: an analysis after wf_analysis_set_up;
- * its wind's direction counts. */
+/* When each part of the tree fails by each criterion. Given: an analysis after wf_analysis_set_up; its wind's
+ * direction counts. Searched are the whole tree and the stem alone; where no branch has a known resistance
+ * the stem is the whole tree. The branches' answer is the tree's where they fail first or nothing fails, else
+ * they are WF_CRITICAL_UNSEARCHED. All searches share their solutions. */
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  struct wf_break *first, struct wf_break *stem, struct wf_err *e);
+                                  struct wf_break out[WF_CRITERIA][WF_SCOPES], struct wf_err *e);
 
 /* Given: species, model, scenario, solver, options, n speeds [m/s]. Returned: WF_OK and *out, even where
  * single speeds have no answer (their status says why); another code when nothing could be computed. */

@@ -1,11 +1,11 @@
-/* The critical wind speed of what breaks first, and of the stem alone. */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The critical wind speeds, by criterion and part of the tree. */
 #include "base/parallel.h"
-#include "fail/critical.h"
 #include "study/analysis.h"
 #include "study/speed.h"
 #include <math.h>
 
-/* Answers at speeds already asked for: two searches go up the same ladder. */
+/* Answers at speeds already asked for: all searches go up the same ladder. */
 enum { KNOWN_MAX = 200 };
 struct known {
     int n;
@@ -16,7 +16,8 @@ struct known {
 struct search {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
-    bool stem; /* the stem alone */
+    enum wf_criterion_id criterion;
+    enum wf_scope scope;
     struct known *known;
 };
 
@@ -47,7 +48,7 @@ static enum wf_status totals(const struct search *q, double speed, struct wf_at_
 
 static double safety(const struct search *q, const struct wf_at_speed *at)
 {
-    return q->stem ? at->breakage.stem_safety : at->breakage.least_safety;
+    return at->worst[q->criterion][q->scope].safety;
 }
 
 static bool falls(const struct search *q, const struct wf_at_speed *at)
@@ -55,7 +56,7 @@ static bool falls(const struct search *q, const struct wf_at_speed *at)
     return at->status || !(safety(q, at) > 1.0);
 }
 
-/* Stress over strength at the worst section. */
+/* Load over resistance at the worst place. */
 static enum wf_status utilisation(void *ctx, double speed, double *value, struct wf_err *e)
 {
     const struct search *s = ctx;
@@ -72,7 +73,7 @@ static enum wf_status utilisation(void *ctx, double speed, double *value, struct
 static enum wf_status polish(const struct search *search, struct wf_critical *c, struct wf_at_speed *at,
                              struct wf_err *e)
 {
-    const double near = 3e-6; /* of the strength */
+    const double near = 3e-6; /* of the resistance */
     for (int k = 0;; k++) {
         enum wf_status s = totals(search, c->speed, at, e);
         c->evaluations++;
@@ -82,14 +83,6 @@ static enum wf_status polish(const struct search *search, struct wf_critical *c,
         if (fabs(excess) <= near || k == 4 || !(fabs(step) < 0.02 * c->speed)) return WF_OK;
         c->speed -= step;
     }
-}
-
-/* Has any row a strength, on the stem (level 0) or on the branches? */
-static bool strong(const struct wf_tree *t, bool stem)
-{
-    for (size_t i = 0; i < t->n; i++)
-        if (t->strength[i] > 0.0 && (t->level[i] == 0) == stem) return true;
-    return false;
 }
 
 /* A batch of rungs at once. */
@@ -142,16 +135,23 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
     return WF_OK;
 }
 
-static enum wf_status find_break(const struct wf_analysis *an, const struct wf_solve_options *o, bool stem,
-                                 struct known *known, struct wf_break *out, struct wf_err *e)
+static void place_at(const struct wf_tree *t, const struct wf_worst *w, struct wf_break *out)
 {
+    out->row = w->row;
+    out->height = t->z0[w->row] + w->place * (t->z1[w->row] - t->z0[w->row]);
+}
+
+static enum wf_status find_break(struct search search, struct wf_break *out, struct wf_err *e)
+{
+    const struct wf_analysis *an = search.an;
+    const struct wf_solve_options *o = search.o;
     struct wf_solve_options quick = *o;
     if (o->mesh_tolerance > 0.0) quick.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4);
-    struct search search = { an, &quick, stem, known };
+    search.o = &quick;
     struct wf_critical *c = &out->critical;
     struct wf_at_speed at;
     *out = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
-    if (!strong(&an->tree, true) && (stem || !strong(&an->tree, false))) {
+    if (!wf_criterion_known(&wf_criteria[search.criterion], &an->tree, search.scope)) {
         *c = (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
         return WF_OK;
     }
@@ -160,24 +160,46 @@ static enum wf_status find_break(const struct wf_analysis *an, const struct wf_s
     if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
     search.o = o;
     s = c->outcome == WF_CRITICAL_FOUND ? polish(&search, c, &at, e) : totals(&search, 0.0, &at, e);
-    int32_t row = stem ? at.breakage.stem_governing : at.breakage.governing;
-    double place = stem ? at.breakage.stem_governing_s : at.breakage.governing_s;
-    if (s || at.status || row < 0) return s;
+    const struct wf_worst *worst = &at.worst[search.criterion][search.scope];
+    if (s || at.status || worst->row < 0) return s;
     if (c->outcome == WF_CRITICAL_FOUND) out->at = at;
-    out->row = row;
-    out->height = an->tree.z0[row] + place * (an->tree.z1[row] - an->tree.z0[row]);
+    place_at(&an->tree, worst, out);
     return WF_OK;
 }
 
+/* The branches' answer as far as that of the whole tree tells it. */
+static void branches(const struct wf_analysis *an, const struct wf_criterion *c, const struct wf_break *tree,
+                     struct wf_break *out)
+{
+    bool known = wf_criterion_known(c, &an->tree, WF_SCOPE_BRANCHES);
+    *out = *tree;
+    if (known && (tree->row < 0 || an->tree.level[tree->row] > 0)) return;
+    *out = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
+    out->critical = (struct wf_critical){ .outcome = known ? WF_CRITICAL_UNSEARCHED : WF_CRITICAL_NO_STRENGTH,
+                                          .speed = NAN,
+                                          .gradient = NAN };
+    if (!known) return;
+    out->critical.speed_low = tree->critical.outcome == WF_CRITICAL_FOUND ? tree->critical.speed_low : 0.0;
+    out->critical.speed_high = an->scenario.speed_max;
+}
+
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  struct wf_break *first, struct wf_break *stem, struct wf_err *e)
+                                  struct wf_break out[WF_CRITERIA][WF_SCOPES], struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct known *known = WF_TAKE(&scratch, 1, struct known);
+    enum wf_status s = WF_OK;
     if (!known) return wf_fail(e, WF_ENOMEM, "no room for the search of the critical speed");
-    enum wf_status s = find_break(an, o, false, known, first, e);
-    *stem = *first;
-    if (!s && strong(&an->tree, false)) s = find_break(an, o, true, known, stem, e);
+    for (int c = 0; c < WF_CRITERIA && !s; c++) {
+        struct search search = { an, o, (enum wf_criterion_id)c, WF_SCOPE_TREE, known };
+        s = find_break(search, &out[c][WF_SCOPE_TREE], e);
+        if (s) break;
+        out[c][WF_SCOPE_STEM] = out[c][WF_SCOPE_TREE];
+        branches(an, &wf_criteria[c], &out[c][WF_SCOPE_TREE], &out[c][WF_SCOPE_BRANCHES]);
+        search.scope = WF_SCOPE_STEM;
+        if (wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_BRANCHES))
+            s = find_break(search, &out[c][WF_SCOPE_STEM], e);
+    }
     wf_arena_free(&scratch);
     return s;
 }

@@ -39,7 +39,7 @@ static enum wf_status one(void *context, size_t at, struct wf_err *e)
         enum wf_status s = wf_speed_totals(&an, w->o, w->an->at[k].speed, &d->at[k], e);
         if (s) return s;
     }
-    return wf_analysis_breaks(&an, w->o, &d->breaks, &d->stem, e);
+    return wf_analysis_breaks(&an, w->o, d->breaks, e);
 }
 
 /* Share of all hours whose mean times `gust` is above what breaks the tree in this direction. */
@@ -63,7 +63,7 @@ static void add_climate(struct wf_directions *out)
     out->hourly = out->strongest = r ? 0.0 : NAN;
     for (size_t k = 0; k < out->request.n; k++) {
         struct wf_direction *d = &out->direction[k];
-        const struct wf_critical *c = &d->breaks.critical;
+        const struct wf_critical *c = &d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
         d->hourly = r ? share(r, k, c, 1.0) : NAN;
         d->strongest = r ? share(r, k, c, out->gust) : NAN;
         out->hourly += d->hourly, out->strongest += d->strongest;

@@ -17,10 +17,9 @@ struct wf_directions_request {
 };
 
 struct wf_direction {
-    double from;              /* where the wind comes from, clockwise from north [rad] */
-    struct wf_at_speed *at;   /* totals at the wind speeds asked for                   */
-    struct wf_break breaks;   /* of the part that breaks first                         */
-    struct wf_break stem;     /* of the stem alone                                     */
+    double from;            /* where the wind comes from, clockwise from north [rad] */
+    struct wf_at_speed *at; /* totals at the wind speeds asked for                   */
+    struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
     double hourly, strongest; /* share of all hours with wind from here whose mean, or whose strongest 10-min
                                  mean, is above the critical wind speed [-]; 0 where the search found none up
                                  to its end; NAN: without a climate or a critical speed */

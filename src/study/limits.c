@@ -50,14 +50,15 @@ bool wf_limits_small_passed(const struct wf_at_speed *at)
 /* The critical wind speed is an answer too, mostly far beyond the winds asked for. */
 static void check_small_critical(const struct wf_analysis *an, struct wf_diag *d)
 {
-    const struct wf_at_speed *at = &an->breaks.at;
-    if (an->breaks.critical.outcome != WF_CRITICAL_FOUND || !wf_limits_small_passed(at)) return;
+    const struct wf_break *first = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE];
+    const struct wf_at_speed *at = &first->at;
+    if (first->critical.outcome != WF_CRITICAL_FOUND || !wf_limits_small_passed(at)) return;
     wf_diag_warn(
         d, "small-deflection",
         "%s: the critical wind speed of %.4g m/s by solver '%s' is outside its validity: at that wind it "
         "puts the tip deflection at %.0f %% of the height (limit %.0f %%) and the slope at %.0f deg (limit "
         "%.0f deg); use the large-deflection solver 'beam'",
-        an->species->name, an->breaks.critical.speed, an->solver->name, 100.0 * at->tip_deflection_share,
+        an->species->name, first->critical.speed, an->solver->name, 100.0 * at->tip_deflection_share,
         100.0 * WF_SMALL_DEFLECTION_SHARE, at->tip_angle * DEGREES, WF_SMALL_DEFLECTION_TURN * DEGREES);
 }
 
@@ -95,7 +96,7 @@ static void check_equilibrium(const struct wf_analysis *an, struct wf_diag *d)
 
 static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
 {
-    const struct wf_critical *c = &an->breaks.critical;
+    const struct wf_critical *c = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
     const char *who = an->species->name;
     if (c->outcome == WF_CRITICAL_NO_STRENGTH)
         wf_diag_warn(d, "no-strength",
@@ -255,10 +256,11 @@ static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_law_use *law = &an->species->streamlining;
     double least = INFINITY, largest = 0.0, low, high;
-    bool critical = an->breaks.critical.outcome == WF_CRITICAL_FOUND;
+    const struct wf_critical *first = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
+    bool critical = first->outcome == WF_CRITICAL_FOUND;
     if (!an->loads.streamline || an->loads.streamline->rigid || !(law->high > 0.0)) return;
     for (size_t k = 0; k < an->n + critical; k++) {
-        double speed = k < an->n ? an->at[k].speed : an->breaks.critical.speed;
+        double speed = k < an->n ? an->at[k].speed : first->speed;
         if (!crown_wind(an, speed, &low, &high)) continue;
         least = fmin(least, low);
         largest = fmax(largest, high);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/speed.h"
 #include "load/scene.h"
 #include "study/figures.h"
@@ -39,8 +40,9 @@ static void totals_unknown(struct wf_at_speed *out)
 {
     out->drag = out->lift = out->weight = out->tip_deflection = out->tip_deflection_share = NAN;
     out->tip_angle = out->base_shear = out->base_moment = NAN;
-    out->breakage.least_safety = out->breakage.stem_safety = out->breakage.largest_stress = NAN;
-    out->breakage.governing = out->breakage.stem_governing = out->breakage.largest_stress_row = -1;
+    out->breakage.largest_stress = NAN;
+    out->breakage.largest_stress_row = -1;
+    wf_criteria_check(NULL, NULL, NULL, out->worst);
 }
 
 /* The tree in the wind it leaves itself; a coarser grid than for maps, because it is made for every shape. */
@@ -65,6 +67,7 @@ static enum wf_status figures(const struct wf_analysis *an, const struct wf_load
     struct wf_totals totals;
     enum wf_status s = wf_breakage_check(&an->tree, &out->response, a, &out->breakage, e);
     if (s) return s;
+    wf_criteria_check(&an->tree, &out->response, &out->breakage, out->worst);
     s = wf_figures_fill(&an->tree, l, &out->response, an->wind.direction, an->species->crown_drag.value, a,
                         &out->figures, &totals, e);
     if (!s) totals_fill(an, &totals, out);
@@ -114,13 +117,7 @@ enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_sol
                                           .small_deflection = out->response.small_deflection };
     memcpy(kept.response.base_force, out->response.base_force, sizeof kept.response.base_force);
     memcpy(kept.response.base_moment, out->response.base_moment, sizeof kept.response.base_moment);
-    kept.breakage = (struct wf_breakage){ .least_safety = out->breakage.least_safety,
-                                          .governing = out->breakage.governing,
-                                          .governing_s = out->breakage.governing_s,
-                                          .stem_safety = out->breakage.stem_safety,
-                                          .stem_governing = out->breakage.stem_governing,
-                                          .stem_governing_s = out->breakage.stem_governing_s,
-                                          .largest_stress = out->breakage.largest_stress,
+    kept.breakage = (struct wf_breakage){ .largest_stress = out->breakage.largest_stress,
                                           .largest_stress_row = out->breakage.largest_stress_row };
     kept.figures = (struct wf_figures){ 0 };
     *out = kept;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_SPEED_H
 #define WF_STUDY_SPEED_H
 /* The coupling at one wind speed: wind -> load -> solve -> fail -> figures. */
@@ -14,7 +15,7 @@ enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solv
                               struct wf_arena *a, struct wf_diag *d, struct wf_at_speed *out,
                               struct wf_err *e);
 
-/* The same without keeping columns: only the totals and the least safety factor of *out hold afterwards. */
+/* The same without keeping columns: only the totals and the worst places of *out hold afterwards. */
 enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
                                struct wf_at_speed *out, struct wf_err *e);
 

@@ -129,7 +129,8 @@ static inline void mock_speed(const struct wf_analysis *an, const struct mock_ki
     at->response.end = mock_column(a, 3 * n);
     at->response.load_factor = 1, at->response.iterations = 12, at->response.steps = 2,
     at->response.imbalance = 3e-12;
-    b->n = n, b->governing = -1, b->least_safety = INFINITY;
+    struct wf_worst *worst = &at->worst[WF_BREAKAGE][WF_SCOPE_TREE];
+    b->n = n, worst->row = -1, worst->safety = INFINITY;
     for (size_t i = 0; i < n; i++) {
         for (int end = 0; end < 2; end++) {
             double s = end ? t->z1[i] / height : t->z0[i] / height, up = s > 0.4 ? (1 - s) / 0.6 : 1;
@@ -143,9 +144,9 @@ static inline void mock_speed(const struct wf_analysis *an, const struct mock_ki
             (end ? b->stress1 : b->stress0)[i] = stress;
             (end ? b->safety1 : b->safety0)[i] = kind->strength / stress;
             if (stress > b->largest_stress) b->largest_stress = stress, b->largest_stress_row = (int32_t)i;
-            if (kind->strength / stress < b->least_safety) {
-                b->least_safety = kind->strength / stress;
-                b->governing = (int32_t)i, b->governing_s = end;
+            if (kind->strength / stress < worst->safety) {
+                worst->safety = kind->strength / stress;
+                worst->row = (int32_t)i, worst->place = end;
             }
             if (end) angle += moment * cos(angle) / (kind->youngs * inertia) * height / (double)n;
         }
@@ -157,7 +158,7 @@ static inline void mock_speed(const struct wf_analysis *an, const struct mock_ki
     at->drag = force, at->weight = 420, at->tip_angle = angle, at->tip_deflection = g->deflection[n - 1];
     at->tip_deflection_share = at->tip_deflection / height;
     at->base_shear = force, at->base_moment = b->bending0[0];
-    if (isinf(b->least_safety)) b->governing = -1;
+    if (isinf(worst->safety)) worst->row = -1;
     if (!rows) memset(g, 0, sizeof *g);
 }
 
@@ -201,21 +202,21 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
     for (size_t k = 0; k < n; k++) mock_speed(out, kind, speed[k], true, &out->at[k], a);
     out->sweep_n = MOCK_SWEEP;
     out->sweep = WF_TAKE(a, MOCK_SWEEP, struct wf_at_speed);
-    out->breaks.critical = (struct wf_critical){
+    out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical = (struct wf_critical){
         .outcome = WF_CRITICAL_ABOVE, .speed = NAN, .speed_low = 0, .speed_high = 60, .evaluations = 31
     };
-    out->breaks.row = -1, out->breaks.height = NAN;
+    out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row = -1, out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height = NAN;
     for (size_t k = 0; k < MOCK_SWEEP; k++) {
         mock_speed(out, kind, (double)k, false, &out->sweep[k], a);
-        if (out->sweep[k].breakage.least_safety < 1 && out->breaks.critical.outcome == WF_CRITICAL_ABOVE) {
-            out->breaks.critical = (struct wf_critical){ .outcome = WF_CRITICAL_FOUND,
+        if (out->sweep[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety < 1 && out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome == WF_CRITICAL_ABOVE) {
+            out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical = (struct wf_critical){ .outcome = WF_CRITICAL_FOUND,
                                                   .speed = (double)k - 0.37,
                                                   .speed_low = (double)k - 0.371,
                                                   .speed_high = (double)k - 0.369,
                                                   .gradient = 0.04,
                                                   .evaluations = 19 };
-            out->breaks.row = out->sweep[k].breakage.governing;
-            out->breaks.height = out->tree.z0[out->breaks.row];
+            out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row = out->sweep[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].row;
+            out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height = out->tree.z0[out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row];
         }
     }
     out->diag = WF_TAKE(a, 1, struct wf_diag);

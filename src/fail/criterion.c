@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fail/criterion.h"
+#include "fail/breakage.h"
+#include <math.h>
+
+const struct wf_criterion wf_criteria[WF_CRITERIA] = {
+    [WF_BREAKAGE] = { .name = "breakage",
+                      .source = "elementary bending: Timoshenko S. 1955. Strength of Materials I",
+                      .validity = "sound, round stems and branches; shear stress and torsion do not count",
+                      .known = wf_breakage_known,
+                      .utilisation = wf_breakage_utilisation },
+};
+
+const char *wf_scope_name(enum wf_scope s)
+{
+    static const char *const names[WF_SCOPES] = { "tree", "stem", "branches" };
+    return names[s];
+}
+
+bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row)
+{
+    return s == WF_SCOPE_TREE || (t->level[row] == 0) == (s == WF_SCOPE_STEM);
+}
+
+bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (wf_scope_holds(scope, t, i) && c->known(t, i)) return true;
+    return false;
+}
+
+void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
+                       struct wf_worst worst[WF_CRITERIA][WF_SCOPES])
+{
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int s = 0; s < WF_SCOPES; s++) {
+            worst[c][s] = (struct wf_worst){ .safety = NAN, .row = -1 };
+            if (r) wf_criteria[c].utilisation(t, r, b, (enum wf_scope)s, &worst[c][s]);
+        }
+}
