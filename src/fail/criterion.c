@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fail/criterion.h"
-#include "fail/breakage.h"
 #include <math.h>
 
 const struct wf_criterion wf_criteria[WF_CRITERIA] = {
@@ -10,17 +9,6 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                       .known = wf_breakage_known,
                       .utilisation = wf_breakage_utilisation },
 };
-
-const char *wf_scope_name(enum wf_scope s)
-{
-    static const char *const names[WF_SCOPES] = { "tree", "stem", "branches" };
-    return names[s];
-}
-
-bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row)
-{
-    return s == WF_SCOPE_TREE || (t->level[row] == 0) == (s == WF_SCOPE_STEM);
-}
 
 bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope)
 {

@@ -1,7 +1,7 @@
 /* What went in: species values with range, standing and source; model; scenario; method. */
 #include "load/drag.h"
 #include "out/parts.h"
-#include "wind/scale.h"
+#include "wind/climate.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
 #include "wind/terrain.h"

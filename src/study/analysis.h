@@ -8,7 +8,6 @@
 #include "data/model.h"
 #include "data/species.h"
 #include "data/tree.h"
-#include "fail/breakage.h"
 #include "fail/criterion.h"
 #include "fail/critical.h"
 #include "load/load.h"
