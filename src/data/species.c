@@ -530,7 +530,7 @@ enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, str
     *out = (struct wf_species){ .file = wf_arena_text(a, path) };
     if (!out->file || !table) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
     out->streamlining.from = laws->streamlining;
-    out->axis_drag.from = laws->axis_drag;
+    out->axis_drag = (struct wf_law_use){ .from = laws->axis_drag, .low = NAN, .high = NAN };
     return wf_yaml_read(path, table, out, a, d, e);
 }
 
