@@ -195,7 +195,8 @@ static void schema_follows_the_table(void **state)
     assert_non_null(strstr(text, "left out: 0.25 by law soft, refused by the others"));
     assert_non_null(strstr(text, "left out: that of the depth"));
     assert_non_null(strstr(text, "axis_drag.law  (required)"));
-    assert_null(strstr(shipped, "axis_drag")); /* one law is no choice */
+    if (!wf_law_row(wf_laws.axis_drag, 1))
+        assert_null(strstr(shipped, "axis_drag")); /* one law is no choice */
     wf_arena_free(&a);
 }
 

@@ -127,12 +127,14 @@ static void parameter(FILE *f, const struct wf_fit_job *j, const struct wf_law_p
               (struct unit){ spaced, 1 }, study);
 }
 
-static void streamlining(FILE *f, const struct wf_fit_job *j, const struct wf_law_use *s, const char *study)
+/* A law and its parameters below a key. */
+static void law_use(FILE *f, const struct wf_fit_job *j, const char *key, struct wf_law_table table,
+                    const struct wf_law_use *s, const char *study)
 {
-    const struct wf_law *law = wf_law_named(wf_laws.streamlining, s->law);
+    const struct wf_law *law = wf_law_named(table, s->law);
     bool lists = false;
     if (!s->law) return;
-    fprintf(f, "  streamlining:\n    law: %s\n", s->law);
+    fprintf(f, "%s:\n    law: %s\n", key, s->law);
     for (size_t k = 0, n = wf_law_count(law); k < n; k++) {
         parameter(f, j, &law->parameter[k], s, k, study);
         lists |= law->parameter[k].kind == WF_LAW_LIST;
@@ -176,12 +178,13 @@ static void write(FILE *f, const struct wf_fit_job *j, const char *key, const ch
     for (size_t i = 0; i < j->files; i++) fprintf(f, " %s sha256 %s;", j->file[i].path, j->file[i].sha256);
     fputs("\"\nlevels:\n", f);
     for (size_t k = 0; k < sp->levels; k++) level(f, j, sp, k, study);
+    law_use(f, j, "axis_drag", wf_laws.axis_drag, &sp->axis_drag, study);
     if (!sp->crown_drag.given) return;
     fputs("crown:\n", f);
     value(f, "  ", "drag_coefficient", &sp->crown_drag, fitted(j, WF_FIT_CROWN_DRAG, -1), 1, plain, study);
     value(f, "  ", "leaf_mass_per_area", &sp->leaf_mass_per_area, NULL, 1, area, study);
     value(f, "  ", "frontal_share", &sp->leaf_frontal_share, NULL, 1, plain, study);
-    streamlining(f, j, &sp->streamlining, study);
+    law_use(f, j, "  streamlining", wf_laws.streamlining, &sp->streamlining, study);
 }
 
 enum wf_status wf_fit_write_species(const struct wf_fit_job *j, const char *path, struct wf_err *e)
