@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The species table: its rows, the checks between its keys, and what is asked of it. */
 #include "data/species.h"
+#include "load/drag.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "data/value.h"
@@ -531,7 +532,7 @@ enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, str
     *out = (struct wf_species){ .file = wf_arena_text(a, path) };
     if (!out->file || !table) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
     out->streamlining.from = laws->streamlining;
-    out->axis_drag.from = laws->axis_drag;
+    out->axis_drag = (struct wf_law_use){ .from = laws->axis_drag, .low = NAN, .high = NAN };
     return wf_yaml_read(path, table, out, a, d, e);
 }
 

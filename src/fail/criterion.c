@@ -18,7 +18,7 @@ bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, e
 }
 
 void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
-                       struct wf_worst worst[WF_CRITERIA][WF_SCOPES])
+                       struct wf_worst (*worst)[WF_SCOPES])
 {
     for (int c = 0; c < WF_CRITERIA; c++)
         for (int s = 0; s < WF_SCOPES; s++) {

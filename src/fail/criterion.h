@@ -25,5 +25,5 @@ bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, e
 /* Every criterion in every scope. Given: tree, its answer, its sections; NULL for an answer that does not
  * exist. Returned: worst; without an answer NAN and row -1. */
 void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
-                       struct wf_worst worst[WF_CRITERIA][WF_SCOPES]);
+                       struct wf_worst (*worst)[WF_SCOPES]);
 #endif

@@ -89,14 +89,15 @@ static void add_values(struct wf_doc *d, json_t *list, const struct wf_analysis 
     }
 }
 
-/* The sourced values of the streamlining law. */
-static void add_law_values(struct wf_doc *d, json_t *list, const struct wf_analysis *a, bool grown)
+/* The sourced values of a law. */
+static void add_law_values(struct wf_doc *d, json_t *list, const struct wf_analysis *a, const char *level,
+                           struct wf_law_table table, const struct wf_law_use *u, bool grown)
 {
-    const struct wf_law *law = wf_law_named(wf_laws.streamlining, a->species->streamlining.law);
+    const struct wf_law *law = wf_law_named(table, u->law);
     for (size_t k = 0, n = wf_law_count(law); k < n; k++) {
         const struct wf_law_parameter *p = &law->parameter[k];
         const struct quantity q = { p->result, wf_dimension_row(p->dimension)->si, 0 };
-        const struct values one = { "crown", &a->species->streamlining.parameter[k], &q, 1, grown };
+        const struct values one = { level, &u->parameter[k], &q, 1, grown };
         if (p->kind == WF_LAW_VALUE) add_values(d, list, a, &one);
     }
 }
@@ -160,7 +161,8 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
     const struct values crown = { "crown", sp, crown_quantities, COUNT(crown_quantities),
                                   a->model->leaf_area > 0 };
     add_values(d, values, a, &crown);
-    add_law_values(d, values, a, crown.grown);
+    add_law_values(d, values, a, "crown", wf_laws.streamlining, &sp->streamlining, crown.grown);
+    add_law_values(d, values, a, "axes", wf_laws.axis_drag, &sp->axis_drag, true);
     wf_doc_put(d, o, "streamlining", streamlining(d, sp));
     return o;
 }

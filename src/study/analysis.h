@@ -74,7 +74,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
  * the stem is the whole tree. The branches' answer is the tree's where they fail first or nothing fails, else
  * they are WF_CRITICAL_UNSEARCHED. All searches share their solutions. */
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  struct wf_break out[WF_CRITERIA][WF_SCOPES], struct wf_err *e);
+                                  struct wf_break (*out)[WF_SCOPES], struct wf_err *e);
 
 /* Given: species, model, scenario, solver, options, n speeds [m/s]. Returned: WF_OK and *out, even where
  * single speeds have no answer (their status says why); another code when nothing could be computed. */
