@@ -2,6 +2,7 @@
  * against the solutions it cannot do without: the tree solved from rest in each of these winds and in none.
  */
 #include "base/random.h"
+#include "data/species.h"
 #include "fit_case.h"
 #include "solve/beam.h"
 #include <time.h>

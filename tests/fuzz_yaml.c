@@ -10,6 +10,7 @@
 #include "data/species.h"
 #include "grow/stem.h"
 #include "load/drag.h"
+#include "load/load.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>

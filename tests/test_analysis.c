@@ -1,4 +1,6 @@
 /* wf_analyze on stems whose answers are known: closed forms, balance of forces, invariance, limits. */
+#include "data/model.h"
+#include "data/species.h"
 #include "solve/solvers.h"
 #include "close.h"
 #include "study/analysis.h"

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Criteria of failure by part of the tree, and what results.json says of them. */
 #include "close.h"
+#include "data/model.h"
+#include "data/species.h"
 #include "solve/solvers.h"
 #include "data/out/folder.h"
 #include "fail/breakage.h"

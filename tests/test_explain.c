@@ -1,4 +1,6 @@
 /* Methods against beam theory, branch by branch. */
+#include "data/model.h"
+#include "data/species.h"
 #include "solve/solvers.h"
 #include "load/drag.h"
 #include "close.h"

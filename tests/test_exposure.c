@@ -1,5 +1,7 @@
 /* Ground around a tree: level ground changes nothing, the factor is that of the map, and the load feels it.
  */
+#include "data/model.h"
+#include "data/species.h"
 #include "solve/solvers.h"
 #include "load/drag.h"
 #include "close.h"

@@ -1,5 +1,6 @@
 /* Trees written and read back, and MATLAB files. */
 #include "close.h"
+#include "data/species.h"
 #include "grow/qsm.h"
 #include "imported.h"
 #ifdef WF_MATIO

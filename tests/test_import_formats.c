@@ -1,5 +1,6 @@
 /* Every format a tree may come in, read from small files written by hand. */
 #include "close.h"
+#include "data/species.h"
 #include "imported.h"
 
 #define DATA "tests/data/qsm/"

@@ -1,5 +1,6 @@
 /* From cylinders to connected segments, and materials on them. */
 #include "close.h"
+#include "data/species.h"
 #include "imported.h"
 
 #define DATA "tests/data/qsm/"

@@ -1,5 +1,6 @@
 /* Files as they really are: what is repaired, counted, refused. */
 #include "close.h"
+#include "data/species.h"
 #include "imported.h"
 #include <time.h>
 

@@ -1,5 +1,6 @@
 /* The line load: closed cases, limits, and every derivative against central differences. */
 #include "close.h"
+#include "load/drag.h"
 #include "load/load.h"
 #include <string.h>
 

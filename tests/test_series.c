@@ -1,6 +1,7 @@
 /* Time series of balances: steady wind is one answer, a gust follows it, trends of the papers hold. */
 #include "base/file.h"
 #include "close.h"
+#include "data/species.h"
 #include "out/series.h"
 #include "scratch.h"
 #include "series_cases.h"

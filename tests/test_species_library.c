@@ -4,6 +4,7 @@
 #include "data/model.h"
 #include "data/species.h"
 #include "load/drag.h"
+#include "load/load.h"
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>

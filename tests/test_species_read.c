@@ -3,6 +3,7 @@
 #include "data/species.h"
 #include "edited.h"
 #include "load/drag.h"
+#include "load/load.h"
 
 static const char good[] =
     "species: moso\n"

@@ -77,6 +77,8 @@ void wf_yaml_error(struct wf_yaml *y, const char *key, const char *fmt, ...)
  * is no scalar; and whether the key, or a key of a table in it ("place.count"), is there. */
 const char *wf_yaml_raw(struct wf_yaml *y, const char *key);
 bool wf_yaml_has(struct wf_yaml *y, const char *key);
+/* For `finish`: the numbers of a list must ascend strictly. Given: the list's key and values. */
+void wf_yaml_ascending(struct wf_yaml *y, const char *key, size_t n, const double *s);
 /* For `finish`: memory from the reader's arena; NULL makes the whole reading fail with WF_ENOMEM. */
 void *wf_yaml_take(struct wf_yaml *y, size_t n, size_t size);
 

@@ -5,6 +5,7 @@
 #include "cmd/cmd.h"
 #include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
+#include "data/species.h"
 #include "load/drag.h"
 #include "out/report.h"
 #include "out/results.h"

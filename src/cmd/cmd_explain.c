@@ -3,6 +3,7 @@
 #include "cmd/cmd.h"
 #include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
+#include "data/species.h"
 #include "load/drag.h"
 #include "load/scene.h"
 #include "out/explain.h"

@@ -2,6 +2,7 @@
 /* windfirm fit: calibrate a tree to what was measured on it. */
 #include "cmd/args.h"
 #include "cmd/cmd.h"
+#include "data/species.h"
 #include "out/fit_results.h"
 #include <math.h>
 #include <signal.h>

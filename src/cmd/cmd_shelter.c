@@ -4,6 +4,7 @@
 #include "cmd/cmd.h"
 #include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
+#include "data/species.h"
 #include "grow/clothe.h"
 #include "grow/grow.h"
 #include "grow/qsm_model.h"

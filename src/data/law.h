@@ -3,7 +3,6 @@
 #define WF_DATA_LAW_H
 /* A law as a row that owns its parameters. The rows stand where the laws are worked out (load/drag.h); the
  * species table, its schema and the results take names, parameters and units from the rows they are given. */
-#include "base/units.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
@@ -22,7 +21,7 @@ enum wf_law_kind {
 struct wf_law_parameter {
     const char *name; /* key in a species table                              */
     enum wf_law_kind kind;
-    enum wf_dimension dimension;
+    unsigned dimension; /* an enum wf_dimension of base/units.h               */
     const char *unit;   /* for messages and the schema; NULL: dimensionless    */
     double low, high;   /* allowed [SI]                                        */
     const char *preset; /* default as it would be written; NULL: needed        */
@@ -61,7 +60,7 @@ struct wf_laws {
 /* Row i of a table; NULL behind the last. */
 static inline const struct wf_law *wf_law_row(struct wf_law_table t, size_t i)
 {
-    const struct wf_law *l = (const void *)((const char *)t.row + i * t.size);
+    const struct wf_law *l = (const struct wf_law *)(const void *)((const char *)t.row + i * t.size);
     return l->name ? l : NULL;
 }
 

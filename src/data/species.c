@@ -1,25 +1,93 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The species table: its rows, the checks between its keys, and what is asked of it. */
 #include "data/species.h"
-#include "load/drag.h"
 #include "base/num.h"
 #include "base/text.h"
-#include "data/value.h"
+#include "base/yaml.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-double wf_along_at(const struct wf_along *a, double s, double fallback)
+static const char *const standing_words[] = { "assumed", "borrowed", "handbook", "measured", "printed", NULL };
+
+const char *wf_standing_text(enum wf_standing s)
 {
-    if (!a->n) return fallback;
-    if (!(s > a->s[0])) return a->v[0];
-    for (size_t i = 1; i < a->n; i++)
-        if (s <= a->s[i]) {
-            double w = (s - a->s[i - 1]) / (a->s[i] - a->s[i - 1]);
-            return a->v[i - 1] + w * (a->v[i] - a->v[i - 1]);
-        }
-    return a->v[a->n - 1];
+    return (unsigned)s <= WF_PRINTED ? standing_words[s] : "unknown";
 }
+
+static const struct wf_yaml_row value_rows[] = {
+    { .key = "value",
+      .kind = WF_YAML_QUANTITY,
+      .required = true,
+      .dimension = WF_DIM_COUNT,
+      .offset = offsetof(struct wf_value, value),
+      .doc = "The value that is used." },
+    { .key = "low",
+      .kind = WF_YAML_QUANTITY,
+      .dimension = WF_DIM_COUNT,
+      .absent = "the value",
+      .offset = offsetof(struct wf_value, low),
+      .doc = "Lower end of the plausible range; not above the value." },
+    { .key = "high",
+      .kind = WF_YAML_QUANTITY,
+      .dimension = WF_DIM_COUNT,
+      .absent = "the value",
+      .offset = offsetof(struct wf_value, high),
+      .doc = "Upper end of the plausible range; not below the value." },
+    { .key = "status",
+      .kind = WF_YAML_ENUM,
+      .preset = "assumed",
+      .choices = standing_words,
+      .offset = offsetof(struct wf_value, standing),
+      .doc =
+          "measured: on this species and part; handbook: from a handbook or review; borrowed: measured on "
+          "another "
+          "species or part; assumed: no source; printed: as a paper prints it, known or suspected not to be "
+          "physical." },
+    { .key = "source",
+      .kind = WF_YAML_NAME,
+      .absent = "allowed for assumed values only",
+      .offset = offsetof(struct wf_value, source),
+      .doc = "A key of 'sources'." },
+    { .key = "note",
+      .kind = WF_YAML_TEXT,
+      .absent = "no note",
+      .offset = offsetof(struct wf_value, note),
+      .doc = "Conditions of the measurement, reasons of an assumption." },
+    { .key = NULL },
+};
+
+static void finish_value(struct wf_yaml *y, void *out)
+{
+    struct wf_value *v = out;
+    if (v->low > v->value)
+        wf_yaml_error(y, "low", "%s is above the value %s", wf_yaml_raw(y, "low"), wf_yaml_raw(y, "value"));
+    if (v->high < v->value)
+        wf_yaml_error(y, "high", "%s is below the value %s", wf_yaml_raw(y, "high"), wf_yaml_raw(y, "value"));
+    if (isnan(v->low)) v->low = v->value;
+    if (isnan(v->high)) v->high = v->value;
+    if (v->standing != WF_ASSUMED && !wf_yaml_has(y, "source"))
+        wf_yaml_error(y, "status", "a value that is '%s' needs a source: a key of 'sources'",
+                      wf_standing_text(v->standing));
+}
+
+/* A value: {value, low, high, status, source, note}, or a bare quantity, which stands as assumed. */
+static const struct wf_yaml_table value_table = {
+    .title = "value",
+    .row = value_rows,
+    .size = sizeof(struct wf_value),
+    .bare = "value",
+    .doc =
+        "Wherever a value is taken, a bare quantity (900 kg/m3) is an assumption without a range; a mapping "
+        "says "
+        "where it comes from: {value: 10 GPa, low: 8 GPa, high: 14 GPa, status: measured, source: tang2012}",
+    .finish = finish_value,
+};
+
+/* A row for a struct wf_value member. */
+#define VALUE_ROW(T, member)                                                                                 \
+    .kind = WF_YAML_TABLE, .table = &value_table, .offset = offsetof(T, member),                             \
+    .given = 1 + offsetof(T, member.given)
 
 const char *wf_species_source(const struct wf_species *sp, const char *key)
 {
@@ -68,7 +136,7 @@ static void need_source(struct wf_yaml *y, enum wf_standing s)
 static void wall_finish(struct wf_yaml *y, void *level)
 {
     const struct wf_level *l = level;
-    wf_value_ascending(y, "at", l->wall.s ? l->wall.n : 0, l->wall.s);
+    wf_yaml_ascending(y, "at", l->wall.s ? l->wall.n : 0, l->wall.s);
     need_source(y, l->wall_note.standing);
 }
 
@@ -97,7 +165,7 @@ static const struct wf_yaml_row wall_rows[] = {
     { .key = "status",
       .kind = WF_YAML_ENUM,
       .preset = "assumed",
-      .choices = wf_standing_words,
+      .choices = standing_words,
       WALL_NOTE(standing),
       .doc = "As for a value." },
     { .key = "source",
@@ -117,7 +185,7 @@ static const struct wf_yaml_table wall_table = {
 };
 
 #define LEVEL(k, dim, u, from, to)                                                                           \
-    .key = #k, WF_VALUE_ROW(struct wf_level, k), .dimension = dim, .unit = u, .low = from, .high = to
+    .key = #k, VALUE_ROW(struct wf_level, k), .dimension = dim, .unit = u, .low = from, .high = to
 static const struct wf_yaml_row level_rows[] = {
     { .key = "name",
       .kind = WF_YAML_NAME,
@@ -176,7 +244,7 @@ static const struct wf_yaml_row origin_rows[] = {
     { .key = "status",
       .kind = WF_YAML_ENUM,
       .preset = "assumed",
-      .choices = wf_standing_words,
+      .choices = standing_words,
       .offset = USE(standing),
       .doc = "Standing of the table, as for a value." },
     { .key = "source", .kind = WF_YAML_NAME, .offset = USE(source), .doc = "A key of 'sources'." },
@@ -255,7 +323,7 @@ static bool law_row(struct wf_law_table t, size_t k, struct wf_arena *a, struct 
         out->kind = WF_YAML_QUANTITY, out->offset = value + offsetof(struct wf_value, value);
         break;
     case WF_LAW_VALUE:
-        out->kind = WF_YAML_TABLE, out->table = &wf_value_table, out->offset = value;
+        out->kind = WF_YAML_TABLE, out->table = &value_table, out->offset = value;
         out->given = 1 + value + offsetof(struct wf_value, given);
         break;
     case WF_LAW_LIST:
@@ -298,7 +366,7 @@ static void law_finish(struct wf_yaml *y, void *use)
     if (law && !strcmp(law, u->law)) law_keys_fit(y, u); /* a law that is not known was refused already */
     for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++)
         if (p == first_list(owner))
-            wf_value_ascending(y, p->name, u->list[k].v ? u->list[k].n : 0, u->list[k].v);
+            wf_yaml_ascending(y, p->name, u->list[k].v ? u->list[k].n : 0, u->list[k].v);
     need_source(y, u->standing);
     if (u->low >= u->high)
         wf_yaml_error(y, "valid_to", "%s is not above valid_from %s", wf_yaml_raw(y, "valid_to"),
@@ -367,7 +435,7 @@ static bool law_schema(struct wf_law_table t, const char *title, const struct wf
     return true;
 }
 
-#define CROWN(k, member) .key = k, WF_VALUE_ROW(struct wf_species, member), .required = true
+#define CROWN(k, member) .key = k, VALUE_ROW(struct wf_species, member), .required = true
 static const struct wf_yaml_row crown_rows[] = {
     { CROWN("drag_coefficient", crown_drag), .low = 0, .high = 3,
       .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5" },
@@ -451,7 +519,7 @@ static void sources_of_rows(struct wf_yaml *y, const struct wf_species *sp, cons
 {
     char place[160];
     for (; r->key; r++) {
-        if (r->table != &wf_value_table) continue;
+        if (r->table != &value_table) continue;
         const struct wf_value *v = (const void *)((const char *)base + r->offset);
         (void)snprintf(place, sizeof place, "%s.%s.source", path, r->key);
         source_exists(y, sp, v->source, place);

@@ -6,11 +6,13 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
-#include "base/yaml.h"
 #include "data/law.h"
+#include "data/tree.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+struct wf_yaml_pair;
 
 enum wf_standing {
     WF_ASSUMED,  /* no source: an assumption of this table                  */
@@ -26,12 +28,6 @@ struct wf_value {
     const char *source; /* NULL only when standing is WF_ASSUMED */
     bool given;         /* false: the file does not name it; value is the documented default, NAN if none */
     const char *note;   /* NULL when there is none */
-};
-
-/* A quantity along an axis: value v[i] at relative position s[i] in 0..1, linear between. */
-struct wf_along {
-    size_t n;
-    double *s, *v;
 };
 
 /* A list of numbers. */
@@ -101,9 +97,6 @@ enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, str
 /* The table's schema as text: every key with dimension, range, default, meaning; the laws and their
  * parameters are those given. NULL: no room. */
 char *wf_species_schema(const struct wf_laws *laws, struct wf_arena *a, struct wf_err *e);
-
-/* Value of an along-table at relative position s (clamped to its ends); `fallback` when empty. */
-double wf_along_at(const struct wf_along *a, double s, double fallback);
 
 const char *wf_standing_text(enum wf_standing s);
 #endif

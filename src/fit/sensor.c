@@ -2,6 +2,7 @@
 #include "fit/sensor.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "data/species.h"
 #include "solve/beam_mesh.h"
 #include "solve/beam_small.h"
 

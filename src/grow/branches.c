@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/random.h"
 #include "base/vec3.h"
+#include "data/species.h"
 #include <math.h>
 #include <string.h>
 

@@ -6,8 +6,9 @@
 #include "base/err.h"
 #include "data/branching.h"
 #include "data/model.h"
-#include "data/species.h"
 #include "data/tree.h"
+
+struct wf_species;
 
 /* Places on an axis are counted in ticks, a tenth of a segment: so no row is shorter than that. */
 enum { WF_AXIS_TICKS = 10, WF_AXIS_ROWS_MAX = 20000000 };

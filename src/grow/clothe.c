@@ -1,4 +1,5 @@
 #include "grow/clothe.h"
+#include "data/species.h"
 #include "grow/qsm_model.h"
 #include <math.h>
 

@@ -3,8 +3,9 @@
 /* A species' materials and leaves on the segments of a tree. */
 #include "base/arena.h"
 #include "base/err.h"
-#include "data/species.h"
 #include "data/tree.h"
+
+struct wf_species;
 
 struct wf_clothing {
     double leaf_area;    /* one-sided, whole tree [m2]; 0: leaf-off */

@@ -1,5 +1,6 @@
 #include "grow/grow.h"
 #include "base/num.h"
+#include "data/species.h"
 #include "grow/branches.h"
 #include "grow/clothe.h"
 #include "grow/leaves.h"

@@ -5,8 +5,9 @@
 #include "base/diag.h"
 #include "base/err.h"
 #include "data/model.h"
-#include "data/species.h"
 #include "data/tree.h"
+
+struct wf_species;
 
 /* Given: model, species, arena for the tree. Returned: the tree; parents before their children, levels one
  * after the other from the stem, the rows of an axis one after the other; materials by level, the species'

@@ -4,8 +4,9 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "data/model.h"
-#include "data/species.h"
 #include "data/tree.h"
+
+struct wf_species;
 
 /* Given: a grown tree whose leaf0, leaf1 hold the share of each row that bears leaves. Returned in the tree:
  * one-sided leaf area per length, the same on every leafy length, in all m->leaf_area; still-air sail = leaf

@@ -5,7 +5,11 @@
 #include "load/load.h"
 #include "base/vec3.h"
 #include "data/species.h"
+#include "load/drag.h"
 #include <math.h>
+
+const struct wf_laws wf_laws = { .streamlining = { wf_streamline_laws, sizeof *wf_streamline_laws },
+                                 .axis_drag = { wf_axis_drag_laws, sizeof *wf_axis_drag_laws } };
 
 void wf_loads_default(struct wf_loads *l)
 {

@@ -3,10 +3,14 @@
 #define WF_LOAD_LOAD_H
 /* What acts on a tree. A case is read-only while a solver runs; the solver samples it on the bent shape. */
 #include "base/err.h"
+#include "data/law.h"
 #include "data/tree.h"
-#include "load/drag.h"
 #include "wind/wind.h"
 #include <stddef.h>
+
+struct wf_axis_drag_law;
+struct wf_species;
+struct wf_streamline_law;
 
 enum wf_point_kind {
     WF_POINT_DEAD,    /* keeps its global direction                    */
@@ -33,11 +37,13 @@ struct wf_loads {
     const double *line; /* 6n: dead load per unit reference length at a row's base (3) and end (3), linear
                          * between, keeping its global direction [N/m]; NULL = none. Scaled by point_scale. */
 };
+/* The laws a species may choose from: streamlining and axis drag (load/drag.h). */
+extern const struct wf_laws wf_laws;
+
 /* Still air of 1.225 kg/m3 and 1.4607e-5 m2/s (15 C, sea level), 9.81 m/s2, scales 1, rigid crown, axes with
  * bark.
  */
 void wf_loads_default(struct wf_loads *l);
-struct wf_species;
 /* The laws a species chooses, with its values. Given: defaults of a species that was read, or made by hand.
  * Returned: the laws of *l; WF_EINPUT for a law that does not exist. Lists stay the species'. */
 enum wf_status wf_loads_laws(struct wf_loads *l, const struct wf_species *sp, struct wf_err *e);

@@ -4,10 +4,11 @@
 /* From the scenario a user names, and a species, to wind field, air and loads: once, for every room above. */
 #include "base/diag.h"
 #include "base/err.h"
-#include "data/species.h"
 #include "load/load.h"
 #include "wind/wind.h"
 #include <math.h>
+
+struct wf_species;
 
 struct wf_site; /* wind/terrain.h */
 struct wf_scenario {

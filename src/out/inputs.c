@@ -1,4 +1,6 @@
 /* What went in: species values with range, standing and source; model; scenario; method. */
+#include "data/model.h"
+#include "data/species.h"
 #include "load/drag.h"
 #include "out/parts.h"
 #include "wind/climate.h"

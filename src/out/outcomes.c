@@ -1,4 +1,5 @@
 /* What came out: totals at a wind speed, the critical wind speed, warnings. */
+#include "data/model.h"
 #include "out/parts.h"
 #include "study/limits.h"
 #include <math.h>

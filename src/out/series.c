@@ -1,4 +1,5 @@
 #include "base/file.h"
+#include "data/species.h"
 #include "out/series_parts.h"
 #include <math.h>
 #include <string.h>

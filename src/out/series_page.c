@@ -1,4 +1,5 @@
 /* The page of runs in time: what was run, panels of key frames, courses in time, amplitudes, warnings. */
+#include "data/species.h"
 #include "out/html.h"
 #include "out/series_parts.h"
 #include <math.h>

@@ -1,4 +1,5 @@
 /* Runs that differ in the modulus alone: a sweep, to be drawn as one curve. */
+#include "data/species.h"
 #include "out/series_parts.h"
 #include <string.h>
 

@@ -1,4 +1,5 @@
 #include "out/tables.h"
+#include "data/species.h"
 #include "out/parts.h"
 #include <math.h>
 

@@ -5,8 +5,6 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
-#include "data/model.h"
-#include "data/species.h"
 #include "data/tree.h"
 #include "fail/criterion.h"
 #include "fail/critical.h"
@@ -14,6 +12,9 @@
 #include "load/scene.h"
 #include "solve/solve.h"
 #include "wind/wind.h"
+
+struct wf_model;
+struct wf_species;
 
 /* What one segment bears, columns. */
 struct wf_figures {

@@ -1,6 +1,7 @@
 #include "study/figures.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "load/drag.h"
 #include <math.h>
 
 /* Gauss-Legendre, five points on 0..1 */

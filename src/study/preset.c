@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/preset.h"
+#include "base/yaml.h"
+#include "data/species.h"
 #include "solve/solvers.h"
 #include <math.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 #include "study/series_plan.h"
 #include "base/yaml.h"
+#include "data/species.h"
 #include "solve/solvers.h"
 #include "wind/gust.h"
 #include "wind/shelter_laws.h"

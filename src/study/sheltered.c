@@ -1,4 +1,5 @@
 #include "study/sheltered.h"
+#include "load/drag.h"
 #include <math.h>
 #include <string.h>
 

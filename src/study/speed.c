@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/speed.h"
+#include "data/species.h"
 #include "load/scene.h"
 #include "study/figures.h"
 #include "study/sheltered.h"
