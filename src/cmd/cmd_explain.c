@@ -70,7 +70,6 @@ static void departures(const struct wf_analysis *an, struct wf_diag *d)
 static enum wf_status write_files(const struct wf_args *g, const struct wf_explained *x, const char *command,
                                   struct wf_arena *a, struct wf_err *e)
 {
-    char path[WF_PATH_MAX];
     const char *folder = wf_args_text(g, "--output");
     struct wf_diag drawn = { .arena = a };
     const struct wf_html_head head = { "Every method against beam theory",
@@ -80,9 +79,7 @@ static enum wf_status write_files(const struct wf_args *g, const struct wf_expla
                                        "compared, not constants: all get the same air, "
                                        "drag and wood.",
                                        command, WF_VERSION, wf_run_date(a) };
-    snprintf(path, sizeof path, "%.4000s/plots/run.gp", folder);
-    remove(path); /* facts of an earlier run */
-    enum wf_status s = wf_explain_tables(x, 1, folder, e);
+    enum wf_status s = wf_explain_write(x, folder, e);
     if (s || wf_args_given(g, "--no-report")) return s;
     s = wf_explain_page(x, &head, folder, &drawn, e);
     wf_print_findings(&drawn, false);

@@ -1,4 +1,5 @@
 #include "out/explain.h"
+#include "out/folder.h"
 #include <math.h>
 
 static void row(FILE *f, const struct wf_explained *x, size_t b)
@@ -28,11 +29,11 @@ static bool answers(const struct wf_explain *x, size_t method)
     return false;
 }
 
-/* For the figure script: names of the methods, the first of their columns, levels, range of the ratios. */
-static void facts(FILE *f, const struct wf_explained *x, size_t n)
+void wf_explain_plot_data(const struct wf_explained *x, size_t n, struct wf_plot_data *p)
 {
     double low = 0.5, high = 2;
     int32_t top = 0;
+    char key[32];
     for (size_t i = 0; i < n; i++)
         for (size_t b = 0; b < x[i].of->axes; b++)
             for (size_t m = 0; m < x[i].of->methods; m++) {
@@ -41,46 +42,37 @@ static void facts(FILE *f, const struct wf_explained *x, size_t n)
                 if (o->ratio[m] > 0 && isfinite(o->ratio[m]))
                     low = fmin(low, o->ratio[m]), high = fmax(high, o->ratio[m]);
             }
-    fprintf(f, "METHODS = %zu\nFIRST = 8\nEXPLAIN_LEVELS = %d\nLOW = %g\nHIGH = %g\narray METHOD[%zu] = [",
-            x->of->methods, (int)top + 1, pow(10, floor(log10(low))), pow(10, ceil(log10(high))),
-            x->of->methods);
-    for (size_t m = 0; m < x->of->methods; m++) fprintf(f, "%s'%s'", m ? ", " : "", x->of->method[m]->name);
-    fputs("]\n# by run: numbers of the methods that have an answer\n", f);
+    wf_plot_data_count(p, "METHODS", 0, x->of->methods);
+    wf_plot_data_count(p, "FIRST", 0, 8); /* columns before those of the methods */
+    wf_plot_data_count(p, "EXPLAIN_LEVELS", 0, (size_t)top + 1);
+    wf_plot_data_number(p, "LOW", 0, pow(10, floor(log10(low))));
+    wf_plot_data_number(p, "HIGH", 0, pow(10, ceil(log10(high))));
+    for (size_t m = 0; m < x->of->methods; m++) wf_plot_data_text(p, "METHOD", m + 1, x->of->method[m]->name);
     for (size_t i = 0; i < n; i++) {
-        fprintf(f, "ANSWERS_%zu = \"", x[i].run);
+        size_t k = 0;
+        snprintf(key, sizeof key, "ANSWERS_%zu", x[i].run);
         for (size_t m = 0; m < x[i].of->methods; m++)
-            if (answers(x[i].of, m)) fprintf(f, "%zu ", m + 1);
-        fputs("\"\n", f);
+            if (answers(x[i].of, m)) wf_plot_data_count(p, key, ++k, m + 1);
     }
 }
 
 enum wf_status wf_explain_tables(const struct wf_explained *x, size_t n, const char *folder, struct wf_err *e)
 {
-    char path[WF_PATH_MAX];
     struct wf_file f = { 0 };
-    struct wf_arena scratch = { 0 };
-    struct wf_bytes old = { 0 };
-    struct wf_err none = { 0 };
-    enum wf_status s = WF_OK;
-    static const char *const room[] = { "tables", "plots" };
-    for (int k = 0; k < 2 && !s; k++) {
-        snprintf(path, sizeof path, "%.4000s/%s", folder, room[k]);
-        s = wf_mkdirs(path, e);
-    }
-    snprintf(path, sizeof path, "%.4000s/tables/explain.csv", folder);
-    if (!s) s = wf_file_begin(&f, path, e);
+    enum wf_status s = wf_folder_make(folder, e);
+    if (!s) s = wf_folder_begin(&f, folder, "tables/explain.csv", e);
     if (!s) table(f.stream, x, n), s = wf_file_commit(&f, e);
-    snprintf(path, sizeof path, "%.4000s/plots/run.gp", folder);
-    wf_file_read(path, &scratch, &old, &none);
-    if (!s) s = wf_file_begin(&f, path, e);
-    if (!s) {
-        if (old.size) fwrite(old.data, 1, old.size, f.stream);
-        if (n) facts(f.stream, x, n);
-        s = wf_file_commit(&f, e);
-    }
-    wf_file_abandon(&f);
-    wf_arena_free(&scratch);
     return s;
+}
+
+enum wf_status wf_explain_write(const struct wf_explained *x, const char *folder, struct wf_err *e)
+{
+    struct wf_plot_data p;
+    enum wf_status s = wf_explain_tables(x, 1, folder, e);
+    if (!s) s = wf_plot_data_begin(&p, folder, "run", e);
+    if (s) return s;
+    wf_explain_plot_data(x, 1, &p);
+    return wf_plot_data_end(&p, e);
 }
 
 static void heads(FILE *f, const struct wf_explain *x)
@@ -154,7 +146,6 @@ void wf_explain_section(const struct wf_explained *x, const char *folder, FILE *
                         enum wf_status *first)
 {
     char name[32], caption[400];
-    struct wf_err e = { 0 };
     fputs("<h2>Where each method can be trusted: ", f), wf_html_text(f, x->name);
     fprintf(
         f,
@@ -169,7 +160,7 @@ void wf_explain_section(const struct wf_explained *x, const char *folder, FILE *
         caption, sizeof caption,
         "Own bending of every branch over that by beam theory, by level (0: the stem), methods side by side. "
         "The line at 1 is agreement.");
-    if (!wf_html_show(folder, x->run, &e)) wf_html_figure(folder, "explain", name, caption, f, d, first);
+    wf_html_figure(folder, &(struct wf_figure){ name, "explain", x->run }, caption, f, d, first);
     if (x->of->axes > 1) by_branch(f, x);
 }
 

@@ -2,6 +2,7 @@
 #define WF_OUT_EXPLAIN_H
 /* Methods against beam theory as a table, a plot, a section of a page and a page of its own. */
 #include "out/html.h"
+#include "out/plot_data.h"
 #include "study/explain.h"
 
 struct wf_explained {
@@ -13,10 +14,15 @@ struct wf_explained {
     const struct wf_diag *findings; /* where printed methods leave physics; NULL: told elsewhere */
 };
 
-/* Write FOLDER/tables/explain.csv (a row a branch) and add what the figure script needs to know to
- * FOLDER/plots/run.gp, which is made when it is not there. */
+/* Write FOLDER/tables/explain.csv, a row a branch. Errors: WF_EOUTPUT. */
 enum wf_status wf_explain_tables(const struct wf_explained *x, size_t n, const char *folder,
                                  struct wf_err *e);
+/* What the figure script needs to know about n of them, at least one: methods, levels, range of the ratios.
+ */
+void wf_explain_plot_data(const struct wf_explained *x, size_t n, struct wf_plot_data *p);
+
+/* Both for a single tree: tables/explain.csv and plots/run.csv of a folder of its own. */
+enum wf_status wf_explain_write(const struct wf_explained *x, const char *folder, struct wf_err *e);
 
 /* A heading, the ratios by level and by branch, the plot. *first: first status of a figure that was not made.
  */

@@ -23,7 +23,7 @@ static void draw(const char *folder, xmlNode *parent, struct wf_diag *d, struct 
         xmlNode *node = xmlNewChild(parent, NULL, BAD_CAST "figure", NULL);
         if (!node) return;
         xmlNewProp(node, BAD_CAST "name", BAD_CAST figures[i]);
-        if (wf_figures_draw(folder, figures[i], &svg, &why)) {
+        if (wf_figures_draw(folder, &(struct wf_figure){ figures[i], figures[i], 0 }, "en", &svg, &why)) {
             xmlNewProp(node, BAD_CAST "missing", BAD_CAST why.text);
             miss(d, "no-figure", &why, e);
             continue;

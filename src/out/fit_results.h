@@ -31,7 +31,7 @@ struct wf_fit_results {
     struct wf_input_file *file; /* study, species, trees, data     */
 };
 
-/* Write FOLDER/results.json, tables/{parameters,readings,profiles,records}.csv and plots/run.gp; the folder
+/* Write FOLDER/results.json, tables/{parameters,readings,profiles,records}.csv and plots/run.csv; the folder
  * is made. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char *folder, struct wf_err *e);
 /* Draw FOLDER/plots/ *.svg and write FOLDER/calibration.html and calibration.pdf from what is in the folder.

@@ -57,38 +57,14 @@ static enum wf_status hang(FILE *f, xmlDoc *svg, struct wf_err *e)
     return size > 0 ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory for a figure");
 }
 
-enum wf_status wf_html_show(const char *folder, size_t shown, struct wf_err *e)
-{
-    char path[WF_PATH_MAX];
-    struct wf_file f = { 0 };
-    struct wf_arena scratch = { 0 };
-    struct wf_bytes facts = { 0 };
-    snprintf(path, sizeof path, "%.4000s/plots/run.gp", folder);
-    enum wf_status status = wf_file_read(path, &scratch, &facts, e);
-    if (!status) status = wf_file_begin(&f, path, e);
-    if (!status) {
-        char *old = strstr(facts.data, "SHOWN = ");
-        fwrite(facts.data, 1, old ? (size_t)(old - facts.data) : facts.size, f.stream);
-        fprintf(f.stream, "SHOWN = %zu\n", shown);
-        status = wf_file_commit(&f, e);
-    }
-    wf_arena_free(&scratch);
-    return status;
-}
-
-static enum wf_status figure(const char *folder, const char *script, const char *name, const char *caption,
-                             FILE *f, struct wf_err *e)
+static enum wf_status figure(const char *folder, const struct wf_figure *g, const char *caption, FILE *f,
+                             struct wf_err *e)
 {
     xmlDoc *svg = NULL;
-    char from[WF_PATH_MAX], to[WF_PATH_MAX];
-    enum wf_status status = wf_figures_draw(folder, script, &svg, e);
+    enum wf_status status = wf_figures_draw(folder, g, "en", &svg, e);
     if (status) return status;
-    snprintf(from, sizeof from, "%.4000s/plots/%s.svg", folder, script);
-    snprintf(to, sizeof to, "%.4000s/plots/%s.svg", folder, name);
-    if (strcmp(from, to) != 0 && rename(from, to))
-        status = wf_fail(e, WF_EOUTPUT, "%s: cannot be renamed", from);
     fputs("<figure>", f);
-    if (!status) status = hang(f, svg, e);
+    status = hang(f, svg, e);
     fputs("<figcaption>", f);
     wf_html_text(f, caption);
     fputs("</figcaption></figure>\n", f);
@@ -96,11 +72,11 @@ static enum wf_status figure(const char *folder, const char *script, const char 
     return status;
 }
 
-void wf_html_figure(const char *folder, const char *script, const char *name, const char *caption, FILE *f,
+void wf_html_figure(const char *folder, const struct wf_figure *g, const char *caption, FILE *f,
                     struct wf_diag *d, enum wf_status *first)
 {
     struct wf_err why = { 0 };
-    enum wf_status status = figure(folder, script, name, caption, f, &why);
+    enum wf_status status = figure(folder, g, caption, f, &why);
     if (!status) return;
     if (!*first) *first = status;
     wf_diag_warn(d, "no-figure", "%s", why.text);

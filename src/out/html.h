@@ -3,6 +3,7 @@
 /* Pages that are written part by part: heads, cells, figures drawn on the way. */
 #include "base/diag.h"
 #include "base/file.h"
+#include "out/figures.h"
 #include <stdio.h>
 
 struct wf_html_head {
@@ -26,10 +27,8 @@ void wf_html_number(FILE *f, const char *format, double x);
  */
 void wf_html_findings(FILE *f, const struct wf_diag *const *d, size_t n);
 
-/* Which run the figure scripts draw next: SHOWN, the last line of FOLDER/plots/run.gp. */
-enum wf_status wf_html_show(const char *folder, size_t shown, struct wf_err *e);
-/* Draw FOLDER/plots/NAME.svg with the script's figure and hang it into the page. A figure that cannot be made
- * is a warning, the page says so in its place, and *first keeps the first such status. */
-void wf_html_figure(const char *folder, const char *script, const char *name, const char *caption, FILE *f,
+/* Draw a figure and hang it into the page. A figure that cannot be made is a warning, the page says so in its
+ * place, and *first keeps the first such status. */
+void wf_html_figure(const char *folder, const struct wf_figure *g, const char *caption, FILE *f,
                     struct wf_diag *d, enum wf_status *first);
 #endif

@@ -9,6 +9,8 @@
 #include <string.h>
 #include <unistd.h>
 
+static const char *const drawn[] = { "shapes", "tip", "safety", "stem", NULL };
+
 struct job {
     const char *folder, *language;
     xmlDoc *document; /* <report lang="en"><results/><figures/><css/></report>, what report.xsl reads */
@@ -93,7 +95,8 @@ static enum wf_status make_document(struct job *j)
 /* Draw one figure, by a way of its own or as all others, and hang it into the document. `unready`: why none
  * can be drawn, NULL when they can. */
 static enum wf_status add_figure(struct job *j, const char *name,
-                                 enum wf_status (*own)(const char *, xmlDoc **, struct wf_err *),
+                                 enum wf_status (*own)(const char *, const char *, xmlDoc **,
+                                                       struct wf_err *),
                                  const struct wf_err *unready)
 {
     struct wf_err why = { 0 };
@@ -105,7 +108,9 @@ static enum wf_status add_figure(struct job *j, const char *name,
         xmlNewProp(node, BAD_CAST "missing", BAD_CAST unready->text);
         return WF_OK;
     }
-    if (own ? own(j->folder, &svg, &why) : wf_figures_draw(j->folder, name, &svg, &why)) {
+    const struct wf_figure g = { name, name, 0 };
+    if (own ? own(j->folder, j->language, &svg, &why)
+            : wf_figures_draw(j->folder, &g, j->language, &svg, &why)) {
         xmlNewProp(node, BAD_CAST "missing", BAD_CAST why.text);
         miss(j, "no-figure", &why);
         return WF_OK;
@@ -127,8 +132,7 @@ static enum wf_status draw_figures(struct job *j)
     bool branched = wf_tree_picture_there(j->folder);
     enum wf_status code =
         branched ? add_figure(j, "tree", wf_tree_picture_report, ready ? NULL : &why) : WF_OK;
-    for (size_t i = 0; !code && wf_figures[i]; i++)
-        code = add_figure(j, wf_figures[i], NULL, ready ? NULL : &why);
+    for (size_t i = 0; !code && drawn[i]; i++) code = add_figure(j, drawn[i], NULL, ready ? NULL : &why);
     if (!code && j->around) code = add_figure(j, "directions", NULL, ready ? NULL : &why);
     return code;
 }

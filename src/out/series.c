@@ -178,67 +178,61 @@ static void trajectories(const struct wf_series_page *p, FILE *f)
     }
 }
 
-/* gnuplot's own quoting */
-static void quoted(FILE *f, const char *words)
+/* Extent of the tree along the wind and in height, unloaded and in the key frames [m]. */
+static void extent(const struct wf_series *s, double *left, double *right, double *top)
 {
-    fputc('\'', f);
-    for (; *words; words++) {
-        if (*words == '\'') fputc('\'', f);
-        fputc(*words, f);
+    const struct wf_tree *t = &s->an.tree;
+    *left = *right = *top = 0;
+    for (size_t k = 0; k < s->spec.keys; k++)
+        for (size_t i = 0; i < t->n; i++) {
+            double x[3], rest[3] = { t->x1[i], t->y1[i], t->z1[i] };
+            end_of(s, s->key[k], i, x);
+            *left = fmin(*left, fmin(wf_series_along(s, x), wf_series_along(s, rest)));
+            *right = fmax(*right, fmax(wf_series_along(s, x), wf_series_along(s, rest)));
+            *top = fmax(*top, fmax(x[2], rest[2]));
+        }
+}
+
+static void plot_run(struct wf_plot_data *p, const struct wf_series *s, size_t run)
+{
+    double left, right, top;
+    extent(s, &left, &right, &top);
+    const struct {
+        const char *key;
+        double x;
+    } number[] = { { "KEYS", (double)s->spec.keys },
+                   { "FRAMES", (double)s->frames },
+                   { "HEIGHT_M", s->an.tallness },
+                   { "LEFT", left },
+                   { "RIGHT", right },
+                   { "TOP", top },
+                   { "LEAVES", (double)s->leaves.n },
+                   { "STEP", s->spec.step },
+                   { "LEVELS", (double)s->levels } };
+    wf_plot_data_text(p, "NAME", run, s->spec.name);
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
+        wf_plot_data_number(p, number[i].key, run, number[i].x);
+    wf_plot_data_text(p, "MOTION", run, s->spec.leaf_motion->name);
+    char key[32];
+    for (size_t k = 0; k < s->spec.keys; k++) {
+        snprintf(key, sizeof key, "KEY_TIME_%zu", run);
+        wf_plot_data_number(p, key, k + 1, (double)s->key[k] * s->spec.step);
+        snprintf(key, sizeof key, "KEY_WIND_%zu", run);
+        wf_plot_data_number(p, key, k + 1, s->wind[s->key[k]]);
     }
-    fputc('\'', f);
 }
 
 /* What the figure scripts need to know: names, key frames, extent along the wind and in height. */
-static void plot_facts(const struct wf_series_page *p, FILE *f)
+static enum wf_status plot_data(const struct wf_series_page *page, const char *folder, struct wf_err *e)
 {
-    fprintf(f, "# What the figure scripts need to know about these runs; written by windfirm.\nRUNS = %zu\n",
-            p->n);
-    const char *const name[] = { "NAME",  "KEYS", "FRAMES", "HEIGHT_M", "LEFT",
-                                 "RIGHT", "TOP",  "LEAVES", "STEP" };
-    for (size_t c = 0; c < sizeof name / sizeof *name; c++) {
-        fprintf(f, "array %s[%zu] = [", name[c], p->n);
-        for (size_t r = 0; r < p->n; r++) {
-            const struct wf_series *s = p->run[r].series;
-            const struct wf_tree *t = &s->an.tree;
-            double left = 0, right = 0, top = 0;
-            for (size_t k = 0; k < s->spec.keys; k++)
-                for (size_t i = 0; i < t->n; i++) {
-                    double x[3], rest[3] = { t->x1[i], t->y1[i], t->z1[i] };
-                    end_of(s, s->key[k], i, x);
-                    left = fmin(left, fmin(wf_series_along(s, x), wf_series_along(s, rest)));
-                    right = fmax(right, fmax(wf_series_along(s, x), wf_series_along(s, rest)));
-                    top = fmax(top, fmax(x[2], rest[2]));
-                }
-            const double value[] = {
-                0,   (double)s->spec.keys, (double)s->frames, s->an.tallness, left, right,
-                top, (double)s->leaves.n,  s->spec.step
-            };
-            if (r) fputs(", ", f);
-            if (c)
-                fprintf(f, "%.6g", value[c]);
-            else
-                quoted(f, s->spec.name);
-        }
-        fputs("]\n", f);
-    }
-    fprintf(f, "array MOTION[%zu] = [", p->n);
-    for (size_t r = 0; r < p->n; r++)
-        fprintf(f, r ? ", '%s'" : "'%s'", p->run[r].series->spec.leaf_motion->name);
-    fprintf(f, "]\narray LEVELS[%zu] = [", p->n);
-    for (size_t r = 0; r < p->n; r++) fprintf(f, r ? ", %zu" : "%zu", p->run[r].series->levels);
-    for (int c = 0; c < 2; c++) {
-        fprintf(f, "]\n# of the key frames\narray %s[%zu] = [", c ? "WINDS" : "TIMES", p->n);
-        for (size_t r = 0; r < p->n; r++) {
-            const struct wf_series *s = p->run[r].series;
-            fputs(r ? ", \"" : "\"", f);
-            for (size_t k = 0; k < s->spec.keys; k++)
-                fprintf(f, "%.3g ", c ? s->wind[s->key[k]] : (double)s->key[k] * s->spec.step);
-            fputc('"', f);
-        }
-    }
-    fputs("]\n", f);
-    wf_series_sweep_facts(p, f);
+    struct wf_plot_data p;
+    enum wf_status s = wf_plot_data_begin(&p, folder, "run", e);
+    if (s) return s;
+    wf_plot_data_count(&p, "RUNS", 0, page->n);
+    for (size_t r = 0; r < page->n; r++) plot_run(&p, page->run[r].series, r + 1);
+    wf_series_sweep_facts(page, &p);
+    if (page->explained) wf_explain_plot_data(page->explain, page->explained, &p);
+    return wf_plot_data_end(&p, e);
 }
 
 enum wf_status wf_series_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e)
@@ -257,8 +251,7 @@ enum wf_status wf_series_tables(const struct wf_series_page *p, const char *fold
         void (*write)(const struct wf_series_page *p, FILE *f);
     } table[] = { { "tables/series.csv", series },     { "tables/frames.csv", frames },
                   { "tables/levels.csv", levels },     { "tables/runs.csv", runs },
-                  { "tables/warnings.csv", warnings }, { "tables/trajectories.csv", trajectories },
-                  { "plots/run.gp", plot_facts } };
+                  { "tables/warnings.csv", warnings }, { "tables/trajectories.csv", trajectories } };
     static const char *const room[] = { "tables", "plots" };
     enum wf_status status = WF_OK;
     for (size_t i = 0; i < 2 && !status; i++) {
@@ -272,6 +265,7 @@ enum wf_status wf_series_tables(const struct wf_series_page *p, const char *fold
         table[i].write(p, f.stream);
         status = wf_file_commit(&f, e);
     }
+    if (!status) status = plot_data(p, folder, e);
     if (!status) status = wf_series_leaf_tables(p, folder, e);
     return status || !p->explained ? status : wf_explain_tables(p->explain, p->explained, folder, e);
 }

@@ -21,7 +21,7 @@ struct wf_series_page {
  * frames, a row a leaf, where there are leaves), leaf_angles.csv (every frame, the own angles of at most 12
  * leaves), levels.csv, runs.csv, explain.csv (where runs ask), warnings.csv and trajectories.csv (ends of
  * segments in every frame; of the tips of axes alone where that would be more than 200000 rows), and
- * FOLDER/plots/run.gp. */
+ * FOLDER/plots/run.csv. */
 enum wf_status wf_series_tables(const struct wf_series_page *p, const char *folder, struct wf_err *e);
 
 /* Write FOLDER/vtk/RUN.pvd and its frames FOLDER/vtk/RUN_0000.vtp ...: lines from base to end of every

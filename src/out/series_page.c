@@ -87,7 +87,6 @@ static void warnings(const struct wf_series_page *p, FILE *f)
 static enum wf_status figures(const struct wf_series_page *p, const char *folder, FILE *f, struct wf_diag *d)
 {
     enum wf_status first = WF_OK;
-    struct wf_err e = { 0 };
     bool course = false, single = false, leafy = false;
     char name[32], caption[400];
     for (size_t r = 0; r < p->n; r++) {
@@ -96,42 +95,42 @@ static enum wf_status figures(const struct wf_series_page *p, const char *folder
         leafy = leafy || (s->frames > 1 && s->leaves.n > 0);
     }
     size_t swept;
-    if (single && !wf_html_show(folder, 0, &e)) {
+    if (single) {
         fputs("<h2>Bent shapes</h2>\n", f);
         if (wf_series_sweep(p, &swept)) {
             const struct wf_series *s = p->run[swept].series;
             snprintf(caption, sizeof caption,
                      "Deflection of the stem's tip by Young's modulus, %.60s in %.3g m/s, all else the same.",
                      s->spec.species->name, s->spec.speed);
-            wf_html_figure(folder, "modulus", "modulus", caption, f, d, &first);
+            wf_html_figure(folder, &(struct wf_figure){ "modulus", "modulus", 0 }, caption, f, d, &first);
         }
         wf_html_figure(
-            folder, "frames", "frames_all",
+            folder, &(struct wf_figure){ "frames_all", "frames", 0 },
             "The runs side by side, seen across the wind, which blows to the right. Grey: the unloaded tree. "
             "Dashed: the plumb line of its height. One scale for all, equal both ways, metres.",
             f, d, &first);
     }
     for (size_t r = 0, shown = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
-        if (s->spec.keys < 2 || wf_html_show(folder, r + 1, &e)) continue;
+        if (s->spec.keys < 2) continue;
         if (!shown++) fputs("<h2>Key frames</h2>\n", f);
         snprintf(name, sizeof name, "frames_%zu", r + 1);
         snprintf(caption, sizeof caption,
                  "Run %zu, %.200s: key frames with their time and wind speed, seen across the wind, which "
                  "blows to the right; metres. Grey: the unloaded tree, dashed: its plumb line.",
                  r + 1, s->spec.name);
-        wf_html_figure(folder, "frames", name, caption, f, d, &first);
+        wf_html_figure(folder, &(struct wf_figure){ name, "frames", r + 1 }, caption, f, d, &first);
     }
     if (course) {
         fputs("<h2>In time</h2>\n", f);
         wf_html_figure(
-            folder, "series", "series",
+            folder, &(struct wf_figure){ "series", "series", 0 },
             "Wind at the reference height, and deflection of the stem's tip from the unloaded shape.", f, d,
             &first);
     }
     if (leafy)
         wf_html_figure(
-            folder, "leaf_angles", "leaf_angles",
+            folder, &(struct wf_figure){ "leaf_angles", "leaf_angles", 0 },
             "How the first leaf of a run turns on its stalk: swing and twist in proportion to the wind "
             "(Tang and others 2012, eq 13), or turns theta about x, y and z from three noises (Zhao and "
             "Zhang 2013). A look alone: these angles enter no load.",

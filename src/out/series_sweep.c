@@ -26,13 +26,11 @@ size_t wf_series_sweep(const struct wf_series_page *p, size_t *first)
     return most >= 3 ? most : 0;
 }
 
-void wf_series_sweep_facts(const struct wf_series_page *p, FILE *f)
+void wf_series_sweep_facts(const struct wf_series_page *p, struct wf_plot_data *to)
 {
-    size_t first = 0;
+    size_t first = 0, n = 0;
     if (!wf_series_sweep(p, &first)) return;
     const struct wf_series *s = p->run[first].series;
-    fputs("SWEPT = \"", f);
     for (size_t r = 0; r < p->n; r++)
-        if (r == first || differ_in_modulus(s, p->run[r].series)) fprintf(f, "%zu ", r + 1);
-    fputs("\"\n", f);
+        if (r == first || differ_in_modulus(s, p->run[r].series)) wf_plot_data_count(to, "SWEPT", ++n, r + 1);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/shelter_results.h"
 #include "out/folder.h"
+#include "out/plot_data.h"
 #include <math.h>
 
 enum { MAP = 64, CUT_LONG = 160, CUT_WIDE = 100 };
@@ -202,16 +203,29 @@ static void tips(FILE *f, const struct wf_shelter_run *r)
     }
 }
 
-static void words(FILE *f, const struct wf_shelter_run *r)
+static void plot_data(struct wf_plot_data *p, const struct wf_shelter_run *r)
 {
     const struct wf_shelter *s = &r->still;
-    double at[2], depth = s->step[0] * (double)s->slabs;
+    double at[2];
     middle(s, at);
-    fprintf(f, "LAW = '%s'\nSPEED = %.6g\nSLABS = %zu\nCELLS = %zu\nFRONT = %.6g\nDEPTH = %.6g\n",
-            s->request.law->name, r->speed, s->slabs, s->across, s->low[0], depth);
-    fprintf(f, "LEFT = %.6g\nWIDE = %.6g\nBOTTOM = %.6g\nTALL = %.6g\nCUT_UP = %.6g\nCUT_ACROSS = %.6g\n",
-            s->low[1], s->step[1] * (double)s->across, s->low[2], s->step[2] * (double)s->up, at[1], at[0]);
-    fprintf(f, "MOVED = %d\n", r->moved);
+    const struct {
+        const char *key;
+        double x;
+    } number[] = { { "SPEED", r->speed },
+                   { "SLABS", (double)s->slabs },
+                   { "CELLS", (double)s->across },
+                   { "FRONT", s->low[0] },
+                   { "DEPTH", s->step[0] * (double)s->slabs },
+                   { "LEFT", s->low[1] },
+                   { "WIDE", s->step[1] * (double)s->across },
+                   { "BOTTOM", s->low[2] },
+                   { "TALL", s->step[2] * (double)s->up },
+                   { "CUT_UP", at[1] },
+                   { "CUT_ACROSS", at[0] },
+                   { "MOVED", (double)r->moved } };
+    wf_plot_data_text(p, "LAW", 0, s->request.law->name);
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
+        wf_plot_data_number(p, number[i].key, 0, number[i].x);
 }
 
 enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *e)
@@ -219,13 +233,9 @@ enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *
     static const struct {
         const char *name;
         void (*write)(FILE *f, const struct wf_shelter_run *r);
-    } table[] = { { "tables/slabs.csv", slabs },
-                  { "tables/cells.csv", cells },
-                  { "tables/cut_level.csv", cut_level },
-                  { "tables/cut_upright.csv", cut_upright },
-                  { "tables/rows.csv", rows },
-                  { "tables/tips.csv", tips },
-                  { "plots/run.gp", words } };
+    } table[] = { { "tables/slabs.csv", slabs },         { "tables/cells.csv", cells },
+                  { "tables/cut_level.csv", cut_level }, { "tables/cut_upright.csv", cut_upright },
+                  { "tables/rows.csv", rows },           { "tables/tips.csv", tips } };
     enum wf_status status = wf_folder_make(r->folder, e);
     for (size_t i = 0; i < sizeof table / sizeof table[0] && !status; i++) {
         struct wf_file f = { 0 };
@@ -234,5 +244,9 @@ enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *
         table[i].write(f.stream, r);
         status = wf_file_commit(&f, e);
     }
-    return status;
+    struct wf_plot_data p;
+    if (!status) status = wf_plot_data_begin(&p, r->folder, "run", e);
+    if (status) return status;
+    plot_data(&p, r);
+    return wf_plot_data_end(&p, e);
 }

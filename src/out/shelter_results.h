@@ -25,6 +25,6 @@ struct wf_shelter_run {
 /* Fill tip, tips from the responses. WF_ENOMEM. */
 enum wf_status wf_shelter_tips(struct wf_shelter_run *r, const struct wf_loads *open, struct wf_arena *a,
                                struct wf_err *e);
-/* FOLDER/tables/{slabs,cells,cut_level,cut_upright,rows,tips}.csv and FOLDER/plots/run.gp. */
+/* FOLDER/tables/{slabs,cells,cut_level,cut_upright,rows,tips}.csv and FOLDER/plots/run.csv. */
 enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *e);
 #endif

@@ -2,6 +2,7 @@
 #include "out/terrain_results.h"
 #include "base/csv.h"
 #include "out/folder.h"
+#include "out/plot_data.h"
 #include <math.h>
 
 /* Every point of the map, blank line after each row as gnuplot's maps want it. */
@@ -35,11 +36,12 @@ static enum wf_status write_grids(const struct wf_terrain_site *s, const char *f
         enum wf_status status = wf_terrain_write(path, &s->ground, value[i], e);
         if (status) return status;
     }
-    struct wf_file f = { 0 };
-    enum wf_status status = wf_folder_begin(&f, folder, "plots/run.gp", e);
+    struct wf_plot_data p;
+    enum wf_status status = wf_plot_data_begin(&p, folder, "run", e);
     if (status) return status;
-    fprintf(f.stream, "FROM = %.9g\nCELL = %.9g\n", s->from * 180 / M_PI, s->ground.cell);
-    return wf_file_commit(&f, e);
+    wf_plot_data_number(&p, "FROM", 0, s->from * 180 / M_PI);
+    wf_plot_data_number(&p, "CELL", 0, s->ground.cell);
+    return wf_plot_data_end(&p, e);
 }
 
 /* The grid point nearest to each place asked for; the height is interpolated. */

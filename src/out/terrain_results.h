@@ -13,7 +13,7 @@ struct wf_terrain_site {
     double from;            /* the wind comes from, clockwise from north [rad] */
 };
 
-/* Write FOLDER/tables/{terrain.csv,height.asc,topex_deg.asc,wind_factor.asc} and FOLDER/plots/run.gp; the
+/* Write FOLDER/tables/{terrain.csv,height.asc,topex_deg.asc,wind_factor.asc} and FOLDER/plots/run.csv; the
  * folder is made. Errors: WF_EOUTPUT. */
 enum wf_status wf_terrain_results_write(const struct wf_terrain_site *s, const char *folder,
                                         struct wf_err *e);

@@ -1,7 +1,6 @@
 /* The picture of a tree by gnuplot: for a file, and for a page. */
 #include "base/file.h"
 #include "out/figures.h"
-#include "out/program.h"
 #include "out/tree_picture.h"
 #include <stdint.h>
 #include <stdio.h>
@@ -17,17 +16,7 @@ static enum wf_status join(const char *folder, const char *name, char path[stati
     return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
 }
 
-/* Run the script; a picture that is not there afterwards is an error with gnuplot's words. */
-static enum wf_status run_script(const char *folder, const char *picture, struct wf_err *e)
-{
-    char script[WF_PATH_MAX], said[WF_SAID_MAX];
-    enum wf_status s = wf_report_asset("plots/tree.gp", script, sizeof script, e);
-    if (s) return s;
-    const char *const argv[] = { "gnuplot", "-c", script, folder, picture, NULL };
-    if ((s = wf_program_run(argv, "gnuplot-nox", said, e))) return s;
-    if (*said) return wf_fail(e, WF_EOUTPUT, "%s: gnuplot says: %s", picture, said);
-    return WF_OK;
-}
+static const struct wf_figure tree_figure = { "tree", "tree", 0 };
 
 /* The bytes of a finished picture; one that is cut short is refused. */
 static enum wf_status take(const char *picture, struct wf_arena *a, struct wf_bytes *out, struct wf_err *e)
@@ -68,23 +57,19 @@ static const char *ending(const char *path)
 static enum wf_status draw_in(const struct wf_tree_picture *p, const char *folder, const char *path,
                               struct wf_arena *a, struct wf_err *e)
 {
-    char picture[WF_PATH_MAX], name[16], run[WF_PATH_MAX];
-    char none[1] = "";
-    struct wf_bytes bytes = { none, 0 };
+    char picture[WF_PATH_MAX], name[16], plots[WF_PATH_MAX];
+    struct wf_bytes bytes;
     snprintf(name, sizeof name, "picture%s", ending(path));
-    enum wf_status s = join(folder, "plots", run, e);
-    if (!s) s = wf_mkdirs(run, e);
-    if (!s) s = join(folder, "plots/run.gp", run, e);
-    if (!s) s = put(run, &bytes, e); /* the style sheet reads it; a single tree has no run */
+    enum wf_status s = join(folder, "plots", plots, e);
+    if (!s) s = wf_mkdirs(plots, e);
     if (!s) s = wf_tree_picture_write(p, folder, e);
     if (!s) s = join(folder, name, picture, e);
-    if (!s) s = run_script(folder, picture, e);
+    if (!s) s = wf_figures_run(folder, &tree_figure, picture, "en", e);
     if (!s) s = take(picture, a, &bytes, e);
     if (!s) s = put(path, &bytes, e);
     (void)unlink(picture);
-    (void)unlink(run);
     wf_tree_picture_remove(folder);
-    if (!join(folder, "plots", run, NULL)) (void)rmdir(run);
+    if (!join(folder, "plots", plots, NULL)) (void)rmdir(plots);
     return s;
 }
 
@@ -154,12 +139,13 @@ static size_t segments(const char *folder, struct wf_arena *a)
 {
     char path[WF_PATH_MAX];
     struct wf_bytes b;
-    if (join(folder, "plots/tree_data.gp", path, NULL) || wf_file_read_text(path, a, &b, NULL)) return 0;
-    const char *at = strstr(b.data, "\nSEGMENTS = ");
-    return at ? strtoul(at + strlen("\nSEGMENTS = "), NULL, 10) : 0;
+    if (join(folder, "plots/tree.csv", path, NULL) || wf_file_read_text(path, a, &b, NULL)) return 0;
+    const char *at = strstr(b.data, "\nSEGMENTS,0,");
+    return at ? strtoul(at + strlen("\nSEGMENTS,0,"), NULL, 10) : 0;
 }
 
-enum wf_status wf_tree_picture_report(const char *folder, xmlDoc **svg, struct wf_err *e)
+enum wf_status wf_tree_picture_report(const char *folder, const char *language, xmlDoc **svg,
+                                      struct wf_err *e)
 {
     struct wf_arena a = { 0 };
     struct wf_bytes png;
@@ -168,11 +154,11 @@ enum wf_status wf_tree_picture_report(const char *folder, xmlDoc **svg, struct w
     *svg = NULL;
     if (segments(folder, &a) <= WF_PICTURE_LINES_MAX) {
         wf_arena_free(&a);
-        return wf_figures_draw(folder, "tree", svg, e);
+        return wf_figures_draw(folder, &tree_figure, language, svg, e);
     }
     s = join(folder, "plots/tree.png", path, e);
     if (!s) s = join(folder, "plots/tree.part.png", part, e);
-    if (!s) s = run_script(folder, part, e);
+    if (!s) s = wf_figures_run(folder, &tree_figure, part, language, e);
     if (!s) s = take(part, &a, &png, e);
     if (!s) s = put(path, &png, e);
     (void)unlink(part);

@@ -2,6 +2,7 @@
 #include "out/wind_results.h"
 #include "out/figures.h"
 #include "out/folder.h"
+#include "out/plot_data.h"
 #include <math.h>
 #include <string.h>
 
@@ -68,17 +69,18 @@ static void coherence(FILE *f, const struct wf_gust_report *r)
         }
 }
 
-/* Names and numbers the figure scripts need. */
-static void words(FILE *f, const struct wf_gust_report *r)
+static void plot_data(struct wf_plot_data *p, const struct wf_gust_report *r)
 {
     const struct wf_gust_spec *s = &r->spec;
-    double length = (double)s->steps * s->step;
-    fprintf(f,
-            "MODEL = '%s'\nMEAN = %.9g\nDURATION = %.9g\nSTEP = %.9g\nCOMPONENTS = %u\nPOINTS = %zu\nPAIRS = "
-            "%zu\n",
-            s->model->name, r->stats[0].mean, length, s->step, s->components, s->points,
-            r->coherence ? r->pairs : 0);
-    fprintf(f, "TARGET = %d\nSPEED = %.9g\n", s->model->spectrum ? 1 : 0, s->speed);
+    wf_plot_data_text(p, "MODEL", 0, s->model->name);
+    wf_plot_data_number(p, "MEAN", 0, r->stats[0].mean);
+    wf_plot_data_number(p, "DURATION", 0, (double)s->steps * s->step);
+    wf_plot_data_number(p, "STEP", 0, s->step);
+    wf_plot_data_count(p, "COMPONENTS", 0, s->components);
+    wf_plot_data_count(p, "POINTS", 0, s->points);
+    wf_plot_data_count(p, "PAIRS", 0, r->coherence ? r->pairs : 0);
+    wf_plot_data_count(p, "TARGET", 0, s->model->spectrum != NULL);
+    wf_plot_data_number(p, "SPEED", 0, s->speed);
 }
 
 enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r, struct wf_err *e)
@@ -89,8 +91,7 @@ enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r
     } table[] = { { "tables/series.csv", series },
                   { "tables/spectrum.csv", spectrum },
                   { "tables/histogram.csv", histogram },
-                  { "tables/coherence.csv", coherence },
-                  { "plots/run.gp", words } };
+                  { "tables/coherence.csv", coherence } };
     enum wf_status status = wf_folder_make(folder, e);
     for (size_t i = 0; i < sizeof table / sizeof table[0] && !status; i++) {
         struct wf_file f = { 0 };
@@ -99,7 +100,11 @@ enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r
         table[i].write(f.stream, r);
         status = wf_file_commit(&f, e);
     }
-    return status;
+    struct wf_plot_data p;
+    if (!status) status = wf_plot_data_begin(&p, folder, "run", e);
+    if (status) return status;
+    plot_data(&p, r);
+    return wf_plot_data_end(&p, e);
 }
 
 const double wf_rose_classes[WF_ROSE_CLASSES] = { 5.0, 10.0, 15.0, 20.0 };
@@ -120,10 +125,11 @@ enum wf_status wf_wind_rose_write(const char *folder, const struct wf_rose *r, s
     }
     fputc('\n', f.stream);
     status = wf_file_commit(&f, e);
-    if (!status) status = wf_folder_begin(&f, folder, "plots/run.gp", e);
+    struct wf_plot_data p;
+    if (!status) status = wf_plot_data_begin(&p, folder, "run", e);
     if (status) return status;
-    fprintf(f.stream, "SECTORS = %zu\n", r->sectors);
-    return wf_file_commit(&f, e);
+    wf_plot_data_count(&p, "SECTORS", 0, r->sectors);
+    return wf_plot_data_end(&p, e);
 }
 
 enum wf_status wf_wind_figures(const char *folder, const char *const *name, struct wf_err *e)
@@ -131,7 +137,7 @@ enum wf_status wf_wind_figures(const char *folder, const char *const *name, stru
     enum wf_status status = WF_OK;
     for (size_t i = 0; name[i] && !status; i++) {
         xmlDoc *svg = NULL;
-        status = wf_figures_draw(folder, name[i], &svg, e);
+        status = wf_figures_draw(folder, &(struct wf_figure){ name[i], name[i], 0 }, "en", &svg, e);
         if (svg) xmlFreeDoc(svg);
     }
     return status;
