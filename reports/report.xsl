@@ -3,15 +3,13 @@
      page that needs nothing beside it. -->
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform" xmlns:svg="http://www.w3.org/2000/svg"
                 exclude-result-prefixes="svg">
-<xsl:import href="words.xsl"/>
+<xsl:import href="page.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
 <xsl:include href="directions.xsl"/>
 <xsl:include href="inputs.xsl"/>
 <xsl:include href="method.xsl"/>
-<xsl:output method="html" encoding="UTF-8" doctype-system="about:legacy-compat" indent="no"/>
 
-<xsl:variable name="r" select="/report/results"/>
 <xsl:variable name="reference"><xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/scenario/reference_height/value"/></xsl:call-template></xsl:variable>
 
 <!-- "A, B, C" for the title; with last="list.last" "A, B and C" for a sentence -->
@@ -33,17 +31,6 @@
       </xsl:call-template>
     </xsl:otherwise>
   </xsl:choose>
-</xsl:template>
-
-<!-- A heading with its number; sections are numbered as in the calls below. -->
-<xsl:template name="heading">
-  <xsl:param name="n"/><xsl:param name="id"/>
-  <h2 id="s{$n}"><span class="n"><xsl:value-of select="$n"/></span><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></h2>
-</xsl:template>
-
-<xsl:template name="block-row">
-  <xsl:param name="id"/><xsl:param name="text"/>
-  <tr><th><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></th><td><xsl:copy-of select="$text"/></td></tr>
 </xsl:template>
 
 <xsl:template name="winds-text">
@@ -120,15 +107,6 @@
       </xsl:if>
     </figcaption>
   </figure>
-</xsl:template>
-
-<!-- the picture as it is, with words for those who cannot see it -->
-<xsl:template match="svg:svg" mode="picture">
-  <xsl:copy>
-    <xsl:copy-of select="@*[name() != 'width' and name() != 'height']"/>
-    <xsl:attribute name="role">img</xsl:attribute>
-    <xsl:copy-of select="node()"/>
-  </xsl:copy>
 </xsl:template>
 
 <xsl:template match="/report">

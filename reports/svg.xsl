@@ -20,7 +20,13 @@
   <xsl:attribute name="{name()}"><xsl:value-of select="ancestor::*[@color][1]/@color"/></xsl:attribute>
 </xsl:template>
 <!-- empty groups are most of gnuplot's file -->
-<xsl:template match="svg:g[not(.//svg:path|.//svg:text|.//svg:use|.//svg:polygon|.//svg:rect|.//svg:circle)]"/>
+<xsl:template match="svg:g[not(.//svg:path|.//svg:text|.//svg:use|.//svg:polygon|.//svg:rect|.//svg:circle|.//svg:image)]"/>
+<!-- a map of points stands in the file itself -->
+<xsl:template match="svg:image">
+  <image><xsl:copy-of select="@x|@y|@width|@height|@preserveAspectRatio"/>
+    <xsl:if test="starts-with(@xlink:href, 'data:image/png;base64,')"><xsl:attribute name="href"><xsl:value-of
+      select="@xlink:href"/></xsl:attribute></xsl:if></image>
+</xsl:template>
 
 <xsl:template match="svg:use">
   <xsl:variable name="colour">

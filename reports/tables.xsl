@@ -2,26 +2,6 @@
 <!-- The key tables: totals of every tree at every wind speed; the critical wind speeds. -->
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 
-<xsl:template name="head">
-  <xsl:param name="id"/><xsl:param name="unit"/><xsl:param name="class" select="'r'"/>
-  <th class="{$class}"><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template><span class="u"><xsl:value-of select="$unit"/>&#160;</span></th>
-</xsl:template>
-
-<xsl:template name="table-caption">
-  <xsl:param name="n"/><xsl:param name="text"/>
-  <caption><b><xsl:call-template name="say"><xsl:with-param name="id">table</xsl:with-param></xsl:call-template>&#160;<xsl:value-of select="$n"/></b>
-    <xsl:call-template name="say"><xsl:with-param name="id">stop</xsl:with-param></xsl:call-template><xsl:copy-of select="$text"/></caption>
-</xsl:template>
-
-<xsl:template name="cell">
-  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
-  <td class="r"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></td>
-</xsl:template>
-<xsl:template name="steady-cell">
-  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
-  <td class="r"><xsl:call-template name="steady"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></td>
-</xsl:template>
-
 <!-- Cells of one tree at one wind speed. A quantity without a value gives a dash, a speed without answer says so. -->
 <xsl:template name="result-cells">
   <xsl:choose>

@@ -25,7 +25,6 @@ do for [i=1:SECTORS] {
     }
 }
 do for [j=1:floor(1.15*TOP/RING + 1e-9)] {
-    set object circle at 0,0 size first j*RING fillstyle empty border lc rgb '#c8c8c8' behind
     set label sprintf("%g%%", 100*j*RING) at first 0.383*j*RING, 0.924*j*RING front textcolor rgb '#606060'
 }
 E = 1.16*TOP
@@ -37,5 +36,8 @@ unset border; unset tics; unset grid
 set xrange [-1.25*TOP:1.25*TOP]; set yrange [-1.25*TOP:1.25*TOP]
 set lmargin at screen 0.02; set rmargin at screen 0.78; set tmargin at screen 0.98; set bmargin at screen 0.02
 set key at screen 0.985, screen 0.9 right top Left reverse
-plot for [k=1:5] keyentry with boxes fs solid 1 noborder lc rgb COLOUR[k] title above(k), NaN
+set parametric; set trange [0:2*pi]; set samples 181
+RINGS = floor(1.15*TOP/RING + 1e-9)
+plot for [j=1:RINGS] j*RING*cos(t), j*RING*sin(t) with lines lw 0.8 lc rgb '#c8c8c8' dt 1, \
+     for [k=1:5] keyentry with boxes fs solid 1 noborder lc rgb COLOUR[k] title above(k)
 set output

@@ -1,8 +1,7 @@
+#include "cmd/pages.h"
 #include "cmd/profile_options.h"
-#include "cmd/series_perform.h"
 #include "cmd/wind_speed.h"
 #include "out/explain.h"
-#include "out/results.h"
 #include "study/limits.h"
 #include "study/preset.h"
 #include "study/scenario.h"
@@ -26,6 +25,7 @@ const struct wf_option wf_explain_options[] = {
       .initial = "out/explain",
       .help = "where table, plot and page go" },
     { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "write the table only" },
+    WF_LANG_OPTION,
     { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
     { 0 },
 };
@@ -67,27 +67,8 @@ static void departures(const struct wf_analysis *an, struct wf_diag *d)
     }
 }
 
-static enum wf_status write_files(const struct wf_args *g, const struct wf_explained *x, const char *command,
-                                  struct wf_arena *a, struct wf_err *e)
-{
-    const char *folder = wf_args_text(g, "--output");
-    struct wf_diag drawn = { .arena = a };
-    const struct wf_html_head head = { "Every method against beam theory",
-                                       "The same tree in the same wind by beam theory and by every other "
-                                       "method the program has: published ones "
-                                       "as printed and corrected, and the linear step. Formulas are "
-                                       "compared, not constants: all get the same air, "
-                                       "drag and wood.",
-                                       command, WF_VERSION, wf_run_date(a) };
-    enum wf_status s = wf_explain_write(x, folder, e);
-    if (s || wf_args_given(g, "--no-report")) return s;
-    s = wf_explain_page(x, &head, folder, &drawn, e);
-    wf_print_findings(&drawn, false);
-    if (s == WF_EMISSING) return WF_OK;
-    return s && !e->code ? wf_fail(e, s, "the page is not complete") : s;
-}
-
-static enum wf_status run(const struct wf_args *g, const char *command, struct wf_arena *a, struct wf_err *e)
+static enum wf_status run(const struct wf_args *g, const struct wf_doc_head *head, struct wf_arena *a,
+                          struct wf_err *e)
 {
     struct wf_diag d = { .arena = a }, leaves = { .arena = a };
     struct wf_species sp;
@@ -118,10 +99,11 @@ static enum wf_status run(const struct wf_args *g, const char *command, struct w
                                      .tree = &an.tree,
                                      .speed = wf_args_number(g, "--wind"),
                                      .findings = &leaves };
-    s = of.name ? write_files(g, &of, command, a, e) : wf_fail(e, WF_ENOMEM, "no memory");
+    const char *folder = wf_args_text(g, "--output");
+    s = of.name ? wf_explain_write(&of, head, folder, e) : wf_fail(e, WF_ENOMEM, "no memory");
+    if (!s && !wf_args_given(g, "--no-report")) s = wf_pages_make(folder, wf_args_text(g, "--lang"), a, e);
     if (!s && !quiet)
-        printf("\nTable%s: %s\n", wf_args_given(g, "--no-report") ? "" : ", plot, page",
-               wf_args_text(g, "--output"));
+        printf("\nTable%s: %s\n", wf_args_given(g, "--no-report") ? "" : ", plot, page", folder);
     return s;
 }
 
@@ -136,9 +118,9 @@ int wf_cmd_explain(int argc, char **argv)
         code = 2;
     }
     if (code < 0) {
-        const char *command = wf_series_typed(argc, argv, &arena);
-        if (!command) wf_fail(&e, WF_ENOMEM, "no memory");
-        code = !command || run(&g, command, &arena, &e) ? wf_complain(&e) : 0;
+        struct wf_doc_head head;
+        enum wf_status s = wf_pages_head(argc, argv, &arena, &head, &e);
+        code = s || run(&g, &head, &arena, &e) ? wf_complain(&e) : 0;
     }
     wf_arena_free(&arena);
     return code;

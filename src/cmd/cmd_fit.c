@@ -1,5 +1,6 @@
 /* windfirm fit: calibrate a tree to what was measured on it. */
 #include "cmd/fit_job.h"
+#include "cmd/pages.h"
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -72,6 +73,7 @@ static const struct wf_option options[] = {
       .initial = "out/fit",
       .help = "where results, tables, plots and pages go" },
     { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "results and tables only" },
+    WF_LANG_OPTION,
     { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
     { 0 },
 };
@@ -208,17 +210,6 @@ static enum wf_status fit(struct wf_fit_job *j, struct wf_err *e)
     return s;
 }
 
-static enum wf_status pages(struct wf_fit_job *j, struct wf_err *e)
-{
-    struct wf_diag d = { .arena = &j->arena };
-    struct wf_err why = { 0 };
-    wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_fit_results_pages(j->folder, &d, &why);
-    wf_progress(NULL);
-    wf_print_findings(&d, false);
-    return s == WF_OK || s == WF_EMISSING ? WF_OK : wf_fail(e, s, "%s", why.text);
-}
-
 static enum wf_status run(struct wf_fit_job *j, bool quiet, struct wf_err *e)
 {
     const char *write = wf_args_text(&j->args, "--write");
@@ -235,7 +226,7 @@ static enum wf_status run(struct wf_fit_job *j, bool quiet, struct wf_err *e)
     if (interrupted) write = NULL; /* what others would take for the answer */
     if (!s && write) s = wf_fit_species_write(&j->r, write, e);
     bool report = !wf_args_given(&j->args, "--no-report");
-    if (!s && report) s = pages(j, e);
+    if (!s && report) s = wf_pages_make(j->folder, wf_args_text(&j->args, "--lang"), &j->arena, e);
     if (!s && !quiet) printf("\nResults, tables%s: %s\n", report ? ", plots and pages" : "", j->folder);
     if (!s && !quiet && write) printf("Species table: %s\n", write);
     return s;

@@ -1,3 +1,4 @@
+#include "cmd/pages.h"
 #include "cmd/series_perform.h"
 #include <stdio.h>
 #include <string.h>
@@ -9,6 +10,7 @@ static const struct wf_option options[] = {
       .value = "FOLDER",
       .help = "where tables, frames and the page go [out/NAME]" },
     { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "write tables only" },
+    WF_LANG_OPTION,
     { .name = "--no-vtk", .kind = WF_OPTION_FLAG, .help = "leave out the frames for ParaView" },
     { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
     { 0 },
@@ -45,6 +47,7 @@ int wf_cmd_papers(int argc, char **argv)
         struct wf_series_job job = { .plan = &plan,
                                      .folder = asked ? asked : wf_arena_print(&arena, "out/%s", plan.key),
                                      .command = wf_series_typed(argc, argv, &arena),
+                                     .language = wf_args_text(&g, "--lang"),
                                      .quiet = wf_args_given(&g, "--quiet"),
                                      .page = !wf_args_given(&g, "--no-report"),
                                      .vtk = !wf_args_given(&g, "--no-vtk") };

@@ -1,4 +1,5 @@
 #include "cmd/gust_options.h"
+#include "cmd/pages.h"
 #include "cmd/profile_options.h"
 #include "cmd/series_perform.h"
 #include "cmd/wind_speed.h"
@@ -73,6 +74,7 @@ const struct wf_option wf_series_options[] = {
       .kind = WF_OPTION_FLAG,
       .help = "every method against beam theory, branch by branch, too" },
     { .name = "--no-report", .kind = WF_OPTION_FLAG, .help = "write tables only" },
+    WF_LANG_OPTION,
     { .name = "--no-vtk", .kind = WF_OPTION_FLAG, .help = "leave out the frames for ParaView" },
     { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
     { 0 },
@@ -132,6 +134,7 @@ int wf_cmd_series(int argc, char **argv)
         struct wf_series_job job = { .plan = &plan,
                                      .folder = wf_args_text(&g, "--output"),
                                      .command = wf_series_typed(argc, argv, &arena),
+                                     .language = wf_args_text(&g, "--lang"),
                                      .quiet = wf_args_given(&g, "--quiet"),
                                      .page = !wf_args_given(&g, "--no-report"),
                                      .vtk = !wf_args_given(&g, "--no-vtk") };

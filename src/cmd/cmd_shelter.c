@@ -1,12 +1,12 @@
 /* windfirm shelter: what a tree leaves of the wind inside and behind itself. */
 #include "cmd/import_options.h"
+#include "cmd/pages.h"
 #include "cmd/profile_options.h"
 #include "cmd/shelter_print.h"
 #include "cmd/wind_speed.h"
 #include "grow/clothe.h"
 #include "grow/grow.h"
 #include "grow/qsm_model.h"
-#include "out/wind_results.h"
 #include "study/limits.h"
 #include "study/scenario.h"
 #include <math.h>
@@ -75,6 +75,7 @@ const struct wf_option wf_shelter_options[] = {
       .help = "where tables and plots go" },
     { .name = "--no-motion", .kind = WF_OPTION_FLAG, .help = "only the wind; the tree is not bent" },
     { .name = "--no-plots", .kind = WF_OPTION_FLAG, .help = "write the tables only" },
+    WF_LANG_OPTION,
     { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
     { 0 },
 };
@@ -89,6 +90,7 @@ static const char about[] =
 /* Everything of one run. */
 struct work {
     struct wf_args args;
+    struct wf_doc_head head;
     struct wf_species species;
     struct wf_model model;
     struct wf_tree tree;
@@ -168,10 +170,9 @@ static enum wf_status move(struct work *w, struct wf_arena *a, struct wf_diag *d
 
 static enum wf_status run(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
-    static const char *const figures[] = { "shelter_slabs", "shelter_wind", "shelter_motion", NULL };
-    static const char *const still[] = { "shelter_slabs", "shelter_wind", NULL };
     const struct wf_args *g = &w->args;
-    bool motion = !wf_args_given(g, "--no-motion"), quiet = wf_args_given(g, "--quiet");
+    bool motion = !wf_args_given(g, "--no-motion"), quiet = wf_args_given(g, "--quiet"),
+         plots = !wf_args_given(g, "--no-plots");
     enum wf_status s = specify(w, a, d, e);
     if (s || (s = read_tree(w, a, d, e))) return s;
     if (w->species.crown_drag.given) w->request.crown_drag = w->species.crown_drag.value;
@@ -181,16 +182,17 @@ static enum wf_status run(struct work *w, struct wf_arena *a, struct wf_diag *d,
                       wf_args_text(g, w->model.key ? "--model" : "--tree"), d);
     w->run.folder = wf_args_text(g, "--output");
     w->run.tree = &w->tree;
+    w->run.species = w->species.name;
+    w->run.tree_name = w->model.key ? w->model.name : wf_args_text(g, "--tree");
     wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");
     s = wf_shelter_make(&w->tree, &w->wind, &w->request, a, &w->run.still, e);
     if (!s && motion && w->run.speed > 0.0) s = move(w, a, d, e);
     wf_progress(NULL);
     if (s) return s;
     if (!quiet) wf_shelter_print(stdout, &w->run);
-    s = wf_shelter_tables(&w->run, e);
-    if (!s && !wf_args_given(g, "--no-plots"))
-        s = wf_wind_figures(w->run.folder, w->run.moved ? figures : still, e);
-    if (!s && !quiet) printf("\nTables and plots: %s\n", w->run.folder);
+    s = wf_shelter_results_write(&w->run, &w->head, d, e);
+    if (!s && plots) s = wf_pages_make(w->run.folder, wf_args_text(g, "--lang"), a, e);
+    if (!s && !quiet) printf("\nTables%s: %s\n", plots ? ", plots and page" : "", w->run.folder);
     return s;
 }
 
@@ -202,7 +204,8 @@ int wf_cmd_shelter(int argc, char **argv)
     int code = wf_args_read(argc, argv, wf_shelter_options, about, 0, 0, &arena, &w.args);
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
-        enum wf_status s = run(&w, &arena, &d, &e);
+        enum wf_status s = wf_pages_head(argc, argv, &arena, &w.head, &e);
+        if (!s) s = run(&w, &arena, &d, &e);
         fflush(stdout);
         wf_print_findings(&d, wf_args_given(&w.args, "--quiet"));
         code = s ? wf_complain(&e) : 0;

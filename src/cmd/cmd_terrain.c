@@ -1,7 +1,6 @@
 /* windfirm terrain: ground made or read, what shelters it and what speeds the wind up. */
-#include "cmd/cmd.h"
+#include "cmd/pages.h"
 #include "out/terrain_results.h"
-#include "out/wind_results.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -108,6 +107,7 @@ static const struct wf_option options[] = {
       .initial = "out/terrain",
       .help = "where tables, grids and the map go" },
     { .name = "--no-plots", .kind = WF_OPTION_FLAG, .help = "write tables and grids only" },
+    WF_LANG_OPTION,
     { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
     { 0 },
 };
@@ -146,14 +146,9 @@ static enum wf_status look(const struct wf_args *g, struct wf_terrain_site *s, s
 
 static void range(const char *name, const char *unit, const double *v, size_t n)
 {
-    double low = INFINITY, high = -INFINITY, sum = 0.0, count = 0.0;
-    for (size_t i = 0; i < n; i++) {
-        if (isnan(v[i])) continue;
-        low = fmin(low, v[i]);
-        high = fmax(high, v[i]);
-        sum += v[i], count += 1.0;
-    }
-    printf("%-24s %10.3f %10.3f %10.3f  %s\n", name, low, sum / count, high, unit);
+    double low, mean, high;
+    wf_terrain_range(v, n, &low, &mean, &high);
+    printf("%-24s %10.3f %10.3f %10.3f  %s\n", name, low, mean, high, unit);
 }
 
 static void print(const struct wf_terrain_site *s)
@@ -185,23 +180,25 @@ static void warn(const struct wf_terrain_site *s, struct wf_diag *d)
             100.0 * (double)s->unseen / (double)(s->ground.rows * s->ground.columns));
 }
 
-static enum wf_status run(const struct wf_args *g, struct wf_terrain_site *s, struct wf_arena *a,
-                          struct wf_diag *d, struct wf_err *e)
+static enum wf_status run(const struct wf_args *g, const struct wf_doc_head *head, struct wf_terrain_site *s,
+                          struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     const char *dem = wf_args_text(g, "--dem"), *positions = wf_args_text(g, "--positions"),
                *folder = wf_args_text(g, "--output");
-    static const char *const figures[] = { "terrain", NULL };
     enum wf_status status =
         dem ? wf_terrain_read(dem, a, &s->ground, e)
             : wf_terrain_make((unsigned)llround(wf_args_number(g, "--size")), wf_args_number(g, "--cell"),
                               wf_args_number(g, "--smoothness"), wf_args_number(g, "--relief"),
                               (uint64_t)llround(wf_args_number(g, "--seed")), a, &s->ground, e);
-    s->from = wf_args_number(g, "--from");
+    s->file = dem;
+    s->from = wf_args_number(g, "--from"), s->height = wf_args_number(g, "--height");
+    s->roughness = wf_args_number(g, "--roughness"), s->distance = wf_args_number(g, "--distance");
     if (!status) status = look(g, s, a, e);
-    if (!status) status = wf_terrain_results_write(s, folder, e);
-    if (!status && positions) status = wf_terrain_positions_write(s, positions, folder, a, d, e);
-    if (!status && !wf_args_given(g, "--no-plots")) status = wf_wind_figures(folder, figures, e);
     if (!status) warn(s, d);
+    if (!status) status = wf_terrain_results_write(s, head, d, folder, e);
+    if (!status && positions) status = wf_terrain_positions_write(s, positions, folder, a, d, e);
+    if (!status && !wf_args_given(g, "--no-plots"))
+        status = wf_pages_make(folder, wf_args_text(g, "--lang"), a, e);
     return status;
 }
 
@@ -209,13 +206,15 @@ int wf_cmd_terrain(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
     struct wf_args args;
+    struct wf_doc_head head;
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, options, about, 0, 0, &arena, &args);
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
         struct wf_terrain_site s = { 0 };
         bool quiet = wf_args_given(&args, "--quiet");
-        enum wf_status status = run(&args, &s, &arena, &d, &e);
+        enum wf_status status = wf_pages_head(argc, argv, &arena, &head, &e);
+        if (!status) status = run(&args, &head, &s, &arena, &d, &e);
         wf_print_findings(&d, quiet);
         if (!status && !quiet) {
             print(&s);

@@ -1,6 +1,7 @@
 /* windfirm wind: make a gusty wind, look at it, draw it. */
 #include "base/near.h"
 #include "cmd/gust_options.h"
+#include "cmd/pages.h"
 #include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"
 #include "out/wind_results.h"
@@ -104,6 +105,7 @@ const struct wf_option wf_wind_options[] = {
       .initial = "out/wind",
       .help = "where tables and plots go" },
     { .name = "--no-plots", .kind = WF_OPTION_FLAG, .help = "write the tables only" },
+    WF_LANG_OPTION,
     { .name = "--quiet", .letter = "-q", .kind = WF_OPTION_FLAG, .help = "print errors only" },
     { 0 },
 };
@@ -246,19 +248,19 @@ static void print(const struct wf_gust_report *r)
 }
 
 /* Look at a wind: tables, plots and what is printed. */
-static enum wf_status show(const struct wf_args *g, const struct wf_gust_spec *spec, struct wf_arena *a,
-                           struct wf_diag *d, struct wf_err *e)
+static enum wf_status show(const struct wf_args *g, const struct wf_gust_spec *spec,
+                           const struct wf_doc_head *head, struct wf_arena *a, struct wf_diag *d,
+                           struct wf_err *e)
 {
-    static const char *const figures[] = { "wind", "wind_coherence", NULL }, *const one[] = { "wind", NULL };
     struct wf_gust_report *r = WF_TAKE(a, 1, struct wf_gust_report);
     const char *folder = wf_args_text(g, "--output");
-    bool quiet = wf_args_given(g, "--quiet");
+    bool quiet = wf_args_given(g, "--quiet"), plots = !wf_args_given(g, "--no-plots");
     if (!r) return wf_fail(e, WF_ENOMEM, "no room for a report");
     enum wf_status s = wf_gust_report_make(spec, a, d, r, e);
     if (!s && !quiet) print(r);
-    if (!s) s = wf_wind_tables(folder, r, e);
-    if (!s && !wf_args_given(g, "--no-plots")) s = wf_wind_figures(folder, r->coherence ? figures : one, e);
-    if (!s && !quiet) printf("\nTables and plots: %s\n", folder);
+    if (!s) s = wf_wind_results_write(r, head, d, folder, e);
+    if (!s && plots) s = wf_pages_make(folder, wf_args_text(g, "--lang"), a, e);
+    if (!s && !quiet) printf("\nTables%s: %s\n", plots ? ", plots and page" : "", folder);
     return s;
 }
 
@@ -296,13 +298,14 @@ static enum wf_status stream(const struct wf_args *g, const struct wf_gust_spec 
     return s;
 }
 
-static enum wf_status run(const struct wf_args *g, struct wf_arena *a, struct wf_err *e)
+static enum wf_status run(const struct wf_args *g, const struct wf_doc_head *head, struct wf_arena *a,
+                          struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
     struct wf_gust_spec spec;
     bool quiet = wf_args_given(g, "--quiet");
     enum wf_status s = specify(g, &spec, a, &d, e);
-    if (!s) s = wf_args_text(g, "--stream") ? stream(g, &spec, a, &d, e) : show(g, &spec, a, &d, e);
+    if (!s) s = wf_args_text(g, "--stream") ? stream(g, &spec, a, &d, e) : show(g, &spec, head, a, &d, e);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     return s;
@@ -315,15 +318,11 @@ int wf_cmd_wind(int argc, char **argv)
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_wind_options, about, 1, 1, &arena, &args);
     if (code < 0 && strcmp(args.operand[0], "list") == 0) code = list();
-    if (code < 0 && strcmp(args.operand[0], "rose") == 0) {
-        struct wf_diag d = { .arena = &arena };
-        bool quiet = wf_args_given(&args, "--quiet");
-        enum wf_status s = wf_wind_rose(wf_args_text(&args, "--file"), wf_args_text(&args, "--output"),
-                                        !wf_args_given(&args, "--no-plots"), quiet, &arena, &d, &e);
-        wf_print_findings(&d, quiet);
-        code = s ? wf_complain(&e) : 0;
-    }
-    if (code < 0) code = run(&args, &arena, &e) ? wf_complain(&e) : 0;
+    struct wf_doc_head head;
+    if (code < 0 && wf_pages_head(argc, argv, &arena, &head, &e)) code = wf_complain(&e);
+    if (code < 0 && strcmp(args.operand[0], "rose") == 0)
+        code = wf_wind_rose(&args, &head, &arena, &e) ? wf_complain(&e) : 0;
+    if (code < 0) code = run(&args, &head, &arena, &e) ? wf_complain(&e) : 0;
     wf_arena_free(&arena);
     return code;
 }

@@ -1,4 +1,5 @@
 #include "cmd/series_perform.h"
+#include "cmd/pages.h"
 #include "out/results.h"
 #include "out/series.h"
 #include "study/explain.h"
@@ -106,7 +107,7 @@ int wf_series_perform(const struct wf_series_job *j, struct wf_arena *a)
     const struct wf_series_plan *plan = j->plan;
     struct wf_err e = { 0 };
     struct wf_series *series = WF_TAKE(a, plan->runs, struct wf_series);
-    struct wf_diag *diag = WF_TAKE(a, plan->runs, struct wf_diag), drawn = { .arena = a };
+    struct wf_diag *diag = WF_TAKE(a, plan->runs, struct wf_diag);
     struct wf_series_run *run = WF_TAKE(a, plan->runs, struct wf_series_run);
     struct wf_series_page page = { .title = plan->title,
                                    .note = plan->note,
@@ -128,14 +129,7 @@ int wf_series_perform(const struct wf_series_job *j, struct wf_arena *a)
     print_findings(diag, plan->runs, j->quiet, a);
     s = wf_series_tables(&page, j->folder, &e);
     if (!s && j->vtk) s = wf_series_vtk(&page, j->folder, &e);
-    if (!s && j->page) {
-        wf_progress("drawing panels and page ...");
-        enum wf_status whole = wf_series_report(&page, j->folder, &drawn, &e);
-        wf_progress(NULL);
-        wf_print_findings(&drawn, false);
-        if (whole && whole != WF_EMISSING)
-            s = e.code ? e.code : wf_fail(&e, whole, "the page is not complete");
-    }
+    if (!s && j->page) s = wf_pages_make(j->folder, j->language, a, &e);
     if (s) return wf_complain(&e);
     if (!j->quiet) printf("\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
     return 0;

@@ -6,7 +6,7 @@
 
 struct wf_series_job {
     const struct wf_series_plan *plan;
-    const char *folder, *command;
+    const char *folder, *command, *language;
     bool quiet, page, vtk;
 };
 /* Returned: exit code. */

@@ -19,31 +19,20 @@ static void print_slabs(FILE *to, const struct wf_shelter *s)
     }
 }
 
-struct third {
-    double n, wind[2], move[2], swing[2];
-};
-
 static void print_thirds(FILE *to, const struct wf_shelter_run *r)
 {
     static const char *const name[] = { "windward", "middle", "leeward" };
-    struct third third[3] = { { 0 } };
-    for (size_t i = 0; i < r->tips; i++) {
-        const struct wf_tip *p = &r->tip[i];
-        struct third *h = &third[(int)fmin(fmax(3.0 * p->along, 0.0), 2.0)];
-        h->n += 1.0;
-        for (int k = 0; k < 2; k++)
-            h->wind[k] += p->wind[k], h->move[k] += p->move[k], h->swing[k] += p->swing[k];
-    }
+    struct wf_shelter_third third[3];
+    wf_shelter_thirds(r, third);
     fprintf(to, "\n%-10s %6s   %-22s %-24s %s\n", "branch", "", "wind at tips m/s", "tips move m",
             "relative to the branch's base m");
     fprintf(to, "%-10s %6s   %-10s %-11s %-11s %-12s %-10s %s\n", "ends", "number", "open", "sheltered",
             "open", "sheltered", "open", "sheltered");
     for (int k = 0; k < 3; k++)
-        if (third[k].n > 0.0)
-            fprintf(to, "%-10s %6.0f   %-10.3f %-11.3f %-11.4f %-12.4f %-10.4f %.4f\n", name[k], third[k].n,
-                    third[k].wind[0] / third[k].n, third[k].wind[1] / third[k].n,
-                    third[k].move[0] / third[k].n, third[k].move[1] / third[k].n,
-                    third[k].swing[0] / third[k].n, third[k].swing[1] / third[k].n);
+        if (third[k].n > 0)
+            fprintf(to, "%-10s %6zu   %-10.3f %-11.3f %-11.4f %-12.4f %-10.4f %.4f\n", name[k], third[k].n,
+                    third[k].wind[0], third[k].wind[1], third[k].move[0], third[k].move[1], third[k].swing[0],
+                    third[k].swing[1]);
     fprintf(
         to,
         "base moment %.6g N m in the open, %.6g N m sheltered; shape and shelter agree after %zu passes\n",

@@ -29,16 +29,19 @@ static void print(const char *file, const struct wf_rose *r)
            wf_rose_speed(r, 0.001));
 }
 
-enum wf_status wf_wind_rose(const char *file, const char *folder, bool draw, bool quiet, struct wf_arena *a,
-                            struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_wind_rose(const struct wf_args *g, const struct wf_doc_head *head, struct wf_arena *a,
+                            struct wf_err *e)
 {
-    static const char *const figures[] = { "wind_rose", NULL };
+    const char *file = wf_args_text(g, "--file"), *folder = wf_args_text(g, "--output");
+    bool quiet = wf_args_given(g, "--quiet");
+    struct wf_diag d = { .arena = a };
     struct wf_rose r;
     if (!file) return wf_fail(e, WF_EUSAGE, "the wind rose needs --file");
-    enum wf_status status = wf_rose_read(file, a, d, &r, e);
-    if (status) return status;
-    if (!quiet) print(file, &r);
-    status = wf_wind_rose_write(folder, &r, e);
-    if (!status && draw) status = wf_wind_figures(folder, figures, e);
+    enum wf_status status = wf_rose_read(file, a, &d, &r, e);
+    if (!status && !quiet) print(file, &r);
+    if (!status) status = wf_rose_results_write(&r, file, head, &d, folder, e);
+    if (!status && !wf_args_given(g, "--no-plots"))
+        status = wf_pages_make(folder, wf_args_text(g, "--lang"), a, e);
+    wf_print_findings(&d, quiet);
     return status;
 }

@@ -1,13 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_CMD_WIND_ROSE_H
 #define WF_CMD_WIND_ROSE_H
 /* `windfirm wind rose`: a wind climate read, summed up, drawn. */
-#include "base/arena.h"
-#include "base/diag.h"
-#include "base/err.h"
-#include <stdbool.h>
+#include "cmd/pages.h"
 
-/* Read the rose FILE, print what it says to stdout unless quiet, write FOLDER/tables/rose.csv and draw
- * FOLDER/plots/wind_rose.svg where `draw` is set. */
-enum wf_status wf_wind_rose(const char *file, const char *folder, bool draw, bool quiet, struct wf_arena *a,
-                            struct wf_diag *d, struct wf_err *e);
+/* Read the rose of --file, print what it says to stdout unless quiet, and leave table, figure and page in the
+ * folder of --output. */
+enum wf_status wf_wind_rose(const struct wf_args *g, const struct wf_doc_head *head, struct wf_arena *a,
+                            struct wf_err *e);
 #endif

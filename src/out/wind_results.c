@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/wind_results.h"
-#include "out/figures.h"
 #include "out/folder.h"
 #include "out/plot_data.h"
+#include "wind/scale.h"
 #include <math.h>
-#include <string.h>
+
+struct keyed {
+    const char *key;
+    double x;
+};
 
 /* A cell; empty where there is no number. */
 static void cell(FILE *f, double value, const char *format)
@@ -83,7 +87,91 @@ static void plot_data(struct wf_plot_data *p, const struct wf_gust_report *r)
     wf_plot_data_number(p, "SPEED", 0, s->speed);
 }
 
-enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r, struct wf_err *e)
+static void put_numbers(struct wf_doc *d, json_t *o, const struct keyed *x, size_t n)
+{
+    for (size_t i = 0; i < n; i++) wf_doc_number(d, o, x[i].key, x[i].x);
+}
+#define PUT(d, o, list) put_numbers(d, o, list, sizeof list / sizeof *list)
+
+static json_t *statistics_part(struct wf_doc *d, const struct wf_gust_stats *t)
+{
+    const struct keyed x[] = { { "mean_m_s", t->mean },
+                               { "deviation_m_s", t->deviation },
+                               { "intensity", t->intensity },
+                               { "lowest_m_s", t->low },
+                               { "highest_m_s", t->high },
+                               { "skewness", t->skewness },
+                               { "kurtosis", t->kurtosis },
+                               { "time_scale_s", t->time_scale },
+                               { "length_scale_m", t->length_scale },
+                               { "gust_factor", t->gust_factor },
+                               { "gust_window_s", t->gust_window },
+                               { "gust_period_s", t->period },
+                               { "gust_periods", (double)t->periods },
+                               { "peak_factor", t->peak_factor } };
+    json_t *o = wf_doc_object(d);
+    PUT(d, o, x);
+    return o;
+}
+
+static json_t *model_part(struct wf_doc *d, const struct wf_gust_spec *s)
+{
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "name", s->model->name);
+    wf_doc_text(d, o, "title", s->model->title);
+    wf_doc_text(d, o, "source", s->model->source);
+    wf_doc_text(d, o, "validity", s->model->validity);
+    wf_doc_text(d, o, "differs", s->model->corrected);
+    wf_doc_flag(d, o, "spectral", s->model->spectrum != NULL);
+    json_t *list = wf_doc_put(d, o, "parameters", wf_doc_array(d));
+    for (size_t i = 0; s->model->par[i].name; i++) {
+        json_t *p = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, p, "name", s->model->par[i].name);
+        wf_doc_text(d, p, "unit", s->model->par[i].unit);
+        wf_doc_text(d, p, "meaning", s->model->par[i].help);
+        wf_doc_number(d, p, "value", s->value[i]);
+    }
+    return o;
+}
+
+static enum wf_status wind_document(const struct wf_gust_report *r, const struct wf_doc_head *head,
+                                    const struct wf_diag *diag, const char *folder, struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &r->spec;
+    const struct wf_wind_grade *grade = wf_wind_scale_grade(&wf_wind_scales[0], r->stats[0].mean);
+    const struct keyed x[] = { { "speed_m_s", s->speed },       { "height_m", s->height },
+                               { "step_s", s->step },           { "steps", (double)s->steps },
+                               { "points", (double)s->points }, { "components", (double)s->components },
+                               { "joint", r->joint },           { "coherence_error", r->coherence_error } };
+    char seed[24];
+    struct wf_doc d = { 0 };
+    json_t *o = wf_doc_begin(&d, "windfirm-wind", head);
+    snprintf(seed, sizeof seed, "%llu", (unsigned long long)s->seed);
+    wf_doc_text(&d, o, "seed", seed);
+    wf_doc_put(&d, o, "model", model_part(&d, s));
+    PUT(&d, o, x);
+    wf_doc_text(&d, o, "beaufort", grade->name);
+    wf_doc_text(&d, o, "beaufort_text", grade->text);
+    json_t *list = wf_doc_put(&d, o, "statistics", wf_doc_array(&d));
+    for (unsigned c = 0; c < s->components; c++) wf_doc_add(&d, list, statistics_part(&d, &r->stats[c]));
+    list = wf_doc_put(&d, o, "findings", wf_doc_array(&d));
+    for (size_t i = 0; i < r->findings; i++) {
+        const struct wf_gust_finding *f = &r->finding[i];
+        json_t *q = wf_doc_add(&d, list, wf_doc_object(&d));
+        const struct keyed y[] = { { "asked", f->asked }, { "got", f->got }, { "scatter", f->scatter } };
+        wf_doc_text(&d, q, "name", f->name), wf_doc_text(&d, q, "unit", f->unit);
+        PUT(&d, q, y);
+        wf_doc_flag(&d, q, "within", f->within);
+    }
+    wf_doc_warnings(&d, wf_doc_put(&d, o, "warnings", wf_doc_array(&d)), diag);
+    list = wf_doc_put(&d, o, "figures", wf_doc_array(&d));
+    wf_doc_figure(&d, list, "wind", "wind", 0);
+    if (r->coherence) wf_doc_figure(&d, list, "wind_coherence", "wind_coherence", 0);
+    return wf_doc_end(&d, o, folder, e);
+}
+
+enum wf_status wf_wind_results_write(const struct wf_gust_report *r, const struct wf_doc_head *head,
+                                     const struct wf_diag *diag, const char *folder, struct wf_err *e)
 {
     static const struct {
         const char *name;
@@ -104,12 +192,52 @@ enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r
     if (!status) status = wf_plot_data_begin(&p, folder, "run", e);
     if (status) return status;
     plot_data(&p, r);
-    return wf_plot_data_end(&p, e);
+    status = wf_plot_data_end(&p, e);
+    return status ? status : wind_document(r, head, diag, folder, e);
 }
 
 const double wf_rose_classes[WF_ROSE_CLASSES] = { 5.0, 10.0, 15.0, 20.0 };
 
-enum wf_status wf_wind_rose_write(const char *folder, const struct wf_rose *r, struct wf_err *e)
+static json_t *rose_row(struct wf_doc *d, const struct wf_rose *r, size_t s)
+{
+    bool all = s == r->sectors;
+    const struct keyed x[] = { { "from_deg", all ? NAN : 57.295779513082321 * r->from[s] },
+                               { "frequency", all ? 1.0 : r->frequency[s] },
+                               { "mean_m_s",
+                                 all ? wf_rose_mean(r) : r->scale[s] * tgamma(1.0 + 1.0 / r->shape[s]) },
+                               { "shape", all ? NAN : r->shape[s] } };
+    double hours[WF_ROSE_CLASSES];
+    for (int k = 0; k < WF_ROSE_CLASSES; k++)
+        hours[k] = 8766.0 * (all ? wf_rose_above(r, wf_rose_classes[k])
+                                 : r->frequency[s] * wf_rose_sector_above(r, s, wf_rose_classes[k]));
+    json_t *o = wf_doc_object(d);
+    PUT(d, o, x);
+    wf_doc_numbers(d, o, "hours_a_year_above", hours, WF_ROSE_CLASSES);
+    return o;
+}
+
+static enum wf_status rose_document(const struct wf_rose *r, const char *file, const struct wf_doc_head *head,
+                                    const struct wf_diag *diag, const char *folder, struct wf_err *e)
+{
+    const struct keyed x[] = { { "typed_sum", r->typed_sum },
+                               { "speed_exceeded_1_percent_m_s", wf_rose_speed(r, 0.01) },
+                               { "speed_exceeded_0_1_percent_m_s", wf_rose_speed(r, 0.001) } };
+    struct wf_doc d = { 0 };
+    json_t *o = wf_doc_begin(&d, "windfirm-rose", head);
+    wf_doc_text(&d, o, "file", file);
+    PUT(&d, o, x);
+    wf_doc_numbers(&d, o, "classes_m_s", wf_rose_classes, WF_ROSE_CLASSES);
+    json_t *list = wf_doc_put(&d, o, "sectors", wf_doc_array(&d));
+    for (size_t s = 0; s < r->sectors; s++) wf_doc_add(&d, list, rose_row(&d, r, s));
+    wf_doc_put(&d, o, "all", rose_row(&d, r, r->sectors));
+    wf_doc_warnings(&d, wf_doc_put(&d, o, "warnings", wf_doc_array(&d)), diag);
+    wf_doc_figure(&d, wf_doc_put(&d, o, "figures", wf_doc_array(&d)), "wind_rose", "wind_rose", 0);
+    return wf_doc_end(&d, o, folder, e);
+}
+
+enum wf_status wf_rose_results_write(const struct wf_rose *r, const char *file,
+                                     const struct wf_doc_head *head, const struct wf_diag *diag,
+                                     const char *folder, struct wf_err *e)
 {
     struct wf_file f = { 0 };
     enum wf_status status = wf_folder_make(folder, e);
@@ -129,16 +257,6 @@ enum wf_status wf_wind_rose_write(const char *folder, const struct wf_rose *r, s
     if (!status) status = wf_plot_data_begin(&p, folder, "run", e);
     if (status) return status;
     wf_plot_data_count(&p, "SECTORS", 0, r->sectors);
-    return wf_plot_data_end(&p, e);
-}
-
-enum wf_status wf_wind_figures(const char *folder, const char *const *name, struct wf_err *e)
-{
-    enum wf_status status = WF_OK;
-    for (size_t i = 0; name[i] && !status; i++) {
-        xmlDoc *svg = NULL;
-        status = wf_figures_draw(folder, &(struct wf_figure){ name[i], name[i], 0 }, "en", &svg, e);
-        if (svg) xmlFreeDoc(svg);
-    }
-    return status;
+    status = wf_plot_data_end(&p, e);
+    return status ? status : rose_document(r, file, head, diag, folder, e);
 }

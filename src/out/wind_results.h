@@ -2,16 +2,20 @@
 #ifndef WF_OUT_WIND_RESULTS_H
 #define WF_OUT_WIND_RESULTS_H
 /* What `windfirm wind` leaves in its folder. */
+#include "out/doc.h"
 #include "wind/gust_report.h"
 #include "wind/rose.h"
 
-/* Write FOLDER/tables/{series,spectrum,histogram,coherence}.csv and FOLDER/plots/run.csv for the figures. */
-enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r, struct wf_err *e);
+/* Write FOLDER/tables/{series,spectrum,histogram,coherence}.csv, plots/run.csv and results.json; the folder
+ * is made. diag: warnings of the run. Errors: WF_EOUTPUT, WF_ENOMEM. */
+enum wf_status wf_wind_results_write(const struct wf_gust_report *r, const struct wf_doc_head *head,
+                                     const struct wf_diag *diag, const char *folder, struct wf_err *e);
 /* Speeds above which a rose tells how often the wind blows [m/s]. */
 enum { WF_ROSE_CLASSES = 4 };
 extern const double wf_rose_classes[WF_ROSE_CLASSES];
-/* Write FOLDER/tables/rose.csv and FOLDER/plots/run.csv; the folder is made. Errors: WF_EOUTPUT. */
-enum wf_status wf_wind_rose_write(const char *folder, const struct wf_rose *r, struct wf_err *e);
-/* Draw FOLDER/plots/NAME.svg for each of the names, which end at NULL. */
-enum wf_status wf_wind_figures(const char *folder, const char *const *name, struct wf_err *e);
+/* Write FOLDER/tables/rose.csv, plots/run.csv and results.json of a rose read from `file`; the folder is
+ * made. Errors: WF_EOUTPUT, WF_ENOMEM. */
+enum wf_status wf_rose_results_write(const struct wf_rose *r, const char *file,
+                                     const struct wf_doc_head *head, const struct wf_diag *diag,
+                                     const char *folder, struct wf_err *e);
 #endif
