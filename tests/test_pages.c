@@ -4,19 +4,18 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #include <cmocka.h>
 
 #include "shell.h"
-#include <stdbool.h>
-#include <stdio.h>
 
 static const struct {
     const char *page, *command; /* -o is added */
 } pages[] = {
     { "report", "compare oak moso_bamboo $M --wind 10,20 --directions 8" },
     { "calibration", "fit $S --no-profile --no-rival" },
-    { "series", "series oak $M --wind 8 --duration 2 --step 0.5 --gust cosine --no-vtk --explain" },
+    { "series", "series oak $M --wind 8 --duration 2 --step 0.5 --gust cosine --no-vtk --explain --keys 2" },
     { "explain", "explain oak $M --wind 8" },
     { "wind", "wind kaimal --duration 60 --points 3 --components 3" },
     { "rose", "wind rose --file $T/r.csv" },
@@ -27,7 +26,7 @@ static const struct {
     "{ echo direction_deg,frequency,weibull_scale_ms,weibull_shape; for d in 0 45 90 135 180 225 270 315; "  \
     "do echo $d,1,6,2; done; } >$T/r.csv\n"
 
-static bool tools(void)
+static int tools(void)
 {
     return system("command -v gnuplot >/dev/null && command -v weasyprint >/dev/null") == 0;
 }

@@ -9,7 +9,6 @@
 #include <cmocka.h>
 
 #include "out/folder.h"
-#include "out/plot_data.h"
 #include "shell.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,7 @@
 /* windfirm fit: calibrate a tree to what was measured on it. */
 #include "cmd/fit_job.h"
 #include "cmd/pages.h"
+#include "out/fit_species.h"
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>

@@ -74,7 +74,7 @@ static enum wf_status one(const char *path, const struct ask *k, struct wf_arena
     enum wf_status s = wf_import_read(path, &k->import, a, &q, &d, e);
     if (!s) s = wf_qsm_to_tree(&q, k->joint, a, &m, e);
     if (!s && wf_args_given(k->args, "--csv"))
-        wf_tree_print_line(stdout, path, &q, &m, &k->wear);
+        wf_tree_table_line(stdout, path, &q, &m, &k->wear);
     else if (!s)
         wf_tree_print_page(stdout, path, &q, &m, &k->wear);
     rows_left_out(&d, quiet);
@@ -96,7 +96,7 @@ static int info(struct ask *k, struct wf_arena *a)
         if (s) return wf_complain(&e);
         k->wear.species = &species;
     }
-    if (wf_args_given(k->args, "--csv")) wf_tree_print_head(stdout);
+    if (wf_args_given(k->args, "--csv")) wf_tree_table_head(stdout);
     for (size_t i = 1; i < k->args->n; i++) {
         struct wf_arena tree = { 0 };
         e = (struct wf_err){ 0 };

@@ -5,7 +5,6 @@
 #include "cmd/wind_rose.h"
 #include "cmd/wind_speed.h"
 #include "out/wind_results.h"
-#include "out/wind_stream.h"
 #include "wind/points.h"
 #include "wind/scale.h"
 #include <math.h>

@@ -1,28 +1,6 @@
 #include "cmd/tree_print.h"
 #include <math.h>
 
-/* Mass of the measured wood by the density given, else of the species by level; NAN when neither is known
- * [kg]. */
-static double wood_mass(const struct wf_qsm_metrics *g, const struct wf_tree_wear *w)
-{
-    double mass = 0;
-    for (size_t k = 0; k < WF_QSM_ORDERS; k++) {
-        double density = w->density;
-        if (isnan(density) && w->species && w->species->levels) {
-            size_t level = k < w->species->levels ? k : w->species->levels - 1;
-            density = w->species->level[level].density.value;
-        }
-        mass += density * g->order_volume[k];
-    }
-    return mass;
-}
-
-/* Still-air frontal area of the leaves [m2]; NAN when unknown. */
-static double leaf_sail(const struct wf_tree_wear *w)
-{
-    return w->species ? w->leaf_area * w->species->leaf_frontal_share.value : (double)NAN;
-}
-
 static void repairs(FILE *to, const struct wf_qsm *q, bool note, const char *title)
 {
     size_t kinds = 0;
@@ -60,7 +38,7 @@ void wf_tree_print_page(FILE *to, const char *path, const struct wf_qsm *q, cons
 {
     struct wf_qsm_metrics g;
     wf_qsm_measure(q, &g);
-    double mass = wood_mass(&g, w), leaf = leaf_sail(w);
+    double mass = wf_tree_wear_mass(&g, w), leaf = wf_tree_wear_sail(w);
     fprintf(to, "%s\n  %-20s%s\n", path, "format", q->format);
     fprintf(to, "  %-20s%zu cylinders, %zu branches, %zu tips, highest order %d, %zu stem%s\n", "rows",
             g.cylinders, g.branches, g.tips, g.highest_order, g.stems, g.stems == 1 ? "" : "s");
@@ -86,45 +64,4 @@ void wf_tree_print_page(FILE *to, const char *path, const struct wf_qsm *q, cons
     modelled(to, &g, m);
     repairs(to, q, false, "repairs");
     repairs(to, q, true, "notes");
-}
-
-void wf_tree_print_head(FILE *to)
-{
-    fprintf(
-        to,
-        "file,format,cylinders,branches,tips,stems,highest_order,height_m,dbh_m,base_diameter_m,width_x_m,"
-        "width_y_m,"
-        "crown_base_m,length_m,volume_m3,mass_kg,area_m2,leaf_area_m2,sail_0_m2,sail_45_m2,sail_90_m2,"
-        "sail_135_m2,leaf_sail_m2,segments,model_volume_m3,links,bridges,bridge_volume_m3,gaps,widest_gap_m");
-    for (int k = 0; k < WF_REPAIR_COUNT; k++) fprintf(to, ",%s", wf_repair_rows[k].code);
-    fputc('\n', to);
-}
-
-/* A number cell; empty when unknown. */
-static void cell(FILE *to, double v)
-{
-    if (isnan(v))
-        fputc(',', to);
-    else
-        fprintf(to, ",%.8g", v);
-}
-
-void wf_tree_print_line(FILE *to, const char *path, const struct wf_qsm *q, const struct wf_qsm_model *m,
-                        const struct wf_tree_wear *w)
-{
-    struct wf_qsm_metrics g;
-    wf_qsm_measure(q, &g);
-    fputc('"', to);
-    for (const char *p = path; *p; p++) fprintf(to, "%s%c", *p == '"' ? "\"" : "", *p);
-    fprintf(to, "\",%s,%zu,%zu,%zu,%zu,%d", q->format, g.cylinders, g.branches, g.tips, g.stems,
-            g.highest_order);
-    const double v[] = { g.height, g.dbh,    g.base_diameter,  g.width_x, g.width_y,   g.crown_base,
-                         g.length, g.volume, wood_mass(&g, w), g.area,    w->leaf_area };
-    for (size_t k = 0; k < sizeof v / sizeof *v; k++) cell(to, v[k]);
-    for (int deg = 0; deg < 180; deg += 45) cell(to, wf_qsm_sail(q, deg * M_PI / 180));
-    cell(to, leaf_sail(w));
-    fprintf(to, ",%zu,%.8g,%zu,%zu,%.8g,%zu,%.6g", m->tree.n, m->volume, m->links, m->bridges,
-            m->bridge_volume, m->gaps, m->widest_gap);
-    for (int k = 0; k < WF_REPAIR_COUNT; k++) fprintf(to, ",%zu", q->repairs.count[k]);
-    fputc('\n', to);
 }

@@ -1,6 +1,6 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/figures.h"
 #include "out/folder.h"
-#include "out/plot_data.h"
 #include "out/program.h"
 #include "out/xml.h"
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_FIGURES_H
 #define WF_OUT_FIGURES_H
 /* The figures of a results folder, drawn by gnuplot from its tables. */

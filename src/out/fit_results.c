@@ -4,7 +4,6 @@
 #include "base/file.h"
 #include "out/doc.h"
 #include "out/folder.h"
-#include "out/plot_data.h"
 #include <math.h>
 #include <string.h>
 

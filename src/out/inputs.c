@@ -1,5 +1,6 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What went in: species values with range, standing and source; model; scenario; method. */
-#include "out/parts.h"
+#include "out/inputs.h"
 #include "study/exposure.h"
 #include "wind/scale.h"
 #include "wind/shelter.h"

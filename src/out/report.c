@@ -2,6 +2,7 @@
 #include "out/report.h"
 #include "base/file.h"
 #include "out/figures.h"
+#include "out/folder.h"
 #include "out/program.h"
 #include "out/results.h"
 #include "out/tables.h"
@@ -42,14 +43,6 @@ struct job {
     enum wf_status first; /* of the parts that could not be made */
 };
 
-static enum wf_status path_of(const char *folder, const char *name, char path[static WF_PATH_MAX],
-                              struct wf_err *e)
-{
-    int n = snprintf(path, WF_PATH_MAX, "%s/%s", folder, name);
-    if (n >= 0 && n < WF_PATH_MAX) return WF_OK;
-    return wf_fail(e, WF_EINPUT, "%.200s...: the name is too long", folder);
-}
-
 /* A part that cannot be made is a warning, and the others are made all the same. */
 static void miss(struct job *j, const char *part, const struct wf_err *why)
 {
@@ -67,7 +60,7 @@ static enum wf_status check_report(struct job *j)
         return wf_fail(j->e, WF_EINPUT, "%s/results.json: trees: at least one is needed", j->folder);
     for (size_t i = 0; !code && wf_tables[i].name; i++) {
         if (wf_tables[i].made) continue; /* not every run has it */
-        code = path_of(j->folder, wf_tables[i].name, path, j->e);
+        code = wf_folder_path(j->folder, wf_tables[i].name, path, j->e);
         if (!code && access(path, R_OK)) code = wf_fail(j->e, WF_EINPUT, "%s: cannot be read", path);
     }
     return code;
@@ -77,7 +70,7 @@ static enum wf_status read_results(struct job *j)
 {
     char path[WF_PATH_MAX];
     json_error_t why;
-    enum wf_status code = path_of(j->folder, "results.json", path, j->e);
+    enum wf_status code = wf_folder_path(j->folder, "results.json", path, j->e);
     if (code) return code;
     if (access(path, R_OK))
         return wf_fail(j->e, WF_EINPUT, "%s: cannot be read; is '%s' a results folder?", path, j->folder);
@@ -241,9 +234,9 @@ static enum wf_status write_page(struct job *j)
     char html[WF_PATH_MAX], pdf[WF_PATH_MAX], name[64];
     struct wf_err why = { 0 };
     snprintf(name, sizeof name, "%s.html", j->kind->page);
-    enum wf_status code = path_of(j->folder, name, html, j->e);
+    enum wf_status code = wf_folder_path(j->folder, name, html, j->e);
     snprintf(name, sizeof name, "%s.pdf", j->kind->page);
-    if (!code) code = path_of(j->folder, name, pdf, j->e);
+    if (!code) code = wf_folder_path(j->folder, name, pdf, j->e);
     if (!code) code = write_html(j, html);
     if (!code && print_pdf(html, pdf, &why)) miss(j, "no-pdf", &why);
     return code;

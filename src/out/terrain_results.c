@@ -2,7 +2,6 @@
 #include "out/terrain_results.h"
 #include "base/csv.h"
 #include "out/folder.h"
-#include "out/plot_data.h"
 #include <math.h>
 
 /* Every point of the map, blank line after each row as gnuplot's maps want it. */
@@ -26,14 +25,13 @@ static enum wf_status write_points(const struct wf_terrain_site *s, const char *
 
 static enum wf_status write_grids(const struct wf_terrain_site *s, const char *folder, struct wf_err *e)
 {
-    static const char *const name[] = { "height.asc", "topex_deg.asc", "wind_factor.asc" };
+    static const char *const name[] = { "tables/height.asc", "tables/topex_deg.asc",
+                                        "tables/wind_factor.asc" };
     const double *const value[] = { s->ground.z, s->topex, s->factor };
     for (int i = 0; i < 3; i++) {
         char path[WF_PATH_MAX];
-        int n = snprintf(path, sizeof path, "%s/tables/%s", folder, name[i]);
-        if (n < 0 || (size_t)n >= sizeof path)
-            return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
-        enum wf_status status = wf_terrain_write(path, &s->ground, value[i], e);
+        enum wf_status status = wf_folder_path(folder, name[i], path, e);
+        if (!status) status = wf_terrain_write(path, &s->ground, value[i], e);
         if (status) return status;
     }
     struct wf_plot_data p;

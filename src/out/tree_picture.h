@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_TREE_PICTURE_H
 #define WF_OUT_TREE_PICTURE_H
 /* Picture of a tree from the front and the side, coloured by level, with its parameters beside it. */
