@@ -12,12 +12,18 @@
 <!-- A heading with its number; sections are numbered as in the calls below. -->
 <xsl:template name="heading">
   <xsl:param name="n"/><xsl:param name="id"/>
-  <h2 id="s{$n}"><span class="n"><xsl:value-of select="$n"/></span><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></h2>
+  <h2 id="s{$n}">
+    <span class="n"><xsl:value-of select="$n"/></span>
+    <xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+  </h2>
 </xsl:template>
 
 <xsl:template name="block-row">
   <xsl:param name="id"/><xsl:param name="text"/>
-  <tr><th><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></th><td><xsl:copy-of select="$text"/></td></tr>
+  <tr>
+    <th><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></th>
+    <td><xsl:copy-of select="$text"/></td>
+  </tr>
 </xsl:template>
 
 <!-- the picture as it is, with words for those who cannot see it -->
@@ -31,22 +37,37 @@
 
 <xsl:template name="head">
   <xsl:param name="id"/><xsl:param name="unit"/><xsl:param name="class" select="'r'"/>
-  <th class="{$class}"><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template><span class="u"><xsl:value-of select="$unit"/>&#160;</span></th>
+  <th class="{$class}">
+    <xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+    <span class="u"><xsl:value-of select="$unit"/>&#160;</span>
+  </th>
 </xsl:template>
 
 <xsl:template name="table-caption">
   <xsl:param name="n"/><xsl:param name="text"/>
-  <caption><b><xsl:call-template name="say"><xsl:with-param name="id">table</xsl:with-param></xsl:call-template>&#160;<xsl:value-of select="$n"/></b>
-    <xsl:call-template name="say"><xsl:with-param name="id">stop</xsl:with-param></xsl:call-template><xsl:copy-of select="$text"/></caption>
+  <caption>
+    <b><xsl:call-template name="say"><xsl:with-param name="id">table</xsl:with-param>
+      </xsl:call-template>&#160;<xsl:value-of select="$n"/></b>
+    <xsl:call-template name="say"><xsl:with-param name="id">stop</xsl:with-param></xsl:call-template>
+    <xsl:copy-of select="$text"/>
+  </caption>
 </xsl:template>
 
 <xsl:template name="cell">
   <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
-  <td class="r"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></td>
+  <td class="r">
+    <xsl:call-template name="fixed">
+      <xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/>
+    </xsl:call-template>
+  </td>
 </xsl:template>
 <xsl:template name="steady-cell">
   <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
-  <td class="r"><xsl:call-template name="steady"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></td>
+  <td class="r">
+    <xsl:call-template name="steady">
+      <xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/>
+    </xsl:call-template>
+  </td>
 </xsl:template>
 
 <!-- Heads of a table: "id;id:unit;..." of strings. Those with a colon are columns of numbers. units="yes": a second
@@ -80,20 +101,31 @@
 <!-- A row "what | number unit" of a block. -->
 <xsl:template name="fact">
   <xsl:param name="id"/><xsl:param name="x"/><xsl:param name="unit"/><xsl:param name="pattern"/>
-  <xsl:call-template name="block-row"><xsl:with-param name="id" select="$id"/><xsl:with-param name="text">
-    <xsl:choose>
-      <xsl:when test="$pattern != ''">
-        <xsl:call-template name="fixed"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template>
-      </xsl:when>
-      <xsl:otherwise><xsl:call-template name="number"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:otherwise>
-    </xsl:choose>
-    <xsl:if test="$unit != ''"><xsl:value-of select="concat('&#160;', $unit)"/></xsl:if>
-  </xsl:with-param></xsl:call-template>
+  <xsl:call-template name="block-row">
+    <xsl:with-param name="id" select="$id"/>
+    <xsl:with-param name="text">
+      <xsl:choose>
+        <xsl:when test="$pattern != ''">
+          <xsl:call-template name="fixed">
+            <xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/>
+          </xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>
+          <xsl:call-template name="number"><xsl:with-param name="x" select="$x"/></xsl:call-template>
+        </xsl:otherwise>
+      </xsl:choose>
+      <xsl:if test="$unit != ''"><xsl:value-of select="concat('&#160;', $unit)"/></xsl:if>
+    </xsl:with-param>
+  </xsl:call-template>
 </xsl:template>
 
 <xsl:template name="h2">
   <xsl:param name="id"/><xsl:param name="a"/>
-  <h2><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/><xsl:with-param name="a" select="$a"/></xsl:call-template></h2>
+  <h2>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id" select="$id"/><xsl:with-param name="a" select="$a"/>
+    </xsl:call-template>
+  </h2>
 </xsl:template>
 <xsl:template name="caption">
   <xsl:param name="id"/><xsl:param name="a"/><xsl:param name="b"/>
@@ -109,16 +141,25 @@
   <xsl:variable name="g" select="/report/figures/figure[@name = $name]"/>
   <xsl:if test="$g">
     <figure id="{$name}">
-      <xsl:if test="$width != '100%'"><xsl:attribute name="style"><xsl:value-of
-        select="concat('margin-left: auto; margin-right: auto; width: ', $width)"/></xsl:attribute></xsl:if>
+      <xsl:if test="$width != '100%'">
+        <xsl:attribute name="style">
+          <xsl:value-of
+        select="concat('margin-left: auto; margin-right: auto; width: ', $width)"/>
+        </xsl:attribute>
+      </xsl:if>
       <xsl:choose>
         <xsl:when test="$g/svg:svg"><xsl:apply-templates select="$g/svg:svg" mode="picture"/></xsl:when>
-        <xsl:otherwise><div class="missing"><xsl:call-template name="say">
-          <xsl:with-param name="id">f.missing</xsl:with-param><xsl:with-param name="a" select="$g/@missing"/>
-        </xsl:call-template></div></xsl:otherwise>
+        <xsl:otherwise>
+          <div class="missing">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">f.missing</xsl:with-param><xsl:with-param name="a" select="$g/@missing"/>
+            </xsl:call-template>
+          </div>
+        </xsl:otherwise>
       </xsl:choose>
       <figcaption>
-        <b><xsl:call-template name="say"><xsl:with-param name="id">figure</xsl:with-param></xsl:call-template>&#160;<xsl:value-of
+        <b><xsl:call-template name="say"><xsl:with-param name="id">figure</xsl:with-param>
+          </xsl:call-template>&#160;<xsl:value-of
           select="count($g/preceding-sibling::figure) + 1"/></b>
         <xsl:call-template name="say"><xsl:with-param name="id">stop</xsl:with-param></xsl:call-template>
         <xsl:call-template name="say">
@@ -134,12 +175,20 @@
   <xsl:param name="id">h.warnings</xsl:param>
   <xsl:if test="$r/warnings/item">
     <xsl:call-template name="h2"><xsl:with-param name="id" select="$id"/></xsl:call-template>
-    <ul class="findings"><xsl:for-each select="$r/warnings/item">
-      <li><b><xsl:call-template name="term">
-        <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
-      </xsl:call-template></b><xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template><xsl:value-of
-        select="text"/></li>
-    </xsl:for-each></ul>
+    <ul class="findings">
+      <xsl:for-each select="$r/warnings/item">
+        <li>
+          <b>
+            <xsl:call-template name="term">
+              <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
+            </xsl:call-template>
+          </b>
+          <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
+          <xsl:value-of
+        select="text"/>
+        </li>
+      </xsl:for-each>
+    </ul>
   </xsl:if>
 </xsl:template>
 

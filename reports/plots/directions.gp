@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Winds from all around: base moment (left) and critical wind speed (right) by where the wind comes from.
 #   gnuplot -c directions.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'directions.svg'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # What each method finds for the bending of every branch, over beam theory; 1 is agreement.
 #   gnuplot -c explain.gp FOLDER [FILE [LANGUAGE [RUN]]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'explain.svg'

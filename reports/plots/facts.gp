@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Loaded by style.gp: what windfirm says about a run, from FOLDER/plots/FILE.csv for every FILE of the list FACTS, and the
 # labels from words.tsv. Both are read as data by column functions; nothing in them is run.
 set datafile separator comma

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Profile likelihood of every parameter: rise of -2 ln(likelihood) with the others refitted, and the 95 % level.
 #   gnuplot -c fit_profiles.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'fit_profiles.svg'

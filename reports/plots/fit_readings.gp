@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Readings against load: points measured, line predicted, band 95 % of the prediction.
 #   gnuplot -c fit_readings.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'fit_readings.svg'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Residuals over sigma in the order of the readings, and their influence on the estimates.
 #   gnuplot -c fit_residuals.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'fit_residuals.svg'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Key frames as small panels, seen across the wind, which blows to the right; grey: the tree without wind, dashed:
 # the plumb line of its height.
 #   gnuplot -c frames.gp FOLDER [FILE [LANGUAGE [RUN]]]     RUN 0: the runs of one key frame

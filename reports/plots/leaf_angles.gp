@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # How one leaf turns on its stalk in time, run by run: in proportion to the wind (eq13), or by three noises.
 #   gnuplot -c leaf_angles.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'leaf_angles.svg'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Deflection of the tip by the modulus, over the runs that differ in nothing else.
 #   gnuplot -c modulus.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'modulus.svg'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Loaded by the figures of a report: its trees and wind speeds.
 trees = int(number('trees', 0))
 array NAME[trees]; array HEIGHT_M[trees]; array AZIMUTH[trees]; array ROWS[trees]; array CRITICAL[trees]; array SOLVED[trees]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Least safety factor against wind speed, and the wind at which it reaches 1.
 #   gnuplot -c safety.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'safety.svg'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Wind and tip deflection in time, run by run. Runs of a single frame have no course in time and are left out.
 #   gnuplot -c series.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'series.svg'

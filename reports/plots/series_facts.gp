@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Loaded by the figures of runs in time.
 RUNS = int(number('RUNS', 0))
 array NAME[RUNS]; array KEYS[RUNS]; array FRAMES[RUNS]; array HEIGHT_M[RUNS]; array LEFT[RUNS]; array RIGHT[RUNS]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Deflected shapes: one panel a tree, one line a wind speed, all on one true scale.
 #   gnuplot -c shapes.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shapes.svg'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # The tree bent in the open and in its own shelter, and how far its windward and leeward branches move.
 #   gnuplot -c shelter_motion.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shelter_motion.svg'

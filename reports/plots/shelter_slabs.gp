@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Coverage of every slab and what its cells are, windward first, seen along the wind; wind that passes.
 #   gnuplot -c shelter_slabs.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shelter_slabs.svg'

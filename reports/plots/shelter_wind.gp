@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Speed over the undisturbed speed on a level and an upright cut; the wind blows from left to right.
 #   gnuplot -c shelter_wind.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shelter_wind.svg'

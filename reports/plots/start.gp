@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Open the picture, WIDTH by HEIGHT pixels of a screen; a printed page takes 640 pixels across.
 if (ends(OUT, '.pdf')) {
     set terminal pdfcairo noenhanced color size WIDTH/96.0,HEIGHT/96.0 font "DejaVu Sans,11" fontscale 0.62

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Bending moment and outer-fibre stress along the stem: one column a tree, one line a wind speed.
 #   gnuplot -c stem.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'stem.svg'

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # House style, loaded by every figure script. A script is called as
 #   gnuplot -c SCRIPT FOLDER [FILE [LANGUAGE [RUN]]]
 # FOLDER: a results folder of windfirm (tables/, plots/run.csv), of which only data are read. FILE: *.pdf and *.png are

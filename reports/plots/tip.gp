@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Deflection and angle of the tip against wind speed.
 #   gnuplot -c tip.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'tip.svg'

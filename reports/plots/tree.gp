@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # A tree from the front (seen along +y, wind from the left) and from the side (seen along -x), coloured by level,
 # on one true scale; its parameters beside it.
 #   gnuplot -c tree.gp FOLDER [FILE [LANGUAGE]]

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # A gusty wind: the first ten minutes, its spectrum against the target, its histogram.
 #   gnuplot -c wind.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'wind.svg'

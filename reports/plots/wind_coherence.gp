@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Coherence of the along-wind part between the first point and the others, against the one asked for.
 #   gnuplot -c wind_coherence.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'wind_coherence.svg'

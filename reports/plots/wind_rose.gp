@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # A wind rose: how much of the time the wind comes from each direction, by strength.
 #   gnuplot -c wind_rose.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'wind_rose.svg'
