@@ -18,41 +18,6 @@ enum wf_status wf_report_asset(const char *name, char *path, size_t size, struct
                    path);
 }
 
-/* <row key index [text="yes"]>value</row> to the plot data. */
-static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_err *e)
-{
-    xmlChar *key = xmlGetProp(row, BAD_CAST "key"), *index = xmlGetProp(row, BAD_CAST "index"),
-            *text = xmlGetProp(row, BAD_CAST "text"), *value = xmlNodeGetContent(row);
-    enum wf_status s = WF_OK;
-    if (!key || !index || !value)
-        s = wf_fail(e, WF_EINPUT, "figures.xsl: a row without key, index or value");
-    else if (text)
-        wf_plot_data_text(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value);
-    else
-        s = wf_plot_data_parse(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value, e);
-    xmlFree(key), xmlFree(index), xmlFree(text), xmlFree(value);
-    return s;
-}
-
-enum wf_status wf_figures_prepare(const char *folder, xmlDoc *report, struct wf_err *e)
-{
-    char style[WF_PATH_MAX];
-    struct wf_plot_data p;
-    xmlDoc *rows = NULL;
-    enum wf_status code = wf_folder_make(folder, e);
-    if (!code) code = wf_report_asset("figures.xsl", style, sizeof style, e);
-    if (!code) code = wf_xml_transform(style, report, NULL, NULL, &rows, e);
-    if (!code) code = wf_plot_data_begin(&p, folder, "run", e);
-    if (!code) {
-        for (xmlNode *n = xmlDocGetRootElement(rows)->children; n && !code; n = n->next)
-            if (n->type == XML_ELEMENT_NODE) code = plot_row(&p, n, e);
-        if (!code) code = wf_plot_data_end(&p, e);
-        wf_file_abandon(&p.f);
-    }
-    if (rows) xmlFreeDoc(rows);
-    return code;
-}
-
 /* Does the file end in </svg>? gnuplot leaves an empty file after a fault and half a one on a full disk. */
 static bool complete(const char *path)
 {

@@ -15,10 +15,6 @@ struct wf_figure {
     size_t run; /* which of several runs it shows, from 1; 0: all, or there is only one */
 };
 
-/* Write FOLDER/plots/run.csv for the figures of a report: names, wind speeds, range of this run.
- * Given: the report document (see report.xsl). Errors: WF_EOUTPUT, WF_EINPUT, WF_ENOMEM. */
-enum wf_status wf_figures_prepare(const char *folder, xmlDoc *report, struct wf_err *e);
-
 /* Let gnuplot draw a figure to the file `picture`, with labels in a language ("en", "zh"). Errors:
  * WF_EMISSING without gnuplot, WF_EOUTPUT with gnuplot's own words, also where it ends with status 0 after a
  * fault. */

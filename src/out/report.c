@@ -8,6 +8,7 @@
 #include "out/tables.h"
 #include "out/tree_picture.h"
 #include "out/xml.h"
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
@@ -141,6 +142,42 @@ static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawe
     return WF_OK;
 }
 
+/* <row key index [text="yes"]>value</row> to the plot data. */
+static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_err *e)
+{
+    xmlChar *key = xmlGetProp(row, BAD_CAST "key"), *index = xmlGetProp(row, BAD_CAST "index"),
+            *text = xmlGetProp(row, BAD_CAST "text"), *value = xmlNodeGetContent(row);
+    enum wf_status s = WF_OK;
+    if (!key || !index || !value)
+        s = wf_fail(e, WF_EINPUT, "figures.xsl: a row without key, index or value");
+    else if (text)
+        wf_plot_data_text(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value);
+    else
+        s = wf_plot_data_parse(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value, e);
+    xmlFree(key), xmlFree(index), xmlFree(text), xmlFree(value);
+    return s;
+}
+
+/* FOLDER/plots/run.csv of a report, from its document: names, wind speeds, range of this run. */
+static enum wf_status write_plot_data(const char *folder, xmlDoc *report, struct wf_err *e)
+{
+    char style[WF_PATH_MAX];
+    struct wf_plot_data p;
+    xmlDoc *rows = NULL;
+    enum wf_status code = wf_folder_make(folder, e);
+    if (!code) code = wf_report_asset("figures.xsl", style, sizeof style, e);
+    if (!code) code = wf_xml_transform(style, report, NULL, NULL, &rows, e);
+    if (!code) code = wf_plot_data_begin(&p, folder, "run", e);
+    if (!code) {
+        for (xmlNode *n = xmlDocGetRootElement(rows)->children; n && !code; n = n->next)
+            if (n->type == XML_ELEMENT_NODE) code = plot_row(&p, n, e);
+        if (!code) code = wf_plot_data_end(&p, e);
+        wf_file_abandon(&p.f);
+    }
+    if (rows) xmlFreeDoc(rows);
+    return code;
+}
+
 /* The figures of a report: its plot data are made from the document, in its language. */
 static enum wf_status draw_report(struct job *j)
 {
@@ -148,7 +185,7 @@ static enum wf_status draw_report(struct job *j)
     const json_t *first = json_array_get(json_object_get(j->results, "trees"), 0);
     struct wf_err why = { 0 };
     enum wf_status code = WF_OK;
-    bool ready = !wf_figures_prepare(j->folder, j->document, &why);
+    bool ready = !write_plot_data(j->folder, j->document, &why);
     if (!ready) miss(j, "no-figures", &why);
     const struct wf_err *unready = ready ? NULL : &why;
     if (wf_tree_picture_there(j->folder)) code = add_figure(j, &tree, wf_tree_picture_report, unready);
