@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A species table with fitted values in place of the old ones, ready for analyze. */
+#include "out/fit_species.h"
 #include "base/file.h"
 #include "data/species.h"
 #include "load/drag.h"
-#include "out/fit_results.h"
 #include <math.h>
 #include <string.h>
 
