@@ -1,4 +1,4 @@
-#include "fit/intervals.h"
+#include "fit/fit.h"
 #include <math.h>
 #include <string.h>
 
