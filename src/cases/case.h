@@ -161,8 +161,6 @@ enum wf_status wf_case_run(const struct wf_case *c, size_t k, size_t pieces, str
 /* A case whose values come from elsewhere (WF_SHAPE_FIT): hold them against what is wanted. answer(ctx, want,
  * out, e): the value of one want [SI]. Returned: as wf_case_run. */
 typedef enum wf_status wf_case_answer(void *ctx, const struct wf_want *w, double out[3], struct wf_err *e);
-enum wf_status wf_case_hold(const struct wf_case *c, const char *solver, wf_case_answer *answer, void *ctx,
-                            struct wf_arena *a, struct wf_verdict *v, struct wf_err *e);
 
 /* Order of convergence: one verdict a mesh, each with one element a row and rows split by c->piece[].
  * Returned: verdicts[c->pieces]. The observed order between meshes i-1 and i of check j is

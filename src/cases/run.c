@@ -93,8 +93,8 @@ static enum wf_status conclude(struct wf_verdict *v, enum wf_status status, cons
     return WF_OK;
 }
 
-enum wf_status wf_case_hold(const struct wf_case *c, const char *solver, wf_case_answer *answer, void *ctx,
-                            struct wf_arena *a, struct wf_verdict *v, struct wf_err *e)
+static enum wf_status case_hold(const struct wf_case *c, const char *solver, wf_case_answer *answer,
+                                void *ctx, struct wf_arena *a, struct wf_verdict *v, struct wf_err *e)
 {
     struct wf_err own = { WF_OK, "" };
     *v = (struct wf_verdict){ .of = c, .solver = solver };
@@ -233,7 +233,7 @@ enum wf_status wf_case_fit(const struct wf_case *c, const char *share, struct wf
     struct wf_err own = { WF_OK, "" };
     enum wf_status s = build(&t, a, &own);
     if (!s) s = isnan(c->data_sets) ? fit(&t, &own) : made_up(&t, a, &own);
-    if (!s) return wf_case_hold(c, "fit", answer, &t, a, v, e);
+    if (!s) return case_hold(c, "fit", answer, &t, a, v, e);
     *v = (struct wf_verdict){ .of = c, .solver = "fit", .why = wf_arena_text(a, own.text) };
     v->outcome = s == WF_EMISSING ? WF_SKIPPED : WF_FAILED;
     return v->why ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");

@@ -49,27 +49,11 @@ struct wf_course {
     double (*side)[3];      /* per segment, unit            */
     double (*direction)[3]; /* per segment, unit            */
 };
-enum wf_status wf_course_take(struct wf_course *c, size_t segments, struct wf_arena *a, struct wf_err *e);
-/* Given: axis and form. Returned: *c filled. Method: at every joint the direction turns towards the vertical
- * by the curve's share of its turn and to a random side by its wander; `side` is carried along without twist.
- */
-void wf_course_run(const struct wf_axis *axis, const struct wf_axis_form *f, uint64_t seed,
-                   struct wf_course *c);
-/* Place at a tick of the course. */
-void wf_course_at(const struct wf_course *c, uint32_t tick, double x[3]);
 
-/* Radius over base radius at place s of an axis of this form. */
-double wf_axis_taper(const struct wf_axis_form *f, double s);
 /* A unit vector across `direction`: the upper side, or +x across a vertical one. */
 void wf_side_of(const double direction[3], double side[3]);
-/* The tick next to place s, at least 1, at most the tip. */
-uint32_t wf_tick_of(double s, size_t segments);
 
-/* Which part of the axes of a level bears leaves in the model's season. */
-void wf_axis_leafy(const struct wf_model *m, size_t level, struct wf_axis_form *f);
 
-/* The stem of a model as level 0. */
-void wf_axes_stem(const struct wf_model *m, double base_radius, struct wf_axis *stem);
 
 /* Rows of all axes, parents first, each level behind the one below: geometry, radius, level, and in leaf0 =
  * leaf1 the share of each row that bears leaves. Errors: WF_EINPUT for more than WF_AXIS_ROWS_MAX rows. */

@@ -3,8 +3,12 @@
 #include "base/num.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
+#include "wind/wind.h"
 #include <math.h>
 #include <string.h>
+
+static void scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
+static double scenario_air_density(const struct wf_scenario *s);
 
 void wf_scenario_default(struct wf_scenario *s)
 {
@@ -56,7 +60,7 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
             return wf_fail(e, WF_EUSAGE, "%s %.6g %s is outside %.6g..%.6g", limits[i].name, limits[i].value,
                            limits[i].unit, limits[i].low, limits[i].high);
     struct wf_wind wind;
-    wf_scenario_wind(s, &wind);
+    scenario_wind(s, &wind);
     if (wind.sample == wf_canopy_sample && !(s->canopy_height > 0.0 || s->displacement > 0.0))
         return wf_fail(e, WF_EUSAGE, "the canopy profile needs the canopy height or the displacement height");
     if (s->measured && wind.sample == wf_measured_sample && wf_measured_blow(s->measured, &wind, e))
@@ -106,7 +110,8 @@ enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profil
     return wf_measured_read(w->file, a, d, p, e);
 }
 
-void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
+/* The field of a checked scenario, at speed 0. */
+static void scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
 {
     *out = (struct wf_wind){
         .sample = wf_profile_named(s->profile)->sample,
@@ -126,16 +131,17 @@ double wf_scenario_speed(const struct wf_scenario *s, double named) { return nam
 enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
                                  struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e)
 {
-    wf_scenario_wind(s, wind);
+    scenario_wind(s, wind);
     wf_loads_default(loads);
     loads->wind = wind;
-    loads->air_density = wf_scenario_air_density(s);
+    loads->air_density = scenario_air_density(s);
     loads->air_viscosity = wf_air_viscosity(s->temperature, loads->air_density);
     loads->gravity = s->gravity;
     return wf_loads_laws(loads, sp, e);
 }
 
-double wf_scenario_air_density(const struct wf_scenario *s)
+/* Density of the air, given or from temperature and altitude [kg m-3]. */
+static double scenario_air_density(const struct wf_scenario *s)
 {
     return isnan(s->air_density) ? wf_air_density(s->temperature, s->altitude) : s->air_density;
 }

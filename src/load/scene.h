@@ -50,8 +50,6 @@ struct wf_profile_words {
  */
 enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,
                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
-/* The field of a checked scenario, at speed 0. */
-void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
 /* Speed at the reference height at the tree when the wind named is `named` [m/s]: on an exposed site more. */
 double wf_scenario_speed(const struct wf_scenario *s, double named);
 /* What a checked scenario does to a tree of this species: wind field (at speed 0), air, gravity,
@@ -59,6 +57,4 @@ double wf_scenario_speed(const struct wf_scenario *s, double named);
  * exist. */
 enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
                                  struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e);
-/* Density of the air, given or from temperature and altitude [kg m-3]. */
-double wf_scenario_air_density(const struct wf_scenario *s);
 #endif

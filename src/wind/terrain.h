@@ -40,8 +40,6 @@ enum wf_status wf_terrain_write(const char *path, const struct wf_terrain *t, co
 
 /* Height between grid points, bilinear; NAN outside the map or beside no data. */
 double wf_terrain_height(const struct wf_terrain *t, double x, double y);
-/* Steepest slope |dz/ds| of the map, central differences [-]. */
-double wf_terrain_steepest(const struct wf_terrain *t);
 
 /* Topex-to-distance: the sum over the eight compass directions of the largest angle to the ground within
  * `distance` [m]; angles below the horizontal count as negative. High = sheltered, negative = exposed.
