@@ -2,6 +2,7 @@
 #define WF_TESTS_BRANCHED_H
 /* Branched trees from a model as text and a species of two levels. */
 #include "close.h"
+#include "data/model.h"
 #include "data/species.h"
 #include "grow/grow.h"
 #include "scratch.h"

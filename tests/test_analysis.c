@@ -1,7 +1,7 @@
 /* wf_analyze on stems whose answers are known: closed forms, balance of forces, invariance, limits. */
 #include "data/model.h"
 #include "data/species.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "close.h"
 #include "study/analysis.h"
 #include "study/limits.h"

@@ -1,5 +1,5 @@
 /* The chain of cantilevers on branched trees. */
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "chain.h"
 
 /* An arm off the top of a stem, pushed sideways at its end: both bend, and the stem twists. */

@@ -1,6 +1,6 @@
 /* The search for the critical wind speed: every outcome, the lowest crossing, failures on the way. */
 #include "close.h"
-#include "fail/critical.h"
+#include "fail/fail.h"
 #include <string.h>
 
 struct curve {

@@ -1,7 +1,7 @@
 /* Winds from all around: where they come from, symmetry, the same bytes on any number of threads, climate. */
 #include "data/model.h"
 #include "data/species.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "load/drag.h"
 #include "close.h"
 #include "study/directions.h"

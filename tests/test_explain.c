@@ -1,7 +1,7 @@
 /* Methods against beam theory, branch by branch. */
 #include "data/model.h"
 #include "data/species.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "load/drag.h"
 #include "close.h"
 #include "study/explain.h"

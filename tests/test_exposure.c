@@ -2,7 +2,7 @@
  */
 #include "data/model.h"
 #include "data/species.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "load/drag.h"
 #include "close.h"
 #include "study/analysis.h"

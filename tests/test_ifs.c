@@ -1,6 +1,10 @@
 /* Iterated function systems: copies, contraction, dimension, forms, and what is refused. */
+#include "base/arena.h"
+#include "base/diag.h"
+#include "base/err.h"
 #include "branched.h"
 #include "close.h"
+#include "data/model.h"
 #include "edited.h"
 #include "grow/leaves.h"
 

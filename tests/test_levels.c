@@ -1,10 +1,10 @@
 /* Trees of levels: counts, places, angles, lengths, radii, curves, spread, and what is refused. */
-#include "solve/solvers.h"
+#include "data/model.h"
+#include "solve/solve.h"
 #include "load/drag.h"
 #include "branched.h"
 #include "close.h"
 #include "edited.h"
-#include "solve/solve.h"
 
 #define DEG (M_PI / 180)
 

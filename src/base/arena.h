@@ -3,6 +3,10 @@
 /* Memory of one run: taken in pieces, given back all at once. Blocks are 64-byte aligned and zeroed. */
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct wf_arena_block;
 struct wf_arena {
     struct wf_arena_block *block; /* newest block */
@@ -23,4 +27,8 @@ char *wf_arena_print(struct wf_arena *a, const char *fmt, ...) __attribute__((fo
 void wf_arena_free(struct wf_arena *a);
 
 #define WF_TAKE(a, n, T) ((T *)wf_arena_take((a), (n), sizeof(T)))
+
+#ifdef __cplusplus
+}
+#endif
 #endif

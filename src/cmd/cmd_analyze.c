@@ -10,7 +10,6 @@
 #include "out/report.h"
 #include "out/results.h"
 #include "solve/solve.h"
-#include "solve/solvers.h"
 #include "study/analysis.h"
 #include "study/directions.h"
 #include "study/preset.h"

@@ -9,7 +9,7 @@
 #include "load/scene.h"
 #include "out/explain.h"
 #include "out/results.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "study/limits.h"
 #include "study/preset.h"
 #include <math.h>

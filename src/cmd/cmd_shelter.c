@@ -13,7 +13,7 @@
 #include "load/scene.h"
 #include "out/shelter_results.h"
 #include "out/wind_results.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "study/limits.h"
 #include "wind/shelter_laws.h"
 #include <math.h>

@@ -7,6 +7,10 @@
 #include <stddef.h>
 #include <string.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum {
     WF_LAW_PARAMETERS = 4, /* most of one law                      */
     WF_LAW_KEYS = 12       /* most of all laws of a table together */
@@ -98,4 +102,8 @@ static inline const struct wf_law *wf_law_owner(struct wf_law_table t, const cha
         if (wf_law_find(l, name) >= 0) return l;
     return NULL;
 }
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -12,6 +12,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct wf_yaml_pair;
 
 enum wf_standing {
@@ -99,4 +103,8 @@ enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, str
 char *wf_species_schema(const struct wf_laws *laws, struct wf_arena *a, struct wf_err *e);
 
 const char *wf_standing_text(enum wf_standing s);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -10,6 +10,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct wf_tree {
     const char *name;
     size_t n;             /* segments                                              */
@@ -70,4 +74,8 @@ enum wf_scope { WF_SCOPE_TREE, WF_SCOPE_STEM, WF_SCOPE_BRANCHES, WF_SCOPES };
 const char *wf_scope_name(enum wf_scope s); /* "tree", "stem", "branches" */
 /* Does a row belong to a scope? The stem is level 0. */
 bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -8,6 +8,10 @@
 #include "wind/wind.h"
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct wf_axis_drag_law;
 struct wf_species;
 struct wf_streamline_law;
@@ -77,4 +81,8 @@ struct wf_line_parts {
 };
 void wf_line_parts(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
                    const double t[3], struct wf_line_parts *out);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

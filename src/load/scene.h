@@ -8,6 +8,10 @@
 #include "wind/wind.h"
 #include <math.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct wf_species;
 
 struct wf_site; /* wind/terrain.h */
@@ -57,4 +61,8 @@ double wf_scenario_speed(const struct wf_scenario *s, double named);
  * exist. */
 enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
                                  struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -9,6 +9,10 @@
 #include "load/load.h"
 #include <stdbool.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The answer, one row a tree segment; the arrays belong to the arena it was made from. Vectors are global. */
 struct wf_response {
     size_t n;
@@ -50,6 +54,11 @@ struct wf_solver {
                             const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
                             struct wf_diag *d, struct wf_err *e);
 };
+/* All solvers (solvers.c); ends at NULL; the first is the default. */
+extern const struct wf_solver *const wf_solvers[];
+/* The row of that name; NULL when there is none. */
+const struct wf_solver *wf_solver_named(const char *name);
+
 /* Refuse what no solver can take: a tree wf_tree_check refuses, loads that are not finite or act on rows that
  * are not there. Returned: WF_EINPUT, each bad row a line in *d; with d NULL *e names the first. */
 enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l, struct wf_diag *d,
@@ -57,4 +66,8 @@ enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l,
 
 /* Refuse sections that are not round, which `what` does not know. Returned: WF_EINPUT. */
 enum wf_status wf_solve_check_round(const struct wf_tree *t, const char *what, struct wf_err *e);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

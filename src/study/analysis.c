@@ -2,6 +2,7 @@
 #include "study/analysis.h"
 #include "base/num.h"
 #include "base/parallel.h"
+#include "data/model.h"
 #include "data/species.h"
 #include "grow/grow.h"
 #include "load/scene.h"

@@ -6,12 +6,15 @@
 #include "base/diag.h"
 #include "base/err.h"
 #include "data/tree.h"
-#include "fail/criterion.h"
-#include "fail/critical.h"
+#include "fail/fail.h"
 #include "load/load.h"
 #include "load/scene.h"
 #include "solve/solve.h"
 #include "wind/wind.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
 
 struct wf_model;
 struct wf_species;
@@ -83,4 +86,8 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
                           const struct wf_solver *solver, const struct wf_solve_options *o,
                           const double *speeds, size_t n, struct wf_arena *a, struct wf_diag *d,
                           struct wf_analysis *out, struct wf_err *e);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -2,7 +2,7 @@
 #include "base/num.h"
 #include "base/vec3.h"
 #include "load/scene.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "study/speed.h"
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #include "study/preset.h"
 #include "base/yaml.h"
 #include "data/species.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,7 +1,7 @@
 #include "study/series_plan.h"
 #include "base/yaml.h"
 #include "data/species.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "wind/gust.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
