@@ -108,7 +108,7 @@ static void base_bears_all_loads(void **state)
                                         .mass = 900 * PI * r * r + 0.4 * u };
             struct wf_line_load q;
             for (int j = 0; j < 3; j++) d[j] /= length;
-            wf_line_load(&f.l, &pt, x, d, &q);
+            wf_load_on_line(&f.l, &pt, x, d, &q);
             for (int j = 0; j < 3; j++) {
                 int a = (j + 1) % 3, b = (j + 2) % 3;
                 F[j] += q.force[j] * length / 4000;

@@ -105,8 +105,8 @@ static inline void flow_at(const struct wf_loads *l, const struct wf_line_point 
     f->crown_grow = c * (share + share_slope * speed);
 }
 
-void wf_line_load(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
-                  const double t[3], struct wf_line_load *out)
+void wf_load_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
+                     const double t[3], struct wf_line_load *out)
 {
     *out = (struct wf_line_load){ .force = { 0, 0, -p->mass * l->gravity * l->weight_scale } };
     if (!l->wind) return;
@@ -139,8 +139,8 @@ void wf_line_load(const struct wf_loads *l, const struct wf_line_point *p, const
                                       f.lift * (t[i] * f.u[j] - f.along * ((i == j) + f.m[i] * f.m[j]));
 }
 
-void wf_line_parts(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
-                   const double t[3], struct wf_line_parts *out)
+void wf_load_parts_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
+                           const double t[3], struct wf_line_parts *out)
 {
     *out = (struct wf_line_parts){ .weight = { 0, 0, -p->mass * l->gravity * l->weight_scale } };
     if (!l->wind) return;

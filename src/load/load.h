@@ -71,16 +71,16 @@ struct wf_line_load {
 /* Cross-flow drag and lift of the axis, drag of the crown, weight, at position x with unit tangent t.
  * Source: Hoerner 1965 (cross-flow principle): 1/2 rho Cd D |Un| Un, Un = U - (U.t)t; lift 1/2 rho Cl D
  * |Un| (t x Un); crown 1/2 rho (Cd A)(|U|) |U| U along the wind. Derivatives are exact. */
-void wf_line_load(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
-                  const double t[3], struct wf_line_load *out);
+void wf_load_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
+                     const double t[3], struct wf_line_load *out);
 
 /* The same split into its parts, for reports [N/m]: along-wind drag of axis, of crown, across-wind lift,
  * weight. */
 struct wf_line_parts {
     double drag_axis[3], drag_crown[3], lift[3], weight[3];
 };
-void wf_line_parts(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
-                   const double t[3], struct wf_line_parts *out);
+void wf_load_parts_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
+                           const double t[3], struct wf_line_parts *out);
 
 #ifdef __cplusplus
 }

@@ -95,7 +95,7 @@ static void integrate(const struct wf_tree *t, const struct wf_loads *l, const s
         struct wf_line_point p = line_point(t, i, gauss_s[g]);
         struct wf_line_parts parts;
         curve_at(c, gauss_s[g], x, tangent);
-        wf_line_parts(l, &p, x, tangent, &parts);
+        wf_load_parts_on_line(l, &p, x, tangent, &parts);
         for (int k = 0; k < 3; k++) {
             out->air[k] += ds * (parts.drag_axis[k] + parts.drag_crown[k] + parts.lift[k]);
             out->weight[k] += ds * parts.weight[k];
