@@ -22,10 +22,10 @@ ALL     = -std=c17 -D_GNU_SOURCE $(WARN) -ffp-contract=off $(INC) -MMD -MP $(SAN
 CERES   = -lceres -lglog -lstdc++
 LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 $(CERES) -lm
 
-# Debian packages: to build, to draw, to test
+# Debian packages: to build and to draw; and for tests alone
 PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev \
-            g++ libceres-dev libeigen3-dev libgoogle-glog-dev \
-            gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei libcmocka-dev poppler-utils
+            g++ libceres-dev libeigen3-dev libgoogle-glog-dev gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei
+TEST_PACKAGES := libcmocka-dev poppler-utils gdb
 
 SRC    := $(wildcard src/*.c src/*/*.c)
 # where species, models and templates are is compiled into these alone; `make install` compiles them a second time
@@ -64,7 +64,7 @@ demo: packages ## install what is missing, build, compare bamboo and willow: out
 	@$(B)/windfirm compare species/moso_bamboo.yaml species/weeping_willow.yaml --model models/culm.yaml \
 	    --wind 10,15,25 -o out/demo
 	@ls -1 out/demo/report.pdf out/demo/report.html
-test: packages ## install what is missing, build, run every test and validation case
+test: packages test-packages ## install what is missing, build, run every test and validation case
 	@$(MAKE) -s -j$$(nproc) all programs
 	@tests/run.sh $(B)
 bench: packages ## measure speed and memory
@@ -77,6 +77,8 @@ bench-peers: packages ## the same tree in CalculiX (package calculix-ccx, instal
 programs: $(call bin,$(TESTS))
 packages:
 	@tools/packages.sh $(PACKAGES)
+test-packages:
+	@tools/packages.sh $(TEST_PACKAGES)
 
 check: layers symbols interface house ## rooms, names, installed headers, and the measures of tools/house.sh
 layers:
@@ -128,6 +130,6 @@ clean: ## remove what was built and computed
 help: ## this list
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test bench bench-peers programs packages check layers symbols interface house golden install headers clean help
+.PHONY: all demo test bench bench-peers programs packages test-packages check layers symbols interface house golden install headers clean help
 .SECONDARY:
 -include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS) $(BENCH)) $(patsubst %.c,$(N)/%.o,$(SHARED)) $(B)/src/fit/ceres.o)
