@@ -67,10 +67,10 @@ demo: packages ## install what is missing, build, compare bamboo and willow: out
 test: packages test-packages ## install what is missing, build, run every test and validation case
 	@$(MAKE) -s -j$$(nproc) all programs
 	@tests/run.sh $(B)
-bench: packages ## measure speed and memory
+bench: packages test-packages ## measure speed and memory
 	@$(MAKE) -s -j$$(nproc) all $(call bin,$(BENCH))
 	@for b in $(call bin,$(BENCH)); do $$b || exit; done
-bench-peers: packages ## the same tree in CalculiX (package calculix-ccx, installed when missing): time beside time
+bench-peers: packages test-packages ## the same tree in CalculiX (package calculix-ccx, installed when missing): time beside time
 	@tools/packages.sh calculix-ccx || true
 	@$(MAKE) -s -j$$(nproc) $(B)/tests/bench_beam
 	@tests/bench_peers.sh $(B)
