@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_BRANCHED_H
 #define WF_TESTS_BRANCHED_H
 /* Branched trees from a model as text and a species of two levels. */

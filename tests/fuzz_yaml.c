@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fuzz target of the readers of tables and models (libFuzzer). Build and run:
  *   clang -std=c17 -D_GNU_SOURCE -g -O1 -fsanitize=fuzzer,address,undefined -Isrc tests/fuzz_yaml.c \
  *       src/base/ *.c src/data/ *.c src/grow/stem.c -lyaml -ludunits2 -lm \

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Rooms from the ground up. A file includes its own room or a lower one; never a higher one. The program, main.c,
 # and the header of the library, windfirm.h, stand above all rooms.
 BEGIN {

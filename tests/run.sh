@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Run the checks of layers, symbols and installed headers, every test program and the validation cases of a build; the last line is
 # "N passed, N failed" (", N skipped" when there are any). Given: the build folder.
 build=$1

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* wf_analyze on stems whose answers are known: closed forms, balance of forces, invariance, limits. */
 #include "data/model.h"
 #include "data/species.h"

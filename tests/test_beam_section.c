@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sections that are not round: two bending stiffnesses that turn with the section, torsion, weight to one
  * side. */
 #include "solve/solve.h"

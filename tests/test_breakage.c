@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stress and safety of sections, against closed forms of a cantilever. */
 #include "close.h"
 #include "data/section.h"

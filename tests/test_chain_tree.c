@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The chain of cantilevers on branched trees. */
 #include "solve/solve.h"
 #include "chain.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The search for the critical wind speed: every outcome, the lowest crossing, failures on the way. */
 #include "close.h"
 #include "fail/fail.h"

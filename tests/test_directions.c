@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Winds from all around: where they come from, symmetry, the same bytes on any number of threads, climate. */
 #include "data/model.h"
 #include "data/species.h"

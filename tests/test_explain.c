@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Methods against beam theory, branch by branch. */
 #include "data/model.h"
 #include "data/species.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ground around a tree: level ground changes nothing, the factor is that of the map, and the load feels it.
  */
 #include "data/model.h"

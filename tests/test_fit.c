@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Calibration: recovery of known trees, intervals that cover, outliers, bounds, and what cannot be told. */
 #include "base/random.h"
 #include "data/species.h"

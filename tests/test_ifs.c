@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Iterated function systems: copies, contraction, dimension, forms, and what is refused. */
 #include "base/arena.h"
 #include "base/diag.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trees written and read back, and MATLAB files. */
 #include "close.h"
 #include "data/species.h"

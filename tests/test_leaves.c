@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Leaves of branched trees: area, mass, sail, single leaves, seasons. */
 #include "base/arena.h"
 #include "base/diag.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trees of levels: counts, places, angles, lengths, radii, curves, spread, and what is refused. */
 #include "data/model.h"
 #include "solve/solve.h"

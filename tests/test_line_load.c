@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The line load: closed cases, limits, and every derivative against central differences. */
 #include "close.h"
 #include "load/drag.h"

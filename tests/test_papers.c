@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the papers say of their trees must hold in their runs, as far as it is physics; and what is wrong with
  * the printed methods must show. */
 #include "close.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The shipped library: every species table and tree model reads without a finding, is named as its file,
  * and lies inside the ranges its class of material allows. */
 #include "close.h"

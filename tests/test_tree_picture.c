@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pictures of trees: what is written for gnuplot, what is drawn, what is refused. */
 #include "base/arena.h"
 #include "base/diag.h"

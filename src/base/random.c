@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/random.h"
 #include "base/num.h"
 #include <math.h>

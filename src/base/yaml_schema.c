@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The schema as text for people. */
 #include "base/yaml.h"
 #include <stdarg.h>

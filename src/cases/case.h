@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_CASES_CASE_H
 #define WF_CASES_CASE_H
 /* Validation cases: claims of correctness as text files (docs/validation-cases.md), read, run and compared.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_FIT_H
 #define WF_FIT_FIT_H
 /* Calibration: the parameters that make the engine read what the sensors read, and how well they are known.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_SESSION_H
 #define WF_FIT_SESSION_H
 /* Inside a fit: residuals for the solver of least squares, with some parameters held. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/clothe.h"
 #include "data/species.h"
 #include "grow/qsm_model.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_CLOTHE_H
 #define WF_GROW_CLOTHE_H
 /* A species' materials and leaves on the segments of a tree. */

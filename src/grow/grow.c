@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/grow.h"
 #include "base/num.h"
 #include "data/species.h"

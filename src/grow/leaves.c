@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/leaves.h"
 #include "base/random.h"
 #include "base/vec3.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Linearisation of one element and its elimination between its base and what is above.
  *
  * Spins at the Gauss points are q_j = q_0 + y_j (y: unknown, q_0: spin of the base). Exactly,

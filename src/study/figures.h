@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_FIGURES_H
 #define WF_STUDY_FIGURES_H
 /* What each row bears at one wind speed, and the whole tree's totals, from a solver's answer. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/record.h"
 #include "base/csv.h"
 #include "base/num.h"

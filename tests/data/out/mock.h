@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_MOCK_H
 #define WF_TESTS_MOCK_H
 /* A run made by hand: tapered cantilevers under a wind load that grows towards the top, good enough to look
