@@ -93,6 +93,7 @@ const struct wf_option wf_analyze_options[] = {
 /* What the options ask for, in the terms of the library. */
 struct request {
     struct wf_scenario scenario;
+    struct wf_search search;
     struct wf_solve_options solve;
     const struct wf_solver *solver;
     const struct wf_preset *preset;
@@ -182,8 +183,8 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     s->temperature = o->temperature;
     s->altitude = o->altitude;
     s->air_density = o->air_density;
-    s->speed_max = o->search_to;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
+    out->search = (struct wf_search){ .speed_max = o->search_to };
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;
@@ -238,7 +239,7 @@ static void print_climate(FILE *to, const struct wf_analysis *an)
             an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
     if (x->above)
         fprintf(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
-                an->scenario.speed_max);
+                an->search.speed_max);
 }
 
 /* The table of one analysis; nothing where it has no directions. */
@@ -420,9 +421,9 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
         if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
             return e->code;
         wf_progress("%s: %zu wind speeds, critical speed, curves ...", w->species[k].name, w->options.wind.n);
-        enum wf_status s =
-            wf_analyze(&w->species[k], &w->model, &w->request.scenario, w->request.solver, &w->request.solve,
-                       w->options.wind.speed, w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
+        enum wf_status s = wf_analyze(&w->species[k], &w->model, &w->request.scenario, &w->request.search,
+                                      w->request.solver, &w->request.solve, w->options.wind.speed,
+                                      w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
         wf_progress(NULL);
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);

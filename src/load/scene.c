@@ -20,7 +20,6 @@ void wf_scenario_default(struct wf_scenario *s)
         .altitude = 0.0,
         .air_density = NAN,
         .gravity = 9.81,
-        .speed_max = 100.0,
     };
 }
 
@@ -45,7 +44,6 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         { "altitude", "m", s->altitude, -500.0, 11000.0 },
         { "air density", "kg/m3", isnan(s->air_density) ? 1.0 : s->air_density, 1e-6, 2000.0 },
         { "gravity", "m/s2", s->gravity, 0.0, 100.0 },
-        { "highest speed searched", "m/s", s->speed_max, 1.0, 200.0 },
     };
     if (!s->profile || !wf_profile_named(s->profile))
         return wf_fail(e, WF_EUSAGE, "no wind profile is called '%s'", s->profile ? s->profile : "");

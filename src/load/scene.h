@@ -24,11 +24,10 @@ struct wf_scenario {
     double temperature, altitude;      /* [K], [m] */
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
-    double speed_max;       /* the critical wind speed is searched for up to here [m/s] */
     const char *shelter;    /* row of wf_shelter_laws: the tree shelters itself; NULL: it does not */
     const char *winds_said; /* how the wind speeds came to 10-min means; NULL: they were given so */
 };
-/* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2, search up to 100 m/s. */
+/* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2. */
 void wf_scenario_default(struct wf_scenario *s);
 
 /* Refuse a scenario that no field can be made of. Returned: WF_OK or WF_EUSAGE. */

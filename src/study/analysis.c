@@ -9,14 +9,19 @@
 #include "study/speed.h"
 #include <math.h>
 
-static enum wf_status check_call(const struct wf_scenario *sc, const double *speeds, size_t n,
-                                 struct wf_err *e)
+void wf_search_default(struct wf_search *s) { *s = (struct wf_search){ .speed_max = 100.0 }; }
+
+static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_search *q,
+                                 const double *speeds, size_t n, struct wf_err *e)
 {
     if (n == 0) return wf_fail(e, WF_EUSAGE, "no wind speed is given");
     for (size_t k = 0; k < n; k++)
         if (!(speeds[k] >= 0.0 && speeds[k] <= 200.0))
             return wf_fail(e, WF_EUSAGE, "wind speed %.6g m/s is outside 0..200 m/s", speeds[k]);
-    return wf_scenario_check(sc, e);
+    enum wf_status s = wf_scenario_check(sc, e);
+    if (!s && !(q->speed_max >= 1.0 && q->speed_max <= 200.0))
+        s = wf_fail(e, WF_EUSAGE, "highest speed searched %.6g m/s is outside 1..200", q->speed_max);
+    return s;
 }
 
 /* The stress-free shape of a tree drawn or measured as it stands under its own weight. */
@@ -75,8 +80,7 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     if (o->mesh_tolerance > 0.0) curve.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4); /* no line is finer */
     for (size_t k = 0; k < an->n; k++) top = fmax(top, an->at[k].speed);
     const struct wf_critical *first = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
-    if (first->outcome == WF_CRITICAL_FOUND)
-        top = fmax(top, fmin(1.1 * first->speed, an->scenario.speed_max));
+    if (first->outcome == WF_CRITICAL_FOUND) top = fmax(top, fmin(1.1 * first->speed, an->search.speed_max));
     for (size_t k = 0; k < WF_COUNT(steps); k++)
         if ((step = steps[k]) * STEPS >= top) break;
     an->sweep_n = (size_t)ceil(top / step - 1e-9) + 3 * QUARTERED + 1;
@@ -89,14 +93,17 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
 }
 
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
-                          const struct wf_solver *solver, const struct wf_solve_options *o,
-                          const double *speeds, size_t n, struct wf_arena *a, struct wf_diag *d,
-                          struct wf_analysis *out, struct wf_err *e)
+                          const struct wf_search *search, const struct wf_solver *solver,
+                          const struct wf_solve_options *o, const double *speeds, size_t n,
+                          struct wf_arena *a, struct wf_diag *d, struct wf_analysis *out, struct wf_err *e)
 {
-    enum wf_status s = check_call(sc, speeds, n, e);
+    struct wf_search q;
+    wf_search_default(&q);
+    if (search) q = *search;
+    enum wf_status s = check_call(sc, &q, speeds, n, e);
     if (s) return s;
     *out = (struct wf_analysis){
-        .species = sp, .model = m, .solver = solver, .scenario = *sc, .n = n, .diag = d
+        .species = sp, .model = m, .solver = solver, .scenario = *sc, .search = q, .n = n, .diag = d
     };
     if ((s = wf_analysis_set_up(out, a, d, e))) return s;
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))

@@ -114,7 +114,7 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
     for (int k = 0; k <= WF_CRITICAL_RUNGS && !fell;) {
         size_t n = 0;
         for (; k <= WF_CRITICAL_RUNGS && n < threads; k++) {
-            double speed = wf_critical_rung(q->an->scenario.speed_max, k);
+            double speed = wf_critical_rung(q->an->search.speed_max, k);
             const struct wf_at_speed *at = recall(q, speed);
             if (at)
                 fell = fell || falls(q, at);
@@ -156,7 +156,7 @@ static enum wf_status find_break(struct search search, struct wf_break *out, str
         return WF_OK;
     }
     enum wf_status s = climb(&search, e);
-    if (!s) s = wf_critical_search(utilisation, &search, an->scenario.speed_max, 1e-4, c, e);
+    if (!s) s = wf_critical_search(utilisation, &search, an->search.speed_max, 1e-4, c, e);
     if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
     search.o = o;
     s = c->outcome == WF_CRITICAL_FOUND ? polish(&search, c, &at, e) : totals(&search, 0.0, &at, e);
@@ -180,7 +180,7 @@ static void branches(const struct wf_analysis *an, const struct wf_criterion *c,
                                           .gradient = NAN };
     if (!known) return;
     out->critical.speed_low = tree->critical.outcome == WF_CRITICAL_FOUND ? tree->critical.speed_low : 0.0;
-    out->critical.speed_high = an->scenario.speed_max;
+    out->critical.speed_high = an->search.speed_max;
 }
 
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,

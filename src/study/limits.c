@@ -106,7 +106,7 @@ static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
     if (c->outcome == WF_CRITICAL_ABOVE)
         wf_diag_warn(d, "critical-above-range",
                      "%s: no section reaches its strength up to %.6g m/s, the highest speed searched", who,
-                     an->scenario.speed_max);
+                     an->search.speed_max);
     if (c->outcome == WF_CRITICAL_UNSOLVED)
         wf_diag_warn(d, "no-equilibrium",
                      "%s: the critical wind speed could not be bracketed: no equilibrium was found between "
