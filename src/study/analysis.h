@@ -78,6 +78,15 @@ struct wf_analysis {
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_err *e);
 
+/* One wind speed at the reference height [m/s] of an analysis after wf_analysis_set_up, its columns not kept:
+ * only the totals and the worst places of *out hold afterwards. Returned: WF_OK and *out; where the solver
+ * finds no equilibrium (WF_EUNSTABLE, WF_ENOCONV) also WF_OK with that status in out->status, the totals NAN
+ * and the load factor in out->response; another code when the run must end. */
+enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                               struct wf_at_speed *out, struct wf_err *e);
+/* The row that ends highest on level 0. */
+size_t wf_tip_row(const struct wf_tree *t);
+
 /* When each part of the tree fails by each criterion. Given: an analysis after wf_analysis_set_up with its
  * search; its wind's direction counts. Searched are the whole tree and the stem alone; where no branch has a
  * known resistance the stem is the whole tree. The branches' answer is the tree's where they fail first or

@@ -1,7 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/directions.h"
 #include "base/num.h"
 #include "base/parallel.h"
-#include "study/speed.h"
 #include "wind/scale.h"
 #include <math.h>
 

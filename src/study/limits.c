@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/limits.h"
 #include "base/num.h"
-#include "load/scene.h"
+#include "study/analysis.h"
 #include "wind/terrain.h"
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,11 @@
  * Stable codes: small-deflection, reynolds-range, streamline-range, profile-range, steep, map-edge,
  * assumed-values, as-printed, no-strength, no-equilibrium, critical-above-range. */
 #include "base/diag.h"
-#include "study/analysis.h"
+#include <stdbool.h>
+
+struct wf_analysis; /* study/analysis.h */
+struct wf_at_speed;
+struct wf_scenario; /* load/scene.h */
 
 /* Limits of a small-deflection answer: share of tree height [-] and turn of the axis [rad] (15 deg). */
 #define WF_SMALL_DEFLECTION_SHARE 0.10

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/series_plan.h"
 #include "base/yaml.h"
 #include "solve/solvers.h"
