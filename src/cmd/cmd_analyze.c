@@ -126,13 +126,9 @@ static enum wf_status read_directions(const struct analyze_options *o, struct wf
     return WF_OK;
 }
 
-/* "x,y". */
 static enum wf_status read_place(const char *text, double *x, double *y, struct wf_err *e)
 {
-    const char *end = text ? text + strlen(text) : NULL, *comma = text ? strchr(text, ',') : NULL;
-    if (comma && wf_number_read(text, comma, '.', x) == comma &&
-        wf_number_read(comma + 1, end, '.', y) == end)
-        return WF_OK;
+    if (wf_site_place(text, x, y)) return WF_OK;
     return wf_fail(e, WF_EUSAGE,
                    "--at: '%.100s': the tree's place on --dem is written x,y in m, for example 450,1200",
                    text ? text : "");
@@ -142,15 +138,14 @@ static enum wf_status read_place(const char *text, double *x, double *y, struct 
 static enum wf_status expose_site(struct wf_site *site, const char *at, struct wf_arena *a,
                                   struct wf_scenario *s, struct wf_directions_request *q, struct wf_err *e)
 {
-    double *factor = WF_TAKE(a, q->n + 1, double), from = wf_direction_from(q, s->azimuth);
+    double *factor = WF_TAKE(a, q->n + 1, double);
     enum wf_status status = read_place(at, &site->x, &site->y, e);
     if (!factor) return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
-    if (!status) status = wf_site_read(site, a, e);
-    if (!status) status = wf_site_speed_up(site, from, s->reference_height, s->roughness, &s->speed_up, e);
+    if (!status) status = wf_scenario_site(s, site, q->north, a, e);
     for (size_t k = 0; k < q->n && !status; k++)
         status = wf_site_speed_up(site, 2.0 * M_PI * (double)k / (double)q->n, s->reference_height,
                                   s->roughness, &factor[k], e);
-    s->site = site, q->speed_up = factor;
+    q->speed_up = factor;
     return status;
 }
 

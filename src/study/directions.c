@@ -7,14 +7,12 @@
 
 double wf_direction_azimuth(const struct wf_directions_request *q, double from)
 {
-    return -0.5 * WF_PI - (from + q->north);
+    return wf_wind_azimuth(from, q->north);
 }
 
 double wf_direction_from(const struct wf_directions_request *q, double azimuth)
 {
-    double from = fmod(-0.5 * WF_PI - azimuth - q->north, WF_TURN);
-    if (from < 0.0) from += WF_TURN;
-    return WF_TURN - from < 1e-9 ? 0.0 : from;
+    return wf_wind_from(azimuth, q->north);
 }
 
 /* What the threads share. */
