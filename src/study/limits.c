@@ -341,7 +341,7 @@ void wf_limits_profile(const struct wf_scenario *s, double tallness, const char 
     if (s->measured && strcmp(s->profile, "measured") == 0) check_measured(s, tallness, tree, d);
 }
 
-static void check_site(const struct wf_site *s, struct wf_diag *d)
+void wf_limits_site(const struct wf_site *s, struct wf_diag *d)
 {
     if (!s) return;
     if (s->steepest > 0.3)
@@ -364,5 +364,5 @@ static void limits_wind(const struct wf_analysis *an, struct wf_diag *d)
     check_streamline(an, d);
     wf_limits_profile(&an->scenario, an->tallness, an->model->name, d);
     check_reynolds(an, d);
-    check_site(an->scenario.site, d);
+    wf_limits_site(an->scenario.site, d);
 }
