@@ -456,7 +456,7 @@ static void initial(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yam
 {
     const double none = NAN;
     if (r->kind == WF_YAML_QUANTITY) memcpy(out + r->offset, &none, sizeof none);
-    if (r->preset && r->kind != WF_YAML_TABLE) yaml_put(y, n, r->preset, r, outer, out);
+    if (r->initial && r->kind != WF_YAML_TABLE) yaml_put(y, n, r->initial, r, outer, out);
 }
 
 static void missing(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r)
@@ -493,7 +493,7 @@ static void yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_y
     bool seen[ROWS_MAX] = { false };
     const yaml_node_t *above = y->node, *above_place = y->place, *place = n ? n : above_place;
     bool mapping = n && n->type == YAML_MAPPING_NODE;
-    const char *bare = n ? yaml_scalar(n) : outer ? outer->preset : NULL;
+    const char *bare = n ? yaml_scalar(n) : outer ? outer->initial : NULL;
     y->node = n;
     y->place = place;
     for (const struct wf_yaml_row *r = t->row; r->key; r++) initial(y, place, r, outer, out);

@@ -17,7 +17,7 @@ enum wf_yaml_kind { /* what the row's member of the struct is:                  
                     WF_YAML_NAME,       /* const char *: letters, digits, '_' and '-'       */
                     WF_YAML_CHOICE,     /* const char *: one of `choices`     */
                     WF_YAML_ENUM,       /* an enum: the index in `choices`       */
-                    WF_YAML_QUANTITY,   /* double, SI; NAN when the key is absent and has no preset   */
+                    WF_YAML_QUANTITY,   /* double, SI; NAN when the key is absent and has no initial  */
                     WF_YAML_INTEGER,    /* size_t    */
                     WF_YAML_QUANTITIES, /* double *, SI; how many: size_t at `count` */
                     WF_YAML_JOINED, /* const char *: a value, a list "a,b" or a mapping "k=v,k=v" of values */
@@ -39,8 +39,8 @@ struct wf_yaml_row {
     enum wf_dimension dimension; /* WF_DIM_COUNT: as the row that holds this table, with its range       */
     const char *unit;            /* for messages and the printed schema; NULL: dimensionless             */
     double low, high;            /* allowed [SI]                                                         */
-    const char *preset;          /* default as it would be written; NULL: none                           */
-    const char *absent;          /* what it means to leave the key out, in words; NULL: see preset       */
+    const char *initial;         /* default as it would be written; NULL: none                           */
+    const char *absent;          /* what it means to leave the key out, in words; NULL: see initial      */
     const char *const *choices;  /* ends at NULL                                                         */
     const struct wf_yaml_table *table;
     const char *same_length_as; /* key of the sibling list that must be as long; NULL: any length       */

@@ -110,8 +110,8 @@ static void rows(struct page *p, const struct wf_yaml_table *t, const char *path
         if (*what) wrap(p, what, INDENT);
         if (r->absent && !r->required)
             put(p, "%*sleft out: %s\n", INDENT, "", r->absent);
-        else if (r->preset && !r->required)
-            put(p, "%*sleft out: %s\n", INDENT, "", r->preset);
+        else if (r->initial && !r->required)
+            put(p, "%*sleft out: %s\n", INDENT, "", r->initial);
         if (r->example) put(p, "%*sexample: %s: %s\n", INDENT, "", r->key, r->example);
         if ((r->kind == WF_YAML_TABLE && !r->table->bare) || r->kind == WF_YAML_LIST) rows(p, r->table, full);
     }
