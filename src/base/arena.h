@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_ARENA_H
 #define WF_BASE_ARENA_H
 /* Memory of one run: taken in pieces, given back all at once. Blocks are 64-byte aligned and zeroed. */

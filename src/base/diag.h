@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_DIAG_H
 #define WF_BASE_DIAG_H
 /* A list of findings: every mistake of an input file at once, and every validity warning of a run. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_ERR_H
 #define WF_BASE_ERR_H
 /* One error path for the whole library: a status code travels up, the first message is kept.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_RANDOM_H
 #define WF_BASE_RANDOM_H
 /* Random numbers that have an address instead of a history: a draw is a pure function of (seed, stream,

@@ -32,8 +32,7 @@ struct wf_outline {
 bool wf_outline_frustum(const double p0[2], const double p1[2], double r0, double r1, double cosine,
                         bool disc0, bool disc1, struct wf_outline *out);
 double wf_outline_area(const struct wf_outline *o);
-/* Area of the union of n outlines, at most WF_UNION_MAX, within the unit square at `corner`. */
-enum { WF_UNION_MAX = 64 };
+enum { WF_UNION_MAX = 64 }; /* outlines in a cell that are united exactly */
 
 struct wf_raster {
     size_t nx, ny;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/units.h"
 #include "base/num.h"
 #include <ctype.h>
@@ -8,7 +9,7 @@
 #include <string.h>
 #include <udunits2.h>
 
-static const struct wf_dimension_row rows[WF_DIM_COUNT] = {
+static const struct wf_dimension_row dimension_rows[WF_DIM_COUNT] = {
     [WF_DIM_NONE] = { "a plain number", "1", "%" },
     [WF_DIM_LENGTH] = { "a length", "m", "m, cm, mm" },
     [WF_DIM_AREA] = { "an area", "m2", "m2, cm2, ha" },
@@ -48,7 +49,16 @@ struct wf_units {
 
 const struct wf_dimension_row *wf_dimension_row(enum wf_dimension d)
 {
-    return &rows[(unsigned)d < WF_DIM_COUNT ? d : WF_DIM_NONE];
+    return &dimension_rows[(unsigned)d < WF_DIM_COUNT ? d : WF_DIM_NONE];
+}
+
+void wf_units_close(struct wf_units *u)
+{
+    if (!u) return;
+    for (size_t i = 0; i < WF_DIM_COUNT; i++)
+        if (u->si[i]) ut_free(u->si[i]);
+    if (u->system) ut_free_system(u->system);
+    free(u);
 }
 
 enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
@@ -60,21 +70,12 @@ enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
     u->system = ut_read_xml(NULL);
     bool ok = u->system != NULL;
     for (size_t i = 0; ok && i < WF_DIM_COUNT; i++)
-        ok = (u->si[i] = ut_parse(u->system, rows[i].si, UT_UTF8)) != NULL;
+        ok = (u->si[i] = ut_parse(u->system, dimension_rows[i].si, UT_UTF8)) != NULL;
     if (ok) return WF_OK;
     wf_units_close(u);
     *out = NULL;
     return wf_fail(e, WF_EMISSING,
                    "the units database of UDUNITS-2 cannot be read (package libudunits2-data)");
-}
-
-void wf_units_close(struct wf_units *u)
-{
-    if (!u) return;
-    for (size_t i = 0; i < WF_DIM_COUNT; i++)
-        if (u->si[i]) ut_free(u->si[i]);
-    if (u->system) ut_free_system(u->system);
-    free(u);
 }
 
 /* A unit as people write it: letters, products, quotients and small powers. UDUNITS also reads factors,
@@ -122,7 +123,7 @@ static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dime
     return NULL;
 }
 
-static double convert(ut_unit *from, ut_unit *to, double v)
+static double converted(ut_unit *from, ut_unit *to, double v)
 {
     cv_converter *c = ut_get_converter(from, to);
     if (!c) return NAN;
@@ -139,7 +140,7 @@ static enum wf_status refuse_unit(const struct wf_units *u, const char *text, co
     ut_unit *other = plain_unit(unit) ? ut_parse(u->system, unit, UT_UTF8) : NULL;
     if (other) ut_free(other);
     return wf_fail(e, WF_EINPUT, "'%s': '%s' is not %s %s; use one of: %s", text, unit,
-                   other ? "a unit of" : "a known unit for", rows[d].name, rows[d].units);
+                   other ? "a unit of" : "a known unit for", dimension_rows[d].name, dimension_rows[d].units);
 }
 
 static enum wf_status refuse_number(const char *text, enum wf_dimension d, const char *unit, struct wf_err *e)
@@ -147,15 +148,8 @@ static enum wf_status refuse_number(const char *text, enum wf_dimension d, const
     if (isdigit((unsigned char)text[strspn(text, "+-.")]))
         return wf_fail(e, WF_EINPUT, "'%s' is beyond the range of numbers", text);
     if (d == WF_DIM_NONE) return wf_fail(e, WF_EINPUT, "'%s' is not a number; write for example '0.5'", text);
-    return wf_fail(e, WF_EINPUT, "'%s' is not %s; write for example '1.5 %s'", text, rows[d].name, unit);
-}
-
-enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_dimension d, double *si,
-                                struct wf_err *e)
-{
-    char first[32];
-    (void)snprintf(first, sizeof first, "%.*s", (int)strcspn(rows[d].units, ","), rows[d].units);
-    return wf_quantity_read_as(u, text, d, first, si, e);
+    return wf_fail(e, WF_EINPUT, "'%s' is not %s; write for example '1.5 %s'", text, dimension_rows[d].name,
+                   unit);
 }
 
 enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf_dimension d,
@@ -165,7 +159,7 @@ enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf
     const char *from = text + strspn(text, " \t\n");
     size_t n = strlen(from);
     while (n && strchr(" \t\n", from[n - 1])) n--;
-    if (!n) return wf_fail(e, WF_EINPUT, "the value is empty; %s is expected", rows[d].name);
+    if (!n) return wf_fail(e, WF_EINPUT, "the value is empty; %s is expected", dimension_rows[d].name);
     if (n >= sizeof t) return wf_fail(e, WF_EINPUT, "'%.40s...' is too long for a quantity", from);
     memcpy(t, from, n);
     t[n] = '\0';
@@ -181,7 +175,7 @@ enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf
     if (*p) {
         ut_unit *unit = unit_of(u, p, d);
         if (!unit) return refuse_unit(u, t, p, d, e);
-        v = convert(unit, u->si[d], v);
+        v = converted(unit, u->si[d], v);
         ut_free(unit);
     }
     if (!isfinite(v)) return wf_fail(e, WF_EINPUT, "'%s' is beyond the range of numbers", t);
@@ -189,12 +183,21 @@ enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf
     return WF_OK;
 }
 
+enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_dimension d, double *si,
+                                struct wf_err *e)
+{
+    char first[32];
+    (void)snprintf(first, sizeof first, "%.*s", (int)strcspn(dimension_rows[d].units, ","),
+                   dimension_rows[d].units);
+    return wf_quantity_read_as(u, text, d, first, si, e);
+}
+
 char *wf_quantity_print(struct wf_units *u, double si, enum wf_dimension d, const char *unit, char *buf,
                         size_t size)
 {
     ut_unit *to = *unit ? unit_of(u, unit, d) : NULL;
-    double v = to ? convert(u->si[d], to, si) : si;
-    if (!to) unit = d == WF_DIM_NONE ? "" : rows[d].si;
+    double v = to ? converted(u->si[d], to, si) : si;
+    if (!to) unit = d == WF_DIM_NONE ? "" : dimension_rows[d].si;
     if (to) ut_free(to);
     (void)snprintf(buf, size, "%.6g%s%s", v, *unit ? " " : "", unit);
     return buf;

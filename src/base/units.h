@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_UNITS_H
 #define WF_BASE_UNITS_H
 /* Quantities at the door: "10 GPa" to SI and back, through UDUNITS-2. */

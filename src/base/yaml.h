@@ -48,6 +48,38 @@ struct wf_yaml_row {
     size_t given;               /* 1 + offset of a bool that becomes true when the key is there; 0: none */
     const char *doc, *example;
 };
+/* Rows on one line, for files in which the macro T names the struct that the table describes. Given: key,
+ * member (of lists also the member that holds the number of items), range [SI; angles in turns], doc; then
+ * what else the row says: .required, .initial or .absent, .example. */
+#define WF_KEY(k, type, member, text, ...)                                                                   \
+    {                                                                                                        \
+        .key = k, .kind = type, .offset = offsetof(T, member), .doc = text, __VA_ARGS__                      \
+    }
+#define WF_KEY_TEXT(k, member, text, ...) WF_KEY(k, WF_YAML_TEXT, member, text, __VA_ARGS__)
+#define WF_KEY_NAME(k, member, text, ...) WF_KEY(k, WF_YAML_NAME, member, text, __VA_ARGS__)
+#define WF_KEY_ENUM(k, member, words, text, ...)                                                             \
+    WF_KEY(k, WF_YAML_ENUM, member, text, .choices = words, __VA_ARGS__)
+#define WF_KEY_INTEGER(k, member, from, to, text, ...)                                                       \
+    WF_KEY(k, WF_YAML_INTEGER, member, text, .low = from, .high = to, __VA_ARGS__)
+#define WF_KEY_QUANTITY(k, member, dim, u, from, to, text, ...)                                              \
+    WF_KEY(k, WF_YAML_QUANTITY, member, text, .dimension = dim, .unit = u, .low = from, .high = to,          \
+           __VA_ARGS__)
+#define WF_KEY_NUMBER(k, member, from, to, text, ...)                                                        \
+    WF_KEY_QUANTITY(k, member, WF_DIM_NONE, NULL, from, to, text, __VA_ARGS__)
+#define WF_KEY_LENGTH(k, member, u, from, to, text, ...)                                                     \
+    WF_KEY_QUANTITY(k, member, WF_DIM_LENGTH, u, from, to, text, __VA_ARGS__)
+#define WF_KEY_ANGLE(k, member, from, to, text, ...)                                                         \
+    WF_KEY_QUANTITY(k, member, WF_DIM_ANGLE, "deg", (from)*WF_TURN, (to)*WF_TURN, text, __VA_ARGS__)
+#define WF_KEY_NUMBERS(k, member, n, from, to, text, ...)                                                    \
+    WF_KEY(k, WF_YAML_QUANTITIES, member, text, .count = offsetof(T, n), .low = from, .high = to, __VA_ARGS__)
+#define WF_KEY_LIST(k, member, n, of, text, ...)                                                             \
+    WF_KEY(k, WF_YAML_LIST, member, text, .count = offsetof(T, n), .table = &(of), __VA_ARGS__)
+/* The keys of the part are members of T itself unless the row gives an .offset. */
+#define WF_KEY_PART(k, of, text, ...)                                                                        \
+    {                                                                                                        \
+        .key = k, .kind = WF_YAML_TABLE, .table = &(of), .doc = text, __VA_ARGS__                            \
+    }
+
 /* Offset of a row whose text is checked and not kept. */
 #define WF_YAML_DROP ((size_t)-1)
 
