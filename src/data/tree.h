@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_DATA_TREE_H
 #define WF_DATA_TREE_H
 /* A tree as columns: one row a segment, base to tip, every parent before its children.
