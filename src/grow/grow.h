@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_GROW_H
 #define WF_GROW_GROW_H
 /* A tree from any model and a species' materials. */

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which reader a file needs, told by its content. */
 #include "grow/import.h"
 #include "base/num.h"
 #include "base/text.h"
@@ -30,6 +29,8 @@ struct wf_import_options wf_import_default(void)
 {
     return (struct wf_import_options){ .length_unit = (double)NAN, .diameter_unit = (double)NAN };
 }
+
+/* Which reader a file needs, told by its content. */
 
 enum { HEAD = 65536 };
 

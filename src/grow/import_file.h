@@ -76,4 +76,7 @@ const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double value[WF_
  * listed. */
 void wf_import_bad_row(struct wf_qsm *q, bool strict, size_t line, size_t column, const char *text,
                        struct wf_diag *d);
+/* The last row of q was counted as unreadable because the file ends within it: count it as cut off instead.
+ */
+void wf_import_last_row_cut(struct wf_qsm *q, size_t line);
 #endif

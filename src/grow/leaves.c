@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/leaves.h"
 #include "base/random.h"
 #include "base/vec3.h"
@@ -28,7 +29,7 @@ enum wf_status wf_leaves_spread(const struct wf_model *m, const struct wf_specie
     return WF_OK;
 }
 
-static enum wf_status take(struct wf_leaves *out, size_t n, struct wf_arena *a, struct wf_err *e)
+static enum wf_status take_leaves(struct wf_leaves *out, size_t n, struct wf_arena *a, struct wf_err *e)
 {
     *out = (struct wf_leaves){ .row = WF_TAKE(a, n, int32_t),
                                .place = WF_TAKE(a, n, double),
@@ -69,7 +70,7 @@ enum wf_status wf_leaves_place(const struct wf_model *m, const struct wf_tree *t
     const double reference_wind = 10; /* [m/s], of the model's swing and twist */
     size_t n = m->leaf_area > 0 ? m->foliage.count : 0, j = 0;
     double squares = 0, passed = 0, total = 0;
-    enum wf_status s = take(out, n, a, e);
+    enum wf_status s = take_leaves(out, n, a, e);
     if (s) return s;
     out->swing = m->foliage.swing / reference_wind;
     out->twist = m->foliage.twist / reference_wind;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_LEAVES_H
 #define WF_GROW_LEAVES_H
 /* Leaves on the axes of a branched tree. */

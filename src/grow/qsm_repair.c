@@ -15,7 +15,7 @@ static bool same_row(const struct wf_qsm *q, size_t i, size_t k)
 }
 
 /* Enter every id; a repeated row is dropped, another row under a known id gets a fresh one. */
-static enum wf_status enter(struct wf_qsm *q, struct wf_ids *ids, struct wf_arena *a, struct wf_err *e)
+static enum wf_status enter_ids(struct wf_qsm *q, struct wf_ids *ids, struct wf_arena *a, struct wf_err *e)
 {
     int32_t *keep = WF_TAKE(a, q->n, int32_t);
     if (!keep) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
@@ -62,7 +62,7 @@ static int32_t parent_row(struct wf_qsm *q, const struct wf_ids *ids, size_t i, 
 static enum wf_status qsm_resolve(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_ids ids;
-    enum wf_status s = enter(q, &ids, a, e);
+    enum wf_status s = enter_ids(q, &ids, a, e);
     if (s) return s;
     bool zero_is_id = wf_ids_find(&ids, 0) >= 0;
     if (zero_is_id) wf_qsm_count(q, WF_NOTE_FROM_ZERO, q->n, -1);
@@ -152,7 +152,7 @@ static enum wf_status qsm_fill(struct wf_qsm *q, struct wf_arena *a, struct wf_e
 /* Branches of a table of cylinders: which row continues which, and of what order each is. */
 
 /* Distance from the end of row p to the start of row i [m]. */
-static double step(const struct wf_qsm *q, int32_t p, int32_t i)
+static double gap_to_child(const struct wf_qsm *q, int32_t p, int32_t i)
 {
     double dx = q->x0[i] - q->x1[p], dy = q->y0[i] - q->y1[p], dz = q->z0[i] - q->z1[p];
     return sqrt(dx * dx + dy * dy + dz * dz);
@@ -160,13 +160,13 @@ static double step(const struct wf_qsm *q, int32_t p, int32_t i)
 
 /* The child that continues row p: of p's own order when orders are known (nearest start wins), else the
  * thickest that starts within one radius of p's end. -1 when none does. */
-static int32_t continuation(const struct wf_qsm *q, const struct wf_children *c, int32_t p)
+static int32_t find_continuation(const struct wf_qsm *q, const struct wf_children *c, int32_t p)
 {
     int32_t best = -1;
     double best_step = INFINITY;
     for (int32_t k = c->begin[p]; k < c->begin[p + 1]; k++) {
         int32_t i = c->child[k];
-        double d = step(q, p, i);
+        double d = gap_to_child(q, p, i);
         if (q->order[i] >= 0) {
             if (q->order[i] == q->order[p] && d < best_step) best = i, best_step = d;
         } else if (d <= q->r1[p] && (best < 0 || q->r0[i] > q->r0[best])) {
@@ -177,7 +177,7 @@ static int32_t continuation(const struct wf_qsm *q, const struct wf_children *c,
 }
 
 /* Some programs name as extension the first row of a branch: what differs in order does not continue. */
-static bool false_step(const struct wf_qsm *q, size_t i)
+static bool continues_other_order(const struct wf_qsm *q, size_t i)
 {
     int32_t next = q->next[i];
     return next >= 0 && q->order[i] >= 0 && q->order[next] >= 0 && q->order[next] != q->order[i];
@@ -195,7 +195,7 @@ static void shift_orders(struct wf_qsm *q)
 }
 
 /* The way up along the thickest wood. */
-static void limbs(struct wf_qsm *q)
+static void find_limbs(struct wf_qsm *q)
 {
     for (size_t i = 0; i < q->n; i++) q->limb[i] = q->next[i];
     for (size_t i = 0; i < q->n; i++) {
@@ -217,7 +217,7 @@ static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct 
     int32_t branches = 0;
     for (size_t i = 0; i < q->n; i++) {
         int32_t p = q->parent[i];
-        if (false_step(q, i)) q->next[i] = -1;
+        if (continues_other_order(q, i)) q->next[i] = -1;
         bool goes_on = p >= 0 && q->next[p] == (int32_t)i;
         if (q->order[i] < 0) {
             wf_qsm_count(q, WF_NOTE_ORDER_MADE, 1, q->id[i]);
@@ -225,10 +225,10 @@ static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct 
         }
         q->branch[i] = goes_on ? q->branch[p] : ++branches;
         q->place[i] = goes_on ? q->place[p] + 1 : 1;
-        if (q->next[i] < 0) q->next[i] = continuation(q, &c, (int32_t)i);
+        if (q->next[i] < 0) q->next[i] = find_continuation(q, &c, (int32_t)i);
         if (goes_on && q->r0[i] > 1.1 * q->r1[p]) wf_qsm_count(q, WF_NOTE_THICKENING, 1, q->id[i]);
     }
-    limbs(q);
+    find_limbs(q);
     return WF_OK;
 }
 
@@ -289,13 +289,13 @@ struct loose {
     int32_t row;
 };
 
-static int lower(const void *x, const void *y)
+static int loose_by_height(const void *x, const void *y)
 {
     const struct loose *a = x, *b = y;
     return a->z < b->z ? -1 : a->z > b->z ? 1 : (a->row > b->row) - (a->row < b->row);
 }
 
-static double ground(const struct wf_qsm *q, const double *wood)
+static double ground_level(const struct wf_qsm *q, const double *wood)
 {
     double most = 0, low = INFINITY;
     for (size_t i = 0; i < q->n; i++) most = wood[i] > most ? wood[i] : most;
@@ -305,7 +305,7 @@ static double ground(const struct wf_qsm *q, const double *wood)
 }
 
 /* Children of a part that begins at order 0 again follow the order of what it was joined to. */
-static void raise(struct wf_qsm *q, const int32_t *root, int32_t part, int32_t onto)
+static void raise_orders(struct wf_qsm *q, const int32_t *root, int32_t part, int32_t onto)
 {
     int32_t step = q->order[onto] + 1 - q->order[part];
     if (q->order[onto] < 0 || q->order[part] < 0 || q->order[part] >= q->order[onto]) return;
@@ -313,7 +313,7 @@ static void raise(struct wf_qsm *q, const int32_t *root, int32_t part, int32_t o
         if (root[i] == part) q->order[i] += step;
 }
 
-static void join(struct wf_qsm *q, const int32_t *root, uint8_t *standing, int32_t part)
+static void join_part(struct wf_qsm *q, const int32_t *root, uint8_t *standing, int32_t part)
 {
     double best = INFINITY;
     int32_t onto = -1;
@@ -324,7 +324,7 @@ static void join(struct wf_qsm *q, const int32_t *root, uint8_t *standing, int32
     }
     wf_qsm_count(q, WF_REPAIR_LOOSE, 1, q->id[part]);
     q->parent[part] = onto;
-    raise(q, root, part, onto);
+    raise_orders(q, root, part, onto);
     standing[part] = 1;
 }
 
@@ -346,7 +346,7 @@ static enum wf_status qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_e
         double r = q->r0[i] > 0 ? q->r0[i] : 0;
         wood[root[i]] += r * r * wf_qsm_distance(q, i);
     }
-    double z = ground(q, wood);
+    double z = ground_level(q, wood);
     size_t parts = 0, stems = 0;
     for (size_t i = 0; i < q->n; i++) {
         if (q->parent[i] >= 0) continue;
@@ -362,8 +362,8 @@ static enum wf_status qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_e
             "%s: %zu of %zu rows have no parent below them; the parent column does not fit the ids", q->name,
             parts, q->n);
     if (stems > 1) wf_qsm_count(q, WF_NOTE_STEMS, stems - 1, -1);
-    qsort(part, parts, sizeof *part, lower);
-    for (size_t k = 0; k < parts; k++) join(q, root, standing, part[k].row);
+    qsort(part, parts, sizeof *part, loose_by_height);
+    for (size_t k = 0; k < parts; k++) join_part(q, root, standing, part[k].row);
     return WF_OK;
 }
 
@@ -413,7 +413,7 @@ static void to_origin(struct wf_qsm *q)
     }
 }
 
-static enum wf_status refuse(const struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
+static enum wf_status refuse_repairs(const struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
     size_t kinds = 0;
     for (int k = 0; k < WF_REPAIR_COUNT; k++) {
@@ -438,5 +438,5 @@ enum wf_status wf_qsm_repair(struct wf_qsm *q, bool strict, struct wf_arena *a, 
     if (!s) s = qsm_branches(q, a, e);
     if (s) return s;
     to_origin(q);
-    return strict ? refuse(q, d, e) : WF_OK;
+    return strict ? refuse_repairs(q, d, e) : WF_OK;
 }
