@@ -108,7 +108,7 @@ static const char *unquoted_cell(struct wf_csv *c, struct wf_cell *cell)
 
 /* Split one line into at most `max` cells and end each with a NUL. Returned: number of cells met (may be
  * larger than max), 0 after a finding. The line is consumed in any case. */
-static size_t split_row(struct wf_csv *c, struct wf_cell *cell, size_t max)
+static size_t split_line(struct wf_csv *c, struct wf_cell *cell, size_t max)
 {
     const char *start = c->at;
     c->row_line = c->line;
@@ -180,7 +180,7 @@ enum wf_status wf_csv_open(struct wf_csv *c, const char *file, struct wf_arena *
     struct wf_cell *wide = WF_TAKE(a, WF_CSV_COLUMNS, struct wf_cell);
     if (!wide) return wf_fail(e, WF_ENOMEM, "%s: no memory for the header", file);
     size_t before = c->mistakes;
-    c->columns = split_row(c, wide, WF_CSV_COLUMNS);
+    c->columns = split_line(c, wide, WF_CSV_COLUMNS);
     if (c->columns > WF_CSV_COLUMNS)
         return wf_fail(e, WF_EINPUT, "%s:%zu: error: more than %d columns", file, c->row_line,
                        (int)WF_CSV_COLUMNS);
@@ -195,7 +195,7 @@ enum wf_status wf_csv_open(struct wf_csv *c, const char *file, struct wf_arena *
 bool wf_csv_next(struct wf_csv *c)
 {
     while (seek_row(c)) {
-        size_t n = split_row(c, c->cell, c->columns);
+        size_t n = split_line(c, c->cell, c->columns);
         c->row++;
         if (n == c->columns) return true;
         if (!n) continue;

@@ -417,7 +417,7 @@ static const struct wf_yaml_row *row_with_key(const struct wf_yaml_table *t, con
     return NULL;
 }
 
-static void unknown_key(struct wf_yaml *y, const yaml_node_t *k, const struct wf_yaml_table *t)
+static void yaml_unknown_key(struct wf_yaml *y, const yaml_node_t *k, const struct wf_yaml_table *t)
 {
     const char *word = yaml_scalar(k), *known[ROWS_MAX];
     size_t n = 0;
@@ -475,7 +475,7 @@ static void read_keys(struct wf_yaml *y, const yaml_node_t *n, const struct wf_y
         if (!key)
             yaml_at(y, k, "a key is expected, not %s", yaml_type(k));
         else if (!r)
-            unknown_key(y, k, t);
+            yaml_unknown_key(y, k, t);
         else if (seen[r - t->row])
             yaml_at(y, k, "key '%s' is given twice", key);
         else

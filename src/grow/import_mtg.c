@@ -268,7 +268,7 @@ static double infer_diameter_unit(struct wf_qsm *q, const struct mtg_graph *g, d
 
 /* Row of the finest entities: ends, radii, links. row[] gives the row of each entity, -1 for a coarser one.
  */
-static void write_segment(struct wf_qsm *q, const struct mtg_graph *g, const int32_t *row, size_t v,
+static void write_mtg_row(struct wf_qsm *q, const struct mtg_graph *g, const int32_t *row, size_t v,
                           double unit, double thick)
 {
     const struct mtg_entity *s = &g->entity[v], *c = s->complex >= 0 ? &g->entity[s->complex] : NULL;
@@ -293,7 +293,7 @@ static void write_segment(struct wf_qsm *q, const struct mtg_graph *g, const int
     if (along) q->next_id[below] = q->id[i];
 }
 
-static enum wf_status write_segments(struct wf_qsm *q, const struct mtg_graph *g,
+static enum wf_status write_mtg_rows(struct wf_qsm *q, const struct mtg_graph *g,
                                      const struct wf_import_options *o, struct wf_arena *a, struct wf_err *e)
 {
     size_t n = 0;
@@ -307,7 +307,7 @@ static enum wf_status write_segments(struct wf_qsm *q, const struct mtg_graph *g
     size_t missing = 0;
     for (size_t v = 0; v < g->n; v++) {
         if (row[v] < 0) continue;
-        write_segment(q, g, row, v, unit, thick);
+        write_mtg_row(q, g, row, v, unit, thick);
         missing += isnan(q->x1[row[v]]) ? 1 : 0;
     }
     if (!missing) return WF_OK;
@@ -341,5 +341,5 @@ enum wf_status wf_import_mtg(const struct wf_import_head *h, const struct wf_imp
         wf_import_last_row_cut(q, bad);
     }
     q->format = "OpenAlea MTG";
-    return write_segments(q, g, o, a, e);
+    return write_mtg_rows(q, g, o, a, e);
 }

@@ -35,4 +35,11 @@ void wf_gust_octaves(const struct wf_gust_spec *s, struct wf_octaves *o);
 /* Its amplitude for a specification [m/s]. */
 double wf_gust_eog_amplitude(const struct wf_gust_spec *s);
 
+/* Columns of an anemometer file as wf_record_request_default has them, in words. */
+#define WF_RECORD_COLUMNS "t_s,u_ms,v_ms,w_ms"
+/* Read the anemometer file of the model `record` and hang it into the specification. Given: the file, its
+ * columns "time,u[,v[,w]]". Errors: WF_EUSAGE without a file or with other columns, those of wf_record_read.
+ */
+enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const char *columns,
+                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
 #endif

@@ -10,20 +10,22 @@
 #include <stddef.h>
 #include <string.h>
 
+/* Coherence between many points. */
+
 /* Ratio of neighbouring rungs; linear interpolation of the weights between them is the only error for few
  * points and is measured in the tests. */
 static const double RUNG_RATIO = 1.12;
 /* Added to the diagonal of the conditioning matrix, so that points at one place stay solvable. */
 static const double NUGGET = 1e-11;
 
-static double distance(const double *a, const double *b)
+static double stretched_distance(const double *a, const double *b)
 {
     double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
     return sqrt(x * x + y * y + z * z);
 }
 
 /* Farthest-point order: the first is the point nearest to the middle. */
-static enum wf_status put_in_order(struct wf_coherence *c, const double *at, struct wf_arena *a,
+static enum wf_status order_points(struct wf_coherence *c, const double *at, struct wf_arena *a,
                                    struct wf_err *e)
 {
     double middle[3] = { 0 }, best = INFINITY;
@@ -33,7 +35,7 @@ static enum wf_status put_in_order(struct wf_coherence *c, const double *at, str
         for (int k = 0; k < 3; k++) middle[k] += at[3 * i + (size_t)k] / (double)c->n;
     size_t next = 0;
     for (size_t i = 0; i < c->n; i++) {
-        double r = distance(at + 3 * i, middle);
+        double r = stretched_distance(at + 3 * i, middle);
         if (r < best) best = r, next = i;
         gap[i] = INFINITY;
     }
@@ -45,7 +47,7 @@ static enum wf_status put_in_order(struct wf_coherence *c, const double *at, str
         gap[taken] = -1.0;
         for (size_t i = 0; i < c->n; i++) {
             if (gap[i] < 0.0) continue;
-            double r = distance(at + 3 * i, at + 3 * taken);
+            double r = stretched_distance(at + 3 * i, at + 3 * taken);
             if (r < gap[i]) gap[i] = r;
             if (gap[next] < 0.0 || gap[i] > gap[next]) next = i;
         }
@@ -59,7 +61,7 @@ static void find_neighbours(struct wf_coherence *c, size_t turn)
     double r[WF_COHERENCE_NEAR];
     size_t *list = c->neighbour + turn * c->near, held = 0;
     for (size_t j = 0; j < turn; j++) {
-        double d = distance(c->stretched + 3 * turn, c->stretched + 3 * j);
+        double d = stretched_distance(c->stretched + 3 * turn, c->stretched + 3 * j);
         if (held == c->near && d >= r[held - 1]) continue;
         size_t at = held < c->near ? held++ : held - 1;
         for (; at > 0 && r[at - 1] > d; at--) r[at] = r[at - 1], list[at] = list[at - 1];
@@ -69,16 +71,16 @@ static void find_neighbours(struct wf_coherence *c, size_t turn)
 }
 
 /* Weights and rest of one turn at one g: solve K b = k, d = 1 - k.b, by Cholesky. */
-static void condition(const struct wf_coherence *c, size_t turn, double g, double *weight, double *rest)
+static void find_weights(const struct wf_coherence *c, size_t turn, double g, double *weight, double *rest)
 {
     double l[WF_COHERENCE_NEAR][WF_COHERENCE_NEAR], k[WF_COHERENCE_NEAR], y[WF_COHERENCE_NEAR];
     size_t m = c->count[turn];
     const size_t *list = c->neighbour + turn * c->near;
     for (size_t i = 0; i < m; i++) {
         const double *at = c->stretched + 3 * list[i];
-        k[i] = exp(-g * distance(at, c->stretched + 3 * turn));
+        k[i] = exp(-g * stretched_distance(at, c->stretched + 3 * turn));
         for (size_t j = 0; j <= i; j++) {
-            double s = i == j ? 1.0 + NUGGET : exp(-g * distance(at, c->stretched + 3 * list[j]));
+            double s = i == j ? 1.0 + NUGGET : exp(-g * stretched_distance(at, c->stretched + 3 * list[j]));
             for (size_t q = 0; q < j; q++) s -= l[i][q] * l[j][q];
             l[i][j] = i == j ? sqrt(fmax(s, NUGGET)) : s / l[j][j];
         }
@@ -118,18 +120,18 @@ enum wf_status wf_coherence_make(size_t n, const double *place, const double dec
         !c->weight || !c->rest)
         return wf_fail(e, WF_ENOMEM, "no room for the coherence of %zu points", n);
     for (size_t i = 0; i < 3 * n; i++) at[i] = place[i] * decay[i % 3];
-    if (put_in_order(c, at, a, e)) return e ? e->code : WF_ENOMEM;
+    if (order_points(c, at, a, e)) return e ? e->code : WF_ENOMEM;
     for (size_t turn = 0; turn < n; turn++) find_neighbours(c, turn);
     for (size_t q = 0; q < c->rungs; q++) {
         c->rung[q] = g_low * pow(RUNG_RATIO, (double)q);
         for (size_t turn = 0; turn < n; turn++)
-            condition(c, turn, c->rung[q], c->weight + (q * n + turn) * c->near, c->rest + q * n + turn);
+            find_weights(c, turn, c->rung[q], c->weight + (q * n + turn) * c->near, c->rest + q * n + turn);
     }
     return WF_OK;
 }
 
 /* Where g lies on the ladder: rung and share towards the next, both clamped. */
-static void coherence_find(const struct wf_coherence *c, double g, size_t *rung, double *share)
+static void find_rung(const struct wf_coherence *c, double g, size_t *rung, double *share)
 {
     if (!(g > c->rung[0])) {
         *rung = 0, *share = 0.0;
@@ -148,7 +150,7 @@ double wf_coherence_error(const struct wf_coherence *c, double g, struct wf_aren
     double share, worst = 0.0;
     double *made = WF_TAKE(a, n * n, double);
     if (!made) return NAN;
-    coherence_find(c, g, &q, &share);
+    find_rung(c, g, &q, &share);
     for (size_t i = 0; i < n; i++) {
         const double *w0 = c->weight + (q * c->n + i) * c->near, *w1 = w0 + c->n * c->near;
         double rest = (1.0 - share) * c->rest[q * c->n + i] + share * c->rest[(q + 1) * c->n + i];
@@ -160,7 +162,7 @@ double wf_coherence_error(const struct wf_coherence *c, double g, struct wf_aren
                 s += b * (j == i ? made[i * n + from] : made[from > j ? from * n + j : j * n + from]);
             }
             made[i * n + j] = s;
-            double want = exp(-g * distance(c->stretched + 3 * i, c->stretched + 3 * j));
+            double want = exp(-g * stretched_distance(c->stretched + 3 * i, c->stretched + 3 * j));
             worst = fmax(worst, fabs(s - want));
         }
     }
@@ -330,7 +332,7 @@ static enum wf_status lay_ladder(const struct wf_gust_spec *s, struct spectral *
         size_t at;
         double f = (double)frequency_of(i) / ((double)n * s->step);
         w->wavenumber[i] = hypot(f / w->speed, q);
-        coherence_find(&w->coherence, w->wavenumber[i], &at, &w->share[i]);
+        find_rung(&w->coherence, w->wavenumber[i], &at, &w->share[i]);
         if (at == rung) continue;
         w->segment_first[w->segments] = i;
         w->segment_rung[w->segments++] = rung = at;
@@ -426,7 +428,7 @@ static void make_field(const struct wf_gust *g, struct spectral *w, unsigned com
 }
 
 /* Multiply by the amplitude and by the delay of the place along the wind (Taylor's frozen pattern). */
-static void shape(double *y, const double *amplitude, size_t window, double turn_per_step)
+static void shape_spectrum(double *y, const double *amplitude, size_t window, double turn_per_step)
 {
     double c = 1.0, s = 0.0, dc = cos(turn_per_step), ds = sin(turn_per_step);
     y[0] *= amplitude[0];
@@ -467,8 +469,8 @@ enum wf_status wf_gust_spectral_fill(struct wf_gust *g, size_t first, size_t ste
                 memcpy(y, all + turn * w->window, w->window * sizeof *y);
             }
             double delay = wf_gust_place(s, p, 0) / w->speed;
-            shape(y, w->amplitude + (class * s->components + component) * half, w->window,
-                  WF_TURN * delay / ((double)w->window * s->step));
+            shape_spectrum(y, w->amplitude + (class * s->components + component) * half, w->window,
+                           WF_TURN * delay / ((double)w->window * s->step));
             gsl_fft_halfcomplex_inverse(y, 1, w->window, w->back, w->space);
             double mean = component == WF_ALONG ? wf_gust_mean(s, p) : 0.0;
             for (size_t i = 0; i < steps; i++) to[i] = mean + y[w->window / 4 + i];

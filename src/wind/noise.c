@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/noise.h"
 #include "base/random.h"
 #include <math.h>

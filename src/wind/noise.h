@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_WIND_NOISE_H
 #define WF_WIND_NOISE_H
 /* Coherent noise in one dimension: smooth, repeatable, each lattice number addressed by (seed, stream). */

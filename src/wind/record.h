@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_WIND_RECORD_H
 #define WF_WIND_RECORD_H
 /* A measured wind: the rows of a sonic or cup anemometer's CSV at an even step, in wind axes. */

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+/* Elementary flows. */
+
 void wf_flow_cylinder(double stream, double radius, double circulation, const double x[2], double u[2])
 {
     double r2 = x[0] * x[0] + x[1] * x[1], doublet = stream * radius * radius / (r2 * r2),
@@ -93,7 +95,7 @@ void wf_feng_slit(double stream, double length, const double x[2], double u[2])
 enum { TAPS = 512 };
 
 /* Losses of one or several slabs. */
-struct source {
+struct wake_source {
     double *loss; /* up*across */
     double place; /* slab, mean weighted by loss */
     double total;
@@ -101,7 +103,7 @@ struct source {
 };
 
 /* Shares of a cell's loss that come to lie 0, 1, 2... cells away; returned: how many. */
-static size_t kernel(double sigma, double tap[TAPS])
+static size_t gaussian_taps(double sigma, double tap[TAPS])
 {
     size_t n = (size_t)ceil(3.0 * sigma + 0.5);
     double sum = 0.0;
@@ -115,7 +117,7 @@ static size_t kernel(double sigma, double tap[TAPS])
     return n + 1;
 }
 
-static void add_row(double *restrict out, const double *restrict in, double factor, size_t n)
+static void add_scaled_row(double *restrict out, const double *restrict in, double factor, size_t n)
 {
     for (size_t i = 0; i < n; i++) out[i] += factor * in[i];
 }
@@ -124,8 +126,8 @@ enum { LANES = 8 }; /* cells summed side by side, in registers */
 
 /* One row spread across, cells `low` to `high`; `row` has TAPS zeros on both sides. Cells at equal distances
  * are added first, so that a mirrored row gives the mirrored answer to the last bit. */
-static void across_row(const double *restrict row, const double *restrict tap, long n, long low, long high,
-                       double *restrict out)
+static void spread_across(const double *restrict row, const double *restrict tap, long n, long low, long high,
+                          double *restrict out)
 {
     for (long i = low; i < high; i += LANES) {
         double sum[LANES];
@@ -137,16 +139,16 @@ static void across_row(const double *restrict row, const double *restrict tap, l
 }
 
 /* Rows `from` to `end` of a strip of columns, each times its tap, added up. */
-static void add_rows(const double *restrict strip, size_t stride, long from, long end, const double *tap,
-                     long first, long step, double sum[restrict static LANES])
+static void sum_tapped_rows(const double *restrict strip, size_t stride, long from, long end,
+                            const double *tap, long first, long step, double sum[restrict static LANES])
 {
     for (long k = from, t = first; k < end; k++, t += step)
         for (int q = 0; q < LANES; q++) sum[q] += tap[t < 0 ? -t : t] * strip[(size_t)k * stride + (size_t)q];
 }
 
 /* Rows r0 to r1 of `work` spread up and down and reflected at the ground, added to the plane. */
-static void upwards(const struct wf_shelter *s, const double *work, size_t stride, const double *tap, long n,
-                    long r0, long r1, long low, long high, double *plane)
+static void spread_upwards(const struct wf_shelter *s, const double *work, size_t stride, const double *tap,
+                           long n, long r0, long r1, long low, long high, double *plane)
 {
     long up = (long)s->up, last = r1 - 2 + n < up - 1 ? r1 - 2 + n : up - 1;
     for (long c = low; c < high; c += LANES) {
@@ -156,22 +158,22 @@ static void upwards(const struct wf_shelter *s, const double *work, size_t strid
             long from = to - n + 1 > r0 ? to - n + 1 : r0, end = to + n < r1 ? to + n : r1;
             long mirror =
                 n - 1 - to < r1 ? n - 1 - to : r1; /* rows whose image below the ground reaches here */
-            add_rows(work + c, stride, from, end, tap, to - from, -1, sum);
-            add_rows(work + c, stride, r0, mirror, tap, to + r0 + 1, 1, sum);
+            sum_tapped_rows(work + c, stride, from, end, tap, to - from, -1, sum);
+            sum_tapped_rows(work + c, stride, r0, mirror, tap, to + r0 + 1, 1, sum);
             for (long q = 0; q < wide; q++) plane[to * (long)s->across + c + q] += sum[q];
         }
     }
 }
 
 /* Room to spread in: rows of across + LANES cells, and one row with zeros around it. */
-struct work {
+struct spread_room {
     size_t stride;
     double *rows, *row; /* up * stride; TAPS + stride + TAPS */
 };
 
 /* Add one source, spread by sigma [m], to a plane. */
-static void spread(const struct wf_shelter *s, const struct source *from, double sigma, const struct work *w,
-                   double *plane)
+static void spread_source(const struct wf_shelter *s, const struct wake_source *from, double sigma,
+                          const struct spread_room *w, double *plane)
 {
     double tap[TAPS];
     long across = (long)s->across;
@@ -180,27 +182,28 @@ static void spread(const struct wf_shelter *s, const struct source *from, double
     if (r1 <= r0) return;
     if (sigma < 0.02 * fmin(s->step[1], s->step[2])) { /* not a thousandth leaves its cell */
         for (long k = r0; k < r1; k++)
-            add_row(plane + k * across + c0, from->loss + k * across + c0, 1.0, (size_t)(c1 - c0));
+            add_scaled_row(plane + k * across + c0, from->loss + k * across + c0, 1.0, (size_t)(c1 - c0));
         return;
     }
-    long n = (long)kernel(sigma / s->step[1], tap);
+    long n = (long)gaussian_taps(sigma / s->step[1], tap);
     long low = c0 - n + 1 > 0 ? c0 - n + 1 : 0, high = c1 + n - 1 < across ? c1 + n - 1 : across;
     for (long k = r0; k < r1; k++) {
         memcpy(w->row + TAPS, from->loss + k * across, s->across * sizeof *w->row);
-        across_row(w->row + TAPS, tap, n, low, high, w->rows + k * (long)w->stride);
+        spread_across(w->row + TAPS, tap, n, low, high, w->rows + k * (long)w->stride);
     }
-    n = (long)kernel(sigma / s->step[2], tap);
-    upwards(s, w->rows, w->stride, tap, n, r0, r1, low, high, plane);
+    n = (long)gaussian_taps(sigma / s->step[2], tap);
+    spread_upwards(s, w->rows, w->stride, tap, n, r0, r1, low, high, plane);
 }
 
 /* Loss of a slab from the wind that arrives; the cells that have any. */
-static void lose(const struct wf_shelter *s, size_t slab, const double *arriving, struct source *out)
+static void find_loss(const struct wf_shelter *s, size_t slab, const double *arriving,
+                      struct wake_source *out)
 {
     const struct wf_shelter_request *q = &s->request;
     size_t cells = s->up * s->across;
     const double *wood = s->wood + slab * cells, *leaf = s->leaf + slab * cells;
     double least = wf_shelter_speed_share(q), span = 1.0 - least;
-    *out = (struct source){
+    *out = (struct wake_source){
         .loss = out->loss, .place = (double)slab, .row = { s->up }, .column = { s->across }
     };
     for (size_t c = 0; c < cells; c++) {
@@ -219,10 +222,10 @@ static void lose(const struct wf_shelter *s, size_t slab, const double *arriving
     }
 }
 
-static void unite(struct source *a, const struct source *b, size_t cells)
+static void unite_sources(struct wake_source *a, const struct wake_source *b, size_t cells)
 {
     double total = a->total + b->total;
-    add_row(a->loss, b->loss, 1.0, cells);
+    add_scaled_row(a->loss, b->loss, 1.0, cells);
     if (total > 0.0) a->place = (a->place * a->total + b->place * b->total) / total;
     a->total = total;
     for (int k = 0; k < 2; k++) {
@@ -235,16 +238,16 @@ static void unite(struct source *a, const struct source *b, size_t cells)
 
 /* Neighbours whose distances to `plane` differ by less than a sixth become one. Returned: how many are left;
  * memory of those taken in moves behind them. */
-static size_t gather(struct source *list, size_t n, double plane, size_t cells)
+static size_t gather_sources(struct wake_source *list, size_t n, double plane, size_t cells)
 {
     size_t kept = 0;
     for (size_t i = 1; i < n; i++) {
-        struct source *last = &list[kept];
+        struct wake_source *last = &list[kept];
         if (list[i].place - last->place <= (plane - list[i].place) / 6.0) {
-            unite(last, &list[i], cells);
+            unite_sources(last, &list[i], cells);
             continue;
         }
-        struct source swap = list[++kept];
+        struct wake_source swap = list[++kept];
         list[kept] = list[i];
         list[i] = swap;
     }
@@ -254,9 +257,9 @@ static size_t gather(struct source *list, size_t n, double plane, size_t cells)
 static enum wf_status shelter_wake(struct wf_shelter *s, struct wf_arena *scratch, struct wf_err *e)
 {
     size_t cells = s->up * s->across, n = 0;
-    struct source *list = WF_TAKE(scratch, s->slabs, struct source);
+    struct wake_source *list = WF_TAKE(scratch, s->slabs, struct wake_source);
     double *still = WF_TAKE(scratch, cells, double);
-    struct work work = { .stride = s->across + LANES };
+    struct spread_room work = { .stride = s->across + LANES };
     work.rows = WF_TAKE(scratch, s->up * work.stride, double);
     work.row = WF_TAKE(scratch, 2 * TAPS + work.stride, double);
     if (!list || !work.rows || !work.row || !still) return wf_fail(e, WF_ENOMEM, "no room for wakes");
@@ -265,13 +268,13 @@ static enum wf_status shelter_wake(struct wf_shelter *s, struct wf_arena *scratc
         if (p < s->slabs) {
             if (!list[n].loss && !(list[n].loss = WF_TAKE(scratch, cells, double)))
                 return wf_fail(e, WF_ENOMEM, "no room for wakes");
-            lose(s, p, p ? plane - cells : still, &list[n]);
+            find_loss(s, p, p ? plane - cells : still, &list[n]);
             if (list[n].total > 0.0) n++;
         }
-        n = gather(list, n, (double)p, cells);
+        n = gather_sources(list, n, (double)p, cells);
         for (size_t i = 0; i < n; i++) {
             double distance = ((double)p + WF_SHELTER_LAG - list[i].place) * s->step[0];
-            spread(s, &list[i], s->request.wake_growth * distance, &work, plane);
+            spread_source(s, &list[i], s->request.wake_growth * distance, &work, plane);
         }
         for (size_t c = 0; c < cells; c++)
             if (plane[c] > 1.0) plane[c] = 1.0;
@@ -295,17 +298,17 @@ static enum wf_status shelter_wake(struct wf_shelter *s, struct wf_arena *scratc
 
 /* A flow that starts at a place of the grid: how far it is followed, and its velocity over that of the wind
  * at a point along, across and up from there. */
-struct flow {
+struct feng_flow {
     double strength;    /* of the wind that meets it [-] */
     double centre[2];   /* across, up [m] */
     double radius;      /* a or r0 [m] */
     double length;      /* of a slit [m] */
     bool level;         /* stem or slit lies across instead of standing up */
     double reach, half; /* [m]; half its extent along its own axis */
-    void (*velocity)(const struct flow *f, const double x[3], double u[3]);
+    void (*velocity)(const struct feng_flow *f, const double x[3], double u[3]);
 };
 
-static void cylinder(const struct flow *f, const double x[3], double u[3])
+static void cylinder_velocity(const struct feng_flow *f, const double x[3], double u[3])
 {
     double plane[2] = { x[0], f->level ? x[2] : x[1] }, v[2];
     u[0] = u[1] = u[2] = 0.0;
@@ -315,7 +318,7 @@ static void cylinder(const struct flow *f, const double x[3], double u[3])
     u[f->level ? 2 : 1] = v[1];
 }
 
-static void hole(const struct flow *f, const double x[3], double u[3])
+static void hole_velocity(const struct feng_flow *f, const double x[3], double u[3])
 {
     double r = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
     double v[3], strength = 2.0 * WF_PI * f->radius;
@@ -324,7 +327,7 @@ static void hole(const struct flow *f, const double x[3], double u[3])
     for (int k = 0; k < 3; k++) u[k] = v[0] * x[k] / r;
 }
 
-static void slit(const struct flow *f, const double x[3], double u[3])
+static void slit_velocity(const struct feng_flow *f, const double x[3], double u[3])
 {
     int own = f->level ? 1 : 2, side = f->level ? 2 : 1;
     double off = hypot(x[0], x[side]), v[2];
@@ -335,10 +338,10 @@ static void slit(const struct flow *f, const double x[3], double u[3])
 }
 
 /* First of n cells whose centre lies beyond a place [cells]. */
-static size_t beyond(double at, size_t n) { return (size_t)fmin(fmax(ceil(at - 0.5), 0.0), (double)n); }
+static size_t first_beyond(double at, size_t n) { return (size_t)fmin(fmax(ceil(at - 0.5), 0.0), (double)n); }
 
 /* Add a flow that starts in slab k to the planes behind. */
-static void blow(struct wf_shelter *s, size_t k, const struct flow *f)
+static void add_flow(struct wf_shelter *s, size_t k, const struct feng_flow *f)
 {
     double wide[2] = { f->reach, f->reach };
     if (f->half > 0.0) wide[f->level ? 0 : 1] = f->half;
@@ -347,8 +350,8 @@ static void blow(struct wf_shelter *s, size_t k, const struct flow *f)
     for (int d = 0; d < 2; d++) {
         /* a centre just as far as the reach belongs to it on both sides */
         double at = (f->centre[d] - s->low[d + 1]) / s->step[d + 1], far = wide[d] / s->step[d + 1] + 1e-6;
-        first[d] = beyond(at - far, n[d]);
-        last[d] = beyond(at + far, n[d]);
+        first[d] = first_beyond(at - far, n[d]);
+        last[d] = first_beyond(at + far, n[d]);
     }
     for (size_t p = k; p < s->planes; p++) {
         double x[3] = { ((double)(p - k) + WF_SHELTER_LAG) * s->step[0] }, u[3];
@@ -366,13 +369,13 @@ static void blow(struct wf_shelter *s, size_t k, const struct flow *f)
 
 /* Cells of one class and width that follow each other along a line: one stem's width, or one slit's length.
  */
-struct line {
+struct cell_line {
     size_t start, stride, n; /* first cell of the slab, distance to the next */
     bool level;              /* the line runs across */
 };
 
-static void follow(struct wf_shelter *s, size_t k, const double *wind, const struct line *l,
-                   enum wf_cell_class class, bool positive, double share)
+static void add_line_flows(struct wf_shelter *s, size_t k, const double *wind, const struct cell_line *l,
+                           enum wf_cell_class class, bool positive, double share)
 {
     size_t slab = k * s->up * s->across;
     const int axis = l->level ? 1 : 2;
@@ -395,43 +398,43 @@ static void follow(struct wf_shelter *s, size_t k, const double *wind, const str
         double place[2] = { s->low[1] + ((double)(cell % s->across) + 0.5) * s->step[1],
                             s->low[2] + ((double)(cell / s->across) + 0.5) * s->step[2] };
         place[axis - 1] = s->low[axis] + sum / weight * s->step[axis];
-        struct flow f = { .centre = { place[0], place[1] }, .strength = share * arrives / weight };
+        struct feng_flow f = { .centre = { place[0], place[1] }, .strength = share * arrives / weight };
         if (class == WF_CELL_CYLINDER) {
-            f.velocity = cylinder;
+            f.velocity = cylinder_velocity;
             f.level = !positive;
             f.radius = 0.5 * fabs(width);
             f.reach = 7.0 * f.radius;
             f.half = 0.5 * s->step[positive ? 2 : 1];
         } else {
-            f.velocity = slit;
+            f.velocity = slit_velocity;
             f.level = l->level;
             f.radius = 0.5 * fabs(width);
             f.reach = 20.0 * f.radius;
             f.length = (double)(end - i) * s->step[axis];
             f.half = 0.5 * f.length + f.reach;
         }
-        blow(s, k, &f);
+        add_flow(s, k, &f);
         i = end;
     }
 }
 
-static void holes(struct wf_shelter *s, size_t k, const double *wind, double share)
+static void add_hole_flows(struct wf_shelter *s, size_t k, const double *wind, double share)
 {
     size_t cells = s->up * s->across;
     for (size_t c = 0; c < cells; c++) {
         if (s->class[k * cells + c] != WF_CELL_HOLE) continue;
-        struct flow f = { .strength = share * wind[c],
-                          .centre = { s->low[1] + ((double)(c % s->across) + 0.5) * s->step[1],
-                                      s->low[2] + ((double)(c / s->across) + 0.5) * s->step[2] },
-                          .radius = sqrt(s->step[1] * s->step[2] / WF_PI),
-                          .velocity = hole };
+        struct feng_flow f = { .strength = share * wind[c],
+                               .centre = { s->low[1] + ((double)(c % s->across) + 0.5) * s->step[1],
+                                           s->low[2] + ((double)(c / s->across) + 0.5) * s->step[2] },
+                               .radius = sqrt(s->step[1] * s->step[2] / WF_PI),
+                               .velocity = hole_velocity };
         f.reach = 20.0 * f.radius;
-        blow(s, k, &f);
+        add_flow(s, k, &f);
     }
 }
 
 /* What passes straight on through each cell of slab k. */
-static void pass(const struct wf_shelter *s, size_t k, double least, double *wind)
+static void pass_through(const struct wf_shelter *s, size_t k, double least, double *wind)
 {
     size_t cells = s->up * s->across;
     for (size_t c = 0; c < cells; c++) {
@@ -451,22 +454,24 @@ static enum wf_status shelter_feng(struct wf_shelter *s, struct wf_arena *scratc
     for (size_t p = 0; p < s->planes; p++) {
         if (p < s->slabs) {
             for (size_t k = 0; k < s->up; k++) {
-                const struct line row = { k * s->across, 1, s->across, true };
-                follow(s, p, wind, &row, WF_CELL_CYLINDER, true, 1.0);
-                follow(s, p, wind, &row, WF_CELL_SLIT, false, 1.0 - least);
+                const struct cell_line row = { k * s->across, 1, s->across, true };
+                add_line_flows(s, p, wind, &row, WF_CELL_CYLINDER, true, 1.0);
+                add_line_flows(s, p, wind, &row, WF_CELL_SLIT, false, 1.0 - least);
             }
             for (size_t i = 0; i < s->across; i++) {
-                const struct line column = { i, s->across, s->up, false };
-                follow(s, p, wind, &column, WF_CELL_CYLINDER, false, 1.0);
-                follow(s, p, wind, &column, WF_CELL_SLIT, true, 1.0 - least);
+                const struct cell_line column = { i, s->across, s->up, false };
+                add_line_flows(s, p, wind, &column, WF_CELL_CYLINDER, false, 1.0);
+                add_line_flows(s, p, wind, &column, WF_CELL_SLIT, true, 1.0 - least);
             }
-            holes(s, p, wind, 1.0 - least);
-            pass(s, p, least, wind);
+            add_hole_flows(s, p, wind, 1.0 - least);
+            pass_through(s, p, least, wind);
         }
         for (size_t c = 0; c < cells; c++) s->part[0][p * cells + c] += 1.0 - wind[c];
     }
     return WF_OK;
 }
+
+/* The laws as rows. */
 
 const struct wf_shelter_law wf_shelter_laws[] = {
     { "wake", "drag takes momentum, wakes spread and recover",
