@@ -15,8 +15,9 @@ struct wf_arena_block {
     size_t size, used;   /* of the payload [bytes] */
 };
 
-/* A new block with room for at least `bytes`. Blocks double up to a step, so few are needed; calloc
- * leaves the zeroing of large blocks to the operating system, page by page as they are touched. */
+/* Allocate a new block with room for at least `bytes`. Each block is twice as large as the one before, up to
+ * LARGEST_STEP, so few are needed. calloc, because the operating system zeroes the pages of a large block
+ * only when they are first used. */
 static struct wf_arena_block *arena_block(struct wf_arena *a, size_t bytes)
 {
     size_t size = a->block ? a->block->size * 2 : FIRST_BLOCK;

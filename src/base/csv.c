@@ -44,7 +44,7 @@ static bool at_line_end(const struct wf_csv *c)
     return c->at == c->end || *c->at == '\n' || *c->at == '\r';
 }
 
-/* Step over one line end of any system. */
+/* Step over one line end: LF, CR LF or CR. */
 static void skip_line_end(struct wf_csv *c)
 {
     if (c->at < c->end && *c->at == '\r') c->at++;
@@ -58,7 +58,7 @@ static void skip_line(struct wf_csv *c)
     if (c->at < c->end) skip_line_end(c);
 }
 
-/* To the next line that carries cells; false at the end. */
+/* Move to the next line that has cells; false at the end of the file. */
 static bool seek_row(struct wf_csv *c)
 {
     while (c->at < c->end) {
@@ -70,8 +70,9 @@ static bool seek_row(struct wf_csv *c)
     return false;
 }
 
-/* Resolve a quoted cell in place, from its opening quote. Returned: what is wrong, or NULL. Nothing is
- * written before the closing quote is found, so that reading can go on behind a broken line. */
+/* Read a quoted cell from its opening quote and resolve doubled quotes in place. Returned: NULL, or what is
+ * wrong. Nothing is written before the closing quote is found, so that reading can continue after a line with
+ * unbalanced quotes. */
 static const char *quoted_cell(struct wf_csv *c, struct wf_cell *cell)
 {
     char *close = c->at + 1;
@@ -106,8 +107,8 @@ static const char *unquoted_cell(struct wf_csv *c, struct wf_cell *cell)
     return trouble;
 }
 
-/* Split one line into at most `max` cells and end each with a NUL. Returned: number of cells met (may be
- * larger than max), 0 after a finding. The line is consumed in any case. */
+/* Split one line into at most `max` cells and end each with a NUL. Returned: number of cells in the line (may
+ * be larger than max); 0 after a mistake was reported. In both cases the line is read to its end. */
 static size_t split_line(struct wf_csv *c, struct wf_cell *cell, size_t max)
 {
     const char *start = c->at;
@@ -138,7 +139,7 @@ static size_t split_line(struct wf_csv *c, struct wf_cell *cell, size_t max)
 
 /* The header, and row after row. */
 
-/* The separator is the most frequent of the three in the header outside quotes. */
+/* Which of comma, semicolon and tab is most frequent in the header outside quotes. */
 static char detect_separator(const struct wf_csv *c)
 {
     size_t comma = 0, semicolon = 0, tab = 0;
@@ -246,7 +247,7 @@ const char *wf_csv_text(const struct wf_csv *c, size_t column)
 }
 
 /* The decimal sign of a cell: a point, or a comma where cells are not separated by commas. The first number
- * with decimals decides for the file. Returned: 0 after a finding. */
+ * with decimals decides for the whole file. Returned: 0 after a mistake was reported. */
 static char csv_decimal_sign(struct wf_csv *c, size_t column, const struct wf_cell *k)
 {
     bool comma = c->separator != ',' && memchr(k->text, ',', k->size) != NULL;

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Findings are counted even when there is no room left to keep their words. */
+/* Append a finding. It is counted even when there is no memory to keep its text. */
 static void add_finding(struct wf_diag *d, struct wf_finding f, const char *text)
 {
     *(f.severity == WF_ERROR ? &d->errors : &d->warnings) += 1;

@@ -11,7 +11,8 @@
 
 /* Writing. */
 
-/* Open a new file beside `path` under a name nobody else has. */
+/* Open a new file in the folder of f->path, under a name that no other file has. Returned: descriptor, -1 on
+ * failure (errno). */
 static int open_beside(struct wf_file *f)
 {
     const char *slash = strrchr(f->path, '/');
@@ -106,7 +107,7 @@ enum wf_status wf_mkdirs(const char *path, struct wf_err *e)
 
 /* Reading. */
 
-/* Read to the end of fd; the size told by the system is only a first guess (pipes tell nothing). */
+/* Read fd to its end. `guess` is the size the system reports; it may be wrong (for pipes it is 0). */
 static enum wf_status read_all(int fd, const char *path, size_t guess, struct wf_arena *a,
                                struct wf_bytes *out, struct wf_err *e)
 {

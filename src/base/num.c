@@ -11,7 +11,7 @@
 
 static bool is_digit(const char *s, const char *end) { return s < end && *s >= '0' && *s <= '9'; }
 
-/* Digits in any number: copied with a '.' and given to the C library under the "C" locale. */
+/* Numbers of any length: copied with '.' as decimal sign and converted by strtod in the "C" locale. */
 static bool number_by_strtod(const char *s, const char *end, char point, double *value)
 {
     char local[128], *copy = local;

@@ -9,10 +9,10 @@ enum { THREADS_MAX = 64 };
 
 struct parallel_job {
     size_t n;
-    atomic_size_t next; /* nobody has taken it yet */
+    atomic_size_t next; /* lowest k that no thread has started */
     enum wf_status (*one)(void *context, size_t k, struct wf_err *e);
     void *context;
-    struct wf_err *why; /* n; code WF_OK where all is well */
+    struct wf_err *why; /* n; code WF_OK: no error */
 };
 
 size_t wf_together_threads(size_t asked)
@@ -31,7 +31,7 @@ static void *parallel_worker(void *parallel_job)
     return NULL;
 }
 
-/* Threads that cannot be started are not missed. */
+/* If a thread cannot be started, the others do its work. */
 static void run_on_threads(struct parallel_job *c, size_t threads)
 {
     pthread_t thread[THREADS_MAX];

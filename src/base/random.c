@@ -36,7 +36,7 @@ void wf_random_words(uint64_t seed, uint64_t stream, uint64_t index, uint32_t ou
     wf_philox4x32(counter, key, out);
 }
 
-/* 52 bits and a half step: symmetric about 1/2, exactly representable, never 0 or 1. */
+/* 52 bits plus half a step: symmetric about 1/2, exactly representable, never 0 or 1. */
 static double open_unit_interval(uint32_t high, uint32_t low)
 {
     uint64_t bits = ((uint64_t)high << 32 | low) >> 12;

@@ -6,8 +6,8 @@
 
 /* Silhouettes of frustums. */
 
-/* Half an ellipse around an end, from one end of its chord to the other, in steps of equal angle. The
- * polygon's area is made that of the half ellipse by stretching it along the axis. */
+/* Add the outline of one end: half an ellipse from one end of its chord to the other, in steps of equal
+ * angle, or the chord alone. The polygon is stretched along the axis to have the area of the half ellipse. */
 static void add_cap(struct wf_outline *o, const double centre[2], const double along[2], double radius,
                     double cosine, bool disc)
 {
@@ -53,8 +53,8 @@ struct edge_span {
     double from, to;
 };
 
-/* Edges that lie on one line within this distance [cells] are taken as coincident: rounding puts edges that
- * are shared at 1e-15. */
+/* Edges that lie on one line within this distance [cells] are treated as coincident; edges that outlines
+ * share differ by rounding only, about 1e-15. */
 static const double coincident = 1e-10;
 
 /* Part of the edge p..q inside a convex outline. An edge that lies on one of the outline's own edges counts
@@ -86,7 +86,7 @@ static bool edge_inside(const double p[2], const double q[2], const struct wf_ou
     return true;
 }
 
-/* Length of `of` that no edge_span of the list covers; the list is sorted on the way. */
+/* Length of `of` that no span of the list covers. Sorts the list. */
 static double length_left_over(struct edge_span of, struct edge_span *list, size_t n)
 {
     double left = 0.0, at = of.from;
@@ -103,7 +103,8 @@ static double length_left_over(struct edge_span of, struct edge_span *list, size
     return at < of.to ? left + of.to - at : left;
 }
 
-/* Twice the area under the outlines' own edges within the cell, seen from the cell's corner. */
+/* The outlines' part of the border integral: twice the area between the cell's corner and those parts of
+ * their edges that lie in the cell and in no other outline. */
 static double area_of_own_edges(const struct wf_outline *const *list, size_t n, const struct wf_outline *cell)
 {
     struct edge_span within, hidden[WF_UNION_MAX];
@@ -208,7 +209,7 @@ static size_t clamp_to_cell(double v, size_t most)
     return v <= 0.0 ? 0 : v >= (double)most ? most : (size_t)v;
 }
 
-/* Enter an outline into the chain of every cell it may touch. */
+/* Add an outline to the chain of every cell that it may touch. Returned: false without memory. */
 static bool chain_outline(struct wf_raster *r, const struct wf_outline *o, size_t index)
 {
     double bottom = INFINITY, top = -INFINITY, low, high;
@@ -249,8 +250,8 @@ enum wf_status wf_raster_union(struct wf_raster *r, const struct wf_outline *o, 
 
 /* Grids: the weighted sum of outlines in every cell. */
 
-/* The area to the right of an edge piece within one row: `rise` of it from x0 to x1, shared among the cells
- * between. */
+/* Add to one row the area to the right of a piece of an edge that runs from x0 to x1 and rises by `rise`. The
+ * entries are differences: their running sum along the row is the area in each cell. */
 static void add_edge_in_row(double *row, double x0, double x1, double rise)
 {
     double left = fmin(x0, x1), right = fmax(x0, x1);
@@ -263,7 +264,7 @@ static void add_edge_in_row(double *row, double x0, double x1, double rise)
     }
     double per = rise / (right - left), before = 0.0;
     for (size_t i = first; i <= last; i++) {
-        /* share of the cell's area right of the edge, once all of it left of the cell's end is passed */
+        /* area right of the edge, of the part of the edge left of the cell's end */
         double enter_at = fmax(left, (double)i), leave_at = fmin(right, (double)i + 1.0);
         double risen = per * (leave_at - enter_at);
         double area = per * (enter_at - left) + risen * ((double)i + 1.0 - 0.5 * (enter_at + leave_at));
@@ -304,7 +305,7 @@ void wf_raster_sum(struct wf_raster *r, double *out)
         for (size_t i = 0; i < r->nx; i++) {
             sum += row[i];
             size = fmax(size, fabs(sum));
-            /* what is left of closed outlines after their end is rounding */
+            /* beyond the end of a closed outline the sum is zero except for rounding */
             out[k * r->nx + i] = sum > 1e-12 * size ? sum : 0.0;
         }
         memset(row, 0, (r->nx + 2) * sizeof *row);

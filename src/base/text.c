@@ -4,7 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Length of the well-formed sequence at s, 0 when there is none. */
+/* UTF-8. */
+
+/* Length of the well-formed sequence at s; 0 when there is none. */
 static size_t utf8_sequence(const unsigned char *s, size_t left)
 {
     unsigned c = s[0];
@@ -19,7 +21,7 @@ static size_t utf8_sequence(const unsigned char *s, size_t left)
     return n;
 }
 
-/* Eight bytes that are all plain ASCII and not NUL: nothing to check. Most of every file is. */
+/* Whether the next eight bytes are all ASCII and not NUL. Checked first, because most text is ASCII. */
 static bool ascii_eight(const unsigned char *s)
 {
     uint64_t w;
@@ -53,6 +55,8 @@ bool wf_utf8_valid(const char *text, size_t size, struct wf_utf8_fault *fault)
     }
     return false;
 }
+
+/* Suggestions. */
 
 enum { WORD_MAX = 63 };
 
@@ -88,7 +92,7 @@ int wf_word_is_near(const char *word, size_t distance)
     return distance <= (n <= 4 ? 1u : n <= 8 ? 2u : 3u);
 }
 
-/* One word begins with the other, as "youngs" for "youngs_modulus". */
+/* Whether one word begins with the other, as "youngs" and "youngs_modulus". */
 static bool is_short_form(const char *a, const char *b)
 {
     size_t n = 0;

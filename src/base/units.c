@@ -32,7 +32,7 @@ static const struct wf_dimension_row dimension_rows[WF_DIM_COUNT] = {
     [WF_DIM_MASS_PER_LENGTH] = { "a mass per length", "kg/m", "kg/m, g/m" },
 };
 
-/* Usual spellings that the database lacks or reads as something else (mph: milliphot). */
+/* Customary spellings that the database lacks or interprets differently (mph: milliphot). */
 static const struct {
     const char *spelling, *meaning;
 } aliases[] = {
@@ -63,7 +63,7 @@ void wf_units_close(struct wf_units *u)
 
 enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
 {
-    (void)ut_set_error_message_handler(ut_ignore); /* UDUNITS writes to stderr unless told not to */
+    (void)ut_set_error_message_handler(ut_ignore); /* by default UDUNITS writes to stderr */
     struct wf_units *u = calloc(1, sizeof *u);
     *out = u;
     if (!u) return wf_fail(e, WF_ENOMEM, "no memory for the units table");
@@ -78,8 +78,9 @@ enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
                    "the units database of UDUNITS-2 cannot be read (package libudunits2-data)");
 }
 
-/* A unit as people write it: letters, products, quotients and small powers. UDUNITS also reads factors,
- * origins and logarithms ("2 GPa", "m @ 3", "lg(re 1 mW)"), which in a quantity would be slips. */
+/* Whether a text is a unit as it is normally written: letters, products, quotients and small powers. UDUNITS
+ * also accepts factors, origins and logarithms ("2 GPa", "m @ 3", "lg(re 1 mW)"), which in a quantity are
+ * mistakes. */
 static bool plain_unit(const char *s)
 {
     if (strlen(s) > 60) return false;
@@ -94,8 +95,8 @@ static bool plain_unit(const char *s)
     return true;
 }
 
-/* Angles and plain numbers have the same dimension for UDUNITS; whether radians are there tells them apart.
- */
+/* Whether a text names an angle. UDUNITS gives angles and plain numbers the same dimension, so they are told
+ * apart by the spelling. */
 static bool angle_spelling(const char *s)
 {
     static const char *const known[] = { "deg", "degree", "degrees", "\xC2\xB0", "rad", "radian", "radians" };
@@ -104,7 +105,7 @@ static bool angle_spelling(const char *s)
     return false;
 }
 
-/* The unit meant by `text`, NULL when it is not one of dimension d. Freed by the caller. */
+/* The unit named by `text`; NULL when it is not a unit of dimension d. The caller frees it. */
 static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dimension d)
 {
     if (!plain_unit(text)) return NULL;
@@ -114,7 +115,7 @@ static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dime
         if (!strcmp(text, aliases[i].spelling)) text = aliases[i].meaning;
     ut_unit *unit = ut_parse(u->system, text, UT_UTF8);
     if (!unit) return NULL;
-    /* "convertible" includes reciprocals (m3/kg to kg/m3): the quotient must be a pure number */
+    /* UDUNITS also converts to reciprocals (m3/kg to kg/m3): therefore require a dimensionless quotient */
     ut_unit *ratio = ut_divide(unit, u->si[d]);
     bool fits = ratio && ut_is_dimensionless(ratio) && ut_are_convertible(unit, u->si[d]);
     if (ratio) ut_free(ratio);

@@ -19,9 +19,9 @@ struct wf_yaml {
     struct wf_diag *diag;
     bool no_memory;
     size_t mistakes;
-    char path[512];           /* of the place in hand                         */
-    const yaml_node_t *node;  /* table in hand; NULL when its key is absent           */
-    const yaml_node_t *place; /* it, or the nearest thing above it that is in the file */
+    char path[512];           /* of the current place, e.g. "levels[1].density"       */
+    const yaml_node_t *node;  /* current table; NULL when its key is absent           */
+    const yaml_node_t *place; /* `node`, or the innermost enclosing node that is in the file */
 };
 
 /* Limits of a file: nesting, bytes, mistakes listed, entries of a free mapping. */
@@ -49,7 +49,7 @@ static const char *yaml_type(const yaml_node_t *n)
     return n->data.scalar.length ? "a single value" : "nothing";
 }
 
-/* Value of a key of a mapping, NULL when there is none. */
+/* Value of a key of a mapping; NULL when there is none. */
 static const yaml_node_t *yaml_find(struct wf_yaml *y, const yaml_node_t *map, const char *key, size_t length)
 {
     if (!map || map->type != YAML_MAPPING_NODE) return NULL;
@@ -79,7 +79,7 @@ static void add_mistake(struct wf_yaml *y, yaml_mark_t m, const char *key, const
     wf_diag_error(y->diag, y->file, m.line + 1, m.column + 1, "%s", text);
 }
 
-/* A finding at a mark of the parser. */
+/* Add a mistake at a mark of the parser. */
 static void yaml_mark(struct wf_yaml *y, yaml_mark_t m, const char *fmt, ...)
 {
     va_list args;
@@ -88,7 +88,7 @@ static void yaml_mark(struct wf_yaml *y, yaml_mark_t m, const char *fmt, ...)
     va_end(args);
 }
 
-/* A finding at a node, prefixed with the path in hand. */
+/* Add a mistake at a node, prefixed with the current path. */
 static void yaml_at(struct wf_yaml *y, const yaml_node_t *n, const char *fmt, ...)
 {
     va_list args;
@@ -97,7 +97,8 @@ static void yaml_at(struct wf_yaml *y, const yaml_node_t *n, const char *fmt, ..
     va_end(args);
 }
 
-/* Follow "levels[1].density.low" from the table in hand as far as the file goes. */
+/* The node at a path such as "levels[1].density.low" below the current table, or the last node on that path
+ * that is in the file. */
 static const yaml_node_t *follow_path(struct wf_yaml *y, const char *key)
 {
     const yaml_node_t *n = y->node, *next = n;
@@ -137,7 +138,7 @@ void *wf_yaml_take(struct wf_yaml *y, size_t n, size_t size)
     return p;
 }
 
-/* Extend the path by a key or index; the returned length gives it back with wf_yaml_pop. */
+/* Extend the current path by a key or an index. Returned: the length before, for yaml_pop. */
 static size_t yaml_push(struct wf_yaml *y, const char *key)
 {
     size_t n = strlen(y->path);
@@ -154,7 +155,7 @@ static size_t yaml_push_index(struct wf_yaml *y, size_t index)
 
 static void yaml_pop(struct wf_yaml *y, size_t length) { y->path[length] = '\0'; }
 
-/* For the checks of a table. */
+/* What the `finish` functions of tables may ask. */
 
 const char *wf_yaml_raw(struct wf_yaml *y, const char *key)
 {
@@ -175,7 +176,7 @@ bool wf_yaml_has(struct wf_yaml *y, const char *key)
 
 /* Single values: numbers with units, texts, choices. */
 
-/* Read a quantity. Returned: NAN after a finding. */
+/* Read a quantity. Returned: its value [SI]; NAN after a mistake was reported. */
 static double yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char *text,
                             const struct wf_yaml_row *r)
 {
@@ -186,7 +187,7 @@ static double yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char 
         yaml_at(y, n, "%s", why.text);
         return NAN;
     }
-    /* a bound written in its own unit may differ from its SI value in the last digit */
+    /* a bound converted from its own unit may differ from the SI value in the last digit */
     double slack = 1e-12 * fmax(fabs(r->low), fabs(r->high));
     if (v >= r->low - slack && v <= r->high + slack) return v;
     char low[64], high[64];
@@ -246,7 +247,8 @@ static void put_text(struct wf_yaml *y, const yaml_node_t *n, const char *text, 
     memcpy(out + r->offset, &copy, sizeof copy);
 }
 
-/* Read a scalar into the row's member. `outer`: the row that holds the table, for inherited dimensions. */
+/* Read a scalar into the row's member. `outer`: the row that holds the table, for rows that take its
+ * dimension and range. */
 static void yaml_put(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
                      const struct wf_yaml_row *outer, unsigned char *out)
 {
@@ -277,7 +279,7 @@ static void put_items(const struct wf_yaml_row *r, unsigned char *out, const voi
     memcpy(out + r->count, &n, sizeof n);
 }
 
-/* Length of a list node; 0 after a finding about its type or when it is empty. */
+/* Number of items of a list; 0 after reporting that the node is not a list or is empty. */
 static size_t list_length(struct wf_yaml *y, const yaml_node_t *n, const char *of)
 {
     if (n->type != YAML_SEQUENCE_NODE) {
@@ -289,7 +291,8 @@ static size_t list_length(struct wf_yaml *y, const yaml_node_t *n, const char *o
     return count;
 }
 
-/* Lists that belong together must be equally long. Returned: false after a finding. */
+/* Check a list against the sibling list that must be as long (row member same_length_as). Returned: false
+ * after a mistake was reported. */
 static bool has_same_length(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
                             size_t count)
 {
@@ -302,7 +305,7 @@ static bool has_same_length(struct wf_yaml *y, const yaml_node_t *n, const struc
     return false;
 }
 
-/* Read the collections of a row. */
+/* Read the values of a WF_YAML_QUANTITIES row. */
 static void yaml_quantities(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
                             unsigned char *out)
 {
@@ -362,7 +365,7 @@ static void yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_
     put_items(r, out, pair, pair ? kept : 0);
 }
 
-/* Append one value, after a comma where it is not the first. */
+/* Append one value to a joined text, after a comma unless it is the first. */
 static const char *append_joined(struct wf_yaml *y, const char *all, const char *key, const yaml_node_t *v)
 {
     const char *text = yaml_scalar(v);
@@ -448,7 +451,7 @@ static void read_key(struct wf_yaml *y, const yaml_node_t *v, const struct wf_ya
     yaml_pop(y, length);
 }
 
-/* What a row's member holds before its key is met. */
+/* Set a row's member to its default. */
 static void put_initial(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
                         const struct wf_yaml_row *outer, unsigned char *out)
 {
@@ -484,7 +487,7 @@ static void read_keys(struct wf_yaml *y, const yaml_node_t *n, const struct wf_y
     }
 }
 
-/* Read a table from a mapping or a bare value; n == NULL: the key is absent, defaults only. */
+/* Read a table from a mapping or a bare value; n == NULL: the key is absent, only defaults are set. */
 static void yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
                       const struct wf_yaml_row *outer, unsigned char *out)
 {
@@ -568,8 +571,8 @@ static void screen_event(struct wf_yaml *y, const yaml_event_t *v, size_t *depth
     if (*depth > WF_YAML_DEPTH) yaml_mark(y, v->start_mark, "nested more than %d deep", (int)WF_YAML_DEPTH);
 }
 
-/* Refuse what is not one plain document: syntax errors, anchors, aliases, tags, several documents, depth.
- * Returned: false after findings. */
+/* Check that the file is one plain document: no syntax errors, anchors, aliases, tags, further documents or
+ * nesting beyond WF_YAML_DEPTH. Returned: false after mistakes were reported. */
 static bool yaml_screen(struct wf_yaml *y, const char *text, size_t size)
 {
     yaml_parser_t p;
@@ -591,7 +594,7 @@ static bool yaml_screen(struct wf_yaml *y, const char *text, size_t size)
     return !y->mistakes && !y->no_memory;
 }
 
-/* Build the document, read it under the schema, and let it go. */
+/* Parse the document, read it under the schema and delete it. */
 static void read_document(struct wf_yaml *y, const struct wf_bytes *b, const struct wf_yaml_table *t,
                           void *out)
 {

@@ -23,7 +23,7 @@ __attribute__((format(printf, 2, 3))) static void page_print(struct schema_page 
     if (n > 0) p->used += (size_t)n;
 }
 
-/* A paragraph, broken at blanks. */
+/* Append a paragraph, wrapped at WIDTH. */
 static void page_paragraph(struct schema_page *p, const char *text, size_t indent)
 {
     size_t column = 0;
@@ -57,7 +57,7 @@ static void row_range(const struct schema_page *p, const struct wf_yaml_row *r, 
     (void)snprintf(buf, size, "%s, %s to %s", wf_dimension_row(r->dimension)->name, low, high);
 }
 
-/* What a row takes, in words. */
+/* The kind and range of a row, in words. */
 static void row_kind(const struct schema_page *p, const struct wf_yaml_row *r, char *buf, size_t size)
 {
     char within[160];
@@ -119,7 +119,7 @@ static void page_rows(struct schema_page *p, const struct wf_yaml_table *t, cons
     }
 }
 
-/* The tables that a bare value may stand for are explained once, behind the keys. */
+/* A table that may be given as a bare value; it is explained once, after the keys. */
 static const struct wf_yaml_table *bare_table(const struct wf_yaml_table *t)
 {
     for (const struct wf_yaml_row *r = t->row; r->key; r++) {
