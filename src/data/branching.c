@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-/* Where on its parent a branch stands: places, directions and angles. */
+/* Where a branch starts on its parent: places, directions and angles. */
 
 #define T struct wf_branching
 
@@ -221,7 +221,7 @@ static const struct wf_yaml_table branch_taper_table = { .title = "a taper",
 #undef T
 #define T struct wf_curve
 
-/* How an axis bends. */
+/* Curvature of an axis. */
 
 static const struct wf_yaml_row curve_rows[] = {
     WF_KEY_ANGLE("turn", turn, -0.5, 0.5,

@@ -44,7 +44,7 @@ double wf_ifs_dimension(const struct wf_ifs *f)
     return 0.5 * (low + high);
 }
 
-/* scale Rz(azimuth) Ry(inclination) Rz(roll), then along the axis */
+/* a = scale Rz(azimuth) Ry(inclination) Rz(roll), b = (0, 0, position). */
 static void compose_map(struct wf_ifs_map *m)
 {
     double ca = cos(m->azimuth), sa = sin(m->azimuth), ci = cos(m->inclination), si = sin(m->inclination),
@@ -146,7 +146,7 @@ static const struct wf_yaml_table map_table = {
     .title = "a map", .row = map_rows, .size = sizeof(struct wf_ifs_map), .finish = map_finish, .doc = ""
 };
 
-/* A false dichotomy: each map and its image turned by half a turn about the axis. */
+/* False dichotomy: to each map add its copy, rotated by half a turn about the axis. */
 static void double_maps(struct wf_yaml *y, struct wf_ifs *f)
 {
     struct wf_ifs_map *two = wf_yaml_take(y, 2 * f->maps, sizeof *two);

@@ -83,7 +83,7 @@ static const struct wf_yaml_row stem_taper_rows[] = {
     { .key = NULL },
 };
 
-/* Keys of one taper law: needed by it, refused by a law that does not use them. */
+/* Check a key that some taper laws use: those laws need it, the others refuse it. */
 static void check_taper_key(struct wf_yaml *y, const char *key, bool used, const char *law)
 {
     bool has = wf_yaml_has(y, key);
@@ -235,7 +235,7 @@ static const struct wf_yaml_row model_rows[] = {
     { .key = NULL },
 };
 
-/* Places ascend and the last is the stem's end. */
+/* Check the end of item i of a list along the stem: the places ascend, and the last is the stem's tip. */
 static void check_piece(struct wf_yaml *y, const char *list, const char *key, size_t i, size_t n,
                         double before, double here, double height)
 {
@@ -274,7 +274,7 @@ static void check_stem(struct wf_yaml *y, struct wf_model *m)
         check_piece(y, "masses", "to", i, m->masses, i ? m->mass[i - 1].to : 0, m->mass[i].to, m->height);
 }
 
-/* Crown of a stem. */
+/* Check the crown of generator stem and set its defaults. */
 static void check_crown(struct wf_yaml *y, struct wf_model *m)
 {
     if (!wf_yaml_has(y, "crown")) {
@@ -288,7 +288,7 @@ static void check_crown(struct wf_yaml *y, struct wf_model *m)
         wf_yaml_error(y, "crown.base", "%g m is not below the crown's top %g m", m->crown_base, m->crown_top);
 }
 
-/* Each generator has its own keys. */
+/* Check that keys are given which the generator needs, and none that it does not use. */
 static void check_generator_keys(struct wf_yaml *y, const struct wf_model *m)
 {
     static const struct {
@@ -317,7 +317,8 @@ static void check_generator_keys(struct wf_yaml *y, const struct wf_model *m)
     }
 }
 
-/* The radius of a pipe is known last, so a branch on it cannot take a share of it. */
+/* Check levels that follow the pipe model: their radii are computed from the tips down, after all branches
+ * have grown, so the radius law of a branch on them cannot refer to the parent's radius. */
 static void check_pipes(struct wf_yaml *y, const struct wf_model *m)
 {
     char key[64];
@@ -363,7 +364,7 @@ const struct wf_yaml_table wf_model_table = {
         "a species table. Quantities carry their units. A whole model to start from: models/moso_culm.yaml.",
 };
 
-/* Questions about a model. */
+/* Properties of a model. */
 
 size_t wf_model_levels(const struct wf_model *m)
 {

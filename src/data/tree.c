@@ -59,7 +59,7 @@ double wf_tree_length(const struct wf_tree *t, size_t i)
     return half > 0 ? chord * (asin(fmin(half, 1.0)) / half) : chord;
 }
 
-/* What is wrong with the section of row i. */
+/* What is wrong with the section of row i; NULL: nothing. */
 static const char *section_row_fault(const struct wf_tree *t, size_t i)
 {
     const struct wf_tree_sections *c = t->section;
@@ -79,7 +79,7 @@ static const char *section_row_fault(const struct wf_tree *t, size_t i)
     return t->i0[i] > 0 || t->i1[i] > 0 ? "a section that is not round is solid" : NULL;
 }
 
-/* What is wrong with row i, NULL when nothing is. */
+/* What is wrong with row i; NULL: nothing. */
 static const char *row_fault(const struct wf_tree *t, size_t i)
 {
     const double finite[] = { t->x0[i],      t->y0[i],     t->z0[i],      t->x1[i],       t->y1[i],
