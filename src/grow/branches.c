@@ -6,9 +6,9 @@
 #include <math.h>
 #include <string.h>
 
-/* The course of one axis. */
+/* The centre line of one axis. */
 
-enum { FIRST_WANDER_DRAW = 16 }; /* draws below belong to the branch's own figures */
+enum { FIRST_WANDER_DRAW = 16 }; /* draws below this index are those of DRAW_PLACE and so on */
 
 enum wf_status wf_course_take(struct wf_course *c, size_t segments, struct wf_arena *a, struct wf_err *e)
 {
@@ -35,7 +35,7 @@ void wf_side_of(const double direction[3], double side[3])
     normalise(side);
 }
 
-/* Turn v about the unit axis by an angle given by its sine and cosine (Rodrigues). */
+/* Rotate v about a unit axis by an angle given by its cosine and sine (Rodrigues' formula). */
 static void rotate(double v[3], const double axis[3], double cosine, double sine)
 {
     double across[3], along = wf_dot(axis, v) * (1 - cosine);
@@ -43,7 +43,8 @@ static void rotate(double v[3], const double axis[3], double cosine, double sine
     for (int k = 0; k < 3; k++) v[k] = cosine * v[k] + sine * across[k] + along * axis[k];
 }
 
-/* Towards straight up (angle > 0) or straight down, not beyond; a vertical axis leaves towards its side. */
+/* Turn a direction and its side towards straight up (angle > 0) or straight down, not beyond it. A direction
+ * that points exactly the other way turns towards its side. */
 static void turn_to_vertical(double direction[3], double side[3], double angle)
 {
     double target[3] = { 0, 0, angle > 0 ? 1.0 : -1.0 }, axis[3];
@@ -57,7 +58,7 @@ static void turn_to_vertical(double direction[3], double side[3], double angle)
     rotate(side, axis, cos(by), sin(by));
 }
 
-/* To a random side. */
+/* Turn a direction by a random angle to a random side. Given: standard deviation [rad], two normal draws. */
 static void turn_to_side(double direction[3], double side[3], double deviation, const double draw[2])
 {
     double third[3], axis[3], angle = deviation * hypot(draw[0], draw[1]) / sqrt(2.0);
@@ -142,7 +143,7 @@ void wf_axes_stem(const struct wf_model *m, double base_radius, struct wf_axis *
 
 /* From axes to rows. */
 
-/* One axis at a time: where its rows end, and the row that ends at each tick. */
+/* Scratch for one axis: where its rows end, and the row that ends at each tick. */
 struct axis_cut {
     struct wf_course course;
     uint8_t *ends; /* per tick: does a row end here? */
@@ -161,8 +162,8 @@ static enum wf_status take_axis_cut(struct axis_cut *c, const struct wf_axes *x,
     return wf_course_take(&c->course, most, a, e);
 }
 
-/* Mark the ends of axis i's rows: joints, knots, and the places of its children, of which *child is the
- * first; moves it behind the last. Returned: rows. */
+/* Mark where the rows of axis i end: at its joints, at knots, and at the places of its children. *child is
+ * the first of these on entry and one past the last on return. Returned: number of rows. */
 static size_t cut_axis(struct axis_cut *c, const struct wf_axes *x, size_t level, size_t i, size_t *child)
 {
     const struct wf_axis_form *f = &x->form[level];
@@ -193,7 +194,7 @@ static enum wf_status count_rows(struct axis_cut *c, const struct wf_axes *x, co
     return WF_OK;
 }
 
-/* Share of s0..s1 inside from..to. */
+/* Share of s0..s1 that lies inside from..to. */
 static double overlap_share(double s0, double s1, double from, double to)
 {
     double inside = fmin(s1, to) - fmax(s0, from);
@@ -206,7 +207,8 @@ static void set_row_ends(struct wf_tree *t, size_t r, const double from[3], cons
     t->x1[r] = to[0], t->y1[r] = to[1], t->z1[r] = to[2];
 }
 
-/* The rows of axis i from row `first`; its children learn which of them they grow from. */
+/* Write the rows of axis i, starting at row `first`, and tell its children which row they start from.
+ * Returned: one past its last row. */
 static size_t write_axis(struct axis_cut *c, struct wf_axes *x, size_t level, size_t i, size_t first,
                          size_t *child, struct wf_tree *t)
 {
@@ -261,10 +263,10 @@ enum wf_status wf_axes_to_tree(struct wf_axes *x, const char *name, struct wf_ar
 
 /* Trees of levels. */
 
-/* Draws of a branch, by purpose. */
+/* Index of a branch's random draws, by purpose. */
 enum { DRAW_PLACE, DRAW_AZIMUTH, DRAW_INSERTION, DRAW_LENGTH, DRAW_RADIUS };
 
-/* A normal draw, cut so that no branch is a freak. */
+/* A normal draw limited to 2.5 standard deviations, so that no branch has an extreme value. */
 static double cut_normal_draw(uint64_t seed, uint64_t key, uint64_t purpose, double deviation)
 {
     const double most = 2.5;
@@ -279,7 +281,8 @@ static uint64_t key_of_child(uint64_t seed, uint64_t parent, size_t child)
     return (uint64_t)w[0] << 32 | w[1];
 }
 
-/* Number of places on a parent of this length, and the distance between neighbours as a share of it. */
+/* Number of places on a parent of this length. Returned too: *gap, the distance between neighbours as a share
+ * of the length. */
 static size_t count_places(const struct wf_branching *b, double length, double *gap)
 {
     size_t n = b->places ? b->places : b->count;
@@ -338,7 +341,7 @@ static double branch_radius(const struct wf_branching *b, const struct wf_level 
         law = b->radius * pow(length, b->radius_exponent);
         break;
     case WF_RADIUS_ABSOLUTE:
-    case WF_RADIUS_PIPE: /* the tips' radius, until wf_levels_pipes knows better */
+    case WF_RADIUS_PIPE: /* the radius of the tips; wf_levels_pipes computes the others later */
         return b->radius * b->radius_factor * wf_along_at(&b->radius_along, s, 1);
     }
     return law * b->radius_factor * wf_along_at(&b->radius_along, s, 1);
@@ -352,7 +355,7 @@ struct nursery {
     size_t capped;
 };
 
-/* One branch; false when it would be too short. */
+/* Grow one branch. Returned: false when it would be shorter than the model allows. */
 static bool grow_one(struct nursery *g, const struct wf_axis *parent, const struct wf_course *course,
                      size_t group, size_t of, double gap, struct wf_axis *out)
 {
@@ -468,13 +471,14 @@ enum wf_status wf_levels_pipes(const struct wf_model *m, struct wf_tree *t, size
     *thick = 0;
     for (size_t l = 0; l < m->branchings; l++) any = any || m->branching[l].radius_law == WF_RADIUS_PIPE;
     if (!any) return WF_OK;
-    double *above = WF_TAKE(&scratch, t->n, double); /* sum of r^exponent of what grows from a row's end */
+    double *above =
+        WF_TAKE(&scratch, t->n, double); /* per row: sum of r^exponent of the rows that start at its end */
     if (!above) return wf_fail(e, WF_ENOMEM, "no room for the pipes of %zu segments", t->n);
     for (size_t i = t->n; i-- > 0;) {
         if (!is_piped(m, t, i)) continue;
         const struct wf_branching *b = &m->branching[t->level[i] - 1];
         t->r0[i] = t->r1[i] = above[i] > 0 ? pow(above[i], 1 / b->radius_exponent) : b->radius;
-        size_t below = (size_t)t->parent[i]; /* a branch has one */
+        size_t below = (size_t)t->parent[i]; /* every row of a branch has a parent */
         if (is_piped(m, t, below))
             above[below] += pow(t->r0[i], m->branching[t->level[below] - 1].radius_exponent);
         else
@@ -486,7 +490,7 @@ enum wf_status wf_levels_pipes(const struct wf_model *m, struct wf_tree *t, size
 
 /* Trees by an iterated function system. */
 
-/* The linear map that makes an axis of the stem (0, 0, 1). */
+/* The linear map that takes (0, 0, 1) to the stem's axis. */
 static void map_of_stem(const struct wf_axis *stem, double a[9])
 {
     const double *x = stem->side, *z = stem->direction;
@@ -498,12 +502,12 @@ static void map_of_stem(const struct wf_axis *stem, double a[9])
     }
 }
 
-/* Images of the axes of one level: their linear maps beside them. */
+/* State while the images of one level's axes are computed. */
 struct images {
     const struct wf_model *m;
     const struct wf_axis_form *form;
-    double *map; /* 9 an axis, of the level below */
-    double *next;
+    double *map;  /* 9 per axis of the level below: its linear map */
+    double *next; /* the same of the level being grown             */
     size_t capped;
 };
 

@@ -45,7 +45,7 @@ static enum wf_status grow_branched(const struct wf_model *m, const struct wf_sp
     return s;
 }
 
-/* The measured segments, clothed: columns of their own for the materials. */
+/* A measured tree: copy its segments to a new tree and add the materials. */
 static enum wf_status grow_measured(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
                                     struct wf_tree *out, struct wf_err *e)
 {

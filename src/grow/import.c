@@ -30,7 +30,7 @@ struct wf_import_options wf_import_default(void)
     return (struct wf_import_options){ .length_unit = (double)NAN, .diameter_unit = (double)NAN };
 }
 
-/* Which reader a file needs, told by its content. */
+/* Choice of the reader by the file's content. */
 
 enum { HEAD = 65536 };
 
@@ -84,7 +84,8 @@ static const char *file_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* A stem thicker than a fifth of the tree's extent is a unit mistaken, or a stump. */
+/* Warn when the stem is thicker than a fifth of the tree's height: then a unit is probably wrong, or the tree
+ * is a stump. */
 static void suspect_units(const struct wf_qsm *q, struct wf_diag *d)
 {
     double low = INFINITY, high = -INFINITY, thick = 0;

@@ -67,8 +67,8 @@ static const struct {
     { "rad", WF_FIELD_RADIANS, 1 },
 };
 
-/* Letters and digits of a name in lower case, between blanks for a search among spellings. A last word that
- * is a unit is taken off. Returned: row of `name_units`, -1 when the name ends in none. */
+/* Letters and digits of a name in lower case, between blanks, to be searched for in field_rows. A last word
+ * that is a unit is removed. Returned: row of name_units; -1 when the name does not end in a unit. */
 static int plain_word(const char *name, char *out, size_t size)
 {
     size_t n = 0, word = 0; /* where the last word starts */
@@ -114,7 +114,7 @@ enum wf_field wf_field_of(const char *name, double length_unit, double diameter_
 
 /* Rows. */
 
-/* Beyond these it is not a tree in metres; the thickest trees known have a radius of 5.8 m. */
+/* Larger values cannot be a tree in metres; the thickest trees known have a radius of 5.8 m. */
 static const double FARTHEST = 1e8, LONGEST = 200, THICKEST = 6; /* [m] */
 
 static bool is_point(const double v[3])
@@ -122,7 +122,7 @@ static bool is_point(const double v[3])
     return fabs(v[0]) <= FARTHEST && fabs(v[1]) <= FARTHEST && fabs(v[2]) <= FARTHEST;
 }
 
-/* End of row i from start, axis and length. */
+/* Compute the end of row i from start, axis and length. Returned: NULL, or what is wrong. */
 static const char *end_by_axis(struct wf_qsm *q, size_t i, const double *v)
 {
     const double *axis = v + WF_FIELD_AX;

@@ -8,8 +8,6 @@
 #include <matio.h>
 #endif
 
-/* MATLAB files through libmatio: the structures TreeQSM saves and the matrices made from them. */
-
 #ifndef WF_MATIO
 
 enum wf_status wf_import_mat(const struct wf_import_head *h, const struct wf_import_options *o,
@@ -23,7 +21,7 @@ enum wf_status wf_import_mat(const struct wf_import_head *h, const struct wf_imp
 }
 #else
 
-/* Where a field of a cylinder stands: a column of a MATLAB array. */
+/* Where a field of the cylinders is found: a column of a MATLAB array. */
 struct mat_source {
     const matvar_t *var;
     size_t column;
@@ -82,7 +80,7 @@ static double array_element(const matvar_t *v, size_t i)
     }
 }
 
-/* One array of the tree; a vector may lie or stand. */
+/* Use an array for a part, if it is numeric and has the right width; a vector may be a row or a column. */
 static void take_array(struct mat_sources *s, size_t part, const matvar_t *v)
 {
     if (!is_numeric(v)) return;
@@ -142,7 +140,8 @@ static bool find_sources(struct mat_sources *s, matvar_t **var, size_t n, size_t
     return s->of[WF_FIELD_RADIUS].var && s->of[WF_FIELD_X0].var;
 }
 
-/* A version 5 file is a row of elements, each with its size in front; libmatio pads a cut one with zeros. */
+/* Whether a version 5 file is complete. It is a sequence of elements, each preceded by its size; this is
+ * checked because libmatio fills a truncated element with zeros without an error. */
 static bool is_complete_mat(const char *path)
 {
     unsigned char head[128], tag[8];

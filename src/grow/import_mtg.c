@@ -8,8 +8,9 @@
 #include <string.h>
 #include <strings.h>
 
-/* The graph of a multi-scale tree graph file (Godin & Caraglio 1998, J. Theor. Biol. 191:1-46): entities at
- * several scales, '/' decomposes an entity, '<' follows and '+' branches from one of the same scale. */
+/* The graph of a multi-scale tree graph file (Godin & Caraglio 1998, J. Theor. Biol. 191:1-46) has entities
+ * at several scales. Edges: '/' decomposes an entity into finer ones; '<' follows and '+' branches from an
+ * entity of the same scale. */
 
 enum { MTG_CLASSES = 64, MTG_COLUMNS = 256 };
 
@@ -21,9 +22,9 @@ struct mtg_class {
 /* One entity. Links are indices, -1 = none. */
 struct mtg_entity {
     int scale;
-    char edge;       /* '/', '<' or '+': how it came to be; for '/' that of its complex */
-    int32_t complex; /* the entity one scale up it is part of                          */
-    int32_t below;   /* the entity it follows or branches from, as fine as is known     */
+    char edge;       /* '<' or '+': to `below`; '/': a root. The first part of a complex has its complex's */
+    int32_t complex; /* the entity of the next coarser scale that it is part of         */
+    int32_t below;   /* the entity it follows or branches from, at the finest scale known */
     int32_t fine;    /* its last part at the finest scale                               */
     bool first;      /* first part of its complex                                       */
     size_t line;
@@ -43,7 +44,7 @@ struct mtg_graph {
     int32_t last[MTG_COLUMNS]; /* the newest entity of each tab column */
 };
 
-/* Header of a multi-scale tree graph: symbols with their scale, and which tab column holds which feature. */
+/* The header: symbols with their scale, and which tab column holds which feature. */
 
 /* The next line without its end; false at the end of the text. */
 static bool next_mtg_line(const char **at, const char **stop, size_t *line)
@@ -68,7 +69,7 @@ static void read_class(struct mtg_graph *g, const char *p)
     c->scale = (int)strtol(p, NULL, 10);
 }
 
-/* Given a cell of the ENTITY-CODE line: which feature it names, -1 when none that matters. */
+/* Which feature a cell of the ENTITY-CODE line names: 0..2 coordinates, 3 diameter, -1 a feature not used. */
 static int feature_named(struct mtg_graph *g, const char *p, size_t n)
 {
     static const struct {
@@ -115,8 +116,8 @@ static enum wf_status read_feature_columns(struct mtg_graph *g, const char *file
     return WF_OK;
 }
 
-/* Classes and features, up to and with the ENTITY-CODE line. Given: text, which is advanced to the line after
- * it, and the line number. Errors: WF_EINPUT naming what is missing. */
+/* Read classes and features, up to and including the ENTITY-CODE line. *at is moved to the line after it.
+ * Errors: WF_EINPUT with what is missing. */
 static enum wf_status read_mtg_head(struct mtg_graph *g, const char *file, const char **at, size_t *line,
                                     struct wf_err *e)
 {
@@ -139,8 +140,7 @@ static enum wf_status read_mtg_head(struct mtg_graph *g, const char *file, const
     return wf_fail(e, WF_EINPUT, "%s: error: no ENTITY-CODE line in this tree graph", file);
 }
 
-/* Lines of a multi-scale tree graph: where an entity stands in the graph follows from its tab column and
- * edges. */
+/* The lines: the place of an entity in the graph follows from its tab column and its edges. */
 
 static int scale_of_class(const struct mtg_graph *g, const char *p, size_t n)
 {
@@ -149,14 +149,14 @@ static int scale_of_class(const struct mtg_graph *g, const char *p, size_t n)
     return -1;
 }
 
-/* The entity of a coarser or equal scale that contains `v`. */
+/* The entity of scale `scale` (or the next coarser one there is) that contains `v`; -1: none. */
 static int32_t at_scale(const struct mtg_graph *g, int32_t v, int scale)
 {
     while (v >= 0 && g->entity[v].scale > scale) v = g->entity[v].complex;
     return v;
 }
 
-/* Add one entity reached from `from` over `edge`. Returned: its index, -1 when the graph does not allow it.
+/* Add an entity that `edge` connects to `from`. Returned: its index; -1 when the scales do not fit the edge.
  */
 static int32_t add_entity(struct mtg_graph *g, int32_t from, char edge, int scale, size_t line)
 {
@@ -184,7 +184,7 @@ static int32_t add_entity(struct mtg_graph *g, int32_t from, char edge, int scal
     return me;
 }
 
-/* A code such as "^<S2" or "/P1/A1": every entity of it in turn. Returned: NULL or what is wrong. */
+/* Add all entities of a code such as "^<S2" or "/P1/A1". Returned: NULL, or what is wrong. */
 static const char *read_code(struct mtg_graph *g, size_t column, const char *p, const char *stop, size_t line)
 {
     int32_t from = -1;
@@ -231,7 +231,7 @@ static const char *read_features(struct mtg_graph *g, const char *p, const char 
     return NULL;
 }
 
-/* One line of entities. Returned: NULL, or what is wrong with it. `start`..`stop` without the line end. */
+/* Read one line, `start`..`stop` without the line end. Returned: NULL, or what is wrong. */
 static const char *read_mtg_line(struct mtg_graph *g, const char *start, const char *stop, size_t line)
 {
     const char *p = start;
@@ -248,11 +248,10 @@ static const char *read_mtg_line(struct mtg_graph *g, const char *start, const c
     return wrong ? wrong : read_features(g, start, stop);
 }
 
-/* OpenAlea multi-scale tree graphs: each entity of the finest scale is a segment that ends at its
- * coordinates. It starts at the end of the entity it follows or branches from; the first of an axis starts at
- * the coordinates of the axis, when the file gives these. Lengths are centimetres unless told otherwise. */
+/* From the graph to rows. */
 
-/* Diameters have no stated unit: centimetres if the trunk then is slenderer than 5, else millimetres. */
+/* The unit of diameters [m], which a file does not state: centimetres if the tree is then more than five
+ * times as high as its largest diameter, otherwise millimetres. */
 static double infer_diameter_unit(struct wf_qsm *q, const struct mtg_graph *g, double length_unit)
 {
     double low = INFINITY, high = -INFINITY, thick = 0;
@@ -266,8 +265,8 @@ static double infer_diameter_unit(struct wf_qsm *q, const struct mtg_graph *g, d
     return (high - low) * length_unit > 5 * 0.01 * thick ? 0.01 : 0.001;
 }
 
-/* Row of the finest entities: ends, radii, links. row[] gives the row of each entity, -1 for a coarser one.
- */
+/* Write the row of entity v, one of the finest scale. row[]: row of each entity, -1 for coarser ones; metres
+ * per unit of lengths and of diameters. */
 static void write_mtg_row(struct wf_qsm *q, const struct mtg_graph *g, const int32_t *row, size_t v,
                           double unit, double thick)
 {

@@ -9,16 +9,16 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Coordinates for a table of lengths, diameters and angles. */
+/* Coordinates of a hand-measured table of lengths, diameters and angles. */
 
-/* Given per row: angle, zenith, azimuth [rad], distance [m], share [-], each NAN where not measured. */
+/* Measurements of each row: angle, zenith, azimuth [rad], distance [m], share [-]; NAN = not measured. */
 struct hand_angles {
     double *angle, *zenith, *azimuth, *distance, *share;
 };
 
 static const double GOLDEN = 137.50776405003785 / 180 * WF_PI; /* divergence of spiral leaf positions [rad] */
 
-/* Unit vector across `t` that points as nearly as can be to the azimuth `az`. */
+/* Unit vector perpendicular to `t` whose direction is nearest to the azimuth `az` [rad]. */
 static void unit_across(const double t[3], double az, double out[3])
 {
     double h[3] = { cos(az), sin(az), 0 };
@@ -35,7 +35,7 @@ static void unit_across(const double t[3], double az, double out[3])
 struct hand_placing {
     struct wf_qsm *q;
     const struct hand_angles *hand;
-    double azimuth; /* given to the next branch whose own was not measured */
+    double azimuth; /* of the last branch whose azimuth was not measured [rad] */
 };
 
 static double hand_azimuth(struct hand_placing *p, size_t i, bool leaning)
@@ -72,7 +72,8 @@ static void place_row(struct hand_placing *p, size_t i, int32_t parent)
     q->x1[i] = start[0] + d[0], q->y1[i] = start[1] + d[1], q->z1[i] = start[2] + d[2];
 }
 
-/* Row of each parent; 0, -1, an empty cell and an unknown id make a root, as in wf_qsm_resolve. */
+/* Find the row of each parent. A parent of 0 or -1, an empty cell and an unknown id make the row a root, as
+ * in wf_qsm_repair. */
 static enum wf_status find_parent_rows(const struct wf_qsm *q, int32_t *parent, struct wf_arena *a,
                                        struct wf_err *e)
 {
@@ -132,7 +133,7 @@ struct csv_tree {
     bool placed; /* the file has coordinates */
 };
 
-/* A format is told by a column that only its program writes. */
+/* Formats are recognised by a column that only one program writes. */
 static const struct {
     const char *column, *format;
 } marks[] = {
@@ -168,7 +169,7 @@ static bool has_three(const struct csv_tree *t, enum wf_field first)
     return t->has[first] && t->has[first + 1] && t->has[first + 2];
 }
 
-/* What the header lacks for a tree, NULL when nothing. */
+/* Which columns needed for a tree the header lacks; NULL: none. Sets t->placed. */
 static const char *header_lacks(struct csv_tree *t)
 {
     bool start = has_three(t, WF_FIELD_X0), end = has_three(t, WF_FIELD_X1);
@@ -199,7 +200,7 @@ static bool is_blank_cell(const char *s)
     return !*s || !strcmp(s, "NA") || !strcmp(s, "NaN") || !strcmp(s, "nan") || !strcmp(s, "NULL");
 }
 
-/* The row in hand in SI. false after a finding. */
+/* Convert the current row to SI. Returned: false after a mistake was reported. */
 static bool row_in_si(struct csv_tree *t, double *value)
 {
     for (int f = 0; f < WF_FIELD_COUNT; f++) value[f] = (double)NAN;
@@ -225,7 +226,7 @@ static size_t lines_left(const struct wf_csv *c)
     return n;
 }
 
-/* What the CSV reader found goes to the caller's list, one line a row. */
+/* Pass the findings of the CSV reader on to the caller's list, one for each row, and count them. */
 static void pass_findings_on(struct csv_tree *t, const struct wf_import_head *h, bool strict,
                              struct wf_qsm *q, struct wf_diag *d)
 {
@@ -248,7 +249,7 @@ static enum wf_status take_hand_angles(struct hand_angles *hand, size_t n, struc
     return WF_OK;
 }
 
-/* Without ids rows are counted from 1, unless a parent of -1 shows that this file counts from 0. */
+/* Files without ids number their rows from 1; from 0 if a root's parent is written as -1. */
 static void count_from_zero(struct wf_qsm *q, const struct csv_tree *t)
 {
     bool minus = false;
@@ -310,12 +311,12 @@ enum wf_status wf_import_table(const struct wf_import_head *h, const struct wf_i
     return read_table_rows(&t, h, o, a, q, d, e);
 }
 
-/* TreeQSM text: columns of numbers between tabs or blanks, one cylinder a line, ids by line.
- * Layouts. 14: the CylData matrix of early TreeQSM. 15: two orders are in use, told apart by which column
- * holds the unmodified radius (the only one of the last four that is not whole): the text TreeQSM 2.3 writes
- * (branch, order, position, added, unmodified radius) and that of aRchi's samples (added, unmodified radius,
- * branch, order, position). 17 with a header: TreeQSM 2.4 (Raumonen et al. 2013, Remote Sens. 5:491-520;
- * save_model_text 1.1.0). */
+/* TreeQSM text: columns of numbers separated by tabs or blanks; each line is a cylinder, its id the line's
+ * number. Layouts. 14: the CylData matrix of early TreeQSM. 15: two orders are in use, told apart by which
+ * column holds the unmodified radius (the only one of the last four that is not whole): the text TreeQSM 2.3
+ * writes (branch, order, position, added, unmodified radius) and that of aRchi's samples (added, unmodified
+ * radius, branch, order, position). 17 with a header: TreeQSM 2.4 (Raumonen et al. 2013, Remote Sens.
+ * 5:491-520; save_model_text 1.1.0). */
 
 enum { WIDEST = 64 };
 
@@ -347,8 +348,8 @@ static bool is_gap(char c, char point)
     return c == ' ' || c == '\t' || c == '\r' || c == ';' || (c == ',' && point != ',');
 }
 
-/* Numbers of the next line that holds any. Returned: how many, 0 at the end of the file; *whole is false when
- * the line holds something else. */
+/* Read the numbers of the next line that is not blank or a comment. Returned: how many; 0 at the end of the
+ * file. *whole is false when the line contains something that is not a number. */
 static size_t next_numbers(struct lines *t, double *value, bool *whole)
 {
     while (t->at < t->end) {
@@ -375,7 +376,8 @@ static size_t next_numbers(struct lines *t, double *value, bool *whole)
     return 0;
 }
 
-/* A comma is a decimal sign where blanks or tabs part the numbers and no point is met. */
+/* A comma is the decimal sign if the first line separates its numbers by tabs or semicolons and has no point.
+ */
 static char decimal_sign_of(const char *text, size_t size)
 {
     const char *stop = memchr(text, '\n', size);
@@ -407,8 +409,8 @@ bool wf_import_is_bare(const struct wf_import_head *h)
     return has_header(p) || wf_number_read(p, p + strlen(p), '.', &v);
 }
 
-/* The layout of the file by the width of its first row; of the two with 15 columns, by where fractions stand.
- */
+/* The layout of a file: by the number of columns of its first row; for the two layouts of 15 columns, by
+ * which column has numbers that are not whole. NULL: none. */
 static const struct layout *layout_of(struct lines t)
 {
     double v[WIDEST];

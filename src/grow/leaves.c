@@ -7,7 +7,7 @@
 
 #define GOLDEN_ANGLE 2.39996322972865332 /* 137.5 degrees */
 
-enum { LEAF_STREAM = 0x4C /* apart from the axes' addresses */ };
+enum { LEAF_STREAM = 0x4C /* purpose of the leaves' random streams */ };
 
 enum wf_status wf_leaves_spread(const struct wf_model *m, const struct wf_species *sp, struct wf_tree *t,
                                 struct wf_err *e)
@@ -41,7 +41,8 @@ static enum wf_status take_leaves(struct wf_leaves *out, size_t n, struct wf_are
     return wf_fail(e, WF_ENOMEM, "no room for %zu leaves", n);
 }
 
-/* Leaf j on row i: tilted from the axis, round it by the golden angle. */
+/* Directions and size of leaf j on row i: tilted from the axis, rotated about it by the golden angle from the
+ * leaf before. */
 static void turn_leaf(const struct wf_model *m, const struct wf_tree *t, size_t i, size_t j,
                       struct wf_leaves *out)
 {

@@ -105,7 +105,7 @@ const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
                             "azimuths not measured: each 137.5 degrees after the one before", false, false },
 };
 
-/* Every column with its element size, so that allocation and reordering cannot forget one. */
+/* All columns with their element sizes, used for allocation and reordering. */
 #define COLUMN(name)                                                                                         \
     {                                                                                                        \
         offsetof(struct wf_qsm, name), sizeof *((struct wf_qsm *)0)->name                                    \
@@ -209,7 +209,7 @@ double wf_qsm_volume(const struct wf_qsm *q, size_t i)
 
 /* Files for other programs. */
 
-/* Radius of the cylinder that holds as much wood as row i. */
+/* Radius of the cylinder that has the volume of row i. */
 static double radius_of_volume(const struct wf_qsm *q, size_t i)
 {
     double r0 = q->r0[i], r1 = q->r1[i];

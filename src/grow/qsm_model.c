@@ -5,7 +5,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Where each row of a table of cylinders is held by its parent. */
+/* Where each row of a table of cylinders is attached to its parent. */
 
 enum hold_place {
     HOLD_GROUND,
@@ -17,15 +17,15 @@ enum hold_place {
 struct hold_row {
     enum hold_place at;
     double share;   /* of the parent's modelled axis, for HOLD_AXIS */
-    double gap;     /* from the holding point to the row's start [m]   */
+    double gap;     /* from the point of attachment to the row's start [m] */
     double radius;  /* of the parent there [m]                         */
-    bool straight;  /* the row starts at the holding point itself      */
+    bool straight;  /* the row starts at the point of attachment itself */
     double base[3]; /* where the row's own wood starts [m]             */
 };
 
 static const double POINT = 1e-3; /* [m] */
 
-/* Rows nearer than this to each other, or shorter, are one point: 1 mm or a tenth of the radius there. */
+/* Distance below which points are treated as one [m]: 1 mm or a tenth of the radius there. */
 static double joint_tolerance(double radius) { return fmax(POINT, 0.1 * radius); }
 
 static double distance_between(const double a[3], const double b[3])
@@ -39,7 +39,8 @@ static void copy_point(double to[3], const double from[3])
     for (int k = 0; k < 3; k++) to[k] = from[k];
 }
 
-/* A lateral: the point of the parent's axis nearest to its start; near the parent's ends these. */
+/* Attachment of a lateral branch: the point of the parent's axis nearest to its start, or an end of the
+ * parent if that point is within the tolerance of it. */
 static void hold_lateral(const struct wf_qsm *q, size_t p, const struct hold_row *parent,
                          const double start[3], struct hold_row *h)
 {
@@ -57,7 +58,8 @@ static void hold_lateral(const struct wf_qsm *q, size_t p, const struct hold_row
     if ((1 - s) * length <= tolerance)
         h->at = HOLD_END, s = 1;
     else if (s * length <= tolerance) {
-        /* a branch from the very base: the ground cannot hold it, the stem just above can */
+        /* at the base of the stem: attach the branch to the stem just above, because a row attached to the
+         * ground would be a stem of its own */
         if (parent->at != HOLD_GROUND)
             h->at = HOLD_BASE, s = 0;
         else
@@ -71,7 +73,7 @@ static void hold_lateral(const struct wf_qsm *q, size_t p, const struct hold_row
     copy_point(h->base, h->straight ? point : start);
 }
 
-/* Given: a sorted table and how it is joined. Returned: hold[n]. */
+/* Find the attachments of all rows. Given: a sorted table and the way of joining. Returned: hold[n]. */
 static void find_holds(const struct wf_qsm *q, enum wf_joint joint, struct hold_row *hold)
 {
     for (size_t i = 0; i < q->n; i++) {
@@ -98,7 +100,7 @@ static void find_holds(const struct wf_qsm *q, enum wf_joint joint, struct hold_
 
 static const double SHORTEST = 1e-3, NO_LENGTH = 1e-9; /* [m] */
 
-/* Where a branch leaves its parent. */
+/* Where a branch is attached along its parent. */
 struct branch_station {
     double share;
     int32_t row;
@@ -110,10 +112,10 @@ struct joining {
     struct wf_children children;
     struct wf_qsm_model *m;
     struct wf_tree *t;
-    double shortest;               /* rows below are drawn together [m]                     */
+    double shortest;               /* shorter rows become points [m]                        */
     int32_t *head;                 /* per row: segment whose end is the row's base; -1 ground */
     int32_t *tail;                 /* per row: segment whose end is the row's end             */
-    int32_t *held;                 /* per row: segment whose end holds it                     */
+    int32_t *held;                 /* per row: segment to whose end it is attached            */
     struct branch_station *sorted; /* room for the children of one row                 */
 };
 
@@ -147,7 +149,8 @@ static void point_held_at(const struct joining *b, size_t i, double out[3])
     if (held >= 0) out[0] = b->t->x1[held], out[1] = b->t->y1[held], out[2] = b->t->z1[held];
 }
 
-/* From where row i is held to where its own wood starts: nothing, a link, or a link and a bridge. */
+/* Add what connects the attachment of row i to the start of its own wood: nothing, a link, or a link and a
+ * bridge. Returned: the segment whose end is the row's base. */
 static int32_t link_to_row(struct joining *b, size_t i)
 {
     const struct hold_row *h = &b->hold[i];
@@ -178,7 +181,8 @@ static int station_by_share(const void *x, const void *y)
     return a->share < b->share ? -1 : a->share > b->share ? 1 : (a->row > b->row) - (a->row < b->row);
 }
 
-/* The children of row i that leave its axis, in order of their share. */
+/* Collect the children of row i that are attached along its axis, sorted by their place. Returned: how many.
+ */
 static size_t sort_stations(struct joining *b, size_t i)
 {
     size_t n = 0;
@@ -190,7 +194,8 @@ static size_t sort_stations(struct joining *b, size_t i)
     return n;
 }
 
-/* Row i itself, divided where branches leave it; branches closer than the tolerance share a point. */
+/* Add the segments of row i, divided where branches are attached; branches closer to each other than the
+ * tolerance share a point. */
 static void add_wood(struct joining *b, size_t i)
 {
     const struct wf_qsm *q = b->q;

@@ -4,9 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The steps of wf_qsm_repair, in the order in which they run. Each counts what it changes. */
-
-/* Ids of a table of cylinders to rows. */
+/* Step 1: ids to rows. */
 
 static bool same_row(const struct wf_qsm *q, size_t i, size_t k)
 {
@@ -14,7 +12,8 @@ static bool same_row(const struct wf_qsm *q, size_t i, size_t k)
            q->z0[i] == q->z0[k] && q->x1[i] == q->x1[k] && q->y1[i] == q->y1[k] && q->z1[i] == q->z1[k];
 }
 
-/* Enter every id; a repeated row is dropped, another row under a known id gets a fresh one. */
+/* Build the index of ids. A repetition of an earlier row is removed; another row with the id of an earlier
+ * one gets a new id. */
 static enum wf_status enter_ids(struct wf_qsm *q, struct wf_ids *ids, struct wf_arena *a, struct wf_err *e)
 {
     int32_t *keep = WF_TAKE(a, q->n, int32_t);
@@ -58,7 +57,7 @@ static int32_t parent_row(struct wf_qsm *q, const struct wf_ids *ids, size_t i, 
     return row;
 }
 
-/* Ids to rows: repeated rows removed, repeated ids renumbered, parents and continuations found. */
+/* Remove repeated rows, renumber repeated ids, find the rows of parents and continuations. */
 static enum wf_status qsm_resolve(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_ids ids;
@@ -74,12 +73,12 @@ static enum wf_status qsm_resolve(struct wf_qsm *q, struct wf_arena *a, struct w
     return WF_OK;
 }
 
-/* Lengths and radii that a file lacks or gets wrong. */
+/* Step 4: lengths and radii that are missing or wrong. */
 
 static const double NO_LENGTH = 1e-9; /* [m] */
 
-/* Remove rows without length; whoever hung on them hangs on what they hung on. Parents come first, so one
- * pass. */
+/* Remove rows without length; their children become children of their parent. One pass is enough because
+ * parents come first. */
 static enum wf_status remove_points(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     int32_t *keep = WF_TAKE(a, q->n, int32_t);
@@ -102,7 +101,7 @@ static enum wf_status remove_points(struct wf_qsm *q, struct wf_arena *a, struct
     return kept == q->n ? WF_OK : wf_qsm_pick(q, keep, kept, a, e);
 }
 
-/* A radius from the row below, else from the other end, else from the first row above that has one. */
+/* Fill missing radii: from the row below, from the row's other end, or, for a root, from its child. */
 static enum wf_status fill_radii(struct wf_qsm *q, struct wf_err *e)
 {
     for (size_t i = q->n; i-- > 0;) { /* from the tips down: a root may need its child's */
@@ -132,7 +131,7 @@ static enum wf_status fill_radii(struct wf_qsm *q, struct wf_err *e)
     return WF_OK;
 }
 
-/* Rows shorter than 1e-9 m removed, missing radii and lengths filled. Needs sorted rows. */
+/* Remove rows shorter than 1e-9 m, fill missing radii and lengths. The rows must be sorted. */
 static enum wf_status qsm_fill(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     enum wf_status s = remove_points(q, a, e);
@@ -143,13 +142,13 @@ static enum wf_status qsm_fill(struct wf_qsm *q, struct wf_arena *a, struct wf_e
         if (stated > 0 && fabs(stated - d) > 0.01 * d && fabs(stated - d) > 1e-3)
             wf_qsm_count(q, WF_REPAIR_LENGTH, 1, q->id[i]);
         else if (stated > 0 && fabs(stated - d) <= 0.01 * d)
-            continue; /* the rounding of the file: what it states stays */
+            continue; /* a difference by the file's rounding: keep the stated length */
         q->length[i] = d;
     }
     return fill_radii(q, e);
 }
 
-/* Branches of a table of cylinders: which row continues which, and of what order each is. */
+/* Step 5: branches. Which row continues which, and the order of each row. */
 
 /* Distance from the end of row p to the start of row i [m]. */
 static double gap_to_child(const struct wf_qsm *q, int32_t p, int32_t i)
@@ -158,8 +157,8 @@ static double gap_to_child(const struct wf_qsm *q, int32_t p, int32_t i)
     return sqrt(dx * dx + dy * dy + dz * dz);
 }
 
-/* The child that continues row p: of p's own order when orders are known (nearest start wins), else the
- * thickest that starts within one radius of p's end. -1 when none does. */
+/* The child that continues row p: if orders are known, the child of p's order that starts nearest to p's end;
+ * otherwise the thickest that starts within one radius of p's end. -1: none. */
 static int32_t find_continuation(const struct wf_qsm *q, const struct wf_children *c, int32_t p)
 {
     int32_t best = -1;
@@ -176,7 +175,8 @@ static int32_t find_continuation(const struct wf_qsm *q, const struct wf_childre
     return best;
 }
 
-/* Some programs name as extension the first row of a branch: what differs in order does not continue. */
+/* Whether the continuation that the file names has another branch order. Some programs give the first row of
+ * a lateral branch as the extension. */
 static bool continues_other_order(const struct wf_qsm *q, size_t i)
 {
     int32_t next = q->next[i];
@@ -194,7 +194,7 @@ static void shift_orders(struct wf_qsm *q)
         if (q->order[i] >= 0) q->order[i] = q->order[i] > low ? q->order[i] - low : 0;
 }
 
-/* The way up along the thickest wood. */
+/* Set `limb`: the continuation of each row, or its thickest child if there is none. */
 static void find_limbs(struct wf_qsm *q)
 {
     for (size_t i = 0; i < q->n; i++) q->limb[i] = q->next[i];
@@ -205,9 +205,7 @@ static void find_limbs(struct wf_qsm *q)
     }
 }
 
-/* Branch order from 0 at the stem, continuations, limbs and branch numbers. Needs sorted rows.
- * A continuation the file does not name is, among the children of the same order, the one that starts nearest
- * the row's end; where the file has no orders, the thickest child that starts at the row's end. */
+/* Set branch orders (0 at the stem), continuations, limbs and branch numbers. The rows must be sorted. */
 static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_children c;
@@ -232,12 +230,13 @@ static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct 
     return WF_OK;
 }
 
-/* Rings, loose parts and order of the rows: from any parent column to a tree. */
+/* Steps 2 and 3: make the parents a tree (no cycles, no loose parts) and sort the rows. */
 
-static const double STANDS = 0.5;       /* a root this far above the ground still stands on it [m]   */
-static const double SUBSTANTIAL = 0.01; /* of the largest part: a part that may define the ground */
+static const double STANDS = 0.5;       /* highest start of a stem above the ground level [m]       */
+static const double SUBSTANTIAL = 0.01; /* least wood of a part that can define the ground level, of that of
+                                           the largest part [-] */
 
-/* Colour every row by the root it hangs from; a ring found on the way is cut at its lowest row. */
+/* Find the root of every row. A cycle of parents is cut at its lowest row, which becomes a root. */
 static enum wf_status roots_of(struct wf_qsm *q, int32_t *root, struct wf_arena *a, struct wf_err *e)
 {
     int32_t *path = WF_TAKE(a, q->n, int32_t);
@@ -256,7 +255,7 @@ static enum wf_status roots_of(struct wf_qsm *q, int32_t *root, struct wf_arena 
             }
             k = q->parent[k];
         }
-        if (root[k] < 0) { /* k is on the path: a ring */
+        if (root[k] < 0) { /* k is on the path: a cycle */
             int32_t low = k;
             for (int32_t m = q->parent[k]; m != k; m = q->parent[m])
                 if (q->z0[m] < q->z0[low]) low = m;
@@ -282,7 +281,7 @@ static double to_surface(const struct wf_qsm *q, size_t i, double x, double y, d
     return sqrt(px * px + py * py + pz * pz) - r;
 }
 
-enum { LOOSE = 1000 }; /* parts; more are no tree, and each takes a search over all rows */
+enum { LOOSE = 1000 }; /* most loose parts: each needs a search over all rows */
 
 struct loose {
     double z;
@@ -304,7 +303,7 @@ static double ground_level(const struct wf_qsm *q, const double *wood)
     return low;
 }
 
-/* Children of a part that begins at order 0 again follow the order of what it was joined to. */
+/* Raise the branch orders of a part that was joined to row `onto`, so that it is one order above that row. */
 static void raise_orders(struct wf_qsm *q, const int32_t *root, int32_t part, int32_t onto)
 {
     int32_t step = q->order[onto] + 1 - q->order[part];
@@ -328,11 +327,10 @@ static void join_part(struct wf_qsm *q, const int32_t *root, uint8_t *standing, 
     standing[part] = 1;
 }
 
-/* One tree: rings cut, then every root that does not stand on the ground joined to the nearest axis.
- * Ground: the lowest start of a root whose part holds at least 1 % of the largest part's wood. A root within
- * 0.5 m above it stands; any other is loose and, from the lowest up, becomes a child of the row whose surface
- * is nearest to its start. Errors: WF_EINPUT when more than 1000 parts are loose: then the parent column does
- * not fit the ids. */
+/* Cut cycles and join loose parts. The ground level is the lowest start of a root whose part has at least 1 %
+ * of the wood of the largest part. A root up to 0.5 m above it is a stem; the others are loose parts. From
+ * the lowest up, each of them becomes a child of the row whose surface is nearest to its start. Errors:
+ * WF_EINPUT for more than 1000 loose parts, because then the parent column does not fit the ids. */
 static enum wf_status qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     int32_t *root = WF_TAKE(a, q->n, int32_t);
@@ -367,7 +365,8 @@ static enum wf_status qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_e
     return WF_OK;
 }
 
-/* Every parent before its children; the file's order is kept when it already is so. */
+/* Sort the rows so that every parent comes before its children. The file's order is kept if it does already.
+ */
 static enum wf_status qsm_sort(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     size_t late = 0;
@@ -390,9 +389,10 @@ static enum wf_status qsm_sort(struct wf_qsm *q, struct wf_arena *a, struct wf_e
     return wf_qsm_pick(q, pick, n, a, e);
 }
 
-/* The order in which a table of cylinders is made sound. */
+/* Step 6: the origin. */
 
-/* Base of the main stem (the standing root thickest at its base) to x = y = 0, the lowest base to z = 0. */
+/* Move the tree: base of the main stem (the root with the largest base radius) to x = y = 0, lowest base to
+ * z = 0. */
 static void to_origin(struct wf_qsm *q)
 {
     size_t main_root = 0;
