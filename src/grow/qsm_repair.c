@@ -73,163 +73,6 @@ static enum wf_status qsm_resolve(struct wf_qsm *q, struct wf_arena *a, struct w
     return WF_OK;
 }
 
-/* Step 4: lengths and radii that are missing or wrong. */
-
-static const double NO_LENGTH = 1e-9; /* [m] */
-
-/* Remove rows without length; their children become children of their parent. One pass is enough because
- * parents come first. */
-static enum wf_status remove_points(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
-{
-    int32_t *keep = WF_TAKE(a, q->n, int32_t);
-    uint8_t *gone = WF_TAKE(a, q->n, uint8_t);
-    if (!keep || !gone) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
-    size_t kept = 0;
-    for (size_t i = 0; i < q->n; i++) {
-        int32_t p = q->parent[i];
-        if (p >= 0 && gone[p]) {
-            q->parent[i] = q->parent[p];
-            if (q->parent[i] >= 0 && q->next[q->parent[i]] == p)
-                q->next[q->parent[i]] = q->next[p] == (int32_t)i ? (int32_t)i : -1;
-        }
-        gone[i] = !(wf_qsm_distance(q, i) > NO_LENGTH);
-        if (gone[i])
-            wf_qsm_count(q, WF_REPAIR_ZERO_LENGTH, 1, q->id[i]);
-        else
-            keep[kept++] = (int32_t)i;
-    }
-    return kept == q->n ? WF_OK : wf_qsm_pick(q, keep, kept, a, e);
-}
-
-/* Fill missing radii: from the row below, from the row's other end, or, for a root, from its child. */
-static enum wf_status fill_radii(struct wf_qsm *q, struct wf_err *e)
-{
-    for (size_t i = q->n; i-- > 0;) { /* from the tips down: a root may need its child's */
-        int32_t p = q->parent[i];
-        if (p >= 0 && q->parent[p] < 0 && !(q->r0[p] > 0) && !(q->r1[p] > 0) && q->r0[i] > 0) {
-            wf_qsm_count(q, WF_REPAIR_RADIUS, 1, q->id[p]);
-            q->r0[p] = q->r1[p] = q->r0[i];
-        }
-    }
-    for (size_t i = 0; i < q->n; i++) {
-        if (q->r0[i] > 0 && q->r1[i] > 0) continue;
-        int32_t p = q->parent[i];
-        double below = p >= 0 ? q->r1[p] : (double)NAN;
-        if (isnan(q->r1[i]) && q->r0[i] > 0) { /* one radius a row: a cylinder */
-            q->r1[i] = q->r0[i];
-            continue;
-        }
-        wf_qsm_count(q, WF_REPAIR_RADIUS, 1, q->id[i]);
-        if (q->r1[i] > 0)
-            q->r0[i] = below > 0 ? below : q->r1[i];
-        else
-            q->r0[i] = q->r1[i] = q->r0[i] > 0 ? q->r0[i] : below;
-        if (!(q->r0[i] > 0))
-            return wf_fail(e, WF_EINPUT, "%s: row with id %lld has no radius and none below to take it from",
-                           q->name, (long long)q->id[i]);
-    }
-    return WF_OK;
-}
-
-/* Remove rows shorter than 1e-9 m, fill missing radii and lengths. The rows must be sorted. */
-static enum wf_status qsm_fill(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
-{
-    enum wf_status s = remove_points(q, a, e);
-    if (s) return s;
-    if (!q->n) return wf_fail(e, WF_EINPUT, "%s: no row has a length", q->name);
-    for (size_t i = 0; i < q->n; i++) {
-        double d = wf_qsm_distance(q, i), stated = q->length[i];
-        if (stated > 0 && fabs(stated - d) > 0.01 * d && fabs(stated - d) > 1e-3)
-            wf_qsm_count(q, WF_REPAIR_LENGTH, 1, q->id[i]);
-        else if (stated > 0 && fabs(stated - d) <= 0.01 * d)
-            continue; /* a difference by the file's rounding: keep the stated length */
-        q->length[i] = d;
-    }
-    return fill_radii(q, e);
-}
-
-/* Step 5: branches. Which row continues which, and the order of each row. */
-
-/* Distance from the end of row p to the start of row i [m]. */
-static double gap_to_child(const struct wf_qsm *q, int32_t p, int32_t i)
-{
-    double dx = q->x0[i] - q->x1[p], dy = q->y0[i] - q->y1[p], dz = q->z0[i] - q->z1[p];
-    return sqrt(dx * dx + dy * dy + dz * dz);
-}
-
-/* The child that continues row p: if orders are known, the child of p's order that starts nearest to p's end;
- * otherwise the thickest that starts within one radius of p's end. -1: none. */
-static int32_t find_continuation(const struct wf_qsm *q, const struct wf_children *c, int32_t p)
-{
-    int32_t best = -1;
-    double best_step = INFINITY;
-    for (int32_t k = c->begin[p]; k < c->begin[p + 1]; k++) {
-        int32_t i = c->child[k];
-        double d = gap_to_child(q, p, i);
-        if (q->order[i] >= 0) {
-            if (q->order[i] == q->order[p] && d < best_step) best = i, best_step = d;
-        } else if (d <= q->r1[p] && (best < 0 || q->r0[i] > q->r0[best])) {
-            best = i;
-        }
-    }
-    return best;
-}
-
-/* Whether the continuation that the file names has another branch order. Some programs give the first row of
- * a lateral branch as the extension. */
-static bool continues_other_order(const struct wf_qsm *q, size_t i)
-{
-    int32_t next = q->next[i];
-    return next >= 0 && q->order[i] >= 0 && q->order[next] >= 0 && q->order[next] != q->order[i];
-}
-
-static void shift_orders(struct wf_qsm *q)
-{
-    int32_t low = INT32_MAX;
-    for (size_t i = 0; i < q->n; i++)
-        if (q->parent[i] < 0 && q->order[i] >= 0 && q->order[i] < low) low = q->order[i];
-    if (low == INT32_MAX || low == 0) return;
-    wf_qsm_count(q, WF_NOTE_ORDER_FROM, q->n, -1);
-    for (size_t i = 0; i < q->n; i++)
-        if (q->order[i] >= 0) q->order[i] = q->order[i] > low ? q->order[i] - low : 0;
-}
-
-/* Set `limb`: the continuation of each row, or its thickest child if there is none. */
-static void find_limbs(struct wf_qsm *q)
-{
-    for (size_t i = 0; i < q->n; i++) q->limb[i] = q->next[i];
-    for (size_t i = 0; i < q->n; i++) {
-        int32_t p = q->parent[i];
-        if (p < 0 || q->next[p] >= 0) continue;
-        if (q->limb[p] < 0 || q->r0[i] > q->r0[q->limb[p]]) q->limb[p] = (int32_t)i;
-    }
-}
-
-/* Set branch orders (0 at the stem), continuations, limbs and branch numbers. The rows must be sorted. */
-static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
-{
-    struct wf_children c;
-    enum wf_status s = wf_children_of(q->parent, q->n, a, &c, e);
-    if (s) return s;
-    shift_orders(q);
-    int32_t branches = 0;
-    for (size_t i = 0; i < q->n; i++) {
-        int32_t p = q->parent[i];
-        if (continues_other_order(q, i)) q->next[i] = -1;
-        bool goes_on = p >= 0 && q->next[p] == (int32_t)i;
-        if (q->order[i] < 0) {
-            wf_qsm_count(q, WF_NOTE_ORDER_MADE, 1, q->id[i]);
-            q->order[i] = p < 0 ? 0 : q->order[p] + !goes_on;
-        }
-        q->branch[i] = goes_on ? q->branch[p] : ++branches;
-        q->place[i] = goes_on ? q->place[p] + 1 : 1;
-        if (q->next[i] < 0) q->next[i] = find_continuation(q, &c, (int32_t)i);
-        if (goes_on && q->r0[i] > 1.1 * q->r1[p]) wf_qsm_count(q, WF_NOTE_THICKENING, 1, q->id[i]);
-    }
-    find_limbs(q);
-    return WF_OK;
-}
-
 /* Steps 2 and 3: make the parents a tree (no cycles, no loose parts) and sort the rows. */
 
 static const double STANDS = 0.5;       /* highest start of a stem above the ground level [m]       */
@@ -387,6 +230,163 @@ static enum wf_status qsm_sort(struct wf_qsm *q, struct wf_arena *a, struct wf_e
         for (int32_t k = c.begin[i + 1]; k-- > c.begin[i];) stack[depth++] = c.child[k];
     }
     return wf_qsm_pick(q, pick, n, a, e);
+}
+
+/* Step 4: lengths and radii that are missing or wrong. */
+
+static const double NO_LENGTH = 1e-9; /* [m] */
+
+/* Remove rows without length; their children become children of their parent. One pass is enough because
+ * parents come first. */
+static enum wf_status remove_points(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
+{
+    int32_t *keep = WF_TAKE(a, q->n, int32_t);
+    uint8_t *gone = WF_TAKE(a, q->n, uint8_t);
+    if (!keep || !gone) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
+    size_t kept = 0;
+    for (size_t i = 0; i < q->n; i++) {
+        int32_t p = q->parent[i];
+        if (p >= 0 && gone[p]) {
+            q->parent[i] = q->parent[p];
+            if (q->parent[i] >= 0 && q->next[q->parent[i]] == p)
+                q->next[q->parent[i]] = q->next[p] == (int32_t)i ? (int32_t)i : -1;
+        }
+        gone[i] = !(wf_qsm_distance(q, i) > NO_LENGTH);
+        if (gone[i])
+            wf_qsm_count(q, WF_REPAIR_ZERO_LENGTH, 1, q->id[i]);
+        else
+            keep[kept++] = (int32_t)i;
+    }
+    return kept == q->n ? WF_OK : wf_qsm_pick(q, keep, kept, a, e);
+}
+
+/* Fill missing radii: from the row below, from the row's other end, or, for a root, from its child. */
+static enum wf_status fill_radii(struct wf_qsm *q, struct wf_err *e)
+{
+    for (size_t i = q->n; i-- > 0;) { /* from the tips down: a root may need its child's */
+        int32_t p = q->parent[i];
+        if (p >= 0 && q->parent[p] < 0 && !(q->r0[p] > 0) && !(q->r1[p] > 0) && q->r0[i] > 0) {
+            wf_qsm_count(q, WF_REPAIR_RADIUS, 1, q->id[p]);
+            q->r0[p] = q->r1[p] = q->r0[i];
+        }
+    }
+    for (size_t i = 0; i < q->n; i++) {
+        if (q->r0[i] > 0 && q->r1[i] > 0) continue;
+        int32_t p = q->parent[i];
+        double below = p >= 0 ? q->r1[p] : (double)NAN;
+        if (isnan(q->r1[i]) && q->r0[i] > 0) { /* one radius a row: a cylinder */
+            q->r1[i] = q->r0[i];
+            continue;
+        }
+        wf_qsm_count(q, WF_REPAIR_RADIUS, 1, q->id[i]);
+        if (q->r1[i] > 0)
+            q->r0[i] = below > 0 ? below : q->r1[i];
+        else
+            q->r0[i] = q->r1[i] = q->r0[i] > 0 ? q->r0[i] : below;
+        if (!(q->r0[i] > 0))
+            return wf_fail(e, WF_EINPUT, "%s: row with id %lld has no radius and none below to take it from",
+                           q->name, (long long)q->id[i]);
+    }
+    return WF_OK;
+}
+
+/* Remove rows shorter than 1e-9 m, fill missing radii and lengths. The rows must be sorted. */
+static enum wf_status qsm_fill(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
+{
+    enum wf_status s = remove_points(q, a, e);
+    if (s) return s;
+    if (!q->n) return wf_fail(e, WF_EINPUT, "%s: no row has a length", q->name);
+    for (size_t i = 0; i < q->n; i++) {
+        double d = wf_qsm_distance(q, i), stated = q->length[i];
+        if (stated > 0 && fabs(stated - d) > 0.01 * d && fabs(stated - d) > 1e-3)
+            wf_qsm_count(q, WF_REPAIR_LENGTH, 1, q->id[i]);
+        else if (stated > 0 && fabs(stated - d) <= 0.01 * d)
+            continue; /* a difference by the file's rounding: keep the stated length */
+        q->length[i] = d;
+    }
+    return fill_radii(q, e);
+}
+
+/* Step 5: branches. Which row continues which, and the order of each row. */
+
+/* Distance from the end of row p to the start of row i [m]. */
+static double gap_to_child(const struct wf_qsm *q, int32_t p, int32_t i)
+{
+    double dx = q->x0[i] - q->x1[p], dy = q->y0[i] - q->y1[p], dz = q->z0[i] - q->z1[p];
+    return sqrt(dx * dx + dy * dy + dz * dz);
+}
+
+/* The child that continues row p: if orders are known, the child of p's order that starts nearest to p's end;
+ * otherwise the thickest that starts within one radius of p's end. -1: none. */
+static int32_t find_continuation(const struct wf_qsm *q, const struct wf_children *c, int32_t p)
+{
+    int32_t best = -1;
+    double best_step = INFINITY;
+    for (int32_t k = c->begin[p]; k < c->begin[p + 1]; k++) {
+        int32_t i = c->child[k];
+        double d = gap_to_child(q, p, i);
+        if (q->order[i] >= 0) {
+            if (q->order[i] == q->order[p] && d < best_step) best = i, best_step = d;
+        } else if (d <= q->r1[p] && (best < 0 || q->r0[i] > q->r0[best])) {
+            best = i;
+        }
+    }
+    return best;
+}
+
+/* Whether the continuation that the file names has another branch order. Some programs give the first row of
+ * a lateral branch as the extension. */
+static bool continues_other_order(const struct wf_qsm *q, size_t i)
+{
+    int32_t next = q->next[i];
+    return next >= 0 && q->order[i] >= 0 && q->order[next] >= 0 && q->order[next] != q->order[i];
+}
+
+static void shift_orders(struct wf_qsm *q)
+{
+    int32_t low = INT32_MAX;
+    for (size_t i = 0; i < q->n; i++)
+        if (q->parent[i] < 0 && q->order[i] >= 0 && q->order[i] < low) low = q->order[i];
+    if (low == INT32_MAX || low == 0) return;
+    wf_qsm_count(q, WF_NOTE_ORDER_FROM, q->n, -1);
+    for (size_t i = 0; i < q->n; i++)
+        if (q->order[i] >= 0) q->order[i] = q->order[i] > low ? q->order[i] - low : 0;
+}
+
+/* Set `limb`: the continuation of each row, or its thickest child if there is none. */
+static void find_limbs(struct wf_qsm *q)
+{
+    for (size_t i = 0; i < q->n; i++) q->limb[i] = q->next[i];
+    for (size_t i = 0; i < q->n; i++) {
+        int32_t p = q->parent[i];
+        if (p < 0 || q->next[p] >= 0) continue;
+        if (q->limb[p] < 0 || q->r0[i] > q->r0[q->limb[p]]) q->limb[p] = (int32_t)i;
+    }
+}
+
+/* Set branch orders (0 at the stem), continuations, limbs and branch numbers. The rows must be sorted. */
+static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_children c;
+    enum wf_status s = wf_children_of(q->parent, q->n, a, &c, e);
+    if (s) return s;
+    shift_orders(q);
+    int32_t branches = 0;
+    for (size_t i = 0; i < q->n; i++) {
+        int32_t p = q->parent[i];
+        if (continues_other_order(q, i)) q->next[i] = -1;
+        bool goes_on = p >= 0 && q->next[p] == (int32_t)i;
+        if (q->order[i] < 0) {
+            wf_qsm_count(q, WF_NOTE_ORDER_MADE, 1, q->id[i]);
+            q->order[i] = p < 0 ? 0 : q->order[p] + !goes_on;
+        }
+        q->branch[i] = goes_on ? q->branch[p] : ++branches;
+        q->place[i] = goes_on ? q->place[p] + 1 : 1;
+        if (q->next[i] < 0) q->next[i] = find_continuation(q, &c, (int32_t)i);
+        if (goes_on && q->r0[i] > 1.1 * q->r1[p]) wf_qsm_count(q, WF_NOTE_THICKENING, 1, q->id[i]);
+    }
+    find_limbs(q);
+    return WF_OK;
 }
 
 /* Step 6: the origin. */
