@@ -7,8 +7,8 @@
  * cell. Outlines are combined in two ways:
  *   union  for opaque bodies: where outlines overlap the area counts once. The area is the integral
  *          1/2 (x dy - y dx) along the border of the union within the cell: each edge without its parts
- * inside other outlines, and the parts of the cell's own border that lie inside any outline. For convex
- *          outlines each such part is one interval (Cyrus & Beck 1978), so nothing is approximated.
+ *          inside other outlines, and the parts of the cell's own border that lie inside any outline. For
+ *          convex outlines each such part is one interval (Cyrus & Beck 1978): nothing is approximated.
  *   sum    for porous bodies: weights add. Each edge adds to the cells it crosses the area to its right;
  *          summing along a row then gives the areas of all outlines at once. */
 #include "base/arena.h"

@@ -97,7 +97,7 @@ const struct wf_wind_grade *wf_wind_scale_grade(const struct wf_wind_scale *s, d
     return NULL;
 }
 
-/* The same wind under another averaging time. */
+/* Averaging times. */
 
 const struct wf_averaging_law wf_averaging_laws[] = {
     { "durst",
@@ -122,7 +122,7 @@ static const double harper[CLASSES][PERIODS][TIMES] = {
     { { 1.23, 1.05, 1.02, 1.00, 1.00 }, { 1.30, 1.11, 1.07, 1.06, 1.03, 1.00 } },
 };
 
-/* Largest gust of `gust` seconds over the mean of `period` seconds; 0 where the table has none. */
+/* Ratio of the largest gust of `gust` seconds to the mean over `period` seconds; 0 if it is not tabulated. */
 static double harper_factor(size_t class, double period, double gust)
 {
     size_t row = fabs(period - 600.0) < 0.01 ? 0 : fabs(period - 3600.0) < 0.01 ? 1 : PERIODS;
@@ -169,7 +169,7 @@ enum wf_status wf_wind_average(const char *law, double speed, double from, doubl
 
 enum { SECTORS_MAX = 16 };
 
-/* The sector a direction is the middle of; SECTORS_MAX when it is none. */
+/* The sector whose middle a direction is; SECTORS_MAX: none. */
 static size_t sector_of(double degrees, size_t sectors)
 {
     double place = degrees / 360.0 * (double)sectors;

@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* Gusts that are a formula in time: one wind for all points, carried along at the mean speed (Taylor 1938).
- */
+/* Models that are a formula in time: the same wind at all points, delayed by x/U along the wind (frozen
+ * turbulence, Taylor 1938). */
 
 enum { STREAM_PHASE = 0x32, STREAM_NOISE = 7 };
 enum { DIRECT_BLOCK = 4096 };
@@ -20,7 +20,7 @@ static enum wf_status direct_open(struct wf_gust *g, struct wf_arena *a, struct 
     return WF_OK;
 }
 
-/* Time at the point: what passed the origin x/U ago. */
+/* Time of the wind at a point: that of the origin x/U ago [s]. */
 static double local_time(const struct wf_gust_spec *s, size_t point, size_t step)
 {
     return (double)step * s->step - wf_gust_place(s, point, 0) / s->speed;
@@ -89,8 +89,8 @@ static enum wf_status sine_perlin_fill(struct wf_gust *g, size_t first, size_t s
     return WF_OK;
 }
 
-/* As printed: V0 + V0 sin(omega t + alpha) + epsilon N(t), t counted in frames, N value noise in 0..1 with
- * one lattice number a frame-second as octaves are not given. */
+/* As printed: V0 + V0 sin(omega t + alpha) + epsilon N(t), t counted in frames, N value noise in 0..1. The
+ * paper gives no octaves: one lattice number for every noise-frames frames. */
 static enum wf_status zhao_fill(struct wf_gust *g, size_t first, size_t steps, double *out, struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
@@ -114,8 +114,6 @@ static double eog_change(double amplitude, double duration, double t)
     return -0.37 * amplitude * sin(1.5 * WF_TURN * t / duration) * (1.0 - cos(WF_TURN * t / duration));
 }
 
-/* IEC 61400-1: min(1.35 (Ve1 - U), 3.3 sigma / (1 + 0.1 D / Lambda)), Lambda = 0.7 z up to 60 m, then 42 m.
- */
 double wf_gust_eog_amplitude(const struct wf_gust_spec *s)
 {
     double length = s->height <= 60.0 ? 0.7 * s->height : 42.0, once = wf_gust_get(s, "annual-extreme");
@@ -136,12 +134,12 @@ static enum wf_status eog_fill(struct wf_gust *g, size_t first, size_t steps, do
     return WF_OK;
 }
 
-/* A measured record as a gust model: resampled to the step by straight lines, the same at all points, carried
- * along at the mean speed. */
+/* A measured record as a model: interpolated linearly to the step, the same at all points, delayed along the
+ * wind by x/U. */
 
 struct record_play {
     const double *part[3];
-    double scale; /* of all components: asked mean wind / recorded mean wind, 1 without rescaling */
+    double scale; /* factor of all components: specified / recorded mean wind; 1 without rescaling */
 };
 
 static enum wf_status record_open(struct wf_gust *g, struct wf_arena *a, struct wf_err *e)
@@ -337,7 +335,7 @@ const struct wf_gust_model *wf_gust_named(const char *name)
     return NULL;
 }
 
-/* What a gust specification must keep to. */
+/* Checks of a specification. */
 
 static void check_range(struct wf_diag *d, const char *name, double value, double low, double high,
                         const char *unit)
@@ -411,8 +409,8 @@ static void gust_warn(const struct wf_gust_spec *s, struct wf_diag *d)
     }
 }
 
-/* Everything wrong with a specification, as findings; warnings for use outside a model's range.
- * Returned: WF_EUSAGE when there is any error. */
+/* Report all mistakes of a specification, and warn of use outside a model's range. Returned: WF_EUSAGE if
+ * there is any mistake. */
 static enum wf_status gust_check(const struct wf_gust_spec *s, struct wf_diag *d, struct wf_err *e)
 {
     size_t before = d->errors;
@@ -497,7 +495,7 @@ enum wf_status wf_gust_series(struct wf_gust *g, size_t point, unsigned componen
     return WF_OK;
 }
 
-/* What a model aims at. */
+/* Targets. */
 
 double wf_gust_target(const struct wf_gust_spec *s, size_t point, enum wf_component c, double f)
 {
@@ -517,6 +515,6 @@ double wf_gust_variance(const struct wf_gust_spec *s, size_t point, enum wf_comp
     if (c != WF_ALONG || m->fill == record_fill || m->fill == eog_fill) return NAN;
     if (m->fill != zhao_fill) return asked * asked;
     double epsilon = wf_gust_get(s, "epsilon");
-    /* value noise between uniform numbers: variance 181/2772 of its size squared */
+    /* variance of value noise between uniform numbers: 181/2772 of the square of its size */
     return 0.5 * s->speed * s->speed + epsilon * epsilon * 181.0 / 2772.0;
 }

@@ -105,7 +105,8 @@ enum wf_status wf_gust_stats(const double *x, size_t n, double step, double gust
 
 /* A gust model run once and measured. */
 
-/* Counts of x in `bins` equal bins from low to high; outside goes to the end bins. */
+/* Count the values of x in `bins` equal bins from low to high; values outside count in the first or last bin.
+ */
 static void count_bins(const double *x, size_t n, double low, double high, size_t bins, size_t *count)
 {
     memset(count, 0, bins * sizeof *count);
@@ -116,7 +117,7 @@ static void count_bins(const double *x, size_t n, double low, double high, size_
     }
 }
 
-static const double WIDE = 1.0 / 3.0; /* of the target's slope band, either end kept clear */
+static const double WIDE = 1.0 / 3.0; /* margin at either end of the band in which the slope is fitted [-] */
 
 static enum wf_status run_model(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
                                 struct wf_gust_report *o, struct wf_err *e)
@@ -141,7 +142,7 @@ static enum wf_status run_model(const struct wf_gust_spec *s, struct wf_arena *a
     return status;
 }
 
-/* The longest even stretch whose length has no prime factor above 5. */
+/* The largest even number up to n with no prime factor above 5: a length that transforms fast. */
 static size_t transform_length(size_t n)
 {
     for (n -= n % 2;; n -= 2) {
@@ -214,8 +215,8 @@ static void add_property(struct wf_gust_report *o, const char *name, const char 
     o->finding[o->findings++] = (struct wf_gust_finding){ name, unit, asked, got, scatter, within };
 }
 
-/* Standard errors in a series of duration D: of the mean sigma sqrt(2T/D) with T the integral scale, of the
- * variance sqrt(integral of S^2 df / D) (Bendat & Piersol 2010, Random Data, ch. 8). */
+/* Standard error of the variance in a series of duration D: sqrt(integral of S^2 df / D). That of the mean,
+ * used below, is sigma sqrt(2T/D) with T the integral scale (Bendat & Piersol 2010, Random Data, ch. 8). */
 static double variance_scatter(const struct wf_gust_report *o, unsigned c)
 {
     double sum = 0.0;
@@ -245,8 +246,9 @@ static void check_moments(struct wf_gust_report *o)
     }
 }
 
-/* Largest ratio, by band, of the made spectrum to the target, with the scatter of a single series taken out:
- * the same seed with a flat spectrum is the noise itself and is divided out. One point, the first. */
+/* Compare the spectrum of the series with the target in bands, at the first point. The scatter of a single
+ * series is removed: a series of the same seed with a flat spectrum has the same noise, and its spectrum is
+ * divided out. */
 static enum wf_status check_synthesis(struct wf_gust_report *o, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_gust_spec s = o->spec, flat;

@@ -12,10 +12,10 @@
 
 /* Coherence between many points. */
 
-/* Ratio of neighbouring rungs; linear interpolation of the weights between them is the only error for few
- * points and is measured in the tests. */
+/* Ratio of successive rungs. For few points the linear interpolation between rungs is the only error; the
+ * tests measure it. */
 static const double RUNG_RATIO = 1.12;
-/* Added to the diagonal of the conditioning matrix, so that points at one place stay solvable. */
+/* Added to the diagonal of the correlation matrix, so that it stays regular when points coincide. */
 static const double NUGGET = 1e-11;
 
 static double stretched_distance(const double *a, const double *b)
@@ -24,7 +24,7 @@ static double stretched_distance(const double *a, const double *b)
     return sqrt(x * x + y * y + z * z);
 }
 
-/* Farthest-point order: the first is the point nearest to the middle. */
+/* Put the points in farthest-point order; the first is the point nearest to the middle. */
 static enum wf_status order_points(struct wf_coherence *c, const double *at, struct wf_arena *a,
                                    struct wf_err *e)
 {
@@ -55,7 +55,7 @@ static enum wf_status order_points(struct wf_coherence *c, const double *at, str
     return WF_OK;
 }
 
-/* The `near` closest earlier turns, by insertion. */
+/* Find the `near` closest earlier points of a turn, by insertion. */
 static void find_neighbours(struct wf_coherence *c, size_t turn)
 {
     double r[WF_COHERENCE_NEAR];
@@ -70,7 +70,7 @@ static void find_neighbours(struct wf_coherence *c, size_t turn)
     c->count[turn] = held;
 }
 
-/* Weights and rest of one turn at one g: solve K b = k, d = 1 - k.b, by Cholesky. */
+/* Weights b and remaining variance d of one turn at one g: solve K b = k by Cholesky, d = 1 - k.b. */
 static void find_weights(const struct wf_coherence *c, size_t turn, double g, double *weight, double *rest)
 {
     double l[WF_COHERENCE_NEAR][WF_COHERENCE_NEAR], k[WF_COHERENCE_NEAR], y[WF_COHERENCE_NEAR];
@@ -130,7 +130,7 @@ enum wf_status wf_coherence_make(size_t n, const double *place, const double dec
     return WF_OK;
 }
 
-/* Where g lies on the ladder: rung and share towards the next, both clamped. */
+/* The rung below g and the share of the way to the next one, both limited to the range of rungs. */
 static void find_rung(const struct wf_coherence *c, double g, size_t *rung, double *share)
 {
     if (!(g > c->rung[0])) {
@@ -143,7 +143,8 @@ static void find_rung(const struct wf_coherence *c, double g, size_t *rung, doub
     *share = fmin((g - c->rung[q]) / (c->rung[q + 1] - c->rung[q]), 1.0);
 }
 
-/* Covariance of the made field by the recursion itself: row by row, each new point against all earlier. */
+/* The covariance of the simulated field follows from the recursion: row by row, each new point with all
+ * earlier ones. */
 double wf_coherence_error(const struct wf_coherence *c, double g, struct wf_arena *a)
 {
     size_t n = c->n < 400 ? c->n : 400, q;
@@ -169,20 +170,23 @@ double wf_coherence_error(const struct wf_coherence *c, double g, struct wf_aren
     return worst;
 }
 
-/* Wind with a given spectrum at every point and a given coherence between points, in blocks of time.
- * White noise w_p(t), one number per (seed, component, point, step), is passed through the filter
+/* Synthesis of the wind in blocks of time. White noise w_p(t), one number for each (seed, component, point,
+ * step), is filtered:
+ *
  *     x_p = inverse FFT of  sqrt(S_p(f) / (2 dt)) exp(-2 pi i f x_p/U) sum_q H_pq(f) W_q(f)
- * with H the sequential factor of the coherence. A window of L steps gives its inner half; windows lie L/2
- * apart, so neighbouring blocks share the noise around their joint and fit together but for the part of the
- * filter's memory that is longer than L/4 steps. That part is measured (`joint`) and L doubled until it is
- * small. Source: Shinozuka M., Jan C.-M. (1972), Digital simulation of random processes and its applications,
- * J. Sound Vib. 25:111-128 (spectral representation); Oppenheim A., Schafer R. (1975), overlap-save. */
+ *
+ * with H the sequential factor of the coherence. Of a window of L steps the inner half is used; windows are
+ * L/2 apart, so adjacent blocks share the noise around their boundary and are continuous except for the part
+ * of the filter's impulse response that is longer than L/4 steps. That part is computed (`joint`), and L is
+ * doubled until it is small. Source: Shinozuka M., Jan C.-M. (1972), Digital simulation of random processes
+ * and its applications, J. Sound Vib. 25:111-128 (spectral representation); Oppenheim A., Schafer R. (1975),
+ * overlap-save. */
 
 enum { STREAM_TURBULENCE = 0x31, WINDOW_MIN = 2048, WINDOW_MAX = 1 << 17 };
-static const double WINDOW_SECONDS = 800.0; /* first choice: longer than the 10 min of a mean wind */
-static const double JOINT_WANTED = 0.02;    /* share of the standard deviation */
-static const double ROOM_WANTED = 160e6;    /* bytes for the spectra of all points */
-static const double APART = 7.0; /* stretched distance times g beyond which points are free: e^-7 */
+static const double WINDOW_SECONDS = 800.0; /* first window: longer than the 10 min of a mean wind [s] */
+static const double JOINT_WANTED = 0.02;    /* largest discontinuity between blocks / standard deviation */
+static const double ROOM_WANTED = 160e6;    /* memory for the spectra of all points [bytes] */
+static const double APART = 7.0; /* stretched distance times g beyond which points are independent: e^-7 */
 
 struct spectral {
     size_t window;     /* L [steps] */
@@ -191,10 +195,10 @@ struct spectral {
     double *amplitude; /* classes * components * (L/2 + 1) */
     double *shear;     /* classes * (L/2 + 1): correlation of u and w by frequency; NULL: none */
     struct wf_coherence coherence;
-    double speed;                         /* that carries the eddies [m/s] */
-    size_t segments;                      /* stretches of frequency on one rung of the coherence ladder */
-    size_t *segment_first, *segment_rung; /* segments (+1) in halfcomplex places */
-    double *share;                        /* L: towards the next rung */
+    double speed;                         /* convection speed of the eddies [m/s] */
+    size_t segments;                      /* ranges of frequency between the same two rungs */
+    size_t *segment_first, *segment_rung; /* segments (+1): first place in a halfcomplex spectrum, rung */
+    double *share;                        /* L: share of the way to the next rung */
     double *wavenumber;                   /* L: g at each halfcomplex place [1/m] */
     double *along, *other;                /* points * L: halfcomplex spectra, by turn */
     gsl_fft_real_wavetable *forward;
@@ -202,10 +206,10 @@ struct spectral {
     gsl_fft_real_workspace *space;
 };
 
-/* Frequency number of a place in GSL's halfcomplex order r0 r1 i1 r2 i2 ... r(L/2). */
+/* Number of the frequency at a place of GSL's halfcomplex order r0 r1 i1 r2 i2 ... r(L/2). */
 static size_t frequency_of(size_t place) { return (place + 1) / 2; }
 
-/* The spectrum at one height and mean wind, ready for many frequencies. */
+/* The target spectrum at one height and mean wind. */
 struct target {
     const struct wf_spectrum *row;
     struct wf_spectrum_par par;
@@ -220,7 +224,8 @@ static double amplitude_at(const struct target *t, enum wf_component c, double f
     return sqrt(t->row->density(&t->par, c, f) / (2.0 * t->step));
 }
 
-/* Share of the filter's energy that lies beyond a quarter window either way. */
+/* Share of the energy of the filter's impulse response that lies more than a quarter window from its middle.
+ */
 static double tail_energy(const struct wf_gust_spec *s, double *h, size_t window, struct spectral *w)
 {
     const struct target target = target_of(s, 0);
@@ -315,8 +320,8 @@ static enum wf_status sort_into_classes(struct wf_gust *g, struct spectral *w, s
     return WF_OK;
 }
 
-/* The one number a frequency that the coherence depends on, at each place of a halfcomplex spectrum, and the
- * stretches of places that lie between the same two rungs. */
+/* Compute g at each place of a halfcomplex spectrum, and the ranges of places that lie between the same two
+ * rungs. */
 static enum wf_status lay_ladder(const struct wf_gust_spec *s, struct spectral *w, struct wf_arena *a,
                                  struct wf_err *e)
 {
@@ -375,8 +380,8 @@ void wf_gust_spectral_close(struct wf_gust *g)
 
 enum { TOGETHER = 4 };
 
-/* y += sum of four neighbours, each with a weight that runs linearly between two rungs: one pass over y for
- * four. */
+/* y += sum of four neighbours, each with a weight that is linear between two rungs: one pass over y for four
+ * neighbours. */
 static void add_four(double *restrict y, const double *const z[TOGETHER], const double b[TOGETHER],
                      const double db[TOGETHER], const double *restrict share, size_t first, size_t last)
 {
@@ -386,8 +391,8 @@ static void add_four(double *restrict y, const double *const z[TOGETHER], const 
                 (b[2] + share[i] * db[2]) * z2[i] + (b[3] + share[i] * db[3]) * z3[i];
 }
 
-/* y_i <- sqrt(d_i) w_i + sum_j b_ij y_j at every frequency where a neighbour is still near enough to matter.
- */
+/* y_i <- sqrt(d_i) w_i + sum_j b_ij y_j at every frequency at which the closest neighbour is correlated with
+ * the point. */
 static void join_neighbours(const struct spectral *w, double *all, size_t turn)
 {
     const struct wf_coherence *c = &w->coherence;
@@ -417,7 +422,7 @@ static void make_field(const struct wf_gust *g, struct spectral *w, unsigned com
                        double *all)
 {
     const struct wf_gust_spec *s = &g->spec;
-    uint64_t start = (uint64_t)first - w->window / 4; /* wraps: time before the series has addresses too */
+    uint64_t start = (uint64_t)first - w->window / 4; /* wraps: times before the series have addresses too */
     for (size_t turn = 0; turn < s->points; turn++) {
         double *y = all + turn * w->window;
         uint64_t stream = wf_random_stream(STREAM_TURBULENCE, component, w->coherence.order[turn]);
@@ -427,7 +432,8 @@ static void make_field(const struct wf_gust *g, struct spectral *w, unsigned com
     }
 }
 
-/* Multiply by the amplitude and by the delay of the place along the wind (Taylor's frozen pattern). */
+/* Multiply a spectrum by the amplitude and by the phase of the delay along the wind (frozen turbulence,
+ * Taylor). */
 static void shape_spectrum(double *y, const double *amplitude, size_t window, double turn_per_step)
 {
     double c = 1.0, s = 0.0, dc = cos(turn_per_step), ds = sin(turn_per_step);
@@ -449,7 +455,8 @@ enum wf_status wf_gust_spectral_fill(struct wf_gust *g, size_t first, size_t ste
     struct spectral *w = g->work;
     size_t half = w->window / 2 + 1;
     (void)e;
-    /* u is made first and kept, whitened, for w to lean on; its own series is shaped from a copy */
+    /* the white spectrum of u is kept, because that of w is correlated with it; the series of u is made from
+     * a copy */
     for (unsigned component = 0; component < s->components; component++) {
         double *all = component == 0 ? w->along : w->other;
         make_field(g, w, component, first, all);
@@ -497,7 +504,7 @@ double wf_gust_coherence_error(const struct wf_gust *g, struct wf_arena *a)
     const struct spectral *w = g->work;
     double worst = 0.0;
     if (!g->spec.model->spectrum) return NAN;
-    /* every seventh rung, and half way to the next, where interpolation is worst */
+    /* every seventh rung, half way to the next, where the error of the interpolation is largest */
     for (size_t q = 0; q + 1 < w->coherence.rungs; q += 7)
         worst = fmax(worst, wf_coherence_error(&w->coherence,
                                                0.5 * (w->coherence.rung[q] + w->coherence.rung[q + 1]), a));

@@ -13,7 +13,7 @@ void wf_record_request_default(struct wf_record_request *q)
     };
 }
 
-/* What is read before the even step is known. */
+/* The rows of the file, read before the step is known. */
 struct record_rows {
     size_t n, room;
     double *time;    /* NAN: unreadable */
@@ -47,7 +47,7 @@ static bool grow_rows(struct record_rows *r)
     return good;
 }
 
-/* A number, or NAN and the place of the first cell that is none. */
+/* Read a number. Returned: NAN for an unreadable cell; the place of the first one is kept for messages. */
 static double read_reading(struct record_rows *r, struct wf_csv *c, size_t column, double limit)
 {
     double value = NAN;
@@ -127,7 +127,7 @@ static enum wf_status find_step(const char *path, struct record_rows *r, struct 
     return n ? WF_OK : wf_fail(e, WF_EINPUT, "%s: no two readable times", path);
 }
 
-/* Rows to their steps; what no row fills stays NAN. */
+/* Copy the rows to the steps of their times; steps without a row are NAN. */
 static enum wf_status rows_to_steps(const char *path, struct record_rows *r, struct wf_record *out,
                                     double *to[3], struct wf_err *e)
 {
@@ -148,7 +148,7 @@ static enum wf_status rows_to_steps(const char *path, struct record_rows *r, str
     return WF_OK;
 }
 
-/* Straight lines over the gaps; a gap at an end takes the nearest value. */
+/* Fill gaps by linear interpolation; a gap at an end of the record by the nearest value. */
 static enum wf_status bridge_gaps(const char *path, const struct wf_record_request *q, struct wf_record *out,
                                   double *to[3], struct wf_err *e)
 {

@@ -47,9 +47,9 @@ double wf_shelter_coverage(const struct wf_shelter *s, size_t cell)
     return leaf > 0.0 ? 1.0 - (1.0 - s->wood[cell]) * exp(-leaf) : s->wood[cell];
 }
 
-/* What a slab's cells are: rules in wind/shelter.h. */
+/* Classes of cells; the rules are in wind/shelter.h. */
 
-/* One slab: its cells as rows of `across`, `up` of them. */
+/* One slab: `up` rows of `across` cells. */
 struct slab_sheet {
     const struct wf_shelter *s;
     size_t first; /* cell of the slab's corner */
@@ -64,8 +64,8 @@ static bool is_covered(const struct slab_sheet *h, long i, long k)
     return c == WF_CELL_TRANSMITTING || c == WF_CELL_CYLINDER;
 }
 
-/* Runs of covered cells along a line of `n` cells that lie `stride` apart: those that end at open cells and
- * are narrow enough are cylinders. `sign` marks the direction of the run. */
+/* Mark cylinders along a line of `n` cells that are `stride` apart: runs of covered cells that end at open
+ * cells and are narrow enough. `sign` marks the direction of the line. */
 static void mark_cylinders(struct slab_sheet *h, size_t start, size_t stride, size_t n, double step,
                            double widest, double sign)
 {
@@ -85,7 +85,7 @@ static void mark_cylinders(struct slab_sheet *h, size_t start, size_t stride, si
     }
 }
 
-/* Whether a covered cell stands within `gap` cells in the direction (di, dk). */
+/* Whether there is a covered cell within `gap` cells in the direction (di, dk). */
 static bool has_wall(const struct slab_sheet *h, size_t i, size_t k, long di, long dk)
 {
     for (long step = 1; step <= (long)h->s->request.gap; step++)
@@ -130,11 +130,11 @@ static void shelter_classify(struct wf_shelter *s, double thickest)
     }
 }
 
-/* Cutting a tree across the wind into slabs and projecting each on the grid. */
+/* Division of a tree into slabs, and their projection on the grid. */
 
-enum { MARGIN = 2 }; /* open cells left beside and above the tree */
+enum { MARGIN = 2 }; /* open cells beside and above the tree */
 
-/* Axes of the view. A wind straight up or down has no "across": the x axis takes its place. */
+/* Set the axes along, across and up. For a vertical wind "across" is the x axis. */
 static void turn_axes(struct wf_shelter *s, const double to[3])
 {
     double flat = hypot(to[0], to[1]);
@@ -149,7 +149,7 @@ static void turn_axes(struct wf_shelter *s, const double to[3])
     }
 }
 
-/* Ends of a row in the frame of the wind. */
+/* Ends of a row in the axes of the wind [m]. */
 static void row_ends(const struct wf_shelter *s, const struct wf_tree *t, size_t i, double p0[3],
                      double p1[3])
 {
@@ -160,8 +160,8 @@ static void row_ends(const struct wf_shelter *s, const struct wf_tree *t, size_t
 
 static bool is_leafy(const struct wf_tree *t, size_t i) { return t->sail0[i] + t->sail1[i] > 0.0; }
 
-/* The grid around wood and leaves. A depth that is almost nothing becomes a hundredth of the tree; a width
- * less than a quarter becomes a quarter, so that the wakes of a slender tree find room beside it. */
+/* Place the grid around wood and leaves. Its depth and height are at least a hundredth of the tree's size,
+ * its width at least a quarter, so that the wakes of a slender tree fit on the grid. */
 static void place_grid(struct wf_shelter *s, const struct wf_tree *t)
 {
     double low[3] = { DBL_MAX, DBL_MAX, DBL_MAX }, high[3] = { -DBL_MAX, -DBL_MAX, -DBL_MAX }, size = 0.0;
@@ -177,7 +177,7 @@ static void place_grid(struct wf_shelter *s, const struct wf_tree *t)
                 high[k] = fmax(high[k], p[end][k] + reach);
             }
     }
-    if (!t->n) /* any grid does */
+    if (!t->n) /* no tree: any grid will do */
         for (int k = 0; k < 3; k++) low[k] = 0.0, high[k] = 1.0;
     for (int k = 0; k < 3; k++) size = fmax(size, high[k] - low[k]);
     const size_t n[3] = { s->slabs, s->across - 2 * MARGIN, s->up - MARGIN };
@@ -201,7 +201,7 @@ struct slab_pieces {
     size_t *first;           /* slabs + 1 */
 };
 
-/* Slabs a row's axis passes, ascending along the wind. */
+/* First and last slab that a row's axis passes through. */
 static void slabs_passed(const struct wf_shelter *s, const double p0[3], const double p1[3], size_t *first,
                          size_t *last)
 {
@@ -244,11 +244,11 @@ static enum wf_status cut_into_slabs(const struct wf_shelter *s, const struct wf
     return WF_OK;
 }
 
-/* One slab being projected. */
+/* State while slabs are projected. */
 struct slab_view {
     const struct wf_shelter *s;
     const struct wf_tree *t;
-    const bool *carries; /* rows that carry another */
+    const bool *carries; /* per row: it has a child */
     struct wf_outline *outline;
     size_t n;
     struct wf_raster raster;
@@ -274,7 +274,7 @@ static void project_piece(struct slab_view *v, const struct slab_piece *p)
     double length = sqrt(pow(b[0] - a[0], 2.0) + pow(b[1] - a[1], 2.0) + pow(b[2] - a[2], 2.0));
     double cosine = fabs(b[0] - a[0]) / length;
     double r0 = t->r0[i] + from * (t->r1[i] - t->r0[i]), r1 = t->r0[i] + to * (t->r1[i] - t->r0[i]);
-    /* discs close only what ends there: other ends are covered by the rows that join */
+    /* include discs only at free ends; other ends are covered by the adjacent rows */
     bool disc0 = from <= 0.0 && t->parent[i] < 0, disc1 = to >= 1.0 && !v->carries[i];
     double cell = fmin(v->s->step[1], v->s->step[2]);
     if (wf_outline_frustum(&p0[1], &p1[1], r0, r1, cosine, disc0 && r0 * cosine > 1e-3 * cell,
@@ -321,7 +321,7 @@ static enum wf_status project_all(struct wf_shelter *s, const struct wf_tree *t,
     return WF_OK;
 }
 
-/* Its parts: grid and coverage; classes; the wind by the request's law. */
+/* Grid and coverage of a shelter. */
 static enum wf_status shelter_cover(const struct wf_tree *t, const struct wf_wind *base,
                                     const struct wf_shelter_request *q, struct wf_arena *a,
                                     struct wf_shelter *out, struct wf_err *e)
@@ -353,8 +353,8 @@ static enum wf_status shelter_cover(const struct wf_tree *t, const struct wf_win
 
 /* The sheltered wind at any point, from the ratios at planes and cells. */
 
-/* Three neighbours of a coordinate in cells (centres at 0.5, 1.5, ...), weights of the quadratic B-spline and
- * their slopes per cell. */
+/* The three neighbours of a coordinate in cells (centres at 0.5, 1.5, ...), their weights in the quadratic
+ * B-spline, and the slopes of the weights per cell. */
 static void spline_weights(double at, long index[3], double weight[3], double slope[3])
 {
     double cell = floor(at), t = at - cell;
@@ -367,8 +367,8 @@ static void spline_weights(double at, long index[3], double weight[3], double sl
     slope[2] = t;
 }
 
-/* Place of each neighbour in the arrays; -1 where the wind is undisturbed. Behind the last plane it stays as
- * it is there, below the grid as in the lowest cells. */
+/* Index of each neighbour in the arrays; -1 where the wind is undisturbed. Behind the last plane the last
+ * plane is used, below the grid the lowest cells. */
 static void clip_to_grid(int axis, long n, long index[3])
 {
     for (int k = 0; k < 3; k++) {
@@ -436,8 +436,8 @@ static void shelter_sample(const struct wf_wind *w, const double x[3], double u[
         }
 }
 
-/* To the next face between cells, where the curvature of the splines jumps; a face at hand counts as passed.
- */
+/* Distance to the next face between cells, where the curvature of the splines jumps; a face closer than 2e-3
+ * cells counts as passed. */
 static double shelter_clear(const struct wf_wind *w, const double x[3], const double t[3])
 {
     const struct wf_shelter *s = w->field;
@@ -464,7 +464,7 @@ void wf_shelter_field(const struct wf_shelter *s, struct wf_wind *out)
 
 /* The shelter as a whole. */
 
-/* Mean ratio and volume flux of a plane of arriving wind; plane < 0: undisturbed. */
+/* Mean ratio and volume flux of the wind that arrives at a slab, from plane `plane`; < 0: undisturbed. */
 static void slab_flux(struct wf_shelter *s, long plane, struct wf_shelter_slab *out)
 {
     size_t cells = s->up * s->across;

@@ -75,34 +75,36 @@ void wf_feng_slit(double stream, double length, const double x[2], double u[2])
     u[1] = stream * (x[0] / r - (x[0] - length) / r1);
 }
 
-/* The law "wake": drag takes momentum out of the wind, and the gap it leaves spreads and fills.
+/* The law "wake": drag removes momentum from the wind; the velocity deficit widens and decays downwind.
  *
- * Momentum. A slab's drag area per area of a cell is k = Cd_wood (-ln(1 - wood)) + Cd_crown tau: for sparse
- * parts their own drag area, for dense ones what parts standing behind each other at random amount to. The
- * air of a cell loses speed by rho u du = -1/2 rho u^2 dk, so without a limit it leaves with exp(-k/2) of its
- * speed. A cell that is covered altogether still lets T through, hence the share
+ * Momentum. A slab's drag area per area of a cell is k = Cd_wood (-ln(1 - wood)) + Cd_crown tau: in sparse
+ * cells the drag area of the parts, in dense cells that of parts placed behind each other at random. The air
+ * of a cell loses speed by rho u du = -1/2 rho u^2 dk, so that without a limit the share exp(-k/2) of its
+ * speed remains. A fully covered cell still transmits T, hence the share
+ *
  *     t = T + (1 - T) exp(-k / (2 (1 - T))),   1 - k/2 for sparse cells, T for full ones.
  *
- * Recovery. The loss made in a slab, u (1 - t) of the undisturbed speed, is carried along the wind and spread
- * to both sides by turbulence as a Gaussian of standard deviation (growth x distance): the sum of the loss
- * over the cross-section stays (momentum), its peak falls. Behind a crown of radius R the loss has halved
- * where growth x distance is about R. Losses of all slabs add up, each made from the wind that arrives at its
- * slab. The ground reflects. Source: Bastankhah & Porte-Agel (2014); superposition Niayifar & Porte-Agel
- * (2016), who give the growth 0.38 I + 0.004 for a turbulence intensity I.
+ * Recovery. The deficit of a slab, (1 - t) times the arriving speed, is convected with the wind and spread to
+ * all sides by turbulence as a Gaussian of standard deviation (growth x distance): the sum of the deficit
+ * over the cross-section is constant (momentum), its peak decreases. Behind a crown of radius R the deficit
+ * has halved where growth x distance is about R. The deficits of all slabs add, each computed from the wind
+ * that arrives at its slab. The ground reflects. Source: Bastankhah & Porte-Agel (2014); superposition
+ * Niayifar & Porte-Agel (2016), who give the growth 0.38 I + 0.004 for a turbulence intensity I.
  *
- * To save work, losses of old slabs that have nearly the same distance are spread together. */
+ * To save time, deficits of slabs at nearly the same distance upwind are spread together. */
 
 enum { TAPS = 512 };
 
-/* Losses of one or several slabs. */
+/* Deficit of one or several slabs. */
 struct wake_source {
     double *loss; /* up*across */
     double place; /* slab, mean weighted by loss */
     double total;
-    size_t row[2], column[2]; /* cells outside are zero: first, one behind the last */
+    size_t row[2], column[2]; /* first, and one past the last, that are not zero */
 };
 
-/* Shares of a cell's loss that come to lie 0, 1, 2... cells away; returned: how many. */
+/* Shares of a cell's deficit that are moved by 0, 1, 2... cells, for a standard deviation sigma [cells].
+ * Returned: how many. */
 static size_t gaussian_taps(double sigma, double tap[TAPS])
 {
     size_t n = (size_t)ceil(3.0 * sigma + 0.5);
@@ -124,8 +126,8 @@ static void add_scaled_row(double *restrict out, const double *restrict in, doub
 
 enum { LANES = 8 }; /* cells summed side by side, in registers */
 
-/* One row spread across, cells `low` to `high`; `row` has TAPS zeros on both sides. Cells at equal distances
- * are added first, so that a mirrored row gives the mirrored answer to the last bit. */
+/* Spread one row across, for cells `low` to `high`; `row` has TAPS zeros on both sides. Cells at equal
+ * distances are added first, so that a mirrored row gives the mirrored result to the last bit. */
 static void spread_across(const double *restrict row, const double *restrict tap, long n, long low, long high,
                           double *restrict out)
 {
@@ -138,7 +140,7 @@ static void spread_across(const double *restrict row, const double *restrict tap
     }
 }
 
-/* Rows `from` to `end` of a strip of columns, each times its tap, added up. */
+/* Add rows `from` to `end` of a strip of columns to `sum`, each times its tap. */
 static void sum_tapped_rows(const double *restrict strip, size_t stride, long from, long end,
                             const double *tap, long first, long step, double sum[restrict static LANES])
 {
@@ -146,7 +148,7 @@ static void sum_tapped_rows(const double *restrict strip, size_t stride, long fr
         for (int q = 0; q < LANES; q++) sum[q] += tap[t < 0 ? -t : t] * strip[(size_t)k * stride + (size_t)q];
 }
 
-/* Rows r0 to r1 of `work` spread up and down and reflected at the ground, added to the plane. */
+/* Spread rows r0 to r1 of `work` up and down, reflect them at the ground, and add them to the plane. */
 static void spread_upwards(const struct wf_shelter *s, const double *work, size_t stride, const double *tap,
                            long n, long r0, long r1, long low, long high, double *plane)
 {
@@ -156,8 +158,9 @@ static void spread_upwards(const struct wf_shelter *s, const double *work, size_
         for (long to = 0; to <= last; to++) {
             double sum[LANES] = { 0 };
             long from = to - n + 1 > r0 ? to - n + 1 : r0, end = to + n < r1 ? to + n : r1;
-            long mirror =
-                n - 1 - to < r1 ? n - 1 - to : r1; /* rows whose image below the ground reaches here */
+            long mirror = n - 1 - to < r1
+                              ? n - 1 - to
+                              : r1; /* rows whose mirror image below the ground reaches this row */
             sum_tapped_rows(work + c, stride, from, end, tap, to - from, -1, sum);
             sum_tapped_rows(work + c, stride, r0, mirror, tap, to + r0 + 1, 1, sum);
             for (long q = 0; q < wide; q++) plane[to * (long)s->across + c + q] += sum[q];
@@ -165,7 +168,7 @@ static void spread_upwards(const struct wf_shelter *s, const double *work, size_
     }
 }
 
-/* Room to spread in: rows of across + LANES cells, and one row with zeros around it. */
+/* Scratch: rows of across + LANES cells, and one row with zeros around it. */
 struct spread_room {
     size_t stride;
     double *rows, *row; /* up * stride; TAPS + stride + TAPS */
@@ -180,7 +183,7 @@ static void spread_source(const struct wf_shelter *s, const struct wake_source *
     long c0 = (long)from->column[0], c1 = (long)from->column[1];
     long r0 = (long)from->row[0], r1 = (long)from->row[1];
     if (r1 <= r0) return;
-    if (sigma < 0.02 * fmin(s->step[1], s->step[2])) { /* not a thousandth leaves its cell */
+    if (sigma < 0.02 * fmin(s->step[1], s->step[2])) { /* spreading would be negligible */
         for (long k = r0; k < r1; k++)
             add_scaled_row(plane + k * across + c0, from->loss + k * across + c0, 1.0, (size_t)(c1 - c0));
         return;
@@ -195,7 +198,7 @@ static void spread_source(const struct wf_shelter *s, const struct wake_source *
     spread_upwards(s, w->rows, w->stride, tap, n, r0, r1, low, high, plane);
 }
 
-/* Loss of a slab from the wind that arrives; the cells that have any. */
+/* Deficit of a slab, from the wind that arrives at it, and the range of cells that have one. */
 static void find_loss(const struct wf_shelter *s, size_t slab, const double *arriving,
                       struct wake_source *out)
 {
@@ -236,8 +239,8 @@ static void unite_sources(struct wake_source *a, const struct wake_source *b, si
     }
 }
 
-/* Neighbours whose distances to `plane` differ by less than a sixth become one. Returned: how many are left;
- * memory of those taken in moves behind them. */
+/* Unite successive sources whose distances to `plane` differ by less than a sixth. Returned: number of
+ * sources left; the memory of the others is kept behind them for reuse. */
 static size_t gather_sources(struct wake_source *list, size_t n, double plane, size_t cells)
 {
     size_t kept = 0;
@@ -282,29 +285,34 @@ static enum wf_status shelter_wake(struct wf_shelter *s, struct wf_arena *scratc
     return WF_OK;
 }
 
-/* The law "feng1999": flows of the classes superposed, as the paper prints them.
+/* The law "feng1999": the flows of the classes superposed, as the paper prints them.
  *
- * What is printed: the cylinder f = Q(z + a^2/z) with the remark that the wind is back beyond 5 to 7 radii;
- * the hole f = Q/(2 WF_PI) ln z with radial speed like 1/r; the slit psi = -Q(R - R1); 20 % through a cell
- * that is covered altogether; superposition. What is not printed is how a flow's strength follows from the
- * wind and what happens behind a cell that is covered in part. Here: transmitting  the wind behind is 1 - (1
- * - T) coverage of the wind before, and stays so; cylinder      the disturbance of eq. (6) by a stem of the
- * run's solid width, in the plane across the stem, behind it up to 7 radii; farther off the wind counts as
- * undisturbed; hole, slit    the wall around them is taken as one, T of the wind passes everywhere; the rest
- * of the wind comes through the hole and spreads by eq. (7), with speed (1 - T) U at the radius r0 of a
- *                 circle of the cell's area, or through the slit by eq. (8) as printed, with speed (1 - T) U
- *                 on its middle; both up to 20 r0 (for a slit r0 is half its width).
- * Nothing bounds the sum: many holes side by side can blow more than the wind. */
+ * The paper gives: the cylinder f = Q(z + a^2/z), with the remark that the wind has recovered beyond 5 to 7
+ * radii; the hole f = Q/(2 pi) ln z, with a radial speed proportional to 1/r; the slit psi = -Q(R - R1); a
+ * transmission of 20 % for a fully covered cell; superposition. It does not give the strength of a flow for a
+ * given wind, nor the wind behind a partly covered cell. Here:
+ *
+ * transmitting: behind the cell the wind is 1 - (1 - T) coverage of the wind before it, without recovery.
+ *
+ * cylinder: the disturbance of eq. (6) by a stem of the run's solid width, in the plane across the stem, up
+ * to 7 radii behind it; farther away the wind is undisturbed.
+ *
+ * hole, slit: the wall around them is treated as one; the share T of the wind passes everywhere. The rest of
+ * the wind passes through the hole and spreads by eq. (7), with speed (1 - T) U at the radius r0 of a circle
+ * of the cell's area; or through the slit by eq. (8) as printed, with speed (1 - T) U on its middle. Both up
+ * to 20 r0 (for a slit r0 is half its width).
+ *
+ * The sum has no bound: the flow of many adjacent holes can be faster than the wind. */
 
-/* A flow that starts at a place of the grid: how far it is followed, and its velocity over that of the wind
- * at a point along, across and up from there. */
+/* A flow that starts at a place of the grid: its range, and its velocity over that of the wind at a point
+ * given along, across and up from there. */
 struct feng_flow {
     double strength;    /* of the wind that meets it [-] */
     double centre[2];   /* across, up [m] */
     double radius;      /* a or r0 [m] */
     double length;      /* of a slit [m] */
     bool level;         /* stem or slit lies across instead of standing up */
-    double reach, half; /* [m]; half its extent along its own axis */
+    double reach, half; /* range; half its extent along its own axis [m] */
     void (*velocity)(const struct feng_flow *f, const double x[3], double u[3]);
 };
 
@@ -348,7 +356,7 @@ static void add_flow(struct wf_shelter *s, size_t k, const struct feng_flow *f)
     size_t first[2], last[2];
     const size_t n[2] = { s->across, s->up };
     for (int d = 0; d < 2; d++) {
-        /* a centre just as far as the reach belongs to it on both sides */
+        /* include cell centres exactly at the range, on both sides */
         double at = (f->centre[d] - s->low[d + 1]) / s->step[d + 1], far = wide[d] / s->step[d + 1] + 1e-6;
         first[d] = first_beyond(at - far, n[d]);
         last[d] = first_beyond(at + far, n[d]);
@@ -367,8 +375,8 @@ static void add_flow(struct wf_shelter *s, size_t k, const struct feng_flow *f)
     }
 }
 
-/* Cells of one class and width that follow each other along a line: one stem's width, or one slit's length.
- */
+/* A line of cells. Successive cells of one class and width on it are the width of one stem, or the length of
+ * one slit. */
 struct cell_line {
     size_t start, stride, n; /* first cell of the slab, distance to the next */
     bool level;              /* the line runs across */
@@ -433,7 +441,7 @@ static void add_hole_flows(struct wf_shelter *s, size_t k, const double *wind, d
     }
 }
 
-/* What passes straight on through each cell of slab k. */
+/* Multiply the wind by the direct transmission of each cell of slab k. */
 static void pass_through(const struct wf_shelter *s, size_t k, double least, double *wind)
 {
     size_t cells = s->up * s->across;

@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* The target spectra. Each is written per unit variance; the constants follow from the integrals, so that
- * the variance asked for is the variance of the whole spectrum. */
+/* The target spectra. Each is scaled by its integral over all frequencies, so that its variance is the one
+ * specified. */
 
 /* Integrals of the printed forms over n = 0..infinity, in u*^2:
  *   u: 105 f/(1+33 f)^(5/3) / n      -> 105/33 * 3/2
@@ -80,7 +80,7 @@ static double davenport(const struct wf_spectrum_par *p, enum wf_component c, do
     return p->deviation * p->deviation / 6.0 * 4.0 * scale * x * pow(1.0 + x * x, -4.0 / 3.0);
 }
 
-/* Flat below `low`, f^-slope above, nothing beyond `high`; scaled to the variance in closed form. */
+/* Constant below `low`, f^-slope above, zero beyond `high`; scaled to the variance in closed form. */
 static double power_law(const struct wf_spectrum_par *p, enum wf_component c, double n)
 {
     double b = p->slope, r = p->high / p->low;
@@ -152,7 +152,7 @@ static double integrate_density(struct integrand *g, double from, double to)
     int bad = gsl_integration_qag(&f, log(low), log(to), 0.0, 1e-8, ROOM, GSL_INTEG_GAUSS61, w, &sum, &error);
     wf_quiet_end();
     gsl_integration_workspace_free(w);
-    /* below 1 nHz the density is taken as constant */
+    /* below 1 nHz the density is treated as constant */
     if (from < low) head = (low - from) * g->s->density(g->p, g->c, from);
     return bad ? NAN : sum + head;
 }

@@ -24,7 +24,7 @@ enum wf_status wf_terrain_alloc(struct wf_terrain *t, size_t columns, size_t row
     return t->z ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for a map of %zu x %zu", columns, rows);
 }
 
-/* Mean of the neighbours that exist plus the draw of this place. */
+/* Set a height to the mean of the neighbours on the map plus the random draw of its place. */
 static void set_height(struct wf_terrain *t, size_t c, size_t r, const int (*offset)[2], int n, size_t reach,
                        double size, uint64_t seed)
 {
@@ -90,7 +90,7 @@ double wf_terrain_height(const struct wf_terrain *t, double x, double y)
            j = (size_t)fmin(fmax(r, 0.0), (double)(t->rows - 2));
     const double *z = t->z + j * t->columns + i;
     double a = fmin(fmax(c - (double)i, 0.0), 1.0), b = fmin(fmax(r - (double)j, 0.0), 1.0), sum = 0.0;
-    /* a corner of weight zero may be without data */
+    /* leave out corners of weight zero, which may have no data */
     if ((1.0 - a) * (1.0 - b) > 0.0) sum += (1.0 - a) * (1.0 - b) * z[0];
     if (a * (1.0 - b) > 0.0) sum += a * (1.0 - b) * z[1];
     if ((1.0 - a) * b > 0.0) sum += (1.0 - a) * b * z[t->columns];
@@ -114,11 +114,11 @@ double wf_terrain_steepest(const struct wf_terrain *t)
 
 struct grid_text {
     const char *path, *at, *end, *word;
-    size_t line, column, size; /* of the word in hand */
+    size_t line, column, size; /* of the current word */
     const char *start;         /* of the line         */
 };
 
-/* The next word; false at the end. */
+/* Move to the next word; false at the end of the text. */
 static bool next_word(struct grid_text *t)
 {
     while (t->at < t->end && isspace((unsigned char)*t->at))
@@ -227,14 +227,14 @@ enum wf_status wf_terrain_write(const char *path, const struct wf_terrain *t, co
     return wf_file_commit(&f, e);
 }
 
-/* Shelter by the ground itself: angles to the skyline within a distance. */
+/* Shelter by the terrain: elevation angles of the skyline within a distance. */
 
 double wf_terrain_horizon(const struct wf_terrain *t, size_t column, size_t row, double towards,
                           double distance, bool *seen)
 {
     double here = t->z[row * t->columns + column], best = NAN, ex = sin(towards), ey = cos(towards);
     double x = t->x0 + (double)column * t->cell, y = t->y0 + (double)row * t->cell;
-    /* along a diagonal the steps hit grid points too */
+    /* steps that hit grid points in the diagonal directions too */
     double step = t->cell / fmax(fabs(ex), fabs(ey));
     *seen = true;
     for (size_t i = 1; (double)i * step <= distance * (1.0 + 1e-9); i++) {
@@ -271,7 +271,7 @@ struct map_plane {
     gsl_fft_complex_workspace *sx, *sy;
 };
 
-/* The next size at least n with no other prime factors than 2, 3, 5. */
+/* The smallest number from n with no prime factors other than 2, 3, 5: a length that transforms fast. */
 static size_t smooth_size(size_t n)
 {
     for (;; n++) {
@@ -314,8 +314,8 @@ static void transform_plane(struct map_plane *p, gsl_fft_direction way)
         gsl_fft_complex_transform(p->h + 2 * c, p->nx, p->ny, p->wy, p->sy, way);
 }
 
-/* Which grid point stands at place i of the doubled map: there and back, then the first again up to a size
- * that transforms well. */
+/* Index into the mirrored map, padded with its first value to an FFT-friendly length: the grid point at place
+ * i. */
 static size_t mirror_index(size_t i, size_t n) { return i < n ? i : i < 2 * n - 2 ? 2 * n - 2 - i : 0; }
 
 static double wavenumber(size_t i, size_t n, double cell)
@@ -324,8 +324,8 @@ static double wavenumber(size_t i, size_t n, double cell)
     return WF_TURN * k / ((double)n * cell);
 }
 
-/* Mean of 1/|k|, each wave with its share of the height variance per |k|: for one wave of number k it is 1/k.
- */
+/* Length scale of the terrain [m]: the mean of 1/|k| over all waves, weighted by |k| times their height
+ * variance; 1/k for a single wave of wavenumber k. */
 static double mean_length(const struct map_plane *p, double cell)
 {
     double energy = 0.0, weighted = 0.0;
@@ -340,7 +340,8 @@ static double mean_length(const struct map_plane *p, double cell)
     return weighted > 0.0 ? energy / weighted : 0.0;
 }
 
-/* l ln(l/z0) = 2 kappa^2 L with kappa = 0.4, by Newton from above (the left side is convex there). */
+/* Inner-layer height: l ln(l/z0) = 2 kappa^2 L with kappa = 0.4, by Newton's method from above, where the
+ * left side is convex. */
 static double inner_height(double length, double z0)
 {
     double l = fmax(length, 3.0 * z0);
@@ -437,7 +438,7 @@ enum wf_status wf_site_speed_up(const struct wf_site *s, double from, double hei
     struct wf_speedup up;
     enum wf_status status = wf_terrain_speedup(&s->ground, &q, &scratch, &up, e);
     if (!status) {
-        struct wf_terrain change = s->ground; /* the same grid, holding the change of the wind */
+        struct wf_terrain change = s->ground; /* the speed-up on the same grid */
         change.z = up.ds;
         *factor = 1.0 + wf_terrain_height(&change, s->x, s->y);
         if (!(*factor >= 0.1 && *factor <= 5.0))

@@ -19,10 +19,10 @@ double wf_air_viscosity(double temperature, double density)
     return 1.458e-6 * temperature * sqrt(temperature) / (temperature + 110.4) / density;
 }
 
-/* The mean wind in and above a stand: exponential below the canopy top, logarithmic above.
- * Sources: Inoue E. 1963, On the turbulent structure of airflow within crop canopies, J. Meteorol. Soc. Jpn
- * 41:317-326; Cionco R.M. 1965, A mathematical model for air flow in a vegetative canopy, J. Appl. Meteorol.
- * 4:517-522; Thom A.S. 1971 for the log law above. */
+/* The canopy profile, the mean wind in and above a stand: exponential below the canopy top, logarithmic
+ * above. Sources: Inoue E. 1963, On the turbulent structure of airflow within crop canopies, J. Meteorol.
+ * Soc. Jpn 41:317-326; Cionco R.M. 1965, A mathematical model for air flow in a vegetative canopy, J. Appl.
+ * Meteorol. 4:517-522; Thom A.S. 1971 for the log law above. */
 
 void wf_canopy_shape(const struct wf_wind *w, double *top, double *attenuation)
 {
@@ -37,11 +37,11 @@ static double canopy_ratio(const struct wf_wind *w, double z, double *slope)
     double d = w->displacement, z0 = w->roughness, h, a;
     wf_canopy_shape(w, &h, &a);
     if (z > h) {
-        if (z - d <= z0) return *slope = 0.0; /* the calm layer, where there is no stand */
+        if (z - d <= z0) return *slope = 0.0; /* the calm layer; only without a stand */
         *slope = 1.0 / (z - d);
         return log((z - d) / z0);
     }
-    /* below the ground: that of the ground, without slope */
+    /* below the ground: the speed at the ground, without gradient */
     double inside = log((h - d) / z0) * exp(-a * (1.0 - fmax(z, 0.0) / h));
     *slope = z >= 0.0 ? inside * a / h : 0.0;
     return inside;
@@ -58,7 +58,7 @@ void wf_canopy_sample(const struct wf_wind *w, const double x[3], double u[3], d
     }
 }
 
-/* Profiles that are a formula. All blow in one direction everywhere; the speed depends on height alone. */
+/* Profiles given by a formula. The direction is the same everywhere; the speed depends on height only. */
 
 /* Velocity and gradient from speed and d speed / dz at a height. */
 static void blow_along(const struct wf_wind *w, double speed, double slope, double u[3], double du[9])
@@ -76,8 +76,8 @@ static void uniform(const struct wf_wind *w, const double x[3], double u[3], dou
     blow_along(w, w->speed, 0, u, du);
 }
 
-/* The gradient jumps at z = d + z0, where the speed is zero: forces go with the square of the speed and
- * keep a continuous derivative there. */
+/* The gradient is discontinuous at z = d + z0, where the speed is zero; forces, which are proportional to the
+ * square of the speed, have a continuous derivative there. */
 static void logarithmic(const struct wf_wind *w, const double x[3], double u[3], double du[9])
 {
     double z = x[2] - w->displacement, speed = 0, slope = 0;
@@ -89,8 +89,9 @@ static void logarithmic(const struct wf_wind *w, const double x[3], double u[3],
     blow_along(w, speed, slope, u, du);
 }
 
-/* (z/h)^a has an infinite gradient at the ground. Below a ten-thousandth of the reference height (1 mm at
- * 10 m) the parabola with the same value and slope there and zero at the ground takes its place. */
+/* (z/h)^a has an infinite gradient at the ground. Below a ten-thousandth of the reference height (1 mm for 10
+ * m) it is therefore replaced by the parabola that has the same value and slope there and is zero at the
+ * ground. */
 static void power(const struct wf_wind *w, const double x[3], double u[3], double du[9])
 {
     double a = w->exponent, low = 1e-4 * w->reference_height, z = x[2], speed = 0, slope = 0;
@@ -109,8 +110,9 @@ static void power(const struct wf_wind *w, const double x[3], double u[3], doubl
 
 enum { HEIGHTS_MAX = 1000 };
 
-/* Slopes at the points: of the parabola through three neighbours, held to twice the flatter side, so that
- * nothing overshoots (Steffen 1990, eqs 8, 11); of the straight line at the ends. */
+/* Slopes at the points: those of the parabola through three neighbours, limited to twice the smaller of the
+ * slopes on either side, so that there is no overshoot (Steffen 1990, eqs 8, 11); at the ends those of the
+ * straight line. */
 static void steffen_slopes(struct wf_measured_profile *p)
 {
     const double *z = p->z, *u = p->u;
@@ -156,7 +158,7 @@ enum wf_status wf_measured_read(const char *path, struct wf_arena *a, struct wf_
     return WF_OK;
 }
 
-/* Cubic between neighbours. */
+/* Speed and slope of a measured profile at height z. */
 static void measured_at(const struct wf_measured_profile *p, double z, double *u, double *slope)
 {
     size_t low = 0, high = p->n - 1;
@@ -285,7 +287,7 @@ enum wf_status wf_wind_check(const struct wf_wind *w, struct wf_err *e)
     return WF_OK;
 }
 
-/* Places. */
+/* Points. */
 
 enum wf_status wf_points_read(const char *path, size_t most, struct wf_arena *a, struct wf_diag *d,
                               struct wf_points *out, struct wf_err *e)
