@@ -27,7 +27,7 @@ struct wf_csv {
     char *at, *end; /* the text not read yet         */
     size_t line;    /* line of `at`                  */
     char separator; /* ',' ';' or tab                */
-    char point;     /* decimal sign, 0 = none met yet */
+    char point;     /* decimal sign, 0 = none seen yet */
     size_t columns;
     struct wf_cell *name; /* header cells                  */
     struct wf_cell *cell; /* cells of the current row      */

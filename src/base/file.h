@@ -27,7 +27,8 @@ enum wf_status wf_file_commit(struct wf_file *f, struct wf_err *e);
 /* Give up a file: close and remove the temporary one. Does nothing after a commit or an earlier call. */
 void wf_file_abandon(struct wf_file *f);
 
-/* Create a folder and every missing folder above it; a folder that exists is no error. Errors: WF_EOUTPUT. */
+/* Create a folder and every missing folder above it; a folder that exists is not an error. Errors:
+ * WF_EOUTPUT. */
 enum wf_status wf_mkdirs(const char *path, struct wf_err *e);
 
 struct wf_bytes {

@@ -307,11 +307,11 @@ static enum wf_status shelter_wake(struct wf_shelter *s, struct wf_arena *scratc
 /* A flow that starts at a place of the grid: its range, and its velocity over that of the wind at a point
  * given along, across and up from there. */
 struct feng_flow {
-    double strength;    /* of the wind that meets it [-] */
+    double strength;    /* speed that drives it / undisturbed speed [-] */
     double centre[2];   /* across, up [m] */
     double radius;      /* a or r0 [m] */
     double length;      /* of a slit [m] */
-    bool level;         /* stem or slit lies across instead of standing up */
+    bool level;         /* true: stem or slit is horizontal, false: vertical */
     double reach, half; /* range; half its extent along its own axis [m] */
     void (*velocity)(const struct feng_flow *f, const double x[3], double u[3]);
 };
