@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/grow.h"
 #include "base/num.h"
 #include "grow/branches.h"
@@ -7,8 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-static void warn(const struct wf_model *m, const struct wf_tree *t, size_t capped, size_t thick,
-                 struct wf_diag *d)
+static void warn_of_growth(const struct wf_model *m, const struct wf_tree *t, size_t capped, size_t thick,
+                           struct wf_diag *d)
 {
     size_t buried = 0;
     for (size_t i = 0; i < t->n; i++) buried += t->z1[i] < 0;
@@ -40,11 +41,11 @@ static enum wf_status grow_branched(const struct wf_model *m, const struct wf_sp
     if (!s && !ifs) s = wf_levels_pipes(m, out, &thick, e);
     if (!s) s = wf_clothe_wood(out, sp, NULL, e);
     if (!s) s = wf_leaves_spread(m, sp, out, e);
-    if (!s) warn(m, out, capped, thick, d);
+    if (!s) warn_of_growth(m, out, capped, thick, d);
     return s;
 }
 
-/* The measured segments, clothed: columns of their own for the materials. */
+/* A measured tree: copy its segments to a new tree and add the materials. */
 static enum wf_status grow_measured(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
                                     struct wf_tree *out, struct wf_err *e)
 {

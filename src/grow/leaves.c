@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/leaves.h"
 #include "base/random.h"
 #include "base/vec3.h"
@@ -6,7 +7,7 @@
 
 #define GOLDEN_ANGLE 2.39996322972865332 /* 137.5 degrees */
 
-enum { LEAF_STREAM = 0x4C /* apart from the axes' addresses */ };
+enum { LEAF_STREAM = 0x4C /* purpose of the leaves' random streams */ };
 
 enum wf_status wf_leaves_spread(const struct wf_model *m, const struct wf_species *sp, struct wf_tree *t,
                                 struct wf_err *e)
@@ -28,7 +29,7 @@ enum wf_status wf_leaves_spread(const struct wf_model *m, const struct wf_specie
     return WF_OK;
 }
 
-static enum wf_status take(struct wf_leaves *out, size_t n, struct wf_arena *a, struct wf_err *e)
+static enum wf_status take_leaves(struct wf_leaves *out, size_t n, struct wf_arena *a, struct wf_err *e)
 {
     *out = (struct wf_leaves){ .row = WF_TAKE(a, n, int32_t),
                                .place = WF_TAKE(a, n, double),
@@ -40,7 +41,8 @@ static enum wf_status take(struct wf_leaves *out, size_t n, struct wf_arena *a, 
     return wf_fail(e, WF_ENOMEM, "no room for %zu leaves", n);
 }
 
-/* Leaf j on row i: tilted from the axis, round it by the golden angle. */
+/* Directions and size of leaf j on row i: tilted from the axis, rotated about it by the golden angle from the
+ * leaf before. */
 static void turn_leaf(const struct wf_model *m, const struct wf_tree *t, size_t i, size_t j,
                       struct wf_leaves *out)
 {
@@ -69,7 +71,7 @@ enum wf_status wf_leaves_place(const struct wf_model *m, const struct wf_tree *t
     const double reference_wind = 10; /* [m/s], of the model's swing and twist */
     size_t n = m->leaf_area > 0 ? m->foliage.count : 0, j = 0;
     double squares = 0, passed = 0, total = 0;
-    enum wf_status s = take(out, n, a, e);
+    enum wf_status s = take_leaves(out, n, a, e);
     if (s) return s;
     out->swing = m->foliage.swing / reference_wind;
     out->twist = m->foliage.twist / reference_wind;
