@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_CASES_CASE_H
 #define WF_CASES_CASE_H
 /* Validation cases: claims of correctness as text files (docs/validation-cases.md), read, run and compared.
@@ -19,7 +20,6 @@ enum wf_case_kind {
     WF_CASE_REGRESSION, /* guards against change; never counted as evidence */
     WF_CASE_KIND_COUNT
 };
-const char *wf_case_kind_name(enum wf_case_kind k); /* "closed-form", ... */
 
 enum wf_place_kind {
     WF_PLACE_NONE,
@@ -88,7 +88,7 @@ enum wf_case_shape {
     WF_SHAPE_BRANCHES,
     WF_SHAPE_TREE,
     WF_SHAPE_FLOW,
-    WF_SHAPE_FIT /* a calibration study: fitted by whoever runs the case, see wf_case_hold */
+    WF_SHAPE_FIT /* a calibration study: see wf_case_fit */
 };
 enum wf_case_model { WF_MODEL_K, WF_MODEL_EB, WF_MODEL_SR };
 enum { WF_CASE_KEYS_MAX = 72, WF_CASE_SOLVERS_MAX = 6, WF_CASE_PIECES_MAX = 8 };
@@ -128,48 +128,4 @@ struct wf_case {
         pieces; /* rows split into this many parts, for the order of convergence */
     struct wf_list wants;
 };
-
-/* Read a case file. Every mistake becomes a line of `d`. Returned: *list, *n; WF_EINPUT when there was any.
- */
-enum wf_status wf_case_read(const char *path, struct wf_arena *a, struct wf_diag *d, struct wf_case **list,
-                            size_t *n, struct wf_err *e);
-
-enum wf_outcome { WF_PASSED, WF_FAILED, WF_SKIPPED, WF_OUTCOME_COUNT };
-struct wf_check {
-    const struct wf_want *want;
-    int component;         /* which number of the want */
-    double got, wanted;    /* SI */
-    double error, allowed; /* |got - wanted| and the most accepted [SI] */
-    double relative;       /* error over what the tolerance refers to */
-    bool passed;
-};
-struct wf_verdict {
-    const struct wf_case *of;
-    const char *solver; /* name; "modes" or "buckling" where no static solver is asked */
-    enum wf_outcome outcome;
-    const char *why; /* for failed and skipped without checks; else NULL */
-    struct wf_check *check;
-    size_t n, failed;
-    double worst; /* largest error / allowed */
-};
-
-/* Run a case with its k-th solver, every row split into `pieces` parts (1 = as written).
- * Returned: WF_OK and a verdict (a run that fails is a failed verdict); WF_ENOMEM. */
-enum wf_status wf_case_run(const struct wf_case *c, size_t k, size_t pieces, struct wf_arena *a,
-                           struct wf_verdict *v, struct wf_err *e);
-
-/* A case whose values come from elsewhere (WF_SHAPE_FIT): hold them against what is wanted. answer(ctx, want,
- * out, e): the value of one want [SI]. Returned: as wf_case_run. */
-typedef enum wf_status wf_case_answer(void *ctx, const struct wf_want *w, double out[3], struct wf_err *e);
-enum wf_status wf_case_hold(const struct wf_case *c, const char *solver, wf_case_answer *answer, void *ctx,
-                            struct wf_arena *a, struct wf_verdict *v, struct wf_err *e);
-
-/* Order of convergence: one verdict a mesh, each with one element a row and rows split by c->piece[].
- * Returned: verdicts[c->pieces]. The observed order between meshes i-1 and i of check j is
- * ln(error[i-1]/error[i]) / ln(piece[i]/piece[i-1]). */
-enum wf_status wf_case_order(const struct wf_case *c, size_t k, struct wf_arena *a,
-                             struct wf_verdict *verdicts, struct wf_err *e);
-
-/* The quantity's name and the words of its place: "displacement node 2 x". */
-void wf_want_print(const struct wf_want *w, int component, char *buf, size_t size);
 #endif

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_CASES_WORDS_H
 #define WF_CASES_WORDS_H
 /* A line of a case file as words with their columns; a key's reader takes them from left to right. A wrong
