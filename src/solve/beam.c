@@ -4,11 +4,11 @@
 #include "solve/beam_mesh.h"
 #include "solve/beam_newton.h"
 
-/* The mesh a tolerance asks for, found by comparing answers on two meshes row by row. */
+/* Reading a solved beam: the columns of a response. */
 
 /* Force and moment at an element's base, load on it and the load's moment about `first`. */
-static void bear(const struct wf_beam *b, size_t i, const double first[3], struct wf_beam_wrench *base,
-                 double load[3], double moment[3])
+static void add_element_loads(const struct wf_beam *b, size_t i, const double first[3],
+                              struct wf_beam_wrench *base, double load[3], double moment[3])
 {
     struct wf_line_load q[2];
     struct wf_beam_wrench at[2];
@@ -28,7 +28,7 @@ static void bear(const struct wf_beam *b, size_t i, const double first[3], struc
 }
 
 /* Loads at element ends, summed about `first`: independent of the sweep that made the reactions. */
-static void bear_ends(const struct wf_beam *b, const double first[3], double force[3], double moment[3])
+static void add_end_loads(const struct wf_beam *b, const double first[3], double force[3], double moment[3])
 {
     const struct wf_loads *l = &b->loads;
     double lever[3], arm[3];
@@ -51,14 +51,14 @@ static void bear_ends(const struct wf_beam *b, const double first[3], double for
     }
 }
 
-static double apart(const double a[3], const double b[3])
+static double distance_between(const double a[3], const double b[3])
 {
     double d[3] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
     return sqrt(wf_dot(d, d));
 }
 
-static void read_row(const struct wf_beam *b, size_t i, const double first[3], struct wf_response *r,
-                     double force[3], double moment[3])
+static void read_beam_row(const struct wf_beam *b, size_t i, const double first[3], struct wf_response *r,
+                          double force[3], double moment[3])
 {
     const struct wf_tree *t = b->mesh.tree;
     size_t from = (size_t)b->mesh.first[i], to = (size_t)b->mesh.last[i];
@@ -69,7 +69,7 @@ static void read_row(const struct wf_beam *b, size_t i, const double first[3], s
     const double tip[3] = { t->x1[i], t->y1[i], t->z1[i] };
     for (size_t k = to + 1; k-- > from;) {
         struct wf_beam_wrench w;
-        bear(b, k, first, &w, load, moment);
+        add_element_loads(b, k, first, &w, load, moment);
         if (k == from)
             memcpy(r->force0 + 3 * i, w.n, sizeof w.n), memcpy(r->moment0 + 3 * i, w.m, sizeof w.m);
     }
@@ -93,15 +93,18 @@ static void beam_read(const struct wf_beam *b, struct wf_response *r)
     const struct wf_tree *t = b->mesh.tree;
     const double first[3] = { t->x0[0], t->y0[0], t->z0[0] };
     double force[3] = { 0, 0, 0 }, moment[3] = { 0, 0, 0 };
-    for (size_t i = 0; i < t->n; i++) read_row(b, i, first, r, force, moment);
-    bear_ends(b, first, force, moment);
+    for (size_t i = 0; i < t->n; i++) read_beam_row(b, i, first, r, force, moment);
+    add_end_loads(b, first, force, moment);
     memcpy(r->base_force, b->base.n, sizeof r->base_force);
     memcpy(r->base_moment, b->base.m, sizeof r->base_moment);
     double f = sqrt(wf_dot(force, force)), m = sqrt(wf_dot(moment, moment));
-    r->imbalance = fmax(f > 0 ? apart(force, b->base.n) / f : 0, m > 0 ? apart(moment, b->base.m) / m : 0);
+    r->imbalance = fmax(f > 0 ? distance_between(force, b->base.n) / f : 0,
+                        m > 0 ? distance_between(moment, b->base.m) / m : 0);
     r->iterations = b->iterations;
     r->steps = b->steps;
 }
+
+/* From one mesh to another: start shape and error. */
 
 /* Rotation at row fraction s of a row (0..1), from the unloaded to the loaded state. */
 static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
@@ -189,137 +192,7 @@ static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam
     return worst;
 }
 
-/* One linear step on the beam elements: loads and balance of the unbent tree, small displacements and
- * rotations. */
-
-/* Rotation of a root plate under a moment. */
-static void plate_tilt(const struct wf_beam *b, const double moment[3], double q[3])
-{
-    for (int j = 0; j < 2; j++)
-        if (b->options->root_stiffness[j] > 0) q[j] = moment[j] / b->options->root_stiffness[j];
-}
-
-/* Rotation q and displacement u of the unbent tree under its internal forces:
- * q' = G m,  u' = q x t + H n,  by the same collocation as the full element. */
-static void displace(struct wf_beam *b, double (*u)[3], double (*q)[3])
-{
-    for (size_t i = 0; i < b->mesh.n; i++) {
-        const struct wf_beam_part *p = &b->mesh.part[i];
-        const struct wf_beam_stage *s = &b->stage[i];
-        struct wf_line_load load[2];
-        struct wf_beam_wrench at[2], base;
-        double k[2][3], up[2][3], q0[3] = { 0, 0, 0 }, u0[3] = { 0, 0, 0 };
-        wf_beam_load(p, &b->loads, s, load);
-        wf_beam_balance(p->h, s, NULL, load, &b->wrench[i], at, &base);
-        if (p->parent >= 0)
-            memcpy(q0, q[p->parent], sizeof q0), memcpy(u0, u[p->parent], sizeof u0);
-        else
-            plate_tilt(b, base.m, q0);
-        for (int j = 0; j < 2; j++) v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, k[j]);
-        for (int j = 0; j < 2; j++) {
-            double turn[3], stretch[3];
-            for (int c = 0; c < 3; c++)
-                turn[c] = q0[c] + p->h * (gauss_up[j][0] * k[0][c] + gauss_up[j][1] * k[1][c]);
-            wf_cross(turn, s->t[j], up[j]);
-            v3_section(p->cs[j], p->ca[j], s->t[j], at[j].n, stretch);
-            v3_add(up[j], 1, stretch);
-        }
-        for (int c = 0; c < 3; c++) {
-            q[i][c] = q0[c] + 0.5 * p->h * (k[0][c] + k[1][c]);
-            u[i][c] = u0[c] + 0.5 * p->h * (up[0][c] + up[1][c]);
-        }
-    }
-}
-
-struct answer {
-    struct wf_beam beam;
-    double (*u)[3], (*q)[3];
-};
-
-static enum wf_status answer_on(const struct wf_tree *t, const struct wf_loads *l,
-                                const struct wf_solve_options *o, int32_t pieces_each, int32_t *pieces,
-                                struct wf_arena *work, struct answer *x, struct wf_err *e)
-{
-    for (size_t i = 0; i < t->n; i++) pieces[i] = pieces_each;
-    enum wf_status status = wf_beam_init(&x->beam, t, l, o, pieces, work, e);
-    if (status) return status;
-    x->u = wf_arena_take(work, x->beam.mesh.n, sizeof *x->u);
-    x->q = wf_arena_take(work, x->beam.mesh.n, sizeof *x->q);
-    if (!x->u || !x->q) return wf_fail(e, WF_ENOMEM, "no room for %zu displacements", x->beam.mesh.n);
-    wf_beam_sweep_up(&x->beam);
-    wf_beam_sweep_down(&x->beam, false, NULL);
-    displace(&x->beam, x->u, x->q);
-    return WF_OK;
-}
-
-/* Error of the finer of two meshes of ratio 2, relative to the largest displacement and rotation. */
-static double error_of(const struct answer *coarse, const struct answer *fine)
-{
-    double off[2] = { 0, 0 }, size[2] = { 0, 0 };
-    for (size_t i = 0; i < fine->beam.mesh.tree->n; i++) {
-        size_t a = (size_t)coarse->beam.mesh.last[i], b = (size_t)fine->beam.mesh.last[i];
-        for (int c = 0; c < 3; c++) {
-            off[0] = fmax(off[0], fabs(coarse->u[a][c] - fine->u[b][c]));
-            off[1] = fmax(off[1], fabs(coarse->q[a][c] - fine->q[b][c]));
-            size[0] = fmax(size[0], fabs(fine->u[b][c]));
-            size[1] = fmax(size[1], fabs(fine->q[b][c]));
-        }
-    }
-    return fmax(size[0] > 0 ? off[0] / size[0] : 0, size[1] > 0 ? off[1] / size[1] : 0) / 15;
-}
-
-static void read_linear(const struct answer *x, struct wf_response *r)
-{
-    const struct wf_beam *b = &x->beam;
-    beam_read(b, r);
-    for (size_t i = 0; i < b->mesh.tree->n; i++) {
-        int32_t last = b->mesh.last[i], below = b->mesh.part[b->mesh.first[i]].parent;
-        double c[3], q0[3] = { 0, 0, 0 };
-        if (below < 0) plate_tilt(b, r->moment0 + 3 * i, q0);
-        memcpy(r->end + 3 * i, x->u[last], sizeof *x->u);
-        memcpy(r->turn + 3 * i, x->q[last], sizeof *x->q);
-        wf_cross(x->q[last], r->tangent1 + 3 * i, c);
-        v3_add(r->tangent1 + 3 * i, 1, c);
-        wf_cross(below < 0 ? q0 : x->q[below], r->tangent0 + 3 * i, c);
-        v3_add(r->tangent0 + 3 * i, 1, c);
-    }
-    r->load_factor = 1;
-    r->iterations = r->steps = 1;
-    r->small_deflection = true;
-}
-
-static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
-                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
-                            struct wf_diag *d, struct wf_err *e)
-{
-    const int32_t most = 512;
-    struct wf_arena work = { 0 };
-    struct answer x, last;
-    enum wf_status status = wf_response_alloc(r, t->n, a, e);
-    int32_t *pieces = WF_TAKE(&work, t->n, int32_t), cut = 1;
-    if (!status && !pieces) status = wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
-    if (!status) status = wf_solve_check_round(t, "the linear solver", e);
-    if (!status) status = wf_solve_check(t, l, d, e);
-    if (!status) status = answer_on(t, l, o, cut, pieces, &work, &x, e);
-    while (!status && o->mesh_tolerance > 0 && cut < most) {
-        last = x;
-        status = answer_on(t, l, o, cut *= 2, pieces, &work, &x, e);
-        if (!status && error_of(&last, &x) <= 0.25 * o->mesh_tolerance) break;
-    }
-    if (!status) read_linear(&x, r);
-    wf_arena_free(&work);
-    return status;
-}
-
-const struct wf_solver wf_solver_linear = {
-    .name = "linear",
-    .title = "linear beams, small deflections",
-    .source = "Euler-Bernoulli beam theory",
-    .validity =
-        "Deflections below 10 % of height and slopes below 15 degrees: loads and balance of the unbent tree.",
-    .small_deflection = true,
-    .solve = solve,
-};
+/* The mesh a tolerance asks for, found by comparing answers on two meshes row by row. */
 
 static double largest_displacement(const struct wf_beam *b)
 {
@@ -334,7 +207,7 @@ static double largest_displacement(const struct wf_beam *b)
 }
 
 /* Farthest end from the first base [m]. */
-static double size(const struct wf_tree *t)
+static double tree_size(const struct wf_tree *t)
 {
     double most = 0;
     for (size_t i = 0; i < t->n; i++) {
@@ -345,7 +218,7 @@ static double size(const struct wf_tree *t)
 }
 
 /* Longest chain of rows from the ground: among so many the allowed error is shared. */
-static double deepest(const struct wf_tree *t, double *depth)
+static double longest_row_chain(const struct wf_tree *t, double *depth)
 {
     double most = 1;
     for (size_t i = 0; i < t->n; i++) {
@@ -389,8 +262,8 @@ static double load_error(const struct wf_beam *coarse, const struct wf_beam *fin
 /* Pieces that bring each row's share of the error to its part of the target; never fewer than there are, so
  * that the shape carried over is one Newton goes on from. While the load is `off` times as far out as
  * allowed, also more for the rows that make most of that. */
-static void choose(const struct wf_beam *b, const double *share, double target, const double *bear,
-                   double off, int32_t *pieces)
+static void choose_pieces(const struct wf_beam *b, const double *share, double target, const double *bear,
+                          double off, int32_t *pieces)
 {
     double most = 0, more = off > 1 ? fmax(pow(1.5 * off, 0.77), 2) : 1;
     for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, bear[i]);
@@ -423,7 +296,7 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
     if (!status) status = wf_beam_settle(b, work, out, e);
     if (status || !(o->mesh_tolerance > 0)) return status;
 
-    double depth = deepest(t, share);
+    double depth = longest_row_chain(t, share);
     row_loads(b, before);
     tree_reach(t, reach);
     for (size_t i = 0; i < t->n; i++) pieces[i] = 2 * start;
@@ -438,14 +311,14 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
         if (status) return status;
         fine.iterations += b->iterations, fine.steps += b->steps;
         double allowed = o->mesh_tolerance * safety;
-        double target = fmax(allowed * largest_displacement(&fine), rounding * size(t));
+        double target = fmax(allowed * largest_displacement(&fine), rounding * tree_size(t));
         double error = beam_mesh_error(b, &fine, reach, share);
         row_loads(&fine, load);
         double reactions = load_error(b, &fine, before, load, bear);
         *b = fine;
         memcpy(before, load, 3 * t->n * sizeof *load);
         if (error <= target && reactions <= allowed) break;
-        choose(b, share, target / depth, bear, reactions / allowed, pieces);
+        choose_pieces(b, share, target / depth, bear, reactions / allowed, pieces);
     }
     return WF_OK;
 }
@@ -464,6 +337,8 @@ void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, st
                      "the tree gives way at %.3g of the load; the answer is where it comes to rest",
                      out->load_factor);
 }
+
+/* The solver row: large deflections. */
 
 static enum wf_status beam_solve(const struct wf_tree *t, const struct wf_loads *l,
                                  const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
@@ -491,4 +366,136 @@ const struct wf_solver wf_solver_beam = {
               "ch. 8; Gauss collocation: Hairer, Lubich & Wanner 2006, II.1.3",
     .validity = "Elastic wood, static mean wind; any deflection. Loads follow the bent shape.",
     .solve = beam_solve,
+};
+
+/* One linear step on the beam elements: loads and balance of the unbent tree, small displacements and
+ * rotations. */
+
+/* Rotation of a root plate under a moment. */
+static void plate_tilt(const struct wf_beam *b, const double moment[3], double q[3])
+{
+    for (int j = 0; j < 2; j++)
+        if (b->options->root_stiffness[j] > 0) q[j] = moment[j] / b->options->root_stiffness[j];
+}
+
+/* Rotation q and displacement u of the unbent tree under its internal forces:
+ * q' = G m,  u' = q x t + H n,  by the same collocation as the full element. */
+static void linear_displacements(struct wf_beam *b, double (*u)[3], double (*q)[3])
+{
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        const struct wf_beam_part *p = &b->mesh.part[i];
+        const struct wf_beam_stage *s = &b->stage[i];
+        struct wf_line_load load[2];
+        struct wf_beam_wrench at[2], base;
+        double k[2][3], up[2][3], q0[3] = { 0, 0, 0 }, u0[3] = { 0, 0, 0 };
+        wf_beam_load(p, &b->loads, s, load);
+        wf_beam_balance(p->h, s, NULL, load, &b->wrench[i], at, &base);
+        if (p->parent >= 0)
+            memcpy(q0, q[p->parent], sizeof q0), memcpy(u0, u[p->parent], sizeof u0);
+        else
+            plate_tilt(b, base.m, q0);
+        for (int j = 0; j < 2; j++) v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, k[j]);
+        for (int j = 0; j < 2; j++) {
+            double turn[3], stretch[3];
+            for (int c = 0; c < 3; c++)
+                turn[c] = q0[c] + p->h * (gauss_up[j][0] * k[0][c] + gauss_up[j][1] * k[1][c]);
+            wf_cross(turn, s->t[j], up[j]);
+            v3_section(p->cs[j], p->ca[j], s->t[j], at[j].n, stretch);
+            v3_add(up[j], 1, stretch);
+        }
+        for (int c = 0; c < 3; c++) {
+            q[i][c] = q0[c] + 0.5 * p->h * (k[0][c] + k[1][c]);
+            u[i][c] = u0[c] + 0.5 * p->h * (up[0][c] + up[1][c]);
+        }
+    }
+}
+
+struct linear_answer {
+    struct wf_beam beam;
+    double (*u)[3], (*q)[3];
+};
+
+static enum wf_status linear_answer_on(const struct wf_tree *t, const struct wf_loads *l,
+                                       const struct wf_solve_options *o, int32_t pieces_each, int32_t *pieces,
+                                       struct wf_arena *work, struct linear_answer *x, struct wf_err *e)
+{
+    for (size_t i = 0; i < t->n; i++) pieces[i] = pieces_each;
+    enum wf_status status = wf_beam_init(&x->beam, t, l, o, pieces, work, e);
+    if (status) return status;
+    x->u = wf_arena_take(work, x->beam.mesh.n, sizeof *x->u);
+    x->q = wf_arena_take(work, x->beam.mesh.n, sizeof *x->q);
+    if (!x->u || !x->q) return wf_fail(e, WF_ENOMEM, "no room for %zu displacements", x->beam.mesh.n);
+    wf_beam_sweep_up(&x->beam);
+    wf_beam_sweep_down(&x->beam, false, NULL);
+    linear_displacements(&x->beam, x->u, x->q);
+    return WF_OK;
+}
+
+/* Error of the finer of two meshes of ratio 2, relative to the largest displacement and rotation. */
+static double linear_mesh_error(const struct linear_answer *coarse, const struct linear_answer *fine)
+{
+    double off[2] = { 0, 0 }, size[2] = { 0, 0 };
+    for (size_t i = 0; i < fine->beam.mesh.tree->n; i++) {
+        size_t a = (size_t)coarse->beam.mesh.last[i], b = (size_t)fine->beam.mesh.last[i];
+        for (int c = 0; c < 3; c++) {
+            off[0] = fmax(off[0], fabs(coarse->u[a][c] - fine->u[b][c]));
+            off[1] = fmax(off[1], fabs(coarse->q[a][c] - fine->q[b][c]));
+            size[0] = fmax(size[0], fabs(fine->u[b][c]));
+            size[1] = fmax(size[1], fabs(fine->q[b][c]));
+        }
+    }
+    return fmax(size[0] > 0 ? off[0] / size[0] : 0, size[1] > 0 ? off[1] / size[1] : 0) / 15;
+}
+
+static void linear_read(const struct linear_answer *x, struct wf_response *r)
+{
+    const struct wf_beam *b = &x->beam;
+    beam_read(b, r);
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        int32_t last = b->mesh.last[i], below = b->mesh.part[b->mesh.first[i]].parent;
+        double c[3], q0[3] = { 0, 0, 0 };
+        if (below < 0) plate_tilt(b, r->moment0 + 3 * i, q0);
+        memcpy(r->end + 3 * i, x->u[last], sizeof *x->u);
+        memcpy(r->turn + 3 * i, x->q[last], sizeof *x->q);
+        wf_cross(x->q[last], r->tangent1 + 3 * i, c);
+        v3_add(r->tangent1 + 3 * i, 1, c);
+        wf_cross(below < 0 ? q0 : x->q[below], r->tangent0 + 3 * i, c);
+        v3_add(r->tangent0 + 3 * i, 1, c);
+    }
+    r->load_factor = 1;
+    r->iterations = r->steps = 1;
+    r->small_deflection = true;
+}
+
+static enum wf_status linear_solve(const struct wf_tree *t, const struct wf_loads *l,
+                                   const struct wf_solve_options *o, struct wf_arena *a,
+                                   struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+{
+    const int32_t most = 512;
+    struct wf_arena work = { 0 };
+    struct linear_answer x, last;
+    enum wf_status status = wf_response_alloc(r, t->n, a, e);
+    int32_t *pieces = WF_TAKE(&work, t->n, int32_t), cut = 1;
+    if (!status && !pieces) status = wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    if (!status) status = wf_solve_check_round(t, "the linear solver", e);
+    if (!status) status = wf_solve_check(t, l, d, e);
+    if (!status) status = linear_answer_on(t, l, o, cut, pieces, &work, &x, e);
+    while (!status && o->mesh_tolerance > 0 && cut < most) {
+        last = x;
+        status = linear_answer_on(t, l, o, cut *= 2, pieces, &work, &x, e);
+        if (!status && linear_mesh_error(&last, &x) <= 0.25 * o->mesh_tolerance) break;
+    }
+    if (!status) linear_read(&x, r);
+    wf_arena_free(&work);
+    return status;
+}
+
+const struct wf_solver wf_solver_linear = {
+    .name = "linear",
+    .title = "linear beams, small deflections",
+    .source = "Euler-Bernoulli beam theory",
+    .validity =
+        "Deflections below 10 % of height and slopes below 15 degrees: loads and balance of the unbent tree.",
+    .small_deflection = true,
+    .solve = linear_solve,
 };

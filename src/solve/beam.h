@@ -1,15 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_H
 #define WF_SOLVE_BEAM_H
-/* Reading a solved beam row by row. */
+/* The structural engine as solver rows, on the mesh a tolerance asks for. */
 #include "base/arena.h"
 #include "solve/beam_newton.h"
 #include "solve/solve.h"
 
 /* Start `fine` (same tree, another mesh) from the shape of `coarse`. */
 void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine);
-
-/* The structural engine as solver rows. */
 
 extern const struct wf_solver wf_solver_beam;   /* large deflections, loads on the bent shape */
 extern const struct wf_solver wf_solver_linear; /* one linear step, loads on the unbent shape */

@@ -92,7 +92,7 @@ struct wf_beam_stability {
     double bears; /* largest force on the base of an element found unstable, with all above it [N] */
 };
 
-/* What it takes to answer small extra loads about the present state (beam_vibrate.c). */
+/* What it takes to answer small extra loads about the present state (solve/beam_small.h). */
 struct wf_beam_small {
     double R[6][6];  /* y = R d, d: change of moment at the Gauss points at a fixed base           */
     double P[6][6];  /* change of the end by y                                                    */

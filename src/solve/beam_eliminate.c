@@ -1,3 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "solve/beam_eliminate.h"
+#include "solve/beam_kernel.h"
+#include "solve/beam_mesh.h"
+
 /* Linearisation of one element and its elimination between its base and what is above.
  *
  * Spins at the Gauss points are q_j = q_0 + y_j (y: unknown, q_0: spin of the base). Exactly,
@@ -10,9 +15,6 @@
  * with A, B the load's derivatives by place and by turn, T the tangent of the rotation vector, Q = D T^-1,
  * P_jm = T_j T_m^-1. The end's wrench is what the part above answers, dw = K p_end + k, so that six
  * equations in the six y remain. */
-#include "solve/beam_eliminate.h"
-#include "solve/beam_kernel.h"
-#include "solve/beam_mesh.h"
 
 /* Rows by the base's change p and 1 (and a spare column, so that rows are whole vector registers). */
 typedef double by_base[6][8];
@@ -30,9 +32,10 @@ static inline void put8(by_base A, int row, int col, const double B[9])
 }
 
 /* S y + R (p_base, 1) = 0 without the part above; its answer enters through Mn: dn_end -> dm_j. */
-WF_INLINE void equations(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
-                         const struct kinematics *k, const struct statics *q, const struct wf_beam_stage *s,
-                         const struct wf_beam_wrench at[2], double S[6][6], by_base A, double Mn[2][9])
+WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                                 const struct kinematics *k, const struct statics *q,
+                                 const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                                 double S[6][6], by_base A, double Mn[2][9])
 {
     for (int j = 0; j < 2; j++) {
         double law[3], bent[3], M[2][9], G[9], C[9], R[9];
@@ -131,7 +134,7 @@ static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], 
 }
 
 /* C += A B */
-WF_INLINE void multiply(double A[6][6], by_base B, by_base C)
+WF_INLINE void add_product(double A[6][6], by_base B, by_base C)
 {
     for (int i = 0; i < 6; i++) {
         double sum[8];
@@ -143,8 +146,8 @@ WF_INLINE void multiply(double A[6][6], by_base B, by_base C)
 }
 
 /* end = P y + Z (p_base, 1):  dr = dr_0 + h/2 sum (Y q + gap), spin = q_0 + sum W y */
-WF_INLINE void end_of(double half, const struct kinematics *k, const struct statics *q, double P[6][6],
-                      by_base Z)
+WF_INLINE void end_motion_of(double half, const struct kinematics *k, const struct statics *q, double P[6][6],
+                             by_base Z)
 {
     memset(Z, 0, sizeof(by_base));
     for (int i = 0; i < 6; i++) Z[i][i] = 1;
@@ -161,8 +164,8 @@ WF_INLINE void end_of(double half, const struct kinematics *k, const struct stat
 }
 
 /* dw_base = dw_end + (0, Vn dn_end) + S y + B (p_base, 1): dn = h/2 sum df, dm = h/2 sum d(r' x n) */
-WF_INLINE void base_of(double half, const struct statics *q, const struct wf_line_load load[2],
-                       double S[6][6], by_base B)
+WF_INLINE void base_wrench_of(double half, const struct statics *q, const struct wf_line_load load[2],
+                              double S[6][6], by_base B)
 {
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < 3; c++) {
@@ -182,8 +185,8 @@ WF_INLINE void base_of(double half, const struct statics *q, const struct wf_lin
 
 /* Add what the part above answers, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own
  * equations: dm_j gains Mn_j dn_end + dm_end. */
-WF_INLINE void attach(double Mn[2][9], const struct wf_beam_reaction *above, double P[6][6], by_base Z,
-                      double S[6][6], by_base A)
+WF_INLINE void attach_part_above(double Mn[2][9], const struct wf_beam_reaction *above, double P[6][6],
+                                 by_base Z, double S[6][6], by_base A)
 {
     double answer[6][8], EK[6][8];
     for (int i = 0; i < 6; i++) {
@@ -207,7 +210,7 @@ WF_INLINE void attach(double Mn[2][9], const struct wf_beam_reaction *above, dou
     }
 }
 
-static void invert(double S[6][6], double R[6][6])
+static void invert6(double S[6][6], double R[6][6])
 {
     double copy[6][6];
     memcpy(copy, S, sizeof copy);
@@ -218,9 +221,9 @@ static void invert(double S[6][6], double R[6][6])
 }
 
 /* S: wrench of the base by y, without the part above. */
-static void small_loads(const struct statics *q, const struct wf_beam_wrench at[2],
-                        const struct wf_beam_reaction *above, double half, double P[6][6], double S[6][6],
-                        struct wf_beam_small *o)
+static void keep_small_loads(const struct statics *q, const struct wf_beam_wrench at[2],
+                             const struct wf_beam_reaction *above, double half, double P[6][6],
+                             double S[6][6], struct wf_beam_small *o)
 {
     memcpy(o->P, P, sizeof o->P);
     memcpy(o->Vn, q->Vn, sizeof o->Vn);
@@ -260,34 +263,35 @@ WF_INLINE bool leaps(by_base A, double P[6][6])
 /* Solve for y = -A (p_base, 1). With `guard`, an element that leaps is taken on its own: damped elastic
  * bending towards the moments it bears now, following its base stiffly and handing no reaction down (*apart).
  * Twigs past their buckling load so fall over in a few steps without throwing what carries them. */
-WF_INLINE bool answer(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
-                      const struct kinematics *k, const struct statics *q, const struct wf_beam_stage *s,
-                      const struct wf_beam_wrench at[2], const struct wf_beam_reaction *above, double P[6][6],
-                      by_base Z, by_base A, bool guard, bool *apart, struct wf_beam_stability *count,
-                      struct wf_beam_small *small)
+WF_INLINE bool solve_element(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                             const struct kinematics *k, const struct statics *q,
+                             const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                             const struct wf_beam_reaction *above, double P[6][6], by_base Z, by_base A,
+                             bool guard, bool *apart, struct wf_beam_stability *count,
+                             struct wf_beam_small *small)
 {
     static const struct statics none;
     double S[6][6], Mn[2][9];
     *apart = false;
-    equations(p, flat, k, q, s, at, S, A, Mn);
-    attach(Mn, above, P, Z, S, A);
-    if (small) invert(S, small->R);
+    element_equations(p, flat, k, q, s, at, S, A, Mn);
+    attach_part_above(Mn, above, P, Z, S, A);
+    if (small) invert6(S, small->R);
     if (count) count->negative += unstable_directions(p, S, k, count->margin);
     bool solved = solve6(S, A);
     if (!guard || (solved && !leaps(A, P))) return solved;
     *apart = true;
-    equations(p, flat, k, &none, s, at, S, A, Mn);
+    element_equations(p, flat, k, &none, s, at, S, A, Mn);
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) A[i][c] = 0;
     return solve6(S, A);
 }
 
-WF_INLINE bool eliminate(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
-                         struct wf_beam_shape *u, const double L[9], const struct wf_beam_creep *creep,
-                         const struct wf_beam_stage *s, const struct wf_line_load load[2],
-                         const struct wf_beam_wrench at[2], struct wf_beam_reaction *node,
-                         struct wf_beam_answer *o, struct wf_beam_reaction *below, bool guard,
-                         struct wf_beam_stability *count, struct wf_beam_small *small)
+WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                                struct wf_beam_shape *u, const double L[9], const struct wf_beam_creep *creep,
+                                const struct wf_beam_stage *s, const struct wf_line_load load[2],
+                                const struct wf_beam_wrench at[2], struct wf_beam_reaction *node,
+                                struct wf_beam_answer *o, struct wf_beam_reaction *below, bool guard,
+                                struct wf_beam_stability *count, struct wf_beam_small *small)
 {
     struct kinematics k;
     struct statics q;
@@ -297,17 +301,17 @@ WF_INLINE bool eliminate(const struct wf_beam_part *p, const struct wf_beam_flat
     bool apart;
     kinematics_of(p, flat, u, L, creep, s, at, &k);
     statics_of(p, flat, u, L, s, load, at, &q);
-    end_of(half, &k, &q, P, Z);
-    base_of(half, &q, load, S, B);
-    if (!answer(p, flat, &k, &q, s, at, node, P, Z, y, guard, &apart, count, small)) return false;
+    end_motion_of(half, &k, &q, P, Z);
+    base_wrench_of(half, &q, load, S, B);
+    if (!solve_element(p, flat, &k, &q, s, at, node, P, Z, y, guard, &apart, count, small)) return false;
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 8; c++) y[i][c] = -y[i][c];
 
-    if (small) small_loads(&q, at, node, half, P, S, small);
-    multiply(P, y, Z);       /* end = Z (p, 1) */
-    multiply(node->K, Z, W); /* dw_end = W (p, 1) */
+    if (small) keep_small_loads(&q, at, node, half, P, S, small);
+    add_product(P, y, Z);       /* end = Z (p, 1) */
+    add_product(node->K, Z, W); /* dw_end = W (p, 1) */
     for (int i = 0; i < 6; i++) W[i][6] += node->k[i];
-    multiply(S, y, B);
+    add_product(S, y, B);
     for (int i = 0; i < 3; i++)
         for (int m = 0; m < 3; m++) {
             double f = half * (q.Vn[0][3 * i + m] + q.Vn[1][3 * i + m]);
@@ -333,7 +337,7 @@ WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shap
                                struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count,
                                struct wf_beam_small *small)
 {
-    return eliminate(p, NULL, u, L, creep, s, load, at, node, o, below, guard, count, small);
+    return eliminate_either(p, NULL, u, L, creep, s, load, at, node, o, below, guard, count, small);
 }
 
 WF_WIDE bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
@@ -344,7 +348,7 @@ WF_WIDE bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct w
                                     struct wf_beam_reaction *below, bool guard,
                                     struct wf_beam_stability *count, struct wf_beam_small *small)
 {
-    return eliminate(p, flat, u, L, creep, s, load, at, node, o, below, guard, count, small);
+    return eliminate_either(p, flat, u, L, creep, s, load, at, node, o, below, guard, count, small);
 }
 
 void wf_beam_correct(const struct wf_beam_shape *u, const double L[9], const struct wf_beam_answer *o,

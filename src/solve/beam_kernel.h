@@ -51,9 +51,9 @@ struct kinematics {
  * damped Newton step for that element alone. Twigs that double over then do not hold up the rest of the tree,
  * and as the misfit goes to zero so does the damping, at the same rate, so that convergence stays quadratic.
  */
-WF_INLINE double damping(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
-                         const struct kinematics *c, const struct wf_beam_stage *s,
-                         const struct wf_beam_wrench at[2])
+WF_INLINE double element_damping(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                                 const struct kinematics *c, const struct wf_beam_stage *s,
+                                 const struct wf_beam_wrench at[2])
 {
     const double free_turn = 0.05,
                  full_turn = 0.25; /* rad an element may turn undamped; turn that halves the step */
@@ -67,7 +67,7 @@ WF_INLINE double damping(const struct wf_beam_part *p, const struct wf_beam_flat
     return fmax(0, (p->h * sqrt(most) - free_turn) / full_turn);
 }
 
-WF_INLINE void stiffen(struct kinematics *c, double factor)
+WF_INLINE void stiffen_kinematics(struct kinematics *c, double factor)
 {
     for (int j = 0; j < 2; j++)
         for (int m = 0; m < 2; m++)
@@ -106,7 +106,7 @@ WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_
         m3_mul(Te, Ti[j], c->W[j]);
         for (int i = 0; i < 9; i++) c->W[j][i] *= gauss_end[j];
     }
-    stiffen(c, 1 + creep->rate + damping(p, flat, c, s, at));
+    stiffen_kinematics(c, 1 + creep->rate + element_damping(p, flat, c, s, at));
 }
 
 /* Derivatives of the loads and of r' x n inside the element. */
@@ -119,7 +119,7 @@ struct statics {
 };
 
 /* The weight's moment about the axis turns with the section: d(o x f) = f x (o x q) = (o f' - f.o) q. */
-WF_INLINE void hang(const struct wf_beam_flat *flat, int j, double V[9])
+WF_INLINE void add_side_weight(const struct wf_beam_flat *flat, int j, double V[9])
 {
     double offset[3] = { 0, 0, 0 }, force[3] = { 0, 0, -flat->weight };
     v3_add(offset, flat->side[j], flat->across[j]);
@@ -163,7 +163,7 @@ WF_INLINE void statics_of(const struct wf_beam_part *p, const struct wf_beam_fla
             m3_add_cross_mul(c->V[j][m], 1, s->rp[j], N);
         }
         m3_add_cross_mul(c->V[j][j], -1, at[j].n, c->Y[j]);
-        if (flat) hang(flat, j, c->V[j][j]);
+        if (flat) add_side_weight(flat, j, c->V[j][j]);
         for (int i = 0; i < 9; i++)
             N[i] = p->h * (gauss_down[j][0] * load[0].by_place[i] + gauss_down[j][1] * load[1].by_place[i]);
         m3_add_cross_mul(c->Vr[j], 1, s->rp[j], N);

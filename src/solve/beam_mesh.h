@@ -1,14 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_MESH_H
 #define WF_SOLVE_BEAM_MESH_H
-/* Two-stage Gauss collocation on 0..1 (Hairer, Lubich & Wanner 2006, Geometric Numerical Integration,
- * II.1.3). Weights are 1/2 each. */
+/* Elements of a tree for the beam solvers: each row cut into equal pieces, each piece one element with two
+ * Gauss points, where everything that does not change while the tree bends is worked out once. */
 #include "base/arena.h"
 #include "base/err.h"
 #include "data/tree.h"
 #include "load/load.h"
 #include "solve/solve.h"
 #include <stdint.h>
+
+/* Two-stage Gauss collocation on 0..1 (Hairer, Lubich & Wanner 2006, Geometric Numerical Integration,
+ * II.1.3). Weights are 1/2 each. */
 
 /* where the stages are */
 static const double gauss_place[2] = { 0.21132486540518711775, 0.78867513459481288225 };
@@ -22,9 +25,6 @@ static const double gauss_down[2][2] = { { 0.25, 0.25 + GAUSS_ROOT3 / 6 }, { 0.2
 static const double gauss_slope[2][2] = { { 3, -3 + 2 * GAUSS_ROOT3 }, { -3 - 2 * GAUSS_ROOT3, 3 } };
 /* its value at the end: sum_j gauss_end[j] f_j */
 static const double gauss_end[2] = { -GAUSS_ROOT3, GAUSS_ROOT3 };
-
-/* Elements of a tree for the beam solvers: each row cut into equal pieces, each piece one element with two
- * Gauss points, where everything that does not change while the tree bends is worked out once. */
 
 /* What an element is made of; index 0/1 = Gauss point nearer the base / the end. */
 struct wf_beam_part {

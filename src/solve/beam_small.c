@@ -154,7 +154,8 @@ WF_WIDE void wf_beam_answer_small(struct wf_beam *b,
 size_t wf_beam_motion_size(const struct wf_beam *b) { return b->mesh.n * (b->mesh.mass1 ? 11 : 8); }
 
 /* Inertia of the motion `ctx` at the Gauss points. */
-static void inertia(const void *ctx, const struct wf_beam *b, size_t i, struct wf_beam_disturbance *out)
+static void inertia_disturbance(const void *ctx, const struct wf_beam *b, size_t i,
+                                struct wf_beam_disturbance *out)
 {
     const double *motion = (const double *)ctx + 8 * i;
     const struct wf_beam_part *p = &b->mesh.part[i];
@@ -175,7 +176,8 @@ void wf_beam_inertia_answer(struct wf_beam *b, const double *in, double *out, do
             node[i][c] = b->mesh.mass1[i] * in[8 * n + 3 * i + c];
             node[i][3 + c] = 0;
         }
-    wf_beam_answer_small(b, inertia, in, b->mesh.mass1 ? (const double(*)[6])node : NULL, NULL, &x);
+    wf_beam_answer_small(b, inertia_disturbance, in, b->mesh.mass1 ? (const double(*)[6])node : NULL, NULL,
+                         &x);
     for (size_t i = 0; b->mesh.mass1 && i < n; i++) memcpy(out + 8 * n + 3 * i, ends[i], 3 * sizeof *out);
 }
 

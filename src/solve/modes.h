@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_MODES_H
 #define WF_SOLVE_MODES_H
-/* Largest eigenvalues of a symmetric operator. */
+/* Natural frequencies and self-buckling of a tree. */
 #include "base/arena.h"
 #include "base/err.h"
 #include "data/tree.h"
 #include "load/load.h"
 #include "solve/solve.h"
 
+/* Largest eigenvalues of a symmetric operator. */
 struct wf_lanczos {
     size_t size;                                             /* length of a vector                       */
     void (*apply)(void *ctx, const double *in, double *out); /* out = A in; A symmetric                  */
@@ -22,8 +23,6 @@ struct wf_lanczos {
  * WF_ENOCONV with *out the best so far; WF_ENOMEM. */
 enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vector, struct wf_arena *a,
                           struct wf_err *e);
-
-/* Natural frequencies and self-buckling of a tree. */
 
 /* The lowest natural frequencies of small undamped motions about the equilibrium under `l` (its prestress
  * counts; wind acts as a dead load, so the answer has no aerodynamic stiffness). Mass: wood, burden, point
@@ -41,7 +40,7 @@ struct wf_beam_shape;
 struct wf_modes_kept {
     int32_t *pieces;             /* elements of each row               */
     size_t size;                 /* of a motion                        */
-    double *motion;              /* count x size, as in beam_vibrate.h */
+    double *motion;              /* count x size, as in solve/beam_small.h */
     struct wf_beam_shape *shape; /* the equilibrium they sway about    */
     double (*tilt)[3];
 };

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_ROD_H
 #define WF_SOLVE_ROD_H
 /* A tree of inextensible rods, integrated in arc length from the root to the tips, branch after branch, with

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_ROD_INTEGRATE_H
 #define WF_SOLVE_ROD_INTEGRATE_H
-/* Pieces of rods: each row of a tree cut into equal arcs, short enough to shoot through. */
+/* Pieces of rods: each row of a tree cut into equal arcs, short enough to shoot through, and integrated one
+ * by one. */
 #include "base/arena.h"
 #include "base/vec3.h"
 #include "data/tree.h"
@@ -24,7 +25,7 @@ struct wf_rod_piece {
     double h;          /* arc length [m]                                           */
     double stiffness;  /* bending stiffness to measure force and moment by [N m2]  */
     double first_step; /* last step the integrator took here, share of the piece   */
-    double *step;      /* all it took, see rod_step.h                              */
+    double *step;      /* all it took, see rod_integrate.c                             */
     size_t steps, room;
 };
 

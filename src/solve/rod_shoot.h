@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_ROD_SHOOT_H
 #define WF_SOLVE_ROD_SHOOT_H
 /* The boundary-value problem of a tree of rods, by multiple shooting on the tree.

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/unload.h"
 #include "base/vec3.h"
 #include "solve/beam.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_UNLOAD_H
 #define WF_SOLVE_UNLOAD_H
 /* The stress-free shape of a tree measured as it hangs under its own weight. */
