@@ -10,7 +10,7 @@ enum { STEPS_MAX = 100 };
 
 typedef enum wf_status criterion_fn(void *ctx, double speed, double *value, struct wf_err *e);
 
-struct search {
+struct speed_search {
     criterion_fn *criterion;
     void *ctx;
     double stands; /* highest speed known with criterion < 1                        */
@@ -27,7 +27,7 @@ static bool no_equilibrium(enum wf_status s) { return s == WF_ENOCONV || s == WF
 /* criterion - 1 at a speed; no equilibrium counts as far beyond failure. Brackets are kept up to date. */
 static double excess(double speed, void *search)
 {
-    struct search *s = search;
+    struct speed_search *s = search;
     struct wf_err why = { 0 };
     double value = NAN;
     if (s->fault) return 1;
@@ -51,7 +51,7 @@ static double excess(double speed, void *search)
 
 /* Halve between the last speed that stands and the lowest without an answer, until a speed that falls turns
  * up or the gap is within the tolerance. */
-static void find_edge(struct search *s, double tolerance)
+static void find_edge(struct speed_search *s, double tolerance)
 {
     while (!s->fault && s->lost < s->falls && s->lost - s->stands > tolerance * s->lost)
         excess(0.5 * (s->stands + s->lost), s);
@@ -60,7 +60,7 @@ static void find_edge(struct search *s, double tolerance)
 /* Brent's method between a speed that stands and one that falls, until a bracket within the tolerance is
  * proven; ends early when a speed without an answer turns up below. Brent's bracket closes from one side, so
  * once its steps are small the other side is tried. Returned: its best estimate. */
-static double find_crossing(struct search *s, double tolerance, gsl_root_fsolver *solver)
+static double find_crossing(struct speed_search *s, double tolerance, gsl_root_fsolver *solver)
 {
     gsl_function f = { excess, s };
     double root = s->falls;
@@ -80,7 +80,7 @@ static double find_crossing(struct search *s, double tolerance, gsl_root_fsolver
 
 /* Narrow the bracket [stands, falls] or [stands, lost] the ladder found. Returned: the crossing, where there
  * is one. */
-static double narrow(struct search *s, double tolerance)
+static double narrow_bracket(struct speed_search *s, double tolerance)
 {
     wf_quiet_begin();
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
@@ -99,7 +99,7 @@ static double narrow(struct search *s, double tolerance)
 
 /* Slope of the criterion at its crossing, over a thousandth of the speed to both sides; from below alone
  * where there is no answer above. */
-static double slope(struct search *s, double root)
+static double slope_at_crossing(struct speed_search *s, double root)
 {
     double below = root * (1 - 1e-3), above = root * (1 + 1e-3);
     double low = excess(below, s), high = excess(above, s);
@@ -111,7 +111,7 @@ double wf_critical_rung(double speed_max, int k) { return speed_max * k / WF_CRI
 enum wf_status wf_critical_search(criterion_fn *criterion, void *ctx, double speed_max, double tolerance,
                                   struct wf_critical *out, struct wf_err *e)
 {
-    struct search s = { criterion, ctx, 0, INFINITY, INFINITY, 0, WF_OK, e };
+    struct speed_search s = { criterion, ctx, 0, INFINITY, INFINITY, 0, WF_OK, e };
     *out = (struct wf_critical){ .speed = NAN, .speed_high = speed_max, .gradient = NAN, .evaluations = 1 };
     if (!(speed_max > 0 && isfinite(speed_max) && tolerance > 0 && tolerance < 1))
         return wf_fail(e, WF_EUSAGE,
@@ -133,12 +133,12 @@ enum wf_status wf_critical_search(criterion_fn *criterion, void *ctx, double spe
     if (isinf(s.falls) && isinf(s.lost))
         out->outcome = WF_CRITICAL_ABOVE;
     else {
-        double root = narrow(&s, tolerance);
+        double root = narrow_bracket(&s, tolerance);
         bool found = s.falls < s.lost;
         out->outcome = found ? WF_CRITICAL_FOUND : WF_CRITICAL_UNSOLVED;
         out->speed_low = s.stands;
         out->speed_high = found ? s.falls : s.lost;
-        if (found && !s.fault) out->speed = root, out->gradient = slope(&s, root);
+        if (found && !s.fault) out->speed = root, out->gradient = slope_at_crossing(&s, root);
     }
     out->evaluations = s.evaluations + 1;
     return s.fault;

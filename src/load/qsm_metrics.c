@@ -62,7 +62,7 @@ void wf_qsm_measure(const struct wf_qsm *q, struct wf_qsm_metrics *m)
 }
 
 /* Cosine between row i and the wind. */
-static double along(const struct wf_qsm *q, size_t i, double wx, double wy)
+static double cosine_to_wind(const struct wf_qsm *q, size_t i, double wx, double wy)
 {
     double d = wf_qsm_distance(q, i);
     return d > 0 ? ((q->x1[i] - q->x0[i]) * wx + (q->y1[i] - q->y0[i]) * wy) / d : 1;
@@ -72,7 +72,7 @@ double wf_qsm_sail(const struct wf_qsm *q, double azimuth)
 {
     double area = 0, wx = cos(azimuth), wy = sin(azimuth);
     for (size_t i = 0; i < q->n; i++) {
-        double c = along(q, i, wx, wy);
+        double c = cosine_to_wind(q, i, wx, wy);
         area += (q->r0[i] + q->r1[i]) * q->length[i] * sqrt(fmax(1 - c * c, 0));
     }
     return area;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_LOAD_QSM_METRICS_H
 #define WF_LOAD_QSM_METRICS_H
 /* Size of a measured tree, from the cylinders as they were measured (stated lengths, before any joining). */

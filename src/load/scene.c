@@ -72,7 +72,7 @@ static void complete_canopy(struct wf_scenario *s, const struct wf_profile_words
     if (isnan(w->roughness) && height > 0.0) s->roughness = 0.1 * height;
 }
 
-static void numbers(struct wf_scenario *s, const struct wf_profile_words *w)
+static void set_profile_numbers(struct wf_scenario *s, const struct wf_profile_words *w)
 {
     const struct {
         double *to, said;
@@ -93,7 +93,7 @@ enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profil
     static const char measured[] = "measured";
     struct wf_measured_profile *p = WF_TAKE(a, 1, struct wf_measured_profile);
     s->profile = w->name ? w->name : w->file ? measured : s->profile;
-    numbers(s, w);
+    set_profile_numbers(s, w);
     bool asked = strcmp(s->profile, measured) == 0;
     if (asked && !w->file)
         return wf_fail(e, WF_EUSAGE, "the profile '%s' needs a profile file of heights and speeds", measured);
