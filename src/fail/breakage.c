@@ -4,7 +4,7 @@
 #include "data/section.h"
 #include <math.h>
 
-/* What a section bears, split along and across its axis. */
+/* Forces and moments on a section, split along and across its axis, and its outer-fibre stress. */
 struct section_load {
     double shear, axial, bending, torsion, stress;
 };
@@ -37,15 +37,15 @@ static double stress_inside(const struct wf_tree *t, const struct wf_response *r
                     length * s * left * (left * slope0[k] - s * slope1[k]);
     }
     double size = sqrt(wf_dot(axis, axis));
-    if (!(size > 0)) return 0; /* a row folded flat: its ends decide */
+    if (!(size > 0)) return 0; /* the two end tangents cancel: only the ends of this row count */
     for (int k = 0; k < 3; k++) axis[k] /= size;
     return section_load_at(force, moment, axis, left * t->r0[i] + s * t->r1[i],
                            left * t->i0[i] + s * t->i1[i])
         .stress;
 }
 
-/* Largest stress of row i and its place: an end, unless the stress rises inwards from both. Then a grid of
- * sixteenths is narrowed three times round its best point. */
+/* Largest stress of row i and its place: one of its ends, unless the stress rises inwards from both. In that
+ * case a grid of sixteenths is refined three times around its best point. */
 static double row_peak(const struct wf_tree *t, const struct wf_response *r, size_t i, double stress0,
                        double stress1, double *place)
 {

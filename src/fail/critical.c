@@ -15,16 +15,16 @@ struct speed_search {
     void *ctx;
     double stands; /* highest speed known with criterion < 1                        */
     double falls;  /* lowest known with criterion >= 1; INFINITY when none          */
-    double lost;   /* lowest known without an answer; INFINITY when none            */
+    double lost;   /* lowest known without equilibrium; INFINITY when none */
     size_t evaluations;
-    enum wf_status fault; /* a failure that is no property of the tree, e.g. out of memory */
+    enum wf_status fault; /* an error that is not a finding about the tree, e.g. out of memory */
     struct wf_err *err;
 };
 
-/* No equilibrium is a finding about the tree; every other failure ends the search. */
+/* Absence of equilibrium is a result of the search; every other error ends it. */
 static bool no_equilibrium(enum wf_status s) { return s == WF_ENOCONV || s == WF_EUNSTABLE; }
 
-/* criterion - 1 at a speed; no equilibrium counts as far beyond failure. Brackets are kept up to date. */
+/* criterion - 1 at a speed, at most 1; 1 where no equilibrium is found. Updates the brackets. */
 static double excess(double speed, void *search)
 {
     struct speed_search *s = search;
@@ -49,17 +49,18 @@ static double excess(double speed, void *search)
     return s->fault ? 1 : fmin(value - 1, 1);
 }
 
-/* Halve between the last speed that stands and the lowest without an answer, until a speed that falls turns
- * up or the gap is within the tolerance. */
+/* Bisect between the highest speed with criterion < 1 and the lowest without equilibrium, until a speed with
+ * criterion >= 1 is found or the interval is within the tolerance. */
 static void find_edge(struct speed_search *s, double tolerance)
 {
     while (!s->fault && s->lost < s->falls && s->lost - s->stands > tolerance * s->lost)
         excess(0.5 * (s->stands + s->lost), s);
 }
 
-/* Brent's method between a speed that stands and one that falls, until a bracket within the tolerance is
- * proven; ends early when a speed without an answer turns up below. Brent's bracket closes from one side, so
- * once its steps are small the other side is tried. Returned: its best estimate. */
+/* Brent's method between a speed with criterion < 1 and one with criterion >= 1, until evaluations on both
+ * sides confirm a bracket within the tolerance; ends early when a speed below has no equilibrium. Brent's
+ * bracket tends to shrink from one side only, so once its steps are small the other side is evaluated.
+ * Returned: best estimate. */
 static double find_crossing(struct speed_search *s, double tolerance, gsl_root_fsolver *solver)
 {
     gsl_function f = { excess, s };
@@ -78,8 +79,8 @@ static double find_crossing(struct speed_search *s, double tolerance, gsl_root_f
     return 0.5 * (s->stands + s->falls);
 }
 
-/* Narrow the bracket [stands, falls] or [stands, lost] the ladder found. Returned: the crossing, where there
- * is one. */
+/* Narrow the bracket [stands, falls] or [stands, lost] found by the even steps. Returned: the crossing; NAN
+ * where there is none. */
 static double narrow_bracket(struct speed_search *s, double tolerance)
 {
     wf_quiet_begin();
@@ -97,8 +98,8 @@ static double narrow_bracket(struct speed_search *s, double tolerance)
     return root;
 }
 
-/* Slope of the criterion at its crossing, over a thousandth of the speed to both sides; from below alone
- * where there is no answer above. */
+/* Slope of the criterion at its crossing by a difference over 0.1 % of the speed to both sides; from below
+ * alone where no equilibrium exists above. */
 static double slope_at_crossing(struct speed_search *s, double root)
 {
     double below = root * (1 - 1e-3), above = root * (1 + 1e-3);

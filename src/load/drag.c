@@ -11,9 +11,9 @@ static double share_none(const struct wf_law_values *p, double speed, double *de
     return 1;
 }
 
-/* ln(share) = V g(x), x = ln(speed/reference). The law itself has g = 0 for x < 0 and g = x above, with a
- * corner at the reference speed that no crown has. Within |x| < h the parabola (x+h)^2/(4h) joins both
- * branches with a continuous slope; outside that band the law is untouched. */
+/* ln(share) = V g(x), x = ln(speed/reference). The sharp law has g = 0 for x < 0 and g = x above, with a
+ * corner at the reference speed that real crowns do not have. Within |x| < h the parabola (x+h)^2/(4h) joins
+ * both branches with a continuous slope; outside that band the law is unchanged. */
 static double share_vogel(const struct wf_law_values *p, double speed, double *derivative)
 {
     const double h = WF_VOGEL_ROUNDING, exponent = p->number[0], reference = p->number[1];
@@ -113,12 +113,12 @@ static const double bark_drag[] = {
     1.37, 1.25, 1.13, /* 1e2  */
     1.00, 0.95, 1.00, /* 1e3  */
     1.10, 1.17, 1.20, /* 1e4  */
-    1.20, 1.14, 1.05, /* 1e5: bark is past the drag crisis of a smooth cylinder */
+    1.20, 1.14, 1.05, /* 1e5: rough bark, beyond the drag crisis of a smooth cylinder */
     1.05, 1.05, 1.05, /* 1e6  */
     1.05,             /* 1e7  */
 };
-/* d drag / d log10 Re at the points by wf_smooth_slope, worked out beforehand because this function
- * is called for every load point of every element. */
+/* Slopes d drag / d log10 Re at the points by wf_smooth_slope, tabulated because this law is evaluated at
+ * every load point of every element. */
 static const double bark_rise[] = {
     0,
     -63.788542506732597,

@@ -15,7 +15,7 @@ void wf_loads_default(struct wf_loads *l)
                             .axis_drag = &wf_axis_drag_laws[0] };
 }
 
-/* The numbers and lists of a law as the species gives them. */
+/* Parameters of a law in the order of its row, from the values of the species. */
 static struct wf_law_values law_values_of(const struct wf_law_use *use, const struct wf_law *l)
 {
     struct wf_law_values v = { 0 };
@@ -52,23 +52,24 @@ double *wf_loads_streamline_number(struct wf_loads *l, const char *name)
     return k < 0 ? NULL : &l->streamline_par.number[k];
 }
 
-/* The load on one point of an axis and its exact derivatives. Called for every load point of every
- * element in every iteration, so: no allocation, one square root a speed, no division by a speed that
- * may be zero. */
+/* The load on one point of an axis and its exact derivatives. They are evaluated at every Gauss point of
+ * every element in every iteration, so: no allocation, one square root per speed, no division by a speed
+ * that may be zero. */
 
-/* The air at a point, and the coefficients k of force = k * velocity. */
+/* Velocity of the air at a point, and the coefficients k of force = k * velocity. */
 struct axis_flow {
     double u[3], du[9];
     double along;             /* U.t [m/s]                                         */
     double across;            /* |Un| [m/s]                                        */
     double n[3], m[3];        /* Un/|Un| and t x Un/|Un|; zero when |Un| = 0       */
     double drag, drag_grow;   /* axis drag / Un [N s/m2], and |Un| d(drag)/d|Un|   */
-    double lift;              /* lift / (t x Un) [N s/m2]; grows like itself       */
+    double lift;              /* lift / (t x Un) [N s/m2]; equals its |Un| d(lift)/d|Un| */
     double crown, crown_grow; /* crown drag / U [N s/m2], and |U| d(crown)/d|U|    */
-    double e[3];              /* U/|U|; zero when still                            */
+    double e[3];              /* U/|U|; zero in still air */
 };
 
-/* v / |v|, or zero for a zero vector: every use is multiplied by a force that vanishes with |v|. */
+/* unit = v / |v|, zero for a zero vector: every use multiplies it by a force that vanishes with |v|.
+ * Returned: |v|. */
 static inline double split_direction(const double v[3], double unit[3])
 {
     double size = sqrt(wf_dot(v, v)), inverse = size > 0 ? 1 / size : 0;

@@ -15,8 +15,8 @@ static int32_t main_root(const struct wf_qsm *q)
     return root;
 }
 
-/* Row of the stem in which it first passes breast height, -1 when it does not. A stem that forks below is
- * followed along the thickest limb. */
+/* First row of the stem whose end lies at or above breast height; -1 when the stem is lower. Below breast
+ * height a forked stem is followed along its thickest limb. */
 static int32_t breast_row(const struct wf_qsm *q, int32_t root)
 {
     int32_t row = root;
@@ -61,7 +61,7 @@ void wf_qsm_measure(const struct wf_qsm *q, struct wf_qsm_metrics *m)
     m->dbh = breast_diameter(q, root);
 }
 
-/* Cosine between row i and the wind. */
+/* Cosine of the angle between row i and the wind. */
 static double cosine_to_wind(const struct wf_qsm *q, size_t i, double wx, double wy)
 {
     double d = wf_qsm_distance(q, i);

@@ -12,7 +12,7 @@ void wf_scenario_default(struct wf_scenario *s)
         .profile = "power",
         .reference_height = 10.0,
         .speed_up = 1.0,
-        .roughness = 0.03, /* open grassland (Davenport class 3) for who asks for the log profile */
+        .roughness = 0.03, /* open grassland (Davenport class 3); the log profile only */
         .displacement = 0.0,
         .exponent = 0.16,
         .azimuth = 0.0,
@@ -24,7 +24,7 @@ void wf_scenario_default(struct wf_scenario *s)
     };
 }
 
-/* A field of the scenario and what it may hold. */
+/* A field of the scenario and its allowed range. */
 struct limit {
     const char *name, *unit;
     double value, low, high;
@@ -64,7 +64,8 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
     return wf_wind_check(&wind, e);
 }
 
-/* What is not said of a stand follows from its height. */
+/* Defaults of the canopy profile from the canopy height; where that is missing it follows from the
+ * displacement height. */
 static void complete_canopy(struct wf_scenario *s, const struct wf_profile_words *w)
 {
     double height = s->canopy_height > 0.0 ? s->canopy_height : s->displacement / 0.7;
