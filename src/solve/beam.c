@@ -6,7 +6,8 @@
 
 /* Reading a solved beam: the columns of a response. */
 
-/* Force and moment at an element's base, load on it and the load's moment about `first`. */
+/* Force and moment at the base of element i; its load and the load's moment about `first` are added to
+ * `load` and `moment`. */
 static void add_element_loads(const struct wf_beam *b, size_t i, const double first[3],
                               struct wf_beam_wrench *base, double load[3], double moment[3])
 {
@@ -27,7 +28,8 @@ static void add_element_loads(const struct wf_beam *b, size_t i, const double fi
     }
 }
 
-/* Loads at element ends, summed about `first`: independent of the sweep that made the reactions. */
+/* Add loads at element ends and their moments about `first`. Computed apart from the sweep that gives the
+ * reactions, so that the sum checks them. */
 static void add_end_loads(const struct wf_beam *b, const double first[3], double force[3], double moment[3])
 {
     const struct wf_loads *l = &b->loads;
@@ -87,7 +89,7 @@ static void read_beam_row(const struct wf_beam *b, size_t i, const double first[
     }
 }
 
-/* Fill the response's columns from a solved beam. The response is allocated for the tree's rows. */
+/* Fill the columns of the response, which is allocated for the tree's rows, from a solved beam. */
 static void beam_read(const struct wf_beam *b, struct wf_response *r)
 {
     const struct wf_tree *t = b->mesh.tree;
@@ -106,7 +108,7 @@ static void beam_read(const struct wf_beam *b, struct wf_response *r)
 
 /* From one mesh to another: start shape and error. */
 
-/* Rotation at row fraction s of a row (0..1), from the unloaded to the loaded state. */
+/* Rotation from the unloaded to the loaded state at fraction s (0..1) of a row. */
 static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
 {
     int32_t from = b->mesh.first[row], cut = b->mesh.last[row] - from + 1;
@@ -139,7 +141,7 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
     }
 }
 
-/* End of row i seen from its base. */
+/* Position and rotation of the end of row i relative to its base, in the axes of the base. */
 static void seen_from_base(const struct wf_beam *b, size_t i, double place[3], double L[9])
 {
     size_t from = (size_t)b->mesh.first[i];
@@ -161,10 +163,10 @@ static void tree_reach(const struct wf_tree *t, double *reach)
     }
 }
 
-/* Error of place that the mesh leaves at the worst node [m], from the answers on a mesh and a finer one of
- * the same tree: each row's own part (its end seen from its base) falls with the fourth power of the piece
- * length, and is carried outwards by the reach of what stands on it. share[n]: each row's part of it [m]; a
- * row that was not cut finer keeps what it had. */
+/* Estimated error of position at the worst node [m], from solutions on a mesh and a finer one of the same
+ * tree. Each row's own contribution (its end relative to its base) falls with the fourth power of the piece
+ * length; its error of rotation moves everything beyond it, up to `reach` away. share[n]: contribution of
+ * each row [m]; a row that was not refined keeps its old value. */
 static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *reach,
                               double *share)
 {
@@ -182,7 +184,7 @@ static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam
         v3_add(a, -1, b);
         if (fall > 0) share[i] = (sqrt(wf_dot(a, a)) + reach[i] * sqrt(wf_dot(turn, turn))) / fall;
     }
-    /* the worst path from the ground: summed upwards in place of the rows' own shares, then undone */
+    /* largest sum along a path from the ground: summed in place of the rows' own shares, then undone */
     for (size_t i = 0; i < t->n; i++) {
         if (t->parent[i] >= 0) share[i] += share[t->parent[i]];
         worst = fmax(worst, share[i]);
@@ -217,7 +219,7 @@ static double tree_size(const struct wf_tree *t)
     return sqrt(most);
 }
 
-/* Longest chain of rows from the ground: among so many the allowed error is shared. */
+/* Number of rows on the longest path from the ground; the allowed error is divided by it. */
 static double longest_row_chain(const struct wf_tree *t, double *depth)
 {
     double most = 1;
@@ -228,7 +230,7 @@ static double longest_row_chain(const struct wf_tree *t, double *depth)
     return most;
 }
 
-/* Distributed load on each row as the mesh sums it, 3n [N]. */
+/* Distributed load on each row as integrated on the mesh, 3n [N]. */
 static void row_loads(const struct wf_beam *b, double *load)
 {
     for (size_t i = 0; i < b->mesh.tree->n; i++) {
@@ -242,9 +244,9 @@ static void row_loads(const struct wf_beam *b, double *load)
     }
 }
 
-/* Error of each row's load as a share of the reaction, taken to fall with the power 1.3 of the piece length:
- * wind near the ground grows with a low power of height, and a load with a corner inside a row converges no
- * faster. */
+/* Estimated error of each row's load relative to the base reaction, assumed to fall with the power 1.3 of
+ * the piece length: wind near the ground grows with a low power of height, and a load with a kink inside a
+ * row converges no faster. */
 static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *before,
                          const double *now, double *share)
 {
@@ -259,9 +261,9 @@ static double load_error(const struct wf_beam *coarse, const struct wf_beam *fin
     return sum;
 }
 
-/* Pieces that bring each row's share of the error to its part of the target; never fewer than there are, so
- * that the shape carried over is one Newton goes on from. While the load is `off` times as far out as
- * allowed, also more for the rows that make most of that. */
+/* New number of pieces per row. Rows above their share of the error target are refined; none is coarsened,
+ * so the carried-over shape is a valid Newton start. off = load error / allowed; above 1 the rows that cause
+ * most of it (`bear`) are refined too. */
 static void choose_pieces(const struct wf_beam *b, const double *share, double target, const double *bear,
                           double off, int32_t *pieces)
 {
@@ -281,8 +283,8 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
 {
     enum { MESHES = 6 };
     const double safety = 0.25;
-    const double rounding =
-        1e-12; /* of the size: what places are good to, so a tree that does not move ends too */
+    const double rounding = 1e-12; /* relative to the tree's size: positions are no more accurate than this,
+                                      so a tree that hardly moves converges too */
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
     double *reach = WF_TAKE(work, t->n, double), *share = WF_TAKE(work, t->n, double);
     double *before = WF_TAKE(work, 3 * t->n, double), *load = WF_TAKE(work, 3 * t->n, double),
@@ -368,8 +370,8 @@ const struct wf_solver wf_solver_beam = {
     .solve = beam_solve,
 };
 
-/* One linear step on the beam elements: loads and balance of the unbent tree, small displacements and
- * rotations. */
+/* The linear solver: one step on the beam elements, with loads and equilibrium of the undeformed tree, small
+ * displacements and rotations. */
 
 /* Rotation of a root plate under a moment. */
 static void plate_tilt(const struct wf_beam *b, const double moment[3], double q[3])
@@ -378,8 +380,8 @@ static void plate_tilt(const struct wf_beam *b, const double moment[3], double q
         if (b->options->root_stiffness[j] > 0) q[j] = moment[j] / b->options->root_stiffness[j];
 }
 
-/* Rotation q and displacement u of the unbent tree under its internal forces:
- * q' = G m,  u' = q x t + H n,  by the same collocation as the full element. */
+/* Rotation q and displacement u of the undeformed tree from its internal forces: q' = G m,  u' = q x t + H
+ * n,  by the same collocation as the full element. */
 static void linear_displacements(struct wf_beam *b, double (*u)[3], double (*q)[3])
 {
     for (size_t i = 0; i < b->mesh.n; i++) {
@@ -431,7 +433,8 @@ static enum wf_status linear_answer_on(const struct wf_tree *t, const struct wf_
     return WF_OK;
 }
 
-/* Error of the finer of two meshes of ratio 2, relative to the largest displacement and rotation. */
+/* Estimated error on the finer of two meshes of ratio 2, relative to the largest displacement and rotation:
+ * a fifteenth of their difference, at order 4. */
 static double linear_mesh_error(const struct linear_answer *coarse, const struct linear_answer *fine)
 {
     double off[2] = { 0, 0 }, size[2] = { 0, 0 };

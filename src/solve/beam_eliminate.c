@@ -3,7 +3,7 @@
 #include "solve/beam_kernel.h"
 #include "solve/beam_mesh.h"
 
-/* Linearisation of one element and its elimination between its base and what is above.
+/* Linearisation of one element and its elimination between its base and the part above.
  *
  * Spins at the Gauss points are q_j = q_0 + y_j (y: unknown, q_0: spin of the base). Exactly,
  *   dr'_j = Y_j q_j + H_j dn_end,                    Y = -[r'] + H [n]
@@ -12,11 +12,12 @@
  *   d(r' x n)_j = V_jm q_m + Vn_j dn_end + Vr_j dr_0,
  *   dm_j  = dm_end + h down (d(r' x n)),
  *   d(material law's moment)_j = G^-1 (Q_j y_j + sum_m slope_jm/h P_jm y_m + [G m] y_j) - [m] q_j,
- * with A, B the load's derivatives by place and by turn, T the tangent of the rotation vector, Q = D T^-1,
- * P_jm = T_j T_m^-1. The end's wrench is what the part above answers, dw = K p_end + k, so that six
- * equations in the six y remain. */
+ * with A, B the load's derivatives by position and by rotation of the axis, T the tangent of the rotation
+ * vector, Q = D T^-1, P_jm = T_j T_m^-1. The wrench of the end depends linearly on its motion through the
+ * part above, dw = K p_end + k, so that six equations in the six y remain. */
 
-/* Rows by the base's change p and 1 (and a spare column, so that rows are whole vector registers). */
+/* A row per unknown, columns: the six of the base's change p, one constant, one spare column, so that rows
+ * fill whole vector registers. */
 typedef double by_base[6][8];
 
 static inline void put6(double A[6][6], int row, int col, const double B[9])
@@ -31,7 +32,8 @@ static inline void put8(by_base A, int row, int col, const double B[9])
         for (int j = 0; j < 3; j++) A[row + i][col + j] = B[3 * i + j];
 }
 
-/* S y + R (p_base, 1) = 0 without the part above; its answer enters through Mn: dn_end -> dm_j. */
+/* S y + A (p_base, 1) = 0 for the element without the part above, whose reaction enters through Mn: dn_end
+ * -> dm_j. */
 WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
                                  const struct kinematics *k, const struct statics *q,
                                  const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
@@ -43,8 +45,8 @@ WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_b
         law_hold(p, flat, s, j, k->k[j], law);
         for (int m = 0; m < 2; m++)
             for (int i = 0; i < 9; i++) M[m][i] = d0 * q->V[0][m][i] + d1 * q->V[1][m][i];
-        /* turning the section: d(G^-1) k = -[m] q + G^-1 [G m] q, taking the curvature that goes with the
-         * moment */
+        /* rotation of the section: d(G^-1) k = -[m] q + G^-1 [G m] q, evaluated with the curvature G m of
+         * the present moment */
         law_give(p, flat, s, j, at[j].m, bent);
         memset(C, 0, sizeof C);
         m3_add_cross(C, -1, at[j].m);
@@ -102,10 +104,11 @@ WF_INLINE bool solve6(double S[6][6], by_base B)
     return true;
 }
 
-/* Directions in which the element is unstable: S in terms of strains is S B^-1 with B = d(curvature)/dy;
- * count its negative pivots. For conservative loads it is symmetric, to the order of the mesh's error, and
- * they are its negative eigenvalues; for others their number changes where the tree loses its static
- * stability. (The symmetric part alone would call shapes unstable that are nearly free to turn.) */
+/* Number of directions in which the element is unstable: S in terms of strains is S B^-1 with B =
+ * d(curvature)/dy; its negative pivots are counted. For conservative loads S B^-1 is symmetric, to the order
+ * of the mesh error, and they are its negative eigenvalues; for other loads their number changes where the
+ * tree loses its static stability. (The symmetric part alone would also count shapes that are nearly free to
+ * rotate.) */
 static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], const struct kinematics *k,
                                   double margin)
 {
@@ -183,7 +186,7 @@ WF_INLINE void base_wrench_of(double half, const struct statics *q, const struct
     }
 }
 
-/* Add what the part above answers, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own
+/* Add the reaction of the part above, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own
  * equations: dm_j gains Mn_j dn_end + dm_end. */
 WF_INLINE void attach_part_above(double Mn[2][9], const struct wf_beam_reaction *above, double P[6][6],
                                  by_base Z, double S[6][6], by_base A)
@@ -220,7 +223,7 @@ static void invert6(double S[6][6], double R[6][6])
     for (int i = 0; i < 6; i++) memcpy(R[i], B[i], sizeof R[i]);
 }
 
-/* S: wrench of the base by y, without the part above. */
+/* Keep the factors of struct wf_beam_small. S: base wrench by y, without the part above. */
 static void keep_small_loads(const struct statics *q, const struct wf_beam_wrench at[2],
                              const struct wf_beam_reaction *above, double half, double P[6][6],
                              double S[6][6], struct wf_beam_small *o)
@@ -243,9 +246,10 @@ static void keep_small_loads(const struct statics *q, const struct wf_beam_wrenc
             }
 }
 
-/* Does the element, with what it carries, leap? Either its own correction at a fixed base is large, or its
- * end turns against its base (beyond -1: it is past its buckling load) or many times as far (it is near it).
- * The linear answer is then no guide, and would throw the parts below. P: spin of the end by y; A: solved. */
+/* Would the linear step throw this element (and all above it) far beyond where linearisation holds? Either
+ * its own correction at a fixed base is large, or its end rotates against its base (below -1: it is beyond
+ * its buckling load) or many times as far as its base (it is near its buckling load). Such a step would also
+ * throw the parts below. P: spin of the end by y; A: solved. */
 WF_INLINE bool leaps(by_base A, double P[6][6])
 {
     const double turn = 0.7, against = -1.1, along = 8; /* rad, -, - */
@@ -260,9 +264,10 @@ WF_INLINE bool leaps(by_base A, double P[6][6])
     return false;
 }
 
-/* Solve for y = -A (p_base, 1). With `guard`, an element that leaps is taken on its own: damped elastic
- * bending towards the moments it bears now, following its base stiffly and handing no reaction down (*apart).
- * Twigs past their buckling load so fall over in a few steps without throwing what carries them. */
+/* Solve for y = -A (p_base, 1). With `guard`, an element whose step is too large is taken by itself: damped
+ * elastic bending towards its present moments, rigidly following its base, with no reaction on the part
+ * below (*apart). Twigs beyond their buckling load thus fall over in a few iterations without disturbing
+ * what carries them. */
 WF_INLINE bool solve_element(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
                              const struct kinematics *k, const struct statics *q,
                              const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
@@ -329,7 +334,7 @@ WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_be
     return true;
 }
 
-/* One source for both section laws: with flat constant the compiler leaves out what a round one has not. */
+/* Inlined twice; with flat == NULL the compiler drops the terms of non-round sections. */
 WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
                                const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                                const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
@@ -373,7 +378,7 @@ WF_INLINE void misfit_add(const struct wf_beam_part *p, const struct wf_beam_sha
                           const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],
                           struct wf_beam_misfit *sum)
 {
-    const double slight = 1e-3; /* of n h: smaller moments are measured by this one */
+    const double slight = 1e-3; /* times n h: lower bound of the moment the error is measured against */
     double k[2][3];
     wf_beam_curvature(p, u, k);
     for (int j = 0; j < 2; j++) {

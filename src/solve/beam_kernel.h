@@ -5,8 +5,8 @@
 #include "base/vec3.h"
 #include "solve/beam_element.h"
 
-/* The section's law in bending and torsion. flat NULL, a constant where these are inlined: a round section.
- */
+/* Section law in bending and torsion. flat NULL (a constant where these are inlined) means a round
+ * section. */
 
 /* y = G^-1 x: moment of a curvature */
 WF_INLINE void law_hold(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
@@ -37,9 +37,8 @@ WF_INLINE void law_hold_mul(const struct wf_beam_part *p, const struct wf_beam_f
     m3_add_outer(C, flat->more[j], flat->across[j], row);
 }
 
-/* Derivatives within one element, inlined into its elimination (beam_eliminate.c, where the equations are):
- * of curvature and end by the spins at the Gauss points, of loads and of r' x n by spins, end force and base.
- */
+/* Derivatives within one element, inlined into its elimination (beam_eliminate.c states the equations):
+ * curvature and end by the spins at the Gauss points; loads and r' x n by spins, end force and base. */
 
 struct kinematics {
     double k[2][3];     /* curvature of the material law, creep included */
@@ -47,16 +46,16 @@ struct kinematics {
     double W[2][9];     /* y -> spin of the end, relative to the base     */
 };
 
-/* Where the material law asks an element for a large turn at once, its tangent is stiffened in proportion: a
- * damped Newton step for that element alone. Twigs that double over then do not hold up the rest of the tree,
- * and as the misfit goes to zero so does the damping, at the same rate, so that convergence stays quadratic.
- */
+/* Damping of one element, whose tangent is stiffened in proportion to the rotation its material law residual
+ * asks for. Twigs that bend double then do not shorten the Newton step of the whole tree. The damping goes
+ * to zero with the residual, at the same rate, so that convergence remains quadratic. */
 WF_INLINE double element_damping(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
                                  const struct kinematics *c, const struct wf_beam_stage *s,
                                  const struct wf_beam_wrench at[2])
 {
     const double free_turn = 0.05,
-                 full_turn = 0.25; /* rad an element may turn undamped; turn that halves the step */
+                 full_turn =
+                     0.25; /* [rad]: rotation without damping; further rotation that halves the step */
     double most = 0;
     for (int j = 0; j < 2; j++) {
         double miss[3];
@@ -114,11 +113,11 @@ struct statics {
     double Y[2][9];                /* spin -> dr'                       */
     double F[2][2][9], V[2][2][9]; /* spin at m -> df_j, d(r' x n)_j    */
     double Vn[2][9], Vr[2][9];     /* dn_end, dr_0 -> d(r' x n)_j       */
-    double gap[2][3];              /* strain still to come: H n - g     */
+    double gap[2][3];              /* strain residual H n - g */
     double Vc[2][3];               /* its part of d(r' x n)_j           */
 };
 
-/* The weight's moment about the axis turns with the section: d(o x f) = f x (o x q) = (o f' - f.o) q. */
+/* The moment of off-axis weight rotates with the section: d(o x f) = f x (o x q) = (o f' - f.o) q. */
 WF_INLINE void add_side_weight(const struct wf_beam_flat *flat, int j, double V[9])
 {
     double offset[3] = { 0, 0, 0 }, force[3] = { 0, 0, -flat->weight };

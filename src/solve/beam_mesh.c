@@ -13,7 +13,8 @@ static const double weight8[8] = { 0.05061426814518812958, 0.1111905172266872352
                                    0.18134189168918099148, 0.18134189168918099148, 0.15685332293894364367,
                                    0.11119051722668723527, 0.05061426814518812958 };
 
-/* An arc of constant curvature between two points: base tangent from chord and curvature vector. */
+/* A row is an arc of constant curvature between two points; its tangents follow from chord and curvature
+ * vector. */
 void wf_row_axis(const struct wf_tree *t, size_t i, double s, double position[3], double tangent[3])
 {
     const double base[3] = { t->x0[i], t->y0[i], t->z0[i] };
@@ -47,7 +48,7 @@ int32_t wf_beam_first_pieces(const struct wf_tree *t, const struct wf_solve_opti
 
 struct row_stiffness {
     double ei, gj, ea, ga;
-    double across; /* stiffness about the width, where it is another */
+    double across; /* bending stiffness about the width, of a section that is not round */
 };
 
 /* 5/6: the shear factor of a rectangle without lateral contraction, for all shapes */
@@ -83,8 +84,8 @@ static struct row_stiffness stiffness_at(const struct wf_tree *t, size_t i, doub
                                    .gj = t->shear[i] * 2 * inertia };
 }
 
-/* Compliances at the two Gauss points that keep the integrals of c and s c over the piece s0..s1 of the row.
- */
+/* Compliances at the two Gauss points that reproduce the integrals of c and s c over the piece s0..s1 of the
+ * row. */
 static void two_moments(const double *c8, double out[2])
 {
     double i0 = 0, i1 = 0;
@@ -102,8 +103,8 @@ static void set_stiffness(const struct wf_tree *t, size_t i, double s0, double s
         bend[k] = 1 / s.ei, twist[k] = 1 / s.gj, stretch[k] = 1 / s.ea, slide[k] = 1 / s.ga;
     }
     two_moments(bend, c);
-    bool extreme =
-        !(c[0] > 0 && c[1] > 0); /* a piece running out to a point: plain values, refined by pieces */
+    bool extreme = !(c[0] > 0 && c[1] > 0); /* a piece that tapers to a point: plain values at the Gauss
+                                               points; the mesh refinement reduces the error */
     for (int j = 0; j < 2; j++) {
         struct row_stiffness s = stiffness_at(t, i, wf_between(s0, s1, gauss_place[j]), o->shear_factor);
         p->ei[j] = extreme ? s.ei : 1 / c[j];
@@ -121,7 +122,7 @@ static void set_stiffness(const struct wf_tree *t, size_t i, double s0, double s
     }
 }
 
-/* How the section differs from a round one: see set_stiffness for its own part of the stiffness. */
+/* Additional constants of an element that is not round; set_stiffness sets ei. */
 static void set_flat_section(const struct wf_tree *t, size_t i, double s0, double s1,
                              const struct wf_solve_options *o, const struct wf_beam_part *p,
                              struct wf_beam_flat *f)

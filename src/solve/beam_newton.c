@@ -4,7 +4,7 @@
 #include "solve/beam_eliminate.h"
 #include <float.h>
 
-/* Sweeps over all elements: a parent always stands before its children, so one loop up and one loop down. */
+/* Sweeps over all elements. A parent always precedes its children, so each sweep is one loop. */
 
 const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struct wf_beam_pose *ground)
 {
@@ -27,7 +27,7 @@ void wf_beam_sweep_up(struct wf_beam *b)
     }
 }
 
-/* The weight of what hangs to one side, as the loads are scaled now. */
+/* Off-axis weight at the present load scale. */
 static void set_side_weight(struct wf_beam *b)
 {
     for (size_t i = 0; b->flat && i < b->mesh.n; i++)
@@ -48,7 +48,7 @@ static bool eliminate_element(struct wf_beam *b, size_t i, const double L[9],
                              below, guard, count, small);
 }
 
-/* Loads that act at element ends: point masses, dead and follower forces and moments. */
+/* Loads at element ends: point masses, dead and follower forces and moments. */
 static void load_nodes(struct wf_beam *b)
 {
     const struct wf_loads *l = &b->loads;
@@ -67,7 +67,7 @@ static void load_nodes(struct wf_beam *b)
     }
 }
 
-/* Follower loads turn with their section: dn = spin x n. */
+/* Follower loads rotate with their section: dn = spin x n. */
 static void react_nodes(struct wf_beam *b)
 {
     const struct wf_loads *l = &b->loads;
@@ -87,9 +87,9 @@ static void react_nodes(struct wf_beam *b)
     }
 }
 
-/* The root plate: springs c about x and y hold the tilt v against the moment, c v = T' m (stiffness 0 =
- * clamped). Adds the plate's misfit; with the reaction r of the tree on it, works out its correction, how it
- * gives, and whether it is stable. */
+/* Root plate of a row: springs c about x and y resist the tilt v, c v = T' m (stiffness 0 = clamped). Adds
+ * the plate's residual; given the reaction r of the tree on it, computes its Newton correction, its
+ * compliance, and whether it is stable. */
 static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench *w,
                       const struct wf_beam_reaction *r, struct wf_beam_stability *count)
 {
@@ -139,7 +139,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     static const double still[2][3];
     struct wf_beam_pose ground;
     double first[3] = { 0, 0, 0 };
-    /* far from equilibrium the tangent is guarded; nearer it is exact */
+    /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
     bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
     b->misfit = (struct wf_beam_misfit){ 0 };
     if (count) count->negative = 0, count->bears = 0;
@@ -217,8 +217,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     return WF_OK;
 }
 
-/* Keep an element's own turn below a limit; what it carries then follows as far. base, end: changes of its
- * ends. */
+/* Limit an element's own rotation; everything above it moves accordingly. base, end: changes of its ends. */
 static void limit_turn(const struct wf_beam_pose *at_base, const struct wf_beam_pose *at_end,
                        const double base[6], double dv[2][3], double end[6])
 {
@@ -236,7 +235,7 @@ static void limit_turn(const struct wf_beam_pose *at_base, const struct wf_beam_
     }
 }
 
-/* Corrections of all unknowns from the base up. Returned: the largest turn any node would make. */
+/* Newton corrections of all unknowns, from the base up. Returned: largest rotation of a node [rad]. */
 static double newton_corrections(struct wf_beam *b)
 {
     double most = 0;
@@ -261,10 +260,10 @@ static void apply_correction(struct wf_beam *b, double share)
     wf_beam_sweep_up(b);
 }
 
-/* One correction, shortened until the misfit falls. */
+/* One Newton step, halved until the residual falls. false: no step length reduces it. */
 static bool newton_step(struct wf_beam *b)
 {
-    const double turn_limit = 3; /* rad a node may turn in one step */
+    const double turn_limit = 3; /* [rad] rotation of a node in one step */
     double turn = newton_corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
     struct wf_beam_misfit before = b->misfit;
     if (!isfinite(turn)) return false;
@@ -297,9 +296,9 @@ enum wf_status wf_beam_newton(struct wf_beam *b)
     return newton_converged(b) ? WF_OK : WF_ENOCONV;
 }
 
-/* Ways to an equilibrium at the full load that always end. */
+/* Fallbacks that reach equilibrium at full load, or report that there is none; they always terminate. */
 
-enum { EFFORT = 300 }; /* Newton iterations spent on load steps, and on creep, before giving up */
+enum { EFFORT = 300 }; /* Newton iterations allowed for load steps, and again for creep, before giving up */
 
 struct saved_shape {
     struct wf_beam_shape *shape;
@@ -325,9 +324,10 @@ static void scale_loads(struct wf_beam *b, const struct wf_loads *full, double s
     b->loads.point_scale = share * full->point_scale;
 }
 
-/* A fallen stem may turn about the vertical at no cost, and the tangent is symmetric only to second order in
- * an element's own turn: allow for that much. A twig that may snap to another shape does not bring down the
- * tree: parts that bear less than a hundredth of what the ground does are counted (loose), not refused. */
+/* The margin allows for neutral directions (a fallen stem may rotate about the vertical without any work)
+ * and for the tangent, which is symmetric only to second order in an element's own rotation. A twig that may
+ * snap to another shape does not bring down the tree: parts that carry less than a hundredth of the force on
+ * the ground are counted (loose), not refused. */
 bool wf_beam_stable(struct wf_beam *b)
 {
     const double small = 0.01;
@@ -340,8 +340,8 @@ bool wf_beam_stable(struct wf_beam *b)
     return count.bears <= small * sqrt(wf_dot(b->base.n, b->base.n));
 }
 
-/* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share
- * reached. */
+/* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share of
+ * the load reached. */
 static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct saved_shape *last)
 {
     double share = 0, size = 0.25;
@@ -365,7 +365,7 @@ static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct 
     return share;
 }
 
-/* A small sideways bow, so that a shape that is only balanced on its edge can leave it. */
+/* Perturb the shape by a small sideways bow, so that it can leave an unstable equilibrium. */
 static void perturb_shape(struct wf_beam *b)
 {
     for (size_t i = 0; i < b->mesh.tree->n; i++)
@@ -376,11 +376,11 @@ static void perturb_shape(struct wf_beam *b)
             b->shape[i].v[j][1] += 1e-4 * (j + 1), b->shape[i].v[j][0] += 3e-5 * (j + 1);
 }
 
-/* Kelvin-Voigt creep under the full load: each step solves the tree with a section moment G^-1 (k + rate (k -
- * k_old)), an implicit Euler step of viscous motion of length 1/rate, which has a stable answer however far
- * the elastic one is when the step is short enough. (A balanced but unstable answer of a longer step leads
- * back to the shape the tree is to leave, and is refused.) The rate falls while the steps succeed; at rate 0
- * the elastic equilibrium is left. */
+/* Kelvin-Voigt creep under the full load: each step solves the tree with a section moment G^-1 (k + rate (k
+ * - k_old)), an implicit Euler step of viscous motion of length 1/rate. If the step is short enough it has a
+ * stable solution, however far away the elastic one is. (An unstable equilibrium of a longer step would lead
+ * back to the shape that is to be left, and is refused.) The rate falls while the steps succeed; at rate 0
+ * the elastic equilibrium remains. */
 static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
 {
     double rate = 64;
@@ -404,7 +404,8 @@ static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
         save_shape(b, last);
         if (wf_beam_newton(b) == WF_OK && wf_beam_stable(b)) return true;
         restore_shape(b, last);
-        if (rate < 1e-8) rate = 1; /* slower and slower creep has not left an unstable shape: begin again */
+        if (rate < 1e-8)
+            rate = 1; /* ever slower creep has not left an unstable shape: start again with a fast step */
     }
     return false;
 }
