@@ -18,8 +18,8 @@ static double case_length(const struct wf_case *c)
     return c->shape == WF_SHAPE_ARC ? c->arc[0] * c->arc[1] : c->length;
 }
 
-/* Outer and inner radius at base and tip [m]. Where EI is given and no radius, length/1000 at the base: a
- * slender rod whose bending stiffness is EI, so that only EI matters. */
+/* Outer and inner radius at base and tip [m]. Where EI is given without a radius: length/1000 at the base, a
+ * slender rod of bending stiffness EI, so that only EI matters. */
 static void case_radius(const struct wf_case *c, double outer[2], double inner[2])
 {
     outer[0] = or_else(c->radius[0], case_length(c) / 1000.0);
@@ -112,7 +112,7 @@ static void add_share(double *s, size_t *n, const struct wf_place *p)
     if (p->kind == WF_PLACE_AT) s[(*n)++] = p->share;
 }
 
-/* Row boundaries as shares of the length: evenly spaced, and wherever the case tree_column_names a place. */
+/* Row boundaries as shares of the length: evenly spaced, and at every place that the case names. */
 static double *boundaries(const struct wf_case *c, struct wf_arena *a, size_t *rows)
 {
     size_t even = (size_t)c->rows, n = 0, kept = 0;
@@ -132,7 +132,8 @@ static double *boundaries(const struct wf_case *c, struct wf_arena *a, size_t *r
     return s;
 }
 
-/* Point of the unloaded axis at arc length s [m]: straight, or a circle from its root tangent f towards n. */
+/* Point of the unloaded axis at arc length s [m]: straight, or on a circle with root tangent f that bends
+ * towards n. */
 static void axis_point(const struct wf_case *c, const double f[3], const double n[3], double s, double x[3])
 {
     double r = c->arc[0], u = s, v = 0.0;
@@ -201,8 +202,8 @@ static enum wf_status branch_rows(const struct wf_case *c, struct wf_arena *a, s
     return WF_OK;
 }
 
-/* Beside the case file, or in the folder that WINDFIRM_REFERENCE tree_column_names (for files too large to
- * ship). */
+/* Read the tree file beside the case file, or in the folder that WINDFIRM_REFERENCE names (for files too
+ * large to ship). */
 static enum wf_status read_tree_file(const struct wf_case *c, struct wf_arena *a, struct wf_tree *t,
                                      struct wf_err *e)
 {
@@ -217,8 +218,8 @@ static enum wf_status read_tree_file(const struct wf_case *c, struct wf_arena *a
                    folder ? "" : "; WINDFIRM_REFERENCE can name a folder that holds it");
 }
 
-/* Parents, coordinates, radii and ids of the case's structure; s->end for a single axis. WF_EINPUT,
- * WF_ENOMEM; WF_EMISSING when a tree file is not there. */
+/* Parents, coordinates, radii and ids of the case's structure; s->end for a single axis. Errors: WF_EINPUT,
+ * WF_ENOMEM; WF_EMISSING when a tree file does not exist. */
 static enum wf_status case_shape_build(const struct wf_case *c, struct wf_arena *a, struct wf_setup *s,
                                        struct wf_tree *t, struct wf_err *e)
 {
@@ -240,9 +241,9 @@ static enum wf_status case_shape_build(const struct wf_case *c, struct wf_arena 
 
 /* Splitting rows. */
 
-/* Point at share s of a row's arc: on the chord of a straight row, on the circle of a bent one. A circle of
- * curvature vector k (perpendicular to the chord of length c, direction d) starts along d turned back by half
- * its angle about k. */
+/* Point at share s of a row's arc: on the chord of a straight row, on the circle of a curved one. A circle
+ * of curvature vector k (perpendicular to the chord of length c, direction d) starts in the direction d
+ * rotated back by half its angle about k. */
 static void point_at(const struct wf_tree *t, size_t i, double s, double x[3])
 {
     double base[3] = { t->x0[i], t->y0[i], t->z0[i] }, chord[3], along[3], side[3];
@@ -323,7 +324,8 @@ enum wf_status wf_tree_split(const struct wf_tree *t, const double *line, size_t
 
 /* Material, loads and options. */
 
-/* Section and material of every row; base bending stiffness and mass per length of a single axis. */
+/* Section and material of every row. Returned: *ei, *mass: bending stiffness and mass per length at the base
+ * of a single axis. */
 static enum wf_status case_material(const struct wf_case *c, struct wf_tree *t, struct wf_arena *a,
                                     double *ei, double *mass, struct wf_err *e)
 {
@@ -346,7 +348,7 @@ static enum wf_status case_material(const struct wf_case *c, struct wf_tree *t, 
     return WF_OK;
 }
 
-/* Dead loads per length: uniform, and in proportion to the radius (given for the base). */
+/* Dead loads per length: uniform, and proportional to the radius (given at the base). */
 static double *case_line_load(const struct wf_case *c, const struct wf_tree *t, struct wf_arena *a)
 {
     double *line = WF_TAKE(a, 6 * t->n, double);
@@ -360,7 +362,7 @@ static double *case_line_load(const struct wf_case *c, const struct wf_tree *t, 
     return line;
 }
 
-/* Row of a place before splitting; -1 the base, -2 not there. */
+/* Row of a place before splitting; -1 the base, -2 no such place. */
 static int32_t row_of_place(const struct wf_setup *s, const struct wf_tree *t, const struct wf_place *p)
 {
     switch (p->kind) {
@@ -397,7 +399,7 @@ static enum wf_status find_place(const struct wf_case *c, const struct wf_setup 
     return wf_fail(e, WF_EINPUT, "%s:%zu: there is no node or row %lld", c->file, line, (long long)p->id);
 }
 
-/* Find the rows of every place the case tree_column_names; point masses go into the tree. */
+/* Find the rows of every place that the case names; add point masses to the tree. */
 static enum wf_status find_places(const struct wf_case *c, const struct wf_setup *s, struct wf_tree *t,
                                   struct wf_arena *a, struct wf_err *e)
 {
@@ -435,8 +437,8 @@ static enum wf_status case_point_loads(const struct wf_case *c, struct wf_setup 
     return WF_OK;
 }
 
-/* Wind, air and gravity. Cauchy number 1/2 rho Cd D U^2 L^3/EI and weight parameter m g L^3/EI with base
- * values. */
+/* Wind, air and gravity. The Cauchy number 1/2 rho Cd D U^2 L^3/EI and the weight parameter m g L^3/EI use
+ * values at the base. */
 static void set_case_loads(const struct wf_case *c, struct wf_setup *s, double ei, double mass,
                            double diameter)
 {

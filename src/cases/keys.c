@@ -9,7 +9,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Readers of the keys of a case file: each takes the words of its line; false after a report. */
+/* Readers of keys: each takes the words of its line; false after reporting a mistake. This section: text,
+ * numbers, structure, support. */
 
 static void *key_field(struct wf_case *c, const struct wf_case_key *k) { return (char *)c + k->offset; }
 
@@ -177,7 +178,7 @@ static bool key_tree(struct wf_words *w, struct wf_case *c, const struct wf_case
     return wf_words_end(w);
 }
 
-/* The parameters of a law behind their names, in the order of its row. */
+/* Parameters of a law, each after its name, in the order of the law's row. */
 static bool law_parameters(struct wf_words *w, const struct wf_law *l, struct wf_law_values *out)
 {
     for (size_t k = 0, n = wf_law_count(l), got; k < n; k++) {
@@ -254,7 +255,7 @@ static bool key_flow(struct wf_words *w, struct wf_case *c, const struct wf_case
     return true;
 }
 
-/* Readers of the keys that say what acts, how a case is run and what is wanted of it. */
+/* Readers of keys: loads, solvers, fits and wanted values. */
 
 /* force|moment|follower PLACE X Y Z UNIT */
 static bool key_point(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)

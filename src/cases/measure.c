@@ -11,8 +11,8 @@
 
 /* Stress inside a row. */
 
-/* Axis direction at a row's base (0) or end (1): bent, or unbent where the answer is one of small deflection.
- */
+/* Axis direction at a row's base or end: deformed, or undeformed where the response is one of small
+ * deflection. */
 static void axis_at(const struct wf_tree *t, const struct wf_response *r, size_t row, bool end,
                     double axis[3])
 {
@@ -22,7 +22,7 @@ static void axis_at(const struct wf_tree *t, const struct wf_response *r, size_t
     for (int k = 0; k < 3; k++) axis[k] = r->small_deflection ? chord[k] / size : bent[k];
 }
 
-/* The same at share s of the row [Pa]. */
+/* Extreme-fibre bending stress at share s of a row [Pa]. */
 static double stress_at(const struct wf_tree *t, const struct wf_response *r, size_t row, double s)
 {
     double axis0[3], axis1[3], slope0[3], slope1[3], m[3], axis[3], length = wf_tree_length(t, row);
@@ -43,9 +43,9 @@ static double stress_at(const struct wf_tree *t, const struct wf_response *r, si
     return sqrt(fmax(bending, 0.0)) * outer / wf_ring_inertia(outer, inner);
 }
 
-/* Largest extreme-fibre bending stress [Pa] of a row's span and where, as share of the row's length. Between
- * the row's ends the moment is the cubic through the moments and shears at them: exact at small deflection
- * for loads per length up to linear. */
+/* Largest extreme-fibre bending stress [Pa] inside a row, and its place as a share of the row's length.
+ * Between the row's ends the moment is the cubic through the moments and shear forces at them: exact at
+ * small deflection for loads per length up to linear. */
 static double span_stress(const struct wf_tree *t, const struct wf_response *r, size_t row, double *share)
 {
     enum { SAMPLES = 64 };
@@ -63,7 +63,7 @@ static double span_stress(const struct wf_tree *t, const struct wf_response *r, 
             b = right;
     }
     double s = 0.5 * (a + b);
-    for (int k = 0; k < 2; k++) /* a maximum at an end of the row lies exactly there */
+    for (int k = 0; k < 2; k++) /* a maximum at an end of the row: take the end itself */
         if (stress_at(t, r, row, k) >= stress_at(t, r, row, s)) s = k;
     *share = s;
     return stress_at(t, r, row, s);
@@ -81,7 +81,7 @@ const char *wf_flow_missing(const struct wf_case *c)
     return strcmp(c->flow, "finite-line-source") == 0 && isnan(c->flow_segment[0]) ? "segment" : NULL;
 }
 
-/* Velocity and pressure coefficient at the point of the want. WF_EINPUT within a cylinder or on a source. */
+/* Velocity at the point of the want. Errors: WF_EINPUT inside a cylinder or on a source. */
 static enum wf_status measure_velocity(const struct wf_measured *m, const struct wf_want *w, double out[3],
                                        struct wf_err *e)
 {
@@ -116,7 +116,7 @@ static enum wf_status measure_pressure_coefficient(const struct wf_measured *m, 
     return WF_OK;
 }
 
-/* Static answers and drag. */
+/* Static solutions and drag. */
 
 enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *solver, struct wf_arena *a,
                               struct wf_response *r, struct wf_err *e)
@@ -131,8 +131,8 @@ enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *
     return WF_OK;
 }
 
-/* Drag of the unbent tree along the wind [N]: line load on the undeformed axis, four Gauss points a row
- * (exact for a uniform wind). WF_EINPUT when there is no wind. */
+/* Drag of the undeformed tree along the wind [N]: line load integrated with four Gauss points per row (exact
+ * for a uniform wind). Errors: WF_EINPUT when there is no wind. */
 static enum wf_status rigid_drag(const struct wf_setup *s, double *drag, struct wf_err *e)
 {
     static const double place[2] = { 0.33998104358485626480, 0.86113631159405257522 };
@@ -182,14 +182,14 @@ static enum wf_status local_vogel(const struct wf_setup *s, const struct wf_solv
     return WF_OK;
 }
 
-/* The quantities a validation case can want, as rows. */
+/* The quantities, one function per row of wf_quantities. */
 
 static int32_t row_of_want(const struct wf_measured *m, const struct wf_want *w)
 {
     return wf_setup_row(m->setup, &w->at);
 }
 
-/* A column of the response at a place; at the base `base`, or nothing moved. */
+/* Value of a response column at a place; at the base `base`, zero where base is NULL (the base is fixed). */
 static void column_at(const double *column, int32_t row, const double *base, double out[3])
 {
     for (int k = 0; k < 3; k++) out[k] = row >= 0 ? column[3 * row + k] : base ? base[k] : 0.0;
@@ -282,7 +282,7 @@ static enum wf_status measure_max_stress_place(const struct wf_measured *m, cons
     return WF_OK;
 }
 
-/* Over the ends of rows that carry no other row. */
+/* Largest and mean displacement of the ends of rows that carry no other row [m]. */
 static enum wf_status tip_displacements(const struct wf_measured *m, double *largest, double *mean,
                                         struct wf_err *e)
 {
@@ -481,7 +481,7 @@ static bool tolerance_read(struct wf_words *w, struct wf_want *want)
     return true;
 }
 
-/* A relative tolerance needs something to be relative to. */
+/* A relative tolerance needs a wanted value other than zero. */
 static bool tolerance_fits(struct wf_words *w, const struct wf_want *want)
 {
     double size = 0.0;

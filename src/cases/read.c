@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What a validation case must say, checked when it is complete. */
+/* Checks of a complete case: missing keys, keys that exclude each other. */
 
 static bool key_given(const struct wf_case *c, const char *key)
 {
@@ -138,12 +138,12 @@ static void check_wants(struct case_checking *k)
     if (!by_solver) c->solvers = 0;
 }
 
-/* Fill defaults that depend on other keys (tolerance of each want, solver) and report what is missing or does
- * not fit together, at the case's line. */
+/* Set defaults that depend on other keys (tolerance of each want, solver) and report what is missing or
+ * contradictory, at the case's line. */
 static void case_check(struct wf_case *c, struct wf_diag *d)
 {
     struct case_checking k = { c, d };
-    if (c->faulty) return; /* what is wrong has been said; what follows from it would only confuse */
+    if (c->faulty) return; /* its errors are already reported; follow-up errors would only confuse */
     case_needs(&k, c->kind >= 0, "kind");
     case_needs(&k, c->source != NULL, "source");
     case_needs(&k, c->shape != WF_SHAPE_NONE,
@@ -161,7 +161,7 @@ static void case_check(struct wf_case *c, struct wf_diag *d)
     check_wants(&k);
 }
 
-/* A validation file to cases. Lines above the first `case` belong to every case of the file. */
+/* From lines to cases. Lines above the first `case` apply to every case of the file. */
 
 static const char *const kind_names[WF_CASE_KIND_COUNT] = {
     [WF_CASE_CLOSED_FORM] = "closed-form",
@@ -192,7 +192,7 @@ static bool copy_list(struct wf_list *l, size_t size, struct wf_arena *a)
     return data != NULL;
 }
 
-/* A copy that shares nothing which is written to. */
+/* A copy with its own lists, because both will be appended to. */
 static bool copy_case(const struct wf_case *c, struct wf_case *out, struct wf_arena *a)
 {
     *out = *c;

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Running a validation case and holding what comes out against what is wanted. */
+/* Solver results compared with the wanted values. */
 
 static bool wanted_by(const struct wf_case *c, enum wf_answer by, size_t *modes)
 {
@@ -40,7 +40,8 @@ static enum wf_status compute_answers(struct wf_measured *m, const struct wf_set
     return WF_OK;
 }
 
-/* What the tolerance of a want refers to: the wanted value, or the length of the wanted vector. */
+/* The size that a relative tolerance of a want refers to: the wanted value, or the norm of the wanted
+ * vector. */
 static double want_scale(const struct wf_want *w)
 {
     double sum = 0.0;
@@ -87,7 +88,8 @@ static enum wf_status compare_wants(const struct wf_case *c, want_answer *answer
     return WF_OK;
 }
 
-/* What became of a run: `status` and its message, and what was compared. */
+/* Verdict from a run's status and message and from its comparisons. WF_ENOMEM is an error of the program,
+ * not of the case. */
 static enum wf_status conclude_run(struct wf_verdict *v, enum wf_status status, const struct wf_err *own,
                                    struct wf_arena *a, struct wf_err *e)
 {
@@ -126,7 +128,7 @@ static enum wf_status attempt_run(const struct wf_case *c, size_t k, size_t piec
     if (!m.solver && c->shape == WF_SHAPE_FLOW) v->solver = "flow";
     v->check = WF_TAKE(a, 3 * c->wants.n, struct wf_check);
     if (!s || !v->check) return wf_fail(e, WF_ENOMEM, "no memory");
-    bool flow = c->shape == WF_SHAPE_FLOW; /* has no tree, loads or mesh */
+    bool flow = c->shape == WF_SHAPE_FLOW; /* no tree, loads or mesh */
     enum wf_status status = WF_OK;
     if (c->shape == WF_SHAPE_FIT)
         status = wf_fail(&own, WF_EUSAGE, "a fit is run by the program, not by the library");
@@ -161,8 +163,9 @@ struct trial {
     struct wf_experiment x;
     struct wf_fit_param *param;
     size_t params;
-    double *value, *covered; /* per parameter: last estimate, intervals that held the truth */
-    double *truth;           /* NULL: the data are measured                                 */
+    double *value,
+        *covered;  /* per parameter: last estimate; number of intervals that contained the true value */
+    double *truth; /* NULL: measured data */
 };
 
 static enum wf_status build_trial(struct trial *t, struct wf_arena *a, struct wf_err *e)
@@ -202,7 +205,8 @@ static enum wf_status fit_trial(struct trial *t, struct wf_err *e)
     return s;
 }
 
-/* The parameters' start values are the truth; a fit of made-up data starts a fifth away from it. */
+/* Fits to synthetic data. The parameters' start values are taken as true values; every fit starts 20 % away
+ * from them. */
 static enum wf_status fit_made_up(struct trial *t, struct wf_arena *a, struct wf_err *e)
 {
     const double away = 1.2;

@@ -37,7 +37,7 @@ bool wf_words_split(struct wf_words *w, const char *text, size_t length)
             continue;
         }
         if (copy[i] == '#') break;
-        if (w->n == WF_WORDS_MAX) break; /* only prose is that long, and its readers take `rest` */
+        if (w->n == WF_WORDS_MAX) break; /* only prose is that long, and its readers use `rest` */
         w->column[w->n] = characters;
         w->word[w->n] = copy + i;
         for (; i < length && !is_blank(copy[i]); i++)
@@ -106,7 +106,7 @@ bool wf_words_whole(struct wf_words *w, const char *what, long long low, long lo
     return true;
 }
 
-/* Looks like the beginning of a number, so that what follows may be taken for a unit. */
+/* Does the word begin like a number? What follows may then be its unit. */
 static bool begins_number(const char *s)
 {
     s += *s == '+' || *s == '-';
