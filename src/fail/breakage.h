@@ -12,20 +12,20 @@
 /* The place nearest to failure. Utilisation is 1 / safety. */
 struct wf_worst {
     double safety; /* resistance over load [-]; INFINITY unloaded, NAN when no resistance is known */
-    int32_t row;   /* -1 when none                                                                */
-    double place;  /* 0 = at the row's base, 1 = at its end                                       */
+    int32_t row;   /* -1 when none */
+    double place;  /* 0 = at the row's base, 1 = at its end */
 };
 
 struct wf_breakage {
     size_t n;
-    double *shear0, *shear1;     /* force across the axis [N]                                    */
-    double *axial0, *axial1;     /* along the axis, tension positive [N]                          */
-    double *bending0, *bending1; /* bending moment (across the axis) [N m]                         */
-    double *torsion0, *torsion1; /* moment about the axis [N m]                                   */
-    double *stress0, *stress1;   /* |M| r / I + |N| / A, thin or thick ring [Pa]                   */
+    double *shear0, *shear1;     /* force across the axis [N] */
+    double *axial0, *axial1;     /* along the axis, tension positive [N] */
+    double *bending0, *bending1; /* bending moment (across the axis) [N m] */
+    double *torsion0, *torsion1; /* moment about the axis [N m] */
+    double *stress0, *stress1;   /* |M| r / I + |N| / A, thin or thick ring [Pa] */
     double *safety0, *safety1;   /* strength / stress [-]; INFINITY unstressed, NAN strength unknown */
-    double *peak, *peak_place;   /* largest stress in the row [Pa]; 0 = at its base, 1 = at its end  */
-    double largest_stress;       /* [Pa]                                                            */
+    double *peak, *peak_place;   /* largest stress in the row [Pa]; 0 = at its base, 1 = at its end */
+    double largest_stress;       /* [Pa] */
     int32_t largest_stress_row;
 };
 /* Section forces, stresses and safety factors of a solved tree. Given: tree and its response. Returned: *out
@@ -38,8 +38,8 @@ struct wf_breakage {
 enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, struct wf_arena *a,
                                  struct wf_breakage *out, struct wf_err *e);
 
-/* Functions of the criterion 'breakage' in wf_criteria: largest stress in a row over its modulus of
- * rupture. */
+/* Functions of the criterion 'breakage' in wf_criteria: is the modulus of rupture of a row known; place of
+ * the largest stress over modulus of rupture within a scope. */
 bool wf_breakage_known(const struct wf_tree *t, size_t row);
 void wf_breakage_utilisation(const struct wf_tree *t, const struct wf_response *r,
                              const struct wf_breakage *b, enum wf_scope scope, struct wf_worst *out);

@@ -13,8 +13,8 @@ typedef enum wf_status criterion_fn(void *ctx, double speed, double *value, stru
 struct speed_search {
     criterion_fn *criterion;
     void *ctx;
-    double stands; /* highest speed known with criterion < 1                        */
-    double falls;  /* lowest known with criterion >= 1; INFINITY when none          */
+    double stands; /* highest speed known with criterion < 1 */
+    double falls;  /* lowest known with criterion >= 1; INFINITY when none */
     double lost;   /* lowest known without equilibrium; INFINITY when none */
     size_t evaluations;
     enum wf_status fault; /* an error that is not a finding about the tree, e.g. out of memory */

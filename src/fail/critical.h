@@ -8,16 +8,16 @@
 enum wf_critical_outcome {
     WF_CRITICAL_FOUND,
     WF_CRITICAL_ABOVE,       /* criterion stays below 1 up to the highest speed searched */
-    WF_CRITICAL_SELF_WEIGHT, /* fails without wind                                            */
-    WF_CRITICAL_NO_STRENGTH, /* no row has a modulus of rupture                               */
+    WF_CRITICAL_SELF_WEIGHT, /* fails without wind */
+    WF_CRITICAL_NO_STRENGTH, /* no row has a modulus of rupture */
     WF_CRITICAL_UNSOLVED,    /* no equilibrium was found above `speed_low`: the bracket is reported */
-    WF_CRITICAL_UNSEARCHED   /* not searched for; it is not below `speed_low`                */
+    WF_CRITICAL_UNSEARCHED   /* not searched for; it is not below `speed_low` */
 };
 struct wf_critical {
     enum wf_critical_outcome outcome;
-    double speed;                 /* [m/s]; NAN unless found                               */
-    double speed_low, speed_high; /* bracket at the end, or range searched [m/s]           */
-    double gradient;              /* d criterion / d speed at the answer [s/m]              */
+    double speed;                 /* [m/s]; NAN unless found */
+    double speed_low, speed_high; /* bracket at the end, or range searched [m/s] */
+    double gradient;              /* d criterion / d speed at `speed` [s/m] */
     size_t evaluations;
 };
 /* Search for the critical wind speed. Given: criterion(ctx, speed [m/s], &value) returning WF_OK, WF_ENOCONV
@@ -36,5 +36,6 @@ wf_critical_search(enum wf_status (*criterion)(void *ctx, double speed, double *
  * evaluate some of them in parallel before the search. */
 enum { WF_CRITICAL_RUNGS = 32 };
 double wf_critical_rung(double speed_max, int k);
+/* The outcome in words, for reports. */
 const char *wf_critical_text(enum wf_critical_outcome o);
 #endif

@@ -59,12 +59,12 @@ double *wf_loads_streamline_number(struct wf_loads *l, const char *name)
 /* Velocity of the air at a point, and the coefficients k of force = k * velocity. */
 struct axis_flow {
     double u[3], du[9];
-    double along;             /* U.t [m/s]                                         */
-    double across;            /* |Un| [m/s]                                        */
-    double n[3], m[3];        /* Un/|Un| and t x Un/|Un|; zero when |Un| = 0       */
-    double drag, drag_grow;   /* axis drag / Un [N s/m2], and |Un| d(drag)/d|Un|   */
+    double along;             /* U.t [m/s] */
+    double across;            /* |Un| [m/s] */
+    double n[3], m[3];        /* Un/|Un| and t x Un/|Un|; zero when |Un| = 0 */
+    double drag, drag_grow;   /* axis drag / Un [N s/m2], and |Un| d(drag)/d|Un| */
     double lift;              /* lift / (t x Un) [N s/m2]; equals its |Un| d(lift)/d|Un| */
-    double crown, crown_grow; /* crown drag / U [N s/m2], and |U| d(crown)/d|U|    */
+    double crown, crown_grow; /* crown drag / U [N s/m2], and |U| d(crown)/d|U| */
     double e[3];              /* U/|U|; zero in still air */
 };
 

@@ -10,20 +10,20 @@
 #include <stddef.h>
 
 enum wf_point_kind {
-    WF_POINT_DEAD,    /* keeps its global direction                    */
-    WF_POINT_FOLLOWER /* turns with the section it acts on             */
+    WF_POINT_DEAD,    /* keeps its global direction */
+    WF_POINT_FOLLOWER /* turns with the section it acts on */
 };
 struct wf_point_load {
-    int32_t segment; /* acts at this row's end                        */
+    int32_t segment; /* acts at this row's end */
     enum wf_point_kind kind;
-    double force[3], moment[3]; /* at the undeformed shape [N, N m]    */
+    double force[3], moment[3]; /* at the undeformed shape [N, N m] */
 };
 
 struct wf_loads {
-    const struct wf_wind *wind;                   /* NULL = still air                               */
-    double air_density;                           /* [kg m-3]                                       */
-    double air_viscosity;                         /* kinematic [m2/s], for the axis' drag law       */
-    double gravity;                               /* [m s-2]; 0 = weightless                        */
+    const struct wf_wind *wind;                   /* NULL = still air */
+    double air_density;                           /* [kg m-3] */
+    double air_viscosity;                         /* kinematic [m2/s], for the axis' drag law */
+    double gravity;                               /* [m s-2]; 0 = weightless */
     double wind_scale, weight_scale, point_scale; /* factors for continuation, normally 1 */
     const struct wf_streamline_law *streamline;   /* streamlining law of the crown; NULL = rigid */
     struct wf_law_values streamline_par;
@@ -48,15 +48,15 @@ double *wf_loads_streamline_number(struct wf_loads *l, const char *name);
 
 /* Properties of an axis at one point, per unit reference (unloaded) length. */
 struct wf_line_point {
-    double diameter; /* outer [m]                                              */
+    double diameter; /* outer [m] */
     double drag;     /* cross-flow coefficient; NAN = by the axis' drag law [-] */
-    double lift;     /* [-]                                                    */
-    double sail;     /* still-air crown area times its Cd per length [m]       */
-    double mass;     /* wood and burden per length [kg/m]                      */
+    double lift;     /* [-] */
+    double sail;     /* still-air crown area times its Cd per length [m] */
+    double mass;     /* wood and burden per length [kg/m] */
 };
 struct wf_line_load {
-    double force[3];    /* total per reference length [N/m]                                  */
-    double by_place[9]; /* d force / d position [N/m2], row-major                            */
+    double force[3];    /* total per reference length [N/m] */
+    double by_place[9]; /* d force / d position [N/m2], row-major */
     double by_turn[9];  /* d force / d (spin of the axis, rotating tangent t' = spin x t) [N/m] */
 };
 /* Load at one point of an axis and its exact derivatives: cross-flow drag and lift of the axis, drag of the

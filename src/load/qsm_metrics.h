@@ -10,13 +10,13 @@ enum { WF_QSM_ORDERS = 32 };
 struct wf_qsm_metrics {
     size_t cylinders, branches, tips, stems;
     int32_t highest_order;
-    double height;           /* highest end above the lowest base [m]                                   */
+    double height;           /* highest end above the lowest base [m] */
     double dbh;              /* diameter of the main stem 1.3 m above its base [m]; NAN when it is lower */
-    double base_diameter;    /* of the main stem's first row [m]                                        */
-    double length;           /* of all axes [m]                                                         */
-    double volume;           /* wood and bark [m3]                                                      */
-    double area;             /* lateral surface of all axes [m2]                                        */
-    double width_x, width_y; /* extent of all axes [m]                                               */
+    double base_diameter;    /* of the main stem's first row [m] */
+    double length;           /* of all axes [m] */
+    double volume;           /* wood and bark [m3] */
+    double area;             /* lateral surface of all axes [m2] */
+    double width_x, width_y; /* extent of all axes [m] */
     double crown_base;       /* lowest end of a cylinder of order 1 or more [m]; NAN without branches */
     double order_length[WF_QSM_ORDERS],
         order_volume[WF_QSM_ORDERS]; /* by branch order; the last entry sums all higher orders */

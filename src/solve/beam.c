@@ -194,7 +194,7 @@ static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam
     return worst;
 }
 
-/* The mesh a tolerance asks for, found by comparing answers on two meshes row by row. */
+/* Mesh refinement to a tolerance: solutions on two meshes are compared row by row. */
 
 static double largest_displacement(const struct wf_beam *b)
 {

@@ -10,8 +10,8 @@
 /* Start shape of `fine` (same tree, another mesh) from the solved shape of `coarse`. */
 void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine);
 
-extern const struct wf_solver wf_solver_beam;   /* large deflections, loads on the bent shape */
-extern const struct wf_solver wf_solver_linear; /* one linear step, loads on the unbent shape */
+extern const struct wf_solver wf_solver_beam;   /* large deflections, loads on the deformed shape */
+extern const struct wf_solver wf_solver_linear; /* one linear step, loads on the undeformed shape */
 
 /* Equilibrium on a mesh that meets options->mesh_tolerance. Given: tree, loads, options; the memory of *b is
  * taken from `work`. Returned: as wf_beam_settle; *out tells how the full load was reached. Method: the

@@ -26,17 +26,17 @@
 #include "solve/beam_mesh.h"
 
 struct wf_beam_pose {
-    double r[3], L[9];
+    double r[3], L[9]; /* position [m]; rotation from the unloaded to the loaded state, row-major */
 };
 struct wf_beam_shape { /* unknowns, in the axes that rotate with the element's base */
-    double v[2][3];    /* rotation vector at the Gauss points      */
-    double g[2][3];    /* stretch and shear strain there           */
+    double v[2][3];    /* rotation vector at the Gauss points */
+    double g[2][3];    /* stretch and shear strain there */
 };
 struct wf_beam_stage {                 /* the deformed element at its Gauss points */
     double r[2][3], rp[2][3], t[2][3]; /* position, r' and unit tangent */
 };
 struct wf_beam_wrench {
-    double n[3], m[3];
+    double n[3], m[3]; /* force [N], moment [N m] that the upper part exerts on a section */
 };
 /* Linear relation of a part of the tree: the wrench it exerts on its base changes by K p + k for a change p
  * = (displacement, spin) of the base. */
@@ -84,7 +84,7 @@ void wf_beam_curvature(const struct wf_beam_part *p, const struct wf_beam_shape 
 struct wf_beam_misfit {
     double bending; /* energy of the curvature residual, h/4 sum (k - G m).G^-1 (k - G m) [J] */
     double energy;  /* scale of `bending`: h/4 sum m.G m [J]; m at least 1e-3 n h */
-    double strain;  /* largest |H n - g| [-]                                                   */
+    double strain;  /* largest |H n - g| [-] */
     double turn;    /* scale of `strain`: largest |h G m| or |H n| [-] */
 };
 
@@ -100,11 +100,11 @@ struct wf_beam_stability {
 
 /* Factors kept to solve for small extra loads about the present state (solve/beam_small.h). */
 struct wf_beam_small {
-    double R[6][6];  /* y = R d, d: change of moment at the Gauss points at a fixed base           */
+    double R[6][6];  /* y = R d, d: change of moment at the Gauss points at a fixed base */
     double P[6][6];  /* change of the end by y */
     double T[6][6];  /* change of the base wrench by y, through the part above and the loads */
-    double Vn[2][9]; /* dn_end -> d(r' x n)                                                       */
-    double Y[2][9];  /* spin -> dr'                                                               */
-    double n[2][3];  /* force                                                                     */
+    double Vn[2][9]; /* dn_end -> d(r' x n) */
+    double Y[2][9];  /* spin -> dr' */
+    double n[2][3];  /* force */
 };
 #endif

@@ -34,6 +34,8 @@ void wf_beam_correct(const struct wf_beam_shape *u, const double base_L[9],
                      const struct wf_beam_answer *answer, const struct wf_beam_reaction *node,
                      const double p[6], double dv[2][3], double end[6]);
 
+/* Add the material law residual of one element, with internal forces `at` at its Gauss points, to *sum. flat
+ * NULL: round section. */
 void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
                         const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                         const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],

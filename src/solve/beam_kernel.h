@@ -42,8 +42,8 @@ WF_INLINE void law_hold_mul(const struct wf_beam_part *p, const struct wf_beam_f
 
 struct kinematics {
     double k[2][3];     /* curvature of the material law, creep included */
-    double QP[2][2][9]; /* y -> change of curvature                       */
-    double W[2][9];     /* y -> spin of the end, relative to the base     */
+    double QP[2][2][9]; /* y -> change of curvature */
+    double W[2][9];     /* y -> spin of the end, relative to the base */
 };
 
 /* Damping of one element, whose tangent is stiffened in proportion to the rotation its material law residual
@@ -110,11 +110,11 @@ WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_
 
 /* Derivatives of the loads and of r' x n inside the element. */
 struct statics {
-    double Y[2][9];                /* spin -> dr'                       */
-    double F[2][2][9], V[2][2][9]; /* spin at m -> df_j, d(r' x n)_j    */
-    double Vn[2][9], Vr[2][9];     /* dn_end, dr_0 -> d(r' x n)_j       */
+    double Y[2][9];                /* spin -> dr' */
+    double F[2][2][9], V[2][2][9]; /* spin at m -> df_j, d(r' x n)_j */
+    double Vn[2][9], Vr[2][9];     /* dn_end, dr_0 -> d(r' x n)_j */
     double gap[2][3];              /* strain residual H n - g */
-    double Vc[2][3];               /* its part of d(r' x n)_j           */
+    double Vc[2][3];               /* its part of d(r' x n)_j */
 };
 
 /* The moment of off-axis weight rotates with the section: d(o x f) = f x (o x q) = (o f' - f.o) q. */

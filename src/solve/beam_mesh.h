@@ -28,15 +28,15 @@ static const double gauss_end[2] = { -GAUSS_ROOT3, GAUSS_ROOT3 };
 
 /* Constants of an element; index 0/1 = Gauss point nearer the base / the end. */
 struct wf_beam_part {
-    int32_t parent;      /* element below; -1 = ground                                          */
-    int32_t row;         /* tree row it belongs to                                              */
-    double h;            /* arc length [m]                                                      */
-    double t[2][3];      /* unloaded unit tangent                                               */
-    double ei[2], gj[2]; /* bending and torsion stiffness [N m2]                            */
-    double ca[2], cs[2]; /* axial and shear compliance [1/N]; 0 = rigid                     */
-    double spin[2];      /* torsional inertia per length [kg m]                                 */
+    int32_t parent;      /* element below; -1 = ground */
+    int32_t row;         /* tree row it belongs to */
+    double h;            /* arc length [m] */
+    double t[2][3];      /* unloaded unit tangent */
+    double ei[2], gj[2]; /* bending and torsion stiffness [N m2] */
+    double ca[2], cs[2]; /* axial and shear compliance [1/N]; 0 = rigid */
+    double spin[2];      /* torsional inertia per length [kg m] */
     struct wf_line_point line[2];
-    double dead[2][3]; /* dead line load [N/m]                                              */
+    double dead[2][3]; /* dead line load [N/m] */
 };
 
 /* Additional constants of an element whose section is not round; unloaded in the mesh, rotated with the
@@ -44,19 +44,19 @@ struct wf_beam_part {
 struct wf_beam_flat {
     double more[2],
         give[2]; /* stiffness about the width minus ei [N m2]; likewise for the compliance [1/(N m2)] */
-    double across[2][3]; /* unit vector along the width, to the left                              */
+    double across[2][3]; /* unit vector along the width, to the left */
     double side[2];      /* first moment of the burden along `across`, per length [kg] */
     double weight;       /* weight of a unit mass [m/s2] */
 };
 
 struct wf_beam_mesh {
     const struct wf_tree *tree;
-    size_t n; /* elements                                                     */
+    size_t n; /* elements */
     struct wf_beam_part *part;
-    struct wf_beam_flat *flat; /* per element; NULL = all sections are round            */
-    int32_t *last;             /* per row: its last element                                    */
-    int32_t *first;            /* per row: its first element                                   */
-    double *mass1;             /* per element: point mass at its end [kg]; NULL = none         */
+    struct wf_beam_flat *flat; /* per element; NULL = all sections are round */
+    int32_t *last;             /* per row: its last element */
+    int32_t *first;            /* per row: its first element */
+    double *mass1;             /* per element: point mass at its end [kg]; NULL = none */
 };
 
 /* Build the mesh. Given: tree, loads (for dead line loads), options (beam model), pieces[n] per row (NULL =

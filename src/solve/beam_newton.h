@@ -9,28 +9,28 @@ struct wf_beam {
     struct wf_beam_mesh mesh;
     struct wf_loads loads; /* a copy: load steps change its scale factors */
     const struct wf_solve_options *options;
-    double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate     */
+    double (*tilt)[3];           /* per row, for roots: rotation vector of the root plate */
     double (*root_step)[3];      /* per row, for roots: Newton correction of tilt */
     double (*root_change)[6];    /* per row, for roots: change of the base pose by that correction */
     double (*root_give)[9];      /* per row, for roots: spin of the plate by moment */
     double (*root_hold)[6][3];   /* per row, for roots: wrench on the ground by spin of the plate */
-    struct wf_beam_shape *shape; /* per element, as all below                                 */
-    struct wf_beam_pose *pose;   /* of the element's end                                      */
+    struct wf_beam_shape *shape; /* per element, as all below */
+    struct wf_beam_pose *pose;   /* of the element's end */
     struct wf_beam_stage *stage;
-    struct wf_beam_flat *flat;     /* turned with the element; NULL = all sections are round    */
+    struct wf_beam_flat *flat;     /* rotated with the element; NULL = all sections are round */
     struct wf_beam_wrench *wrench; /* internal force and moment just below the element's end */
     struct wf_beam_reaction *node;
     struct wf_beam_answer *answer;
-    double (*change)[6]; /* of the end                                                */
+    double (*change)[6]; /* of the end */
     double (*dv)[2][3];
     double (*k0)[2][3];          /* curvature at the start of a creep step */
     double (*tilt0)[3];          /* per row, for roots: tilt at the start of a creep step */
-    struct wf_beam_small *small; /* NULL unless small motions are asked for                   */
+    struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it */
     double (*push)[6];           /* wrench on element ends while solving for small loads */
     double creep;
     bool frozen;                  /* wind acts as a dead load: its derivatives are omitted */
     struct wf_beam_wrench base;   /* exerted on the ground, moment about the first root */
-    struct wf_beam_misfit misfit; /* of the present shape                                      */
+    struct wf_beam_misfit misfit; /* of the present shape */
     size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
     size_t iterations, steps;
 };

@@ -7,7 +7,7 @@
 
 /* A disturbance of one element at its two Gauss points, at fixed shape, per unit of its cause. */
 struct wf_beam_disturbance {
-    double force[2][3];  /* on the axis, per reference length [N/m]                                  */
+    double force[2][3];  /* on the axis, per reference length [N/m] */
     double couple[2][3]; /* on the axis, per reference length [N m/m] */
     double law[2][3]; /* change of the material law's moment at the present curvature [N m]; for a change of
                          ln E of the element this is the moment itself: wf_beam_law_moment */
@@ -20,7 +20,7 @@ enum wf_status wf_beam_linearise(struct wf_beam *b, bool frozen, struct wf_arena
 struct wf_beam_small_answer {
     double (*ends)[6]; /* per element: displacement and spin of its end, global axes; may be NULL */
     double *motion;    /* per element 8: displacement (3) and twist at each Gauss point; may be NULL */
-    double ground[6];  /* change of force and moment (about the first root) on the ground             */
+    double ground[6];  /* change of force and moment (about the first root) on the ground */
 };
 
 /* Response to a disturbance. source(ctx, b, i, out): disturbance of element i, *out is zero on entry (NULL:

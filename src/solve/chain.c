@@ -11,17 +11,17 @@
 
 enum { CHAIN_POINTS = 8 };
 
-/* Eight-point Gauss-Legendre rule on 0..1, and above[k][j]: the moment about point k of a line load through
- * the values f_j at the points, from point k to the end: sum_j above[k][j] f_j, exact to degree 7. */
+/* Eight-point Gauss-Legendre rule on 0..1, and above[k][j]: the moment about point k of the line load
+ * between point k and the end, for values f_j at the points: sum_j above[k][j] f_j, exact to degree 7. */
 struct chain_rule {
     double x[CHAIN_POINTS], w[CHAIN_POINTS], above[CHAIN_POINTS][CHAIN_POINTS];
 };
 
 struct chain_row {
-    double load[3];        /* line load, summed [N]                                     */
-    double load_moment[3]; /* its moment about the row's base [N m]                     */
-    double bend[3];        /* displacement of the end against the clamped base [m]      */
-    double turn[3];        /* rotation of the end against it [rad]                      */
+    double load[3];        /* line load, summed [N] */
+    double load_moment[3]; /* its moment about the row's base [N m] */
+    double bend[3];        /* displacement of the end relative to a clamped base [m] */
+    double turn[3];        /* rotation of the end relative to it [rad] */
 };
 
 /* abscissae and weights on -1..1, Abramowitz & Stegun 1964, table 25.4 */
@@ -51,7 +51,7 @@ static void chain_rule_fill(struct chain_rule *g)
         }
 }
 
-/* Compliance in bending and torsion at s. */
+/* Compliance in bending and torsion at fraction s of row i. */
 static void row_compliance(const struct wf_tree *t, size_t i, double s, double *bending, double *torsion)
 {
     double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
@@ -62,7 +62,7 @@ static void row_compliance(const struct wf_tree *t, size_t i, double s, double *
     *torsion = 1 / gj;
 }
 
-/* Line load at s [N/m]: wind and weight on the unbent axis, and the dead line load. */
+/* Line load at s [N/m]: wind and weight on the undeformed axis, and the dead line load. */
 static void unbent_line_load(const struct wf_tree *t, size_t i, const struct wf_loads *l,
                              const double base[3], const double axis[3], double length, double s, double q[3])
 {
@@ -84,8 +84,8 @@ static void unbent_line_load(const struct wf_tree *t, size_t i, const struct wf_
 
 static double ratio_above_one(double a, double b) { return a > b ? a / b : b / a; }
 
-/* Panels over which neither the radius nor the wall changes by more than a factor 1.5; their limits are
- * in geometric progression of whichever changes more. */
+/* Panels of a row over which neither the radius nor the wall thickness changes by more than a factor 1.5;
+ * their limits are in geometric progression of the quantity that changes more. */
 struct panels {
     double v0, v1;
     int n;
@@ -106,11 +106,10 @@ static double panel_limit(const struct panels *p, int k)
     return (p->v0 * pow(p->v1 / p->v0, (double)k / p->n) - p->v0) / (p->v1 - p->v0);
 }
 
-/* Given: rule, scheme, tree, row, loads, force [N] and moment [N m] the upper part puts on the row's end.
- * Returned: *out.
- * Method: curvature M/(EI) across and M/(GJ) along the axis, integrated by the rule over panels short enough
- * (radius ratio at most 1.5) for rounding-error accuracy; displacement = integral of (l - s) curvature x
- * tangent. */
+/* Bend one row as a cantilever. Given: rule, scheme, tree, row, loads, force [N] and moment [N m] that the
+ * upper part exerts on the row's end. Returned: *out. Method: curvature M/(EI) across and M/(GJ) along the
+ * axis, integrated by the rule over panels short enough (radius ratio at most 1.5) for rounding-error
+ * accuracy; displacement = integral of (l - s) curvature x tangent. */
 static void chain_row_bend(const struct chain_rule *g, const struct wf_chain_scheme *c,
                            const struct wf_tree *t, size_t i, const struct wf_loads *l, const double force[3],
                            const double moment[3], struct chain_row *out)
@@ -122,7 +121,8 @@ static void chain_row_bend(const struct chain_rule *g, const struct wf_chain_sch
     struct panels p = panels_of(t, i);
     *out = (struct chain_row){ 0 };
 
-    /* shear and lever: line load above the panel, summed, and its first moment about the panel's upper end */
+    /* shear and lever: line load above the panel, integrated, and its first moment about the panel's upper
+     * end */
     for (int part = p.n; part-- > 0;) {
         double low = panel_limit(&p, part), h = (panel_limit(&p, part + 1) - low) * length,
                q[CHAIN_POINTS][3];
@@ -159,7 +159,7 @@ static void chain_row_bend(const struct chain_rule *g, const struct wf_chain_sch
     for (int x = 0; x < 3; x++) out->load[x] = shear[x];
 }
 
-/* The tree: loads handed down, displacements summed up. */
+/* The tree: internal forces from the tips down, displacements from the base up. */
 
 /* y += s (a x b) */
 static void add_cross(double y[3], double s, const double a[3], const double b[3])
@@ -169,8 +169,8 @@ static void add_cross(double y[3], double s, const double a[3], const double b[3
     v3_add(y, s, c);
 }
 
-/* All loads and their moments about the first base, summed apart from what is handed down, as a check of it.
- */
+/* All loads and their moments about the first base, summed independently of the forces passed down, to check
+ * these. */
 struct load_tally {
     double force[3], moment[3], largest_force, largest_moment;
 };
@@ -197,8 +197,8 @@ static double tally_imbalance(const struct load_tally *sum, const struct wf_resp
     return fmax(force, moment);
 }
 
-/* Point loads at the rows' ends: given ones and the weight of point masses. The rows above are added later.
- */
+/* Loads at the rows' ends: point loads and the weight of point masses. chain_hand_down adds the rows
+ * above. */
 static enum wf_status chain_load_ends(const struct wf_tree *t, const struct wf_loads *l,
                                       struct wf_response *r, struct load_tally *sum, struct wf_err *e)
 {
@@ -218,7 +218,7 @@ static enum wf_status chain_load_ends(const struct wf_tree *t, const struct wf_l
     return WF_OK;
 }
 
-/* Tips to base: internal forces, and each row's own bending kept in end and turn. */
+/* Tips to base: internal forces; end and turn receive each row's own bending. */
 static void chain_hand_down(const struct wf_chain_scheme *c, const struct wf_tree *t,
                             const struct wf_loads *l, struct wf_response *r, struct load_tally *sum)
 {
@@ -255,7 +255,7 @@ static void chain_hand_down(const struct wf_chain_scheme *c, const struct wf_tre
     }
 }
 
-/* Axis direction after a small rotation, kept at unit length. */
+/* Axis direction after a small rotation, normalised to unit length. */
 static void tilted_axis(const double axis[3], const double turn[3], double out[3])
 {
     wf_cross(turn, axis, out);

@@ -66,10 +66,10 @@ enum wf_status wf_deflect_open(const struct wf_tree *t, const struct wf_loads *l
     return WF_OK;
 }
 
-/* A frame: forces, turns. */
+/* A frame: forces and rotations. */
 
-/* Wind's force on a row of direction t (eqs 1 and 2): drag and lift of the area seen across it, crown drag
- * along the wind. */
+/* Wind force on a row of direction t (eqs 1 and 2): drag and lift on the area projected across it, crown
+ * drag along the wind. */
 static void wind_force(const struct wf_loads *l, const struct wf_deflect_row *o, double gust,
                        const double t[3], double f[3])
 {
@@ -95,7 +95,7 @@ static void wind_force(const struct wf_loads *l, const struct wf_deflect_row *o,
     }
 }
 
-/* The same on the unbent row, where only the speed changes. */
+/* Wind force on the undeformed row, where only the speed changes. */
 static void wind_force_unbent(const struct wf_loads *l, const struct wf_deflect_row *o, double gust,
                               double f[3])
 {
@@ -113,7 +113,7 @@ static void wind_force_unbent(const struct wf_loads *l, const struct wf_deflect_
     }
 }
 
-/* R' = turn by the angle of sine s and cosine c about the unit axis a, times R */
+/* R' = rotation by the angle of sine s and cosine c about the unit axis a, times R */
 static void turn_by(const double a[3], double s, double c, const double R[9], double out[9])
 {
     for (int j = 0; j < 3; j++) {
@@ -136,7 +136,7 @@ static const double *row_base(const struct wf_deflect *d, size_t i, double at[3]
     return d->turn[o->parent];
 }
 
-/* Hold delta/L at 1 and remember. */
+/* Limit delta/L to 1; count the rows limited and keep the largest ratio. */
 static double bounded_ratio(struct wf_deflect *d, size_t i, double ratio)
 {
     if (ratio > d->worst_ratio) d->worst_ratio = ratio, d->worst = (int32_t)i;
@@ -182,7 +182,7 @@ static void frame_printed(struct wf_deflect *d, double gust, double step)
     }
 }
 
-/* Force on the row with the damping of its last motion, against the bending and never beyond it. */
+/* Reduce the force across row i by the damping of its last motion, at most to zero. */
 static void add_damping(const struct wf_deflect *d, size_t i, double f[3])
 {
     double spin = d->spin[i], against = d->scheme.damping * spin * fabs(spin), side[3];
@@ -194,7 +194,7 @@ static void add_damping(const struct wf_deflect *d, size_t i, double f[3])
     if (size > 0) v3_add(f, -against / size, side);
 }
 
-/* Tips to root on the unbent tree: what is above each row's end. */
+/* Tips to root on the undeformed tree: force and moment on each row's end. */
 static void deflect_hand_down(struct wf_deflect *d, double gust)
 {
     const struct wf_loads *l = d->loads;
@@ -246,7 +246,7 @@ static void frame_corrected(struct wf_deflect *d, double gust, double step)
         const double *t = o->axis, L = o->length, bend = o->bend * L, along = wf_dot(m, t);
         double at[3], push[3], slope[3], chord[3], turn[3], lean[3];
         const double *base = row_base(d, i, at);
-        /* cantilever: end force P, spread force f, end moment m; turns of its chord and of its end */
+        /* cantilever: end force P, spread force f, end moment m; rotation of its chord and of its end */
         for (int k = 0; k < 3; k++)
             push[k] = L * (third * P[k] + 0.125 * f[k]), slope[k] = L * (0.5 * P[k] + sixth * f[k]);
         wf_cross(t, push, chord);
@@ -278,7 +278,7 @@ void wf_deflect_frame(struct wf_deflect *d, double gust, double step)
         frame_corrected(d, gust, step);
 }
 
-/* One steady frame as a solver: the shape by the scheme, internal forces by statics on the unbent tree. */
+/* One steady frame as a solver: shape by the scheme, internal forces by statics on the undeformed tree. */
 
 static void warn_clamped(const struct wf_deflect *d, const struct wf_tree *t, struct wf_diag *diag)
 {

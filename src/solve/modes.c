@@ -16,14 +16,15 @@ enum { BLOCK = 3, PIECE = 2048 };
 
 struct krylov {
     const struct wf_lanczos *l;
-    size_t most, used; /* columns: room, orthonormal so far  */
-    double *V, *T;     /* most x size; most x most           */
+    size_t most, used; /* columns: room, orthonormal so far */
+    double *V, *T;     /* most x size; most x most */
     double *value, *Q; /* of T: eigenvalues, eigenvectors as columns */
 };
 
 static double *krylov_column(const struct krylov *k, size_t i) { return k->V + i * k->l->size; }
 
-/* Eight running sums, so that the loop runs in vector registers and gives the same digits everywhere. */
+/* Eight partial sums, so that the loop uses vector registers and the result does not depend on the
+ * compiler. */
 WF_INLINE double dot_product(const double *u, const double *v, size_t n)
 {
     double sum[8] = { 0 };
@@ -36,9 +37,9 @@ WF_INLINE double dot_product(const double *u, const double *v, size_t n)
 
 static double vector_norm(const double *u, size_t n) { return sqrt(dot_product(u, u, n)); }
 
-/* Parts of the block's vectors w (BLOCK x size) along the first `upto` columns, to part (BLOCK x upto), and
- * their removal. The vectors are worked through in pieces that stay in the cache, so each column is fetched
- * twice a block. */
+/* Components of the block's vectors w (BLOCK x size) along the first `upto` columns, written to part (BLOCK
+ * x upto) and subtracted. The vectors are processed in pieces that fit in the cache, so each column is
+ * fetched twice per block. */
 WF_WIDE static void take_out_parts(const struct krylov *k, double *w, size_t upto, double *part)
 {
     const size_t size = k->l->size;
@@ -60,8 +61,8 @@ WF_WIDE static void take_out_parts(const struct krylov *k, double *w, size_t upt
     }
 }
 
-/* Once, and again where little is left of a vector, so that what is left is clean to rounding; parts are
- * added to c (BLOCK rows of `stride`). before[b]: norms at the start. */
+/* Orthogonalise a block; a second time where little of a vector remains, so that the rest is orthogonal to
+ * rounding. Components are added to c (BLOCK rows of `stride`). before[b]: norms on entry. */
 static void orthogonalise(const struct krylov *k, double *w, size_t upto, const double *before, double *part,
                           double *c, size_t stride)
 {
@@ -76,8 +77,9 @@ static void orthogonalise(const struct krylov *k, double *w, size_t upto, const 
     }
 }
 
-/* Add w as a column, after taking out its parts along the columns from `first` on (added to c). Returned:
- * what is left of it; nothing is added when that is only rounding of what had norm `before`. */
+/* Add w as a column after subtracting its components along the columns from `first` on (added to c).
+ * Returned: norm of the rest; no column is added when the rest is only rounding error of a vector of norm
+ * `before`. */
 static double admit_column(struct krylov *k, double *w, size_t first, double *c, double before)
 {
     const size_t size = k->l->size;
@@ -96,7 +98,8 @@ static double admit_column(struct krylov *k, double *w, size_t first, double *c,
     return left;
 }
 
-/* A start that has a part along every motion: fixed, so that every run gives the same digits. */
+/* Pseudo-random start vector with a component along every motion; fixed, so that every run gives the same
+ * result. */
 static void scatter(double *w, size_t size, uint64_t seed)
 {
     uint64_t s = 0x9E3779B97F4A7C15u * (seed + 1);
@@ -132,8 +135,8 @@ static enum wf_status ritz_values(struct krylov *k, struct wf_err *e)
     return status;
 }
 
-/* Extend the space by A of its last block, the columns from `from` on. w: BLOCK x size; rest[j]: norm of what
- * A of column j has outside the space so far. */
+/* Extend the space by A times its last block, the columns from `from` on. w: BLOCK x size; rest[j]: norm of
+ * the part of A times column j outside the space so far. */
 static size_t extend_space(struct krylov *k, size_t from, double *w, double *part, double *rest)
 {
     const struct wf_lanczos *l = k->l;
@@ -156,7 +159,7 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
     struct krylov k = { .l = l, .most = 10 * l->wanted + 60 };
     if (k.most > l->size) k.most = l->size;
     k.V = WF_TAKE(a, k.most * l->size, double);
-    k.T = WF_TAKE(a, (k.most + BLOCK) * k.most, double); /* a short last block has rows to spare */
+    k.T = WF_TAKE(a, (k.most + BLOCK) * k.most, double); /* the last block may be short */
     k.Q = WF_TAKE(a, k.most * k.most, double);
     k.value = WF_TAKE(a, k.most, double);
     double *w = WF_TAKE(a, BLOCK * l->size, double), *start = WF_TAKE(a, k.most, double), rest[BLOCK];
@@ -166,14 +169,14 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
     wf_quiet_begin();
 
     for (size_t j = 0; j < BLOCK && j < k.most; j++) {
-        scatter(w + l->size, l->size, j); /* through the operator once: smooth motions first */
+        scatter(w + l->size, l->size, j); /* apply the operator once: favours smooth motions */
         l->apply(l->ctx, w + l->size, w);
         admit_column(&k, w, 0, start, vector_norm(w, l->size));
     }
     enum wf_status status = WF_ENOCONV;
     for (size_t from = 0; from < k.used;) {
         size_t block = k.used - from, done = extend_space(&k, from, w, part, rest), whole = k.used;
-        /* T holds the columns applied so far; the newest block's own columns are still to come */
+        /* T holds the columns that A was applied to; the newest block is not among them yet */
         k.used = done;
         enum wf_status small = ritz_values(&k, e);
         k.used = whole;
@@ -190,12 +193,12 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
         k.used = whole;
         from = done;
         if (whole > done && !(done >= l->wanted && worst <= l->tolerance)) continue;
-        /* settled; or nothing new came: the space holds all there is, unless it is only full */
+        /* converged; or no new column was found: the space is complete, unless it only reached its limit */
         if (worst <= l->tolerance || whole < k.most || k.most == l->size) status = WF_OK;
         k.used = done;
         break;
     }
-    if (!k.used) status = WF_OK; /* nothing moves at all */
+    if (!k.used) status = WF_OK; /* no motion at all */
     wf_quiet_end();
     if (status == WF_ENOMEM) return status;
     for (size_t i = 0; i < l->wanted; i++) {
@@ -212,7 +215,7 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
 
 /* Natural frequencies. */
 
-/* Flexibility x mass made symmetric: with x = sqrt(mass) u, A = sqrt(mass) flexibility sqrt(mass). */
+/* Flexibility x mass in symmetric form: with x = sqrt(mass) u, A = sqrt(mass) flexibility sqrt(mass). */
 struct sway {
     struct wf_beam *beam;
     size_t size;
@@ -228,8 +231,8 @@ static void sway(void *ctx, const double *in, double *out)
     for (size_t i = 0; i < s->size; i++) out[i] *= s->root[i];
 }
 
-/* The state to sway about: Newton from where the beam is; only if that fails the longer ways. A shape that is
- * balanced but unstable is kept: its modes say so. */
+/* Equilibrium of the motions: Newton from the beam's present shape; only if that fails, wf_beam_settle. An
+ * unstable equilibrium is kept: its modes show it. */
 static enum wf_status find_equilibrium(struct wf_beam *b, struct wf_arena *work, struct wf_err *e)
 {
     struct wf_beam_outcome out;
@@ -252,7 +255,7 @@ static double hertz(double value)
     return value > 0 ? 1 / (WF_TURN * sqrt(value)) : -1 / (WF_TURN * sqrt(-value));
 }
 
-/* Room for what is kept of a beam, and its state. */
+/* Allocate and fill what is kept of a beam. */
 static enum wf_status keep_equilibrium(const struct wf_beam *b, const int32_t *pieces, size_t count,
                                        struct wf_arena *a, struct wf_modes_kept *kept, struct wf_err *e)
 {
@@ -270,7 +273,7 @@ static enum wf_status keep_equilibrium(const struct wf_beam *b, const int32_t *p
     return WF_OK;
 }
 
-/* Frequencies on the beam's mesh; ends' displacements by one more answer to the mode's inertia. */
+/* Frequencies on the beam's mesh; displacements of the ends by one more response to the mode's inertia. */
 static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena *work, double *frequency,
                                double *shape, struct wf_modes_kept *kept, struct wf_err *e)
 {
@@ -315,7 +318,8 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena 
     return WF_OK;
 }
 
-/* Pieces for the next mesh: the error of a figure falls with the fourth power. */
+/* Pieces for the next mesh; false when the error is within tolerance. The error of a frequency falls with
+ * the fourth power of the piece length. */
 static bool choose_finer_mesh(const double *coarse, const double *fine, size_t count, double tolerance,
                               double ratio, int32_t *pieces, size_t n)
 {
@@ -403,7 +407,7 @@ enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
 
 /* Self-buckling. */
 
-/* Has the unloaded shape under `factor` times the weight an unstable direction? */
+/* Does the unloaded shape under `factor` times the weight have an unstable direction? */
 static bool gives_way(struct wf_beam *b, double factor)
 {
     struct wf_beam_stability count = { .margin = 0 };

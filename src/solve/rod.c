@@ -5,7 +5,7 @@
 #include "solve/beam_mesh.h"
 #include "solve/rod_shoot.h"
 
-/* The beam engine on the same pieces, one element a piece. */
+/* A beam on the same pieces, one element per piece. */
 static enum wf_status beam_of_rod(const struct wf_rod *r, const struct wf_solve_options *o,
                                   struct wf_arena *a, struct wf_beam *b, struct wf_err *e)
 {
@@ -15,8 +15,8 @@ static enum wf_status beam_of_rod(const struct wf_rod *r, const struct wf_solve_
     return wf_beam_init(b, r->tree, &r->loads, o, cut, a, e);
 }
 
-/* The beam engine in the shape found: the quadratic of turn along a piece that has its curvature at the base
- * and its end. */
+/* Set the beam to the shape of the rod: along each piece the quadratic of rotation that matches its
+ * curvature at the base and its end. */
 static void pose_beam(const struct wf_rod *r, struct wf_beam *b)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -39,7 +39,8 @@ static void pose_beam(const struct wf_rod *r, struct wf_beam *b)
     wf_beam_sweep_up(b);
 }
 
-/* Largest turn between two states: where it is large, another branch of answers may have been caught. */
+/* Largest rotation between two states [rad]. Where it is large, Newton may have converged to another branch
+ * of solutions. */
 static double largest_turn_since(const struct wf_rod *r, const struct wf_rod_node *from)
 {
     double most = 0;
@@ -53,8 +54,8 @@ static double largest_turn_since(const struct wf_rod *r, const struct wf_rod_nod
     return most;
 }
 
-/* Newton from the present nodes. Its end is kept when no part has turned by more than 40 degrees and the beam
- * engine finds that it stands. */
+/* Newton from the present nodes. The result is accepted when no part has rotated by more than 40 degrees and
+ * the beam solver finds it stable. */
 static bool close_from_nodes(struct wf_rod *r, struct wf_beam *b, struct wf_rod_node *kept)
 {
     memcpy(kept, r->node, r->n * sizeof *kept);
@@ -65,7 +66,7 @@ static bool close_from_nodes(struct wf_rod *r, struct wf_beam *b, struct wf_rod_
     return wf_beam_stable(b);
 }
 
-/* Nodes where the beam engine has come to rest. */
+/* Set the nodes from the beam's equilibrium. */
 static void start_from_beam(struct wf_rod *r, const struct wf_beam *b)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -85,8 +86,8 @@ static void start_from_beam(struct wf_rod *r, const struct wf_beam *b)
     }
 }
 
-/* From rest where that is near; else from the shape in which the beam engine comes to rest, which it reaches
- * by load steps and, past a limit point, by creep. */
+/* Equilibrium: Newton from the unloaded shape; if that fails, from the equilibrium of the beam solver, which
+ * uses load steps and, beyond a limit point, creep. */
 static enum wf_status rod_settle(struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
                                  double *load_factor, struct wf_diag *d, struct wf_err *e)
 {
@@ -129,7 +130,8 @@ static void tally_rod_load(struct rod_tally *sum, const double arm[3], const dou
     v3_add(sum->moment, 1, lever);
 }
 
-/* Columns of the answer; loads and their moments summed apart from the integration, as a check of it. */
+/* Columns of the response. Loads and their moments are summed independently of the integration, to check
+ * it. */
 static void rod_read(const struct wf_rod *r, struct wf_response *out)
 {
     const struct wf_tree *t = r->tree;

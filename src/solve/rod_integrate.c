@@ -26,7 +26,7 @@ void wf_rod_section_at(const struct wf_tree *t, const struct wf_loads *l, size_t
             l->line ? l->point_scale * wf_between(l->line[6 * i + k], l->line[6 * i + 3 + k], s) : 0;
 }
 
-/* Size of the load on a row and its end, on the unloaded shape [N]. */
+/* Magnitude of the load on a row and its end, on the unloaded shape [N]. */
 static double load_size(const struct wf_tree *t, const struct wf_loads *l, size_t i)
 {
     struct wf_rod_section section;
@@ -86,11 +86,11 @@ struct wf_rod_piece *wf_rod_cut(const struct wf_tree *t, const struct wf_loads *
 
 /* The steps by which one piece is integrated.
  *
- * They are chosen by GSL's error control and end where the wind is not smooth: in the middle of a step a jump
- * of a derivative costs an eighth-order formula its order, and the control many rejected steps. The steps
- * taken are kept with the piece. Taken again, they make the end of a piece a smooth function of its base,
- * which steps chosen anew each time do not: their choice scatters the end by the error allowed, and Newton
- * cannot end below the scatter (Bock 1981, internal numerical differentiation, in: Modelling of Chemical
+ * They are chosen by GSL's error control and end at kinks of the wind profile: inside a step a jump of a
+ * derivative would reduce the order of the eighth-order formula and cause many rejected steps. The steps
+ * taken are stored with the piece. Repeating them makes the end of a piece a smooth function of its base;
+ * steps chosen anew each time would scatter the end by the accepted error, and Newton's method cannot
+ * converge below that scatter (Bock 1981, internal numerical differentiation, in: Modelling of Chemical
  * Reaction Systems, Springer, 102-125). */
 
 enum { STEPS_MOST = 4000 };
@@ -109,14 +109,14 @@ static bool keep_step(struct wf_rod_integrator *g, double length)
     return true;
 }
 
-/* To where the wind is smooth, as a share of the piece. */
+/* Distance to the next kink of the wind profile, as a share of the piece. */
 static double share_to_kink(struct wf_rod_integrator *g, double sigma, const double *y)
 {
     const struct wf_wind *w = g->loads->wind;
     double rate[WF_ROD_ANGLES], at[3];
     if (!w || !w->clear || g->state_system.function(sigma, y, rate, g)) return INFINITY;
     for (int k = 0; k < 3; k++) at[k] = g->place[k] + g->piece->h * y[k];
-    return w->clear(w, at, rate) / g->piece->h; /* state and rate begin with place and tangent */
+    return w->clear(w, at, rate) / g->piece->h; /* state and rate begin with position and tangent */
 }
 
 static bool choose_steps(struct wf_rod_integrator *g, double *y)
@@ -132,7 +132,9 @@ static bool choose_steps(struct wf_rod_integrator *g, double *y)
             gsl_odeiv2_evolve_apply(d->e, d->c, d->s, d->sys, &sigma, to, &next, y) != GSL_SUCCESS ||
             !keep_step(g, sigma - from))
             return false;
-        size = sigma < to ? next : fmax(size, next); /* one that was cut short says little about the next */
+        size = sigma < to
+                   ? next
+                   : fmax(size, next); /* a step that was cut short tells little about the next step size */
     }
     p->first_step = fmin(fmax(size, 1e-3), 1);
     return true;
@@ -149,8 +151,8 @@ static bool repeat_steps(struct wf_rod_integrator *g, double *y)
     return true;
 }
 
-/* From base to end. Given: the state y at the base; g->piece is the piece under way. Returned: y at the end;
- * false when a step could not be taken. */
+/* Integrate from base to end. Given: the state y at the base; g->piece is the present piece. Returned: y at
+ * the end; false when a step fails. */
 static bool rod_drive(struct wf_rod_integrator *g, double *y)
 {
     return g->fixed ? repeat_steps(g, y) : choose_steps(g, y);
@@ -158,14 +160,14 @@ static bool rod_drive(struct wf_rod_integrator *g, double *y)
 
 /* The equations. */
 
-/* The state in the piece's own measure: lengths by h, forces by EI/h2, moments by EI/h, arc by h. */
+/* Layout of the state, in the piece's units: lengths by h, forces by EI/h2, moments by EI/h, arc by h. */
 enum { PLACE = 0, QUATERNION = 3, FORCE = 7, MOMENT = 10, TALLY = 13, VARIED = 13 };
 enum { ANGLE = 3, RATE = 6, A_FORCE = 9, A_MOMENT = 12, A_TALLY = 15 };
 
 struct local {
-    double t[3], bend, twist; /* tangent; compliances times the measure EI */
+    double t[3], bend, twist; /* tangent; compliances times the piece's stiffness */
     struct wf_line_load load; /* per length */
-    double f[3];              /* load in the piece's measure               */
+    double f[3];              /* load in the piece's units */
 };
 
 static void local_at(const struct wf_rod_integrator *g, double sigma, const double x[3], const double t[3],
@@ -260,7 +262,7 @@ static int varied_equations(double sigma, const double y[], double dy[], void *c
     return isfinite(dy[QUATERNION]) && isfinite(dy[FORCE]) ? GSL_SUCCESS : GSL_EBADFUNC;
 }
 
-/* Columns of the turned axes e1, e2, e3 in base axes, from the angles (about e3, then e2, then e1). */
+/* Columns of the rotated axes e1, e2, e3 in base axes, from the angles (about e3, then e2, then e1). */
 static void axes_of(const double a[3], double R[9])
 {
     double cf = cos(a[0]), sf = sin(a[0]), ct = cos(a[1]), st = sin(a[1]), cp = cos(a[2]), sp = sin(a[2]);
@@ -304,7 +306,7 @@ static int angle_equations(double sigma, const double y[], double dy[], void *co
     return isfinite(dy[RATE]) && isfinite(dy[A_FORCE]) ? GSL_SUCCESS : GSL_EBADFUNC;
 }
 
-/* The integrator: opened, taken along a piece, closed. */
+/* The integrator: open, close, integrate along a piece. */
 
 void wf_rod_close(struct wf_rod_integrator *g)
 {
@@ -316,7 +318,8 @@ void wf_rod_close(struct wf_rod_integrator *g)
 enum wf_status wf_rod_open(struct wf_rod_integrator *g, const struct wf_tree *t, const struct wf_loads *l,
                            bool printed, struct wf_arena *a, struct wf_err *e)
 {
-    const double tight = 1e-11, loose = 1e-4; /* a derivative good to four digits gains four a Newton step */
+    const double tight = 1e-11,
+                 loose = 1e-4; /* a derivative accurate to four digits gains four digits per Newton step */
     *g = (struct wf_rod_integrator){ .tree = t, .loads = l, .arena = a, .printed = printed };
     g->state_system = (gsl_odeiv2_system){ .function = printed ? angle_equations : frame_equations,
                                            .dimension = printed ? WF_ROD_ANGLES : WF_ROD_FRAME,
@@ -335,7 +338,7 @@ void wf_rod_accuracy(struct wf_rod_integrator *g, double error)
     gsl_odeiv2_control_init(g->state->c, fmax(error, 1e-15), 0, 1, 0);
 }
 
-/* Base axes: e1 the tangent, e2 and e3 any two that complete it. */
+/* Base axes: e1 the tangent, e2 and e3 any two that complete a right-handed frame. */
 static void complete_axes(const double t[3], double F[9])
 {
     int least = fabs(t[0]) < fabs(t[1]) ? 0 : 1;
@@ -349,8 +352,8 @@ static void complete_axes(const double t[3], double F[9])
     for (int k = 0; k < 3; k++) F[3 * k] = t[k], F[3 * k + 1] = e2[k], F[3 * k + 2] = e3[k];
 }
 
-/* The same on the unloaded axis, carried along by the turn of the base: axes chosen on the loaded one would
- * jump where the choice changes, and the printed equations with them. */
+/* Base axes chosen on the unloaded axis and rotated with the base: axes chosen on the loaded axis would jump
+ * where the choice changes, and the printed equations with them. */
 static void carried_axes(const double axis[3], const double q[4], double F[9])
 {
     double unloaded[9], e[3], turned[3];

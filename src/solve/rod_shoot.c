@@ -3,7 +3,7 @@
 #include "solve/beam_mesh.h"
 #include <gsl/gsl_linalg.h>
 
-/* Misfit of the present nodes. */
+/* Residual of the present nodes. */
 
 void wf_rod_end_load(const struct wf_rod *r, size_t i, const double q[4], struct wf_rod_wrench *w,
                      double *by_spin)
@@ -26,7 +26,7 @@ void wf_rod_end_load(const struct wf_rod *r, size_t i, const double q[4], struct
     }
 }
 
-/* What is missing: poses against the ends they stand on, forces and moments at the ends (eqs 4, 5). */
+/* Residuals: poses against the ends below, forces and moments at the ends (eqs 4, 5). */
 static void set_misfit(struct wf_rod *r, const struct wf_rod_node *node)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -104,7 +104,8 @@ static bool lu_factor(struct wf_rod_block *b)
     return true;
 }
 
-/* The root plate: springs c hold the tilt v against the moment, c v = T' m (0 = clamped). *tangent = T. */
+/* Root plate: springs c resist the tilt v, c v = T' m (0 = clamped). Returned: b->root; T, tangent of the
+ * rotation vector. */
 static void root_factor(const struct wf_rod *r, const double v[3], struct wf_rod_block *b, double T[9])
 {
     const double *c = r->options->root_stiffness;
@@ -125,8 +126,8 @@ static void root_factor(const struct wf_rod *r, const double v[3], struct wf_rod
         b->root[4] = 1 / d;
 }
 
-/* From the tips down. K of a piece gathers what its end carries, then becomes the answer of its base:
- * (D - K B) dw = (K A - C) dp. */
+/* Eliminate from the tips down. K of a piece first sums the reaction at its end, then becomes the reaction
+ * of its base: (D - K B) dw = (K A - C) dp. */
 static bool factor_tree(struct wf_rod *r)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -162,7 +163,7 @@ static void apply_block6(const double *A, size_t wide, const double x[6], double
         for (size_t k = 0; k < 6; k++) y[i] += A[wide * i + k] * x[k];
 }
 
-/* Change of the root's pose (0, spin); of its tilt in tilt. */
+/* Newton step of a root's pose (0, spin) and of its tilt. */
 static void root_step(const struct wf_rod *r, const struct wf_rod_node *node, struct wf_rod_block *b,
                       const double k[6], double pose[6], double tilt[3])
 {
@@ -180,8 +181,8 @@ static void root_step(const struct wf_rod *r, const struct wf_rod_node *node, st
     m3_apply(T, tilt, pose + 3);
 }
 
-/* Changes for the present misfit with the present factor: constants from the tips down, changes from the
- * root up. */
+/* Newton step for the present residual with the present factors: constants from the tips down, changes from
+ * the root up. */
 static void solve_changes(struct wf_rod *r, const struct wf_rod_node *node, double (*step)[12],
                           double (*tilt)[3])
 {
@@ -233,7 +234,8 @@ static void move_nodes(const struct wf_rod *r, double share, const double (*step
 
 static double vector_length(const double v[3]) { return sqrt(wf_dot(v, v)); }
 
-/* Largest of: places by the tree's size, turns, forces and moments as turn along a piece. */
+/* Size of a step: the largest of positions by the tree's size, rotations, and forces and moments as rotation
+ * along a piece. */
 static double change_size(const struct wf_rod *r, const double (*step)[12], double *turn)
 {
     double most = 0;
@@ -248,7 +250,8 @@ static double change_size(const struct wf_rod *r, const double (*step)[12], doub
     return fmax(most, *turn);
 }
 
-/* The same of the answer itself, against the unloaded tree: what accuracy is relative to. */
+/* Size of the solution relative to the unloaded tree, by the same measure: the scale of the relative
+ * accuracy. */
 static double answer_size(const struct wf_rod *r)
 {
     double most = 0;
@@ -271,8 +274,9 @@ static void swap_nodes(struct wf_rod *r)
 
 /* Newton. */
 
-/* Choose the steps of all pieces anew where the nodes are, to an accuracy, and keep to them from here.
- * Returned: size of Newton's next change with the present derivative; NAN when the integration fails. */
+/* Choose the integration steps of all pieces anew at the present nodes, to an accuracy, and keep them from
+ * here on. Returned: size of the next Newton step with the present derivative; NAN when the integration
+ * fails. */
 static double fix_steps(struct wf_rod *r, double accuracy)
 {
     double turn;
@@ -317,14 +321,14 @@ bool wf_rod_newton(struct wf_rod *r)
         }
         swap_nodes(r);
         if (share >= 1 && fmin(size, next) <= tolerance * scale + rounding) {
-            /* done if the steps chosen where it ended find the same */
+            /* converged if steps chosen anew at the solution give the same */
             size = fix_steps(r, 0.01 * tolerance * scale);
             if (size <= serves * scale + rounding) return true;
             if (!isfinite(size)) return false;
             fresh = true;
             continue;
         }
-        /* keep the derivative where it still gains a digit a step */
+        /* reuse the derivative while it gains a digit per step */
         fresh = share >= 1 && next < 0.1 * size;
         share = fmin(1, 2 * share);
         if (fresh) {
@@ -335,9 +339,9 @@ bool wf_rod_newton(struct wf_rod *r)
     return false;
 }
 
-/* Making ready. */
+/* Setting up. */
 
-/* Unloaded pose and no forces everywhere. */
+/* Unloaded pose, zero forces. */
 static void rod_rest(struct wf_rod *r)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -367,7 +371,7 @@ enum wf_status wf_rod_init(struct wf_rod *r, const struct wf_tree *t, const stru
         if (l->point[k].segment < 0 || (size_t)l->point[k].segment >= t->n)
             return wf_fail(e, WF_EUSAGE, "point load %zu: no segment %d (there are %zu)", k,
                            (int)l->point[k].segment, t->n);
-    /* as printed a segment is a row; else few rows are cut as the beam engine cuts them */
+    /* as printed a row is one segment; otherwise trees of few rows are cut as in the beam solver */
     r->piece = wf_rod_cut(t, l, printed || t->n >= 24 ? 1 : (int32_t)(23 / t->n + 1), a, &r->n);
     r->first_point = WF_TAKE(a, t->n, int32_t);
     r->next_point = WF_TAKE(a, l->points, int32_t);
