@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The species table: its rows, the checks between its keys, and what is asked of it. */
 #include "data/species.h"
-#include "load/drag.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "data/value.h"
