@@ -1,6 +1,7 @@
 /* Speed and memory of the structural engine. Times are processor time of this process, the best of several
  * runs; ratios are taken within one run, so that they hold on a busy machine too. */
 #include "beam_cases.h"
+#include "solve/beam_eliminate.h"
 #include "solve/modes.h"
 #include <stdlib.h>
 #include <sys/resource.h>

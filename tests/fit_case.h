@@ -5,7 +5,7 @@
 #include "fit/fit.h"
 #include "fit/predict.h"
 #include "grow/stem.h"
-#include "cases/measure.h"
+#include "cases/build.h"
 #include <string.h>
 
 enum { MOST = 12 };

@@ -16,8 +16,8 @@ static int32_t main_root(const struct wf_qsm *q)
     return root;
 }
 
-/* Row of the stem in which it first passes breast height, -1 when it does not. A stem that forks below is
- * followed along the thickest limb. */
+/* First row of the stem whose end lies at or above breast height; -1 when the stem is lower. Below breast
+ * height a forked stem is followed along its thickest limb. */
 static int32_t breast_row(const struct wf_qsm *q, int32_t root)
 {
     int32_t row = root;
@@ -62,8 +62,8 @@ void wf_qsm_measure(const struct wf_qsm *q, struct wf_qsm_metrics *m)
     m->dbh = breast_diameter(q, root);
 }
 
-/* Cosine between row i and the wind. */
-static double along(const struct wf_qsm *q, size_t i, double wx, double wy)
+/* Cosine of the angle between row i and the wind. */
+static double cosine_to_wind(const struct wf_qsm *q, size_t i, double wx, double wy)
 {
     double d = wf_qsm_distance(q, i);
     return d > 0 ? ((q->x1[i] - q->x0[i]) * wx + (q->y1[i] - q->y0[i]) * wy) / d : 1;
@@ -73,7 +73,7 @@ double wf_qsm_sail(const struct wf_qsm *q, double azimuth)
 {
     double area = 0, wx = cos(azimuth), wy = sin(azimuth);
     for (size_t i = 0; i < q->n; i++) {
-        double c = along(q, i, wx, wy);
+        double c = cosine_to_wind(q, i, wx, wy);
         area += (q->r0[i] + q->r1[i]) * q->length[i] * sqrt(fmax(1 - c * c, 0));
     }
     return area;

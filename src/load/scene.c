@@ -13,7 +13,7 @@ void wf_scenario_default(struct wf_scenario *s)
         .profile = "power",
         .reference_height = 10.0,
         .speed_up = 1.0,
-        .roughness = 0.03, /* open grassland (Davenport class 3) for who asks for the log profile */
+        .roughness = 0.03, /* open grassland (Davenport class 3); the log profile only */
         .displacement = 0.0,
         .exponent = 0.16,
         .azimuth = 0.0,
@@ -24,7 +24,7 @@ void wf_scenario_default(struct wf_scenario *s)
     };
 }
 
-/* A field of the scenario and what it may hold. */
+/* A field of the scenario and its allowed range. */
 struct limit {
     const char *name, *unit;
     double value, low, high;
@@ -63,7 +63,8 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
     return wf_wind_check(&wind, e);
 }
 
-/* What is not said of a stand follows from its height. */
+/* Defaults of the canopy profile from the canopy height; where that is missing it follows from the
+ * displacement height. */
 static void complete_canopy(struct wf_scenario *s, const struct wf_profile_words *w)
 {
     double height = s->canopy_height > 0.0 ? s->canopy_height : s->displacement / 0.7;
@@ -71,7 +72,7 @@ static void complete_canopy(struct wf_scenario *s, const struct wf_profile_words
     if (isnan(w->roughness) && height > 0.0) s->roughness = 0.1 * height;
 }
 
-static void numbers(struct wf_scenario *s, const struct wf_profile_words *w)
+static void set_profile_numbers(struct wf_scenario *s, const struct wf_profile_words *w)
 {
     const struct {
         double *to, said;
@@ -90,7 +91,7 @@ enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_
 {
     static const char measured[] = "measured";
     s->profile = w->name ? w->name : w->file ? measured : s->profile;
-    numbers(s, w);
+    set_profile_numbers(s, w);
     bool asked = strcmp(s->profile, measured) == 0;
     if (asked && !w->file)
         return wf_fail(e, WF_EUSAGE, "the profile '%s' needs a profile file of heights and speeds", measured);

@@ -1,12 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/rod.h"
 #include "base/num.h"
 #include "solve/beam.h"
 #include "solve/beam_mesh.h"
 #include "solve/rod_shoot.h"
 
-/* The beam engine on the same pieces, one element a piece. */
-static enum wf_status beam_of(const struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
-                              struct wf_beam *b, struct wf_err *e)
+/* A beam on the same pieces, one element per piece. */
+static enum wf_status beam_of_rod(const struct wf_rod *r, const struct wf_solve_options *o,
+                                  struct wf_arena *a, struct wf_beam *b, struct wf_err *e)
 {
     int32_t *cut = WF_TAKE(a, r->tree->n, int32_t);
     if (!cut) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", r->tree->n);
@@ -14,8 +15,8 @@ static enum wf_status beam_of(const struct wf_rod *r, const struct wf_solve_opti
     return wf_beam_init(b, r->tree, &r->loads, o, cut, a, e);
 }
 
-/* The beam engine in the shape found: the quadratic of turn along a piece that has its curvature at the base
- * and its end. */
+/* Set the beam to the shape of the rod: along each piece the quadratic of rotation that matches its
+ * curvature at the base and its end. */
 static void pose_beam(const struct wf_rod *r, struct wf_beam *b)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -38,8 +39,9 @@ static void pose_beam(const struct wf_rod *r, struct wf_beam *b)
     wf_beam_sweep_up(b);
 }
 
-/* Largest turn between two states: where it is large, another branch of answers may have been caught. */
-static double leap(const struct wf_rod *r, const struct wf_rod_node *from)
+/* Largest rotation between two states [rad]. Where it is large, Newton may have converged to another branch
+ * of solutions. */
+static double largest_turn_since(const struct wf_rod *r, const struct wf_rod_node *from)
 {
     double most = 0;
     for (size_t i = 0; i < r->n; i++) {
@@ -52,19 +54,19 @@ static double leap(const struct wf_rod *r, const struct wf_rod_node *from)
     return most;
 }
 
-/* Newton from the present nodes. Its end is kept when no part has turned by more than 40 degrees and the beam
- * engine finds that it stands. */
-static bool close_up(struct wf_rod *r, struct wf_beam *b, struct wf_rod_node *kept)
+/* Newton from the present nodes. The result is accepted when no part has rotated by more than 40 degrees and
+ * the beam solver finds it stable. */
+static bool close_from_nodes(struct wf_rod *r, struct wf_beam *b, struct wf_rod_node *kept)
 {
     memcpy(kept, r->node, r->n * sizeof *kept);
     r->fault = NULL;
-    if (!wf_rod_newton(r) || leap(r, kept) > 0.7) return false;
+    if (!wf_rod_newton(r) || largest_turn_since(r, kept) > 0.7) return false;
     pose_beam(r, b);
     r->steps++;
     return wf_beam_stable(b);
 }
 
-/* Nodes where the beam engine has come to rest. */
+/* Set the nodes from the beam's equilibrium. */
 static void start_from_beam(struct wf_rod *r, const struct wf_beam *b)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -84,25 +86,25 @@ static void start_from_beam(struct wf_rod *r, const struct wf_beam *b)
     }
 }
 
-/* From rest where that is near; else from the shape in which the beam engine comes to rest, which it reaches
- * by load steps and, past a limit point, by creep. */
-static enum wf_status settle(struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
-                             double *load_factor, struct wf_diag *d, struct wf_err *e)
+/* Equilibrium: Newton from the unloaded shape; if that fails, from the equilibrium of the beam solver, which
+ * uses load steps and, beyond a limit point, creep. */
+static enum wf_status rod_settle(struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
+                                 double *load_factor, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_beam b;
     struct wf_beam_outcome out = { .load_factor = 1 };
     struct wf_err why = { 0 };
     struct wf_rod_node *kept = WF_TAKE(a, r->n, struct wf_rod_node);
-    enum wf_status status = kept ? beam_of(r, o, a, &b, e) : wf_fail(e, WF_ENOMEM, "no room for rods");
+    enum wf_status status = kept ? beam_of_rod(r, o, a, &b, e) : wf_fail(e, WF_ENOMEM, "no room for rods");
     if (status) return status;
-    if (!close_up(r, &b, kept)) {
+    if (!close_from_nodes(r, &b, kept)) {
         status = wf_beam_settle(&b, a, &out, &why);
         if (status) {
             *load_factor = out.load_factor;
             return wf_fail(e, status, "%s", why.text);
         }
         start_from_beam(r, &b);
-        if (!close_up(r, &b, kept))
+        if (!close_from_nodes(r, &b, kept))
             return wf_fail(e, WF_ENOCONV, "%s",
                            r->fault                ? r->fault
                            : r->integrator.printed ? "the printed equations do not close from root to tips; "
@@ -114,27 +116,27 @@ static enum wf_status settle(struct wf_rod *r, const struct wf_solve_options *o,
     return WF_OK;
 }
 
-static void share_out(double sum[3], double s, const double x[3]) { v3_add(sum, s, x); }
-
-struct tally {
+struct rod_tally {
     double force[3], moment[3];
 };
 
-static void count(struct tally *sum, const double arm[3], const double force[3], const double moment[3])
+static void tally_rod_load(struct rod_tally *sum, const double arm[3], const double force[3],
+                           const double moment[3])
 {
     double lever[3];
     wf_cross(arm, force, lever);
-    share_out(sum->force, 1, force);
-    share_out(sum->moment, 1, moment);
-    share_out(sum->moment, 1, lever);
+    v3_add(sum->force, 1, force);
+    v3_add(sum->moment, 1, moment);
+    v3_add(sum->moment, 1, lever);
 }
 
-/* Columns of the answer; loads and their moments summed apart from the integration, as a check of it. */
-static void read(const struct wf_rod *r, struct wf_response *out)
+/* Columns of the response. Loads and their moments are summed independently of the integration, to check
+ * it. */
+static void rod_read(const struct wf_rod *r, struct wf_response *out)
 {
     const struct wf_tree *t = r->tree;
     const double first[3] = { t->x0[0], t->y0[0], t->z0[0] };
-    struct tally sum = { { 0 }, { 0 } };
+    struct rod_tally sum = { { 0 }, { 0 } };
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_piece *p = &r->piece[i];
         const struct wf_rod_node *base = &r->node[i];
@@ -145,8 +147,8 @@ static void read(const struct wf_rod *r, struct wf_response *out)
             arm[k] = base->pose.r[k] - first[k];
             load[k] = base->wrench.n[k] - end->wrench.n[k];
         }
-        share_out(out->load + row, 1, load);
-        count(&sum, arm, load, end->tally);
+        v3_add(out->load + row, 1, load);
+        tally_rod_load(&sum, arm, load, end->tally);
         if (p->s0 <= 0) {
             memcpy(out->force0 + row, base->wrench.n, sizeof base->wrench.n);
             memcpy(out->moment0 + row, base->wrench.m, sizeof base->wrench.m);
@@ -156,16 +158,16 @@ static void read(const struct wf_rod *r, struct wf_response *out)
         if (p->parent < 0) {
             double lever[3];
             wf_cross(arm, base->wrench.n, lever);
-            share_out(out->base_force, 1, base->wrench.n);
-            share_out(out->base_moment, 1, base->wrench.m);
-            share_out(out->base_moment, 1, lever);
+            v3_add(out->base_force, 1, base->wrench.n);
+            v3_add(out->base_moment, 1, base->wrench.m);
+            v3_add(out->base_moment, 1, lever);
         }
         if (!p->last) continue;
         const double tip[3] = { t->x1[p->row], t->y1[p->row], t->z1[p->row] };
         struct wf_rod_wrench outside = { { 0 }, { 0 } };
         wf_rod_end_load(r, i, end->pose.q, &outside, NULL);
         for (int k = 0; k < 3; k++) arm[k] = end->pose.r[k] - first[k];
-        count(&sum, arm, outside.n, outside.m);
+        tally_rod_load(&sum, arm, outside.n, outside.m);
         memcpy(out->force1 + row, end->wrench.n, sizeof end->wrench.n);
         memcpy(out->moment1 + row, end->wrench.m, sizeof end->wrench.m);
         wf_row_axis(t, (size_t)p->row, 1, place, axis);
@@ -183,9 +185,9 @@ static void read(const struct wf_rod *r, struct wf_response *out)
         if (whole[k] > 0) out->imbalance = fmax(out->imbalance, off[k] / whole[k]);
 }
 
-static enum wf_status solve(bool printed, const struct wf_tree *t, const struct wf_loads *l,
-                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *out,
-                            struct wf_diag *d, struct wf_err *e)
+static enum wf_status rod_solve(bool printed, const struct wf_tree *t, const struct wf_loads *l,
+                                const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *out,
+                                struct wf_diag *d, struct wf_err *e)
 {
     struct wf_arena work = { 0 };
     struct wf_rod r = { 0 };
@@ -199,8 +201,8 @@ static enum wf_status solve(bool printed, const struct wf_tree *t, const struct 
                      "the printed rod takes curved segments as straight between their ends");
     wf_quiet_begin();
     status = wf_rod_init(&r, t, l, &rigid, printed, &work, e);
-    if (!status) status = settle(&r, &rigid, &work, &out->load_factor, d, e);
-    if (!status) read(&r, out);
+    if (!status) status = rod_settle(&r, &rigid, &work, &out->load_factor, d, e);
+    if (!status) rod_read(&r, out);
     out->iterations = r.iterations, out->steps = r.steps;
     wf_rod_done(&r);
     wf_quiet_end();
@@ -208,18 +210,18 @@ static enum wf_status solve(bool printed, const struct wf_tree *t, const struct 
     return status;
 }
 
-static enum wf_status solve_frame(const struct wf_tree *t, const struct wf_loads *l,
-                                  const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
-                                  struct wf_diag *d, struct wf_err *e)
+static enum wf_status rod_solve_frame(const struct wf_tree *t, const struct wf_loads *l,
+                                      const struct wf_solve_options *o, struct wf_arena *a,
+                                      struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
-    return solve(false, t, l, o, a, r, d, e);
+    return rod_solve(false, t, l, o, a, r, d, e);
 }
 
-static enum wf_status solve_angles(const struct wf_tree *t, const struct wf_loads *l,
-                                   const struct wf_solve_options *o, struct wf_arena *a,
-                                   struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+static enum wf_status rod_solve_angles(const struct wf_tree *t, const struct wf_loads *l,
+                                       const struct wf_solve_options *o, struct wf_arena *a,
+                                       struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
-    return solve(true, t, l, o, a, r, d, e);
+    return rod_solve(true, t, l, o, a, r, d, e);
 }
 
 #define FENG                                                                                                 \
@@ -232,7 +234,7 @@ const struct wf_solver wf_solver_rod = {
     .source = FENG "; frame by quaternion; Deuflhard 2004, Newton Methods for Nonlinear Problems, sec. 3.3",
     .validity = "Elastic wood that does not stretch, static mean wind; any deflection. Loads follow the bent "
                 "shape.",
-    .solve = solve_frame,
+    .solve = rod_solve_frame,
 };
 const struct wf_solver wf_solver_rod_as_printed = {
     .name = "rod-as-printed",
@@ -243,5 +245,5 @@ const struct wf_solver wf_solver_rod_as_printed = {
         "depends on the number of segments and agrees with 'rod' as they are refined; no answer where "
         "a segment turns by 90 degrees",
     .as_printed = true,
-    .solve = solve_angles,
+    .solve = rod_solve_angles,
 };

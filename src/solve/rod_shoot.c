@@ -1,6 +1,9 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/rod_shoot.h"
 #include "solve/beam_mesh.h"
 #include <gsl/gsl_linalg.h>
+
+/* Residual of the present nodes. */
 
 void wf_rod_end_load(const struct wf_rod *r, size_t i, const double q[4], struct wf_rod_wrench *w,
                      double *by_spin)
@@ -23,8 +26,8 @@ void wf_rod_end_load(const struct wf_rod *r, size_t i, const double q[4], struct
     }
 }
 
-/* What is missing: poses against the ends they stand on, forces and moments at the ends (eqs 4, 5). */
-static void misfit(struct wf_rod *r, const struct wf_rod_node *node)
+/* Residuals: poses against the ends below, forces and moments at the ends (eqs 4, 5). */
+static void set_misfit(struct wf_rod *r, const struct wf_rod_node *node)
 {
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_end *end = &r->end[i];
@@ -52,7 +55,7 @@ static void misfit(struct wf_rod *r, const struct wf_rod_node *node)
     }
 }
 
-static bool arrive(struct wf_rod *r, const struct wf_rod_node *node)
+static bool integrate_pieces(struct wf_rod *r, const struct wf_rod_node *node)
 {
     for (size_t i = 0; i < r->n; i++) {
         struct wf_rod_end *o = &r->end[i];
@@ -62,12 +65,14 @@ static bool arrive(struct wf_rod *r, const struct wf_rod_node *node)
             return false;
         }
     }
-    misfit(r, node);
+    set_misfit(r, node);
     return true;
 }
 
+/* Newton's equations, eliminated along the tree. */
+
 /* C = A B, 6 x 6, with B a block of a 12 x 12 matrix */
-static void times(const double A[36], const double *B, double C[36])
+static void multiply_block6(const double A[36], const double *B, double C[36])
 {
     for (size_t i = 0; i < 6; i++)
         for (size_t j = 0; j < 6; j++) {
@@ -99,7 +104,8 @@ static bool lu_factor(struct wf_rod_block *b)
     return true;
 }
 
-/* The root plate: springs c hold the tilt v against the moment, c v = T' m (0 = clamped). *tangent = T. */
+/* Root plate: springs c resist the tilt v, c v = T' m (0 = clamped). Returned: b->root; T, tangent of the
+ * rotation vector. */
 static void root_factor(const struct wf_rod *r, const double v[3], struct wf_rod_block *b, double T[9])
 {
     const double *c = r->options->root_stiffness;
@@ -120,9 +126,9 @@ static void root_factor(const struct wf_rod *r, const double v[3], struct wf_rod
         b->root[4] = 1 / d;
 }
 
-/* From the tips down. K of a piece gathers what its end carries, then becomes the answer of its base:
- * (D - K B) dw = (K A - C) dp. */
-static bool factor(struct wf_rod *r)
+/* Eliminate from the tips down. K of a piece first sums the reaction at its end, then becomes the reaction
+ * of its base: (D - K B) dw = (K A - C) dp. */
+static bool factor_tree(struct wf_rod *r)
 {
     for (size_t i = 0; i < r->n; i++) {
         struct wf_rod_block *b = &r->block[i];
@@ -135,8 +141,8 @@ static bool factor(struct wf_rod *r)
         struct wf_rod_wrench unused = { { 0 }, { 0 } };
         double KA[36], KB[36], column[6];
         wf_rod_end_load(r, i, r->end[i].pose.q, &unused, b->K);
-        times(b->K, b->J, KA);
-        times(b->K, b->J + 6, KB);
+        multiply_block6(b->K, b->J, KA);
+        multiply_block6(b->K, b->J + 6, KB);
         for (size_t j = 0; j < 6; j++)
             for (size_t k = 0; k < 6; k++) b->lu[6 * j + k] = b->J[12 * (6 + j) + 6 + k] - KB[6 * j + k];
         if (!lu_factor(b)) return false;
@@ -151,13 +157,13 @@ static bool factor(struct wf_rod *r)
     return true;
 }
 
-static void apply6(const double *A, size_t wide, const double x[6], double y[6])
+static void apply_block6(const double *A, size_t wide, const double x[6], double y[6])
 {
     for (size_t i = 0; i < 6; i++)
         for (size_t k = 0; k < 6; k++) y[i] += A[wide * i + k] * x[k];
 }
 
-/* Change of the root's pose (0, spin); of its tilt in tilt. */
+/* Newton step of a root's pose (0, spin) and of its tilt. */
 static void root_step(const struct wf_rod *r, const struct wf_rod_node *node, struct wf_rod_block *b,
                       const double k[6], double pose[6], double tilt[3])
 {
@@ -175,9 +181,10 @@ static void root_step(const struct wf_rod *r, const struct wf_rod_node *node, st
     m3_apply(T, tilt, pose + 3);
 }
 
-/* Changes for the present misfit with the present factor: constants from the tips down, changes from the
- * root up. */
-static void solve(struct wf_rod *r, const struct wf_rod_node *node, double (*step)[12], double (*tilt)[3])
+/* Newton step for the present residual with the present factors: constants from the tips down, changes from
+ * the root up. */
+static void solve_changes(struct wf_rod *r, const struct wf_rod_node *node, double (*step)[12],
+                          double (*tilt)[3])
 {
     for (size_t i = 0; i < r->n; i++)
         for (int k = 0; k < 6; k++) step[i][6 + k] = -r->off[i][6 + k];
@@ -187,7 +194,7 @@ static void solve(struct wf_rod *r, const struct wf_rod_node *node, double (*ste
         lu_solve(&r->block[i], k);
         if (below < 0) continue;
         for (int j = 0; j < 6; j++) against[j] = -r->off[i][j];
-        apply6(r->block[i].K, 6, against, lift);
+        apply_block6(r->block[i].K, 6, against, lift);
         for (int j = 0; j < 6; j++) step[below][6 + j] += k[j] + lift[j];
     }
     for (size_t i = 0; i < r->n; i++) {
@@ -197,15 +204,15 @@ static void solve(struct wf_rod *r, const struct wf_rod_node *node, double (*ste
             root_step(r, &node[i], &r->block[i], p + 6, p, tilt[i]);
         else
             for (int j = 0; j < 6; j++) p[j] = r->change[below][j] - r->off[i][j];
-        apply6(r->block[i].K, 6, p, p + 6);
+        apply_block6(r->block[i].K, 6, p, p + 6);
         memset(r->change[i], 0, sizeof r->change[i]);
-        apply6(r->block[i].J, 12, p, r->change[i]);
-        apply6(r->block[i].J + 6, 12, p + 6, r->change[i]);
+        apply_block6(r->block[i].J, 12, p, r->change[i]);
+        apply_block6(r->block[i].J + 6, 12, p + 6, r->change[i]);
     }
 }
 
-static void move(const struct wf_rod *r, double share, const double (*step)[12], const double (*tilt)[3],
-                 struct wf_rod_node *to)
+static void move_nodes(const struct wf_rod *r, double share, const double (*step)[12],
+                       const double (*tilt)[3], struct wf_rod_node *to)
 {
     for (size_t i = 0; i < r->n; i++) {
         const double *p = step[i];
@@ -225,55 +232,60 @@ static void move(const struct wf_rod *r, double share, const double (*step)[12],
     }
 }
 
-static double length_of(const double v[3]) { return sqrt(wf_dot(v, v)); }
+static double vector_length(const double v[3]) { return sqrt(wf_dot(v, v)); }
 
-/* Largest of: places by the tree's size, turns, forces and moments as turn along a piece. */
-static double norm(const struct wf_rod *r, const double (*step)[12], double *turn)
+/* Size of a step: the largest of positions by the tree's size, rotations, and forces and moments as rotation
+ * along a piece. */
+static double change_size(const struct wf_rod *r, const double (*step)[12], double *turn)
 {
     double most = 0;
     *turn = 0;
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_piece *p = &r->piece[i];
-        *turn = fmax(*turn, length_of(step[i] + 3));
-        double force = length_of(step[i] + 6) * p->h * p->h / p->stiffness;
-        double moment = length_of(step[i] + 9) * p->h / p->stiffness;
-        most = fmax(fmax(most, length_of(step[i]) / r->size), fmax(force, moment));
+        *turn = fmax(*turn, vector_length(step[i] + 3));
+        double force = vector_length(step[i] + 6) * p->h * p->h / p->stiffness;
+        double moment = vector_length(step[i] + 9) * p->h / p->stiffness;
+        most = fmax(fmax(most, vector_length(step[i]) / r->size), fmax(force, moment));
     }
     return fmax(most, *turn);
 }
 
-/* The same of the answer itself, against the unloaded tree: what accuracy is relative to. */
-static double answer(const struct wf_rod *r)
+/* Size of the solution relative to the unloaded tree, by the same measure: the scale of the relative
+ * accuracy. */
+static double answer_size(const struct wf_rod *r)
 {
     double most = 0;
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_piece *p = &r->piece[i];
-        double moment = length_of(r->node[i].wrench.m) * p->h / p->stiffness, turn[3];
-        double force = length_of(r->node[i].wrench.n) * p->h * p->h / p->stiffness;
+        double moment = vector_length(r->node[i].wrench.m) * p->h / p->stiffness, turn[3];
+        double force = vector_length(r->node[i].wrench.n) * p->h * p->h / p->stiffness;
         wf_rod_vector(r->node[i].pose.q, turn);
-        most = fmax(fmax(most, force), fmax(moment, length_of(turn)));
+        most = fmax(fmax(most, force), fmax(moment, vector_length(turn)));
     }
     return fmin(most, 1);
 }
 
-static void swap(struct wf_rod *r)
+static void swap_nodes(struct wf_rod *r)
 {
     struct wf_rod_node *node = r->node;
     r->node = r->trial;
     r->trial = node;
 }
 
-/* Choose the steps of all pieces anew where the nodes are, to an accuracy, and keep to them from here.
- * Returned: size of Newton's next change with the present derivative; NAN when the integration fails. */
+/* Newton. */
+
+/* Choose the integration steps of all pieces anew at the present nodes, to an accuracy, and keep them from
+ * here on. Returned: size of the next Newton step with the present derivative; NAN when the integration
+ * fails. */
 static double fix_steps(struct wf_rod *r, double accuracy)
 {
     double turn;
     r->integrator.fixed = false;
     wf_rod_accuracy(&r->integrator, accuracy);
-    if (!arrive(r, r->node)) return NAN;
+    if (!integrate_pieces(r, r->node)) return NAN;
     r->integrator.fixed = true;
-    solve(r, r->node, r->step, r->tilt);
-    return norm(r, (const double(*)[12])r->step, &turn);
+    solve_changes(r, r->node, r->step, r->tilt);
+    return change_size(r, (const double(*)[12])r->step, &turn);
 }
 
 bool wf_rod_newton(struct wf_rod *r)
@@ -284,16 +296,16 @@ bool wf_rod_newton(struct wf_rod *r)
     bool fresh = false;
     r->integrator.fixed = false;
     wf_rod_accuracy(&r->integrator, tolerance);
-    if (!arrive(r, r->node)) return false;
+    if (!integrate_pieces(r, r->node)) return false;
     for (size_t round = 0; round < r->options->iterations_max; round++) {
         r->iterations++;
         if (!fresh) {
-            if (!factor(r)) return false;
-            solve(r, r->node, r->step, r->tilt);
+            if (!factor_tree(r)) return false;
+            solve_changes(r, r->node, r->step, r->tilt);
             share = 1;
         }
-        size = norm(r, (const double(*)[12])r->step, &turn);
-        double scale = fmax(answer(r), 1e-12), next = INFINITY;
+        size = change_size(r, (const double(*)[12])r->step, &turn);
+        double scale = fmax(answer_size(r), 1e-12), next = INFINITY;
         if (!r->integrator.fixed && size < near * scale) size = fix_steps(r, 0.01 * tolerance * scale);
         if (!isfinite(size)) return false;
         share = fmin(share, turn > 1 ? 1 / turn : 1);
@@ -301,22 +313,22 @@ bool wf_rod_newton(struct wf_rod *r)
             wf_rod_accuracy(&r->integrator, 0.01 * tolerance * fmin(1, fmax(scale, size)));
         for (;; share *= 0.5) {
             if (share < 1e-3) return false;
-            move(r, share, (const double(*)[12])r->step, (const double(*)[3])r->tilt, r->trial);
-            if (!arrive(r, r->trial)) continue;
-            solve(r, r->trial, r->next, r->next_tilt);
-            next = norm(r, (const double(*)[12])r->next, &turn);
+            move_nodes(r, share, (const double(*)[12])r->step, (const double(*)[3])r->tilt, r->trial);
+            if (!integrate_pieces(r, r->trial)) continue;
+            solve_changes(r, r->trial, r->next, r->next_tilt);
+            next = change_size(r, (const double(*)[12])r->next, &turn);
             if (next <= (1 - 0.25 * share) * size || next <= tolerance * scale + rounding) break;
         }
-        swap(r);
+        swap_nodes(r);
         if (share >= 1 && fmin(size, next) <= tolerance * scale + rounding) {
-            /* done if the steps chosen where it ended find the same */
+            /* converged if steps chosen anew at the solution give the same */
             size = fix_steps(r, 0.01 * tolerance * scale);
             if (size <= serves * scale + rounding) return true;
             if (!isfinite(size)) return false;
             fresh = true;
             continue;
         }
-        /* keep the derivative where it still gains a digit a step */
+        /* reuse the derivative while it gains a digit per step */
         fresh = share >= 1 && next < 0.1 * size;
         share = fmin(1, 2 * share);
         if (fresh) {
@@ -327,7 +339,9 @@ bool wf_rod_newton(struct wf_rod *r)
     return false;
 }
 
-/* Unloaded pose and no forces everywhere. */
+/* Setting up. */
+
+/* Unloaded pose, zero forces. */
 static void rod_rest(struct wf_rod *r)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -357,7 +371,7 @@ enum wf_status wf_rod_init(struct wf_rod *r, const struct wf_tree *t, const stru
         if (l->point[k].segment < 0 || (size_t)l->point[k].segment >= t->n)
             return wf_fail(e, WF_EUSAGE, "point load %zu: no segment %d (there are %zu)", k,
                            (int)l->point[k].segment, t->n);
-    /* as printed a segment is a row; else few rows are cut as the beam engine cuts them */
+    /* as printed a row is one segment; otherwise trees of few rows are cut as in the beam solver */
     r->piece = wf_rod_cut(t, l, printed || t->n >= 24 ? 1 : (int32_t)(23 / t->n + 1), a, &r->n);
     r->first_point = WF_TAKE(a, t->n, int32_t);
     r->next_point = WF_TAKE(a, l->points, int32_t);
