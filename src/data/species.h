@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
+#include "base/units.h"
 #include "base/yaml.h"
 #include "data/law.h"
 #include <stdbool.h>
@@ -80,6 +81,39 @@ struct wf_species {
     size_t sources;
     struct wf_yaml_pair *source; /* citations by key */
 };
+
+/* Which answers a value acts on. */
+enum wf_acts {
+    WF_ACTS_ALWAYS, /* on all, also where the table does not give it and its default stands         */
+    WF_ACTS_GIVEN,  /* on all, where the table gives it; its default leaves them as they are        */
+    WF_ACTS_SIZE,   /* where the model names no size of its own                                     */
+    WF_ACTS_MOTION  /* on a tree in motion, not on one in a steady wind                             */
+};
+
+/* One value of a species with its name, the same in files, results and messages. The rows of species.c are
+ * the one list of them: a value that has a row is read, shown, written, reported, and put on a tree. */
+struct wf_property {
+    char key[64]; /* in the table of its level or the crown: "density"; of a law "streamlining.exponent" */
+    enum wf_dimension dimension;
+    const char *unit; /* to show it in; "" for a plain number */
+    enum wf_acts acts;
+    const struct wf_value *value; /* [SI] */
+};
+
+/* The i-th property of a level, in the order of the schema. Returned: false behind the last. */
+bool wf_level_property(const struct wf_level *l, size_t i, struct wf_property *out);
+
+/* The same for the crown: its own, then the sourced parameters of `law`, the row of wf_laws.streamlining that
+ * sp->streamlining uses (NULL: none of them). */
+bool wf_crown_property(const struct wf_species *sp, const struct wf_law *law, size_t i,
+                       struct wf_property *out);
+
+struct wf_tree;
+/* Put a level's values on row i of a tree: the columns youngs, shear, density, strength (modulus of rupture
+ * times knot factor; 0 when not given), drag (NAN when not given: by the law of bare axes), lift and damping.
+ * link: the row only joins two parts, with stiffness and damping, without mass, strength, drag and lift.
+ * A factor that is 0, as in a level that was not read from a table, counts as 1. */
+void wf_level_onto(const struct wf_level *l, struct wf_tree *t, size_t i, bool link);
 
 /* Full citation of a source key of the table; NULL when there is none. */
 const char *wf_species_source(const struct wf_species *sp, const char *key);

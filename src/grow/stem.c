@@ -137,7 +137,6 @@ static void wood(struct wf_tree *t, const struct wf_model *m, const struct wf_le
     double axis[3] = { sin(m->lean) * cos(m->lean_azimuth), sin(m->lean) * sin(m->lean_azimuth),
                        cos(m->lean) };
     double *start[3] = { t->x0, t->y0, t->z0 }, *end[3] = { t->x1, t->y1, t->z1 };
-    bool breaks = l->modulus_of_rupture.given;
     for (size_t i = 0; i < t->n; i++) {
         t->parent[i] = (int32_t)i - 1;
         for (int k = 0; k < 3; k++) {
@@ -148,13 +147,7 @@ static void wood(struct wf_tree *t, const struct wf_model *m, const struct wf_le
         t->r1[i] = m->sections ? 0 : base * wf_model_taper(m, s[i + 1]);
         t->i0[i] = t->r0[i] * (1 - wf_along_at(&l->wall, s[i], 1));
         t->i1[i] = t->r1[i] * (1 - wf_along_at(&l->wall, s[i + 1], 1));
-        t->youngs[i] = l->youngs_modulus.value;
-        t->shear[i] = l->shear_modulus.value;
-        t->density[i] = l->density.value;
-        t->strength[i] = breaks ? l->modulus_of_rupture.value * l->knot_factor.value : 0;
-        t->drag[i] = l->drag_coefficient.value;
-        t->lift[i] = l->lift_coefficient.value;
-        t->damping[i] = l->damping_ratio.value;
+        wf_level_onto(l, t, i, false);
     }
 }
 

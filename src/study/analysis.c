@@ -50,6 +50,13 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
     return !s && an->model->shape == WF_SHAPE_UNDER_WEIGHT ? unload(an, a, d, e) : s;
 }
 
+bool wf_analysis_grown(const struct wf_analysis *an, size_t level)
+{
+    for (size_t i = 0; i < an->tree.n; i++)
+        if (wf_model_wood(an->model, an->species, &an->tree, i) == &an->species->level[level]) return true;
+    return false;
+}
+
 /* Points of the curves. */
 struct curve {
     const struct wf_analysis *an;
