@@ -53,6 +53,8 @@ enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_di
 /* The same; an example in a message is written in `usual`, the unit people use for this value. */
 enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf_dimension d,
                                    const char *usual, double *si, struct wf_err *e);
+/* SI value in `unit`: 1e10, "GPa" gives 10. A unit that does not fit the dimension, or "": the SI value. */
+double wf_quantity_in(struct wf_units *u, double si, enum wf_dimension d, const char *unit);
 /* SI value to text in `unit` ("" for dimensionless), six significant digits: 1e10, "GPa" gives "10 GPa".
  * Returned: buf. A unit that does not fit the dimension gives the SI unit. */
 char *wf_quantity_print(struct wf_units *u, double si, enum wf_dimension d, const char *unit, char *buf,
