@@ -1,7 +1,7 @@
 /* Stress and safety of sections, against closed forms of a cantilever. */
 #include "close.h"
 #include "data/section.h"
-#include "fail/breakage.h"
+#include "fail/criterion.h"
 #include "solve/chain.h"
 
 #define PI 3.14159265358979323846

@@ -4,7 +4,7 @@
 #include "close.h"
 #include "study/directions.h"
 #include "load/scene.h"
-#include "wind/scale.h"
+#include "wind/climate.h"
 #include <string.h>
 
 struct made {

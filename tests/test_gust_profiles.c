@@ -1,7 +1,7 @@
 /* The wind in a stand, a measured profile, a wind climate. */
 #include "close.h"
 #include "wind/wind.h"
-#include "wind/rose.h"
+#include "wind/climate.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

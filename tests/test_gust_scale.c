@@ -1,6 +1,6 @@
 /* Winds named by a scale; averaging times. */
 #include "close.h"
-#include "wind/scale.h"
+#include "wind/climate.h"
 #include <string.h>
 
 static void grades(void **state)

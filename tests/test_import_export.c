@@ -1,6 +1,6 @@
 /* Trees written and read back, and MATLAB files. */
 #include "close.h"
-#include "grow/export.h"
+#include "grow/qsm.h"
 #include "imported.h"
 #ifdef WF_MATIO
 #include <matio.h>

@@ -1,6 +1,6 @@
 /* Block Lanczos on small dense matrices whose eigenvalues are known. */
 #include "close.h"
-#include "solve/lanczos.h"
+#include "solve/modes.h"
 #include <stdlib.h>
 #include <string.h>
 

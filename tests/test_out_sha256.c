@@ -1,4 +1,4 @@
-#include "base/sha256.h"
+#include "base/file.h"
 #include "close.h"
 #include <stdlib.h>
 #include <string.h>

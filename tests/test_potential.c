@@ -1,6 +1,6 @@
 /* Potential flows: published closed forms, and what any of them must satisfy. */
 #include "close.h"
-#include "wind/potential.h"
+#include "wind/shelter_laws.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -65,8 +65,10 @@ static void table_law(void **state)
 static void continuous_derivative(void **state)
 {
     (void)state;
-    for (const struct wf_streamline_law *l = wf_streamline_laws; l->law.name; l++)
+    static const char *const law[] = { "none", "vogel", "table" }; /* that `par` is for */
+    for (int k = 0; k < 3; k++)
         for (double u = 0.013, before = 0; u < 30; u += 0.0037) {
+            const struct wf_streamline_law *l = wf_streamline_named(law[k]);
             double slope, ignored, h = 1e-6;
             l->share(&par, u, &slope);
             double want = (l->share(&par, u + h, &ignored) - l->share(&par, u - h, &ignored)) / (2 * h);

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_FILE_H
 #define WF_BASE_FILE_H
 /* Files in and out. A result appears under its name only when it is complete: it is written under a
@@ -6,6 +7,7 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdio.h>
 
 enum { WF_PATH_MAX = 4096 };
@@ -41,4 +43,15 @@ enum wf_status wf_file_read(const char *path, struct wf_arena *a, struct wf_byte
  * refused with their line and column. */
 enum wf_status wf_file_read_text(const char *path, struct wf_arena *a, struct wf_bytes *out,
                                  struct wf_err *e);
+
+/* Fingerprint of an input file, so that a result can be traced to the bytes it was made from.
+ * Source: FIPS PUB 180-4 (NIST, 2015), SHA-256. */
+
+enum { WF_SHA256_TEXT = 65 }; /* 64 hexadecimal digits and a NUL */
+
+/* Given: size bytes. Returned in `text`: the digest in lower-case hexadecimal. */
+void wf_sha256(const void *bytes, size_t size, char text[static WF_SHA256_TEXT]);
+
+/* The same for a file, read in pieces. Errors: WF_EINPUT naming the path when it cannot be read. */
+enum wf_status wf_sha256_file(const char *path, char text[static WF_SHA256_TEXT], struct wf_err *e);
 #endif

@@ -1,5 +1,5 @@
 /* The schema as text for people. */
-#include "base/yaml_parts.h"
+#include "base/yaml.h"
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cases/keys.h"
 #include "base/num.h"
-#include "cases/want.h"
+#include "cases/measure.h"
 #include "load/drag.h"
 #include "solve/chain.h"
 #include "solve/solvers.h"

@@ -4,6 +4,7 @@
 /* A case made ready to run, and the quantities that can be wanted of it. Inside the validation runner. */
 #include "base/units.h"
 #include "cases/case.h"
+#include "cases/words.h"
 #include "wind/wind.h"
 
 /* Tree, loads and options of a case. */
@@ -71,4 +72,13 @@ enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *
 
 /* Keys a flow needs and a case does not give, in words; NULL when nothing is missing. */
 const char *wf_flow_missing(const struct wf_case *c);
+
+/* Reading the places and wanted values of a validation case. */
+
+/* "base", "tip", "node 3", "row 1000", "at 0.5"; false after a report. */
+bool wf_place_read(struct wf_words *w, struct wf_place *p);
+
+/* The line "want QUANTITY [PLACE] [x|y|z|norm] VALUES UNIT [within [absolute] TOLERANCE]"; false after a
+ * report. */
+bool wf_want_read(struct wf_words *w, struct wf_want *want);
 #endif

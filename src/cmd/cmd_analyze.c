@@ -13,7 +13,7 @@
 #include "study/analysis.h"
 #include "study/directions.h"
 #include "study/preset.h"
-#include "wind/scale.h"
+#include "wind/climate.h"
 #include "wind/terrain.h"
 #include <math.h>
 #include <stdlib.h>

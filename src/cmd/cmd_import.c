@@ -3,7 +3,7 @@
 #include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "cmd/option_groups.h"
-#include "grow/export.h"
+#include "grow/qsm.h"
 #include "load/qsm_metrics.h"
 #include <stdio.h>
 #include <string.h>

@@ -27,10 +27,11 @@ static int list_species(struct wf_arena *a)
     return d.errors ? 2 : 0;
 }
 
-static void show_value(struct wf_units *u, const struct wf_property *p)
+/* table: of the part, in which the value's key is. */
+static void show_value(struct wf_units *u, const char *table, const struct wf_property *p)
 {
     const struct wf_value *v = p->value;
-    char value[40], range[96] = "", low[40], high[40];
+    char value[40], range[96] = "", low[40], high[40], key[96];
     if (!v->given) return;
     wf_quantity_print(u, v->value, p->dimension, p->unit, value, sizeof value);
     if (v->low < v->high) {
@@ -40,14 +41,15 @@ static void show_value(struct wf_units *u, const struct wf_property *p)
         high[strcspn(high, " ")] = '\0';
         snprintf(range, sizeof range, "%s..%s", low, high);
     }
-    printf("  %-22s %-14s %-14s %-9s %s\n", p->key, value, range, wf_standing_text(v->standing),
+    snprintf(key, sizeof key, "%s%s", table, p->key);
+    printf("  %-22s %-14s %-14s %-9s %s\n", key, value, range, wf_standing_text(v->standing),
            v->source ? v->source : "");
 }
 
 static void show_level(struct wf_units *u, const struct wf_level *l)
 {
     struct wf_property p;
-    for (size_t i = 0; wf_level_property(l, i, &p); i++) show_value(u, &p);
+    for (size_t i = 0; wf_level_property(l, i, &p); i++) show_value(u, "", &p);
     for (size_t k = 0; k < l->wall.n; k++)
         printf("  %-22s %.4g of the radius at %.4g of the length%s%s\n", k ? "" : "wall", l->wall.v[k],
                l->wall.s[k], k ? "" : ", ", k ? "" : wf_standing_text(l->wall_note.standing));
@@ -57,7 +59,9 @@ static void show_crown(struct wf_units *u, const struct wf_species *sp)
 {
     struct wf_property p;
     const struct wf_law *law = wf_law_named(wf_laws.streamlining, sp->streamlining.law);
-    for (size_t i = 0; wf_crown_property(sp, law, i, &p); i++) show_value(u, &p);
+    for (size_t i = 0; wf_crown_property(sp, i, &p); i++) show_value(u, "", &p);
+    for (size_t i = 0; wf_law_property(law, &sp->streamlining, i, &p); i++)
+        show_value(u, "streamlining.", &p);
 }
 
 static int show_species(const char *name, struct wf_arena *a)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm validate: cases compared with their sources. */
 #include "cases/case.h"
-#include "cases/fit.h"
+#include "cases/run.h"
 #include "cmd/args.h"
 #include "cmd/cmd.h"
 #include <fts.h>

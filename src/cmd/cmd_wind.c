@@ -7,8 +7,7 @@
 #include "cmd/wind_speed.h"
 #include "out/wind_results.h"
 #include "out/wind_stream.h"
-#include "wind/rose.h"
-#include "wind/scale.h"
+#include "wind/climate.h"
 #include "wind/wind.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/wind_speed.h"
 #include "base/num.h"
-#include "wind/scale.h"
+#include "wind/climate.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>

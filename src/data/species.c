@@ -188,47 +188,40 @@ static const struct wf_value *value_of(const struct property_row *r, const void 
     return (const void *)((const char *)holder + r->yaml.offset);
 }
 
-/* Row i of a table of values, or NULL, its length then being in *n. */
-static const struct property_row *row_at(const struct property_row *rows, size_t i, size_t *n)
+/* The i-th property of the rows. Returned: false behind the last. */
+static bool property_at(const struct property_row *rows, size_t i, const void *holder,
+                        struct wf_property *out)
 {
-    for (*n = 0; rows[*n].yaml.key; ++*n)
-        if (*n == i) return &rows[i];
-    return NULL;
-}
-
-static void describe(const struct property_row *r, const void *holder, struct wf_property *out)
-{
-    *out = (struct wf_property){ .dimension = r->yaml.dimension,
-                                 .unit = r->yaml.unit ? r->yaml.unit : "",
-                                 .acts = r->acts,
-                                 .value = value_of(r, holder) };
-    (void)snprintf(out->key, sizeof out->key, "%s", r->yaml.key);
+    for (size_t k = 0; k <= i; k++)
+        if (!rows[k].yaml.key) return false;
+    *out = (struct wf_property){ .key = rows[i].yaml.key,
+                                 .dimension = rows[i].yaml.dimension,
+                                 .unit = rows[i].yaml.unit ? rows[i].yaml.unit : "",
+                                 .acts = rows[i].acts,
+                                 .value = value_of(&rows[i], holder) };
+    return true;
 }
 
 bool wf_level_property(const struct wf_level *l, size_t i, struct wf_property *out)
 {
-    size_t n;
-    const struct property_row *r = row_at(level_values, i, &n);
-    if (r) describe(r, l, out);
-    return r != NULL;
+    return property_at(level_values, i, l, out);
 }
 
-bool wf_crown_property(const struct wf_species *sp, const struct wf_law *law, size_t i,
-                       struct wf_property *out)
+bool wf_crown_property(const struct wf_species *sp, size_t i, struct wf_property *out)
 {
-    size_t n;
-    const struct property_row *r = row_at(crown_values, i, &n);
-    if (r) {
-        describe(r, sp, out);
-        return true;
-    }
-    for (size_t k = 0, all = wf_law_count(law); k < all; k++) {
+    return property_at(crown_values, i, sp, out);
+}
+
+bool wf_law_property(const struct wf_law *law, const struct wf_law_use *use, size_t i,
+                     struct wf_property *out)
+{
+    for (size_t k = 0, seen = 0, n = wf_law_count(law); k < n; k++) {
         const struct wf_law_parameter *p = &law->parameter[k];
-        if (p->kind != WF_LAW_VALUE || n++ != i) continue;
-        *out = (struct wf_property){ .dimension = p->dimension,
+        if (p->kind != WF_LAW_VALUE || seen++ != i) continue;
+        *out = (struct wf_property){ .key = p->name,
+                                     .dimension = p->dimension,
                                      .unit = p->unit ? p->unit : "",
-                                     .value = &sp->streamlining.parameter[k] };
-        (void)snprintf(out->key, sizeof out->key, "streamlining.%s", p->name);
+                                     .value = &use->parameter[k] };
         return true;
     }
     return false;
@@ -645,7 +638,7 @@ enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, str
     *out = (struct wf_species){ .file = wf_arena_text(a, path) };
     if (!out->file || !table) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
     out->streamlining.from = laws->streamlining;
-    out->axis_drag.from = laws->axis_drag;
+    out->axis_drag = (struct wf_law_use){ .from = laws->axis_drag, .low = NAN, .high = NAN };
     return wf_yaml_read(path, table, out, a, d, e);
 }
 

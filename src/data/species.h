@@ -93,7 +93,7 @@ enum wf_acts {
 /* One value of a species with its name, the same in files, results and messages. The rows of species.c are
  * the one list of them: a value that has a row is read, shown, written, reported, and put on a tree. */
 struct wf_property {
-    char key[64]; /* in the table of its level or the crown: "density"; of a law "streamlining.exponent" */
+    const char *key; /* in the table of its level, the crown or its law: "density" */
     enum wf_dimension dimension;
     const char *unit; /* to show it in; "" for a plain number */
     enum wf_acts acts;
@@ -103,10 +103,12 @@ struct wf_property {
 /* The i-th property of a level, in the order of the schema. Returned: false behind the last. */
 bool wf_level_property(const struct wf_level *l, size_t i, struct wf_property *out);
 
-/* The same for the crown: its own, then the sourced parameters of `law`, the row of wf_laws.streamlining that
- * sp->streamlining uses (NULL: none of them). */
-bool wf_crown_property(const struct wf_species *sp, const struct wf_law *law, size_t i,
-                       struct wf_property *out);
+/* The same for the crown, its law apart. */
+bool wf_crown_property(const struct wf_species *sp, size_t i, struct wf_property *out);
+
+/* The i-th sourced parameter of a law that a species uses. Given: the law's row (NULL: it has none). */
+bool wf_law_property(const struct wf_law *law, const struct wf_law_use *use, size_t i,
+                     struct wf_property *out);
 
 struct wf_tree;
 /* Put a level's values on row i of a tree: the columns youngs, shear, density, strength (modulus of rupture

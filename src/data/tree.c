@@ -131,3 +131,14 @@ enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct 
         wf_diag_error(d, NULL, 0, 0, "%s: %zu more segments are wrong", name, bad - (size_t)ROWS_LISTED);
     return bad ? wf_fail(e, WF_EINPUT, "%s: %zu of %zu segments are wrong", name, bad, t->n) : WF_OK;
 }
+
+const char *wf_scope_name(enum wf_scope s)
+{
+    static const char *const names[WF_SCOPES] = { "tree", "stem", "branches" };
+    return names[s];
+}
+
+bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row)
+{
+    return s == WF_SCOPE_TREE || (t->level[row] == 0) == (s == WF_SCOPE_STEM);
+}

@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
+#include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -55,4 +56,10 @@ enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, str
 
 double wf_tree_height(const struct wf_tree *t);           /* highest point above the lowest base [m] */
 double wf_tree_length(const struct wf_tree *t, size_t i); /* arc length of row i [m] */
+
+/* A part of a tree: all of it, the stem (level 0), all but the stem. */
+enum wf_scope { WF_SCOPE_TREE, WF_SCOPE_STEM, WF_SCOPE_BRANCHES, WF_SCOPES };
+const char *wf_scope_name(enum wf_scope s); /* "tree", "stem", "branches" */
+/* Does a row belong to a scope? The stem is level 0. */
+bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row);
 #endif

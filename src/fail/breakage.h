@@ -6,8 +6,15 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "data/tree.h"
-#include "fail/criterion.h"
 #include "solve/solve.h"
+#include <stdbool.h>
+
+/* The place nearest to failure. Utilisation is 1 / safety. */
+struct wf_worst {
+    double safety; /* resistance over load [-]; INFINITY unloaded, NAN when no resistance is known */
+    int32_t row;   /* -1 when none                                                                */
+    double place;  /* 0 = at the row's base, 1 = at its end                                       */
+};
 
 struct wf_breakage {
     size_t n;

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fail/criterion.h"
-#include "fail/breakage.h"
 #include <math.h>
 
 const struct wf_criterion wf_criteria[WF_CRITERIA] = {
@@ -11,17 +10,6 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                       .utilisation = wf_breakage_utilisation },
 };
 
-const char *wf_scope_name(enum wf_scope s)
-{
-    static const char *const names[WF_SCOPES] = { "tree", "stem", "branches" };
-    return names[s];
-}
-
-bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row)
-{
-    return s == WF_SCOPE_TREE || (t->level[row] == 0) == (s == WF_SCOPE_STEM);
-}
-
 bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope)
 {
     for (size_t i = 0; i < t->n; i++)
@@ -30,7 +18,7 @@ bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, e
 }
 
 void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
-                       struct wf_worst worst[WF_CRITERIA][WF_SCOPES])
+                       struct wf_worst (*worst)[WF_SCOPES])
 {
     for (int c = 0; c < WF_CRITERIA; c++)
         for (int s = 0; s < WF_SCOPES; s++) {

@@ -4,21 +4,10 @@
 /* Criteria of failure, one row each: load over resistance of a solved tree, in the whole tree, the stem alone
  * and the branches alone. A new criterion is a value of enum wf_criterion_id, a row in criterion.c and its
  * function in a file of its own; search and results follow the rows. */
-#include "data/tree.h"
-#include "solve/solve.h"
+#include "fail/breakage.h"
 #include <stdbool.h>
 
-struct wf_breakage; /* fail/breakage.h */
-
-enum wf_scope { WF_SCOPE_TREE, WF_SCOPE_STEM, WF_SCOPE_BRANCHES, WF_SCOPES };
 enum wf_criterion_id { WF_BREAKAGE, WF_CRITERIA }; /* index in wf_criteria; the first is told as `critical` */
-
-/* The place nearest to failure. Utilisation is 1 / safety. */
-struct wf_worst {
-    double safety; /* resistance over load [-]; INFINITY unloaded, NAN when no resistance is known */
-    int32_t row;   /* -1 when none                                                                */
-    double place;  /* 0 = at the row's base, 1 = at its end                                       */
-};
 
 struct wf_criterion {
     const char *name, *source, *validity;
@@ -30,14 +19,11 @@ struct wf_criterion {
 };
 extern const struct wf_criterion wf_criteria[WF_CRITERIA];
 
-const char *wf_scope_name(enum wf_scope s); /* "tree", "stem", "branches" */
-/* Does a row belong to a scope? The stem is level 0. */
-bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row);
 /* Is the resistance of any row of a scope known? */
 bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope);
 
 /* Every criterion in every scope. Given: tree, its answer, its sections; NULL for an answer that does not
  * exist. Returned: worst; without an answer NAN and row -1. */
 void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
-                       struct wf_worst worst[WF_CRITERIA][WF_SCOPES]);
+                       struct wf_worst (*worst)[WF_SCOPES]);
 #endif

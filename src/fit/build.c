@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/build.h"
-#include "load/drag.h"
 #include "data/model.h"
 #include "grow/clothe.h"
 #include "grow/import.h"
 #include "grow/qsm_model.h"
 #include "grow/stem.h"
+#include "load/drag.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/param.h"
-#include "load/drag.h"
 #include "base/num.h"
 #include "base/text.h"
+#include "load/drag.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,10 +1,8 @@
 #include "grow/grow.h"
 #include "base/num.h"
-#include "grow/axes.h"
+#include "grow/branches.h"
 #include "grow/clothe.h"
-#include "grow/ifs.h"
 #include "grow/leaves.h"
-#include "grow/levels.h"
 #include "grow/stem.h"
 #include <math.h>
 #include <string.h>

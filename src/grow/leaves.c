@@ -1,7 +1,7 @@
 #include "grow/leaves.h"
 #include "base/random.h"
 #include "base/vec3.h"
-#include "grow/axes.h"
+#include "grow/branches.h"
 #include <math.h>
 
 #define GOLDEN_ANGLE 2.39996322972865332 /* 137.5 degrees */

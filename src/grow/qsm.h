@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 /* Everything that was changed or understood differently from what a file says. A note keeps the geometry
  * (another way of writing the same); a repair changes or invents something, and a strict import refuses it.
@@ -121,4 +122,23 @@ struct wf_children {
 };
 enum wf_status wf_children_of(const int32_t *parent, size_t n, struct wf_arena *a, struct wf_children *out,
                               struct wf_err *e);
+
+/* A measured tree to files other programs read. */
+
+struct wf_export_format {
+    const char *ending; /* of the file's name, ".csv"  */
+    const char *title;  /* in words                    */
+    void (*write)(const struct wf_qsm *q, FILE *to);
+};
+/* Ends at ending == NULL.
+ * .csv: id, radius, length, start, axis, parent (0 = root), extension (0 = none), branch, branch order,
+ * position in branch, added; for tapered rows also the radii at both ends. Read back it gives the same tree.
+ * .txt: the same without ids and header, tab separated, in the column order of TreeQSM 2.3's cylinder text.
+ * .vtk: VTK legacy PolyData, a line a row; radius at the points, level, id and branch at the cells (ParaView:
+ * filter Tube, vary radius by scalar). */
+extern const struct wf_export_format wf_export_formats[];
+
+/* Given: a table after wf_qsm_repair and a path whose ending names the format. The file appears complete or
+ * not at all. Errors: WF_EUSAGE for another ending, WF_EOUTPUT. */
+enum wf_status wf_qsm_write(const struct wf_qsm *q, const char *path, struct wf_err *e);
 #endif

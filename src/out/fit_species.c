@@ -130,13 +130,14 @@ static void parameter(FILE *f, const struct wf_fit_results *of, const struct wf_
               (struct unit){ spaced, 1 }, study);
 }
 
-static void streamlining(FILE *f, const struct wf_fit_results *of, const struct wf_law_use *s,
-                         const char *study)
+/* A law and its parameters below a key. */
+static void law_use(FILE *f, const struct wf_fit_results *of, const char *key, struct wf_law_table table,
+                    const struct wf_law_use *s, const char *study)
 {
-    const struct wf_law *law = wf_law_named(wf_laws.streamlining, s->law);
+    const struct wf_law *law = wf_law_named(table, s->law);
     bool lists = false;
     if (!s->law) return;
-    fprintf(f, "  streamlining:\n    law: %s\n", s->law);
+    fprintf(f, "%s:\n    law: %s\n", key, s->law);
     for (size_t k = 0, n = wf_law_count(law); k < n; k++) {
         parameter(f, of, &law->parameter[k], s, k, study);
         lists |= law->parameter[k].kind == WF_LAW_LIST;
@@ -182,12 +183,13 @@ static void write(FILE *f, const struct wf_fit_results *of, const char *key, con
     for (size_t i = 0; i < of->files; i++) fprintf(f, " %s sha256 %s;", of->file[i].path, of->file[i].sha256);
     fputs("\"\nlevels:\n", f);
     for (size_t k = 0; k < sp->levels; k++) level(f, of, sp, k, study);
+    law_use(f, of, "axis_drag", wf_laws.axis_drag, &sp->axis_drag, study);
     if (!sp->crown_drag.given) return;
     fputs("crown:\n", f);
     value(f, "  ", "drag_coefficient", &sp->crown_drag, fitted(of, WF_FIT_CROWN_DRAG, -1), 1, plain, study);
     value(f, "  ", "leaf_mass_per_area", &sp->leaf_mass_per_area, NULL, 1, area, study);
     value(f, "  ", "frontal_share", &sp->leaf_frontal_share, NULL, 1, plain, study);
-    streamlining(f, of, &sp->streamlining, study);
+    law_use(f, of, "  streamlining", wf_laws.streamlining, &sp->streamlining, study);
 }
 
 enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char *path, struct wf_err *e)

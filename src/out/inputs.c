@@ -2,7 +2,7 @@
 #include "base/num.h"
 #include "load/drag.h"
 #include "out/parts.h"
-#include "wind/scale.h"
+#include "wind/climate.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
 #include "wind/terrain.h"
@@ -68,6 +68,16 @@ static void add_value(struct wf_doc *d, json_t *list, const struct wf_analysis *
     put_standing(d, o, a->species, v);
 }
 
+/* The sourced values of a law. */
+static void add_law_values(struct wf_doc *d, json_t *list, const struct wf_analysis *a, const char *part,
+                           const char *table, struct wf_law_table laws, const struct wf_law_use *u,
+                           bool grown)
+{
+    const struct wf_law *law = wf_law_named(laws, u->law);
+    struct wf_property p;
+    for (size_t k = 0; wf_law_property(law, u, k, &p); k++) add_value(d, list, a, part, table, &p, grown);
+}
+
 /* The plain numbers, or the lists, of all streamlining laws; empty for those that are not the species'. */
 static void put_law(struct wf_doc *d, json_t *o, const struct wf_law_use *u, enum wf_law_kind kind)
 {
@@ -125,9 +135,12 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
         wf_doc_flag(d, wall, "used", grown);
         put_standing(d, wall, sp, &level->wall_note);
     }
-    const struct wf_law *law = wf_law_named(wf_laws.streamlining, sp->streamlining.law);
-    for (size_t k = 0; wf_crown_property(sp, law, k, &p); k++)
-        add_value(d, values, a, "crown", "crown.", &p, a->model->leaf_area > 0);
+    const bool leaves = a->model->leaf_area > 0;
+    for (size_t k = 0; wf_crown_property(sp, k, &p); k++)
+        add_value(d, values, a, "crown", "crown.", &p, leaves);
+    add_law_values(d, values, a, "crown", "crown.streamlining.", wf_laws.streamlining, &sp->streamlining,
+                   leaves);
+    add_law_values(d, values, a, "axes", "axis_drag.", wf_laws.axis_drag, &sp->axis_drag, true);
     wf_doc_put(d, o, "streamlining", streamlining(d, sp));
     return o;
 }

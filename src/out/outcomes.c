@@ -134,7 +134,7 @@ static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const 
 }
 
 json_t *wf_part_criteria(struct wf_doc *d, const struct wf_analysis *a,
-                         const struct wf_break breaks[WF_CRITERIA][WF_SCOPES], const struct wf_at_speed *at)
+                         const struct wf_break (*breaks)[WF_SCOPES], const struct wf_at_speed *at)
 {
     json_t *list = wf_doc_array(d);
     for (int c = 0; c < WF_CRITERIA; c++)

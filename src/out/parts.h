@@ -14,7 +14,7 @@ json_t *wf_part_wind(struct wf_doc *d, const struct wf_analysis *a, const struct
 json_t *wf_part_critical(struct wf_doc *d, const struct wf_analysis *a, const struct wf_break *b);
 /* Every criterion in every scope: its critical wind speed and the utilisation at the a->n speeds of `at`. */
 json_t *wf_part_criteria(struct wf_doc *d, const struct wf_analysis *a,
-                         const struct wf_break breaks[WF_CRITERIA][WF_SCOPES], const struct wf_at_speed *at);
+                         const struct wf_break (*breaks)[WF_SCOPES], const struct wf_at_speed *at);
 /* Winds from all around; null where they were not asked for. */
 json_t *wf_part_directions(struct wf_doc *d, const struct wf_analysis *a);
 /* Warnings as a list of {code, text}. */

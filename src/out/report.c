@@ -52,8 +52,9 @@ static enum wf_status read_results(const char *folder, json_t **out, struct wf_e
     if (!name || strcmp(name, WF_RESULTS_SCHEMA) != 0)
         code = wf_fail(e, WF_EINPUT, "%s: is not a results document of windfirm", path);
     else if (!wf_results_readable(version, WF_RESULTS_VERSION))
-        code = wf_fail(e, WF_EINPUT, "%s: results of version %lld; this program reads version %d", path,
-                       (long long)version, WF_RESULTS_VERSION);
+        code = wf_fail(e, WF_EINPUT, "%s: results of version %lld; this program reads version %d%s", path,
+                       (long long)version, WF_RESULTS_VERSION,
+                       WF_RESULTS_VERSION > 1 ? " and the one before" : "");
     else if (!json_array_size(json_object_get(*out, "trees")))
         code = wf_fail(e, WF_EINPUT, "%s: trees: at least one is needed", path);
     for (size_t i = 0; !code && wf_tables[i].name; i++) {

@@ -4,7 +4,7 @@
  * are described in docs/results.md. */
 #include "base/arena.h"
 #include "base/err.h"
-#include "base/sha256.h"
+#include "base/file.h"
 #include "study/analysis.h"
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,5 +1,4 @@
 #include "base/file.h"
-#include "base/sha256.h"
 #include "out/series_parts.h"
 #include <math.h>
 #include <string.h>

@@ -2,8 +2,8 @@
 #ifndef WF_OUT_WIND_RESULTS_H
 #define WF_OUT_WIND_RESULTS_H
 /* What `windfirm wind` leaves in its folder. */
+#include "wind/climate.h"
 #include "wind/gust_report.h"
-#include "wind/rose.h"
 
 /* Write FOLDER/tables/{series,spectrum,histogram,coherence}.csv and FOLDER/plots/run.gp for the figures. */
 enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r, struct wf_err *e);

@@ -83,10 +83,6 @@ struct wf_beam_misfit {
     double strain;  /* largest |H n - g| [-]                                                   */
     double turn;    /* largest |h G m| or |H n|, to measure the strain by [-]                  */
 };
-void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
-                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
-                        const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],
-                        struct wf_beam_misfit *sum);
 
 /* Unstable directions: those whose stiffness lies below -margin of the elastic one. A margin above rounding
  * is for answers with a neutral direction (a fallen stem may turn about the vertical at no cost). */

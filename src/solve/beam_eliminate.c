@@ -363,3 +363,41 @@ void wf_beam_correct(const struct wf_beam_shape *u, const double L[9], const str
         m3_apply(Ti, local, dv[j]);
     }
 }
+
+WF_INLINE void misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
+                          const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                          const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],
+                          struct wf_beam_misfit *sum)
+{
+    const double slight = 1e-3; /* of n h: smaller moments are measured by this one */
+    double k[2][3];
+    wf_beam_curvature(p, u, k);
+    for (int j = 0; j < 2; j++) {
+        double law[3], miss[3], work[3], strain[3];
+        for (int i = 0; i < 3; i++) law[i] = (1 + creep->rate) * k[j][i] - creep->rate * creep->k0[j][i];
+        m3_apply(base_L, law, miss);
+        law_give(p, flat, s, j, at[j].m, work);
+        sum->energy +=
+            0.25 * p->h *
+            (wf_dot(work, at[j].m) + slight * slight * p->h * p->h * wf_dot(at[j].n, at[j].n) / p->ei[j]);
+        sum->turn = fmax(sum->turn, p->h * sqrt(wf_dot(work, work)));
+        v3_add(miss, -1, work);
+        law_hold(p, flat, s, j, miss, work);
+        sum->bending += 0.25 * p->h * wf_dot(work, miss);
+        v3_section(p->cs[j], p->ca[j], s->t[j], at[j].n, strain);
+        sum->turn = fmax(sum->turn, sqrt(wf_dot(strain, strain)));
+        for (int i = 0; i < 3; i++) strain[i] += s->t[j][i] - s->rp[j][i];
+        sum->strain = fmax(sum->strain, sqrt(wf_dot(strain, strain)));
+    }
+}
+
+void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
+                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                        const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],
+                        struct wf_beam_misfit *sum)
+{
+    if (flat)
+        misfit_add(p, u, base_L, creep, s, flat, at, sum);
+    else
+        misfit_add(p, u, base_L, creep, s, NULL, at, sum);
+}

@@ -32,4 +32,9 @@ bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct wf_beam_f
 void wf_beam_correct(const struct wf_beam_shape *u, const double base_L[9],
                      const struct wf_beam_answer *answer, const struct wf_beam_reaction *node,
                      const double p[6], double dv[2][3], double end[6]);
+
+void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
+                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
+                        const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],
+                        struct wf_beam_misfit *sum);
 #endif

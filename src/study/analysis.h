@@ -8,7 +8,6 @@
 #include "data/model.h"
 #include "data/species.h"
 #include "data/tree.h"
-#include "fail/breakage.h"
 #include "fail/criterion.h"
 #include "fail/critical.h"
 #include "load/load.h"
@@ -76,7 +75,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
  * the stem is the whole tree. The branches' answer is the tree's where they fail first or nothing fails, else
  * they are WF_CRITICAL_UNSEARCHED. All searches share their solutions. */
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  struct wf_break out[WF_CRITERIA][WF_SCOPES], struct wf_err *e);
+                                  struct wf_break (*out)[WF_SCOPES], struct wf_err *e);
 
 /* Is a row of the tree of that level's wood? Given: an analysis after wf_analysis_set_up. */
 bool wf_analysis_grown(const struct wf_analysis *an, size_t level);

@@ -184,7 +184,7 @@ static void branches(const struct wf_analysis *an, const struct wf_criterion *c,
 }
 
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  struct wf_break out[WF_CRITERIA][WF_SCOPES], struct wf_err *e)
+                                  struct wf_break (*out)[WF_SCOPES], struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct known *known = WF_TAKE(&scratch, 1, struct known);

@@ -2,7 +2,7 @@
 #include "base/num.h"
 #include "base/parallel.h"
 #include "study/speed.h"
-#include "wind/scale.h"
+#include "wind/climate.h"
 #include <math.h>
 
 double wf_direction_azimuth(const struct wf_directions_request *q, double from)

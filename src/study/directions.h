@@ -2,7 +2,7 @@
 #define WF_STUDY_DIRECTIONS_H
 /* The same tree in winds from all around, and how often a wind climate brings what breaks it. */
 #include "study/analysis.h"
-#include "wind/rose.h"
+#include "wind/climate.h"
 
 /* What is asked for. North of the model is +y and east +x, unless `north` says otherwise. */
 struct wf_directions_request {

@@ -132,13 +132,14 @@ struct assumed {
     const char *part; /* the last one named */
 };
 
-static void add_assumed(struct assumed *to, const char *part, const char *key, const struct wf_value *v)
+/* table: of the part, in which the value's key is. */
+static void add_assumed(struct assumed *to, const char *part, const char *table, const struct wf_property *p)
 {
-    if (v->standing != WF_ASSUMED || to->used >= to->size) return;
+    if (p->value->standing != WF_ASSUMED || to->used >= to->size) return;
     bool same = to->part == part;
     const char *before = same ? ", " : to->used ? "; " : "";
-    int n = snprintf(to->buf + to->used, to->size - to->used, "%s%s%s%s", before, same ? "" : part,
-                     same ? "" : ": ", key);
+    int n = snprintf(to->buf + to->used, to->size - to->used, "%s%s%s%s%s", before, same ? "" : part,
+                     same ? "" : ": ", table, p->key);
     to->used += (size_t)n;
     to->part = part;
 }
@@ -157,10 +158,11 @@ static void level_assumed(const struct wf_analysis *an, size_t level, struct ass
     to->part = NULL;
     for (size_t i = 0; wf_level_property(l, i, &p); i++)
         if (p.acts == WF_ACTS_ALWAYS || (p.acts == WF_ACTS_GIVEN && p.value->given))
-            add_assumed(to, l->name, p.key, p.value);
+            add_assumed(to, l->name, "", &p);
     for (size_t i = 0; level == 0 && isnan(an->model->radius) && wf_level_property(l, i, &p); i++)
-        if (p.acts == WF_ACTS_SIZE) add_assumed(to, l->name, p.key, p.value);
-    if (l->wall.n) add_assumed(to, l->name, "wall", &l->wall_note);
+        if (p.acts == WF_ACTS_SIZE) add_assumed(to, l->name, "", &p);
+    p = (struct wf_property){ .key = "wall", .value = &l->wall_note };
+    if (l->wall.n) add_assumed(to, l->name, "", &p);
 }
 
 /* The values of the species that are assumptions and take part (levels grown, radius where the model gives
@@ -168,14 +170,17 @@ static void level_assumed(const struct wf_analysis *an, size_t level, struct ass
  */
 static char *limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
 {
+    const struct wf_species *sp = an->species;
     const struct wf_law *law = an->loads.streamline ? &an->loads.streamline->law : NULL;
     struct assumed to = { .buf = buf, .size = size };
     struct wf_property p;
     buf[0] = '\0';
-    for (size_t i = 0; i < an->species->levels; i++)
+    for (size_t i = 0; i < sp->levels; i++)
         if (wf_analysis_grown(an, i)) level_assumed(an, i, &to);
-    for (size_t i = 0; has_crown(&an->tree) && wf_crown_property(an->species, law, i, &p); i++)
-        add_assumed(&to, "crown", p.key, p.value);
+    if (!has_crown(&an->tree)) return buf;
+    for (size_t i = 0; wf_crown_property(sp, i, &p); i++) add_assumed(&to, "crown", "", &p);
+    for (size_t i = 0; wf_law_property(law, &sp->streamlining, i, &p); i++)
+        add_assumed(&to, "crown", "streamlining.", &p);
     return buf;
 }
 

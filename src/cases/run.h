@@ -1,5 +1,6 @@
-#ifndef WF_CASES_FIT_H
-#define WF_CASES_FIT_H
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_CASES_RUN_H
+#define WF_CASES_RUN_H
 /* Validation cases that are calibrations. */
 #include "cases/case.h"
 

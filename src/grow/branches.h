@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef WF_GROW_AXES_H
-#define WF_GROW_AXES_H
+#ifndef WF_GROW_BRANCHES_H
+#define WF_GROW_BRANCHES_H
 /* The axes of a branched tree, level by level, and the rows they become: shared by the generators. */
 #include "base/arena.h"
+#include "base/err.h"
 #include "data/branching.h"
 #include "data/model.h"
+#include "data/species.h"
 #include "data/tree.h"
 
 /* Places on an axis are counted in ticks, a tenth of a segment: so no row is shorter than that. */
@@ -72,4 +74,31 @@ void wf_axes_stem(const struct wf_model *m, double base_radius, struct wf_axis *
  * leaf1 the share of each row that bears leaves. Errors: WF_EINPUT for more than WF_AXIS_ROWS_MAX rows. */
 enum wf_status wf_axes_to_tree(struct wf_axes *x, const char *name, struct wf_arena *a, struct wf_tree *out,
                                struct wf_err *e);
+
+/* Trees of levels: a stem, the branches on it, those on them, each level by its own parameters (Tang and
+ * others 2012: chains of frustum segments with an angle between neighbours, each branch at a relative
+ * position of its parent with a start angle). */
+
+/* Given: a model of generator levels, the species' radii, an arena for scratch. Returned: *out, the axes
+ * level by level; *capped, how many branches were thinned to the radius of their parent. Every random figure
+ * of a branch has the address (seed, path of the branch), so it depends neither on the order of growing nor
+ * on how many other branches there are. Errors: WF_ENOMEM; WF_EINPUT for more axes than WF_AXIS_ROWS_MAX. */
+enum wf_status wf_levels_axes(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
+                              struct wf_axes *out, size_t *capped, struct wf_err *e);
+
+/* Radii by the pipe model on the levels that ask for it (Shinozaki, Yoda, Hozumi and Kira 1964, A
+ * quantitative analysis of plant form: the pipe model theory): the rows of a tree grown from the axes.
+ * Returned: *thick, how many branches came out thicker than the part they grow from. */
+enum wf_status wf_levels_pipes(const struct wf_model *m, struct wf_tree *t, size_t *thick, struct wf_err *e);
+
+/* Trees by an iterated function system (Zhao and Zhang 2013; Barnsley 1988, Fractals Everywhere): every map
+ * of the system puts a smaller copy of the whole tree onto its axis, so the axes of level k are the images of
+ * the stem under all products of k maps. */
+
+/* Given: a model of generator ifs, the radius of the stem's base, an arena for scratch. Returned: *out, the
+ * axes level by level, all cut and tapered as the stem; *capped, how many were thinned to the radius of the
+ * part they grow from. A copy stands on the place of its axis that is next on a grid of tenths of a segment.
+ * Errors: WF_ENOMEM; WF_EINPUT for more axes than WF_AXIS_ROWS_MAX. */
+enum wf_status wf_ifs_axes(const struct wf_model *m, double base_radius, struct wf_arena *a,
+                           struct wf_axes *out, size_t *capped, struct wf_err *e);
 #endif

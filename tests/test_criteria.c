@@ -1,0 +1,178 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Criteria of failure by part of the tree, and what results.json says of them. */
+#include "close.h"
+#include "solve/solvers.h"
+#include "data/out/folder.h"
+#include "fail/breakage.h"
+#include "load/drag.h"
+#include "out/results.h"
+#include "study/directions.h"
+#include "load/scene.h"
+#include <jansson.h>
+#include <string.h>
+
+struct made {
+    struct wf_arena arena;
+    struct wf_diag diag;
+    struct wf_err err;
+    struct wf_species species;
+    struct wf_model model;
+    struct wf_scenario scenario;
+    struct wf_solve_options options;
+    struct wf_analysis an;
+    struct wf_directions around;
+};
+
+static const double winds[] = { 8, 300.0 / 9 };
+enum { WINDS = 2 };
+
+static void analyse(struct made *m, const char *model)
+{
+    *m = (struct made){ 0 };
+    m->diag.arena = &m->arena;
+    if (wf_species_read("species/weeping_willow.yaml", &wf_laws, &m->arena, &m->species, &m->diag, &m->err) ||
+        wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err))
+        fail_msg("%s", m->err.text);
+    wf_scenario_default(&m->scenario);
+    wf_solve_options_default(&m->options);
+    m->options.mesh_tolerance = 1e-3;
+    const struct wf_directions_request q = { .n = 2 };
+    if (wf_analyze(&m->species, &m->model, &m->scenario, wf_solvers[0], &m->options, winds, WINDS, &m->arena,
+                   &m->diag, &m->an, &m->err) ||
+        wf_directions_run(&m->an, &m->options, &q, &m->arena, &m->around, &m->err))
+        fail_msg("%s", m->err.text);
+    m->an.directions = &m->around;
+}
+
+static void rows_are_complete(void **state)
+{
+    (void)state;
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_criterion *r = &wf_criteria[c];
+        assert_true(r->name && r->source && r->validity && r->known && r->utilisation);
+    }
+    struct wf_worst worst[WF_CRITERIA][WF_SCOPES];
+    wf_criteria_check(NULL, NULL, NULL, worst);
+    assert_true(isnan(worst[WF_BREAKAGE][WF_SCOPE_STEM].safety));
+    assert_int_equal(worst[WF_BREAKAGE][WF_SCOPE_BRANCHES].row, -1);
+}
+
+/* The tree is as near to failing as the nearer of its parts, and every part's place is in it. */
+static void parts_make_the_tree(void **state)
+{
+    (void)state;
+    struct made m;
+    analyse(&m, "tests/data/limbs.yaml");
+    for (size_t k = 0; k < WINDS; k++)
+        for (int c = 0; c < WF_CRITERIA; c++) {
+            const struct wf_worst *w = m.an.at[k].worst[c];
+            if (m.an.at[k].status) continue;
+            assert_close(w[WF_SCOPE_TREE].safety, fmin(w[WF_SCOPE_STEM].safety, w[WF_SCOPE_BRANCHES].safety),
+                         0);
+            for (int s = 0; s < WF_SCOPES; s++)
+                assert_true(w[s].row < 0 || wf_scope_holds((enum wf_scope)s, &m.an.tree, (size_t)w[s].row));
+        }
+    const struct wf_break *b = m.an.breaks[WF_BREAKAGE];
+    assert_int_equal(b[WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_FOUND);
+    assert_true(m.an.tree.level[b[WF_SCOPE_TREE].row] > 0); /* of this tree a branch breaks first */
+    assert_close(b[WF_SCOPE_BRANCHES].critical.speed, b[WF_SCOPE_TREE].critical.speed, 0);
+    assert_true(b[WF_SCOPE_STEM].critical.speed > b[WF_SCOPE_TREE].critical.speed);
+    wf_arena_free(&m.arena);
+}
+
+static double number(const json_t *o, const char *key)
+{
+    const json_t *v = json_object_get(json_object_get(o, key), "value");
+    return json_is_number(v) ? json_number_value(v) : (double)NAN;
+}
+
+static const char *text(const json_t *o, const char *key)
+{
+    return json_string_value(json_object_get(o, key));
+}
+
+/* An entry against `critical` or `critical_stem`, and against the winds. */
+static void agrees(const json_t *tree, size_t entry, const char *scope, const char *critical)
+{
+    const json_t *x = json_array_get(json_object_get(tree, "criteria"), entry),
+                 *c = json_object_get(tree, critical);
+    assert_string_equal(text(x, "criterion"), "breakage");
+    assert_string_equal(text(x, "scope"), scope);
+    assert_string_equal(text(x, "outcome"), text(c, "outcome"));
+    if (!strcmp(text(c, "outcome"), "found"))
+        assert_close(number(x, "critical_speed"), number(c, "speed"), 0);
+    else
+        assert_true(isnan(number(x, "critical_speed")));
+    assert_true(json_equal(json_object_get(x, "governing_section"), json_object_get(c, "governing_section")));
+}
+
+static void winds_agree(const json_t *tree)
+{
+    const json_t *list = json_object_get(tree, "winds"),
+                 *of = json_object_get(json_array_get(json_object_get(tree, "criteria"), 0), "winds");
+    assert_int_equal(json_array_size(list), json_array_size(of));
+    for (size_t k = 0; k < json_array_size(list); k++) {
+        const json_t *wind = json_array_get(list, k), *x = json_array_get(of, k);
+        assert_close(number(x, "speed"), number(wind, "speed"), 0);
+        if (strcmp(text(wind, "status"), "ok") != 0) continue;
+        assert_close(number(x, "safety"), number(wind, "least_safety"), 0);
+        assert_close(number(x, "utilisation"), 1 / number(wind, "least_safety"), 1e-15);
+        assert_true(
+            json_equal(json_object_get(x, "governing_section"), json_object_get(wind, "governing_section")));
+    }
+}
+
+static void results_agree(void **state)
+{
+    (void)state;
+    static const char *const models[] = { "tests/data/limbs.yaml", "models/culm.yaml" };
+    for (int k = 0; k < 2; k++) {
+        struct made m;
+        struct folder folder;
+        json_error_t why;
+        analyse(&m, models[k]);
+        struct wf_run run = { .command = "test", .version = "0", .date = "x", .n = 1, .analysis = &m.an };
+        assert_true(folder_make(&folder));
+        assert_int_equal(wf_results_write(&run, folder.path, &m.err), WF_OK);
+        json_t *o = json_load_file(folder_file(&folder, "results.json"), JSON_REJECT_DUPLICATES, &why);
+        const json_t *tree = json_array_get(json_object_get(o, "trees"), 0), *d;
+        size_t i;
+        agrees(tree, 0, "tree", "critical");
+        agrees(tree, 1, "stem", "critical_stem");
+        winds_agree(tree);
+        assert_int_equal(json_array_size(json_object_get(tree, "criteria")), WF_CRITERIA * WF_SCOPES);
+        const json_t *branches = json_array_get(json_object_get(tree, "criteria"), 2);
+        assert_string_equal(text(branches, "scope"), "branches");
+        assert_string_equal(text(branches, "outcome"), k ? "no-strength" : "found");
+        json_array_foreach(json_object_get(json_object_get(tree, "directions"), "directions"), i, d)
+        {
+            agrees(d, 0, "tree", "critical");
+            agrees(d, 1, "stem", "critical_stem");
+            winds_agree(d);
+        }
+        json_decref(o);
+        folder_remove(&folder);
+        wf_arena_free(&m.arena);
+    }
+}
+
+static void versions_that_are_read(void **state)
+{
+    (void)state;
+    assert_true(wf_results_readable(1, 1));
+    assert_false(wf_results_readable(0, 1)); /* the first version has none before it */
+    assert_false(wf_results_readable(2, 1));
+    assert_true(wf_results_readable(1, 2) && wf_results_readable(2, 2));
+    assert_false(wf_results_readable(0, 2) || wf_results_readable(3, 2) || wf_results_readable(1, 3));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rows_are_complete),
+        cmocka_unit_test(parts_make_the_tree),
+        cmocka_unit_test(results_agree),
+        cmocka_unit_test(versions_that_are_read),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
