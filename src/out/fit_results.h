@@ -38,6 +38,6 @@ enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char 
  * Parts that cannot be made are warnings in `d`, and the status of the first is returned. */
 enum wf_status wf_fit_results_pages(const char *folder, struct wf_diag *d, struct wf_err *e);
 /* Write the species table of the first tree to `path` with the fitted values in place. Errors: WF_EOUTPUT,
- * WF_ENOMEM. */
+ * WF_ENOMEM, WF_EMISSING without the units database. */
 enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char *path, struct wf_err *e);
 #endif
