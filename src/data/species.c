@@ -120,10 +120,11 @@ static const struct wf_yaml_table wall_table = {
 struct property_row {
     struct wf_yaml_row yaml; /* offset: of the struct wf_value in its struct wf_level or wf_species */
     enum wf_acts acts;
-    size_t column; /* of struct wf_tree; 0: none. Rows with one column follow each other           */
-    bool factor;   /* multiplies what the row before put there                                     */
-    bool on_links; /* links have it too; else 0                                                    */
-    bool optional; /* not given: `absent` goes to the column                                       */
+    const char *was; /* as in struct wf_property; NULL: the key */
+    size_t column;   /* of struct wf_tree; 0: none. Rows with one column follow each other           */
+    bool factor;     /* multiplies what the row before put there                                     */
+    bool on_links;   /* links have it too; else 0                                                    */
+    bool optional;   /* not given: `absent` goes to the column                                       */
     double absent;
 };
 
@@ -173,13 +174,14 @@ static const struct property_row level_values[] = {
     .yaml = { .key = k, WF_VALUE_ROW(struct wf_species, member), .required = true, __VA_ARGS__ }
 static const struct property_row crown_values[] = {
     { CROWN("drag_coefficient", crown_drag, .low = 0, .high = 3,
-            .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5") },
+            .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5"),
+      .was = "crown_drag_coefficient" },
     { CROWN("leaf_mass_per_area", leaf_mass_per_area, .dimension = WF_DIM_MASS_PER_AREA, .unit = "kg/m2",
             .low = 1e-3, .high = 5, .doc = "Fresh leaf mass per one-sided leaf area.",
             .example = "0.2 kg/m2") },
     { CROWN("frontal_share", leaf_frontal_share, .low = 0, .high = 1,
-            .doc = "Frontal area of the crown in still air over its one-sided leaf area.",
-            .example = "0.3") },
+            .doc = "Frontal area of the crown in still air over its one-sided leaf area.", .example = "0.3"),
+      .was = "leaf_frontal_share" },
     { .yaml.key = NULL },
 };
 
@@ -198,6 +200,7 @@ static bool property_at(const struct property_row *rows, size_t i, const void *h
                                  .dimension = rows[i].yaml.dimension,
                                  .unit = rows[i].yaml.unit ? rows[i].yaml.unit : "",
                                  .acts = rows[i].acts,
+                                 .was = rows[i].was ? rows[i].was : rows[i].yaml.key,
                                  .value = value_of(&rows[i], holder) };
     return true;
 }
@@ -221,7 +224,8 @@ bool wf_law_property(const struct wf_law *law, const struct wf_law_use *use, siz
         *out = (struct wf_property){ .key = p->name,
                                      .dimension = p->dimension,
                                      .unit = p->unit ? p->unit : "",
-                                     .value = &use->parameter[k] };
+                                     .value = &use->parameter[k],
+                                     .was = p->result };
         return true;
     }
     return false;

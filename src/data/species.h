@@ -98,6 +98,7 @@ struct wf_property {
     const char *unit; /* to show it in; "" for a plain number */
     enum wf_acts acts;
     const struct wf_value *value; /* [SI] */
+    const char *was;              /* `quantity` of results.json, which goes with its schema.version 2 */
 };
 
 /* The i-th property of a level, in the order of the schema. Returned: false behind the last. */

@@ -43,7 +43,7 @@ static double share_table(const struct wf_law_values *p, double speed, double *d
 
 #define SPEEDS .dimension = WF_DIM_SPEED, .unit = "m/s"
 static const struct wf_law_parameter vogel_parameters[] = {
-    { "exponent", WF_LAW_VALUE, .low = -2, .high = 0,
+    { "exponent", WF_LAW_VALUE, .low = -2, .high = 0, .result = "vogel_exponent",
       .doc = "Vogel exponent V: crown drag grows with wind speed to the power 2 + V.", .example = "-0.7" },
     { "reference_speed", WF_LAW_NUMBER, SPEEDS, .low = 0.1, .high = 100, .result = "reference_speed",
       .doc = "Wind speed below which the crown keeps its still-air drag area.", .example = "5 m/s" },

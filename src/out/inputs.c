@@ -1,5 +1,4 @@
 /* What went in: species values with range, standing and source; model; scenario; method. */
-#include "base/num.h"
 #include "load/drag.h"
 #include "out/parts.h"
 #include "wind/climate.h"
@@ -9,21 +8,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-/* Names that values had in `quantity`, where they were not the key in their part's table. They go with
- * `quantity` in schema.version 2; `key` stays. */
-static const char *const old_names[][2] = {
-    { "crown.drag_coefficient", "crown_drag_coefficient" },
-    { "crown.frontal_share", "leaf_frontal_share" },
-    { "crown.streamlining.exponent", "vogel_exponent" },
-};
-
-static const char *old_name(const char *key, const char *otherwise)
-{
-    for (size_t i = 0; i < WF_COUNT(old_names); i++)
-        if (!strcmp(old_names[i][0], key)) return old_names[i][1];
-    return otherwise;
-}
 
 /* The full citation where the table has one, else its key. */
 static void put_source(struct wf_doc *d, json_t *o, const struct wf_species *sp, const char *key)
@@ -58,7 +42,7 @@ static void add_value(struct wf_doc *d, json_t *list, const struct wf_analysis *
     (void)snprintf(key, sizeof key, "%s%s", table, p->key);
     wf_doc_text(d, o, "level", part);
     wf_doc_text(d, o, "key", key);
-    wf_doc_text(d, o, "quantity", old_name(key, p->key));
+    wf_doc_text(d, o, "quantity", p->was);
     wf_doc_number(d, o, "value", v->value);
     wf_doc_number(d, o, "low", v->low);
     wf_doc_number(d, o, "high", v->high);
