@@ -41,7 +41,7 @@ static double wood_mass(const struct wf_qsm_metrics *g, const struct known *w)
 /* Still-air frontal area of the leaves [m2]; NAN when unknown. */
 static double leaf_sail(const struct known *w)
 {
-    return w->species ? w->leaf_area * w->species->leaf_frontal_share.value : (double)NAN;
+    return w->species ? w->leaf_area * w->species->crown.frontal_share.value : (double)NAN;
 }
 
 static void print_repairs(FILE *to, const struct wf_qsm *q, bool note, const char *title)

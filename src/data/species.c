@@ -170,16 +170,15 @@ static const struct property_row level_values[] = {
     { .yaml.key = NULL },
 };
 
-#define CROWN(k, member, ...)                                                                                \
-    .yaml = { .key = k, WF_VALUE_ROW(struct wf_species, member), .required = true, __VA_ARGS__ }
+#define CROWN(k, ...)                                                                                        \
+    .yaml = { .key = #k, WF_VALUE_ROW(struct wf_species, crown.k), .required = true, __VA_ARGS__ }
 static const struct property_row crown_values[] = {
-    { CROWN("drag_coefficient", crown_drag, .low = 0, .high = 3,
+    { CROWN(drag_coefficient, .low = 0, .high = 3,
             .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5"),
       .was = "crown_drag_coefficient" },
-    { CROWN("leaf_mass_per_area", leaf_mass_per_area, .dimension = WF_DIM_MASS_PER_AREA, .unit = "kg/m2",
-            .low = 1e-3, .high = 5, .doc = "Fresh leaf mass per one-sided leaf area.",
-            .example = "0.2 kg/m2") },
-    { CROWN("frontal_share", leaf_frontal_share, .low = 0, .high = 1,
+    { CROWN(leaf_mass_per_area, .dimension = WF_DIM_MASS_PER_AREA, .unit = "kg/m2", .low = 1e-3, .high = 5,
+            .doc = "Fresh leaf mass per one-sided leaf area.", .example = "0.2 kg/m2") },
+    { CROWN(frontal_share, .low = 0, .high = 1,
             .doc = "Frontal area of the crown in still air over its one-sided leaf area.", .example = "0.3"),
       .was = "leaf_frontal_share" },
     { .yaml.key = NULL },

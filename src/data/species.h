@@ -68,16 +68,21 @@ struct wf_law_use {
     enum wf_standing standing; /* of the lists                                                           */
 };
 
+/* The leaves in the wind; none of it given: a species without leaves. */
+struct wf_crown {
+    struct wf_value drag_coefficient;   /* on the frontal area in still air [-]                */
+    struct wf_value leaf_mass_per_area; /* fresh leaf mass per one-sided leaf area [kg m-2]    */
+    struct wf_value frontal_share;      /* still-air frontal area per one-sided leaf area [-]  */
+};
+
 struct wf_species {
     const char *key, *name, *latin, *name_zh, *note, *file;
     const char *preset; /* "corrected" or the paper whose numbers are printed */
     size_t levels;
     struct wf_level *level;
-    struct wf_value crown_drag;         /* crown drag coefficient on still-air frontal area [-] */
-    struct wf_value leaf_mass_per_area; /* fresh leaf mass per one-sided leaf area [kg m-2]   */
-    struct wf_value leaf_frontal_share; /* still-air frontal area per one-sided leaf area [-] */
-    struct wf_law_use streamlining;     /* frontal area times drag coefficient over its still-air value */
-    struct wf_law_use axis_drag;        /* of axes without a drag_coefficient */
+    struct wf_crown crown;
+    struct wf_law_use streamlining; /* frontal area times drag coefficient over its still-air value */
+    struct wf_law_use axis_drag;    /* of axes without a drag_coefficient */
     size_t sources;
     struct wf_yaml_pair *source; /* citations by key */
 };

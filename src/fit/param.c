@@ -114,8 +114,8 @@ static void scale_rows(const struct wf_fit_param *p, const struct wf_fit_tree *t
             if (into->drag[i] != 0) into->drag[i] = v;
             break;
         default:
-            into->sail0[i] *= v / t->species->crown_drag.value;
-            into->sail1[i] *= v / t->species->crown_drag.value;
+            into->sail0[i] *= v / t->species->crown.drag_coefficient.value;
+            into->sail1[i] *= v / t->species->crown.drag_coefficient.value;
         }
     }
 }

@@ -9,8 +9,8 @@
 
 /* Given: a grown tree whose leaf0, leaf1 hold the share of each row that bears leaves. Returned in the tree:
  * one-sided leaf area per length, the same on every leafy length, in all m->leaf_area; still-air sail = leaf
- * area x leaf_frontal_share x crown_drag; burden = leaf area x leaf_mass_per_area. Errors: WF_EINPUT when the
- * species has no crown, or when no axis bears leaves. */
+ * area x frontal_share x drag_coefficient; burden = leaf area x leaf_mass_per_area. Errors: WF_EINPUT when
+ * the species has no crown, or when no axis bears leaves. */
 enum wf_status wf_leaves_spread(const struct wf_model *m, const struct wf_species *sp, struct wf_tree *t,
                                 struct wf_err *e);
 

@@ -163,14 +163,15 @@ static void leaves(struct wf_tree *t, const struct wf_model *m, const struct wf_
         t->leaf1[i] = wf_along_at(&m->crown_shape, (s[i + 1] - from) / (to - from), 1);
         sum += 0.5 * (t->leaf0[i] + t->leaf1[i]) * wf_tree_length(t, i);
     }
-    double scale = m->leaf_area / sum, sail = sp->leaf_frontal_share.value * sp->crown_drag.value;
+    double scale = m->leaf_area / sum,
+           sail = sp->crown.frontal_share.value * sp->crown.drag_coefficient.value;
     for (size_t i = 0; i < t->n; i++) {
         t->leaf0[i] *= scale;
         t->leaf1[i] *= scale;
         t->sail0[i] = t->leaf0[i] * sail;
         t->sail1[i] = t->leaf1[i] * sail;
-        t->burden0[i] = t->leaf0[i] * sp->leaf_mass_per_area.value;
-        t->burden1[i] = t->leaf1[i] * sp->leaf_mass_per_area.value;
+        t->burden0[i] = t->leaf0[i] * sp->crown.leaf_mass_per_area.value;
+        t->burden1[i] = t->leaf1[i] * sp->crown.leaf_mass_per_area.value;
     }
 }
 
@@ -178,7 +179,7 @@ enum wf_status wf_grow_stem(const struct wf_model *m, const struct wf_species *s
                             struct wf_tree *out, struct wf_err *e)
 {
     if (!sp->levels) return wf_fail(e, WF_EINPUT, "%s: the species has no levels", sp->key);
-    if (m->leaf_area > 0 && !sp->crown_drag.given)
+    if (m->leaf_area > 0 && !sp->crown.drag_coefficient.given)
         return wf_fail(e, WF_EINPUT, "%s: the model has leaves, but the species table %s has no 'crown'",
                        m->key, sp->key);
     const struct wf_level *stem = &sp->level[0];

@@ -199,7 +199,7 @@ static void write(const struct sheet *t, const char *key, const char *note)
     fputs("\"\nlevels:\n", f);
     for (size_t k = 0; k < sp->levels; k++) level(t, sp, k);
     law_use(t, "axis_drag", "axis_drag.", wf_laws.axis_drag, &sp->axis_drag);
-    if (!sp->crown_drag.given) return;
+    if (!sp->crown.drag_coefficient.given) return;
     fputs("crown:\n", f);
     struct wf_property p;
     for (size_t i = 0; wf_crown_property(sp, i, &p); i++)

@@ -56,7 +56,7 @@ static enum wf_status solve_sheltered(const struct wf_analysis *an, const struct
     q.law = wf_shelter_law_named(an->scenario.shelter);
     q.slabs = 24;
     q.cells = 64;
-    if (an->species->crown_drag.given) q.crown_drag = an->species->crown_drag.value;
+    if (an->species->crown.drag_coefficient.given) q.crown_drag = an->species->crown.drag_coefficient.value;
     return wf_sheltered_solve(&an->tree, l, &q, an->solver, o, a, out, r, d, e);
 }
 
@@ -68,8 +68,8 @@ static enum wf_status figures(const struct wf_analysis *an, const struct wf_load
     enum wf_status s = wf_breakage_check(&an->tree, &out->response, a, &out->breakage, e);
     if (s) return s;
     wf_criteria_check(&an->tree, &out->response, &out->breakage, out->worst);
-    s = wf_figures_fill(&an->tree, l, &out->response, an->wind.direction, an->species->crown_drag.value, a,
-                        &out->figures, &totals, e);
+    s = wf_figures_fill(&an->tree, l, &out->response, an->wind.direction,
+                        an->species->crown.drag_coefficient.value, a, &out->figures, &totals, e);
     if (!s) totals_fill(an, &totals, out);
     return s;
 }
