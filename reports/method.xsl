@@ -1,50 +1,121 @@
 <?xml version="1.0" encoding="UTF-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Method and limits, warnings, provenance. -->
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 
 <xsl:template name="solver-title">
-  <xsl:call-template name="term"><xsl:with-param name="id" select="concat('solver.', name)"/><xsl:with-param name="otherwise" select="title"/></xsl:call-template>
+  <xsl:call-template name="term">
+    <xsl:with-param name="id" select="concat('solver.', name)"/><xsl:with-param name="otherwise" select="title"/>
+  </xsl:call-template>
   <xsl:value-of select="concat(' (', name, ')')"/>
 </xsl:template>
 
 <xsl:template name="stripped">
   <xsl:param name="text"/>
   <xsl:choose>
-    <xsl:when test="substring($text, string-length($text)) = '.'"><xsl:value-of select="substring($text, 1, string-length($text) - 1)"/></xsl:when>
+    <xsl:when test="substring($text, string-length($text)) = '.'">
+      <xsl:value-of select="substring($text, 1, string-length($text) - 1)"/>
+    </xsl:when>
     <xsl:otherwise><xsl:value-of select="$text"/></xsl:otherwise>
   </xsl:choose>
 </xsl:template>
 
 <!-- source and range of one row of methods; the sentences end in one full stop whatever the row ends in -->
 <xsl:template name="source-and-range">
-  <xsl:if test="source != ''"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">m.source</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="stripped"><xsl:with-param name="text" select="source"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:if>
-  <xsl:if test="validity != ''"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">m.validity</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="stripped"><xsl:with-param name="text" select="validity"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:if>
+  <xsl:if test="source != ''">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">m.source</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="stripped"><xsl:with-param name="text" select="source"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:if>
+  <xsl:if test="validity != ''">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">m.validity</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="stripped"><xsl:with-param name="text" select="validity"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:if>
 </xsl:template>
 
 <xsl:template name="note">
   <xsl:param name="id"/><xsl:param name="text"/>
-  <dt><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></dt><dd><xsl:copy-of select="$text"/></dd>
+  <dt><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></dt>
+  <dd><xsl:copy-of select="$text"/></dd>
 </xsl:template>
 
 <xsl:template name="method">
   <dl>
-    <xsl:call-template name="note"><xsl:with-param name="id">m.solver</xsl:with-param><xsl:with-param name="text">
-      <xsl:for-each select="$trees[1]/method/solver"><b><xsl:call-template name="solver-title"/></b><xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template><xsl:call-template name="source-and-range"/></xsl:for-each>
-      <xsl:for-each select="$trees/winds/item/imbalance/value[. != '']"><xsl:sort select="." data-type="number" order="descending"/>
-        <xsl:if test="position() = 1"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">m.balance</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="tiny"><xsl:with-param name="x" select="."/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:if></xsl:for-each>
-    </xsl:with-param></xsl:call-template>
-    <xsl:call-template name="note"><xsl:with-param name="id">m.profile</xsl:with-param><xsl:with-param name="text">
-      <xsl:for-each select="$trees[1]/method/wind_profile"><b><xsl:value-of select="name"/></b><xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template><xsl:call-template name="source-and-range"/></xsl:for-each>
-    </xsl:with-param></xsl:call-template>
-    <xsl:call-template name="note"><xsl:with-param name="id">m.crown</xsl:with-param><xsl:with-param name="text">
-      <xsl:for-each select="$trees[not(method/streamlining/name = preceding-sibling::item/method/streamlining/name)]/method/streamlining">
-        <xsl:if test="position() &gt; 1"><br/></xsl:if>
-        <b><xsl:call-template name="term"><xsl:with-param name="id" select="concat('streamlining.', name)"/><xsl:with-param name="otherwise" select="name"/></xsl:call-template></b><xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template><xsl:call-template name="source-and-range"/>
-      </xsl:for-each>
-    </xsl:with-param></xsl:call-template>
-    <xsl:call-template name="note"><xsl:with-param name="id">m.axis</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">m.axis.text</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
-    <xsl:call-template name="note"><xsl:with-param name="id">m.break</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">m.break.text</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
-    <xsl:call-template name="note"><xsl:with-param name="id">m.words</xsl:with-param><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">m.words.text</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="note">
+      <xsl:with-param name="id">m.solver</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:for-each select="$trees[1]/method/solver">
+          <b><xsl:call-template name="solver-title"/></b>
+          <xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="source-and-range"/>
+        </xsl:for-each>
+        <xsl:for-each select="$trees/winds/item/imbalance/value[. != '']">
+          <xsl:sort select="." data-type="number" order="descending"/>
+          <xsl:if test="position() = 1">
+            <xsl:value-of select="$gap"/>
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">m.balance</xsl:with-param>
+              <xsl:with-param name="a">
+                <xsl:call-template name="tiny"><xsl:with-param name="x" select="."/></xsl:call-template>
+              </xsl:with-param>
+            </xsl:call-template>
+          </xsl:if>
+        </xsl:for-each>
+      </xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="note">
+      <xsl:with-param name="id">m.profile</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:for-each select="$trees[1]/method/wind_profile">
+          <b><xsl:value-of select="name"/></b>
+          <xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="source-and-range"/>
+        </xsl:for-each>
+      </xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="note">
+      <xsl:with-param name="id">m.crown</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:for-each select="$trees[not(method/streamlining/name =
+          preceding-sibling::item/method/streamlining/name)]/method/streamlining">
+          <xsl:if test="position() &gt; 1"><br/></xsl:if>
+          <b>
+            <xsl:call-template name="term">
+              <xsl:with-param name="id" select="concat('streamlining.', name)"/><xsl:with-param name="otherwise" select="name"/>
+            </xsl:call-template>
+          </b>
+          <xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="source-and-range"/>
+        </xsl:for-each>
+      </xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="note">
+      <xsl:with-param name="id">m.axis</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:call-template name="say"><xsl:with-param name="id">m.axis.text</xsl:with-param></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="note">
+      <xsl:with-param name="id">m.break</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:call-template name="say"><xsl:with-param name="id">m.break.text</xsl:with-param></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="note">
+      <xsl:with-param name="id">m.words</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:call-template name="say"><xsl:with-param name="id">m.words.text</xsl:with-param></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
   </dl>
 </xsl:template>
 
@@ -53,22 +124,44 @@
   <xsl:param name="x"/><xsl:param name="power" select="0"/>
   <xsl:choose>
     <xsl:when test="$x = 0">0</xsl:when>
-    <xsl:when test="$x &gt;= 1 or $power &gt; 30"><xsl:value-of select="round($x)"/><xsl:if test="$power &gt; 0"> × 10⁻<xsl:value-of select="translate($power, '0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹')"/></xsl:if></xsl:when>
-    <xsl:otherwise><xsl:call-template name="tiny"><xsl:with-param name="x" select="$x * 10"/><xsl:with-param name="power" select="$power + 1"/></xsl:call-template></xsl:otherwise>
+    <xsl:when test="$x &gt;= 1 or $power &gt; 30">
+      <xsl:value-of select="round($x)"/>
+      <xsl:if test="$power &gt; 0"> × 10⁻<xsl:value-of select="translate($power, '0123456789', '⁰¹²³⁴⁵⁶⁷⁸⁹')"/></xsl:if>
+    </xsl:when>
+    <xsl:otherwise>
+      <xsl:call-template name="tiny">
+        <xsl:with-param name="x" select="$x * 10"/><xsl:with-param name="power" select="$power + 1"/>
+      </xsl:call-template>
+    </xsl:otherwise>
   </xsl:choose>
 </xsl:template>
 
 <xsl:template name="warnings">
   <xsl:variable name="all" select="$r/warnings/item | $trees/warnings/item"/>
   <xsl:choose>
-    <xsl:when test="not($all)"><p><xsl:call-template name="say"><xsl:with-param name="id">w.none</xsl:with-param></xsl:call-template></p></xsl:when>
+    <xsl:when test="not($all)">
+      <p><xsl:call-template name="say"><xsl:with-param name="id">w.none</xsl:with-param></xsl:call-template></p>
+    </xsl:when>
     <xsl:otherwise>
       <table class="data">
-        <thead><tr><th><xsl:call-template name="say"><xsl:with-param name="id">w.kind</xsl:with-param></xsl:call-template></th><th><xsl:call-template name="say"><xsl:with-param name="id">w.what</xsl:with-param></xsl:call-template></th></tr></thead>
-        <tbody class="long"><xsl:for-each select="$all"><tr>
-          <td style="width: 34mm"><xsl:call-template name="term"><xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/></xsl:call-template></td>
-          <td><xsl:value-of select="text"/></td>
-        </tr></xsl:for-each></tbody>
+        <thead>
+          <tr>
+            <th><xsl:call-template name="say"><xsl:with-param name="id">w.kind</xsl:with-param></xsl:call-template></th>
+            <th><xsl:call-template name="say"><xsl:with-param name="id">w.what</xsl:with-param></xsl:call-template></th>
+          </tr>
+        </thead>
+        <tbody class="long">
+          <xsl:for-each select="$all">
+            <tr>
+              <td style="width: 34mm">
+                <xsl:call-template name="term">
+                  <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
+                </xsl:call-template>
+              </td>
+              <td><xsl:value-of select="text"/></td>
+            </tr>
+          </xsl:for-each>
+        </tbody>
       </table>
     </xsl:otherwise>
   </xsl:choose>
@@ -76,21 +169,49 @@
 
 <xsl:template name="provenance">
   <table class="block">
-    <xsl:call-template name="block-row"><xsl:with-param name="id">tb.program</xsl:with-param><xsl:with-param name="text" select="concat($r/provenance/program, ' ', $r/provenance/version)"/></xsl:call-template>
-    <xsl:call-template name="block-row"><xsl:with-param name="id">tb.date</xsl:with-param><xsl:with-param name="text" select="string($r/provenance/date)"/></xsl:call-template>
-    <xsl:call-template name="block-row"><xsl:with-param name="id">p.command</xsl:with-param><xsl:with-param name="text"><code><xsl:value-of select="$r/provenance/command"/></code></xsl:with-param></xsl:call-template>
-    <xsl:call-template name="block-row"><xsl:with-param name="id">p.seed</xsl:with-param><xsl:with-param name="text"><xsl:choose><xsl:when test="$r/provenance/seed != ''"><xsl:value-of select="$r/provenance/seed"/></xsl:when><xsl:otherwise><xsl:call-template name="say"><xsl:with-param name="id">p.seed.none</xsl:with-param></xsl:call-template></xsl:otherwise></xsl:choose></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">tb.program</xsl:with-param>
+      <xsl:with-param name="text" select="concat($r/provenance/program, ' ', $r/provenance/version)"/>
+    </xsl:call-template>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">tb.date</xsl:with-param><xsl:with-param name="text" select="string($r/provenance/date)"/>
+    </xsl:call-template>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">p.command</xsl:with-param>
+      <xsl:with-param name="text"><code><xsl:value-of select="$r/provenance/command"/></code></xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="block-row">
+      <xsl:with-param name="id">p.seed</xsl:with-param>
+      <xsl:with-param name="text">
+        <xsl:choose>
+          <xsl:when test="$r/provenance/seed != ''"><xsl:value-of select="$r/provenance/seed"/></xsl:when>
+          <xsl:otherwise>
+            <xsl:call-template name="say"><xsl:with-param name="id">p.seed.none</xsl:with-param></xsl:call-template>
+          </xsl:otherwise>
+        </xsl:choose>
+      </xsl:with-param>
+    </xsl:call-template>
   </table>
   <table class="data" style="margin-top: 3mm">
-    <thead><tr>
-      <th><xsl:call-template name="say"><xsl:with-param name="id">p.role</xsl:with-param></xsl:call-template></th>
-      <th><xsl:call-template name="say"><xsl:with-param name="id">p.file</xsl:with-param></xsl:call-template></th>
-      <th><xsl:call-template name="say"><xsl:with-param name="id">p.hash</xsl:with-param></xsl:call-template></th>
-    </tr></thead>
-    <tbody><xsl:for-each select="$r/provenance/files/item"><tr>
-      <td><xsl:call-template name="term"><xsl:with-param name="id" select="concat('role.', role)"/><xsl:with-param name="otherwise" select="role"/></xsl:call-template></td>
-      <td><code><xsl:value-of select="path"/></code></td><td class="hash"><xsl:value-of select="sha256"/></td>
-    </tr></xsl:for-each></tbody>
+    <thead>
+      <tr>
+        <th><xsl:call-template name="say"><xsl:with-param name="id">p.role</xsl:with-param></xsl:call-template></th>
+        <th><xsl:call-template name="say"><xsl:with-param name="id">p.file</xsl:with-param></xsl:call-template></th>
+        <th><xsl:call-template name="say"><xsl:with-param name="id">p.hash</xsl:with-param></xsl:call-template></th>
+      </tr>
+    </thead>
+    <tbody>
+      <xsl:for-each select="$r/provenance/files/item">
+        <tr>
+          <td>
+            <xsl:call-template name="term">
+              <xsl:with-param name="id" select="concat('role.', role)"/><xsl:with-param name="otherwise" select="role"/>
+            </xsl:call-template>
+          </td>
+          <td><code><xsl:value-of select="path"/></code></td><td class="hash"><xsl:value-of select="sha256"/></td>
+        </tr>
+      </xsl:for-each>
+    </tbody>
   </table>
   <p class="note"><xsl:call-template name="say"><xsl:with-param name="id">p.tables</xsl:with-param></xsl:call-template></p>
 </xsl:template>

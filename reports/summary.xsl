@@ -1,4 +1,5 @@
 <?xml version="1.0" encoding="UTF-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- The summary in words: one paragraph a tree, then the comparison and what to be careful about. -->
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 
@@ -6,9 +7,22 @@
 <xsl:template name="place">
   <xsl:param name="height"/><xsl:param name="section"/>
   <xsl:choose>
-    <xsl:when test="$section/level &gt; 0"><xsl:call-template name="say"><xsl:with-param name="id">place.part</xsl:with-param><xsl:with-param name="a" select="format-number($height, '0.0')"/><xsl:with-param name="b"><xsl:call-template name="part"><xsl:with-param name="level" select="$section/part"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:when>
-    <xsl:when test="$height &lt; 0.1"><xsl:call-template name="say"><xsl:with-param name="id">place.base</xsl:with-param></xsl:call-template></xsl:when>
-    <xsl:otherwise><xsl:call-template name="say"><xsl:with-param name="id">place</xsl:with-param><xsl:with-param name="a" select="format-number($height, '0.0')"/></xsl:call-template></xsl:otherwise>
+    <xsl:when test="$section/level &gt; 0">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">place.part</xsl:with-param><xsl:with-param name="a" select="format-number($height, '0.0')"/>
+        <xsl:with-param name="b">
+          <xsl:call-template name="part"><xsl:with-param name="level" select="$section/part"/></xsl:call-template>
+        </xsl:with-param>
+      </xsl:call-template>
+    </xsl:when>
+    <xsl:when test="$height &lt; 0.1">
+      <xsl:call-template name="say"><xsl:with-param name="id">place.base</xsl:with-param></xsl:call-template>
+    </xsl:when>
+    <xsl:otherwise>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">place</xsl:with-param><xsl:with-param name="a" select="format-number($height, '0.0')"/>
+      </xsl:call-template>
+    </xsl:otherwise>
   </xsl:choose>
 </xsl:template>
 
@@ -16,14 +30,30 @@
 <xsl:template name="small">
   <xsl:variable name="beyond" select="winds/item[within_limits = 'false']"/>
   <xsl:if test="$beyond">
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.small</xsl:with-param>
-      <xsl:with-param name="a"><xsl:choose>
-        <xsl:when test="count($beyond) &gt; 4"><xsl:call-template name="say"><xsl:with-param name="id">range</xsl:with-param>
-          <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$beyond[1]/speed/value"/></xsl:call-template></xsl:with-param>
-          <xsl:with-param name="b"><xsl:call-template name="given"><xsl:with-param name="x" select="$beyond[last()]/speed/value"/></xsl:call-template></xsl:with-param></xsl:call-template></xsl:when>
-        <xsl:otherwise><xsl:call-template name="list"><xsl:with-param name="items" select="$beyond/speed/value"/></xsl:call-template></xsl:otherwise>
-      </xsl:choose></xsl:with-param>
-      <xsl:with-param name="b"><xsl:call-template name="name"/></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.small</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:choose>
+          <xsl:when test="count($beyond) &gt; 4">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">range</xsl:with-param>
+              <xsl:with-param name="a">
+                <xsl:call-template name="given"><xsl:with-param name="x" select="$beyond[1]/speed/value"/></xsl:call-template>
+              </xsl:with-param>
+              <xsl:with-param name="b">
+                <xsl:call-template name="given">
+                  <xsl:with-param name="x" select="$beyond[last()]/speed/value"/>
+                </xsl:call-template>
+              </xsl:with-param>
+            </xsl:call-template>
+          </xsl:when>
+          <xsl:otherwise>
+            <xsl:call-template name="list"><xsl:with-param name="items" select="$beyond/speed/value"/></xsl:call-template>
+          </xsl:otherwise>
+        </xsl:choose>
+      </xsl:with-param>
+      <xsl:with-param name="b"><xsl:call-template name="name"/></xsl:with-param>
+    </xsl:call-template>
   </xsl:if>
 </xsl:template>
 
@@ -43,27 +73,49 @@
       </xsl:choose>
     </xsl:with-param>
     <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
-    <xsl:with-param name="b"><xsl:call-template name="say"><xsl:with-param name="id">
-      <xsl:choose>
-        <xsl:when test="$last/tip_deflection_share/value &lt; 0.05">sum.bend.little</xsl:when>
-        <xsl:when test="$last/tip_deflection_share/value &lt; 0.25">sum.bend.clear</xsl:when>
-        <xsl:otherwise>sum.bend.far</xsl:otherwise>
-      </xsl:choose>
-    </xsl:with-param></xsl:call-template></xsl:with-param>
-    <xsl:with-param name="c"><xsl:call-template name="given"><xsl:with-param name="x" select="$last/speed/value"/></xsl:call-template></xsl:with-param>
+    <xsl:with-param name="b">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">
+          <xsl:choose>
+            <xsl:when test="$last/tip_deflection_share/value &lt; 0.05">sum.bend.little</xsl:when>
+            <xsl:when test="$last/tip_deflection_share/value &lt; 0.25">sum.bend.clear</xsl:when>
+            <xsl:otherwise>sum.bend.far</xsl:otherwise>
+          </xsl:choose>
+        </xsl:with-param>
+      </xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="c">
+      <xsl:call-template name="given"><xsl:with-param name="x" select="$last/speed/value"/></xsl:call-template>
+    </xsl:with-param>
   </xsl:call-template>
 </xsl:template>
 
 <!-- How far the tip moves: at every wind speed up to three, else the first, the middle and the last. -->
 <xsl:template name="tips">
   <xsl:variable name="solved" select="winds/item[status = 'ok' and within_limits = 'true']"/>
-  <xsl:for-each select="$solved[count($solved) &lt; 4 or position() = 1 or position() = ceiling(count($solved) div 2) or position() = last()]">
+  <xsl:for-each select="$solved[count($solved) &lt; 4 or position() = 1 or position() = ceiling(count($solved) div 2) or
+    position() = last()]">
     <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.tip</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="b"><xsl:call-template name="number"><xsl:with-param name="x" select="tip_deflection/value"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="c"><xsl:call-template name="steady"><xsl:with-param name="x" select="100 * tip_deflection_share/value"/><xsl:with-param name="pattern">0.#</xsl:with-param></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="d"><xsl:call-template name="steady"><xsl:with-param name="x" select="$degrees * tip_angle/value"/><xsl:with-param name="pattern">0</xsl:with-param><xsl:with-param name="least" select="1"/></xsl:call-template></xsl:with-param>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.tip</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="tip_deflection/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="steady">
+          <xsl:with-param name="x" select="100 * tip_deflection_share/value"/>
+          <xsl:with-param name="pattern">0.#</xsl:with-param>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="d">
+        <xsl:call-template name="steady">
+          <xsl:with-param name="x" select="$degrees * tip_angle/value"/><xsl:with-param name="pattern">0</xsl:with-param>
+          <xsl:with-param name="least" select="1"/>
+        </xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
 </xsl:template>
@@ -71,19 +123,44 @@
 <xsl:template name="strength">
   <xsl:for-each select="winds/item[status = 'ok' and within_limits = 'true'][last()][least_safety/value != '']">
     <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id"><xsl:text>sum.stress</xsl:text><xsl:if test="governing_section/level &gt; 0">.part</xsl:if></xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="b"><xsl:call-template name="place"><xsl:with-param name="height" select="governing_section/height/value"/><xsl:with-param name="section" select="governing_section"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="c"><xsl:call-template name="fixed"><xsl:with-param name="x" select="100 div least_safety/value"/><xsl:with-param name="pattern">0</xsl:with-param></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="d"><xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template></xsl:with-param>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">
+        <xsl:text>sum.stress</xsl:text><xsl:if test="governing_section/level &gt; 0">.part</xsl:if>
+      </xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="place">
+          <xsl:with-param name="height" select="governing_section/height/value"/>
+          <xsl:with-param name="section" select="governing_section"/>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="fixed">
+          <xsl:with-param name="x" select="100 div least_safety/value"/><xsl:with-param name="pattern">0</xsl:with-param>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="d">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
   <xsl:value-of select="$gap"/>
   <xsl:choose>
-    <xsl:when test="critical/within_limits = 'false'"><xsl:call-template name="say">
-      <xsl:with-param name="id"><xsl:choose><xsl:when test="winds/item/within_limits = 'false'">sum.void</xsl:when><xsl:otherwise>sum.void.alone</xsl:otherwise></xsl:choose></xsl:with-param>
-      <xsl:with-param name="a" select="format-number(critical/speed/value, '0.0')"/>
-      <xsl:with-param name="b"><xsl:for-each select="method/solver"><xsl:value-of select="name"/></xsl:for-each></xsl:with-param></xsl:call-template></xsl:when>
+    <xsl:when test="critical/within_limits = 'false'">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">
+          <xsl:choose>
+            <xsl:when test="winds/item/within_limits = 'false'">sum.void</xsl:when><xsl:otherwise>sum.void.alone</xsl:otherwise>
+          </xsl:choose>
+        </xsl:with-param>
+        <xsl:with-param name="a" select="format-number(critical/speed/value, '0.0')"/>
+        <xsl:with-param name="b">
+          <xsl:for-each select="method/solver"><xsl:value-of select="name"/></xsl:for-each>
+        </xsl:with-param>
+      </xsl:call-template>
+    </xsl:when>
     <xsl:when test="critical/outcome = 'above' and winds/item/within_limits = 'false'"/>
     <xsl:otherwise><xsl:call-template name="expected"/></xsl:otherwise>
   </xsl:choose>
@@ -93,41 +170,82 @@
 <xsl:template name="expected">
   <xsl:call-template name="say">
     <xsl:with-param name="id" select="concat('sum.', critical/outcome)"/>
-    <xsl:with-param name="a"><xsl:choose>
-      <xsl:when test="critical/outcome = 'found'"><xsl:value-of select="format-number(critical/speed/value, '0.0')"/></xsl:when>
-      <xsl:when test="critical/outcome = 'above'"><xsl:call-template name="given"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:when>
-      <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_low/value"/></xsl:call-template></xsl:otherwise>
-    </xsl:choose></xsl:with-param>
-    <xsl:with-param name="b"><xsl:choose>
-      <xsl:when test="critical/outcome = 'found'"><xsl:call-template name="place"><xsl:with-param name="height" select="critical/governing_section/height/value"/><xsl:with-param name="section" select="critical/governing_section"/></xsl:call-template></xsl:when>
-      <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template></xsl:otherwise>
-    </xsl:choose></xsl:with-param>
+    <xsl:with-param name="a">
+      <xsl:choose>
+        <xsl:when test="critical/outcome = 'found'">
+          <xsl:value-of select="format-number(critical/speed/value, '0.0')"/>
+        </xsl:when>
+        <xsl:when test="critical/outcome = 'above'">
+          <xsl:call-template name="given"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>
+          <xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_low/value"/></xsl:call-template>
+        </xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
+    <xsl:with-param name="b">
+      <xsl:choose>
+        <xsl:when test="critical/outcome = 'found'">
+          <xsl:call-template name="place">
+            <xsl:with-param name="height" select="critical/governing_section/height/value"/>
+            <xsl:with-param name="section" select="critical/governing_section"/>
+          </xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>
+          <xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template>
+        </xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
   </xsl:call-template>
-  <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'found' and critical_stem/within_limits = 'true'">
+  <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'found' and critical_stem/within_limits =
+    'true'">
     <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.stem</xsl:with-param>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.stem</xsl:with-param>
       <xsl:with-param name="a" select="format-number(critical_stem/speed/value, '0.0')"/>
-      <xsl:with-param name="b"><xsl:call-template name="place"><xsl:with-param name="height" select="critical_stem/governing_section/height/value"/><xsl:with-param name="section" select="critical_stem/governing_section"/></xsl:call-template></xsl:with-param></xsl:call-template>
+      <xsl:with-param name="b">
+        <xsl:call-template name="place">
+          <xsl:with-param name="height" select="critical_stem/governing_section/height/value"/>
+          <xsl:with-param name="section" select="critical_stem/governing_section"/>
+        </xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
   </xsl:if>
   <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'above'">
     <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.stem.above</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.stem.above</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
   </xsl:if>
   <xsl:for-each select="directions/directions/item[critical/outcome = 'found' and critical/within_limits = 'true']">
     <xsl:sort select="critical/speed/value" data-type="number"/>
     <xsl:if test="position() = 1">
       <xsl:value-of select="$gap"/>
-      <xsl:call-template name="say"><xsl:with-param name="id">sum.weakest</xsl:with-param>
-        <xsl:with-param name="a"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$degrees * from/value"/><xsl:with-param name="pattern">0.#</xsl:with-param></xsl:call-template></xsl:with-param>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">sum.weakest</xsl:with-param>
+        <xsl:with-param name="a">
+          <xsl:call-template name="fixed">
+            <xsl:with-param name="x" select="$degrees * from/value"/><xsl:with-param name="pattern">0.#</xsl:with-param>
+          </xsl:call-template>
+        </xsl:with-param>
         <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/>
-        <xsl:with-param name="c" select="../../number"/></xsl:call-template>
+        <xsl:with-param name="c" select="../../number"/>
+      </xsl:call-template>
     </xsl:if>
   </xsl:for-each>
   <xsl:if test="critical/outcome = 'found' and critical/speed/value &gt; species/streamlining/speed_high/value">
     <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.extrapolated</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="species/streamlining/speed_high/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.extrapolated</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="given">
+          <xsl:with-param name="x" select="species/streamlining/speed_high/value"/>
+        </xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
   </xsl:if>
 </xsl:template>
 
@@ -135,8 +253,14 @@
 <xsl:template name="voids">
   <xsl:if test="winds/item[status != 'ok']">
     <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.no-answer</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="list"><xsl:with-param name="items" select="winds/item[status != 'ok']/speed/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.no-answer</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="list">
+          <xsl:with-param name="items" select="winds/item[status != 'ok']/speed/value"/>
+        </xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
   </xsl:if>
 </xsl:template>
 
@@ -151,23 +275,52 @@
   </xsl:variable>
   <xsl:if test="$k != ''">
     <xsl:variable name="p" select="number(substring-before($k, ' '))"/>
-    <xsl:variable name="most"><xsl:for-each select="$trees"><xsl:sort select="winds/item[$p]/tip_deflection/value" data-type="number" order="descending"/><xsl:if test="position() = 1"><xsl:value-of select="count(preceding-sibling::item) + 1"/></xsl:if></xsl:for-each></xsl:variable>
-    <xsl:variable name="least"><xsl:for-each select="$trees"><xsl:sort select="winds/item[$p]/tip_deflection/value" data-type="number"/><xsl:if test="position() = 1"><xsl:value-of select="count(preceding-sibling::item) + 1"/></xsl:if></xsl:for-each></xsl:variable>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.most</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/winds/item[$p]/speed/value"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="b"><xsl:call-template name="name"><xsl:with-param name="tree" select="$trees[number($most)]"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="c"><xsl:call-template name="number"><xsl:with-param name="x" select="$trees[number($most)]/winds/item[$p]/tip_deflection/value"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="d"><xsl:call-template name="name"><xsl:with-param name="tree" select="$trees[number($least)]"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="e"><xsl:call-template name="number"><xsl:with-param name="x" select="$trees[number($least)]/winds/item[$p]/tip_deflection/value"/></xsl:call-template></xsl:with-param>
+    <xsl:variable name="most">
+      <xsl:for-each select="$trees">
+        <xsl:sort select="winds/item[$p]/tip_deflection/value" data-type="number" order="descending"/>
+        <xsl:if test="position() = 1"><xsl:value-of select="count(preceding-sibling::item) + 1"/></xsl:if>
+      </xsl:for-each>
+    </xsl:variable>
+    <xsl:variable name="least">
+      <xsl:for-each select="$trees">
+        <xsl:sort select="winds/item[$p]/tip_deflection/value" data-type="number"/>
+        <xsl:if test="position() = 1"><xsl:value-of select="count(preceding-sibling::item) + 1"/></xsl:if>
+      </xsl:for-each>
+    </xsl:variable>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.most</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="given">
+          <xsl:with-param name="x" select="$trees[1]/winds/item[$p]/speed/value"/>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="name"><xsl:with-param name="tree" select="$trees[number($most)]"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="number">
+          <xsl:with-param name="x" select="$trees[number($most)]/winds/item[$p]/tip_deflection/value"/>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="d">
+        <xsl:call-template name="name"><xsl:with-param name="tree" select="$trees[number($least)]"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="e">
+        <xsl:call-template name="number">
+          <xsl:with-param name="x" select="$trees[number($least)]/winds/item[$p]/tip_deflection/value"/>
+        </xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
     <xsl:value-of select="$gap"/>
   </xsl:if>
   <xsl:for-each select="$trees[critical/outcome = 'found']">
     <xsl:sort select="critical/speed/value" data-type="number"/>
     <xsl:if test="position() = 1">
-      <xsl:call-template name="say"><xsl:with-param name="id">sum.first</xsl:with-param>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">sum.first</xsl:with-param>
         <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
-        <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/></xsl:call-template>
+        <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/>
+      </xsl:call-template>
     </xsl:if>
   </xsl:for-each>
 </xsl:template>
@@ -175,31 +328,70 @@
 <xsl:template name="summary">
   <xsl:variable name="values" select="$trees/species/values/item[used = 'true' and value != '']"/>
   <xsl:variable name="doubtful" select="$values[status = 'assumed' or status = 'borrowed']"/>
-  <xsl:variable name="untested" select="$trees[critical/outcome = 'found' and critical/within_limits = 'true' and not(method/solver/as_printed = 'true') and critical/speed/value &gt; species/streamlining/speed_high/value]"/>
+  <xsl:variable name="untested" select="$trees[critical/outcome = 'found' and critical/within_limits = 'true' and
+    not(method/solver/as_printed = 'true') and critical/speed/value &gt; species/streamlining/speed_high/value]"/>
   <div class="summary">
-    <p class="care"><xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="$doubtful">sum.care</xsl:when><xsl:otherwise>sum.care.sure</xsl:otherwise></xsl:choose></xsl:with-param>
-      <xsl:with-param name="a" select="count($doubtful)"/><xsl:with-param name="b" select="count($values)"/><xsl:with-param name="c" select="4"/></xsl:call-template>
-    <xsl:if test="$untested"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">sum.care.crown</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="names"><xsl:with-param name="of" select="$untested"/><xsl:with-param name="last">list.last</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template></xsl:if></p>
+    <p class="care">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">
+          <xsl:choose><xsl:when test="$doubtful">sum.care</xsl:when><xsl:otherwise>sum.care.sure</xsl:otherwise></xsl:choose>
+        </xsl:with-param>
+        <xsl:with-param name="a" select="count($doubtful)"/><xsl:with-param name="b" select="count($values)"/>
+        <xsl:with-param name="c" select="4"/>
+      </xsl:call-template>
+      <xsl:if test="$untested">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">sum.care.crown</xsl:with-param>
+          <xsl:with-param name="a">
+            <xsl:call-template name="names">
+              <xsl:with-param name="of" select="$untested"/><xsl:with-param name="last">list.last</xsl:with-param>
+            </xsl:call-template>
+          </xsl:with-param>
+        </xsl:call-template>
+      </xsl:if>
+    </p>
     <!-- no ranking out of answers that are not valid -->
-    <xsl:variable name="void"><xsl:for-each select="$trees"><xsl:if test="method/solver/as_printed = 'true'">x</xsl:if><xsl:call-template name="small"/></xsl:for-each></xsl:variable>
+    <xsl:variable name="void">
+      <xsl:for-each select="$trees">
+        <xsl:if test="method/solver/as_printed = 'true'">x</xsl:if><xsl:call-template name="small"/>
+      </xsl:for-each>
+    </xsl:variable>
     <xsl:if test="count($trees) &gt; 1 and $void = ''"><p><b><xsl:call-template name="compare"/></b></p></xsl:if>
     <xsl:for-each select="$trees">
       <xsl:variable name="small"><xsl:call-template name="small"/></xsl:variable>
-      <p><b><xsl:choose>
-        <xsl:when test="method/solver/as_printed = 'true'"><xsl:call-template name="say"><xsl:with-param name="id">sum.printed</xsl:with-param><xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param></xsl:call-template></xsl:when>
-        <xsl:when test="$small != ''"><xsl:value-of select="$small"/></xsl:when>
-        <xsl:otherwise><xsl:call-template name="verdict"/></xsl:otherwise>
-      </xsl:choose></b><xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="voids"/></p>
+      <p>
+        <b>
+          <xsl:choose>
+            <xsl:when test="method/solver/as_printed = 'true'">
+              <xsl:call-template name="say">
+                <xsl:with-param name="id">sum.printed</xsl:with-param>
+                <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
+              </xsl:call-template>
+            </xsl:when>
+            <xsl:when test="$small != ''"><xsl:value-of select="$small"/></xsl:when>
+            <xsl:otherwise><xsl:call-template name="verdict"/></xsl:otherwise>
+          </xsl:choose>
+        </b>
+        <xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="voids"/>
+      </p>
     </xsl:for-each>
   </div>
   <xsl:variable name="warned" select="count($trees/warnings/item | $r/warnings/item)"/>
   <p>
-    <xsl:call-template name="say"><xsl:with-param name="id">sum.wind</xsl:with-param><xsl:with-param name="a" select="$reference"/></xsl:call-template>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.wind</xsl:with-param><xsl:with-param name="a" select="$reference"/>
+    </xsl:call-template>
     <xsl:if test="$warned &gt; 0">
       <xsl:value-of select="$gap"/>
-      <xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="$warned = 1">sum.warning</xsl:when><xsl:otherwise>sum.warnings</xsl:otherwise></xsl:choose></xsl:with-param>
-        <xsl:with-param name="a" select="$warned"/><xsl:with-param name="b" select="6"/></xsl:call-template>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">
+          <xsl:choose>
+            <xsl:when test="$warned = 1">sum.warning</xsl:when><xsl:otherwise>sum.warnings</xsl:otherwise>
+          </xsl:choose>
+        </xsl:with-param>
+        <xsl:with-param name="a" select="$warned"/><xsl:with-param name="b" select="6"/>
+      </xsl:call-template>
     </xsl:if>
   </p>
 </xsl:template>

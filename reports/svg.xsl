@@ -1,4 +1,5 @@
 <?xml version="1.0" encoding="UTF-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- From gnuplot's SVG to a plain one that can stand inside a page: references to point symbols are replaced
      by the symbols, currentColor by the colour meant, identifiers are dropped (several figures share a page),
      fonts are those of the page. WeasyPrint 57 cannot draw currentColor in a referenced symbol. -->
@@ -20,7 +21,13 @@
   <xsl:attribute name="{name()}"><xsl:value-of select="ancestor::*[@color][1]/@color"/></xsl:attribute>
 </xsl:template>
 <!-- empty groups are most of gnuplot's file -->
-<xsl:template match="svg:g[not(.//svg:path|.//svg:text|.//svg:use|.//svg:polygon|.//svg:rect|.//svg:circle)]"/>
+<xsl:template match="svg:g[not(.//svg:path|.//svg:text|.//svg:use|.//svg:polygon|.//svg:rect|.//svg:circle|.//svg:image)]"/>
+<!-- a map of points stands in the file itself -->
+<xsl:template match="svg:image">
+  <image><xsl:copy-of select="@x|@y|@width|@height|@preserveAspectRatio"/>
+    <xsl:if test="starts-with(@xlink:href, 'data:image/png;base64,')"><xsl:attribute name="href"><xsl:value-of
+      select="@xlink:href"/></xsl:attribute></xsl:if></image>
+</xsl:template>
 
 <xsl:template match="svg:use">
   <xsl:variable name="colour">
@@ -31,7 +38,9 @@
   </xsl:variable>
   <g>
     <xsl:copy-of select="@transform|@stroke-width"/>
-    <xsl:if test="@x or @y"><xsl:attribute name="transform">translate(<xsl:value-of select="concat(@x, ',', @y)"/>)</xsl:attribute></xsl:if>
+    <xsl:if test="@x or @y">
+      <xsl:attribute name="transform">translate(<xsl:value-of select="concat(@x, ',', @y)"/>)</xsl:attribute>
+    </xsl:if>
     <xsl:apply-templates select="key('symbol', @xlink:href)" mode="symbol">
       <xsl:with-param name="colour" select="$colour"/>
       <xsl:with-param name="filled" select="@fill = 'currentColor'"/>

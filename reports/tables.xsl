@@ -1,43 +1,38 @@
 <?xml version="1.0" encoding="UTF-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- The key tables: totals of every tree at every wind speed; the critical wind speeds. -->
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
-
-<xsl:template name="head">
-  <xsl:param name="id"/><xsl:param name="unit"/><xsl:param name="class" select="'r'"/>
-  <th class="{$class}"><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template><span class="u"><xsl:value-of select="$unit"/>&#160;</span></th>
-</xsl:template>
-
-<xsl:template name="table-caption">
-  <xsl:param name="n"/><xsl:param name="text"/>
-  <caption><b><xsl:call-template name="say"><xsl:with-param name="id">table</xsl:with-param></xsl:call-template>&#160;<xsl:value-of select="$n"/></b>
-    <xsl:call-template name="say"><xsl:with-param name="id">stop</xsl:with-param></xsl:call-template><xsl:copy-of select="$text"/></caption>
-</xsl:template>
-
-<xsl:template name="cell">
-  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
-  <td class="r"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></td>
-</xsl:template>
-<xsl:template name="steady-cell">
-  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
-  <td class="r"><xsl:call-template name="steady"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></td>
-</xsl:template>
 
 <!-- Cells of one tree at one wind speed. A quantity without a value gives a dash, a speed without answer says so. -->
 <xsl:template name="result-cells">
   <xsl:choose>
     <xsl:when test="status = 'ok'">
-      <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="tip_deflection/value"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="100 * tip_deflection_share/value"/></xsl:call-template>
+      <xsl:call-template name="steady-cell">
+        <xsl:with-param name="x" select="tip_deflection/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+      </xsl:call-template>
+      <xsl:call-template name="steady-cell">
+        <xsl:with-param name="x" select="100 * tip_deflection_share/value"/>
+      </xsl:call-template>
       <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="$degrees * tip_angle/value"/></xsl:call-template>
       <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="drag/value"/></xsl:call-template></td>
-      <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="base_moment/value div 1000"/></xsl:call-template></td>
+      <td class="r">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="base_moment/value div 1000"/></xsl:call-template>
+      </td>
       <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="largest_stress/value div 1e6"/></xsl:call-template>
-      <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template></td>
+      <td class="r">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template>
+      </td>
       <xsl:call-template name="cell"><xsl:with-param name="x" select="governing_section/height/value"/></xsl:call-template>
     </xsl:when>
     <xsl:otherwise>
-      <td colspan="8" class="weak"><xsl:call-template name="say"><xsl:with-param name="id">no-answer</xsl:with-param>
-        <xsl:with-param name="a"><xsl:call-template name="say"><xsl:with-param name="id" select="concat('status.', status)"/></xsl:call-template></xsl:with-param></xsl:call-template></td>
+      <td colspan="8" class="weak">
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">no-answer</xsl:with-param>
+          <xsl:with-param name="a">
+            <xsl:call-template name="say"><xsl:with-param name="id" select="concat('status.', status)"/></xsl:call-template>
+          </xsl:with-param>
+        </xsl:call-template>
+      </td>
     </xsl:otherwise>
   </xsl:choose>
 </xsl:template>
@@ -45,72 +40,171 @@
 <!-- One block a wind speed, so that species stand under one another; a single tree gives one running block. -->
 <xsl:template name="result-tables">
   <table class="data">
-    <xsl:call-template name="table-caption"><xsl:with-param name="n" select="1"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">t.results</xsl:with-param></xsl:call-template><xsl:if test="$trees/winds/item/within_limits = 'false'"><xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">t.void</xsl:with-param></xsl:call-template></xsl:if></xsl:with-param></xsl:call-template>
-    <thead><tr>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.wind</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
-      <xsl:if test="count($trees) &gt; 1"><xsl:call-template name="head"><xsl:with-param name="id">c.tree</xsl:with-param><xsl:with-param name="class"/></xsl:call-template></xsl:if>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.deflection</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.share</xsl:with-param><xsl:with-param name="unit">%</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.angle</xsl:with-param><xsl:with-param name="unit">°</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.drag</xsl:with-param><xsl:with-param name="unit">N</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.moment</xsl:with-param><xsl:with-param name="unit">kN m</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.stress</xsl:with-param><xsl:with-param name="unit">MPa</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.safety</xsl:with-param><xsl:with-param name="unit">–</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
-    </tr></thead>
+    <xsl:call-template name="table-caption">
+      <xsl:with-param name="n" select="1"/>
+      <xsl:with-param name="text">
+        <xsl:call-template name="say"><xsl:with-param name="id">t.results</xsl:with-param></xsl:call-template>
+        <xsl:if test="$trees/winds/item/within_limits = 'false'">
+          <xsl:value-of select="$gap"/>
+          <xsl:call-template name="say"><xsl:with-param name="id">t.void</xsl:with-param></xsl:call-template>
+        </xsl:if>
+      </xsl:with-param>
+    </xsl:call-template>
+    <thead>
+      <tr>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.wind</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
+        </xsl:call-template>
+        <xsl:if test="count($trees) &gt; 1">
+          <xsl:call-template name="head">
+            <xsl:with-param name="id">c.tree</xsl:with-param><xsl:with-param name="class"/>
+          </xsl:call-template>
+        </xsl:if>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.deflection</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.share</xsl:with-param><xsl:with-param name="unit">%</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.angle</xsl:with-param><xsl:with-param name="unit">°</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.drag</xsl:with-param><xsl:with-param name="unit">N</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.moment</xsl:with-param><xsl:with-param name="unit">kN m</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.stress</xsl:with-param><xsl:with-param name="unit">MPa</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.safety</xsl:with-param><xsl:with-param name="unit">–</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
+        </xsl:call-template>
+      </tr>
+    </thead>
     <xsl:choose>
       <xsl:when test="count($trees) = 1">
-        <tbody class="long"><xsl:for-each select="$trees/winds/item"><tr><xsl:if test="within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
-          <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template></td>
-          <xsl:call-template name="result-cells"/>
-        </tr></xsl:for-each></tbody>
+        <tbody class="long">
+          <xsl:for-each select="$trees/winds/item">
+            <tr>
+              <xsl:if test="within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
+              <td class="r">
+                <xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
+              </td>
+              <xsl:call-template name="result-cells"/>
+            </tr>
+          </xsl:for-each>
+        </tbody>
       </xsl:when>
       <xsl:otherwise>
         <xsl:for-each select="$trees[1]/winds/item">
           <xsl:variable name="p" select="position()"/>
-          <tbody><xsl:for-each select="$trees"><tr><xsl:if test="winds/item[$p]/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
-            <td class="r"><xsl:if test="position() = 1"><xsl:call-template name="given"><xsl:with-param name="x" select="winds/item[$p]/speed/value"/></xsl:call-template></xsl:if></td>
-            <td><xsl:call-template name="name"/></td>
-            <xsl:for-each select="winds/item[$p]"><xsl:call-template name="result-cells"/></xsl:for-each>
-          </tr></xsl:for-each></tbody>
+          <tbody>
+            <xsl:for-each select="$trees">
+              <tr>
+                <xsl:if test="winds/item[$p]/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
+                <td class="r">
+                  <xsl:if test="position() = 1">
+                    <xsl:call-template name="given">
+                      <xsl:with-param name="x" select="winds/item[$p]/speed/value"/>
+                    </xsl:call-template>
+                  </xsl:if>
+                </td>
+                <td><xsl:call-template name="name"/></td>
+                <xsl:for-each select="winds/item[$p]"><xsl:call-template name="result-cells"/></xsl:for-each>
+              </tr>
+            </xsl:for-each>
+          </tbody>
         </xsl:for-each>
       </xsl:otherwise>
     </xsl:choose>
   </table>
   <table class="data whole">
-    <xsl:call-template name="table-caption"><xsl:with-param name="n" select="2"/><xsl:with-param name="text"><xsl:call-template name="say"><xsl:with-param name="id">t.critical</xsl:with-param></xsl:call-template></xsl:with-param></xsl:call-template>
-    <thead><tr>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.tree</xsl:with-param><xsl:with-param name="class"/></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.outcome</xsl:with-param><xsl:with-param name="class"/></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.critical</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
-      <xsl:call-template name="head"><xsl:with-param name="id">c.evidence</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param></xsl:call-template>
-    </tr></thead>
-    <tbody><xsl:for-each select="$trees">
-      <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical"/></xsl:call-template>
-      <xsl:if test="critical/governing_section/level &gt; 0"><xsl:call-template name="breaks"><xsl:with-param name="at" select="critical_stem"/></xsl:call-template></xsl:if>
-    </xsl:for-each></tbody>
+    <xsl:call-template name="table-caption">
+      <xsl:with-param name="n" select="2"/>
+      <xsl:with-param name="text">
+        <xsl:call-template name="say"><xsl:with-param name="id">t.critical</xsl:with-param></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+    <thead>
+      <tr>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.tree</xsl:with-param><xsl:with-param name="class"/>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.outcome</xsl:with-param><xsl:with-param name="class"/>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.critical</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.evidence</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
+        </xsl:call-template>
+      </tr>
+    </thead>
+    <tbody>
+      <xsl:for-each select="$trees">
+        <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical"/></xsl:call-template>
+        <xsl:if test="critical/governing_section/level &gt; 0">
+          <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical_stem"/></xsl:call-template>
+        </xsl:if>
+      </xsl:for-each>
+    </tbody>
   </table>
 </xsl:template>
 
 <!-- A row of the table of critical wind speeds: of the tree, or of its stem alone. -->
 <xsl:template name="breaks">
   <xsl:param name="at"/>
-  <tr><xsl:if test="$at/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
-    <td><xsl:choose>
-      <xsl:when test="name($at) = 'critical_stem'"><xsl:call-template name="say"><xsl:with-param name="id">c.stem.alone</xsl:with-param></xsl:call-template></xsl:when>
-      <xsl:otherwise><xsl:call-template name="name"/></xsl:otherwise>
-    </xsl:choose></td>
-    <td><xsl:call-template name="say"><xsl:with-param name="id"><xsl:choose><xsl:when test="$at/within_limits = 'false'">outcome.void</xsl:when><xsl:otherwise><xsl:value-of select="concat('outcome.', $at/outcome)"/></xsl:otherwise></xsl:choose></xsl:with-param>
-      <xsl:with-param name="a"><xsl:choose>
-        <xsl:when test="$at/outcome = 'above'"><xsl:call-template name="given"><xsl:with-param name="x" select="$at/speed_high/value"/></xsl:call-template></xsl:when>
-        <xsl:otherwise><xsl:call-template name="fixed"><xsl:with-param name="x" select="$at/speed_low/value"/></xsl:call-template></xsl:otherwise>
-      </xsl:choose></xsl:with-param>
-      <xsl:with-param name="b"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$at/speed_high/value"/></xsl:call-template></xsl:with-param></xsl:call-template>
-      <xsl:if test="$at/governing_section/level &gt; 0"> (<xsl:call-template name="part"><xsl:with-param name="level" select="$at/governing_section/part"/></xsl:call-template>)</xsl:if></td>
+  <tr>
+    <xsl:if test="$at/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
+    <td>
+      <xsl:choose>
+        <xsl:when test="name($at) = 'critical_stem'">
+          <xsl:call-template name="say"><xsl:with-param name="id">c.stem.alone</xsl:with-param></xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise><xsl:call-template name="name"/></xsl:otherwise>
+      </xsl:choose>
+    </td>
+    <td>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">
+          <xsl:choose>
+            <xsl:when test="$at/within_limits = 'false'">outcome.void</xsl:when>
+            <xsl:otherwise><xsl:value-of select="concat('outcome.', $at/outcome)"/></xsl:otherwise>
+          </xsl:choose>
+        </xsl:with-param>
+        <xsl:with-param name="a">
+          <xsl:choose>
+            <xsl:when test="$at/outcome = 'above'">
+              <xsl:call-template name="given"><xsl:with-param name="x" select="$at/speed_high/value"/></xsl:call-template>
+            </xsl:when>
+            <xsl:otherwise>
+              <xsl:call-template name="fixed"><xsl:with-param name="x" select="$at/speed_low/value"/></xsl:call-template>
+            </xsl:otherwise>
+          </xsl:choose>
+        </xsl:with-param>
+        <xsl:with-param name="b">
+          <xsl:call-template name="fixed"><xsl:with-param name="x" select="$at/speed_high/value"/></xsl:call-template>
+        </xsl:with-param>
+      </xsl:call-template>
+      <xsl:if test="$at/governing_section/level &gt; 0"> (<xsl:call-template name="part">
+        <xsl:with-param name="level" select="$at/governing_section/part"/></xsl:call-template>)</xsl:if>
+    </td>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/speed/value"/></xsl:call-template>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/governing_section/height/value"/></xsl:call-template>
-    <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="species/streamlining/speed_high/value"/></xsl:call-template></td>
+    <td class="r">
+      <xsl:call-template name="given">
+        <xsl:with-param name="x" select="species/streamlining/speed_high/value"/>
+      </xsl:call-template>
+    </td>
   </tr>
 </xsl:template>
 </xsl:stylesheet>

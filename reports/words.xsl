@@ -1,19 +1,27 @@
 <?xml version="1.0" encoding="UTF-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
 <!-- Words and numbers: sentences come from strings.xml in the language of the report, numbers are put into
      them at {1}, {2} ... Shared by the page and the figures. -->
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 <xsl:variable name="lang" select="/report/@lang"/>
 <xsl:variable name="strings" select="document('strings.xml')/strings"/>
 <xsl:key name="string" match="s|q" use="@id | @was"/>
-<xsl:variable name="gap"><xsl:call-template name="say"><xsl:with-param name="id">gap</xsl:with-param></xsl:call-template></xsl:variable>
+<xsl:variable name="gap">
+  <xsl:call-template name="say"><xsl:with-param name="id">gap</xsl:with-param></xsl:call-template>
+</xsl:variable>
 <xsl:variable name="trees" select="/report/results/trees/item"/>
 <xsl:variable name="degrees" select="57.29577951308232"/>
 
 <!-- A sentence with up to six things put in. -->
 <xsl:template name="say">
-  <xsl:param name="id"/><xsl:param name="a"/><xsl:param name="b"/><xsl:param name="c"/><xsl:param name="d"/><xsl:param name="e"/><xsl:param name="f"/>
-  <xsl:variable name="text"><xsl:for-each select="$strings"><xsl:value-of select="key('string', $id)/*[name() = $lang]"/></xsl:for-each></xsl:variable>
-  <xsl:if test="$text = ''"><xsl:message terminate="yes">strings.xml: no string '<xsl:value-of select="$id"/>'</xsl:message></xsl:if>
+  <xsl:param name="id"/><xsl:param name="a"/><xsl:param name="b"/><xsl:param name="c"/><xsl:param name="d"/>
+  <xsl:param name="e"/><xsl:param name="f"/>
+  <xsl:variable name="text">
+    <xsl:for-each select="$strings"><xsl:value-of select="key('string', $id)/*[name() = $lang]"/></xsl:for-each>
+  </xsl:variable>
+  <xsl:if test="$text = ''">
+    <xsl:message terminate="yes">strings.xml: no string '<xsl:value-of select="$id"/>'</xsl:message>
+  </xsl:if>
   <xsl:call-template name="put-in">
     <xsl:with-param name="text" select="string($text)"/>
     <xsl:with-param name="a" select="$a"/><xsl:with-param name="b" select="$b"/><xsl:with-param name="c" select="$c"/>
@@ -22,7 +30,8 @@
 </xsl:template>
 
 <xsl:template name="put-in">
-  <xsl:param name="text"/><xsl:param name="a"/><xsl:param name="b"/><xsl:param name="c"/><xsl:param name="d"/><xsl:param name="e"/><xsl:param name="f"/>
+  <xsl:param name="text"/><xsl:param name="a"/><xsl:param name="b"/><xsl:param name="c"/><xsl:param name="d"/>
+  <xsl:param name="e"/><xsl:param name="f"/>
   <xsl:choose>
     <xsl:when test="contains($text, '{')">
       <xsl:variable name="n" select="substring-before(substring-after($text, '{'), '}')"/>
@@ -49,7 +58,9 @@
      what the results say themselves. -->
 <xsl:template name="term">
   <xsl:param name="id"/><xsl:param name="otherwise"/>
-  <xsl:variable name="text"><xsl:for-each select="$strings"><xsl:value-of select="key('string', $id)/*[name() = $lang]"/></xsl:for-each></xsl:variable>
+  <xsl:variable name="text">
+    <xsl:for-each select="$strings"><xsl:value-of select="key('string', $id)/*[name() = $lang]"/></xsl:for-each>
+  </xsl:variable>
   <xsl:choose>
     <xsl:when test="$text != ''"><xsl:value-of select="$text"/></xsl:when>
     <xsl:otherwise><xsl:value-of select="$otherwise"/></xsl:otherwise>
@@ -64,7 +75,9 @@
     <xsl:otherwise>
       <xsl:variable name="text" select="format-number($x, $pattern)"/>
       <xsl:choose>
-        <xsl:when test="starts-with($text, '-') and number(translate($text, ',', '')) = 0"><xsl:value-of select="substring($text, 2)"/></xsl:when>
+        <xsl:when test="starts-with($text, '-') and number(translate($text, ',', '')) = 0">
+          <xsl:value-of select="substring($text, 2)"/>
+        </xsl:when>
         <xsl:otherwise><xsl:value-of select="translate($text, '-', '−')"/></xsl:otherwise>
       </xsl:choose>
     </xsl:otherwise>
@@ -93,7 +106,11 @@
 <xsl:template name="steady">
   <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/><xsl:param name="least" select="0.1"/>
   <xsl:choose>
-    <xsl:when test="$x = 0 or $x &gt;= $least or $x &lt;= -$least"><xsl:call-template name="fixed"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/></xsl:call-template></xsl:when>
+    <xsl:when test="$x = 0 or $x &gt;= $least or $x &lt;= -$least">
+      <xsl:call-template name="fixed">
+        <xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/>
+      </xsl:call-template>
+    </xsl:when>
     <xsl:otherwise><xsl:call-template name="number"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:otherwise>
   </xsl:choose>
 </xsl:template>
@@ -101,21 +118,27 @@
 <!-- A value as somebody gave it: no digits added. -->
 <xsl:template name="given">
   <xsl:param name="x"/>
-  <xsl:call-template name="fixed"><xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern">#,##0.#####</xsl:with-param></xsl:call-template>
+  <xsl:call-template name="fixed">
+    <xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern">#,##0.#####</xsl:with-param>
+  </xsl:call-template>
 </xsl:template>
 
 <!-- The name of a tree's species in the language of the report. -->
 <xsl:template name="name">
   <xsl:param name="tree" select="."/>
   <xsl:choose>
-    <xsl:when test="$lang = 'zh' and $tree/species/name_zh != ''"><xsl:value-of select="normalize-space($tree/species/name_zh)"/></xsl:when>
+    <xsl:when test="$lang = 'zh' and $tree/species/name_zh != ''">
+      <xsl:value-of select="normalize-space($tree/species/name_zh)"/>
+    </xsl:when>
     <xsl:when test="$tree/species/name != ''"><xsl:value-of select="normalize-space($tree/species/name)"/></xsl:when>
     <xsl:otherwise><xsl:value-of select="$tree/species/key"/></xsl:otherwise>
   </xsl:choose>
   <!-- two tables of one species (another preset, or the user's own copy) must not look the same -->
   <xsl:if test="count($trees[species/name = $tree/species/name]) &gt; 1">
     <xsl:value-of select="concat(' (', $tree/species/key)"/>
-    <xsl:if test="count($trees[species/name = $tree/species/name and species/key = $tree/species/key]) &gt; 1"><xsl:value-of select="concat(' ', count($tree/preceding-sibling::item) + 1)"/></xsl:if>
+    <xsl:if test="count($trees[species/name = $tree/species/name and species/key = $tree/species/key]) &gt; 1">
+      <xsl:value-of select="concat(' ', count($tree/preceding-sibling::item) + 1)"/>
+    </xsl:if>
     <xsl:text>)</xsl:text>
   </xsl:if>
 </xsl:template>
@@ -126,8 +149,12 @@
   <xsl:for-each select="$items">
     <xsl:choose>
       <xsl:when test="position() = 1"/>
-      <xsl:when test="position() = last()"><xsl:call-template name="say"><xsl:with-param name="id">list.last</xsl:with-param></xsl:call-template></xsl:when>
-      <xsl:otherwise><xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template></xsl:otherwise>
+      <xsl:when test="position() = last()">
+        <xsl:call-template name="say"><xsl:with-param name="id">list.last</xsl:with-param></xsl:call-template>
+      </xsl:when>
+      <xsl:otherwise>
+        <xsl:call-template name="say"><xsl:with-param name="id">list.more</xsl:with-param></xsl:call-template>
+      </xsl:otherwise>
     </xsl:choose>
     <xsl:call-template name="given"><xsl:with-param name="x" select="."/></xsl:call-template>
   </xsl:for-each>

@@ -25,6 +25,7 @@ struct bench {
     struct wf_species species;
     struct wf_model model;
     struct wf_scenario scenario;
+    struct wf_search search;
     struct wf_solve_options options;
     struct wf_analysis out;
     struct wf_err err;
@@ -63,6 +64,7 @@ static void set_up(struct bench *b)
                                   .crown_base = 5,
                                   .crown_top = HEIGHT };
     wf_scenario_default(&b->scenario);
+    wf_search_default(&b->search);
     b->scenario.profile = "uniform";
     b->scenario.air_density = 1.2;
     b->scenario.gravity = 0;
@@ -71,8 +73,8 @@ static void set_up(struct bench *b)
 
 static enum wf_status run(struct bench *b, const char *solver, const double *speeds, size_t n)
 {
-    return wf_analyze(&b->species, &b->model, &b->scenario, wf_solver_named(solver), &b->options, speeds, n,
-                      &b->arena, &b->diag, &b->out, &b->err);
+    return wf_analyze(&b->species, &b->model, &b->scenario, &b->search, wf_solver_named(solver), &b->options,
+                      speeds, n, &b->arena, &b->diag, &b->out, &b->err);
 }
 
 static const char *warning(const struct bench *b, const char *code)
@@ -316,7 +318,7 @@ static void test_limits(void **state)
     wf_arena_free(&b.arena);
 
     set_up(&b);
-    b.scenario.speed_max = 10;
+    b.search.speed_max = 10;
     assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
     assert_int_equal(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_ABOVE);
     assert_non_null(strstr(warning(&b, "critical-above-range"), "10 m/s"));

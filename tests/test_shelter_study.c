@@ -123,7 +123,7 @@ static void the_command(void **state)
         int code;
     } row[] = {
         { TREE "--slabs 4 --cells 16 --no-plots -o $T", "passes beside", 0 },
-        { TREE "--slabs 4 --no-plots -o $T -q && cat $T/plots/run.gp", "LAW = 'wake'", 0 },
+        { TREE "--slabs 4 --no-plots -o $T -q && cat $T/plots/run.csv", "LAW,0,\"wake\"", 0 },
         { TREE "--no-plots -o $T --law feng1999 --slabs 4 --transmission 50% --as speed",
           "0.500 of the speed", 0 },
         { TREE "--slabs 4 --no-motion --no-plots -o $T --wind beaufort:8", "4 slabs", 0 },

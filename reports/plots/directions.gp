@@ -1,13 +1,16 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Winds from all around: base moment (left) and critical wind speed (right) by where the wind comes from.
-#   gnuplot -c directions.gp FOLDER [FILE]
+#   gnuplot -c directions.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'directions.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+load HERE.'report_facts.gp'
 AROUND = DIR.'/tables/directions.csv'
 KEY = 12.0 + 18*(trees == 1 ? 1 : (trees + 2)/3)
 WIDTH = 640.0; HEIGHT = 360.0 + KEY
-U = WIND[|WIND|]
-@start
+U = number('WIND_LAST', 0)
+load HERE.'start.gp'
 set multiplot
 set size ratio -1
 unset border; unset tics; unset grid
@@ -20,7 +23,7 @@ stats AROUND using (known(column("critical_wind_m_s"))) name 'C' nooutput
 stats AROUND using (known(column("stem_critical_wind_m_s"))) name 'S' nooutput
 array TOP[2] = [M_max > 0 ? M_max : 1, C_max > 0 ? C_max : 1]
 if (trees == 1 && S_max > TOP[2]) { TOP[2] = S_max }
-array TITLE[2] = [L_AROUND_MOMENT, L_AROUND_CRITICAL]
+array TITLE[2] = [sprintf(L('AROUND_MOMENT'), sprintf('%g', number('WIND_LAST', 0))), L('AROUND_CRITICAL')]
 array COLUMN[3] = ["base_moment_Nm", "critical_wind_m_s", "stem_critical_wind_m_s"]
 array SCALE[3] = [1e-3, 1, 1]
 stats AROUND using (at(1, U) ? 1 : NaN) name 'N' nooutput
@@ -38,8 +41,8 @@ do for [p=1:2] {
     do for [k=1:4] {
         set arrow from 0,0 to E*sin(k*pi/2), E*cos(k*pi/2) nohead lw 0.6 lc rgb '#dcdcdc' dt 1 back
     }
-    set label L_NORTH at first 0, 1.1*E center; set label L_SOUTH at first 0, -1.1*E center
-    set label L_EAST at first 1.1*E, 0 center; set label L_WEST at first -1.1*E, 0 center
+    set label L('NORTH') at first 0, 1.1*E center; set label L('SOUTH') at first 0, -1.1*E center
+    set label L('EAST') at first 1.1*E, 0 center; set label L('WEST') at first -1.1*E, 0 center
     do for [i=1:trees] {
         do for [q=p:(p == 2 && trees == 1 ? 3 : p)] {
             LINE = q == 3 ? 2 : i
@@ -59,11 +62,11 @@ do for [p=1:2] {
     plot for [j=1:RINGS] j*STEP*cos(t), j*STEP*sin(t) with lines lw 0.6 lc rgb '#c8c8c8' dt 1
     unset parametric
 }
-@strip
+load HERE.'strip.gp'
 set size noratio
 set key maxcols 3
 if (trees == 1) {
-    plot 2 with lines, keyentry with linespoints lt 1 title L_AROUND_FIRST, keyentry with linespoints lt 2 title L_AROUND_STEM
+    plot 2 with lines, keyentry with linespoints lt 1 title L('AROUND_FIRST'), keyentry with linespoints lt 2 title L('AROUND_STEM')
 } else {
     plot 2 with lines, for [i=1:trees] keyentry with linespoints lt i title NAME[i]
 }

@@ -1,8 +1,13 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Profile likelihood of every parameter: rise of -2 ln(likelihood) with the others refitted, and the 95 % level.
-#   gnuplot -c fit_profiles.gp FOLDER [FILE]
+#   gnuplot -c fit_profiles.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'fit_profiles.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+PARAMS = int(number('PARAMS', 0)); PROFILED = int(number('PROFILED', 0)); LIMIT = number('LIMIT', 0)
+array VALUE[PARAMS+1]; array LOW[PARAMS+1]; array HIGH[PARAMS+1]; array LOGGED[PARAMS+1]
+do for [k=1:PARAMS] { VALUE[k] = number('VALUE', k); LOW[k] = number('LOW', k); HIGH[k] = number('HIGH', k); LOGGED[k] = number('LOGGED', k) == 1 }
 PROFILES = DIR.'/tables/profiles.csv'
 SHOWN = PROFILED > 8 ? 8 : PROFILED
 ROWS = SHOWN ? (SHOWN + 1)/2 : 1
@@ -11,16 +16,16 @@ SPAN = SHOWN == 1 ? 560.0 : 236.0
 # what the covariance alone would say: a parabola in the value's logarithm, or in the value
 parabola(k, x) = LOGGED[k] ? LIMIT*(2*log(x/VALUE[k])/log(HIGH[k]/LOW[k]))**2 : LIMIT*(2*(x - VALUE[k])/(HIGH[k] - LOW[k]))**2
 of_param(k) = column("parameter") == k
-@start
+load HERE.'start.gp'
 set multiplot
 unset key
 set yrange [0:2.2*LIMIT]
-if (!SHOWN) { unset border; unset tics; set label 1 "no profiles were asked for" at graph 0.5,0.5 center; plot [0:1] -1 }
+if (!SHOWN) { unset border; unset tics; set label 1 L('NO_PROFILES') at graph 0.5,0.5 center; plot [0:1] -1 }
 do for [k=1:SHOWN] {
     i = k - 1; x0 = (i%2) ? 392.0 : 68.0; y1 = HEIGHT - 16.0 - STEP*(i/2)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + SPAN)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 150)/HEIGHT
-    set xlabel PARAM[k]; set ylabel "rise of the misfit" offset 1,0
+    set xlabel text_of('PARAM', k); set ylabel L('RISE') offset 1,0
     set yrange [*:*]; set xrange [*:*]
     stats PROFILES using (pick(of_param(k) && column("rise") < 4*LIMIT, column("value"))) nooutput
     WIDE = (STATS_max - STATS_min)/(SHOWN == 1 ? 6.0 : 3.0); WIDE = WIDE > 0 ? WIDE : 1; TEN = 10.0**floor(log10(WIDE))

@@ -1,9 +1,13 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Key frames as small panels, seen across the wind, which blows to the right; grey: the tree without wind, dashed:
 # the plumb line of its height.
-#   gnuplot -c frames.gp FOLDER [FILE]     plots/run.gp: SHOWN = run, 0 = the runs of one key frame
+#   gnuplot -c frames.gp FOLDER [FILE [LANGUAGE [RUN]]]     RUN 0: the runs of one key frame
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'frames.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
+SHOWN = ARGC > 3 ? int(ARG4) : 0
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+load HERE.'series_facts.gp'
 SINGLE = ""
 do for [r=1:RUNS] { if (KEYS[r] == 1) { SINGLE = SINGLE.r." " } }
 PANELS = SHOWN > 0 ? KEYS[SHOWN] : words(SINGLE)
@@ -18,13 +22,12 @@ do for [p=1:PANELS] {
 }
 # What is to be drawn, read once: run, key, level, base and way to the end
 wanted(r, k) = SHOWN > 0 ? r == SHOWN : k <= 1
-way = '(column("along0_m")):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m"))'
 set table $WOOD separator comma
-plot DIR.'/tables/frames.csv' using (column("run")):(column("key")):(column("level")):@way with table if (wanted(column("run"), column("key")))
+plot DIR.'/tables/frames.csv' using (column("run")):(column("key")):(column("level")):(column("along0_m")):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with table if (wanted(column("run"), column("key")))
 unset table
 if (leafy) {
     set table $LEAF separator comma
-    plot DIR.'/tables/leaves.csv' using (column("run")):(column("key")):(0):@way with table if (wanted(column("run"), column("key")))
+    plot DIR.'/tables/leaves.csv' using (column("run")):(column("key")):(0):(column("along0_m")):(column("z0_m")):(column("along1_m")-column("along0_m")):(column("z1_m")-column("z0_m")) with table if (wanted(column("run"), column("key")))
     unset table
 }
 set datafile nocolumnheaders
@@ -43,7 +46,7 @@ most = 560.0/LINES - 46; most = most > 330 ? 330.0 : most
 if (TALL > most) { TALL = most }
 PER = TALL/top; WIDE = PER*(high - low)
 HEIGHT = LINES*(TALL + 46) + 34
-@start
+load HERE.'start.gp'
 set multiplot
 unset key; unset grid
 set border 1 lw 0.6
@@ -57,7 +60,7 @@ do for [p=1:PANELS] {
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - TALL)/HEIGHT
     set xrange [low:high]; set yrange [0:top]
     r = RUN_OF(p); k = KEY_OF(p)
-    set title (SHOWN > 0 ? word(TIMES[r], k)." s, ".word(WINDS[r], k)." m/s" : NAME[r]) font ",9" offset 0,-0.9
+    set title (SHOWN > 0 ? sprintf('%.3g s, %.3g m/s', number(sprintf('KEY_TIME_%d', r), k), number(sprintf('KEY_WIND_%d', r), k)) : NAME[r]) font ",9" offset 0,-0.9
     if (c == 0) { set border 3; set ytics nomirror scale 0.4 font ",8" autofreq } else { set border 1; unset ytics }
     set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead front dt (4,4) lc rgb '#606060' lw 0.9
     if (LEAVES[r] > 0) {

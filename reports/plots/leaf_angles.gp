@@ -1,8 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # How one leaf turns on its stalk in time, run by run: in proportion to the wind (eq13), or by three noises.
-#   gnuplot -c leaf_angles.gp FOLDER [FILE]
+#   gnuplot -c leaf_angles.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'leaf_angles.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+load HERE.'series_facts.gp'
 ANGLES = DIR.'/tables/leaf_angles.csv'
 SHOWS = ""
 do for [r=1:RUNS] { if (FRAMES[r] > 1 && LEAVES[r] > 0 && words(SHOWS) < 6) { SHOWS = SHOWS.r." " } }
@@ -13,22 +16,22 @@ set table $LEAF separator comma
 plot ANGLES using (column("run")):(column("time_s")):(strcol("swing_deg")):(strcol("twist_deg")):(strcol("theta_x_deg")):(strcol("theta_y_deg")):(strcol("theta_z_deg")) with table if (column("leaf") == 1)
 unset table
 set datafile nocolumnheaders
-@start
+load HERE.'start.gp'
 set multiplot
 set lmargin at screen 82.0/WIDTH; set rmargin at screen 625.0/WIDTH
 set ytics 30 font ",8"; set xtics font ",9"; set format x ""
-set ylabel "degrees" font ",8"
+set ylabel L('DEGREES') font ",8"
 do for [p=1:PANELS] {
     r = nth(SHOWS, p); y1 = HEIGHT - 8 - (p - 1)*(ROW + 12)
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - ROW)/HEIGHT
     set label 1 NAME[r] at graph 0.995, graph 0.88 right font ",9"
-    if (p == PANELS) { set format x "%g"; set xlabel "time (s)" font ",9" }
+    if (p == PANELS) { set format x "%g"; set xlabel L('TIME') font ",9" }
     set xrange [0:FRAMES[r]*STEP[r]]
     first = MOTION[r] eq 'noise' ? 3 : 1
     plot for [c=first:(MOTION[r] eq 'noise' ? 5 : 2)] $LEAF using (pick($1 == r, $2)):(column(c + 2)) with lines lt c lw 1.2
 }
-@strip
+load HERE.'strip.gp'
 set key maxcols 5 width 0
-plot for [c=1:5] -1 with lines lt c title word("swing twist theta-x theta-y theta-z", c)
+plot for [c=1:5] -1 with lines lt c title L(sprintf('LEAF_%d', c))
 unset multiplot
 set output

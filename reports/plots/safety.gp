@@ -1,11 +1,14 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Least safety factor against wind speed, and the wind at which it reaches 1.
-#   gnuplot -c safety.gp FOLDER [FILE]
+#   gnuplot -c safety.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'safety.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+load HERE.'report_facts.gp'
 KEY = 12.0 + 18*((trees + 2)/3)
 WIDTH = 640.0; HEIGHT = 326.0 + KEY
-@start
+load HERE.'start.gp'
 set multiplot
 from = 0.5
 most = 10.0
@@ -19,10 +22,10 @@ from = from < 0.1 ? 0.1 : from
 set xrange [0:SPEED_MAX]; set yrange [from:1.1*most]; set logscale y 10
 set ytics add ("0.5" 0.5, "1" 1, "2" 2, "5" 5, "20" 20, "50" 50)
 set format y '%g'
-set xlabel L_WIND; set ylabel L_SAFETY offset 1,0
+set xlabel sprintf(L('WIND'), sprintf('%g', number('REFERENCE', 0))); set ylabel L('SAFETY') offset 1,0
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 1 - 16.0/WIDTH
 set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
-set label L_BREAKS at graph 0.01, first 1 left offset 0,-0.7 textcolor rgb '#505050'
+set label L('BREAKS') at graph 0.01, first 1 left offset 0,-0.7 textcolor rgb '#505050'
 # Critical speeds: a drop line with the figure at its foot, where curves seldom pass; close neighbours stand above
 # one another.
 do for [n=1:words(STRONG)] {
@@ -32,7 +35,7 @@ do for [n=1:words(STRONG)] {
         do for [m=1:n-1] { near = near + (abs(CRITICAL[nth(STRONG, m)] - u) < 0.1*SPEED_MAX ? 1 : 0) }
         set arrow from u, from to u, 1 nohead lt i lw 1
         set label '' at u, 1 point pt 6 ps 1.1 lw 1.6 lc rgb '#202020'
-        name = sprintf(L_SPEED, real(sprintf('%.1f', u)))
+        name = speed(real(sprintf('%.1f', u)))
         if (u < 0.9*SPEED_MAX) { set label name at u, from left offset 0.6,0.6 + 1.1*near textcolor rgb '#202020' }
         else { set label name at u, from right offset -0.6,0.6 + 1.1*near textcolor rgb '#202020' }
     }
@@ -44,7 +47,7 @@ if (words(STRONG) == 0) {
          for [n=1:words(STRONG)] SWEEP using (pick(of(nth(STRONG, n)), column("wind_m_s"))):"least_safety" with lines lt nth(STRONG, n), \
          for [n=1:words(STRONG)] SUMMARY using (pick(of(nth(STRONG, n)), column("wind_m_s"))):"least_safety" with points lt nth(STRONG, n) lw 1
 }
-@strip
+load HERE.'strip.gp'
 set key maxcols 3
 plot 2 with lines, for [n=1:words(STRONG)] keyentry with linespoints lt nth(STRONG, n) title NAME[nth(STRONG, n)]
 unset multiplot

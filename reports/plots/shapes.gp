@@ -1,8 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Deflected shapes: one panel a tree, one line a wind speed, all on one true scale.
-#   gnuplot -c shapes.gp FOLDER [FILE]
+#   gnuplot -c shapes.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shapes.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+load HERE.'report_facts.gp'
 
 # Horizontal place along the wind, unloaded and loaded.
 still(i) = column("x_m")*cos(AZIMUTH[i]) + column("y_m")*sin(AZIMUTH[i])
@@ -32,7 +35,7 @@ floor = floor < 0 ? 1.03*floor : 0
 # The panels: as many a row as fit, as large as the page allows.
 columns = trees < 3 ? trees : (trees == 4 ? 2 : 3)
 rows = (trees + columns - 1)/columns
-LEFT = 58.0; GAP = 22.0; TITLE = 30.0; UNDER = 48.0; KEY = |WIND| > 3 ? 50.0 : 30.0
+LEFT = 58.0; GAP = 22.0; TITLE = 30.0; UNDER = 48.0; KEY = winds > 3 ? 50.0 : 30.0
 w = (640.0 - LEFT - 12 - GAP*(columns-1))/columns
 most = trees == 1 ? 310.0 : (rows == 1 ? 380.0 : 330.0)
 scale = w/(high - low)
@@ -41,7 +44,7 @@ w = scale*(high - low); h = scale*(top - floor)
 WIDTH = 640.0
 side = 0.5*(WIDTH - (LEFT + 12 + GAP*(columns-1) + w*columns))
 HEIGHT = rows*(h + TITLE + UNDER) + KEY
-@start
+load HERE.'start.gp'
 
 set multiplot
 set xrange [low:high]; set yrange [floor:top]
@@ -58,15 +61,15 @@ do for [i=1:trees] {
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
     set title NAME[i] offset 0,-0.5
-    set xlabel L_ALONG offset 0,0.4
-    if (c == 0) { set ylabel L_HEIGHT offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
+    set xlabel L('ALONG') offset 0,0.4
+    if (c == 0) { set ylabel L('HEIGHT') offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
     plot for [n=1:branched(i)*words(SOLVED[i])] SHAPE using (from(at(i, WIND[nth(SOLVED[i], n)]), bent(i), column("loaded_z_m"))):(oy):(px - ox):(py - oy) with vectors nohead lt nth(SOLVED[i], n) lw 0.35 dt 1, \
          for [n=1:(words(SOLVED[i]) > 0)] SHAPE using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, still(i))):"z_m" with lines lw 1.2 dt (3,4) lc rgb '#707070', \
          for [n=1:words(SOLVED[i])] SHAPE using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, bent(i))):"loaded_z_m" with lines lt nth(SOLVED[i], n), \
          2*top with lines notitle   # above the picture: a tree without answers still gets its axes
 }
-@strip
-plot 2 with lines, keyentry with lines lw 1.2 dt (3,4) lc rgb '#707070' title L_STILL, \
-     for [k=1:|WIND|] keyentry with lines lt k title sprintf(L_SPEED, WIND[k])
+load HERE.'strip.gp'
+plot 2 with lines, keyentry with lines lw 1.2 dt (3,4) lc rgb '#707070' title L('STILL'), \
+     for [k=1:winds] keyentry with lines lt k title speed(WIND[k])
 unset multiplot
 set output

@@ -1,8 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Coverage of every slab and what its cells are, windward first, seen along the wind; wind that passes.
-#   gnuplot -c shelter_slabs.gp FOLDER [FILE]
+#   gnuplot -c shelter_slabs.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shelter_slabs.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+LEFT = number('LEFT', 0); WIDE = number('WIDE', 0); BOTTOM = number('BOTTOM', 0); TALL = number('TALL', 0); DEPTH = number('DEPTH', 0)
+SLABS = int(number('SLABS', 0))
 CELLTABLE = DIR.'/tables/cells.csv'
 SLABTABLE = DIR.'/tables/slabs.csv'
 # at most 32 maps; with more slabs every second, third ... is shown
@@ -16,7 +20,7 @@ MAPW = CELL - 6.0
 MAPH = MAPW*TALL/WIDE; MAPH = MAPH > 220 ? 220.0 : MAPH < 30 ? 30.0 : MAPH
 BLOCK = ROWS*(MAPH + 16.0) + 30.0
 HEIGHT = 2*BLOCK + 220.0
-@start
+load HERE.'start.gp'
 set multiplot
 unset key; unset grid; unset tics; unset xlabel; unset ylabel
 set border 15 lw 0.5 lc rgb '#b0b0b0'
@@ -25,7 +29,7 @@ set xrange [LEFT:LEFT+WIDE]; set yrange [BOTTOM:BOTTOM+TALL]
 unset datafile columnheaders
 do for [part=1:2] {
     TOP = 22.0 + (part - 1)*BLOCK
-    set label 1 (part == 1 ? sprintf("coverage of the slabs, windward first, seen along the wind (%.3g m deep in all, maps %.3g x %.3g m)", DEPTH, WIDE, TALL) : "what their cells are") at screen 0.015, screen 1 - (TOP - 11)/HEIGHT left
+    set label 1 (part == 1 ? sprintf(L('SLABS_COVERAGE'), sprintf('%.3g', DEPTH), sprintf('%.3g', WIDE), sprintf('%.3g', TALL)) : L('SLABS_CELLS')) at screen 0.015, screen 1 - (TOP - 11)/HEIGHT left
     if (part == 1) {
         set palette defined (0 '#ffffff', 0.02 '#e7efe2', 0.25 '#a5c48d', 0.6 '#4f8a4b', 1 '#123d1c'); set cbrange [0:1]
     } else {
@@ -49,19 +53,19 @@ unset label 1; unset label 2
 set datafile columnheaders
 # key of the classes
 TOP = 2*BLOCK + 2.0
-set label 11 "cylinder" at screen 0.05, screen 1 - TOP/HEIGHT left textcolor rgb '#5f9fcf'
-set label 12 "hole" at screen 0.15, screen 1 - TOP/HEIGHT left textcolor rgb '#D55E00'
-set label 13 "slit" at screen 0.22, screen 1 - TOP/HEIGHT left textcolor rgb '#C08000'
-set label 14 "transmitting" at screen 0.28, screen 1 - TOP/HEIGHT left textcolor rgb '#202020'
-set label 15 "white: none" at screen 0.41, screen 1 - TOP/HEIGHT left textcolor rgb '#707070'
+set label 11 L('CELL_CYLINDER') at screen 0.05, screen 1 - TOP/HEIGHT left textcolor rgb '#5f9fcf'
+set label 12 L('CELL_HOLE') at screen 0.15, screen 1 - TOP/HEIGHT left textcolor rgb '#D55E00'
+set label 13 L('CELL_SLIT') at screen 0.22, screen 1 - TOP/HEIGHT left textcolor rgb '#C08000'
+set label 14 L('CELL_TRANSMITTING') at screen 0.28, screen 1 - TOP/HEIGHT left textcolor rgb '#202020'
+set label 15 L('CELL_NONE') at screen 0.41, screen 1 - TOP/HEIGHT left textcolor rgb '#707070'
 set lmargin at screen 72.0/WIDTH; set rmargin at screen 0.96
 set tmargin at screen 1 - (TOP + 28)/HEIGHT; set bmargin at screen 52.0/HEIGHT
 set border 3 lw 0.8 lc rgb '#404040'; set tics nomirror out scale 0.6; set grid lw 0.5 lt 1 lc rgb '#e3e3e3' dt 1
 set xtics auto; set ytics auto
 set key bottom left
-set xlabel "from the front (m)" offset 0,0.2; set ylabel "of the undisturbed" offset 0,0
+set xlabel L('FROM_FRONT') offset 0,0.2; set ylabel L('OF_UNDISTURBED') offset 0,0
 set xrange [0:DEPTH]; set yrange [*:1.02]
-plot SLABTABLE using (column("front_m")):(column("flux_ratio")) with lines lt 1 title "volume flux through the grid", \
-     SLABTABLE using (column("front_m")):(column("arriving_ratio")) with lines lt 2 title "mean wind over the grid"
+plot SLABTABLE using (column("front_m")):(column("flux_ratio")) with lines lt 1 title L('FLUX'), \
+     SLABTABLE using (column("front_m")):(column("arriving_ratio")) with lines lt 2 title L('MEAN_WIND')
 unset multiplot
 set output

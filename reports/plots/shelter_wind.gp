@@ -1,8 +1,12 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Speed over the undisturbed speed on a level and an upright cut; the wind blows from left to right.
-#   gnuplot -c shelter_wind.gp FOLDER [FILE]
+#   gnuplot -c shelter_wind.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'shelter_wind.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+LEFT = number('LEFT', 0); WIDE = number('WIDE', 0); BOTTOM = number('BOTTOM', 0); TALL = number('TALL', 0); DEPTH = number('DEPTH', 0)
+FRONT = number('FRONT', 0); CUT_UP = number('CUT_UP', 0); CUT_ACROSS = number('CUT_ACROSS', 0); LAW = text_of('LAW', 0)
 LEVEL = DIR.'/tables/cut_level.csv'
 UPRIGHT = DIR.'/tables/cut_upright.csv'
 WIDTH = 640.0
@@ -18,7 +22,7 @@ LOW = LOW < STATS_min ? LOW : STATS_min; HIGH = HIGH > STATS_max ? HIGH : STATS_
 SPAN = HIGH - 1 > 1 - LOW ? HIGH - 1 : 1 - LOW
 SPAN = SPAN < 0.02 ? 0.02 : SPAN
 FASTER = HIGH > 1.02
-@start
+load HERE.'start.gp'
 set multiplot
 unset key; unset grid
 set border 15 lw 0.6
@@ -31,15 +35,15 @@ do for [i=1:2] {
     set lmargin at screen 58.0/WIDTH; set rmargin at screen (58.0 + LONG)/WIDTH
     set tmargin at screen 1 - y0/HEIGHT; set bmargin at screen 1 - (y0 + (i == 1 ? H1 : H2))/HEIGHT
     set colorbox vertical user origin (58.0 + LONG + 10)/WIDTH, 1 - (y0 + (i == 1 ? H1 : H2))/HEIGHT size 10.0/WIDTH, (i == 1 ? H1 : H2)/HEIGHT
-    set title (i == 1 ? sprintf("law %s: wind / undisturbed wind, level cut at %.1f m", LAW, CUT_UP) : sprintf("upright cut at %.1f m across", CUT_ACROSS)) offset 0,-0.6
-    set xlabel (i == 1 ? "" : "along the wind (m)") offset 0,0.4
+    set title (i == 1 ? sprintf(L('CUT_LEVEL'), LAW, sprintf('%.1f', CUT_UP)) : sprintf(L('CUT_UPRIGHT'), sprintf('%.1f', CUT_ACROSS))) offset 0,-0.6
+    set xlabel (i == 1 ? "" : L('ALONG_M')) offset 0,0.4
     set arrow 1 from first FRONT, graph 0 to first FRONT, graph 1 nohead front lw 0.6 lc rgb '#707070' dt (4,3)
     set arrow 2 from first FRONT+DEPTH, graph 0 to first FRONT+DEPTH, graph 1 nohead front lw 0.6 lc rgb '#707070' dt (4,3)
     if (i == 1) {
-        set ylabel "across (m)" offset 1,0; set yrange [LEFT:LEFT+WIDE]
+        set ylabel L('ACROSS_M') offset 1,0; set yrange [LEFT:LEFT+WIDE]
         plot LEVEL using (column("along_m")):(column("across_m")):(column("ratio")) with image
     } else {
-        set ylabel "height (m)" offset 1,0; set yrange [BOTTOM:BOTTOM+TALL]
+        set ylabel L('HEIGHT_M') offset 1,0; set yrange [BOTTOM:BOTTOM+TALL]
         plot UPRIGHT using (column("along_m")):(column("up_m")):(column("ratio")) with image
     }
 }

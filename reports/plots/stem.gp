@@ -1,8 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Bending moment and outer-fibre stress along the stem: one column a tree, one line a wind speed.
-#   gnuplot -c stem.gp FOLDER [FILE]
+#   gnuplot -c stem.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'stem.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+load HERE.'report_facts.gp'
 columns = trees < 3 ? trees : (trees == 4 ? 2 : 3)
 blocks = (trees + columns - 1)/columns
 LEFT = 58.0; GAP = 24.0; TITLE = 24.0; UNDER = 54.0; KEY = 30.0
@@ -25,19 +28,19 @@ do for [i=1:trees] {
     }
 }
 last(i, k) = stem(i, k) && column("segment") == LAST[i]
-@start
+load HERE.'start.gp'
 set multiplot
 set yrange [0:1.03*top]; set ytics autofreq
 do for [i=1:trees] {
     c = (i-1)%columns; b = (i-1)/columns
     x0 = LEFT + c*(w + GAP)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
-    if (c == 0) { set ylabel L_HEIGHT offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
+    if (c == 0) { set ylabel L('HEIGHT') offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
     do for [panel=0:1] {
         y1 = HEIGHT - b*(TITLE + 2*(h + UNDER)) - TITLE - panel*(h + UNDER)
         set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
         if (panel) { unset title } else { set title NAME[i] offset 0,-0.5 }
-        set xlabel (panel ? L_STRESS : L_MOMENT) offset 0,0.4
+        set xlabel (panel ? L('STRESS') : L('MOMENT')) offset 0,0.4
         A = panel ? "stress0_MPa" : "bending0_Nm"; B = panel ? "stress1_MPa" : "bending1_Nm"
         unit = panel ? 1.0 : 1e-3
         most = panel ? stress : moment
@@ -48,7 +51,7 @@ do for [i=1:trees] {
              -1 with lines   # below the picture: a tree without answers still gets its axes
     }
 }
-@strip
-plot 2 with lines, for [k=1:|WIND|] keyentry with lines lt k title sprintf(L_SPEED, WIND[k])
+load HERE.'strip.gp'
+plot 2 with lines, for [k=1:winds] keyentry with lines lt k title speed(WIND[k])
 unset multiplot
 set output

@@ -1,8 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Ground, shelter by it and wind over it, as maps and place by place.
-#   gnuplot -c terrain.gp FOLDER [FILE]
+#   gnuplot -c terrain.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'terrain.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+FROM = number('FROM', 0)
 TERRAIN = DIR.'/tables/terrain.csv'
 stats TERRAIN using (column("x_m")):(column("y_m")) nooutput
 XLOW = STATS_min_x; XHIGH = STATS_max_x; YLOW = STATS_min_y; YHIGH = STATS_max_y
@@ -14,7 +17,7 @@ WIDTH = 640.0
 MAP = 250.0; TALL = MAP*(YHIGH - YLOW)/(XHIGH - XLOW)
 TALL = TALL > 600 ? 600.0 : TALL < 60 ? 60.0 : TALL
 HEIGHT = 2*TALL*215/250 + 176.0
-@start
+load HERE.'start.gp'
 set multiplot
 unset grid; unset key
 set border 15 lw 0.6
@@ -25,8 +28,8 @@ SPAN = km(XHIGH - XLOW)/4.0; TEN = 10.0**floor(log10(SPAN))
 TICK = SPAN/TEN > 5 ? 5*TEN : SPAN/TEN > 2 ? 2*TEN : TEN
 set xtics TICK; set ytics TICK
 set xrange [km(XLOW):km(XHIGH)]; set yrange [km(YLOW):km(YHIGH)]
-set xlabel "east (km)" offset 0,0.3
-array TITLE[3] = ["height (m)", "topex (deg), high: sheltered", sprintf("wind / level, from %g deg", FROM)]
+set xlabel L('EAST_KM') offset 0,0.3
+array TITLE[3] = [L('TERRAIN_HEIGHT'), L('TERRAIN_TOPEX'), sprintf(L('TERRAIN_FACTOR'), sprintf('%g', FROM))]
 array NAMES[3] = ["height_m", "topex_deg", "wind_factor"]
 do for [i=1:3] {
     col = (i - 1) % 2; row = (i - 1)/2
@@ -35,7 +38,7 @@ do for [i=1:3] {
     set tmargin at screen 1 - y1/HEIGHT; set bmargin at screen 1 - (y1 + TALL*215/250)/HEIGHT
     set colorbox vertical user origin (x0 + 221)/WIDTH, 1 - (y1 + TALL*215/250)/HEIGHT size 9.0/WIDTH, TALL*215/250/HEIGHT
     set title TITLE[i] offset 0,-0.6
-    if (col == 0) { set ylabel "north (km)" offset 1,0 } else { set ylabel "" }
+    if (col == 0) { set ylabel L('NORTH_KM') offset 1,0 } else { set ylabel "" }
     set cbrange [*:*]
     if (i == 1) { set palette defined (0 '#1f4e3d', 1 '#6f9f6e', 2 '#d3cb9a', 3 '#f7f3e8') }
     if (i == 2) { set palette defined (0 '#f7fbff', 1 '#6baed6', 2 '#08306b'); set cbrange [TMEAN-TWIDE:TMEAN+TWIDE] }
@@ -44,9 +47,9 @@ do for [i=1:3] {
 }
 set lmargin at screen 384.0/WIDTH; set rmargin at screen 618.0/WIDTH
 set border 3; set grid lw 0.5 lt 1 lc rgb '#e3e3e3' dt 1
-set title "each place"
+set title L('EACH_PLACE')
 set xtics autofreq; set ytics autofreq
-set xlabel "topex (deg)"; set ylabel "wind / level" offset 1,0
+set xlabel L('TOPEX'); set ylabel L('WIND_LEVEL') offset 1,0
 set xrange [TLOW:THIGH]; set yrange [FLOW:FHIGH]
 EVERY = 1 + int(POINTS/6000)
 plot TERRAIN using (int(column(0)) % EVERY ? NaN : column("topex_deg")):(column("wind_factor")) with points lt 1 pt 7 ps 0.2

@@ -1,25 +1,28 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Deflection and angle of the tip against wind speed.
-#   gnuplot -c tip.gp FOLDER [FILE]
+#   gnuplot -c tip.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'tip.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+load HERE.'report_facts.gp'
 KEY = 12.0 + 18*((trees + 2)/3)
 WIDTH = 640.0; HEIGHT = 276.0 + KEY
-@start
+load HERE.'start.gp'
 set multiplot
 set xrange [0:SPEED_MAX]; set yrange [0:*]
-set xlabel L_WIND
+set xlabel sprintf(L('WIND'), sprintf('%g', number('REFERENCE', 0)))
 bottom = (52.0 + KEY)/HEIGHT
 do for [panel=0:1] {
     NAME_Y = panel ? "tip_angle_deg" : "tip_deflection_m"
-    set ylabel (panel ? L_TIP_ANGLE : L_TIP_DEFLECTION) offset 1,0
+    set ylabel (panel ? L('TIP_ANGLE') : L('TIP_DEFLECTION')) offset 1,0
     x0 = panel ? 384.0 : 60.0
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + 246)/WIDTH
     set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen bottom
     plot for [i=1:trees] SWEEP using (pick(of(i) && column("wind_m_s") <= SPEED_MAX, column("wind_m_s"))):NAME_Y with lines lt i, \
          for [i=1:trees] SUMMARY using (pick(of(i) && strlen(SOLVED[i]) > 0, column("wind_m_s"))):NAME_Y with points lt i lw 1
 }
-@strip
+load HERE.'strip.gp'
 set key maxcols 3
 plot 2 with lines, for [i=1:trees] keyentry with linespoints lt i title NAME[i]
 unset multiplot

@@ -1,10 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # A tree from the front (seen along +y, wind from the left) and from the side (seen along -x), coloured by level,
 # on one true scale; its parameters beside it.
-#   gnuplot -c tree.gp FOLDER [FILE]
+#   gnuplot -c tree.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'tree.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+FACTS = 'tree'
 load HERE.'style.gp'
-load DIR.'/plots/tree_data.gp'
+LEVELS = int(number('LEVELS', 0)); P_ROWS = int(number('P_ROWS', 0))
+X_LOW = number('X_LOW', 0); X_HIGH = number('X_HIGH', 0); Y_LOW = number('Y_LOW', 0); Y_HIGH = number('Y_HIGH', 0)
+Z_LOW = number('Z_LOW', 0); Z_HIGH = number('Z_HIGH', 0)
 DATA = DIR.'/plots/tree.dat'
 set datafile separator whitespace
 set datafile nocolumnheaders
@@ -25,7 +30,7 @@ h = scale*(tall + margin)
 least = LINE*(P_ROWS + LEVELS + 3)
 h = h < 160 ? 160 : h
 HEIGHT = TITLE + (h > least ? h : least) + UNDER
-@start
+load HERE.'start.gp'
 set multiplot
 set key off
 top = HEIGHT - TITLE
@@ -41,9 +46,9 @@ do for [side=0:1] {
     set xrange [middle - 0.5*w:middle + 0.5*w]
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + scale*w)/WIDTH
     set tmargin at screen top/HEIGHT; set bmargin at screen (top - h)/HEIGHT
-    set title (side ? 'side' : 'front') offset 0,-0.6
-    set xlabel (side ? 'y  [m]' : 'x  [m]') offset 0,0.4
-    if (side) { unset ylabel; set format y '' } else { set ylabel 'height  [m]' offset 0.8,0; set format y '%g' }
+    set title (side ? L('SIDE') : L('FRONT')) offset 0,-0.6
+    set xlabel (side ? L('TREE_Y') : L('TREE_X')) offset 0,0.4
+    if (side) { unset ylabel; set format y '' } else { set ylabel L('TREE_HEIGHT') offset 0.8,0; set format y '%g' }
     plot for [l=LEVELS:1:-1] DATA index 4*(l-1)+2*side+1 using 1:2 with lines lw 0.5 dt 1 lc rgb colour(l), \
          for [l=LEVELS:1:-1] DATA index 4*(l-1)+2*side using 1:2 with filledcurves closed lw 0.3 lc rgb colour(l)
     x0 = x0 + scale*w + GAP
@@ -55,20 +60,23 @@ set xrange [0:WIDTH]; set yrange [0:HEIGHT]
 left = WIDTH - TABLE + 12
 do for [k=1:P_ROWS] {
     y = top - LINE*(k - 0.5)
-    set label k P_NAME[k] at left, y font ',9' textcolor rgb '#606060'
-    set label 100 + k P_VALUE[k] at left + 94, y font ',9'
+    name = L(text_of('P_NAME', k)); said = text_of('P_WORD', k)
+    said = strlen(said) ? L(said) : text_of('P_VALUE', k)
+    set label k name at left, y font ',9' textcolor rgb '#606060'
+    set label 100 + k said at left + 94, y font ',9'
 }
 y = top - LINE*(P_ROWS + 1)
-set label 200 'level' at left, y font ',9' textcolor rgb '#606060'
-set label 201 'axes' at left + 116, y right font ',9' textcolor rgb '#606060'
-set label 202 'length [m]' at left + 186, y right font ',9' textcolor rgb '#606060'
-set label 203 '⌀ [mm]' at left + 236, y right font ',9' textcolor rgb '#606060'
+set label 200 L('TREE_LEVEL') at left, y font ',9' textcolor rgb '#606060'
+set label 201 L('TREE_AXES') at left + 116, y right font ',9' textcolor rgb '#606060'
+set label 202 L('TREE_LENGTH') at left + 186, y right font ',9' textcolor rgb '#606060'
+set label 203 L('TREE_DIAMETER') at left + 236, y right font ',9' textcolor rgb '#606060'
 do for [l=1:LEVELS] {
     y = top - LINE*(P_ROWS + 1 + l)
-    set label 300 + l LEVEL[l] at left, y font ',7.5' textcolor rgb colour(l)
-    set label 400 + l L_COUNT[l] at left + 116, y right font ',7.5'
-    set label 500 + l L_LENGTH[l] at left + 186, y right font ',7.5'
-    set label 600 + l L_DIAMETER[l] at left + 236, y right font ',7.5'
+    name = text_of('LEVEL', l); axes = text_of('L_COUNT', l); long = text_of('L_LENGTH', l); wide = text_of('L_DIAMETER', l)
+    set label 300 + l name at left, y font ',7.5' textcolor rgb colour(l)
+    set label 400 + l axes at left + 116, y right font ',7.5'
+    set label 500 + l long at left + 186, y right font ',7.5'
+    set label 600 + l wide at left + 236, y right font ',7.5'
 }
 plot -1
 unset multiplot

@@ -1,8 +1,11 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Coherence of the along-wind part between the first point and the others, against the one asked for.
-#   gnuplot -c wind_coherence.gp FOLDER [FILE]
+#   gnuplot -c wind_coherence.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'wind_coherence.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+PAIRS = int(number('PAIRS', 0)); TARGET = number('TARGET', 0) == 1
 COHERENCE = DIR.'/tables/coherence.csv'
 FEW = PAIRS < 5 ? PAIRS : 5
 which(i) = PAIRS < 6 ? i : 1 + int((i - 1)*(PAIRS - 1)/4.0 + 0.5)
@@ -12,11 +15,11 @@ do for [i=1:FEW] {
     APART[i] = STATS_max
 }
 WIDTH = 640.0; HEIGHT = 340.0
-@start
+load HERE.'start.gp'
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 626.0/WIDTH
-set title "coherence with the first point: points made, lines asked for" offset 0,-0.6
+set title L('COHERENCE') offset 0,-0.6
 set logscale x; set format x "%g"
-set xlabel "frequency (Hz)"; set ylabel "root coherence" offset 1,0
+set xlabel L('FREQUENCY'); set ylabel L('ROOT_COHERENCE') offset 1,0
 set yrange [-0.3:1.05]
 set key top right vertical
 plot for [i=1:FEW] COHERENCE using (pick(column("point") == which(i) + 1, column("frequency_hz"))):(column("coherence")) with points lt i lw 1 title sprintf("%g m", APART[i]), \

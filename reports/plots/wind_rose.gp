@@ -1,12 +1,15 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # A wind rose: how much of the time the wind comes from each direction, by strength.
-#   gnuplot -c wind_rose.gp FOLDER [FILE]
+#   gnuplot -c wind_rose.gp FOLDER [FILE [LANGUAGE]]
 DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'wind_rose.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
+SECTORS = int(number('SECTORS', 0))
 ROSE = DIR.'/tables/rose.csv'
 WIDTH = 640.0; HEIGHT = 520.0
 array COLOUR[5] = ['#dfe9f2', '#a9c9e2', '#5f9fcf', '#2b6cab', '#0b2f5e']
-array LABEL[5] = ['all winds', 'above 5 m/s', 'above 10 m/s', 'above 15 m/s', 'above 20 m/s']
+above(k) = k == 1 ? L('ROSE_ALL') : sprintf(L('ROSE_ABOVE'), sprintf('%d', 5*(k - 1)))
 stats ROSE using 2 nooutput
 TOP = STATS_max
 TEN = 10.0**floor(log10(TOP/2)); RING = TOP/2/TEN > 5 ? 5*TEN : TOP/2/TEN > 2 ? 2*TEN : TEN
@@ -23,17 +26,19 @@ do for [i=1:SECTORS] {
     }
 }
 do for [j=1:floor(1.15*TOP/RING + 1e-9)] {
-    set object circle at 0,0 size first j*RING fillstyle empty border lc rgb '#c8c8c8' behind
     set label sprintf("%g%%", 100*j*RING) at first 0.383*j*RING, 0.924*j*RING front textcolor rgb '#606060'
 }
 E = 1.16*TOP
-set label "N" at first 0, E center; set label "S" at first 0, -E center
-set label "E" at first E, 0 center; set label "W" at first -E, 0 center
-@start
+set label L('NORTH') at first 0, E center; set label L('SOUTH') at first 0, -E center
+set label L('EAST') at first E, 0 center; set label L('WEST') at first -E, 0 center
+load HERE.'start.gp'
 set size ratio -1
 unset border; unset tics; unset grid
 set xrange [-1.25*TOP:1.25*TOP]; set yrange [-1.25*TOP:1.25*TOP]
 set lmargin at screen 0.02; set rmargin at screen 0.78; set tmargin at screen 0.98; set bmargin at screen 0.02
 set key at screen 0.985, screen 0.9 right top Left reverse
-plot for [k=1:5] keyentry with boxes fs solid 1 noborder lc rgb COLOUR[k] title LABEL[k], NaN
+set parametric; set trange [0:2*pi]; set samples 181
+RINGS = floor(1.15*TOP/RING + 1e-9)
+plot for [j=1:RINGS] j*RING*cos(t), j*RING*sin(t) with lines lw 0.8 lc rgb '#c8c8c8' dt 1, \
+     for [k=1:5] keyentry with boxes fs solid 1 noborder lc rgb COLOUR[k] title above(k)
 set output

@@ -98,13 +98,24 @@ static const yaml_node_t *follow(struct wf_yaml *y, const char *key)
     return next ? next : n;
 }
 
-void wf_yaml_error(struct wf_yaml *y, const char *key, const char *fmt, ...)
+static yaml_mark_t mark_of(struct wf_yaml *y, const char *key)
 {
     const yaml_node_t *found = follow(y, key), *n = found ? found : y->place;
+    return n ? n->start_mark : (yaml_mark_t){ 0 };
+}
+
+void wf_yaml_error(struct wf_yaml *y, const char *key, const char *fmt, ...)
+{
     va_list args;
     va_start(args, fmt);
-    add(y, n ? n->start_mark : (yaml_mark_t){ 0 }, key, fmt, args);
+    add(y, mark_of(y, key), key, fmt, args);
     va_end(args);
+}
+
+struct wf_yaml_mark wf_yaml_where(struct wf_yaml *y, const char *key)
+{
+    yaml_mark_t m = mark_of(y, key);
+    return (struct wf_yaml_mark){ m.line + 1, m.column + 1 };
 }
 
 void *wf_yaml_take(struct wf_yaml *y, size_t n, size_t size)

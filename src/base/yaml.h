@@ -73,6 +73,12 @@ enum wf_status wf_yaml_read(const char *path, const struct wf_yaml_table *table,
  * itself. What is not in the file is placed at the nearest thing above it that is. */
 void wf_yaml_error(struct wf_yaml *y, const char *key, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
+/* For `finish`: where a key of the table in hand stands, for mistakes that are found when the file is shut.
+ * As in wf_yaml_error, a key that is not in the file is placed at the nearest thing above it that is. */
+struct wf_yaml_mark {
+    size_t line, column; /* from 1 */
+};
+struct wf_yaml_mark wf_yaml_where(struct wf_yaml *y, const char *key);
 /* For `finish`: the scalar at a key of the table in hand as it is written, NULL when the key is not there or
  * is no scalar; and whether the key, or a key of a table in it ("place.count"), is there. */
 const char *wf_yaml_raw(struct wf_yaml *y, const char *key);

@@ -6,6 +6,7 @@
 #include "cases/keys.h"
 #include "cases/measure.h"
 #include "data/section.h"
+#include "load/scene.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -432,8 +433,19 @@ static enum wf_status point_loads(const struct wf_case *c, struct wf_setup *s, s
     return WF_OK;
 }
 
-/* Wind, air and gravity. Cauchy number 1/2 rho Cd D U^2 L^3/EI and weight parameter m g L^3/EI with base
- * values. */
+/* The scene's uniform wind; a case's may blow upwards too, which no azimuth says. */
+static void uniform_wind(const double u[3], double speed, struct wf_wind *out)
+{
+    struct wf_scenario scene;
+    wf_scenario_default(&scene);
+    scene.profile = "uniform";
+    wf_scenario_wind(&scene, out);
+    out->speed = speed;
+    for (int k = 0; k < 3; k++) out->direction[k] = u[k] / speed;
+}
+
+/* Wind, air and gravity. Air and laws are the case's own numbers, not those of a site and a species: water,
+ * or a density by its Cauchy number 1/2 rho Cd D U^2 L^3/EI; weight parameter m g L^3/EI with base values. */
 static void fields(const struct wf_case *c, struct wf_setup *s, double ei, double mass, double diameter)
 {
     double u[3] = { or_else(c->wind[0], isnan(c->cauchy) ? 0.0 : 1.0), or_else(c->wind[1], 0.0),
@@ -447,10 +459,7 @@ static void fields(const struct wf_case *c, struct wf_setup *s, double ei, doubl
     s->loads.gravity = or_else(c->gravity, 0.0);
     if (!isnan(c->weight_parameter)) s->loads.gravity = c->weight_parameter * ei / (mass * pow(length, 3));
     if (speed > 0.0) {
-        s->wind = (struct wf_wind){ .sample = wf_profile_named("uniform")->sample,
-                                    .speed = speed,
-                                    .reference_height = 10.0 };
-        for (int k = 0; k < 3; k++) s->wind.direction[k] = u[k] / speed;
+        uniform_wind(u, speed, &s->wind);
         s->loads.wind = &s->wind;
         if (!isnan(c->cauchy))
             s->loads.air_density =

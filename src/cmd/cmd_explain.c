@@ -2,6 +2,7 @@
 #include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "cmd/option_groups.h"
+#include "cmd/pages.h"
 #include "cmd/wind_speed.h"
 #include "load/drag.h"
 #include "load/scene.h"
@@ -21,6 +22,7 @@ struct explain_options {
     struct wf_profile_words profile;
     double azimuth; /* [rad] */
     bool no_report;
+    const char *lang;
 };
 
 #define OPTIONS struct explain_options
@@ -32,6 +34,7 @@ const struct wf_option wf_explain_options[] = {
     WF_AZIMUTH_ROW(azimuth),
     TEXT("--output", output, "FOLDER", "out/explain", "where table, plot and page go", .letter = "-o"),
     FLAG("--no-report", no_report, "write the table only"),
+    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
     QUIET("print errors only"),
     { 0 },
 };
@@ -73,31 +76,8 @@ static void warn_of_departures(const struct wf_analysis *an, struct wf_diag *d)
     }
 }
 
-static enum wf_status write_files(const struct explain_options *o, const struct wf_explained *x,
-                                  const char *command, struct wf_arena *a, struct wf_err *e)
-{
-    char path[WF_PATH_MAX];
-    const char *folder = o->output;
-    struct wf_diag drawn = { .arena = a };
-    const struct wf_html_head head = { "Every method against beam theory",
-                                       "The same tree in the same wind by beam theory and by every other "
-                                       "method the program has: published ones "
-                                       "as printed and corrected, and the linear step. Formulas are "
-                                       "compared, not constants: all get the same air, "
-                                       "drag and wood.",
-                                       command, WF_VERSION, wf_run_date(a) };
-    snprintf(path, sizeof path, "%.4000s/plots/run.gp", folder);
-    remove(path); /* facts of an earlier run */
-    enum wf_status s = wf_explain_tables(x, 1, folder, e);
-    if (s || o->no_report) return s;
-    s = wf_explain_page(x, &head, folder, &drawn, e);
-    wf_print_findings(&drawn, false);
-    if (s == WF_EMISSING) return WF_OK;
-    return s && !e->code ? wf_fail(e, s, "the page is not complete") : s;
-}
-
-static enum wf_status explain(const struct explain_options *o, const char *command, struct wf_arena *a,
-                              struct wf_err *e)
+static enum wf_status explain(const struct explain_options *o, const struct wf_doc_head *head,
+                              struct wf_arena *a, struct wf_err *e)
 {
     struct wf_diag d = { .arena = a }, leaves = { .arena = a };
     struct wf_species sp;
@@ -127,7 +107,8 @@ static enum wf_status explain(const struct explain_options *o, const char *comma
                                      .tree = &an.tree,
                                      .speed = o->wind,
                                      .findings = &leaves };
-    s = of.name ? write_files(o, &of, command, a, e) : wf_fail(e, WF_ENOMEM, "no memory");
+    s = of.name ? wf_explain_write(&of, head, o->output, e) : wf_fail(e, WF_ENOMEM, "no memory");
+    if (!s && !o->no_report) s = wf_pages_make(o->output, o->lang, a, e);
     if (!s && !quiet) printf("\nTable%s: %s\n", o->no_report ? "" : ", plot, page", o->output);
     return s;
 }
@@ -143,9 +124,9 @@ int wf_cmd_explain(int argc, char **argv)
         code = 2;
     }
     if (code < 0) {
-        const char *command = wf_args_typed(argc, argv, &arena);
-        if (!command) wf_fail(&e, WF_ENOMEM, "no memory");
-        code = !command || explain(&o, command, &arena, &e) ? wf_complain(&e) : 0;
+        struct wf_doc_head head;
+        enum wf_status s = wf_pages_head(argc, argv, &arena, &head, &e);
+        code = s || explain(&o, &head, &arena, &e) ? wf_complain(&e) : 0;
     }
     wf_arena_free(&arena);
     return code;

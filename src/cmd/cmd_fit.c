@@ -2,6 +2,8 @@
 /* windfirm fit: calibrate a tree to what was measured on it. */
 #include "cmd/args.h"
 #include "cmd/cmd.h"
+#include "cmd/pages.h"
+#include "out/fit_species.h"
 #include "out/fit_results.h"
 #include <math.h>
 #include <signal.h>
@@ -15,6 +17,7 @@ struct fit_options {
     double loss_scale;              /* [standard deviations]; NAN: the loss's own */
     double starts, bootstrap, seed; /* numbers, cut to whole ones */
     bool priors, no_profile, no_rival, no_report;
+    const char *lang;
     const char *write, *output; /* NULL: nothing is written; folder */
 };
 
@@ -43,6 +46,7 @@ static const struct wf_option options[] = {
     TEXT("--output", output, "FOLDER", "out/fit", "where results, tables, plots and pages go",
          .letter = "-o"),
     FLAG("--no-report", no_report, "results and tables only"),
+    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
     QUIET("print errors only"),
     { 0 },
 };
@@ -222,7 +226,7 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
     enum wf_status s = wf_fit_study_read(j->options->args.operand[0], &j->arena, &j->r.study, &j->r.diag, e);
     if (s) return s;
     j->r.input = WF_TAKE(&j->arena, j->r.study.tests, struct wf_fit_input);
-    j->r.file = WF_TAKE(&j->arena, 1 + 2 * j->r.study.trees + j->r.study.tests, struct wf_input_file);
+    j->r.file = WF_TAKE(&j->arena, 1 + 2 * j->r.study.trees + 3 * j->r.study.tests, struct wf_input_file);
     if (!j->r.input || !j->r.file) return wf_fail(e, WF_ENOMEM, "no room for the study");
     s = wf_fit_build(&b, &j->arena, &j->r.diag, &j->r.x, j->r.input, e);
     if (!s) s = note_input(j, "study", j->options->args.operand[0], e);
@@ -230,8 +234,12 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
         s = note_input(j, "species", j->r.x.tree[k].species->file, e);
         if (!s && j->r.x.tree[k].file) s = note_input(j, "tree", j->r.x.tree[k].file, e);
     }
-    for (size_t k = 0; k < j->r.x.tests && !s; k++)
-        if (j->r.input[k].path) s = note_input(j, "data", j->r.input[k].path, e);
+    for (size_t k = 0; k < j->r.x.tests && !s; k++) {
+        const struct wf_fit_input *in = &j->r.input[k];
+        if (in->path) s = note_input(j, "data", in->path, e);
+        if (!s && in->profile) s = note_input(j, "profile", in->profile, e);
+        if (!s && in->ground) s = note_input(j, "ground", in->ground, e);
+    }
     return s ? s
              : wf_fit_params(&j->r.study, j->options->free, &j->r.x, false, &j->arena, &j->r.param,
                              &j->r.params, e);
@@ -295,17 +303,6 @@ static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
     return s;
 }
 
-static enum wf_status draw_pages(struct fit_job *j, struct wf_err *e)
-{
-    struct wf_diag d = { .arena = &j->arena };
-    struct wf_err why = { 0 };
-    wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_fit_results_pages(j->folder, &d, &why);
-    wf_progress(NULL);
-    wf_print_findings(&d, false);
-    return s == WF_OK || s == WF_EMISSING ? WF_OK : wf_fail(e, s, "%s", why.text);
-}
-
 static enum wf_status calibrate(struct fit_job *j, bool quiet, struct wf_err *e)
 {
     const char *write = j->options->write;
@@ -322,7 +319,7 @@ static enum wf_status calibrate(struct fit_job *j, bool quiet, struct wf_err *e)
     if (interrupted) write = NULL; /* what others would take for the answer */
     if (!s && write) s = wf_fit_species_write(&j->r, write, e);
     bool report = !j->options->no_report;
-    if (!s && report) s = draw_pages(j, e);
+    if (!s && report) s = wf_pages_make(j->folder, j->options->lang, &j->arena, e);
     if (!s && !quiet) printf("\nResults, tables%s: %s\n", report ? ", plots and pages" : "", j->folder);
     if (!s && !quiet && write) printf("Species table: %s\n", write);
     return s;

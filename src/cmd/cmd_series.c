@@ -3,6 +3,7 @@
 #include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "cmd/option_groups.h"
+#include "cmd/pages.h"
 #include "cmd/wind_speed.h"
 #include "load/drag.h"
 #include "out/results.h"
@@ -18,7 +19,7 @@
 
 struct series_job {
     const struct wf_series_plan *plan;
-    const char *folder, *command;
+    const char *folder, *command, *language;
     bool quiet, page, vtk;
 };
 
@@ -117,7 +118,7 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
     const struct wf_series_plan *plan = j->plan;
     struct wf_err e = { 0 };
     struct wf_series *series = WF_TAKE(a, plan->runs, struct wf_series);
-    struct wf_diag *diag = WF_TAKE(a, plan->runs, struct wf_diag), drawn = { .arena = a };
+    struct wf_diag *diag = WF_TAKE(a, plan->runs, struct wf_diag);
     struct wf_series_run *run = WF_TAKE(a, plan->runs, struct wf_series_run);
     struct wf_series_page page = { .title = plan->title,
                                    .note = plan->note,
@@ -139,14 +140,7 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
     print_findings_once(diag, plan->runs, j->quiet, a);
     s = wf_series_tables(&page, j->folder, &e);
     if (!s && j->vtk) s = wf_series_vtk(&page, j->folder, &e);
-    if (!s && j->page) {
-        wf_progress("drawing panels and page ...");
-        enum wf_status whole = wf_series_report(&page, j->folder, &drawn, &e);
-        wf_progress(NULL);
-        wf_print_findings(&drawn, false);
-        if (whole && whole != WF_EMISSING)
-            s = e.code ? e.code : wf_fail(&e, whole, "the page is not complete");
-    }
+    if (!s && j->page) s = wf_pages_make(j->folder, j->language, a, &e);
     if (s) return wf_complain(&e);
     if (!j->quiet) printf("\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
     return 0;
@@ -164,6 +158,7 @@ struct series_options {
     const char *components; /* "1" or "3"; NULL: not given */
     const char *output;
     bool explain, no_report, no_vtk;
+    const char *lang;
 };
 
 #define OPTIONS struct series_options
@@ -204,6 +199,7 @@ const struct wf_option wf_series_options[] = {
     TEXT("--output", output, "FOLDER", "out/series", "where tables, frames and the page go", .letter = "-o"),
     FLAG("--explain", explain, "every method against beam theory, branch by branch, too"),
     FLAG("--no-report", no_report, "write tables only"),
+    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
     FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"),
     QUIET("print errors only"),
     { 0 },
@@ -240,6 +236,7 @@ int wf_cmd_series(int argc, char **argv)
         struct series_job job = { .plan = &plan,
                                   .folder = o.output,
                                   .command = wf_args_typed(argc, argv, &arena),
+                                  .language = o.lang,
                                   .quiet = o.args.quiet,
                                   .page = !o.no_report,
                                   .vtk = !o.no_vtk };
@@ -255,6 +252,7 @@ struct papers_options {
     struct wf_args args;
     const char *output; /* NULL: out/NAME */
     bool no_report, no_vtk;
+    const char *lang;
 };
 
 #undef OPTIONS
@@ -263,6 +261,7 @@ static const struct wf_option papers_options[] = {
     TEXT("--output", output, "FOLDER", NULL, "where tables, frames and the page go [out/NAME]",
          .letter = "-o"),
     FLAG("--no-report", no_report, "write tables only"),
+    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
     FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"),
     QUIET("print errors only"),
     { 0 },
@@ -298,6 +297,7 @@ int wf_cmd_papers(int argc, char **argv)
         struct series_job job = { .plan = &plan,
                                   .folder = o.output ? o.output : wf_arena_print(&arena, "out/%s", plan.key),
                                   .command = wf_args_typed(argc, argv, &arena),
+                                  .language = o.lang,
                                   .quiet = o.args.quiet,
                                   .page = !o.no_report,
                                   .vtk = !o.no_vtk };

@@ -3,6 +3,7 @@
 #include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "cmd/option_groups.h"
+#include "cmd/pages.h"
 #include "cmd/wind_speed.h"
 #include "grow/clothe.h"
 #include "grow/grow.h"
@@ -34,6 +35,7 @@ struct shelter_options {
     struct wf_import_asked import;
     const char *output;
     bool no_motion, no_plots;
+    const char *lang;
 };
 
 #define OPTIONS struct shelter_options
@@ -63,6 +65,7 @@ const struct wf_option wf_shelter_options[] = {
     TEXT("--output", output, "FOLDER", "out/shelter", "where tables and plots go", .letter = "-o"),
     FLAG("--no-motion", no_motion, "only the wind; the tree is not bent"),
     FLAG("--no-plots", no_plots, "write the tables only"),
+    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
     QUIET("print errors only"),
     { 0 },
 };
@@ -77,6 +80,7 @@ static const char about[] =
 /* Everything of one run. */
 struct work {
     struct shelter_options options;
+    struct wf_doc_head head;
     struct wf_species species;
     struct wf_model model;
     struct wf_tree tree;
@@ -155,31 +159,20 @@ static void print_slabs(FILE *to, const struct wf_shelter *s)
     }
 }
 
-struct third {
-    double n, wind[2], move[2], swing[2];
-};
-
 static void print_thirds(FILE *to, const struct wf_shelter_run *r)
 {
     static const char *const name[] = { "windward", "middle", "leeward" };
-    struct third third[3] = { { 0 } };
-    for (size_t i = 0; i < r->tips; i++) {
-        const struct wf_tip *p = &r->tip[i];
-        struct third *h = &third[(int)fmin(fmax(3.0 * p->along, 0.0), 2.0)];
-        h->n += 1.0;
-        for (int k = 0; k < 2; k++)
-            h->wind[k] += p->wind[k], h->move[k] += p->move[k], h->swing[k] += p->swing[k];
-    }
+    struct wf_shelter_third third[3];
+    wf_shelter_thirds(r, third);
     fprintf(to, "\n%-10s %6s   %-22s %-24s %s\n", "branch", "", "wind at tips m/s", "tips move m",
             "relative to the branch's base m");
     fprintf(to, "%-10s %6s   %-10s %-11s %-11s %-12s %-10s %s\n", "ends", "number", "open", "sheltered",
             "open", "sheltered", "open", "sheltered");
     for (int k = 0; k < 3; k++)
-        if (third[k].n > 0.0)
-            fprintf(to, "%-10s %6.0f   %-10.3f %-11.3f %-11.4f %-12.4f %-10.4f %.4f\n", name[k], third[k].n,
-                    third[k].wind[0] / third[k].n, third[k].wind[1] / third[k].n,
-                    third[k].move[0] / third[k].n, third[k].move[1] / third[k].n,
-                    third[k].swing[0] / third[k].n, third[k].swing[1] / third[k].n);
+        if (third[k].n > 0)
+            fprintf(to, "%-10s %6zu   %-10.3f %-11.3f %-11.4f %-12.4f %-10.4f %.4f\n", name[k], third[k].n,
+                    third[k].wind[0], third[k].wind[1], third[k].move[0], third[k].move[1], third[k].swing[0],
+                    third[k].swing[1]);
     fprintf(
         to,
         "base moment %.6g N m in the open, %.6g N m sheltered; shape and shelter agree after %zu passes\n",
@@ -225,8 +218,6 @@ static enum wf_status bend_tree(struct work *w, struct wf_arena *a, struct wf_di
 
 static enum wf_status shelter(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
-    static const char *const figures[] = { "shelter_slabs", "shelter_wind", "shelter_motion", NULL };
-    static const char *const still[] = { "shelter_slabs", "shelter_wind", NULL };
     const struct shelter_options *o = &w->options;
     bool motion = !o->no_motion, quiet = o->args.quiet;
     enum wf_status s = make_request(w, a, d, e);
@@ -238,15 +229,17 @@ static enum wf_status shelter(struct work *w, struct wf_arena *a, struct wf_diag
     wf_limits_profile(&w->scenario, wf_tree_height(&w->tree), w->model.key ? o->model : o->tree, d);
     w->run.folder = o->output;
     w->run.tree = &w->tree;
+    w->run.species = w->species.name;
+    w->run.tree_name = w->model.key ? w->model.name : o->tree;
     wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");
     s = wf_shelter_make(&w->tree, &w->wind, &w->request, a, &w->run.still, e);
     if (!s && motion && w->run.speed > 0.0) s = bend_tree(w, a, d, e);
     wf_progress(NULL);
     if (s) return s;
     if (!quiet) print_shelter(stdout, &w->run);
-    s = wf_shelter_tables(&w->run, e);
-    if (!s && !o->no_plots) s = wf_wind_figures(w->run.folder, w->run.moved ? figures : still, e);
-    if (!s && !quiet) printf("\nTables and plots: %s\n", w->run.folder);
+    s = wf_shelter_results_write(&w->run, &w->head, d, e);
+    if (!s && !o->no_plots) s = wf_pages_make(w->run.folder, o->lang, a, e);
+    if (!s && !quiet) printf("\nTables%s: %s\n", o->no_plots ? "" : ", plots and page", w->run.folder);
     return s;
 }
 
@@ -258,7 +251,8 @@ int wf_cmd_shelter(int argc, char **argv)
     int code = wf_args_read(argc, argv, wf_shelter_options, about, 0, 0, &arena, &w.options.args);
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
-        enum wf_status s = shelter(&w, &arena, &d, &e);
+        enum wf_status s = wf_pages_head(argc, argv, &arena, &w.head, &e);
+        if (!s) s = shelter(&w, &arena, &d, &e);
         fflush(stdout);
         wf_print_findings(&d, w.options.args.quiet);
         code = s ? wf_complain(&e) : 0;

@@ -2,6 +2,7 @@
 /* windfirm terrain: ground made or read, what shelters it and what speeds the wind up. */
 #include "cmd/args.h"
 #include "cmd/cmd.h"
+#include "cmd/pages.h"
 #include "out/terrain_results.h"
 #include "out/wind_results.h"
 #include <math.h>
@@ -16,6 +17,7 @@ struct terrain_options {
     double from;                                            /* [rad]                   */
     double height, roughness;                               /* [m]                     */
     bool no_plots;
+    const char *lang;
 };
 
 #define OPTIONS struct terrain_options
@@ -41,6 +43,7 @@ static const struct wf_option options[] = {
     PATH("--positions", positions, "FILE", NULL, "CSV with x_m and y_m: exposure at these places"),
     TEXT("--output", output, "FOLDER", "out/terrain", "where tables, grids and the map go", .letter = "-o"),
     FLAG("--no-plots", no_plots, "write tables and grids only"),
+    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
     QUIET("print errors only"),
     { 0 },
 };
@@ -75,14 +78,9 @@ static enum wf_status expose_points(const struct terrain_options *o, struct wf_t
 
 static void print_range(const char *name, const char *unit, const double *v, size_t n)
 {
-    double low = INFINITY, high = -INFINITY, sum = 0.0, count = 0.0;
-    for (size_t i = 0; i < n; i++) {
-        if (isnan(v[i])) continue;
-        low = fmin(low, v[i]);
-        high = fmax(high, v[i]);
-        sum += v[i], count += 1.0;
-    }
-    printf("%-24s %10.3f %10.3f %10.3f  %s\n", name, low, sum / count, high, unit);
+    double low, mean, high;
+    wf_terrain_range(v, n, &low, &mean, &high);
+    printf("%-24s %10.3f %10.3f %10.3f  %s\n", name, low, mean, high, unit);
 }
 
 static void print_site(const struct wf_terrain_site *s)
@@ -114,19 +112,20 @@ static void warn_of_limits(const struct wf_terrain_site *s, struct wf_diag *d)
             100.0 * (double)s->unseen / (double)(s->ground.rows * s->ground.columns));
 }
 
-static enum wf_status survey(const struct terrain_options *o, struct wf_terrain_site *s, struct wf_arena *a,
-                             struct wf_diag *d, struct wf_err *e)
+static enum wf_status survey(const struct terrain_options *o, const struct wf_doc_head *head,
+                             struct wf_terrain_site *s, struct wf_arena *a, struct wf_diag *d,
+                             struct wf_err *e)
 {
-    static const char *const figures[] = { "terrain", NULL };
     enum wf_status status = o->dem ? wf_terrain_read(o->dem, a, &s->ground, e)
                                    : wf_terrain_make((unsigned)o->size, o->cell, o->smoothness, o->relief,
                                                      o->seed, a, &s->ground, e);
-    s->from = o->from;
+    s->file = o->dem;
+    s->from = o->from, s->height = o->height, s->roughness = o->roughness, s->distance = o->distance;
     if (!status) status = expose_points(o, s, a, e);
-    if (!status) status = wf_terrain_results_write(s, o->output, e);
-    if (!status && o->positions) status = wf_terrain_positions_write(s, o->positions, o->output, a, d, e);
-    if (!status && !o->no_plots) status = wf_wind_figures(o->output, figures, e);
     if (!status) warn_of_limits(s, d);
+    if (!status) status = wf_terrain_results_write(s, head, d, o->output, e);
+    if (!status && o->positions) status = wf_terrain_positions_write(s, o->positions, o->output, a, d, e);
+    if (!status && !o->no_plots) status = wf_pages_make(o->output, o->lang, a, e);
     return status;
 }
 
@@ -140,7 +139,9 @@ int wf_cmd_terrain(int argc, char **argv)
         struct wf_diag d = { .arena = &arena };
         struct wf_terrain_site s = { 0 };
         bool quiet = o.args.quiet;
-        enum wf_status status = survey(&o, &s, &arena, &d, &e);
+        struct wf_doc_head head;
+        enum wf_status status = wf_pages_head(argc, argv, &arena, &head, &e);
+        if (!status) status = survey(&o, &head, &s, &arena, &d, &e);
         wf_print_findings(&d, quiet);
         if (!status && !quiet) {
             print_site(&s);

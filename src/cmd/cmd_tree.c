@@ -9,40 +9,12 @@
 #include "load/drag.h"
 #include "load/qsm_metrics.h"
 #include "out/tree_picture.h"
+#include "out/tree_summary.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 /* ---- windfirm tree info: what is printed ---- */
-
-/* What the user knows beyond the geometry. */
-struct known {
-    double density;                   /* NAN: of the species, else unknown [kg m-3] */
-    double leaf_area;                 /* one-sided; NAN: unknown [m2]               */
-    const struct wf_species *species; /* NULL: unknown                              */
-};
-
-/* Mass of the measured wood by the density given, else of the species by level; NAN when neither is known
- * [kg]. */
-static double wood_mass(const struct wf_qsm_metrics *g, const struct known *w)
-{
-    double mass = 0;
-    for (size_t k = 0; k < WF_QSM_ORDERS; k++) {
-        double density = w->density;
-        if (isnan(density) && w->species && w->species->levels) {
-            size_t level = k < w->species->levels ? k : w->species->levels - 1;
-            density = w->species->level[level].density.value;
-        }
-        mass += density * g->order_volume[k];
-    }
-    return mass;
-}
-
-/* Still-air frontal area of the leaves [m2]; NAN when unknown. */
-static double leaf_sail(const struct known *w)
-{
-    return w->species ? w->leaf_area * w->species->crown.frontal_share.value : (double)NAN;
-}
 
 static void print_repairs(FILE *to, const struct wf_qsm *q, bool note, const char *title)
 {
@@ -78,11 +50,11 @@ static void print_modelled(FILE *to, const struct wf_qsm_metrics *g, const struc
 
 /* One tree, one page. */
 static void print_page(FILE *to, const char *path, const struct wf_qsm *q, const struct wf_qsm_model *m,
-                       const struct known *w)
+                       const struct wf_tree_wear *w)
 {
     struct wf_qsm_metrics g;
     wf_qsm_measure(q, &g);
-    double mass = wood_mass(&g, w), leaf = leaf_sail(w);
+    double mass = wf_tree_wear_mass(&g, w), leaf = wf_tree_wear_sail(w);
     fprintf(to, "%s\n  %-20s%s\n", path, "format", q->format);
     fprintf(to, "  %-20s%zu cylinders, %zu branches, %zu tips, highest order %d, %zu stem%s\n", "rows",
             g.cylinders, g.branches, g.tips, g.highest_order, g.stems, g.stems == 1 ? "" : "s");
@@ -108,48 +80,6 @@ static void print_page(FILE *to, const char *path, const struct wf_qsm *q, const
     print_modelled(to, &g, m);
     print_repairs(to, q, false, "repairs");
     print_repairs(to, q, true, "notes");
-}
-
-/* The header of the CSV table, one line a tree. */
-static void print_head(FILE *to)
-{
-    fprintf(
-        to,
-        "file,format,cylinders,branches,tips,stems,highest_order,height_m,dbh_m,base_diameter_m,width_x_m,"
-        "width_y_m,"
-        "crown_base_m,length_m,volume_m3,mass_kg,area_m2,leaf_area_m2,sail_0_m2,sail_45_m2,sail_90_m2,"
-        "sail_135_m2,leaf_sail_m2,segments,model_volume_m3,links,bridges,bridge_volume_m3,gaps,widest_gap_m");
-    for (int k = 0; k < WF_REPAIR_COUNT; k++) fprintf(to, ",%s", wf_repair_rows[k].code);
-    fputc('\n', to);
-}
-
-/* A number cell; empty when unknown. */
-static void print_cell(FILE *to, double v)
-{
-    if (isnan(v))
-        fputc(',', to);
-    else
-        fprintf(to, ",%.8g", v);
-}
-
-static void print_line(FILE *to, const char *path, const struct wf_qsm *q, const struct wf_qsm_model *m,
-                       const struct known *w)
-{
-    struct wf_qsm_metrics g;
-    wf_qsm_measure(q, &g);
-    fputc('"', to);
-    for (const char *p = path; *p; p++) fprintf(to, "%s%c", *p == '"' ? "\"" : "", *p);
-    fprintf(to, "\",%s,%zu,%zu,%zu,%zu,%d", q->format, g.cylinders, g.branches, g.tips, g.stems,
-            g.highest_order);
-    const double v[] = { g.height, g.dbh,    g.base_diameter,  g.width_x, g.width_y,   g.crown_base,
-                         g.length, g.volume, wood_mass(&g, w), g.area,    w->leaf_area };
-    for (size_t k = 0; k < sizeof v / sizeof *v; k++) print_cell(to, v[k]);
-    for (int deg = 0; deg < 180; deg += 45) print_cell(to, wf_qsm_sail(q, deg * M_PI / 180));
-    print_cell(to, leaf_sail(w));
-    fprintf(to, ",%zu,%.8g,%zu,%zu,%.8g,%zu,%.6g", m->tree.n, m->volume, m->links, m->bridges,
-            m->bridge_volume, m->gaps, m->widest_gap);
-    for (int k = 0; k < WF_REPAIR_COUNT; k++) fprintf(to, ",%zu", q->repairs.count[k]);
-    fputc('\n', to);
 }
 
 /* ---- windfirm tree info ---- */
@@ -186,7 +116,7 @@ static const char info_about[] =
 struct ask {
     const struct info_options *options;
     struct wf_import_options import;
-    struct known known;
+    struct wf_tree_wear known;
 };
 
 /* Repairs stand on the page by kind; only single rows need a line of their own. */
@@ -209,7 +139,7 @@ static enum wf_status measure_file(const char *path, const struct ask *k, struct
     enum wf_status s = wf_import_read(path, &k->import, a, &q, &d, e);
     if (!s) s = wf_qsm_to_tree(&q, wf_joint_named(k->options->joint), a, &m, e);
     if (!s && k->options->csv)
-        print_line(stdout, path, &q, &m, &k->known);
+        wf_tree_table_line(stdout, path, &q, &m, &k->known);
     else if (!s)
         print_page(stdout, path, &q, &m, &k->known);
     print_rows_left_out(&d, quiet);
@@ -231,7 +161,7 @@ static int measure_files(struct ask *k, struct wf_arena *a)
         if (s) return wf_complain(&e);
         k->known.species = &species;
     }
-    if (k->options->csv) print_head(stdout);
+    if (k->options->csv) wf_tree_table_head(stdout);
     for (size_t i = 1; i < k->options->args.n; i++) {
         struct wf_arena tree = { 0 };
         e = (struct wf_err){ 0 };

@@ -4,9 +4,9 @@
 #include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "cmd/option_groups.h"
+#include "cmd/pages.h"
 #include "cmd/wind_speed.h"
 #include "out/wind_results.h"
-#include "out/wind_stream.h"
 #include "wind/climate.h"
 #include "wind/wind.h"
 #include <math.h>
@@ -29,6 +29,7 @@ struct wind_options {
     } gust;
     const char *output;
     bool no_plots;
+    const char *lang;
 };
 
 #define OPTIONS struct wind_options
@@ -55,6 +56,7 @@ const struct wf_option wf_wind_options[] = {
     WF_GUST_ROWS(gust),
     TEXT("--output", output, "FOLDER", "out/wind", "where tables and plots go", .letter = "-o"),
     FLAG("--no-plots", no_plots, "write the tables only"),
+    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
     QUIET("print errors only"),
     { 0 },
 };
@@ -198,18 +200,18 @@ static void print_wind(const struct wf_gust_report *r)
 
 /* Look at a wind: tables, plots and what is printed. */
 static enum wf_status show_wind(const struct wind_options *o, const struct wf_gust_spec *spec,
-                                struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+                                const struct wf_doc_head *head, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_err *e)
 {
-    static const char *const figures[] = { "wind", "wind_coherence", NULL }, *const one[] = { "wind", NULL };
     struct wf_gust_report *r = WF_TAKE(a, 1, struct wf_gust_report);
     const char *folder = o->output;
     bool quiet = o->args.quiet;
     if (!r) return wf_fail(e, WF_ENOMEM, "no room for a report");
     enum wf_status s = wf_gust_report_make(spec, a, d, r, e);
     if (!s && !quiet) print_wind(r);
-    if (!s) s = wf_wind_tables(folder, r, e);
-    if (!s && !o->no_plots) s = wf_wind_figures(folder, r->coherence ? figures : one, e);
-    if (!s && !quiet) printf("\nTables and plots: %s\n", folder);
+    if (!s) s = wf_wind_results_write(r, head, d, folder, e);
+    if (!s && !o->no_plots) s = wf_pages_make(folder, o->lang, a, e);
+    if (!s && !quiet) printf("\nTables%s: %s\n", o->no_plots ? "" : ", plots and page", folder);
     return s;
 }
 
@@ -247,13 +249,14 @@ static enum wf_status write_stream(const struct wind_options *o, const struct wf
     return s;
 }
 
-static enum wf_status make_wind(const struct wind_options *o, struct wf_arena *a, struct wf_err *e)
+static enum wf_status make_wind(const struct wind_options *o, const struct wf_doc_head *head,
+                                struct wf_arena *a, struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
     struct wf_gust_spec spec;
     bool quiet = o->args.quiet;
     enum wf_status s = make_spec(o, &spec, a, &d, e);
-    if (!s) s = o->stream ? write_stream(o, &spec, a, &d, e) : show_wind(o, &spec, a, &d, e);
+    if (!s) s = o->stream ? write_stream(o, &spec, a, &d, e) : show_wind(o, &spec, head, a, &d, e);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     return s;
@@ -287,18 +290,17 @@ static void print_rose(const char *file, const struct wf_rose *r)
 }
 
 /* A wind climate: read, printed unless quiet, written to FOLDER/tables/rose.csv, drawn. */
-static enum wf_status show_rose(const struct wind_options *o, struct wf_arena *a, struct wf_diag *d,
-                                struct wf_err *e)
+static enum wf_status show_rose(const struct wind_options *o, const struct wf_doc_head *head,
+                                struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
-    static const char *const figures[] = { "wind_rose", NULL };
     const char *file = o->gust.file, *folder = o->output;
     struct wf_rose r;
     if (!file) return wf_fail(e, WF_EUSAGE, "the wind rose needs --file");
     enum wf_status status = wf_rose_read(file, a, d, &r, e);
     if (status) return status;
     if (!o->args.quiet) print_rose(file, &r);
-    status = wf_wind_rose_write(folder, &r, e);
-    if (!status && !o->no_plots) status = wf_wind_figures(folder, figures, e);
+    status = wf_rose_results_write(&r, file, head, d, folder, e);
+    if (!status && !o->no_plots) status = wf_pages_make(folder, o->lang, a, e);
     return status;
 }
 
@@ -309,13 +311,15 @@ int wf_cmd_wind(int argc, char **argv)
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_wind_options, about, 1, 1, &arena, &o.args);
     if (code < 0 && strcmp(o.args.operand[0], "list") == 0) code = list_models();
+    struct wf_doc_head head;
+    if (code < 0 && wf_pages_head(argc, argv, &arena, &head, &e)) code = wf_complain(&e);
     if (code < 0 && strcmp(o.args.operand[0], "rose") == 0) {
         struct wf_diag d = { .arena = &arena };
-        enum wf_status s = show_rose(&o, &arena, &d, &e);
+        enum wf_status s = show_rose(&o, &head, &arena, &d, &e);
         wf_print_findings(&d, o.args.quiet);
         code = s ? wf_complain(&e) : 0;
     }
-    if (code < 0) code = make_wind(&o, &arena, &e) ? wf_complain(&e) : 0;
+    if (code < 0) code = make_wind(&o, &head, &arena, &e) ? wf_complain(&e) : 0;
     wf_arena_free(&arena);
     return code;
 }

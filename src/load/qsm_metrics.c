@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/vec3.h"
 #include "load/load.h"
+#include "load/scene.h"
 #include <math.h>
 
 static const double BREAST = 1.3; /* [m] */
@@ -84,9 +85,12 @@ void wf_qsm_drag(const struct wf_qsm *q, double pressure, double drag_coefficien
     struct wf_loads l;
     wf_loads_default(&l);
     l.gravity = 0;
-    const struct wf_wind wind = { .sample = wf_profile_named("uniform")->sample,
-                                  .speed = sqrt(2 * pressure / l.air_density),
-                                  .direction = { cos(azimuth), sin(azimuth), 0 } };
+    struct wf_scenario scene;
+    struct wf_wind wind;
+    wf_scenario_default(&scene);
+    scene.profile = "uniform", scene.azimuth = azimuth;
+    wf_scenario_wind(&scene, &wind);
+    wind.speed = sqrt(2 * pressure / l.air_density);
     double low = INFINITY;
     l.wind = &wind;
     for (size_t i = 0; i < q->n; i++)

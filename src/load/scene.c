@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
+#include "wind/terrain.h"
 #include <math.h>
 #include <string.h>
 
@@ -20,7 +21,6 @@ void wf_scenario_default(struct wf_scenario *s)
         .altitude = 0.0,
         .air_density = NAN,
         .gravity = 9.81,
-        .speed_max = 100.0,
     };
 }
 
@@ -45,7 +45,6 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         { "altitude", "m", s->altitude, -500.0, 11000.0 },
         { "air density", "kg/m3", isnan(s->air_density) ? 1.0 : s->air_density, 1e-6, 2000.0 },
         { "gravity", "m/s2", s->gravity, 0.0, 100.0 },
-        { "highest speed searched", "m/s", s->speed_max, 1.0, 200.0 },
     };
     if (!s->profile || !wf_profile_named(s->profile))
         return wf_fail(e, WF_EUSAGE, "no wind profile is called '%s'", s->profile ? s->profile : "");
@@ -87,11 +86,9 @@ static void numbers(struct wf_scenario *s, const struct wf_profile_words *w)
     if (strcmp(s->profile, "canopy") == 0) complete_canopy(s, w);
 }
 
-enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,
-                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_words *w, struct wf_err *e)
 {
     static const char measured[] = "measured";
-    struct wf_measured_profile *p = WF_TAKE(a, 1, struct wf_measured_profile);
     s->profile = w->name ? w->name : w->file ? measured : s->profile;
     numbers(s, w);
     bool asked = strcmp(s->profile, measured) == 0;
@@ -100,10 +97,28 @@ enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profil
     if (!asked && w->file)
         return wf_fail(e, WF_EUSAGE, "%s: a profile file goes with the profile '%s', not '%s'", w->file,
                        measured, s->profile);
-    if (!w->file) return WF_OK;
+    return WF_OK;
+}
+
+enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,
+                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    enum wf_status status = wf_scenario_words(s, w, e);
+    if (status || !w->file) return status;
+    struct wf_measured_profile *p = WF_TAKE(a, 1, struct wf_measured_profile);
     if (!p) return wf_fail(e, WF_ENOMEM, "no room for a profile");
     s->measured = p, s->profile_file = w->file;
     return wf_measured_read(w->file, a, d, p, e);
+}
+
+enum wf_status wf_scenario_site(struct wf_scenario *s, struct wf_site *site, double north, struct wf_arena *a,
+                                struct wf_err *e)
+{
+    double from = wf_wind_from(s->azimuth, north);
+    enum wf_status status = wf_site_read(site, a, e);
+    if (!status) status = wf_site_speed_up(site, from, s->reference_height, s->roughness, &s->speed_up, e);
+    s->site = site;
+    return status;
 }
 
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
@@ -123,16 +138,23 @@ void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
 
 double wf_scenario_speed(const struct wf_scenario *s, double named) { return named * s->speed_up; }
 
+enum wf_status wf_scenario_still(const struct wf_species *sp, double gravity, struct wf_loads *loads,
+                                 struct wf_err *e)
+{
+    wf_loads_default(loads);
+    loads->gravity = gravity;
+    return wf_loads_laws(loads, sp, e);
+}
+
 enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
                                  struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e)
 {
+    enum wf_status status = wf_scenario_still(sp, s->gravity, loads, e);
     wf_scenario_wind(s, wind);
-    wf_loads_default(loads);
     loads->wind = wind;
     loads->air_density = wf_scenario_air_density(s);
     loads->air_viscosity = wf_air_viscosity(s->temperature, loads->air_density);
-    loads->gravity = s->gravity;
-    return wf_loads_laws(loads, sp, e);
+    return status;
 }
 
 double wf_scenario_air_density(const struct wf_scenario *s)

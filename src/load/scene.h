@@ -24,11 +24,10 @@ struct wf_scenario {
     double temperature, altitude;      /* [K], [m] */
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
-    double speed_max;       /* the critical wind speed is searched for up to here [m/s] */
     const char *shelter;    /* row of wf_shelter_laws: the tree shelters itself; NULL: it does not */
     const char *winds_said; /* how the wind speeds came to 10-min means; NULL: they were given so */
 };
-/* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2, search up to 100 m/s. */
+/* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2. */
 void wf_scenario_default(struct wf_scenario *s);
 
 /* Refuse a scenario that no field can be made of. Returned: WF_OK or WF_EUSAGE. */
@@ -42,6 +41,27 @@ struct wf_profile_words {
     {                                                                                                        \
         NULL, NULL, NAN, NAN, NAN, NAN, NAN, NAN                                                             \
     }
+/* Numbers of a struct wf_profile_words as keys of a YAML table of a struct T, which has it as member `in`. */
+#define WF_PROFILE_KEY(T, k, in, dim, u, from, to, text, ...)                                                \
+    {                                                                                                        \
+        .key = #k, .kind = WF_YAML_QUANTITY, .dimension = dim, .unit = u, .low = from, .high = to,           \
+        .offset = offsetof(T, in.k), .doc = text, __VA_ARGS__                                                \
+    }
+#define WF_PROFILE_KEYS(T, in)                                                                               \
+    WF_PROFILE_KEY(T, exponent, in, WF_DIM_NONE, NULL, 0, 1, "Of the power profile.", .absent = "0.16",      \
+                   .example = "0.16"),                                                                       \
+        WF_PROFILE_KEY(T, roughness, in, WF_DIM_LENGTH, "m", 1e-6, 10, "Of the log and canopy profiles.",    \
+                       .absent = "0.03 m; canopy: 0.1 of its height", .example = "3 cm"),                    \
+        WF_PROFILE_KEY(T, displacement, in, WF_DIM_LENGTH, "m", 0, 100, "Of the log and canopy profiles.",   \
+                       .absent = "0 m; canopy: 0.7 of its height", .example = "0 m"),                        \
+        WF_PROFILE_KEY(T, canopy_height, in, WF_DIM_LENGTH, "m", 0, 100,                                     \
+                       "Of the stand around the tree, for the canopy profile.",                              \
+                       .absent = "displacement / 0.7", .example = "12 m"),                                   \
+        WF_PROFILE_KEY(T, attenuation, in, WF_DIM_NONE, NULL, 0, 10, "Of the wind inside the canopy.",       \
+                       .absent = "joins the log law smoothly", .example = "2.5")
+/* Set the scenario's profile, without reading a file. Errors: WF_EUSAGE where name and file do not go
+ * together. */
+enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_words *w, struct wf_err *e);
 /* Set the scenario's profile, and read the measured one from its file. What is not said: the power law,
  * "measured" where there is a file; for a stand what follows from its height, d
  * = 0.7 h, z0 = 0.1 h (Garratt 1992, The Atmospheric Boundary Layer, Cambridge University Press, sec. 4.3).
@@ -49,13 +69,22 @@ struct wf_profile_words {
  */
 enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,
                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
+/* Put the tree on ground whose heights are known: read the map, and find the exposure for the scenario's
+ * azimuth, reference height and roughness. Given: file, x, y of *site; where north of the map is in the
+ * model, clockwise from +y [rad]. Returned: site and speed_up of *s. Errors: those of wf_site_read and
+ * wf_site_speed_up. */
+enum wf_status wf_scenario_site(struct wf_scenario *s, struct wf_site *site, double north, struct wf_arena *a,
+                                struct wf_err *e);
 /* The field of a checked scenario, at speed 0. */
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
 /* Speed at the reference height at the tree when the wind named is `named` [m/s]: on an exposed site more. */
 double wf_scenario_speed(const struct wf_scenario *s, double named);
+/* What acts on a tree of this species in still standard air, see wf_loads_default: its weight. Gravity
+ * [m s-2]. WF_EINPUT for a streamlining law that does not exist. */
+enum wf_status wf_scenario_still(const struct wf_species *sp, double gravity, struct wf_loads *loads,
+                                 struct wf_err *e);
 /* What a checked scenario does to a tree of this species: wind field (at speed 0), air, gravity,
- * streamlining. Returned: *wind, and *loads pointing at it. WF_EINPUT for a streamlining law that does not
- * exist. */
+ * streamlining. Returned: *wind, and *loads pointing at it. Errors: as wf_scenario_still. */
 enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
                                  struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e);
 /* Density of the air, given or from temperature and altitude [kg m-3]. */

@@ -1,5 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/doc.h"
 #include "base/text.h"
+#include "out/folder.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -77,4 +79,62 @@ void wf_doc_numbers(struct wf_doc *d, json_t *object, const char *key, const dou
 {
     json_t *list = wf_doc_put(d, object, key, wf_doc_array(d));
     for (size_t i = 0; i < n; i++) wf_doc_add(d, list, number(x[i]));
+}
+
+json_t *wf_doc_begin(struct wf_doc *d, const char *schema, const struct wf_doc_head *h)
+{
+    json_t *o = wf_doc_object(d), *s = wf_doc_put(d, o, "schema", wf_doc_object(d));
+    wf_doc_text(d, s, "name", schema);
+    wf_doc_count(d, s, "version", 1);
+    wf_doc_text(d, o, "title", h->title);
+    wf_doc_text(d, o, "note", h->note);
+    json_t *p = wf_doc_put(d, o, "provenance", wf_doc_object(d));
+    wf_doc_text(d, p, "program", "windfirm");
+    wf_doc_text(d, p, "version", h->version);
+    wf_doc_text(d, p, "date", h->date);
+    wf_doc_text(d, p, "command", h->command);
+    return o;
+}
+
+void wf_doc_figure(struct wf_doc *d, json_t *list, const char *name, const char *script, size_t run)
+{
+    json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+    wf_doc_text(d, o, "name", name);
+    wf_doc_text(d, o, "script", script);
+    wf_doc_count(d, o, "run", run);
+}
+
+static bool said(const json_t *list, const char *text)
+{
+    for (size_t i = 0; i < json_array_size(list); i++) {
+        const char *t = json_string_value(json_object_get(json_array_get(list, i), "text"));
+        if (t && !strcmp(t, text)) return true;
+    }
+    return false;
+}
+
+void wf_doc_warnings(struct wf_doc *d, json_t *list, const struct wf_diag *diag)
+{
+    for (const struct wf_finding *w = diag ? diag->first : NULL; w; w = w->next) {
+        if (said(list, w->text)) continue;
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, o, "code", w->code);
+        wf_doc_text(d, o, "text", w->text);
+    }
+}
+
+enum wf_status wf_doc_end(struct wf_doc *d, json_t *document, const char *folder, struct wf_err *e)
+{
+    struct wf_file f = { 0 };
+    enum wf_status s = wf_folder_begin(&f, folder, "results.json", e);
+    if (!s && (d->failed || json_dumpf(document, f.stream, JSON_INDENT(1) | JSON_REAL_PRECISION(12))) &&
+        !ferror(f.stream))
+        s = wf_fail(e, WF_ENOMEM, "%s: no memory for the document", folder);
+    if (!s) {
+        putc('\n', f.stream);
+        s = wf_file_commit(&f, e);
+    }
+    wf_file_abandon(&f);
+    json_decref(document);
+    return s;
 }

@@ -1,4 +1,6 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/explain.h"
+#include "out/folder.h"
 #include <math.h>
 
 static void row(FILE *f, const struct wf_explained *x, size_t b)
@@ -28,11 +30,11 @@ static bool answers(const struct wf_explain *x, size_t method)
     return false;
 }
 
-/* For the figure script: names of the methods, the first of their columns, levels, range of the ratios. */
-static void facts(FILE *f, const struct wf_explained *x, size_t n)
+void wf_explain_plot_data(const struct wf_explained *x, size_t n, struct wf_plot_data *p)
 {
     double low = 0.5, high = 2;
     int32_t top = 0;
+    char key[32];
     for (size_t i = 0; i < n; i++)
         for (size_t b = 0; b < x[i].of->axes; b++)
             for (size_t m = 0; m < x[i].of->methods; m++) {
@@ -41,154 +43,108 @@ static void facts(FILE *f, const struct wf_explained *x, size_t n)
                 if (o->ratio[m] > 0 && isfinite(o->ratio[m]))
                     low = fmin(low, o->ratio[m]), high = fmax(high, o->ratio[m]);
             }
-    fprintf(f, "METHODS = %zu\nFIRST = 8\nEXPLAIN_LEVELS = %d\nLOW = %g\nHIGH = %g\narray METHOD[%zu] = [",
-            x->of->methods, (int)top + 1, pow(10, floor(log10(low))), pow(10, ceil(log10(high))),
-            x->of->methods);
-    for (size_t m = 0; m < x->of->methods; m++) fprintf(f, "%s'%s'", m ? ", " : "", x->of->method[m]->name);
-    fputs("]\n# by run: numbers of the methods that have an answer\n", f);
+    wf_plot_data_count(p, "METHODS", 0, x->of->methods);
+    wf_plot_data_count(p, "FIRST", 0, 8); /* columns before those of the methods */
+    wf_plot_data_count(p, "EXPLAIN_LEVELS", 0, (size_t)top + 1);
+    wf_plot_data_number(p, "LOW", 0, pow(10, floor(log10(low))));
+    wf_plot_data_number(p, "HIGH", 0, pow(10, ceil(log10(high))));
+    for (size_t m = 0; m < x->of->methods; m++) wf_plot_data_text(p, "METHOD", m + 1, x->of->method[m]->name);
     for (size_t i = 0; i < n; i++) {
-        fprintf(f, "ANSWERS_%zu = \"", x[i].run);
+        size_t k = 0;
+        snprintf(key, sizeof key, "ANSWERS_%zu", x[i].run);
         for (size_t m = 0; m < x[i].of->methods; m++)
-            if (answers(x[i].of, m)) fprintf(f, "%zu ", m + 1);
-        fputs("\"\n", f);
+            if (answers(x[i].of, m)) wf_plot_data_count(p, key, ++k, m + 1);
     }
 }
 
 enum wf_status wf_explain_tables(const struct wf_explained *x, size_t n, const char *folder, struct wf_err *e)
 {
-    char path[WF_PATH_MAX];
     struct wf_file f = { 0 };
-    struct wf_arena scratch = { 0 };
-    struct wf_bytes old = { 0 };
-    struct wf_err none = { 0 };
-    enum wf_status s = WF_OK;
-    static const char *const room[] = { "tables", "plots" };
-    for (int k = 0; k < 2 && !s; k++) {
-        snprintf(path, sizeof path, "%.4000s/%s", folder, room[k]);
-        s = wf_mkdirs(path, e);
-    }
-    snprintf(path, sizeof path, "%.4000s/tables/explain.csv", folder);
-    if (!s) s = wf_file_begin(&f, path, e);
+    enum wf_status s = wf_folder_make(folder, e);
+    if (!s) s = wf_folder_begin(&f, folder, "tables/explain.csv", e);
     if (!s) table(f.stream, x, n), s = wf_file_commit(&f, e);
-    snprintf(path, sizeof path, "%.4000s/plots/run.gp", folder);
-    wf_file_read(path, &scratch, &old, &none);
-    if (!s) s = wf_file_begin(&f, path, e);
-    if (!s) {
-        if (old.size) fwrite(old.data, 1, old.size, f.stream);
-        if (n) facts(f.stream, x, n);
-        s = wf_file_commit(&f, e);
-    }
-    wf_file_abandon(&f);
-    wf_arena_free(&scratch);
     return s;
 }
 
-static void heads(FILE *f, const struct wf_explain *x)
+static json_t *level_part(struct wf_doc *d, const struct wf_explain *x, int32_t level)
 {
-    for (size_t m = 0; m < x->methods; m++)
-        fputs("<th class=\"r\">", f), wf_html_text(f, x->method[m]->name), fputs("</th>", f);
-    fputs("</tr></thead>\n", f);
-}
-
-static void by_level(FILE *f, const struct wf_explained *x)
-{
-    const struct wf_explain *o = x->of;
-    fputs(
-        "<table class=\"data\"><caption>By level: middle ratio of the branches, below it the lowest and "
-        "the highest. "
-        "1.00 is agreement with beam theory.</caption><thead><tr><th>level</th><th class=\"r\">branches</th>",
-        f);
-    heads(f, o);
-    for (int32_t l = 0; l <= wf_explain_top(o); l++) {
-        fprintf(f, "<tbody><tr><td>%d</td>", (int)l);
-        for (size_t m = 0; m < o->methods; m++) {
-            struct wf_explain_spread s;
-            wf_explain_spread(o, m, l, &s);
-            if (!m) fprintf(f, "<td class=\"r\">%zu</td>", s.branches);
-            if (s.answers)
-                fprintf(f,
-                        s.answers > 1 ? "<td class=\"r\">%.3g<span class=\"why\">%.2g to %.2g</span></td>"
-                                      : "<td class=\"r\">%.3g</td>",
-                        s.middle, s.low, s.high);
-            else
-                fputs("<td class=\"r\">-</td>", f);
-        }
-        fputs("</tr></tbody>\n", f);
+    json_t *o = wf_doc_object(d), *list = wf_doc_put(d, o, "methods", wf_doc_array(d));
+    struct wf_explain_spread s = { 0 };
+    for (size_t m = 0; m < x->methods; m++) {
+        wf_explain_spread(x, m, level, &s);
+        json_t *q = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_count(d, q, "answers", s.answers);
+        wf_doc_number(d, q, "middle", s.middle);
+        wf_doc_number(d, q, "low", s.low);
+        wf_doc_number(d, q, "high", s.high);
     }
-    fputs("<tbody><tr><td>stem's tip</td><td></td>", f);
-    for (size_t m = 0; m < o->methods; m++) wf_html_number(f, "%.3g", o->tip[m]);
-    fputs("</tr></tbody><tbody><tr><td>branches within 5 %</td><td></td>", f);
-    for (size_t m = 0; m < o->methods; m++)
-        fprintf(f, "<td class=\"r\">%.0f %%</td>", 100 * wf_explain_share(o, m, 0.05));
-    fputs("</tr></tbody></table>\n", f);
+    wf_doc_count(d, o, "branches", s.branches);
+    return o;
 }
 
-static void by_branch(FILE *f, const struct wf_explained *x)
+static json_t *branch_part(struct wf_doc *d, const struct wf_explain *x, size_t b)
 {
-    enum { SHOWN = 24 };
-    const struct wf_explain *o = x->of;
-    size_t n = o->axes < SHOWN ? o->axes : SHOWN;
-    fprintf(
-        f,
-        "<table class=\"data\"><caption>Branch by branch: %s%zu of %zu; all are in tables/explain.csv. Beam: "
-        "how far "
-        "the end bends away from where a stiff branch on the same foot would have it.</caption><thead><tr>"
-        "<th>branch</th><th>level</th><th class=\"r\">foot at<span class=\"u\">m</span></th><th "
-        "class=\"r\">length<span class=\"u\">m"
-        "</span></th><th class=\"r\">beam<span class=\"u\">m</span></th>",
-        n < o->axes ? "the first " : "", n, o->axes);
-    heads(f, o);
-    fputs("<tbody class=\"long\">", f);
-    for (size_t b = 0; b < n; b++) {
-        const struct wf_explain_axis *a = &o->axis[b];
-        fprintf(f, "<tr><td>%zu</td><td>%d</td>", b + 1, (int)a->level);
-        wf_html_number(f, "%.2f", a->height), wf_html_number(f, "%.2f", a->length),
-            wf_html_number(f, "%.3g", a->beam);
-        for (size_t m = 0; m < o->methods; m++) wf_html_number(f, "%.3g", a->ratio[m]);
-        fputs("</tr>\n", f);
+    const struct wf_explain_axis *a = &x->axis[b];
+    json_t *o = wf_doc_object(d);
+    wf_doc_count(d, o, "number", b + 1);
+    wf_doc_count(d, o, "level", a->level > 0 ? (size_t)a->level : 0);
+    wf_doc_number(d, o, "height", a->height);
+    wf_doc_number(d, o, "length", a->length);
+    wf_doc_number(d, o, "beam", a->beam);
+    wf_doc_numbers(d, o, "ratios", a->ratio, x->methods);
+    return o;
+}
+
+json_t *wf_explain_part(struct wf_doc *d, const struct wf_explained *x)
+{
+    enum { SHOWN = 24 }; /* branches on the page; all are in the table */
+    const struct wf_explain *of = x->of;
+    json_t *o = wf_doc_object(d);
+    wf_doc_count(d, o, "run", x->run);
+    wf_doc_text(d, o, "name", x->name);
+    wf_doc_number(d, o, "speed", x->speed);
+    json_t *methods = wf_doc_put(d, o, "methods", wf_doc_array(d));
+    for (size_t m = 0; m < of->methods; m++) {
+        json_t *q = wf_doc_add(d, methods, wf_doc_object(d));
+        wf_doc_text(d, q, "name", of->method[m]->name);
+        wf_doc_number(d, q, "tip", of->tip[m]);
+        wf_doc_number(d, q, "within_5_percent", wf_explain_share(of, m, 0.05));
     }
-    fputs("</tbody></table>\n", f);
+    json_t *levels = wf_doc_put(d, o, "levels", wf_doc_array(d));
+    for (int32_t l = 0; l <= wf_explain_top(of); l++) wf_doc_add(d, levels, level_part(d, of, l));
+    wf_doc_count(d, o, "branch_count", of->axes);
+    json_t *branches = wf_doc_put(d, o, "branches", wf_doc_array(d));
+    for (size_t b = 0; b < of->axes && b < SHOWN; b++) wf_doc_add(d, branches, branch_part(d, of, b));
+    return o;
 }
 
-void wf_explain_section(const struct wf_explained *x, const char *folder, FILE *f, struct wf_diag *d,
-                        enum wf_status *first)
+void wf_explain_figure(struct wf_doc *d, json_t *list, const struct wf_explained *x)
 {
-    char name[32], caption[400];
-    struct wf_err e = { 0 };
-    fputs("<h2>Where each method can be trusted: ", f), wf_html_text(f, x->name);
-    fprintf(
-        f,
-        "</h2>\n<p>Every method bends the same tree under the same air, drag and steady wind of %.3g m/s. A "
-        "ratio is the branch's own bending by the method over that by beam theory, less what its foot does, "
-        "so "
-        "an error of the parent is not counted again.</p>\n",
-        x->speed);
-    by_level(f, x);
+    char name[32];
     snprintf(name, sizeof name, "explain_%zu", x->run);
-    snprintf(
-        caption, sizeof caption,
-        "Own bending of every branch over that by beam theory, by level (0: the stem), methods side by side. "
-        "The line at 1 is agreement.");
-    if (!wf_html_show(folder, x->run, &e)) wf_html_figure(folder, "explain", name, caption, f, d, first);
-    if (x->of->axes > 1) by_branch(f, x);
+    wf_doc_figure(d, list, name, "explain", x->run);
 }
 
-enum wf_status wf_explain_page(const struct wf_explained *x, const struct wf_html_head *head,
-                               const char *folder, struct wf_diag *d, struct wf_err *e)
+static enum wf_status document(const struct wf_explained *x, const struct wf_doc_head *head,
+                               const char *folder, struct wf_err *e)
 {
-    char html[WF_PATH_MAX], pdf[WF_PATH_MAX];
-    enum wf_status drawn = WF_OK;
-    struct wf_file f = { 0 };
-    snprintf(html, sizeof html, "%.4000s/explain.html", folder);
-    snprintf(pdf, sizeof pdf, "%.4000s/explain.pdf", folder);
-    enum wf_status status = wf_html_begin(&f, html, head, e);
-    if (!status) {
-        wf_explain_section(x, folder, f.stream, d, &drawn);
-        if (x->findings) wf_html_findings(f.stream, &x->findings, 1);
-        status = wf_html_end(&f, e);
-    }
-    wf_file_abandon(&f);
-    if (status) return status;
-    status = wf_html_print(html, pdf, d);
-    return drawn ? drawn : status;
+    struct wf_doc d = { 0 };
+    json_t *o = wf_doc_begin(&d, "windfirm-explain", head);
+    json_t *list = wf_doc_put(&d, o, "explained", wf_doc_array(&d));
+    wf_doc_add(&d, list, wf_explain_part(&d, x));
+    wf_doc_warnings(&d, wf_doc_put(&d, o, "warnings", wf_doc_array(&d)), x->findings);
+    wf_explain_figure(&d, wf_doc_put(&d, o, "figures", wf_doc_array(&d)), x);
+    return wf_doc_end(&d, o, folder, e);
+}
+
+enum wf_status wf_explain_write(const struct wf_explained *x, const struct wf_doc_head *head,
+                                const char *folder, struct wf_err *e)
+{
+    struct wf_plot_data p;
+    enum wf_status s = wf_explain_tables(x, 1, folder, e);
+    if (!s) s = wf_plot_data_begin(&p, folder, "run", e);
+    if (s) return s;
+    wf_explain_plot_data(x, 1, &p);
+    s = wf_plot_data_end(&p, e);
+    return s ? s : document(x, head, folder, e);
 }

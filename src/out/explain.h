@@ -1,7 +1,9 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_EXPLAIN_H
 #define WF_OUT_EXPLAIN_H
-/* Methods against beam theory as a table, a plot, a section of a page and a page of its own. */
-#include "out/html.h"
+/* Methods against beam theory: table, plot data, part of a document. */
+#include "out/doc.h"
+#include "out/folder.h"
 #include "study/explain.h"
 
 struct wf_explained {
@@ -13,18 +15,19 @@ struct wf_explained {
     const struct wf_diag *findings; /* where printed methods leave physics; NULL: told elsewhere */
 };
 
-/* Write FOLDER/tables/explain.csv (a row a branch) and add what the figure script needs to know to
- * FOLDER/plots/run.gp, which is made when it is not there. */
+/* Write FOLDER/tables/explain.csv, a row a branch. Errors: WF_EOUTPUT. */
 enum wf_status wf_explain_tables(const struct wf_explained *x, size_t n, const char *folder,
                                  struct wf_err *e);
-
-/* A heading, the ratios by level and by branch, the plot. *first: first status of a figure that was not made.
+/* What the figure script needs to know about n of them, at least one: methods, levels, range of the ratios.
  */
-void wf_explain_section(const struct wf_explained *x, const char *folder, FILE *f, struct wf_diag *d,
-                        enum wf_status *first);
-
-/* Write FOLDER/explain.html and explain.pdf. What cannot be made is a warning in `d`; returned: its status.
+void wf_explain_plot_data(const struct wf_explained *x, size_t n, struct wf_plot_data *p);
+/* The ratios by level and, of the first branches, by branch, as a part of a document. Returned: a new object.
  */
-enum wf_status wf_explain_page(const struct wf_explained *x, const struct wf_html_head *head,
-                               const char *folder, struct wf_diag *d, struct wf_err *e);
+json_t *wf_explain_part(struct wf_doc *d, const struct wf_explained *x);
+/* Append the figure of one of them to a document's list. */
+void wf_explain_figure(struct wf_doc *d, json_t *list, const struct wf_explained *x);
+/* All for a single tree: tables/explain.csv, plots/run.csv and results.json of a folder of its own. Errors:
+ * WF_EOUTPUT, WF_ENOMEM. */
+enum wf_status wf_explain_write(const struct wf_explained *x, const struct wf_doc_head *head,
+                                const char *folder, struct wf_err *e);
 #endif

@@ -1,12 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/figures.h"
-#include "base/file.h"
+#include "out/folder.h"
 #include "out/program.h"
 #include "out/xml.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-const char *const wf_figures[] = { "shapes", "tip", "safety", "stem", NULL };
 
 enum wf_status wf_report_asset(const char *name, char *path, size_t size, struct wf_err *e)
 {
@@ -17,36 +16,6 @@ enum wf_status wf_report_asset(const char *name, char *path, size_t size, struct
     return wf_fail(e, WF_EINPUT,
                    "%s: cannot be read; set WINDFIRM_SHARE to the folder that holds windfirm's reports/",
                    path);
-}
-
-static enum wf_status begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e)
-{
-    char path[WF_PATH_MAX];
-    int n = snprintf(path, sizeof path, "%s/%s", folder, name);
-    if (n < 0 || (size_t)n >= sizeof path)
-        return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
-    return wf_file_begin(f, path, e);
-}
-
-enum wf_status wf_figures_prepare(const char *folder, xmlDoc *report, struct wf_err *e)
-{
-    char style[WF_PATH_MAX], plots[WF_PATH_MAX];
-    struct wf_file f = { 0 };
-    xmlDoc *result;
-    int n = snprintf(plots, sizeof plots, "%s/plots", folder);
-    if (n < 0 || (size_t)n >= sizeof plots)
-        return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
-    enum wf_status code = wf_mkdirs(plots, e);
-    if (!code) code = wf_report_asset("figures.xsl", style, sizeof style, e);
-    if (!code) code = begin(&f, folder, "plots/run.gp", e);
-    if (code) return code;
-    code = wf_xml_transform(style, report, NULL, f.stream, &result, e);
-    if (!code) {
-        xmlFreeDoc(result);
-        code = wf_file_commit(&f, e);
-    }
-    wf_file_abandon(&f);
-    return code;
 }
 
 /* Does the file end in </svg>? gnuplot leaves an empty file after a fault and half a one on a full disk. */
@@ -64,31 +33,43 @@ static bool complete(const char *path)
     return strstr(last, tail) != NULL;
 }
 
-static enum wf_status plot(const char *script, const char *folder, const struct wf_file *f, struct wf_err *e)
+/* gnuplot takes names that begin with '<' or '|' for commands. */
+static const char *plain_name(const char *path, char room[static WF_PATH_MAX])
 {
-    char said[WF_SAID_MAX];
-    const char *const argv[] = { "gnuplot", "-c", script, folder, f->temporary, NULL };
-    enum wf_status code = wf_program_run(argv, "gnuplot-nox", said, e);
-    if (code) return code;
-    if (*said) return wf_fail(e, WF_EOUTPUT, "%s: gnuplot says: %s", f->path, said);
-    if (!complete(f->temporary))
-        return wf_fail(e, WF_EOUTPUT, "%s: the figure is not complete (is the disk full?)", f->path);
-    return WF_OK;
+    if (path[0] == '/' || path[0] == '.') return path;
+    int n = snprintf(room, WF_PATH_MAX, "./%s", path);
+    return n < WF_PATH_MAX ? room : path;
 }
 
-enum wf_status wf_figures_draw(const char *folder, const char *name, xmlDoc **svg, struct wf_err *e)
+enum wf_status wf_figures_run(const char *folder, const struct wf_figure *g, const char *picture,
+                              const char *language, struct wf_err *e)
 {
-    char script[WF_PATH_MAX], style[WF_PATH_MAX], part[64];
+    char script[WF_PATH_MAX], part[64], from[WF_PATH_MAX], to[WF_PATH_MAX], run[24], said[WF_SAID_MAX];
+    snprintf(part, sizeof part, "plots/%.40s.gp", g->script);
+    snprintf(run, sizeof run, "%zu", g->run);
+    enum wf_status code = wf_report_asset(part, script, sizeof script, e);
+    if (code) return code;
+    const char *const argv[] = { "gnuplot", "-c", script, plain_name(folder, from), plain_name(picture, to),
+                                 language,  run,  NULL };
+    code = wf_program_run(argv, "gnuplot-nox", said, e);
+    if (!code && *said) code = wf_fail(e, WF_EOUTPUT, "%s/plots/%s: gnuplot says: %s", folder, g->name, said);
+    return code;
+}
+
+enum wf_status wf_figures_draw(const char *folder, const struct wf_figure *g, const char *language,
+                               xmlDoc **svg, struct wf_err *e)
+{
+    char style[WF_PATH_MAX], part[64];
     struct wf_file f = { 0 };
     xmlDoc *drawn;
     *svg = NULL;
-    snprintf(part, sizeof part, "plots/%s.gp", name);
-    enum wf_status code = wf_report_asset(part, script, sizeof script, e);
-    if (!code) code = wf_report_asset("svg.xsl", style, sizeof style, e);
-    snprintf(part, sizeof part, "plots/%s.svg", name);
-    if (!code) code = begin(&f, folder, part, e);
+    enum wf_status code = wf_report_asset("svg.xsl", style, sizeof style, e);
+    snprintf(part, sizeof part, "plots/%.40s.svg", g->name);
+    if (!code) code = wf_folder_begin(&f, folder, part, e);
     if (code) return code;
-    code = plot(script, folder, &f, e);
+    code = wf_figures_run(folder, g, f.temporary, language, e);
+    if (!code && !complete(f.temporary))
+        code = wf_fail(e, WF_EOUTPUT, "%s: the figure is not complete (is the disk full?)", f.path);
     if (!code) code = wf_file_commit(&f, e);
     wf_file_abandon(&f);
     if (code || (code = wf_xml_read(f.path, &drawn, e))) return code;

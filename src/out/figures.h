@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_FIGURES_H
 #define WF_OUT_FIGURES_H
 /* The figures of a results folder, drawn by gnuplot from its tables. */
@@ -8,14 +9,19 @@
  * and `path`, or WF_EINPUT when there is no such file. */
 enum wf_status wf_report_asset(const char *name, char *path, size_t size, struct wf_err *e);
 
-extern const char *const wf_figures[]; /* "shapes", "tip", ...; ends at NULL */
+/* A picture of a results folder: FOLDER/plots/NAME.svg, drawn by reports/plots/SCRIPT.gp. */
+struct wf_figure {
+    const char *name, *script;
+    size_t run; /* which of several runs it shows, from 1; 0: all, or there is only one */
+};
 
-/* Write FOLDER/plots/run.gp: names, wind speeds and words of this run, for the figure scripts.
- * Given: the report document (see report.xsl). */
-enum wf_status wf_figures_prepare(const char *folder, xmlDoc *report, struct wf_err *e);
-
-/* Draw FOLDER/plots/NAME.svg with reports/plots/NAME.gp. An earlier figure is replaced only by a complete new
- * one. Returned in *svg: the figure as a document to be put into a page. Errors: WF_EMISSING without
- * gnuplot, WF_EOUTPUT with gnuplot's own words, also where it ends with status 0 after a fault. */
-enum wf_status wf_figures_draw(const char *folder, const char *name, xmlDoc **svg, struct wf_err *e);
+/* Let gnuplot draw a figure to the file `picture`, with labels in a language ("en", "zh"). Errors:
+ * WF_EMISSING without gnuplot, WF_EOUTPUT with gnuplot's own words, also where it ends with status 0 after a
+ * fault. */
+enum wf_status wf_figures_run(const char *folder, const struct wf_figure *g, const char *picture,
+                              const char *language, struct wf_err *e);
+/* Draw FOLDER/plots/NAME.svg. An earlier figure is replaced only by a complete new one. Returned in *svg: the
+ * figure as a document to be put into a page. Errors: as wf_figures_run. */
+enum wf_status wf_figures_draw(const char *folder, const struct wf_figure *g, const char *language,
+                               xmlDoc **svg, struct wf_err *e);
 #endif

@@ -109,45 +109,59 @@ static size_t recorded_tests(const struct wf_fit_results *of)
     return n;
 }
 
-static void words(FILE *f, const struct wf_fit_results *of)
+/* "name (unit)", or the name alone. */
+static void axis_label(struct wf_plot_data *p, const char *key, size_t k, const char *name, const char *unit)
 {
-    size_t profiled = 0, recorded = recorded_tests(of);
-    for (size_t k = 0; k < of->fit.free; k++) profiled += of->fit.estimate[k].points > 1;
-    fprintf(f, "GROUPS = %zu\nPARAMS = %zu\nPROFILED = %zu\nTESTS = %zu\nRECORDED = %zu\nLIMIT = %.9g\n",
-            of->fit.groups, of->fit.free, profiled, of->x.tests, recorded,
-            of->fit.quantile * of->fit.quantile);
-    fprintf(f, "array GROUP[%zu]\narray GROUP_Y[%zu]\narray GROUP_X[%zu]\n", of->fit.groups, of->fit.groups,
-            of->fit.groups);
+    wf_plot_data_print(p, key, k, *unit ? "%s (%s)" : "%s", name, unit);
+}
+
+static void plot_groups(struct wf_plot_data *p, const struct wf_fit_results *of)
+{
     for (size_t g = 0; g < of->fit.groups; g++) {
         const struct wf_fit_test *t = &of->x.test[of->fit.group[g].test];
         const struct wf_sensor_row *r = &wf_sensor_rows[t->sensor[of->fit.group[g].sensor].kind];
         const struct wf_fit_input *in = &of->input[of->fit.group[g].test];
-        fprintf(f, "GROUP[%zu] = '%s: %s'\nGROUP_Y[%zu] = '%s (%s)'\nGROUP_X[%zu] = '%s%s%s%s'\n", g + 1,
-                t->name, t->sensor[of->fit.group[g].sensor].name, g + 1, r->name, r->unit, g + 1,
-                in->load_name, *in->load_unit ? " (" : "", in->load_unit, *in->load_unit ? ")" : "");
+        wf_plot_data_print(p, "GROUP", g + 1, "%s: %s", t->name, t->sensor[of->fit.group[g].sensor].name);
+        wf_plot_data_text(p, "GROUP_KIND", g + 1, r->name);
+        wf_plot_data_text(p, "GROUP_UNIT", g + 1, r->unit);
+        wf_plot_data_text(p, "LOAD", g + 1, in->load_name);
+        wf_plot_data_text(p, "LOAD_UNIT", g + 1, in->load_unit);
     }
-    fprintf(f, "array VALUE[%zu]\narray LOW[%zu]\narray HIGH[%zu]\narray LOGGED[%zu]\n", of->fit.free + 1,
-            of->fit.free + 1, of->fit.free + 1, of->fit.free + 1);
-    fprintf(f, "array PARAM[%zu]\narray TEST[%zu]\narray TEST_Y[%zu]\narray SWAY[%zu]\n", of->fit.free + 1,
-            of->x.tests, of->x.tests, of->x.tests);
+}
+
+static void plot_parameters(struct wf_plot_data *p, const struct wf_fit_results *of)
+{
     for (size_t k = 0; k < of->fit.free; k++) {
         double u;
         const char *unit = wf_param_unit(&of->x, &of->param[k], &u);
         const struct wf_estimate *q = &of->fit.estimate[k];
-        fprintf(f, "PARAM[%zu] = '%s%s%s%s'\n", k + 1, of->param[k].name, *unit ? " (" : "", unit,
-                *unit ? ")" : "");
-        fprintf(f, "VALUE[%zu] = %.9g\nLOGGED[%zu] = %d\n", k + 1, q->value * u, k + 1,
-                wf_fit_quantities[of->param[k].quantity].log);
-        if (isnan(q->low) || isnan(q->high))
-            fprintf(f, "LOW[%zu] = NaN\nHIGH[%zu] = NaN\n", k + 1, k + 1);
-        else
-            fprintf(f, "LOW[%zu] = %.9g\nHIGH[%zu] = %.9g\n", k + 1, q->low * u, k + 1, q->high * u);
+        bool known = !isnan(q->low) && !isnan(q->high);
+        axis_label(p, "PARAM", k + 1, of->param[k].name, unit);
+        wf_plot_data_number(p, "VALUE", k + 1, q->value * u);
+        wf_plot_data_count(p, "LOGGED", k + 1, wf_fit_quantities[of->param[k].quantity].log);
+        wf_plot_data_number(p, "LOW", k + 1, known ? q->low * u : NAN);
+        wf_plot_data_number(p, "HIGH", k + 1, known ? q->high * u : NAN);
     }
-    for (size_t k = 0; k < of->x.tests; k++)
-        fprintf(f, "TEST[%zu] = '%s'\nTEST_Y[%zu] = '%s%s%s%s'\nSWAY[%zu] = %d\n", k + 1, of->x.test[k].name,
-                k + 1, of->input[k].swung ? "record" : of->input[k].load_name,
-                *of->input[k].load_unit ? " (" : "", of->input[k].load_unit,
-                *of->input[k].load_unit ? ")" : "", k + 1, of->input[k].swung);
+}
+
+static void plot_data(struct wf_plot_data *p, const struct wf_fit_results *of)
+{
+    size_t profiled = 0;
+    for (size_t k = 0; k < of->fit.free; k++) profiled += of->fit.estimate[k].points > 1;
+    wf_plot_data_count(p, "GROUPS", 0, of->fit.groups);
+    wf_plot_data_count(p, "PARAMS", 0, of->fit.free);
+    wf_plot_data_count(p, "PROFILED", 0, profiled);
+    wf_plot_data_count(p, "TESTS", 0, of->x.tests);
+    wf_plot_data_count(p, "RECORDED", 0, recorded_tests(of));
+    wf_plot_data_number(p, "LIMIT", 0, of->fit.quantile * of->fit.quantile);
+    plot_groups(p, of);
+    plot_parameters(p, of);
+    for (size_t k = 0; k < of->x.tests; k++) {
+        wf_plot_data_text(p, "TEST", k + 1, of->x.test[k].name);
+        wf_plot_data_text(p, "TEST_LOAD", k + 1, of->input[k].swung ? "record" : of->input[k].load_name);
+        wf_plot_data_text(p, "TEST_UNIT", k + 1, of->input[k].load_unit);
+        wf_plot_data_count(p, "SWAY", k + 1, of->input[k].swung);
+    }
 }
 
 static json_t *estimate(struct wf_doc *d, const struct wf_fit *f, size_t k)
@@ -286,7 +300,6 @@ enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char 
                  { "tables/readings.csv", readings },
                  { "tables/profiles.csv", profiles },
                  { "tables/records.csv", records },
-                 { "plots/run.gp", words },
                  { "results.json", results } };
     enum wf_status status = wf_folder_make(folder, e);
     for (size_t i = 0; i < sizeof part / sizeof *part && !status; i++) {
@@ -296,5 +309,9 @@ enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char 
         part[i].write(f.stream, of);
         status = wf_file_commit(&f, e);
     }
-    return status;
+    struct wf_plot_data p;
+    if (!status) status = wf_plot_data_begin(&p, folder, "run", e);
+    if (status) return status;
+    plot_data(&p, of);
+    return wf_plot_data_end(&p, e);
 }

@@ -31,13 +31,7 @@ struct wf_fit_results {
     struct wf_input_file *file; /* study, species, trees, data     */
 };
 
-/* Write FOLDER/results.json, tables/{parameters,readings,profiles,records}.csv and plots/run.gp; the folder
+/* Write FOLDER/results.json, tables/{parameters,readings,profiles,records}.csv and plots/run.csv; the folder
  * is made. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char *folder, struct wf_err *e);
-/* Draw FOLDER/plots/ *.svg and write FOLDER/calibration.html and calibration.pdf from what is in the folder.
- * Parts that cannot be made are warnings in `d`, and the status of the first is returned. */
-enum wf_status wf_fit_results_pages(const char *folder, struct wf_diag *d, struct wf_err *e);
-/* Write the species table of the first tree to `path` with the fitted values in place. Errors: WF_EOUTPUT,
- * WF_ENOMEM, WF_EMISSING without the units database. */
-enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char *path, struct wf_err *e);
 #endif

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A species table with fitted values in place of the old ones, ready for analyze. */
+#include "out/fit_species.h"
 #include "base/file.h"
 #include "load/drag.h"
-#include "out/fit_results.h"
 #include <math.h>
 #include <string.h>
 

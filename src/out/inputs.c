@@ -1,6 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What went in: species values with range, standing and source; model; scenario; method. */
+#include "out/inputs.h"
 #include "load/drag.h"
-#include "out/parts.h"
 #include "wind/climate.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"

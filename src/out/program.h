@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_PROGRAM_H
 #define WF_OUT_PROGRAM_H
 /* Outside programs: found on PATH, run without a shell, listened to. */

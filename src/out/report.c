@@ -1,31 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/report.h"
 #include "base/file.h"
 #include "out/figures.h"
-#include "out/page.h"
+#include "out/folder.h"
+#include "out/program.h"
 #include "out/results.h"
 #include "out/tables.h"
 #include "out/tree_picture.h"
 #include "out/xml.h"
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
+/* One kind of results document and its page. */
+struct kind {
+    const char *schema;
+    int version;               /* of the schema that is read                                 */
+    const char *page;          /* FOLDER/PAGE.html and PAGE.pdf, by reports/PAGE.xsl          */
+    const char *const *figure; /* ends at NULL; NULL: the document lists them under "figures" */
+};
+static const char *const report_figures[] = { "shapes", "tip", "safety", "stem", NULL };
+static const char *const fit_figures[] = { "fit_readings", "fit_residuals", "fit_profiles", "fit_records",
+                                           NULL };
+static const struct kind kinds[] = {
+    { WF_RESULTS_SCHEMA, WF_RESULTS_VERSION, "report", report_figures },
+    { "windfirm-fit", 1, "calibration", fit_figures },
+    { "windfirm-series", 1, "series", NULL },
+    { "windfirm-explain", 1, "explain", NULL },
+    { "windfirm-wind", 1, "wind", NULL },
+    { "windfirm-rose", 1, "rose", NULL },
+    { "windfirm-shelter", 1, "shelter", NULL },
+    { "windfirm-terrain", 1, "terrain", NULL },
+};
+
 struct job {
     const char *folder, *language;
-    xmlDoc *document; /* <report lang="en"><results/><figures/><css/></report>, what report.xsl reads */
+    const struct kind *kind;
+    json_t *results;
+    xmlDoc *document; /* <report lang="en"><results/><css/><figures/></report>, what every stylesheet reads */
     xmlNode *figures;
     struct wf_diag *d;
     struct wf_err *e;
-    bool around;          /* the results hold winds from all directions */
     enum wf_status first; /* of the parts that could not be made */
 };
-
-static enum wf_status path_of(const char *folder, const char *name, char path[static WF_PATH_MAX],
-                              struct wf_err *e)
-{
-    int n = snprintf(path, WF_PATH_MAX, "%s/%s", folder, name);
-    if (n >= 0 && n < WF_PATH_MAX) return WF_OK;
-    return wf_fail(e, WF_EINPUT, "%.200s...: the name is too long", folder);
-}
 
 /* A part that cannot be made is a warning, and the others are made all the same. */
 static void miss(struct job *j, const char *part, const struct wf_err *why)
@@ -35,111 +52,184 @@ static void miss(struct job *j, const char *part, const struct wf_err *why)
     j->first = wf_fail(j->e, why->code, "%s", why->text);
 }
 
-static enum wf_status read_results(const char *folder, json_t **out, struct wf_err *e)
+/* What a report needs beside its document. */
+static enum wf_status check_report(struct job *j)
+{
+    char path[WF_PATH_MAX];
+    enum wf_status code = WF_OK;
+    if (!json_array_size(json_object_get(j->results, "trees")))
+        return wf_fail(j->e, WF_EINPUT, "%s/results.json: trees: at least one is needed", j->folder);
+    for (size_t i = 0; !code && wf_tables[i].name; i++) {
+        if (wf_tables[i].made) continue; /* not every run has it */
+        code = wf_folder_path(j->folder, wf_tables[i].name, path, j->e);
+        if (!code && access(path, R_OK)) code = wf_fail(j->e, WF_EINPUT, "%s: cannot be read", path);
+    }
+    return code;
+}
+
+static enum wf_status read_results(struct job *j)
 {
     char path[WF_PATH_MAX];
     json_error_t why;
-    *out = NULL;
-    enum wf_status code = path_of(folder, "results.json", path, e);
+    enum wf_status code = wf_folder_path(j->folder, "results.json", path, j->e);
     if (code) return code;
     if (access(path, R_OK))
-        return wf_fail(e, WF_EINPUT, "%s: cannot be read; is '%s' a results folder?", path, folder);
-    *out = json_load_file(path, JSON_REJECT_DUPLICATES, &why);
-    if (!*out) return wf_fail(e, WF_EINPUT, "%s:%d:%d: error: %s", path, why.line, why.column, why.text);
-    const json_t *schema = json_object_get(*out, "schema");
+        return wf_fail(j->e, WF_EINPUT, "%s: cannot be read; is '%s' a results folder?", path, j->folder);
+    j->results = json_load_file(path, JSON_REJECT_DUPLICATES, &why);
+    if (!j->results)
+        return wf_fail(j->e, WF_EINPUT, "%s:%d:%d: error: %s", path, why.line, why.column, why.text);
+    const json_t *schema = json_object_get(j->results, "schema");
     const char *name = json_string_value(json_object_get(schema, "name"));
     json_int_t version = json_integer_value(json_object_get(schema, "version"));
-    if (!name || strcmp(name, WF_RESULTS_SCHEMA) != 0)
-        code = wf_fail(e, WF_EINPUT, "%s: is not a results document of windfirm", path);
-    else if (!wf_results_readable(version, WF_RESULTS_VERSION))
-        code = wf_fail(e, WF_EINPUT, "%s: results of version %lld; this program reads version %d%s", path,
-                       (long long)version, WF_RESULTS_VERSION,
-                       WF_RESULTS_VERSION > 1 ? " and the one before" : "");
-    else if (!json_array_size(json_object_get(*out, "trees")))
-        code = wf_fail(e, WF_EINPUT, "%s: trees: at least one is needed", path);
-    for (size_t i = 0; !code && wf_tables[i].name; i++) {
-        if (wf_tables[i].made) continue; /* not every run has it */
-        code = path_of(folder, wf_tables[i].name, path, e);
-        if (!code && access(path, R_OK)) code = wf_fail(e, WF_EINPUT, "%s: cannot be read", path);
-    }
-    return code;
+    for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)
+        if (!strcmp(name, kinds[i].schema)) j->kind = &kinds[i];
+    if (!j->kind) return wf_fail(j->e, WF_EINPUT, "%s: is not a results document of windfirm", path);
+    if (!wf_results_readable(version, j->kind->version))
+        return wf_fail(j->e, WF_EINPUT, "%s: results of version %lld; this program reads version %d%s", path,
+                       (long long)version, j->kind->version,
+                       j->kind->version > 1 ? " and the one before" : "");
+    return j->kind->figure == report_figures ? check_report(j) : WF_OK;
 }
 
 static enum wf_status make_document(struct job *j)
 {
     char path[WF_PATH_MAX];
-    json_t *results;
     struct wf_arena scratch = { 0 };
     struct wf_bytes css = { 0 };
-    enum wf_status code = read_results(j->folder, &results, j->e);
-    if (!code) code = wf_report_asset("report.css", path, sizeof path, j->e);
+    enum wf_status code = wf_report_asset("report.css", path, sizeof path, j->e);
     if (!code) code = wf_file_read_text(path, &scratch, &css, j->e);
     if (!code) {
         j->document = xmlNewDoc(BAD_CAST "1.0");
         xmlNode *root = j->document ? xmlNewDocNode(j->document, NULL, BAD_CAST "report", NULL) : NULL;
         if (root) xmlDocSetRootElement(j->document, root);
         if (!root || !xmlNewProp(root, BAD_CAST "lang", BAD_CAST j->language) ||
-            !wf_xml_from_json(root, "results", results) ||
+            !wf_xml_from_json(root, "results", j->results) ||
             !xmlNewTextChild(root, NULL, BAD_CAST "css", BAD_CAST css.data) ||
             !(j->figures = xmlNewChild(root, NULL, BAD_CAST "figures", NULL)))
-            code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
+            code = wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
     }
-    j->around =
-        json_is_object(json_object_get(json_array_get(json_object_get(results, "trees"), 0), "directions"));
-    json_decref(results);
     wf_arena_free(&scratch);
     return code;
 }
 
-/* Draw one figure, by a way of its own or as all others, and hang it into the document. `unready`: why none
- * can be drawn, NULL when they can. */
-static enum wf_status add_figure(struct job *j, const char *name,
-                                 enum wf_status (*own)(const char *, xmlDoc **, struct wf_err *),
+typedef enum wf_status drawer(const char *folder, const char *language, xmlDoc **svg, struct wf_err *e);
+
+/* Draw one figure, by a way of its own or as all others, and hang it into the document:
+ * <figure name="tip"><svg/></figure>, or the attribute missing="why". `unready`: why none can be drawn, NULL
+ * when they can. */
+static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawer *own,
                                  const struct wf_err *unready)
 {
     struct wf_err why = { 0 };
     xmlDoc *svg = NULL;
     xmlNode *node = xmlNewChild(j->figures, NULL, BAD_CAST "figure", NULL);
-    if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST name))
-        return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
+    if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST g->name))
+        return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
     if (unready) {
         xmlNewProp(node, BAD_CAST "missing", BAD_CAST unready->text);
         return WF_OK;
     }
-    if (own ? own(j->folder, &svg, &why) : wf_figures_draw(j->folder, name, &svg, &why)) {
+    if (own ? own(j->folder, j->language, &svg, &why)
+            : wf_figures_draw(j->folder, g, j->language, &svg, &why)) {
         xmlNewProp(node, BAD_CAST "missing", BAD_CAST why.text);
         miss(j, "no-figure", &why);
         return WF_OK;
     }
     xmlNode *picture = xmlDocCopyNode(xmlDocGetRootElement(svg), j->document, 1);
     xmlFreeDoc(svg);
-    if (!picture) return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the report", j->folder);
+    if (!picture) return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
     xmlAddChild(node, picture);
     return WF_OK;
 }
 
-/* Draw every figure and hang it into the document: <figure name="tip"><svg/></figure>, or the attribute
- * missing="why". */
-static enum wf_status draw_figures(struct job *j)
+/* <row key index [text="yes"]>value</row> to the plot data. */
+static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_err *e)
 {
-    struct wf_err why = { 0 };
-    bool ready = !wf_figures_prepare(j->folder, j->document, &why);
-    if (!ready) miss(j, "no-figures", &why);
-    bool branched = wf_tree_picture_there(j->folder);
-    enum wf_status code =
-        branched ? add_figure(j, "tree", wf_tree_picture_report, ready ? NULL : &why) : WF_OK;
-    for (size_t i = 0; !code && wf_figures[i]; i++)
-        code = add_figure(j, wf_figures[i], NULL, ready ? NULL : &why);
-    if (!code && j->around) code = add_figure(j, "directions", NULL, ready ? NULL : &why);
+    xmlChar *key = xmlGetProp(row, BAD_CAST "key"), *index = xmlGetProp(row, BAD_CAST "index"),
+            *text = xmlGetProp(row, BAD_CAST "text"), *value = xmlNodeGetContent(row);
+    enum wf_status s = WF_OK;
+    if (!key || !index || !value)
+        s = wf_fail(e, WF_EINPUT, "figures.xsl: a row without key, index or value");
+    else if (text)
+        wf_plot_data_text(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value);
+    else
+        s = wf_plot_data_parse(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value, e);
+    xmlFree(key), xmlFree(index), xmlFree(text), xmlFree(value);
+    return s;
+}
+
+/* FOLDER/plots/run.csv of a report, from its document: names, wind speeds, range of this run. */
+static enum wf_status write_plot_data(const char *folder, xmlDoc *report, struct wf_err *e)
+{
+    char style[WF_PATH_MAX];
+    struct wf_plot_data p;
+    xmlDoc *rows = NULL;
+    enum wf_status code = wf_folder_make(folder, e);
+    if (!code) code = wf_report_asset("figures.xsl", style, sizeof style, e);
+    if (!code) code = wf_xml_transform(style, report, NULL, NULL, &rows, e);
+    if (!code) code = wf_plot_data_begin(&p, folder, "run", e);
+    if (!code) {
+        for (xmlNode *n = xmlDocGetRootElement(rows)->children; n && !code; n = n->next)
+            if (n->type == XML_ELEMENT_NODE) code = plot_row(&p, n, e);
+        if (!code) code = wf_plot_data_end(&p, e);
+        wf_file_abandon(&p.f);
+    }
+    if (rows) xmlFreeDoc(rows);
     return code;
 }
 
-static enum wf_status write_page(struct job *j, const char *html)
+/* The figures of a report: its plot data are made from the document, in its language. */
+static enum wf_status draw_report(struct job *j)
 {
-    char style[WF_PATH_MAX];
+    const struct wf_figure tree = { "tree", "tree", 0 }, around = { "directions", "directions", 0 };
+    const json_t *first = json_array_get(json_object_get(j->results, "trees"), 0);
+    struct wf_err why = { 0 };
+    enum wf_status code = WF_OK;
+    bool ready = !write_plot_data(j->folder, j->document, &why);
+    if (!ready) miss(j, "no-figures", &why);
+    const struct wf_err *unready = ready ? NULL : &why;
+    if (wf_tree_picture_there(j->folder)) code = add_figure(j, &tree, wf_tree_picture_report, unready);
+    for (size_t i = 0; !code && j->kind->figure[i]; i++)
+        code = add_figure(j, &(struct wf_figure){ j->kind->figure[i], j->kind->figure[i], 0 }, NULL, unready);
+    if (!code && json_is_object(json_object_get(first, "directions")))
+        code = add_figure(j, &around, NULL, unready);
+    return code;
+}
+
+/* The names in a document end up in file names: letters, digits and _ only. */
+static bool plain(const char *name)
+{
+    static const char allowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+    return name && *name && strlen(name) < 40 && name[strspn(name, allowed)] == '\0';
+}
+
+/* The figures a document lists, or those of its kind. */
+static enum wf_status draw_listed(struct job *j)
+{
+    const json_t *list = json_object_get(j->results, "figures");
+    enum wf_status code = WF_OK;
+    for (size_t i = 0; !code && j->kind->figure && j->kind->figure[i]; i++)
+        code = add_figure(j, &(struct wf_figure){ j->kind->figure[i], j->kind->figure[i], 0 }, NULL, NULL);
+    for (size_t i = 0; !code && !j->kind->figure && i < json_array_size(list); i++) {
+        const json_t *f = json_array_get(list, i);
+        json_int_t run = json_integer_value(json_object_get(f, "run"));
+        const struct wf_figure g = { json_string_value(json_object_get(f, "name")),
+                                     json_string_value(json_object_get(f, "script")),
+                                     run > 0 ? (size_t)run : 0 };
+        if (!plain(g.name) || !plain(g.script))
+            return wf_fail(j->e, WF_EINPUT, "%s/results.json: figures: not a name of a figure", j->folder);
+        code = add_figure(j, &g, NULL, NULL);
+    }
+    return code;
+}
+
+static enum wf_status write_html(struct job *j, const char *html)
+{
+    char style[WF_PATH_MAX], name[64];
     struct wf_file f = { 0 };
     xmlDoc *page;
-    enum wf_status code = wf_report_asset("report.xsl", style, sizeof style, j->e);
+    snprintf(name, sizeof name, "%s.xsl", j->kind->page);
+    enum wf_status code = wf_report_asset(name, style, sizeof style, j->e);
     if (!code) code = wf_file_begin(&f, html, j->e);
     if (code) return code;
     code = wf_xml_transform(style, j->document, NULL, f.stream, &page, j->e);
@@ -151,25 +241,55 @@ static enum wf_status write_page(struct job *j, const char *html)
     return code;
 }
 
-static enum wf_status print_page(struct job *j, const char *html, struct wf_err *e)
+/* WeasyPrint goes on after a fault and still ends with status 0: look for its word and for a whole file. */
+static enum wf_status print_pdf(const char *html, const char *path, struct wf_err *e)
 {
-    char path[WF_PATH_MAX];
-    enum wf_status code = path_of(j->folder, "report.pdf", path, e);
-    return code ? code : wf_page_print(html, path, e);
+    char said[WF_SAID_MAX], head[5] = "", tail[8] = "";
+    struct wf_file f = { 0 };
+    enum wf_status code = wf_file_begin(&f, path, e);
+    if (code) return code;
+    const char *const argv[] = { "weasyprint", "--encoding", "utf-8", html, f.temporary, NULL };
+    code = wf_program_run(argv, "weasyprint", said, e);
+    if (!code && strstr(said, "ERROR")) code = wf_fail(e, WF_EOUTPUT, "%s: WeasyPrint says: %s", path, said);
+    FILE *pdf = code ? NULL : fopen(f.temporary, "rb");
+    if (pdf) {
+        size_t n = fread(head, 1, 4, pdf);
+        head[n] = '\0';
+        n = fseek(pdf, -7, SEEK_END) ? 0 : fread(tail, 1, 7, pdf);
+        tail[n] = '\0';
+        fclose(pdf);
+    }
+    if (!code && (strcmp(head, "%PDF") != 0 || !strstr(tail, "%%EOF")))
+        code = wf_fail(e, WF_EOUTPUT, "%s: the file is not complete (is the disk full?)", path);
+    if (!code) code = wf_file_commit(&f, e);
+    wf_file_abandon(&f);
+    return code;
+}
+
+/* FOLDER/PAGE.html, and from it PAGE.pdf. */
+static enum wf_status write_page(struct job *j)
+{
+    char html[WF_PATH_MAX], pdf[WF_PATH_MAX], name[64];
+    struct wf_err why = { 0 };
+    snprintf(name, sizeof name, "%s.html", j->kind->page);
+    enum wf_status code = wf_folder_path(j->folder, name, html, j->e);
+    snprintf(name, sizeof name, "%s.pdf", j->kind->page);
+    if (!code) code = wf_folder_path(j->folder, name, pdf, j->e);
+    if (!code) code = write_html(j, html);
+    if (!code && print_pdf(html, pdf, &why)) miss(j, "no-pdf", &why);
+    return code;
 }
 
 enum wf_status wf_report_make(const char *folder, const char *language, struct wf_diag *d, struct wf_err *e)
 {
-    char html[WF_PATH_MAX];
     struct job j = { .folder = folder, .language = language ? language : "en", .d = d, .e = e };
     if (strcmp(j.language, "en") != 0 && strcmp(j.language, "zh") != 0)
         return wf_fail(e, WF_EUSAGE, "'%s' is not a language of the report; allowed: en, zh", language);
-    enum wf_status code = path_of(folder, "report.html", html, e);
+    enum wf_status code = read_results(&j);
     if (!code) code = make_document(&j);
-    if (!code) code = draw_figures(&j);
-    if (!code) code = write_page(&j, html);
-    struct wf_err why = { 0 };
-    if (!code && print_page(&j, html, &why)) miss(&j, "no-pdf", &why);
+    if (!code) code = j.kind->figure == report_figures ? draw_report(&j) : draw_listed(&j);
+    if (!code) code = write_page(&j);
     if (j.document) xmlFreeDoc(j.document);
+    json_decref(j.results);
     return code ? code : j.first;
 }

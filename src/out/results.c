@@ -1,8 +1,12 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/results.h"
 #include "base/file.h"
-#include "out/parts.h"
+#include "out/folder.h"
+#include "out/inputs.h"
 #include "out/tables.h"
 #include "out/tree_picture.h"
+#include "study/directions.h"
+#include "study/limits.h"
 #include <errno.h>
 #include <inttypes.h>
 #include <locale.h>
@@ -11,6 +15,212 @@
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
+
+const char *wf_part_status(enum wf_status s)
+{
+    switch (s) {
+    case WF_OK:
+        return "ok";
+    case WF_ENOCONV:
+        return "not-converged";
+    case WF_EUNSTABLE:
+        return "unstable";
+    default:
+        return "failed";
+    }
+}
+
+const char *wf_part_outcome(enum wf_critical_outcome o)
+{
+    static const char *const names[] = { [WF_CRITICAL_FOUND] = "found",
+                                         [WF_CRITICAL_ABOVE] = "above",
+                                         [WF_CRITICAL_SELF_WEIGHT] = "self-weight",
+                                         [WF_CRITICAL_NO_STRENGTH] = "no-strength",
+                                         [WF_CRITICAL_UNSOLVED] = "unsolved",
+                                         [WF_CRITICAL_UNSEARCHED] = "unsearched" };
+    return names[o];
+}
+
+double wf_part_height(const struct wf_tree *t, int32_t row, double s)
+{
+    if (row < 0 || (size_t)row >= t->n) return NAN;
+    return t->z0[row] + s * (t->z1[row] - t->z0[row]);
+}
+
+/* A section of the tree: its segment's number as in segments.csv, and its place. */
+static json_t *section(struct wf_doc *d, const struct wf_analysis *a, int32_t row, double s, double height)
+{
+    const struct wf_tree *t = &a->tree;
+    if (row < 0 || (size_t)row >= t->n) return json_null();
+    json_t *o = wf_doc_object(d);
+    wf_doc_count(d, o, "segment", (size_t)row + 1);
+    wf_doc_count(d, o, "level", t->level[row] > 0 ? (size_t)t->level[row] : 0);
+    wf_doc_text(d, o, "part", wf_model_level_name(a->model, a->species, t->level[row]));
+    wf_doc_quantity(d, o, "position", s, "1", "the segment as a whole is named");
+    wf_doc_quantity(d, o, "height", height, "m", NULL);
+    return o;
+}
+
+static json_t *worst_section(struct wf_doc *d, const struct wf_analysis *a, const struct wf_worst *w)
+{
+    if (!w) return json_null();
+    return section(d, a, w->row, w->place, wf_part_height(&a->tree, w->row, w->place));
+}
+
+static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)
+{
+    static const char *const none = "no equilibrium was found at this wind speed";
+    const struct wf_worst *worst = &at->worst[WF_BREAKAGE][WF_SCOPE_TREE];
+    bool solved = at->status == WF_OK;
+    json_t *o = wf_doc_object(d);
+    wf_doc_quantity(d, o, "speed", at->speed, "m/s", NULL);
+    wf_doc_text(d, o, "status", wf_part_status(at->status));
+    wf_doc_text(d, o, "status_text", wf_status_text(at->status));
+    wf_doc_quantity(d, o, "load_factor", at->response.load_factor, "1", none);
+    const struct {
+        const char *key;
+        double value;
+        const char *unit;
+    } total[] = {
+        { "drag", at->drag, "N" },
+        { "lift", at->lift, "N" },
+        { "weight", at->weight, "N" },
+        { "tip_deflection", at->tip_deflection, "m" },
+        { "tip_deflection_share", at->tip_deflection_share, "1" },
+        { "tip_angle", at->tip_angle, "rad" },
+        { "base_shear", at->base_shear, "N" },
+        { "base_moment", at->base_moment, "N m" },
+        { "largest_stress", at->breakage.largest_stress, "Pa" },
+        { "imbalance", at->response.imbalance, "1" },
+    };
+    for (size_t i = 0; i < sizeof total / sizeof *total; i++)
+        wf_doc_quantity(d, o, total[i].key, solved ? total[i].value : NAN, total[i].unit, none);
+    const char *reason = !solved                ? none
+                         : isnan(worst->safety) ? "no modulus of rupture is given"
+                                                : "no section is stressed";
+    wf_doc_quantity(d, o, "least_safety", solved ? worst->safety : NAN, "1", reason);
+    wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? worst : NULL));
+    wf_doc_flag(d, o, "small_deflection", at->response.small_deflection);
+    wf_doc_flag(d, o, "within_limits", !wf_limits_small_passed(at));
+    wf_doc_count(d, o, "iterations", at->response.iterations);
+    wf_doc_count(d, o, "steps", at->response.steps);
+    return o;
+}
+
+static json_t *critical_part(struct wf_doc *d, const struct wf_analysis *a, const struct wf_break *b)
+{
+    const struct wf_critical *c = &b->critical;
+    const char *text = wf_critical_text(c->outcome);
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "outcome", wf_part_outcome(c->outcome));
+    wf_doc_text(d, o, "outcome_text", text);
+    wf_doc_quantity(d, o, "speed", c->speed, "m/s", text);
+    wf_doc_quantity(d, o, "speed_low", c->speed_low, "m/s", text);
+    wf_doc_quantity(d, o, "speed_high", c->speed_high, "m/s", text);
+    wf_doc_quantity(d, o, "gradient", c->gradient, "s/m", text);
+    bool found = c->outcome == WF_CRITICAL_FOUND;
+    const struct wf_at_speed *at = &b->at;
+    wf_doc_quantity(d, o, "tip_deflection", found ? at->tip_deflection : NAN, "m", text);
+    wf_doc_quantity(d, o, "tip_deflection_share", found ? at->tip_deflection_share : NAN, "1", text);
+    wf_doc_quantity(d, o, "tip_angle", found ? at->tip_angle : NAN, "rad", text);
+    wf_doc_flag(d, o, "within_limits", !(found && wf_limits_small_passed(at)));
+    wf_doc_count(d, o, "evaluations", c->evaluations);
+    wf_doc_put(d, o, "governing_section", section(d, a, b->row, NAN, b->height));
+    return o;
+}
+
+/* How near a part of the tree is to failing by a criterion at a wind speed. */
+static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at,
+                           const struct wf_worst *w)
+{
+    bool solved = at->status == WF_OK;
+    double safety = solved ? w->safety : NAN;
+    const char *why = !solved         ? "no equilibrium was found at this wind speed"
+                      : isnan(safety) ? "no resistance is known"
+                                      : "nothing is loaded";
+    json_t *o = wf_doc_object(d);
+    wf_doc_quantity(d, o, "speed", at->speed, "m/s", NULL);
+    wf_doc_quantity(d, o, "safety", safety, "1", why);
+    wf_doc_quantity(d, o, "utilisation", 1 / safety, "1", why);
+    wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? w : NULL));
+    return o;
+}
+
+/* Every criterion in every scope: its critical wind speed and the utilisation at the a->n speeds of `at`. */
+static json_t *criteria_part(struct wf_doc *d, const struct wf_analysis *a,
+                             const struct wf_break (*breaks)[WF_SCOPES], const struct wf_at_speed *at)
+{
+    json_t *list = wf_doc_array(d);
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int s = 0; s < WF_SCOPES; s++) {
+            const struct wf_break *b = &breaks[c][s];
+            const char *text = wf_critical_text(b->critical.outcome);
+            json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+            wf_doc_text(d, o, "criterion", wf_criteria[c].name);
+            wf_doc_text(d, o, "scope", wf_scope_name((enum wf_scope)s));
+            wf_doc_text(d, o, "outcome", wf_part_outcome(b->critical.outcome));
+            wf_doc_text(d, o, "outcome_text", text);
+            wf_doc_quantity(d, o, "critical_speed", b->critical.speed, "m/s", text);
+            wf_doc_put(d, o, "governing_section", section(d, a, b->row, NAN, b->height));
+            json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
+            for (size_t k = 0; k < a->n; k++)
+                wf_doc_add(d, winds, utilisation(d, a, &at[k], &at[k].worst[c][s]));
+        }
+    return list;
+}
+
+static json_t *warnings_part(struct wf_doc *d, const struct wf_diag *diag)
+{
+    json_t *list = wf_doc_array(d);
+    for (const struct wf_finding *f = diag ? diag->first : NULL; f; f = f->next) {
+        if (f->severity != WF_WARNING) continue;
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, o, "code", f->code);
+        wf_doc_text(d, o, "text", f->text);
+        wf_doc_text(d, o, "file", f->file);
+    }
+    return list;
+}
+
+static const char no_hours[] = "no climate, or no critical wind speed";
+
+static json_t *direction_part(struct wf_doc *d, const struct wf_analysis *a, const struct wf_direction *x)
+{
+    json_t *o = wf_doc_object(d), *winds;
+    const double *exposed = a->directions->request.speed_up;
+    wf_doc_quantity(d, o, "from", x->from, "rad", NULL);
+    wf_doc_quantity(d, o, "speed_up", exposed ? exposed[x - a->directions->direction] : a->scenario.speed_up,
+                    "1", NULL);
+    winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
+    for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wind_part(d, a, &x->at[k]));
+    wf_doc_put(d, o, "critical", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
+    wf_doc_put(d, o, "critical_stem", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
+    wf_doc_put(d, o, "criteria", criteria_part(d, a, x->breaks, x->at));
+    wf_doc_quantity(d, o, "hours_a_year", WF_HOURS_A_YEAR * x->hourly, "h", no_hours);
+    wf_doc_quantity(d, o, "hours_a_year_10_min", WF_HOURS_A_YEAR * x->strongest, "h", no_hours);
+    return o;
+}
+
+static json_t *directions_part(struct wf_doc *d, const struct wf_analysis *a)
+{
+    const struct wf_directions *x = a->directions;
+    if (!x) return json_null();
+    const struct wf_directions_request *q = &x->request;
+    json_t *o = wf_doc_object(d);
+    wf_doc_count(d, o, "number", q->n);
+    wf_doc_quantity(d, o, "north", q->north, "rad", NULL);
+    wf_doc_quantity(d, o, "main_from", wf_direction_from(q, a->scenario.azimuth), "rad", NULL);
+    wf_doc_text(d, o, "climate_file", q->climate_file);
+    wf_doc_text(d, o, "averaging_law", q->rose ? q->law : NULL);
+    wf_doc_quantity(d, o, "strongest_10_min_over_hourly", x->gust, "1", no_hours);
+    wf_doc_quantity(d, o, "hours_a_year", WF_HOURS_A_YEAR * x->hourly, "h", no_hours);
+    wf_doc_quantity(d, o, "hours_a_year_10_min", WF_HOURS_A_YEAR * x->strongest, "h", no_hours);
+    wf_doc_flag(d, o, "searched_to_the_end", x->above);
+    wf_doc_quantity(d, o, "searched_to", a->search.speed_max, "m/s", NULL);
+    json_t *list = wf_doc_put(d, o, "directions", wf_doc_array(d));
+    for (size_t k = 0; k < q->n; k++) wf_doc_add(d, list, direction_part(d, a, &x->direction[k]));
+    return o;
+}
 
 enum wf_status wf_input_file_note(const char *role, const char *path, struct wf_arena *a,
                                   struct wf_input_file *out, struct wf_err *e)
@@ -62,7 +272,7 @@ static bool shared(const struct wf_run *run, size_t tree)
     return false;
 }
 
-static json_t *tree(struct wf_doc *d, const struct wf_run *run, size_t index)
+static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t index)
 {
     const struct wf_analysis *a = &run->analysis[index];
     json_t *o = wf_doc_object(d);
@@ -73,14 +283,14 @@ static json_t *tree(struct wf_doc *d, const struct wf_run *run, size_t index)
     wf_doc_quantity(d, o, "height", a->tallness, "m", NULL);
     wf_doc_count(d, o, "segments", a->tree.n);
     json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
-    for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wf_part_wind(d, a, &a->at[k]));
-    wf_doc_put(d, o, "critical", wf_part_critical(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
-    wf_doc_put(d, o, "critical_stem", wf_part_critical(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
-    wf_doc_put(d, o, "criteria", wf_part_criteria(d, a, a->breaks, a->at));
+    for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wind_part(d, a, &a->at[k]));
+    wf_doc_put(d, o, "critical", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
+    wf_doc_put(d, o, "critical_stem", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
+    wf_doc_put(d, o, "criteria", criteria_part(d, a, a->breaks, a->at));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
-    wf_doc_put(d, o, "directions", wf_part_directions(d, a));
+    wf_doc_put(d, o, "directions", directions_part(d, a));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");
-    wf_doc_put(d, o, "warnings", shared(run, index) ? wf_doc_array(d) : wf_part_warnings(d, a->diag));
+    wf_doc_put(d, o, "warnings", shared(run, index) ? wf_doc_array(d) : warnings_part(d, a->diag));
     return o;
 }
 
@@ -98,9 +308,8 @@ static json_t *document(struct wf_doc *d, const struct wf_run *run, const size_t
     wf_doc_text(d, o, "title", run->title);
     wf_doc_put(d, o, "provenance", provenance(d, run));
     json_t *trees = wf_doc_put(d, o, "trees", wf_doc_array(d));
-    for (size_t i = 0; i < run->n; i++) wf_doc_add(d, trees, tree(d, run, i));
-    wf_doc_put(d, o, "warnings",
-               shared(run, 0) ? wf_part_warnings(d, run->analysis[0].diag) : wf_doc_array(d));
+    for (size_t i = 0; i < run->n; i++) wf_doc_add(d, trees, tree_part(d, run, i));
+    wf_doc_put(d, o, "warnings", shared(run, 0) ? warnings_part(d, run->analysis[0].diag) : wf_doc_array(d));
     json_t *tables = wf_doc_put(d, o, "tables", wf_doc_array(d));
     for (size_t i = 0; i < WF_TABLES; i++) {
         if (!has(run, i)) continue;
@@ -148,10 +357,8 @@ static enum wf_status write_all(const struct wf_run *run, const char *folder, st
     char path[WF_PATH_MAX];
     enum wf_status code;
     for (size_t i = 0; i < FILES; i++) {
-        int n =
-            snprintf(path, sizeof path, "%s/%s", folder, i == DOCUMENT ? "results.json" : wf_tables[i].name);
-        if (n < 0 || (size_t)n >= sizeof path)
-            return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
+        const char *name = i == DOCUMENT ? "results.json" : wf_tables[i].name;
+        if ((code = wf_folder_path(folder, name, path, e))) return code;
         if (i < WF_TABLES && !has(run, i)) {
             memcpy(f[i].path, path, sizeof path);
             continue;
@@ -184,10 +391,8 @@ static enum wf_status picture(const struct wf_run *run, const char *folder, stru
         wf_tree_picture_remove(folder);
         return WF_OK;
     }
-    int n = snprintf(plots, sizeof plots, "%s/plots", folder);
-    if (n < 0 || (size_t)n >= sizeof plots)
-        return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
-    enum wf_status code = wf_mkdirs(plots, e);
+    enum wf_status code = wf_folder_path(folder, "plots", plots, e);
+    if (!code) code = wf_mkdirs(plots, e);
     return code ? code : wf_tree_picture_write(&p, folder, e);
 }
 
@@ -196,10 +401,9 @@ enum wf_status wf_results_write(const struct wf_run *run, const char *folder, st
     char tables[WF_PATH_MAX];
     enum wf_status code = check(run, e);
     if (code) return code;
-    int n = snprintf(tables, sizeof tables, "%s/tables", folder);
-    if (n < 0 || (size_t)n >= sizeof tables)
-        return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
-    if ((code = wf_mkdirs(tables, e))) return code;
+    code = wf_folder_path(folder, "tables", tables, e);
+    if (!code) code = wf_mkdirs(tables, e);
+    if (code) return code;
     /* A caller may have set a locale with a decimal comma; a table has points. */
     locale_t plain = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
     if (!plain) return wf_fail(e, WF_ENOMEM, "no memory for the locale of the tables");

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_RESULTS_H
 #define WF_OUT_RESULTS_H
 /* One results document, many readers: results.json and tables/ *.csv of a run. Keys, units and meanings
@@ -53,4 +54,11 @@ const char *wf_run_date(struct wf_arena *a);
  * become null with a reason (JSON) or an empty cell (CSV). Errors: WF_EUSAGE for a run without analyses or
  * with differing wind lists, WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_results_write(const struct wf_run *run, const char *folder, struct wf_err *e);
+
+/* Short stable word for the outcome of a solution ("ok", "unstable", ...), used in JSON and in tables. */
+const char *wf_part_status(enum wf_status s);
+/* The same for the outcome of the search for the critical wind speed ("found", "above", ...). */
+const char *wf_part_outcome(enum wf_critical_outcome o);
+/* Height above ground of position s (0 base, 1 end) of a row on the unbent tree [m]; NAN for row -1. */
+double wf_part_height(const struct wf_tree *t, int32_t row, double s);
 #endif

@@ -1,9 +1,9 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_SERIES_H
 #define WF_OUT_SERIES_H
-/* Runs in time as files: tables, a VTK time series, key-frame panels, a page. */
+/* Runs in time as files: tables, plot data, results.json, a VTK time series. */
 #include "out/explain.h"
 #include "study/series.h"
-#include <stdio.h>
 
 struct wf_series_run {
     const struct wf_series *series;
@@ -21,15 +21,10 @@ struct wf_series_page {
  * frames, a row a leaf, where there are leaves), leaf_angles.csv (every frame, the own angles of at most 12
  * leaves), levels.csv, runs.csv, explain.csv (where runs ask), warnings.csv and trajectories.csv (ends of
  * segments in every frame; of the tips of axes alone where that would be more than 200000 rows), and
- * FOLDER/plots/run.gp. */
+ * FOLDER/plots/run.csv and results.json. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_series_tables(const struct wf_series_page *p, const char *folder, struct wf_err *e);
 
 /* Write FOLDER/vtk/RUN.pvd and its frames FOLDER/vtk/RUN_0000.vtp ...: lines from base to end of every
  * segment with radius, level and displacement, for ParaView. At most 60 frames a run, evenly spaced. */
 enum wf_status wf_series_vtk(const struct wf_series_page *p, const char *folder, struct wf_err *e);
-
-/* Draw plots/series.svg, frames_*.svg and write series.html, series.pdf. As wf_report_make: what cannot be
- * made is a warning in `d`. */
-enum wf_status wf_series_report(const struct wf_series_page *p, const char *folder, struct wf_diag *d,
-                                struct wf_err *e);
 #endif

@@ -202,30 +202,133 @@ static void tips(FILE *f, const struct wf_shelter_run *r)
     }
 }
 
-static void words(FILE *f, const struct wf_shelter_run *r)
+static void plot_data(struct wf_plot_data *p, const struct wf_shelter_run *r)
 {
     const struct wf_shelter *s = &r->still;
-    double at[2], depth = s->step[0] * (double)s->slabs;
+    double at[2];
     middle(s, at);
-    fprintf(f, "LAW = '%s'\nSPEED = %.6g\nSLABS = %zu\nCELLS = %zu\nFRONT = %.6g\nDEPTH = %.6g\n",
-            s->request.law->name, r->speed, s->slabs, s->across, s->low[0], depth);
-    fprintf(f, "LEFT = %.6g\nWIDE = %.6g\nBOTTOM = %.6g\nTALL = %.6g\nCUT_UP = %.6g\nCUT_ACROSS = %.6g\n",
-            s->low[1], s->step[1] * (double)s->across, s->low[2], s->step[2] * (double)s->up, at[1], at[0]);
-    fprintf(f, "MOVED = %d\n", r->moved);
+    const struct {
+        const char *key;
+        double x;
+    } number[] = { { "SPEED", r->speed },
+                   { "SLABS", (double)s->slabs },
+                   { "CELLS", (double)s->across },
+                   { "FRONT", s->low[0] },
+                   { "DEPTH", s->step[0] * (double)s->slabs },
+                   { "LEFT", s->low[1] },
+                   { "WIDE", s->step[1] * (double)s->across },
+                   { "BOTTOM", s->low[2] },
+                   { "TALL", s->step[2] * (double)s->up },
+                   { "CUT_UP", at[1] },
+                   { "CUT_ACROSS", at[0] },
+                   { "MOVED", (double)r->moved } };
+    wf_plot_data_text(p, "LAW", 0, s->request.law->name);
+    for (size_t i = 0; i < sizeof number / sizeof *number; i++)
+        wf_plot_data_number(p, number[i].key, 0, number[i].x);
 }
 
-enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *e)
+size_t wf_shelter_thirds(const struct wf_shelter_run *r, struct wf_shelter_third third[3])
+{
+    size_t used = 0;
+    for (int k = 0; k < 3; k++) third[k] = (struct wf_shelter_third){ 0 };
+    for (size_t i = 0; i < r->tips; i++) {
+        const struct wf_tip *p = &r->tip[i];
+        struct wf_shelter_third *h = &third[(int)fmin(fmax(3.0 * p->along, 0.0), 2.0)];
+        h->n++;
+        for (int k = 0; k < 2; k++)
+            h->wind[k] += p->wind[k], h->move[k] += p->move[k], h->swing[k] += p->swing[k];
+    }
+    for (int i = 0; i < 3; i++) {
+        used += third[i].n > 0;
+        for (int k = 0; k < 2; k++) {
+            double n = (double)third[i].n;
+            third[i].wind[k] /= n, third[i].move[k] /= n, third[i].swing[k] /= n;
+        }
+    }
+    return used;
+}
+
+static json_t *slab_part(struct wf_doc *d, const struct wf_shelter *s, size_t k)
+{
+    const struct wf_shelter_slab *b = &s->slab[k];
+    json_t *o = wf_doc_object(d);
+    const struct {
+        const char *key;
+        double x;
+    } x[] = {
+        { "front_m", (double)k * s->step[0] }, { "wood_m2", b->wood },         { "leaf_m2", b->leaf },
+        { "covered_m2", b->covered },          { "arriving_ratio", b->speed }, { "flux_ratio", b->flux }
+    };
+    for (size_t i = 0; i < sizeof x / sizeof *x; i++) wf_doc_number(d, o, x[i].key, x[i].x);
+    wf_doc_count(d, o, "cylinder", b->cells[WF_CELL_CYLINDER]);
+    wf_doc_count(d, o, "hole", b->cells[WF_CELL_HOLE]);
+    wf_doc_count(d, o, "slit", b->cells[WF_CELL_SLIT]);
+    wf_doc_count(d, o, "transmitting", b->cells[WF_CELL_TRANSMITTING]);
+    wf_doc_count(d, o, "full", b->full);
+    return o;
+}
+
+static json_t *moved_part(struct wf_doc *d, const struct wf_shelter_run *r)
+{
+    struct wf_shelter_third third[3];
+    json_t *o = wf_doc_object(d), *list = wf_doc_put(d, o, "thirds", wf_doc_array(d));
+    wf_shelter_thirds(r, third);
+    for (int k = 0; k < 3; k++) {
+        json_t *q = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_count(d, q, "number", third[k].n);
+        wf_doc_numbers(d, q, "wind_m_s", third[k].wind, 2);
+        wf_doc_numbers(d, q, "move_m", third[k].move, 2);
+        wf_doc_numbers(d, q, "swing_m", third[k].swing, 2);
+    }
+    wf_doc_number(d, o, "base_moment_open_N_m", hypot(r->open.base_moment[0], r->open.base_moment[1]));
+    wf_doc_number(d, o, "base_moment_own_N_m", hypot(r->own.base_moment[0], r->own.base_moment[1]));
+    wf_doc_count(d, o, "passes", r->sheltered->passes);
+    return o;
+}
+
+static void law_part(struct wf_doc *d, json_t *o, const struct wf_shelter_request *q)
+{
+    json_t *law = wf_doc_put(d, o, "law", wf_doc_object(d));
+    wf_doc_text(d, law, "name", q->law->name), wf_doc_text(d, law, "title", q->law->title);
+    wf_doc_text(d, law, "source", q->law->source), wf_doc_text(d, law, "validity", q->law->validity);
+    wf_doc_number(d, o, "transmission", q->transmission);
+    wf_doc_flag(d, o, "energy", q->energy);
+    wf_doc_number(d, o, "speed_share", wf_shelter_speed_share(q));
+}
+
+static enum wf_status document(const struct wf_shelter_run *r, const struct wf_doc_head *head,
+                               const struct wf_diag *diag, struct wf_err *e)
+{
+    const struct wf_shelter *s = &r->still;
+    struct wf_doc d = { 0 };
+    json_t *o = wf_doc_begin(&d, "windfirm-shelter", head);
+    wf_doc_text(&d, o, "species", r->species), wf_doc_text(&d, o, "tree", r->tree_name);
+    wf_doc_count(&d, o, "segments", r->tree->n);
+    wf_doc_number(&d, o, "speed_m_s", r->speed);
+    wf_doc_number(&d, o, "reference_height_m", s->base.reference_height);
+    law_part(&d, o, &s->request);
+    wf_doc_numbers(&d, o, "step_m", s->step, 3);
+    wf_doc_count(&d, o, "across", s->across), wf_doc_count(&d, o, "up", s->up);
+    json_t *list = wf_doc_put(&d, o, "slabs", wf_doc_array(&d));
+    for (size_t k = 0; k <= s->slabs; k++) wf_doc_add(&d, list, slab_part(&d, s, k));
+    if (r->moved) wf_doc_put(&d, o, "moved", moved_part(&d, r));
+    wf_doc_warnings(&d, wf_doc_put(&d, o, "warnings", wf_doc_array(&d)), diag);
+    list = wf_doc_put(&d, o, "figures", wf_doc_array(&d));
+    wf_doc_figure(&d, list, "shelter_slabs", "shelter_slabs", 0);
+    wf_doc_figure(&d, list, "shelter_wind", "shelter_wind", 0);
+    if (r->moved) wf_doc_figure(&d, list, "shelter_motion", "shelter_motion", 0);
+    return wf_doc_end(&d, o, r->folder, e);
+}
+
+enum wf_status wf_shelter_results_write(const struct wf_shelter_run *r, const struct wf_doc_head *head,
+                                        const struct wf_diag *diag, struct wf_err *e)
 {
     static const struct {
         const char *name;
         void (*write)(FILE *f, const struct wf_shelter_run *r);
-    } table[] = { { "tables/slabs.csv", slabs },
-                  { "tables/cells.csv", cells },
-                  { "tables/cut_level.csv", cut_level },
-                  { "tables/cut_upright.csv", cut_upright },
-                  { "tables/rows.csv", rows },
-                  { "tables/tips.csv", tips },
-                  { "plots/run.gp", words } };
+    } table[] = { { "tables/slabs.csv", slabs },         { "tables/cells.csv", cells },
+                  { "tables/cut_level.csv", cut_level }, { "tables/cut_upright.csv", cut_upright },
+                  { "tables/rows.csv", rows },           { "tables/tips.csv", tips } };
     enum wf_status status = wf_folder_make(r->folder, e);
     for (size_t i = 0; i < sizeof table / sizeof table[0] && !status; i++) {
         struct wf_file f = { 0 };
@@ -234,5 +337,10 @@ enum wf_status wf_shelter_tables(const struct wf_shelter_run *r, struct wf_err *
         table[i].write(f.stream, r);
         status = wf_file_commit(&f, e);
     }
-    return status;
+    struct wf_plot_data p;
+    if (!status) status = wf_plot_data_begin(&p, r->folder, "run", e);
+    if (status) return status;
+    plot_data(&p, r);
+    status = wf_plot_data_end(&p, e);
+    return status ? status : document(r, head, diag, e);
 }

@@ -1,11 +1,12 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/tables.h"
-#include "out/parts.h"
+#include "study/directions.h"
 #include <math.h>
 
 static const double degrees = 57.295779513082320877; /* 180 / pi */
 
 /* Adding zero turns -0 into 0. */
-void wf_table_cell(FILE *f, double x)
+static void cell(FILE *f, double x)
 {
     if (isfinite(x))
         fprintf(f, ",%.10g", x + 0.0);
@@ -15,10 +16,10 @@ void wf_table_cell(FILE *f, double x)
 
 static void cells(FILE *f, size_t n, const double *x)
 {
-    for (size_t i = 0; i < n; i++) wf_table_cell(f, x[i]);
+    for (size_t i = 0; i < n; i++) cell(f, x[i]);
 }
 
-void wf_table_lead(FILE *f, const struct wf_run *run, size_t tree, double speed)
+static void lead(FILE *f, const struct wf_run *run, size_t tree, double speed)
 {
     fprintf(f, "%zu,", tree + 1);
     const char *key = run->analysis[tree].species->key;
@@ -28,7 +29,7 @@ void wf_table_lead(FILE *f, const struct wf_run *run, size_t tree, double speed)
         putc(*c, f);
     }
     putc('"', f);
-    wf_table_cell(f, speed);
+    cell(f, speed);
 }
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -57,15 +58,15 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
                                      1e-6 * at->breakage.largest_stress,
                                      worst->safety,
                                      height };
-            wf_table_lead(f, run, i, at->speed);
+            lead(f, run, i, at->speed);
             fprintf(f, ",%s", wf_part_status(at->status));
-            for (size_t c = 0; c < COUNT(total); c++) wf_table_cell(f, at->status ? NAN : total[c]);
+            for (size_t c = 0; c < COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
             const struct wf_break *const breaks[] = { &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE],
                                                       &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM] };
             for (size_t c = 0; c < COUNT(breaks); c++) {
-                wf_table_cell(f, breaks[c]->critical.speed);
+                cell(f, breaks[c]->critical.speed);
                 fprintf(f, ",%s", wf_part_outcome(breaks[c]->critical.outcome));
-                wf_table_cell(f, breaks[c]->height);
+                cell(f, breaks[c]->height);
             }
             putc('\n', f);
         }
@@ -109,7 +110,7 @@ static size_t write_segments(const struct wf_run *run, FILE *f)
                                        b->safety1[r],
                                        g->deflection[r],
                                        degrees * g->slope[r] };
-                wf_table_lead(f, run, i, a->at[k].speed);
+                lead(f, run, i, a->at[k].speed);
                 fprintf(f, ",%zu,%ld,%ld", r + 1, (long)t->parent[r] + 1, (long)t->level[r]);
                 cells(f, COUNT(row), row);
                 putc('\n', f);
@@ -125,7 +126,7 @@ static void shape_point(FILE *f, const struct wf_run *run, size_t tree, double s
                         size_t segment, const double x[3], const double u[3])
 {
     const double row[] = { x[0], x[1], x[2], x[0] + u[0], x[1] + u[1], x[2] + u[2] };
-    wf_table_lead(f, run, tree, speed);
+    lead(f, run, tree, speed);
     fprintf(f, ",%zu,%zu", axis, segment);
     cells(f, COUNT(row), row);
     putc('\n', f);
@@ -180,13 +181,65 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
                                      at->base_moment,
                                      1e-6 * at->breakage.largest_stress,
                                      at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety };
-            wf_table_lead(f, run, i, at->speed);
+            lead(f, run, i, at->speed);
             fprintf(f, ",%s", wf_part_status(at->status));
-            for (size_t c = 0; c < COUNT(total); c++) wf_table_cell(f, at->status ? NAN : total[c]);
+            for (size_t c = 0; c < COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
             putc('\n', f);
         }
         rows += a->sweep_n;
     }
+    return rows;
+}
+
+static void direction_row(const struct wf_run *run, size_t tree, size_t k, size_t wind, FILE *f)
+{
+    const struct wf_analysis *a = &run->analysis[tree];
+    const struct wf_directions *x = a->directions;
+    const struct wf_direction *d = &x->direction[k];
+    const struct wf_at_speed *at = &d->at[wind];
+    const double total[] = { at->tip_deflection,
+                             degrees * at->tip_angle,
+                             at->drag,
+                             at->base_shear,
+                             at->base_moment,
+                             1e-6 * at->breakage.largest_stress,
+                             at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety };
+    lead(f, run, tree, at->speed);
+    cell(f, degrees * d->from);
+    fprintf(f, ",%s", wf_part_status(at->status));
+    for (size_t c = 0; c < sizeof total / sizeof *total; c++) cell(f, at->status ? NAN : total[c]);
+    const struct wf_break *const breaks[] = { &d->breaks[WF_BREAKAGE][WF_SCOPE_TREE],
+                                              &d->breaks[WF_BREAKAGE][WF_SCOPE_STEM] };
+    for (size_t c = 0; c < 2; c++) {
+        cell(f, breaks[c]->critical.speed);
+        fprintf(f, ",%s", wf_part_outcome(breaks[c]->critical.outcome));
+        cell(f, breaks[c]->height);
+    }
+    const struct wf_rose *r = x->request.rose;
+    cell(f, r ? r->frequency[k] : NAN);
+    cell(f, r ? r->scale[k] : NAN);
+    cell(f, r ? r->shape[k] : NAN);
+    cell(f, WF_HOURS_A_YEAR * d->hourly);
+    cell(f, WF_HOURS_A_YEAR * d->strongest);
+    cell(f, x->request.speed_up ? x->request.speed_up[k] : a->scenario.speed_up);
+    putc('\n', f);
+}
+
+static bool directions_made(const struct wf_run *run) { return run->analysis[0].directions != NULL; }
+
+static size_t write_directions(const struct wf_run *run, FILE *f)
+{
+    size_t rows = 0;
+    fputs("tree,species,wind_m_s,from_deg,status,tip_deflection_m,tip_angle_deg,drag_N,base_shear_N,base_"
+          "moment_Nm,"
+          "largest_stress_MPa,least_safety,critical_wind_m_s,critical_outcome,critical_height_m,"
+          "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m,frequency,weibull_scale_m_s,"
+          "weibull_shape,hours_a_year,hours_a_year_10_min,speed_up\n",
+          f);
+    for (size_t i = 0; i < run->n; i++)
+        for (size_t wind = 0; wind < run->analysis[i].n; wind++)
+            for (size_t k = 0; k < run->analysis[i].directions->request.n; k++, rows++)
+                direction_row(run, i, k, wind, f);
     return rows;
 }
 
@@ -196,7 +249,7 @@ const struct wf_table wf_tables[] = {
     { "tables/shape.csv", "axis points, unloaded and loaded", write_shape, NULL },
     { "tables/sweep.csv", "totals on a ladder of wind speeds from 0, closer at first, for curves",
       write_sweep, NULL },
-    { WF_DIRECTIONS_TABLE, "totals, critical wind speeds and hours a year by direction of the wind",
-      wf_directions_write, wf_directions_made },
+    { "tables/directions.csv", "totals, critical wind speeds and hours a year by direction of the wind",
+      write_directions, directions_made },
     { NULL, NULL, NULL, NULL },
 };

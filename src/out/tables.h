@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_TABLES_H
 #define WF_OUT_TABLES_H
 /* The tables of a run, as CSV: comma, a point for decimals, one header row with the unit in the column name.
@@ -14,13 +15,4 @@ struct wf_table {
 };
 extern const struct wf_table wf_tables[]; /* ends at name == NULL */
 enum { WF_TABLES = 5 };
-
-/* The first three columns of every table: number of the tree, key of its species, wind speed. */
-void wf_table_lead(FILE *f, const struct wf_run *run, size_t tree, double speed);
-/* A further cell; what is not finite is empty. */
-void wf_table_cell(FILE *f, double x);
-
-#define WF_DIRECTIONS_TABLE "tables/directions.csv"
-bool wf_directions_made(const struct wf_run *run);
-size_t wf_directions_write(const struct wf_run *run, FILE *f);
 #endif

@@ -1,33 +1,31 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/tree_picture.h"
 #include "base/file.h"
+#include "base/num.h"
+#include "out/figures.h"
+#include "out/folder.h"
 #include "out/tree_summary.h"
 #include <math.h>
 #include <stdarg.h>
+#include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-static const char *const parts[] = { "tree.dat", "tree_data.gp" };
-
-static enum wf_status path_of(const char *folder, const char *name, char path[static WF_PATH_MAX],
-                              struct wf_err *e)
-{
-    int n = snprintf(path, WF_PATH_MAX, "%s/plots/%s", folder, name);
-    if (n >= 0 && n < WF_PATH_MAX) return WF_OK;
-    return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
-}
+static const char *const parts[] = { "plots/tree.dat", "plots/tree.csv" };
 
 void wf_tree_picture_remove(const char *folder)
 {
     char path[WF_PATH_MAX];
     for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
-        if (!path_of(folder, parts[k], path, NULL)) (void)unlink(path);
+        if (!wf_folder_path(folder, parts[k], path, NULL)) (void)unlink(path);
 }
 
 bool wf_tree_picture_there(const char *folder)
 {
     char path[WF_PATH_MAX];
-    return !path_of(folder, "tree_data.gp", path, NULL) && !access(path, R_OK);
+    return !wf_folder_path(folder, "plots/tree.csv", path, NULL) && !access(path, R_OK);
 }
 
 /* A segment seen from a side: across x (front) or y (side). Segments thinner than `thin` become lines. */
@@ -71,51 +69,45 @@ static void outlines(FILE *f, const struct wf_tree *t, size_t levels, double thi
         }
 }
 
-static void quote(FILE *f, const char *text)
-{
-    fputc('\'', f);
-    for (const char *c = text ? text : ""; *c; c++) {
-        if (*c == '\'') fputc('\'', f);
-        fputc(*c == '\n' ? ' ' : *c, f);
-    }
-    fputc('\'', f);
-}
-
-/* Rows of the table: a name and a value. */
-struct table {
-    FILE *f;
+/* Rows of the table beside the picture: a name that has a label in the figure's words, and a value. */
+struct side_table {
+    struct wf_plot_data *p;
     size_t rows;
 };
-static void entry(struct table *t, const char *name, const char *fmt, ...)
+static void entry(struct side_table *t, const char *name, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
-static void entry(struct table *t, const char *name, const char *fmt, ...)
+static void entry(struct side_table *t, const char *name, const char *fmt, ...)
 {
     char value[160];
     va_list args;
     va_start(args, fmt);
     (void)vsnprintf(value, sizeof value, fmt, args);
     va_end(args);
-    fprintf(t->f, "P_NAME[%zu] = ", ++t->rows);
-    quote(t->f, name);
-    fprintf(t->f, "; P_VALUE[%zu] = ", t->rows);
-    quote(t->f, value);
-    fputc('\n', t->f);
+    wf_plot_data_text(t->p, "P_NAME", ++t->rows, name);
+    wf_plot_data_text(t->p, "P_VALUE", t->rows, value);
 }
 
-static void parameters(struct table *t, const struct wf_tree_picture *p, const struct wf_tree_summary *s)
+/* The same with a value that is a word, with a label of its own. */
+static void entry_word(struct side_table *t, const char *name, const char *word)
+{
+    wf_plot_data_text(t->p, "P_NAME", ++t->rows, name);
+    wf_plot_data_text(t->p, "P_WORD", t->rows, word);
+}
+
+static void parameters(struct side_table *t, const struct wf_tree_picture *p, const struct wf_tree_summary *s)
 {
     const struct wf_model *m = p->model;
     entry(t, "model", "%s", m->key);
     entry(t, "species", "%s", p->species->name);
-    entry(t, "generator", "%s",
-          m->generator == WF_GENERATOR_MEASURED ? "measured" : wf_generator_words[m->generator]);
+    entry_word(t, "generator",
+               m->generator == WF_GENERATOR_MEASURED ? "measured" : wf_generator_words[m->generator]);
     entry(t, "height", "%.4g m", s->height);
     entry(t, "base diameter", "%.4g mm", 2e3 * p->tree->r0[0]);
     entry(t, "wood", "%.4g m³", s->wood_volume);
     if (s->leaf_area > 0)
         entry(t, "leaf area", "%.4g m²", s->leaf_area);
     else
-        entry(t, "leaf area", "no leaves");
+        entry_word(t, "leaf area", "no leaves");
     entry(t, "segments", "%zu", p->tree->n);
     if (m->generator == WF_GENERATOR_LEVELS) entry(t, "seed", "%zu", m->seed);
     if (m->generator == WF_GENERATOR_IFS) {
@@ -127,43 +119,39 @@ static void parameters(struct table *t, const struct wf_tree_picture *p, const s
     }
 }
 
-/* A column of the table of levels, one text a level. */
-static void column(FILE *f, const char *name, const struct wf_tree_summary *s, int which)
+static void level_row(struct wf_plot_data *p, const struct wf_level_summary *v, size_t level)
 {
-    fprintf(f, "array %s[%zu] = [", name, s->levels);
-    for (size_t l = 0; l < s->levels; l++) {
-        const struct wf_level_summary *v = &s->level[l];
-        char text[64] = "";
-        if (which == 0) (void)snprintf(text, sizeof text, "%zu", v->axes);
-        if (which == 1 && v->length_most - v->length_least > 0.005 * v->length_most)
-            (void)snprintf(text, sizeof text, "%.2g–%.2g", v->length_least, v->length_most);
-        else if (which == 1)
-            (void)snprintf(text, sizeof text, "%.3g", v->length_mean);
-        if (which == 2) (void)snprintf(text, sizeof text, "%.3g", 1e3 * v->diameter_mean);
-        if (l) fputs(", ", f);
-        quote(f, text);
-    }
-    fputs("]\n", f);
+    wf_plot_data_count(p, "L_COUNT", level, v->axes);
+    if (v->length_most - v->length_least > 0.005 * v->length_most)
+        wf_plot_data_print(p, "L_LENGTH", level, "%.2g–%.2g", v->length_least, v->length_most);
+    else
+        wf_plot_data_print(p, "L_LENGTH", level, "%.3g", v->length_mean);
+    wf_plot_data_print(p, "L_DIAMETER", level, "%.3g", 1e3 * v->diameter_mean);
 }
 
-static void data(FILE *f, const struct wf_tree_picture *p, const struct wf_tree_summary *s)
+static enum wf_status plot_data(const char *folder, const struct wf_tree_picture *p,
+                                const struct wf_tree_summary *s, struct wf_err *e)
 {
-    struct table t = { .f = f };
-    fputs("# A tree for reports/plots/tree.gp; written by windfirm.\nTITLE = ", f);
-    quote(f, p->model->name);
-    fprintf(f, "\nLEVELS = %zu\nSEGMENTS = %zu\narray LEVEL[%zu] = [", s->levels, p->tree->n, s->levels);
-    for (size_t l = 0; l < s->levels; l++) {
-        if (l) fputs(", ", f);
-        quote(f, wf_model_level_name(p->model, p->species, (int32_t)l));
+    static const char *const low[] = { "X_LOW", "Y_LOW", "Z_LOW" }, *const high[] = { "X_HIGH", "Y_HIGH",
+                                                                                      "Z_HIGH" };
+    struct wf_plot_data to;
+    struct side_table t = { .p = &to };
+    enum wf_status code = wf_plot_data_begin(&to, folder, "tree", e);
+    if (code) return code;
+    wf_plot_data_text(&to, "TITLE", 0, p->model->name);
+    wf_plot_data_count(&to, "LEVELS", 0, s->levels);
+    wf_plot_data_count(&to, "SEGMENTS", 0, p->tree->n);
+    for (int k = 0; k < 3; k++) {
+        wf_plot_data_number(&to, low[k], 0, s->low[k]);
+        wf_plot_data_number(&to, high[k], 0, s->high[k]);
     }
-    fprintf(f, "]\nX_LOW = %.6g; X_HIGH = %.6g\nY_LOW = %.6g; Y_HIGH = %.6g\nZ_LOW = %.6g; Z_HIGH = %.6g\n",
-            s->low[0], s->high[0], s->low[1], s->high[1], s->low[2], s->high[2]);
-    column(f, "L_COUNT", s, 0);
-    column(f, "L_LENGTH", s, 1);
-    column(f, "L_DIAMETER", s, 2);
-    fputs("array P_NAME[40]; array P_VALUE[40]\n", f);
+    for (size_t l = 0; l < s->levels; l++) {
+        wf_plot_data_text(&to, "LEVEL", l + 1, wf_model_level_name(p->model, p->species, (int32_t)l));
+        level_row(&to, &s->level[l], l + 1);
+    }
     parameters(&t, p, s);
-    fprintf(f, "P_ROWS = %zu\n", t.rows);
+    wf_plot_data_count(&to, "P_ROWS", 0, t.rows);
+    return wf_plot_data_end(&to, e);
 }
 
 enum wf_status wf_tree_picture_write(const struct wf_tree_picture *p, const char *folder, struct wf_err *e)
@@ -174,18 +162,166 @@ enum wf_status wf_tree_picture_write(const struct wf_tree_picture *p, const char
     enum wf_status code = wf_tree_summarise(p->tree, &s, e);
     if (code) return code;
     double size = fmax(s.high[2] - s.low[2], fmax(s.high[0] - s.low[0], s.high[1] - s.low[1]));
-    for (size_t k = 0; k < sizeof parts / sizeof *parts; k++) {
-        struct wf_file f = { 0 };
-        code = path_of(folder, parts[k], path, e);
-        if (!code) code = wf_file_begin(&f, path, e);
-        if (code) return code;
-        if (k == 0)
-            outlines(f.stream, p->tree, s.levels, size / pixels);
-        else
-            data(f.stream, p, &s);
-        code = wf_file_commit(&f, e);
-        wf_file_abandon(&f);
-        if (code) return code;
+    struct wf_file f = { 0 };
+    if (!code) code = wf_folder_path(folder, "plots/tree.dat", path, e);
+    if (!code) code = wf_file_begin(&f, path, e);
+    if (code) return code;
+    outlines(f.stream, p->tree, s.levels, size / pixels);
+    code = wf_file_commit(&f, e);
+    return code ? code : plot_data(folder, p, &s, e);
+}
+
+static const struct wf_figure tree_figure = { "tree", "tree", 0 };
+
+/* The bytes of a finished picture; one that is cut short is refused. */
+static enum wf_status read_picture(const char *picture, struct wf_arena *a, struct wf_bytes *out,
+                                   struct wf_err *e)
+{
+    enum wf_status s = wf_file_read(picture, a, out, e);
+    if (s) return s;
+    static const char png[] = "IEND";
+    const char *tail = strstr(picture, ".png") ? png : strstr(picture, ".pdf") ? "%%EOF" : "</svg>";
+    size_t n = strlen(tail), from = out->size > 64 ? out->size - 64 : 0;
+    for (size_t i = from; i + n <= out->size; i++)
+        if (!memcmp(out->data + i, tail, n)) return WF_OK;
+    return wf_fail(e, WF_EOUTPUT, "%s: the picture is not complete (is the disk full?)", picture);
+}
+
+static enum wf_status write_picture(const char *path, const struct wf_bytes *b, struct wf_err *e)
+{
+    struct wf_file f = { 0 };
+    enum wf_status s = wf_file_begin(&f, path, e);
+    if (s) return s;
+    if (fwrite(b->data, 1, b->size, f.stream) != b->size)
+        s = wf_fail(e, WF_EOUTPUT, "%s: cannot be written", path);
+    else
+        s = wf_file_commit(&f, e);
+    wf_file_abandon(&f);
+    return s;
+}
+
+static const char *ending(const char *path)
+{
+    static const char *const known[] = { ".svg", ".png", ".pdf" };
+    size_t n = strlen(path);
+    for (size_t k = 0; k < sizeof known / sizeof *known; k++)
+        if (n > 4 && !strcmp(path + n - 4, known[k])) return known[k];
+    return NULL;
+}
+
+/* Everything in a folder of its own that is removed afterwards. */
+static enum wf_status draw_in(const struct wf_tree_picture *p, const char *folder, const char *path,
+                              struct wf_arena *a, struct wf_err *e)
+{
+    char picture[WF_PATH_MAX], name[16], plots[WF_PATH_MAX];
+    struct wf_bytes bytes;
+    snprintf(name, sizeof name, "picture%s", ending(path));
+    enum wf_status s = wf_folder_path(folder, "plots", plots, e);
+    if (!s) s = wf_mkdirs(plots, e);
+    if (!s) s = wf_tree_picture_write(p, folder, e);
+    if (!s) s = wf_folder_path(folder, name, picture, e);
+    if (!s) s = wf_figures_run(folder, &tree_figure, picture, "en", e);
+    if (!s) s = read_picture(picture, a, &bytes, e);
+    if (!s) s = write_picture(path, &bytes, e);
+    (void)unlink(picture);
+    wf_tree_picture_remove(folder);
+    if (!wf_folder_path(folder, "plots", plots, NULL)) (void)rmdir(plots);
+    return s;
+}
+
+enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char *path, struct wf_err *e)
+{
+    const char *base = getenv("TMPDIR");
+    char folder[WF_PATH_MAX];
+    struct wf_arena a = { 0 };
+    if (!ending(path)) return wf_fail(e, WF_EUSAGE, "%s: a picture ends in .svg, .png or .pdf", path);
+    int n = snprintf(folder, sizeof folder, "%s/windfirm-XXXXXX", base && *base ? base : "/tmp");
+    if (n < 0 || (size_t)n >= sizeof folder || !mkdtemp(folder))
+        return wf_fail(e, WF_EOUTPUT, "%s: no temporary folder can be made there", base ? base : "/tmp");
+    enum wf_status s = draw_in(p, folder, path, &a, e);
+    (void)rmdir(folder);
+    wf_arena_free(&a);
+    return s;
+}
+
+static char *base64(const struct wf_bytes *b, struct wf_arena *a)
+{
+    static const char digit[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    static const char lead[] = "data:image/png;base64,";
+    size_t n = 0;
+    char *out = WF_TAKE(a, sizeof lead + (b->size + 2) / 3 * 4, char);
+    if (!out) return NULL;
+    memcpy(out, lead, sizeof lead - 1);
+    n = sizeof lead - 1;
+    for (size_t i = 0; i < b->size; i += 3) {
+        uint32_t v = 0;
+        for (size_t k = 0; k < 3; k++) v = v << 8 | (i + k < b->size ? (unsigned char)b->data[i + k] : 0);
+        for (size_t k = 0; k < 4; k++) out[n++] = i + k <= b->size ? digit[v >> (18 - 6 * k) & 63] : '=';
     }
+    return out;
+}
+
+/* Width and height of a PNG, big-endian behind its signature. */
+static unsigned png_number(const struct wf_bytes *b, size_t at)
+{
+    unsigned v = 0;
+    for (size_t k = 0; k < 4; k++) v = v << 8 | (unsigned char)b->data[at + k];
+    return v;
+}
+
+/* An SVG that holds the points of a PNG. */
+static enum wf_status wrap_picture(const struct wf_bytes *png, xmlDoc **svg, struct wf_arena *a,
+                                   struct wf_err *e)
+{
+    char size[64];
+    char *data = base64(png, a);
+    *svg = xmlNewDoc(BAD_CAST "1.0");
+    xmlNode *root = *svg ? xmlNewDocNode(*svg, NULL, BAD_CAST "svg", NULL) : NULL;
+    if (root) xmlDocSetRootElement(*svg, root);
+    xmlNs *ns = root ? xmlNewNs(root, BAD_CAST "http://www.w3.org/2000/svg", NULL) : NULL;
+    xmlNode *image = ns ? xmlNewChild(root, ns, BAD_CAST "image", NULL) : NULL;
+    if (!data || !image) return wf_fail(e, WF_ENOMEM, "no memory for a picture");
+    xmlSetNs(root, ns);
+    snprintf(size, sizeof size, "0 0 %u %u", png_number(png, 16), png_number(png, 20));
+    xmlNewProp(root, BAD_CAST "viewBox", BAD_CAST size);
+    snprintf(size, sizeof size, "%u", png_number(png, 16));
+    xmlNewProp(image, BAD_CAST "width", BAD_CAST size);
+    snprintf(size, sizeof size, "%u", png_number(png, 20));
+    xmlNewProp(image, BAD_CAST "height", BAD_CAST size);
+    xmlNewProp(image, BAD_CAST "href", BAD_CAST data);
     return WF_OK;
+}
+
+static size_t segments(const char *folder, struct wf_arena *a)
+{
+    char path[WF_PATH_MAX];
+    struct wf_bytes b;
+    if (wf_folder_path(folder, "plots/tree.csv", path, NULL) || wf_file_read_text(path, a, &b, NULL))
+        return 0;
+    const char *at = strstr(b.data, "\nSEGMENTS,0,");
+    return at ? strtoul(at + strlen("\nSEGMENTS,0,"), NULL, 10) : 0;
+}
+
+enum wf_status wf_tree_picture_report(const char *folder, const char *language, xmlDoc **svg,
+                                      struct wf_err *e)
+{
+    struct wf_arena a = { 0 };
+    struct wf_bytes png;
+    char path[WF_PATH_MAX], part[WF_PATH_MAX];
+    enum wf_status s;
+    *svg = NULL;
+    if (segments(folder, &a) <= WF_PICTURE_LINES_MAX) {
+        wf_arena_free(&a);
+        return wf_figures_draw(folder, &tree_figure, language, svg, e);
+    }
+    s = wf_folder_path(folder, "plots/tree.png", path, e);
+    if (!s) s = wf_folder_path(folder, "plots/tree.part.png", part, e);
+    if (!s) s = wf_figures_run(folder, &tree_figure, part, language, e);
+    if (!s) s = read_picture(part, &a, &png, e);
+    if (!s) s = write_picture(path, &png, e);
+    (void)unlink(part);
+    if (!s) s = wrap_picture(&png, svg, &a, e);
+    if (s && *svg) xmlFreeDoc(*svg), *svg = NULL;
+    wf_arena_free(&a);
+    return s;
 }

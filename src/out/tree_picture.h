@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_TREE_PICTURE_H
 #define WF_OUT_TREE_PICTURE_H
 /* Picture of a tree from the front and the side, coloured by level, with its parameters beside it. */
@@ -19,7 +20,7 @@ struct wf_tree_picture {
 };
 
 /* Write what reports/plots/tree.gp draws: FOLDER/plots/tree.dat (outlines of the segments by level, seen
- * along +y and along -x) and FOLDER/plots/tree_data.gp (sizes, names, the table beside the picture). The
+ * along +y and along -x) and FOLDER/plots/tree.csv (sizes, names, the table beside the picture). The
  * folders are made. */
 enum wf_status wf_tree_picture_write(const struct wf_tree_picture *p, const char *folder, struct wf_err *e);
 /* Remove both, so that a picture of an earlier run is not taken for this one's. */
@@ -32,6 +33,7 @@ enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char 
 /* Is there a picture to draw in a results folder? */
 bool wf_tree_picture_there(const char *folder);
 /* Draw FOLDER/plots/tree.svg, or tree.png for a tree of many segments, from what wf_tree_picture_write left.
- * Returned: the picture as an SVG document to be put into a page. */
-enum wf_status wf_tree_picture_report(const char *folder, xmlDoc **svg, struct wf_err *e);
+ * Labels in a language ("en", "zh"). Returned: the picture as an SVG document to be put into a page. */
+enum wf_status wf_tree_picture_report(const char *folder, const char *language, xmlDoc **svg,
+                                      struct wf_err *e);
 #endif

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/tree_summary.h"
 #include <math.h>
 #include <stdbool.h>
@@ -74,4 +75,64 @@ enum wf_status wf_tree_summarise(const struct wf_tree *t, struct wf_tree_summary
     }
     wf_arena_free(&scratch);
     return WF_OK;
+}
+
+double wf_tree_wear_mass(const struct wf_qsm_metrics *g, const struct wf_tree_wear *w)
+{
+    double mass = 0;
+    for (size_t k = 0; k < WF_QSM_ORDERS; k++) {
+        double density = w->density;
+        if (isnan(density) && w->species && w->species->levels) {
+            size_t level = k < w->species->levels ? k : w->species->levels - 1;
+            density = w->species->level[level].density.value;
+        }
+        mass += density * g->order_volume[k];
+    }
+    return mass;
+}
+
+double wf_tree_wear_sail(const struct wf_tree_wear *w)
+{
+    return w->species ? w->leaf_area * w->species->crown.frontal_share.value : (double)NAN;
+}
+
+void wf_tree_table_head(FILE *to)
+{
+    fprintf(
+        to,
+        "file,format,cylinders,branches,tips,stems,highest_order,height_m,dbh_m,base_diameter_m,width_x_m,"
+        "width_y_m,"
+        "crown_base_m,length_m,volume_m3,mass_kg,area_m2,leaf_area_m2,sail_0_m2,sail_45_m2,sail_90_m2,"
+        "sail_135_m2,leaf_sail_m2,segments,model_volume_m3,links,bridges,bridge_volume_m3,gaps,widest_gap_m");
+    for (int k = 0; k < WF_REPAIR_COUNT; k++) fprintf(to, ",%s", wf_repair_rows[k].code);
+    fputc('\n', to);
+}
+
+/* A number cell; empty when unknown. */
+static void cell(FILE *to, double v)
+{
+    if (isnan(v))
+        fputc(',', to);
+    else
+        fprintf(to, ",%.8g", v);
+}
+
+void wf_tree_table_line(FILE *to, const char *path, const struct wf_qsm *q, const struct wf_qsm_model *m,
+                        const struct wf_tree_wear *w)
+{
+    struct wf_qsm_metrics g;
+    wf_qsm_measure(q, &g);
+    fputc('"', to);
+    for (const char *p = path; *p; p++) fprintf(to, "%s%c", *p == '"' ? "\"" : "", *p);
+    fprintf(to, "\",%s,%zu,%zu,%zu,%zu,%d", q->format, g.cylinders, g.branches, g.tips, g.stems,
+            g.highest_order);
+    const double v[] = { g.height, g.dbh,    g.base_diameter,          g.width_x, g.width_y,   g.crown_base,
+                         g.length, g.volume, wf_tree_wear_mass(&g, w), g.area,    w->leaf_area };
+    for (size_t k = 0; k < sizeof v / sizeof *v; k++) cell(to, v[k]);
+    for (int deg = 0; deg < 180; deg += 45) cell(to, wf_qsm_sail(q, deg * M_PI / 180));
+    cell(to, wf_tree_wear_sail(w));
+    fprintf(to, ",%zu,%.8g,%zu,%zu,%.8g,%zu,%.6g", m->tree.n, m->volume, m->links, m->bridges,
+            m->bridge_volume, m->gaps, m->widest_gap);
+    for (int k = 0; k < WF_REPAIR_COUNT; k++) fprintf(to, ",%zu", q->repairs.count[k]);
+    fputc('\n', to);
 }

@@ -1,9 +1,14 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_TREE_SUMMARY_H
 #define WF_OUT_TREE_SUMMARY_H
-/* Size of a tree, level by level. */
+/* Size of a tree: of one as analysed, level by level; of a measured one, as a line of a table. */
 #include "base/arena.h"
 #include "base/err.h"
+#include "data/species.h"
 #include "data/tree.h"
+#include "grow/qsm_model.h"
+#include "load/qsm_metrics.h"
+#include <stdio.h>
 
 enum { WF_SUMMARY_LEVELS = 16 };
 
@@ -22,4 +27,20 @@ struct wf_tree_summary {
 
 /* An axis is a run of rows of one level joined end to end. WF_ENOMEM without room for scratch. */
 enum wf_status wf_tree_summarise(const struct wf_tree *t, struct wf_tree_summary *out, struct wf_err *e);
+
+/* What the user knows beyond the geometry. */
+struct wf_tree_wear {
+    double density;                   /* NAN: of the species, else unknown [kg m-3] */
+    double leaf_area;                 /* one-sided; NAN: unknown [m2]               */
+    const struct wf_species *species; /* NULL: unknown                              */
+};
+/* Mass of the measured wood by the density given, else of the species by level; NAN when neither is known
+ * [kg]. */
+double wf_tree_wear_mass(const struct wf_qsm_metrics *g, const struct wf_tree_wear *w);
+/* Still-air frontal area of the leaves; NAN when unknown [m2]. */
+double wf_tree_wear_sail(const struct wf_tree_wear *w);
+/* Measured trees as CSV: the header, then one line each. */
+void wf_tree_table_head(FILE *to);
+void wf_tree_table_line(FILE *to, const char *path, const struct wf_qsm *q, const struct wf_qsm_model *m,
+                        const struct wf_tree_wear *w);
 #endif

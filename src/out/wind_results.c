@@ -1,9 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/wind_results.h"
-#include "out/figures.h"
+#include "base/file.h"
 #include "out/folder.h"
+#include "wind/gust_spectral.h"
+#include "wind/climate.h"
 #include <math.h>
+#include <stdint.h>
 #include <string.h>
+#include <time.h>
+
+struct keyed {
+    const char *key;
+    double x;
+};
 
 /* A cell; empty where there is no number. */
 static void cell(FILE *f, double value, const char *format)
@@ -68,20 +77,105 @@ static void coherence(FILE *f, const struct wf_gust_report *r)
         }
 }
 
-/* Names and numbers the figure scripts need. */
-static void words(FILE *f, const struct wf_gust_report *r)
+static void plot_data(struct wf_plot_data *p, const struct wf_gust_report *r)
 {
     const struct wf_gust_spec *s = &r->spec;
-    double length = (double)s->steps * s->step;
-    fprintf(f,
-            "MODEL = '%s'\nMEAN = %.9g\nDURATION = %.9g\nSTEP = %.9g\nCOMPONENTS = %u\nPOINTS = %zu\nPAIRS = "
-            "%zu\n",
-            s->model->name, r->stats[0].mean, length, s->step, s->components, s->points,
-            r->coherence ? r->pairs : 0);
-    fprintf(f, "TARGET = %d\nSPEED = %.9g\n", s->model->spectrum ? 1 : 0, s->speed);
+    wf_plot_data_text(p, "MODEL", 0, s->model->name);
+    wf_plot_data_number(p, "MEAN", 0, r->stats[0].mean);
+    wf_plot_data_number(p, "DURATION", 0, (double)s->steps * s->step);
+    wf_plot_data_number(p, "STEP", 0, s->step);
+    wf_plot_data_count(p, "COMPONENTS", 0, s->components);
+    wf_plot_data_count(p, "POINTS", 0, s->points);
+    wf_plot_data_count(p, "PAIRS", 0, r->coherence ? r->pairs : 0);
+    wf_plot_data_count(p, "TARGET", 0, s->model->spectrum != NULL);
+    wf_plot_data_number(p, "SPEED", 0, s->speed);
 }
 
-enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r, struct wf_err *e)
+static void put_numbers(struct wf_doc *d, json_t *o, const struct keyed *x, size_t n)
+{
+    for (size_t i = 0; i < n; i++) wf_doc_number(d, o, x[i].key, x[i].x);
+}
+#define PUT(d, o, list) put_numbers(d, o, list, sizeof list / sizeof *list)
+
+static json_t *statistics_part(struct wf_doc *d, const struct wf_gust_stats *t)
+{
+    const struct keyed x[] = { { "mean_m_s", t->mean },
+                               { "deviation_m_s", t->deviation },
+                               { "intensity", t->intensity },
+                               { "lowest_m_s", t->low },
+                               { "highest_m_s", t->high },
+                               { "skewness", t->skewness },
+                               { "kurtosis", t->kurtosis },
+                               { "time_scale_s", t->time_scale },
+                               { "length_scale_m", t->length_scale },
+                               { "gust_factor", t->gust_factor },
+                               { "gust_window_s", t->gust_window },
+                               { "gust_period_s", t->period },
+                               { "gust_periods", (double)t->periods },
+                               { "peak_factor", t->peak_factor } };
+    json_t *o = wf_doc_object(d);
+    PUT(d, o, x);
+    return o;
+}
+
+static json_t *model_part(struct wf_doc *d, const struct wf_gust_spec *s)
+{
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "name", s->model->name);
+    wf_doc_text(d, o, "title", s->model->title);
+    wf_doc_text(d, o, "source", s->model->source);
+    wf_doc_text(d, o, "validity", s->model->validity);
+    wf_doc_text(d, o, "differs", s->model->corrected);
+    wf_doc_flag(d, o, "spectral", s->model->spectrum != NULL);
+    json_t *list = wf_doc_put(d, o, "parameters", wf_doc_array(d));
+    for (size_t i = 0; s->model->par[i].name; i++) {
+        json_t *p = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, p, "name", s->model->par[i].name);
+        wf_doc_text(d, p, "unit", s->model->par[i].unit);
+        wf_doc_text(d, p, "meaning", s->model->par[i].help);
+        wf_doc_number(d, p, "value", s->value[i]);
+    }
+    return o;
+}
+
+static enum wf_status wind_document(const struct wf_gust_report *r, const struct wf_doc_head *head,
+                                    const struct wf_diag *diag, const char *folder, struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &r->spec;
+    const struct wf_wind_grade *grade = wf_wind_scale_grade(&wf_wind_scales[0], r->stats[0].mean);
+    const struct keyed x[] = { { "speed_m_s", s->speed },       { "height_m", s->height },
+                               { "step_s", s->step },           { "steps", (double)s->steps },
+                               { "points", (double)s->points }, { "components", (double)s->components },
+                               { "joint", r->joint },           { "coherence_error", r->coherence_error } };
+    char seed[24];
+    struct wf_doc d = { 0 };
+    json_t *o = wf_doc_begin(&d, "windfirm-wind", head);
+    snprintf(seed, sizeof seed, "%llu", (unsigned long long)s->seed);
+    wf_doc_text(&d, o, "seed", seed);
+    wf_doc_put(&d, o, "model", model_part(&d, s));
+    PUT(&d, o, x);
+    wf_doc_text(&d, o, "beaufort", grade->name);
+    wf_doc_text(&d, o, "beaufort_text", grade->text);
+    json_t *list = wf_doc_put(&d, o, "statistics", wf_doc_array(&d));
+    for (unsigned c = 0; c < s->components; c++) wf_doc_add(&d, list, statistics_part(&d, &r->stats[c]));
+    list = wf_doc_put(&d, o, "findings", wf_doc_array(&d));
+    for (size_t i = 0; i < r->findings; i++) {
+        const struct wf_gust_finding *f = &r->finding[i];
+        json_t *q = wf_doc_add(&d, list, wf_doc_object(&d));
+        const struct keyed y[] = { { "asked", f->asked }, { "got", f->got }, { "scatter", f->scatter } };
+        wf_doc_text(&d, q, "name", f->name), wf_doc_text(&d, q, "unit", f->unit);
+        PUT(&d, q, y);
+        wf_doc_flag(&d, q, "within", f->within);
+    }
+    wf_doc_warnings(&d, wf_doc_put(&d, o, "warnings", wf_doc_array(&d)), diag);
+    list = wf_doc_put(&d, o, "figures", wf_doc_array(&d));
+    wf_doc_figure(&d, list, "wind", "wind", 0);
+    if (r->coherence) wf_doc_figure(&d, list, "wind_coherence", "wind_coherence", 0);
+    return wf_doc_end(&d, o, folder, e);
+}
+
+enum wf_status wf_wind_results_write(const struct wf_gust_report *r, const struct wf_doc_head *head,
+                                     const struct wf_diag *diag, const char *folder, struct wf_err *e)
 {
     static const struct {
         const char *name;
@@ -89,8 +183,7 @@ enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r
     } table[] = { { "tables/series.csv", series },
                   { "tables/spectrum.csv", spectrum },
                   { "tables/histogram.csv", histogram },
-                  { "tables/coherence.csv", coherence },
-                  { "plots/run.gp", words } };
+                  { "tables/coherence.csv", coherence } };
     enum wf_status status = wf_folder_make(folder, e);
     for (size_t i = 0; i < sizeof table / sizeof table[0] && !status; i++) {
         struct wf_file f = { 0 };
@@ -99,12 +192,56 @@ enum wf_status wf_wind_tables(const char *folder, const struct wf_gust_report *r
         table[i].write(f.stream, r);
         status = wf_file_commit(&f, e);
     }
-    return status;
+    struct wf_plot_data p;
+    if (!status) status = wf_plot_data_begin(&p, folder, "run", e);
+    if (status) return status;
+    plot_data(&p, r);
+    status = wf_plot_data_end(&p, e);
+    return status ? status : wind_document(r, head, diag, folder, e);
 }
 
 const double wf_rose_classes[WF_ROSE_CLASSES] = { 5.0, 10.0, 15.0, 20.0 };
 
-enum wf_status wf_wind_rose_write(const char *folder, const struct wf_rose *r, struct wf_err *e)
+static json_t *rose_row(struct wf_doc *d, const struct wf_rose *r, size_t s)
+{
+    bool all = s == r->sectors;
+    const struct keyed x[] = { { "from_deg", all ? NAN : 57.295779513082321 * r->from[s] },
+                               { "frequency", all ? 1.0 : r->frequency[s] },
+                               { "mean_m_s",
+                                 all ? wf_rose_mean(r) : r->scale[s] * tgamma(1.0 + 1.0 / r->shape[s]) },
+                               { "shape", all ? NAN : r->shape[s] } };
+    double hours[WF_ROSE_CLASSES];
+    for (int k = 0; k < WF_ROSE_CLASSES; k++)
+        hours[k] = 8766.0 * (all ? wf_rose_above(r, wf_rose_classes[k])
+                                 : r->frequency[s] * wf_rose_sector_above(r, s, wf_rose_classes[k]));
+    json_t *o = wf_doc_object(d);
+    PUT(d, o, x);
+    wf_doc_numbers(d, o, "hours_a_year_above", hours, WF_ROSE_CLASSES);
+    return o;
+}
+
+static enum wf_status rose_document(const struct wf_rose *r, const char *file, const struct wf_doc_head *head,
+                                    const struct wf_diag *diag, const char *folder, struct wf_err *e)
+{
+    const struct keyed x[] = { { "typed_sum", r->typed_sum },
+                               { "speed_exceeded_1_percent_m_s", wf_rose_speed(r, 0.01) },
+                               { "speed_exceeded_0_1_percent_m_s", wf_rose_speed(r, 0.001) } };
+    struct wf_doc d = { 0 };
+    json_t *o = wf_doc_begin(&d, "windfirm-rose", head);
+    wf_doc_text(&d, o, "file", file);
+    PUT(&d, o, x);
+    wf_doc_numbers(&d, o, "classes_m_s", wf_rose_classes, WF_ROSE_CLASSES);
+    json_t *list = wf_doc_put(&d, o, "sectors", wf_doc_array(&d));
+    for (size_t s = 0; s < r->sectors; s++) wf_doc_add(&d, list, rose_row(&d, r, s));
+    wf_doc_put(&d, o, "all", rose_row(&d, r, r->sectors));
+    wf_doc_warnings(&d, wf_doc_put(&d, o, "warnings", wf_doc_array(&d)), diag);
+    wf_doc_figure(&d, wf_doc_put(&d, o, "figures", wf_doc_array(&d)), "wind_rose", "wind_rose", 0);
+    return wf_doc_end(&d, o, folder, e);
+}
+
+enum wf_status wf_rose_results_write(const struct wf_rose *r, const char *file,
+                                     const struct wf_doc_head *head, const struct wf_diag *diag,
+                                     const char *folder, struct wf_err *e)
 {
     struct wf_file f = { 0 };
     enum wf_status status = wf_folder_make(folder, e);
@@ -120,19 +257,130 @@ enum wf_status wf_wind_rose_write(const char *folder, const struct wf_rose *r, s
     }
     fputc('\n', f.stream);
     status = wf_file_commit(&f, e);
-    if (!status) status = wf_folder_begin(&f, folder, "plots/run.gp", e);
+    struct wf_plot_data p;
+    if (!status) status = wf_plot_data_begin(&p, folder, "run", e);
     if (status) return status;
-    fprintf(f.stream, "SECTORS = %zu\n", r->sectors);
-    return wf_file_commit(&f, e);
+    wf_plot_data_count(&p, "SECTORS", 0, r->sectors);
+    status = wf_plot_data_end(&p, e);
+    return status ? status : rose_document(r, file, head, diag, folder, e);
 }
 
-enum wf_status wf_wind_figures(const char *folder, const char *const *name, struct wf_err *e)
+enum { TILE = 32 };
+
+struct stream {
+    const struct wf_gust_spec *spec;
+    FILE *to;
+    bool text;
+    float *row;                                       /* TILE * points * components             */
+    double sum[WF_COMPONENTS], square[WF_COMPONENTS]; /* of the first point, about its mean asked for */
+};
+
+static void stream_head(const struct stream *w)
 {
-    enum wf_status status = WF_OK;
-    for (size_t i = 0; name[i] && !status; i++) {
-        xmlDoc *svg = NULL;
-        status = wf_figures_draw(folder, name[i], &svg, e);
-        if (svg) xmlFreeDoc(svg);
+    static const char *const name[WF_COMPONENTS] = { "u", "v", "w" };
+    const struct wf_gust_spec *s = w->spec;
+    if (w->text) {
+        fputs("t_s", w->to);
+        for (size_t p = 0; p < s->points; p++)
+            for (unsigned c = 0; c < s->components; c++) fprintf(w->to, ",%s%zu_m_s", name[c], p + 1);
+        fputc('\n', w->to);
+        return;
     }
+    const uint16_t one = 1;
+    char words[118]; /* with the ten bytes before it a multiple of 64 */
+    int n =
+        snprintf(words, sizeof words, "{'descr': '%cf4', 'fortran_order': False, 'shape': (%zu, %zu, %u), }",
+                 *(const char *)&one ? '<' : '>', s->steps, s->points, s->components);
+    memset(words + n, ' ', sizeof words - (size_t)n);
+    words[sizeof words - 1] = '\n';
+    fwrite("\x93NUMPY\x01\x00\x76\x00", 1, 10, w->to); /* 0x76: length of the words */
+    fwrite(words, 1, sizeof words, w->to);
+}
+
+/* Steps of a block from `i` on, at most TILE: steps are the slowest in the file and the fastest in the block,
+ * so that a tile of them keeps both in reach. */
+static void stream_tile(struct stream *w, const double *block, size_t stride, size_t i, size_t steps,
+                        size_t at)
+{
+    const struct wf_gust_spec *s = w->spec;
+    size_t rows = s->points * s->components;
+    for (size_t p = 0; p < s->points; p++)
+        for (unsigned c = 0; c < s->components; c++)
+            for (size_t k = 0; k < steps; k++)
+                w->row[k * rows + p * s->components + c] = (float)block[(c * s->points + p) * stride + i + k];
+    if (!w->text) fwrite(w->row, sizeof *w->row, steps * rows, w->to);
+    for (size_t k = 0; k < steps && w->text; k++) {
+        fprintf(w->to, "%.7g", (double)(at + k) * s->step);
+        for (size_t r = 0; r < rows; r++) fprintf(w->to, ",%.6g", (double)w->row[k * rows + r]);
+        fputc('\n', w->to);
+    }
+}
+
+static enum wf_status stream_blocks(struct stream *w, struct wf_gust *g, double *block,
+                                    void (*progress)(size_t block, size_t blocks), struct wf_err *e)
+{
+    const struct wf_gust_spec *s = w->spec;
+    double mean = s->mean ? s->mean[0] : s->speed;
+    for (size_t b = 0; b < g->blocks; b++) {
+        if (progress) progress(b + 1, g->blocks);
+        enum wf_status status = wf_gust_block(g, b, block, e);
+        if (status) return status;
+        size_t first = b * g->block, n = s->steps - first < g->block ? s->steps - first : g->block;
+        for (size_t i = 0; i < n; i += TILE)
+            stream_tile(w, block, g->block, i, n - i < TILE ? n - i : TILE, first + i);
+        for (unsigned c = 0; c < s->components; c++)
+            for (size_t i = 0; i < n; i++) {
+                double x = block[c * s->points * g->block + i] - (c ? 0.0 : mean);
+                w->sum[c] += x, w->square[c] += x * x;
+            }
+        if (ferror(w->to)) break; /* the commit tells why */
+    }
+    return WF_OK;
+}
+
+static struct wf_wind_streamed streamed(const struct stream *w, const struct wf_gust *g, double seconds,
+                                        struct wf_arena *a)
+{
+    const struct wf_gust_spec *s = w->spec;
+    double n = (double)s->steps;
+    struct wf_wind_streamed out = { .blocks = g->blocks,
+                                    .block = g->block,
+                                    .seconds = seconds,
+                                    .joint = g->joint,
+                                    .coherence = s->points > 1 ? wf_gust_coherence_error(g, a) : NAN };
+    for (unsigned c = 0; c < s->components; c++) {
+        double off = w->sum[c] / n;
+        out.mean[c] = off + (c ? 0.0 : s->mean ? s->mean[0] : s->speed);
+        out.deviation[c] = sqrt(fmax(w->square[c] / n - off * off, 0.0));
+        out.asked[c] = sqrt(wf_gust_variance(s, 0, (enum wf_component)c));
+    }
+    return out;
+}
+
+enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path,
+                              void (*progress)(size_t block, size_t blocks), struct wf_arena *a,
+                              struct wf_diag *d, struct wf_wind_streamed *out, struct wf_err *e)
+{
+    struct wf_gust g;
+    struct wf_file f = { 0 };
+    size_t length = strlen(path), rows = s->points * s->components;
+    clock_t start = clock();
+    enum wf_status status = wf_gust_open(s, a, d, &g, e);
+    if (status) return status;
+    struct stream w = { .spec = s,
+                        .text = length > 4 && strcmp(path + length - 4, ".csv") == 0,
+                        .row = WF_TAKE(a, TILE * rows, float) };
+    double *block = WF_TAKE(a, rows * g.block, double);
+    if (!w.row || !block)
+        status = wf_fail(e, WF_ENOMEM, "no room for a block of %zu points", s->points);
+    else if (!(status = wf_file_begin(&f, path, e))) {
+        w.to = f.stream;
+        stream_head(&w);
+        status = stream_blocks(&w, &g, block, progress, e);
+    }
+    if (!status) status = wf_file_commit(&f, e);
+    wf_file_abandon(&f);
+    if (!status) *out = streamed(&w, &g, (double)(clock() - start) / CLOCKS_PER_SEC, a);
+    wf_gust_close(&g);
     return status;
 }

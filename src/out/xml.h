@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_XML_H
 #define WF_OUT_XML_H
 /* Documents for the stylesheets, and the stylesheets themselves. */

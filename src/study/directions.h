@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_DIRECTIONS_H
 #define WF_STUDY_DIRECTIONS_H
 /* The same tree in winds from all around, and how often a wind climate brings what breaks it. */

@@ -1,9 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/explain.h"
 #include "base/num.h"
 #include "base/vec3.h"
-#include "load/scene.h"
 #include "solve/solvers.h"
-#include "study/speed.h"
 #include <stdlib.h>
 #include <string.h>
 

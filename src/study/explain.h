@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_EXPLAIN_H
 #define WF_STUDY_EXPLAIN_H
 /* How far each method is from beam theory, branch by branch: the same tree in the same wind by every solver.

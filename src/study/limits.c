@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/limits.h"
 #include "base/num.h"
-#include "load/scene.h"
+#include "study/analysis.h"
 #include "wind/terrain.h"
 #include <math.h>
 #include <stdio.h>
@@ -106,7 +106,7 @@ static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
     if (c->outcome == WF_CRITICAL_ABOVE)
         wf_diag_warn(d, "critical-above-range",
                      "%s: no section reaches its strength up to %.6g m/s, the highest speed searched", who,
-                     an->scenario.speed_max);
+                     an->search.speed_max);
     if (c->outcome == WF_CRITICAL_UNSOLVED)
         wf_diag_warn(d, "no-equilibrium",
                      "%s: the critical wind speed could not be bracketed: no equilibrium was found between "
@@ -317,7 +317,7 @@ void wf_limits_profile(const struct wf_scenario *s, double tallness, const char 
     if (s->measured && strcmp(s->profile, "measured") == 0) check_measured(s, tallness, tree, d);
 }
 
-static void check_site(const struct wf_site *s, struct wf_diag *d)
+void wf_limits_site(const struct wf_site *s, struct wf_diag *d)
 {
     if (!s) return;
     if (s->steepest > 0.3)
@@ -340,5 +340,5 @@ static void limits_wind(const struct wf_analysis *an, struct wf_diag *d)
     check_streamline(an, d);
     wf_limits_profile(&an->scenario, an->tallness, an->model->name, d);
     check_reynolds(an, d);
-    check_site(an->scenario.site, d);
+    wf_limits_site(an->scenario.site, d);
 }

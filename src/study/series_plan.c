@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/series_plan.h"
 #include "base/yaml.h"
 #include "solve/solvers.h"
@@ -53,17 +54,7 @@ static const struct wf_yaml_row run_rows[] = {
       .doc = "Measured profile, a CSV with columns height_m and speed_ms.",
       .absent = "none",
       .example = "mast.csv" },
-    QUANTITY("exponent", profile.exponent, WF_DIM_NONE, NULL, 0, 1, "Of the power profile.", .absent = "0.16",
-             .example = "0.16"),
-    QUANTITY("roughness", profile.roughness, WF_DIM_LENGTH, "m", 1e-6, 10, "Of the log and canopy profiles.",
-             .absent = "0.03 m; canopy: 0.1 of its height", .example = "3 cm"),
-    QUANTITY("displacement", profile.displacement, WF_DIM_LENGTH, "m", 0, 100,
-             "Of the log and canopy profiles.", .absent = "0 m; canopy: 0.7 of its height", .example = "0 m"),
-    QUANTITY("canopy_height", profile.canopy_height, WF_DIM_LENGTH, "m", 0, 100,
-             "Of the stand around the tree, for the canopy profile.", .absent = "displacement / 0.7",
-             .example = "12 m"),
-    QUANTITY("attenuation", profile.attenuation, WF_DIM_NONE, NULL, 0, 10, "Of the wind inside the canopy.",
-             .absent = "joins the log law smoothly", .example = "2.5"),
+    WF_PROFILE_KEYS(struct wf_series_plan_run, profile),
     QUANTITY("wind", wind, WF_DIM_SPEED, "m/s", 0, 100, "Mean wind at the reference height.",
              .required = true, .example = "10 m/s"),
     QUANTITY("intensity", intensity, WF_DIM_NONE, NULL, 0, 1, "Turbulence intensity of the gust model.",

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_SERIES_PLAN_H
 #define WF_STUDY_SERIES_PLAN_H
 /* Runs in time as words: a file of runs (models/papers/ *.yaml), and from words to what wf_series_run takes.

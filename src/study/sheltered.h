@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_SHELTERED_H
 #define WF_STUDY_SHELTERED_H
 /* A tree in the wind that it leaves itself: shape and shelter brought into agreement. */

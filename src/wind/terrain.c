@@ -408,6 +408,13 @@ enum wf_status wf_terrain_speedup(const struct wf_terrain *t, const struct wf_sp
     return s;
 }
 
+bool wf_site_place(const char *text, double *x, double *y)
+{
+    const char *comma = text ? strchr(text, ',') : NULL, *end = text ? text + strlen(text) : NULL;
+    return comma && wf_number_read(text, comma, '.', x) == comma &&
+           wf_number_read(comma + 1, end, '.', y) == end;
+}
+
 enum wf_status wf_site_read(struct wf_site *s, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_terrain *t = &s->ground;

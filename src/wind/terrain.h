@@ -88,6 +88,8 @@ struct wf_site {
     struct wf_terrain ground;
 };
 
+/* "x,y" [m]: a place on a map. False where the text is no such. */
+bool wf_site_place(const char *text, double *x, double *y);
 /* Read the map and find the tree on it. Given: file, x, y of *site. Errors: those of wf_terrain_read,
  * WF_EUSAGE for a place outside the map or without data. */
 enum wf_status wf_site_read(struct wf_site *site, struct wf_arena *a, struct wf_err *e);

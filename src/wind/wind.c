@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/wind.h"
 #include "base/csv.h"
+#include "base/num.h"
 #include <math.h>
 #include <string.h>
 
@@ -138,6 +139,17 @@ const struct wf_profile wf_profiles[] = {
       wf_measured_sample },
     { NULL, NULL, NULL, NULL }
 };
+
+const char *const wf_profile_names[] = { "uniform", "log", "power", "canopy", "measured", NULL };
+
+double wf_wind_from(double azimuth, double north)
+{
+    double from = fmod(-0.5 * WF_PI - azimuth - north, WF_TURN);
+    if (from < 0.0) from += WF_TURN;
+    return WF_TURN - from < 1e-9 ? 0.0 : from;
+}
+
+double wf_wind_azimuth(double from, double north) { return -0.5 * WF_PI - (from + north); }
 
 const struct wf_profile *wf_profile_named(const char *name)
 {

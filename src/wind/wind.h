@@ -35,11 +35,17 @@ struct wf_profile {
  * wf_wind). */
 void wf_canopy_shape(const struct wf_wind *w, double *top, double *attenuation);
 extern const struct wf_profile
-    wf_profiles[]; /* uniform, log, power, canopy, measured; ends at name == NULL */
+    wf_profiles[];                           /* uniform, log, power, canopy, measured; ends at name == NULL */
+extern const char *const wf_profile_names[]; /* their names, for a list of choices; ends at NULL */
 /* Exponential within a stand, logarithmic above: U = U(h) exp(-a (1 - z/h)) up to the canopy top h. */
 wf_wind_sample wf_canopy_sample;
 /* The row of that name; NULL when there is none. */
 const struct wf_profile *wf_profile_named(const char *name);
+
+/* Where a wind that blows towards `azimuth` (from +x towards +y) comes from, clockwise from north, 0..2 pi,
+ * when north is `north` clockwise from +y; and the reverse [rad]. */
+double wf_wind_from(double azimuth, double north);
+double wf_wind_azimuth(double from, double north);
 
 /* Refuse what a profile cannot sample: speed negative, direction not a unit vector, reference height within
  * the calm layer of the log law, exponent outside 0..1. The samplers themselves check nothing. */

@@ -1,0 +1,19 @@
+<?xml version="1.0" encoding="UTF-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+<!-- The page of windfirm explain: every method against beam theory on one tree. -->
+<xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
+<xsl:import href="page.xsl"/>
+<xsl:include href="explained.xsl"/>
+
+<xsl:template match="/report" mode="title">
+  <xsl:call-template name="say"><xsl:with-param name="id">ex.title</xsl:with-param></xsl:call-template>
+</xsl:template>
+<xsl:template match="/report" mode="sub"><xsl:value-of select="$r/explained/item/name"/></xsl:template>
+<xsl:template match="/report" mode="body">
+  <div class="summary">
+    <p><xsl:call-template name="say"><xsl:with-param name="id">ex.note</xsl:with-param></xsl:call-template></p>
+  </div>
+  <xsl:apply-templates select="$r/explained/item" mode="section"/>
+  <xsl:call-template name="findings"><xsl:with-param name="id">h.departures</xsl:with-param></xsl:call-template>
+</xsl:template>
+</xsl:stylesheet>

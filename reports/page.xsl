@@ -1,0 +1,238 @@
+<?xml version="1.0" encoding="UTF-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+<!-- What all pages share. A page is made from <report lang><results/> (results.json as elements, lists of <item>) <css/>
+     <figures/></report>. It imports this and gives the modes "title", "sub" and "body" of /report; the report of
+     analyze and compare has a skeleton of its own. -->
+<xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform" xmlns:svg="http://www.w3.org/2000/svg"
+                exclude-result-prefixes="svg">
+<xsl:import href="words.xsl"/>
+<xsl:output method="html" encoding="UTF-8" doctype-system="about:legacy-compat" indent="no"/>
+<xsl:variable name="r" select="/report/results"/>
+
+<!-- A heading with its number; sections are numbered as in the calls below. -->
+<xsl:template name="heading">
+  <xsl:param name="n"/><xsl:param name="id"/>
+  <h2 id="s{$n}">
+    <span class="n"><xsl:value-of select="$n"/></span>
+    <xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+  </h2>
+</xsl:template>
+
+<xsl:template name="block-row">
+  <xsl:param name="id"/><xsl:param name="text"/>
+  <tr>
+    <th><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></th>
+    <td><xsl:copy-of select="$text"/></td>
+  </tr>
+</xsl:template>
+
+<!-- the picture as it is, with words for those who cannot see it -->
+<xsl:template match="svg:svg" mode="picture">
+  <xsl:copy>
+    <xsl:copy-of select="@*[name() != 'width' and name() != 'height']"/>
+    <xsl:attribute name="role">img</xsl:attribute>
+    <xsl:copy-of select="node()"/>
+  </xsl:copy>
+</xsl:template>
+
+<xsl:template name="head">
+  <xsl:param name="id"/><xsl:param name="unit"/><xsl:param name="class" select="'r'"/>
+  <th class="{$class}">
+    <xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+    <span class="u"><xsl:value-of select="$unit"/>&#160;</span>
+  </th>
+</xsl:template>
+
+<xsl:template name="table-caption">
+  <xsl:param name="n"/><xsl:param name="text"/>
+  <caption>
+    <b><xsl:call-template name="say"><xsl:with-param name="id">table</xsl:with-param>
+      </xsl:call-template>&#160;<xsl:value-of select="$n"/></b>
+    <xsl:call-template name="say"><xsl:with-param name="id">stop</xsl:with-param></xsl:call-template>
+    <xsl:copy-of select="$text"/>
+  </caption>
+</xsl:template>
+
+<xsl:template name="cell">
+  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
+  <td class="r">
+    <xsl:call-template name="fixed">
+      <xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/>
+    </xsl:call-template>
+  </td>
+</xsl:template>
+<xsl:template name="steady-cell">
+  <xsl:param name="x"/><xsl:param name="pattern" select="'0.0'"/>
+  <td class="r">
+    <xsl:call-template name="steady">
+      <xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/>
+    </xsl:call-template>
+  </td>
+</xsl:template>
+
+<!-- Heads of a table: "id;id:unit;..." of strings. Those with a colon are columns of numbers. units="yes": a second
+     line for the units. -->
+<xsl:template name="heads">
+  <xsl:param name="of"/><xsl:param name="units">yes</xsl:param>
+  <xsl:variable name="one" select="normalize-space(substring-before(concat($of, ';'), ';'))"/>
+  <xsl:variable name="id" select="substring-before(concat($one, ':'), ':')"/>
+  <th>
+    <xsl:if test="contains($one, ':')"><xsl:attribute name="class">r</xsl:attribute></xsl:if>
+    <xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+    <xsl:if test="$units = 'yes'"><span class="u"><xsl:value-of select="substring-after($one, ':')"/>&#160;</span></xsl:if>
+  </th>
+  <xsl:if test="contains($of, ';')">
+    <xsl:call-template name="heads">
+      <xsl:with-param name="of" select="substring-after($of, ';')"/><xsl:with-param name="units" select="$units"/>
+    </xsl:call-template>
+  </xsl:if>
+</xsl:template>
+
+<!-- A cell with about three significant digits, or as an integer. -->
+<xsl:template name="n">
+  <xsl:param name="x"/>
+  <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="$x"/></xsl:call-template></td>
+</xsl:template>
+<xsl:template name="count">
+  <xsl:param name="x"/>
+  <td class="r"><xsl:value-of select="$x"/></td>
+</xsl:template>
+
+<!-- A row "what | number unit" of a block. -->
+<xsl:template name="fact">
+  <xsl:param name="id"/><xsl:param name="x"/><xsl:param name="unit"/><xsl:param name="pattern"/>
+  <xsl:call-template name="block-row">
+    <xsl:with-param name="id" select="$id"/>
+    <xsl:with-param name="text">
+      <xsl:choose>
+        <xsl:when test="$pattern != ''">
+          <xsl:call-template name="fixed">
+            <xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern" select="$pattern"/>
+          </xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>
+          <xsl:call-template name="number"><xsl:with-param name="x" select="$x"/></xsl:call-template>
+        </xsl:otherwise>
+      </xsl:choose>
+      <xsl:if test="$unit != ''"><xsl:value-of select="concat('&#160;', $unit)"/></xsl:if>
+    </xsl:with-param>
+  </xsl:call-template>
+</xsl:template>
+
+<xsl:template name="h2">
+  <xsl:param name="id"/><xsl:param name="a"/>
+  <h2>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id" select="$id"/><xsl:with-param name="a" select="$a"/>
+    </xsl:call-template>
+  </h2>
+</xsl:template>
+<xsl:template name="caption">
+  <xsl:param name="id"/><xsl:param name="a"/><xsl:param name="b"/>
+  <caption><xsl:call-template name="say">
+    <xsl:with-param name="id" select="$id"/><xsl:with-param name="a" select="$a"/><xsl:with-param name="b" select="$b"/>
+  </xsl:call-template></caption>
+</xsl:template>
+
+<!-- A figure by name with its caption, the string cap.NAME unless another is named. -->
+<xsl:template name="figure">
+  <xsl:param name="name"/><xsl:param name="id" select="concat('cap.', $name)"/>
+  <xsl:param name="a"/><xsl:param name="b"/><xsl:param name="width">100%</xsl:param>
+  <xsl:variable name="g" select="/report/figures/figure[@name = $name]"/>
+  <xsl:if test="$g">
+    <figure id="{$name}">
+      <xsl:if test="$width != '100%'">
+        <xsl:attribute name="style">
+          <xsl:value-of
+        select="concat('margin-left: auto; margin-right: auto; width: ', $width)"/>
+        </xsl:attribute>
+      </xsl:if>
+      <xsl:choose>
+        <xsl:when test="$g/svg:svg"><xsl:apply-templates select="$g/svg:svg" mode="picture"/></xsl:when>
+        <xsl:otherwise>
+          <div class="missing">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">f.missing</xsl:with-param><xsl:with-param name="a" select="$g/@missing"/>
+            </xsl:call-template>
+          </div>
+        </xsl:otherwise>
+      </xsl:choose>
+      <figcaption>
+        <b><xsl:call-template name="say"><xsl:with-param name="id">figure</xsl:with-param>
+          </xsl:call-template>&#160;<xsl:value-of
+          select="count($g/preceding-sibling::figure) + 1"/></b>
+        <xsl:call-template name="say"><xsl:with-param name="id">stop</xsl:with-param></xsl:call-template>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id" select="$id"/><xsl:with-param name="a" select="$a"/><xsl:with-param name="b" select="$b"/>
+        </xsl:call-template>
+      </figcaption>
+    </figure>
+  </xsl:if>
+</xsl:template>
+
+<!-- Warnings of the run, each with its kind. -->
+<xsl:template name="findings">
+  <xsl:param name="id">h.warnings</xsl:param>
+  <xsl:if test="$r/warnings/item">
+    <xsl:call-template name="h2"><xsl:with-param name="id" select="$id"/></xsl:call-template>
+    <ul class="findings">
+      <xsl:for-each select="$r/warnings/item">
+        <li>
+          <b>
+            <xsl:call-template name="term">
+              <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
+            </xsl:call-template>
+          </b>
+          <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
+          <xsl:value-of
+        select="text"/>
+        </li>
+      </xsl:for-each>
+    </ul>
+  </xsl:if>
+</xsl:template>
+
+<!-- How the page was made. Files: of calibrations. -->
+<xsl:template name="made">
+  <xsl:variable name="p" select="$r[not(provenance)] | $r/provenance"/>
+  <xsl:call-template name="h2"><xsl:with-param name="id">h.provenance</xsl:with-param></xsl:call-template>
+  <table class="block">
+    <xsl:call-template name="block-row"><xsl:with-param name="id">p.command</xsl:with-param>
+      <xsl:with-param name="text"><code><xsl:value-of select="$p/command"/></code></xsl:with-param></xsl:call-template>
+    <xsl:call-template name="block-row"><xsl:with-param name="id">tb.program</xsl:with-param>
+      <xsl:with-param name="text" select="concat('windfirm ', $p/version)"/></xsl:call-template>
+    <xsl:call-template name="block-row"><xsl:with-param name="id">tb.date</xsl:with-param>
+      <xsl:with-param name="text" select="string($p/date)"/></xsl:call-template>
+    <xsl:for-each select="$r/files/item">
+      <tr>
+        <th><xsl:call-template name="term">
+          <xsl:with-param name="id" select="concat('role.', role)"/><xsl:with-param name="otherwise" select="role"/>
+        </xsl:call-template></th>
+        <td><code><xsl:value-of select="path"/></code><br/><span class="hash">sha256 <xsl:value-of select="sha256"/></span></td>
+      </tr>
+    </xsl:for-each>
+  </table>
+</xsl:template>
+
+<xsl:template match="/report">
+  <xsl:variable name="title"><xsl:apply-templates select="." mode="title"/></xsl:variable>
+  <xsl:variable name="p" select="$r[not(provenance)] | $r/provenance"/>
+  <html lang="{$lang}">
+    <head>
+      <meta charset="UTF-8"/><meta name="generator" content="windfirm {$p/version}"/>
+      <title><xsl:value-of select="$title"/></title>
+      <style><xsl:value-of select="css" disable-output-escaping="yes"/></style>
+    </head>
+    <body lang="{$lang}">
+      <header>
+        <h1><xsl:value-of select="$title"/></h1>
+        <p class="sub"><xsl:apply-templates select="." mode="sub"/></p>
+        <p class="note"><span class="program"><xsl:value-of select="concat('windfirm ', $p/version)"/></span>,
+          <xsl:value-of select="translate($p/date, 'TZ', '  ')"/>UTC</p>
+      </header>
+      <xsl:apply-templates select="." mode="body"/>
+      <xsl:call-template name="made"/>
+    </body>
+  </html>
+</xsl:template>
+</xsl:stylesheet>

@@ -1,0 +1,94 @@
+<?xml version="1.0" encoding="UTF-8"?>
+<!-- SPDX-License-Identifier: GPL-3.0-or-later -->
+<!-- The page of a wind climate: the rose, and hours a year by direction and strength. -->
+<xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
+<xsl:import href="page.xsl"/>
+
+<xsl:template match="/report" mode="title">
+  <xsl:call-template name="say"><xsl:with-param name="id">rs.title</xsl:with-param></xsl:call-template>
+</xsl:template>
+<xsl:template match="/report" mode="sub"><xsl:value-of select="$r/file"/></xsl:template>
+
+<xsl:template name="hours-row">
+  <xsl:call-template name="cell">
+    <xsl:with-param name="x" select="frequency"/><xsl:with-param name="pattern">0.0000</xsl:with-param>
+  </xsl:call-template>
+  <xsl:call-template name="cell">
+    <xsl:with-param name="x" select="mean_m_s"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+  </xsl:call-template>
+  <xsl:call-template name="cell">
+    <xsl:with-param name="x" select="shape"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+  </xsl:call-template>
+  <xsl:for-each select="hours_a_year_above/item">
+    <xsl:call-template name="cell"><xsl:with-param name="x" select="."/></xsl:call-template>
+  </xsl:for-each>
+</xsl:template>
+
+<xsl:template match="/report" mode="body">
+  <div class="summary">
+    <p>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">rs.summary</xsl:with-param>
+        <xsl:with-param name="a">
+          <xsl:call-template name="number"><xsl:with-param name="x" select="$r/all/mean_m_s"/></xsl:call-template>
+        </xsl:with-param>
+        <xsl:with-param name="b">
+          <xsl:call-template name="number">
+            <xsl:with-param name="x" select="$r/speed_exceeded_1_percent_m_s"/>
+          </xsl:call-template>
+        </xsl:with-param>
+        <xsl:with-param name="c">
+          <xsl:call-template name="number">
+            <xsl:with-param name="x" select="$r/speed_exceeded_0_1_percent_m_s"/>
+          </xsl:call-template>
+        </xsl:with-param>
+      </xsl:call-template>
+    </p>
+  </div>
+  <xsl:call-template name="figure">
+    <xsl:with-param name="name">wind_rose</xsl:with-param>
+    <xsl:with-param name="width">76%</xsl:with-param>
+  </xsl:call-template>
+  <table class="data">
+    <xsl:call-template name="caption">
+      <xsl:with-param name="id">rs.table</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$r/typed_sum"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+    <thead>
+      <tr>
+        <xsl:call-template name="heads">
+          <xsl:with-param name="of">c.from:°;c.frequency:–;c.mean:m/s;c.shape:–</xsl:with-param>
+        </xsl:call-template>
+        <xsl:for-each select="$r/classes_m_s/item">
+          <th class="r">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">rs.above</xsl:with-param>
+              <xsl:with-param name="a" select="."/>
+            </xsl:call-template>
+            <span class="u">h/a</span>
+          </th>
+        </xsl:for-each>
+      </tr>
+    </thead>
+    <tbody class="long">
+      <xsl:for-each select="$r/sectors/item">
+        <tr>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="from_deg"/></xsl:call-template>
+          <xsl:call-template name="hours-row"/>
+        </tr>
+      </xsl:for-each>
+    </tbody>
+    <tbody>
+      <tr>
+        <td class="r">
+          <b><xsl:call-template name="say"><xsl:with-param name="id">rs.all</xsl:with-param></xsl:call-template></b>
+        </td>
+        <xsl:for-each select="$r/all"><xsl:call-template name="hours-row"/></xsl:for-each>
+      </tr>
+    </tbody>
+  </table>
+  <xsl:call-template name="findings"/>
+</xsl:template>
+</xsl:stylesheet>

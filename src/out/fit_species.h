@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_OUT_FIT_SPECIES_H
+#define WF_OUT_FIT_SPECIES_H
+/* A species table with fitted values in place of the old ones, ready for analyze. */
+#include "out/fit_results.h"
+
+/* Write the species table of the first tree to `path` with the fitted values in place. Errors: WF_EOUTPUT,
+ * WF_ENOMEM, WF_EMISSING without the units database. */
+enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char *path, struct wf_err *e);
+#endif

@@ -1,0 +1,13 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_OUT_INPUTS_H
+#define WF_OUT_INPUTS_H
+/* What went in, as parts of results.json: species values with range, standing and source; model; scenario;
+ * method. Each returns a new object, to be put into the document. */
+#include "out/doc.h"
+#include "study/analysis.h"
+
+json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a);
+json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m);
+json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a);
+json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a);
+#endif

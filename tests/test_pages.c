@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Every page of every command exists in both languages, whole and with all its words. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "shell.h"
+
+static const struct {
+    const char *page, *command; /* -o is added */
+} pages[] = {
+    { "report", "compare oak moso_bamboo $M --wind 10,20 --directions 8" },
+    { "calibration", "fit $S --no-profile --no-rival" },
+    { "series", "series oak $M --wind 8 --duration 2 --step 0.5 --gust cosine --no-vtk --explain --keys 2" },
+    { "explain", "explain oak $M --wind 8" },
+    { "wind", "wind kaimal --duration 60 --points 3 --components 3" },
+    { "rose", "wind rose --file $T/r.csv" },
+    { "shelter", "shelter --model scots_pine --species scots_pine --slabs 4 --cells 16" },
+    { "terrain", "terrain --size 4 --relief 20" },
+};
+#define ROSE                                                                                                 \
+    "{ echo direction_deg,frequency,weibull_scale_ms,weibull_shape; for d in 0 45 90 135 180 225 270 315; "  \
+    "do echo $d,1,6,2; done; } >$T/r.csv\n"
+
+static int tools(void)
+{
+    return system("command -v gnuplot >/dev/null && command -v weasyprint >/dev/null") == 0;
+}
+
+/* A page that is whole, in its language, with all its figures, and without a string that was not put in. */
+#define LOOK                                                                                                 \
+    "f=$T/%s/%s.html; grep -q '<html lang=\"%s\"' $f || echo language; grep -c '<figure' $f | grep -qv "     \
+    "'^0$' || "                                                                                              \
+    "echo no figure; grep -q 'class=\"missing\"' $f && echo missing figure; grep -oE '[{][0-9][}]' $f; "     \
+    "grep -oE "                                                                                              \
+    "'>(c|cap|h|in|f|ft|sr|ex|wd|rs|sh|tr|t|sum|tb|p|w|m|fig|warn|role|sensor|finding)[.][a-z.]+<' $f; "     \
+    "tail -c 10 $f | grep -q '</html>' || echo cut short; head -c 4 $T/%s/%s.pdf | grep -q %%PDF || echo "   \
+    "no pdf; "
+
+static void every_page_in_both_languages(void **state)
+{
+    (void)state;
+    char command[4096];
+    if (!tools()) skip();
+    for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
+        const char *p = pages[i].page;
+        int n = snprintf(command, sizeof command,
+                         ROSE "$W %s -q -o $T/en >$T/said 2>&1 || cat $T/said; cp -r $T/en $T/zh; "
+                              "$W report $T/zh --lang zh -q; ",
+                         pages[i].command);
+        for (int zh = 0; zh < 2; zh++) {
+            const char *l = zh ? "zh" : "en";
+            n += snprintf(command + n, sizeof command - (size_t)n, LOOK, l, p, l, l, p);
+        }
+        /* no heading, caption or head of a table is left in English */
+        snprintf(command + n, sizeof command - (size_t)n,
+                 "sed 's/<table class=\"block\">.*//' $T/zh/%s.html | grep -oE '<h2[^>]*>[ -~]*</h2>'; "
+                 "grep -oE '<caption>[ -~]{20,}</caption>' $T/zh/%s.html; true",
+                 p, p);
+        if (shell(command) || *output) fail_msg("%s: %s", p, output);
+    }
+}
+
+static void a_command_speaks_the_language_it_is_asked_for(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { ROSE "$W wind rose --file $T/r.csv --lang zh -q -o $T/out; grep -o '<html lang=\"zh\">' "
+               "$T/out/rose.html; "
+               "grep -o '全部风速' $T/out/plots/wind_rose.svg",
+          CODE_OK,
+          { "<html lang=\"zh\">", "全部风速" } },
+        { "$W wind kaimal --lang de", CODE_INPUT, { "--lang" } },
+        { "mkdir -p $T/out; echo '{\"schema\": {\"name\": \"windfirm-wind\", \"version\": 2}}' "
+          ">$T/out/results.json; "
+          "$W report $T/out",
+          CODE_INPUT,
+          { "results of version 2; this program reads version 1" } },
+        { "mkdir -p $T/out; echo '{\"schema\": {\"name\": \"windfirm-wind\", \"version\": 1}, \"figures\": "
+          "[{\"name\": "
+          "\"../x\", \"script\": \"wind\"}]}' >$T/out/results.json; $W report $T/out",
+          CODE_INPUT,
+          { "not a name of a figure" } },
+    };
+    if (!tools()) skip();
+    CHECK(rows);
+}
+
+/* Strings that no stylesheet asks for are not kept, and every string is there in both languages. */
+static void strings_are_whole(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "grep -nE '<(s|q) id' reports/strings.xml | grep -vE '<en>[^<]+</en><zh>[^<]+</zh>' || echo none",
+          CODE_OK,
+          { "none" } },
+        { "grep -oE '<s id=\"[^\"]+\"' reports/strings.xml | sort | uniq -d | grep . || echo none",
+          CODE_OK,
+          { "none" } },
+        { "awk 'length($0) > 140 { print FILENAME \":\" FNR }' reports/*.xsl | grep . || echo none",
+          CODE_OK,
+          { "none" } },
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        shell(rows[i].command);
+        if (strcmp(output, "none\n")) fail_msg("%s", output);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(every_page_in_both_languages),
+        cmocka_unit_test(a_command_speaks_the_language_it_is_asked_for),
+        cmocka_unit_test(strings_are_whole),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
