@@ -50,9 +50,9 @@ static void set_up(struct bench *b)
                                       .preset = "corrected",
                                       .levels = 1,
                                       .level = &b->level,
-                                      .crown_drag = measured(0.5),
-                                      .leaf_mass_per_area = measured(0.2),
-                                      .leaf_frontal_share = measured(0.4),
+                                      .crown.drag_coefficient = measured(0.5),
+                                      .crown.leaf_mass_per_area = measured(0.2),
+                                      .crown.frontal_share = measured(0.4),
                                       .streamlining = { .law = "none", .parameter = { measured(0) } } };
     b->model = (struct wf_model){ .key = "post",
                                   .name = "Post",
@@ -289,7 +289,7 @@ static void test_limits(void **state)
     b.level.density.standing = WF_ASSUMED;
     b.level.radius.standing = WF_ASSUMED; /* the model gives the radius, so this one takes no part */
     b.species.preset = "someone2001";
-    b.species.leaf_frontal_share.standing = WF_ASSUMED;
+    b.species.crown.frontal_share.standing = WF_ASSUMED;
     b.model.leaf_area = 10;
     assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
     assert_non_null(strstr(warning(&b, "assumed-values"), "stem: density; crown: frontal_share"));
@@ -297,7 +297,7 @@ static void test_limits(void **state)
     wf_arena_free(&b.arena);
 
     set_up(&b); /* without leaves the crown's values take no part */
-    b.species.leaf_frontal_share.standing = WF_ASSUMED;
+    b.species.crown.frontal_share.standing = WF_ASSUMED;
     assert_int_equal(run(&b, "beam", (const double[]){ 5 }, 1), WF_OK);
     assert_null(warning(&b, "assumed-values"));
     wf_arena_free(&b.arena);

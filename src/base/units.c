@@ -193,13 +193,25 @@ enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_di
     return wf_quantity_read_as(u, text, d, first, si, e);
 }
 
+/* Value in a unit; *unit becomes the one it is in, "" for a plain number. */
+static double in_unit(struct wf_units *u, double si, enum wf_dimension d, const char **unit)
+{
+    ut_unit *to = **unit ? unit_of(u, *unit, d) : NULL;
+    double v = to ? converted(u->si[d], to, si) : si;
+    if (!to) *unit = d == WF_DIM_NONE ? "" : dimension_rows[d].si;
+    if (to) ut_free(to);
+    return v;
+}
+
+double wf_quantity_in(struct wf_units *u, double si, enum wf_dimension d, const char *unit)
+{
+    return in_unit(u, si, d, &unit);
+}
+
 char *wf_quantity_print(struct wf_units *u, double si, enum wf_dimension d, const char *unit, char *buf,
                         size_t size)
 {
-    ut_unit *to = *unit ? unit_of(u, unit, d) : NULL;
-    double v = to ? converted(u->si[d], to, si) : si;
-    if (!to) unit = d == WF_DIM_NONE ? "" : dimension_rows[d].si;
-    if (to) ut_free(to);
+    double v = in_unit(u, si, d, &unit);
     (void)snprintf(buf, size, "%.6g%s%s", v, *unit ? " " : "", unit);
     return buf;
 }

@@ -55,6 +55,8 @@ enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_di
 /* The same; messages give their examples in `usual`, the customary unit of the value. */
 enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf_dimension d,
                                    const char *usual, double *si, struct wf_err *e);
+/* SI value in `unit`: 1e10, "GPa" gives 10. A unit that does not fit the dimension, or "": the SI value. */
+double wf_quantity_in(struct wf_units *u, double si, enum wf_dimension d, const char *unit);
 /* Write an SI value to buf[size] in `unit` ("" for dimensionless values) with six significant digits: 1e10
  * and "GPa" give "10 GPa". Returned: buf. If the unit does not fit the dimension, the SI unit is used. */
 char *wf_quantity_print(struct wf_units *u, double si, enum wf_dimension d, const char *unit, char *buf,

@@ -26,7 +26,7 @@ struct wf_law_parameter {
     const char *unit;   /* for messages and the schema; NULL: dimensionless    */
     double low, high;   /* allowed [SI]                                        */
     const char *preset; /* default as it would be written; NULL: needed        */
-    const char *result; /* key in results.json                                 */
+    const char *result; /* key in results.json; of a value its `quantity` there, see wf_property */
     const char *doc, *example;
 };
 

@@ -3,6 +3,7 @@
 #include "data/species.h"
 #include "base/num.h"
 #include "base/text.h"
+#include "data/tree.h"
 #include "data/value.h"
 #include <math.h>
 #include <stdio.h>
@@ -115,47 +116,134 @@ static const struct wf_yaml_table wall_table = {
     .title = "a hollow section", .row = wall_rows, .finish = wall_finish, .doc = ""
 };
 
-#define LEVEL(k, dim, u, from, to)                                                                           \
-    .key = #k, WF_VALUE_ROW(struct wf_level, k), .dimension = dim, .unit = u, .low = from, .high = to
-static const struct wf_yaml_row level_rows[] = {
-    { .key = "name",
-      .kind = WF_YAML_NAME,
-      .required = true,
-      .offset = offsetof(struct wf_level, name),
-      .doc = "Name of the level.",
-      .example = "branch" },
-    { LEVEL(youngs_modulus, WF_DIM_PRESSURE, "GPa", 1e6, 200e9), .required = true,
-      .doc = "Young's modulus along the grain, green.", .example = "10 GPa" },
-    { LEVEL(shear_modulus, WF_DIM_PRESSURE, "GPa", 1e5, 100e9), .absent = "youngs_modulus / 16, assumed",
-      .doc = "Shear modulus in planes along the grain, green.", .example = "0.6 GPa" },
-    { LEVEL(density, WF_DIM_DENSITY, "kg/m3", 50, 4000), .required = true,
-      .doc = "Mass of the living axis, water included, per volume of its wall.", .example = "900 kg/m3" },
-    { LEVEL(modulus_of_rupture, WF_DIM_PRESSURE, "MPa", 1e5, 2e9),
-      .absent = "no breakage check of this level",
-      .doc = "Bending strength along the grain, green, of clear wood.", .example = "60 MPa" },
-    { LEVEL(radius, WF_DIM_LENGTH, "mm", 1e-5, 5), .required = true,
-      .doc = "Typical outer radius at the base of the axis.", .example = "50 mm" },
-    { LEVEL(damping_ratio, WF_DIM_NONE, NULL, 0, 1), .initial = "0", .absent = "0, undamped",
-      .doc = "Internal damping as a share of critical.", .example = "0.03" },
-    { LEVEL(knot_factor, WF_DIM_NONE, NULL, 0.01, 1), .initial = "1",
-      .doc = "Bending strength of the axis over that of clear wood.", .example = "0.85" },
-    { LEVEL(drag_coefficient, WF_DIM_NONE, NULL, 0, 3), .absent = "a rough cylinder's, by Reynolds number",
-      .doc = "Drag coefficient of the bare axis in cross-flow on its diameter.", .example = "1.2" },
-    { LEVEL(lift_coefficient, WF_DIM_NONE, NULL, -3, 3), .initial = "0",
-      .doc = "Force across wind and axis, as the drag coefficient.", .example = "0.1" },
-    { .key = "wall",
-      .kind = WF_YAML_TABLE,
-      .table = &wall_table,
-      .given = 1 + offsetof(struct wf_level, wall_note.given),
-      .absent = "a solid section",
-      .doc = "Hollow section." },
-    { .key = NULL },
+/* A value: its key in the table and the column of a tree it goes to. */
+struct property_row {
+    struct wf_yaml_row yaml; /* offset: of the struct wf_value in its struct wf_level or wf_species */
+    enum wf_acts acts;
+    const char *was; /* as in struct wf_property; NULL: the key */
+    size_t column;   /* of struct wf_tree; 0: none. Rows with one column follow each other           */
+    bool factor;     /* multiplies what the row before put there                                     */
+    bool on_links;   /* links have it too; else 0                                                    */
+    bool optional;   /* not given: `absent` goes to the column                                       */
+    double absent;
 };
-static const struct wf_yaml_table level_table = { .title = "a branching level",
-                                                  .row = level_rows,
-                                                  .size = sizeof(struct wf_level),
-                                                  .finish = level_finish,
-                                                  .doc = "" };
+
+#define LEVEL(k, dim, u, from, to, ...)                                                                      \
+    .yaml = { .key = #k,                                                                                     \
+              WF_VALUE_ROW(struct wf_level, k),                                                              \
+              .dimension = dim,                                                                              \
+              .unit = u,                                                                                     \
+              .low = from,                                                                                   \
+              .high = to,                                                                                    \
+              __VA_ARGS__ }
+#define COLUMN(member) .column = offsetof(struct wf_tree, member)
+#define ABSENT(number) .optional = true, .absent = number
+static const struct property_row level_values[] = {
+    { LEVEL(youngs_modulus, WF_DIM_PRESSURE, "GPa", 1e6, 200e9, .required = true,
+            .doc = "Young's modulus along the grain, green.", .example = "10 GPa"),
+      COLUMN(youngs), .on_links = true },
+    { LEVEL(shear_modulus, WF_DIM_PRESSURE, "GPa", 1e5, 100e9, .absent = "youngs_modulus / 16, assumed",
+            .doc = "Shear modulus in planes along the grain, green.", .example = "0.6 GPa"),
+      COLUMN(shear), .on_links = true },
+    { LEVEL(density, WF_DIM_DENSITY, "kg/m3", 50, 4000, .required = true,
+            .doc = "Mass of the living axis, water included, per volume of its wall.",
+            .example = "900 kg/m3"),
+      COLUMN(density) },
+    { LEVEL(modulus_of_rupture, WF_DIM_PRESSURE, "MPa", 1e5, 2e9, .absent = "no breakage check of this level",
+            .doc = "Bending strength along the grain, green, of clear wood.", .example = "60 MPa"),
+      .acts = WF_ACTS_GIVEN, COLUMN(strength), ABSENT(0) },
+    { LEVEL(radius, WF_DIM_LENGTH, "mm", 1e-5, 5, .required = true,
+            .doc = "Typical outer radius at the base of the axis.", .example = "50 mm"),
+      .acts = WF_ACTS_SIZE },
+    { LEVEL(damping_ratio, WF_DIM_NONE, NULL, 0, 1, .initial = "0", .absent = "0, undamped",
+            .doc = "Internal damping as a share of critical.", .example = "0.03"),
+      .acts = WF_ACTS_MOTION, COLUMN(damping), .on_links = true },
+    { LEVEL(knot_factor, WF_DIM_NONE, NULL, 0.01, 1, .initial = "1",
+            .doc = "Bending strength of the axis over that of clear wood.", .example = "0.85"),
+      .acts = WF_ACTS_GIVEN, COLUMN(strength), .factor = true },
+    { LEVEL(drag_coefficient, WF_DIM_NONE, NULL, 0, 3, .absent = "a rough cylinder's, by Reynolds number",
+            .doc = "Drag coefficient of the bare axis in cross-flow on its diameter.", .example = "1.2"),
+      .acts = WF_ACTS_GIVEN, COLUMN(drag), ABSENT(NAN) },
+    { LEVEL(lift_coefficient, WF_DIM_NONE, NULL, -3, 3, .initial = "0",
+            .doc = "Force across wind and axis, as the drag coefficient.", .example = "0.1"),
+      .acts = WF_ACTS_GIVEN, COLUMN(lift) },
+    { .yaml.key = NULL },
+};
+
+#define CROWN(k, ...)                                                                                        \
+    .yaml = { .key = #k, WF_VALUE_ROW(struct wf_species, crown.k), .required = true, __VA_ARGS__ }
+static const struct property_row crown_values[] = {
+    { CROWN(drag_coefficient, .low = 0, .high = 3,
+            .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5"),
+      .was = "crown_drag_coefficient" },
+    { CROWN(leaf_mass_per_area, .dimension = WF_DIM_MASS_PER_AREA, .unit = "kg/m2", .low = 1e-3, .high = 5,
+            .doc = "Fresh leaf mass per one-sided leaf area.", .example = "0.2 kg/m2") },
+    { CROWN(frontal_share, .low = 0, .high = 1,
+            .doc = "Frontal area of the crown in still air over its one-sided leaf area.", .example = "0.3"),
+      .was = "leaf_frontal_share" },
+    { .yaml.key = NULL },
+};
+
+static const struct wf_value *value_of(const struct property_row *r, const void *holder)
+{
+    return (const void *)((const char *)holder + r->yaml.offset);
+}
+
+/* The i-th property of the rows. Returned: false behind the last. */
+static bool property_at(const struct property_row *rows, size_t i, const void *holder,
+                        struct wf_property *out)
+{
+    for (size_t k = 0; k <= i; k++)
+        if (!rows[k].yaml.key) return false;
+    *out = (struct wf_property){ .key = rows[i].yaml.key,
+                                 .dimension = rows[i].yaml.dimension,
+                                 .unit = rows[i].yaml.unit ? rows[i].yaml.unit : "",
+                                 .acts = rows[i].acts,
+                                 .was = rows[i].was ? rows[i].was : rows[i].yaml.key,
+                                 .value = value_of(&rows[i], holder) };
+    return true;
+}
+
+bool wf_level_property(const struct wf_level *l, size_t i, struct wf_property *out)
+{
+    return property_at(level_values, i, l, out);
+}
+
+bool wf_crown_property(const struct wf_species *sp, size_t i, struct wf_property *out)
+{
+    return property_at(crown_values, i, sp, out);
+}
+
+bool wf_law_property(const struct wf_law *law, const struct wf_law_use *use, size_t i,
+                     struct wf_property *out)
+{
+    for (size_t k = 0, seen = 0, n = wf_law_count(law); k < n; k++) {
+        const struct wf_law_parameter *p = &law->parameter[k];
+        if (p->kind != WF_LAW_VALUE || seen++ != i) continue;
+        *out = (struct wf_property){ .key = p->name,
+                                     .dimension = p->dimension,
+                                     .unit = p->unit ? p->unit : "",
+                                     .value = &use->parameter[k],
+                                     .was = p->result };
+        return true;
+    }
+    return false;
+}
+
+void wf_level_onto(const struct wf_level *l, struct wf_tree *t, size_t i, bool link)
+{
+    for (const struct property_row *r = level_values; r->yaml.key; r++) {
+        if (!r->column) continue;
+        const struct wf_value *v = value_of(r, l);
+        double *column = *(double **)(void *)((char *)t + r->column);
+        if (r->factor)
+            column[i] *= v->value > 0 ? v->value : 1;
+        else if (link && !r->on_links)
+            column[i] = 0;
+        else
+            column[i] = r->optional && !v->given ? r->absent : v->value;
+    }
+}
 
 /* Keys of a law: the choice, then the parameters of all laws of the table, each key once. While a file is
  * read the parameters stand in the order of the keys; at the end those of the law chosen move to the front.
@@ -366,22 +454,6 @@ static bool law_schema(struct wf_law_table t, const char *title, const struct wf
     return true;
 }
 
-#define CROWN(k, member) .key = k, WF_VALUE_ROW(struct wf_species, member), .required = true
-static const struct wf_yaml_row crown_rows[] = {
-    { CROWN("drag_coefficient", crown_drag), .low = 0, .high = 3,
-      .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5" },
-    { CROWN("leaf_mass_per_area", leaf_mass_per_area), .dimension = WF_DIM_MASS_PER_AREA, .unit = "kg/m2",
-      .low = 1e-3, .high = 5, .doc = "Fresh leaf mass per one-sided leaf area.", .example = "0.2 kg/m2" },
-    { CROWN("frontal_share", leaf_frontal_share), .low = 0, .high = 1,
-      .doc = "Frontal area of the crown in still air over its one-sided leaf area.", .example = "0.3" },
-    { .key = "streamlining",
-      .kind = WF_YAML_TABLE,
-      .offset = offsetof(struct wf_species, streamlining),
-      .absent = "law none, a rigid crown",
-      .doc = "How the crown's drag area shrinks in the wind." },
-    { .key = NULL },
-};
-
 #define TEXT(k, member) .key = k, .kind = WF_YAML_TEXT, .offset = offsetof(struct wf_species, member)
 static const struct wf_yaml_row species_rows[] = {
     { .key = "species",
@@ -411,7 +483,6 @@ static const struct wf_yaml_row species_rows[] = {
     { .key = "levels",
       .kind = WF_YAML_LIST,
       .required = true,
-      .table = &level_table,
       .offset = offsetof(struct wf_species, level),
       .count = offsetof(struct wf_species, levels),
       .doc = "Material and section by branching level, the stem first." },
@@ -444,16 +515,14 @@ static void source_exists(struct wf_yaml *y, const struct wf_species *sp, const 
         wf_yaml_error(y, place, "'%.60s' is not in 'sources'", key);
 }
 
-/* Every source key that the values of a struct name. */
-static void sources_of_rows(struct wf_yaml *y, const struct wf_species *sp, const struct wf_yaml_row *r,
-                            const void *base, const char *path)
+/* Every source key that the values of a level or the crown name. */
+static void sources_of_rows(struct wf_yaml *y, const struct wf_species *sp, const struct property_row *r,
+                            const void *holder, const char *path)
 {
     char place[160];
-    for (; r->key; r++) {
-        if (r->table != &wf_value_table) continue;
-        const struct wf_value *v = (const void *)((const char *)base + r->offset);
-        (void)snprintf(place, sizeof place, "%s.%s.source", path, r->key);
-        source_exists(y, sp, v->source, place);
+    for (; r->yaml.key; r++) {
+        (void)snprintf(place, sizeof place, "%s.%s.source", path, r->yaml.key);
+        source_exists(y, sp, value_of(r, holder)->source, place);
     }
 }
 
@@ -477,24 +546,66 @@ static void species_finish(struct wf_yaml *y, void *species)
     char path[64], place[96];
     for (size_t i = 0; i < sp->levels; i++) {
         (void)snprintf(path, sizeof path, "levels[%zu]", i);
-        sources_of_rows(y, sp, level_rows, &sp->level[i], path);
+        sources_of_rows(y, sp, level_values, &sp->level[i], path);
         (void)snprintf(place, sizeof place, "%s.wall.source", path);
         source_exists(y, sp, sp->level[i].wall_note.source, place);
     }
-    sources_of_rows(y, sp, crown_rows, sp, "crown");
+    sources_of_rows(y, sp, crown_values, sp, "crown");
     sources_of_law(y, sp, &sp->streamlining, "crown.streamlining");
     sources_of_law(y, sp, &sp->axis_drag, "axis_drag");
     law_settle(&sp->streamlining);
     law_settle(&sp->axis_drag);
 }
 
-/* The table with the keys of the laws given. */
+static const struct wf_yaml_row level_name = { .key = "name",
+                                               .kind = WF_YAML_NAME,
+                                               .required = true,
+                                               .offset = offsetof(struct wf_level, name),
+                                               .doc = "Name of the level.",
+                                               .example = "branch" };
+static const struct wf_yaml_row level_wall = { .key = "wall",
+                                               .kind = WF_YAML_TABLE,
+                                               .table = &wall_table,
+                                               .given = 1 + offsetof(struct wf_level, wall_note.given),
+                                               .absent = "a solid section",
+                                               .doc = "Hollow section." };
+static const struct wf_yaml_row crown_law = { .key = "streamlining",
+                                              .kind = WF_YAML_TABLE,
+                                              .offset = offsetof(struct wf_species, streamlining),
+                                              .absent = "law none, a rigid crown",
+                                              .doc = "How the crown's drag area shrinks in the wind." };
+
+/* The table with the rows of the values and the keys of the laws given. */
 struct species_schema {
     struct law_schema streamlining, axis_drag;
-    struct wf_yaml_row crown[sizeof crown_rows / sizeof *crown_rows];
-    struct wf_yaml_row species[sizeof species_rows / sizeof *species_rows + 1];
-    struct wf_yaml_table crown_table, table;
+    struct wf_yaml_row level[WF_COUNT(level_values) + 2], crown[WF_COUNT(crown_values) + 1];
+    struct wf_yaml_row species[WF_COUNT(species_rows) + 1];
+    struct wf_yaml_table level_table, crown_table, table;
 };
+
+static size_t copy_values(struct wf_yaml_row *to, const struct property_row *from)
+{
+    size_t n = 0;
+    while (from[n].yaml.key) to[n] = from[n].yaml, n++;
+    return n;
+}
+
+/* The tables of a level and of the crown. */
+static void part_schemas(struct species_schema *s)
+{
+    s->level[0] = level_name;
+    size_t n = 1 + copy_values(s->level + 1, level_values);
+    s->level[n] = level_wall;
+    s->level_table = (struct wf_yaml_table){ .title = "a branching level",
+                                             .row = s->level,
+                                             .size = sizeof(struct wf_level),
+                                             .finish = level_finish,
+                                             .doc = "" };
+    n = copy_values(s->crown, crown_values);
+    s->crown[n] = crown_law;
+    s->crown[n].table = &s->streamlining.table;
+    s->crown_table = (struct wf_yaml_table){ .title = "a crown", .row = s->crown, .doc = "" };
+}
 
 static const struct wf_yaml_table *species_schema(const struct wf_laws *laws, struct wf_arena *a)
 {
@@ -503,10 +614,9 @@ static const struct wf_yaml_table *species_schema(const struct wf_laws *laws, st
     if (!s || !law_schema(laws->streamlining, "a streamlining law", range_rows, a, &s->streamlining) ||
         !law_schema(laws->axis_drag, "a drag law", none, a, &s->axis_drag))
         return NULL;
-    size_t n = copy_rows(s->crown, crown_rows);
-    s->crown[n - 1].table = &s->streamlining.table;
-    s->crown_table = (struct wf_yaml_table){ .title = "a crown", .row = s->crown, .doc = "" };
-    n = copy_rows(s->species, species_rows);
+    part_schemas(s);
+    size_t n = copy_rows(s->species, species_rows);
+    s->species[n - 2].table = &s->level_table;
     s->species[n - 1].table = &s->crown_table;
     if (wf_law_row(laws->axis_drag, 1)) {
         s->species[n] = axis_drag_row;

@@ -13,18 +13,18 @@ enum wf_status wf_leaves_spread(const struct wf_model *m, const struct wf_specie
                                 struct wf_err *e)
 {
     if (!(m->leaf_area > 0)) return WF_OK;
-    if (!sp->crown_drag.given)
+    if (!sp->crown.drag_coefficient.given)
         return wf_fail(e, WF_EINPUT, "%s: the model has leaves, but the species table %s has no 'crown'",
                        m->key, sp->key);
     double length = 0;
     for (size_t i = 0; i < t->n; i++) length += t->leaf0[i] * wf_tree_length(t, i);
     if (!(length > 0)) return wf_fail(e, WF_EINPUT, "%s: no axis grew that could bear its leaves", m->key);
-    double sail = sp->leaf_frontal_share.value * sp->crown_drag.value;
+    double sail = sp->crown.frontal_share.value * sp->crown.drag_coefficient.value;
     for (size_t i = 0; i < t->n; i++) {
         double leaf = t->leaf0[i] * m->leaf_area / length;
         t->leaf0[i] = t->leaf1[i] = leaf;
         t->sail0[i] = t->sail1[i] = leaf * sail;
-        t->burden0[i] = t->burden1[i] = leaf * sp->leaf_mass_per_area.value;
+        t->burden0[i] = t->burden1[i] = leaf * sp->crown.leaf_mass_per_area.value;
     }
     return WF_OK;
 }

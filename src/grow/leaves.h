@@ -10,7 +10,7 @@
 
 /* Distribute the model's leaf area over the tree. Given: a grown tree whose leaf0, leaf1 hold the share of
  * each row that has leaves. Returned in the tree: one-sided leaf area per length, the same on all leafy
- * lengths, in total m->leaf_area; still-air sail = leaf area x leaf_frontal_share x crown_drag; burden = leaf
+ * lengths, in total m->leaf_area; still-air sail = leaf area x frontal_share x drag_coefficient; burden = leaf
  * area x leaf_mass_per_area. Errors: WF_EINPUT when the species has no crown, or no axis has leaves. */
 enum wf_status wf_leaves_spread(const struct wf_model *m, const struct wf_species *sp, struct wf_tree *t,
                                 struct wf_err *e);

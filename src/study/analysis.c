@@ -229,7 +229,7 @@ static enum wf_status solve_sheltered(const struct wf_analysis *an, const struct
     q.law = wf_shelter_law_named(an->scenario.shelter);
     q.slabs = 24;
     q.cells = 64;
-    if (an->species->crown_drag.given) q.crown_drag = an->species->crown_drag.value;
+    if (an->species->crown.drag_coefficient.given) q.crown_drag = an->species->crown.drag_coefficient.value;
     return wf_sheltered_solve(&an->tree, l, &q, an->solver, o, a, out, r, d, e);
 }
 
@@ -241,8 +241,8 @@ static enum wf_status fill_at_speed(const struct wf_analysis *an, const struct w
     enum wf_status s = wf_breakage_check(&an->tree, &out->response, a, &out->breakage, e);
     if (s) return s;
     wf_criteria_check(&an->tree, &out->response, &out->breakage, out->worst);
-    s = fill_figures(&an->tree, l, &out->response, an->wind.direction, an->species->crown_drag.value, a,
-                     &out->figures, &totals, e);
+    s = fill_figures(&an->tree, l, &out->response, an->wind.direction,
+                     an->species->crown.drag_coefficient.value, a, &out->figures, &totals, e);
     if (!s) totals_fill(an, &totals, out);
     return s;
 }
@@ -332,6 +332,13 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
     return !s && an->model->shape == WF_SHAPE_UNDER_WEIGHT ? unload(an, a, d, e) : s;
+}
+
+bool wf_analysis_grown(const struct wf_analysis *an, size_t level)
+{
+    for (size_t i = 0; i < an->tree.n; i++)
+        if (wf_model_wood(an->model, an->species, &an->tree, i) == &an->species->level[level]) return true;
+    return false;
 }
 
 /* ---- The critical wind speeds, by criterion and part of the tree ---- */

@@ -14,6 +14,7 @@
 #include "load/scene.h"
 #include "solve/solve.h"
 #include "wind/wind.h"
+#include <stdbool.h>
 
 /* What one segment bears, columns. */
 struct wf_figures {
@@ -92,6 +93,9 @@ size_t wf_tip_row(const struct wf_tree *t);
  * nothing fails, else they are WF_CRITICAL_UNSEARCHED. All searches share their solutions. */
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_break (*out)[WF_SCOPES], struct wf_err *e);
+
+/* Is a row of the tree of that level's wood? Given: an analysis after wf_analysis_set_up. */
+bool wf_analysis_grown(const struct wf_analysis *an, size_t level);
 
 /* Given: species, model, scenario, search (NULL: the default), solver, options, n speeds [m/s]. Returned:
  * WF_OK and *out, even where single speeds have no answer (their status says why); another code when nothing

@@ -257,7 +257,8 @@ enum wf_status wf_preset_apply(const struct wf_preset *p, struct wf_arena *a, st
         if (!isnan(p->drag)) level[i].drag_coefficient = printed(p->drag, p->name);
         if (!isnan(p->lift)) level[i].lift_coefficient = printed(p->lift, p->name);
     }
-    if (!isnan(p->drag) && sp->crown_drag.given) sp->crown_drag = printed(p->drag, p->name);
+    if (!isnan(p->drag) && sp->crown.drag_coefficient.given)
+        sp->crown.drag_coefficient = printed(p->drag, p->name);
     if (p->rigid) sp->streamlining = (struct wf_law_use){ .law = "none" };
     if (!isnan(p->air_density)) sc->air_density = p->air_density;
     if (p->solver) *solver = wf_solver_named(p->solver);
