@@ -57,7 +57,8 @@
 
 <!-- A row of one value. What is not given and has no default but a law is said in words. -->
 <xsl:template match="item" mode="value">
-  <xsl:variable name="id" select="quantity"/>
+  <!-- results written before there was a key have the old name in `quantity` alone -->
+  <xsl:variable name="id" select="key | quantity[not(../key)]"/>
   <xsl:variable name="factor">
     <xsl:for-each select="$strings"><xsl:value-of select="key('string', $id)/@factor"/></xsl:for-each>
   </xsl:variable>

@@ -5,7 +5,7 @@
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 <xsl:variable name="lang" select="/report/@lang"/>
 <xsl:variable name="strings" select="document('strings.xml')/strings"/>
-<xsl:key name="string" match="s|q" use="@id"/>
+<xsl:key name="string" match="s|q" use="@id | @was"/>
 <xsl:variable name="gap">
   <xsl:call-template name="say"><xsl:with-param name="id">gap</xsl:with-param></xsl:call-template>
 </xsl:variable>

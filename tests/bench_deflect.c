@@ -5,7 +5,7 @@
 #include "beam_cases.h"
 #include "solve/deflect.h"
 #include "solve/rod.h"
-#include "study/series_leaves.h"
+#include "study/series.h"
 #include "wind/noise.h"
 #include <stdio.h>
 #include <time.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Processor time to make the shelter of the generated tree of 10k segments on 32 slabs of 128 x 128 cells. */
-#include "wind/shelter_laws.h"
 #include "base/csv.h"
-#include "cases/measure.h"
+#include "cases/build.h"
 #include "wind/shelter.h"
+#include "wind/shelter_laws.h"
 #include <stdio.h>
 #include <time.h>
 

@@ -26,9 +26,9 @@ static inline struct wf_species plain_species(struct wf_level level[2])
     return (struct wf_species){ .key = "sp",
                                 .levels = 2,
                                 .level = level,
-                                .crown_drag = is(0.5),
-                                .leaf_mass_per_area = is(0.2),
-                                .leaf_frontal_share = is(0.3) };
+                                .crown.drag_coefficient = is(0.5),
+                                .crown.leaf_mass_per_area = is(0.2),
+                                .crown.frontal_share = is(0.3) };
 }
 
 /* A model and what it grows; the arena holds both. */

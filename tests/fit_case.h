@@ -6,7 +6,7 @@
 #include "fit/fit.h"
 #include "fit/predict.h"
 #include "grow/stem.h"
-#include "cases/measure.h"
+#include "cases/build.h"
 #include <string.h>
 
 enum { MOST = 12 };
@@ -39,9 +39,9 @@ static inline void materials(struct set *s)
         .key = "wood",
         .levels = 2,
         .level = s->level,
-        .crown_drag = { .value = 0.5, .given = true },
-        .leaf_mass_per_area = { .value = 0.2 },
-        .leaf_frontal_share = { .value = 0.4 },
+        .crown.drag_coefficient = { .value = 0.5, .given = true },
+        .crown.leaf_mass_per_area = { .value = 0.2 },
+        .crown.frontal_share = { .value = 0.4 },
         .streamlining = { .law = "vogel", .parameter = { { .value = -0.7 }, { .value = 5 } } }
     };
 }

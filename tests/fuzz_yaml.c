@@ -71,9 +71,9 @@ static void model(const char *path, struct wf_arena *a, struct wf_diag *d, struc
     struct wf_species sp = { .key = "s",
                              .levels = 1,
                              .level = &level,
-                             .crown_drag = known(0.5),
-                             .leaf_mass_per_area = known(0.2),
-                             .leaf_frontal_share = known(0.3) };
+                             .crown.drag_coefficient = known(0.5),
+                             .crown.leaf_mass_per_area = known(0.2),
+                             .crown.frontal_share = known(0.3) };
     if (wf_model_read(path, a, &m, d, e)) return;
     must(m.key && m.name, "an accepted model has key and name");
     if (m.segments <= 1000) grow(&m, &sp, a);

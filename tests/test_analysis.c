@@ -28,6 +28,7 @@ struct bench {
     struct wf_species species;
     struct wf_model model;
     struct wf_scenario scenario;
+    struct wf_search search;
     struct wf_solve_options options;
     struct wf_analysis out;
     struct wf_err err;
@@ -52,9 +53,9 @@ static void set_up(struct bench *b)
                                       .preset = "corrected",
                                       .levels = 1,
                                       .level = &b->level,
-                                      .crown_drag = measured(0.5),
-                                      .leaf_mass_per_area = measured(0.2),
-                                      .leaf_frontal_share = measured(0.4),
+                                      .crown.drag_coefficient = measured(0.5),
+                                      .crown.leaf_mass_per_area = measured(0.2),
+                                      .crown.frontal_share = measured(0.4),
                                       .streamlining = { .law = "none", .parameter = { measured(0) } } };
     b->model = (struct wf_model){ .key = "post",
                                   .name = "Post",
@@ -66,6 +67,7 @@ static void set_up(struct bench *b)
                                   .crown_base = 5,
                                   .crown_top = HEIGHT };
     wf_scenario_default(&b->scenario);
+    wf_search_default(&b->search);
     b->scenario.profile = "uniform";
     b->scenario.air_density = 1.2;
     b->scenario.gravity = 0;
@@ -74,8 +76,8 @@ static void set_up(struct bench *b)
 
 static enum wf_status run(struct bench *b, const char *solver, const double *speeds, size_t n)
 {
-    return wf_analyze(&b->species, &b->model, &b->scenario, wf_solver_named(solver), &b->options, speeds, n,
-                      &b->arena, &b->diag, &b->out, &b->err);
+    return wf_analyze(&b->species, &b->model, &b->scenario, &b->search, wf_solver_named(solver), &b->options,
+                      speeds, n, &b->arena, &b->diag, &b->out, &b->err);
 }
 
 static const char *warning(const struct bench *b, const char *code)
@@ -290,7 +292,7 @@ static void test_limits(void **state)
     b.level.density.standing = WF_ASSUMED;
     b.level.radius.standing = WF_ASSUMED; /* the model gives the radius, so this one takes no part */
     b.species.preset = "someone2001";
-    b.species.leaf_frontal_share.standing = WF_ASSUMED;
+    b.species.crown.frontal_share.standing = WF_ASSUMED;
     b.model.leaf_area = 10;
     assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
     assert_non_null(strstr(warning(&b, "assumed-values"), "stem: density; crown: frontal_share"));
@@ -298,7 +300,7 @@ static void test_limits(void **state)
     wf_arena_free(&b.arena);
 
     set_up(&b); /* without leaves the crown's values take no part */
-    b.species.leaf_frontal_share.standing = WF_ASSUMED;
+    b.species.crown.frontal_share.standing = WF_ASSUMED;
     assert_int_equal(run(&b, "beam", (const double[]){ 5 }, 1), WF_OK);
     assert_null(warning(&b, "assumed-values"));
     wf_arena_free(&b.arena);
@@ -319,7 +321,7 @@ static void test_limits(void **state)
     wf_arena_free(&b.arena);
 
     set_up(&b);
-    b.scenario.speed_max = 10;
+    b.search.speed_max = 10;
     assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
     assert_int_equal(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_ABOVE);
     assert_non_null(strstr(warning(&b, "critical-above-range"), "10 m/s"));

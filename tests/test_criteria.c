@@ -19,6 +19,7 @@ struct made {
     struct wf_err err;
     struct wf_species species;
     struct wf_model model;
+    struct wf_search search;
     struct wf_scenario scenario;
     struct wf_solve_options options;
     struct wf_analysis an;
@@ -36,10 +37,11 @@ static void analyse(struct made *m, const char *model)
         wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err))
         fail_msg("%s", m->err.text);
     wf_scenario_default(&m->scenario);
+    wf_search_default(&m->search);
     wf_solve_options_default(&m->options);
     m->options.mesh_tolerance = 1e-3;
     const struct wf_directions_request q = { .n = 2 };
-    if (wf_analyze(&m->species, &m->model, &m->scenario, wf_solvers[0], &m->options, winds, WINDS, &m->arena,
+    if (wf_analyze(&m->species, &m->model, &m->scenario, &m->search, wf_solvers[0], &m->options, winds, WINDS, &m->arena,
                    &m->diag, &m->an, &m->err) ||
         wf_directions_run(&m->an, &m->options, &q, &m->arena, &m->around, &m->err))
         fail_msg("%s", m->err.text);

@@ -5,7 +5,7 @@
 #include "beam_cases.h"
 #include "solve/chain.h"
 #include "solve/deflect.h"
-#include "study/series_leaves.h"
+#include "study/series.h"
 
 static const double R = 0.02, L = 2, E = 9e9;
 

@@ -41,8 +41,8 @@ static void start(struct made *m, double lean, double azimuth)
 static void analyse(struct made *m, double azimuth)
 {
     m->scenario.azimuth = azimuth;
-    if (wf_analyze(&m->species, &m->model, &m->scenario, wf_solvers[0], &m->options, winds, WINDS, &m->arena,
-                   &m->diag, &m->an, &m->err))
+    if (wf_analyze(&m->species, &m->model, &m->scenario, NULL, wf_solvers[0], &m->options, winds, WINDS,
+                   &m->arena, &m->diag, &m->an, &m->err))
         fail_msg("%s", m->err.text);
 }
 

@@ -102,14 +102,14 @@ static void load_feels_it(void **state)
         fail_msg("%s", e.text);
     wf_scenario_default(&sc);
     wf_solve_options_default(&o);
-    assert_int_equal(wf_analyze(&sp, &m, &sc, wf_solvers[0], &o, &met, 1, &arena, &d, &plain, &e), WF_OK);
+    assert_int_equal(wf_analyze(&sp, &m, &sc, NULL, wf_solvers[0], &o, &met, 1, &arena, &d, &plain, &e), WF_OK);
     sc.speed_up = 1.25;
-    assert_int_equal(wf_analyze(&sp, &m, &sc, wf_solvers[0], &o, &named, 1, &arena, &d, &exposed, &e), WF_OK);
+    assert_int_equal(wf_analyze(&sp, &m, &sc, NULL, wf_solvers[0], &o, &named, 1, &arena, &d, &exposed, &e), WF_OK);
     assert_close(exposed.at[0].speed, 8, 0);
     assert_close(exposed.at[0].base_moment, plain.at[0].base_moment, 1e-9 * plain.at[0].base_moment);
     assert_close(1.25 * exposed.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, plain.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 1e-3);
     sc.speed_up = 0;
-    assert_int_equal(wf_analyze(&sp, &m, &sc, wf_solvers[0], &o, &named, 1, &arena, &d, &exposed, &e),
+    assert_int_equal(wf_analyze(&sp, &m, &sc, NULL, wf_solvers[0], &o, &named, 1, &arena, &d, &exposed, &e),
                      WF_EUSAGE);
     wf_arena_free(&arena);
 }

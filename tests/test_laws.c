@@ -2,12 +2,13 @@
 /* Laws as rows: every row is complete and smooth; reader, schema and messages follow a table that only this
  * test knows; a case may name a law. */
 #include "base/units.h"
+#include "cases/read.h"
+#include "cases/run.h"
 #include "close.h"
-#include "load/drag.h"
 #include "data/species.h"
 #include "edited.h"
+#include "load/drag.h"
 #include "load/load.h"
-#include "cases/case.h"
 #include <string.h>
 
 /* A value in the middle of what a parameter may be; lists ascend from low to high. */

@@ -171,7 +171,7 @@ static void leaves_need_a_crown_and_an_axis(void **state)
     (void)state;
     struct wf_err e = { 0 };
     assert_int_equal(grown_read(&g, plain, &e), WF_OK);
-    g.species.crown_drag.given = false;
+    g.species.crown.drag_coefficient.given = false;
     assert_int_equal(wf_grow(&g.model, &g.species, &g.arena, &g.tree, &g.diag, &e), WF_EINPUT);
     assert_string_equal(e.text, "m: the model has leaves, but the species table sp has no 'crown'");
     tear_down(NULL);

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A tree solved in its own shelter, and the command as a user meets it. */
-#include "wind/shelter_laws.h"
+#include "cases/build.h"
 #include "close.h"
 #include "solve/beam.h"
 #include "study/sheltered.h"
-#include "cases/measure.h"
+#include "wind/shelter_laws.h"
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>

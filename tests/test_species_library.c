@@ -86,16 +86,16 @@ static void check_level(const char *key, const struct wf_level *l, bool stem)
 
 static void check_crown(const char *key, const struct wf_species *s)
 {
-    check_value(key, &s->crown_drag, 0.2, 1.2);
-    check_value(key, &s->leaf_mass_per_area, 0.05, 1.0);
-    check_value(key, &s->leaf_frontal_share, 0.1, 0.6);
+    check_value(key, &s->crown.drag_coefficient, 0.2, 1.2);
+    check_value(key, &s->crown.leaf_mass_per_area, 0.05, 1.0);
+    check_value(key, &s->crown.frontal_share, 0.1, 0.6);
     const struct wf_law_use *m = &s->streamlining;
     assert_string_equal(m->law, "vogel");
     check_value(key, &m->parameter[0], -1.3, -0.2);
     assert_true(m->low < m->high && m->high <= 30);
     assert_true(m->parameter[1].value >= 4 && m->parameter[1].value <= 10);
     /* tunnel and field crowns on still-air area: 0.1 to 0.6 at 20 m/s */
-    double at_20 = s->crown_drag.value * pow(20 / m->parameter[1].value, m->parameter[0].value);
+    double at_20 = s->crown.drag_coefficient.value * pow(20 / m->parameter[1].value, m->parameter[0].value);
     if (at_20 < 0.1 || at_20 > 0.6)
         fail_msg("%s: crown drag coefficient %g at 20 m/s, want 0.1 to 0.6", key, at_20);
 }
@@ -257,7 +257,7 @@ static void common_culm_has_its_sail(void **state)
     assert_int_equal(wf_model_read("models/culm.yaml", &a, &m, &d, &e), WF_OK);
     for (size_t i = 0; i < 2; i++) {
         struct wf_species s = read_species(path[i], &a);
-        assert_close(m.leaf_area * s.leaf_frontal_share.value, 6.0, 0.02);
+        assert_close(m.leaf_area * s.crown.frontal_share.value, 6.0, 0.02);
     }
     wf_arena_free(&a);
 }

@@ -104,8 +104,8 @@ static void a_table_is_read_in_si(void **state)
     assert_value(&l[1].knot_factor, 1, 1, 1, WF_ASSUMED, false);
     assert_true(isnan(l[1].modulus_of_rupture.value) && !l[1].modulus_of_rupture.given);
     assert_close(l[1].drag_coefficient.value, 1.1, 0);
-    assert_value(&s->leaf_mass_per_area, 0.2, 0.15, 0.2, WF_ASSUMED, true);
-    assert_close(s->leaf_frontal_share.value, 0.3, 0);
+    assert_value(&s->crown.leaf_mass_per_area, 0.2, 0.15, 0.2, WF_ASSUMED, true);
+    assert_close(s->crown.frontal_share.value, 0.3, 0);
     const struct wf_law_use *m = &s->streamlining;
     assert_string_equal(m->law, "vogel");
     assert_value(&m->parameter[0], -0.7, -0.7, -0.7, WF_BORROWED, true);
@@ -141,7 +141,7 @@ static void a_table_law_and_no_crown_are_read(void **state)
     free(bare);
     assert_int_equal(r.status, WF_OK);
     assert_string_equal(r.species.streamlining.law, "none");
-    assert_true(!r.species.crown_drag.given && isnan(r.species.crown_drag.value));
+    assert_true(!r.species.crown.drag_coefficient.given && isnan(r.species.crown.drag_coefficient.value));
     assert_true(isnan(r.species.streamlining.low));
     wf_arena_free(&a);
 }

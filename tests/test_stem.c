@@ -32,9 +32,9 @@ static int set_up(void **state)
     species = (struct wf_species){ .key = "sp",
                                    .levels = 1,
                                    .level = &level,
-                                   .crown_drag = is(0.5),
-                                   .leaf_mass_per_area = is(0.2),
-                                   .leaf_frontal_share = is(0.3) };
+                                   .crown.drag_coefficient = is(0.5),
+                                   .crown.leaf_mass_per_area = is(0.2),
+                                   .crown.frontal_share = is(0.3) };
     model = (struct wf_model){ .key = "m",
                                .name = "M",
                                .height = 14,
@@ -228,7 +228,7 @@ static void leaves_need_a_crown_in_the_species(void **state)
     struct wf_arena a = { 0 };
     struct wf_tree t;
     struct wf_err e = { 0 };
-    species.crown_drag.given = false;
+    species.crown.drag_coefficient.given = false;
     assert_int_equal(wf_grow_stem(&model, &species, &a, &t, &e), WF_EINPUT);
     assert_string_equal(e.text, "m: the model has leaves, but the species table sp has no 'crown'");
     model.leaf_area = 0;

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Validation cases: the format and its mistakes, what passes and what must fail, the shipped files. */
 #include "base/file.h"
-#include "close.h"
-#include "cases/case.h"
+#include "cases/build.h"
 #include "cases/keys.h"
 #include "cases/measure.h"
+#include "cases/read.h"
+#include "cases/run.h"
+#include "close.h"
 #include <fts.h>
 #include <stdlib.h>
 #include <string.h>

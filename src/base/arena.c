@@ -15,9 +15,10 @@ struct wf_arena_block {
     size_t size, used;   /* of the payload [bytes] */
 };
 
-/* A new block with room for at least `bytes`. Blocks double up to a step, so few are needed; calloc
- * leaves the zeroing of large blocks to the operating system, page by page as they are touched. */
-static struct wf_arena_block *grow(struct wf_arena *a, size_t bytes)
+/* Allocate a new block with room for at least `bytes`. Each block is twice as large as the one before, up to
+ * LARGEST_STEP, so few are needed. calloc, because the operating system zeroes the pages of a large block
+ * only when they are first used. */
+static struct wf_arena_block *arena_block(struct wf_arena *a, size_t bytes)
 {
     size_t size = a->block ? a->block->size * 2 : FIRST_BLOCK;
     if (size > LARGEST_STEP) size = LARGEST_STEP;
@@ -34,7 +35,7 @@ static struct wf_arena_block *grow(struct wf_arena *a, size_t bytes)
     return b;
 }
 
-static void *take(struct wf_arena *a, size_t bytes, size_t align)
+static void *arena_bytes(struct wf_arena *a, size_t bytes, size_t align)
 {
     struct wf_arena_block *b = a->block;
     size_t pad = b ? (align - b->used % align) % align : 0;
@@ -42,7 +43,7 @@ static void *take(struct wf_arena *a, size_t bytes, size_t align)
     if (!fits) pad = 0;
     if (bytes > SIZE_MAX - pad - a->used) return NULL;
     if (a->limit && a->used + pad + bytes > a->limit) return NULL;
-    if (!fits && !(b = grow(a, bytes))) return NULL;
+    if (!fits && !(b = arena_block(a, bytes))) return NULL;
     void *p = b->room + b->used + pad;
     b->used += pad + bytes;
     a->used += pad + bytes;
@@ -52,13 +53,13 @@ static void *take(struct wf_arena *a, size_t bytes, size_t align)
 void *wf_arena_take(struct wf_arena *a, size_t n, size_t size)
 {
     if (size && n > SIZE_MAX / size) return NULL;
-    return take(a, n * size, ALIGN);
+    return arena_bytes(a, n * size, ALIGN);
 }
 
 char *wf_arena_text(struct wf_arena *a, const char *text)
 {
     size_t bytes = strlen(text) + 1;
-    char *p = take(a, bytes, 1);
+    char *p = arena_bytes(a, bytes, 1);
     return p ? memcpy(p, text, bytes) : NULL;
 }
 
@@ -68,7 +69,7 @@ char *wf_arena_print(struct wf_arena *a, const char *fmt, ...)
     va_start(args, fmt);
     va_copy(again, args);
     int n = vsnprintf(NULL, 0, fmt, args);
-    char *p = n < 0 ? NULL : take(a, (size_t)n + 1, 1);
+    char *p = n < 0 ? NULL : arena_bytes(a, (size_t)n + 1, 1);
     if (p) (void)vsnprintf(p, (size_t)n + 1, fmt, again);
     va_end(again);
     va_end(args);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_ARENA_H
 #define WF_BASE_ARENA_H
-/* Memory of one run: taken in pieces, given back all at once. Blocks are 64-byte aligned and zeroed. */
+/* An arena allocator: memory for one run is allocated in pieces and freed all at once. What wf_arena_take
+ * returns is aligned to 64 bytes and zeroed. A zero-initialised struct wf_arena is empty and has no limit. */
 #include <stddef.h>
 
 #ifdef __cplusplus
@@ -15,18 +16,17 @@ struct wf_arena {
     size_t limit;                 /* refuse beyond this many bytes; 0 = no limit */
 };
 
-/* A zero-initialised struct is an empty arena without a limit. */
-
-/* Take n elements of `size` bytes, zeroed. Returned: pointer, or NULL when memory or the limit is
- * exhausted or n*size overflows. n == 0 gives a valid non-NULL pointer. */
+/* Allocate n elements of `size` bytes, zeroed. Returned: a pointer, or NULL when memory or the limit is
+ * exhausted or n * size overflows. n == 0 gives a valid non-NULL pointer. */
 void *wf_arena_take(struct wf_arena *a, size_t n, size_t size);
-/* A copy of a string in the arena; NULL when there is no room. */
+/* Copy a string into the arena. Returned: the copy; NULL when memory or the limit is exhausted. */
 char *wf_arena_text(struct wf_arena *a, const char *text);
-/* printf into the arena; NULL when there is no room. */
+/* printf into the arena. Returned: the text; NULL when memory or the limit is exhausted. */
 char *wf_arena_print(struct wf_arena *a, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
-/* Give everything back; the arena is empty and usable again. */
+/* Free all memory of the arena; it is then empty and can be used again. */
 void wf_arena_free(struct wf_arena *a);
 
+/* n zeroed elements of type T from arena `a`, or NULL. */
 #define WF_TAKE(a, n, T) ((T *)wf_arena_take((a), (n), sizeof(T)))
 
 #ifdef __cplusplus

@@ -8,13 +8,44 @@
 #include <string.h>
 #include <strings.h>
 
+/* Findings. */
+
+void wf_csv_report(struct wf_csv *c, size_t line, size_t column, const char *text)
+{
+    c->mistakes++;
+    if (c->mistakes <= WF_CSV_LISTED) {
+        wf_diag_error(c->diag, c->file, line, column, "%s", text);
+        return;
+    }
+    if (c->mistakes == WF_CSV_LISTED + 1)
+        wf_diag_error(c->diag, c->file, line, 0, "more than %d mistakes; the rest is counted but not listed",
+                      (int)WF_CSV_LISTED);
+    else
+        c->diag->errors++;
+}
+
+void wf_csv_mistake(struct wf_csv *c, size_t column, const char *fmt, ...)
+{
+    char text[1024];
+    int n = 0;
+    bool known = column < c->columns;
+    if (known) n = snprintf(text, sizeof text, "%.100s: ", c->name[column].text);
+    va_list args;
+    va_start(args, fmt);
+    (void)vsnprintf(text + n, sizeof text - (size_t)n, fmt, args);
+    va_end(args);
+    wf_csv_report(c, known ? c->cell[column].line : c->row_line, known ? c->cell[column].column : 0, text);
+}
+
+/* Lines and their cells. */
+
 static bool at_line_end(const struct wf_csv *c)
 {
     return c->at == c->end || *c->at == '\n' || *c->at == '\r';
 }
 
-/* Step over one line end of any system. */
-static void line_end(struct wf_csv *c)
+/* Step over one line end: LF, CR LF or CR. */
+static void skip_line_end(struct wf_csv *c)
 {
     if (c->at < c->end && *c->at == '\r') c->at++;
     if (c->at < c->end && *c->at == '\n') c->at++;
@@ -24,10 +55,10 @@ static void line_end(struct wf_csv *c)
 static void skip_line(struct wf_csv *c)
 {
     while (!at_line_end(c)) c->at++;
-    if (c->at < c->end) line_end(c);
+    if (c->at < c->end) skip_line_end(c);
 }
 
-/* To the next line that carries cells; false at the end. */
+/* Move to the next line that has cells; false at the end of the file. */
 static bool seek_row(struct wf_csv *c)
 {
     while (c->at < c->end) {
@@ -39,9 +70,10 @@ static bool seek_row(struct wf_csv *c)
     return false;
 }
 
-/* Resolve a quoted cell in place, from its opening quote. Returned: what is wrong, or NULL. Nothing is
- * written before the closing quote is found, so that reading can go on behind a broken line. */
-static const char *quoted(struct wf_csv *c, struct wf_cell *cell)
+/* Read a quoted cell from its opening quote and resolve doubled quotes in place. Returned: NULL, or what is
+ * wrong. Nothing is written before the closing quote is found, so that reading can continue after a line with
+ * unbalanced quotes. */
+static const char *quoted_cell(struct wf_csv *c, struct wf_cell *cell)
 {
     char *close = c->at + 1;
     while (close < c->end && (*close != '"' || (close + 1 < c->end && close[1] == '"')))
@@ -63,7 +95,7 @@ static const char *quoted(struct wf_csv *c, struct wf_cell *cell)
     return NULL;
 }
 
-static const char *unquoted(struct wf_csv *c, struct wf_cell *cell)
+static const char *unquoted_cell(struct wf_csv *c, struct wf_cell *cell)
 {
     const char *trouble = NULL;
     cell->text = c->at;
@@ -75,9 +107,9 @@ static const char *unquoted(struct wf_csv *c, struct wf_cell *cell)
     return trouble;
 }
 
-/* Split one line into at most `max` cells and end each with a NUL. Returned: number of cells met (may be
- * larger than max), 0 after a finding. The line is consumed in any case. */
-static size_t split(struct wf_csv *c, struct wf_cell *cell, size_t max)
+/* Split one line into at most `max` cells and end each with a NUL. Returned: number of cells in the line (may
+ * be larger than max); 0 after a mistake was reported. In both cases the line is read to its end. */
+static size_t split_line(struct wf_csv *c, struct wf_cell *cell, size_t max)
 {
     const char *start = c->at;
     c->row_line = c->line;
@@ -87,7 +119,7 @@ static size_t split(struct wf_csv *c, struct wf_cell *cell, size_t max)
         struct wf_cell spare, *k = n < max ? &cell[n] : &spare;
         *k = (struct wf_cell){ .line = c->line,
                                .column = c->line == c->row_line ? (size_t)(from - start) + 1 : 0 };
-        const char *wrong = from < c->end && *from == '"' ? quoted(c, k) : unquoted(c, k);
+        const char *wrong = from < c->end && *from == '"' ? quoted_cell(c, k) : unquoted_cell(c, k);
         if (wrong) {
             c->at = from;
             wf_csv_report(c, k->line, k->column, wrong);
@@ -99,14 +131,16 @@ static size_t split(struct wf_csv *c, struct wf_cell *cell, size_t max)
         if (more)
             c->at++;
         else if (c->at < c->end)
-            line_end(c);
+            skip_line_end(c);
         k->text[k->size] = '\0';
         if (!more) return n;
     }
 }
 
-/* The separator is the most frequent of the three in the header outside quotes. */
-static char detect(const struct wf_csv *c)
+/* The header, and row after row. */
+
+/* Which of comma, semicolon and tab is most frequent in the header outside quotes. */
+static char detect_separator(const struct wf_csv *c)
 {
     size_t comma = 0, semicolon = 0, tab = 0;
     bool inside = false;
@@ -121,7 +155,7 @@ static char detect(const struct wf_csv *c)
     return semicolon >= comma && semicolon ? ';' : ',';
 }
 
-static void check_names(struct wf_csv *c)
+static void report_double_names(struct wf_csv *c)
 {
     char text[256];
     for (size_t i = 0; i < c->columns; i++)
@@ -143,18 +177,18 @@ enum wf_status wf_csv_open(struct wf_csv *c, const char *file, struct wf_arena *
     c->at = b.data;
     c->end = b.data + b.size;
     if (!seek_row(c)) return wf_fail(e, WF_EINPUT, "%s: the table is empty: a header row is expected", file);
-    c->separator = detect(c);
+    c->separator = detect_separator(c);
     struct wf_cell *wide = WF_TAKE(a, WF_CSV_COLUMNS, struct wf_cell);
     if (!wide) return wf_fail(e, WF_ENOMEM, "%s: no memory for the header", file);
     size_t before = c->mistakes;
-    c->columns = split(c, wide, WF_CSV_COLUMNS);
+    c->columns = split_line(c, wide, WF_CSV_COLUMNS);
     if (c->columns > WF_CSV_COLUMNS)
         return wf_fail(e, WF_EINPUT, "%s:%zu: error: more than %d columns", file, c->row_line,
                        (int)WF_CSV_COLUMNS);
     c->name = wide;
     c->cell = WF_TAKE(a, c->columns, struct wf_cell);
     if (!c->cell) return wf_fail(e, WF_ENOMEM, "%s: no memory for %zu columns", file, c->columns);
-    check_names(c);
+    report_double_names(c);
     if (c->mistakes > before) return wf_fail(e, WF_EINPUT, "%s: the header row is not usable", file);
     return WF_OK;
 }
@@ -162,7 +196,7 @@ enum wf_status wf_csv_open(struct wf_csv *c, const char *file, struct wf_arena *
 bool wf_csv_next(struct wf_csv *c)
 {
     while (seek_row(c)) {
-        size_t n = split(c, c->cell, c->columns);
+        size_t n = split_line(c, c->cell, c->columns);
         c->row++;
         if (n == c->columns) return true;
         if (!n) continue;
@@ -174,20 +208,6 @@ bool wf_csv_next(struct wf_csv *c)
 }
 
 /* Columns by name, and cells as numbers. */
-
-void wf_csv_report(struct wf_csv *c, size_t line, size_t column, const char *text)
-{
-    c->mistakes++;
-    if (c->mistakes <= WF_CSV_LISTED) {
-        wf_diag_error(c->diag, c->file, line, column, "%s", text);
-        return;
-    }
-    if (c->mistakes == WF_CSV_LISTED + 1)
-        wf_diag_error(c->diag, c->file, line, 0, "more than %d mistakes; the rest is counted but not listed",
-                      (int)WF_CSV_LISTED);
-    else
-        c->diag->errors++;
-}
 
 size_t wf_csv_column(const struct wf_csv *c, const char *name)
 {
@@ -226,22 +246,9 @@ const char *wf_csv_text(const struct wf_csv *c, size_t column)
     return column < c->columns ? c->cell[column].text : "";
 }
 
-void wf_csv_mistake(struct wf_csv *c, size_t column, const char *fmt, ...)
-{
-    char text[1024];
-    int n = 0;
-    bool known = column < c->columns;
-    if (known) n = snprintf(text, sizeof text, "%.100s: ", c->name[column].text);
-    va_list args;
-    va_start(args, fmt);
-    (void)vsnprintf(text + n, sizeof text - (size_t)n, fmt, args);
-    va_end(args);
-    wf_csv_report(c, known ? c->cell[column].line : c->row_line, known ? c->cell[column].column : 0, text);
-}
-
 /* The decimal sign of a cell: a point, or a comma where cells are not separated by commas. The first number
- * with decimals decides for the file. Returned: 0 after a finding. */
-static char decimal_sign(struct wf_csv *c, size_t column, const struct wf_cell *k)
+ * with decimals decides for the whole file. Returned: 0 after a mistake was reported. */
+static char csv_decimal_sign(struct wf_csv *c, size_t column, const struct wf_cell *k)
 {
     bool comma = c->separator != ',' && memchr(k->text, ',', k->size) != NULL;
     bool point = memchr(k->text, '.', k->size) != NULL;
@@ -261,7 +268,7 @@ bool wf_csv_number(struct wf_csv *c, size_t column, double low, double high, dou
         wf_csv_mistake(c, column, "is empty, a number is expected");
         return false;
     }
-    char sign = decimal_sign(c, column, k);
+    char sign = csv_decimal_sign(c, column, k);
     if (!sign) return false;
     double v = 0.0;
     const char *end = k->text + k->size, *stop = wf_number_read(k->text, end, sign, &v);

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Findings are counted even when there is no room left to keep their words. */
-static void keep(struct wf_diag *d, struct wf_finding f, const char *text)
+/* Append a finding. It is counted even when there is no memory to keep its text. */
+static void add_finding(struct wf_diag *d, struct wf_finding f, const char *text)
 {
     *(f.severity == WF_ERROR ? &d->errors : &d->warnings) += 1;
     struct wf_finding *node = WF_TAKE(d->arena, 1, struct wf_finding);
@@ -29,10 +29,11 @@ void wf_diag_error(struct wf_diag *d, const char *file, size_t line, size_t colu
     va_start(args, fmt);
     (void)vsnprintf(text, sizeof text, fmt, args);
     va_end(args);
-    keep(d, (struct wf_finding){ .severity = WF_ERROR, .file = file, .line = line, .column = column }, text);
+    add_finding(d, (struct wf_finding){ .severity = WF_ERROR, .file = file, .line = line, .column = column },
+                text);
 }
 
-static bool known(const struct wf_diag *d, const char *code, const char *text)
+static bool known_warning(const struct wf_diag *d, const char *code, const char *text)
 {
     for (const struct wf_finding *f = d->first; f; f = f->next)
         if (f->severity == WF_WARNING && f->code && !strcmp(f->code, code) && !strcmp(f->text, text))
@@ -47,7 +48,8 @@ void wf_diag_warn(struct wf_diag *d, const char *code, const char *fmt, ...)
     va_start(args, fmt);
     (void)vsnprintf(text, sizeof text, fmt, args);
     va_end(args);
-    if (!known(d, code, text)) keep(d, (struct wf_finding){ .severity = WF_WARNING, .code = code }, text);
+    if (!known_warning(d, code, text))
+        add_finding(d, (struct wf_finding){ .severity = WF_WARNING, .code = code }, text);
 }
 
 static bool precedes(const struct wf_finding *a, const struct wf_finding *b)

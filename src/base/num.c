@@ -9,10 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool digit(const char *s, const char *end) { return s < end && *s >= '0' && *s <= '9'; }
+static bool is_digit(const char *s, const char *end) { return s < end && *s >= '0' && *s <= '9'; }
 
-/* Digits in any number: copied with a '.' and given to the C library under the "C" locale. */
-static bool slow(const char *s, const char *end, char point, double *value)
+/* Numbers of any length: copied with '.' as decimal sign and converted by strtod in the "C" locale. */
+static bool number_by_strtod(const char *s, const char *end, char point, double *value)
 {
     char local[128], *copy = local;
     size_t n = (size_t)(end - s);
@@ -38,12 +38,12 @@ const char *wf_number_read(const char *s, const char *end, char point, double *v
     if (s < end && (*s == '-' || *s == '+')) s++;
     uint64_t m = 0;
     int digits = 0, seen = 0, scale = 0, ten = 0;
-    for (; digit(s, end); s++, seen = 1) {
+    for (; is_digit(s, end); s++, seen = 1) {
         if (digits < 19) m = m * 10 + (uint64_t)(*s - '0');
         digits += digits > 0 || *s != '0';
     }
-    if (s < end && *s == point && (seen || digit(s + 1, end)))
-        for (s++; digit(s, end); s++, seen = 1, scale--) {
+    if (s < end && *s == point && (seen || is_digit(s + 1, end)))
+        for (s++; is_digit(s, end); s++, seen = 1, scale--) {
             if (digits < 19) m = m * 10 + (uint64_t)(*s - '0');
             digits += digits > 0 || *s != '0';
             if (scale < -100000) return NULL;
@@ -53,8 +53,8 @@ const char *wf_number_read(const char *s, const char *end, char point, double *v
         const char *x = s + 1;
         bool down = x < end && *x == '-';
         if (x < end && (*x == '-' || *x == '+')) x++;
-        if (digit(x, end)) {
-            for (; digit(x, end); x++)
+        if (is_digit(x, end)) {
+            for (; is_digit(x, end); x++)
                 if (ten < 100000) ten = ten * 10 + (*x - '0');
             ten = down ? -ten : ten;
             s = x;
@@ -71,25 +71,25 @@ const char *wf_number_read(const char *s, const char *end, char point, double *v
         *value = negative ? -0.0 : 0.0;
         return s;
     }
-    return slow(start, s, point, value) ? s : NULL;
+    return number_by_strtod(start, s, point, value) ? s : NULL;
 }
 
-static pthread_mutex_t door = PTHREAD_MUTEX_INITIALIZER;
-static unsigned inside;
-static gsl_error_handler_t *before;
+static pthread_mutex_t quiet_mutex = PTHREAD_MUTEX_INITIALIZER;
+static unsigned quiet_depth;
+static gsl_error_handler_t *quiet_saved;
 
 void wf_quiet_begin(void)
 {
-    pthread_mutex_lock(&door);
-    if (inside++ == 0) before = gsl_set_error_handler_off();
-    pthread_mutex_unlock(&door);
+    pthread_mutex_lock(&quiet_mutex);
+    if (quiet_depth++ == 0) quiet_saved = gsl_set_error_handler_off();
+    pthread_mutex_unlock(&quiet_mutex);
 }
 
 void wf_quiet_end(void)
 {
-    pthread_mutex_lock(&door);
-    if (--inside == 0) gsl_set_error_handler(before);
-    pthread_mutex_unlock(&door);
+    pthread_mutex_lock(&quiet_mutex);
+    if (--quiet_depth == 0) gsl_set_error_handler(quiet_saved);
+    pthread_mutex_unlock(&quiet_mutex);
 }
 
 int wf_ascending(const void *a, const void *b)

@@ -7,12 +7,12 @@
 
 enum { THREADS_MAX = 64 };
 
-struct crowd {
+struct parallel_job {
     size_t n;
-    atomic_size_t next; /* nobody has taken it yet */
+    atomic_size_t next; /* lowest k that no thread has started */
     enum wf_status (*one)(void *context, size_t k, struct wf_err *e);
     void *context;
-    struct wf_err *why; /* n; code WF_OK where all is well */
+    struct wf_err *why; /* n; code WF_OK: no error */
 };
 
 size_t wf_together_threads(size_t asked)
@@ -21,9 +21,9 @@ size_t wf_together_threads(size_t asked)
     return processors < 1 ? 1 : processors > THREADS_MAX ? THREADS_MAX : (size_t)processors;
 }
 
-static void *work(void *crowd)
+static void *parallel_worker(void *parallel_job)
 {
-    struct crowd *c = crowd;
+    struct parallel_job *c = parallel_job;
     for (size_t k; (k = atomic_fetch_add(&c->next, 1)) < c->n;) {
         enum wf_status s = c->one(c->context, k, &c->why[k]);
         c->why[k].code = s;
@@ -31,14 +31,15 @@ static void *work(void *crowd)
     return NULL;
 }
 
-/* Threads that cannot be started are not missed. */
-static void run(struct crowd *c, size_t threads)
+/* If a thread cannot be started, the others do its work. */
+static void run_on_threads(struct parallel_job *c, size_t threads)
 {
     pthread_t thread[THREADS_MAX];
     size_t wanted = wf_together_threads(threads), started = 0;
-    while (started + 1 < wanted && started + 1 < c->n && pthread_create(&thread[started], NULL, work, c) == 0)
+    while (started + 1 < wanted && started + 1 < c->n &&
+           pthread_create(&thread[started], NULL, parallel_worker, c) == 0)
         started++;
-    work(c);
+    parallel_worker(c);
     for (size_t k = 0; k < started; k++) pthread_join(thread[k], NULL);
 }
 
@@ -47,9 +48,11 @@ enum wf_status wf_together(size_t n, size_t threads,
                            struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
-    struct crowd c = { .n = n, .one = one, .context = context, .why = WF_TAKE(&scratch, n, struct wf_err) };
+    struct parallel_job c = {
+        .n = n, .one = one, .context = context, .why = WF_TAKE(&scratch, n, struct wf_err)
+    };
     if (n && !c.why) return wf_fail(e, WF_ENOMEM, "no room for %zu solutions", n);
-    run(&c, threads);
+    run_on_threads(&c, threads);
     enum wf_status s = WF_OK;
     for (size_t k = 0; k < n && !s; k++)
         if (c.why[k].code) s = wf_fail(e, c.why[k].code, "%s", c.why[k].text);

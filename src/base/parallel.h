@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_PARALLEL_H
 #define WF_BASE_PARALLEL_H
-/* Solutions that do not depend on each other, shared out to the processors: the only threads of the library.
- */
+/* A parallel for over independent solves. The library starts threads nowhere else. */
 #include "base/err.h"
 #include <stddef.h>
 
-/* Threads that so many are asked for come to: 0 is as many as there are processors; at most 64. */
+/* Number of threads used when `asked` are requested: 0 = one per processor; at most 64. */
 size_t wf_together_threads(size_t asked);
-/* Call one(context, k, e) for k = 0..n-1, in any order, from so many threads (see above) at once; the calling
- * one is among them. `one` writes what belongs to k alone, so that any number of threads gives the same
- * bytes. Returned: WF_OK, or status and error of the lowest k that failed; WF_ENOMEM. */
+/* Call one(context, k, e) for k = 0..n-1, in any order, on wf_together_threads(threads) threads, of which the
+ * caller's is one. `one` must write only what belongs to k; the result then does not depend on the number of
+ * threads. If a thread cannot be started, the others do its work. Returned: WF_OK, or status and message of
+ * the lowest k that failed; WF_ENOMEM. */
 enum wf_status wf_together(size_t n, size_t threads,
                            enum wf_status (*one)(void *context, size_t k, struct wf_err *e), void *context,
                            struct wf_err *e);

@@ -3,7 +3,7 @@
 #include "base/num.h"
 #include <math.h>
 
-static void multiply(uint32_t a, uint32_t b, uint32_t *high, uint32_t *low)
+static void multiply_wide(uint32_t a, uint32_t b, uint32_t *high, uint32_t *low)
 {
     uint64_t p = (uint64_t)a * b;
     *high = (uint32_t)(p >> 32);
@@ -16,8 +16,8 @@ void wf_philox4x32(const uint32_t counter[4], const uint32_t key[2], uint32_t ou
     uint32_t k0 = key[0], k1 = key[1];
     for (int round = 0; round < 10; round++) {
         uint32_t h0, l0, h1, l1;
-        multiply(0xD2511F53u, c0, &h0, &l0);
-        multiply(0xCD9E8D57u, c2, &h1, &l1);
+        multiply_wide(0xD2511F53u, c0, &h0, &l0);
+        multiply_wide(0xCD9E8D57u, c2, &h1, &l1);
         c0 = h1 ^ c1 ^ k0;
         c1 = l1;
         c2 = h0 ^ c3 ^ k1;
@@ -36,8 +36,8 @@ void wf_random_words(uint64_t seed, uint64_t stream, uint64_t index, uint32_t ou
     wf_philox4x32(counter, key, out);
 }
 
-/* 52 bits and a half step: symmetric about 1/2, exactly representable, never 0 or 1. */
-static double unit(uint32_t high, uint32_t low)
+/* 52 bits plus half a step: symmetric about 1/2, exactly representable, never 0 or 1. */
+static double open_unit_interval(uint32_t high, uint32_t low)
 {
     uint64_t bits = ((uint64_t)high << 32 | low) >> 12;
     return ((double)bits + 0.5) * 0x1p-52;
@@ -47,15 +47,15 @@ double wf_random_uniform(uint64_t seed, uint64_t stream, uint64_t index)
 {
     uint32_t w[4];
     wf_random_words(seed, stream, index, w);
-    return unit(w[0], w[1]);
+    return open_unit_interval(w[0], w[1]);
 }
 
 static void normal_pair(uint64_t seed, uint64_t stream, uint64_t pair, double out[2])
 {
     uint32_t w[4];
     wf_random_words(seed, stream, pair, w);
-    double radius = sqrt(-2.0 * log(unit(w[0], w[1])));
-    double angle = WF_TURN * unit(w[2], w[3]);
+    double radius = sqrt(-2.0 * log(open_unit_interval(w[0], w[1])));
+    double angle = WF_TURN * open_unit_interval(w[2], w[3]);
     out[0] = radius * cos(angle);
     out[1] = radius * sin(angle);
 }

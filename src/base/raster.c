@@ -4,12 +4,12 @@
 #include <math.h>
 #include <string.h>
 
-/* Outlines: silhouettes of frustums, and the area of their union within a cell. */
+/* Silhouettes of frustums. */
 
-/* Half an ellipse around an end, from one end of its chord to the other, in steps of equal angle. The
- * polygon's area is made that of the half ellipse by stretching it along the axis. */
-static void cap(struct wf_outline *o, const double centre[2], const double along[2], double radius,
-                double cosine, bool disc)
+/* Add the outline of one end: half an ellipse from one end of its chord to the other, in steps of equal
+ * angle, or the chord alone. The polygon is stretched along the axis to have the area of the half ellipse. */
+static void add_cap(struct wf_outline *o, const double centre[2], const double along[2], double radius,
+                    double cosine, bool disc)
 {
     size_t n = disc ? WF_OUTLINE_ROUND : 1;
     double stretch = disc ? WF_PI / ((double)n * sin(WF_PI / (double)n)) : 0.0;
@@ -32,8 +32,8 @@ bool wf_outline_frustum(const double p0[2], const double p1[2], double r0, doubl
     double back[2] = { -along[0], -along[1] };
     out->n = 0;
     if (end_on && !(cosine > 0.0 && (disc0 || disc1))) return false;
-    cap(out, p1, along, r1, cosine, disc1 && cosine > 0.0);
-    cap(out, p0, back, r0, cosine, disc0 && cosine > 0.0);
+    add_cap(out, p1, along, r1, cosine, disc1 && cosine > 0.0);
+    add_cap(out, p0, back, r0, cosine, disc0 && cosine > 0.0);
     return true;
 }
 
@@ -47,18 +47,20 @@ double wf_outline_area(const struct wf_outline *o)
     return 0.5 * twice;
 }
 
-struct span {
+/* Area of a union of outlines within a cell. */
+
+struct edge_span {
     double from, to;
 };
 
-/* Edges that lie on one line within this distance [cells] are taken as coincident: rounding puts edges that
- * are shared at 1e-15. */
-static const double together = 1e-10;
+/* Edges that lie on one line within this distance [cells] are treated as coincident; edges that outlines
+ * share differ by rounding only, about 1e-15. */
+static const double coincident = 1e-10;
 
 /* Part of the edge p..q inside a convex outline. An edge that lies on one of the outline's own edges counts
  * as inside when both run the same way and `same` is set, else as outside. */
-static bool inside(const double p[2], const double q[2], const struct wf_outline *o, bool same,
-                   struct span *out)
+static bool edge_inside(const double p[2], const double q[2], const struct wf_outline *o, bool same,
+                        struct edge_span *out)
 {
     double from = 0.0, to = 1.0;
     const double *a = o->x[o->n - 1];
@@ -66,7 +68,7 @@ static bool inside(const double p[2], const double q[2], const struct wf_outline
         const double *b = o->x[i];
         double ex = b[0] - a[0], ey = b[1] - a[1];
         double dp = ex * (p[1] - a[1]) - ey * (p[0] - a[0]), dq = ex * (q[1] - a[1]) - ey * (q[0] - a[0]);
-        double size = fabs(ex) + fabs(ey), near = together * size;
+        double size = fabs(ex) + fabs(ey), near = coincident * size;
         a = b;
         if (size == 0.0) continue;
         if (fabs(dp) <= near && fabs(dq) <= near) {
@@ -80,16 +82,16 @@ static bool inside(const double p[2], const double q[2], const struct wf_outline
             to = fmin(to, dp / (dp - dq));
         if (from >= to) return false;
     }
-    *out = (struct span){ from, to };
+    *out = (struct edge_span){ from, to };
     return true;
 }
 
-/* Length of `of` that no span of the list covers; the list is sorted on the way. */
-static double left_over(struct span of, struct span *list, size_t n)
+/* Length of `of` that no span of the list covers. Sorts the list. */
+static double length_left_over(struct edge_span of, struct edge_span *list, size_t n)
 {
     double left = 0.0, at = of.from;
     for (size_t i = 1; i < n; i++) {
-        struct span s = list[i];
+        struct edge_span s = list[i];
         size_t k = i;
         for (; k > 0 && list[k - 1].from > s.from; k--) list[k] = list[k - 1];
         list[k] = s;
@@ -101,10 +103,11 @@ static double left_over(struct span of, struct span *list, size_t n)
     return at < of.to ? left + of.to - at : left;
 }
 
-/* Twice the area under the outlines' own edges within the cell, seen from the cell's corner. */
-static double own_edges(const struct wf_outline *const *list, size_t n, const struct wf_outline *cell)
+/* The outlines' part of the border integral: twice the area between the cell's corner and those parts of
+ * their edges that lie in the cell and in no other outline. */
+static double area_of_own_edges(const struct wf_outline *const *list, size_t n, const struct wf_outline *cell)
 {
-    struct span within, hidden[WF_UNION_MAX];
+    struct edge_span within, hidden[WF_UNION_MAX];
     const double *corner = cell->x[0];
     double twice = 0.0;
     for (size_t i = 0; i < n; i++) {
@@ -113,10 +116,10 @@ static double own_edges(const struct wf_outline *const *list, size_t n, const st
             const double *q = list[i]->x[k], *start = p;
             size_t m = 0;
             p = q;
-            if (!inside(start, q, cell, false, &within)) continue;
+            if (!edge_inside(start, q, cell, false, &within)) continue;
             for (size_t j = 0; j < n; j++)
-                if (j != i && inside(start, q, list[j], j < i, &hidden[m])) m++;
-            double share = m ? left_over(within, hidden, m) : within.to - within.from;
+                if (j != i && edge_inside(start, q, list[j], j < i, &hidden[m])) m++;
+            double share = m ? length_left_over(within, hidden, m) : within.to - within.from;
             twice += share * ((start[0] - corner[0]) * (q[1] - corner[1]) -
                               (start[1] - corner[1]) * (q[0] - corner[0]));
         }
@@ -124,21 +127,24 @@ static double own_edges(const struct wf_outline *const *list, size_t n, const st
     return twice;
 }
 
-static double outline_union(const struct wf_outline *const *list, size_t n, const double corner[2])
+/* Area of the union of n outlines, at most WF_UNION_MAX, within the unit square at `corner`. */
+static double union_in_cell(const struct wf_outline *const *list, size_t n, const double corner[2])
 {
     const double x = corner[0], y = corner[1];
     const struct wf_outline cell = { 4, { { x, y }, { x + 1, y }, { x + 1, y + 1 }, { x, y + 1 } } };
-    double twice = own_edges(list, n, &cell);
+    double twice = area_of_own_edges(list, n, &cell);
     /* the cell's border: the sides that do not pass through the corner, each at distance 1 */
     for (size_t side = 1; side <= 2; side++) {
-        struct span whole = { 0.0, 1.0 }, part[WF_UNION_MAX];
+        struct edge_span whole = { 0.0, 1.0 }, part[WF_UNION_MAX];
         size_t m = 0;
         for (size_t j = 0; j < n; j++)
-            if (inside(cell.x[side], cell.x[side + 1], list[j], true, &part[m])) m++;
-        if (m) twice += 1.0 - left_over(whole, part, m);
+            if (edge_inside(cell.x[side], cell.x[side + 1], list[j], true, &part[m])) m++;
+        if (m) twice += 1.0 - length_left_over(whole, part, m);
     }
     return fmin(fmax(0.5 * twice, 0.0), 1.0);
 }
+
+/* Grids: the union of outlines in every cell. */
 
 enum wf_status wf_raster_make(struct wf_raster *r, size_t nx, size_t ny, struct wf_arena *a, struct wf_err *e)
 {
@@ -152,7 +158,7 @@ enum wf_status wf_raster_make(struct wf_raster *r, size_t nx, size_t ny, struct 
     return WF_OK;
 }
 
-static bool link_to(struct wf_raster *r, size_t cell, size_t outline)
+static bool chain_to_cell(struct wf_raster *r, size_t cell, size_t outline)
 {
     if (r->links == r->room) {
         size_t room = r->room ? 2 * r->room : 4 * r->nx * r->ny;
@@ -174,7 +180,7 @@ static bool link_to(struct wf_raster *r, size_t cell, size_t outline)
 }
 
 /* Lowest and highest x of an outline within the band y0..y0+1. */
-static void reach(const struct wf_outline *o, double y0, double *low, double *high)
+static void reach_in_band(const struct wf_outline *o, double y0, double *low, double *high)
 {
     double y1 = y0 + 1.0;
     const double *a = o->x[o->n - 1];
@@ -198,19 +204,22 @@ static void reach(const struct wf_outline *o, double y0, double *low, double *hi
     }
 }
 
-static size_t clamp(double v, size_t most) { return v <= 0.0 ? 0 : v >= (double)most ? most : (size_t)v; }
+static size_t clamp_to_cell(double v, size_t most)
+{
+    return v <= 0.0 ? 0 : v >= (double)most ? most : (size_t)v;
+}
 
-/* Enter an outline into the chain of every cell it may touch. */
-static bool enter(struct wf_raster *r, const struct wf_outline *o, size_t index)
+/* Add an outline to the chain of every cell that it may touch. Returned: false without memory. */
+static bool chain_outline(struct wf_raster *r, const struct wf_outline *o, size_t index)
 {
     double bottom = INFINITY, top = -INFINITY, low, high;
     for (size_t i = 0; i < o->n; i++) bottom = fmin(bottom, o->x[i][1]), top = fmax(top, o->x[i][1]);
     if (!(top >= 0.0 && bottom <= (double)r->ny)) return true;
-    for (size_t k = clamp(bottom, r->ny - 1), last = clamp(top, r->ny - 1); k <= last; k++) {
-        reach(o, (double)k, &low, &high);
+    for (size_t k = clamp_to_cell(bottom, r->ny - 1), last = clamp_to_cell(top, r->ny - 1); k <= last; k++) {
+        reach_in_band(o, (double)k, &low, &high);
         if (!(high >= 0.0 && low <= (double)r->nx)) continue;
-        for (size_t i = clamp(low, r->nx - 1), end = clamp(high, r->nx - 1); i <= end; i++)
-            if (!link_to(r, k * r->nx + i, index)) return false;
+        for (size_t i = clamp_to_cell(low, r->nx - 1), end = clamp_to_cell(high, r->nx - 1); i <= end; i++)
+            if (!chain_to_cell(r, k * r->nx + i, index)) return false;
     }
     return true;
 }
@@ -221,7 +230,7 @@ enum wf_status wf_raster_union(struct wf_raster *r, const struct wf_outline *o, 
     r->links = r->cells = 0;
     memset(out, 0, r->nx * r->ny * sizeof *out);
     bool room = true;
-    for (size_t i = 0; i < n && room; i++) room = enter(r, &o[i], i);
+    for (size_t i = 0; i < n && room; i++) room = chain_outline(r, &o[i], i);
     for (size_t c = 0; c < r->cells; c++) {
         size_t cell = (size_t)r->touched[c], m = 0;
         const double corner[2] = { (double)(cell % r->nx), (double)(cell / r->nx) };
@@ -230,7 +239,7 @@ enum wf_status wf_raster_union(struct wf_raster *r, const struct wf_outline *o, 
         for (int32_t l = r->head[cell]; l >= 0; l = r->next[l]) {
             list[m++] = &o[r->item[l]];
             if (m < WF_UNION_MAX && r->next[l] >= 0) continue;
-            open *= 1.0 - outline_union(list, m, corner);
+            open *= 1.0 - union_in_cell(list, m, corner);
             m = 0;
         }
         out[cell] = 1.0 - open;
@@ -239,9 +248,11 @@ enum wf_status wf_raster_union(struct wf_raster *r, const struct wf_outline *o, 
     return room ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for %zu outlines on the grid", n);
 }
 
-/* The area to the right of an edge piece within one row: `rise` of it from x0 to x1, shared among the cells
- * between. */
-static void run(double *row, double x0, double x1, double rise)
+/* Grids: the weighted sum of outlines in every cell. */
+
+/* Add to one row the area to the right of a piece of an edge that runs from x0 to x1 and rises by `rise`. The
+ * entries are differences: their running sum along the row is the area in each cell. */
+static void add_edge_in_row(double *row, double x0, double x1, double rise)
 {
     double left = fmin(x0, x1), right = fmax(x0, x1);
     size_t first = (size_t)left, last = (size_t)right;
@@ -253,7 +264,7 @@ static void run(double *row, double x0, double x1, double rise)
     }
     double per = rise / (right - left), before = 0.0;
     for (size_t i = first; i <= last; i++) {
-        /* share of the cell's area right of the edge, once all of it left of the cell's end is passed */
+        /* area right of the edge, of the part of the edge left of the cell's end */
         double enter_at = fmax(left, (double)i), leave_at = fmin(right, (double)i + 1.0);
         double risen = per * (leave_at - enter_at);
         double area = per * (enter_at - left) + risen * ((double)i + 1.0 - 0.5 * (enter_at + leave_at));
@@ -281,7 +292,7 @@ void wf_raster_add(struct wf_raster *r, const struct wf_outline *o, double weigh
             double x0 = low[0] + slope * (y - low[1]), x1 = low[0] + slope * (stop - low[1]);
             x0 = fmin(fmax(x0, 0.0), width);
             x1 = fmin(fmax(x1, 0.0), width);
-            run(r->edge + k * (r->nx + 2), x0, x1, sign * (stop - y));
+            add_edge_in_row(r->edge + k * (r->nx + 2), x0, x1, sign * (stop - y));
             y = stop;
         }
     }
@@ -294,7 +305,7 @@ void wf_raster_sum(struct wf_raster *r, double *out)
         for (size_t i = 0; i < r->nx; i++) {
             sum += row[i];
             size = fmax(size, fabs(sum));
-            /* what is left of closed outlines after their end is rounding */
+            /* beyond the end of a closed outline the sum is zero except for rounding */
             out[k * r->nx + i] = sum > 1e-12 * size ? sum : 0.0;
         }
         memset(row, 0, (r->nx + 2) * sizeof *row);

@@ -4,8 +4,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Length of the well-formed sequence at s, 0 when there is none. */
-static size_t sequence(const unsigned char *s, size_t left)
+/* UTF-8. */
+
+/* Length of the well-formed sequence at s; 0 when there is none. */
+static size_t utf8_sequence(const unsigned char *s, size_t left)
 {
     unsigned c = s[0];
     if (c == 0) return 0;
@@ -19,8 +21,8 @@ static size_t sequence(const unsigned char *s, size_t left)
     return n;
 }
 
-/* Eight bytes that are all plain ASCII and not NUL: nothing to check. Most of every file is. */
-static bool plain8(const unsigned char *s)
+/* Whether the next eight bytes are all ASCII and not NUL. Checked first, because most text is ASCII. */
+static bool ascii_eight(const unsigned char *s)
 {
     uint64_t w;
     memcpy(&w, s, sizeof w);
@@ -33,11 +35,11 @@ bool wf_utf8_valid(const char *text, size_t size, struct wf_utf8_fault *fault)
     const unsigned char *s = (const unsigned char *)text;
     size_t i = 0;
     while (i < size) {
-        if (size - i >= 8 && plain8(s + i)) {
+        if (size - i >= 8 && ascii_eight(s + i)) {
             i += 8;
             continue;
         }
-        size_t n = sequence(s + i, size - i);
+        size_t n = utf8_sequence(s + i, size - i);
         if (!n) break;
         i += n;
     }
@@ -54,11 +56,16 @@ bool wf_utf8_valid(const char *text, size_t size, struct wf_utf8_fault *fault)
     return false;
 }
 
+/* Suggestions. */
+
 enum { WORD_MAX = 63 };
 
-static unsigned char lower(char c) { return (unsigned char)(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c); }
+static unsigned char ascii_lower(char c)
+{
+    return (unsigned char)(c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c);
+}
 
-static size_t least(size_t a, size_t b) { return a < b ? a : b; }
+static size_t least_size(size_t a, size_t b) { return a < b ? a : b; }
 
 size_t wf_word_distance(const char *a, const char *b)
 {
@@ -70,10 +77,10 @@ size_t wf_word_distance(const char *a, const char *b)
         size_t *now = row[i % 3], *before = row[(i + 2) % 3], *earlier = row[(i + 1) % 3];
         now[0] = i;
         for (size_t j = 1; j <= m; j++) {
-            unsigned char x = lower(a[i - 1]), y = lower(b[j - 1]);
-            now[j] = least(before[j - 1] + (x != y), least(before[j], now[j - 1]) + 1);
-            if (i > 1 && j > 1 && x == lower(b[j - 2]) && lower(a[i - 2]) == y)
-                now[j] = least(now[j], earlier[j - 2] + 1);
+            unsigned char x = ascii_lower(a[i - 1]), y = ascii_lower(b[j - 1]);
+            now[j] = least_size(before[j - 1] + (x != y), least_size(before[j], now[j - 1]) + 1);
+            if (i > 1 && j > 1 && x == ascii_lower(b[j - 2]) && ascii_lower(a[i - 2]) == y)
+                now[j] = least_size(now[j], earlier[j - 2] + 1);
         }
     }
     return row[n % 3][m];
@@ -85,11 +92,11 @@ int wf_word_is_near(const char *word, size_t distance)
     return distance <= (n <= 4 ? 1u : n <= 8 ? 2u : 3u);
 }
 
-/* One word begins with the other, as "youngs" for "youngs_modulus". */
-static bool shortened(const char *a, const char *b)
+/* Whether one word begins with the other, as "youngs" and "youngs_modulus". */
+static bool is_short_form(const char *a, const char *b)
 {
     size_t n = 0;
-    while (a[n] && b[n] && lower(a[n]) == lower(b[n])) n++;
+    while (a[n] && b[n] && ascii_lower(a[n]) == ascii_lower(b[n])) n++;
     return n >= 3 && (!a[n] || !b[n]);
 }
 
@@ -105,7 +112,7 @@ const char *wf_nearest(const char *word, const char *const *known, size_t n)
         }
     }
     for (size_t i = 0; i < n && !best; i++)
-        if (shortened(word, known[i])) best = known[i];
+        if (is_short_form(word, known[i])) best = known[i];
     return best;
 }
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_TEXT_H
 #define WF_BASE_TEXT_H
-/* Is it text? RFC 3629: no overlong forms, no surrogates, nothing beyond U+10FFFF; NUL is not text either. */
+/* Text: validation of UTF-8, and suggestions for mistyped words. */
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -10,28 +10,27 @@ struct wf_utf8_fault {
     unsigned byte;
 };
 
-/* Given: size bytes. Returned: true when all are UTF-8 text; else false and the first offending place. */
+/* Whether size bytes are UTF-8 text as in RFC 3629: no overlong forms, no surrogates, nothing beyond
+ * U+10FFFF; NUL is refused too. Returned: true, or false and the first fault. */
 bool wf_utf8_valid(const char *text, size_t size, struct wf_utf8_fault *fault);
 
-/* "Did you mean": the nearest known word to a mistyped one. */
-
-/* Number of single-letter changes, insertions, deletions and swaps of neighbours between two words, letter
- * case ignored (Damerau 1964, Levenshtein 1966; optimal string alignment). Words beyond 63 bytes are never
- * near. */
+/* Distance between two words, letter case ignored: the number of changes, insertions, deletions and swaps of
+ * neighbouring letters (Damerau 1964, Levenshtein 1966; optimal string alignment). Returned: (size_t)-1 when
+ * a word is longer than 63 bytes. */
 size_t wf_word_distance(const char *a, const char *b);
-/* Whether `distance` is near enough to suggest a word of this length: 1 up to 4 letters, 2 up to 8, then 3.
- */
+/* Whether a word at this distance is similar enough to be suggested: 1 for up to 4 letters, 2 for up to 8, 3
+ * for longer words. */
 int wf_word_is_near(const char *word, size_t distance);
-/* The nearest of n known words; when none is near, the first that is a short form of the word or the other
- * way round (three letters at least); else NULL. */
+/* The most similar of n known words; when none is similar enough, the first that begins with the word or that
+ * the word begins with (at least three letters); otherwise NULL. */
 const char *wf_nearest(const char *word, const char *const *known, size_t n);
-/* The end of a message about a word that is not known: "; did you mean 'NEAREST'?", or "" where none is near.
- * For use as an argument: wf_did_you_mean(word, known, n).text. */
+/* The end of a message about an unknown word: "; did you mean 'NEAREST'?", or "" when no known word is
+ * similar. For use as an argument: wf_did_you_mean(word, known, n).text. */
 struct wf_hint {
     char text[2048];
 };
 struct wf_hint wf_did_you_mean(const char *word, const char *const *known, size_t n);
-/* The same; where no word is near "; OTHERWISE a, b, c" with all known words. */
+/* The same; when no known word is similar, "; OTHERWISE a, b, c" with all of them. */
 struct wf_hint wf_did_you_mean_or(const char *word, const char *const *known, size_t n,
                                   const char *otherwise);
 #endif

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <udunits2.h>
 
-static const struct wf_dimension_row rows[WF_DIM_COUNT] = {
+static const struct wf_dimension_row dimension_rows[WF_DIM_COUNT] = {
     [WF_DIM_NONE] = { "a plain number", "1", "%" },
     [WF_DIM_LENGTH] = { "a length", "m", "m, cm, mm" },
     [WF_DIM_AREA] = { "an area", "m2", "m2, cm2, ha" },
@@ -32,7 +32,7 @@ static const struct wf_dimension_row rows[WF_DIM_COUNT] = {
     [WF_DIM_MASS_PER_LENGTH] = { "a mass per length", "kg/m", "kg/m, g/m" },
 };
 
-/* Usual spellings that the database lacks or reads as something else (mph: milliphot). */
+/* Customary spellings that the database lacks or interprets differently (mph: milliphot). */
 static const struct {
     const char *spelling, *meaning;
 } aliases[] = {
@@ -49,24 +49,7 @@ struct wf_units {
 
 const struct wf_dimension_row *wf_dimension_row(enum wf_dimension d)
 {
-    return &rows[(unsigned)d < WF_DIM_COUNT ? d : WF_DIM_NONE];
-}
-
-enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
-{
-    (void)ut_set_error_message_handler(ut_ignore); /* UDUNITS writes to stderr unless told not to */
-    struct wf_units *u = calloc(1, sizeof *u);
-    *out = u;
-    if (!u) return wf_fail(e, WF_ENOMEM, "no memory for the units table");
-    u->system = ut_read_xml(NULL);
-    bool ok = u->system != NULL;
-    for (size_t i = 0; ok && i < WF_DIM_COUNT; i++)
-        ok = (u->si[i] = ut_parse(u->system, rows[i].si, UT_UTF8)) != NULL;
-    if (ok) return WF_OK;
-    wf_units_close(u);
-    *out = NULL;
-    return wf_fail(e, WF_EMISSING,
-                   "the units database of UDUNITS-2 cannot be read (package libudunits2-data)");
+    return &dimension_rows[(unsigned)d < WF_DIM_COUNT ? d : WF_DIM_NONE];
 }
 
 void wf_units_close(struct wf_units *u)
@@ -78,8 +61,26 @@ void wf_units_close(struct wf_units *u)
     free(u);
 }
 
-/* A unit as people write it: letters, products, quotients and small powers. UDUNITS also reads factors,
- * origins and logarithms ("2 GPa", "m @ 3", "lg(re 1 mW)"), which in a quantity would be slips. */
+enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
+{
+    (void)ut_set_error_message_handler(ut_ignore); /* by default UDUNITS writes to stderr */
+    struct wf_units *u = calloc(1, sizeof *u);
+    *out = u;
+    if (!u) return wf_fail(e, WF_ENOMEM, "no memory for the units table");
+    u->system = ut_read_xml(NULL);
+    bool ok = u->system != NULL;
+    for (size_t i = 0; ok && i < WF_DIM_COUNT; i++)
+        ok = (u->si[i] = ut_parse(u->system, dimension_rows[i].si, UT_UTF8)) != NULL;
+    if (ok) return WF_OK;
+    wf_units_close(u);
+    *out = NULL;
+    return wf_fail(e, WF_EMISSING,
+                   "the units database of UDUNITS-2 cannot be read (package libudunits2-data)");
+}
+
+/* Whether a text is a unit as it is normally written: letters, products, quotients and small powers. UDUNITS
+ * also accepts factors, origins and logarithms ("2 GPa", "m @ 3", "lg(re 1 mW)"), which in a quantity are
+ * mistakes. */
 static bool plain_unit(const char *s)
 {
     if (strlen(s) > 60) return false;
@@ -94,8 +95,8 @@ static bool plain_unit(const char *s)
     return true;
 }
 
-/* Angles and plain numbers have the same dimension for UDUNITS; whether radians are there tells them apart.
- */
+/* Whether a text names an angle. UDUNITS gives angles and plain numbers the same dimension, so they are told
+ * apart by the spelling. */
 static bool angle_spelling(const char *s)
 {
     static const char *const known[] = { "deg", "degree", "degrees", "\xC2\xB0", "rad", "radian", "radians" };
@@ -104,7 +105,7 @@ static bool angle_spelling(const char *s)
     return false;
 }
 
-/* The unit meant by `text`, NULL when it is not one of dimension d. Freed by the caller. */
+/* The unit named by `text`; NULL when it is not a unit of dimension d. The caller frees it. */
 static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dimension d)
 {
     if (!plain_unit(text)) return NULL;
@@ -114,7 +115,7 @@ static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dime
         if (!strcmp(text, aliases[i].spelling)) text = aliases[i].meaning;
     ut_unit *unit = ut_parse(u->system, text, UT_UTF8);
     if (!unit) return NULL;
-    /* "convertible" includes reciprocals (m3/kg to kg/m3): the quotient must be a pure number */
+    /* UDUNITS also converts to reciprocals (m3/kg to kg/m3): therefore require a dimensionless quotient */
     ut_unit *ratio = ut_divide(unit, u->si[d]);
     bool fits = ratio && ut_is_dimensionless(ratio) && ut_are_convertible(unit, u->si[d]);
     if (ratio) ut_free(ratio);
@@ -123,7 +124,7 @@ static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dime
     return NULL;
 }
 
-static double convert(ut_unit *from, ut_unit *to, double v)
+static double converted(ut_unit *from, ut_unit *to, double v)
 {
     cv_converter *c = ut_get_converter(from, to);
     if (!c) return NAN;
@@ -140,7 +141,7 @@ static enum wf_status refuse_unit(const struct wf_units *u, const char *text, co
     ut_unit *other = plain_unit(unit) ? ut_parse(u->system, unit, UT_UTF8) : NULL;
     if (other) ut_free(other);
     return wf_fail(e, WF_EINPUT, "'%s': '%s' is not %s %s; use one of: %s", text, unit,
-                   other ? "a unit of" : "a known unit for", rows[d].name, rows[d].units);
+                   other ? "a unit of" : "a known unit for", dimension_rows[d].name, dimension_rows[d].units);
 }
 
 static enum wf_status refuse_number(const char *text, enum wf_dimension d, const char *unit, struct wf_err *e)
@@ -148,15 +149,8 @@ static enum wf_status refuse_number(const char *text, enum wf_dimension d, const
     if (isdigit((unsigned char)text[strspn(text, "+-.")]))
         return wf_fail(e, WF_EINPUT, "'%s' is beyond the range of numbers", text);
     if (d == WF_DIM_NONE) return wf_fail(e, WF_EINPUT, "'%s' is not a number; write for example '0.5'", text);
-    return wf_fail(e, WF_EINPUT, "'%s' is not %s; write for example '1.5 %s'", text, rows[d].name, unit);
-}
-
-enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_dimension d, double *si,
-                                struct wf_err *e)
-{
-    char first[32];
-    (void)snprintf(first, sizeof first, "%.*s", (int)strcspn(rows[d].units, ","), rows[d].units);
-    return wf_quantity_read_as(u, text, d, first, si, e);
+    return wf_fail(e, WF_EINPUT, "'%s' is not %s; write for example '1.5 %s'", text, dimension_rows[d].name,
+                   unit);
 }
 
 enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf_dimension d,
@@ -166,7 +160,7 @@ enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf
     const char *from = text + strspn(text, " \t\n");
     size_t n = strlen(from);
     while (n && strchr(" \t\n", from[n - 1])) n--;
-    if (!n) return wf_fail(e, WF_EINPUT, "the value is empty; %s is expected", rows[d].name);
+    if (!n) return wf_fail(e, WF_EINPUT, "the value is empty; %s is expected", dimension_rows[d].name);
     if (n >= sizeof t) return wf_fail(e, WF_EINPUT, "'%.40s...' is too long for a quantity", from);
     memcpy(t, from, n);
     t[n] = '\0';
@@ -182,7 +176,7 @@ enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf
     if (*p) {
         ut_unit *unit = unit_of(u, p, d);
         if (!unit) return refuse_unit(u, t, p, d, e);
-        v = convert(unit, u->si[d], v);
+        v = converted(unit, u->si[d], v);
         ut_free(unit);
     }
     if (!isfinite(v)) return wf_fail(e, WF_EINPUT, "'%s' is beyond the range of numbers", t);
@@ -190,13 +184,34 @@ enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf
     return WF_OK;
 }
 
+enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_dimension d, double *si,
+                                struct wf_err *e)
+{
+    char first[32];
+    (void)snprintf(first, sizeof first, "%.*s", (int)strcspn(dimension_rows[d].units, ","),
+                   dimension_rows[d].units);
+    return wf_quantity_read_as(u, text, d, first, si, e);
+}
+
+/* Value in a unit; *unit becomes the one it is in, "" for a plain number. */
+static double in_unit(struct wf_units *u, double si, enum wf_dimension d, const char **unit)
+{
+    ut_unit *to = **unit ? unit_of(u, *unit, d) : NULL;
+    double v = to ? converted(u->si[d], to, si) : si;
+    if (!to) *unit = d == WF_DIM_NONE ? "" : dimension_rows[d].si;
+    if (to) ut_free(to);
+    return v;
+}
+
+double wf_quantity_in(struct wf_units *u, double si, enum wf_dimension d, const char *unit)
+{
+    return in_unit(u, si, d, &unit);
+}
+
 char *wf_quantity_print(struct wf_units *u, double si, enum wf_dimension d, const char *unit, char *buf,
                         size_t size)
 {
-    ut_unit *to = *unit ? unit_of(u, unit, d) : NULL;
-    double v = to ? convert(u->si[d], to, si) : si;
-    if (!to) unit = d == WF_DIM_NONE ? "" : rows[d].si;
-    if (to) ut_free(to);
+    double v = in_unit(u, si, d, &unit);
     (void)snprintf(buf, size, "%.6g%s%s", v, *unit ? " " : "", unit);
     return buf;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_UNITS_H
 #define WF_BASE_UNITS_H
-/* Quantities at the door: "10 GPa" to SI and back, through UDUNITS-2. */
+/* Quantities as text: "10 GPa" to SI and back, with UDUNITS-2. */
 #include "base/err.h"
 #include <stddef.h>
 
@@ -30,32 +30,35 @@ enum wf_dimension {
 };
 
 struct wf_dimension_row {
-    const char *name;  /* "a pressure", for messages           */
-    const char *si;    /* UDUNITS spelling of the SI unit      */
-    const char *units; /* units to offer, comma separated      */
+    const char *name;  /* "a pressure", for messages               */
+    const char *si;    /* UDUNITS spelling of the SI unit          */
+    const char *units; /* units to suggest, separated by commas    */
 };
-/* The row of a dimension; never NULL for a valid one. */
+/* The row of a dimension; never NULL. */
 const struct wf_dimension_row *wf_dimension_row(enum wf_dimension d);
 
-struct wf_units; /* a table of units; not shared between threads */
+struct wf_units; /* a table of units; must not be used by two threads at once */
 
-/* Read the units database, about 3 ms. UDUNITS 2.2 keeps the prefixes of every database it has read, 7 kB
- * each time, so a caller with many quantities keeps one table for all of them. Errors: WF_EMISSING when
- * UDUNITS' database is not installed, WF_ENOMEM. */
+/* Read the units database; takes about 3 ms. UDUNITS 2.2 never frees the prefixes of a database it has read
+ * (7 kB each time), so a caller with many quantities should open one table for all of them. Errors:
+ * WF_EMISSING when UDUNITS' database is not installed, WF_ENOMEM. */
 enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e);
+/* Free a table; NULL is allowed. */
 void wf_units_close(struct wf_units *u);
 
-/* Given: text such as "10 GPa", "36 km/h", "0.35", "12 %", "15 degC", and the dimension wanted.
- * Returned: *si, the value in the SI unit of the dimension. Errors: WF_EINPUT with a sentence that shows the
- * text, says what is wrong with it and what would be right. Only a dimensionless value may lack a unit, and
+/* Read a quantity. Given: text such as "10 GPa", "36 km/h", "0.35", "12 %", "15 degC", and the dimension
+ * wanted. Returned: *si, the value in the SI unit of the dimension. Errors: WF_EINPUT with a message that
+ * shows the text, says what is wrong and what would be right. Only a dimensionless value may lack a unit, and
  * only an angle may be in degrees or radians; a unit of the reciprocal dimension is refused. */
 enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_dimension d, double *si,
                                 struct wf_err *e);
-/* The same; an example in a message is written in `usual`, the unit people use for this value. */
+/* The same; messages give their examples in `usual`, the customary unit of the value. */
 enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf_dimension d,
                                    const char *usual, double *si, struct wf_err *e);
-/* SI value to text in `unit` ("" for dimensionless), six significant digits: 1e10, "GPa" gives "10 GPa".
- * Returned: buf. A unit that does not fit the dimension gives the SI unit. */
+/* SI value in `unit`: 1e10, "GPa" gives 10. A unit that does not fit the dimension, or "": the SI value. */
+double wf_quantity_in(struct wf_units *u, double si, enum wf_dimension d, const char *unit);
+/* Write an SI value to buf[size] in `unit` ("" for dimensionless values) with six significant digits: 1e10
+ * and "GPa" give "10 GPa". Returned: buf. If the unit does not fit the dimension, the SI unit is used. */
 char *wf_quantity_print(struct wf_units *u, double si, enum wf_dimension d, const char *unit, char *buf,
                         size_t size);
 #endif

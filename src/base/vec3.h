@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_VEC3_H
 #define WF_BASE_VEC3_H
-/* Vectors of three numbers. */
+/* 3-vectors, 3x3 matrices (row-major) and finite rotations, inlined into the solvers. */
 #include <math.h>
 #include <string.h>
 
@@ -10,15 +10,13 @@ static inline double wf_dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* out = a x b; out is neither a nor b. */
+/* out = a x b; out must not be a or b. */
 static inline void wf_cross(const double a[3], const double b[3], double out[3])
 {
     out[0] = a[1] * b[2] - a[2] * b[1];
     out[1] = a[2] * b[0] - a[0] * b[2];
     out[2] = a[0] * b[1] - a[1] * b[0];
 }
-
-/* 3-vectors, 3x3 matrices (row-major) and finite rotations, inlined into the beam kernels. */
 
 /* y += s x */
 static inline void v3_add(double y[3], double s, const double x[3])
@@ -46,7 +44,7 @@ static inline void m3_apply_transposed(const double A[9], const double x[3], dou
     y[2] = c;
 }
 
-/* C = A B; C is neither A nor B */
+/* C = A B; C must not be A or B */
 static inline void m3_mul(const double A[9], const double B[9], double C[9])
 {
     for (int i = 0; i < 3; i++)
@@ -54,7 +52,7 @@ static inline void m3_mul(const double A[9], const double B[9], double C[9])
             C[3 * i + j] = A[3 * i] * B[j] + A[3 * i + 1] * B[3 + j] + A[3 * i + 2] * B[6 + j];
 }
 
-/* C = A' B; C is neither A nor B */
+/* C = A' B; C must not be A or B */
 static inline void m3_mul_transposed(const double A[9], const double B[9], double C[9])
 {
     for (int i = 0; i < 3; i++)
@@ -95,8 +93,8 @@ static inline void m3_add_cross_mul(double C[9], double s, const double a[3], co
     }
 }
 
-/* C += p B + (q - p) t (t' B): an isotropic section's stiffness or compliance p across t, q along t, applied
- * to B */
+/* C += p B + (q - p) t (t' B): the stiffness or compliance of an isotropic section, p across t and q along t,
+ * applied to B */
 static inline void m3_add_section_mul(double C[9], double p, double q, const double t[3], const double B[9])
 {
     double tb[3];
@@ -224,8 +222,8 @@ static inline void rotation_vector(const double R[9], double v[3])
     for (int i = 0; i < 3; i++) v[i] = f * q[1 + i];
 }
 
-/* WF_WIDE: one object for every machine; the wider registers of newer processors are used where they are
- * found. Without fused multiply-add both give the same digits. */
+/* WF_WIDE: compile a function twice, for AVX2 and for any x86-64 processor, and choose at run time. Because
+ * fused multiply-add is not used, both give the same digits. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
 #define WF_WIDE __attribute__((target_clones("avx2", "default")))
 #else

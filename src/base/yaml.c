@@ -11,8 +11,6 @@
 #include <string.h>
 #include <yaml.h>
 
-/* Shared by the reader's own files. */
-
 struct wf_yaml {
     const char *file;
     yaml_document_t document;
@@ -21,25 +19,50 @@ struct wf_yaml {
     struct wf_diag *diag;
     bool no_memory;
     size_t mistakes;
-    char path[512];           /* of the place in hand                         */
-    const yaml_node_t *node;  /* table in hand; NULL when its key is absent           */
-    const yaml_node_t *place; /* it, or the nearest thing above it that is in the file */
+    char path[512];           /* of the current place, e.g. "levels[1].density"       */
+    const yaml_node_t *node;  /* current table; NULL when its key is absent           */
+    const yaml_node_t *place; /* `node`, or the innermost enclosing node that is in the file */
 };
 
 /* Limits of a file: nesting, bytes, mistakes listed, entries of a free mapping. */
 enum { WF_YAML_DEPTH = 16, WF_YAML_SIZE = 1 << 20, WF_YAML_LISTED = 100, WF_YAML_ENTRIES = 1000 };
 
-static const yaml_node_t *yaml_node(struct wf_yaml *y, int id);
-
-static const yaml_node_t *yaml_find(struct wf_yaml *y, const yaml_node_t *map, const char *key,
-                                    size_t length);
-
 static void yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
                       const struct wf_yaml_row *outer, unsigned char *out);
 
-/* Where a mistake is: marks, paths, nodes. */
+/* Nodes of the document. */
 
-static void add(struct wf_yaml *y, yaml_mark_t m, const char *key, const char *fmt, va_list args)
+static const yaml_node_t *yaml_node(struct wf_yaml *y, int id)
+{
+    return yaml_document_get_node(&y->document, id);
+}
+
+static const char *yaml_scalar(const yaml_node_t *n)
+{
+    return n->type == YAML_SCALAR_NODE ? (const char *)n->data.scalar.value : NULL;
+}
+
+static const char *yaml_type(const yaml_node_t *n)
+{
+    if (n->type == YAML_MAPPING_NODE) return "a mapping (keys with values)";
+    if (n->type == YAML_SEQUENCE_NODE) return "a list";
+    return n->data.scalar.length ? "a single value" : "nothing";
+}
+
+/* Value of a key of a mapping; NULL when there is none. */
+static const yaml_node_t *yaml_find(struct wf_yaml *y, const yaml_node_t *map, const char *key, size_t length)
+{
+    if (!map || map->type != YAML_MAPPING_NODE) return NULL;
+    for (yaml_node_pair_t *q = map->data.mapping.pairs.start; q < map->data.mapping.pairs.top; q++) {
+        const char *k = yaml_scalar(yaml_node(y, q->key));
+        if (k && strlen(k) == length && !memcmp(k, key, length)) return yaml_node(y, q->value);
+    }
+    return NULL;
+}
+
+/* Where a mistake is: marks and paths. */
+
+static void add_mistake(struct wf_yaml *y, yaml_mark_t m, const char *key, const char *fmt, va_list args)
 {
     char text[1536];
     if (++y->mistakes > WF_YAML_LISTED) {
@@ -56,26 +79,27 @@ static void add(struct wf_yaml *y, yaml_mark_t m, const char *key, const char *f
     wf_diag_error(y->diag, y->file, m.line + 1, m.column + 1, "%s", text);
 }
 
-/* A finding at a mark of the parser. */
+/* Add a mistake at a mark of the parser. */
 static void yaml_mark(struct wf_yaml *y, yaml_mark_t m, const char *fmt, ...)
 {
     va_list args;
     va_start(args, fmt);
-    add(y, m, "", fmt, args);
+    add_mistake(y, m, "", fmt, args);
     va_end(args);
 }
 
-/* A finding at a node, prefixed with the path in hand. */
+/* Add a mistake at a node, prefixed with the current path. */
 static void yaml_at(struct wf_yaml *y, const yaml_node_t *n, const char *fmt, ...)
 {
     va_list args;
     va_start(args, fmt);
-    add(y, n->start_mark, "", fmt, args);
+    add_mistake(y, n->start_mark, "", fmt, args);
     va_end(args);
 }
 
-/* Follow "levels[1].density.low" from the table in hand as far as the file goes. */
-static const yaml_node_t *follow(struct wf_yaml *y, const char *key)
+/* The node at a path such as "levels[1].density.low" below the current table, or the last node on that path
+ * that is in the file. */
+static const yaml_node_t *follow_path(struct wf_yaml *y, const char *key)
 {
     const yaml_node_t *n = y->node, *next = n;
     while (next && *key) {
@@ -98,13 +122,24 @@ static const yaml_node_t *follow(struct wf_yaml *y, const char *key)
     return next ? next : n;
 }
 
+static yaml_mark_t mark_of(struct wf_yaml *y, const char *key)
+{
+    const yaml_node_t *found = follow_path(y, key), *n = found ? found : y->place;
+    return n ? n->start_mark : (yaml_mark_t){ 0 };
+}
+
 void wf_yaml_error(struct wf_yaml *y, const char *key, const char *fmt, ...)
 {
-    const yaml_node_t *found = follow(y, key), *n = found ? found : y->place;
     va_list args;
     va_start(args, fmt);
-    add(y, n ? n->start_mark : (yaml_mark_t){ 0 }, key, fmt, args);
+    add_mistake(y, mark_of(y, key), key, fmt, args);
     va_end(args);
+}
+
+struct wf_yaml_mark wf_yaml_where(struct wf_yaml *y, const char *key)
+{
+    yaml_mark_t m = mark_of(y, key);
+    return (struct wf_yaml_mark){ m.line + 1, m.column + 1 };
 }
 
 void *wf_yaml_take(struct wf_yaml *y, size_t n, size_t size)
@@ -114,7 +149,7 @@ void *wf_yaml_take(struct wf_yaml *y, size_t n, size_t size)
     return p;
 }
 
-/* Extend the path by a key or index; the returned length gives it back with wf_yaml_pop. */
+/* Extend the current path by a key or an index. Returned: the length before, for yaml_pop. */
 static size_t yaml_push(struct wf_yaml *y, const char *key)
 {
     size_t n = strlen(y->path);
@@ -131,33 +166,7 @@ static size_t yaml_push_index(struct wf_yaml *y, size_t index)
 
 static void yaml_pop(struct wf_yaml *y, size_t length) { y->path[length] = '\0'; }
 
-static const yaml_node_t *yaml_node(struct wf_yaml *y, int id)
-{
-    return yaml_document_get_node(&y->document, id);
-}
-
-static const char *yaml_scalar(const yaml_node_t *n)
-{
-    return n->type == YAML_SCALAR_NODE ? (const char *)n->data.scalar.value : NULL;
-}
-
-static const char *yaml_type(const yaml_node_t *n)
-{
-    if (n->type == YAML_MAPPING_NODE) return "a mapping (keys with values)";
-    if (n->type == YAML_SEQUENCE_NODE) return "a list";
-    return n->data.scalar.length ? "a single value" : "nothing";
-}
-
-/* Value of a key of a mapping, NULL when there is none. */
-static const yaml_node_t *yaml_find(struct wf_yaml *y, const yaml_node_t *map, const char *key, size_t length)
-{
-    if (!map || map->type != YAML_MAPPING_NODE) return NULL;
-    for (yaml_node_pair_t *q = map->data.mapping.pairs.start; q < map->data.mapping.pairs.top; q++) {
-        const char *k = yaml_scalar(yaml_node(y, q->key));
-        if (k && strlen(k) == length && !memcmp(k, key, length)) return yaml_node(y, q->value);
-    }
-    return NULL;
-}
+/* What the `finish` functions of tables may ask. */
 
 const char *wf_yaml_raw(struct wf_yaml *y, const char *key)
 {
@@ -178,7 +187,7 @@ bool wf_yaml_has(struct wf_yaml *y, const char *key)
 
 /* Single values: numbers with units, texts, choices. */
 
-/* Read a quantity. Returned: NAN after a finding. */
+/* Read a quantity. Returned: its value [SI]; NAN after a mistake was reported. */
 static double yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char *text,
                             const struct wf_yaml_row *r)
 {
@@ -189,7 +198,7 @@ static double yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char 
         yaml_at(y, n, "%s", why.text);
         return NAN;
     }
-    /* a bound written in its own unit may differ from its SI value in the last digit */
+    /* a bound converted from its own unit may differ from the SI value in the last digit */
     double slack = 1e-12 * fmax(fabs(r->low), fabs(r->high));
     if (v >= r->low - slack && v <= r->high + slack) return v;
     char low[64], high[64];
@@ -199,8 +208,8 @@ static double yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char 
     return NAN;
 }
 
-static void choice(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
-                   unsigned char *out)
+static void put_choice(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
+                       unsigned char *out)
 {
     unsigned i = 0;
     while (r->choices[i] && strcmp(r->choices[i], text) != 0) i++;
@@ -218,8 +227,8 @@ static void choice(struct wf_yaml *y, const yaml_node_t *n, const char *text, co
     yaml_at(y, n, "'%.60s' is not one of: %s%s", text, all, wf_did_you_mean(text, r->choices, i).text);
 }
 
-static void integer(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
-                    unsigned char *out)
+static void put_integer(struct wf_yaml *y, const yaml_node_t *n, const char *text,
+                        const struct wf_yaml_row *r, unsigned char *out)
 {
     size_t digits = strspn(text, "0123456789");
     size_t v = digits && digits <= 15 && !text[digits] ? (size_t)strtoull(text, NULL, 10) : (size_t)-1;
@@ -231,8 +240,8 @@ static void integer(struct wf_yaml *y, const yaml_node_t *n, const char *text, c
         memcpy(out + r->offset, &v, sizeof v);
 }
 
-static void words(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
-                  unsigned char *out)
+static void put_text(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
+                     unsigned char *out)
 {
     if (!text[strspn(text, " \t\n")]) {
         yaml_at(y, n, "a text is expected, not %s", yaml_type(n));
@@ -249,7 +258,8 @@ static void words(struct wf_yaml *y, const yaml_node_t *n, const char *text, con
     memcpy(out + r->offset, &copy, sizeof copy);
 }
 
-/* Read a scalar into the row's member. `outer`: the row that holds the table, for inherited dimensions. */
+/* Read a scalar into the row's member. `outer`: the row that holds the table, for rows that take its
+ * dimension and range. */
 static void yaml_put(struct wf_yaml *y, const yaml_node_t *n, const char *text, const struct wf_yaml_row *r,
                      const struct wf_yaml_row *outer, unsigned char *out)
 {
@@ -264,24 +274,24 @@ static void yaml_put(struct wf_yaml *y, const yaml_node_t *n, const char *text, 
         double v = yaml_quantity(y, n, text, &own);
         memcpy(out + r->offset, &v, sizeof v);
     } else if (r->kind == WF_YAML_INTEGER) {
-        integer(y, n, text, r, out);
+        put_integer(y, n, text, r, out);
     } else if (r->kind == WF_YAML_CHOICE || r->kind == WF_YAML_ENUM) {
-        choice(y, n, text, r, out);
+        put_choice(y, n, text, r, out);
     } else {
-        words(y, n, text, r, out);
+        put_text(y, n, text, r, out);
     }
 }
 
 /* Lists and free mappings. */
 
-static void keep(const struct wf_yaml_row *r, unsigned char *out, const void *items, size_t n)
+static void put_items(const struct wf_yaml_row *r, unsigned char *out, const void *items, size_t n)
 {
     memcpy(out + r->offset, &items, sizeof items);
     memcpy(out + r->count, &n, sizeof n);
 }
 
-/* Length of a list node; 0 after a finding about its type or when it is empty. */
-static size_t length_of(struct wf_yaml *y, const yaml_node_t *n, const char *of)
+/* Number of items of a list; 0 after reporting that the node is not a list or is empty. */
+static size_t list_length(struct wf_yaml *y, const yaml_node_t *n, const char *of)
 {
     if (n->type != YAML_SEQUENCE_NODE) {
         yaml_at(y, n, "a list of %s is expected, not %s", of, yaml_type(n));
@@ -292,8 +302,10 @@ static size_t length_of(struct wf_yaml *y, const yaml_node_t *n, const char *of)
     return count;
 }
 
-/* Lists that belong together must be equally long. Returned: false after a finding. */
-static bool same_length(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r, size_t count)
+/* Check a list against the sibling list that must be as long (row member same_length_as). Returned: false
+ * after a mistake was reported. */
+static bool has_same_length(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
+                            size_t count)
 {
     const yaml_node_t *other =
         r->same_length_as ? yaml_find(y, y->node, r->same_length_as, strlen(r->same_length_as)) : NULL;
@@ -304,11 +316,11 @@ static bool same_length(struct wf_yaml *y, const yaml_node_t *n, const struct wf
     return false;
 }
 
-/* Read the collections of a row. */
+/* Read the values of a WF_YAML_QUANTITIES row. */
 static void yaml_quantities(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
                             unsigned char *out)
 {
-    size_t count = length_of(y, n, "values");
+    size_t count = list_length(y, n, "values");
     if (!count) return;
     double *v = wf_yaml_take(y, count, sizeof *v);
     if (!v) return;
@@ -322,7 +334,7 @@ static void yaml_quantities(struct wf_yaml *y, const yaml_node_t *n, const struc
             yaml_at(y, item, "a single value is expected, not %s", yaml_type(item));
         yaml_pop(y, length);
     }
-    if (same_length(y, n, r, count)) keep(r, out, v, count);
+    if (has_same_length(y, n, r, count)) put_items(r, out, v, count);
 }
 
 static void yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
@@ -361,11 +373,11 @@ static void yaml_texts(struct wf_yaml *y, const yaml_node_t *n, const struct wf_
         yaml_pop(y, length);
         kept += !twice && pair[kept].key != NULL;
     }
-    keep(r, out, pair, pair ? kept : 0);
+    put_items(r, out, pair, pair ? kept : 0);
 }
 
-/* Append one value, after a comma where it is not the first. */
-static const char *append(struct wf_yaml *y, const char *all, const char *key, const yaml_node_t *v)
+/* Append one value to a joined text, after a comma unless it is the first. */
+static const char *append_joined(struct wf_yaml *y, const char *all, const char *key, const yaml_node_t *v)
 {
     const char *text = yaml_scalar(v);
     if (!text) yaml_at(y, v, "a single value is expected, not %s", yaml_type(v));
@@ -381,14 +393,14 @@ static void yaml_joined(struct wf_yaml *y, const yaml_node_t *n, const struct wf
     const char *all = "";
     if (n->type == YAML_SEQUENCE_NODE)
         for (yaml_node_item_t *i = n->data.sequence.items.start; i < n->data.sequence.items.top; i++)
-            all = append(y, all, "", yaml_node(y, *i));
+            all = append_joined(y, all, "", yaml_node(y, *i));
     else if (n->type == YAML_MAPPING_NODE)
         for (yaml_node_pair_t *q = n->data.mapping.pairs.start; q < n->data.mapping.pairs.top; q++) {
             const char *key = yaml_scalar(yaml_node(y, q->key));
-            all = append(y, all, key ? key : "", yaml_node(y, q->value));
+            all = append_joined(y, all, key ? key : "", yaml_node(y, q->value));
         }
     else
-        all = append(y, all, "", n);
+        all = append_joined(y, all, "", n);
     if (all && !*all) yaml_at(y, n, "a value is expected, not %s", yaml_type(n));
     memcpy(out + r->offset, &all, sizeof all);
 }
@@ -396,7 +408,7 @@ static void yaml_joined(struct wf_yaml *y, const yaml_node_t *n, const struct wf
 static void yaml_list(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
                       unsigned char *out)
 {
-    size_t count = length_of(y, n, "mappings");
+    size_t count = list_length(y, n, "mappings");
     if (!count) return;
     unsigned char *items = wf_yaml_take(y, count, r->table->size);
     if (!items) return;
@@ -405,21 +417,21 @@ static void yaml_list(struct wf_yaml *y, const yaml_node_t *n, const struct wf_y
         yaml_fill(y, yaml_node(y, n->data.sequence.items.start[i]), r->table, r, items + i * r->table->size);
         yaml_pop(y, length);
     }
-    keep(r, out, items, count);
+    put_items(r, out, items, count);
 }
 
 /* Mappings under their schema rows. */
 
 enum { ROWS_MAX = 160 };
 
-static const struct wf_yaml_row *row_of(const struct wf_yaml_table *t, const char *key)
+static const struct wf_yaml_row *row_with_key(const struct wf_yaml_table *t, const char *key)
 {
     for (const struct wf_yaml_row *r = t->row; r->key; r++)
         if (!strcmp(r->key, key)) return r;
     return NULL;
 }
 
-static void unknown(struct wf_yaml *y, const yaml_node_t *k, const struct wf_yaml_table *t)
+static void yaml_unknown_key(struct wf_yaml *y, const yaml_node_t *k, const struct wf_yaml_table *t)
 {
     const char *word = yaml_scalar(k), *known[ROWS_MAX];
     size_t n = 0;
@@ -427,8 +439,8 @@ static void unknown(struct wf_yaml *y, const yaml_node_t *k, const struct wf_yam
     yaml_at(y, k, "unknown key '%.60s'%s", word, wf_did_you_mean_or(word, known, n, "keys here are: ").text);
 }
 
-static void one(struct wf_yaml *y, const yaml_node_t *v, const struct wf_yaml_row *r,
-                const struct wf_yaml_row *outer, unsigned char *out)
+static void read_key(struct wf_yaml *y, const yaml_node_t *v, const struct wf_yaml_row *r,
+                     const struct wf_yaml_row *outer, unsigned char *out)
 {
     size_t length = yaml_push(y, r->key);
     if (r->given) out[r->given - 1] = true;
@@ -450,16 +462,16 @@ static void one(struct wf_yaml *y, const yaml_node_t *v, const struct wf_yaml_ro
     yaml_pop(y, length);
 }
 
-/* What a row's member holds before its key is met. */
-static void initial(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
-                    const struct wf_yaml_row *outer, unsigned char *out)
+/* Set a row's member to its default. */
+static void put_initial(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r,
+                        const struct wf_yaml_row *outer, unsigned char *out)
 {
     const double none = NAN;
     if (r->kind == WF_YAML_QUANTITY) memcpy(out + r->offset, &none, sizeof none);
-    if (r->preset && r->kind != WF_YAML_TABLE) yaml_put(y, n, r->preset, r, outer, out);
+    if (r->initial && r->kind != WF_YAML_TABLE) yaml_put(y, n, r->initial, r, outer, out);
 }
 
-static void missing(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r)
+static void missing_key(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_row *r)
 {
     if (r->example)
         yaml_at(y, n, "missing key '%s' (%s); for example '%s: %s'", r->key, r->doc, r->key, r->example);
@@ -467,45 +479,45 @@ static void missing(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yam
         yaml_at(y, n, "missing key '%s' (%s)", r->key, r->doc);
 }
 
-static void keys(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
-                 const struct wf_yaml_row *outer, unsigned char *out, bool seen[static ROWS_MAX])
+static void read_keys(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
+                      const struct wf_yaml_row *outer, unsigned char *out, bool seen[static ROWS_MAX])
 {
     for (yaml_node_pair_t *q = n->data.mapping.pairs.start; q < n->data.mapping.pairs.top; q++) {
         const yaml_node_t *k = yaml_node(y, q->key);
         const char *key = yaml_scalar(k);
-        const struct wf_yaml_row *r = key ? row_of(t, key) : NULL;
+        const struct wf_yaml_row *r = key ? row_with_key(t, key) : NULL;
         if (!key)
             yaml_at(y, k, "a key is expected, not %s", yaml_type(k));
         else if (!r)
-            unknown(y, k, t);
+            yaml_unknown_key(y, k, t);
         else if (seen[r - t->row])
             yaml_at(y, k, "key '%s' is given twice", key);
         else
-            one(y, yaml_node(y, q->value), r, outer, out);
+            read_key(y, yaml_node(y, q->value), r, outer, out);
         if (r) seen[r - t->row] = true;
     }
 }
 
-/* Read a table from a mapping or a bare value; n == NULL: the key is absent, defaults only. */
+/* Read a table from a mapping or a bare value; n == NULL: the key is absent, only defaults are set. */
 static void yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_yaml_table *t,
                       const struct wf_yaml_row *outer, unsigned char *out)
 {
     bool seen[ROWS_MAX] = { false };
     const yaml_node_t *above = y->node, *above_place = y->place, *place = n ? n : above_place;
     bool mapping = n && n->type == YAML_MAPPING_NODE;
-    const char *bare = n ? yaml_scalar(n) : outer ? outer->preset : NULL;
+    const char *bare = n ? yaml_scalar(n) : outer ? outer->initial : NULL;
     y->node = n;
     y->place = place;
-    for (const struct wf_yaml_row *r = t->row; r->key; r++) initial(y, place, r, outer, out);
+    for (const struct wf_yaml_row *r = t->row; r->key; r++) put_initial(y, place, r, outer, out);
     if (mapping)
-        keys(y, n, t, outer, out, seen);
+        read_keys(y, n, t, outer, out, seen);
     else if (t->bare && bare)
-        yaml_put(y, place, bare, row_of(t, t->bare), outer, out);
+        yaml_put(y, place, bare, row_with_key(t, t->bare), outer, out);
     else if (n)
         yaml_at(y, n, "a mapping (keys with values) is expected, not %s", yaml_type(n));
     for (const struct wf_yaml_row *r = t->row; r->key; r++) {
         if (seen[r - t->row]) continue;
-        if (mapping && r->required) missing(y, n, r);
+        if (mapping && r->required) missing_key(y, n, r);
         if (r->kind == WF_YAML_TABLE) yaml_fill(y, NULL, r->table, r, out + r->offset);
     }
     if (t->finish) t->finish(y, out);
@@ -513,7 +525,9 @@ static void yaml_fill(struct wf_yaml *y, const yaml_node_t *n, const struct wf_y
     y->place = above_place;
 }
 
-static void syntax(struct wf_yaml *y, const yaml_parser_t *p, const char *text, size_t size)
+/* The document as a whole. */
+
+static void syntax_error(struct wf_yaml *y, const yaml_parser_t *p, const char *text, size_t size)
 {
     bool tab = p->problem_mark.index < size && text[p->problem_mark.index] == '\t';
     bool open = p->context && p->context_mark.line != p->problem_mark.line;
@@ -568,8 +582,8 @@ static void screen_event(struct wf_yaml *y, const yaml_event_t *v, size_t *depth
     if (*depth > WF_YAML_DEPTH) yaml_mark(y, v->start_mark, "nested more than %d deep", (int)WF_YAML_DEPTH);
 }
 
-/* Refuse what is not one plain document: syntax errors, anchors, aliases, tags, several documents, depth.
- * Returned: false after findings. */
+/* Check that the file is one plain document: no syntax errors, anchors, aliases, tags, further documents or
+ * nesting beyond WF_YAML_DEPTH. Returned: false after mistakes were reported. */
 static bool yaml_screen(struct wf_yaml *y, const char *text, size_t size)
 {
     yaml_parser_t p;
@@ -580,7 +594,7 @@ static bool yaml_screen(struct wf_yaml *y, const char *text, size_t size)
     for (bool end = false; !end && depth <= WF_YAML_DEPTH && documents < 2;) {
         yaml_event_t event;
         if (!yaml_parser_parse(&p, &event)) {
-            syntax(y, &p, text, size);
+            syntax_error(y, &p, text, size);
             break;
         }
         screen_event(y, &event, &depth, &documents);
@@ -591,7 +605,7 @@ static bool yaml_screen(struct wf_yaml *y, const char *text, size_t size)
     return !y->mistakes && !y->no_memory;
 }
 
-/* Build the document, read it under the schema, and let it go. */
+/* Parse the document, read it under the schema and delete it. */
 static void read_document(struct wf_yaml *y, const struct wf_bytes *b, const struct wf_yaml_table *t,
                           void *out)
 {
@@ -612,7 +626,7 @@ static void read_document(struct wf_yaml *y, const struct wf_bytes *b, const str
             yaml_fill(y, root, t, NULL, out);
         yaml_document_delete(&y->document);
     } else {
-        syntax(y, &p, b->data, b->size);
+        syntax_error(y, &p, b->data, b->size);
     }
     yaml_parser_delete(&p);
 }

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The schema as text for people. */
 #include "base/yaml.h"
 #include <stdarg.h>
 #include <stdio.h>
@@ -7,14 +6,15 @@
 
 enum { WIDTH = 96, INDENT = 6 };
 
-struct page {
+/* The schema as text for people. */
+
+struct schema_page {
     char *text;
     size_t used, room; /* counted only while text == NULL */
     struct wf_units *units;
 };
 
-static void put(struct page *p, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
-static void put(struct page *p, const char *fmt, ...)
+__attribute__((format(printf, 2, 3))) static void page_print(struct schema_page *p, const char *fmt, ...)
 {
     va_list args;
     va_start(args, fmt);
@@ -23,24 +23,24 @@ static void put(struct page *p, const char *fmt, ...)
     if (n > 0) p->used += (size_t)n;
 }
 
-/* A paragraph, broken at blanks. */
-static void wrap(struct page *p, const char *text, size_t indent)
+/* Append a paragraph, wrapped at WIDTH. */
+static void page_paragraph(struct schema_page *p, const char *text, size_t indent)
 {
     size_t column = 0;
     for (const char *s = text; *s;) {
         size_t n = strcspn(s, " ");
         if (column && column + 1 + n > WIDTH - indent) {
-            put(p, "\n");
+            page_print(p, "\n");
             column = 0;
         }
-        put(p, "%*s%.*s", column ? 1 : (int)indent, "", (int)n, s);
+        page_print(p, "%*s%.*s", column ? 1 : (int)indent, "", (int)n, s);
         column += n + (column ? 1 : 0);
         s += n + (s[n] == ' ');
     }
-    put(p, "\n");
+    page_print(p, "\n");
 }
 
-static void range(const struct page *p, const struct wf_yaml_row *r, char *buf, size_t size)
+static void row_range(const struct schema_page *p, const struct wf_yaml_row *r, char *buf, size_t size)
 {
     char low[64], high[64];
     const char *unit = r->unit ? r->unit : "";
@@ -57,12 +57,12 @@ static void range(const struct page *p, const struct wf_yaml_row *r, char *buf, 
     (void)snprintf(buf, size, "%s, %s to %s", wf_dimension_row(r->dimension)->name, low, high);
 }
 
-/* What a row takes, in words. */
-static void kind(const struct page *p, const struct wf_yaml_row *r, char *buf, size_t size)
+/* The kind and range of a row, in words. */
+static void row_kind(const struct schema_page *p, const struct wf_yaml_row *r, char *buf, size_t size)
 {
     char within[160];
     size_t n = 0;
-    range(p, r, within, sizeof within);
+    row_range(p, r, within, sizeof within);
     switch (r->kind) {
     case WF_YAML_TEXT:
         (void)snprintf(buf, size, "text");
@@ -99,26 +99,27 @@ static void kind(const struct page *p, const struct wf_yaml_row *r, char *buf, s
     }
 }
 
-static void rows(struct page *p, const struct wf_yaml_table *t, const char *path)
+static void page_rows(struct schema_page *p, const struct wf_yaml_table *t, const char *path)
 {
     for (const struct wf_yaml_row *r = t->row; r->key; r++) {
         char full[256], what[512];
-        kind(p, r, what, sizeof what);
+        row_kind(p, r, what, sizeof what);
         (void)snprintf(full, sizeof full, "%s%s%s%s", path, *path ? "." : "", r->key,
                        r->kind == WF_YAML_LIST ? "[]" : "");
-        put(p, "  %s%s\n", full, r->required ? "  (required)" : "");
-        wrap(p, r->doc, INDENT);
-        if (*what) wrap(p, what, INDENT);
+        page_print(p, "  %s%s\n", full, r->required ? "  (required)" : "");
+        page_paragraph(p, r->doc, INDENT);
+        if (*what) page_paragraph(p, what, INDENT);
         if (r->absent && !r->required)
-            put(p, "%*sleft out: %s\n", INDENT, "", r->absent);
-        else if (r->preset && !r->required)
-            put(p, "%*sleft out: %s\n", INDENT, "", r->preset);
-        if (r->example) put(p, "%*sexample: %s: %s\n", INDENT, "", r->key, r->example);
-        if ((r->kind == WF_YAML_TABLE && !r->table->bare) || r->kind == WF_YAML_LIST) rows(p, r->table, full);
+            page_print(p, "%*sleft out: %s\n", INDENT, "", r->absent);
+        else if (r->initial && !r->required)
+            page_print(p, "%*sleft out: %s\n", INDENT, "", r->initial);
+        if (r->example) page_print(p, "%*sexample: %s: %s\n", INDENT, "", r->key, r->example);
+        if ((r->kind == WF_YAML_TABLE && !r->table->bare) || r->kind == WF_YAML_LIST)
+            page_rows(p, r->table, full);
     }
 }
 
-/* The tables that a bare value may stand for are explained once, behind the keys. */
+/* A table that may be given as a bare value; it is explained once, after the keys. */
 static const struct wf_yaml_table *bare_table(const struct wf_yaml_table *t)
 {
     for (const struct wf_yaml_row *r = t->row; r->key; r++) {
@@ -129,28 +130,28 @@ static const struct wf_yaml_table *bare_table(const struct wf_yaml_table *t)
     return NULL;
 }
 
-static void page(struct page *p, const struct wf_yaml_table *t)
+static void page_write(struct schema_page *p, const struct wf_yaml_table *t)
 {
     const struct wf_yaml_table *value = bare_table(t);
     p->used = 0;
-    wrap(p, t->doc, 0);
-    put(p, "\nKeys:\n");
-    rows(p, t, "");
+    page_paragraph(p, t->doc, 0);
+    page_print(p, "\nKeys:\n");
+    page_rows(p, t, "");
     if (!value) return;
-    put(p, "\n%s:\n", value->title);
-    wrap(p, value->doc, 2);
-    rows(p, value, "");
+    page_print(p, "\n%s:\n", value->title);
+    page_paragraph(p, value->doc, 2);
+    page_rows(p, value, "");
 }
 
 char *wf_yaml_schema(const struct wf_yaml_table *table, struct wf_arena *a, struct wf_err *e)
 {
-    struct page p = { 0 };
+    struct schema_page p = { 0 };
     if (wf_units_open(&p.units, e)) return NULL;
-    page(&p, table);
+    page_write(&p, table);
     p.room = p.used + 1;
     p.text = wf_arena_take(a, p.room, 1);
     if (p.text)
-        page(&p, table);
+        page_write(&p, table);
     else
         (void)wf_fail(e, WF_ENOMEM, "no memory for the text of the schema");
     wf_units_close(p.units);

@@ -4,17 +4,107 @@
 #include "base/num.h"
 #include "base/vec3.h"
 #include "cases/keys.h"
-#include "cases/measure.h"
 #include "data/section.h"
+#include "load/scene.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
 
-static void case_radius(const struct wf_case *c, double outer[2], double inner[2]);
+static double or_else(double v, double otherwise) { return isnan(v) ? otherwise : v; }
 
-static double case_length(const struct wf_case *c);
+static double case_length(const struct wf_case *c)
+{
+    return c->shape == WF_SHAPE_ARC ? c->arc[0] * c->arc[1] : c->length;
+}
+
+/* Outer and inner radius at base and tip [m]. Where EI is given without a radius: length/1000 at the base, a
+ * slender rod of bending stiffness EI, so that only EI matters. */
+static void case_radius(const struct wf_case *c, double outer[2], double inner[2])
+{
+    outer[0] = or_else(c->radius[0], case_length(c) / 1000.0);
+    outer[1] = or_else(c->radius[1], outer[0]) * or_else(c->taper, 1.0);
+    for (int k = 0; k < 2; k++) inner[k] = or_else(c->inner[k], 0.0);
+}
+
+/* Tree files. */
+
+enum tree_column { ID, PARENT, X0, Y0, Z0, X1, Y1, Z1, R0, R1, LEVEL, TREE_COLUMNS };
+static const char *const tree_column_names[TREE_COLUMNS] = { "id",      "parent",  "x0",   "y0",
+                                                             "z0",      "x1",      "y1",   "z1",
+                                                             "radius0", "radius1", "level" };
+
+struct tree_record {
+    long long id, parent, level;
+    double v[R1 + 1]; /* X0..R1 */
+};
+
+struct by_id {
+    long long id;
+    int32_t row;
+};
+
+static int compare_ids(const void *a, const void *b)
+{
+    const struct by_id *x = a, *y = b;
+    return (x->id > y->id) - (x->id < y->id);
+}
+
+static bool record_read(struct wf_csv *f, const size_t at[TREE_COLUMNS], struct tree_record *r)
+{
+    bool ok = wf_csv_integer(f, at[ID], 1, INT64_MAX, &r->id);
+    ok &= wf_csv_integer(f, at[PARENT], 0, INT64_MAX, &r->parent);
+    ok &= wf_csv_integer(f, at[LEVEL], 0, 1000, &r->level);
+    for (size_t k = X0; k <= Z1; k++) ok &= wf_csv_number(f, at[k], -1e6, 1e6, &r->v[k]);
+    for (size_t k = R0; k <= R1; k++) ok &= wf_csv_number(f, at[k], 1e-9, 1e3, &r->v[k]);
+    return ok;
+}
+
+static enum wf_status tree_from_records(const struct tree_record *r, size_t n, const char *path,
+                                        struct wf_arena *a, struct wf_tree *t, struct wf_err *e)
+{
+    struct by_id *index = WF_TAKE(a, n, struct by_id);
+    if (!index) return wf_fail(e, WF_ENOMEM, "%s: no memory for %zu rows", path, n);
+    for (size_t i = 0; i < n; i++) index[i] = (struct by_id){ r[i].id, (int32_t)i };
+    qsort(index, n, sizeof *index, compare_ids);
+    if (wf_tree_alloc(t, n, a, e)) return e->code;
+    for (size_t i = 0; i < n; i++) {
+        struct by_id key = { r[i].parent, 0 },
+                     *found = r[i].parent ? bsearch(&key, index, n, sizeof key, compare_ids) : NULL;
+        if (r[i].parent && (!found || found->row >= (int32_t)i))
+            return wf_fail(e, WF_EINPUT, "%s: row with id %lld: its parent %lld is not a row above it", path,
+                           r[i].id, r[i].parent);
+        t->parent[i] = found ? found->row : -1;
+        t->id[i] = r[i].id;
+        t->level[i] = (int32_t)r[i].level;
+        t->x0[i] = r[i].v[X0], t->y0[i] = r[i].v[Y0], t->z0[i] = r[i].v[Z0];
+        t->x1[i] = r[i].v[X1], t->y1[i] = r[i].v[Y1], t->z1[i] = r[i].v[Z1];
+        t->r0[i] = r[i].v[R0], t->r1[i] = r[i].v[R1];
+    }
+    return WF_OK;
+}
+
+enum wf_status wf_case_tree_read(const char *path, struct wf_arena *a, struct wf_tree *t, struct wf_err *e)
+{
+    struct wf_diag d = { .arena = a };
+    struct wf_csv f;
+    size_t at[TREE_COLUMNS];
+    struct wf_list rows = { 0 };
+    if (wf_csv_open(&f, path, a, &d, e)) return e->code;
+    for (size_t k = 0; k < TREE_COLUMNS; k++) at[k] = wf_csv_need(&f, tree_column_names[k]);
+    while (!d.errors && wf_csv_next(&f)) {
+        struct tree_record r;
+        if (record_read(&f, at, &r) && !wf_list_add(&rows, &r, sizeof r, a))
+            return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
+    }
+    if (d.errors) {
+        char text[900];
+        return wf_fail(e, WF_EINPUT, "%s", wf_finding_print(d.first, text, sizeof text));
+    }
+    if (!rows.n) return wf_fail(e, WF_EINPUT, "%s: no rows", path);
+    return tree_from_records(rows.data, rows.n, path, a, t, e);
+}
 
 /* The structure of a validation case as a tree of rows, before any splitting. */
 
@@ -23,7 +113,7 @@ static void add_share(double *s, size_t *n, const struct wf_place *p)
     if (p->kind == WF_PLACE_AT) s[(*n)++] = p->share;
 }
 
-/* Row boundaries as shares of the length: evenly spaced, and wherever the case names a place. */
+/* Row boundaries as shares of the length: evenly spaced, and at every place that the case names. */
 static double *boundaries(const struct wf_case *c, struct wf_arena *a, size_t *rows)
 {
     size_t even = (size_t)c->rows, n = 0, kept = 0;
@@ -43,7 +133,8 @@ static double *boundaries(const struct wf_case *c, struct wf_arena *a, size_t *r
     return s;
 }
 
-/* Point of the unloaded axis at arc length s [m]: straight, or a circle from its root tangent f towards n. */
+/* Point of the unloaded axis at arc length s [m]: straight, or on a circle with root tangent f that bends
+ * towards n. */
 static void axis_point(const struct wf_case *c, const double f[3], const double n[3], double s, double x[3])
 {
     double r = c->arc[0], u = s, v = 0.0;
@@ -51,7 +142,7 @@ static void axis_point(const struct wf_case *c, const double f[3], const double 
     for (int j = 0; j < 3; j++) x[j] = u * f[j] + v * n[j];
 }
 
-static void unit(const double in[3], double out[3])
+static void unit_vector(const double in[3], double out[3])
 {
     double size = sqrt(wf_dot(in, in));
     for (int j = 0; j < 3; j++) out[j] = in[j] / size;
@@ -68,8 +159,8 @@ static enum wf_status single_axis(const struct wf_case *c, struct wf_arena *a, s
     if (wf_tree_alloc(t, rows, a, e)) return e->code;
     if (arc && !(t->bend = WF_TAKE(a, 3 * rows, double))) return wf_fail(e, WF_ENOMEM, "no memory");
     s->end = share + 1;
-    unit(arc ? c->arc_from : c->direction, f);
-    if (arc) unit(c->arc_towards, n);
+    unit_vector(arc ? c->arc_from : c->direction, f);
+    if (arc) unit_vector(c->arc_towards, n);
     wf_cross(f, n, curvature);
     for (size_t i = 0; i < rows; i++) {
         double x[3], r[2], q[2];
@@ -81,7 +172,7 @@ static enum wf_status single_axis(const struct wf_case *c, struct wf_arena *a, s
         t->x1[i] = x[0], t->y1[i] = x[1], t->z1[i] = x[2];
         for (size_t k = 0; k < 2; k++) {
             case_radius(c, r, q);
-            double at = share[i + k], outer = r[0] + at * (r[1] - r[0]), inner = q[0] + at * (q[1] - q[0]);
+            double at = share[i + k], outer = wf_between(r[0], r[1], at), inner = wf_between(q[0], q[1], at);
             (k ? t->r1 : t->r0)[i] = outer;
             (k ? t->i1 : t->i0)[i] = inner;
         }
@@ -90,8 +181,8 @@ static enum wf_status single_axis(const struct wf_case *c, struct wf_arena *a, s
     return WF_OK;
 }
 
-static enum wf_status branches(const struct wf_case *c, struct wf_arena *a, struct wf_tree *t,
-                               struct wf_err *e)
+static enum wf_status branch_rows(const struct wf_case *c, struct wf_arena *a, struct wf_tree *t,
+                                  struct wf_err *e)
 {
     const struct wf_case_branch *b = c->branches.data;
     const struct wf_case_node *node = c->nodes.data;
@@ -112,9 +203,10 @@ static enum wf_status branches(const struct wf_case *c, struct wf_arena *a, stru
     return WF_OK;
 }
 
-/* Beside the case file, or in the folder that WINDFIRM_REFERENCE names (for files too large to ship). */
-static enum wf_status tree_file(const struct wf_case *c, struct wf_arena *a, struct wf_tree *t,
-                                struct wf_err *e)
+/* Read the tree file beside the case file, or in the folder that WINDFIRM_REFERENCE names (for files too
+ * large to ship). */
+static enum wf_status read_tree_file(const struct wf_case *c, struct wf_arena *a, struct wf_tree *t,
+                                     struct wf_err *e)
 {
     const char *slash = strrchr(c->file, '/'), *folder = getenv("WINDFIRM_REFERENCE");
     const char *beside =
@@ -127,8 +219,8 @@ static enum wf_status tree_file(const struct wf_case *c, struct wf_arena *a, str
                    folder ? "" : "; WINDFIRM_REFERENCE can name a folder that holds it");
 }
 
-/* Parents, coordinates, radii and ids of the case's structure; s->end for a single axis. WF_EINPUT,
- * WF_ENOMEM; WF_EMISSING when a tree file is not there. */
+/* Parents, coordinates, radii and ids of the case's structure; s->end for a single axis. Errors: WF_EINPUT,
+ * WF_ENOMEM; WF_EMISSING when a tree file does not exist. */
 static enum wf_status case_shape_build(const struct wf_case *c, struct wf_arena *a, struct wf_setup *s,
                                        struct wf_tree *t, struct wf_err *e)
 {
@@ -137,9 +229,9 @@ static enum wf_status case_shape_build(const struct wf_case *c, struct wf_arena 
     case WF_SHAPE_ARC:
         return single_axis(c, a, s, t, e);
     case WF_SHAPE_BRANCHES:
-        return branches(c, a, t, e);
+        return branch_rows(c, a, t, e);
     case WF_SHAPE_TREE:
-        return tree_file(c, a, t, e);
+        return read_tree_file(c, a, t, e);
     case WF_SHAPE_FLOW:
     case WF_SHAPE_FIT:
     case WF_SHAPE_NONE:
@@ -148,9 +240,11 @@ static enum wf_status case_shape_build(const struct wf_case *c, struct wf_arena 
     return wf_fail(e, WF_EINTERNAL, "%s:%zu: a case without a structure", c->file, c->line);
 }
 
-/* Point at share s of a row's arc: on the chord of a straight row, on the circle of a bent one. A circle of
- * curvature vector k (perpendicular to the chord of length c, direction d) starts along d turned back by half
- * its angle about k. */
+/* Splitting rows. */
+
+/* Point at share s of a row's arc: on the chord of a straight row, on the circle of a curved one. A circle
+ * of curvature vector k (perpendicular to the chord of length c, direction d) starts in the direction d
+ * rotated back by half its angle about k. */
 static void point_at(const struct wf_tree *t, size_t i, double s, double x[3])
 {
     double base[3] = { t->x0[i], t->y0[i], t->z0[i] }, chord[3], along[3], side[3];
@@ -229,100 +323,12 @@ enum wf_status wf_tree_split(const struct wf_tree *t, const double *line, size_t
     return WF_OK;
 }
 
-enum column { ID, PARENT, X0, Y0, Z0, X1, Y1, Z1, R0, R1, LEVEL, COLUMNS };
-static const char *const names[COLUMNS] = { "id", "parent", "x0",      "y0",      "z0",   "x1",
-                                            "y1", "z1",     "radius0", "radius1", "level" };
+/* Material, loads and options. */
 
-struct record {
-    long long id, parent, level;
-    double v[R1 + 1]; /* X0..R1 */
-};
-
-struct by_id {
-    long long id;
-    int32_t row;
-};
-
-static int order(const void *a, const void *b)
-{
-    const struct by_id *x = a, *y = b;
-    return (x->id > y->id) - (x->id < y->id);
-}
-
-static bool record_read(struct wf_csv *f, const size_t at[COLUMNS], struct record *r)
-{
-    bool ok = wf_csv_integer(f, at[ID], 1, INT64_MAX, &r->id);
-    ok &= wf_csv_integer(f, at[PARENT], 0, INT64_MAX, &r->parent);
-    ok &= wf_csv_integer(f, at[LEVEL], 0, 1000, &r->level);
-    for (size_t k = X0; k <= Z1; k++) ok &= wf_csv_number(f, at[k], -1e6, 1e6, &r->v[k]);
-    for (size_t k = R0; k <= R1; k++) ok &= wf_csv_number(f, at[k], 1e-9, 1e3, &r->v[k]);
-    return ok;
-}
-
-static enum wf_status fill(const struct record *r, size_t n, const char *path, struct wf_arena *a,
-                           struct wf_tree *t, struct wf_err *e)
-{
-    struct by_id *index = WF_TAKE(a, n, struct by_id);
-    if (!index) return wf_fail(e, WF_ENOMEM, "%s: no memory for %zu rows", path, n);
-    for (size_t i = 0; i < n; i++) index[i] = (struct by_id){ r[i].id, (int32_t)i };
-    qsort(index, n, sizeof *index, order);
-    if (wf_tree_alloc(t, n, a, e)) return e->code;
-    for (size_t i = 0; i < n; i++) {
-        struct by_id key = { r[i].parent, 0 },
-                     *found = r[i].parent ? bsearch(&key, index, n, sizeof key, order) : NULL;
-        if (r[i].parent && (!found || found->row >= (int32_t)i))
-            return wf_fail(e, WF_EINPUT, "%s: row with id %lld: its parent %lld is not a row above it", path,
-                           r[i].id, r[i].parent);
-        t->parent[i] = found ? found->row : -1;
-        t->id[i] = r[i].id;
-        t->level[i] = (int32_t)r[i].level;
-        t->x0[i] = r[i].v[X0], t->y0[i] = r[i].v[Y0], t->z0[i] = r[i].v[Z0];
-        t->x1[i] = r[i].v[X1], t->y1[i] = r[i].v[Y1], t->z1[i] = r[i].v[Z1];
-        t->r0[i] = r[i].v[R0], t->r1[i] = r[i].v[R1];
-    }
-    return WF_OK;
-}
-
-enum wf_status wf_case_tree_read(const char *path, struct wf_arena *a, struct wf_tree *t, struct wf_err *e)
-{
-    struct wf_diag d = { .arena = a };
-    struct wf_csv f;
-    size_t at[COLUMNS];
-    struct wf_list rows = { 0 };
-    if (wf_csv_open(&f, path, a, &d, e)) return e->code;
-    for (size_t k = 0; k < COLUMNS; k++) at[k] = wf_csv_need(&f, names[k]);
-    while (!d.errors && wf_csv_next(&f)) {
-        struct record r;
-        if (record_read(&f, at, &r) && !wf_list_add(&rows, &r, sizeof r, a))
-            return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
-    }
-    if (d.errors) {
-        char text[900];
-        return wf_fail(e, WF_EINPUT, "%s", wf_finding_print(d.first, text, sizeof text));
-    }
-    if (!rows.n) return wf_fail(e, WF_EINPUT, "%s: no rows", path);
-    return fill(rows.data, rows.n, path, a, t, e);
-}
-
-static double or_else(double v, double otherwise) { return isnan(v) ? otherwise : v; }
-
-static double case_length(const struct wf_case *c)
-{
-    return c->shape == WF_SHAPE_ARC ? c->arc[0] * c->arc[1] : c->length;
-}
-
-/* Outer and inner radius at base and tip [m]. Where EI is given and no radius, length/1000 at the base: a
- * slender rod whose bending stiffness is EI, so that only EI matters. */
-static void case_radius(const struct wf_case *c, double outer[2], double inner[2])
-{
-    outer[0] = or_else(c->radius[0], case_length(c) / 1000.0);
-    outer[1] = or_else(c->radius[1], outer[0]) * or_else(c->taper, 1.0);
-    for (int k = 0; k < 2; k++) inner[k] = or_else(c->inner[k], 0.0);
-}
-
-/* Section and material of every row; base bending stiffness and mass per length of a single axis. */
-static enum wf_status material(const struct wf_case *c, struct wf_tree *t, struct wf_arena *a, double *ei,
-                               double *mass, struct wf_err *e)
+/* Section and material of every row. Returned: *ei, *mass: bending stiffness and mass per length at the base
+ * of a single axis. */
+static enum wf_status case_material(const struct wf_case *c, struct wf_tree *t, struct wf_arena *a,
+                                    double *ei, double *mass, struct wf_err *e)
 {
     double r = t->r0[0], q = t->i0[0], area = wf_ring_area(r, q), inertia = wf_ring_inertia(r, q);
     double youngs = or_else(c->youngs, c->ei / inertia), poisson = or_else(c->poisson, 0.0);
@@ -343,8 +349,8 @@ static enum wf_status material(const struct wf_case *c, struct wf_tree *t, struc
     return WF_OK;
 }
 
-/* Dead loads per length: uniform, and in proportion to the radius (given for the base). */
-static double *line_load(const struct wf_case *c, const struct wf_tree *t, struct wf_arena *a)
+/* Dead loads per length: uniform, and proportional to the radius (given at the base). */
+static double *case_line_load(const struct wf_case *c, const struct wf_tree *t, struct wf_arena *a)
 {
     double *line = WF_TAKE(a, 6 * t->n, double);
     for (size_t i = 0; line && i < t->n; i++)
@@ -357,8 +363,8 @@ static double *line_load(const struct wf_case *c, const struct wf_tree *t, struc
     return line;
 }
 
-/* Row of a place before splitting; -1 the base, -2 not there. */
-static int32_t row_of(const struct wf_setup *s, const struct wf_tree *t, const struct wf_place *p)
+/* Row of a place before splitting; -1 the base, -2 no such place. */
+static int32_t row_of_place(const struct wf_setup *s, const struct wf_tree *t, const struct wf_place *p)
 {
     switch (p->kind) {
     case WF_PLACE_BASE:
@@ -386,35 +392,35 @@ int32_t wf_setup_row(const struct wf_setup *s, const struct wf_place *p)
     return p->row < 0 ? -1 : s->last[p->row];
 }
 
-static enum wf_status place(const struct wf_case *c, const struct wf_setup *s, const struct wf_tree *t,
-                            struct wf_place *p, size_t line, struct wf_err *e)
+static enum wf_status find_place(const struct wf_case *c, const struct wf_setup *s, const struct wf_tree *t,
+                                 struct wf_place *p, size_t line, struct wf_err *e)
 {
-    p->row = row_of(s, t, p);
+    p->row = row_of_place(s, t, p);
     if (p->row > -2) return WF_OK;
     return wf_fail(e, WF_EINPUT, "%s:%zu: there is no node or row %lld", c->file, line, (long long)p->id);
 }
 
-/* Find the rows of every place the case names; point masses go into the tree. */
-static enum wf_status places(const struct wf_case *c, const struct wf_setup *s, struct wf_tree *t,
-                             struct wf_arena *a, struct wf_err *e)
+/* Find the rows of every place that the case names; add point masses to the tree. */
+static enum wf_status find_places(const struct wf_case *c, const struct wf_setup *s, struct wf_tree *t,
+                                  struct wf_arena *a, struct wf_err *e)
 {
     struct wf_case_load *l = c->loads.data;
     struct wf_case_mass *m = c->masses.data;
     struct wf_want *w = c->wants.data;
     for (size_t i = 0; i < c->loads.n; i++)
-        if (place(c, s, t, &l[i].at, l[i].line, e)) return e->code;
+        if (find_place(c, s, t, &l[i].at, l[i].line, e)) return e->code;
     for (size_t i = 0; i < c->wants.n; i++)
-        if (place(c, s, t, &w[i].at, w[i].line, e)) return e->code;
+        if (find_place(c, s, t, &w[i].at, w[i].line, e)) return e->code;
     if (c->masses.n && !(t->mass1 = WF_TAKE(a, t->n, double))) return wf_fail(e, WF_ENOMEM, "no memory");
     for (size_t i = 0; i < c->masses.n; i++) {
-        if (place(c, s, t, &m[i].at, m[i].line, e)) return e->code;
+        if (find_place(c, s, t, &m[i].at, m[i].line, e)) return e->code;
         if (m[i].at.row >= 0) t->mass1[m[i].at.row] += m[i].mass;
     }
     return WF_OK;
 }
 
-static enum wf_status point_loads(const struct wf_case *c, struct wf_setup *s, struct wf_arena *a,
-                                  struct wf_err *e)
+static enum wf_status case_point_loads(const struct wf_case *c, struct wf_setup *s, struct wf_arena *a,
+                                       struct wf_err *e)
 {
     const struct wf_case_load *l = c->loads.data;
     struct wf_point_load *p = WF_TAKE(a, c->loads.n, struct wf_point_load);
@@ -432,9 +438,22 @@ static enum wf_status point_loads(const struct wf_case *c, struct wf_setup *s, s
     return WF_OK;
 }
 
-/* Wind, air and gravity. Cauchy number 1/2 rho Cd D U^2 L^3/EI and weight parameter m g L^3/EI with base
+/* The scene's uniform wind; the wind of a case may have an upward component, which an azimuth cannot give. */
+static void uniform_wind(const double u[3], double speed, struct wf_wind *out)
+{
+    struct wf_scenario scene;
+    wf_scenario_default(&scene);
+    scene.profile = "uniform";
+    wf_scenario_wind(&scene, out);
+    out->speed = speed;
+    for (int k = 0; k < 3; k++) out->direction[k] = u[k] / speed;
+}
+
+/* Wind, air and gravity. Air and laws are numbers of the case, not of a site and a species: it may be water,
+ * or have a density by its Cauchy number 1/2 rho Cd D U^2 L^3/EI; weight parameter m g L^3/EI with base
  * values. */
-static void fields(const struct wf_case *c, struct wf_setup *s, double ei, double mass, double diameter)
+static void set_case_loads(const struct wf_case *c, struct wf_setup *s, double ei, double mass,
+                           double diameter)
 {
     double u[3] = { or_else(c->wind[0], isnan(c->cauchy) ? 0.0 : 1.0), or_else(c->wind[1], 0.0),
                     or_else(c->wind[2], 0.0) };
@@ -447,10 +466,7 @@ static void fields(const struct wf_case *c, struct wf_setup *s, double ei, doubl
     s->loads.gravity = or_else(c->gravity, 0.0);
     if (!isnan(c->weight_parameter)) s->loads.gravity = c->weight_parameter * ei / (mass * pow(length, 3));
     if (speed > 0.0) {
-        s->wind = (struct wf_wind){ .sample = wf_profile_named("uniform")->sample,
-                                    .speed = speed,
-                                    .reference_height = 10.0 };
-        for (int k = 0; k < 3; k++) s->wind.direction[k] = u[k] / speed;
+        uniform_wind(u, speed, &s->wind);
         s->loads.wind = &s->wind;
         if (!isnan(c->cauchy))
             s->loads.air_density =
@@ -458,7 +474,7 @@ static void fields(const struct wf_case *c, struct wf_setup *s, double ei, doubl
     }
 }
 
-static void options(const struct wf_case *c, struct wf_solve_options *o)
+static void set_case_options(const struct wf_case *c, struct wf_solve_options *o)
 {
     wf_solve_options_default(o);
     o->inextensible = c->model == WF_MODEL_K;
@@ -475,12 +491,12 @@ enum wf_status wf_setup_build(const struct wf_case *c, size_t pieces, struct wf_
     struct wf_tree rows;
     double ei, mass, *line = NULL, *split_line;
     *s = (struct wf_setup){ 0 };
-    if (case_shape_build(c, a, s, &rows, e) || material(c, &rows, a, &ei, &mass, e) ||
-        places(c, s, &rows, a, e))
+    if (case_shape_build(c, a, s, &rows, e) || case_material(c, &rows, a, &ei, &mass, e) ||
+        find_places(c, s, &rows, a, e))
         return e->code;
-    fields(c, s, ei, mass, 2.0 * rows.r0[0]);
-    options(c, &s->options);
-    if ((!isnan(c->line_load[0]) || !isnan(c->line_by_radius[0])) && !(line = line_load(c, &rows, a)))
+    set_case_loads(c, s, ei, mass, 2.0 * rows.r0[0]);
+    set_case_options(c, &s->options);
+    if ((!isnan(c->line_load[0]) || !isnan(c->line_by_radius[0])) && !(line = case_line_load(c, &rows, a)))
         return wf_fail(e, WF_ENOMEM, "no memory");
     if (wf_tree_split(&rows, line, pieces, a, &s->tree, &split_line, e)) return e->code;
     s->tree.name = c->name;
@@ -488,5 +504,5 @@ enum wf_status wf_setup_build(const struct wf_case *c, size_t pieces, struct wf_
     s->rows = rows.n;
     if (!(s->last = WF_TAKE(a, rows.n, int32_t))) return wf_fail(e, WF_ENOMEM, "no memory");
     for (size_t i = 0; i < rows.n; i++) s->last[i] = (int32_t)((i + 1) * pieces - 1);
-    return point_loads(c, s, a, e);
+    return case_point_loads(c, s, a, e);
 }

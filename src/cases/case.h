@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_CASES_CASE_H
 #define WF_CASES_CASE_H
-/* Validation cases: claims of correctness as text files (docs/validation-cases.md), read, run and compared.
- * A file holds one case or several; each names its source, a structure, loads, solvers and wanted values. */
+/* Validation cases as data (docs/validation-cases.md). A case states what a solver must compute; a file
+ * holds one case or several. Each names its source, a structure, loads, solvers and wanted values. */
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
@@ -17,25 +17,24 @@ enum wf_case_kind {
     WF_CASE_PUBLISHED,
     WF_CASE_COMPUTED_REFERENCE,
     WF_CASE_FIELD,
-    WF_CASE_REGRESSION, /* guards against change; never counted as evidence */
+    WF_CASE_REGRESSION, /* detects changes; never counted as evidence */
     WF_CASE_KIND_COUNT
 };
-const char *wf_case_kind_name(enum wf_case_kind k); /* "closed-form", ... */
 
 enum wf_place_kind {
     WF_PLACE_NONE,
     WF_PLACE_BASE,
-    WF_PLACE_TIP,  /* end of the last row of a cantilever or arc    */
-    WF_PLACE_NODE, /* end of the branch that reaches this node      */
-    WF_PLACE_ROW,  /* end of the row with this id                   */
+    WF_PLACE_TIP,  /* end of the last row of a cantilever or arc */
+    WF_PLACE_NODE, /* end of the branch that leads to this node */
+    WF_PLACE_ROW,  /* end of the row with this id */
     WF_PLACE_AT,   /* share of the length of a cantilever, from its base */
-    WF_PLACE_POINT /* of a flow field                               */
+    WF_PLACE_POINT /* of a flow field */
 };
 struct wf_place {
     enum wf_place_kind kind;
     int64_t id;
     double share, point[3];
-    int32_t row; /* found when the case is built; -1 = the base */
+    int32_t row; /* set when the case is built; -1 = the base */
 };
 
 struct wf_case_load {
@@ -64,13 +63,13 @@ struct wf_quantity;
 struct wf_want {
     const struct wf_quantity *quantity;
     struct wf_place at;
-    size_t number;    /* of a mode, from 1 */
-    const char *name; /* of a fitted parameter */
-    int component;    /* 0..2 = x, y, z; 3 = norm; -1 = all three */
-    double value[3];  /* SI; NAN = not given; scalars use value[0] */
-    double tolerance; /* NAN = the case's */
-    bool absolute; /* tolerance in the quantity's SI unit, else a share of the wanted value (vector: its norm)
-                    */
+    size_t number;      /* of a mode, from 1 */
+    const char *name;   /* of a fitted parameter */
+    int component;      /* 0..2 = x, y, z; 3 = norm; -1 = all three */
+    double value[3];    /* SI; NAN = not given; scalars use value[0] */
+    double tolerance;   /* NAN = the case's */
+    bool absolute;      /* tolerance in the quantity's SI unit; else relative to the wanted value (vector: its
+                           norm) */
     const char *unit;   /* as written; "" when dimensionless */
     double unit_factor; /* SI per unit, for printing */
     size_t line;
@@ -89,22 +88,23 @@ enum wf_case_shape {
     WF_SHAPE_BRANCHES,
     WF_SHAPE_TREE,
     WF_SHAPE_FLOW,
-    WF_SHAPE_FIT /* a calibration study: fitted by whoever runs the case, see wf_case_hold */
+    WF_SHAPE_FIT /* a calibration study, run by wf_case_fit */
 };
 enum wf_case_model { WF_MODEL_K, WF_MODEL_EB, WF_MODEL_SR };
 enum { WF_CASE_KEYS_MAX = 72, WF_CASE_SOLVERS_MAX = 6, WF_CASE_PIECES_MAX = 8 };
 
-/* One case; every number SI (or consistent units when nondimensional), NAN = not given. */
+/* One case; every number in SI (or consistent units when nondimensional), NAN = not given. */
 struct wf_case {
     const char *file, *name, *title, *source, *note;
     size_t line;                    /* of its `case` line, or 1 */
-    bool faulty;                    /* a line of it was refused */
+    bool faulty;                    /* one of its lines has an error */
     size_t given[WF_CASE_KEYS_MAX]; /* line a key was given on; 0 = not */
     int kind, model, nondimensional;
     enum wf_case_shape shape;
     double length, direction[3];
     double rows;
-    double arc[2], arc_from[3], arc_towards[3]; /* radius [m], angle [rad]; root tangent, side it bends to */
+    double arc[2], arc_from[3],
+        arc_towards[3]; /* radius [m], angle [rad]; root tangent, direction it bends towards */
     const char *tree_file;
     struct wf_list nodes, branches;
     double radius[2], inner[2], taper;
@@ -113,62 +113,20 @@ struct wf_case {
     double shear_factor, spring[2];
     struct wf_list loads, masses;
     double line_load[3], line_by_radius[3];
-    const struct wf_axis_drag_law *axis_drag; /* NULL: not said */
+    const struct wf_axis_drag_law *axis_drag; /* NULL: not given */
     const struct wf_streamline_law *streamlining;
     struct wf_law_values axis_drag_par, streamlining_par;
     double crown_area, air_viscosity; /* still-air crown area times its Cd per length [m]; [m2/s] */
     double wind[3], air_density, drag, cauchy, gravity, weight_parameter;
-    const char *fit_study, *fit_free; /* file beside the case; parameters, NULL: the study's */
-    double data_sets, noise; /* made-up data sets and their noise in sigmas; NAN: the study's data, 1 */
+    const char *fit_study, *fit_free; /* file beside the case; free parameters, NULL: those of the study */
+    double data_sets,
+        noise; /* number of synthetic data sets and their noise in sigmas; NAN: the study's data, 1 */
     const char *flow;
     double flow_speed, flow_radius, flow_circulation, flow_strength, flow_segment[2];
     const struct wf_solver *solver[WF_CASE_SOLVERS_MAX];
     size_t solvers;
     double mesh_tolerance, accuracy, tolerance;
-    size_t piece[WF_CASE_PIECES_MAX],
-        pieces; /* rows split into this many parts, for the order of convergence */
+    size_t piece[WF_CASE_PIECES_MAX], pieces; /* parts per row on each mesh, for the order of convergence */
     struct wf_list wants;
 };
-
-/* Read a case file. Every mistake becomes a line of `d`. Returned: *list, *n; WF_EINPUT when there was any.
- */
-enum wf_status wf_case_read(const char *path, struct wf_arena *a, struct wf_diag *d, struct wf_case **list,
-                            size_t *n, struct wf_err *e);
-
-enum wf_outcome { WF_PASSED, WF_FAILED, WF_SKIPPED, WF_OUTCOME_COUNT };
-struct wf_check {
-    const struct wf_want *want;
-    int component;         /* which number of the want */
-    double got, wanted;    /* SI */
-    double error, allowed; /* |got - wanted| and the most accepted [SI] */
-    double relative;       /* error over what the tolerance refers to */
-    bool passed;
-};
-struct wf_verdict {
-    const struct wf_case *of;
-    const char *solver; /* name; "modes" or "buckling" where no static solver is asked */
-    enum wf_outcome outcome;
-    const char *why; /* for failed and skipped without checks; else NULL */
-    struct wf_check *check;
-    size_t n, failed;
-    double worst; /* largest error / allowed */
-};
-
-/* Run a case with its k-th solver, every row split into `pieces` parts (1 = as written).
- * Returned: WF_OK and a verdict (a run that fails is a failed verdict); WF_ENOMEM. */
-enum wf_status wf_case_run(const struct wf_case *c, size_t k, size_t pieces, struct wf_arena *a,
-                           struct wf_verdict *v, struct wf_err *e);
-
-/* A case whose values come from elsewhere (WF_SHAPE_FIT): hold them against what is wanted. answer(ctx, want,
- * out, e): the value of one want [SI]. Returned: as wf_case_run. */
-typedef enum wf_status wf_case_answer(void *ctx, const struct wf_want *w, double out[3], struct wf_err *e);
-
-/* Order of convergence: one verdict a mesh, each with one element a row and rows split by c->piece[].
- * Returned: verdicts[c->pieces]. The observed order between meshes i-1 and i of check j is
- * ln(error[i-1]/error[i]) / ln(piece[i]/piece[i-1]). */
-enum wf_status wf_case_order(const struct wf_case *c, size_t k, struct wf_arena *a,
-                             struct wf_verdict *verdicts, struct wf_err *e);
-
-/* The quantity's name and the words of its place: "displacement node 2 x". */
-void wf_want_print(const struct wf_want *w, int component, char *buf, size_t size);
 #endif

@@ -9,14 +9,15 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Readers of the keys of a case file: each takes the words of its line; false after a report. */
+/* Readers of keys: each takes the words of its line; false after reporting a mistake. This section: text,
+ * numbers, structure, support. */
 
-static void *field(struct wf_case *c, const struct wf_case_key *k) { return (char *)c + k->offset; }
+static void *key_field(struct wf_case *c, const struct wf_case_key *k) { return (char *)c + k->offset; }
 
 /* prose; a repeated key continues it */
 static bool key_text(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
-    const char **text = field(c, k), *joined = w->rest;
+    const char **text = key_field(c, k), *joined = w->rest;
     if (!*w->rest) return wf_words_wrong(w, w->n, "words are expected");
     bool continues = *text && c->given[k - wf_case_keys] >= c->line;
     if (continues) joined = wf_arena_print(w->arena, "%s %s", *text, w->rest);
@@ -34,7 +35,7 @@ static bool key_choice(struct wf_words *w, struct wf_case *c, const struct wf_ca
     if (!all) return wf_words_wrong(w, 1, "no memory");
     for (char *s = strtok_r(all, "|", &save); s && n < 8; s = strtok_r(NULL, "|", &save)) word[n++] = s;
     if (!wf_words_choice(w, "word", word, n, &chosen) || !wf_words_end(w)) return false;
-    *(int *)field(c, k) = (int)chosen;
+    *(int *)key_field(c, k) = (int)chosen;
     return true;
 }
 
@@ -50,12 +51,12 @@ static bool key_numbers(struct wf_words *w, struct wf_case *c, const struct wf_c
         if (v[i] < k->low || v[i] > k->high)
             return wf_words_wrong(w, at + i, "'%s' is outside what is allowed: %g to %g", w->word[at + i],
                                   k->low, k->high);
-    for (size_t i = 0; i < k->count; i++) ((double *)field(c, k))[i] = v[i < n ? i : 0];
+    for (size_t i = 0; i < k->count; i++) ((double *)key_field(c, k))[i] = v[i < n ? i : 0];
     return true;
 }
 
 /* A case has one structure. */
-static bool shape(struct wf_words *w, struct wf_case *c, enum wf_case_shape s)
+static bool set_case_shape(struct wf_words *w, struct wf_case *c, enum wf_case_shape s)
 {
     if (c->shape != WF_SHAPE_NONE && c->shape != s)
         return wf_words_wrong(
@@ -69,7 +70,7 @@ static bool key_cantilever(struct wf_words *w, struct wf_case *c, const struct w
 {
     (void)k;
     size_t n;
-    if (!shape(w, c, WF_SHAPE_CANTILEVER) ||
+    if (!set_case_shape(w, c, WF_SHAPE_CANTILEVER) ||
         !wf_words_quantities(w, WF_DIM_LENGTH, 1, 1, false, NULL, &c->length, &n, NULL) || !wf_words_end(w))
         return false;
     return c->length > 0.0 || wf_words_wrong(w, 1, "a length is positive");
@@ -88,7 +89,7 @@ static bool key_arc(struct wf_words *w, struct wf_case *c, const struct wf_case_
 {
     (void)k;
     size_t n;
-    if (!shape(w, c, WF_SHAPE_ARC) ||
+    if (!set_case_shape(w, c, WF_SHAPE_ARC) ||
         !wf_words_quantities(w, WF_DIM_LENGTH, 1, 1, false, "angle", &c->arc[0], &n, NULL))
         return false;
     if (!wf_words_skip(w, "angle"))
@@ -117,7 +118,7 @@ static bool key_node(struct wf_words *w, struct wf_case *c, const struct wf_case
     struct wf_case_node node = { .line = w->line };
     long long id;
     size_t n;
-    if (!shape(w, c, WF_SHAPE_BRANCHES) || !wf_words_whole(w, "node", 0, INT64_MAX, &id) ||
+    if (!set_case_shape(w, c, WF_SHAPE_BRANCHES) || !wf_words_whole(w, "node", 0, INT64_MAX, &id) ||
         !wf_words_quantities(w, WF_DIM_LENGTH, 3, 3, false, NULL, node.x, &n, NULL))
         return false;
     node.id = id;
@@ -143,7 +144,7 @@ static bool key_branch(struct wf_words *w, struct wf_case *c, const struct wf_ca
     struct wf_case_branch b = { .line = w->line };
     long long end[2];
     size_t n;
-    if (!shape(w, c, WF_SHAPE_BRANCHES)) return false;
+    if (!set_case_shape(w, c, WF_SHAPE_BRANCHES)) return false;
     for (int i = 0; i < 2; i++) {
         if (!wf_words_whole(w, "node", 0, INT64_MAX, &end[i])) return false;
         if (!node_named(c, end[i]))
@@ -170,14 +171,14 @@ static bool key_branch(struct wf_words *w, struct wf_case *c, const struct wf_ca
 static bool key_tree(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     (void)k;
-    if (!shape(w, c, WF_SHAPE_TREE)) return false;
+    if (!set_case_shape(w, c, WF_SHAPE_TREE)) return false;
     if (!wf_words_peek(w))
         return wf_words_wrong(w, w->n, "the name of a tree file beside the case is expected");
     c->tree_file = w->word[w->next++];
     return wf_words_end(w);
 }
 
-/* The parameters of a law behind their names, in the order of its row. */
+/* Parameters of a law, each after its name, in the order of the law's row. */
 static bool law_parameters(struct wf_words *w, const struct wf_law *l, struct wf_law_values *out)
 {
     for (size_t k = 0, n = wf_law_count(l), got; k < n; k++) {
@@ -247,13 +248,14 @@ static bool key_flow(struct wf_words *w, struct wf_case *c, const struct wf_case
     (void)k;
     static const char *const known[] = { "cylinder", "line-source", "point-source", "finite-line-source" };
     size_t kind;
-    if (!shape(w, c, WF_SHAPE_FLOW) || !wf_words_choice(w, "flow", known, 4, &kind) || !wf_words_end(w))
+    if (!set_case_shape(w, c, WF_SHAPE_FLOW) || !wf_words_choice(w, "flow", known, 4, &kind) ||
+        !wf_words_end(w))
         return false;
     c->flow = known[kind];
     return true;
 }
 
-/* Readers of the keys that say what acts, how a case is run and what is wanted of it. */
+/* Readers of keys: loads, solvers, fits and wanted values. */
 
 /* force|moment|follower PLACE X Y Z UNIT */
 static bool key_point(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
@@ -370,6 +372,8 @@ static bool key_want(struct wf_words *w, struct wf_case *c, const struct wf_case
     if (!wf_want_read(w, &want)) return false;
     return wf_list_add(&c->wants, &want, sizeof want, w->arena) || wf_words_wrong(w, 1, "no memory");
 }
+
+/* The rows. */
 
 #define AT(field) offsetof(struct wf_case, field)
 #define NUMBER(name, field, dim, lo, hi)                                                                     \

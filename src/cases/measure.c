@@ -9,8 +9,10 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Axis direction at a row's base (0) or end (1): bent, or unbent where the answer is one of small deflection.
- */
+/* Stress inside a row. */
+
+/* Axis direction at a row's base or end: deformed, or undeformed where the response is one of small
+ * deflection. */
 static void axis_at(const struct wf_tree *t, const struct wf_response *r, size_t row, bool end,
                     double axis[3])
 {
@@ -20,7 +22,7 @@ static void axis_at(const struct wf_tree *t, const struct wf_response *r, size_t
     for (int k = 0; k < 3; k++) axis[k] = r->small_deflection ? chord[k] / size : bent[k];
 }
 
-/* The same at share s of the row [Pa]. */
+/* Extreme-fibre bending stress at share s of a row [Pa]. */
 static double stress_at(const struct wf_tree *t, const struct wf_response *r, size_t row, double s)
 {
     double axis0[3], axis1[3], slope0[3], slope1[3], m[3], axis[3], length = wf_tree_length(t, row);
@@ -36,15 +38,14 @@ static double stress_at(const struct wf_tree *t, const struct wf_response *r, si
                length * (h10 * slope0[k] + h11 * slope1[k]);
         axis[k] = (1 - s) * axis0[k] + s * axis1[k];
     }
-    double outer = t->r0[row] + s * (t->r1[row] - t->r0[row]),
-           inner = t->i0[row] + s * (t->i1[row] - t->i0[row]);
+    double outer = wf_between(t->r0[row], t->r1[row], s), inner = wf_between(t->i0[row], t->i1[row], s);
     double twist = wf_dot(m, axis), bending = wf_dot(m, m) - twist * twist / wf_dot(axis, axis);
     return sqrt(fmax(bending, 0.0)) * outer / wf_ring_inertia(outer, inner);
 }
 
-/* Largest extreme-fibre bending stress [Pa] of a row's span and where, as share of the row's length. Between
- * the row's ends the moment is the cubic through the moments and shears at them: exact at small deflection
- * for loads per length up to linear. */
+/* Largest extreme-fibre bending stress [Pa] inside a row, and its place as a share of the row's length.
+ * Between the row's ends the moment is the cubic through the moments and shear forces at them: exact at
+ * small deflection for loads per length up to linear. */
 static double span_stress(const struct wf_tree *t, const struct wf_response *r, size_t row, double *share)
 {
     enum { SAMPLES = 64 };
@@ -62,11 +63,13 @@ static double span_stress(const struct wf_tree *t, const struct wf_response *r, 
             b = right;
     }
     double s = 0.5 * (a + b);
-    for (int k = 0; k < 2; k++) /* a maximum at an end of the row lies exactly there */
+    for (int k = 0; k < 2; k++) /* a maximum at an end of the row: take the end itself */
         if (stress_at(t, r, row, k) >= stress_at(t, r, row, s)) s = k;
     *share = s;
     return stress_at(t, r, row, s);
 }
+
+/* Potential flow. */
 
 static double or_zero(double v) { return isnan(v) ? 0.0 : v; }
 
@@ -78,9 +81,9 @@ const char *wf_flow_missing(const struct wf_case *c)
     return strcmp(c->flow, "finite-line-source") == 0 && isnan(c->flow_segment[0]) ? "segment" : NULL;
 }
 
-/* Velocity and pressure coefficient at the point of the want. WF_EINPUT within a cylinder or on a source. */
-static enum wf_status flow_velocity(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                    struct wf_err *e)
+/* Velocity at the point of the want. Errors: WF_EINPUT inside a cylinder or on a source. */
+static enum wf_status measure_velocity(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                       struct wf_err *e)
 {
     const struct wf_case *c = m->of;
     const double *x = w->at.point;
@@ -101,17 +104,19 @@ static enum wf_status flow_velocity(const struct wf_measured *m, const struct wf
     return WF_OK;
 }
 
-static enum wf_status flow_cp(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                              struct wf_err *e)
+static enum wf_status measure_pressure_coefficient(const struct wf_measured *m, const struct wf_want *w,
+                                                   double out[3], struct wf_err *e)
 {
     double u[3];
     if (strcmp(m->of->flow, "cylinder") != 0 || m->of->flow_speed == 0.0)
         return wf_fail(e, WF_EINPUT, "%s:%zu: a pressure coefficient needs a stream: flow cylinder, speed",
                        m->of->file, w->line);
-    if (flow_velocity(m, w, u, e)) return e->code;
+    if (measure_velocity(m, w, u, e)) return e->code;
     out[0] = wf_flow_pressure(m->of->flow_speed, u);
     return WF_OK;
 }
+
+/* Static solutions and drag. */
 
 enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *solver, struct wf_arena *a,
                               struct wf_response *r, struct wf_err *e)
@@ -126,8 +131,8 @@ enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *
     return WF_OK;
 }
 
-/* Drag of the unbent tree along the wind [N]: line load on the undeformed axis, four Gauss points a row
- * (exact for a uniform wind). WF_EINPUT when there is no wind. */
+/* Drag of the undeformed tree along the wind [N]: line load integrated with four Gauss points per row (exact
+ * for a uniform wind). Errors: WF_EINPUT when there is no wind. */
 static enum wf_status rigid_drag(const struct wf_setup *s, double *drag, struct wf_err *e)
 {
     static const double place[2] = { 0.33998104358485626480, 0.86113631159405257522 };
@@ -144,9 +149,9 @@ static enum wf_status rigid_drag(const struct wf_setup *s, double *drag, struct 
         for (int g = 0; g < 4; g++) {
             double u = 0.5 * (1.0 + (g % 2 ? 1.0 : -1.0) * place[g / 2]);
             struct wf_line_parts parts;
-            struct wf_line_point p = { .diameter = 2.0 * (t->r0[i] + u * (t->r1[i] - t->r0[i])),
+            struct wf_line_point p = { .diameter = 2.0 * wf_between(t->r0[i], t->r1[i], u),
                                        .drag = t->drag[i] };
-            for (int k = 0; k < 3; k++) x[k] = base[k] + u * (end[k] - base[k]);
+            for (int k = 0; k < 3; k++) x[k] = wf_between(base[k], end[k], u);
             wf_load_parts_on_line(&s->loads, &p, x, axis, &parts);
             *drag += 0.5 * weight[g / 2] * length * wf_dot(parts.drag_axis, s->wind.direction);
         }
@@ -177,67 +182,67 @@ static enum wf_status local_vogel(const struct wf_setup *s, const struct wf_solv
     return WF_OK;
 }
 
-/* The quantities a validation case can want, as rows. */
+/* The quantities, one function per row of wf_quantities. */
 
-static int32_t row_of(const struct wf_measured *m, const struct wf_want *w)
+static int32_t row_of_want(const struct wf_measured *m, const struct wf_want *w)
 {
     return wf_setup_row(m->setup, &w->at);
 }
 
-/* A column of the response at a place; at the base `base`, or nothing moved. */
-static void take(const double *column, int32_t row, const double *base, double out[3])
+/* Value of a response column at a place; at the base `base`, zero where base is NULL (the base is fixed). */
+static void column_at(const double *column, int32_t row, const double *base, double out[3])
 {
     for (int k = 0; k < 3; k++) out[k] = row >= 0 ? column[3 * row + k] : base ? base[k] : 0.0;
 }
 
-static enum wf_status displacement(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                   struct wf_err *e)
+static enum wf_status measure_displacement(const struct wf_measured *m, const struct wf_want *w,
+                                           double out[3], struct wf_err *e)
 {
     (void)e;
-    take(m->response->end, row_of(m, w), NULL, out);
+    column_at(m->response->end, row_of_want(m, w), NULL, out);
     return WF_OK;
 }
 
-static enum wf_status position(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                               struct wf_err *e)
+static enum wf_status measure_position(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                       struct wf_err *e)
 {
     const struct wf_tree *t = &m->setup->tree;
-    int32_t i = row_of(m, w);
+    int32_t i = row_of_want(m, w);
     (void)e;
-    take(m->response->end, i, NULL, out);
+    column_at(m->response->end, i, NULL, out);
     const double *const x[3] = { i < 0 ? t->x0 : t->x1, i < 0 ? t->y0 : t->y1, i < 0 ? t->z0 : t->z1 };
     for (int k = 0; k < 3; k++) out[k] += x[k][i < 0 ? 0 : i];
     return WF_OK;
 }
 
-static enum wf_status rotation(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                               struct wf_err *e)
+static enum wf_status measure_rotation(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                       struct wf_err *e)
 {
     (void)e;
-    take(m->response->turn, row_of(m, w), NULL, out);
+    column_at(m->response->turn, row_of_want(m, w), NULL, out);
     return WF_OK;
 }
 
-static enum wf_status force(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                            struct wf_err *e)
+static enum wf_status measure_force(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                    struct wf_err *e)
 {
     (void)e;
-    take(m->response->force1, row_of(m, w), m->response->base_force, out);
+    column_at(m->response->force1, row_of_want(m, w), m->response->base_force, out);
     return WF_OK;
 }
 
-static enum wf_status moment(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                             struct wf_err *e)
+static enum wf_status measure_moment(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                     struct wf_err *e)
 {
     (void)e;
-    take(m->response->moment1, row_of(m, w), m->response->base_moment, out);
+    column_at(m->response->moment1, row_of_want(m, w), m->response->base_moment, out);
     return WF_OK;
 }
 
-static enum wf_status stress(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                             struct wf_err *e)
+static enum wf_status measure_stress(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                     struct wf_err *e)
 {
-    int32_t i = row_of(m, w);
+    int32_t i = row_of_want(m, w);
     (void)e;
     out[0] = stress_at(&m->setup->tree, m->response, i < 0 ? 0 : (size_t)i, i < 0 ? 0.0 : 1.0);
     return WF_OK;
@@ -258,8 +263,8 @@ static double largest_stress(const struct wf_measured *m, double *place)
     return best;
 }
 
-static enum wf_status max_stress(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                 struct wf_err *e)
+static enum wf_status measure_max_stress(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                         struct wf_err *e)
 {
     double place;
     (void)w, (void)e;
@@ -267,8 +272,8 @@ static enum wf_status max_stress(const struct wf_measured *m, const struct wf_wa
     return WF_OK;
 }
 
-static enum wf_status max_stress_place(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                       struct wf_err *e)
+static enum wf_status measure_max_stress_place(const struct wf_measured *m, const struct wf_want *w,
+                                               double out[3], struct wf_err *e)
 {
     (void)w;
     if (m->of->shape == WF_SHAPE_BRANCHES || m->of->shape == WF_SHAPE_TREE)
@@ -277,8 +282,9 @@ static enum wf_status max_stress_place(const struct wf_measured *m, const struct
     return WF_OK;
 }
 
-/* Over the ends of rows that carry no other row. */
-static enum wf_status tips(const struct wf_measured *m, double *largest, double *mean, struct wf_err *e)
+/* Largest and mean displacement of the ends of rows that carry no other row [m]. */
+static enum wf_status tip_displacements(const struct wf_measured *m, double *largest, double *mean,
+                                        struct wf_err *e)
 {
     const struct wf_tree *t = &m->setup->tree;
     bool *carries = WF_TAKE(m->arena, t->n, bool);
@@ -298,24 +304,24 @@ static enum wf_status tips(const struct wf_measured *m, double *largest, double 
     return WF_OK;
 }
 
-static enum wf_status max_tip(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                              struct wf_err *e)
+static enum wf_status measure_max_tip(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                      struct wf_err *e)
 {
     double mean;
     (void)w;
-    return tips(m, out, &mean, e);
+    return tip_displacements(m, out, &mean, e);
 }
 
-static enum wf_status mean_tip(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                               struct wf_err *e)
+static enum wf_status measure_mean_tip(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                       struct wf_err *e)
 {
     double largest;
     (void)w;
-    return tips(m, &largest, out, e);
+    return tip_displacements(m, &largest, out, e);
 }
 
-static enum wf_status reconfiguration(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                      struct wf_err *e)
+static enum wf_status measure_reconfiguration(const struct wf_measured *m, const struct wf_want *w,
+                                              double out[3], struct wf_err *e)
 {
     (void)w;
     double rigid = 0;
@@ -324,50 +330,50 @@ static enum wf_status reconfiguration(const struct wf_measured *m, const struct 
     return WF_OK;
 }
 
-static enum wf_status vogel(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                            struct wf_err *e)
+static enum wf_status measure_vogel(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                    struct wf_err *e)
 {
     (void)w;
     return local_vogel(m->setup, m->solver, m->arena, out, e);
 }
 
-static enum wf_status bending_stiffness(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                        struct wf_err *e)
+static enum wf_status measure_bending_stiffness(const struct wf_measured *m, const struct wf_want *w,
+                                                double out[3], struct wf_err *e)
 {
     const struct wf_tree *t = &m->setup->tree;
-    int32_t i = row_of(m, w);
+    int32_t i = row_of_want(m, w);
     (void)e;
     double r = i < 0 ? t->r0[0] : t->r1[i], q = i < 0 ? t->i0[0] : t->i1[i];
     out[0] = t->stiff ? t->stiff[4 * (i < 0 ? 0 : i) + 2] : t->youngs[i < 0 ? 0 : i] * wf_ring_inertia(r, q);
     return WF_OK;
 }
 
-static enum wf_status imbalance(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                struct wf_err *e)
+static enum wf_status measure_imbalance(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                        struct wf_err *e)
 {
     (void)w, (void)e;
     out[0] = m->response->imbalance;
     return WF_OK;
 }
 
-static enum wf_status frequency(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                struct wf_err *e)
+static enum wf_status measure_frequency(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                        struct wf_err *e)
 {
     (void)e;
     out[0] = m->frequency[w->number - 1];
     return WF_OK;
 }
 
-static enum wf_status angular_frequency(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                        struct wf_err *e)
+static enum wf_status measure_angular_frequency(const struct wf_measured *m, const struct wf_want *w,
+                                                double out[3], struct wf_err *e)
 {
     (void)e;
     out[0] = 2.0 * WF_PI * m->frequency[w->number - 1];
     return WF_OK;
 }
 
-static enum wf_status buckling(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                               struct wf_err *e)
+static enum wf_status measure_buckling(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                       struct wf_err *e)
 {
     (void)w, (void)e;
     out[0] = m->buckling_factor;
@@ -375,31 +381,34 @@ static enum wf_status buckling(const struct wf_measured *m, const struct wf_want
 }
 
 const struct wf_quantity wf_quantities[] = {
-    { "displacement", WF_DIM_LENGTH, true, WF_NEED_PLACE, WF_BY_SOLVER, displacement },
-    { "position", WF_DIM_LENGTH, true, WF_NEED_PLACE, WF_BY_SOLVER, position },
-    { "rotation", WF_DIM_ANGLE, true, WF_NEED_PLACE, WF_BY_SOLVER, rotation },
-    { "force", WF_DIM_FORCE, true, WF_NEED_PLACE, WF_BY_SOLVER, force },
-    { "moment", WF_DIM_MOMENT, true, WF_NEED_PLACE, WF_BY_SOLVER, moment },
-    { "stress", WF_DIM_PRESSURE, false, WF_NEED_PLACE, WF_BY_SOLVER, stress },
-    { "max_stress", WF_DIM_PRESSURE, false, WF_NEED_NOTHING, WF_BY_SOLVER, max_stress },
-    { "max_stress_position", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_SOLVER, max_stress_place },
-    { "max_tip_displacement", WF_DIM_LENGTH, false, WF_NEED_NOTHING, WF_BY_SOLVER, max_tip },
-    { "mean_tip_displacement", WF_DIM_LENGTH, false, WF_NEED_NOTHING, WF_BY_SOLVER, mean_tip },
-    { "reconfiguration_number", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_SOLVER, reconfiguration },
-    { "vogel_exponent", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_SOLVER, vogel },
-    { "imbalance", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_SOLVER, imbalance },
-    { "bending_stiffness", WF_DIM_BENDING_STIFFNESS, false, WF_NEED_PLACE, WF_BY_SETUP, bending_stiffness },
-    { "frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, frequency },
-    { "angular_frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, angular_frequency },
-    { "buckling_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_BUCKLING, buckling },
-    { "velocity", WF_DIM_SPEED, true, WF_NEED_POINT, WF_BY_FLOW, flow_velocity },
-    { "pressure_coefficient", WF_DIM_NONE, false, WF_NEED_POINT, WF_BY_FLOW, flow_cp },
+    { "displacement", WF_DIM_LENGTH, true, WF_NEED_PLACE, WF_BY_SOLVER, measure_displacement },
+    { "position", WF_DIM_LENGTH, true, WF_NEED_PLACE, WF_BY_SOLVER, measure_position },
+    { "rotation", WF_DIM_ANGLE, true, WF_NEED_PLACE, WF_BY_SOLVER, measure_rotation },
+    { "force", WF_DIM_FORCE, true, WF_NEED_PLACE, WF_BY_SOLVER, measure_force },
+    { "moment", WF_DIM_MOMENT, true, WF_NEED_PLACE, WF_BY_SOLVER, measure_moment },
+    { "stress", WF_DIM_PRESSURE, false, WF_NEED_PLACE, WF_BY_SOLVER, measure_stress },
+    { "max_stress", WF_DIM_PRESSURE, false, WF_NEED_NOTHING, WF_BY_SOLVER, measure_max_stress },
+    { "max_stress_position", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_SOLVER, measure_max_stress_place },
+    { "max_tip_displacement", WF_DIM_LENGTH, false, WF_NEED_NOTHING, WF_BY_SOLVER, measure_max_tip },
+    { "mean_tip_displacement", WF_DIM_LENGTH, false, WF_NEED_NOTHING, WF_BY_SOLVER, measure_mean_tip },
+    { "reconfiguration_number", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_SOLVER, measure_reconfiguration },
+    { "vogel_exponent", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_SOLVER, measure_vogel },
+    { "imbalance", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_SOLVER, measure_imbalance },
+    { "bending_stiffness", WF_DIM_BENDING_STIFFNESS, false, WF_NEED_PLACE, WF_BY_SETUP,
+      measure_bending_stiffness },
+    { "frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, measure_frequency },
+    { "angular_frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, measure_angular_frequency },
+    { "buckling_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_BUCKLING, measure_buckling },
+    { "velocity", WF_DIM_SPEED, true, WF_NEED_POINT, WF_BY_FLOW, measure_velocity },
+    { "pressure_coefficient", WF_DIM_NONE, false, WF_NEED_POINT, WF_BY_FLOW, measure_pressure_coefficient },
     { "fitted_modulus", WF_DIM_PRESSURE, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { "fitted_stiffness", WF_DIM_ROTATIONAL_STIFFNESS, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { "fitted_number", WF_DIM_NONE, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { "intervals_that_cover", WF_DIM_NONE, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { .name = NULL },
 };
+
+/* Reading and printing what is wanted. */
 
 bool wf_place_read(struct wf_words *w, struct wf_place *p)
 {
@@ -472,7 +481,7 @@ static bool tolerance_read(struct wf_words *w, struct wf_want *want)
     return true;
 }
 
-/* A relative tolerance needs something to be relative to. */
+/* A relative tolerance needs a wanted value other than zero. */
 static bool tolerance_fits(struct wf_words *w, const struct wf_want *want)
 {
     double size = 0.0;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cases/read.h"
 #include "base/diag.h"
 #include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
-#include "cases/case.h"
 #include "cases/keys.h"
 #include "cases/measure.h"
 #include "solve/solve.h"
@@ -12,19 +12,20 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What a validation case must say, checked when it is complete. */
+/* Checks of a complete case: missing keys, keys that exclude each other. */
 
-static bool given(const struct wf_case *c, const char *key) { return c->given[wf_case_key_index(key)] != 0; }
+static bool key_given(const struct wf_case *c, const char *key)
+{
+    return c->given[wf_case_key_index(key)] != 0;
+}
 
-struct checking {
+struct case_checking {
     struct wf_case *c;
     struct wf_diag *d;
 };
 
-static void wrong(struct checking *k, size_t line, const char *fmt, ...)
-    __attribute__((format(printf, 3, 4)));
-
-static void wrong(struct checking *k, size_t line, const char *fmt, ...)
+__attribute__((format(printf, 3, 4))) static void case_wrong(struct case_checking *k, size_t line,
+                                                             const char *fmt, ...)
 {
     char text[512];
     va_list args;
@@ -35,116 +36,124 @@ static void wrong(struct checking *k, size_t line, const char *fmt, ...)
     wf_diag_error(k->d, k->c->file, line, 1, "%s: %s", k->c->name ? k->c->name : "case", text);
 }
 
-static void need(struct checking *k, bool there, const char *what)
+static void case_needs(struct case_checking *k, bool there, const char *what)
 {
-    if (!there) wrong(k, k->c->line, "%s is missing", what);
+    if (!there) case_wrong(k, k->c->line, "%s is missing", what);
 }
 
-static void exclude(struct checking *k, const char *a, const char *b)
+static void case_excludes(struct case_checking *k, const char *a, const char *b)
 {
-    if (given(k->c, a) && given(k->c, b))
-        wrong(k, k->c->given[wf_case_key_index(b)], "'%s' and '%s' exclude each other", a, b);
+    if (key_given(k->c, a) && key_given(k->c, b))
+        case_wrong(k, k->c->given[wf_case_key_index(b)], "'%s' and '%s' exclude each other", a, b);
 }
 
 /* Section and material: from radii and moduli, or stiffnesses given directly. */
-static void check_section(struct checking *k)
+static void check_section(struct case_checking *k)
 {
     struct wf_case *c = k->c;
     bool straight = c->shape == WF_SHAPE_CANTILEVER || c->shape == WF_SHAPE_ARC;
-    bool direct = given(c, "EI"), all = given(c, "EA") || given(c, "GA") || given(c, "GJ");
-    exclude(k, "EI", "youngs_modulus");
-    exclude(k, "poisson", "shear_modulus");
-    exclude(k, "mass_per_length", "density");
-    exclude(k, "taper", "inner_radius");
-    if ((direct || all || given(c, "taper") || given(c, "mass_per_length") || given(c, "radius") ||
-         given(c, "inner_radius")) &&
+    bool direct = key_given(c, "EI"), all = key_given(c, "EA") || key_given(c, "GA") || key_given(c, "GJ");
+    case_excludes(k, "EI", "youngs_modulus");
+    case_excludes(k, "poisson", "shear_modulus");
+    case_excludes(k, "mass_per_length", "density");
+    case_excludes(k, "taper", "inner_radius");
+    if ((direct || all || key_given(c, "taper") || key_given(c, "mass_per_length") ||
+         key_given(c, "radius") || key_given(c, "inner_radius")) &&
         !straight)
-        wrong(k, c->line,
-              "radius, taper, EI, EA, GA, GJ and mass_per_length describe a cantilever or an arc");
-    if (all && !(direct && given(c, "EA") && given(c, "GA") && given(c, "GJ")))
-        wrong(k, c->line, "give EI alone or all four of EA, GA, EI, GJ");
-    if (all && (given(c, "taper") || c->radius[0] != c->radius[1]) && given(c, "radius"))
-        wrong(k, c->line, "given stiffnesses EA, GA, EI, GJ are constant; taper does not go with them");
-    if (given(c, "taper") && given(c, "radius") && c->radius[1] != c->radius[0])
-        wrong(k, c->line, "give the tip radius or 'taper', not both");
-    if (straight) need(k, direct || given(c, "radius"), "radius (or EI)");
-    need(k, direct || given(c, "youngs_modulus"), "youngs_modulus (or EI of a cantilever)");
-    need(k, direct || given(c, "poisson") || given(c, "shear_modulus"), "poisson or shear_modulus");
+        case_wrong(k, c->line,
+                   "radius, taper, EI, EA, GA, GJ and mass_per_length describe a cantilever or an arc");
+    if (all && !(direct && key_given(c, "EA") && key_given(c, "GA") && key_given(c, "GJ")))
+        case_wrong(k, c->line, "give EI alone or all four of EA, GA, EI, GJ");
+    if (all && (key_given(c, "taper") || c->radius[0] != c->radius[1]) && key_given(c, "radius"))
+        case_wrong(k, c->line, "given stiffnesses EA, GA, EI, GJ are constant; taper does not go with them");
+    if (key_given(c, "taper") && key_given(c, "radius") && c->radius[1] != c->radius[0])
+        case_wrong(k, c->line, "give the tip radius or 'taper', not both");
+    if (straight) case_needs(k, direct || key_given(c, "radius"), "radius (or EI)");
+    case_needs(k, direct || key_given(c, "youngs_modulus"), "youngs_modulus (or EI of a cantilever)");
+    case_needs(k, direct || key_given(c, "poisson") || key_given(c, "shear_modulus"),
+               "poisson or shear_modulus");
     for (int i = 0; i < 2; i++)
-        if (c->inner[i] >= c->radius[i]) wrong(k, c->line, "inner_radius must be smaller than radius");
-    if (c->model == WF_MODEL_SR && !all) need(k, given(c, "shear_factor"), "shear_factor (model SR)");
+        if (c->inner[i] >= c->radius[i]) case_wrong(k, c->line, "inner_radius must be smaller than radius");
+    if (c->model == WF_MODEL_SR && !all)
+        case_needs(k, key_given(c, "shear_factor"), "shear_factor (model SR)");
 }
 
-static void check_loads(struct checking *k)
+static void check_case_loads(struct case_checking *k)
 {
     struct wf_case *c = k->c;
     bool straight = c->shape == WF_SHAPE_CANTILEVER || c->shape == WF_SHAPE_ARC;
-    bool massive = given(c, "density") || given(c, "mass_per_length");
-    exclude(k, "weight_parameter", "gravity");
-    exclude(k, "cauchy", "air_density");
-    if ((given(c, "cauchy") || given(c, "weight_parameter") || given(c, "line_load_by_radius")) && !straight)
-        wrong(k, c->line, "cauchy, weight_parameter and line_load_by_radius go with a cantilever or an arc");
-    exclude(k, "axis_drag", "drag_coefficient");
-    exclude(k, "axis_drag", "cauchy");
-    if ((given(c, "wind") && !given(c, "axis_drag")) || given(c, "cauchy"))
-        need(k, given(c, "drag_coefficient"), "drag_coefficient (wind)");
-    if (given(c, "wind") && !given(c, "cauchy")) need(k, given(c, "air_density"), "air_density (wind)");
-    if (given(c, "gravity") && c->gravity != 0.0) need(k, massive, "density or mass_per_length (gravity)");
+    bool massive = key_given(c, "density") || key_given(c, "mass_per_length");
+    case_excludes(k, "weight_parameter", "gravity");
+    case_excludes(k, "cauchy", "air_density");
+    if ((key_given(c, "cauchy") || key_given(c, "weight_parameter") || key_given(c, "line_load_by_radius")) &&
+        !straight)
+        case_wrong(k, c->line,
+                   "cauchy, weight_parameter and line_load_by_radius go with a cantilever or an arc");
+    case_excludes(k, "axis_drag", "drag_coefficient");
+    case_excludes(k, "axis_drag", "cauchy");
+    if ((key_given(c, "wind") && !key_given(c, "axis_drag")) || key_given(c, "cauchy"))
+        case_needs(k, key_given(c, "drag_coefficient"), "drag_coefficient (wind)");
+    if (key_given(c, "wind") && !key_given(c, "cauchy"))
+        case_needs(k, key_given(c, "air_density"), "air_density (wind)");
+    if (key_given(c, "gravity") && c->gravity != 0.0)
+        case_needs(k, massive, "density or mass_per_length (gravity)");
 }
 
-static void check_place(struct checking *k, const struct wf_place *p, size_t line)
+static void check_place(struct case_checking *k, const struct wf_place *p, size_t line)
 {
     enum wf_case_shape s = k->c->shape;
     if (p->kind == WF_PLACE_TIP && s != WF_SHAPE_CANTILEVER && s != WF_SHAPE_ARC)
-        wrong(k, line, "'tip' is the end of a cantilever or arc; name a node or row");
+        case_wrong(k, line, "'tip' is the end of a cantilever or arc; name a node or row");
     if (p->kind == WF_PLACE_AT && s != WF_SHAPE_CANTILEVER && s != WF_SHAPE_ARC)
-        wrong(k, line, "'at' is a place of a cantilever or arc; name a node or row");
+        case_wrong(k, line, "'at' is a place of a cantilever or arc; name a node or row");
     if ((p->kind == WF_PLACE_NODE || p->kind == WF_PLACE_ROW) && s != WF_SHAPE_BRANCHES && s != WF_SHAPE_TREE)
-        wrong(k, line, "nodes and rows belong to trees; say tip, base or at");
+        case_wrong(k, line, "nodes and rows belong to trees; say tip, base or at");
 }
 
-static void check_wants(struct checking *k)
+static void check_wants(struct case_checking *k)
 {
     struct wf_case *c = k->c;
     struct wf_want *w = c->wants.data;
     bool by_flow = c->shape == WF_SHAPE_FLOW, by_fit = c->shape == WF_SHAPE_FIT, by_solver = false;
-    need(k, c->wants.n > 0, "a wanted value ('want ...')");
+    case_needs(k, c->wants.n > 0, "a wanted value ('want ...')");
     for (size_t i = 0; i < c->wants.n; i++) {
         enum wf_answer by = w[i].quantity->by;
         by_solver |= by == WF_BY_SOLVER;
         if ((by == WF_BY_FLOW) != by_flow || (by == WF_BY_FIT) != by_fit)
-            wrong(k, w[i].line, "'%s' cannot be wanted of %s", w[i].quantity->name,
-                  by_flow  ? "a flow"
-                  : by_fit ? "a fit"
-                           : "a structure");
+            case_wrong(k, w[i].line, "'%s' cannot be wanted of %s", w[i].quantity->name,
+                       by_flow  ? "a flow"
+                       : by_fit ? "a fit"
+                                : "a structure");
         if (by == WF_BY_MODES || by == WF_BY_BUCKLING)
-            if (!given(c, "density") && !given(c, "mass_per_length") && !given(c, "weight_parameter"))
-                wrong(k, w[i].line, "'%s' needs density, mass_per_length or weight_parameter",
-                      w[i].quantity->name);
+            if (!key_given(c, "density") && !key_given(c, "mass_per_length") &&
+                !key_given(c, "weight_parameter"))
+                case_wrong(k, w[i].line, "'%s' needs density, mass_per_length or weight_parameter",
+                           w[i].quantity->name);
         if (isnan(w[i].tolerance)) w[i].tolerance = c->tolerance;
         check_place(k, &w[i].at, w[i].line);
     }
     if (by_solver && !c->solvers) c->solver[c->solvers++] = wf_solvers[0];
     if (!by_solver && c->given[wf_case_key_index("solver")] > c->line)
-        wrong(k, c->line, "'solver' is given but nothing wanted comes from one");
+        case_wrong(k, c->line, "'solver' is given but nothing wanted comes from one");
     if (!by_solver) c->solvers = 0;
 }
 
-/* Fill defaults that depend on other keys (tolerance of each want, solver) and report what is missing or does
- * not fit together, at the case's line. */
+/* Set defaults that depend on other keys (tolerance of each want, solver) and report what is missing or
+ * contradictory, at the case's line. */
 static void case_check(struct wf_case *c, struct wf_diag *d)
 {
-    struct checking k = { c, d };
-    if (c->faulty) return; /* what is wrong has been said; what follows from it would only confuse */
-    need(&k, c->kind >= 0, "kind");
-    need(&k, c->source != NULL, "source");
-    need(&k, c->shape != WF_SHAPE_NONE, "a structure (cantilever, arc, node and branch, tree, flow or fit)");
-    if (c->shape == WF_SHAPE_BRANCHES) need(&k, c->branches.n > 0, "a branch");
+    struct case_checking k = { c, d };
+    if (c->faulty) return; /* its errors are already reported; follow-up errors would only confuse */
+    case_needs(&k, c->kind >= 0, "kind");
+    case_needs(&k, c->source != NULL, "source");
+    case_needs(&k, c->shape != WF_SHAPE_NONE,
+               "a structure (cantilever, arc, node and branch, tree, flow or fit)");
+    if (c->shape == WF_SHAPE_BRANCHES) case_needs(&k, c->branches.n > 0, "a branch");
     if (c->shape == WF_SHAPE_NONE) return;
     if (c->shape == WF_SHAPE_FLOW)
-        need(&k, !wf_flow_missing(c), wf_flow_missing(c));
+        case_needs(&k, !wf_flow_missing(c), wf_flow_missing(c));
     else if (c->shape != WF_SHAPE_FIT)
-        check_section(&k), check_loads(&k);
+        check_section(&k), check_case_loads(&k);
     const struct wf_case_load *l = c->loads.data;
     for (size_t i = 0; i < c->loads.n; i++) check_place(&k, &l[i].at, l[i].line);
     const struct wf_case_mass *m = c->masses.data;
@@ -152,7 +161,7 @@ static void case_check(struct wf_case *c, struct wf_diag *d)
     check_wants(&k);
 }
 
-/* A validation file to cases. Lines above the first `case` belong to every case of the file. */
+/* From lines to cases. Lines above the first `case` apply to every case of the file. */
 
 static const char *const kind_names[WF_CASE_KIND_COUNT] = {
     [WF_CASE_CLOSED_FORM] = "closed-form",
@@ -167,7 +176,7 @@ const char *wf_case_kind_name(enum wf_case_kind k)
     return (unsigned)k < WF_CASE_KIND_COUNT ? kind_names[k] : "unknown";
 }
 
-struct reader {
+struct case_reader {
     struct wf_words w;
     struct wf_case common, now;
     bool in_case;
@@ -183,7 +192,7 @@ static bool copy_list(struct wf_list *l, size_t size, struct wf_arena *a)
     return data != NULL;
 }
 
-/* A copy that shares nothing which is written to. */
+/* A copy with its own lists, because both will be appended to. */
 static bool copy_case(const struct wf_case *c, struct wf_case *out, struct wf_arena *a)
 {
     *out = *c;
@@ -194,14 +203,14 @@ static bool copy_case(const struct wf_case *c, struct wf_case *out, struct wf_ar
            copy_list(&out->wants, sizeof(struct wf_want), a);
 }
 
-static bool close_case(struct reader *r)
+static bool close_case(struct case_reader *r)
 {
     case_check(&r->now, r->w.diag);
     return wf_list_add(&r->cases, &r->now, sizeof r->now, r->w.arena) ||
            wf_words_wrong(&r->w, 0, "no memory");
 }
 
-static void begin_case(struct reader *r)
+static void begin_case(struct case_reader *r)
 {
     if (r->in_case) (void)close_case(r);
     if (!copy_case(&r->common, &r->now, r->w.arena)) (void)wf_words_wrong(&r->w, 0, "no memory");
@@ -226,7 +235,7 @@ static void unknown_key(struct wf_words *w)
                   wf_did_you_mean(w->key, names, n).text);
 }
 
-static void read_line(struct reader *r, const char *text, size_t length)
+static void read_line(struct case_reader *r, const char *text, size_t length)
 {
     struct wf_words *w = &r->w;
     struct wf_case *c = r->in_case ? &r->now : &r->common;
@@ -262,7 +271,7 @@ static const char *stem_of(const char *path, struct wf_arena *a)
     return name;
 }
 
-static enum wf_status read_lines(struct reader *r, const struct wf_bytes *text)
+static enum wf_status read_lines(struct case_reader *r, const struct wf_bytes *text)
 {
     const char *s = text->data, *end = s + text->size;
     while (s < end) {
@@ -283,7 +292,7 @@ enum wf_status wf_case_read(const char *path, struct wf_arena *a, struct wf_diag
                             size_t *n, struct wf_err *e)
 {
     struct wf_bytes text;
-    struct reader r = { .w = { .file = path, .arena = a, .diag = d } };
+    struct case_reader r = { .w = { .file = path, .arena = a, .diag = d } };
     size_t errors = d->errors;
     *list = NULL;
     *n = 0;

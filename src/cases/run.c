@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Running a validation case and holding what comes out against what is wanted. */
+/* Solver results compared with the wanted values. */
 
 static bool wanted_by(const struct wf_case *c, enum wf_answer by, size_t *modes)
 {
@@ -21,7 +21,7 @@ static bool wanted_by(const struct wf_case *c, enum wf_answer by, size_t *modes)
     return any;
 }
 
-static enum wf_status compute(struct wf_measured *m, const struct wf_setup *s, struct wf_err *e)
+static enum wf_status compute_answers(struct wf_measured *m, const struct wf_setup *s, struct wf_err *e)
 {
     if (m->solver) {
         struct wf_response *r = WF_TAKE(m->arena, 1, struct wf_response);
@@ -40,8 +40,9 @@ static enum wf_status compute(struct wf_measured *m, const struct wf_setup *s, s
     return WF_OK;
 }
 
-/* What the tolerance of a want refers to: the wanted value, or the length of the wanted vector. */
-static double scale_of(const struct wf_want *w)
+/* The size that a relative tolerance of a want refers to: the wanted value, or the norm of the wanted
+ * vector. */
+static double want_scale(const struct wf_want *w)
 {
     double sum = 0.0;
     for (int k = 0; k < 3; k++)
@@ -49,10 +50,11 @@ static double scale_of(const struct wf_want *w)
     return sqrt(sum);
 }
 
-static void check(struct wf_verdict *v, const struct wf_want *w, int component, double got, double wanted)
+static void check_component(struct wf_verdict *v, const struct wf_want *w, int component, double got,
+                            double wanted)
 {
     struct wf_check *c = &v->check[v->n++];
-    double scale = scale_of(w);
+    double scale = want_scale(w);
     *c = (struct wf_check){ .want = w, .component = component, .got = got, .wanted = wanted };
     c->error = fabs(got - wanted);
     c->allowed = w->absolute ? w->tolerance : w->tolerance * scale;
@@ -63,8 +65,11 @@ static void check(struct wf_verdict *v, const struct wf_want *w, int component, 
     if (use > v->worst) v->worst = use;
 }
 
-static enum wf_status compare(const struct wf_case *c, wf_case_answer *answer, void *ctx,
-                              struct wf_verdict *v, struct wf_err *e)
+/* The value of one want [SI]. */
+typedef enum wf_status want_answer(void *ctx, const struct wf_want *w, double out[3], struct wf_err *e);
+
+static enum wf_status compare_wants(const struct wf_case *c, want_answer *answer, void *ctx,
+                                    struct wf_verdict *v, struct wf_err *e)
 {
     const struct wf_want *w = c->wants.data;
     for (size_t i = 0; i < c->wants.n; i++) {
@@ -74,18 +79,19 @@ static enum wf_status compare(const struct wf_case *c, wf_case_answer *answer, v
             double one = !w[i].quantity->vector ? got[0]
                          : w[i].component == 3  ? sqrt(got[0] * got[0] + got[1] * got[1] + got[2] * got[2])
                                                 : got[w[i].component];
-            check(v, &w[i], w[i].component, one, w[i].value[0]);
+            check_component(v, &w[i], w[i].component, one, w[i].value[0]);
         } else {
             for (int k = 0; k < 3; k++)
-                if (!isnan(w[i].value[k])) check(v, &w[i], k, got[k], w[i].value[k]);
+                if (!isnan(w[i].value[k])) check_component(v, &w[i], k, got[k], w[i].value[k]);
         }
     }
     return WF_OK;
 }
 
-/* What became of a run: `status` and its message, and what was compared. */
-static enum wf_status conclude(struct wf_verdict *v, enum wf_status status, const struct wf_err *own,
-                               struct wf_arena *a, struct wf_err *e)
+/* Verdict from a run's status and message and from its comparisons. WF_ENOMEM is an error of the program,
+ * not of the case. */
+static enum wf_status conclude_run(struct wf_verdict *v, enum wf_status status, const struct wf_err *own,
+                                   struct wf_arena *a, struct wf_err *e)
 {
     if (status == WF_ENOMEM) return wf_fail(e, status, "%s", own->text);
     v->outcome = status == WF_EMISSING ? WF_SKIPPED : status || v->failed ? WF_FAILED : WF_PASSED;
@@ -93,23 +99,23 @@ static enum wf_status conclude(struct wf_verdict *v, enum wf_status status, cons
     return WF_OK;
 }
 
-static enum wf_status case_hold(const struct wf_case *c, const char *solver, wf_case_answer *answer,
-                                void *ctx, struct wf_arena *a, struct wf_verdict *v, struct wf_err *e)
+static enum wf_status hold_wants(const struct wf_case *c, const char *solver, want_answer *answer, void *ctx,
+                                 struct wf_arena *a, struct wf_verdict *v, struct wf_err *e)
 {
     struct wf_err own = { WF_OK, "" };
     *v = (struct wf_verdict){ .of = c, .solver = solver };
     if (!(v->check = WF_TAKE(a, 3 * c->wants.n, struct wf_check))) return wf_fail(e, WF_ENOMEM, "no memory");
-    enum wf_status status = compare(c, answer, ctx, v, &own);
-    return conclude(v, status, &own, a, e);
+    enum wf_status status = compare_wants(c, answer, ctx, v, &own);
+    return conclude_run(v, status, &own, a, e);
 }
 
-static enum wf_status measured(void *ctx, const struct wf_want *w, double out[3], struct wf_err *e)
+static enum wf_status measured_answer(void *ctx, const struct wf_want *w, double out[3], struct wf_err *e)
 {
     return w->quantity->measure(ctx, w, out, e);
 }
 
-static enum wf_status attempt(const struct wf_case *c, size_t k, size_t pieces, double mesh_tolerance,
-                              struct wf_arena *a, struct wf_verdict *v, struct wf_err *e)
+static enum wf_status attempt_run(const struct wf_case *c, size_t k, size_t pieces, double mesh_tolerance,
+                                  struct wf_arena *a, struct wf_verdict *v, struct wf_err *e)
 {
     struct wf_setup *s = WF_TAKE(a, 1, struct wf_setup);
     struct wf_measured m = {
@@ -122,31 +128,33 @@ static enum wf_status attempt(const struct wf_case *c, size_t k, size_t pieces, 
     if (!m.solver && c->shape == WF_SHAPE_FLOW) v->solver = "flow";
     v->check = WF_TAKE(a, 3 * c->wants.n, struct wf_check);
     if (!s || !v->check) return wf_fail(e, WF_ENOMEM, "no memory");
-    bool flow = c->shape == WF_SHAPE_FLOW; /* has no tree, loads or mesh */
+    bool flow = c->shape == WF_SHAPE_FLOW; /* no tree, loads or mesh */
     enum wf_status status = WF_OK;
     if (c->shape == WF_SHAPE_FIT)
         status = wf_fail(&own, WF_EUSAGE, "a fit is run by the program, not by the library");
     else if (!flow)
         status = wf_setup_build(c, pieces, a, s, &own);
     if (!status && !isnan(mesh_tolerance)) s->options.mesh_tolerance = mesh_tolerance;
-    if (!status && !flow) status = compute(&m, s, &own);
-    if (!status) status = compare(c, measured, &m, v, &own);
-    return conclude(v, status, &own, a, e);
+    if (!status && !flow) status = compute_answers(&m, s, &own);
+    if (!status) status = compare_wants(c, measured_answer, &m, v, &own);
+    return conclude_run(v, status, &own, a, e);
 }
 
 enum wf_status wf_case_run(const struct wf_case *c, size_t k, size_t pieces, struct wf_arena *a,
                            struct wf_verdict *v, struct wf_err *e)
 {
-    return attempt(c, k, pieces, NAN, a, v, e);
+    return attempt_run(c, k, pieces, NAN, a, v, e);
 }
 
 enum wf_status wf_case_order(const struct wf_case *c, size_t k, struct wf_arena *a,
                              struct wf_verdict *verdicts, struct wf_err *e)
 {
     for (size_t i = 0; i < c->pieces; i++)
-        if (attempt(c, k, c->piece[i], 0.0, a, &verdicts[i], e)) return e->code;
+        if (attempt_run(c, k, c->piece[i], 0.0, a, &verdicts[i], e)) return e->code;
     return WF_OK;
 }
+
+/* Cases that are calibrations. */
 
 struct trial {
     const struct wf_case *of;
@@ -155,11 +163,12 @@ struct trial {
     struct wf_experiment x;
     struct wf_fit_param *param;
     size_t params;
-    double *value, *covered; /* per parameter: last estimate, intervals that held the truth */
-    double *truth;           /* NULL: the data are measured                                 */
+    double *value,
+        *covered;  /* per parameter: last estimate; number of intervals that contained the true value */
+    double *truth; /* NULL: measured data */
 };
 
-static enum wf_status build(struct trial *t, struct wf_arena *a, struct wf_err *e)
+static enum wf_status build_trial(struct trial *t, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_case *c = t->of;
     const char *slash = *c->fit_study == '/' ? NULL : strrchr(c->file, '/');
@@ -178,7 +187,7 @@ static enum wf_status build(struct trial *t, struct wf_arena *a, struct wf_err *
     return t->value && t->covered ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
 }
 
-static enum wf_status fit(struct trial *t, struct wf_err *e)
+static enum wf_status fit_trial(struct trial *t, struct wf_err *e)
 {
     struct wf_arena work = { 0 };
     struct wf_diag d = { .arena = &work };
@@ -196,8 +205,9 @@ static enum wf_status fit(struct trial *t, struct wf_err *e)
     return s;
 }
 
-/* The parameters' start values are the truth; a fit of made-up data starts a fifth away from it. */
-static enum wf_status made_up(struct trial *t, struct wf_arena *a, struct wf_err *e)
+/* Fits to synthetic data. The parameters' start values are taken as true values; every fit starts 20 % away
+ * from them. */
+static enum wf_status fit_made_up(struct trial *t, struct wf_arena *a, struct wf_err *e)
 {
     const double away = 1.2;
     double *reading = WF_TAKE(a, t->x.data, double), *truth = t->truth = WF_TAKE(a, t->params, double);
@@ -208,13 +218,13 @@ static enum wf_status made_up(struct trial *t, struct wf_arena *a, struct wf_err
         wf_fit_make_up(&t->x, reading, seed, isnan(t->of->noise) ? 1 : t->of->noise);
         struct wf_fit_param *p = t->param;
         for (size_t k = 0; k < t->params; k++) p[k].start = fmin(fmax(truth[k] * away, p[k].low), p[k].high);
-        s = fit(t, e);
+        s = fit_trial(t, e);
         for (size_t k = 0; k < t->params; k++) p[k].start = truth[k];
     }
     return s;
 }
 
-static enum wf_status answer(void *ctx, const struct wf_want *w, double out[3], struct wf_err *e)
+static enum wf_status fitted_answer(void *ctx, const struct wf_want *w, double out[3], struct wf_err *e)
 {
     struct trial *t = ctx;
     bool count = !strcmp(w->quantity->name, "intervals_that_cover");
@@ -231,9 +241,9 @@ enum wf_status wf_case_fit(const struct wf_case *c, const char *share, struct wf
 {
     struct trial t = { .of = c, .share = share };
     struct wf_err own = { WF_OK, "" };
-    enum wf_status s = build(&t, a, &own);
-    if (!s) s = isnan(c->data_sets) ? fit(&t, &own) : made_up(&t, a, &own);
-    if (!s) return case_hold(c, "fit", answer, &t, a, v, e);
+    enum wf_status s = build_trial(&t, a, &own);
+    if (!s) s = isnan(c->data_sets) ? fit_trial(&t, &own) : fit_made_up(&t, a, &own);
+    if (!s) return hold_wants(c, "fit", fitted_answer, &t, a, v, e);
     *v = (struct wf_verdict){ .of = c, .solver = "fit", .why = wf_arena_text(a, own.text) };
     v->outcome = s == WF_EMISSING ? WF_SKIPPED : WF_FAILED;
     return v->why ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");

@@ -20,7 +20,7 @@ bool wf_words_wrong(struct wf_words *w, size_t k, const char *fmt, ...)
     return false;
 }
 
-static bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
 bool wf_words_split(struct wf_words *w, const char *text, size_t length)
 {
@@ -32,15 +32,15 @@ bool wf_words_split(struct wf_words *w, const char *text, size_t length)
     memcpy(copy, text, length);
     size_t i = 0, characters = 1, behind_key = 0;
     while (i < length) {
-        if (blank(copy[i])) {
+        if (is_blank(copy[i])) {
             i++, characters++;
             continue;
         }
         if (copy[i] == '#') break;
-        if (w->n == WF_WORDS_MAX) break; /* only prose is that long, and its readers take `rest` */
+        if (w->n == WF_WORDS_MAX) break; /* only prose is that long, and its readers use `rest` */
         w->column[w->n] = characters;
         w->word[w->n] = copy + i;
-        for (; i < length && !blank(copy[i]); i++)
+        for (; i < length && !is_blank(copy[i]); i++)
             characters += (copy[i] & 0xC0) != 0x80; /* UTF-8 continuation */
         w->end_column = characters;
         if (!w->n++) behind_key = i;
@@ -50,8 +50,8 @@ bool wf_words_split(struct wf_words *w, const char *text, size_t length)
     w->key = w->word[0];
     w->next = 1;
     memcpy(rest, text + behind_key, length - behind_key);
-    for (size_t k = length - behind_key; k > 0 && blank(rest[k - 1]); k--) rest[k - 1] = '\0';
-    while (blank(*rest)) rest++;
+    for (size_t k = length - behind_key; k > 0 && is_blank(rest[k - 1]); k--) rest[k - 1] = '\0';
+    while (is_blank(*rest)) rest++;
     w->rest = rest;
     return true;
 }
@@ -106,8 +106,8 @@ bool wf_words_whole(struct wf_words *w, const char *what, long long low, long lo
     return true;
 }
 
-/* Looks like the beginning of a number, so that what follows may be taken for a unit. */
-static bool numeric(const char *s)
+/* Does the word begin like a number? What follows may then be its unit. */
+static bool begins_number(const char *s)
 {
     s += *s == '+' || *s == '-';
     s += *s == '.';
@@ -122,7 +122,8 @@ static const char *unit_words(struct wf_words *w, const char *stop)
     return text;
 }
 
-static bool convert(struct wf_words *w, size_t at, enum wf_dimension d, const char *unit, double *value)
+static bool convert_quantity(struct wf_words *w, size_t at, enum wf_dimension d, const char *unit,
+                             double *value)
 {
     struct wf_err e = { WF_OK, "" };
     const char *end = w->word[at] + strlen(w->word[at]);
@@ -140,7 +141,7 @@ bool wf_words_quantities(struct wf_words *w, enum wf_dimension d, size_t low, si
 {
     size_t from = w->next, n = 0;
     for (const char *s; n < high && (s = wf_words_peek(w)); n++, w->next++)
-        if (!numeric(s) && !(gaps && !strcmp(s, "-"))) break;
+        if (!begins_number(s) && !(gaps && !strcmp(s, "-"))) break;
     if (n < low && w->next < w->n)
         return wf_words_wrong(w, w->next, "'%s' is not a number", w->word[w->next]);
     if (n < low)
@@ -153,7 +154,7 @@ bool wf_words_quantities(struct wf_words *w, enum wf_dimension d, size_t low, si
     for (size_t i = 0; i < n; i++) {
         if (!strcmp(w->word[from + i], "-"))
             out[i] = NAN;
-        else if (!convert(w, from + i, d, unit, &out[i]))
+        else if (!convert_quantity(w, from + i, d, unit, &out[i]))
             return false;
     }
     *count = n;

@@ -93,6 +93,7 @@ const struct wf_option wf_analyze_options[] = {
 /* What the options ask for, in the terms of the library. */
 struct request {
     struct wf_scenario scenario;
+    struct wf_search search;
     struct wf_solve_options solve;
     const struct wf_solver *solver;
     const struct wf_preset *preset;
@@ -125,13 +126,9 @@ static enum wf_status read_directions(const struct analyze_options *o, struct wf
     return WF_OK;
 }
 
-/* "x,y". */
 static enum wf_status read_place(const char *text, double *x, double *y, struct wf_err *e)
 {
-    const char *end = text ? text + strlen(text) : NULL, *comma = text ? strchr(text, ',') : NULL;
-    if (comma && wf_number_read(text, comma, '.', x) == comma &&
-        wf_number_read(comma + 1, end, '.', y) == end)
-        return WF_OK;
+    if (wf_site_place(text, x, y)) return WF_OK;
     return wf_fail(e, WF_EUSAGE,
                    "--at: '%.100s': the tree's place on --dem is written x,y in m, for example 450,1200",
                    text ? text : "");
@@ -141,15 +138,14 @@ static enum wf_status read_place(const char *text, double *x, double *y, struct 
 static enum wf_status expose_site(struct wf_site *site, const char *at, struct wf_arena *a,
                                   struct wf_scenario *s, struct wf_directions_request *q, struct wf_err *e)
 {
-    double *factor = WF_TAKE(a, q->n + 1, double), from = wf_direction_from(q, s->azimuth);
+    double *factor = WF_TAKE(a, q->n + 1, double);
     enum wf_status status = read_place(at, &site->x, &site->y, e);
     if (!factor) return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
-    if (!status) status = wf_site_read(site, a, e);
-    if (!status) status = wf_site_speed_up(site, from, s->reference_height, s->roughness, &s->speed_up, e);
+    if (!status) status = wf_scenario_site(s, site, q->north, a, e);
     for (size_t k = 0; k < q->n && !status; k++)
         status = wf_site_speed_up(site, 2.0 * M_PI * (double)k / (double)q->n, s->reference_height,
                                   s->roughness, &factor[k], e);
-    s->site = site, q->speed_up = factor;
+    q->speed_up = factor;
     return status;
 }
 
@@ -182,8 +178,8 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     s->temperature = o->temperature;
     s->altitude = o->altitude;
     s->air_density = o->air_density;
-    s->speed_max = o->search_to;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
+    out->search = (struct wf_search){ .speed_max = o->search_to };
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;
@@ -238,7 +234,7 @@ static void print_climate(FILE *to, const struct wf_analysis *an)
             an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
     if (x->above)
         fprintf(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
-                an->scenario.speed_max);
+                an->search.speed_max);
 }
 
 /* The table of one analysis; nothing where it has no directions. */
@@ -420,9 +416,9 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
         if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
             return e->code;
         wf_progress("%s: %zu wind speeds, critical speed, curves ...", w->species[k].name, w->options.wind.n);
-        enum wf_status s =
-            wf_analyze(&w->species[k], &w->model, &w->request.scenario, w->request.solver, &w->request.solve,
-                       w->options.wind.speed, w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
+        enum wf_status s = wf_analyze(&w->species[k], &w->model, &w->request.scenario, &w->request.search,
+                                      w->request.solver, &w->request.solve, w->options.wind.speed,
+                                      w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
         wf_progress(NULL);
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);

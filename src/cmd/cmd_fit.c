@@ -227,7 +227,7 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
     enum wf_status s = wf_fit_study_read(j->options->args.operand[0], &j->arena, &j->r.study, &j->r.diag, e);
     if (s) return s;
     j->r.input = WF_TAKE(&j->arena, j->r.study.tests, struct wf_fit_input);
-    j->r.file = WF_TAKE(&j->arena, 1 + 2 * j->r.study.trees + j->r.study.tests, struct wf_input_file);
+    j->r.file = WF_TAKE(&j->arena, 1 + 2 * j->r.study.trees + 3 * j->r.study.tests, struct wf_input_file);
     if (!j->r.input || !j->r.file) return wf_fail(e, WF_ENOMEM, "no room for the study");
     s = wf_fit_build(&b, &j->arena, &j->r.diag, &j->r.x, j->r.input, e);
     if (!s) s = note_input(j, "study", j->options->args.operand[0], e);
@@ -235,8 +235,12 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
         s = note_input(j, "species", j->r.x.tree[k].species->file, e);
         if (!s && j->r.x.tree[k].file) s = note_input(j, "tree", j->r.x.tree[k].file, e);
     }
-    for (size_t k = 0; k < j->r.x.tests && !s; k++)
-        if (j->r.input[k].path) s = note_input(j, "data", j->r.input[k].path, e);
+    for (size_t k = 0; k < j->r.x.tests && !s; k++) {
+        const struct wf_fit_input *in = &j->r.input[k];
+        if (in->path) s = note_input(j, "data", in->path, e);
+        if (!s && in->profile) s = note_input(j, "profile", in->profile, e);
+        if (!s && in->ground) s = note_input(j, "ground", in->ground, e);
+    }
     return s ? s
              : wf_fit_params(&j->r.study, j->options->free, &j->r.x, false, &j->arena, &j->r.param,
                              &j->r.params, e);

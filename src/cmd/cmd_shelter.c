@@ -223,7 +223,8 @@ static enum wf_status shelter(struct work *w, struct wf_arena *a, struct wf_diag
     bool motion = !o->no_motion, quiet = o->args.quiet;
     enum wf_status s = make_request(w, a, d, e);
     if (s || (s = read_tree(w, a, d, e))) return s;
-    if (w->species.crown_drag.given) w->request.crown_drag = w->species.crown_drag.value;
+    if (w->species.crown.drag_coefficient.given)
+        w->request.crown_drag = w->species.crown.drag_coefficient.value;
     if ((s = wf_scenario_loads(&w->scenario, &w->species, &w->wind, &w->loads, e))) return s;
     w->wind.speed = w->run.speed;
     wf_limits_profile(&w->scenario, wf_tree_height(&w->tree), w->model.key ? o->model : o->tree, d);

@@ -28,65 +28,41 @@ static int list_species(struct wf_arena *a)
     return d.errors ? 2 : 0;
 }
 
-/* What is shown of a level or crown: its key, where it is, its dimension and a unit to read it in. */
-struct shown {
-    const char *key;
-    size_t at;
-    enum wf_dimension dimension;
-    const char *unit;
-};
-#define OF(type, field, dimension, unit)                                                                     \
-    {                                                                                                        \
-#field, offsetof(struct type, field), dimension, unit                                                \
-    }
-
-static const struct shown level_rows[] = {
-    OF(wf_level, youngs_modulus, WF_DIM_PRESSURE, "GPa"),
-    OF(wf_level, shear_modulus, WF_DIM_PRESSURE, "GPa"),
-    OF(wf_level, density, WF_DIM_DENSITY, "kg/m3"),
-    OF(wf_level, modulus_of_rupture, WF_DIM_PRESSURE, "MPa"),
-    OF(wf_level, radius, WF_DIM_LENGTH, "mm"),
-    OF(wf_level, damping_ratio, WF_DIM_NONE, ""),
-    OF(wf_level, knot_factor, WF_DIM_NONE, ""),
-    OF(wf_level, drag_coefficient, WF_DIM_NONE, ""),
-    OF(wf_level, lift_coefficient, WF_DIM_NONE, ""),
-};
-static const struct shown crown_rows[] = {
-    { "drag_coefficient", offsetof(struct wf_species, crown_drag), WF_DIM_NONE, "" },
-    { "leaf_mass_per_area", offsetof(struct wf_species, leaf_mass_per_area), WF_DIM_MASS_PER_AREA, "kg/m2" },
-    { "frontal_share", offsetof(struct wf_species, leaf_frontal_share), WF_DIM_NONE, "" },
-};
-
-static void show_values(struct wf_units *u, const char *base, const struct shown *row, size_t n)
+/* table: of the part, in which the value's key is. */
+static void show_value(struct wf_units *u, const char *table, const struct wf_property *p)
 {
-    for (size_t i = 0; i < n; i++) {
-        const struct wf_value *v = (const struct wf_value *)(const void *)(base + row[i].at);
-        char value[40], range[96] = "", low[40];
-        if (!v->given) continue;
-        wf_quantity_print(u, v->value, row[i].dimension, row[i].unit, value, sizeof value);
-        if (v->low < v->high) {
-            wf_quantity_print(u, v->low, row[i].dimension, row[i].unit, low, sizeof low);
-            low[strcspn(low, " ")] = '\0';
-            char high[40];
-            wf_quantity_print(u, v->high, row[i].dimension, row[i].unit, high, sizeof high);
-            high[strcspn(high, " ")] = '\0';
-            snprintf(range, sizeof range, "%s..%s", low, high);
-        }
-        printf("  %-22s %-14s %-14s %-9s %s\n", row[i].key, value, range, wf_standing_text(v->standing),
-               v->source ? v->source : "");
+    const struct wf_value *v = p->value;
+    char value[40], range[96] = "", low[40], high[40], key[96];
+    if (!v->given) return;
+    wf_quantity_print(u, v->value, p->dimension, p->unit, value, sizeof value);
+    if (v->low < v->high) {
+        wf_quantity_print(u, v->low, p->dimension, p->unit, low, sizeof low);
+        low[strcspn(low, " ")] = '\0';
+        wf_quantity_print(u, v->high, p->dimension, p->unit, high, sizeof high);
+        high[strcspn(high, " ")] = '\0';
+        snprintf(range, sizeof range, "%s..%s", low, high);
     }
+    snprintf(key, sizeof key, "%s%s", table, p->key);
+    printf("  %-22s %-14s %-14s %-9s %s\n", key, value, range, wf_standing_text(v->standing),
+           v->source ? v->source : "");
 }
 
-/* The sourced values of a crown's law. */
-static void show_law(struct wf_units *u, const struct wf_law *law, const struct wf_law_use *use)
+static void show_level(struct wf_units *u, const struct wf_level *l)
 {
-    for (size_t k = 0, n = wf_law_count(law); k < n; k++) {
-        const struct wf_law_parameter *p = &law->parameter[k];
-        char name[64];
-        snprintf(name, sizeof name, "streamlining %s", p->name);
-        const struct shown row = { name, 0, p->dimension, p->unit ? p->unit : "" };
-        if (p->kind == WF_LAW_VALUE) show_values(u, (const char *)&use->parameter[k], &row, 1);
-    }
+    struct wf_property p;
+    for (size_t i = 0; wf_level_property(l, i, &p); i++) show_value(u, "", &p);
+    for (size_t k = 0; k < l->wall.n; k++)
+        printf("  %-22s %.4g of the radius at %.4g of the length%s%s\n", k ? "" : "wall", l->wall.v[k],
+               l->wall.s[k], k ? "" : ", ", k ? "" : wf_standing_text(l->wall_note.standing));
+}
+
+static void show_crown(struct wf_units *u, const struct wf_species *sp)
+{
+    struct wf_property p;
+    const struct wf_law *law = wf_law_named(wf_laws.streamlining, sp->streamlining.law);
+    for (size_t i = 0; wf_crown_property(sp, i, &p); i++) show_value(u, "", &p);
+    for (size_t i = 0; wf_law_property(law, &sp->streamlining, i, &p); i++)
+        show_value(u, "streamlining.", &p);
 }
 
 static int show_species(const char *name, struct wf_arena *a)
@@ -105,15 +81,10 @@ static int show_species(const char *name, struct wf_arena *a)
     if (sp.note) printf("%s\n", sp.note);
     for (size_t i = 0; i < sp.levels; i++) {
         printf("\nlevel %zu: %s\n", i, sp.level[i].name);
-        show_values(u, (const char *)&sp.level[i], level_rows, sizeof level_rows / sizeof *level_rows);
-        for (size_t k = 0; k < sp.level[i].wall.n; k++)
-            printf("  %-22s %.4g of the radius at %.4g of the length%s%s\n", k ? "" : "wall",
-                   sp.level[i].wall.v[k], sp.level[i].wall.s[k], k ? "" : ", ",
-                   k ? "" : wf_standing_text(sp.level[i].wall_note.standing));
+        show_level(u, &sp.level[i]);
     }
     printf("\ncrown\n");
-    show_values(u, (const char *)&sp, crown_rows, sizeof crown_rows / sizeof *crown_rows);
-    show_law(u, wf_law_named(wf_laws.streamlining, sp.streamlining.law), &sp.streamlining);
+    show_crown(u, &sp);
     wf_units_close(u);
     return 0;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm validate: cases compared with their sources. */
-#include "cases/case.h"
+#include "cases/measure.h"
+#include "cases/read.h"
 #include "cases/run.h"
 #include "cmd/args.h"
 #include "cmd/cmd.h"

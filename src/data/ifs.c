@@ -1,18 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "data/ifs.h"
-/* Maps of an iterated function system: their schema, and what makes them contractive. */
 #include "base/num.h"
 #include "data/branching.h"
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-#define AT(member) .offset = offsetof(struct wf_ifs_map, member)
-#define ANGLE(l, h)                                                                                          \
-    .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_ANGLE, .unit = "deg", .low = (l)*WF_TURN,                  \
-    .high = (h)*WF_TURN
-#define NUMBER(l, h) .kind = WF_YAML_QUANTITY, .low = (l), .high = (h)
 
 static const char *const ifs_words[] = { "monopodial", "sympodial", "false_dichotomous", NULL };
 
@@ -51,73 +44,8 @@ double wf_ifs_dimension(const struct wf_ifs *f)
     return 0.5 * (low + high);
 }
 
-static const struct wf_yaml_row map_rows[] = {
-    { .key = "name",
-      .kind = WF_YAML_TEXT,
-      AT(name),
-      .absent = "named by its number",
-      .doc = "Name for people.",
-      .example = "upper side" },
-    { .key = "position",
-      NUMBER(1e-3, 1),
-      AT(position),
-      .absent = "needed unless matrix is given",
-      .doc = "Where the copy stands on the axis, 1 = its tip.",
-      .example = "0.6" },
-    { .key = "scale",
-      NUMBER(1e-3, 100),
-      AT(scale),
-      .absent = "needed unless matrix is given",
-      .doc = "Size of the copy over the whole; below 1.",
-      .example = "0.5" },
-    { .key = "inclination",
-      ANGLE(0, 0.5),
-      .preset = "0 deg",
-      AT(inclination),
-      .doc = "Between the axis and the axis of the copy.",
-      .example = "50 deg" },
-    { .key = "azimuth",
-      ANGLE(-1, 1),
-      .preset = "0 deg",
-      AT(azimuth),
-      .doc = "Direction of the copy about the axis.",
-      .example = "120 deg" },
-    { .key = "roll",
-      ANGLE(-1, 1),
-      .preset = "0 deg",
-      AT(roll),
-      .doc = "Turn of the copy about its own axis, before it is inclined.",
-      .example = "90 deg" },
-    { .key = "radius",
-      NUMBER(1e-3, 1),
-      AT(radius),
-      .absent = "as the length",
-      .doc = "Base radius of the copy's axis over the base radius of the axis; not above the local radius.",
-      .example = "0.4" },
-    { .key = "until",
-      .kind = WF_YAML_INTEGER,
-      .low = 1,
-      .high = WF_BRANCH_LEVELS_MAX,
-      .preset = "8",
-      AT(until),
-      .doc = "Last level on which the map acts, 1 = the branches on the stem.",
-      .example = "1" },
-    { .key = "matrix",
-      .kind = WF_YAML_QUANTITIES,
-      .low = -10,
-      .high = 10,
-      AT(matrix),
-      .count = offsetof(struct wf_ifs_map, cells),
-      .absent = "made of position, scale and angles",
-      .doc = "The affine map itself, three rows of four: x -> A x + b with b in the last column, in units of "
-             "the "
-             "axis, which runs from (0, 0, 0) to (0, 0, 1).",
-      .example = "[0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0.6]" },
-    { .key = NULL },
-};
-
-/* scale Rz(azimuth) Ry(inclination) Rz(roll), then along the axis */
-static void compose(struct wf_ifs_map *m)
+/* a = scale Rz(azimuth) Ry(inclination) Rz(roll), b = (0, 0, position). */
+static void compose_map(struct wf_ifs_map *m)
 {
     double ca = cos(m->azimuth), sa = sin(m->azimuth), ci = cos(m->inclination), si = sin(m->inclination),
            cr = cos(m->roll), sr = sin(m->roll);
@@ -135,7 +63,7 @@ static void compose(struct wf_ifs_map *m)
     m->b[2] = m->position;
 }
 
-static bool from_matrix(struct wf_yaml *y, struct wf_ifs_map *m)
+static bool map_of_matrix(struct wf_yaml *y, struct wf_ifs_map *m)
 {
     static const char *const others[] = { "position", "scale", "inclination", "azimuth", "roll" };
     for (size_t k = 0; k < WF_COUNT(others); k++)
@@ -161,7 +89,7 @@ static void map_finish(struct wf_yaml *y, void *map)
     struct wf_ifs_map *m = map;
     const char *name = m->name ? m->name : "this map";
     if (wf_yaml_has(y, "matrix")) {
-        if (!m->matrix || !from_matrix(y, m)) return;
+        if (!m->matrix || !map_of_matrix(y, m)) return;
     } else {
         bool whole = true;
         for (int k = 0; k < 2; k++) {
@@ -169,7 +97,7 @@ static void map_finish(struct wf_yaml *y, void *map)
             if (!wf_yaml_has(y, key)) whole = false, wf_yaml_error(y, "", "missing key '%s'", key);
         }
         if (!whole || !isfinite(m->scale) || !isfinite(m->position)) return;
-        compose(m);
+        compose_map(m);
     }
     for (int k = 0; k < 9; k++)
         if (!isfinite(m->a[k])) return;
@@ -184,42 +112,41 @@ static void map_finish(struct wf_yaml *y, void *map)
                       length);
     if (isnan(m->radius)) m->radius = fmin(length, 1);
 }
+
+#define T struct wf_ifs_map
+
+static const struct wf_yaml_row map_rows[] = {
+    WF_KEY_TEXT("name", name, "Name for people.", .absent = "named by its number", .example = "upper side"),
+    WF_KEY_NUMBER("position", position, 1e-3, 1, "Where the copy stands on the axis, 1 = its tip.",
+                  .absent = "needed unless matrix is given", .example = "0.6"),
+    WF_KEY_NUMBER("scale", scale, 1e-3, 100, "Size of the copy over the whole; below 1.",
+                  .absent = "needed unless matrix is given", .example = "0.5"),
+    WF_KEY_ANGLE("inclination", inclination, 0, 0.5, "Between the axis and the axis of the copy.",
+                 .initial = "0 deg", .example = "50 deg"),
+    WF_KEY_ANGLE("azimuth", azimuth, -1, 1, "Direction of the copy about the axis.", .initial = "0 deg",
+                 .example = "120 deg"),
+    WF_KEY_ANGLE("roll", roll, -1, 1, "Turn of the copy about its own axis, before it is inclined.",
+                 .initial = "0 deg", .example = "90 deg"),
+    WF_KEY_NUMBER(
+        "radius", radius, 1e-3, 1,
+        "Base radius of the copy's axis over the base radius of the axis; not above the local radius.",
+        .absent = "as the length", .example = "0.4"),
+    WF_KEY_INTEGER("until", until, 1, WF_BRANCH_LEVELS_MAX,
+                   "Last level on which the map acts, 1 = the branches on the stem.", .initial = "8",
+                   .example = "1"),
+    WF_KEY_NUMBERS("matrix", matrix, cells, -10, 10,
+                   "The affine map itself, three rows of four: x -> A x + b with b in the last column, in "
+                   "units of the axis, which runs from (0, 0, 0) to (0, 0, 1).",
+                   .absent = "made of position, scale and angles",
+                   .example = "[0.5, 0, 0, 0, 0, 0.5, 0, 0, 0, 0, 0.5, 0.6]"),
+    { .key = NULL },
+};
+
 static const struct wf_yaml_table map_table = {
     .title = "a map", .row = map_rows, .size = sizeof(struct wf_ifs_map), .finish = map_finish, .doc = ""
 };
 
-#undef AT
-#define AT(member) .offset = offsetof(struct wf_ifs, member)
-static const struct wf_yaml_row ifs_rows[] = {
-    { .key = "form",
-      .kind = WF_YAML_ENUM,
-      .preset = "monopodial",
-      .choices = ifs_words,
-      AT(form),
-      .doc =
-          "monopodial: the axis goes on above every copy; sympodial: its tip dies and one copy at the tip "
-          "takes over; false_dichotomous: its tip dies, every map stands for two copies opposite each other, "
-          "and those at the tip make the fork.",
-      .example = "monopodial" },
-    { .key = "levels",
-      .kind = WF_YAML_INTEGER,
-      .low = 1,
-      .high = WF_BRANCH_LEVELS_MAX,
-      .required = true,
-      AT(levels),
-      .doc = "How many levels grow, the stem included.",
-      .example = "3" },
-    { .key = "maps",
-      .kind = WF_YAML_LIST,
-      .required = true,
-      .table = &map_table,
-      AT(map),
-      .count = offsetof(struct wf_ifs, maps),
-      .doc = "The contractive maps of the whole to its copies." },
-    { .key = NULL },
-};
-
-/* A false dichotomy: each map and its image turned by half a turn about the axis. */
+/* False dichotomy: to each map add its copy, rotated by half a turn about the axis. */
 static void double_maps(struct wf_yaml *y, struct wf_ifs *f)
 {
     struct wf_ifs_map *two = wf_yaml_take(y, 2 * f->maps, sizeof *two);
@@ -250,6 +177,23 @@ static void ifs_finish(struct wf_yaml *y, void *ifs)
                       ifs_words[f->form]);
     if (f->form == WF_IFS_FALSE_DICHOTOMOUS) double_maps(y, f);
 }
+
+#undef T
+#define T struct wf_ifs
+
+static const struct wf_yaml_row ifs_rows[] = {
+    WF_KEY_ENUM("form", form, ifs_words,
+                "monopodial: the axis goes on above every copy; sympodial: its tip dies and one copy at the "
+                "tip takes over; false_dichotomous: its tip dies, every map stands for two copies opposite "
+                "each other, and those at the tip make the fork.",
+                .initial = "monopodial", .example = "monopodial"),
+    WF_KEY_INTEGER("levels", levels, 1, WF_BRANCH_LEVELS_MAX, "How many levels grow, the stem included.",
+                   .required = true, .example = "3"),
+    WF_KEY_LIST("maps", map, maps, map_table, "The contractive maps of the whole to its copies.",
+                .required = true),
+    { .key = NULL },
+};
+
 const struct wf_yaml_table wf_ifs_table = {
     .title = "an iterated function system", .row = ifs_rows, .finish = ifs_finish, .doc = ""
 };

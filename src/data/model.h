@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_DATA_MODEL_H
 #define WF_DATA_MODEL_H
-/* A tree model (models/ *.yaml): the architecture, to be clothed with a species' materials. */
+/* A tree model (models/ *.yaml): the architecture of a tree; wf_grow combines it with the materials of a
+ * species. */
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
@@ -23,16 +24,16 @@ enum wf_taper {
 enum wf_season { WF_LEAF_ON, WF_LEAF_OFF };
 enum wf_standing_shape { WF_SHAPE_STRESS_FREE, WF_SHAPE_UNDER_WEIGHT };
 
-/* A solid section at a place of the stem. */
+/* A solid section at distance `at` from the stem's base. */
 struct wf_stem_section {
     double at, width, height; /* [m] */
     enum wf_section_shape shape;
 };
-/* Masses of a piece of the stem, from where the last one ends. */
+/* Masses of a piece of the stem; it begins where the piece before ends. */
 struct wf_stem_mass {
-    double to;               /* [m]                                       */
-    double own, left, right; /* [kg]; own NAN: by the species' density    */
-    double lever;            /* of left and right, along the width [m]    */
+    double to;               /* distance of its end from the base [m]                                   */
+    double own, left, right; /* of the stem; of what hangs on its sides [kg]; own NAN: from the density */
+    double lever;            /* distance of left and right from the axis, along the width [m]           */
 };
 
 struct wf_model {
@@ -66,29 +67,30 @@ struct wf_model {
     double turn; /* of the sections about the axis, right-handed [rad] */
 };
 
-/* Read a tree model. Returned: WF_OK and *out, or WF_EINPUT with every mistake in `d`. */
+/* Read a tree model. Given: path, arena for all that is kept. Returned: *out. Errors: WF_EINPUT with all
+ * mistakes in `d`; WF_ENOMEM; WF_EMISSING without the units database. */
 enum wf_status wf_model_read(const char *path, struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
                              struct wf_err *e);
 
-/* Put the model into a season: its leaf area is all of it, or none. */
+/* Set the season: leaf_area becomes leaf_area_on, or 0 in the leafless season. */
 void wf_model_set_season(struct wf_model *m, enum wf_season season);
 
-/* Levels of the tree the model grows, the stem included. */
+/* Number of levels of the tree that the model describes, the stem included. */
 size_t wf_model_levels(const struct wf_model *m);
 
-/* The level of the species table that row i of a tree grown from the model is made of: that of its level; of
- * a measured tree by its thickness too (wf_species_wood). */
+/* Which level of the species table gives the material of row i of a tree grown from the model: the one of the
+ * row's level; in a measured tree the thickness counts too (wf_species_wood). */
 const struct wf_level *wf_model_wood(const struct wf_model *m, const struct wf_species *sp,
                                      const struct wf_tree *t, size_t i);
 
-/* Name of a level of the tree: the model's, else the species', else "branch"; of a measured tree its order.
- */
+/* Name of a level of the tree: the model's; if it has none, the species'; otherwise "branch". In a measured
+ * tree "branch of order 1" and so on. */
 const char *wf_model_level_name(const struct wf_model *m, const struct wf_species *sp, int32_t level);
 
-/* Outer radius over base radius at relative height s in 0..1. */
+/* Outer radius of the stem over its base radius, at relative height s in 0..1 [-]. */
 double wf_model_taper(const struct wf_model *m, double s);
 
-/* The model's schema as text: every key with dimension, range, default, meaning. NULL: no room. */
+/* The model's schema as text (wf_yaml_schema). Returned: NULL with an error in `e`. */
 char *wf_model_schema(struct wf_arena *a, struct wf_err *e);
 
 extern const struct wf_yaml_table wf_model_table; /* struct wf_model */

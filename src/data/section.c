@@ -31,15 +31,13 @@ void wf_section_of(enum wf_section_shape shape, double w, double h, struct wf_se
     }
 }
 
-static double between(double a, double b, double s) { return a + (b - a) * s; }
-
 void wf_section_at(const struct wf_tree *t, size_t i, double s, struct wf_section *out)
 {
     const struct wf_tree_sections *c = t->section;
-    double w = between(c->width0[i], c->width1[i], s), h = between(c->height0[i], c->height1[i], s);
+    double w = wf_between(c->width0[i], c->width1[i], s), h = wf_between(c->height0[i], c->height1[i], s);
     *out = (struct wf_section){ 0 };
     for (size_t k = 0; k < WF_SECTION_SHAPES; k++) {
-        double share = between(c->mix0[WF_SECTION_SHAPES * i + k], c->mix1[WF_SECTION_SHAPES * i + k], s);
+        double share = wf_between(c->mix0[WF_SECTION_SHAPES * i + k], c->mix1[WF_SECTION_SHAPES * i + k], s);
         struct wf_section one;
         if (!(share > 0)) continue;
         wf_section_of((enum wf_section_shape)k, w, h, &one);
@@ -52,7 +50,7 @@ void wf_section_at(const struct wf_tree *t, size_t i, double s, struct wf_sectio
 
 double wf_tree_area(const struct wf_tree *t, size_t i, double s)
 {
-    double outer = between(t->r0[i], t->r1[i], s), inner = between(t->i0[i], t->i1[i], s);
+    double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
     struct wf_section of;
     if (!t->section) return wf_ring_area(outer, inner);
     wf_section_at(t, i, s, &of);

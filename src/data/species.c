@@ -3,91 +3,11 @@
 #include "data/species.h"
 #include "base/num.h"
 #include "base/text.h"
-#include "base/yaml.h"
+#include "base/units.h"
+#include "data/law_schema.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-static const char *const standing_words[] = { "assumed", "borrowed", "handbook", "measured", "printed", NULL };
-
-const char *wf_standing_text(enum wf_standing s)
-{
-    return (unsigned)s <= WF_PRINTED ? standing_words[s] : "unknown";
-}
-
-static const struct wf_yaml_row value_rows[] = {
-    { .key = "value",
-      .kind = WF_YAML_QUANTITY,
-      .required = true,
-      .dimension = WF_DIM_COUNT,
-      .offset = offsetof(struct wf_value, value),
-      .doc = "The value that is used." },
-    { .key = "low",
-      .kind = WF_YAML_QUANTITY,
-      .dimension = WF_DIM_COUNT,
-      .absent = "the value",
-      .offset = offsetof(struct wf_value, low),
-      .doc = "Lower end of the plausible range; not above the value." },
-    { .key = "high",
-      .kind = WF_YAML_QUANTITY,
-      .dimension = WF_DIM_COUNT,
-      .absent = "the value",
-      .offset = offsetof(struct wf_value, high),
-      .doc = "Upper end of the plausible range; not below the value." },
-    { .key = "status",
-      .kind = WF_YAML_ENUM,
-      .preset = "assumed",
-      .choices = standing_words,
-      .offset = offsetof(struct wf_value, standing),
-      .doc =
-          "measured: on this species and part; handbook: from a handbook or review; borrowed: measured on "
-          "another "
-          "species or part; assumed: no source; printed: as a paper prints it, known or suspected not to be "
-          "physical." },
-    { .key = "source",
-      .kind = WF_YAML_NAME,
-      .absent = "allowed for assumed values only",
-      .offset = offsetof(struct wf_value, source),
-      .doc = "A key of 'sources'." },
-    { .key = "note",
-      .kind = WF_YAML_TEXT,
-      .absent = "no note",
-      .offset = offsetof(struct wf_value, note),
-      .doc = "Conditions of the measurement, reasons of an assumption." },
-    { .key = NULL },
-};
-
-static void finish_value(struct wf_yaml *y, void *out)
-{
-    struct wf_value *v = out;
-    if (v->low > v->value)
-        wf_yaml_error(y, "low", "%s is above the value %s", wf_yaml_raw(y, "low"), wf_yaml_raw(y, "value"));
-    if (v->high < v->value)
-        wf_yaml_error(y, "high", "%s is below the value %s", wf_yaml_raw(y, "high"), wf_yaml_raw(y, "value"));
-    if (isnan(v->low)) v->low = v->value;
-    if (isnan(v->high)) v->high = v->value;
-    if (v->standing != WF_ASSUMED && !wf_yaml_has(y, "source"))
-        wf_yaml_error(y, "status", "a value that is '%s' needs a source: a key of 'sources'",
-                      wf_standing_text(v->standing));
-}
-
-/* A value: {value, low, high, status, source, note}, or a bare quantity, which stands as assumed. */
-static const struct wf_yaml_table value_table = {
-    .title = "value",
-    .row = value_rows,
-    .size = sizeof(struct wf_value),
-    .bare = "value",
-    .doc =
-        "Wherever a value is taken, a bare quantity (900 kg/m3) is an assumption without a range; a mapping "
-        "says "
-        "where it comes from: {value: 10 GPa, low: 8 GPa, high: 14 GPa, status: measured, source: tang2012}",
-    .finish = finish_value,
-};
-
-/* A row for a struct wf_value member. */
-#define VALUE_ROW(T, member)                                                                                 \
-    .kind = WF_YAML_TABLE, .table = &value_table, .offset = offsetof(T, member),                             \
-    .given = 1 + offsetof(T, member.given)
 
 const char *wf_species_source(const struct wf_species *sp, const char *key)
 {
@@ -126,18 +46,11 @@ static void level_finish(struct wf_yaml *y, void *level)
                                           .note = "youngs_modulus / 16" };
 }
 
-static void need_source(struct wf_yaml *y, enum wf_standing s)
-{
-    if (s != WF_ASSUMED && !wf_yaml_has(y, "source"))
-        wf_yaml_error(y, "status", "a table that is '%s' needs a source: a key of 'sources'",
-                      wf_standing_text(s));
-}
-
 static void wall_finish(struct wf_yaml *y, void *level)
 {
     const struct wf_level *l = level;
     wf_yaml_ascending(y, "at", l->wall.s ? l->wall.n : 0, l->wall.s);
-    need_source(y, l->wall_note.standing);
+    wf_value_needs_source(y, l->wall_note.standing);
 }
 
 #define WALL(member)                                                                                         \
@@ -164,8 +77,8 @@ static const struct wf_yaml_row wall_rows[] = {
       .example = "[0.2, 0.2, 0.24]" },
     { .key = "status",
       .kind = WF_YAML_ENUM,
-      .preset = "assumed",
-      .choices = standing_words,
+      .initial = "assumed",
+      .choices = wf_standing_words,
       WALL_NOTE(standing),
       .doc = "As for a value." },
     { .key = "source",
@@ -184,272 +97,134 @@ static const struct wf_yaml_table wall_table = {
     .title = "a hollow section", .row = wall_rows, .finish = wall_finish, .doc = ""
 };
 
-#define LEVEL(k, dim, u, from, to)                                                                           \
-    .key = #k, VALUE_ROW(struct wf_level, k), .dimension = dim, .unit = u, .low = from, .high = to
-static const struct wf_yaml_row level_rows[] = {
-    { .key = "name",
-      .kind = WF_YAML_NAME,
-      .required = true,
-      .offset = offsetof(struct wf_level, name),
-      .doc = "Name of the level.",
-      .example = "branch" },
-    { LEVEL(youngs_modulus, WF_DIM_PRESSURE, "GPa", 1e6, 200e9), .required = true,
-      .doc = "Young's modulus along the grain, green.", .example = "10 GPa" },
-    { LEVEL(shear_modulus, WF_DIM_PRESSURE, "GPa", 1e5, 100e9), .absent = "youngs_modulus / 16, assumed",
-      .doc = "Shear modulus in planes along the grain, green.", .example = "0.6 GPa" },
-    { LEVEL(density, WF_DIM_DENSITY, "kg/m3", 50, 4000), .required = true,
-      .doc = "Mass of the living axis, water included, per volume of its wall.", .example = "900 kg/m3" },
-    { LEVEL(modulus_of_rupture, WF_DIM_PRESSURE, "MPa", 1e5, 2e9),
-      .absent = "no breakage check of this level",
-      .doc = "Bending strength along the grain, green, of clear wood.", .example = "60 MPa" },
-    { LEVEL(radius, WF_DIM_LENGTH, "mm", 1e-5, 5), .required = true,
-      .doc = "Typical outer radius at the base of the axis.", .example = "50 mm" },
-    { LEVEL(damping_ratio, WF_DIM_NONE, NULL, 0, 1), .preset = "0", .absent = "0, undamped",
-      .doc = "Internal damping as a share of critical.", .example = "0.03" },
-    { LEVEL(knot_factor, WF_DIM_NONE, NULL, 0.01, 1), .preset = "1",
-      .doc = "Bending strength of the axis over that of clear wood.", .example = "0.85" },
-    { LEVEL(drag_coefficient, WF_DIM_NONE, NULL, 0, 3), .absent = "a rough cylinder's, by Reynolds number",
-      .doc = "Drag coefficient of the bare axis in cross-flow on its diameter.", .example = "1.2" },
-    { LEVEL(lift_coefficient, WF_DIM_NONE, NULL, -3, 3), .preset = "0",
-      .doc = "Force across wind and axis, as the drag coefficient.", .example = "0.1" },
-    { .key = "wall",
-      .kind = WF_YAML_TABLE,
-      .table = &wall_table,
-      .given = 1 + offsetof(struct wf_level, wall_note.given),
-      .absent = "a solid section",
-      .doc = "Hollow section." },
-    { .key = NULL },
-};
-static const struct wf_yaml_table level_table = { .title = "a branching level",
-                                                  .row = level_rows,
-                                                  .size = sizeof(struct wf_level),
-                                                  .finish = level_finish,
-                                                  .doc = "" };
-
-/* Keys of a law: the choice, then the parameters of all laws of the table, each key once. While a file is
- * read the parameters stand in the order of the keys; at the end those of the law chosen move to the front.
- */
-#define USE(member) offsetof(struct wf_law_use, member)
-#define SPEED(k, member, words)                                                                              \
-    .key = k, .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_SPEED, .unit = "m/s", .low = 0, .high = 150,     \
-    .absent = "not said", .offset = USE(member), .doc = words
-static const struct wf_yaml_row range_rows[] = {
-    /* of streamlining laws */
-    { SPEED("valid_from", low, "Lowest wind speed the source covers; a run outside says so."),
-      .example = "4 m/s" },
-    { SPEED("valid_to", high, "Highest wind speed the source covers."), .example = "20 m/s" },
-    { .key = NULL },
-};
-static const struct wf_yaml_row origin_rows[] = {
-    { .key = "status",
-      .kind = WF_YAML_ENUM,
-      .preset = "assumed",
-      .choices = standing_words,
-      .offset = USE(standing),
-      .doc = "Standing of the table, as for a value." },
-    { .key = "source", .kind = WF_YAML_NAME, .offset = USE(source), .doc = "A key of 'sources'." },
-    { .key = "note",
-      .kind = WF_YAML_TEXT,
-      .absent = "no note",
-      .offset = WF_YAML_DROP,
-      .doc = "Conditions of the measurement, reasons of an assumption." },
-    { .key = NULL },
+/* A value: its key in the table and the column of a tree it goes to. */
+struct property_row {
+    struct wf_yaml_row yaml; /* offset: of the struct wf_value in its struct wf_level or wf_species */
+    enum wf_acts acts;
+    const char *was; /* as in struct wf_property; NULL: the key */
+    size_t column;   /* of struct wf_tree; 0: none. Rows with one column follow each other           */
+    bool factor;     /* multiplies what the row before put there                                     */
+    bool on_links;   /* links have it too; else 0                                                    */
+    bool optional;   /* not given: `absent` goes to the column                                       */
+    double absent;
 };
 
-enum { LAWS_MAX = 24, LAW_ROWS = 1 + WF_LAW_KEYS + 6 };
-
-/* The k-th key of a table of laws; NULL behind the last. *owner: the first law that has it. */
-static const struct wf_law_parameter *law_key(struct wf_law_table t, size_t k, const struct wf_law **owner)
-{
-    const struct wf_law *l;
-    for (size_t i = 0, found = 0; (l = wf_law_row(t, i)); i++)
-        for (size_t p = 0, n = wf_law_count(l); p < n; p++) {
-            if (wf_law_owner(t, l->parameter[p].name) != l) continue;
-            *owner = l;
-            if (found++ == k) return &l->parameter[p];
-        }
-    return NULL;
-}
-
-/* "vogel", or "vogel, other": the laws that have a parameter of that name. */
-static void law_names(struct wf_law_table t, const char *name, char *buf, size_t size)
-{
-    const struct wf_law *l;
-    size_t used = 0;
-    for (size_t i = 0; (l = wf_law_row(t, i)) && used < size; i++)
-        if (wf_law_find(l, name) >= 0)
-            used += (size_t)snprintf(buf + used, size - used, "%s%s", used ? ", " : "", l->name);
-}
-
-/* "none: a rigid crown; vogel: ... ." */
-static char *law_summary(struct wf_law_table t, struct wf_arena *a)
-{
-    const struct wf_law *l;
-    char *text = wf_arena_text(a, "");
-    for (size_t i = 0; text && (l = wf_law_row(t, i)); i++)
-        text = wf_arena_print(a, "%s%s%s: %s", text, i ? "; " : "", l->name, l->summary);
-    return text ? wf_arena_print(a, "%s.", text) : NULL;
-}
-
-/* The list of a law that must ascend, and that its others are as long as. */
-static const struct wf_law_parameter *first_list(const struct wf_law *l)
-{
-    for (size_t k = 0, n = wf_law_count(l); k < n; k++)
-        if (l->parameter[k].kind == WF_LAW_LIST) return &l->parameter[k];
-    return NULL;
-}
-
-/* The row of the k-th key. Returned: false without room. */
-static bool law_row(struct wf_law_table t, size_t k, struct wf_arena *a, struct wf_yaml_row *out)
-{
-    char names[200] = "";
-    const struct wf_law *owner;
-    const struct wf_law_parameter *p = law_key(t, k, &owner), *first = first_list(owner);
-    const size_t value = USE(parameter) + k * sizeof(struct wf_value);
-    const size_t list = USE(list) + k * sizeof(struct wf_numbers);
-    law_names(t, p->name, names, sizeof names);
-    *out = (struct wf_yaml_row){ .key = p->name,
-                                 .dimension = p->dimension,
-                                 .unit = p->unit,
-                                 .low = p->low,
-                                 .high = p->high,
-                                 .preset = p->preset,
-                                 .doc = p->doc,
-                                 .example = p->example };
-    out->absent = p->preset ? wf_arena_print(a, "%s by law %s, refused by the others", p->preset, names)
-                            : wf_arena_print(a, "needed by law %s, refused by the others", names);
-    switch (p->kind) {
-    case WF_LAW_NUMBER:
-        out->kind = WF_YAML_QUANTITY, out->offset = value + offsetof(struct wf_value, value);
-        break;
-    case WF_LAW_VALUE:
-        out->kind = WF_YAML_TABLE, out->table = &value_table, out->offset = value;
-        out->given = 1 + value + offsetof(struct wf_value, given);
-        break;
-    case WF_LAW_LIST:
-        out->kind = WF_YAML_QUANTITIES, out->offset = list + offsetof(struct wf_numbers, v);
-        out->count = list + offsetof(struct wf_numbers, n);
-        out->same_length_as = first == p ? NULL : first->name;
-    }
-    return out->absent != NULL;
-}
-
-/* Keys that belong to some laws: needed by them, refused by the others. */
-static void law_keys_fit(struct wf_yaml *y, const struct wf_law_use *u)
-{
-    const struct wf_law *chosen = wf_law_named(u->from, u->law), *owner;
-    const struct wf_law_parameter *p;
-    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++) {
-        bool mine = wf_law_find(chosen, p->name) >= 0, has = wf_yaml_has(y, p->name);
-        if (mine && !has && !p->preset)
-            wf_yaml_error(y, "", "law '%s' needs the key '%s'", chosen->name, p->name);
-        if (!mine && has)
-            wf_yaml_error(y, p->name, "is for law '%s'; the law here is '%s'", owner->name, chosen->name);
-    }
-}
-
-/* Source of the first parameter that has one. */
-static const char *law_parameter_source(const struct wf_law_use *u)
-{
-    const struct wf_law *owner;
-    for (size_t k = 0; law_key(u->from, k, &owner); k++)
-        if (u->parameter[k].source) return u->parameter[k].source;
-    return NULL;
-}
-
-static void law_finish(struct wf_yaml *y, void *use)
-{
-    struct wf_law_use *u = use;
-    const char *law = wf_yaml_raw(y, "law");
-    const struct wf_law *owner;
-    const struct wf_law_parameter *p;
-    if (law && !strcmp(law, u->law)) law_keys_fit(y, u); /* a law that is not known was refused already */
-    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++)
-        if (p == first_list(owner))
-            wf_yaml_ascending(y, p->name, u->list[k].v ? u->list[k].n : 0, u->list[k].v);
-    need_source(y, u->standing);
-    if (u->low >= u->high)
-        wf_yaml_error(y, "valid_to", "%s is not above valid_from %s", wf_yaml_raw(y, "valid_to"),
-                      wf_yaml_raw(y, "valid_from"));
-    if (!u->source) u->source = law_parameter_source(u);
-}
-
-/* From the order of the keys to that of the chosen law's row. */
-static void law_settle(struct wf_law_use *u)
-{
-    const struct wf_law *chosen = wf_law_named(u->from, u->law), *owner;
-    const struct wf_law_use read = *u;
-    const struct wf_law_parameter *p;
-    memset(u->parameter, 0, sizeof u->parameter);
-    memset(u->list, 0, sizeof u->list);
-    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++) {
-        int at = wf_law_find(chosen, p->name);
-        if (at >= 0) u->parameter[at] = read.parameter[k], u->list[at] = read.list[k];
-    }
-}
-
-/* The schema of a table's keys. */
-struct law_schema {
-    const char *word[LAWS_MAX];
-    struct wf_yaml_row row[LAW_ROWS];
-    struct wf_yaml_table table;
+#define LEVEL(k, dim, u, from, to, ...)                                                                      \
+    .yaml = { .key = #k,                                                                                     \
+              WF_VALUE_ROW(struct wf_level, k),                                                              \
+              .dimension = dim,                                                                              \
+              .unit = u,                                                                                     \
+              .low = from,                                                                                   \
+              .high = to,                                                                                    \
+              __VA_ARGS__ }
+#define COLUMN(member) .column = offsetof(struct wf_tree, member)
+#define ABSENT(number) .optional = true, .absent = number
+static const struct property_row level_values[] = {
+    { LEVEL(youngs_modulus, WF_DIM_PRESSURE, "GPa", 1e6, 200e9, .required = true,
+            .doc = "Young's modulus along the grain, green.", .example = "10 GPa"),
+      COLUMN(youngs), .on_links = true },
+    { LEVEL(shear_modulus, WF_DIM_PRESSURE, "GPa", 1e5, 100e9, .absent = "youngs_modulus / 16, assumed",
+            .doc = "Shear modulus in planes along the grain, green.", .example = "0.6 GPa"),
+      COLUMN(shear), .on_links = true },
+    { LEVEL(density, WF_DIM_DENSITY, "kg/m3", 50, 4000, .required = true,
+            .doc = "Mass of the living axis, water included, per volume of its wall.",
+            .example = "900 kg/m3"),
+      COLUMN(density) },
+    { LEVEL(modulus_of_rupture, WF_DIM_PRESSURE, "MPa", 1e5, 2e9, .absent = "no breakage check of this level",
+            .doc = "Bending strength along the grain, green, of clear wood.", .example = "60 MPa"),
+      .acts = WF_ACTS_GIVEN, COLUMN(strength), ABSENT(0) },
+    { LEVEL(radius, WF_DIM_LENGTH, "mm", 1e-5, 5, .required = true,
+            .doc = "Typical outer radius at the base of the axis.", .example = "50 mm"),
+      .acts = WF_ACTS_SIZE },
+    { LEVEL(damping_ratio, WF_DIM_NONE, NULL, 0, 1, .initial = "0", .absent = "0, undamped",
+            .doc = "Internal damping as a share of critical.", .example = "0.03"),
+      .acts = WF_ACTS_MOTION, COLUMN(damping), .on_links = true },
+    { LEVEL(knot_factor, WF_DIM_NONE, NULL, 0.01, 1, .initial = "1",
+            .doc = "Bending strength of the axis over that of clear wood.", .example = "0.85"),
+      .acts = WF_ACTS_GIVEN, COLUMN(strength), .factor = true },
+    { LEVEL(drag_coefficient, WF_DIM_NONE, NULL, 0, 3, .absent = "a rough cylinder's, by Reynolds number",
+            .doc = "Drag coefficient of the bare axis in cross-flow on its diameter.", .example = "1.2"),
+      .acts = WF_ACTS_GIVEN, COLUMN(drag), ABSENT(NAN) },
+    { LEVEL(lift_coefficient, WF_DIM_NONE, NULL, -3, 3, .initial = "0",
+            .doc = "Force across wind and axis, as the drag coefficient.", .example = "0.1"),
+      .acts = WF_ACTS_GIVEN, COLUMN(lift) },
+    { .yaml.key = NULL },
 };
 
-static size_t copy_rows(struct wf_yaml_row *to, const struct wf_yaml_row *from)
+#define CROWN(k, ...)                                                                                        \
+    .yaml = { .key = #k, WF_VALUE_ROW(struct wf_species, crown.k), .required = true, __VA_ARGS__ }
+static const struct property_row crown_values[] = {
+    { CROWN(drag_coefficient, .low = 0, .high = 3,
+            .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5"),
+      .was = "crown_drag_coefficient" },
+    { CROWN(leaf_mass_per_area, .dimension = WF_DIM_MASS_PER_AREA, .unit = "kg/m2", .low = 1e-3, .high = 5,
+            .doc = "Fresh leaf mass per one-sided leaf area.", .example = "0.2 kg/m2") },
+    { CROWN(frontal_share, .low = 0, .high = 1,
+            .doc = "Frontal area of the crown in still air over its one-sided leaf area.", .example = "0.3"),
+      .was = "leaf_frontal_share" },
+    { .yaml.key = NULL },
+};
+
+static const struct wf_value *value_of(const struct property_row *r, const void *holder)
 {
-    size_t n = 0;
-    while (from[n].key) to[n] = from[n], n++;
-    return n;
+    return (const void *)((const char *)holder + r->yaml.offset);
 }
 
-/* Given: the laws, rows between their parameters and the origin. Returned: false without room. */
-static bool law_schema(struct wf_law_table t, const char *title, const struct wf_yaml_row *between,
-                       struct wf_arena *a, struct law_schema *out)
+/* The i-th property of the rows. Returned: false behind the last. */
+static bool property_at(const struct property_row *rows, size_t i, const void *holder,
+                        struct wf_property *out)
 {
-    const struct wf_law *l, *owner, *example = NULL;
-    const struct wf_law_parameter *p, *sourced = NULL;
-    struct wf_yaml_row *r = out->row;
-    for (size_t i = 0; i + 1 < LAWS_MAX && (l = wf_law_row(t, i)); i++) {
-        out->word[i] = l->name;
-        if (!example && l->parameter) example = l;
-    }
-    *r++ = (struct wf_yaml_row){ .key = "law",
-                                 .kind = WF_YAML_CHOICE,
-                                 .required = true,
-                                 .preset = out->word[0],
-                                 .choices = out->word,
-                                 .offset = USE(law),
-                                 .doc = law_summary(t, a),
-                                 .example = example ? example->name : out->word[0] };
-    if (!out->row[0].doc) return false;
-    for (size_t k = 0; k < WF_LAW_KEYS && (p = law_key(t, k, &owner)); k++, r++) {
-        if (!law_row(t, k, a, r)) return false;
-        if (!sourced && p->kind == WF_LAW_VALUE) sourced = p;
-    }
-    r += copy_rows(r, between);
-    size_t last = copy_rows(r, origin_rows);
-    for (size_t i = 0; i < last; i++)
-        if (!strcmp(r[i].key, "source"))
-            r[i].absent = sourced ? wf_arena_print(a, "that of the %s", sourced->name) : "none";
-    out->table = (struct wf_yaml_table){ .title = title, .row = out->row, .finish = law_finish, .doc = "" };
+    for (size_t k = 0; k <= i; k++)
+        if (!rows[k].yaml.key) return false;
+    *out = (struct wf_property){ .key = rows[i].yaml.key,
+                                 .dimension = rows[i].yaml.dimension,
+                                 .unit = rows[i].yaml.unit ? rows[i].yaml.unit : "",
+                                 .acts = rows[i].acts,
+                                 .was = rows[i].was ? rows[i].was : rows[i].yaml.key,
+                                 .value = value_of(&rows[i], holder) };
     return true;
 }
 
-#define CROWN(k, member) .key = k, VALUE_ROW(struct wf_species, member), .required = true
-static const struct wf_yaml_row crown_rows[] = {
-    { CROWN("drag_coefficient", crown_drag), .low = 0, .high = 3,
-      .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5" },
-    { CROWN("leaf_mass_per_area", leaf_mass_per_area), .dimension = WF_DIM_MASS_PER_AREA, .unit = "kg/m2",
-      .low = 1e-3, .high = 5, .doc = "Fresh leaf mass per one-sided leaf area.", .example = "0.2 kg/m2" },
-    { CROWN("frontal_share", leaf_frontal_share), .low = 0, .high = 1,
-      .doc = "Frontal area of the crown in still air over its one-sided leaf area.", .example = "0.3" },
-    { .key = "streamlining",
-      .kind = WF_YAML_TABLE,
-      .offset = offsetof(struct wf_species, streamlining),
-      .absent = "law none, a rigid crown",
-      .doc = "How the crown's drag area shrinks in the wind." },
-    { .key = NULL },
-};
+bool wf_level_property(const struct wf_level *l, size_t i, struct wf_property *out)
+{
+    return property_at(level_values, i, l, out);
+}
+
+bool wf_crown_property(const struct wf_species *sp, size_t i, struct wf_property *out)
+{
+    return property_at(crown_values, i, sp, out);
+}
+
+bool wf_law_property(const struct wf_law *law, const struct wf_law_use *use, size_t i,
+                     struct wf_property *out)
+{
+    for (size_t k = 0, seen = 0, n = wf_law_count(law); k < n; k++) {
+        const struct wf_law_parameter *p = &law->parameter[k];
+        if (p->kind != WF_LAW_VALUE || seen++ != i) continue;
+        *out = (struct wf_property){ .key = p->name,
+                                     .dimension = p->dimension,
+                                     .unit = p->unit ? p->unit : "",
+                                     .value = &use->parameter[k],
+                                     .was = p->result };
+        return true;
+    }
+    return false;
+}
+
+void wf_level_onto(const struct wf_level *l, struct wf_tree *t, size_t i, bool link)
+{
+    for (const struct property_row *r = level_values; r->yaml.key; r++) {
+        if (!r->column) continue;
+        const struct wf_value *v = value_of(r, l);
+        double *column = *(double **)(void *)((char *)t + r->column);
+        if (r->factor)
+            column[i] *= v->value > 0 ? v->value : 1;
+        else if (link && !r->on_links)
+            column[i] = 0;
+        else
+            column[i] = r->optional && !v->given ? r->absent : v->value;
+    }
+}
 
 #define TEXT(k, member) .key = k, .kind = WF_YAML_TEXT, .offset = offsetof(struct wf_species, member)
 static const struct wf_yaml_row species_rows[] = {
@@ -465,7 +240,7 @@ static const struct wf_yaml_row species_rows[] = {
       .example = "Phyllostachys edulis" },
     { .key = "preset",
       .kind = WF_YAML_NAME,
-      .preset = "corrected",
+      .initial = "corrected",
       .offset = offsetof(struct wf_species, preset),
       .doc = "corrected: physical values; else the paper whose printed values the table keeps.",
       .example = "feng1999" },
@@ -480,7 +255,6 @@ static const struct wf_yaml_row species_rows[] = {
     { .key = "levels",
       .kind = WF_YAML_LIST,
       .required = true,
-      .table = &level_table,
       .offset = offsetof(struct wf_species, level),
       .count = offsetof(struct wf_species, levels),
       .doc = "Material and section by branching level, the stem first." },
@@ -513,16 +287,14 @@ static void source_exists(struct wf_yaml *y, const struct wf_species *sp, const 
         wf_yaml_error(y, place, "'%.60s' is not in 'sources'", key);
 }
 
-/* Every source key that the values of a struct name. */
-static void sources_of_rows(struct wf_yaml *y, const struct wf_species *sp, const struct wf_yaml_row *r,
-                            const void *base, const char *path)
+/* Every source key that the values of a level or the crown name. */
+static void sources_of_rows(struct wf_yaml *y, const struct wf_species *sp, const struct property_row *r,
+                            const void *holder, const char *path)
 {
     char place[160];
-    for (; r->key; r++) {
-        if (r->table != &value_table) continue;
-        const struct wf_value *v = (const void *)((const char *)base + r->offset);
-        (void)snprintf(place, sizeof place, "%s.%s.source", path, r->key);
-        source_exists(y, sp, v->source, place);
+    for (; r->yaml.key; r++) {
+        (void)snprintf(place, sizeof place, "%s.%s.source", path, r->yaml.key);
+        source_exists(y, sp, value_of(r, holder)->source, place);
     }
 }
 
@@ -532,12 +304,12 @@ static void sources_of_law(struct wf_yaml *y, const struct wf_species *sp, const
     char place[160];
     const struct wf_law *owner;
     const struct wf_law_parameter *p;
-    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++) {
+    for (size_t k = 0; (p = wf_law_key(u->from, k, &owner)); k++) {
         (void)snprintf(place, sizeof place, "%s.%s.source", path, p->name);
         source_exists(y, sp, u->parameter[k].source, place);
     }
     (void)snprintf(place, sizeof place, "%s.source", path);
-    if (u->source != law_parameter_source(u)) source_exists(y, sp, u->source, place);
+    if (u->source != wf_law_source(u)) source_exists(y, sp, u->source, place);
 }
 
 static void species_finish(struct wf_yaml *y, void *species)
@@ -546,36 +318,78 @@ static void species_finish(struct wf_yaml *y, void *species)
     char path[64], place[96];
     for (size_t i = 0; i < sp->levels; i++) {
         (void)snprintf(path, sizeof path, "levels[%zu]", i);
-        sources_of_rows(y, sp, level_rows, &sp->level[i], path);
+        sources_of_rows(y, sp, level_values, &sp->level[i], path);
         (void)snprintf(place, sizeof place, "%s.wall.source", path);
         source_exists(y, sp, sp->level[i].wall_note.source, place);
     }
-    sources_of_rows(y, sp, crown_rows, sp, "crown");
+    sources_of_rows(y, sp, crown_values, sp, "crown");
     sources_of_law(y, sp, &sp->streamlining, "crown.streamlining");
     sources_of_law(y, sp, &sp->axis_drag, "axis_drag");
-    law_settle(&sp->streamlining);
-    law_settle(&sp->axis_drag);
+    wf_law_settle(&sp->streamlining);
+    wf_law_settle(&sp->axis_drag);
 }
 
-/* The table with the keys of the laws given. */
+static const struct wf_yaml_row level_name = { .key = "name",
+                                               .kind = WF_YAML_NAME,
+                                               .required = true,
+                                               .offset = offsetof(struct wf_level, name),
+                                               .doc = "Name of the level.",
+                                               .example = "branch" };
+static const struct wf_yaml_row level_wall = { .key = "wall",
+                                               .kind = WF_YAML_TABLE,
+                                               .table = &wall_table,
+                                               .given = 1 + offsetof(struct wf_level, wall_note.given),
+                                               .absent = "a solid section",
+                                               .doc = "Hollow section." };
+static const struct wf_yaml_row crown_law = { .key = "streamlining",
+                                              .kind = WF_YAML_TABLE,
+                                              .offset = offsetof(struct wf_species, streamlining),
+                                              .absent = "law none, a rigid crown",
+                                              .doc = "How the crown's drag area shrinks in the wind." };
+
+/* The table with the rows of the values and the keys of the laws given. */
 struct species_schema {
-    struct law_schema streamlining, axis_drag;
-    struct wf_yaml_row crown[sizeof crown_rows / sizeof *crown_rows];
-    struct wf_yaml_row species[sizeof species_rows / sizeof *species_rows + 1];
-    struct wf_yaml_table crown_table, table;
+    struct wf_law_schema streamlining, axis_drag;
+    struct wf_yaml_row level[WF_COUNT(level_values) + 2], crown[WF_COUNT(crown_values) + 1];
+    struct wf_yaml_row species[WF_COUNT(species_rows) + 1];
+    struct wf_yaml_table level_table, crown_table, table;
 };
+
+static size_t copy_values(struct wf_yaml_row *to, const struct property_row *from)
+{
+    size_t n = 0;
+    while (from[n].yaml.key) to[n] = from[n].yaml, n++;
+    return n;
+}
+
+/* The tables of a level and of the crown. */
+static void part_schemas(struct species_schema *s)
+{
+    s->level[0] = level_name;
+    size_t n = 1 + copy_values(s->level + 1, level_values);
+    s->level[n] = level_wall;
+    s->level_table = (struct wf_yaml_table){ .title = "a branching level",
+                                             .row = s->level,
+                                             .size = sizeof(struct wf_level),
+                                             .finish = level_finish,
+                                             .doc = "" };
+    n = copy_values(s->crown, crown_values);
+    s->crown[n] = crown_law;
+    s->crown[n].table = &s->streamlining.table;
+    s->crown_table = (struct wf_yaml_table){ .title = "a crown", .row = s->crown, .doc = "" };
+}
 
 static const struct wf_yaml_table *species_schema(const struct wf_laws *laws, struct wf_arena *a)
 {
     static const struct wf_yaml_row none[] = { { .key = NULL } };
     struct species_schema *s = WF_TAKE(a, 1, struct species_schema);
-    if (!s || !law_schema(laws->streamlining, "a streamlining law", range_rows, a, &s->streamlining) ||
-        !law_schema(laws->axis_drag, "a drag law", none, a, &s->axis_drag))
+    if (!s ||
+        !wf_law_schema_make(laws->streamlining, "a streamlining law", wf_law_ranges, a, &s->streamlining) ||
+        !wf_law_schema_make(laws->axis_drag, "a drag law", none, a, &s->axis_drag))
         return NULL;
-    size_t n = copy_rows(s->crown, crown_rows);
-    s->crown[n - 1].table = &s->streamlining.table;
-    s->crown_table = (struct wf_yaml_table){ .title = "a crown", .row = s->crown, .doc = "" };
-    n = copy_rows(s->species, species_rows);
+    part_schemas(s);
+    size_t n = wf_law_copy_rows(s->species, species_rows);
+    s->species[n - 2].table = &s->level_table;
     s->species[n - 1].table = &s->crown_table;
     if (wf_law_row(laws->axis_drag, 1)) {
         s->species[n] = axis_drag_row;

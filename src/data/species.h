@@ -18,28 +18,6 @@ extern "C" {
 
 struct wf_yaml_pair;
 
-enum wf_standing {
-    WF_ASSUMED,  /* no source: an assumption of this table                  */
-    WF_BORROWED, /* measured on another species or part                     */
-    WF_HANDBOOK, /* from a handbook or review, not traced to its experiment */
-    WF_MEASURED, /* measured on this species and part                       */
-    WF_PRINTED   /* as a paper prints it, known or suspected not to be physical */
-};
-
-struct wf_value {
-    double value, low, high; /* SI; low = high = value when no range is given */
-    enum wf_standing standing;
-    const char *source; /* NULL only when standing is WF_ASSUMED */
-    bool given;         /* false: the file does not name it; value is the documented default, NAN if none */
-    const char *note;   /* NULL when there is none */
-};
-
-/* A list of numbers. */
-struct wf_numbers {
-    size_t n;
-    double *v;
-};
-
 struct wf_level {
     const char *name;                   /* "culm", "branch", ... */
     struct wf_value youngs_modulus;     /* longitudinal, green [Pa]             */
@@ -56,15 +34,11 @@ struct wf_level {
     struct wf_value wall_note;          /* source and standing of `wall`        */
 };
 
-/* A law a species chooses, with its parameters in the order of the law's row. */
-struct wf_law_use {
-    struct wf_law_table from;               /* it is chosen from; set by the reader                   */
-    const char *law;                        /* a row of its table of laws; NULL: not chosen           */
-    struct wf_value parameter[WF_LAW_KEYS]; /* numbers [SI]; of plain ones only the value             */
-    struct wf_numbers list[WF_LAW_KEYS];    /* [SI]                                                   */
-    double low, high;          /* what the source covers, in the unit of the table of laws; NAN: not said */
-    const char *source;        /* of the law; that of its first sourced parameter when it names none      */
-    enum wf_standing standing; /* of the lists                                                           */
+/* The leaves in the wind; none of it given: a species without leaves. */
+struct wf_crown {
+    struct wf_value drag_coefficient;   /* on the frontal area in still air [-]                */
+    struct wf_value leaf_mass_per_area; /* fresh leaf mass per one-sided leaf area [kg m-2]    */
+    struct wf_value frontal_share;      /* still-air frontal area per one-sided leaf area [-]  */
 };
 
 struct wf_species {
@@ -72,14 +46,47 @@ struct wf_species {
     const char *preset; /* "corrected" or the paper whose numbers are printed */
     size_t levels;
     struct wf_level *level;
-    struct wf_value crown_drag;         /* crown drag coefficient on still-air frontal area [-] */
-    struct wf_value leaf_mass_per_area; /* fresh leaf mass per one-sided leaf area [kg m-2]   */
-    struct wf_value leaf_frontal_share; /* still-air frontal area per one-sided leaf area [-] */
-    struct wf_law_use streamlining;     /* frontal area times drag coefficient over its still-air value */
-    struct wf_law_use axis_drag;        /* of axes without a drag_coefficient */
+    struct wf_crown crown;
+    struct wf_law_use streamlining; /* frontal area times drag coefficient over its still-air value */
+    struct wf_law_use axis_drag;    /* of axes without a drag_coefficient */
     size_t sources;
     struct wf_yaml_pair *source; /* citations by key */
 };
+
+/* Which answers a value acts on. */
+enum wf_acts {
+    WF_ACTS_ALWAYS, /* on all, also where the table does not give it and its default stands         */
+    WF_ACTS_GIVEN,  /* on all, where the table gives it; its default leaves them as they are        */
+    WF_ACTS_SIZE,   /* where the model names no size of its own                                     */
+    WF_ACTS_MOTION  /* on a tree in motion, not on one in a steady wind                             */
+};
+
+/* One value of a species with its name, the same in files, results and messages. The rows of species.c are
+ * the one list of them: a value that has a row is read, shown, written, reported, and put on a tree. */
+struct wf_property {
+    const char *key; /* in the table of its level, the crown or its law: "density" */
+    unsigned dimension; /* an enum wf_dimension of base/units.h */
+    const char *unit;   /* to show it in; "" for a plain number */
+    enum wf_acts acts;
+    const struct wf_value *value; /* [SI] */
+    const char *was;              /* `quantity` of results.json, which goes with its schema.version 2 */
+};
+
+/* The i-th property of a level, in the order of the schema. Returned: false behind the last. */
+bool wf_level_property(const struct wf_level *l, size_t i, struct wf_property *out);
+
+/* The same for the crown, its law apart. */
+bool wf_crown_property(const struct wf_species *sp, size_t i, struct wf_property *out);
+
+/* The i-th sourced parameter of a law that a species uses. Given: the law's row (NULL: it has none). */
+bool wf_law_property(const struct wf_law *law, const struct wf_law_use *use, size_t i,
+                     struct wf_property *out);
+
+/* Put a level's values on row i of a tree: the columns youngs, shear, density, strength (modulus of rupture
+ * times knot factor; 0 when not given), drag (NAN when not given: by the law of bare axes), lift and damping.
+ * link: the row only joins two parts, with stiffness and damping, without mass, strength, drag and lift.
+ * A factor that is 0, as in a level that was not read from a table, counts as 1. */
+void wf_level_onto(const struct wf_level *l, struct wf_tree *t, size_t i, bool link);
 
 /* Full citation of a source key of the table; NULL when there is none. */
 const char *wf_species_source(const struct wf_species *sp, const char *key);
@@ -101,8 +108,6 @@ enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, str
 /* The table's schema as text: every key with dimension, range, default, meaning; the laws and their
  * parameters are those given. NULL: no room. */
 char *wf_species_schema(const struct wf_laws *laws, struct wf_arena *a, struct wf_err *e);
-
-const char *wf_standing_text(enum wf_standing s);
 
 #ifdef __cplusplus
 }

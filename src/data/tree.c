@@ -59,8 +59,8 @@ double wf_tree_length(const struct wf_tree *t, size_t i)
     return half > 0 ? chord * (asin(fmin(half, 1.0)) / half) : chord;
 }
 
-/* What is wrong with the section of row i. */
-static const char *section_fault(const struct wf_tree *t, size_t i)
+/* What is wrong with the section of row i; NULL: nothing. */
+static const char *section_row_fault(const struct wf_tree *t, size_t i)
 {
     const struct wf_tree_sections *c = t->section;
     const double *up = c->up + 3 * i, *m0 = c->mix0 + 3 * i, *m1 = c->mix1 + 3 * i;
@@ -79,8 +79,8 @@ static const char *section_fault(const struct wf_tree *t, size_t i)
     return t->i0[i] > 0 || t->i1[i] > 0 ? "a section that is not round is solid" : NULL;
 }
 
-/* What is wrong with row i, NULL when nothing is. */
-static const char *fault(const struct wf_tree *t, size_t i)
+/* What is wrong with row i; NULL: nothing. */
+static const char *row_fault(const struct wf_tree *t, size_t i)
 {
     const double finite[] = { t->x0[i],      t->y0[i],     t->z0[i],      t->x1[i],       t->y1[i],
                               t->z1[i],      t->r0[i],     t->r1[i],      t->i0[i],       t->i1[i],
@@ -114,7 +114,7 @@ static const char *fault(const struct wf_tree *t, size_t i)
         if (fabs(k[0] * c[0] + k[1] * c[1] + k[2] * c[2]) > 1e-9 * curvature * chord)
             return "the initial curvature is not across the segment";
     }
-    return t->section ? section_fault(t, i) : NULL;
+    return t->section ? section_row_fault(t, i) : NULL;
 }
 
 enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct wf_err *e)
@@ -123,7 +123,7 @@ enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct 
     size_t bad = 0;
     if (!t->n) return wf_fail(e, WF_EINPUT, "%s: the tree has no segments", name);
     for (size_t i = 0; i < t->n; i++) {
-        const char *text = fault(t, i);
+        const char *text = row_fault(t, i);
         if (!text) continue;
         if (++bad <= ROWS_LISTED)
             wf_diag_error(d, NULL, 0, 0, "%s: segment %lld: %s", name, (long long)t->id[i], text);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_DATA_TREE_H
 #define WF_DATA_TREE_H
-/* A tree as columns: one row a segment, base to tip, every parent before its children.
- * All lengths in metres, z up, ground at z = 0, SI throughout. Quantities with 0/1 vary linearly from
- * the segment's base (0) to its end (1). */
+/* A tree as a table: columns of quantities, one row for each segment; every parent comes before its children.
+ * SI units, z up, ground at z = 0. A quantity with columns 0 and 1 varies linearly from the segment's base
+ * (0) to its end (1). */
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
@@ -34,29 +34,30 @@ struct wf_tree {
     double *leaf0, *leaf1;     /* one-sided leaf area per axis length [m]               */
     double *burden0, *burden1; /* added mass per axis length: leaves, twigs not drawn, water, snow [kg/m] */
     double *mass1;             /* n: point mass at the row's end, without rotary inertia [kg]; NULL = none */
-    double *stiff; /* 4n: EA, GA [N], EI, GJ [N m2] of a row, constant along it, in place of those of E, G and
-                    * the radii (GA as used: any shear factor is in it); NULL = from the section */
+    double *stiff; /* 4n: EA, GA [N], EI, GJ [N m2] of a row, constant along it, instead of those computed
+                    * from E, G and the radii (GA includes any shear factor); NULL = from the section */
     struct wf_tree_sections *section; /* solid sections that are not round; NULL = round rows */
 };
 
-/* Columns of sections that are not round. The radii then stand for round sections of the same area. */
+/* Columns of sections that are not round. The radius columns then hold those of circles of the same area. */
 struct wf_tree_sections {
     double *width0, *width1, *height0, *height1; /* [m]                                         */
-    double *mix0, *mix1;   /* 3n: shares of ellipse, rectangle and triangle in the shape, summing up to 1  */
+    double *mix0, *mix1;   /* 3n: shares of ellipse, rectangle and triangle in the shape; their sum is 1   */
     double *up;            /* 3n: unit vector across the row along which the height is measured, global    */
     double *side0, *side1; /* first moment of the burden about the axis, positive towards up x axis (left,
                             * seen from the base), per length [kg m/m] */
 };
 
-/* Columns for n segments from the arena, zeroed (parent -1, drag NAN). WF_ENOMEM when there is no room. */
+/* Allocate columns for n segments in the arena: zeroed, except parent -1, drag NAN and id 1..n. Errors:
+ * WF_ENOMEM. */
 enum wf_status wf_tree_alloc(struct wf_tree *t, size_t n, struct wf_arena *a, struct wf_err *e);
 
-/* Refuse what no solver can take: a parent not before its child, two roots where `roots` is 1, a zero-length
- * segment, a radius that is not positive, an inner radius not below the outer, a value that is not finite.
- * Every bad row becomes a line in `d`, named by its id. */
+/* Check a tree for what no solver can handle: no segments, a parent that does not come before its child, a
+ * segment without length, a radius that is not positive, an inner radius not below the outer, a value that is
+ * not finite or has the wrong sign. Errors: WF_EINPUT; `d` has an error for each wrong row, with its id. */
 enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct wf_err *e);
 
-/* Columns of sections for the tree's n rows, zeroed. WF_ENOMEM when there is no room. */
+/* Allocate columns of sections for the tree's n rows, zeroed. Errors: WF_ENOMEM. */
 enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);
 
 double wf_tree_height(const struct wf_tree *t);           /* highest point above the lowest base [m] */
@@ -70,10 +71,10 @@ struct wf_along {
 /* Value of an along-table at relative position s (clamped to its ends); `fallback` when empty. */
 double wf_along_at(const struct wf_along *a, double s, double fallback);
 
-/* A part of a tree: all of it, the stem (level 0), all but the stem. */
+/* A part of a tree: the whole tree, the stem (level 0), everything but the stem. */
 enum wf_scope { WF_SCOPE_TREE, WF_SCOPE_STEM, WF_SCOPE_BRANCHES, WF_SCOPES };
 const char *wf_scope_name(enum wf_scope s); /* "tree", "stem", "branches" */
-/* Does a row belong to a scope? The stem is level 0. */
+/* Whether a row belongs to a part of the tree. */
 bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row);
 
 #ifdef __cplusplus

@@ -4,15 +4,15 @@
 #include "data/section.h"
 #include <math.h>
 
-/* What a section bears, split along and across its axis. */
-struct section {
+/* Forces and moments on a section, split along and across its axis, and its outer-fibre stress. */
+struct section_load {
     double shear, axial, bending, torsion, stress;
 };
 
-static struct section section_at(const double force[3], const double moment[3], const double axis[3],
-                                 double outer, double inner)
+static struct section_load section_load_at(const double force[3], const double moment[3],
+                                           const double axis[3], double outer, double inner)
 {
-    struct section s = { .axial = wf_dot(force, axis), .torsion = wf_dot(moment, axis) };
+    struct section_load s = { .axial = wf_dot(force, axis), .torsion = wf_dot(moment, axis) };
     double v[3], m[3];
     for (int k = 0; k < 3; k++) v[k] = force[k] - s.axial * axis[k], m[k] = moment[k] - s.torsion * axis[k];
     s.shear = sqrt(wf_dot(v, v));
@@ -37,14 +37,15 @@ static double stress_inside(const struct wf_tree *t, const struct wf_response *r
                     length * s * left * (left * slope0[k] - s * slope1[k]);
     }
     double size = sqrt(wf_dot(axis, axis));
-    if (!(size > 0)) return 0; /* a row folded flat: its ends decide */
+    if (!(size > 0)) return 0; /* the two end tangents cancel: only the ends of this row count */
     for (int k = 0; k < 3; k++) axis[k] /= size;
-    return section_at(force, moment, axis, left * t->r0[i] + s * t->r1[i], left * t->i0[i] + s * t->i1[i])
+    return section_load_at(force, moment, axis, left * t->r0[i] + s * t->r1[i],
+                           left * t->i0[i] + s * t->i1[i])
         .stress;
 }
 
-/* Largest stress of row i and its place: an end, unless the stress rises inwards from both. Then a grid of
- * sixteenths is narrowed three times round its best point. */
+/* Largest stress of row i and its place: one of its ends, unless the stress rises inwards from both. In that
+ * case a grid of sixteenths is refined three times around its best point. */
 static double row_peak(const struct wf_tree *t, const struct wf_response *r, size_t i, double stress0,
                        double stress1, double *place)
 {
@@ -64,13 +65,13 @@ static double row_peak(const struct wf_tree *t, const struct wf_response *r, siz
     return best;
 }
 
-static double safety(double strength, double stress)
+static double safety_factor(double strength, double stress)
 {
     if (!(strength > 0)) return NAN;
     return stress > 0 ? strength / stress : INFINITY;
 }
 
-static bool take(struct wf_breakage *b, size_t n, struct wf_arena *a)
+static bool take_columns(struct wf_breakage *b, size_t n, struct wf_arena *a)
 {
     double **column[] = { &b->shear0,   &b->shear1,   &b->axial0,   &b->axial1,    &b->bending0,
                           &b->bending1, &b->torsion0, &b->torsion1, &b->stress0,   &b->stress1,
@@ -87,19 +88,19 @@ enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_respon
     *b = (struct wf_breakage){ .largest_stress_row = -1 };
     if (r->n != t->n)
         return wf_fail(e, WF_EINTERNAL, "breakage: the answer has %zu segments, the tree %zu", r->n, t->n);
-    if (!take(b, t->n, a)) return wf_fail(e, WF_ENOMEM, "breakage: no room for %zu segments", t->n);
+    if (!take_columns(b, t->n, a)) return wf_fail(e, WF_ENOMEM, "breakage: no room for %zu segments", t->n);
     for (size_t i = 0; i < t->n; i++) {
-        struct section s0 =
-            section_at(r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i, t->r0[i], t->i0[i]);
-        struct section s1 =
-            section_at(r->force1 + 3 * i, r->moment1 + 3 * i, r->tangent1 + 3 * i, t->r1[i], t->i1[i]);
+        struct section_load s0 =
+            section_load_at(r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i, t->r0[i], t->i0[i]);
+        struct section_load s1 =
+            section_load_at(r->force1 + 3 * i, r->moment1 + 3 * i, r->tangent1 + 3 * i, t->r1[i], t->i1[i]);
         b->shear0[i] = s0.shear, b->shear1[i] = s1.shear;
         b->axial0[i] = s0.axial, b->axial1[i] = s1.axial;
         b->bending0[i] = s0.bending, b->bending1[i] = s1.bending;
         b->torsion0[i] = s0.torsion, b->torsion1[i] = s1.torsion;
         b->stress0[i] = s0.stress, b->stress1[i] = s1.stress;
-        b->safety0[i] = safety(t->strength[i], s0.stress);
-        b->safety1[i] = safety(t->strength[i], s1.stress);
+        b->safety0[i] = safety_factor(t->strength[i], s0.stress);
+        b->safety1[i] = safety_factor(t->strength[i], s1.stress);
 
         b->peak[i] = row_peak(t, r, i, s0.stress, s1.stress, &b->peak_place[i]);
         if (b->largest_stress_row < 0 || b->peak[i] > b->largest_stress)
@@ -115,7 +116,7 @@ void wf_breakage_utilisation(const struct wf_tree *t, const struct wf_response *
 {
     (void)r;
     for (size_t i = 0; i < t->n; i++) {
-        double factor = safety(t->strength[i], b->peak[i]);
+        double factor = safety_factor(t->strength[i], b->peak[i]);
         if (!wf_scope_holds(scope, t, i) || isnan(factor) || out->safety <= factor) continue;
         *out = (struct wf_worst){ .safety = factor, .row = (int32_t)i, .place = b->peak_place[i] };
     }

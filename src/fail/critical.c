@@ -10,24 +10,24 @@ enum { STEPS_MAX = 100 };
 
 typedef enum wf_status criterion_fn(void *ctx, double speed, double *value, struct wf_err *e);
 
-struct search {
+struct speed_search {
     criterion_fn *criterion;
     void *ctx;
-    double stands; /* highest speed known with criterion < 1                        */
-    double falls;  /* lowest known with criterion >= 1; INFINITY when none          */
-    double lost;   /* lowest known without an answer; INFINITY when none            */
+    double stands; /* highest speed known with criterion < 1 */
+    double falls;  /* lowest known with criterion >= 1; INFINITY when none */
+    double lost;   /* lowest known without equilibrium; INFINITY when none */
     size_t evaluations;
-    enum wf_status fault; /* a failure that is no property of the tree, e.g. out of memory */
+    enum wf_status fault; /* an error that is not a finding about the tree, e.g. out of memory */
     struct wf_err *err;
 };
 
-/* No equilibrium is a finding about the tree; every other failure ends the search. */
+/* Absence of equilibrium is a result of the search; every other error ends it. */
 static bool no_equilibrium(enum wf_status s) { return s == WF_ENOCONV || s == WF_EUNSTABLE; }
 
-/* criterion - 1 at a speed; no equilibrium counts as far beyond failure. Brackets are kept up to date. */
+/* criterion - 1 at a speed, at most 1; 1 where no equilibrium is found. Updates the brackets. */
 static double excess(double speed, void *search)
 {
-    struct search *s = search;
+    struct speed_search *s = search;
     struct wf_err why = { 0 };
     double value = NAN;
     if (s->fault) return 1;
@@ -49,18 +49,19 @@ static double excess(double speed, void *search)
     return s->fault ? 1 : fmin(value - 1, 1);
 }
 
-/* Halve between the last speed that stands and the lowest without an answer, until a speed that falls turns
- * up or the gap is within the tolerance. */
-static void find_edge(struct search *s, double tolerance)
+/* Bisect between the highest speed with criterion < 1 and the lowest without equilibrium, until a speed with
+ * criterion >= 1 is found or the interval is within the tolerance. */
+static void find_edge(struct speed_search *s, double tolerance)
 {
     while (!s->fault && s->lost < s->falls && s->lost - s->stands > tolerance * s->lost)
         excess(0.5 * (s->stands + s->lost), s);
 }
 
-/* Brent's method between a speed that stands and one that falls, until a bracket within the tolerance is
- * proven; ends early when a speed without an answer turns up below. Brent's bracket closes from one side, so
- * once its steps are small the other side is tried. Returned: its best estimate. */
-static double find_crossing(struct search *s, double tolerance, gsl_root_fsolver *solver)
+/* Brent's method between a speed with criterion < 1 and one with criterion >= 1, until evaluations on both
+ * sides confirm a bracket within the tolerance; ends early when a speed below has no equilibrium. Brent's
+ * bracket tends to shrink from one side only, so once its steps are small the other side is evaluated.
+ * Returned: best estimate. */
+static double find_crossing(struct speed_search *s, double tolerance, gsl_root_fsolver *solver)
 {
     gsl_function f = { excess, s };
     double root = s->falls;
@@ -78,9 +79,9 @@ static double find_crossing(struct search *s, double tolerance, gsl_root_fsolver
     return 0.5 * (s->stands + s->falls);
 }
 
-/* Narrow the bracket [stands, falls] or [stands, lost] the ladder found. Returned: the crossing, where there
- * is one. */
-static double narrow(struct search *s, double tolerance)
+/* Narrow the bracket [stands, falls] or [stands, lost] found by the even steps. Returned: the crossing; NAN
+ * where there is none. */
+static double narrow_bracket(struct speed_search *s, double tolerance)
 {
     wf_quiet_begin();
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
@@ -97,9 +98,9 @@ static double narrow(struct search *s, double tolerance)
     return root;
 }
 
-/* Slope of the criterion at its crossing, over a thousandth of the speed to both sides; from below alone
- * where there is no answer above. */
-static double slope(struct search *s, double root)
+/* Slope of the criterion at its crossing by a difference over 0.1 % of the speed to both sides; from below
+ * alone where no equilibrium exists above. */
+static double slope_at_crossing(struct speed_search *s, double root)
 {
     double below = root * (1 - 1e-3), above = root * (1 + 1e-3);
     double low = excess(below, s), high = excess(above, s);
@@ -111,7 +112,7 @@ double wf_critical_rung(double speed_max, int k) { return speed_max * k / WF_CRI
 enum wf_status wf_critical_search(criterion_fn *criterion, void *ctx, double speed_max, double tolerance,
                                   struct wf_critical *out, struct wf_err *e)
 {
-    struct search s = { criterion, ctx, 0, INFINITY, INFINITY, 0, WF_OK, e };
+    struct speed_search s = { criterion, ctx, 0, INFINITY, INFINITY, 0, WF_OK, e };
     *out = (struct wf_critical){ .speed = NAN, .speed_high = speed_max, .gradient = NAN, .evaluations = 1 };
     if (!(speed_max > 0 && isfinite(speed_max) && tolerance > 0 && tolerance < 1))
         return wf_fail(e, WF_EUSAGE,
@@ -133,12 +134,12 @@ enum wf_status wf_critical_search(criterion_fn *criterion, void *ctx, double spe
     if (isinf(s.falls) && isinf(s.lost))
         out->outcome = WF_CRITICAL_ABOVE;
     else {
-        double root = narrow(&s, tolerance);
+        double root = narrow_bracket(&s, tolerance);
         bool found = s.falls < s.lost;
         out->outcome = found ? WF_CRITICAL_FOUND : WF_CRITICAL_UNSOLVED;
         out->speed_low = s.stands;
         out->speed_high = found ? s.falls : s.lost;
-        if (found && !s.fault) out->speed = root, out->gradient = slope(&s, root);
+        if (found && !s.fault) out->speed = root, out->gradient = slope_at_crossing(&s, root);
     }
     out->evaluations = s.evaluations + 1;
     return s.fault;

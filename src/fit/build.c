@@ -7,6 +7,8 @@
 #include "grow/qsm_model.h"
 #include "grow/stem.h"
 #include "load/drag.h"
+#include "study/limits.h"
+#include "wind/terrain.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -56,9 +58,7 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
     if (status) return status;
     out->height = wf_tree_height(&out->tree);
     out->size = s->qsm ? out->height : m.height;
-    wf_loads_default(&out->loads);
-    out->loads.gravity = s->gravity;
-    if ((status = wf_loads_laws(&out->loads, sp, e))) return status;
+    if ((status = wf_scenario_still(sp, s->gravity, &out->loads, e))) return status;
     wf_solve_options_default(&out->options);
     out->options.tolerance = 1e-11; /* else small steps drown in what is left of the last answer */
     if (!isnan(s->root_stiffness))
@@ -120,15 +120,78 @@ static void load_of(const struct wf_study_test *s, struct wf_fit_test *t, struct
         t->anchor[2] = s->pull.anchor_height;
         in->load_name = "pull", in->load_unit = "kN", in->load_factor = 1e-3;
     } else if (s->wind.given) {
-        t->wind = (struct wf_wind){ .sample = wf_profile_named(s->wind.profile)->sample,
-                                    .direction = { cos(s->wind.azimuth), sin(s->wind.azimuth), 0 },
-                                    .reference_height = s->wind.reference_height,
-                                    .roughness = s->wind.roughness,
-                                    .exponent = s->wind.exponent };
         in->load_name = "wind", in->load_unit = "m/s", in->load_factor = 1;
     } else if (t->load == WF_FIT_WEIGHT) {
         in->load_name = s->along ? "along the axis" : "weight", in->load_unit = s->along ? "m" : "";
     }
+}
+
+/* A mistake of a test's wind that shows when its files are read. */
+static enum wf_status wind_fails(const struct wf_fit_build *b, size_t test, const char *key,
+                                 struct wf_yaml_mark place, const struct wf_err *why, struct wf_diag *d,
+                                 struct wf_err *e)
+{
+    if (why->code == WF_EMISSING || why->code == WF_ENOMEM) return wf_fail(e, why->code, "%s", why->text);
+    wf_diag_error(d, b->study->file, place.line, place.column, "tests[%zu].wind.%s: %s", test, key,
+                  why->text);
+    return wf_fail(e, WF_EINPUT, "%s: test %s: its wind cannot be used", b->study->file,
+                   b->study->test[test].name);
+}
+
+/* The measured profile of a test's wind, into the scene. */
+static enum wf_status read_profile(const struct wf_fit_build *b, size_t test, struct wf_arena *a,
+                                   struct wf_diag *d, struct wf_scenario *scene, const char **file,
+                                   struct wf_err *e)
+{
+    const struct wf_study_wind *w = &b->study->test[test].wind;
+    struct wf_profile_words words = w->profile;
+    struct wf_err why = { 0 };
+    if (!words.file) return WF_OK;
+    enum wf_status status = wf_fit_path(b->study, words.file, a, file, &why);
+    words.file = *file;
+    if (!status) status = wf_scenario_profile(scene, &words, a, d, &why);
+    if (!status) status = wf_scenario_check(scene, &why);
+    return status ? wind_fails(b, test, "profile_file", w->profile_file_place, &why, d, e) : WF_OK;
+}
+
+/* The ground under a test's tree, into the scene. */
+static enum wf_status read_ground(const struct wf_fit_build *b, size_t test, struct wf_arena *a,
+                                  struct wf_diag *d, struct wf_scenario *scene, const char **file,
+                                  struct wf_err *e)
+{
+    const struct wf_study_wind *w = &b->study->test[test].wind;
+    struct wf_err why = { 0 };
+    if (!w->dem) return WF_OK;
+    struct wf_site *site = WF_TAKE(a, 1, struct wf_site);
+    if (!site) return wf_fail(e, WF_ENOMEM, "no room for a map");
+    enum wf_status status = wf_fit_path(b->study, w->dem, a, file, &why);
+    site->file = *file;
+    wf_site_place(w->at, &site->x, &site->y);
+    if (!status) status = wf_scenario_site(scene, site, w->north, a, &why);
+    return status ? wind_fails(b, test, "dem", w->dem_place, &why, d, e) : WF_OK;
+}
+
+/* The wind of a test on its tree, its air, and how much of it the tree meets. Where the study names no air it
+ * is the standard air of the tree's loads. */
+static enum wf_status scene_of(const struct wf_fit_build *b, size_t test, const struct wf_fit_tree *tree,
+                               struct wf_arena *a, struct wf_diag *d, struct wf_fit_test *t,
+                               struct wf_fit_input *in, struct wf_err *e)
+{
+    const struct wf_study_wind *w = &b->study->test[test].wind;
+    struct wf_scenario scene;
+    struct wf_loads loads;
+    if (t->load != WF_FIT_WIND) return WF_OK;
+    enum wf_status status = wf_study_wind_scene(w, &scene, e);
+    if (!status) status = read_profile(b, test, a, d, &scene, &in->profile, e);
+    if (!status) status = read_ground(b, test, a, d, &scene, &in->ground, e);
+    if (!status) status = wf_scenario_loads(&scene, tree->species, &t->wind, &loads, e);
+    if (status) return status;
+    wf_limits_profile(&scene, tree->height, tree->name, d);
+    wf_limits_site(scene.site, d);
+    t->speed_up = wf_scenario_speed(&scene, 1);
+    if (isnan(w->temperature) && isnan(w->altitude) && isnan(w->air_density)) return WF_OK;
+    t->air_density = loads.air_density, t->air_viscosity = loads.air_viscosity;
+    return WF_OK;
 }
 
 /* Average neighbouring used rows down to `points` states. */
@@ -453,6 +516,7 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
         struct wf_fit_datum *data = NULL;
         size_t n = 0;
         status = fit_build_test(b, k, wants ? named : NULL, a, d, &x->test[k], &in[k], &data, &n, e);
+        if (!status) status = scene_of(b, k, &x->tree[x->test[k].tree], a, d, &x->test[k], &in[k], e);
         if (status) break;
         if (x->data + n > room) {
             room = 2 * (x->data + n);

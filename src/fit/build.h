@@ -13,6 +13,7 @@ struct wf_fit_input {
     struct wf_fit_record record;
     bool swung;
     struct wf_ring_down sway;
+    const char *profile, *ground;      /* measured profile and heights of the ground; NULL: none */
     const char *load_name, *load_unit; /* "pull" "kN", "wind" "m/s"             */
     double load_factor;                /* SI to that unit                       */
 };

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/calibration.h"
 #include "base/num.h"
+#include "wind/terrain.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +16,6 @@ static const char *const joints[] = { "axis", "bridge", NULL };
 static const char *const kinds[] = { "deflection",  "horizontal", "vertical", "tilt",
                                      "strain",      "extension",  "reach",    "rise",
                                      "base_moment", "frequency",  "damping",  NULL };
-static const char *const profiles[] = { "uniform", "power", "log", NULL };
 
 #define ROW(T, k, yaml, member) .key = k, .kind = yaml, .offset = offsetof(T, member)
 #define QUANTITY(T, k, member, dim, u, from, to)                                                             \
@@ -33,13 +33,13 @@ static const struct wf_yaml_row tree_rows[] = {
       .example = "culm.yaml" },
     { ROW(T, "qsm", WF_YAML_TEXT, qsm), .absent = "see model",
       .doc = "Measured tree, any form that import reads." },
-    { ROW(T, "joint", WF_YAML_CHOICE, joint), .choices = joints, .preset = "axis",
+    { ROW(T, "joint", WF_YAML_CHOICE, joint), .choices = joints, .initial = "axis",
       .doc = "How branches of a measured tree are held." },
-    { QUANTITY(T, "leaf_area", leaf_area, WF_DIM_AREA, "m2", 0, 1e4), .preset = "0 m2",
+    { QUANTITY(T, "leaf_area", leaf_area, WF_DIM_AREA, "m2", 0, 1e4), .initial = "0 m2",
       .doc = "One-sided leaf area of a measured tree; a model has its own." },
     { QUANTITY(T, "root_stiffness", root_stiffness, WF_DIM_ROTATIONAL_STIFFNESS, "kN m/rad", 1, 1e12),
       .absent = "clamped, unless it is a free parameter", .doc = "Rotational stiffness of the root plate." },
-    { QUANTITY(T, "gravity", gravity, WF_DIM_ACCELERATION, "m/s2", 0, 100), .preset = "9.81 m/s2",
+    { QUANTITY(T, "gravity", gravity, WF_DIM_ACCELERATION, "m/s2", 0, 100), .initial = "9.81 m/s2",
       .doc = "0 leaves the weight out." },
     { 0 }
 };
@@ -77,16 +77,16 @@ static const struct wf_yaml_row sensor_rows[] = {
              "sway." },
     { QUANTITY(T, "gauge", gauge, WF_DIM_LENGTH, "mm", 1e-3, 10), .absent = "100 mm",
       .doc = "Length over which strain or extension is taken." },
-    { ROW(T, "sign", WF_YAML_ENUM, sign), .choices = signs, .preset = "+",
+    { ROW(T, "sign", WF_YAML_ENUM, sign), .choices = signs, .initial = "+",
       .doc = "- where the column counts the other way." },
     { ROW(T, "sigma", WF_YAML_TEXT, sigma),
       .absent = "estimated from the scatter, unless sigma_share is given",
       .doc = "Standard uncertainty of a reading.", .example = "0.05 deg" },
     { QUANTITY(T, "sigma_share", sigma_share, WF_DIM_NONE, NULL, 0, 1), .absent = "none",
       .doc = "The same as a share of the reading; both add in squares.", .example = "2 %" },
-    { ROW(T, "offset", WF_YAML_ENUM, offset), .choices = no_yes, .preset = "no",
+    { ROW(T, "offset", WF_YAML_ENUM, offset), .choices = no_yes, .initial = "no",
       .doc = "Its zero is not known." },
-    { ROW(T, "drift", WF_YAML_ENUM, drift), .choices = no_yes, .preset = "no",
+    { ROW(T, "drift", WF_YAML_ENUM, drift), .choices = no_yes, .initial = "no",
       .doc = "Its zero wanders evenly with time." },
     { 0 }
 };
@@ -103,17 +103,17 @@ static const struct wf_yaml_row pull_rows[] = {
       .doc = "Unit of a column that does not name it." },
     { QUANTITY(T, "height", height, WF_DIM_LENGTH, "m", 1e-2, 150), .required = true,
       .doc = "Of the strap on the stem.", .example = "4.8 m" },
-    { AZIMUTH(T), .preset = "0 deg", .doc = "Direction of the pull, from +x towards +y." },
-    { QUANTITY(T, "elevation", elevation, WF_DIM_ANGLE, "deg", -WF_TURN / 4, WF_TURN / 4), .preset = "0 deg",
+    { AZIMUTH(T), .initial = "0 deg", .doc = "Direction of the pull, from +x towards +y." },
+    { QUANTITY(T, "elevation", elevation, WF_DIM_ANGLE, "deg", -WF_TURN / 4, WF_TURN / 4), .initial = "0 deg",
       .doc = "Of the rope seen from the strap; negative: down. Not used with an anchor." },
     { QUANTITY(T, "anchor_distance", anchor_distance, WF_DIM_LENGTH, "m", 0.1, 1000),
       .absent = "the rope keeps its direction",
       .doc = "Horizontal, from the stem's base to where the rope ends; the rope then follows the strap." },
-    { QUANTITY(T, "anchor_height", anchor_height, WF_DIM_LENGTH, "m", -100, 100), .preset = "0 m",
+    { QUANTITY(T, "anchor_height", anchor_height, WF_DIM_LENGTH, "m", -100, 100), .initial = "0 m",
       .doc = "Of the rope's end above the stem's base." },
-    { QUANTITY(T, "from", from, WF_DIM_NONE, NULL, 0, 1), .preset = "0.1",
+    { QUANTITY(T, "from", from, WF_DIM_NONE, NULL, 0, 1), .initial = "0.1",
       .doc = "Share of the largest force at which the loading branch begins." },
-    { QUANTITY(T, "to", to, WF_DIM_NONE, NULL, 0, 1), .preset = "0.9", .doc = "Share at which it ends." },
+    { QUANTITY(T, "to", to, WF_DIM_NONE, NULL, 0, 1), .initial = "0.9", .doc = "Share at which it ends." },
     { ROW(T, "loads", WF_YAML_QUANTITIES, load), .count = offsetof(T, loads), .dimension = WF_DIM_FORCE,
       .unit = "kN", .low = 0, .high = 1e7, .absent = "read from the data",
       .doc = "Forces of a test that is only planned.", .example = "[0.5 kN, 1 kN]" },
@@ -128,21 +128,97 @@ static const struct wf_yaml_row wind_rows[] = {
       .doc = "Column of the wind speed, with its unit: wind_m_s." },
     { ROW(T, "unit", WF_YAML_TEXT, unit), .absent = "by the column's name",
       .doc = "Unit of a column that does not name it." },
-    { ROW(T, "profile", WF_YAML_CHOICE, profile), .choices = profiles, .preset = "power",
-      .doc = "Growth with height." },
-    { QUANTITY(T, "reference_height", reference_height, WF_DIM_LENGTH, "m", 0.1, 1000), .preset = "10 m",
-      .doc = "Where the speed was measured." },
-    { QUANTITY(T, "exponent", exponent, WF_DIM_NONE, NULL, 0, 1), .preset = "0.16",
-      .doc = "Of the power profile." },
-    { QUANTITY(T, "roughness", roughness, WF_DIM_LENGTH, "m", 1e-6, 10), .preset = "0.03 m",
-      .doc = "Of the log profile." },
-    { AZIMUTH(T), .preset = "0 deg", .doc = "Towards which it blows, from +x towards +y." },
+    { ROW(T, "profile", WF_YAML_CHOICE, profile.name), .choices = wf_profile_names,
+      .absent = "power; measured with profile_file", .doc = "Growth with height." },
+    { ROW(T, "profile_file", WF_YAML_TEXT, profile.file), .absent = "none",
+      .doc = "Measured mean winds, a CSV with columns height_m and speed_ms; only their ratios count.",
+      .example = "mast.csv" },
+    { QUANTITY(T, "reference_height", profile.reference_height, WF_DIM_LENGTH, "m", 0.01, 1000),
+      .initial = "10 m", .doc = "Where the speed was measured." },
+    WF_PROFILE_KEYS(T, profile),
+    { AZIMUTH(T), .initial = "0 deg", .doc = "Towards which it blows, from +x towards +y." },
+    { QUANTITY(T, "temperature", temperature, WF_DIM_TEMPERATURE, "degC", 213.15, 333.15),
+      .absent = "15 degC", .doc = "Of the air.", .example = "-5 degC" },
+    { QUANTITY(T, "altitude", altitude, WF_DIM_LENGTH, "m", -500, 9000), .absent = "0 m",
+      .doc = "Of the site above the sea, for the density of the air.", .example = "2000 m" },
+    { QUANTITY(T, "air_density", air_density, WF_DIM_DENSITY, "kg/m3", 0.1, 2),
+      .absent = "from temperature and altitude", .doc = "In place of the one from temperature and altitude.",
+      .example = "1.1 kg/m3" },
+    { QUANTITY(T, "speed_up", speed_up, WF_DIM_NONE, NULL, 0.1, 5), .absent = "1",
+      .doc = "Exposure of the site: wind at the tree over the wind measured.", .example = "1.2" },
+    { ROW(T, "dem", WF_YAML_TEXT, dem), .absent = "level ground, or speed_up",
+      .doc =
+          "Heights of the ground, an ESRI ASCII grid, on which the exposure is found as 'windfirm terrain' "
+          "does, at the reference height.",
+      .example = "hill.asc" },
+    { ROW(T, "at", WF_YAML_JOINED, at), .absent = "needed with dem",
+      .doc = "Where the tree stands on it [m].", .example = "450,1200" },
+    { QUANTITY(T, "north", north, WF_DIM_ANGLE, "deg", -WF_TURN, WF_TURN), .initial = "0 deg",
+      .doc = "Where north of dem is in the model: clockwise from +y as seen from above." },
     { ROW(T, "speeds", WF_YAML_QUANTITIES, speed), .count = offsetof(T, speeds), .dimension = WF_DIM_SPEED,
       .unit = "m/s", .low = 0, .high = 200, .absent = "read from the data",
       .doc = "Speeds of a test that is only planned." },
     { 0 }
 };
-static const struct wf_yaml_table wind_table = { .title = "a wind", .row = wind_rows, .doc = "" };
+
+enum wf_status wf_study_wind_scene(const struct wf_study_wind *w, struct wf_scenario *out, struct wf_err *e)
+{
+    wf_scenario_default(out);
+    enum wf_status status = wf_scenario_words(out, &w->profile, e);
+    out->azimuth = w->azimuth;
+    if (!isnan(w->temperature)) out->temperature = w->temperature;
+    if (!isnan(w->altitude)) out->altitude = w->altitude;
+    if (!isnan(w->air_density)) out->air_density = w->air_density;
+    if (!isnan(w->speed_up)) out->speed_up = w->speed_up;
+    return status || w->profile.file ? status : wf_scenario_check(out, e);
+}
+
+/* A number that was wrong has been told; what follows from it would only confuse. */
+static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_study_wind *w)
+{
+    const char *const key[] = { "reference_height", "exponent",    "roughness", "displacement",
+                                "canopy_height",    "attenuation", "azimuth",   "temperature",
+                                "altitude",         "air_density", "speed_up" };
+    const double value[] = { w->profile.reference_height,
+                             w->profile.exponent,
+                             w->profile.roughness,
+                             w->profile.displacement,
+                             w->profile.canopy_height,
+                             w->profile.attenuation,
+                             w->azimuth,
+                             w->temperature,
+                             w->altitude,
+                             w->air_density,
+                             w->speed_up };
+    bool right = true;
+    for (size_t k = 0; k < WF_COUNT(key); k++) right = right && !(isnan(value[k]) && wf_yaml_has(y, key[k]));
+    return right && (w->profile.name || !wf_yaml_has(y, "profile"));
+}
+
+/* Keys of a wind that do not go together. */
+static void wind_finish(struct wf_yaml *y, void *wind)
+{
+    struct wf_study_wind *w = wind;
+    struct wf_scenario scene;
+    struct wf_err why = { 0 };
+    double x, z;
+    if (!w->given) return;
+    w->profile_file_place = wf_yaml_where(y, "profile_file");
+    w->dem_place = wf_yaml_where(y, "dem");
+    if (wind_numbers_are_right(y, w) && wf_study_wind_scene(w, &scene, &why))
+        wf_yaml_error(y, wf_yaml_has(y, "profile") ? "profile" : "", "%s", why.text);
+    if (w->dem && !isnan(w->speed_up))
+        wf_yaml_error(y, "dem", "'speed_up' and 'dem': one of them says how exposed the tree is");
+    if (w->dem && !w->at) wf_yaml_error(y, "dem", "needs 'at', where the tree stands on it");
+    if (!w->dem && w->at) wf_yaml_error(y, "at", "a place on the ground needs the ground, 'dem'");
+    if (!w->dem && wf_yaml_has(y, "north")) wf_yaml_error(y, "north", "is of 'dem', which is not given");
+    if (w->dem && w->at && !wf_site_place(w->at, &x, &z))
+        wf_yaml_error(y, "at", "'%.100s': the tree's place is written x,y in m, for example 450,1200", w->at);
+}
+
+static const struct wf_yaml_table wind_table = {
+    .title = "a wind", .row = wind_rows, .finish = wind_finish, .doc = ""
+};
 #undef T
 
 #define T struct wf_study_sway
@@ -169,14 +245,14 @@ static const struct wf_yaml_row test_rows[] = {
       .doc = "Leave out what was before." },
     { QUANTITY(T, "until", until, WF_DIM_TIME, "s", 0, 1e9), .absent = "to the last row",
       .doc = "Leave out what was after." },
-    { ROW(T, "points", WF_YAML_INTEGER, points), .low = 2, .high = 2000, .preset = "50",
+    { ROW(T, "points", WF_YAML_INTEGER, points), .low = 2, .high = 2000, .initial = "50",
       .doc = "Neighbouring rows are averaged down to this number." },
     { ROW(T, "along", WF_YAML_TEXT, along), .absent = "sensors have places of their own",
       .doc =
           "Column of the distance along the stem's axis at which all sensors of a row sit; for a test under "
           "weight alone. Rows at 0 are left out.",
       .example = "along_m" },
-    { ROW(T, "zero", WF_YAML_ENUM, zero), .choices = zeros, .preset = "rest",
+    { ROW(T, "zero", WF_YAML_ENUM, zero), .choices = zeros, .initial = "rest",
       .doc =
           "What readings are counted from: the tree at rest under its weight, or its unloaded shape. A test "
           "without pull, wind and sway bends the tree by its weight alone and needs 'unloaded'." },

@@ -5,6 +5,7 @@
 #include "base/diag.h"
 #include "base/yaml.h"
 #include "fit/experiment.h"
+#include "load/scene.h"
 
 struct wf_study_tree {
     const char *name, *species, *model, *qsm, *joint;
@@ -26,8 +27,13 @@ struct wf_study_pull {
     bool given;
 };
 struct wf_study_wind {
-    const char *column, *unit, *profile;
-    double reference_height, exponent, roughness, azimuth;
+    const char *column, *unit;
+    struct wf_profile_words profile;           /* its file as the study names it */
+    double azimuth;                            /* [rad] */
+    double temperature, altitude, air_density; /* [K], [m], [kg m-3]; NAN: not given */
+    double speed_up, north;                    /* exposure of the site [-], NAN: not given; [rad] */
+    const char *dem, *at;                      /* ground as the study names it, "x,y" of the tree on it */
+    struct wf_yaml_mark profile_file_place, dem_place; /* of these keys in the study's file */
     size_t speeds;
     double *speed; /* for planning [m/s] */
     bool given;
@@ -61,6 +67,11 @@ struct wf_fit_study {
     struct wf_study_free *free;
 };
 extern const struct wf_yaml_table wf_fit_study_table;
+
+/* The scene of a test's wind as far as no file is needed for it: profile, air, exposure where it is a number.
+ * It is checked, but for a measured profile, which is still to be read. Errors: as wf_scenario_words and
+ * wf_scenario_check. */
+enum wf_status wf_study_wind_scene(const struct wf_study_wind *w, struct wf_scenario *out, struct wf_err *e);
 
 enum wf_status wf_fit_study_read(const char *path, struct wf_arena *a, struct wf_fit_study *out,
                                  struct wf_diag *d, struct wf_err *e);

@@ -64,7 +64,9 @@ struct wf_fit_test {
     bool anchored;             /* the rope runs to `anchor`, also when the tree has moved   */
     double anchor[3];          /* [m]                                                       */
     struct wf_wind wind;
-    bool from_rest; /* readings are zero in still air without a pull, weight on         */
+    double speed_up;                   /* wind at the tree over the wind named [-]; 0: 1    */
+    double air_density, air_viscosity; /* [kg m-3], [m2/s]; 0: those of the tree's loads    */
+    bool from_rest;                    /* readings are zero in still air without a pull, weight on         */
     size_t sensors, states;
     struct wf_fit_sensor *sensor;
     struct wf_fit_state *state;

@@ -37,6 +37,16 @@ const struct wf_fit_quantity_row wf_fit_quantities[WF_FIT_QUANTITIES] = {
     [WF_FIT_DRIFT] = { NULL, WF_DIM_NONE, "", 1, false, -1e3, 1e3, "drift of a sensor's zero" },
 };
 
+enum wf_fit_quantity wf_fit_quantity_of(const char *table, const char *key)
+{
+    size_t n = strlen(table);
+    for (int q = 0; q < WF_FIT_QUANTITIES; q++) {
+        const char *name = wf_fit_quantities[q].name;
+        if (name && !strncmp(name, table, n) && !strcmp(name + n, key)) return (enum wf_fit_quantity)q;
+    }
+    return WF_FIT_QUANTITIES;
+}
+
 double wf_param_value(const struct wf_fit_param *p, double x)
 {
     return wf_fit_quantities[p->quantity].log ? exp(x) : x * p->unit;
@@ -105,8 +115,8 @@ static void scale_rows(const struct wf_fit_param *p, const struct wf_fit_tree *t
             if (into->drag[i] != 0) into->drag[i] = v;
             break;
         default:
-            into->sail0[i] *= v / t->species->crown_drag.value;
-            into->sail1[i] *= v / t->species->crown_drag.value;
+            into->sail0[i] *= v / t->species->crown.drag_coefficient.value;
+            into->sail1[i] *= v / t->species->crown.drag_coefficient.value;
         }
     }
 }
@@ -147,11 +157,19 @@ static double ratio(const struct wf_value *v)
     return v->high > v->low && v->low > 0 ? log(v->high / v->low) : 0;
 }
 
-/* The parameter of the crown's law that can be fitted; NULL when the law has none. */
-static const struct wf_value *crown_law(const struct wf_species *sp)
+/* The value of the species table that a quantity is; NULL: there is none. */
+static const struct wf_value *in_table(const struct wf_species *sp, const struct wf_level *l,
+                                       enum wf_fit_quantity q)
 {
-    int k = wf_law_find(wf_law_named(wf_laws.streamlining, sp->streamlining.law), WF_FIT_CROWN_LAW);
-    return k < 0 ? NULL : &sp->streamlining.parameter[k];
+    const struct wf_law *law = wf_law_named(wf_laws.streamlining, sp->streamlining.law);
+    struct wf_property p;
+    for (size_t i = 0; wf_level_property(l, i, &p); i++)
+        if (wf_fit_quantity_of("levelN.", p.key) == q) return p.value;
+    for (size_t i = 0; wf_crown_property(sp, i, &p); i++)
+        if (wf_fit_quantity_of("crown.", p.key) == q) return p.value;
+    for (size_t i = 0; wf_law_property(law, &sp->streamlining, i, &p); i++)
+        if (wf_fit_quantity_of("crown.streamlining.", p.key) == q) return p.value;
+    return NULL;
 }
 
 /* Start value and range of the species table: the range is taken to hold 95 % of the plausible values. */
@@ -163,12 +181,7 @@ static enum wf_status from_species(const struct wf_experiment *x, struct wf_fit_
         return wf_fail(e, WF_EUSAGE, "%s: the species table %s has %zu level%s, counted from 0", p->name,
                        sp->key, sp->levels, sp->levels == 1 ? "" : "s");
     const struct wf_level *l = &sp->level[p->level >= 0 ? p->level : 0];
-    const struct wf_value *const of[WF_FIT_QUANTITIES] = {
-        [WF_FIT_YOUNGS] = &l->youngs_modulus,  [WF_FIT_SHEAR] = &l->shear_modulus,
-        [WF_FIT_DENSITY] = &l->density,        [WF_FIT_AXIS_DRAG] = &l->drag_coefficient,
-        [WF_FIT_CROWN_DRAG] = &sp->crown_drag, [WF_FIT_VOGEL] = crown_law(sp),
-    };
-    const struct wf_value *v = of[p->quantity];
+    const struct wf_value *v = in_table(sp, l, p->quantity);
     double radius = t->tree.r0[0], height = t->height;
     p->unit = 1;
     p->start = 1;

@@ -35,6 +35,10 @@ struct wf_fit_quantity_row {
 };
 extern const struct wf_fit_quantity_row wf_fit_quantities[WF_FIT_QUANTITIES];
 
+/* The quantity that is a value of a species table. Given: where its key is, "levelN.", "crown." or
+ * "crown.streamlining.", and the key. Returned: WF_FIT_QUANTITIES when no fit changes that value. */
+enum wf_fit_quantity wf_fit_quantity_of(const char *table, const char *key);
+
 struct wf_fit_param {
     const char *name; /* as the user named it, for one of several trees with "TREE:" in front */
     enum wf_fit_quantity quantity;

@@ -384,6 +384,20 @@ static enum wf_status state(struct bench *k, size_t warm, const double *internal
     return WF_OK;
 }
 
+/* A test's wind and the air it is of. */
+static void blow(const struct wf_fit_test *t, struct wf_loads *loads, const struct wf_wind *wind)
+{
+    loads->wind = wind;
+    if (t->air_density > 0) loads->air_density = t->air_density;
+    if (t->air_viscosity > 0) loads->air_viscosity = t->air_viscosity;
+}
+
+/* Wind at the tree in a state of a test, at the reference height [m/s]. */
+static double wind_met(const struct wf_fit_test *t, size_t state)
+{
+    return t->speed_up > 0 ? t->speed_up * t->state[state].load : t->state[state].load;
+}
+
 static enum wf_status static_test(struct wf_predictor *w, size_t index, const double *internal,
                                   double *reading, double *slope, size_t *at, struct wf_err *e)
 {
@@ -396,7 +410,7 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
     for (size_t p = 0; p < w->params; p++)
         if (w->p[p].quantity == WF_FIT_FRAME && (w->p[p].tree < 0 || (size_t)w->p[p].tree == t->tree))
             k.frame = wf_param_value(&w->p[p], internal[p]);
-    if (t->load == WF_FIT_WIND) loads.wind = &k.wind;
+    if (t->load == WF_FIT_WIND) blow(t, &loads, &k.wind);
     if (t->load == WF_FIT_PULL) loads.point = &k.pull, loads.points = 1;
     enum wf_status status = wf_beam_init(&k.beam, tree, &loads, &options, NULL, &w->scratch, e);
     size_t n = tree->n, m = w->params;
@@ -417,7 +431,7 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
         double u[3];
         k.now = &t->state[i];
         k.force = t->load == WF_FIT_PULL ? t->state[i].load : 0;
-        k.wind.speed = t->load == WF_FIT_WIND ? t->state[i].load : 0;
+        k.wind.speed = t->load == WF_FIT_WIND ? wind_met(t, i) : 0;
         if (t->load == WF_FIT_PULL) aim(&k, k.beam.pose[t->pull_row].r, u);
         status = state(&k, w->first_state[index] + i, internal, w->other, slope ? w->other_slope : NULL, e);
         for (; !status && *at < w->x->data && w->x->datum[*at].test == index && w->x->datum[*at].state == i;

@@ -7,10 +7,11 @@
 #include <math.h>
 #include <string.h>
 
-/* The course of one axis. */
+/* The centre line of one axis. */
 
-enum { FIRST_WANDER_DRAW = 16 }; /* draws below belong to the branch's own figures */
+enum { FIRST_WANDER_DRAW = 16 }; /* draws below this index are those of DRAW_PLACE and so on */
 
+/* Allocate a centre line of at most `segments` segments. Errors: WF_ENOMEM. */
 static enum wf_status course_take(struct wf_course *c, size_t segments, struct wf_arena *a, struct wf_err *e)
 {
     c->segments = segments;
@@ -36,7 +37,7 @@ void wf_side_of(const double direction[3], double side[3])
     normalise(side);
 }
 
-/* Turn v about the unit axis by an angle given by its sine and cosine (Rodrigues). */
+/* Rotate v about a unit axis by an angle given by its cosine and sine (Rodrigues' formula). */
 static void rotate(double v[3], const double axis[3], double cosine, double sine)
 {
     double across[3], along = wf_dot(axis, v) * (1 - cosine);
@@ -44,7 +45,8 @@ static void rotate(double v[3], const double axis[3], double cosine, double sine
     for (int k = 0; k < 3; k++) v[k] = cosine * v[k] + sine * across[k] + along * axis[k];
 }
 
-/* Towards straight up (angle > 0) or straight down, not beyond; a vertical axis leaves towards its side. */
+/* Turn a direction and its side towards straight up (angle > 0) or straight down, not beyond it. A direction
+ * that points exactly the other way turns towards its side. */
 static void turn_to_vertical(double direction[3], double side[3], double angle)
 {
     double target[3] = { 0, 0, angle > 0 ? 1.0 : -1.0 }, axis[3];
@@ -58,8 +60,8 @@ static void turn_to_vertical(double direction[3], double side[3], double angle)
     rotate(side, axis, cos(by), sin(by));
 }
 
-/* To a random side. */
-static void stray(double direction[3], double side[3], double deviation, const double draw[2])
+/* Turn a direction by a random angle to a random side. Given: standard deviation [rad], two normal draws. */
+static void turn_to_side(double direction[3], double side[3], double deviation, const double draw[2])
 {
     double third[3], axis[3], angle = deviation * hypot(draw[0], draw[1]) / sqrt(2.0);
     double phase = atan2(draw[1], draw[0]);
@@ -70,9 +72,9 @@ static void stray(double direction[3], double side[3], double deviation, const d
     rotate(side, axis, cos(angle), sin(angle));
 }
 
-/* Given: axis and form. Returned: *c filled. Method: at every joint the direction turns towards the vertical
- * by the curve's share of its turn and to a random side by its wander; `side` is carried along without twist.
- */
+/* Compute the centre line of an axis. Given: axis, form of its level, seed. Returned: *c. Method: at every
+ * joint the direction turns towards the vertical by an equal part of the curve's turn, and to a random side
+ * by its wander; `side` is transported along the axis without twist. */
 static void course_run(const struct wf_axis *axis, const struct wf_axis_form *f, uint64_t seed,
                        struct wf_course *c)
 {
@@ -93,7 +95,7 @@ static void course_run(const struct wf_axis *axis, const struct wf_axis_form *f,
         if (j && f->curve.wander > 0) {
             double draw[2];
             wf_random_normals(seed, axis->key, FIRST_WANDER_DRAW + 2 * j, 2, draw);
-            stray(d, s, f->curve.wander / sqrt((double)(n - 1)), draw);
+            turn_to_side(d, s, f->curve.wander / sqrt((double)(n - 1)), draw);
         }
         if (j) normalise(d);
         memcpy(c->direction[j], d, sizeof d);
@@ -102,7 +104,7 @@ static void course_run(const struct wf_axis *axis, const struct wf_axis_form *f,
     }
 }
 
-/* Place at a tick of the course. */
+/* Point of the centre line at a tick [m]. */
 static void course_at(const struct wf_course *c, uint32_t tick, double x[3])
 {
     size_t j = tick / WF_AXIS_TICKS, left = tick % WF_AXIS_TICKS;
@@ -111,7 +113,7 @@ static void course_at(const struct wf_course *c, uint32_t tick, double x[3])
         x[k] = left ? c->node[j][k] + share * (c->node[j + 1][k] - c->node[j][k]) : c->node[j][k];
 }
 
-/* Radius over base radius at place s of an axis of this form. */
+/* Radius over base radius at place s of an axis [-]. */
 static double axis_taper(const struct wf_axis_form *f, double s)
 {
     if (f->taper) return wf_model_taper(f->taper, s);
@@ -119,14 +121,14 @@ static double axis_taper(const struct wf_axis_form *f, double s)
     return f->tip_share + (1 - f->tip_share) * (f->taper_power == 1 ? left : pow(left, f->taper_power));
 }
 
-/* The tick next to place s, at least 1, at most the tip. */
+/* The tick nearest to place s; at least 1, at most the tip. */
 static uint32_t tick_of(double s, size_t segments)
 {
     double ticks = (double)(segments * WF_AXIS_TICKS), t = round(s * ticks);
     return (uint32_t)fmin(fmax(t, 1), ticks);
 }
 
-/* Which part of the axes of a level bears leaves in the model's season. */
+/* Set leaf_from and leaf_to of a level's form: the part of its axes that has leaves in the model's season. */
 static void axis_leafy(const struct wf_model *m, size_t level, struct wf_axis_form *f)
 {
     if (!(m->leaf_area > 0) || level + m->foliage.levels < wf_model_levels(m)) return;
@@ -134,7 +136,7 @@ static void axis_leafy(const struct wf_model *m, size_t level, struct wf_axis_fo
     f->leaf_to = m->foliage.to;
 }
 
-/* The stem of a model as level 0. */
+/* The stem of a model as an axis of level 0. Given: base radius [m]. */
 static void axes_stem(const struct wf_model *m, double base_radius, struct wf_axis *stem)
 {
     double ca = cos(m->lean_azimuth), sa = sin(m->lean_azimuth), cl = cos(m->lean), sl = sin(m->lean);
@@ -151,14 +153,15 @@ static void axes_stem(const struct wf_model *m, double base_radius, struct wf_ax
 
 /* From axes to rows. */
 
-/* One axis at a time: where its rows end, and the row that ends at each tick. */
-struct cut {
+/* Scratch for one axis: where its rows end, and the row that ends at each tick. */
+struct axis_cut {
     struct wf_course course;
     uint8_t *ends; /* per tick: does a row end here? */
     int32_t *row;  /* per tick: the row that ends here */
 };
 
-static enum wf_status cut_take(struct cut *c, const struct wf_axes *x, struct wf_arena *a, struct wf_err *e)
+static enum wf_status take_axis_cut(struct axis_cut *c, const struct wf_axes *x, struct wf_arena *a,
+                                    struct wf_err *e)
 {
     size_t most = 1;
     for (size_t l = 0; l < x->levels; l++)
@@ -169,9 +172,9 @@ static enum wf_status cut_take(struct cut *c, const struct wf_axes *x, struct wf
     return course_take(&c->course, most, a, e);
 }
 
-/* Mark the ends of axis i's rows: joints, knots, and the places of its children, of which *child is the
- * first; moves it behind the last. Returned: rows. */
-static size_t cut_axis(struct cut *c, const struct wf_axes *x, size_t level, size_t i, size_t *child)
+/* Mark where the rows of axis i end: at its joints, at knots, and at the places of its children. *child is
+ * the first of these on entry and one past the last on return. Returned: number of rows. */
+static size_t cut_axis(struct axis_cut *c, const struct wf_axes *x, size_t level, size_t i, size_t *child)
 {
     const struct wf_axis_form *f = &x->form[level];
     size_t ticks = f->segments * WF_AXIS_TICKS, rows = 0;
@@ -187,7 +190,7 @@ static size_t cut_axis(struct cut *c, const struct wf_axes *x, size_t level, siz
     return rows;
 }
 
-static enum wf_status count_rows(struct cut *c, const struct wf_axes *x, const char *name, size_t *n,
+static enum wf_status count_rows(struct axis_cut *c, const struct wf_axes *x, const char *name, size_t *n,
                                  struct wf_err *e)
 {
     *n = 0;
@@ -201,21 +204,22 @@ static enum wf_status count_rows(struct cut *c, const struct wf_axes *x, const c
     return WF_OK;
 }
 
-/* Share of s0..s1 inside from..to. */
-static double overlap(double s0, double s1, double from, double to)
+/* Share of s0..s1 that lies inside from..to. */
+static double overlap_share(double s0, double s1, double from, double to)
 {
     double inside = fmin(s1, to) - fmax(s0, from);
     return inside > 0 ? inside / (s1 - s0) : 0;
 }
 
-static void add_row(struct wf_tree *t, size_t r, const double from[3], const double to[3])
+static void set_row_ends(struct wf_tree *t, size_t r, const double from[3], const double to[3])
 {
     t->x0[r] = from[0], t->y0[r] = from[1], t->z0[r] = from[2];
     t->x1[r] = to[0], t->y1[r] = to[1], t->z1[r] = to[2];
 }
 
-/* The rows of axis i from row `first`; its children learn which of them they grow from. */
-static size_t write_axis(struct cut *c, struct wf_axes *x, size_t level, size_t i, size_t first,
+/* Write the rows of axis i, starting at row `first`, and tell its children which row they start from.
+ * Returned: one past its last row. */
+static size_t write_axis(struct axis_cut *c, struct wf_axes *x, size_t level, size_t i, size_t first,
                          size_t *child, struct wf_tree *t)
 {
     const struct wf_axis_form *f = &x->form[level];
@@ -231,12 +235,12 @@ static size_t write_axis(struct cut *c, struct wf_axes *x, size_t level, size_t 
         if (!c->ends[k]) continue;
         double s0 = (double)last / (double)ticks, s1 = (double)k / (double)ticks;
         course_at(&c->course, k, to);
-        add_row(t, r, from, to);
+        set_row_ends(t, r, from, to);
         t->parent[r] = below;
         t->level[r] = (int32_t)level;
         t->r0[r] = axis->radius * axis_taper(f, s0);
         t->r1[r] = axis->radius * axis_taper(f, s1);
-        t->leaf0[r] = t->leaf1[r] = overlap(s0, s1, f->leaf_from, f->leaf_to);
+        t->leaf0[r] = t->leaf1[r] = overlap_share(s0, s1, f->leaf_from, f->leaf_to);
         c->row[k] = below = (int32_t)r++;
         last = k;
         memcpy(from, to, sizeof from);
@@ -253,9 +257,9 @@ enum wf_status wf_axes_to_tree(struct wf_axes *x, const char *name, struct wf_ar
                                struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
-    struct cut cut;
+    struct axis_cut cut;
     size_t n = 0, r = 0;
-    enum wf_status s = cut_take(&cut, x, &scratch, e);
+    enum wf_status s = take_axis_cut(&cut, x, &scratch, e);
     if (!s) s = count_rows(&cut, x, name, &n, e);
     if (!s) s = wf_tree_alloc(out, n, a, e);
     for (size_t l = 0; !s && l < x->levels; l++) {
@@ -267,11 +271,13 @@ enum wf_status wf_axes_to_tree(struct wf_axes *x, const char *name, struct wf_ar
     return s;
 }
 
-/* Draws of a branch, by purpose. */
+/* Trees of levels. */
+
+/* Index of a branch's random draws, by purpose. */
 enum { DRAW_PLACE, DRAW_AZIMUTH, DRAW_INSERTION, DRAW_LENGTH, DRAW_RADIUS };
 
-/* A normal draw, cut so that no branch is a freak. */
-static double draw(uint64_t seed, uint64_t key, uint64_t purpose, double deviation)
+/* A normal draw limited to 2.5 standard deviations, so that no branch has an extreme value. */
+static double cut_normal_draw(uint64_t seed, uint64_t key, uint64_t purpose, double deviation)
 {
     const double most = 2.5;
     if (!(deviation > 0)) return 0;
@@ -285,8 +291,9 @@ static uint64_t key_of_child(uint64_t seed, uint64_t parent, size_t child)
     return (uint64_t)w[0] << 32 | w[1];
 }
 
-/* Number of places on a parent of this length, and the distance between neighbours as a share of it. */
-static size_t places(const struct wf_branching *b, double length, double *gap)
+/* Number of places on a parent of this length. Returned too: *gap, the distance between neighbours as a share
+ * of the length. */
+static size_t count_places(const struct wf_branching *b, double length, double *gap)
 {
     size_t n = b->places ? b->places : b->count;
     if (b->spacing > 0) {
@@ -298,12 +305,13 @@ static size_t places(const struct wf_branching *b, double length, double *gap)
     return n;
 }
 
-static double place(const struct wf_branching *b, size_t group, double gap)
+static double place_of_group(const struct wf_branching *b, size_t group, double gap)
 {
     return b->places ? b->at[group] : b->from + (double)group * gap;
 }
 
-static double azimuth(const struct wf_branching *b, uint64_t seed, uint64_t key, size_t group, size_t of)
+static double branch_azimuth(const struct wf_branching *b, uint64_t seed, uint64_t key, size_t group,
+                             size_t of)
 {
     double around = (double)of / (double)b->per_whorl * WF_TURN, g = (double)group;
     switch (b->azimuth) {
@@ -320,7 +328,7 @@ static double azimuth(const struct wf_branching *b, uint64_t seed, uint64_t key,
     return b->azimuth_start + around + g * b->divergence;
 }
 
-static double length_of(const struct wf_branching *b, const struct wf_axis *parent, double s)
+static double branch_length(const struct wf_branching *b, const struct wf_axis *parent, double s)
 {
     double law = b->length_law == WF_LENGTH_ABSOLUTE ? b->length
                  : b->length_law == WF_LENGTH_PARENT ? parent->length
@@ -328,8 +336,8 @@ static double length_of(const struct wf_branching *b, const struct wf_axis *pare
     return law * b->length_factor * wf_along_at(&b->length_along, s, 1);
 }
 
-static double radius_of(const struct wf_branching *b, const struct wf_level *material, double local, double s,
-                        double length)
+static double branch_radius(const struct wf_branching *b, const struct wf_level *material, double local,
+                            double s, double length)
 {
     double law = 0;
     switch (b->radius_law) {
@@ -343,7 +351,7 @@ static double radius_of(const struct wf_branching *b, const struct wf_level *mat
         law = b->radius * pow(length, b->radius_exponent);
         break;
     case WF_RADIUS_ABSOLUTE:
-    case WF_RADIUS_PIPE: /* the tips' radius, until wf_levels_pipes knows better */
+    case WF_RADIUS_PIPE: /* the radius of the tips; wf_levels_pipes computes the others later */
         return b->radius * b->radius_factor * wf_along_at(&b->radius_along, s, 1);
     }
     return law * b->radius_factor * wf_along_at(&b->radius_along, s, 1);
@@ -357,29 +365,31 @@ struct nursery {
     size_t capped;
 };
 
-/* One branch; false when it would be too short. */
+/* Grow one branch. Returned: false when it would be shorter than the model allows. */
 static bool grow_one(struct nursery *g, const struct wf_axis *parent, const struct wf_course *course,
                      size_t group, size_t of, double gap, struct wf_axis *out)
 {
     const struct wf_branching *b = g->b;
     size_t segments = g->parent_form->segments;
     uint64_t key = key_of_child(g->seed, parent->key, group * b->per_whorl + of);
-    double s = place(b, group, gap) + draw(g->seed, key, DRAW_PLACE, b->place_spread * gap);
+    double s =
+        place_of_group(b, group, gap) + cut_normal_draw(g->seed, key, DRAW_PLACE, b->place_spread * gap);
     uint32_t tick = tick_of(s, segments);
     s = (double)tick / (double)(segments * WF_AXIS_TICKS);
-    double length = length_of(b, parent, s) * exp(draw(g->seed, key, DRAW_LENGTH, b->length_spread));
+    double length =
+        branch_length(b, parent, s) * exp(cut_normal_draw(g->seed, key, DRAW_LENGTH, b->length_spread));
     if (!(length >= b->shortest)) return false;
     double local = parent->radius * axis_taper(g->parent_form, s);
-    double radius =
-        radius_of(b, g->material, local, s, length) * exp(draw(g->seed, key, DRAW_RADIUS, b->radius_spread));
+    double radius = branch_radius(b, g->material, local, s, length) *
+                    exp(cut_normal_draw(g->seed, key, DRAW_RADIUS, b->radius_spread));
     if (b->radius_law != WF_RADIUS_PIPE && radius > local) {
         radius = local;
         g->capped++;
     }
     double lean = b->insertion_along.n ? wf_along_at(&b->insertion_along, s, 0) : b->insertion;
-    lean += draw(g->seed, key, DRAW_INSERTION, b->insertion_spread);
-    double to = azimuth(b, g->seed, key, group, of);
-    if (b->azimuth != WF_AZIMUTH_RANDOM) to += draw(g->seed, key, DRAW_AZIMUTH, b->azimuth_spread);
+    lean += cut_normal_draw(g->seed, key, DRAW_INSERTION, b->insertion_spread);
+    double to = branch_azimuth(b, g->seed, key, group, of);
+    if (b->azimuth != WF_AZIMUTH_RANDOM) to += cut_normal_draw(g->seed, key, DRAW_AZIMUTH, b->azimuth_spread);
     *out = (struct wf_axis){ .length = length, .radius = radius, .key = key, .tick = tick };
     size_t j = (tick - 1) / WF_AXIS_TICKS;
     double third[3];
@@ -400,7 +410,7 @@ static enum wf_status grow_level(struct nursery *g, struct wf_axes *x, size_t le
     double gap;
     size_t most = 0;
     for (size_t i = 0; i < x->n[level - 1]; i++) {
-        most += places(g->b, x->axis[level - 1][i].length, &gap) * g->b->per_whorl;
+        most += count_places(g->b, x->axis[level - 1][i].length, &gap) * g->b->per_whorl;
         if (most > WF_AXIS_ROWS_MAX)
             return wf_fail(e, WF_EINPUT, "level %zu would have more than %d branches", level,
                            (int)WF_AXIS_ROWS_MAX);
@@ -411,7 +421,7 @@ static enum wf_status grow_level(struct nursery *g, struct wf_axes *x, size_t le
     if (!born) return wf_fail(e, WF_ENOMEM, "no room for %zu branches", most);
     for (size_t i = 0; i < x->n[level - 1]; i++) {
         const struct wf_axis *parent = &x->axis[level - 1][i];
-        size_t groups = places(g->b, parent->length, &gap);
+        size_t groups = count_places(g->b, parent->length, &gap);
         course_run(parent, form, x->seed, &course);
         for (size_t k = 0; k < groups * g->b->per_whorl; k++) {
             struct wf_axis *one = &born[x->n[level]];
@@ -459,7 +469,7 @@ enum wf_status wf_levels_axes(const struct wf_model *m, const struct wf_species 
     return WF_OK;
 }
 
-static bool piped(const struct wf_model *m, const struct wf_tree *t, size_t row)
+static bool is_piped(const struct wf_model *m, const struct wf_tree *t, size_t row)
 {
     return t->level[row] > 0 && m->branching[t->level[row] - 1].radius_law == WF_RADIUS_PIPE;
 }
@@ -471,14 +481,15 @@ enum wf_status wf_levels_pipes(const struct wf_model *m, struct wf_tree *t, size
     *thick = 0;
     for (size_t l = 0; l < m->branchings; l++) any = any || m->branching[l].radius_law == WF_RADIUS_PIPE;
     if (!any) return WF_OK;
-    double *above = WF_TAKE(&scratch, t->n, double); /* sum of r^exponent of what grows from a row's end */
+    double *above =
+        WF_TAKE(&scratch, t->n, double); /* per row: sum of r^exponent of the rows that start at its end */
     if (!above) return wf_fail(e, WF_ENOMEM, "no room for the pipes of %zu segments", t->n);
     for (size_t i = t->n; i-- > 0;) {
-        if (!piped(m, t, i)) continue;
+        if (!is_piped(m, t, i)) continue;
         const struct wf_branching *b = &m->branching[t->level[i] - 1];
         t->r0[i] = t->r1[i] = above[i] > 0 ? pow(above[i], 1 / b->radius_exponent) : b->radius;
-        size_t below = (size_t)t->parent[i]; /* a branch has one */
-        if (piped(m, t, below))
+        size_t below = (size_t)t->parent[i]; /* every row of a branch has a parent */
+        if (is_piped(m, t, below))
             above[below] += pow(t->r0[i], m->branching[t->level[below] - 1].radius_exponent);
         else
             *thick += t->r0[i] > t->r1[below];
@@ -487,15 +498,9 @@ enum wf_status wf_levels_pipes(const struct wf_model *m, struct wf_tree *t, size
     return WF_OK;
 }
 
-/* c = a b, row by row */
-static void multiply(const double a[9], const double b[9], double c[9])
-{
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            c[3 * i + k] = a[3 * i] * b[k] + a[3 * i + 1] * b[3 + k] + a[3 * i + 2] * b[6 + k];
-}
+/* Trees by an iterated function system. */
 
-/* The linear map that makes an axis of the stem (0, 0, 1). */
+/* The linear map that takes (0, 0, 1) to the stem's axis. */
 static void map_of_stem(const struct wf_axis *stem, double a[9])
 {
     const double *x = stem->side, *z = stem->direction;
@@ -507,12 +512,12 @@ static void map_of_stem(const struct wf_axis *stem, double a[9])
     }
 }
 
-/* Images of the axes of one level: their linear maps beside them. */
+/* State while the images of one level's axes are computed. */
 struct images {
     const struct wf_model *m;
     const struct wf_axis_form *form;
-    double *map; /* 9 an axis, of the level below */
-    double *next;
+    double *map;  /* 9 per axis of the level below: its linear map */
+    double *next; /* the same of the level being grown             */
     size_t capped;
 };
 
@@ -520,7 +525,7 @@ static void copy_axis(struct images *g, const struct wf_axis *parent, const doub
                       const struct wf_ifs_map *w, struct wf_axis *out, double *map)
 {
     double place, local;
-    multiply(whole, w->a, map);
+    m3_mul(whole, w->a, map);
     const double axis[3] = { map[2], map[5], map[8] };
     out->length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
     out->tick = tick_of(w->position, g->form->segments);
@@ -535,8 +540,8 @@ static void copy_axis(struct images *g, const struct wf_axis *parent, const doub
     }
 }
 
-static enum wf_status iterate(struct images *g, struct wf_axes *x, size_t level, struct wf_arena *a,
-                              struct wf_err *e)
+static enum wf_status grow_images(struct images *g, struct wf_axes *x, size_t level, struct wf_arena *a,
+                                  struct wf_err *e)
 {
     const struct wf_ifs *f = &g->m->ifs;
     struct wf_course course;
@@ -585,7 +590,7 @@ enum wf_status wf_ifs_axes(const struct wf_model *m, double base_radius, struct 
     }
     struct images g = { .m = m, .form = &out->form[0], .map = stem_map };
     for (size_t l = 1; l < out->levels; l++) {
-        enum wf_status s = iterate(&g, out, l, a, e);
+        enum wf_status s = grow_images(&g, out, l, a, e);
         if (s) return s;
     }
     *capped = g.capped;

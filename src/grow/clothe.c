@@ -25,18 +25,6 @@ static void along_branch(const struct wf_tree *t, double *from, double *total)
     }
 }
 
-static void material(struct wf_tree *t, size_t i, const struct wf_level *v, bool link)
-{
-    t->youngs[i] = v->youngs_modulus.value;
-    t->shear[i] = v->shear_modulus.value;
-    t->damping[i] = v->damping_ratio.value;
-    t->density[i] = link ? 0 : v->density.value;
-    t->strength[i] =
-        v->modulus_of_rupture.given && !link ? v->modulus_of_rupture.value * v->knot_factor.value : 0;
-    t->drag[i] = link ? 0 : v->drag_coefficient.given ? v->drag_coefficient.value : (double)NAN;
-    t->lift[i] = link ? 0 : v->lift_coefficient.value;
-}
-
 /* Leaf area per length on rows with one tip above them. */
 static enum wf_status leaves(struct wf_tree *t, const struct wf_species *sp, const struct wf_clothing *c,
                              struct wf_arena *a, struct wf_err *e)
@@ -54,8 +42,8 @@ static enum wf_status leaves(struct wf_tree *t, const struct wf_species *sp, con
         double leaf = tips[i] == 1 && !is_link(c, i) ? c->leaf_area / length : 0;
         if (!(leaf > 0)) continue; /* a species without a crown has no values to multiply by 0 */
         t->leaf0[i] = t->leaf1[i] = leaf;
-        t->sail0[i] = t->sail1[i] = leaf * sp->leaf_frontal_share.value * sp->crown_drag.value;
-        t->burden0[i] = t->burden1[i] = leaf * sp->leaf_mass_per_area.value;
+        t->sail0[i] = t->sail1[i] = leaf * sp->crown.frontal_share.value * sp->crown.drag_coefficient.value;
+        t->burden0[i] = t->burden1[i] = leaf * sp->crown.leaf_mass_per_area.value;
     }
     return WF_OK;
 }
@@ -77,7 +65,7 @@ enum wf_status wf_clothe_wood(struct wf_tree *t, const struct wf_species *sp, co
         const struct wf_level *v = c->kind ? wf_species_wood(sp, t->level[i], 0.5 * (t->r0[i] + t->r1[i]))
                                            : wf_species_level(sp, t->level[i]);
         bool link = is_link(c, i);
-        material(t, i, v, link);
+        wf_level_onto(v, t, i, link);
         t->i0[i] = t->i1[i] = 0;
         if (v->wall.n == 0 || link) continue;
         double s0 = from[i] / total[i], s1 = (from[i] + wf_tree_length(t, i)) / total[i];

@@ -18,9 +18,9 @@ struct wf_clothing {
  * of every row by its level (measured trees, those with `kind`: wf_species_wood), levels beyond the species'
  * last clamped to it; wall by the position along the row's branch (rows of one level joined end to end).
  * Links get stiffness but no mass, drag or strength. Leaves: spread evenly over the length of the terminal
- * shoots, that is, of all rows with a single tip above them; still-air sail = leaf area x leaf_frontal_share
- * x crown_drag, burden = leaf area x leaf_mass_per_area. Errors: WF_EINPUT for a species without levels or a
- * negative leaf area; WF_ENOMEM. */
+ * shoots, that is, of all rows with a single tip above them; still-air sail = leaf area x the crown's
+ * frontal_share x drag_coefficient, burden = leaf area x leaf_mass_per_area. Errors: WF_EINPUT for a species
+ * without levels or a negative leaf area; WF_ENOMEM. */
 enum wf_status wf_clothe(struct wf_tree *t, const struct wf_species *sp, const struct wf_clothing *c,
                          struct wf_arena *a, struct wf_err *e);
 

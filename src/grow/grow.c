@@ -79,8 +79,8 @@ void wf_model_stands(struct wf_model *m, bool under_weight)
 
 /* ---- Growth ---- */
 
-static void warn(const struct wf_model *m, const struct wf_tree *t, size_t capped, size_t thick,
-                 struct wf_diag *d)
+static void warn_of_growth(const struct wf_model *m, const struct wf_tree *t, size_t capped, size_t thick,
+                           struct wf_diag *d)
 {
     size_t buried = 0;
     for (size_t i = 0; i < t->n; i++) buried += t->z1[i] < 0;
@@ -112,17 +112,17 @@ static enum wf_status grow_branched(const struct wf_model *m, const struct wf_sp
     if (!s && !ifs) s = wf_levels_pipes(m, out, &thick, e);
     if (!s) s = wf_clothe_wood(out, sp, NULL, e);
     if (!s) s = wf_leaves_spread(m, sp, out, e);
-    if (!s) warn(m, out, capped, thick, d);
+    if (!s) warn_of_growth(m, out, capped, thick, d);
     return s;
 }
 
-/* The measured segments, clothed: columns of their own for the materials. */
+/* A measured tree: copy its segments to a new tree and add the materials. */
 static enum wf_status grow_measured(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
                                     struct wf_tree *out, struct wf_err *e)
 {
     const struct wf_tree *t = m->measured;
     const struct wf_clothing wear = { .leaf_area = m->leaf_area, .kind = m->measured_kind };
-    if (m->leaf_area > 0 && !sp->crown_drag.given)
+    if (m->leaf_area > 0 && !sp->crown.drag_coefficient.given)
         return wf_fail(e, WF_EINPUT, "%s: leaves are asked for, but the species table %s has no 'crown'",
                        m->name, sp->key);
     enum wf_status s = wf_tree_alloc(out, t->n, a, e);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_GROW_H
 #define WF_GROW_GROW_H
-/* Models of trees, from files or from scans, and the tree a model and a species' materials make. */
+/* Models of trees, from files or from scans, and the tree that a model and the materials of a species give. */
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
@@ -35,11 +35,12 @@ enum wf_status wf_model_leaves(struct wf_model *m, double area, struct wf_err *e
  * else the model is taken as stress-free. */
 void wf_model_stands(struct wf_model *m, bool under_weight);
 
-/* Given: model, species, arena for the tree. Returned: the tree; parents before their children, levels one
- * after the other from the stem, the rows of an axis one after the other; materials by level, the species'
- * last level for those above it; leaves by the model's season. Warnings in `d`: thick-branch (branches
- * thinned to the part they grow from, or thicker than it by the pipe model), below-ground. Errors: WF_EINPUT
- * for a model with leaves and a species without crown, for too many segments; WF_ENOMEM. */
+/* Given: model, species, arena for the tree. Returned: the tree. Its rows are ordered by level from the stem,
+ * and the rows of an axis follow each other; each row has the material of its level, or of the species' last
+ * level if the tree has more levels; leaves are those of the model's season. Warnings in `d`: thick-branch
+ * (the radius of branches was reduced to that of the part they start from, or is larger by the pipe model),
+ * below-ground. Errors: WF_EINPUT for a model with leaves and a species without crown, for too many segments,
+ * for a stem whose sections are not round; WF_ENOMEM. */
 enum wf_status wf_grow(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
                        struct wf_tree *out, struct wf_diag *d, struct wf_err *e);
 

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Which reader a file needs, told by its content. */
 #include "grow/import.h"
 #include "base/num.h"
 #include "base/text.h"
@@ -30,6 +29,8 @@ struct wf_import_options wf_import_default(void)
 {
     return (struct wf_import_options){ .length_unit = (double)NAN, .diameter_unit = (double)NAN };
 }
+
+/* Choice of the reader by the file's content. */
 
 enum { HEAD = 65536 };
 
@@ -83,7 +84,8 @@ static const char *file_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-/* A stem thicker than a fifth of the tree's extent is a unit mistaken, or a stump. */
+/* Warn when the stem is thicker than a fifth of the tree's height: then a unit is probably wrong, or the tree
+ * is a stump. */
 static void suspect_units(const struct wf_qsm *q, struct wf_diag *d)
 {
     double low = INFINITY, high = -INFINITY, thick = 0;

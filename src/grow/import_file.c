@@ -5,6 +5,28 @@
 #include <math.h>
 #include <string.h>
 
+/* Rows that cannot be read. */
+
+void wf_import_bad_row(struct wf_qsm *q, bool strict, size_t line, size_t column, const char *text,
+                       struct wf_diag *d)
+{
+    enum { LISTED = 100 };
+    wf_qsm_count(q, WF_REPAIR_BAD_ROW, 1, (int64_t)line);
+    if (q->repairs.count[WF_REPAIR_BAD_ROW] > LISTED) return;
+    if (strict)
+        wf_diag_error(d, q->file, line, column, "%s", text);
+    else
+        wf_diag_warn(d, "row-left-out", "%s:%zu: %s", q->file, line, text);
+}
+
+void wf_import_last_row_cut(struct wf_qsm *q, size_t line)
+{
+    q->repairs.count[WF_REPAIR_BAD_ROW]--;
+    wf_qsm_count(q, WF_REPAIR_TRUNCATED, 1, (int64_t)line);
+}
+
+/* What a column means. */
+
 static const struct wf_field_row field_rows[] = {
     { WF_FIELD_ID, " id cylid cylinderid cylinder segid ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid ", 1, WF_FIELD_PLAIN },
@@ -39,14 +61,14 @@ static const struct {
     const char *name;
     enum wf_field_unit unit;
     double factor;
-} units[] = {
+} name_units[] = {
     { "m", WF_FIELD_METRES, 1 },      { "cm", WF_FIELD_METRES, 0.01 },
     { "mm", WF_FIELD_METRES, 0.001 }, { "deg", WF_FIELD_RADIANS, WF_PI / 180 },
     { "rad", WF_FIELD_RADIANS, 1 },
 };
 
-/* Letters and digits of a name in lower case, between blanks for a search among spellings. A last word that
- * is a unit is taken off. Returned: row of `units`, -1 when the name ends in none. */
+/* Letters and digits of a name in lower case, between blanks, to be searched for in field_rows. A last word
+ * that is a unit is removed. Returned: row of name_units; -1 when the name does not end in a unit. */
 static int plain_word(const char *name, char *out, size_t size)
 {
     size_t n = 0, word = 0; /* where the last word starts */
@@ -63,8 +85,8 @@ static int plain_word(const char *name, char *out, size_t size)
     }
     out[n] = '\0';
     int unit = -1;
-    for (size_t k = 0; word && k < WF_COUNT(units); k++)
-        if (!strcmp(out + word, units[k].name)) unit = (int)k;
+    for (size_t k = 0; word && k < WF_COUNT(name_units); k++)
+        if (!strcmp(out + word, name_units[k].name)) unit = (int)k;
     if (unit >= 0) n = word;
     out[n++] = ' ';
     out[n] = '\0';
@@ -79,8 +101,8 @@ enum wf_field wf_field_of(const char *name, double length_unit, double diameter_
         if (!strstr(f->names, word)) continue;
         bool thick = f->field == WF_FIELD_RADIUS || f->field == WF_FIELD_R0 || f->field == WF_FIELD_R1;
         *factor = f->factor;
-        if (unit >= 0 && units[unit].unit == f->unit)
-            *factor *= units[unit].factor;
+        if (unit >= 0 && name_units[unit].unit == f->unit)
+            *factor *= name_units[unit].factor;
         else if (f->unit == WF_FIELD_METRES)
             *factor *= thick ? diameter_unit : length_unit;
         else if (f->unit == WF_FIELD_RADIANS)
@@ -90,15 +112,17 @@ enum wf_field wf_field_of(const char *name, double length_unit, double diameter_
     return WF_FIELD_NONE;
 }
 
-/* Beyond these it is not a tree in metres; the thickest trees known have a radius of 5.8 m. */
+/* Rows. */
+
+/* Larger values cannot be a tree in metres; the thickest trees known have a radius of 5.8 m. */
 static const double FARTHEST = 1e8, LONGEST = 200, THICKEST = 6; /* [m] */
 
-static bool point(const double v[3])
+static bool is_point(const double v[3])
 {
     return fabs(v[0]) <= FARTHEST && fabs(v[1]) <= FARTHEST && fabs(v[2]) <= FARTHEST;
 }
 
-/* End of row i from start, axis and length. */
+/* Compute the end of row i from start, axis and length. Returned: NULL, or what is wrong. */
 static const char *end_by_axis(struct wf_qsm *q, size_t i, const double *v)
 {
     const double *axis = v + WF_FIELD_AX;
@@ -113,7 +137,7 @@ static const char *end_by_axis(struct wf_qsm *q, size_t i, const double *v)
     return NULL;
 }
 
-static const char *numbers(struct wf_qsm *q, size_t i, const double *v)
+static const char *cylinder_numbers(struct wf_qsm *q, size_t i, const double *v)
 {
     double id = v[WF_FIELD_ID], parent = v[WF_FIELD_PARENT];
     if (id < 0 || id > 9e15 || id != floor(id)) return "the id is not a whole number from 0";
@@ -130,7 +154,7 @@ static const char *numbers(struct wf_qsm *q, size_t i, const double *v)
 
 const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double v[WF_FIELD_COUNT])
 {
-    const char *wrong = numbers(q, i, v);
+    const char *wrong = cylinder_numbers(q, i, v);
     if (wrong) return wrong;
     double r = v[WF_FIELD_RADIUS], r0 = v[WF_FIELD_R0], r1 = v[WF_FIELD_R1], length = v[WF_FIELD_LENGTH];
     q->r0[i] = isnan(r0) ? r : r0;
@@ -143,22 +167,10 @@ const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double v[WF_FIEL
         q->x0[i] = q->y0[i] = q->z0[i] = q->x1[i] = q->y1[i] = q->z1[i] = (double)NAN;
         return isnan(length) ? "no length" : NULL;
     }
-    if (!point(v + WF_FIELD_X0)) return "the start is not a point within 100000 km";
+    if (!is_point(v + WF_FIELD_X0)) return "the start is not a point within 100000 km";
     q->x0[i] = v[WF_FIELD_X0], q->y0[i] = v[WF_FIELD_Y0], q->z0[i] = v[WF_FIELD_Z0];
     if (isnan(v[WF_FIELD_X1])) return end_by_axis(q, i, v);
-    if (!point(v + WF_FIELD_X1)) return "the end is not a point within 100000 km";
+    if (!is_point(v + WF_FIELD_X1)) return "the end is not a point within 100000 km";
     q->x1[i] = v[WF_FIELD_X1], q->y1[i] = v[WF_FIELD_Y1], q->z1[i] = v[WF_FIELD_Z1];
     return wf_qsm_distance(q, i) > LONGEST ? "start and end are more than 200 m apart" : NULL;
-}
-
-void wf_import_bad_row(struct wf_qsm *q, bool strict, size_t line, size_t column, const char *text,
-                       struct wf_diag *d)
-{
-    enum { LISTED = 100 };
-    wf_qsm_count(q, WF_REPAIR_BAD_ROW, 1, (int64_t)line);
-    if (q->repairs.count[WF_REPAIR_BAD_ROW] > LISTED) return;
-    if (strict)
-        wf_diag_error(d, q->file, line, column, "%s", text);
-    else
-        wf_diag_warn(d, "row-left-out", "%s:%zu: %s", q->file, line, text);
 }

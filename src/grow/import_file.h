@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_IMPORT_FILE_H
 #define WF_GROW_IMPORT_FILE_H
-/* A tree file as its readers see it: options, the first bytes, what its columns mean, rows that cannot be
- * read. */
+/* What all readers of tree files share: options, the beginning of the file, the meaning of column names, the
+ * conversion of a row to a cylinder, and the reporting of rows that cannot be read. */
 #include "grow/qsm.h"
 
 struct wf_import_options {
@@ -12,7 +12,7 @@ struct wf_import_options {
     double diameter_unit; /* the same for radii and diameters; NAN: 1 (an MTG: from the sizes)        */
 };
 
-/* The beginning of a file, enough to tell its format. */
+/* The beginning of a file, enough to recognise its format. */
 struct wf_import_head {
     const char *path;
     char *text; /* NUL-terminated */
@@ -20,6 +20,8 @@ struct wf_import_head {
     bool ends_open; /* the file's last line has no line end */
 };
 
+/* Read a file of one format. Given: its beginning, options. Returned: *q, not repaired; unreadable rows are
+ * reported in `d` and left out. Errors: WF_EINPUT, WF_EMISSING, WF_ENOMEM. */
 typedef enum wf_status wf_import_reader(const struct wf_import_head *h, const struct wf_import_options *o,
                                         struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d,
                                         struct wf_err *e);
@@ -62,18 +64,20 @@ struct wf_field_row {
 };
 
 /* Meaning of a column by its name. Given: a header cell such as " startX", "diameter_mm", "radius (m)";
- * metres per unit for lengths and for diameters and radii without a unit in their name. Returned: the field
- * (WF_FIELD_NONE for a column of no interest) and the factor to SI. */
+ * metres per unit for lengths, and for diameters and radii, whose name has no unit. Returned: the field
+ * (WF_FIELD_NONE for a column that is not used) and the factor to SI. */
 enum wf_field wf_field_of(const char *name, double length_unit, double diameter_unit, double *factor);
 
-/* Given: value[WF_FIELD_COUNT] in SI, NAN = not in the file. Returned: NULL and row i of q, or what is wrong
- * with the row. An end is taken as given, else start + length along the normalised axis. Rows without
- * coordinates keep NAN ends.
- */
+/* Convert a row of a file to a cylinder. Given: value[WF_FIELD_COUNT] in SI, NAN = not in the file. Returned:
+ * NULL and row i of q, or what is wrong with the row. The end is the given one; without it, start + length
+ * along the normalised axis. In rows without coordinates the start and end are NAN. */
 const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double value[WF_FIELD_COUNT]);
 
-/* A finding about an unreadable row: an error when strict, else a warning; counted in q. At most 100 are
- * listed. */
+/* Report an unreadable row: an error when strict, otherwise a warning; counted in q. At most 100 are listed.
+ */
 void wf_import_bad_row(struct wf_qsm *q, bool strict, size_t line, size_t column, const char *text,
                        struct wf_diag *d);
+/* The last row of the file was counted as unreadable, but the file ends within it: count it as truncated
+ * instead. */
+void wf_import_last_row_cut(struct wf_qsm *q, size_t line);
 #endif

@@ -1,8 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* MATLAB files through libmatio: the structures TreeQSM saves and the matrices made from them. */
 #include "grow/import_mat.h"
 #include "base/num.h"
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#ifdef WF_MATIO
+#include <matio.h>
+#endif
+
 #ifndef WF_MATIO
+
 enum wf_status wf_import_mat(const struct wf_import_head *h, const struct wf_import_options *o,
                              struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
@@ -13,18 +20,14 @@ enum wf_status wf_import_mat(const struct wf_import_head *h, const struct wf_imp
                    h->path);
 }
 #else
-#include <math.h>
-#include <matio.h>
-#include <stdio.h>
-#include <string.h>
 
-/* Where a field of a cylinder stands: a column of a MATLAB array. */
-struct source {
+/* Where a field of the cylinders is found: a column of a MATLAB array. */
+struct mat_source {
     const matvar_t *var;
     size_t column;
 };
-struct sources {
-    struct source of[WF_FIELD_COUNT];
+struct mat_sources {
+    struct mat_source of[WF_FIELD_COUNT];
     size_t n;    /* cylinders                  */
     bool uneven; /* arrays of different height */
 };
@@ -35,21 +38,21 @@ static const struct {
     const char *name, *early;
     size_t matrix, width;
     enum wf_field field;
-} parts[] = {
+} mat_parts[] = {
     { "radius", "Rad", 1, 1, WF_FIELD_RADIUS },   { "length", "Len", 2, 1, WF_FIELD_LENGTH },
     { "start", "Sta", 3, 3, WF_FIELD_X0 },        { "axis", "Axe", 6, 3, WF_FIELD_AX },
     { "parent", "CPar", 9, 1, WF_FIELD_PARENT },  { "extension", "CExt", 10, 1, WF_FIELD_NEXT },
     { "BranchOrder", "", 12, 1, WF_FIELD_ORDER }, { "added", "Added", 14, 1, WF_FIELD_ADDED },
 };
-enum { PARTS = WF_COUNT(parts), MATRIX = 14, VARIABLES = 64 };
+enum { PARTS = WF_COUNT(mat_parts), MATRIX = 14, VARIABLES = 64 };
 
-static bool numeric(const matvar_t *v)
+static bool is_numeric(const matvar_t *v)
 {
     return v && v->rank == 2 && v->data && !v->isComplex &&
            ((v->class_type >= MAT_C_DOUBLE && v->class_type <= MAT_C_UINT64) || v->isLogical);
 }
 
-static double element(const matvar_t *v, size_t i)
+static double array_element(const matvar_t *v, size_t i)
 {
     switch (v->class_type) {
     case MAT_C_DOUBLE:
@@ -77,31 +80,32 @@ static double element(const matvar_t *v, size_t i)
     }
 }
 
-/* One array of the tree; a vector may lie or stand. */
-static void take(struct sources *s, size_t part, const matvar_t *v)
+/* Use an array for a part, if it is numeric and has the right width; a vector may be a row or a column. */
+static void take_array(struct mat_sources *s, size_t part, const matvar_t *v)
 {
-    if (!numeric(v)) return;
+    if (!is_numeric(v)) return;
     size_t height = v->dims[0], width = v->dims[1];
-    if (parts[part].width == 1 && height == 1) height = width, width = 1;
-    if (width < parts[part].width || v->nbytes < height * width * (size_t)v->data_size) return;
+    if (mat_parts[part].width == 1 && height == 1) height = width, width = 1;
+    if (width < mat_parts[part].width || v->nbytes < height * width * (size_t)v->data_size) return;
     if (s->n && s->n != height) s->uneven = true;
     s->n = height;
-    for (size_t k = 0; k < parts[part].width; k++) s->of[parts[part].field + k] = (struct source){ v, k };
+    for (size_t k = 0; k < mat_parts[part].width; k++)
+        s->of[mat_parts[part].field + k] = (struct mat_source){ v, k };
 }
 
-static bool from_struct(struct sources *s, matvar_t *v)
+static bool sources_of_struct(struct mat_sources *s, matvar_t *v)
 {
-    for (size_t p = 0; p < PARTS; p++) take(s, p, Mat_VarGetStructFieldByName(v, parts[p].name, 0));
+    for (size_t p = 0; p < PARTS; p++) take_array(s, p, Mat_VarGetStructFieldByName(v, mat_parts[p].name, 0));
     return s->of[WF_FIELD_RADIUS].var && s->of[WF_FIELD_X0].var;
 }
 
 /* The cylinders of a variable: a QSM structure (the first model of several), its cylinder structure, or a
  * matrix. */
-static bool from_variable(struct sources *s, matvar_t *v, size_t *models)
+static bool sources_of_variable(struct mat_sources *s, matvar_t *v, size_t *models)
 {
     if (v->class_type == MAT_C_CELL && v->data && v->nbytes) {
         matvar_t *first = Mat_VarGetCell(v, 0);
-        return first && from_variable(s, first, models);
+        return first && sources_of_variable(s, first, models);
     }
     if (v->class_type == MAT_C_STRUCT && v->data) {
         size_t count = 1;
@@ -109,35 +113,36 @@ static bool from_variable(struct sources *s, matvar_t *v, size_t *models)
         if (!count) return false;
         matvar_t *cylinder = Mat_VarGetStructFieldByName(v, "cylinder", 0);
         if (cylinder && cylinder->class_type != MAT_C_STRUCT) cylinder = NULL;
-        if (!from_struct(s, cylinder ? cylinder : v)) return false;
+        if (!sources_of_struct(s, cylinder ? cylinder : v)) return false;
         *models = count;
         return true;
     }
-    if (!numeric(v) || v->dims[1] != MATRIX) return false;
+    if (!is_numeric(v) || v->dims[1] != MATRIX) return false;
     if (v->nbytes < v->dims[0] * MATRIX * (size_t)v->data_size) return false;
     s->n = v->dims[0];
     for (size_t p = 0; p < PARTS; p++)
-        for (size_t k = 0; k < parts[p].width; k++)
-            s->of[parts[p].field + k] = (struct source){ v, parts[p].matrix - 1 + k };
+        for (size_t k = 0; k < mat_parts[p].width; k++)
+            s->of[mat_parts[p].field + k] = (struct mat_source){ v, mat_parts[p].matrix - 1 + k };
     return true;
 }
 
-static bool find_tree(struct sources *s, matvar_t **var, size_t n, size_t *models)
+static bool find_sources(struct mat_sources *s, matvar_t **var, size_t n, size_t *models)
 {
     for (size_t k = 0; k < n; k++) {
-        *s = (struct sources){ 0 };
-        if (from_variable(s, var[k], models)) return true;
+        *s = (struct mat_sources){ 0 };
+        if (sources_of_variable(s, var[k], models)) return true;
     }
-    *s = (struct sources){ 0 };
+    *s = (struct mat_sources){ 0 };
     for (size_t k = 0; k < n; k++)
         for (size_t p = 0; p < PARTS; p++)
-            if (var[k]->name && !strcmp(var[k]->name, parts[p].early)) take(s, p, var[k]);
+            if (var[k]->name && !strcmp(var[k]->name, mat_parts[p].early)) take_array(s, p, var[k]);
     *models = 1;
     return s->of[WF_FIELD_RADIUS].var && s->of[WF_FIELD_X0].var;
 }
 
-/* A version 5 file is a row of elements, each with its size in front; libmatio pads a cut one with zeros. */
-static bool complete(const char *path)
+/* Whether a version 5 file is complete. It is a sequence of elements, each preceded by its size; this is
+ * checked because libmatio fills a truncated element with zeros without an error. */
+static bool is_complete_mat(const char *path)
 {
     unsigned char head[128], tag[8];
     FILE *f = fopen(path, "rb");
@@ -157,8 +162,9 @@ static bool complete(const char *path)
     return whole;
 }
 
-static enum wf_status fill(const struct sources *s, const struct wf_import_options *o, struct wf_arena *a,
-                           struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
+static enum wf_status read_cylinders(const struct mat_sources *s, const struct wf_import_options *o,
+                                     struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d,
+                                     struct wf_err *e)
 {
     double value[WF_FIELD_COUNT];
     size_t n = 0;
@@ -166,7 +172,7 @@ static enum wf_status fill(const struct sources *s, const struct wf_import_optio
     if (status) return status;
     for (size_t i = 0; i < s->n; i++) {
         for (int f = 0; f < WF_FIELD_COUNT; f++)
-            value[f] = s->of[f].var ? element(s->of[f].var, s->of[f].column * s->n + i) : (double)NAN;
+            value[f] = s->of[f].var ? array_element(s->of[f].var, s->of[f].column * s->n + i) : (double)NAN;
         value[WF_FIELD_ID] = (double)(i + 1);
         const char *wrong = isnan(value[WF_FIELD_X0]) ? "no start point" : wf_field_cylinder(q, n, value);
         if (wrong)
@@ -182,14 +188,14 @@ enum wf_status wf_import_mat(const struct wf_import_head *h, const struct wf_imp
                              struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
     matvar_t *var[VARIABLES];
-    struct sources s = { 0 };
+    struct mat_sources s = { 0 };
     size_t n = 0, models = 1;
-    if (!complete(h->path)) return wf_fail(e, WF_EINPUT, "%s: the MATLAB file is cut off", h->path);
+    if (!is_complete_mat(h->path)) return wf_fail(e, WF_EINPUT, "%s: the MATLAB file is cut off", h->path);
     mat_t *mat = Mat_Open(h->path, MAT_ACC_RDONLY);
     if (!mat) return wf_fail(e, WF_EINPUT, "%s: not a MATLAB file that libmatio can read", h->path);
     while (n < VARIABLES && (var[n] = Mat_VarReadNext(mat))) n++;
     enum wf_status status;
-    if (!find_tree(&s, var, n, &models))
+    if (!find_sources(&s, var, n, &models))
         status = wf_fail(
             e, WF_EINPUT,
             "%s: no tree in %zu variables: neither a structure with radius, length, start, axis and parent "
@@ -198,11 +204,12 @@ enum wf_status wf_import_mat(const struct wf_import_head *h, const struct wf_imp
     else if (s.uneven)
         status = wf_fail(e, WF_EINPUT, "%s: the arrays of the cylinders have different lengths", h->path);
     else
-        status = fill(&s, o, a, q, d, e);
+        status = read_cylinders(&s, o, a, q, d, e);
     q->format = "MATLAB file";
     wf_qsm_count(q, WF_NOTE_MODELS, models - 1, -1);
     for (size_t k = 0; k < n; k++) Mat_VarFree(var[k]);
     (void)Mat_Close(mat);
     return status;
 }
+
 #endif

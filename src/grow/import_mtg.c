@@ -8,22 +8,23 @@
 #include <string.h>
 #include <strings.h>
 
-/* The graph of a multi-scale tree graph file (Godin & Caraglio 1998, J. Theor. Biol. 191:1-46): entities at
- * several scales, '/' decomposes an entity, '<' follows and '+' branches from one of the same scale. */
+/* The graph of a multi-scale tree graph file (Godin & Caraglio 1998, J. Theor. Biol. 191:1-46) has entities
+ * at several scales. Edges: '/' decomposes an entity into finer ones; '<' follows and '+' branches from an
+ * entity of the same scale. */
 
-enum { WF_MTG_CLASSES = 64, WF_MTG_COLUMNS = 256 };
+enum { MTG_CLASSES = 64, MTG_COLUMNS = 256 };
 
-struct wf_mtg_class {
+struct mtg_class {
     char symbol[16];
     int scale;
 };
 
 /* One entity. Links are indices, -1 = none. */
-struct wf_mtg_entity {
+struct mtg_entity {
     int scale;
-    char edge;       /* '/', '<' or '+': how it came to be; for '/' that of its complex */
-    int32_t complex; /* the entity one scale up it is part of                          */
-    int32_t below;   /* the entity it follows or branches from, as fine as is known     */
+    char edge;       /* '<' or '+': to `below`; '/': a root. The first part of a complex has its complex's */
+    int32_t complex; /* the entity of the next coarser scale that it is part of         */
+    int32_t below;   /* the entity it follows or branches from, at the finest scale known */
     int32_t fine;    /* its last part at the finest scale                               */
     bool first;      /* first part of its complex                                       */
     size_t line;
@@ -31,22 +32,22 @@ struct wf_mtg_entity {
     double diameter; /* NAN = not given           */
 };
 
-struct wf_mtg {
-    struct wf_mtg_class class[WF_MTG_CLASSES];
+struct mtg_graph {
+    struct mtg_class class[MTG_CLASSES];
     size_t classes;
     size_t entity_columns; /* tab columns that may hold an entity                     */
     size_t column[4];      /* of XX, YY, ZZ and the diameter                          */
     double diameter_share; /* 1 for diameters, 2 for a radius column                  */
-    struct wf_mtg_entity *entity;
+    struct mtg_entity *entity;
     size_t n, room;
     int finest;
-    int32_t last[WF_MTG_COLUMNS]; /* the newest entity of each tab column */
+    int32_t last[MTG_COLUMNS]; /* the newest entity of each tab column */
 };
 
-/* Header of a multi-scale tree graph: symbols with their scale, and which tab column holds which feature. */
+/* The header: symbols with their scale, and which tab column holds which feature. */
 
 /* The next line without its end; false at the end of the text. */
-static bool next_line(const char **at, const char **stop, size_t *line)
+static bool next_mtg_line(const char **at, const char **stop, size_t *line)
 {
     if (!**at) return false;
     *stop = *at + strcspn(*at, "\n");
@@ -54,22 +55,22 @@ static bool next_line(const char **at, const char **stop, size_t *line)
     return true;
 }
 
-static void class_row(struct wf_mtg *g, const char *p)
+static void read_class(struct mtg_graph *g, const char *p)
 {
     char symbol[16];
     size_t n = strcspn(p, " \t\r\n");
-    if (!n || n >= sizeof symbol || g->classes == WF_MTG_CLASSES) return;
+    if (!n || n >= sizeof symbol || g->classes == MTG_CLASSES) return;
     memcpy(symbol, p, n);
     symbol[n] = '\0';
     p += n + strspn(p + n, " \t");
     if (!isdigit((unsigned char)*p)) return;
-    struct wf_mtg_class *c = &g->class[g->classes++];
+    struct mtg_class *c = &g->class[g->classes++];
     memcpy(c->symbol, symbol, sizeof symbol);
     c->scale = (int)strtol(p, NULL, 10);
 }
 
-/* Given a cell of the ENTITY-CODE line: which feature it names, -1 when none that matters. */
-static int feature(struct wf_mtg *g, const char *p, size_t n)
+/* Which feature a cell of the ENTITY-CODE line names: 0..2 coordinates, 3 diameter, -1 a feature not used. */
+static int feature_named(struct mtg_graph *g, const char *p, size_t n)
 {
     static const struct {
         const char *name;
@@ -90,15 +91,15 @@ static int feature(struct wf_mtg *g, const char *p, size_t n)
     return -1;
 }
 
-static enum wf_status feature_columns(struct wf_mtg *g, const char *file, const char *p, const char *stop,
-                                      size_t line, struct wf_err *e)
+static enum wf_status read_feature_columns(struct mtg_graph *g, const char *file, const char *p,
+                                           const char *stop, size_t line, struct wf_err *e)
 {
     bool found[4] = { false };
     g->entity_columns = 0;
     for (size_t column = 0;; column++) {
         size_t n = strcspn(p, "\t\n");
         if (column && n && *p != '\r' && !g->entity_columns) g->entity_columns = column;
-        int f = column ? feature(g, p, n) : -1;
+        int f = column ? feature_named(g, p, n) : -1;
         if (f >= 0) g->column[f] = column, found[f] = true;
         p += n;
         if (p >= stop || *p != '\t') break;
@@ -110,22 +111,22 @@ static enum wf_status feature_columns(struct wf_mtg *g, const char *file, const 
             "%s:%zu: error: the features XX, YY, ZZ and a diameter (TopDia, Diam, diameter) are needed; "
             "%s is missing",
             file, line, !found[3] ? "a diameter" : "a coordinate");
-    if (!g->entity_columns || g->entity_columns > WF_MTG_COLUMNS)
+    if (!g->entity_columns || g->entity_columns > MTG_COLUMNS)
         return wf_fail(e, WF_EINPUT, "%s:%zu: error: no column for entities before the features", file, line);
     return WF_OK;
 }
 
-/* Classes and features, up to and with the ENTITY-CODE line. Given: text, which is advanced to the line after
- * it, and the line number. Errors: WF_EINPUT naming what is missing. */
-static enum wf_status mtg_head(struct wf_mtg *g, const char *file, const char **at, size_t *line,
-                               struct wf_err *e)
+/* Read classes and features, up to and including the ENTITY-CODE line. *at is moved to the line after it.
+ * Errors: WF_EINPUT with what is missing. */
+static enum wf_status read_mtg_head(struct mtg_graph *g, const char *file, const char **at, size_t *line,
+                                    struct wf_err *e)
 {
     enum { BEFORE, CLASSES, BEHIND } part = BEFORE;
     const char *stop;
-    for (; next_line(at, &stop, line); *at = *stop ? stop + 1 : stop) {
+    for (; next_mtg_line(at, &stop, line); *at = *stop ? stop + 1 : stop) {
         if (!strncmp(*at, "ENTITY-CODE", 11)) {
             if (!g->classes) return wf_fail(e, WF_EINPUT, "%s: error: no classes before ENTITY-CODE", file);
-            enum wf_status s = feature_columns(g, file, *at, stop, *line, e);
+            enum wf_status s = read_feature_columns(g, file, *at, stop, *line, e);
             *at = *stop ? stop + 1 : stop;
             return s;
         }
@@ -134,37 +135,36 @@ static enum wf_status mtg_head(struct wf_mtg *g, const char *file, const char **
         else if (!strncmp(*at, "DESCRIPTION", 11) || !strncmp(*at, "FEATURES", 8))
             part = BEHIND;
         else if (part == CLASSES && strncmp(*at, "SYMBOL", 6))
-            class_row(g, *at);
+            read_class(g, *at);
     }
     return wf_fail(e, WF_EINPUT, "%s: error: no ENTITY-CODE line in this tree graph", file);
 }
 
-/* Lines of a multi-scale tree graph: where an entity stands in the graph follows from its tab column and
- * edges. */
+/* The lines: the place of an entity in the graph follows from its tab column and its edges. */
 
-static int scale_of(const struct wf_mtg *g, const char *p, size_t n)
+static int scale_of_class(const struct mtg_graph *g, const char *p, size_t n)
 {
     for (size_t k = 0; k < g->classes; k++)
         if (strlen(g->class[k].symbol) == n && !strncmp(g->class[k].symbol, p, n)) return g->class[k].scale;
     return -1;
 }
 
-/* The entity of a coarser or equal scale that contains `v`. */
-static int32_t at_scale(const struct wf_mtg *g, int32_t v, int scale)
+/* The entity of scale `scale` (or the next coarser one there is) that contains `v`; -1: none. */
+static int32_t at_scale(const struct mtg_graph *g, int32_t v, int scale)
 {
     while (v >= 0 && g->entity[v].scale > scale) v = g->entity[v].complex;
     return v;
 }
 
-/* Add one entity reached from `from` over `edge`. Returned: its index, -1 when the graph does not allow it.
+/* Add an entity that `edge` connects to `from`. Returned: its index; -1 when the scales do not fit the edge.
  */
-static int32_t add(struct wf_mtg *g, int32_t from, char edge, int scale, size_t line)
+static int32_t add_entity(struct mtg_graph *g, int32_t from, char edge, int scale, size_t line)
 {
-    struct wf_mtg_entity v = { .scale = scale, .edge = edge, .complex = -1, .below = -1, .line = line };
+    struct mtg_entity v = { .scale = scale, .edge = edge, .complex = -1, .below = -1, .line = line };
     if (from >= 0 && edge == '/') {
         v.complex = at_scale(g, from, scale - 1);
         if (v.complex < 0 || g->entity[v.complex].scale >= scale) return -1;
-        const struct wf_mtg_entity *c = &g->entity[v.complex];
+        const struct mtg_entity *c = &g->entity[v.complex];
         v.first = c->fine == v.complex; /* no finer part yet */
         v.below = v.first ? c->below : c->fine;
         v.edge = v.first ? c->edge : '<';
@@ -184,8 +184,8 @@ static int32_t add(struct wf_mtg *g, int32_t from, char edge, int scale, size_t 
     return me;
 }
 
-/* A code such as "^<S2" or "/P1/A1": every entity of it in turn. Returned: NULL or what is wrong. */
-static const char *code(struct wf_mtg *g, size_t column, const char *p, const char *stop, size_t line)
+/* Add all entities of a code such as "^<S2" or "/P1/A1". Returned: NULL, or what is wrong. */
+static const char *read_code(struct mtg_graph *g, size_t column, const char *p, const char *stop, size_t line)
 {
     int32_t from = -1;
     if (*p == '^') {
@@ -202,11 +202,11 @@ static const char *code(struct wf_mtg *g, size_t column, const char *p, const ch
         if (edge != '/' && edge != '<' && edge != '+') return "an entity starts with '/', '<' or '+'";
         const char *symbol = p;
         while (p < stop && isalpha((unsigned char)*p)) p++;
-        int scale = scale_of(g, symbol, (size_t)(p - symbol));
+        int scale = scale_of_class(g, symbol, (size_t)(p - symbol));
         if (scale < 0) return "the entity is not of a class this file declares";
         while (p < stop && isdigit((unsigned char)*p)) p++;
         if (g->n == g->room) return "more entities than there are places for";
-        from = add(g, from, edge, scale, line);
+        from = add_entity(g, from, edge, scale, line);
         if (from < 0) return "the edge does not fit the scales of the two entities";
     }
     g->last[column] = from;
@@ -214,9 +214,9 @@ static const char *code(struct wf_mtg *g, size_t column, const char *p, const ch
     return NULL;
 }
 
-static const char *features(struct wf_mtg *g, const char *p, const char *stop)
+static const char *read_features(struct mtg_graph *g, const char *p, const char *stop)
 {
-    struct wf_mtg_entity *v = &g->entity[g->n - 1];
+    struct mtg_entity *v = &g->entity[g->n - 1];
     double value[4] = { (double)NAN, (double)NAN, (double)NAN, (double)NAN };
     for (size_t column = 0;; column++) {
         const char *tab = memchr(p, '\t', (size_t)(stop - p)), *end = tab ? tab : stop;
@@ -231,8 +231,8 @@ static const char *features(struct wf_mtg *g, const char *p, const char *stop)
     return NULL;
 }
 
-/* One line of entities. Returned: NULL, or what is wrong with it. `start`..`stop` without the line end. */
-static const char *mtg_line(struct wf_mtg *g, const char *start, const char *stop, size_t line)
+/* Read one line, `start`..`stop` without the line end. Returned: NULL, or what is wrong. */
+static const char *read_mtg_line(struct mtg_graph *g, const char *start, const char *stop, size_t line)
 {
     const char *p = start;
     size_t column = 0;
@@ -244,20 +244,19 @@ static const char *mtg_line(struct wf_mtg *g, const char *start, const char *sto
     if (!end) end = stop;
     const char *trimmed = end;
     while (trimmed > p && trimmed[-1] == ' ') trimmed--;
-    const char *wrong = code(g, column, p, trimmed, line);
-    return wrong ? wrong : features(g, start, stop);
+    const char *wrong = read_code(g, column, p, trimmed, line);
+    return wrong ? wrong : read_features(g, start, stop);
 }
 
-/* OpenAlea multi-scale tree graphs: each entity of the finest scale is a segment that ends at its
- * coordinates. It starts at the end of the entity it follows or branches from; the first of an axis starts at
- * the coordinates of the axis, when the file gives these. Lengths are centimetres unless told otherwise. */
+/* From the graph to rows. */
 
-/* Diameters have no stated unit: centimetres if the trunk then is slenderer than 5, else millimetres. */
-static double diameter_unit(struct wf_qsm *q, const struct wf_mtg *g, double length_unit)
+/* The unit of diameters [m], which a file does not state: centimetres if the tree is then more than five
+ * times as high as its largest diameter, otherwise millimetres. */
+static double infer_diameter_unit(struct wf_qsm *q, const struct mtg_graph *g, double length_unit)
 {
     double low = INFINITY, high = -INFINITY, thick = 0;
     for (size_t i = 0; i < g->n; i++) {
-        const struct wf_mtg_entity *v = &g->entity[i];
+        const struct mtg_entity *v = &g->entity[i];
         if (v->point[2] < low) low = v->point[2];
         if (v->point[2] > high) high = v->point[2];
         if (v->diameter > thick) thick = v->diameter;
@@ -266,12 +265,12 @@ static double diameter_unit(struct wf_qsm *q, const struct wf_mtg *g, double len
     return (high - low) * length_unit > 5 * 0.01 * thick ? 0.01 : 0.001;
 }
 
-/* Row of the finest entities: ends, radii, links. row[] gives the row of each entity, -1 for a coarser one.
- */
-static void segment(struct wf_qsm *q, const struct wf_mtg *g, const int32_t *row, size_t v, double unit,
-                    double thick)
+/* Write the row of entity v, one of the finest scale. row[]: row of each entity, -1 for coarser ones; metres
+ * per unit of lengths and of diameters. */
+static void write_mtg_row(struct wf_qsm *q, const struct mtg_graph *g, const int32_t *row, size_t v,
+                          double unit, double thick)
 {
-    const struct wf_mtg_entity *s = &g->entity[v], *c = s->complex >= 0 ? &g->entity[s->complex] : NULL;
+    const struct mtg_entity *s = &g->entity[v], *c = s->complex >= 0 ? &g->entity[s->complex] : NULL;
     size_t i = (size_t)row[v];
     int32_t below = s->below >= 0 ? row[s->below] : -1;
     double end[3] = { (double)NAN, (double)NAN, (double)NAN }, start[3];
@@ -293,8 +292,8 @@ static void segment(struct wf_qsm *q, const struct wf_mtg *g, const int32_t *row
     if (along) q->next_id[below] = q->id[i];
 }
 
-static enum wf_status to_rows(struct wf_qsm *q, const struct wf_mtg *g, const struct wf_import_options *o,
-                              struct wf_arena *a, struct wf_err *e)
+static enum wf_status write_mtg_rows(struct wf_qsm *q, const struct mtg_graph *g,
+                                     const struct wf_import_options *o, struct wf_arena *a, struct wf_err *e)
 {
     size_t n = 0;
     int32_t *row = WF_TAKE(a, g->n, int32_t);
@@ -303,11 +302,11 @@ static enum wf_status to_rows(struct wf_qsm *q, const struct wf_mtg *g, const st
     enum wf_status s = wf_qsm_alloc(q, n, a, e);
     if (s) return s;
     double unit = isnan(o->length_unit) ? 0.01 : o->length_unit;
-    double thick = isnan(o->diameter_unit) ? diameter_unit(q, g, unit) : o->diameter_unit;
+    double thick = isnan(o->diameter_unit) ? infer_diameter_unit(q, g, unit) : o->diameter_unit;
     size_t missing = 0;
     for (size_t v = 0; v < g->n; v++) {
         if (row[v] < 0) continue;
-        segment(q, g, row, v, unit, thick);
+        write_mtg_row(q, g, row, v, unit, thick);
         missing += isnan(q->x1[row[v]]) ? 1 : 0;
     }
     if (!missing) return WF_OK;
@@ -321,26 +320,25 @@ enum wf_status wf_import_mtg(const struct wf_import_head *h, const struct wf_imp
     struct wf_bytes b;
     enum wf_status s = wf_file_read_text(h->path, a, &b, e);
     if (s) return s;
-    struct wf_mtg *g = WF_TAKE(a, 1, struct wf_mtg);
+    struct mtg_graph *g = WF_TAKE(a, 1, struct mtg_graph);
     if (!g) return wf_fail(e, WF_ENOMEM, "%s: no memory", h->path);
-    for (int k = 0; k < WF_MTG_COLUMNS; k++) g->last[k] = -1;
+    for (int k = 0; k < MTG_COLUMNS; k++) g->last[k] = -1;
     const char *at = b.data, *end = b.data + b.size;
     size_t line = 0, bad = 0;
-    if ((s = mtg_head(g, h->path, &at, &line, e))) return s;
+    if ((s = read_mtg_head(g, h->path, &at, &line, e))) return s;
     for (const char *p = at; p < end; p++) g->room += *p == '/' || *p == '<' || *p == '+';
-    g->entity = WF_TAKE(a, g->room, struct wf_mtg_entity);
+    g->entity = WF_TAKE(a, g->room, struct mtg_entity);
     if (!g->entity) return wf_fail(e, WF_ENOMEM, "%s: no room for %zu entities", h->path, g->room);
     while (at < end) {
         const char *stop = memchr(at, '\n', (size_t)(end - at));
         if (!stop) stop = end;
-        const char *wrong = mtg_line(g, at, stop, ++line);
+        const char *wrong = read_mtg_line(g, at, stop, ++line);
         if (wrong) wf_import_bad_row(q, o->strict, bad = line, 0, wrong, d);
         at = stop < end ? stop + 1 : stop;
     }
     if (bad && bad == line && h->ends_open) {
-        q->repairs.count[WF_REPAIR_BAD_ROW]--;
-        wf_qsm_count(q, WF_REPAIR_TRUNCATED, 1, (int64_t)bad);
+        wf_import_last_row_cut(q, bad);
     }
     q->format = "OpenAlea MTG";
-    return to_rows(q, g, o, a, e);
+    return write_mtg_rows(q, g, o, a, e);
 }

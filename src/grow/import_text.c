@@ -9,31 +9,131 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Coordinates of a table without any, from lengths and angles. Given: per row angle, zenith, azimuth [rad],
- * distance [m], share [-], each NAN where not measured, as rows of value[n][WF_FIELD_COUNT]. */
-struct wf_hand {
+/* Coordinates of a hand-measured table of lengths, diameters and angles. */
+
+/* Measurements of each row: angle, zenith, azimuth [rad], distance [m], share [-]; NAN = not measured. */
+struct hand_angles {
     double *angle, *zenith, *azimuth, *distance, *share;
 };
-static enum wf_status wf_import_place(struct wf_qsm *q, const struct wf_hand *hand, struct wf_arena *a,
-                                      struct wf_err *e);
+
+static const double GOLDEN = 137.50776405003785 / 180 * WF_PI; /* divergence of spiral leaf positions [rad] */
+
+/* Unit vector perpendicular to `t` whose direction is nearest to the azimuth `az` [rad]. */
+static void unit_across(const double t[3], double az, double out[3])
+{
+    double h[3] = { cos(az), sin(az), 0 };
+    double along = wf_dot(h, t);
+    for (int k = 0; k < 3; k++) out[k] = h[k] - along * t[k];
+    double norm = sqrt(wf_dot(out, out));
+    if (norm < 1e-9) { /* the parent lies along the azimuth: tilt upwards */
+        out[0] = out[1] = 0, out[2] = 1;
+        norm = 1;
+    }
+    for (int k = 0; k < 3; k++) out[k] /= norm;
+}
+
+struct hand_placing {
+    struct wf_qsm *q;
+    const struct hand_angles *hand;
+    double azimuth; /* of the last branch whose azimuth was not measured [rad] */
+};
+
+static double hand_azimuth(struct hand_placing *p, size_t i, bool leaning)
+{
+    double az = p->hand->azimuth[i];
+    if (!isnan(az) || !leaning) return isnan(az) ? 0 : az;
+    wf_qsm_count(p->q, WF_REPAIR_AZIMUTH, 1, p->q->id[i]);
+    p->azimuth += GOLDEN;
+    return p->azimuth;
+}
+
+static void place_row(struct hand_placing *p, size_t i, int32_t parent)
+{
+    struct wf_qsm *q = p->q;
+    const struct hand_angles *h = p->hand;
+    double start[3] = { 0, 0, 0 }, t[3] = { 0, 0, 1 }, d[3], u[3];
+    if (parent >= 0) {
+        size_t k = (size_t)parent;
+        double length = wf_qsm_distance(q, k);
+        double s = !isnan(h->distance[i]) ? h->distance[i] / length : isnan(h->share[i]) ? 1 : h->share[i];
+        s = s < 0 ? 0 : s > 1 ? 1 : s;
+        t[0] = (q->x1[k] - q->x0[k]) / length, t[1] = (q->y1[k] - q->y0[k]) / length;
+        t[2] = (q->z1[k] - q->z0[k]) / length;
+        start[0] = q->x0[k] + s * length * t[0], start[1] = q->y0[k] + s * length * t[1];
+        start[2] = q->z0[k] + s * length * t[2];
+    }
+    double up[3] = { 0, 0, 1 };
+    bool from_vertical = !isnan(h->zenith[i]);
+    double angle = from_vertical ? h->zenith[i] : isnan(h->angle[i]) ? 0 : h->angle[i];
+    const double *from = from_vertical ? up : t;
+    unit_across(from, hand_azimuth(p, i, fabs(angle) > 1e-9), u);
+    for (int k = 0; k < 3; k++) d[k] = q->length[i] * (cos(angle) * from[k] + sin(angle) * u[k]);
+    q->x0[i] = start[0], q->y0[i] = start[1], q->z0[i] = start[2];
+    q->x1[i] = start[0] + d[0], q->y1[i] = start[1] + d[1], q->z1[i] = start[2] + d[2];
+}
+
+/* Find the row of each parent. A parent of 0 or -1, an empty cell and an unknown id make the row a root, as
+ * in wf_qsm_repair. */
+static enum wf_status find_parent_rows(const struct wf_qsm *q, int32_t *parent, struct wf_arena *a,
+                                       struct wf_err *e)
+{
+    struct wf_ids ids;
+    enum wf_status s = wf_ids_begin(&ids, q->id, q->n, a, e);
+    if (s) return s;
+    for (size_t i = 0; i < q->n; i++) (void)wf_ids_enter(&ids, (int32_t)i);
+    for (size_t i = 0; i < q->n; i++)
+        parent[i] = q->parent_id[i] < 0 ? -1 : wf_ids_find(&ids, q->parent_id[i]);
+    return WF_OK;
+}
+
+static enum wf_status place_hand_rows(struct wf_qsm *q, const struct hand_angles *hand, struct wf_arena *a,
+                                      struct wf_err *e)
+{
+    struct hand_placing p = { .q = q, .hand = hand };
+    struct wf_children c;
+    int32_t *parent = WF_TAKE(a, q->n, int32_t), *queue = WF_TAKE(a, q->n, int32_t);
+    if (!parent || !queue) return wf_fail(e, WF_ENOMEM, "no room for %zu rows", q->n);
+    enum wf_status s = find_parent_rows(q, parent, a, e);
+    if (!s) s = wf_children_of(parent, q->n, a, &c, e);
+    if (s) return s;
+    for (size_t i = 0; i < q->n; i++)
+        if (!(q->length[i] > 0))
+            return wf_fail(e, WF_EINPUT,
+                           "%s:%zu: error: length: row %lld has no length, and no coordinates either",
+                           q->file, q->line[i], (long long)q->id[i]);
+    size_t n = 0;
+    for (int32_t k = c.begin[q->n]; k < c.begin[q->n + 1]; k++) queue[n++] = c.child[k];
+    for (size_t k = 0; k < n; k++) {
+        int32_t i = queue[k];
+        place_row(&p, (size_t)i, parent[i]);
+        for (int32_t m = c.begin[i]; m < c.begin[i + 1]; m++) queue[n++] = c.child[m];
+    }
+    for (size_t i = 0; i < q->n && n < q->n; i++)
+        if (isnan(q->x0[i]))
+            return wf_fail(
+                e, WF_EINPUT,
+                "%s:%zu: error: parent: row %lld is its own ancestor; without coordinates it has no place",
+                q->file, q->line[i], (long long)q->id[i]);
+    return WF_OK;
+}
 
 /* Tables with a header row: normalised, SimpleForest, aRchi, rTwig, plain segments, hand-measured. */
 
-struct column {
+struct csv_field {
     enum wf_field field;
     size_t index;
     double factor;
 };
 
-struct table {
+struct csv_tree {
     struct wf_csv csv;
-    struct column column[WF_FIELD_COUNT];
+    struct csv_field column[WF_FIELD_COUNT];
     size_t columns;
     bool has[WF_FIELD_COUNT];
     bool placed; /* the file has coordinates */
 };
 
-/* A format is told by a column that only its program writes. */
+/* Formats are recognised by a column that only one program writes. */
 static const struct {
     const char *column, *format;
 } marks[] = {
@@ -43,7 +143,7 @@ static const struct {
     { "radius_m", "normalised CSV" },
 };
 
-static const char *title(const struct table *t)
+static const char *table_format(const struct csv_tree *t)
 {
     if (!t->placed) return "hand-measured table";
     for (size_t k = 0; k < WF_COUNT(marks); k++)
@@ -51,12 +151,12 @@ static const char *title(const struct table *t)
     return "CSV of cylinders";
 }
 
-static void map_columns(struct table *t, const struct wf_import_options *o)
+static void map_columns(struct csv_tree *t, const struct wf_import_options *o)
 {
     double length_unit = isnan(o->length_unit) ? 1 : o->length_unit;
     double diameter_unit = isnan(o->diameter_unit) ? length_unit : o->diameter_unit;
     for (size_t k = 0; k < t->csv.columns; k++) {
-        struct column c = { .index = k };
+        struct csv_field c = { .index = k };
         c.field = wf_field_of(t->csv.name[k].text, length_unit, diameter_unit, &c.factor);
         if (c.field == WF_FIELD_NONE || t->has[c.field]) continue;
         t->has[c.field] = true;
@@ -64,16 +164,16 @@ static void map_columns(struct table *t, const struct wf_import_options *o)
     }
 }
 
-static bool three(const struct table *t, enum wf_field first)
+static bool has_three(const struct csv_tree *t, enum wf_field first)
 {
     return t->has[first] && t->has[first + 1] && t->has[first + 2];
 }
 
-/* What the header lacks for a tree, NULL when nothing. */
-static const char *lacking(struct table *t)
+/* Which columns needed for a tree the header lacks; NULL: none. Sets t->placed. */
+static const char *header_lacks(struct csv_tree *t)
 {
-    bool start = three(t, WF_FIELD_X0), end = three(t, WF_FIELD_X1);
-    bool axis = three(t, WF_FIELD_AX) && t->has[WF_FIELD_LENGTH];
+    bool start = has_three(t, WF_FIELD_X0), end = has_three(t, WF_FIELD_X1);
+    bool axis = has_three(t, WF_FIELD_AX) && t->has[WF_FIELD_LENGTH];
     bool any = t->has[WF_FIELD_X0] || t->has[WF_FIELD_X1] || t->has[WF_FIELD_AX];
     bool radius = t->has[WF_FIELD_RADIUS] || t->has[WF_FIELD_R0] || t->has[WF_FIELD_R1];
     t->placed = start && (end || axis);
@@ -85,7 +185,7 @@ static const char *lacking(struct table *t)
     return NULL;
 }
 
-static enum wf_status refuse_header(const struct table *t, const char *what, struct wf_err *e)
+static enum wf_status refuse_header(const struct csv_tree *t, const char *what, struct wf_err *e)
 {
     char names[512] = "";
     size_t n = 0;
@@ -95,19 +195,19 @@ static enum wf_status refuse_header(const struct table *t, const char *what, str
                    t->csv.file, t->csv.columns ? t->csv.name[0].line : 1, what, names);
 }
 
-static bool blank(const char *s)
+static bool is_blank_cell(const char *s)
 {
     return !*s || !strcmp(s, "NA") || !strcmp(s, "NaN") || !strcmp(s, "nan") || !strcmp(s, "NULL");
 }
 
-/* The row in hand in SI. false after a finding. */
-static bool take_row(struct table *t, double *value)
+/* Convert the current row to SI. Returned: false after a mistake was reported. */
+static bool row_in_si(struct csv_tree *t, double *value)
 {
     for (int f = 0; f < WF_FIELD_COUNT; f++) value[f] = (double)NAN;
     if (!t->has[WF_FIELD_ID]) value[WF_FIELD_ID] = (double)t->csv.row;
     for (size_t k = 0; k < t->columns; k++) {
-        const struct column *c = &t->column[k];
-        if (blank(wf_csv_text(&t->csv, c->index))) continue;
+        const struct csv_field *c = &t->column[k];
+        if (is_blank_cell(wf_csv_text(&t->csv, c->index))) continue;
         double v;
         if (!wf_csv_number(&t->csv, c->index, -INFINITY, INFINITY, &v)) return false;
         value[c->field] = v * c->factor;
@@ -126,9 +226,9 @@ static size_t lines_left(const struct wf_csv *c)
     return n;
 }
 
-/* What the CSV reader found goes to the caller's list, one line a row. */
-static void hand_on(struct table *t, const struct wf_import_head *h, bool strict, struct wf_qsm *q,
-                    struct wf_diag *d)
+/* Pass the findings of the CSV reader on to the caller's list, one for each row, and count them. */
+static void pass_findings_on(struct csv_tree *t, const struct wf_import_head *h, bool strict,
+                             struct wf_qsm *q, struct wf_diag *d)
 {
     size_t last = 0, listed = 0;
     for (const struct wf_finding *f = t->csv.diag->first; f && listed < WF_CSV_LISTED;
@@ -137,13 +237,11 @@ static void hand_on(struct table *t, const struct wf_import_head *h, bool strict
         last = f->line;
     }
     if (t->csv.mistakes > listed) wf_qsm_count(q, WF_REPAIR_BAD_ROW, t->csv.mistakes - listed, 0);
-    if (last && h->ends_open && last == t->csv.row_line) {
-        q->repairs.count[WF_REPAIR_BAD_ROW]--;
-        wf_qsm_count(q, WF_REPAIR_TRUNCATED, 1, (int64_t)last);
-    }
+    if (last && h->ends_open && last == t->csv.row_line) wf_import_last_row_cut(q, last);
 }
 
-static enum wf_status hand_columns(struct wf_hand *hand, size_t n, struct wf_arena *a, struct wf_err *e)
+static enum wf_status take_hand_angles(struct hand_angles *hand, size_t n, struct wf_arena *a,
+                                       struct wf_err *e)
 {
     double **column[] = { &hand->angle, &hand->zenith, &hand->azimuth, &hand->distance, &hand->share };
     for (size_t k = 0; k < WF_COUNT(column); k++)
@@ -151,25 +249,26 @@ static enum wf_status hand_columns(struct wf_hand *hand, size_t n, struct wf_are
     return WF_OK;
 }
 
-/* Without ids rows are counted from 1, unless a parent of -1 shows that this file counts from 0. */
-static void count_from_zero(struct wf_qsm *q, const struct table *t)
+/* Files without ids number their rows from 1; from 0 if a root's parent is written as -1. */
+static void count_from_zero(struct wf_qsm *q, const struct csv_tree *t)
 {
     bool minus = false;
     for (size_t i = 0; i < q->n && !t->has[WF_FIELD_ID]; i++) minus = minus || q->parent_id[i] == -1;
     for (size_t i = 0; i < q->n && minus; i++) q->id[i]--;
 }
 
-static enum wf_status rows(struct table *t, const struct wf_import_head *h, const struct wf_import_options *o,
-                           struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
+static enum wf_status read_table_rows(struct csv_tree *t, const struct wf_import_head *h,
+                                      const struct wf_import_options *o, struct wf_arena *a, struct wf_qsm *q,
+                                      struct wf_diag *d, struct wf_err *e)
 {
-    struct wf_hand hand;
+    struct hand_angles hand;
     size_t room = lines_left(&t->csv), n = 0;
     enum wf_status s = wf_qsm_alloc(q, room, a, e);
-    if (!s && !t->placed) s = hand_columns(&hand, room, a, e);
+    if (!s && !t->placed) s = take_hand_angles(&hand, room, a, e);
     if (s) return s;
     double v[WF_FIELD_COUNT];
     while (wf_csv_next(&t->csv)) {
-        if (!take_row(t, v)) continue;
+        if (!row_in_si(t, v)) continue;
         const char *wrong = wf_field_cylinder(q, n, v);
         if (wrong) {
             wf_csv_mistake(&t->csv, WF_CSV_NONE, "%s", wrong);
@@ -186,15 +285,15 @@ static enum wf_status rows(struct table *t, const struct wf_import_head *h, cons
     q->n = n;
     count_from_zero(q, t);
     if (t->csv.point == ',') wf_qsm_count(q, WF_NOTE_DECIMAL_COMMA, 1, -1);
-    hand_on(t, h, o->strict, q, d);
-    return t->placed || !n ? WF_OK : wf_import_place(q, &hand, a, e);
+    pass_findings_on(t, h, o->strict, q, d);
+    return t->placed || !n ? WF_OK : place_hand_rows(q, &hand, a, e);
 }
 
 enum wf_status wf_import_table(const struct wf_import_head *h, const struct wf_import_options *o,
                                struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_diag own = { .arena = a };
-    struct table t = { 0 };
+    struct csv_tree t = { 0 };
     enum wf_status s = wf_csv_open(&t.csv, h->path, a, &own, e);
     if (s) {
         for (const struct wf_finding *f = own.first; f; f = f->next)
@@ -202,22 +301,22 @@ enum wf_status wf_import_table(const struct wf_import_head *h, const struct wf_i
         return s;
     }
     map_columns(&t, o);
-    const char *what = lacking(&t);
+    const char *what = header_lacks(&t);
     if (what) return refuse_header(&t, what, e);
-    q->format = title(&t);
+    q->format = table_format(&t);
     size_t blanks = 0;
     for (const char *p = h->text; *p && *p != '\n'; p++)
         blanks += *p == ' ' && (p == h->text || p[-1] == ',');
     wf_qsm_count(q, WF_NOTE_HEADER, blanks, -1);
-    return rows(&t, h, o, a, q, d, e);
+    return read_table_rows(&t, h, o, a, q, d, e);
 }
 
-/* TreeQSM text: columns of numbers between tabs or blanks, one cylinder a line, ids by line.
- * Layouts. 14: the CylData matrix of early TreeQSM. 15: two orders are in use, told apart by which column
- * holds the unmodified radius (the only one of the last four that is not whole): the text TreeQSM 2.3 writes
- * (branch, order, position, added, unmodified radius) and that of aRchi's samples (added, unmodified radius,
- * branch, order, position). 17 with a header: TreeQSM 2.4 (Raumonen et al. 2013, Remote Sens. 5:491-520;
- * save_model_text 1.1.0). */
+/* TreeQSM text: columns of numbers separated by tabs or blanks; each line is a cylinder, its id the line's
+ * number. Layouts. 14: the CylData matrix of early TreeQSM. 15: two orders are in use, told apart by which
+ * column holds the unmodified radius (the only one of the last four that is not whole): the text TreeQSM 2.3
+ * writes (branch, order, position, added, unmodified radius) and that of aRchi's samples (added, unmodified
+ * radius, branch, order, position). 17 with a header: TreeQSM 2.4 (Raumonen et al. 2013, Remote Sens.
+ * 5:491-520; save_model_text 1.1.0). */
 
 enum { WIDEST = 64 };
 
@@ -244,14 +343,14 @@ struct lines {
     char point;
 };
 
-static bool between(char c, char point)
+static bool is_gap(char c, char point)
 {
     return c == ' ' || c == '\t' || c == '\r' || c == ';' || (c == ',' && point != ',');
 }
 
-/* Numbers of the next line that holds any. Returned: how many, 0 at the end of the file; *whole is false when
- * the line holds something else. */
-static size_t next_line(struct lines *t, double *value, bool *whole)
+/* Read the numbers of the next line that is not blank or a comment. Returned: how many; 0 at the end of the
+ * file. *whole is false when the line contains something that is not a number. */
+static size_t next_numbers(struct lines *t, double *value, bool *whole)
 {
     while (t->at < t->end) {
         const char *stop = memchr(t->at, '\n', (size_t)(t->end - t->at)), *p = t->at;
@@ -260,25 +359,26 @@ static size_t next_line(struct lines *t, double *value, bool *whole)
         t->line++;
         size_t n = 0;
         *whole = true;
-        while (p < stop && between(*p, t->point)) p++;
+        while (p < stop && is_gap(*p, t->point)) p++;
         if (p == stop || *p == '#') continue;
         while (p < stop && n < WIDEST) {
             const char *after = wf_number_read(p, stop, t->point, &value[n]);
             if (!after && stop - p >= 3 && !strncmp(p, "NaN", 3)) value[n] = (double)NAN, after = p + 3;
-            if (!after || (after < stop && !between(*after, t->point))) {
+            if (!after || (after < stop && !is_gap(*after, t->point))) {
                 *whole = false;
                 return n ? n : 1;
             }
             n++;
-            for (p = after; p < stop && between(*p, t->point);) p++;
+            for (p = after; p < stop && is_gap(*p, t->point);) p++;
         }
         return n;
     }
     return 0;
 }
 
-/* A comma is a decimal sign where blanks or tabs part the numbers and no point is met. */
-static char decimal_sign(const char *text, size_t size)
+/* A comma is the decimal sign if the first line separates its numbers by tabs or semicolons and has no point.
+ */
+static char decimal_sign_of(const char *text, size_t size)
 {
     const char *stop = memchr(text, '\n', size);
     size_t n = stop ? (size_t)(stop - text) : size;
@@ -309,17 +409,17 @@ bool wf_import_is_bare(const struct wf_import_head *h)
     return has_header(p) || wf_number_read(p, p + strlen(p), '.', &v);
 }
 
-/* The layout of the file by the width of its first row; of the two with 15 columns, by where fractions stand.
- */
+/* The layout of a file: by the number of columns of its first row; for the two layouts of 15 columns, by
+ * which column has numbers that are not whole. NULL: none. */
 static const struct layout *layout_of(struct lines t)
 {
     double v[WIDEST];
     bool whole, last_is_radius = false;
-    size_t columns = next_line(&t, v, &whole);
+    size_t columns = next_numbers(&t, v, &whole);
     while (columns == 15 && !last_is_radius) {
         if (whole && v[UNMODIFIED] != floor(v[UNMODIFIED])) break;
         last_is_radius = whole && v[14] != floor(v[14]);
-        if (!next_line(&t, v, &whole)) break;
+        if (!next_numbers(&t, v, &whole)) break;
     }
     for (size_t k = 0; k < LAYOUTS; k++)
         if (layouts[k].columns == columns)
@@ -327,13 +427,13 @@ static const struct layout *layout_of(struct lines t)
     return NULL;
 }
 
-static enum wf_status import_bare_rows(struct lines *t, const struct layout *layout, bool ends_open,
-                                       bool strict, struct wf_qsm *q, struct wf_diag *d)
+static enum wf_status read_bare_rows(struct lines *t, const struct layout *layout, bool ends_open,
+                                     bool strict, struct wf_qsm *q, struct wf_diag *d)
 {
     double number[WIDEST], value[WF_FIELD_COUNT + 1];
     bool whole;
     size_t n = 0, row = 0, bad = 0;
-    for (size_t m; (m = next_line(t, number, &whole));) {
+    for (size_t m; (m = next_numbers(t, number, &whole));) {
         char text[128];
         const char *wrong = NULL;
         for (int f = 0; f <= WF_FIELD_COUNT; f++) value[f] = (double)NAN;
@@ -356,10 +456,7 @@ static enum wf_status import_bare_rows(struct lines *t, const struct layout *lay
             n++;
     }
     q->n = n;
-    if (bad && bad == t->line && ends_open) {
-        q->repairs.count[WF_REPAIR_BAD_ROW]--;
-        wf_qsm_count(q, WF_REPAIR_TRUNCATED, 1, (int64_t)bad);
-    }
+    if (bad && bad == t->line && ends_open) wf_import_last_row_cut(q, bad);
     return WF_OK;
 }
 
@@ -375,7 +472,7 @@ enum wf_status wf_import_bare(const struct wf_import_head *h, const struct wf_im
         t.at = after ? after + 1 : t.end;
         t.line = 1;
     }
-    t.point = decimal_sign(t.at, (size_t)(t.end - t.at));
+    t.point = decimal_sign_of(t.at, (size_t)(t.end - t.at));
     if (t.point == ',') wf_qsm_count(q, WF_NOTE_DECIMAL_COMMA, 1, -1);
     const struct layout *layout = layout_of(t);
     if (!layout)
@@ -385,106 +482,5 @@ enum wf_status wf_import_bare(const struct wf_import_head *h, const struct wf_im
     for (const char *p = t.at; p < t.end; p++) room += *p == '\n';
     q->format = "TreeQSM text";
     if ((s = wf_qsm_alloc(q, room, a, e))) return s;
-    return import_bare_rows(&t, layout, h->ends_open, o->strict, q, d);
-}
-
-/* Coordinates for a table of lengths, diameters and angles. */
-
-static const double GOLDEN = 137.50776405003785 / 180 * WF_PI; /* divergence of spiral leaf positions [rad] */
-
-/* Unit vector across `t` that points as nearly as can be to the azimuth `az`. */
-static void across(const double t[3], double az, double out[3])
-{
-    double h[3] = { cos(az), sin(az), 0 };
-    double along = wf_dot(h, t);
-    for (int k = 0; k < 3; k++) out[k] = h[k] - along * t[k];
-    double norm = sqrt(wf_dot(out, out));
-    if (norm < 1e-9) { /* the parent lies along the azimuth: tilt upwards */
-        out[0] = out[1] = 0, out[2] = 1;
-        norm = 1;
-    }
-    for (int k = 0; k < 3; k++) out[k] /= norm;
-}
-
-struct place {
-    struct wf_qsm *q;
-    const struct wf_hand *hand;
-    double azimuth; /* given to the next branch whose own was not measured */
-};
-
-static double azimuth_of(struct place *p, size_t i, bool leaning)
-{
-    double az = p->hand->azimuth[i];
-    if (!isnan(az) || !leaning) return isnan(az) ? 0 : az;
-    wf_qsm_count(p->q, WF_REPAIR_AZIMUTH, 1, p->q->id[i]);
-    p->azimuth += GOLDEN;
-    return p->azimuth;
-}
-
-static void put(struct place *p, size_t i, int32_t parent)
-{
-    struct wf_qsm *q = p->q;
-    const struct wf_hand *h = p->hand;
-    double start[3] = { 0, 0, 0 }, t[3] = { 0, 0, 1 }, d[3], u[3];
-    if (parent >= 0) {
-        size_t k = (size_t)parent;
-        double length = wf_qsm_distance(q, k);
-        double s = !isnan(h->distance[i]) ? h->distance[i] / length : isnan(h->share[i]) ? 1 : h->share[i];
-        s = s < 0 ? 0 : s > 1 ? 1 : s;
-        t[0] = (q->x1[k] - q->x0[k]) / length, t[1] = (q->y1[k] - q->y0[k]) / length;
-        t[2] = (q->z1[k] - q->z0[k]) / length;
-        start[0] = q->x0[k] + s * length * t[0], start[1] = q->y0[k] + s * length * t[1];
-        start[2] = q->z0[k] + s * length * t[2];
-    }
-    double up[3] = { 0, 0, 1 };
-    bool from_vertical = !isnan(h->zenith[i]);
-    double angle = from_vertical ? h->zenith[i] : isnan(h->angle[i]) ? 0 : h->angle[i];
-    const double *from = from_vertical ? up : t;
-    across(from, azimuth_of(p, i, fabs(angle) > 1e-9), u);
-    for (int k = 0; k < 3; k++) d[k] = q->length[i] * (cos(angle) * from[k] + sin(angle) * u[k]);
-    q->x0[i] = start[0], q->y0[i] = start[1], q->z0[i] = start[2];
-    q->x1[i] = start[0] + d[0], q->y1[i] = start[1] + d[1], q->z1[i] = start[2] + d[2];
-}
-
-/* Row of each parent; 0, -1, an empty cell and an unknown id make a root, as in wf_qsm_resolve. */
-static enum wf_status parents(const struct wf_qsm *q, int32_t *parent, struct wf_arena *a, struct wf_err *e)
-{
-    struct wf_ids ids;
-    enum wf_status s = wf_ids_begin(&ids, q->id, q->n, a, e);
-    if (s) return s;
-    for (size_t i = 0; i < q->n; i++) (void)wf_ids_enter(&ids, (int32_t)i);
-    for (size_t i = 0; i < q->n; i++)
-        parent[i] = q->parent_id[i] < 0 ? -1 : wf_ids_find(&ids, q->parent_id[i]);
-    return WF_OK;
-}
-
-static enum wf_status wf_import_place(struct wf_qsm *q, const struct wf_hand *hand, struct wf_arena *a,
-                                      struct wf_err *e)
-{
-    struct place p = { .q = q, .hand = hand };
-    struct wf_children c;
-    int32_t *parent = WF_TAKE(a, q->n, int32_t), *queue = WF_TAKE(a, q->n, int32_t);
-    if (!parent || !queue) return wf_fail(e, WF_ENOMEM, "no room for %zu rows", q->n);
-    enum wf_status s = parents(q, parent, a, e);
-    if (!s) s = wf_children_of(parent, q->n, a, &c, e);
-    if (s) return s;
-    for (size_t i = 0; i < q->n; i++)
-        if (!(q->length[i] > 0))
-            return wf_fail(e, WF_EINPUT,
-                           "%s:%zu: error: length: row %lld has no length, and no coordinates either",
-                           q->file, q->line[i], (long long)q->id[i]);
-    size_t n = 0;
-    for (int32_t k = c.begin[q->n]; k < c.begin[q->n + 1]; k++) queue[n++] = c.child[k];
-    for (size_t k = 0; k < n; k++) {
-        int32_t i = queue[k];
-        put(&p, (size_t)i, parent[i]);
-        for (int32_t m = c.begin[i]; m < c.begin[i + 1]; m++) queue[n++] = c.child[m];
-    }
-    for (size_t i = 0; i < q->n && n < q->n; i++)
-        if (isnan(q->x0[i]))
-            return wf_fail(
-                e, WF_EINPUT,
-                "%s:%zu: error: parent: row %lld is its own ancestor; without coordinates it has no place",
-                q->file, q->line[i], (long long)q->id[i]);
-    return WF_OK;
+    return read_bare_rows(&t, layout, h->ends_open, o->strict, q, d);
 }

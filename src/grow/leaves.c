@@ -8,29 +8,29 @@
 
 #define GOLDEN_ANGLE 2.39996322972865332 /* 137.5 degrees */
 
-enum { LEAF_STREAM = 0x4C /* apart from the axes' addresses */ };
+enum { LEAF_STREAM = 0x4C /* purpose of the leaves' random streams */ };
 
 enum wf_status wf_leaves_spread(const struct wf_model *m, const struct wf_species *sp, struct wf_tree *t,
                                 struct wf_err *e)
 {
     if (!(m->leaf_area > 0)) return WF_OK;
-    if (!sp->crown_drag.given)
+    if (!sp->crown.drag_coefficient.given)
         return wf_fail(e, WF_EINPUT, "%s: the model has leaves, but the species table %s has no 'crown'",
                        m->key, sp->key);
     double length = 0;
     for (size_t i = 0; i < t->n; i++) length += t->leaf0[i] * wf_tree_length(t, i);
     if (!(length > 0)) return wf_fail(e, WF_EINPUT, "%s: no axis grew that could bear its leaves", m->key);
-    double sail = sp->leaf_frontal_share.value * sp->crown_drag.value;
+    double sail = sp->crown.frontal_share.value * sp->crown.drag_coefficient.value;
     for (size_t i = 0; i < t->n; i++) {
         double leaf = t->leaf0[i] * m->leaf_area / length;
         t->leaf0[i] = t->leaf1[i] = leaf;
         t->sail0[i] = t->sail1[i] = leaf * sail;
-        t->burden0[i] = t->burden1[i] = leaf * sp->leaf_mass_per_area.value;
+        t->burden0[i] = t->burden1[i] = leaf * sp->crown.leaf_mass_per_area.value;
     }
     return WF_OK;
 }
 
-static enum wf_status take(struct wf_leaves *out, size_t n, struct wf_arena *a, struct wf_err *e)
+static enum wf_status take_leaves(struct wf_leaves *out, size_t n, struct wf_arena *a, struct wf_err *e)
 {
     *out = (struct wf_leaves){ .row = WF_TAKE(a, n, int32_t),
                                .place = WF_TAKE(a, n, double),
@@ -42,7 +42,8 @@ static enum wf_status take(struct wf_leaves *out, size_t n, struct wf_arena *a, 
     return wf_fail(e, WF_ENOMEM, "no room for %zu leaves", n);
 }
 
-/* Leaf j on row i: tilted from the axis, round it by the golden angle. */
+/* Directions and size of leaf j on row i: tilted from the axis, rotated about it by the golden angle from the
+ * leaf before. */
 static void turn_leaf(const struct wf_model *m, const struct wf_tree *t, size_t i, size_t j,
                       struct wf_leaves *out)
 {
@@ -71,7 +72,7 @@ enum wf_status wf_leaves_place(const struct wf_model *m, const struct wf_tree *t
     const double reference_wind = 10; /* [m/s], of the model's swing and twist */
     size_t n = m->leaf_area > 0 ? m->foliage.count : 0, j = 0;
     double squares = 0, passed = 0, total = 0;
-    enum wf_status s = take(out, n, a, e);
+    enum wf_status s = take_leaves(out, n, a, e);
     if (s) return s;
     out->swing = m->foliage.swing / reference_wind;
     out->twist = m->foliage.twist / reference_wind;

@@ -6,7 +6,9 @@
 #include <stdio.h>
 #include <string.h>
 
-static size_t slot(const struct wf_ids *x, int64_t id)
+/* Rows by id, and the children of a row. */
+
+static size_t hash_slot(const struct wf_ids *x, int64_t id)
 {
     /* multiplicative hashing, Knuth 1998 (TAOCP 3, 6.4): the golden ratio spreads consecutive ids */
     return (size_t)(((uint64_t)id * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (x->slots - 1);
@@ -26,7 +28,7 @@ enum wf_status wf_ids_begin(struct wf_ids *x, const int64_t *id, size_t n, struc
 
 int32_t wf_ids_enter(struct wf_ids *x, int32_t i)
 {
-    size_t k = slot(x, x->id[i]);
+    size_t k = hash_slot(x, x->id[i]);
     for (; x->row[k] >= 0; k = (k + 1) & (x->slots - 1))
         if (x->id[x->row[k]] == x->id[i]) return x->row[k];
     x->row[k] = i;
@@ -35,7 +37,7 @@ int32_t wf_ids_enter(struct wf_ids *x, int32_t i)
 
 int32_t wf_ids_find(const struct wf_ids *x, int64_t id)
 {
-    for (size_t k = slot(x, id); x->row[k] >= 0; k = (k + 1) & (x->slots - 1))
+    for (size_t k = hash_slot(x, id); x->row[k] >= 0; k = (k + 1) & (x->slots - 1))
         if (x->id[x->row[k]] == id) return x->row[k];
     return -1;
 }
@@ -55,6 +57,8 @@ enum wf_status wf_children_of(const int32_t *parent, size_t n, struct wf_arena *
     *out = (struct wf_children){ begin, child };
     return WF_OK;
 }
+
+/* The table: its columns, and what is counted while it is read and repaired. */
 
 const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
     [WF_NOTE_BOM] = { "byte-order-mark", "byte order mark passed over", true, true },
@@ -101,7 +105,7 @@ const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
                             "azimuths not measured: each 137.5 degrees after the one before", false, false },
 };
 
-/* Every column with its element size, so that allocation and reordering cannot forget one. */
+/* All columns with their element sizes, used for allocation and reordering. */
 #define COLUMN(name)                                                                                         \
     {                                                                                                        \
         offsetof(struct wf_qsm, name), sizeof *((struct wf_qsm *)0)->name                                    \
@@ -117,14 +121,17 @@ static const struct {
 #undef COLUMN
 enum { COLUMNS = WF_COUNT(columns) };
 
-static void *get(const struct wf_qsm *q, size_t c)
+static void *column_get(const struct wf_qsm *q, size_t c)
 {
     void *p;
     memcpy(&p, (const char *)q + columns[c].offset, sizeof p);
     return p;
 }
 
-static void set(struct wf_qsm *q, size_t c, void *p) { memcpy((char *)q + columns[c].offset, &p, sizeof p); }
+static void column_set(struct wf_qsm *q, size_t c, void *p)
+{
+    memcpy((char *)q + columns[c].offset, &p, sizeof p);
+}
 
 enum wf_status wf_qsm_alloc(struct wf_qsm *q, size_t n, struct wf_arena *a, struct wf_err *e)
 {
@@ -133,7 +140,7 @@ enum wf_status wf_qsm_alloc(struct wf_qsm *q, size_t n, struct wf_arena *a, stru
     for (size_t c = 0; c < COLUMNS; c++) {
         void *p = wf_arena_take(a, n, columns[c].size);
         if (!p) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", n);
-        set(q, c, p);
+        column_set(q, c, p);
     }
     for (size_t i = 0; i < n; i++) {
         q->parent[i] = q->next[i] = q->order[i] = -1;
@@ -159,8 +166,8 @@ enum wf_status wf_qsm_pick(struct wf_qsm *q, const int32_t *pick, size_t n, stru
     enum wf_status s = wf_qsm_alloc(&out, n, a, e);
     if (s) return s;
     for (size_t c = 0; c < COLUMNS; c++) {
-        const char *from = get(q, c);
-        char *to = get(&out, c);
+        const char *from = column_get(q, c);
+        char *to = column_get(&out, c);
         size_t size = columns[c].size;
         for (size_t i = 0; i < n; i++) memcpy(to + i * size, from + (size_t)pick[i] * size, size);
     }
@@ -200,21 +207,23 @@ double wf_qsm_volume(const struct wf_qsm *q, size_t i)
     return acos(-1.0) / 3.0 * q->length[i] * (r0 * r0 + r0 * r1 + r1 * r1);
 }
 
-/* Radius of the cylinder that holds as much wood as row i. */
-static double radius(const struct wf_qsm *q, size_t i)
+/* Files for other programs. */
+
+/* Radius of the cylinder that has the volume of row i. */
+static double radius_of_volume(const struct wf_qsm *q, size_t i)
 {
     double r0 = q->r0[i], r1 = q->r1[i];
     return r0 == r1 ? r0 : sqrt((r0 * r0 + r0 * r1 + r1 * r1) / 3);
 }
 
-static void axis(const struct wf_qsm *q, size_t i, double out[3])
+static void axis_of_row(const struct wf_qsm *q, size_t i, double out[3])
 {
     double d = wf_qsm_distance(q, i);
     out[0] = (q->x1[i] - q->x0[i]) / d, out[1] = (q->y1[i] - q->y0[i]) / d,
     out[2] = (q->z1[i] - q->z0[i]) / d;
 }
 
-static void normalised(const struct wf_qsm *q, FILE *to)
+static void write_normalised(const struct wf_qsm *q, FILE *to)
 {
     bool tapered = false;
     for (size_t i = 0; i < q->n; i++) tapered = tapered || q->r0[i] != q->r1[i];
@@ -224,27 +233,27 @@ static void normalised(const struct wf_qsm *q, FILE *to)
             tapered ? ",radius0_m,radius1_m" : "");
     for (size_t i = 0; i < q->n; i++) {
         double a[3];
-        axis(q, i, a);
+        axis_of_row(q, i, a);
         fprintf(to, "%zu,%.10g,%.10g,%.10g,%.10g,%.10g,%.12g,%.12g,%.12g,%d,%d,%d,%d,%d,%d", i + 1,
-                radius(q, i), q->length[i], q->x0[i], q->y0[i], q->z0[i], a[0], a[1], a[2], q->parent[i] + 1,
-                q->next[i] + 1, q->branch[i], q->order[i], q->place[i], q->added[i]);
+                radius_of_volume(q, i), q->length[i], q->x0[i], q->y0[i], q->z0[i], a[0], a[1], a[2],
+                q->parent[i] + 1, q->next[i] + 1, q->branch[i], q->order[i], q->place[i], q->added[i]);
         if (tapered) fprintf(to, ",%.10g,%.10g", q->r0[i], q->r1[i]);
         fputc('\n', to);
     }
 }
 
-static void treeqsm(const struct wf_qsm *q, FILE *to)
+static void write_treeqsm(const struct wf_qsm *q, FILE *to)
 {
     for (size_t i = 0; i < q->n; i++) {
-        double a[3], r = radius(q, i);
-        axis(q, i, a);
+        double a[3], r = radius_of_volume(q, i);
+        axis_of_row(q, i, a);
         fprintf(to, "%.10g\t%.10g\t%.10g\t%.10g\t%.10g\t%.12g\t%.12g\t%.12g\t%d\t%d\t%d\t%d\t%d\t%d\t%.10g\n",
                 r, q->length[i], q->x0[i], q->y0[i], q->z0[i], a[0], a[1], a[2], q->parent[i] + 1,
                 q->next[i] + 1, q->branch[i], q->order[i], q->place[i], q->added[i], r);
     }
 }
 
-static void vtk(const struct wf_qsm *q, FILE *to)
+static void write_vtk(const struct wf_qsm *q, FILE *to)
 {
     fprintf(to, "# vtk DataFile Version 3.0\ntree\nASCII\nDATASET POLYDATA\nPOINTS %zu double\n", 2 * q->n);
     for (size_t i = 0; i < q->n; i++)
@@ -267,16 +276,16 @@ static void vtk(const struct wf_qsm *q, FILE *to)
     for (size_t i = 0; i < q->n; i++) fprintf(to, "%lld\n", (long long)q->id[i]);
 }
 
-/* Ends at ending == NULL.
+/* The formats of an export; ends at ending == NULL.
  * .csv: id, radius, length, start, axis, parent (0 = root), extension (0 = none), branch, branch order,
  * position in branch, added; for tapered rows also the radii at both ends. Read back it gives the same tree.
- * .txt: the same without ids and header, tab separated, in the column order of TreeQSM 2.3's cylinder text.
- * .vtk: VTK legacy PolyData, a line a row; radius at the points, level, id and branch at the cells (ParaView:
- * filter Tube, vary radius by scalar). */
+ * .txt: the same without ids and header, separated by tabs, in the column order of TreeQSM 2.3's cylinder
+ * text. .vtk: VTK legacy PolyData, one line for each row; radius at the points, level, id and branch at the
+ * cells (ParaView: filter Tube, vary radius by scalar). */
 static const struct wf_export_format export_formats[] = {
-    { ".csv", "normalised CSV", normalised },
-    { ".txt", "TreeQSM columns", treeqsm },
-    { ".vtk", "VTK PolyData", vtk },
+    { ".csv", "normalised CSV", write_normalised },
+    { ".txt", "TreeQSM columns", write_treeqsm },
+    { ".vtk", "VTK PolyData", write_vtk },
     { NULL, NULL, NULL },
 };
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_QSM_H
 #define WF_GROW_QSM_H
-/* A measured tree as a neutral table of cylinders: what every file format is read into, before any modelling.
- * A quantitative structure model (QSM) describes a scanned tree by cylinders that need not touch: a cylinder
- * has its own start and end, a parent, and a branch. Lengths in metres, z up. */
+/* A measured tree as a table of cylinders, the form into which all file formats are read, before any
+ * modelling. A quantitative structure model (QSM) describes a scanned tree by cylinders that need not touch
+ * each other: a cylinder has its own start and end, a parent, and a branch. Lengths in metres, z up. */
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
@@ -12,9 +12,8 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* Everything that was changed or understood differently from what a file says. A note keeps the geometry
- * (another way of writing the same); a repair changes or invents something, and a strict import refuses it.
- */
+/* Everything in which the table differs from what the file says. A note does not change the tree (the file
+ * writes the same in another way); a repair changes or adds something, and a strict import refuses it. */
 enum wf_repair {
     /* notes */
     WF_NOTE_BOM,           /* a byte order mark before the text                                 */
@@ -25,12 +24,12 @@ enum wf_repair {
     WF_NOTE_FROM_ZERO,     /* ids counted from 0                                                */
     WF_NOTE_ORDER_FROM,    /* branch orders not counted from 0 at the stem                      */
     WF_NOTE_ORDER_MADE,    /* no branch order in the file: made from the way the rows are joined */
-    WF_NOTE_SORTED,        /* rows that stand before their parent: reordered                    */
+    WF_NOTE_SORTED,        /* rows that come before their parent: reordered                     */
     WF_NOTE_OFFSET,        /* plot or map coordinates: moved so that the base is the origin     */
     WF_NOTE_STEMS,         /* further stems that start at the ground                            */
     WF_NOTE_THICKENING,    /* radius more than a tenth larger than the row below in its branch  */
     WF_NOTE_UNITS,         /* a unit that the file does not state was taken from the sizes      */
-    WF_NOTE_MODELS,        /* further tree models of the same file were left aside              */
+    WF_NOTE_MODELS,        /* further tree models of the same file were ignored                 */
     /* repairs */
     WF_REPAIR_BAD_ROW,     /* rows that cannot be read: left out                                */
     WF_REPAIR_TRUNCATED,   /* the last row is cut off: left out                                 */
@@ -51,9 +50,9 @@ enum { WF_QSM_NO_PARENT = -1 }; /* parent_id of a row whose parent cell is empty
 
 struct wf_repair_row {
     const char *code; /* stable short name, e.g. "axis-not-unit" */
-    const char *text; /* words; what is counted stands in front  */
+    const char *text; /* message; the count is printed before it  */
     bool note;        /* true: a note, allowed in a strict import */
-    bool once;        /* about the whole file: not counted        */
+    bool once;        /* concerns the whole file: no count        */
 };
 extern const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT];
 
@@ -83,35 +82,37 @@ struct wf_qsm {
     struct wf_repairs repairs;
 };
 
-/* Columns for n cylinders, zeroed; radius, length NAN, order -1, parent and next -1. WF_ENOMEM without room.
- */
+/* Allocate columns for n cylinders: zeroed, except radii and length NAN, order, parent and next -1. Errors:
+ * WF_EINPUT for more than INT32_MAX cylinders, WF_ENOMEM. */
 enum wf_status wf_qsm_alloc(struct wf_qsm *q, size_t n, struct wf_arena *a, struct wf_err *e);
 
-/* Count a repair. `where` is the id (or line) kept when it is the first of its kind. */
+/* Count a note or repair. Given: how many cases, and the id (or line) of the first, which is kept if it is
+ * the first of its kind; -1: none. */
 void wf_qsm_count(struct wf_qsm *q, enum wf_repair what, size_t how_many, int64_t where);
 
-/* The rows `pick[0..n)` in that order; parents and continuations follow their rows (-1 when theirs is not
- * picked). Columns are new; counts and names stay. */
+/* Reduce or reorder a table to the rows pick[0..n). Parents and continuations are renumbered (-1 when their
+ * row is not picked); counts and names do not change. Errors: WF_ENOMEM. */
 enum wf_status wf_qsm_pick(struct wf_qsm *q, const int32_t *pick, size_t n, struct wf_arena *a,
                            struct wf_err *e);
 
-/* One finding for each kind of repair (and note) that occurred: code, how many, where first. */
+/* Add a warning for each kind of note and repair that occurred: code, number of cases, place of the first. */
 void wf_qsm_report(const struct wf_qsm *q, struct wf_diag *d);
 
-double wf_qsm_distance(const struct wf_qsm *q, size_t i); /* start to end of row i [m] */
-double wf_qsm_volume(const struct wf_qsm *q, size_t i); /* frustum of stated length [m3]                    */
+double wf_qsm_distance(const struct wf_qsm *q, size_t i); /* from start to end of row i [m] */
+double wf_qsm_volume(const struct wf_qsm *q, size_t i); /* of row i as a frustum of its stated length [m3] */
 
-/* Small indices over a table of cylinders: row of an id, children of a row. */
+/* Row of an id, and children of a row. */
 
-/* Open-addressing hash from id to row; the first row with an id keeps it. */
+/* A hash table (open addressing) from id to row; of several rows with one id the first is found. */
 struct wf_ids {
     size_t slots; /* a power of two, at least twice the ids */
     int32_t *row; /* -1 = free                              */
     const int64_t *id;
 };
+/* An empty table for n ids id[0..n). Errors: WF_ENOMEM. */
 enum wf_status wf_ids_begin(struct wf_ids *x, const int64_t *id, size_t n, struct wf_arena *a,
                             struct wf_err *e);
-/* Enter row i under id[i]. Returned: i, or the earlier row that has this id. */
+/* Add row i under id[i]. Returned: i, or the earlier row that has this id. */
 int32_t wf_ids_enter(struct wf_ids *x, int32_t i);
 /* Row of an id; -1 when there is none. */
 int32_t wf_ids_find(const struct wf_ids *x, int64_t id);
@@ -120,10 +121,11 @@ int32_t wf_ids_find(const struct wf_ids *x, int64_t id);
 struct wf_children {
     int32_t *begin, *child;
 };
+/* Given: parent[n], -1 = a root. Errors: WF_ENOMEM. */
 enum wf_status wf_children_of(const int32_t *parent, size_t n, struct wf_arena *a, struct wf_children *out,
                               struct wf_err *e);
 
-/* A measured tree to files other programs read. */
+/* Export of a measured tree. */
 
 struct wf_export_format {
     const char *ending; /* of the file's name, ".csv"  */
@@ -131,7 +133,7 @@ struct wf_export_format {
     void (*write)(const struct wf_qsm *q, FILE *to);
 };
 
-/* Given: a table after wf_qsm_repair and a path whose ending names the format. The file appears complete or
- * not at all. Errors: WF_EUSAGE for another ending, WF_EOUTPUT. */
+/* Write a table. Given: a table after wf_qsm_repair, and a path whose ending names the format. A failed
+ * export leaves no file. Errors: WF_EUSAGE for another ending, WF_EOUTPUT. */
 enum wf_status wf_qsm_write(const struct wf_qsm *q, const char *path, struct wf_err *e);
 #endif

@@ -4,9 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The steps of wf_qsm_repair, in the order in which they run. Each counts what it changes. */
-
-/* Ids of a table of cylinders to rows. */
+/* Step 1: ids to rows. */
 
 static bool same_row(const struct wf_qsm *q, size_t i, size_t k)
 {
@@ -14,8 +12,9 @@ static bool same_row(const struct wf_qsm *q, size_t i, size_t k)
            q->z0[i] == q->z0[k] && q->x1[i] == q->x1[k] && q->y1[i] == q->y1[k] && q->z1[i] == q->z1[k];
 }
 
-/* Enter every id; a repeated row is dropped, another row under a known id gets a fresh one. */
-static enum wf_status enter(struct wf_qsm *q, struct wf_ids *ids, struct wf_arena *a, struct wf_err *e)
+/* Build the index of ids. A repetition of an earlier row is removed; another row with the id of an earlier
+ * one gets a new id. */
+static enum wf_status enter_ids(struct wf_qsm *q, struct wf_ids *ids, struct wf_arena *a, struct wf_err *e)
 {
     int32_t *keep = WF_TAKE(a, q->n, int32_t);
     if (!keep) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
@@ -58,11 +57,11 @@ static int32_t parent_row(struct wf_qsm *q, const struct wf_ids *ids, size_t i, 
     return row;
 }
 
-/* Ids to rows: repeated rows removed, repeated ids renumbered, parents and continuations found. */
+/* Remove repeated rows, renumber repeated ids, find the rows of parents and continuations. */
 static enum wf_status qsm_resolve(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_ids ids;
-    enum wf_status s = enter(q, &ids, a, e);
+    enum wf_status s = enter_ids(q, &ids, a, e);
     if (s) return s;
     bool zero_is_id = wf_ids_find(&ids, 0) >= 0;
     if (zero_is_id) wf_qsm_count(q, WF_NOTE_FROM_ZERO, q->n, -1);
@@ -74,12 +73,171 @@ static enum wf_status qsm_resolve(struct wf_qsm *q, struct wf_arena *a, struct w
     return WF_OK;
 }
 
-/* Lengths and radii that a file lacks or gets wrong. */
+/* Steps 2 and 3: make the parents a tree (no cycles, no loose parts) and sort the rows. */
+
+static const double STANDS = 0.5;       /* highest start of a stem above the ground level [m]       */
+static const double SUBSTANTIAL = 0.01; /* least wood of a part that can define the ground level, of that of
+                                           the largest part [-] */
+
+/* Find the root of every row. A cycle of parents is cut at its lowest row, which becomes a root. */
+static enum wf_status roots_of(struct wf_qsm *q, int32_t *root, struct wf_arena *a, struct wf_err *e)
+{
+    int32_t *path = WF_TAKE(a, q->n, int32_t);
+    uint8_t *open = WF_TAKE(a, q->n, uint8_t);
+    if (!path || !open) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
+    for (size_t i = 0; i < q->n; i++) root[i] = -1;
+    for (size_t i = 0; i < q->n; i++) {
+        size_t depth = 0;
+        int32_t k = (int32_t)i;
+        while (root[k] < 0 && !open[k]) {
+            open[k] = 1;
+            path[depth++] = k;
+            if (q->parent[k] < 0) {
+                root[k] = k;
+                break;
+            }
+            k = q->parent[k];
+        }
+        if (root[k] < 0) { /* k is on the path: a cycle */
+            int32_t low = k;
+            for (int32_t m = q->parent[k]; m != k; m = q->parent[m])
+                if (q->z0[m] < q->z0[low]) low = m;
+            wf_qsm_count(q, WF_REPAIR_CYCLE, 1, q->id[low]);
+            q->parent[low] = -1;
+            root[low] = k = low;
+        }
+        for (size_t d = 0; d < depth; d++) root[path[d]] = root[k];
+    }
+    return WF_OK;
+}
+
+/* Distance from a point to the surface of row i, negative inside [m]. */
+static double to_surface(const struct wf_qsm *q, size_t i, double x, double y, double z)
+{
+    double ax = q->x1[i] - q->x0[i], ay = q->y1[i] - q->y0[i], az = q->z1[i] - q->z0[i];
+    double px = x - q->x0[i], py = y - q->y0[i], pz = z - q->z0[i];
+    double length2 = ax * ax + ay * ay + az * az;
+    double s = length2 > 0 ? (px * ax + py * ay + pz * az) / length2 : 0;
+    s = s < 0 ? 0 : s > 1 ? 1 : s;
+    px -= s * ax, py -= s * ay, pz -= s * az;
+    double r = q->r0[i] > 0 ? q->r0[i] : 0;
+    return sqrt(px * px + py * py + pz * pz) - r;
+}
+
+enum { LOOSE = 1000 }; /* most loose parts: each needs a search over all rows */
+
+struct loose {
+    double z;
+    int32_t row;
+};
+
+static int loose_by_height(const void *x, const void *y)
+{
+    const struct loose *a = x, *b = y;
+    return a->z < b->z ? -1 : a->z > b->z ? 1 : (a->row > b->row) - (a->row < b->row);
+}
+
+static double ground_level(const struct wf_qsm *q, const double *wood)
+{
+    double most = 0, low = INFINITY;
+    for (size_t i = 0; i < q->n; i++) most = wood[i] > most ? wood[i] : most;
+    for (size_t i = 0; i < q->n; i++)
+        if (q->parent[i] < 0 && wood[i] >= SUBSTANTIAL * most && q->z0[i] < low) low = q->z0[i];
+    return low;
+}
+
+/* Raise the branch orders of a part that was joined to row `onto`, so that it is one order above that row. */
+static void raise_orders(struct wf_qsm *q, const int32_t *root, int32_t part, int32_t onto)
+{
+    int32_t step = q->order[onto] + 1 - q->order[part];
+    if (q->order[onto] < 0 || q->order[part] < 0 || q->order[part] >= q->order[onto]) return;
+    for (size_t i = 0; i < q->n; i++)
+        if (root[i] == part) q->order[i] += step;
+}
+
+static void join_part(struct wf_qsm *q, const int32_t *root, uint8_t *standing, int32_t part)
+{
+    double best = INFINITY;
+    int32_t onto = -1;
+    for (size_t i = 0; i < q->n; i++) {
+        if (!standing[root[i]]) continue;
+        double d = to_surface(q, i, q->x0[part], q->y0[part], q->z0[part]);
+        if (d < best) best = d, onto = (int32_t)i;
+    }
+    wf_qsm_count(q, WF_REPAIR_LOOSE, 1, q->id[part]);
+    q->parent[part] = onto;
+    raise_orders(q, root, part, onto);
+    standing[part] = 1;
+}
+
+/* Cut cycles and join loose parts. The ground level is the lowest start of a root whose part has at least 1 %
+ * of the wood of the largest part. A root up to 0.5 m above it is a stem; the others are loose parts. From
+ * the lowest up, each of them becomes a child of the row whose surface is nearest to its start. Errors:
+ * WF_EINPUT for more than 1000 loose parts, because then the parent column does not fit the ids. */
+static enum wf_status qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
+{
+    int32_t *root = WF_TAKE(a, q->n, int32_t);
+    double *wood = WF_TAKE(a, q->n, double);
+    uint8_t *standing = WF_TAKE(a, q->n, uint8_t);
+    struct loose *part = WF_TAKE(a, q->n, struct loose);
+    if (!root || !wood || !standing || !part) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
+    enum wf_status s = roots_of(q, root, a, e);
+    if (s) return s;
+    for (size_t i = 0; i < q->n; i++) {
+        double r = q->r0[i] > 0 ? q->r0[i] : 0;
+        wood[root[i]] += r * r * wf_qsm_distance(q, i);
+    }
+    double z = ground_level(q, wood);
+    size_t parts = 0, stems = 0;
+    for (size_t i = 0; i < q->n; i++) {
+        if (q->parent[i] >= 0) continue;
+        standing[i] = q->z0[i] <= z + STANDS;
+        if (standing[i])
+            stems++;
+        else
+            part[parts++] = (struct loose){ q->z0[i], (int32_t)i };
+    }
+    if (parts > LOOSE)
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s: %zu of %zu rows have no parent below them; the parent column does not fit the ids", q->name,
+            parts, q->n);
+    if (stems > 1) wf_qsm_count(q, WF_NOTE_STEMS, stems - 1, -1);
+    qsort(part, parts, sizeof *part, loose_by_height);
+    for (size_t k = 0; k < parts; k++) join_part(q, root, standing, part[k].row);
+    return WF_OK;
+}
+
+/* Sort the rows so that every parent comes before its children. The file's order is kept if it does already.
+ */
+static enum wf_status qsm_sort(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
+{
+    size_t late = 0;
+    int64_t first = 0;
+    for (size_t i = 0; i < q->n; i++)
+        if (q->parent[i] > (int32_t)i && !late++) first = q->id[i];
+    if (!late) return WF_OK;
+    wf_qsm_count(q, WF_NOTE_SORTED, late, first);
+    struct wf_children c;
+    enum wf_status s = wf_children_of(q->parent, q->n, a, &c, e);
+    if (s) return s;
+    int32_t *stack = WF_TAKE(a, q->n, int32_t), *pick = WF_TAKE(a, q->n, int32_t);
+    if (!stack || !pick) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
+    size_t depth = 0, n = 0;
+    for (int32_t k = c.begin[q->n + 1]; k-- > c.begin[q->n];) stack[depth++] = c.child[k];
+    while (depth) { /* depth first, children in the order of the file */
+        int32_t i = pick[n++] = stack[--depth];
+        for (int32_t k = c.begin[i + 1]; k-- > c.begin[i];) stack[depth++] = c.child[k];
+    }
+    return wf_qsm_pick(q, pick, n, a, e);
+}
+
+/* Step 4: lengths and radii that are missing or wrong. */
 
 static const double NO_LENGTH = 1e-9; /* [m] */
 
-/* Remove rows without length; whoever hung on them hangs on what they hung on. Parents come first, so one
- * pass. */
+/* Remove rows without length; their children become children of their parent. One pass is enough because
+ * parents come first. */
 static enum wf_status remove_points(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     int32_t *keep = WF_TAKE(a, q->n, int32_t);
@@ -102,7 +260,7 @@ static enum wf_status remove_points(struct wf_qsm *q, struct wf_arena *a, struct
     return kept == q->n ? WF_OK : wf_qsm_pick(q, keep, kept, a, e);
 }
 
-/* A radius from the row below, else from the other end, else from the first row above that has one. */
+/* Fill missing radii: from the row below, from the row's other end, or, for a root, from its child. */
 static enum wf_status fill_radii(struct wf_qsm *q, struct wf_err *e)
 {
     for (size_t i = q->n; i-- > 0;) { /* from the tips down: a root may need its child's */
@@ -132,7 +290,7 @@ static enum wf_status fill_radii(struct wf_qsm *q, struct wf_err *e)
     return WF_OK;
 }
 
-/* Rows shorter than 1e-9 m removed, missing radii and lengths filled. Needs sorted rows. */
+/* Remove rows shorter than 1e-9 m, fill missing radii and lengths. The rows must be sorted. */
 static enum wf_status qsm_fill(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     enum wf_status s = remove_points(q, a, e);
@@ -143,30 +301,30 @@ static enum wf_status qsm_fill(struct wf_qsm *q, struct wf_arena *a, struct wf_e
         if (stated > 0 && fabs(stated - d) > 0.01 * d && fabs(stated - d) > 1e-3)
             wf_qsm_count(q, WF_REPAIR_LENGTH, 1, q->id[i]);
         else if (stated > 0 && fabs(stated - d) <= 0.01 * d)
-            continue; /* the rounding of the file: what it states stays */
+            continue; /* a difference by the file's rounding: keep the stated length */
         q->length[i] = d;
     }
     return fill_radii(q, e);
 }
 
-/* Branches of a table of cylinders: which row continues which, and of what order each is. */
+/* Step 5: branches. Which row continues which, and the order of each row. */
 
 /* Distance from the end of row p to the start of row i [m]. */
-static double step(const struct wf_qsm *q, int32_t p, int32_t i)
+static double gap_to_child(const struct wf_qsm *q, int32_t p, int32_t i)
 {
     double dx = q->x0[i] - q->x1[p], dy = q->y0[i] - q->y1[p], dz = q->z0[i] - q->z1[p];
     return sqrt(dx * dx + dy * dy + dz * dz);
 }
 
-/* The child that continues row p: of p's own order when orders are known (nearest start wins), else the
- * thickest that starts within one radius of p's end. -1 when none does. */
-static int32_t continuation(const struct wf_qsm *q, const struct wf_children *c, int32_t p)
+/* The child that continues row p: if orders are known, the child of p's order that starts nearest to p's end;
+ * otherwise the thickest that starts within one radius of p's end. -1: none. */
+static int32_t find_continuation(const struct wf_qsm *q, const struct wf_children *c, int32_t p)
 {
     int32_t best = -1;
     double best_step = INFINITY;
     for (int32_t k = c->begin[p]; k < c->begin[p + 1]; k++) {
         int32_t i = c->child[k];
-        double d = step(q, p, i);
+        double d = gap_to_child(q, p, i);
         if (q->order[i] >= 0) {
             if (q->order[i] == q->order[p] && d < best_step) best = i, best_step = d;
         } else if (d <= q->r1[p] && (best < 0 || q->r0[i] > q->r0[best])) {
@@ -176,8 +334,9 @@ static int32_t continuation(const struct wf_qsm *q, const struct wf_children *c,
     return best;
 }
 
-/* Some programs name as extension the first row of a branch: what differs in order does not continue. */
-static bool false_step(const struct wf_qsm *q, size_t i)
+/* Whether the continuation that the file names has another branch order. Some programs give the first row of
+ * a lateral branch as the extension. */
+static bool continues_other_order(const struct wf_qsm *q, size_t i)
 {
     int32_t next = q->next[i];
     return next >= 0 && q->order[i] >= 0 && q->order[next] >= 0 && q->order[next] != q->order[i];
@@ -194,8 +353,8 @@ static void shift_orders(struct wf_qsm *q)
         if (q->order[i] >= 0) q->order[i] = q->order[i] > low ? q->order[i] - low : 0;
 }
 
-/* The way up along the thickest wood. */
-static void limbs(struct wf_qsm *q)
+/* Set `limb`: the continuation of each row, or its thickest child if there is none. */
+static void find_limbs(struct wf_qsm *q)
 {
     for (size_t i = 0; i < q->n; i++) q->limb[i] = q->next[i];
     for (size_t i = 0; i < q->n; i++) {
@@ -205,9 +364,7 @@ static void limbs(struct wf_qsm *q)
     }
 }
 
-/* Branch order from 0 at the stem, continuations, limbs and branch numbers. Needs sorted rows.
- * A continuation the file does not name is, among the children of the same order, the one that starts nearest
- * the row's end; where the file has no orders, the thickest child that starts at the row's end. */
+/* Set branch orders (0 at the stem), continuations, limbs and branch numbers. The rows must be sorted. */
 static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_children c;
@@ -217,7 +374,7 @@ static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct 
     int32_t branches = 0;
     for (size_t i = 0; i < q->n; i++) {
         int32_t p = q->parent[i];
-        if (false_step(q, i)) q->next[i] = -1;
+        if (continues_other_order(q, i)) q->next[i] = -1;
         bool goes_on = p >= 0 && q->next[p] == (int32_t)i;
         if (q->order[i] < 0) {
             wf_qsm_count(q, WF_NOTE_ORDER_MADE, 1, q->id[i]);
@@ -225,174 +382,17 @@ static enum wf_status qsm_branches(struct wf_qsm *q, struct wf_arena *a, struct 
         }
         q->branch[i] = goes_on ? q->branch[p] : ++branches;
         q->place[i] = goes_on ? q->place[p] + 1 : 1;
-        if (q->next[i] < 0) q->next[i] = continuation(q, &c, (int32_t)i);
+        if (q->next[i] < 0) q->next[i] = find_continuation(q, &c, (int32_t)i);
         if (goes_on && q->r0[i] > 1.1 * q->r1[p]) wf_qsm_count(q, WF_NOTE_THICKENING, 1, q->id[i]);
     }
-    limbs(q);
+    find_limbs(q);
     return WF_OK;
 }
 
-/* Rings, loose parts and order of the rows: from any parent column to a tree. */
+/* Step 6: the origin. */
 
-static const double STANDS = 0.5;       /* a root this far above the ground still stands on it [m]   */
-static const double SUBSTANTIAL = 0.01; /* of the largest part: a part that may define the ground */
-
-/* Colour every row by the root it hangs from; a ring found on the way is cut at its lowest row. */
-static enum wf_status roots_of(struct wf_qsm *q, int32_t *root, struct wf_arena *a, struct wf_err *e)
-{
-    int32_t *path = WF_TAKE(a, q->n, int32_t);
-    uint8_t *open = WF_TAKE(a, q->n, uint8_t);
-    if (!path || !open) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
-    for (size_t i = 0; i < q->n; i++) root[i] = -1;
-    for (size_t i = 0; i < q->n; i++) {
-        size_t depth = 0;
-        int32_t k = (int32_t)i;
-        while (root[k] < 0 && !open[k]) {
-            open[k] = 1;
-            path[depth++] = k;
-            if (q->parent[k] < 0) {
-                root[k] = k;
-                break;
-            }
-            k = q->parent[k];
-        }
-        if (root[k] < 0) { /* k is on the path: a ring */
-            int32_t low = k;
-            for (int32_t m = q->parent[k]; m != k; m = q->parent[m])
-                if (q->z0[m] < q->z0[low]) low = m;
-            wf_qsm_count(q, WF_REPAIR_CYCLE, 1, q->id[low]);
-            q->parent[low] = -1;
-            root[low] = k = low;
-        }
-        for (size_t d = 0; d < depth; d++) root[path[d]] = root[k];
-    }
-    return WF_OK;
-}
-
-/* Distance from a point to the surface of row i, negative inside [m]. */
-static double to_surface(const struct wf_qsm *q, size_t i, double x, double y, double z)
-{
-    double ax = q->x1[i] - q->x0[i], ay = q->y1[i] - q->y0[i], az = q->z1[i] - q->z0[i];
-    double px = x - q->x0[i], py = y - q->y0[i], pz = z - q->z0[i];
-    double length2 = ax * ax + ay * ay + az * az;
-    double s = length2 > 0 ? (px * ax + py * ay + pz * az) / length2 : 0;
-    s = s < 0 ? 0 : s > 1 ? 1 : s;
-    px -= s * ax, py -= s * ay, pz -= s * az;
-    double r = q->r0[i] > 0 ? q->r0[i] : 0;
-    return sqrt(px * px + py * py + pz * pz) - r;
-}
-
-enum { LOOSE = 1000 }; /* parts; more are no tree, and each takes a search over all rows */
-
-struct loose {
-    double z;
-    int32_t row;
-};
-
-static int lower(const void *x, const void *y)
-{
-    const struct loose *a = x, *b = y;
-    return a->z < b->z ? -1 : a->z > b->z ? 1 : (a->row > b->row) - (a->row < b->row);
-}
-
-static double ground(const struct wf_qsm *q, const double *wood)
-{
-    double most = 0, low = INFINITY;
-    for (size_t i = 0; i < q->n; i++) most = wood[i] > most ? wood[i] : most;
-    for (size_t i = 0; i < q->n; i++)
-        if (q->parent[i] < 0 && wood[i] >= SUBSTANTIAL * most && q->z0[i] < low) low = q->z0[i];
-    return low;
-}
-
-/* Children of a part that begins at order 0 again follow the order of what it was joined to. */
-static void raise(struct wf_qsm *q, const int32_t *root, int32_t part, int32_t onto)
-{
-    int32_t step = q->order[onto] + 1 - q->order[part];
-    if (q->order[onto] < 0 || q->order[part] < 0 || q->order[part] >= q->order[onto]) return;
-    for (size_t i = 0; i < q->n; i++)
-        if (root[i] == part) q->order[i] += step;
-}
-
-static void join(struct wf_qsm *q, const int32_t *root, uint8_t *standing, int32_t part)
-{
-    double best = INFINITY;
-    int32_t onto = -1;
-    for (size_t i = 0; i < q->n; i++) {
-        if (!standing[root[i]]) continue;
-        double d = to_surface(q, i, q->x0[part], q->y0[part], q->z0[part]);
-        if (d < best) best = d, onto = (int32_t)i;
-    }
-    wf_qsm_count(q, WF_REPAIR_LOOSE, 1, q->id[part]);
-    q->parent[part] = onto;
-    raise(q, root, part, onto);
-    standing[part] = 1;
-}
-
-/* One tree: rings cut, then every root that does not stand on the ground joined to the nearest axis.
- * Ground: the lowest start of a root whose part holds at least 1 % of the largest part's wood. A root within
- * 0.5 m above it stands; any other is loose and, from the lowest up, becomes a child of the row whose surface
- * is nearest to its start. Errors: WF_EINPUT when more than 1000 parts are loose: then the parent column does
- * not fit the ids. */
-static enum wf_status qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
-{
-    int32_t *root = WF_TAKE(a, q->n, int32_t);
-    double *wood = WF_TAKE(a, q->n, double);
-    uint8_t *standing = WF_TAKE(a, q->n, uint8_t);
-    struct loose *part = WF_TAKE(a, q->n, struct loose);
-    if (!root || !wood || !standing || !part) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
-    enum wf_status s = roots_of(q, root, a, e);
-    if (s) return s;
-    for (size_t i = 0; i < q->n; i++) {
-        double r = q->r0[i] > 0 ? q->r0[i] : 0;
-        wood[root[i]] += r * r * wf_qsm_distance(q, i);
-    }
-    double z = ground(q, wood);
-    size_t parts = 0, stems = 0;
-    for (size_t i = 0; i < q->n; i++) {
-        if (q->parent[i] >= 0) continue;
-        standing[i] = q->z0[i] <= z + STANDS;
-        if (standing[i])
-            stems++;
-        else
-            part[parts++] = (struct loose){ q->z0[i], (int32_t)i };
-    }
-    if (parts > LOOSE)
-        return wf_fail(
-            e, WF_EINPUT,
-            "%s: %zu of %zu rows have no parent below them; the parent column does not fit the ids", q->name,
-            parts, q->n);
-    if (stems > 1) wf_qsm_count(q, WF_NOTE_STEMS, stems - 1, -1);
-    qsort(part, parts, sizeof *part, lower);
-    for (size_t k = 0; k < parts; k++) join(q, root, standing, part[k].row);
-    return WF_OK;
-}
-
-/* Every parent before its children; the file's order is kept when it already is so. */
-static enum wf_status qsm_sort(struct wf_qsm *q, struct wf_arena *a, struct wf_err *e)
-{
-    size_t late = 0;
-    int64_t first = 0;
-    for (size_t i = 0; i < q->n; i++)
-        if (q->parent[i] > (int32_t)i && !late++) first = q->id[i];
-    if (!late) return WF_OK;
-    wf_qsm_count(q, WF_NOTE_SORTED, late, first);
-    struct wf_children c;
-    enum wf_status s = wf_children_of(q->parent, q->n, a, &c, e);
-    if (s) return s;
-    int32_t *stack = WF_TAKE(a, q->n, int32_t), *pick = WF_TAKE(a, q->n, int32_t);
-    if (!stack || !pick) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
-    size_t depth = 0, n = 0;
-    for (int32_t k = c.begin[q->n + 1]; k-- > c.begin[q->n];) stack[depth++] = c.child[k];
-    while (depth) { /* depth first, children in the order of the file */
-        int32_t i = pick[n++] = stack[--depth];
-        for (int32_t k = c.begin[i + 1]; k-- > c.begin[i];) stack[depth++] = c.child[k];
-    }
-    return wf_qsm_pick(q, pick, n, a, e);
-}
-
-/* The order in which a table of cylinders is made sound. */
-
-/* Base of the main stem (the standing root thickest at its base) to x = y = 0, the lowest base to z = 0. */
+/* Move the tree: base of the main stem (the root with the largest base radius) to x = y = 0, lowest base to
+ * z = 0. */
 static void to_origin(struct wf_qsm *q)
 {
     size_t main_root = 0;
@@ -413,7 +413,7 @@ static void to_origin(struct wf_qsm *q)
     }
 }
 
-static enum wf_status refuse(const struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
+static enum wf_status refuse_repairs(const struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
     size_t kinds = 0;
     for (int k = 0; k < WF_REPAIR_COUNT; k++) {
@@ -438,5 +438,5 @@ enum wf_status wf_qsm_repair(struct wf_qsm *q, bool strict, struct wf_arena *a, 
     if (!s) s = qsm_branches(q, a, e);
     if (s) return s;
     to_origin(q);
-    return strict ? refuse(q, d, e) : WF_OK;
+    return strict ? refuse_repairs(q, d, e) : WF_OK;
 }

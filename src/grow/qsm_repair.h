@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_QSM_REPAIR_H
 #define WF_GROW_QSM_REPAIR_H
-/* From a table of cylinders as it was read to a sound one. */
+/* Repair of a table of cylinders after reading. */
 #include "grow/qsm.h"
 
-/* From what was read to a sound table: every parent before its children, one or several grounded stems, radii
- * and lengths positive and finite, branch order from 0 at the stem, base of the main stem at the origin.
- * Everything changed is counted in q->repairs. `strict`: refuse instead, naming every repair in `d`. Errors:
- * WF_EINPUT when nothing usable is left or strict refuses. */
+/* Make a table valid: every parent comes before its children, there is one stem or several that start at the
+ * ground, radii and lengths are positive and finite, branch orders count from 0 at the stem, and the base of
+ * the main stem is the origin. All changes are counted in q->repairs. `strict`: refuse a table that needs
+ * repairs, with an error in `d` for each kind. Errors: WF_EINPUT when no usable row is left, when the parents
+ * do not fit the ids, or when refused; WF_ENOMEM. */
 enum wf_status wf_qsm_repair(struct wf_qsm *q, bool strict, struct wf_arena *a, struct wf_diag *d,
                              struct wf_err *e);
 #endif

@@ -138,7 +138,6 @@ static void wood(struct wf_tree *t, const struct wf_model *m, const struct wf_le
     double axis[3] = { sin(m->lean) * cos(m->lean_azimuth), sin(m->lean) * sin(m->lean_azimuth),
                        cos(m->lean) };
     double *start[3] = { t->x0, t->y0, t->z0 }, *end[3] = { t->x1, t->y1, t->z1 };
-    bool breaks = l->modulus_of_rupture.given;
     for (size_t i = 0; i < t->n; i++) {
         t->parent[i] = (int32_t)i - 1;
         for (int k = 0; k < 3; k++) {
@@ -149,13 +148,7 @@ static void wood(struct wf_tree *t, const struct wf_model *m, const struct wf_le
         t->r1[i] = m->sections ? 0 : base * wf_model_taper(m, s[i + 1]);
         t->i0[i] = t->r0[i] * (1 - wf_along_at(&l->wall, s[i], 1));
         t->i1[i] = t->r1[i] * (1 - wf_along_at(&l->wall, s[i + 1], 1));
-        t->youngs[i] = l->youngs_modulus.value;
-        t->shear[i] = l->shear_modulus.value;
-        t->density[i] = l->density.value;
-        t->strength[i] = breaks ? l->modulus_of_rupture.value * l->knot_factor.value : 0;
-        t->drag[i] = l->drag_coefficient.value;
-        t->lift[i] = l->lift_coefficient.value;
-        t->damping[i] = l->damping_ratio.value;
+        wf_level_onto(l, t, i, false);
     }
 }
 
@@ -171,14 +164,15 @@ static void leaves(struct wf_tree *t, const struct wf_model *m, const struct wf_
         t->leaf1[i] = wf_along_at(&m->crown_shape, (s[i + 1] - from) / (to - from), 1);
         sum += 0.5 * (t->leaf0[i] + t->leaf1[i]) * wf_tree_length(t, i);
     }
-    double scale = m->leaf_area / sum, sail = sp->leaf_frontal_share.value * sp->crown_drag.value;
+    double scale = m->leaf_area / sum,
+           sail = sp->crown.frontal_share.value * sp->crown.drag_coefficient.value;
     for (size_t i = 0; i < t->n; i++) {
         t->leaf0[i] *= scale;
         t->leaf1[i] *= scale;
         t->sail0[i] = t->leaf0[i] * sail;
         t->sail1[i] = t->leaf1[i] * sail;
-        t->burden0[i] = t->leaf0[i] * sp->leaf_mass_per_area.value;
-        t->burden1[i] = t->leaf1[i] * sp->leaf_mass_per_area.value;
+        t->burden0[i] = t->leaf0[i] * sp->crown.leaf_mass_per_area.value;
+        t->burden1[i] = t->leaf1[i] * sp->crown.leaf_mass_per_area.value;
     }
 }
 
@@ -186,7 +180,7 @@ enum wf_status wf_grow_stem(const struct wf_model *m, const struct wf_species *s
                             struct wf_tree *out, struct wf_err *e)
 {
     if (!sp->levels) return wf_fail(e, WF_EINPUT, "%s: the species has no levels", sp->key);
-    if (m->leaf_area > 0 && !sp->crown_drag.given)
+    if (m->leaf_area > 0 && !sp->crown.drag_coefficient.given)
         return wf_fail(e, WF_EINPUT, "%s: the model has leaves, but the species table %s has no 'crown'",
                        m->key, sp->key);
     const struct wf_level *stem = &sp->level[0];

@@ -14,7 +14,7 @@ struct wf_species;
  * and at every knot of the taper, wall and crown tables, and an equal step within a tenth of its length of
  * such a place gives way to it. Radii and walls are exact at row ends; linear tapers and tables are exact
  * everywhere. Crown: leaf area per length follows the model's shape, zero outside the crown, scaled so that
- * the rows add up to m->leaf_area; sail = leaf area x leaf_frontal_share x crown_drag; burden = leaf area x
+ * the rows add up to m->leaf_area; sail = leaf area x frontal_share x drag_coefficient; burden = leaf area x
  * leaf mass. Strength is the modulus of rupture times the knot factor, 0 where the species has none. Errors:
  * WF_EINPUT for leaves without a crown in the species table, for sections of a hollow species; WF_ENOMEM. */
 enum wf_status wf_grow_stem(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,

@@ -12,9 +12,9 @@ static double share_none(const struct wf_law_values *p, double speed, double *de
     return 1;
 }
 
-/* ln(share) = V g(x), x = ln(speed/reference). The law itself has g = 0 for x < 0 and g = x above, with a
- * corner at the reference speed that no crown has. Within |x| < h the parabola (x+h)^2/(4h) joins both
- * branches with a continuous slope; outside that band the law is untouched. */
+/* ln(share) = V g(x), x = ln(speed/reference). The sharp law has g = 0 for x < 0 and g = x above, with a
+ * corner at the reference speed that real crowns do not have. Within |x| < h the parabola (x+h)^2/(4h) joins
+ * both branches with a continuous slope; outside that band the law is unchanged. */
 static double share_vogel(const struct wf_law_values *p, double speed, double *derivative)
 {
     const double h = WF_VOGEL_ROUNDING, exponent = p->number[0], reference = p->number[1];
@@ -110,43 +110,43 @@ static const double bark_log_re[] = { DECADE(-1), DECADE(0), DECADE(1), DECADE(2
                                       DECADE(4),  DECADE(5), DECADE(6), 7 };
 static const double bark_drag[] = {
     58,   34,   17,   /* 1e-1 */
-    10.5, 6.8,  4.0,  /* 1e0  */
-    2.8,  2.08, 1.55, /* 1e1  */
-    1.37, 1.25, 1.13, /* 1e2  */
-    1.00, 0.95, 1.00, /* 1e3  */
-    1.10, 1.17, 1.20, /* 1e4  */
-    1.20, 1.14, 1.05, /* 1e5: bark is past the drag crisis of a smooth cylinder */
-    1.05, 1.05, 1.05, /* 1e6  */
-    1.05,             /* 1e7  */
+    10.5, 6.8,  4.0,  /* 1e0 */
+    2.8,  2.08, 1.55, /* 1e1 */
+    1.37, 1.25, 1.13, /* 1e2 */
+    1.00, 0.95, 1.00, /* 1e3 */
+    1.10, 1.17, 1.20, /* 1e4 */
+    1.20, 1.14, 1.05, /* 1e5: rough bark, beyond the drag crisis of a smooth cylinder */
+    1.05, 1.05, 1.05, /* 1e6 */
+    1.05,             /* 1e7 */
 };
-/* d drag / d log10 Re at the points by wf_smooth_slope, worked out beforehand because this function
- * is called for every load point of every element. */
+/* Slopes d drag / d log10 Re at the points by wf_smooth_slope, tabulated because this law is evaluated at
+ * every load point of every element. */
 static const double bark_rise[] = {
     0,
     -63.788542506732597,
     -30.691640612488143, /* 1e-1 */
     -16.941833283925543,
     -10.027972788855955,
-    -5.2998439468210314, /* 1e0  */
+    -5.2998439468210314, /* 1e0 */
     -3.1890509710918673,
     -1.9353015759351511,
-    -0.91402574605560827, /* 1e1  */
+    -0.91402574605560827, /* 1e1 */
     -0.49828921423310435,
     -0.35682198881671667,
-    -0.37573450418485604, /* 1e2  */
+    -0.37573450418485604, /* 1e2 */
     -0.29897352853986248,
     0,
-    0.24323840551433046, /* 1e3  */
+    0.24323840551433046, /* 1e3 */
     0.28236388806542562,
     0.15077649568392379,
-    0, /* 1e4  */
+    0, /* 1e4 */
     0,
     -0.21087894550811814,
-    0, /* 1e5  */
+    0, /* 1e5 */
     0,
     0,
-    0, /* 1e6  */
-    0, /* 1e7  */
+    0, /* 1e6 */
+    0, /* 1e7 */
 };
 enum { BARK_POINTS = sizeof bark_drag / sizeof *bark_drag };
 

@@ -1,7 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The load on one point of an axis and its exact derivatives. Called for every load point of every
- * element in every iteration, so: no allocation, one square root a speed, no division by a speed that
- * may be zero. */
 #include "load/load.h"
 #include "base/vec3.h"
 #include "data/species.h"
@@ -22,8 +19,8 @@ void wf_loads_default(struct wf_loads *l)
                             .axis_drag = &wf_axis_drag_laws[0] };
 }
 
-/* The numbers and lists of a law as the species gives them. */
-static struct wf_law_values values(const struct wf_law_use *use, const struct wf_law *l)
+/* Parameters of a law in the order of its row, from the values of the species. */
+static struct wf_law_values law_values_of(const struct wf_law_use *use, const struct wf_law *l)
 {
     struct wf_law_values v = { 0 };
     for (size_t k = 0, n = wf_law_count(l); k < n; k++) {
@@ -42,13 +39,13 @@ enum wf_status wf_loads_laws(struct wf_loads *l, const struct wf_species *sp, st
         l->streamline = wf_streamline_named(crown->law);
         if (!l->streamline)
             return wf_fail(e, WF_EINPUT, "%s: no streamlining law is called '%s'", sp->key, crown->law);
-        l->streamline_par = values(crown, &l->streamline->law);
+        l->streamline_par = law_values_of(crown, &l->streamline->law);
     }
     if (axis->law) {
         l->axis_drag = wf_axis_drag_named(axis->law);
         if (!l->axis_drag)
             return wf_fail(e, WF_EINPUT, "%s: no drag law of an axis is called '%s'", sp->key, axis->law);
-        l->axis_drag_par = values(axis, &l->axis_drag->law);
+        l->axis_drag_par = law_values_of(axis, &l->axis_drag->law);
     }
     return WF_OK;
 }
@@ -59,20 +56,25 @@ double *wf_loads_streamline_number(struct wf_loads *l, const char *name)
     return k < 0 ? NULL : &l->streamline_par.number[k];
 }
 
-/* The air at a point, and the coefficients k of force = k * velocity. */
-struct flow {
+/* The load on one point of an axis and its exact derivatives. They are evaluated at every Gauss point of
+ * every element in every iteration, so: no allocation, one square root per speed, no division by a speed
+ * that may be zero. */
+
+/* Velocity of the air at a point, and the coefficients k of force = k * velocity. */
+struct axis_flow {
     double u[3], du[9];
-    double along;             /* U.t [m/s]                                         */
-    double across;            /* |Un| [m/s]                                        */
-    double n[3], m[3];        /* Un/|Un| and t x Un/|Un|; zero when |Un| = 0       */
-    double drag, drag_grow;   /* axis drag / Un [N s/m2], and |Un| d(drag)/d|Un|   */
-    double lift;              /* lift / (t x Un) [N s/m2]; grows like itself       */
-    double crown, crown_grow; /* crown drag / U [N s/m2], and |U| d(crown)/d|U|    */
-    double e[3];              /* U/|U|; zero when still                            */
+    double along;             /* U.t [m/s] */
+    double across;            /* |Un| [m/s] */
+    double n[3], m[3];        /* Un/|Un| and t x Un/|Un|; zero when |Un| = 0 */
+    double drag, drag_grow;   /* axis drag / Un [N s/m2], and |Un| d(drag)/d|Un| */
+    double lift;              /* lift / (t x Un) [N s/m2]; equals its |Un| d(lift)/d|Un| */
+    double crown, crown_grow; /* crown drag / U [N s/m2], and |U| d(crown)/d|U| */
+    double e[3];              /* U/|U|; zero in still air */
 };
 
-/* v / |v|, or zero for a zero vector: every use is multiplied by a force that vanishes with |v|. */
-static inline double split(const double v[3], double unit[3])
+/* unit = v / |v|, zero for a zero vector: every use multiplies it by a force that vanishes with |v|.
+ * Returned: |v|. */
+static inline double split_direction(const double v[3], double unit[3])
 {
     double size = sqrt(wf_dot(v, v)), inverse = size > 0 ? 1 / size : 0;
     for (int i = 0; i < 3; i++) unit[i] = v[i] * inverse;
@@ -80,16 +82,16 @@ static inline double split(const double v[3], double unit[3])
 }
 
 static inline void flow_at(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
-                           const double t[3], struct flow *f)
+                           const double t[3], struct axis_flow *f)
 {
     double un[3], half = 0.5 * l->air_density * l->wind_scale, cd = p->drag, cd_slope = 0, share = 1,
                   share_slope = 0;
     l->wind->sample(l->wind, x, f->u, f->du);
     f->along = wf_dot(f->u, t);
     for (int i = 0; i < 3; i++) un[i] = f->u[i] - f->along * t[i];
-    f->across = split(un, f->n);
+    f->across = split_direction(un, f->n);
     wf_cross(t, f->n, f->m);
-    double speed = split(f->u, f->e);
+    double speed = split_direction(f->u, f->e);
 
     if (isnan(cd))
         cd =
@@ -110,7 +112,7 @@ void wf_load_on_line(const struct wf_loads *l, const struct wf_line_point *p, co
 {
     *out = (struct wf_line_load){ .force = { 0, 0, -p->mass * l->gravity * l->weight_scale } };
     if (!l->wind) return;
-    struct flow f;
+    struct axis_flow f;
     flow_at(l, p, x, t, &f);
 
     const double T[9] = { 0, -t[2], t[1], t[2], 0, -t[0], -t[1], t[0], 0 }; /* t x */
@@ -144,7 +146,7 @@ void wf_load_parts_on_line(const struct wf_loads *l, const struct wf_line_point 
 {
     *out = (struct wf_line_parts){ .weight = { 0, 0, -p->mass * l->gravity * l->weight_scale } };
     if (!l->wind) return;
-    struct flow f;
+    struct axis_flow f;
     flow_at(l, p, x, t, &f);
     for (int i = 0; i < 3; i++) {
         out->drag_axis[i] = f.drag * f.across * f.n[i];

@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/vec3.h"
 #include "load/load.h"
+#include "load/scene.h"
 #include <math.h>
 
 static const double BREAST = 1.3; /* [m] */
@@ -15,8 +16,8 @@ static int32_t main_root(const struct wf_qsm *q)
     return root;
 }
 
-/* Row of the stem in which it first passes breast height, -1 when it does not. A stem that forks below is
- * followed along the thickest limb. */
+/* First row of the stem whose end lies at or above breast height; -1 when the stem is lower. Below breast
+ * height a forked stem is followed along its thickest limb. */
 static int32_t breast_row(const struct wf_qsm *q, int32_t root)
 {
     int32_t row = root;
@@ -61,8 +62,8 @@ void wf_qsm_measure(const struct wf_qsm *q, struct wf_qsm_metrics *m)
     m->dbh = breast_diameter(q, root);
 }
 
-/* Cosine between row i and the wind. */
-static double along(const struct wf_qsm *q, size_t i, double wx, double wy)
+/* Cosine of the angle between row i and the wind. */
+static double cosine_to_wind(const struct wf_qsm *q, size_t i, double wx, double wy)
 {
     double d = wf_qsm_distance(q, i);
     return d > 0 ? ((q->x1[i] - q->x0[i]) * wx + (q->y1[i] - q->y0[i]) * wy) / d : 1;
@@ -72,7 +73,7 @@ double wf_qsm_sail(const struct wf_qsm *q, double azimuth)
 {
     double area = 0, wx = cos(azimuth), wy = sin(azimuth);
     for (size_t i = 0; i < q->n; i++) {
-        double c = along(q, i, wx, wy);
+        double c = cosine_to_wind(q, i, wx, wy);
         area += (q->r0[i] + q->r1[i]) * q->length[i] * sqrt(fmax(1 - c * c, 0));
     }
     return area;
@@ -84,9 +85,12 @@ void wf_qsm_drag(const struct wf_qsm *q, double pressure, double drag_coefficien
     struct wf_loads l;
     wf_loads_default(&l);
     l.gravity = 0;
-    const struct wf_wind wind = { .sample = wf_profile_named("uniform")->sample,
-                                  .speed = sqrt(2 * pressure / l.air_density),
-                                  .direction = { cos(azimuth), sin(azimuth), 0 } };
+    struct wf_scenario scene;
+    struct wf_wind wind;
+    wf_scenario_default(&scene);
+    scene.profile = "uniform", scene.azimuth = azimuth;
+    wf_scenario_wind(&scene, &wind);
+    wind.speed = sqrt(2 * pressure / l.air_density);
     double low = INFINITY;
     l.wind = &wind;
     for (size_t i = 0; i < q->n; i++)

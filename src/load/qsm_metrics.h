@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_LOAD_QSM_METRICS_H
 #define WF_LOAD_QSM_METRICS_H
-/* Size of a measured tree, from the cylinders as they were measured (stated lengths, before any joining). */
+/* Dimensions of a scanned tree (QSM), from its cylinders with their stated lengths, before gaps between them
+ * are closed. */
 #include "grow/qsm.h"
 
 enum { WF_QSM_ORDERS = 32 };
@@ -9,28 +10,31 @@ enum { WF_QSM_ORDERS = 32 };
 struct wf_qsm_metrics {
     size_t cylinders, branches, tips, stems;
     int32_t highest_order;
-    double height;           /* highest end above the lowest base [m]                                   */
+    double height;           /* highest end above the lowest base [m] */
     double dbh;              /* diameter of the main stem 1.3 m above its base [m]; NAN when it is lower */
-    double base_diameter;    /* of the main stem's first row [m]                                        */
-    double length;           /* of all axes [m]                                                         */
-    double volume;           /* wood and bark [m3]                                                      */
-    double area;             /* lateral surface of all axes [m2]                                        */
-    double width_x, width_y; /* extent of all axes [m]                                               */
-    double crown_base;       /* lowest end of a branch that is not of the stem [m]; NAN without branches */
-    double order_length[WF_QSM_ORDERS], order_volume[WF_QSM_ORDERS]; /* the last collects all beyond  */
+    double base_diameter;    /* of the main stem's first row [m] */
+    double length;           /* of all axes [m] */
+    double volume;           /* wood and bark [m3] */
+    double area;             /* lateral surface of all axes [m2] */
+    double width_x, width_y; /* extent of all axes [m] */
+    double crown_base;       /* lowest end of a cylinder of order 1 or more [m]; NAN without branches */
+    double order_length[WF_QSM_ORDERS],
+        order_volume[WF_QSM_ORDERS]; /* by branch order; the last entry sums all higher orders */
 };
 
-/* Given: a table after wf_qsm_repair, or its rows scaled. Method: each row is a frustum of its stated length.
- * The main stem is the branch of the standing root that is thickest at its base. */
+/* Given: a table after wf_qsm_repair, or its rows scaled. Returned: *m. Method: each row is a frustum of its
+ * stated length. The main stem is the one whose root cylinder has the largest base radius. */
 void wf_qsm_measure(const struct wf_qsm *q, struct wf_qsm_metrics *m);
 
-/* Area all axes show to a horizontal wind [m2], without shelter: sum over rows of (r0 + r1) length sin(angle
- * between wind and axis). Given: azimuth towards which the wind blows, from +x towards +y [rad]. */
+/* Projected area of all axes normal to a horizontal wind [m2], without mutual shelter: sum over rows of (r0
+ * + r1) length sin(angle between wind and axis). Given: azimuth towards which the wind blows, from +x
+ * towards +y [rad]. */
 double wf_qsm_sail(const struct wf_qsm *q, double azimuth);
 
-/* Uncoupled drag of all axes in a uniform wind, no shelter: the axis drag of load/load.h, normal to each axis
- * (cross-flow principle, Hoerner 1965), at its mid-height. Given: pressure [Pa], drag coefficient, azimuth
- * [rad]. Returned: *force, the sum of the magnitudes [N], and *moment about the lowest base [N m]. */
+/* Drag of all axes of the undeformed tree in a uniform wind, without shelter: the axis drag of load/load.h,
+ * normal to each axis (cross-flow principle, Hoerner 1965), applied at its mid-height. Given: dynamic
+ * pressure [Pa], drag coefficient [-], azimuth [rad]. Returned: *force, the sum of the magnitudes [N], and
+ * *moment about the lowest base [N m]. */
 void wf_qsm_drag(const struct wf_qsm *q, double pressure, double drag_coefficient, double azimuth,
                  double *force, double *moment);
 #endif

@@ -3,12 +3,9 @@
 #include "base/num.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
-#include "wind/wind.h"
+#include "wind/terrain.h"
 #include <math.h>
 #include <string.h>
-
-static void scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
-static double scenario_air_density(const struct wf_scenario *s);
 
 void wf_scenario_default(struct wf_scenario *s)
 {
@@ -16,7 +13,7 @@ void wf_scenario_default(struct wf_scenario *s)
         .profile = "power",
         .reference_height = 10.0,
         .speed_up = 1.0,
-        .roughness = 0.03, /* open grassland (Davenport class 3) for who asks for the log profile */
+        .roughness = 0.03, /* open grassland (Davenport class 3); the log profile only */
         .displacement = 0.0,
         .exponent = 0.16,
         .azimuth = 0.0,
@@ -24,11 +21,10 @@ void wf_scenario_default(struct wf_scenario *s)
         .altitude = 0.0,
         .air_density = NAN,
         .gravity = 9.81,
-        .speed_max = 100.0,
     };
 }
 
-/* A field of the scenario and what it may hold. */
+/* A field of the scenario and its allowed range. */
 struct limit {
     const char *name, *unit;
     double value, low, high;
@@ -49,7 +45,6 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         { "altitude", "m", s->altitude, -500.0, 11000.0 },
         { "air density", "kg/m3", isnan(s->air_density) ? 1.0 : s->air_density, 1e-6, 2000.0 },
         { "gravity", "m/s2", s->gravity, 0.0, 100.0 },
-        { "highest speed searched", "m/s", s->speed_max, 1.0, 200.0 },
     };
     if (!s->profile || !wf_profile_named(s->profile))
         return wf_fail(e, WF_EUSAGE, "no wind profile is called '%s'", s->profile ? s->profile : "");
@@ -60,7 +55,7 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
             return wf_fail(e, WF_EUSAGE, "%s %.6g %s is outside %.6g..%.6g", limits[i].name, limits[i].value,
                            limits[i].unit, limits[i].low, limits[i].high);
     struct wf_wind wind;
-    scenario_wind(s, &wind);
+    wf_scenario_wind(s, &wind);
     if (wind.sample == wf_canopy_sample && !(s->canopy_height > 0.0 || s->displacement > 0.0))
         return wf_fail(e, WF_EUSAGE, "the canopy profile needs the canopy height or the displacement height");
     if (s->measured && wind.sample == wf_measured_sample && wf_measured_blow(s->measured, &wind, e))
@@ -68,7 +63,8 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
     return wf_wind_check(&wind, e);
 }
 
-/* What is not said of a stand follows from its height. */
+/* Defaults of the canopy profile from the canopy height; where that is missing it follows from the
+ * displacement height. */
 static void complete_canopy(struct wf_scenario *s, const struct wf_profile_words *w)
 {
     double height = s->canopy_height > 0.0 ? s->canopy_height : s->displacement / 0.7;
@@ -76,7 +72,7 @@ static void complete_canopy(struct wf_scenario *s, const struct wf_profile_words
     if (isnan(w->roughness) && height > 0.0) s->roughness = 0.1 * height;
 }
 
-static void numbers(struct wf_scenario *s, const struct wf_profile_words *w)
+static void set_profile_numbers(struct wf_scenario *s, const struct wf_profile_words *w)
 {
     const struct {
         double *to, said;
@@ -91,27 +87,42 @@ static void numbers(struct wf_scenario *s, const struct wf_profile_words *w)
     if (strcmp(s->profile, "canopy") == 0) complete_canopy(s, w);
 }
 
-enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,
-                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_words *w, struct wf_err *e)
 {
     static const char measured[] = "measured";
-    struct wf_measured_profile *p = WF_TAKE(a, 1, struct wf_measured_profile);
     s->profile = w->name ? w->name : w->file ? measured : s->profile;
-    numbers(s, w);
+    set_profile_numbers(s, w);
     bool asked = strcmp(s->profile, measured) == 0;
     if (asked && !w->file)
         return wf_fail(e, WF_EUSAGE, "the profile '%s' needs a profile file of heights and speeds", measured);
     if (!asked && w->file)
         return wf_fail(e, WF_EUSAGE, "%s: a profile file goes with the profile '%s', not '%s'", w->file,
                        measured, s->profile);
-    if (!w->file) return WF_OK;
+    return WF_OK;
+}
+
+enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,
+                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    enum wf_status status = wf_scenario_words(s, w, e);
+    if (status || !w->file) return status;
+    struct wf_measured_profile *p = WF_TAKE(a, 1, struct wf_measured_profile);
     if (!p) return wf_fail(e, WF_ENOMEM, "no room for a profile");
     s->measured = p, s->profile_file = w->file;
     return wf_measured_read(w->file, a, d, p, e);
 }
 
-/* The field of a checked scenario, at speed 0. */
-static void scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
+enum wf_status wf_scenario_site(struct wf_scenario *s, struct wf_site *site, double north, struct wf_arena *a,
+                                struct wf_err *e)
+{
+    double from = wf_wind_from(s->azimuth, north);
+    enum wf_status status = wf_site_read(site, a, e);
+    if (!status) status = wf_site_speed_up(site, from, s->reference_height, s->roughness, &s->speed_up, e);
+    s->site = site;
+    return status;
+}
+
+void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
 {
     *out = (struct wf_wind){
         .sample = wf_profile_named(s->profile)->sample,
@@ -128,20 +139,26 @@ static void scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
 
 double wf_scenario_speed(const struct wf_scenario *s, double named) { return named * s->speed_up; }
 
-enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
-                                 struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e)
+enum wf_status wf_scenario_still(const struct wf_species *sp, double gravity, struct wf_loads *loads,
+                                 struct wf_err *e)
 {
-    scenario_wind(s, wind);
     wf_loads_default(loads);
-    loads->wind = wind;
-    loads->air_density = scenario_air_density(s);
-    loads->air_viscosity = wf_air_viscosity(s->temperature, loads->air_density);
-    loads->gravity = s->gravity;
+    loads->gravity = gravity;
     return wf_loads_laws(loads, sp, e);
 }
 
-/* Density of the air, given or from temperature and altitude [kg m-3]. */
-static double scenario_air_density(const struct wf_scenario *s)
+enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
+                                 struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e)
+{
+    enum wf_status status = wf_scenario_still(sp, s->gravity, loads, e);
+    wf_scenario_wind(s, wind);
+    loads->wind = wind;
+    loads->air_density = wf_scenario_air_density(s);
+    loads->air_viscosity = wf_air_viscosity(s->temperature, loads->air_density);
+    return status;
+}
+
+double wf_scenario_air_density(const struct wf_scenario *s)
 {
     return isnan(s->air_density) ? wf_air_density(s->temperature, s->altitude) : s->air_density;
 }

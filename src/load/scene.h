@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_LOAD_SCENE_H
 #define WF_LOAD_SCENE_H
-/* From the scenario a user names, and a species, to wind field, air and loads: once, for every room above. */
+/* From a user's scenario and a species to wind field, air properties and loads. Studies, fits and validation
+ * cases all use these functions, so that the same input gives the same loads. */
 #include "base/diag.h"
 #include "base/err.h"
 #include "load/load.h"
@@ -17,11 +18,12 @@ struct wf_species;
 struct wf_site; /* wind/terrain.h */
 struct wf_scenario {
     const char *profile;                        /* row of wf_profiles */
-    const struct wf_measured_profile *measured; /* of the profile "measured" */
-    const char *profile_file;                   /* it was read from */
+    const struct wf_measured_profile *measured; /* data of the profile "measured" */
+    const char *profile_file;                   /* file that `measured` was read from */
     double reference_height;                    /* height of the named wind speeds [m] */
-    double speed_up; /* wind at the tree over the wind named, at every height: exposure of the site [-] */
-    const struct wf_site *site; /* it was found on this ground; NULL: it was given */
+    double speed_up; /* ratio of the wind at the tree to the named wind, at every height: exposure of the site
+                        [-] */
+    const struct wf_site *site; /* terrain from which speed_up was computed; NULL: speed_up was given */
     double roughness, displacement,
         exponent; /* [m], [m], [-]: of the log and canopy, log and canopy, power profile */
     double canopy_height, attenuation; /* [m], [-]: of the canopy profile; 0: derived, see wind/wind.h */
@@ -29,16 +31,17 @@ struct wf_scenario {
     double temperature, altitude;      /* [K], [m] */
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
-    double speed_max;       /* the critical wind speed is searched for up to here [m/s] */
-    const char *shelter;    /* row of wf_shelter_laws: the tree shelters itself; NULL: it does not */
-    const char *winds_said; /* how the wind speeds came to 10-min means; NULL: they were given so */
+    const char *shelter;    /* name in wf_shelter_laws by which the tree shelters itself; NULL: no shelter */
+    const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
+                               conversion */
 };
-/* Power law 0.16 at 10 m, towards +x, 15 C, sea level, 9.81 m/s2, search up to 100 m/s. */
+/* Defaults: power law 0.16 at 10 m, wind towards +x, 15 C, sea level, 9.81 m/s2. */
 void wf_scenario_default(struct wf_scenario *s);
 
-/* Refuse a scenario that no field can be made of. Returned: WF_OK or WF_EUSAGE. */
+/* Check that a wind field can be made of a scenario. Errors: WF_EUSAGE naming the value and its allowed
+ * range. */
 enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e);
-/* A wind profile as asked for. NULL, NAN: not said. */
+/* A wind profile as the user specifies it. NULL, NAN: not given. */
 struct wf_profile_words {
     const char *name, *file; /* row of wf_profiles; heights and speeds of the measured one */
     double reference_height, exponent, roughness, displacement, canopy_height, attenuation;
@@ -47,20 +50,55 @@ struct wf_profile_words {
     {                                                                                                        \
         NULL, NULL, NAN, NAN, NAN, NAN, NAN, NAN                                                             \
     }
-/* Set the scenario's profile, and read the measured one from its file. What is not said: the power law,
- * "measured" where there is a file; for a stand what follows from its height, d
- * = 0.7 h, z0 = 0.1 h (Garratt 1992, The Atmospheric Boundary Layer, Cambridge University Press, sec. 4.3).
- * Errors: WF_EUSAGE where name and file do not go together, WF_EINPUT with every mistake of the file in `d`.
- */
+/* Numbers of a struct wf_profile_words as keys of a YAML table of a struct T, which has it as member `in`. */
+#define WF_PROFILE_KEY(T, k, in, dim, u, from, to, text, ...)                                                \
+    {                                                                                                        \
+        .key = #k, .kind = WF_YAML_QUANTITY, .dimension = dim, .unit = u, .low = from, .high = to,           \
+        .offset = offsetof(T, in.k), .doc = text, __VA_ARGS__                                                \
+    }
+#define WF_PROFILE_KEYS(T, in)                                                                               \
+    WF_PROFILE_KEY(T, exponent, in, WF_DIM_NONE, NULL, 0, 1, "Of the power profile.", .absent = "0.16",      \
+                   .example = "0.16"),                                                                       \
+        WF_PROFILE_KEY(T, roughness, in, WF_DIM_LENGTH, "m", 1e-6, 10, "Of the log and canopy profiles.",    \
+                       .absent = "0.03 m; canopy: 0.1 of its height", .example = "3 cm"),                    \
+        WF_PROFILE_KEY(T, displacement, in, WF_DIM_LENGTH, "m", 0, 100, "Of the log and canopy profiles.",   \
+                       .absent = "0 m; canopy: 0.7 of its height", .example = "0 m"),                        \
+        WF_PROFILE_KEY(T, canopy_height, in, WF_DIM_LENGTH, "m", 0, 100,                                     \
+                       "Of the stand around the tree, for the canopy profile.",                              \
+                       .absent = "displacement / 0.7", .example = "12 m"),                                   \
+        WF_PROFILE_KEY(T, attenuation, in, WF_DIM_NONE, NULL, 0, 10, "Of the wind inside the canopy.",       \
+                       .absent = "joins the log law smoothly", .example = "2.5")
+/* Set the scenario's profile, without reading a file. Errors: WF_EUSAGE where name and file do not go
+ * together. */
+enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_words *w, struct wf_err *e);
+/* Set the scenario's profile and, for a measured profile, read its file. Defaults of what is not given: the
+ * power law, or "measured" where a file is given; for the canopy profile, d = 0.7 h and z0 = 0.1 h from the
+ * canopy height h (Garratt 1992, The Atmospheric Boundary Layer, Cambridge University Press, sec. 4.3).
+ * Errors: WF_EUSAGE where name and file do not agree; WF_EINPUT with every mistake of the file in `d`;
+ * WF_ENOMEM. */
 enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,
                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
-/* Speed at the reference height at the tree when the wind named is `named` [m/s]: on an exposed site more. */
+/* Put the tree on ground whose heights are known: read the map, and find the exposure for the scenario's
+ * azimuth, reference height and roughness. Given: file, x, y of *site; where north of the map is in the
+ * model, clockwise from +y [rad]. Returned: site and speed_up of *s. Errors: those of wf_site_read and
+ * wf_site_speed_up. */
+enum wf_status wf_scenario_site(struct wf_scenario *s, struct wf_site *site, double north, struct wf_arena *a,
+                                struct wf_err *e);
+/* Wind field of a checked scenario, with speed 0. */
+void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
+/* Wind speed at the tree at the reference height, given the named speed [m/s]: the named speed times
+ * speed_up. */
 double wf_scenario_speed(const struct wf_scenario *s, double named);
-/* What a checked scenario does to a tree of this species: wind field (at speed 0), air, gravity,
- * streamlining. Returned: *wind, and *loads pointing at it. WF_EINPUT for a streamlining law that does not
- * exist. */
+/* Loads on a tree of this species in still standard air (see wf_loads_default): its weight. Given: gravity
+ * [m s-2]. Errors: WF_EINPUT for an unknown law. */
+enum wf_status wf_scenario_still(const struct wf_species *sp, double gravity, struct wf_loads *loads,
+                                 struct wf_err *e);
+/* Loads of a checked scenario on a tree of this species: wind field (speed 0), air, gravity, drag laws.
+ * Returned: *wind, and *loads, which points to *wind. Errors: as wf_scenario_still. */
 enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
                                  struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e);
+/* Air density [kg m-3]: as given, else from temperature and altitude. */
+double wf_scenario_air_density(const struct wf_scenario *s);
 
 #ifdef __cplusplus
 }

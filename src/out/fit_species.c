@@ -6,7 +6,15 @@
 #include <math.h>
 #include <string.h>
 
-/* The fitted parameter of a quantity and level; NULL: none. factor: share of level 0 that a level's E is. */
+/* A table being written. */
+struct sheet {
+    FILE *f;
+    const struct wf_fit_results *of;
+    const char *study; /* key of the fit among the sources */
+    struct wf_units *units;
+};
+
+/* What was fitted of a quantity and level; NULL: nothing. */
 static const struct wf_estimate *fitted(const struct wf_fit_results *of, enum wf_fit_quantity q,
                                         int32_t level)
 {
@@ -28,17 +36,19 @@ static void text(FILE *f, const char *s)
     fputc('"', f);
 }
 
-struct unit {
-    const char *name;
-    double factor;
-};
-static const struct unit gpa = { " GPa", 1e-9 }, mpa = { " MPa", 1e-6 }, density = { " kg/m3", 1 },
-                         mm = { " mm", 1e3 }, area = { " kg/m2", 1 }, plain = { "", 1 };
+/* "low: 8 GPa, " */
+static void number(const struct sheet *t, const char *key, double si, const struct wf_property *p)
+{
+    fprintf(t->f, "%s: %.9g%s%s, ", key, wf_quantity_in(t->units, si, p->dimension, p->unit),
+            *p->unit ? " " : "", p->unit);
+}
 
 /* A value as it was, or as fitted. share: of what was fitted. */
-static void value(FILE *f, const char *indent, const char *key, const struct wf_value *v,
-                  const struct wf_estimate *q, double share, struct unit u, const char *study)
+static void value(const struct sheet *t, const char *indent, const struct wf_property *p,
+                  const struct wf_estimate *q, double share)
 {
+    FILE *f = t->f;
+    const struct wf_value *v = p->value;
     if (!v->given && !q) return;
     double low = v->low, high = v->high, x = v->value;
     bool open = false;
@@ -50,11 +60,11 @@ static void value(FILE *f, const char *indent, const char *key, const struct wf_
         open = isnan(low) || isnan(high);
         if (open) low = high = x;
     }
-    fprintf(f, "%s%s: {value: %.9g%s, low: %.9g%s, high: %.9g%s, status: %s", indent, key, x * u.factor,
-            u.name, fmin(low, x) * u.factor, u.name, fmax(high, x) * u.factor, u.name,
-            q ? open ? "assumed" : "measured" : wf_standing_text(v->standing));
+    fprintf(f, "%s%s: {", indent, p->key);
+    number(t, "value", x, p), number(t, "low", fmin(low, x), p), number(t, "high", fmax(high, x), p);
+    fprintf(f, "status: %s", q ? open ? "assumed" : "measured" : wf_standing_text(v->standing));
     if (q)
-        fprintf(f, ", source: %s", study);
+        fprintf(f, ", source: %s", t->study);
     else if (v->source)
         fprintf(f, ", source: %s", v->source);
     if (q || v->note) {
@@ -80,29 +90,32 @@ static void along(FILE *f, const char *key, const struct wf_along *w, const stru
     fputs("}\n", f);
 }
 
-static void level(FILE *f, const struct wf_fit_results *of, const struct wf_species *sp, size_t k,
-                  const char *study)
+/* What was fitted of a level's value. What is fitted of the whole tree (damping) stands with the stem. */
+static const struct wf_estimate *level_fitted(const struct wf_fit_results *of, const char *key, size_t level,
+                                              enum wf_fit_quantity *q)
+{
+    *q = wf_fit_quantity_of("levelN.", key);
+    if (*q == WF_FIT_QUANTITIES && level == 0) *q = wf_fit_quantity_of("", key);
+    return fitted(of, *q, (int32_t)level);
+}
+
+static void level(const struct sheet *t, const struct wf_species *sp, size_t k)
 {
     const struct wf_level *l = &sp->level[k];
-    int32_t n = (int32_t)k;
+    const struct wf_fit_results *of = t->of;
     double share = 1;
     bool own = false; /* E of this level by itself, not by a factor on all wood */
     for (size_t i = 0; i < of->fit.free; i++)
-        own |= of->param[i].quantity == WF_FIT_YOUNGS && of->param[i].level == n;
+        own |= of->param[i].quantity == WF_FIT_YOUNGS && of->param[i].level == (int32_t)k;
     if (!own) share = l->youngs_modulus.value / sp->level[0].youngs_modulus.value;
-    fprintf(f, "  - name: %s\n", l->name);
-    value(f, "    ", "youngs_modulus", &l->youngs_modulus, fitted(of, WF_FIT_YOUNGS, n), share, gpa, study);
-    value(f, "    ", "shear_modulus", &l->shear_modulus, fitted(of, WF_FIT_SHEAR, n), 1, gpa, study);
-    value(f, "    ", "density", &l->density, fitted(of, WF_FIT_DENSITY, n), 1, density, study);
-    value(f, "    ", "modulus_of_rupture", &l->modulus_of_rupture, NULL, 1, mpa, study);
-    value(f, "    ", "radius", &l->radius, NULL, 1, mm, study);
-    value(f, "    ", "damping_ratio", &l->damping_ratio, k ? NULL : fitted(of, WF_FIT_DAMPING, n), 1, plain,
-          study);
-    value(f, "    ", "knot_factor", &l->knot_factor, NULL, 1, plain, study);
-    value(f, "    ", "drag_coefficient", &l->drag_coefficient, fitted(of, WF_FIT_AXIS_DRAG, n), 1, plain,
-          study);
-    value(f, "    ", "lift_coefficient", &l->lift_coefficient, NULL, 1, plain, study);
-    along(f, "wall", &l->wall, &l->wall_note);
+    fprintf(t->f, "  - name: %s\n", l->name);
+    struct wf_property p;
+    for (size_t i = 0; wf_level_property(l, i, &p); i++) {
+        enum wf_fit_quantity q;
+        const struct wf_estimate *e = level_fitted(of, p.key, k, &q);
+        value(t, "    ", &p, e, q == WF_FIT_YOUNGS ? share : 1);
+    }
+    along(t->f, "wall", &l->wall, &l->wall_note);
 }
 
 /* "speed: [4 m/s, 20 m/s]" */
@@ -114,32 +127,33 @@ static void list(FILE *f, const char *key, const struct wf_numbers *v, const cha
     fputs("]\n", f);
 }
 
-static void parameter(FILE *f, const struct wf_fit_results *of, const struct wf_law_parameter *p,
-                      const struct wf_law_use *u, size_t k, const char *study)
+/* table: of the law, for what is fitted. */
+static void parameter(const struct sheet *t, const char *table, const struct wf_law_parameter *p,
+                      const struct wf_law_use *u, size_t k)
 {
-    const char *si = wf_dimension_row(p->dimension)->si, *unit = p->dimension == WF_DIM_NONE ? "" : si;
-    char spaced[32];
-    snprintf(spaced, sizeof spaced, "%s%s", *unit ? " " : "", unit);
+    const char *unit = p->dimension == WF_DIM_NONE ? "" : wf_dimension_row(p->dimension)->si;
+    const struct wf_property as = {
+        .key = p->name, .dimension = p->dimension, .unit = unit, .value = &u->parameter[k]
+    };
     if (p->kind == WF_LAW_LIST)
-        list(f, p->name, &u->list[k], unit);
+        list(t->f, p->name, &u->list[k], unit);
     else if (p->kind == WF_LAW_NUMBER)
-        fprintf(f, "    %s: %.9g%s\n", p->name, u->parameter[k].value, spaced);
+        fprintf(t->f, "    %s: %.9g%s%s\n", p->name, u->parameter[k].value, *unit ? " " : "", unit);
     else
-        value(f, "    ", p->name, &u->parameter[k],
-              strcmp(p->name, WF_FIT_CROWN_LAW) ? NULL : fitted(of, WF_FIT_VOGEL, -1), 1,
-              (struct unit){ spaced, 1 }, study);
+        value(t, "    ", &as, fitted(t->of, wf_fit_quantity_of(table, p->name), -1), 1);
 }
 
 /* A law and its parameters below a key. */
-static void law_use(FILE *f, const struct wf_fit_results *of, const char *key, struct wf_law_table table,
-                    const struct wf_law_use *s, const char *study)
+static void law_use(const struct sheet *t, const char *key, const char *table, struct wf_law_table laws,
+                    const struct wf_law_use *s)
 {
-    const struct wf_law *law = wf_law_named(table, s->law);
+    const struct wf_law *law = wf_law_named(laws, s->law);
+    FILE *f = t->f;
     bool lists = false;
     if (!s->law) return;
     fprintf(f, "%s:\n    law: %s\n", key, s->law);
     for (size_t k = 0, n = wf_law_count(law); k < n; k++) {
-        parameter(f, of, &law->parameter[k], s, k, study);
+        parameter(t, table, &law->parameter[k], s, k);
         lists |= law->parameter[k].kind == WF_LAW_LIST;
     }
     if (lists) fprintf(f, "    status: %s\n", wf_standing_text(s->standing));
@@ -167,9 +181,10 @@ static char *beside(const struct wf_fit_results *of, struct wf_arena *a)
     return out;
 }
 
-static void write(FILE *f, const struct wf_fit_results *of, const char *key, const char *study,
-                  const char *note)
+static void write(const struct sheet *t, const char *key, const char *note)
 {
+    const struct wf_fit_results *of = t->of;
+    FILE *f = t->f;
     const struct wf_species *sp = of->x.tree[0].species;
     fprintf(f, "species: %s\nname: ", key), text(f, sp->name), fputc('\n', f);
     if (sp->name_zh) fprintf(f, "name_zh: %s\n", sp->name_zh);
@@ -178,18 +193,18 @@ static void write(FILE *f, const struct wf_fit_results *of, const char *key, con
     fputs("note: ", f), text(f, note), fputs("\nsources:\n", f);
     for (size_t i = 0; i < sp->sources; i++)
         fprintf(f, "  %s: ", sp->source[i].key), text(f, sp->source[i].text), fputc('\n', f);
-    fprintf(f, "  %s: \"Calibration study %s, windfirm %s, %.10s;", study, of->study.key, WF_VERSION,
+    fprintf(f, "  %s: \"Calibration study %s, windfirm %s, %.10s;", t->study, of->study.key, WF_VERSION,
             of->date);
     for (size_t i = 0; i < of->files; i++) fprintf(f, " %s sha256 %s;", of->file[i].path, of->file[i].sha256);
     fputs("\"\nlevels:\n", f);
-    for (size_t k = 0; k < sp->levels; k++) level(f, of, sp, k, study);
-    law_use(f, of, "axis_drag", wf_laws.axis_drag, &sp->axis_drag, study);
-    if (!sp->crown_drag.given) return;
+    for (size_t k = 0; k < sp->levels; k++) level(t, sp, k);
+    law_use(t, "axis_drag", "axis_drag.", wf_laws.axis_drag, &sp->axis_drag);
+    if (!sp->crown.drag_coefficient.given) return;
     fputs("crown:\n", f);
-    value(f, "  ", "drag_coefficient", &sp->crown_drag, fitted(of, WF_FIT_CROWN_DRAG, -1), 1, plain, study);
-    value(f, "  ", "leaf_mass_per_area", &sp->leaf_mass_per_area, NULL, 1, area, study);
-    value(f, "  ", "frontal_share", &sp->leaf_frontal_share, NULL, 1, plain, study);
-    law_use(f, of, "  streamlining", wf_laws.streamlining, &sp->streamlining, study);
+    struct wf_property p;
+    for (size_t i = 0; wf_crown_property(sp, i, &p); i++)
+        value(t, "  ", &p, fitted(of, wf_fit_quantity_of("crown.", p.key), -1), 1);
+    law_use(t, "  streamlining", "crown.streamlining.", wf_laws.streamlining, &sp->streamlining);
 }
 
 enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char *path, struct wf_err *e)
@@ -200,14 +215,18 @@ enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char 
     char *key = wf_arena_text(&a, slash ? slash + 1 : path),
          *study = wf_arena_print(&a, "fit_%s", of->study.key);
     char *note = beside(of, &a);
+    struct sheet t = { .of = of, .study = study };
     enum wf_status s =
-        key && study && note ? wf_file_begin(&f, path, e) : wf_fail(e, WF_ENOMEM, "%s: no room", path);
+        key && study && note ? wf_units_open(&t.units, e) : wf_fail(e, WF_ENOMEM, "%s: no room", path);
+    if (!s) s = wf_file_begin(&f, path, e);
     if (!s) {
         if (strchr(key, '.')) *strchr(key, '.') = '\0';
-        write(f.stream, of, key, study, note);
+        t.f = f.stream;
+        write(&t, key, note);
         s = wf_file_commit(&f, e);
     }
     wf_file_abandon(&f);
+    wf_units_close(t.units);
     wf_arena_free(&a);
     return s;
 }

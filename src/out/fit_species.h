@@ -5,6 +5,6 @@
 #include "out/fit_results.h"
 
 /* Write the species table of the first tree to `path` with the fitted values in place. Errors: WF_EOUTPUT,
- * WF_ENOMEM. */
+ * WF_ENOMEM, WF_EMISSING without the units database. */
 enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char *path, struct wf_err *e);
 #endif

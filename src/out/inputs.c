@@ -9,32 +9,8 @@
 #include "wind/shelter_laws.h"
 #include "wind/terrain.h"
 #include <math.h>
-#include <stddef.h>
+#include <stdio.h>
 #include <string.h>
-
-struct quantity {
-    const char *key, *unit;
-    size_t offset; /* of the struct wf_value */
-};
-
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
-static const struct quantity level_quantities[] = {
-    { "youngs_modulus", "Pa", offsetof(struct wf_level, youngs_modulus) },
-    { "shear_modulus", "Pa", offsetof(struct wf_level, shear_modulus) },
-    { "density", "kg/m3", offsetof(struct wf_level, density) },
-    { "modulus_of_rupture", "Pa", offsetof(struct wf_level, modulus_of_rupture) },
-    { "radius", "m", offsetof(struct wf_level, radius) },
-    { "damping_ratio", "1", offsetof(struct wf_level, damping_ratio) },
-    { "knot_factor", "1", offsetof(struct wf_level, knot_factor) },
-    { "drag_coefficient", "1", offsetof(struct wf_level, drag_coefficient) },
-    { "lift_coefficient", "1", offsetof(struct wf_level, lift_coefficient) },
-};
-static const struct quantity crown_quantities[] = {
-    { "crown_drag_coefficient", "1", offsetof(struct wf_species, crown_drag) },
-    { "leaf_mass_per_area", "kg/m2", offsetof(struct wf_species, leaf_mass_per_area) },
-    { "leaf_frontal_share", "1", offsetof(struct wf_species, leaf_frontal_share) },
-};
 
 /* The full citation where the table has one, else its key. */
 static void put_source(struct wf_doc *d, json_t *o, const struct wf_species *sp, const char *key)
@@ -51,58 +27,42 @@ static void put_standing(struct wf_doc *d, json_t *o, const struct wf_species *s
     wf_doc_text(d, o, "note", v->note);
 }
 
-static bool level_grown(const struct wf_analysis *a, size_t level)
+/* Does this value of a grown part act on the answers? They are those of a steady wind. */
+static bool acts(const struct wf_analysis *a, const struct wf_property *p)
 {
-    for (size_t i = 0; i < a->tree.n; i++)
-        if (wf_model_wood(a->model, a->species, &a->tree, i) == &a->species->level[level]) return true;
-    return false;
+    if (p->acts == WF_ACTS_MOTION) return false;
+    return p->acts != WF_ACTS_SIZE || isnan(a->model->radius);
 }
 
-/* Does this value of a grown level act on the answers? Damping does not in a steady wind, and the typical
- * radius only where the model names none. */
-static bool acts(const struct wf_analysis *a, const char *key)
+/* part: name of the level, or "crown"; table: where in the species table its keys are; grown: the tree has
+ * such a part. */
+static void add_value(struct wf_doc *d, json_t *list, const struct wf_analysis *a, const char *part,
+                      const char *table, const struct wf_property *p, bool grown)
 {
-    if (!strcmp(key, "damping_ratio")) return false;
-    return strcmp(key, "radius") != 0 || isnan(a->model->radius);
-}
-
-struct values {
-    const char *level;
-    const void *from;         /* struct that holds them */
-    const struct quantity *q; /* n of them */
-    size_t n;
-    bool grown; /* the tree has such a part */
-};
-
-static void add_values(struct wf_doc *d, json_t *list, const struct wf_analysis *a, const struct values *all)
-{
-    for (size_t i = 0; i < all->n; i++) {
-        const struct quantity *q = &all->q[i];
-        const struct wf_value *v = (const void *)((const char *)all->from + q->offset);
-        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_text(d, o, "level", all->level);
-        wf_doc_text(d, o, "quantity", q->key);
-        wf_doc_number(d, o, "value", v->value);
-        wf_doc_number(d, o, "low", v->low);
-        wf_doc_number(d, o, "high", v->high);
-        wf_doc_text(d, o, "unit", q->unit);
-        if (!isfinite(v->value)) wf_doc_text(d, o, "reason", "not given");
-        wf_doc_flag(d, o, "used", all->grown && acts(a, q->key));
-        put_standing(d, o, a->species, v);
-    }
+    char key[96];
+    const struct wf_value *v = p->value;
+    json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+    (void)snprintf(key, sizeof key, "%s%s", table, p->key);
+    wf_doc_text(d, o, "level", part);
+    wf_doc_text(d, o, "key", key);
+    wf_doc_text(d, o, "quantity", p->was);
+    wf_doc_number(d, o, "value", v->value);
+    wf_doc_number(d, o, "low", v->low);
+    wf_doc_number(d, o, "high", v->high);
+    wf_doc_text(d, o, "unit", wf_dimension_row(p->dimension)->si);
+    if (!isfinite(v->value)) wf_doc_text(d, o, "reason", "not given");
+    wf_doc_flag(d, o, "used", grown && acts(a, p));
+    put_standing(d, o, a->species, v);
 }
 
 /* The sourced values of a law. */
-static void add_law_values(struct wf_doc *d, json_t *list, const struct wf_analysis *a, const char *level,
-                           struct wf_law_table table, const struct wf_law_use *u, bool grown)
+static void add_law_values(struct wf_doc *d, json_t *list, const struct wf_analysis *a, const char *part,
+                           const char *table, struct wf_law_table laws, const struct wf_law_use *u,
+                           bool grown)
 {
-    const struct wf_law *law = wf_law_named(table, u->law);
-    for (size_t k = 0, n = wf_law_count(law); k < n; k++) {
-        const struct wf_law_parameter *p = &law->parameter[k];
-        const struct quantity q = { p->result, wf_dimension_row(p->dimension)->si, 0 };
-        const struct values one = { level, &u->parameter[k], &q, 1, grown };
-        if (p->kind == WF_LAW_VALUE) add_values(d, list, a, &one);
-    }
+    const struct wf_law *law = wf_law_named(laws, u->law);
+    struct wf_property p;
+    for (size_t k = 0; wf_law_property(law, u, k, &p); k++) add_value(d, list, a, part, table, &p, grown);
 }
 
 /* The plain numbers, or the lists, of all streamlining laws; empty for those that are not the species'. */
@@ -138,6 +98,7 @@ static json_t *streamlining(struct wf_doc *d, const struct wf_species *sp)
 json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
 {
     const struct wf_species *sp = a->species;
+    struct wf_property p;
     json_t *o = wf_doc_object(d);
     wf_doc_text(d, o, "key", sp->key);
     wf_doc_text(d, o, "name", sp->name);
@@ -150,22 +111,23 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
     json_t *walls = wf_doc_put(d, o, "walls", wf_doc_array(d));
     for (size_t i = 0; i < sp->levels; i++) {
         const struct wf_level *level = &sp->level[i];
-        const struct values all = { level->name, level, level_quantities, COUNT(level_quantities),
-                                    level_grown(a, i) };
-        add_values(d, values, a, &all);
+        const bool grown = wf_analysis_grown(a, i);
+        for (size_t k = 0; wf_level_property(level, k, &p); k++)
+            add_value(d, values, a, level->name, "", &p, grown);
         if (!level->wall.n) continue;
         json_t *wall = wf_doc_add(d, walls, wf_doc_object(d));
         wf_doc_text(d, wall, "level", level->name);
         wf_doc_numbers(d, wall, "at", level->wall.s, level->wall.n);
         wf_doc_numbers(d, wall, "share", level->wall.v, level->wall.n);
-        wf_doc_flag(d, wall, "used", all.grown);
+        wf_doc_flag(d, wall, "used", grown);
         put_standing(d, wall, sp, &level->wall_note);
     }
-    const struct values crown = { "crown", sp, crown_quantities, COUNT(crown_quantities),
-                                  a->model->leaf_area > 0 };
-    add_values(d, values, a, &crown);
-    add_law_values(d, values, a, "crown", wf_laws.streamlining, &sp->streamlining, crown.grown);
-    add_law_values(d, values, a, "axes", wf_laws.axis_drag, &sp->axis_drag, true);
+    const bool leaves = a->model->leaf_area > 0;
+    for (size_t k = 0; wf_crown_property(sp, k, &p); k++)
+        add_value(d, values, a, "crown", "crown.", &p, leaves);
+    add_law_values(d, values, a, "crown", "crown.streamlining.", wf_laws.streamlining, &sp->streamlining,
+                   leaves);
+    add_law_values(d, values, a, "axes", "axis_drag.", wf_laws.axis_drag, &sp->axis_drag, true);
     wf_doc_put(d, o, "streamlining", streamlining(d, sp));
     return o;
 }

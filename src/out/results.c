@@ -216,7 +216,7 @@ static json_t *directions_part(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "hours_a_year", WF_HOURS_A_YEAR * x->hourly, "h", no_hours);
     wf_doc_quantity(d, o, "hours_a_year_10_min", WF_HOURS_A_YEAR * x->strongest, "h", no_hours);
     wf_doc_flag(d, o, "searched_to_the_end", x->above);
-    wf_doc_quantity(d, o, "searched_to", a->scenario.speed_max, "m/s", NULL);
+    wf_doc_quantity(d, o, "searched_to", a->search.speed_max, "m/s", NULL);
     json_t *list = wf_doc_put(d, o, "directions", wf_doc_array(d));
     for (size_t k = 0; k < q->n; k++) wf_doc_add(d, list, direction_part(d, a, &x->direction[k]));
     return o;

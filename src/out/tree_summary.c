@@ -93,7 +93,7 @@ double wf_tree_wear_mass(const struct wf_qsm_metrics *g, const struct wf_tree_we
 
 double wf_tree_wear_sail(const struct wf_tree_wear *w)
 {
-    return w->species ? w->leaf_area * w->species->leaf_frontal_share.value : (double)NAN;
+    return w->species ? w->leaf_area * w->species->crown.frontal_share.value : (double)NAN;
 }
 
 void wf_tree_table_head(FILE *to)

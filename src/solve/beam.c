@@ -4,11 +4,12 @@
 #include "solve/beam_mesh.h"
 #include "solve/beam_newton.h"
 
-/* The mesh a tolerance asks for, found by comparing answers on two meshes row by row. */
+/* Reading a solved beam: the columns of a response. */
 
-/* Force and moment at an element's base, load on it and the load's moment about `first`. */
-static void bear(const struct wf_beam *b, size_t i, const double first[3], struct wf_beam_wrench *base,
-                 double load[3], double moment[3])
+/* Force and moment at the base of element i; its load and the load's moment about `first` are added to
+ * `load` and `moment`. */
+static void add_element_loads(const struct wf_beam *b, size_t i, const double first[3],
+                              struct wf_beam_wrench *base, double load[3], double moment[3])
 {
     struct wf_line_load q[2];
     struct wf_beam_wrench at[2];
@@ -27,8 +28,9 @@ static void bear(const struct wf_beam *b, size_t i, const double first[3], struc
     }
 }
 
-/* Loads at element ends, summed about `first`: independent of the sweep that made the reactions. */
-static void bear_ends(const struct wf_beam *b, const double first[3], double force[3], double moment[3])
+/* Add loads at element ends and their moments about `first`. Computed apart from the sweep that gives the
+ * reactions, so that the sum checks them. */
+static void add_end_loads(const struct wf_beam *b, const double first[3], double force[3], double moment[3])
 {
     const struct wf_loads *l = &b->loads;
     double lever[3], arm[3];
@@ -51,14 +53,14 @@ static void bear_ends(const struct wf_beam *b, const double first[3], double for
     }
 }
 
-static double apart(const double a[3], const double b[3])
+static double distance_between(const double a[3], const double b[3])
 {
     double d[3] = { a[0] - b[0], a[1] - b[1], a[2] - b[2] };
     return sqrt(wf_dot(d, d));
 }
 
-static void read_row(const struct wf_beam *b, size_t i, const double first[3], struct wf_response *r,
-                     double force[3], double moment[3])
+static void read_beam_row(const struct wf_beam *b, size_t i, const double first[3], struct wf_response *r,
+                          double force[3], double moment[3])
 {
     const struct wf_tree *t = b->mesh.tree;
     size_t from = (size_t)b->mesh.first[i], to = (size_t)b->mesh.last[i];
@@ -69,7 +71,7 @@ static void read_row(const struct wf_beam *b, size_t i, const double first[3], s
     const double tip[3] = { t->x1[i], t->y1[i], t->z1[i] };
     for (size_t k = to + 1; k-- > from;) {
         struct wf_beam_wrench w;
-        bear(b, k, first, &w, load, moment);
+        add_element_loads(b, k, first, &w, load, moment);
         if (k == from)
             memcpy(r->force0 + 3 * i, w.n, sizeof w.n), memcpy(r->moment0 + 3 * i, w.m, sizeof w.m);
     }
@@ -87,23 +89,26 @@ static void read_row(const struct wf_beam *b, size_t i, const double first[3], s
     }
 }
 
-/* Fill the response's columns from a solved beam. The response is allocated for the tree's rows. */
+/* Fill the columns of the response, which is allocated for the tree's rows, from a solved beam. */
 static void beam_read(const struct wf_beam *b, struct wf_response *r)
 {
     const struct wf_tree *t = b->mesh.tree;
     const double first[3] = { t->x0[0], t->y0[0], t->z0[0] };
     double force[3] = { 0, 0, 0 }, moment[3] = { 0, 0, 0 };
-    for (size_t i = 0; i < t->n; i++) read_row(b, i, first, r, force, moment);
-    bear_ends(b, first, force, moment);
+    for (size_t i = 0; i < t->n; i++) read_beam_row(b, i, first, r, force, moment);
+    add_end_loads(b, first, force, moment);
     memcpy(r->base_force, b->base.n, sizeof r->base_force);
     memcpy(r->base_moment, b->base.m, sizeof r->base_moment);
     double f = sqrt(wf_dot(force, force)), m = sqrt(wf_dot(moment, moment));
-    r->imbalance = fmax(f > 0 ? apart(force, b->base.n) / f : 0, m > 0 ? apart(moment, b->base.m) / m : 0);
+    r->imbalance = fmax(f > 0 ? distance_between(force, b->base.n) / f : 0,
+                        m > 0 ? distance_between(moment, b->base.m) / m : 0);
     r->iterations = b->iterations;
     r->steps = b->steps;
 }
 
-/* Rotation at row fraction s of a row (0..1), from the unloaded to the loaded state. */
+/* From one mesh to another: start shape and error. */
+
+/* Rotation from the unloaded to the loaded state at fraction s (0..1) of a row. */
 static void beam_rotation_at(const struct wf_beam *b, size_t row, double s, double L[9])
 {
     int32_t from = b->mesh.first[row], cut = b->mesh.last[row] - from + 1;
@@ -136,7 +141,7 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
     }
 }
 
-/* End of row i seen from its base. */
+/* Position and rotation of the end of row i relative to its base, in the axes of the base. */
 static void seen_from_base(const struct wf_beam *b, size_t i, double place[3], double L[9])
 {
     size_t from = (size_t)b->mesh.first[i];
@@ -158,10 +163,10 @@ static void tree_reach(const struct wf_tree *t, double *reach)
     }
 }
 
-/* Error of place that the mesh leaves at the worst node [m], from the answers on a mesh and a finer one of
- * the same tree: each row's own part (its end seen from its base) falls with the fourth power of the piece
- * length, and is carried outwards by the reach of what stands on it. share[n]: each row's part of it [m]; a
- * row that was not cut finer keeps what it had. */
+/* Estimated error of position at the worst node [m], from solutions on a mesh and a finer one of the same
+ * tree. Each row's own contribution (its end relative to its base) falls with the fourth power of the piece
+ * length; its error of rotation moves everything beyond it, up to `reach` away. share[n]: contribution of
+ * each row [m]; a row that was not refined keeps its old value. */
 static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *reach,
                               double *share)
 {
@@ -179,7 +184,7 @@ static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam
         v3_add(a, -1, b);
         if (fall > 0) share[i] = (sqrt(wf_dot(a, a)) + reach[i] * sqrt(wf_dot(turn, turn))) / fall;
     }
-    /* the worst path from the ground: summed upwards in place of the rows' own shares, then undone */
+    /* largest sum along a path from the ground: summed in place of the rows' own shares, then undone */
     for (size_t i = 0; i < t->n; i++) {
         if (t->parent[i] >= 0) share[i] += share[t->parent[i]];
         worst = fmax(worst, share[i]);
@@ -189,8 +194,184 @@ static double beam_mesh_error(const struct wf_beam *coarse, const struct wf_beam
     return worst;
 }
 
-/* One linear step on the beam elements: loads and balance of the unbent tree, small displacements and
- * rotations. */
+/* Mesh refinement to a tolerance: solutions on two meshes are compared row by row. */
+
+static double largest_displacement(const struct wf_beam *b)
+{
+    const struct wf_tree *t = b->mesh.tree;
+    double most = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        const double *r = b->pose[b->mesh.last[i]].r;
+        double d[3] = { r[0] - t->x1[i], r[1] - t->y1[i], r[2] - t->z1[i] };
+        most = fmax(most, wf_dot(d, d));
+    }
+    return sqrt(most);
+}
+
+/* Farthest end from the first base [m]. */
+static double tree_size(const struct wf_tree *t)
+{
+    double most = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        double d[3] = { t->x1[i] - t->x0[0], t->y1[i] - t->y0[0], t->z1[i] - t->z0[0] };
+        most = fmax(most, wf_dot(d, d));
+    }
+    return sqrt(most);
+}
+
+/* Number of rows on the longest path from the ground; the allowed error is divided by it. */
+static double longest_row_chain(const struct wf_tree *t, double *depth)
+{
+    double most = 1;
+    for (size_t i = 0; i < t->n; i++) {
+        depth[i] = 1 + (t->parent[i] >= 0 ? depth[t->parent[i]] : 0);
+        most = fmax(most, depth[i]);
+    }
+    return most;
+}
+
+/* Distributed load on each row as integrated on the mesh, 3n [N]. */
+static void row_loads(const struct wf_beam *b, double *load)
+{
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        double sum[3] = { 0, 0, 0 };
+        for (int32_t k = b->mesh.first[i]; k <= b->mesh.last[i]; k++) {
+            struct wf_line_load q[2];
+            wf_beam_load(&b->mesh.part[k], &b->loads, &b->stage[k], q);
+            for (int j = 0; j < 2; j++) v3_add(sum, 0.5 * b->mesh.part[k].h, q[j].force);
+        }
+        memcpy(load + 3 * i, sum, sizeof sum);
+    }
+}
+
+/* Estimated error of each row's load relative to the base reaction, assumed to fall with the power 1.3 of
+ * the piece length: wind near the ground grows with a low power of height, and a load with a kink inside a
+ * row converges no faster. */
+static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *before,
+                         const double *now, double *share)
+{
+    double force = sqrt(wf_dot(fine->base.n, fine->base.n)), sum = 0;
+    for (size_t i = 0; i < fine->mesh.tree->n; i++) {
+        double kc = coarse->mesh.last[i] - coarse->mesh.first[i] + 1,
+               kf = fine->mesh.last[i] - fine->mesh.first[i] + 1, d[3];
+        for (size_t k = 0; k < 3; k++) d[k] = now[3 * i + k] - before[3 * i + k];
+        share[i] = kf > kc && force > 0 ? sqrt(wf_dot(d, d)) / force / (pow(kf / kc, 1.3) - 1) : 0;
+        sum += share[i];
+    }
+    return sum;
+}
+
+/* New number of pieces per row. Rows above their share of the error target are refined; none is coarsened,
+ * so the carried-over shape is a valid Newton start. off = load error / allowed; above 1 the rows that cause
+ * most of it (`bear`) are refined too. */
+static void choose_pieces(const struct wf_beam *b, const double *share, double target, const double *bear,
+                          double off, int32_t *pieces)
+{
+    double most = 0, more = off > 1 ? fmax(pow(1.5 * off, 0.77), 2) : 1;
+    for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, bear[i]);
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        int32_t now = b->mesh.last[i] - b->mesh.first[i] + 1;
+        double want = pow(share[i] / target, 0.25);
+        if (bear[i] > 0.1 * most) want = fmax(want, more);
+        pieces[i] = (int32_t)fmin(fmax(ceil(now * want), now), 64.0 * now);
+    }
+}
+
+enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
+                             const struct wf_solve_options *o, struct wf_arena *work, struct wf_beam *b,
+                             struct wf_beam_outcome *out, struct wf_err *e)
+{
+    enum { MESHES = 6 };
+    const double safety = 0.25;
+    const double rounding = 1e-12; /* relative to the tree's size: positions are no more accurate than this,
+                                      so a tree that hardly moves converges too */
+    int32_t *pieces = WF_TAKE(work, t->n, int32_t);
+    double *reach = WF_TAKE(work, t->n, double), *share = WF_TAKE(work, t->n, double);
+    double *before = WF_TAKE(work, 3 * t->n, double), *load = WF_TAKE(work, 3 * t->n, double),
+           *bear = WF_TAKE(work, t->n, double);
+    if (!pieces || !reach || !share || !before || !load || !bear)
+        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    int32_t start = wf_beam_first_pieces(t, o);
+    for (size_t i = 0; i < t->n; i++) pieces[i] = start;
+
+    enum wf_status status = wf_beam_init(b, t, l, o, pieces, work, e);
+    if (!status) status = wf_beam_settle(b, work, out, e);
+    if (status || !(o->mesh_tolerance > 0)) return status;
+
+    double depth = longest_row_chain(t, share);
+    row_loads(b, before);
+    tree_reach(t, reach);
+    for (size_t i = 0; i < t->n; i++) pieces[i] = 2 * start;
+    for (int mesh = 1; mesh < MESHES; mesh++) {
+        struct wf_beam fine;
+        struct wf_beam_outcome again;
+        status = wf_beam_init(&fine, t, l, o, pieces, work, e);
+        if (status) return status;
+        wf_beam_carry(b, &fine);
+        status = wf_beam_settle(&fine, work, &again, e);
+        if (status || again.beyond_limit) *out = again;
+        if (status) return status;
+        fine.iterations += b->iterations, fine.steps += b->steps;
+        double allowed = o->mesh_tolerance * safety;
+        double target = fmax(allowed * largest_displacement(&fine), rounding * tree_size(t));
+        double error = beam_mesh_error(b, &fine, reach, share);
+        row_loads(&fine, load);
+        double reactions = load_error(b, &fine, before, load, bear);
+        *b = fine;
+        memcpy(before, load, 3 * t->n * sizeof *load);
+        if (error <= target && reactions <= allowed) break;
+        choose_pieces(b, share, target / depth, bear, reactions / allowed, pieces);
+    }
+    return WF_OK;
+}
+
+void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, struct wf_diag *d)
+{
+    if (!d) return;
+    if (b->loose > 0)
+        wf_diag_warn(
+            d, "loose-parts",
+            "%zu small parts, each bearing less than 1 %% of the load, are balanced but not stable: they may "
+            "snap to another shape",
+            b->loose);
+    if (out->beyond_limit)
+        wf_diag_warn(d, "limit-point",
+                     "the tree gives way at %.3g of the load; the answer is where it comes to rest",
+                     out->load_factor);
+}
+
+/* The solver row: large deflections. */
+
+static enum wf_status beam_solve(const struct wf_tree *t, const struct wf_loads *l,
+                                 const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
+                                 struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_arena work = { 0 };
+    struct wf_beam b;
+    struct wf_beam_outcome out = { 0 };
+    enum wf_status status = wf_response_alloc(r, t->n, a, e);
+    if (status) return status;
+    status = wf_solve_check(t, l, d, e);
+    if (!status) status = wf_beam_solve(t, l, o, &work, &b, &out, e);
+    if (!status) beam_read(&b, r);
+    r->load_factor = out.load_factor;
+    if (!status) wf_beam_warn(&b, &out, d);
+    wf_arena_free(&work);
+    return status;
+}
+
+const struct wf_solver wf_solver_beam = {
+    .name = "beam",
+    .title = "geometrically exact beams, large deflections",
+    .source = "Simo 1985, Comput. Methods Appl. Mech. Eng. 49:55-70; Antman 2005, Nonlinear Problems of "
+              "Elasticity, "
+              "ch. 8; Gauss collocation: Hairer, Lubich & Wanner 2006, II.1.3",
+    .validity = "Elastic wood, static mean wind; any deflection. Loads follow the bent shape.",
+    .solve = beam_solve,
+};
+
+/* The linear solver: one step on the beam elements, with loads and equilibrium of the undeformed tree, small
+ * displacements and rotations. */
 
 /* Rotation of a root plate under a moment. */
 static void plate_tilt(const struct wf_beam *b, const double moment[3], double q[3])
@@ -199,9 +380,9 @@ static void plate_tilt(const struct wf_beam *b, const double moment[3], double q
         if (b->options->root_stiffness[j] > 0) q[j] = moment[j] / b->options->root_stiffness[j];
 }
 
-/* Rotation q and displacement u of the unbent tree under its internal forces:
- * q' = G m,  u' = q x t + H n,  by the same collocation as the full element. */
-static void displace(struct wf_beam *b, double (*u)[3], double (*q)[3])
+/* Rotation q and displacement u of the undeformed tree from its internal forces: q' = G m,  u' = q x t + H
+ * n,  by the same collocation as the full element. */
+static void linear_displacements(struct wf_beam *b, double (*u)[3], double (*q)[3])
 {
     for (size_t i = 0; i < b->mesh.n; i++) {
         const struct wf_beam_part *p = &b->mesh.part[i];
@@ -231,14 +412,14 @@ static void displace(struct wf_beam *b, double (*u)[3], double (*q)[3])
     }
 }
 
-struct answer {
+struct linear_answer {
     struct wf_beam beam;
     double (*u)[3], (*q)[3];
 };
 
-static enum wf_status answer_on(const struct wf_tree *t, const struct wf_loads *l,
-                                const struct wf_solve_options *o, int32_t pieces_each, int32_t *pieces,
-                                struct wf_arena *work, struct answer *x, struct wf_err *e)
+static enum wf_status linear_answer_on(const struct wf_tree *t, const struct wf_loads *l,
+                                       const struct wf_solve_options *o, int32_t pieces_each, int32_t *pieces,
+                                       struct wf_arena *work, struct linear_answer *x, struct wf_err *e)
 {
     for (size_t i = 0; i < t->n; i++) pieces[i] = pieces_each;
     enum wf_status status = wf_beam_init(&x->beam, t, l, o, pieces, work, e);
@@ -248,12 +429,13 @@ static enum wf_status answer_on(const struct wf_tree *t, const struct wf_loads *
     if (!x->u || !x->q) return wf_fail(e, WF_ENOMEM, "no room for %zu displacements", x->beam.mesh.n);
     wf_beam_sweep_up(&x->beam);
     wf_beam_sweep_down(&x->beam, false, NULL);
-    displace(&x->beam, x->u, x->q);
+    linear_displacements(&x->beam, x->u, x->q);
     return WF_OK;
 }
 
-/* Error of the finer of two meshes of ratio 2, relative to the largest displacement and rotation. */
-static double error_of(const struct answer *coarse, const struct answer *fine)
+/* Estimated error on the finer of two meshes of ratio 2, relative to the largest displacement and rotation:
+ * a fifteenth of their difference, at order 4. */
+static double linear_mesh_error(const struct linear_answer *coarse, const struct linear_answer *fine)
 {
     double off[2] = { 0, 0 }, size[2] = { 0, 0 };
     for (size_t i = 0; i < fine->beam.mesh.tree->n; i++) {
@@ -268,7 +450,7 @@ static double error_of(const struct answer *coarse, const struct answer *fine)
     return fmax(size[0] > 0 ? off[0] / size[0] : 0, size[1] > 0 ? off[1] / size[1] : 0) / 15;
 }
 
-static void read_linear(const struct answer *x, struct wf_response *r)
+static void linear_read(const struct linear_answer *x, struct wf_response *r)
 {
     const struct wf_beam *b = &x->beam;
     beam_read(b, r);
@@ -288,25 +470,25 @@ static void read_linear(const struct answer *x, struct wf_response *r)
     r->small_deflection = true;
 }
 
-static enum wf_status solve(const struct wf_tree *t, const struct wf_loads *l,
-                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
-                            struct wf_diag *d, struct wf_err *e)
+static enum wf_status linear_solve(const struct wf_tree *t, const struct wf_loads *l,
+                                   const struct wf_solve_options *o, struct wf_arena *a,
+                                   struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
     const int32_t most = 512;
     struct wf_arena work = { 0 };
-    struct answer x, last;
+    struct linear_answer x, last;
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
     int32_t *pieces = WF_TAKE(&work, t->n, int32_t), cut = 1;
     if (!status && !pieces) status = wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
     if (!status) status = wf_solve_check_round(t, "the linear solver", e);
     if (!status) status = wf_solve_check(t, l, d, e);
-    if (!status) status = answer_on(t, l, o, cut, pieces, &work, &x, e);
+    if (!status) status = linear_answer_on(t, l, o, cut, pieces, &work, &x, e);
     while (!status && o->mesh_tolerance > 0 && cut < most) {
         last = x;
-        status = answer_on(t, l, o, cut *= 2, pieces, &work, &x, e);
-        if (!status && error_of(&last, &x) <= 0.25 * o->mesh_tolerance) break;
+        status = linear_answer_on(t, l, o, cut *= 2, pieces, &work, &x, e);
+        if (!status && linear_mesh_error(&last, &x) <= 0.25 * o->mesh_tolerance) break;
     }
-    if (!status) read_linear(&x, r);
+    if (!status) linear_read(&x, r);
     wf_arena_free(&work);
     return status;
 }
@@ -318,177 +500,5 @@ const struct wf_solver wf_solver_linear = {
     .validity =
         "Deflections below 10 % of height and slopes below 15 degrees: loads and balance of the unbent tree.",
     .small_deflection = true,
-    .solve = solve,
-};
-
-static double largest_displacement(const struct wf_beam *b)
-{
-    const struct wf_tree *t = b->mesh.tree;
-    double most = 0;
-    for (size_t i = 0; i < t->n; i++) {
-        const double *r = b->pose[b->mesh.last[i]].r;
-        double d[3] = { r[0] - t->x1[i], r[1] - t->y1[i], r[2] - t->z1[i] };
-        most = fmax(most, wf_dot(d, d));
-    }
-    return sqrt(most);
-}
-
-/* Farthest end from the first base [m]. */
-static double size(const struct wf_tree *t)
-{
-    double most = 0;
-    for (size_t i = 0; i < t->n; i++) {
-        double d[3] = { t->x1[i] - t->x0[0], t->y1[i] - t->y0[0], t->z1[i] - t->z0[0] };
-        most = fmax(most, wf_dot(d, d));
-    }
-    return sqrt(most);
-}
-
-/* Longest chain of rows from the ground: among so many the allowed error is shared. */
-static double deepest(const struct wf_tree *t, double *depth)
-{
-    double most = 1;
-    for (size_t i = 0; i < t->n; i++) {
-        depth[i] = 1 + (t->parent[i] >= 0 ? depth[t->parent[i]] : 0);
-        most = fmax(most, depth[i]);
-    }
-    return most;
-}
-
-/* Distributed load on each row as the mesh sums it, 3n [N]. */
-static void row_loads(const struct wf_beam *b, double *load)
-{
-    for (size_t i = 0; i < b->mesh.tree->n; i++) {
-        double sum[3] = { 0, 0, 0 };
-        for (int32_t k = b->mesh.first[i]; k <= b->mesh.last[i]; k++) {
-            struct wf_line_load q[2];
-            wf_beam_load(&b->mesh.part[k], &b->loads, &b->stage[k], q);
-            for (int j = 0; j < 2; j++) v3_add(sum, 0.5 * b->mesh.part[k].h, q[j].force);
-        }
-        memcpy(load + 3 * i, sum, sizeof sum);
-    }
-}
-
-/* Error of each row's load as a share of the reaction, taken to fall with the power 1.3 of the piece length:
- * wind near the ground grows with a low power of height, and a load with a corner inside a row converges no
- * faster. */
-static double load_error(const struct wf_beam *coarse, const struct wf_beam *fine, const double *before,
-                         const double *now, double *share)
-{
-    double force = sqrt(wf_dot(fine->base.n, fine->base.n)), sum = 0;
-    for (size_t i = 0; i < fine->mesh.tree->n; i++) {
-        double kc = coarse->mesh.last[i] - coarse->mesh.first[i] + 1,
-               kf = fine->mesh.last[i] - fine->mesh.first[i] + 1, d[3];
-        for (size_t k = 0; k < 3; k++) d[k] = now[3 * i + k] - before[3 * i + k];
-        share[i] = kf > kc && force > 0 ? sqrt(wf_dot(d, d)) / force / (pow(kf / kc, 1.3) - 1) : 0;
-        sum += share[i];
-    }
-    return sum;
-}
-
-/* Pieces that bring each row's share of the error to its part of the target; never fewer than there are, so
- * that the shape carried over is one Newton goes on from. While the load is `off` times as far out as
- * allowed, also more for the rows that make most of that. */
-static void choose(const struct wf_beam *b, const double *share, double target, const double *bear,
-                   double off, int32_t *pieces)
-{
-    double most = 0, more = off > 1 ? fmax(pow(1.5 * off, 0.77), 2) : 1;
-    for (size_t i = 0; i < b->mesh.tree->n; i++) most = fmax(most, bear[i]);
-    for (size_t i = 0; i < b->mesh.tree->n; i++) {
-        int32_t now = b->mesh.last[i] - b->mesh.first[i] + 1;
-        double want = pow(share[i] / target, 0.25);
-        if (bear[i] > 0.1 * most) want = fmax(want, more);
-        pieces[i] = (int32_t)fmin(fmax(ceil(now * want), now), 64.0 * now);
-    }
-}
-
-enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
-                             const struct wf_solve_options *o, struct wf_arena *work, struct wf_beam *b,
-                             struct wf_beam_outcome *out, struct wf_err *e)
-{
-    enum { MESHES = 6 };
-    const double safety = 0.25;
-    const double rounding =
-        1e-12; /* of the size: what places are good to, so a tree that does not move ends too */
-    int32_t *pieces = WF_TAKE(work, t->n, int32_t);
-    double *reach = WF_TAKE(work, t->n, double), *share = WF_TAKE(work, t->n, double);
-    double *before = WF_TAKE(work, 3 * t->n, double), *load = WF_TAKE(work, 3 * t->n, double),
-           *bear = WF_TAKE(work, t->n, double);
-    if (!pieces || !reach || !share || !before || !load || !bear)
-        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
-    int32_t start = wf_beam_first_pieces(t, o);
-    for (size_t i = 0; i < t->n; i++) pieces[i] = start;
-
-    enum wf_status status = wf_beam_init(b, t, l, o, pieces, work, e);
-    if (!status) status = wf_beam_settle(b, work, out, e);
-    if (status || !(o->mesh_tolerance > 0)) return status;
-
-    double depth = deepest(t, share);
-    row_loads(b, before);
-    tree_reach(t, reach);
-    for (size_t i = 0; i < t->n; i++) pieces[i] = 2 * start;
-    for (int mesh = 1; mesh < MESHES; mesh++) {
-        struct wf_beam fine;
-        struct wf_beam_outcome again;
-        status = wf_beam_init(&fine, t, l, o, pieces, work, e);
-        if (status) return status;
-        wf_beam_carry(b, &fine);
-        status = wf_beam_settle(&fine, work, &again, e);
-        if (status || again.beyond_limit) *out = again;
-        if (status) return status;
-        fine.iterations += b->iterations, fine.steps += b->steps;
-        double allowed = o->mesh_tolerance * safety;
-        double target = fmax(allowed * largest_displacement(&fine), rounding * size(t));
-        double error = beam_mesh_error(b, &fine, reach, share);
-        row_loads(&fine, load);
-        double reactions = load_error(b, &fine, before, load, bear);
-        *b = fine;
-        memcpy(before, load, 3 * t->n * sizeof *load);
-        if (error <= target && reactions <= allowed) break;
-        choose(b, share, target / depth, bear, reactions / allowed, pieces);
-    }
-    return WF_OK;
-}
-
-void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, struct wf_diag *d)
-{
-    if (!d) return;
-    if (b->loose > 0)
-        wf_diag_warn(
-            d, "loose-parts",
-            "%zu small parts, each bearing less than 1 %% of the load, are balanced but not stable: they may "
-            "snap to another shape",
-            b->loose);
-    if (out->beyond_limit)
-        wf_diag_warn(d, "limit-point",
-                     "the tree gives way at %.3g of the load; the answer is where it comes to rest",
-                     out->load_factor);
-}
-
-static enum wf_status beam_solve(const struct wf_tree *t, const struct wf_loads *l,
-                                 const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
-                                 struct wf_diag *d, struct wf_err *e)
-{
-    struct wf_arena work = { 0 };
-    struct wf_beam b;
-    struct wf_beam_outcome out = { 0 };
-    enum wf_status status = wf_response_alloc(r, t->n, a, e);
-    if (status) return status;
-    status = wf_solve_check(t, l, d, e);
-    if (!status) status = wf_beam_solve(t, l, o, &work, &b, &out, e);
-    if (!status) beam_read(&b, r);
-    r->load_factor = out.load_factor;
-    if (!status) wf_beam_warn(&b, &out, d);
-    wf_arena_free(&work);
-    return status;
-}
-
-const struct wf_solver wf_solver_beam = {
-    .name = "beam",
-    .title = "geometrically exact beams, large deflections",
-    .source = "Simo 1985, Comput. Methods Appl. Mech. Eng. 49:55-70; Antman 2005, Nonlinear Problems of "
-              "Elasticity, "
-              "ch. 8; Gauss collocation: Hairer, Lubich & Wanner 2006, II.1.3",
-    .validity = "Elastic wood, static mean wind; any deflection. Loads follow the bent shape.",
-    .solve = beam_solve,
+    .solve = linear_solve,
 };

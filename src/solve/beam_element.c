@@ -3,8 +3,7 @@
 #include "base/vec3.h"
 #include "solve/beam_mesh.h"
 
-/* The element on its own: where it lies, what loads it, what it carries, how far the material law is missed.
- */
+/* One element: its position, its loads, its internal forces and its curvature. */
 
 void wf_beam_place(const struct wf_beam_part *p, const struct wf_beam_shape *u,
                    const struct wf_beam_pose *base, struct wf_beam_stage *s, struct wf_beam_pose *end)

@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Linearisation of one element and its elimination between its base and what is above.
+#include "solve/beam_eliminate.h"
+#include "solve/beam_kernel.h"
+#include "solve/beam_mesh.h"
+
+/* Linearisation of one element and its elimination between its base and the part above.
  *
  * Spins at the Gauss points are q_j = q_0 + y_j (y: unknown, q_0: spin of the base). Exactly,
  *   dr'_j = Y_j q_j + H_j dn_end,                    Y = -[r'] + H [n]
@@ -8,14 +12,12 @@
  *   d(r' x n)_j = V_jm q_m + Vn_j dn_end + Vr_j dr_0,
  *   dm_j  = dm_end + h down (d(r' x n)),
  *   d(material law's moment)_j = G^-1 (Q_j y_j + sum_m slope_jm/h P_jm y_m + [G m] y_j) - [m] q_j,
- * with A, B the load's derivatives by place and by turn, T the tangent of the rotation vector, Q = D T^-1,
- * P_jm = T_j T_m^-1. The end's wrench is what the part above answers, dw = K p_end + k, so that six
- * equations in the six y remain. */
-#include "solve/beam_eliminate.h"
-#include "solve/beam_kernel.h"
-#include "solve/beam_mesh.h"
+ * with A, B the load's derivatives by position and by rotation of the axis, T the tangent of the rotation
+ * vector, Q = D T^-1, P_jm = T_j T_m^-1. The wrench of the end depends linearly on its motion through the
+ * part above, dw = K p_end + k, so that six equations in the six y remain. */
 
-/* Rows by the base's change p and 1 (and a spare column, so that rows are whole vector registers). */
+/* A row per unknown, columns: the six of the base's change p, one constant, one spare column, so that rows
+ * fill whole vector registers. */
 typedef double by_base[6][8];
 
 static inline void put6(double A[6][6], int row, int col, const double B[9])
@@ -30,10 +32,12 @@ static inline void put8(by_base A, int row, int col, const double B[9])
         for (int j = 0; j < 3; j++) A[row + i][col + j] = B[3 * i + j];
 }
 
-/* S y + R (p_base, 1) = 0 without the part above; its answer enters through Mn: dn_end -> dm_j. */
-WF_INLINE void equations(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
-                         const struct kinematics *k, const struct statics *q, const struct wf_beam_stage *s,
-                         const struct wf_beam_wrench at[2], double S[6][6], by_base A, double Mn[2][9])
+/* S y + A (p_base, 1) = 0 for the element without the part above, whose reaction enters through Mn: dn_end
+ * -> dm_j. */
+WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                                 const struct kinematics *k, const struct statics *q,
+                                 const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                                 double S[6][6], by_base A, double Mn[2][9])
 {
     for (int j = 0; j < 2; j++) {
         double law[3], bent[3], M[2][9], G[9], C[9], R[9];
@@ -41,8 +45,8 @@ WF_INLINE void equations(const struct wf_beam_part *p, const struct wf_beam_flat
         law_hold(p, flat, s, j, k->k[j], law);
         for (int m = 0; m < 2; m++)
             for (int i = 0; i < 9; i++) M[m][i] = d0 * q->V[0][m][i] + d1 * q->V[1][m][i];
-        /* turning the section: d(G^-1) k = -[m] q + G^-1 [G m] q, taking the curvature that goes with the
-         * moment */
+        /* rotation of the section: d(G^-1) k = -[m] q + G^-1 [G m] q, evaluated with the curvature G m of
+         * the present moment */
         law_give(p, flat, s, j, at[j].m, bent);
         memset(C, 0, sizeof C);
         m3_add_cross(C, -1, at[j].m);
@@ -100,10 +104,11 @@ WF_INLINE bool solve6(double S[6][6], by_base B)
     return true;
 }
 
-/* Directions in which the element is unstable: S in terms of strains is S B^-1 with B = d(curvature)/dy;
- * count its negative pivots. For conservative loads it is symmetric, to the order of the mesh's error, and
- * they are its negative eigenvalues; for others their number changes where the tree loses its static
- * stability. (The symmetric part alone would call shapes unstable that are nearly free to turn.) */
+/* Number of directions in which the element is unstable: S in terms of strains is S B^-1 with B =
+ * d(curvature)/dy; its negative pivots are counted. For conservative loads S B^-1 is symmetric, to the order
+ * of the mesh error, and they are its negative eigenvalues; for other loads their number changes where the
+ * tree loses its static stability. (The symmetric part alone would also count shapes that are nearly free to
+ * rotate.) */
 static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], const struct kinematics *k,
                                   double margin)
 {
@@ -132,7 +137,7 @@ static size_t unstable_directions(const struct wf_beam_part *p, double S[6][6], 
 }
 
 /* C += A B */
-WF_INLINE void multiply(double A[6][6], by_base B, by_base C)
+WF_INLINE void add_product(double A[6][6], by_base B, by_base C)
 {
     for (int i = 0; i < 6; i++) {
         double sum[8];
@@ -144,8 +149,8 @@ WF_INLINE void multiply(double A[6][6], by_base B, by_base C)
 }
 
 /* end = P y + Z (p_base, 1):  dr = dr_0 + h/2 sum (Y q + gap), spin = q_0 + sum W y */
-WF_INLINE void end_of(double half, const struct kinematics *k, const struct statics *q, double P[6][6],
-                      by_base Z)
+WF_INLINE void end_motion_of(double half, const struct kinematics *k, const struct statics *q, double P[6][6],
+                             by_base Z)
 {
     memset(Z, 0, sizeof(by_base));
     for (int i = 0; i < 6; i++) Z[i][i] = 1;
@@ -162,8 +167,8 @@ WF_INLINE void end_of(double half, const struct kinematics *k, const struct stat
 }
 
 /* dw_base = dw_end + (0, Vn dn_end) + S y + B (p_base, 1): dn = h/2 sum df, dm = h/2 sum d(r' x n) */
-WF_INLINE void base_of(double half, const struct statics *q, const struct wf_line_load load[2],
-                       double S[6][6], by_base B)
+WF_INLINE void base_wrench_of(double half, const struct statics *q, const struct wf_line_load load[2],
+                              double S[6][6], by_base B)
 {
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < 3; c++) {
@@ -181,10 +186,10 @@ WF_INLINE void base_of(double half, const struct statics *q, const struct wf_lin
     }
 }
 
-/* Add what the part above answers, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own
+/* Add the reaction of the part above, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own
  * equations: dm_j gains Mn_j dn_end + dm_end. */
-WF_INLINE void attach(double Mn[2][9], const struct wf_beam_reaction *above, double P[6][6], by_base Z,
-                      double S[6][6], by_base A)
+WF_INLINE void attach_part_above(double Mn[2][9], const struct wf_beam_reaction *above, double P[6][6],
+                                 by_base Z, double S[6][6], by_base A)
 {
     double answer[6][8], EK[6][8];
     for (int i = 0; i < 6; i++) {
@@ -208,7 +213,7 @@ WF_INLINE void attach(double Mn[2][9], const struct wf_beam_reaction *above, dou
     }
 }
 
-static void invert(double S[6][6], double R[6][6])
+static void invert6(double S[6][6], double R[6][6])
 {
     double copy[6][6];
     memcpy(copy, S, sizeof copy);
@@ -218,10 +223,10 @@ static void invert(double S[6][6], double R[6][6])
     for (int i = 0; i < 6; i++) memcpy(R[i], B[i], sizeof R[i]);
 }
 
-/* S: wrench of the base by y, without the part above. */
-static void small_loads(const struct statics *q, const struct wf_beam_wrench at[2],
-                        const struct wf_beam_reaction *above, double half, double P[6][6], double S[6][6],
-                        struct wf_beam_small *o)
+/* Keep the factors of struct wf_beam_small. S: base wrench by y, without the part above. */
+static void keep_small_loads(const struct statics *q, const struct wf_beam_wrench at[2],
+                             const struct wf_beam_reaction *above, double half, double P[6][6],
+                             double S[6][6], struct wf_beam_small *o)
 {
     memcpy(o->P, P, sizeof o->P);
     memcpy(o->Vn, q->Vn, sizeof o->Vn);
@@ -241,9 +246,10 @@ static void small_loads(const struct statics *q, const struct wf_beam_wrench at[
             }
 }
 
-/* Does the element, with what it carries, leap? Either its own correction at a fixed base is large, or its
- * end turns against its base (beyond -1: it is past its buckling load) or many times as far (it is near it).
- * The linear answer is then no guide, and would throw the parts below. P: spin of the end by y; A: solved. */
+/* Would the linear step throw this element (and all above it) far beyond where linearisation holds? Either
+ * its own correction at a fixed base is large, or its end rotates against its base (below -1: it is beyond
+ * its buckling load) or many times as far as its base (it is near its buckling load). Such a step would also
+ * throw the parts below. P: spin of the end by y; A: solved. */
 WF_INLINE bool leaps(by_base A, double P[6][6])
 {
     const double turn = 0.7, against = -1.1, along = 8; /* rad, -, - */
@@ -258,37 +264,39 @@ WF_INLINE bool leaps(by_base A, double P[6][6])
     return false;
 }
 
-/* Solve for y = -A (p_base, 1). With `guard`, an element that leaps is taken on its own: damped elastic
- * bending towards the moments it bears now, following its base stiffly and handing no reaction down (*apart).
- * Twigs past their buckling load so fall over in a few steps without throwing what carries them. */
-WF_INLINE bool answer(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
-                      const struct kinematics *k, const struct statics *q, const struct wf_beam_stage *s,
-                      const struct wf_beam_wrench at[2], const struct wf_beam_reaction *above, double P[6][6],
-                      by_base Z, by_base A, bool guard, bool *apart, struct wf_beam_stability *count,
-                      struct wf_beam_small *small)
+/* Solve for y = -A (p_base, 1). With `guard`, an element whose step is too large is taken by itself: damped
+ * elastic bending towards its present moments, rigidly following its base, with no reaction on the part
+ * below (*apart). Twigs beyond their buckling load thus fall over in a few iterations without disturbing
+ * what carries them. */
+WF_INLINE bool solve_element(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                             const struct kinematics *k, const struct statics *q,
+                             const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                             const struct wf_beam_reaction *above, double P[6][6], by_base Z, by_base A,
+                             bool guard, bool *apart, struct wf_beam_stability *count,
+                             struct wf_beam_small *small)
 {
     static const struct statics none;
     double S[6][6], Mn[2][9];
     *apart = false;
-    equations(p, flat, k, q, s, at, S, A, Mn);
-    attach(Mn, above, P, Z, S, A);
-    if (small) invert(S, small->R);
+    element_equations(p, flat, k, q, s, at, S, A, Mn);
+    attach_part_above(Mn, above, P, Z, S, A);
+    if (small) invert6(S, small->R);
     if (count) count->negative += unstable_directions(p, S, k, count->margin);
     bool solved = solve6(S, A);
     if (!guard || (solved && !leaps(A, P))) return solved;
     *apart = true;
-    equations(p, flat, k, &none, s, at, S, A, Mn);
+    element_equations(p, flat, k, &none, s, at, S, A, Mn);
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) A[i][c] = 0;
     return solve6(S, A);
 }
 
-WF_INLINE bool eliminate(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
-                         struct wf_beam_shape *u, const double L[9], const struct wf_beam_creep *creep,
-                         const struct wf_beam_stage *s, const struct wf_line_load load[2],
-                         const struct wf_beam_wrench at[2], struct wf_beam_reaction *node,
-                         struct wf_beam_answer *o, struct wf_beam_reaction *below, bool guard,
-                         struct wf_beam_stability *count, struct wf_beam_small *small)
+WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                                struct wf_beam_shape *u, const double L[9], const struct wf_beam_creep *creep,
+                                const struct wf_beam_stage *s, const struct wf_line_load load[2],
+                                const struct wf_beam_wrench at[2], struct wf_beam_reaction *node,
+                                struct wf_beam_answer *o, struct wf_beam_reaction *below, bool guard,
+                                struct wf_beam_stability *count, struct wf_beam_small *small)
 {
     struct kinematics k;
     struct statics q;
@@ -298,17 +306,17 @@ WF_INLINE bool eliminate(const struct wf_beam_part *p, const struct wf_beam_flat
     bool apart;
     kinematics_of(p, flat, u, L, creep, s, at, &k);
     statics_of(p, flat, u, L, s, load, at, &q);
-    end_of(half, &k, &q, P, Z);
-    base_of(half, &q, load, S, B);
-    if (!answer(p, flat, &k, &q, s, at, node, P, Z, y, guard, &apart, count, small)) return false;
+    end_motion_of(half, &k, &q, P, Z);
+    base_wrench_of(half, &q, load, S, B);
+    if (!solve_element(p, flat, &k, &q, s, at, node, P, Z, y, guard, &apart, count, small)) return false;
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 8; c++) y[i][c] = -y[i][c];
 
-    if (small) small_loads(&q, at, node, half, P, S, small);
-    multiply(P, y, Z);       /* end = Z (p, 1) */
-    multiply(node->K, Z, W); /* dw_end = W (p, 1) */
+    if (small) keep_small_loads(&q, at, node, half, P, S, small);
+    add_product(P, y, Z);       /* end = Z (p, 1) */
+    add_product(node->K, Z, W); /* dw_end = W (p, 1) */
     for (int i = 0; i < 6; i++) W[i][6] += node->k[i];
-    multiply(S, y, B);
+    add_product(S, y, B);
     for (int i = 0; i < 3; i++)
         for (int m = 0; m < 3; m++) {
             double f = half * (q.Vn[0][3 * i + m] + q.Vn[1][3 * i + m]);
@@ -326,7 +334,7 @@ WF_INLINE bool eliminate(const struct wf_beam_part *p, const struct wf_beam_flat
     return true;
 }
 
-/* One source for both section laws: with flat constant the compiler leaves out what a round one has not. */
+/* Inlined twice; with flat == NULL the compiler drops the terms of non-round sections. */
 WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double L[9],
                                const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                                const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
@@ -334,7 +342,7 @@ WF_WIDE bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shap
                                struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count,
                                struct wf_beam_small *small)
 {
-    return eliminate(p, NULL, u, L, creep, s, load, at, node, o, below, guard, count, small);
+    return eliminate_either(p, NULL, u, L, creep, s, load, at, node, o, below, guard, count, small);
 }
 
 WF_WIDE bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
@@ -345,7 +353,7 @@ WF_WIDE bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct w
                                     struct wf_beam_reaction *below, bool guard,
                                     struct wf_beam_stability *count, struct wf_beam_small *small)
 {
-    return eliminate(p, flat, u, L, creep, s, load, at, node, o, below, guard, count, small);
+    return eliminate_either(p, flat, u, L, creep, s, load, at, node, o, below, guard, count, small);
 }
 
 void wf_beam_correct(const struct wf_beam_shape *u, const double L[9], const struct wf_beam_answer *o,
@@ -370,7 +378,7 @@ WF_INLINE void misfit_add(const struct wf_beam_part *p, const struct wf_beam_sha
                           const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],
                           struct wf_beam_misfit *sum)
 {
-    const double slight = 1e-3; /* of n h: smaller moments are measured by this one */
+    const double slight = 1e-3; /* times n h: lower bound of the moment the error is measured against */
     double k[2][3];
     wf_beam_curvature(p, u, k);
     for (int j = 0; j < 2; j++) {

@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_SOLVE_BEAM_ELIMINATE_H
 #define WF_SOLVE_BEAM_ELIMINATE_H
-/* Linearisation of one element and its elimination between its base and what is above. */
+/* Linearisation of one element and its elimination (static condensation) between its base and the part
+ * above; residual of its material law. */
 #include "solve/beam_element.h"
 
-/* Linearise and eliminate the element. Given: the present state, and in *node the reaction of all that is
- * above its end. Returned: *answer; in *node how the end itself answers a change p of the base, K p + k; the
- * reaction handed down is added to *below. u->g becomes the strain under the present forces. guard: stiffen
- * an element whose linear answer leaps (far from equilibrium; the tangent is then not exact). count (may be
- * NULL) goes up by the number of directions in which this element, with all above it, is unstable: negative
- * pivots of its tangent by strains. small (may be
- * NULL): filled. false when the eliminated block is singular. */
+/* Linearise and eliminate one element. Given: the present state; in *node the reaction of everything above
+ * its end. Returned: *answer; *node becomes the change of the end for a change p of the base, K p + k; the
+ * reaction on the base is added to *below; u->g becomes the strain under the present forces. guard: treat an
+ * element by itself if the linear step would move it too far (far from equilibrium; the tangent is then not
+ * exact). count (may be NULL) is increased by the number of directions in which this element, with all above
+ * it, is unstable: negative pivots of its tangent in terms of strains. small (may be NULL): filled. false
+ * when the eliminated block is singular. */
 bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, const double base_L[9],
                        const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                        const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
@@ -18,7 +19,7 @@ bool wf_beam_eliminate(const struct wf_beam_part *p, struct wf_beam_shape *u, co
                        struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count,
                        struct wf_beam_small *small);
 
-/* The same for a section that is not round, flat turned with the element. */
+/* As wf_beam_eliminate for a section that is not round; flat in the deformed state. */
 bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
                             struct wf_beam_shape *u, const double base_L[9],
                             const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
@@ -27,12 +28,14 @@ bool wf_beam_eliminate_flat(const struct wf_beam_part *p, const struct wf_beam_f
                             struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count,
                             struct wf_beam_small *small);
 
-/* Newton correction of the unknowns from the change p of the base: dv[2][3] in base axes; end[6] = change of
- * the end, as node (see above) has it. */
+/* Newton correction of an eliminated element. Given: change p of its base. Returned: dv[2][3], changes of
+ * the unknowns in base axes; end[6], change of the end by *node as wf_beam_eliminate left it. */
 void wf_beam_correct(const struct wf_beam_shape *u, const double base_L[9],
                      const struct wf_beam_answer *answer, const struct wf_beam_reaction *node,
                      const double p[6], double dv[2][3], double end[6]);
 
+/* Add the material law residual of one element, with internal forces `at` at its Gauss points, to *sum. flat
+ * NULL: round section. */
 void wf_beam_misfit_add(const struct wf_beam_part *p, const struct wf_beam_shape *u, const double base_L[9],
                         const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
                         const struct wf_beam_flat *flat, const struct wf_beam_wrench at[2],

@@ -5,8 +5,8 @@
 #include "base/vec3.h"
 #include "solve/beam_element.h"
 
-/* The section's law in bending and torsion. flat NULL, a constant where these are inlined: a round section.
- */
+/* Section law in bending and torsion. flat NULL (a constant where these are inlined) means a round
+ * section. */
 
 /* y = G^-1 x: moment of a curvature */
 WF_INLINE void law_hold(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
@@ -37,26 +37,25 @@ WF_INLINE void law_hold_mul(const struct wf_beam_part *p, const struct wf_beam_f
     m3_add_outer(C, flat->more[j], flat->across[j], row);
 }
 
-/* Derivatives within one element, inlined into its elimination (beam_eliminate.c, where the equations are):
- * of curvature and end by the spins at the Gauss points, of loads and of r' x n by spins, end force and base.
- */
+/* Derivatives within one element, inlined into its elimination (beam_eliminate.c states the equations):
+ * curvature and end by the spins at the Gauss points; loads and r' x n by spins, end force and base. */
 
 struct kinematics {
     double k[2][3];     /* curvature of the material law, creep included */
-    double QP[2][2][9]; /* y -> change of curvature                       */
-    double W[2][9];     /* y -> spin of the end, relative to the base     */
+    double QP[2][2][9]; /* y -> change of curvature */
+    double W[2][9];     /* y -> spin of the end, relative to the base */
 };
 
-/* Where the material law asks an element for a large turn at once, its tangent is stiffened in proportion: a
- * damped Newton step for that element alone. Twigs that double over then do not hold up the rest of the tree,
- * and as the misfit goes to zero so does the damping, at the same rate, so that convergence stays quadratic.
- */
-WF_INLINE double damping(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
-                         const struct kinematics *c, const struct wf_beam_stage *s,
-                         const struct wf_beam_wrench at[2])
+/* Damping of one element, whose tangent is stiffened in proportion to the rotation its material law residual
+ * asks for. Twigs that bend double then do not shorten the Newton step of the whole tree. The damping goes
+ * to zero with the residual, at the same rate, so that convergence remains quadratic. */
+WF_INLINE double element_damping(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                                 const struct kinematics *c, const struct wf_beam_stage *s,
+                                 const struct wf_beam_wrench at[2])
 {
     const double free_turn = 0.05,
-                 full_turn = 0.25; /* rad an element may turn undamped; turn that halves the step */
+                 full_turn =
+                     0.25; /* [rad]: rotation without damping; further rotation that halves the step */
     double most = 0;
     for (int j = 0; j < 2; j++) {
         double miss[3];
@@ -67,7 +66,7 @@ WF_INLINE double damping(const struct wf_beam_part *p, const struct wf_beam_flat
     return fmax(0, (p->h * sqrt(most) - free_turn) / full_turn);
 }
 
-WF_INLINE void stiffen(struct kinematics *c, double factor)
+WF_INLINE void stiffen_kinematics(struct kinematics *c, double factor)
 {
     for (int j = 0; j < 2; j++)
         for (int m = 0; m < 2; m++)
@@ -106,20 +105,20 @@ WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_
         m3_mul(Te, Ti[j], c->W[j]);
         for (int i = 0; i < 9; i++) c->W[j][i] *= gauss_end[j];
     }
-    stiffen(c, 1 + creep->rate + damping(p, flat, c, s, at));
+    stiffen_kinematics(c, 1 + creep->rate + element_damping(p, flat, c, s, at));
 }
 
 /* Derivatives of the loads and of r' x n inside the element. */
 struct statics {
-    double Y[2][9];                /* spin -> dr'                       */
-    double F[2][2][9], V[2][2][9]; /* spin at m -> df_j, d(r' x n)_j    */
-    double Vn[2][9], Vr[2][9];     /* dn_end, dr_0 -> d(r' x n)_j       */
-    double gap[2][3];              /* strain still to come: H n - g     */
-    double Vc[2][3];               /* its part of d(r' x n)_j           */
+    double Y[2][9];                /* spin -> dr' */
+    double F[2][2][9], V[2][2][9]; /* spin at m -> df_j, d(r' x n)_j */
+    double Vn[2][9], Vr[2][9];     /* dn_end, dr_0 -> d(r' x n)_j */
+    double gap[2][3];              /* strain residual H n - g */
+    double Vc[2][3];               /* its part of d(r' x n)_j */
 };
 
-/* The weight's moment about the axis turns with the section: d(o x f) = f x (o x q) = (o f' - f.o) q. */
-WF_INLINE void hang(const struct wf_beam_flat *flat, int j, double V[9])
+/* The moment of off-axis weight rotates with the section: d(o x f) = f x (o x q) = (o f' - f.o) q. */
+WF_INLINE void add_side_weight(const struct wf_beam_flat *flat, int j, double V[9])
 {
     double offset[3] = { 0, 0, 0 }, force[3] = { 0, 0, -flat->weight };
     v3_add(offset, flat->side[j], flat->across[j]);
@@ -163,7 +162,7 @@ WF_INLINE void statics_of(const struct wf_beam_part *p, const struct wf_beam_fla
             m3_add_cross_mul(c->V[j][m], 1, s->rp[j], N);
         }
         m3_add_cross_mul(c->V[j][j], -1, at[j].n, c->Y[j]);
-        if (flat) hang(flat, j, c->V[j][j]);
+        if (flat) add_side_weight(flat, j, c->V[j][j]);
         for (int i = 0; i < 9; i++)
             N[i] = p->h * (gauss_down[j][0] * load[0].by_place[i] + gauss_down[j][1] * load[1].by_place[i]);
         m3_add_cross_mul(c->Vr[j], 1, s->rp[j], N);

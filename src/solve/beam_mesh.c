@@ -13,7 +13,8 @@ static const double weight8[8] = { 0.05061426814518812958, 0.1111905172266872352
                                    0.18134189168918099148, 0.18134189168918099148, 0.15685332293894364367,
                                    0.11119051722668723527, 0.05061426814518812958 };
 
-/* An arc of constant curvature between two points: base tangent from chord and curvature vector. */
+/* A row is an arc of constant curvature between two points; its tangents follow from chord and curvature
+ * vector. */
 void wf_row_axis(const struct wf_tree *t, size_t i, double s, double position[3], double tangent[3])
 {
     const double base[3] = { t->x0[i], t->y0[i], t->z0[i] };
@@ -45,30 +46,31 @@ int32_t wf_beam_first_pieces(const struct wf_tree *t, const struct wf_solve_opti
     return o->mesh_tolerance > 0 && t->n < 24 ? (int32_t)(23 / t->n + 1) : 1;
 }
 
-struct section {
+struct row_stiffness {
     double ei, gj, ea, ga;
-    double across; /* stiffness about the width, where it is another */
+    double across; /* bending stiffness about the width, of a section that is not round */
 };
 
 /* 5/6: the shear factor of a rectangle without lateral contraction, for all shapes */
-static struct section flat_section(const struct wf_tree *t, size_t i, double s, double shear_factor)
+static struct row_stiffness flat_stiffness_at(const struct wf_tree *t, size_t i, double s,
+                                              double shear_factor)
 {
     struct wf_section c;
     wf_section_at(t, i, s, &c);
-    return (struct section){ .ei = t->youngs[i] * c.lying,
-                             .across = t->youngs[i] * c.upright,
-                             .gj = t->shear[i] * c.torsion,
-                             .ea = t->youngs[i] * c.area,
-                             .ga = (shear_factor > 0 ? shear_factor : 5. / 6) * t->shear[i] * c.area };
+    return (struct row_stiffness){ .ei = t->youngs[i] * c.lying,
+                                   .across = t->youngs[i] * c.upright,
+                                   .gj = t->shear[i] * c.torsion,
+                                   .ea = t->youngs[i] * c.area,
+                                   .ga = (shear_factor > 0 ? shear_factor : 5. / 6) * t->shear[i] * c.area };
 }
 
-static struct section section_at(const struct wf_tree *t, size_t i, double s, double shear_factor)
+static struct row_stiffness stiffness_at(const struct wf_tree *t, size_t i, double s, double shear_factor)
 {
     if (t->stiff) {
         const double *k = t->stiff + 4 * i;
-        return (struct section){ .ea = k[0], .ga = k[1], .ei = k[2], .gj = k[3] };
+        return (struct row_stiffness){ .ea = k[0], .ga = k[1], .ei = k[2], .gj = k[3] };
     }
-    if (t->section) return flat_section(t, i, s, shear_factor);
+    if (t->section) return flat_stiffness_at(t, i, s, shear_factor);
     double a = wf_between(t->r0[i], t->r1[i], s), b = wf_between(t->i0[i], t->i1[i], s), m = b / a;
     double area = wf_ring_area(a, b), inertia = wf_ring_inertia(a, b);
     double nu = t->youngs[i] / (2 * t->shear[i]) - 1, k = shear_factor;
@@ -76,14 +78,14 @@ static struct section section_at(const struct wf_tree *t, size_t i, double s, do
         double q = (1 + m * m) * (1 + m * m), p = m * m;
         k = 6 * (1 + nu) * q / ((7 + 6 * nu) * q + (20 + 12 * nu) * p);
     }
-    return (struct section){ .ea = t->youngs[i] * area,
-                             .ga = k * t->shear[i] * area,
-                             .ei = t->youngs[i] * inertia,
-                             .gj = t->shear[i] * 2 * inertia };
+    return (struct row_stiffness){ .ea = t->youngs[i] * area,
+                                   .ga = k * t->shear[i] * area,
+                                   .ei = t->youngs[i] * inertia,
+                                   .gj = t->shear[i] * 2 * inertia };
 }
 
-/* Compliances at the two Gauss points that keep the integrals of c and s c over the piece s0..s1 of the row.
- */
+/* Compliances at the two Gauss points that reproduce the integrals of c and s c over the piece s0..s1 of the
+ * row. */
 static void two_moments(const double *c8, double out[2])
 {
     double i0 = 0, i1 = 0;
@@ -92,19 +94,19 @@ static void two_moments(const double *c8, double out[2])
     out[0] = 2 * i0 - out[1];
 }
 
-static void stiffen(const struct wf_tree *t, size_t i, double s0, double s1, const struct wf_solve_options *o,
-                    struct wf_beam_part *p)
+static void set_stiffness(const struct wf_tree *t, size_t i, double s0, double s1,
+                          const struct wf_solve_options *o, struct wf_beam_part *p)
 {
     double bend[8], twist[8], stretch[8], slide[8], c[2];
     for (int k = 0; k < 8; k++) {
-        struct section s = section_at(t, i, wf_between(s0, s1, gauss8[k]), o->shear_factor);
+        struct row_stiffness s = stiffness_at(t, i, wf_between(s0, s1, gauss8[k]), o->shear_factor);
         bend[k] = 1 / s.ei, twist[k] = 1 / s.gj, stretch[k] = 1 / s.ea, slide[k] = 1 / s.ga;
     }
     two_moments(bend, c);
-    bool extreme =
-        !(c[0] > 0 && c[1] > 0); /* a piece running out to a point: plain values, refined by pieces */
+    bool extreme = !(c[0] > 0 && c[1] > 0); /* a piece that tapers to a point: plain values at the Gauss
+                                               points; the mesh refinement reduces the error */
     for (int j = 0; j < 2; j++) {
-        struct section s = section_at(t, i, wf_between(s0, s1, gauss_place[j]), o->shear_factor);
+        struct row_stiffness s = stiffness_at(t, i, wf_between(s0, s1, gauss_place[j]), o->shear_factor);
         p->ei[j] = extreme ? s.ei : 1 / c[j];
         p->gj[j] = s.gj, p->ca[j] = 1 / s.ea, p->cs[j] = 1 / s.ga;
     }
@@ -120,19 +122,20 @@ static void stiffen(const struct wf_tree *t, size_t i, double s0, double s1, con
     }
 }
 
-/* How the section differs from a round one: see stiffen for its own part of the stiffness. */
-static void flatten(const struct wf_tree *t, size_t i, double s0, double s1, const struct wf_solve_options *o,
-                    const struct wf_beam_part *p, struct wf_beam_flat *f)
+/* Additional constants of an element that is not round; set_stiffness sets ei. */
+static void set_flat_section(const struct wf_tree *t, size_t i, double s0, double s1,
+                             const struct wf_solve_options *o, const struct wf_beam_part *p,
+                             struct wf_beam_flat *f)
 {
     const struct wf_tree_sections *sections = t->section;
     double bend[8], c[2];
     for (int k = 0; k < 8; k++)
-        bend[k] = 1 / section_at(t, i, wf_between(s0, s1, gauss8[k]), o->shear_factor).across;
+        bend[k] = 1 / stiffness_at(t, i, wf_between(s0, s1, gauss8[k]), o->shear_factor).across;
     two_moments(bend, c);
     bool extreme = !(c[0] > 0 && c[1] > 0);
     for (int j = 0; j < 2; j++) {
         double s = wf_between(s0, s1, gauss_place[j]), ei = 1 / c[j];
-        if (extreme) ei = section_at(t, i, s, o->shear_factor).across;
+        if (extreme) ei = stiffness_at(t, i, s, o->shear_factor).across;
         f->more[j] = ei - p->ei[j];
         f->give[j] = 1 / ei - 1 / p->ei[j];
         wf_cross(sections->up + 3 * i, p->t[j], f->across[j]);
@@ -140,8 +143,8 @@ static void flatten(const struct wf_tree *t, size_t i, double s0, double s1, con
     }
 }
 
-static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i, double s,
-                     struct wf_beam_part *p, int j)
+static void set_gauss_point(const struct wf_tree *t, const struct wf_loads *l, size_t i, double s,
+                            struct wf_beam_part *p, int j)
 {
     double a = wf_between(t->r0[i], t->r1[i], s), b = wf_between(t->i0[i], t->i1[i], s), at[3];
     wf_row_axis(t, i, s, at, p->t[j]);
@@ -162,7 +165,7 @@ static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i
             p->dead[j][k] = wf_between(l->line[6 * i + k], l->line[6 * i + 3 + k], s);
 }
 
-static enum wf_status joined(const struct wf_tree *t, size_t i, struct wf_err *e)
+static enum wf_status check_joined(const struct wf_tree *t, size_t i, struct wf_err *e)
 {
     if (t->parent[i] < 0) return WF_OK;
     size_t p = (size_t)t->parent[i];
@@ -189,7 +192,7 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
     int32_t at = 0;
     for (size_t i = 0; i < t->n; i++) {
         int32_t cut = pieces ? pieces[i] : 1;
-        enum wf_status status = joined(t, i, e);
+        enum wf_status status = check_joined(t, i, e);
         if (status) return status;
         m->first[i] = at;
         for (int32_t k = 0; k < cut; k++, at++) {
@@ -198,9 +201,9 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
             p->row = (int32_t)i;
             p->parent = k ? at - 1 : t->parent[i] < 0 ? -1 : m->last[t->parent[i]];
             p->h = wf_tree_length(t, i) / cut;
-            stiffen(t, i, s0, s1, o, p);
-            for (int j = 0; j < 2; j++) describe(t, l, i, wf_between(s0, s1, gauss_place[j]), p, j);
-            if (t->section) flatten(t, i, s0, s1, o, p, m->flat + at);
+            set_stiffness(t, i, s0, s1, o, p);
+            for (int j = 0; j < 2; j++) set_gauss_point(t, l, i, wf_between(s0, s1, gauss_place[j]), p, j);
+            if (t->section) set_flat_section(t, i, s0, s1, o, p, m->flat + at);
         }
         m->last[i] = at - 1;
         if (t->mass1) m->mass1[at - 1] = t->mass1[i];

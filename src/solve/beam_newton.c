@@ -4,7 +4,7 @@
 #include "solve/beam_eliminate.h"
 #include <float.h>
 
-/* Sweeps over all elements: a parent always stands before its children, so one loop up and one loop down. */
+/* Sweeps over all elements. A parent always precedes its children, so each sweep is one loop. */
 
 const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struct wf_beam_pose *ground)
 {
@@ -27,16 +27,17 @@ void wf_beam_sweep_up(struct wf_beam *b)
     }
 }
 
-/* The weight of what hangs to one side, as the loads are scaled now. */
-static void weigh(struct wf_beam *b)
+/* Off-axis weight at the present load scale. */
+static void set_side_weight(struct wf_beam *b)
 {
     for (size_t i = 0; b->flat && i < b->mesh.n; i++)
         b->flat[i].weight = b->loads.weight_scale * b->loads.gravity;
 }
 
-static bool eliminate(struct wf_beam *b, size_t i, const double L[9], const struct wf_beam_creep *creep,
-                      const struct wf_line_load load[2], const struct wf_beam_wrench at[2],
-                      struct wf_beam_reaction *below, bool guard, struct wf_beam_stability *count)
+static bool eliminate_element(struct wf_beam *b, size_t i, const double L[9],
+                              const struct wf_beam_creep *creep, const struct wf_line_load load[2],
+                              const struct wf_beam_wrench at[2], struct wf_beam_reaction *below, bool guard,
+                              struct wf_beam_stability *count)
 {
     const struct wf_beam_part *p = &b->mesh.part[i];
     struct wf_beam_small *small = b->small ? &b->small[i] : NULL;
@@ -47,7 +48,7 @@ static bool eliminate(struct wf_beam *b, size_t i, const double L[9], const stru
                              below, guard, count, small);
 }
 
-/* Loads that act at element ends: point masses, dead and follower forces and moments. */
+/* Loads at element ends: point masses, dead and follower forces and moments. */
 static void load_nodes(struct wf_beam *b)
 {
     const struct wf_loads *l = &b->loads;
@@ -66,7 +67,7 @@ static void load_nodes(struct wf_beam *b)
     }
 }
 
-/* Follower loads turn with their section: dn = spin x n. */
+/* Follower loads rotate with their section: dn = spin x n. */
 static void react_nodes(struct wf_beam *b)
 {
     const struct wf_loads *l = &b->loads;
@@ -86,9 +87,9 @@ static void react_nodes(struct wf_beam *b)
     }
 }
 
-/* The root plate: springs c about x and y hold the tilt v against the moment, c v = T' m (stiffness 0 =
- * clamped). Adds the plate's misfit; with the reaction r of the tree on it, works out its correction, how it
- * gives, and whether it is stable. */
+/* Root plate of a row: springs c about x and y resist the tilt v, c v = T' m (stiffness 0 = clamped). Adds
+ * the plate's residual; given the reaction r of the tree on it, computes its Newton correction, its
+ * compliance, and whether it is stable. */
 static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench *w,
                       const struct wf_beam_reaction *r, struct wf_beam_stability *count)
 {
@@ -138,13 +139,13 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     static const double still[2][3];
     struct wf_beam_pose ground;
     double first[3] = { 0, 0, 0 };
-    /* far from equilibrium the tangent is guarded; nearer it is exact */
+    /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
     bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
     b->misfit = (struct wf_beam_misfit){ 0 };
     if (count) count->negative = 0, count->bears = 0;
     b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     load_nodes(b);
-    weigh(b);
+    set_side_weight(b);
     if (tangent) react_nodes(b);
     memcpy(first, wf_beam_base(b, 0, &ground)->r, sizeof first);
     for (size_t i = b->mesh.n; i-- > 0;) {
@@ -163,8 +164,8 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         wf_beam_balance(p->h, &b->stage[i], flat, load, &b->wrench[i], at, &down);
         wf_beam_misfit_add(p, &b->shape[i], base->L, &creep, &b->stage[i], flat, at, &b->misfit);
         size_t unstable = count ? count->negative : 0;
-        if (tangent &&
-            !eliminate(b, i, base->L, &creep, load, at, grounded ? &root : &b->node[p->parent], guard, count))
+        if (tangent && !eliminate_element(b, i, base->L, &creep, load, at,
+                                          grounded ? &root : &b->node[p->parent], guard, count))
             return false;
         if (count && count->negative > unstable)
             count->bears = fmax(count->bears, sqrt(wf_dot(down.n, down.n)));
@@ -184,6 +185,8 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     }
     return isfinite(b->misfit.bending);
 }
+
+/* The beam and Newton's method. */
 
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
@@ -214,10 +217,9 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     return WF_OK;
 }
 
-/* Keep an element's own turn below a limit; what it carries then follows as far. base, end: changes of its
- * ends. */
-static void shorten(const struct wf_beam_pose *at_base, const struct wf_beam_pose *at_end,
-                    const double base[6], double dv[2][3], double end[6])
+/* Limit an element's own rotation; everything above it moves accordingly. base, end: changes of its ends. */
+static void limit_turn(const struct wf_beam_pose *at_base, const struct wf_beam_pose *at_end,
+                       const double base[6], double dv[2][3], double end[6])
 {
     const double limit = 0.7; /* rad */
     double most = fmax(wf_dot(dv[0], dv[0]), wf_dot(dv[1], dv[1])), arm[3], swing[3];
@@ -233,8 +235,8 @@ static void shorten(const struct wf_beam_pose *at_base, const struct wf_beam_pos
     }
 }
 
-/* Corrections of all unknowns from the base up. Returned: the largest turn any node would make. */
-static double corrections(struct wf_beam *b)
+/* Newton corrections of all unknowns, from the base up. Returned: largest rotation of a node [rad]. */
+static double newton_corrections(struct wf_beam *b)
 {
     double most = 0;
     for (size_t i = 0; i < b->mesh.n; i++) {
@@ -243,13 +245,13 @@ static double corrections(struct wf_beam *b)
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
         const double *below = p->parent >= 0 ? b->change[p->parent] : b->root_change[p->row];
         wf_beam_correct(&b->shape[i], base->L, &b->answer[i], &b->node[i], below, b->dv[i], b->change[i]);
-        shorten(base, &b->pose[i], below, b->dv[i], b->change[i]);
+        limit_turn(base, &b->pose[i], below, b->dv[i], b->change[i]);
         most = fmax(most, wf_dot(b->change[i] + 3, b->change[i] + 3));
     }
     return sqrt(most);
 }
 
-static void move(struct wf_beam *b, double share)
+static void apply_correction(struct wf_beam *b, double share)
 {
     for (size_t i = 0; i < b->mesh.n; i++)
         for (int j = 0; j < 2; j++) v3_add(b->shape[i].v[j], share, b->dv[i][j]);
@@ -258,15 +260,15 @@ static void move(struct wf_beam *b, double share)
     wf_beam_sweep_up(b);
 }
 
-/* One correction, shortened until the misfit falls. */
-static bool step(struct wf_beam *b)
+/* One Newton step, halved until the residual falls. false: no step length reduces it. */
+static bool newton_step(struct wf_beam *b)
 {
-    const double turn_limit = 3; /* rad a node may turn in one step */
-    double turn = corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
+    const double turn_limit = 3; /* [rad] rotation of a node in one step */
+    double turn = newton_corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
     struct wf_beam_misfit before = b->misfit;
     if (!isfinite(turn)) return false;
     for (int halvings = 0; halvings < 8; halvings++, share *= 0.5) {
-        move(b, share - done);
+        apply_correction(b, share - done);
         done = share;
         if (!wf_beam_sweep_down(b, true, NULL)) continue;
         if (b->misfit.bending <= before.bending * (1 - 1e-4 * share)) return true;
@@ -275,7 +277,7 @@ static bool step(struct wf_beam *b)
     return false;
 }
 
-static bool settled(const struct wf_beam *b)
+static bool newton_converged(const struct wf_beam *b)
 {
     const double rounding = 8 * DBL_EPSILON; /* of unit tangents */
     double t = b->options->tolerance;
@@ -287,44 +289,45 @@ enum wf_status wf_beam_newton(struct wf_beam *b)
     b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     wf_beam_sweep_up(b);
     if (!wf_beam_sweep_down(b, true, NULL)) return WF_ENOCONV;
-    for (size_t i = 0; i < b->options->iterations_max && !settled(b); i++) {
+    for (size_t i = 0; i < b->options->iterations_max && !newton_converged(b); i++) {
         b->iterations++;
-        if (!step(b)) return WF_ENOCONV;
+        if (!newton_step(b)) return WF_ENOCONV;
     }
-    return settled(b) ? WF_OK : WF_ENOCONV;
+    return newton_converged(b) ? WF_OK : WF_ENOCONV;
 }
 
-/* Ways to an equilibrium at the full load that always end. */
+/* Fallbacks that reach equilibrium at full load, or report that there is none; they always terminate. */
 
-enum { EFFORT = 300 }; /* Newton iterations spent on load steps, and on creep, before giving up */
+enum { EFFORT = 300 }; /* Newton iterations allowed for load steps, and again for creep, before giving up */
 
-struct saved {
+struct saved_shape {
     struct wf_beam_shape *shape;
     double (*tilt)[3];
 };
 
-static void keep(const struct wf_beam *b, struct saved *s)
+static void save_shape(const struct wf_beam *b, struct saved_shape *s)
 {
     memcpy(s->shape, b->shape, b->mesh.n * sizeof *b->shape);
     memcpy(s->tilt, b->tilt, b->mesh.tree->n * sizeof *b->tilt);
 }
 
-static void restore(struct wf_beam *b, const struct saved *s)
+static void restore_shape(struct wf_beam *b, const struct saved_shape *s)
 {
     memcpy(b->shape, s->shape, b->mesh.n * sizeof *b->shape);
     memcpy(b->tilt, s->tilt, b->mesh.tree->n * sizeof *b->tilt);
 }
 
-static void scale(struct wf_beam *b, const struct wf_loads *full, double share)
+static void scale_loads(struct wf_beam *b, const struct wf_loads *full, double share)
 {
     b->loads.wind_scale = share * full->wind_scale;
     b->loads.weight_scale = share * full->weight_scale;
     b->loads.point_scale = share * full->point_scale;
 }
 
-/* A fallen stem may turn about the vertical at no cost, and the tangent is symmetric only to second order in
- * an element's own turn: allow for that much. A twig that may snap to another shape does not bring down the
- * tree: parts that bear less than a hundredth of what the ground does are counted (loose), not refused. */
+/* The margin allows for neutral directions (a fallen stem may rotate about the vertical without any work)
+ * and for the tangent, which is symmetric only to second order in an element's own rotation. A twig that may
+ * snap to another shape does not bring down the tree: parts that carry less than a hundredth of the force on
+ * the ground are counted (loose), not refused. */
 bool wf_beam_stable(struct wf_beam *b)
 {
     const double small = 0.01;
@@ -337,33 +340,33 @@ bool wf_beam_stable(struct wf_beam *b)
     return count.bears <= small * sqrt(wf_dot(b->base.n, b->base.n));
 }
 
-/* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share
- * reached. */
-static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct saved *last)
+/* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share of
+ * the load reached. */
+static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct saved_shape *last)
 {
     double share = 0, size = 0.25;
     memset(b->shape, 0, b->mesh.n * sizeof *b->shape);
     memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
-    keep(b, last);
+    save_shape(b, last);
     size_t most = b->iterations + EFFORT;
     while (share < 1 && size > 2e-4 && b->iterations < most) {
         double next = fmin(1, share + size);
-        scale(b, full, next);
+        scale_loads(b, full, next);
         if (wf_beam_newton(b) == WF_OK && wf_beam_stable(b)) {
             share = next;
             size *= 2;
             b->steps++;
-            keep(b, last);
+            save_shape(b, last);
         } else {
-            restore(b, last);
+            restore_shape(b, last);
             size *= 0.5;
         }
     }
     return share;
 }
 
-/* A small sideways bow, so that a shape that is only balanced on its edge can leave it. */
-static void nudge(struct wf_beam *b)
+/* Perturb the shape by a small sideways bow, so that it can leave an unstable equilibrium. */
+static void perturb_shape(struct wf_beam *b)
 {
     for (size_t i = 0; i < b->mesh.tree->n; i++)
         for (int j = 0; j < 2; j++)
@@ -373,35 +376,36 @@ static void nudge(struct wf_beam *b)
             b->shape[i].v[j][1] += 1e-4 * (j + 1), b->shape[i].v[j][0] += 3e-5 * (j + 1);
 }
 
-/* Kelvin-Voigt creep under the full load: each step solves the tree with a section moment G^-1 (k + rate (k -
- * k_old)), an implicit Euler step of viscous motion of length 1/rate, which has a stable answer however far
- * the elastic one is when the step is short enough. (A balanced but unstable answer of a longer step leads
- * back to the shape the tree is to leave, and is refused.) The rate falls while the steps succeed; at rate 0
- * the elastic equilibrium is left. */
-static bool creep(struct wf_beam *b, struct saved *last)
+/* Kelvin-Voigt creep under the full load: each step solves the tree with a section moment G^-1 (k + rate (k
+ * - k_old)), an implicit Euler step of viscous motion of length 1/rate. If the step is short enough it has a
+ * stable solution, however far away the elastic one is. (An unstable equilibrium of a longer step would lead
+ * back to the shape that is to be left, and is refused.) The rate falls while the steps succeed; at rate 0
+ * the elastic equilibrium remains. */
+static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
 {
     double rate = 64;
     size_t most = b->iterations + EFFORT;
     b->tilt0 = last->tilt;
     for (int k = 0; k < 400 && b->iterations < most; k++) {
-        keep(b, last);
+        save_shape(b, last);
         for (size_t i = 0; i < b->mesh.n; i++) wf_beam_curvature(&b->mesh.part[i], &b->shape[i], b->k0[i]);
         b->creep = rate;
         bool moved = wf_beam_newton(b) == WF_OK && wf_beam_stable(b);
         b->creep = 0;
         b->steps++;
         if (!moved) {
-            restore(b, last);
+            restore_shape(b, last);
             rate *= 4;
             if (rate > 1e9) return false;
             continue;
         }
         rate *= 0.6;
         if (rate > 0.02) continue;
-        keep(b, last);
+        save_shape(b, last);
         if (wf_beam_newton(b) == WF_OK && wf_beam_stable(b)) return true;
-        restore(b, last);
-        if (rate < 1e-8) rate = 1; /* slower and slower creep has not left an unstable shape: begin again */
+        restore_shape(b, last);
+        if (rate < 1e-8)
+            rate = 1; /* ever slower creep has not left an unstable shape: start again with a fast step */
     }
     return false;
 }
@@ -413,18 +417,18 @@ enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_b
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
     if (wf_beam_newton(b) == WF_OK && wf_beam_stable(b)) return WF_OK;
 
-    struct saved last = { WF_TAKE(a, b->mesh.n, struct wf_beam_shape),
-                          wf_arena_take(a, b->mesh.tree->n, sizeof *last.tilt) };
+    struct saved_shape last = { WF_TAKE(a, b->mesh.n, struct wf_beam_shape),
+                                wf_arena_take(a, b->mesh.tree->n, sizeof *last.tilt) };
     b->k0 = wf_arena_take(a, b->mesh.n, sizeof *b->k0);
     if (!last.shape || !last.tilt || !b->k0) return wf_fail(e, WF_ENOMEM, "no room for load steps");
     out->load_factor = load_steps(b, &full, &last);
     if (out->load_factor >= 1) return WF_OK;
 
-    restore(b, &last);
-    scale(b, &full, 1);
-    nudge(b);
+    restore_shape(b, &last);
+    scale_loads(b, &full, 1);
+    perturb_shape(b);
     out->beyond_limit = true;
-    if (creep(b, &last)) return WF_OK;
+    if (creep_to_rest(b, &last)) return WF_OK;
     return wf_fail(e, WF_EUNSTABLE, "no equilibrium found: the tree stands up to %.4g of the load",
                    out->load_factor);
 }

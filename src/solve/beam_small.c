@@ -38,8 +38,8 @@ WF_INLINE void apply6(double A[6][6], const double x[6], double y[6])
         for (int c = 0; c < 6; c++) y[i] += A[i][c] * x[c];
 }
 
-/* One element under a disturbance and the wrench k from above: y at a fixed base, stretch, and the wrench
- * handed down. */
+/* One element under a disturbance and the wrench k from above. Returned: y at a fixed base, stretch, wrench
+ * on the base. */
 WF_INLINE void answer_down(const struct wf_beam_part *p, const struct wf_beam_stage *s,
                            struct wf_beam_small *q, const struct wf_beam_disturbance *x, const double k[6],
                            double y[6], double stretch[2][3], double down[6])
@@ -72,7 +72,8 @@ WF_INLINE void answer_down(const struct wf_beam_part *p, const struct wf_beam_st
     apply6(q->T, y, down);
 }
 
-/* Motion of one element on the change `base` of its base: Gauss points (place, twist) and end. */
+/* Motion of one element for the change `base` of its base. Returned: displacement and twist at the Gauss
+ * points, change of the end. */
 WF_INLINE void answer_up(const struct wf_beam_part *p, const struct wf_beam_stage *s,
                          struct wf_beam_answer *x, struct wf_beam_small *q, const double base[6], double y[6],
                          double stretch[2][3], double *motion, double end[6])
@@ -96,8 +97,8 @@ WF_INLINE void answer_up(const struct wf_beam_part *p, const struct wf_beam_stag
     }
 }
 
-/* How the plate of a root gives, and the root's wrench onto the ground: that of a plate held still and what
- * its spin adds. */
+/* Rotation of a root plate, and the root's wrench on the ground: that for a fixed plate plus the effect of
+ * its spin. */
 static void ground_root(struct wf_beam *b, size_t row, const double down[6], const double *root,
                         double ground[6])
 {
@@ -122,7 +123,7 @@ WF_WIDE void wf_beam_answer_small(struct wf_beam *b,
                                   struct wf_beam_small_answer *out)
 {
     size_t n = b->mesh.n;
-    double(*y)[6] = b->change; /* free while nothing is being solved */
+    double(*y)[6] = b->change; /* not in use between Newton solutions */
     double(*stretch)[2][3] = b->dv;
     memset(out->ground, 0, sizeof out->ground);
     if (node)
@@ -146,7 +147,7 @@ WF_WIDE void wf_beam_answer_small(struct wf_beam *b,
         const double *base = p->parent >= 0 ? y[p->parent] : b->root_change[p->row];
         answer_up(p, &b->stage[i], &b->answer[i], &b->small[i], base, y[i], stretch[i],
                   out->motion ? out->motion + 8 * i : NULL, end);
-        memcpy(y[i], end, sizeof end); /* the element's end, base of those above */
+        memcpy(y[i], end, sizeof end); /* change of the element's end, the base of those above */
         if (out->ends) memcpy(out->ends[i], end, sizeof end);
     }
 }
@@ -154,7 +155,8 @@ WF_WIDE void wf_beam_answer_small(struct wf_beam *b,
 size_t wf_beam_motion_size(const struct wf_beam *b) { return b->mesh.n * (b->mesh.mass1 ? 11 : 8); }
 
 /* Inertia of the motion `ctx` at the Gauss points. */
-static void inertia(const void *ctx, const struct wf_beam *b, size_t i, struct wf_beam_disturbance *out)
+static void inertia_disturbance(const void *ctx, const struct wf_beam *b, size_t i,
+                                struct wf_beam_disturbance *out)
 {
     const double *motion = (const double *)ctx + 8 * i;
     const struct wf_beam_part *p = &b->mesh.part[i];
@@ -175,7 +177,8 @@ void wf_beam_inertia_answer(struct wf_beam *b, const double *in, double *out, do
             node[i][c] = b->mesh.mass1[i] * in[8 * n + 3 * i + c];
             node[i][3 + c] = 0;
         }
-    wf_beam_answer_small(b, inertia, in, b->mesh.mass1 ? (const double(*)[6])node : NULL, NULL, &x);
+    wf_beam_answer_small(b, inertia_disturbance, in, b->mesh.mass1 ? (const double(*)[6])node : NULL, NULL,
+                         &x);
     for (size_t i = 0; b->mesh.mass1 && i < n; i++) memcpy(out + 8 * n + 3 * i, ends[i], 3 * sizeof *out);
 }
 

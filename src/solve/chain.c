@@ -9,70 +9,41 @@
 
 /* One row of the chain as a cantilever with a straight axis and a tapered section. */
 
-enum { WF_CHAIN_POINTS = 8 };
+enum { CHAIN_POINTS = 8 };
 
-/* Eight-point Gauss-Legendre rule on 0..1, and above[k][j]: the moment about point k of a line load through
- * the values f_j at the points, from point k to the end: sum_j above[k][j] f_j, exact to degree 7. */
-struct wf_chain_rule {
-    double x[WF_CHAIN_POINTS], w[WF_CHAIN_POINTS], above[WF_CHAIN_POINTS][WF_CHAIN_POINTS];
+/* Eight-point Gauss-Legendre rule on 0..1, and above[k][j]: the moment about point k of the line load
+ * between point k and the end, for values f_j at the points: sum_j above[k][j] f_j, exact to degree 7. */
+struct chain_rule {
+    double x[CHAIN_POINTS], w[CHAIN_POINTS], above[CHAIN_POINTS][CHAIN_POINTS];
 };
 
-struct wf_chain_row {
-    double load[3];        /* line load, summed [N]                                     */
-    double load_moment[3]; /* its moment about the row's base [N m]                     */
-    double bend[3];        /* displacement of the end against the clamped base [m]      */
-    double turn[3];        /* rotation of the end against it [rad]                      */
+struct chain_row {
+    double load[3];        /* line load, summed [N] */
+    double load_moment[3]; /* its moment about the row's base [N m] */
+    double bend[3];        /* displacement of the end relative to a clamped base [m] */
+    double turn[3];        /* rotation of the end relative to it [rad] */
 };
-
-#define VARIANT(id, called, spread, handed, turned)                                                          \
-    static enum wf_status solve_##id(const struct wf_tree *t, const struct wf_loads *l,                      \
-                                     const struct wf_solve_options *o, struct wf_arena *a,                   \
-                                     struct wf_response *r, struct wf_diag *d, struct wf_err *e)             \
-    {                                                                                                        \
-        static const struct wf_chain_scheme scheme = {                                                       \
-            .smear = spread, .moment = handed, .carry = turned, .taper = 1, .weight = 1                      \
-        };                                                                                                   \
-        return wf_chain_solve(&scheme, t, l, o, a, r, d, e);                                                 \
-    }                                                                                                        \
-    static const struct wf_solver id = { .name = called,                                                     \
-                                         .title = "a way between the printed and the corrected chain",       \
-                                         .source = "variants of Tang et al. 2012, eqs 5-12",                 \
-                                         .validity = "to compare schemes; not for trees",                    \
-                                         .small_deflection = true,                                           \
-                                         .solve = solve_##id }
-
-VARIANT(s1, "chain-S1", 1, 0, 0);
-VARIANT(s1_turned, "chain-S1-turned", 1, 0, 1);
-VARIANT(s2, "chain-S2", 0, 0, 0);
-VARIANT(s2_turned, "chain-S2-turned", 0, 0, 1);
-VARIANT(s3, "chain-S3", 1, 1, 0);
-VARIANT(s3_turned, "chain-S3-turned", 1, 1, 1);
-VARIANT(s4, "chain-S4", 0, 1, 0);
-VARIANT(s4_turned, "chain-S4-turned", 0, 1, 1);
-
-const struct wf_solver *const wf_chain_variants[] = { &s1,        &s1_turned, &s2,        &s2_turned, &s3,
-                                                      &s3_turned, &s4,        &s4_turned, NULL };
-
-enum { N = WF_CHAIN_POINTS };
 
 /* abscissae and weights on -1..1, Abramowitz & Stegun 1964, table 25.4 */
-static const double node[N / 2] = { 0.18343464249564980494, 0.52553240991632898582, 0.79666647741362673959,
-                                    0.96028985649753623168 };
-static const double weight[N / 2] = { 0.36268378337836198297, 0.31370664587788728734, 0.22238103445337447054,
-                                      0.10122853629037625915 };
+static const double node[CHAIN_POINTS / 2] = { 0.18343464249564980494, 0.52553240991632898582,
+                                               0.79666647741362673959, 0.96028985649753623168 };
+static const double weight[CHAIN_POINTS / 2] = { 0.36268378337836198297, 0.31370664587788728734,
+                                                 0.22238103445337447054, 0.10122853629037625915 };
 
-static void chain_rule_fill(struct wf_chain_rule *g)
+static void chain_rule_fill(struct chain_rule *g)
 {
-    for (int k = 0; k < N / 2; k++) {
-        g->x[N / 2 - 1 - k] = 0.5 * (1 - node[k]), g->x[N / 2 + k] = 0.5 * (1 + node[k]);
-        g->w[N / 2 - 1 - k] = g->w[N / 2 + k] = 0.5 * weight[k];
+    for (int k = 0; k < CHAIN_POINTS / 2; k++) {
+        g->x[CHAIN_POINTS / 2 - 1 - k] = 0.5 * (1 - node[k]),
+                                    g->x[CHAIN_POINTS / 2 + k] = 0.5 * (1 + node[k]);
+        g->w[CHAIN_POINTS / 2 - 1 - k] = g->w[CHAIN_POINTS / 2 + k] = 0.5 * weight[k];
     }
-    for (int k = 0; k < N; k++)
-        for (int j = 0; j < N; j++) {
+    for (int k = 0; k < CHAIN_POINTS; k++)
+        for (int j = 0; j < CHAIN_POINTS; j++) {
             double sum = 0;
-            for (int m = 0; m < N; m++) { /* (x - x_k) times Lagrange's polynomial j, from x_k to 1 */
+            for (int m = 0; m < CHAIN_POINTS;
+                 m++) { /* (x - x_k) times Lagrange's polynomial j, from x_k to 1 */
                 double arm = (1 - g->x[k]) * g->x[m], x = g->x[k] + arm, lagrange = 1;
-                for (int q = 0; q < N; q++)
+                for (int q = 0; q < CHAIN_POINTS; q++)
                     if (q != j) lagrange *= (x - g->x[q]) / (g->x[j] - g->x[q]);
                 sum += g->w[m] * arm * lagrange;
             }
@@ -80,8 +51,8 @@ static void chain_rule_fill(struct wf_chain_rule *g)
         }
 }
 
-/* Compliance in bending and torsion at s. */
-static void compliance(const struct wf_tree *t, size_t i, double s, double *bending, double *torsion)
+/* Compliance in bending and torsion at fraction s of row i. */
+static void row_compliance(const struct wf_tree *t, size_t i, double s, double *bending, double *torsion)
 {
     double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
     double inertia = wf_ring_inertia(outer, inner);
@@ -91,9 +62,9 @@ static void compliance(const struct wf_tree *t, size_t i, double s, double *bend
     *torsion = 1 / gj;
 }
 
-/* Line load at s [N/m]: wind and weight on the unbent axis, and the dead line load. */
-static void line_load(const struct wf_tree *t, size_t i, const struct wf_loads *l, const double base[3],
-                      const double axis[3], double length, double s, double q[3])
+/* Line load at s [N/m]: wind and weight on the undeformed axis, and the dead line load. */
+static void unbent_line_load(const struct wf_tree *t, size_t i, const struct wf_loads *l,
+                             const double base[3], const double axis[3], double length, double s, double q[3])
 {
     double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s), x[3];
     for (int k = 0; k < 3; k++) x[k] = base[k] + s * length * axis[k];
@@ -111,10 +82,10 @@ static void line_load(const struct wf_tree *t, size_t i, const struct wf_loads *
     }
 }
 
-static double ratio(double a, double b) { return a > b ? a / b : b / a; }
+static double ratio_above_one(double a, double b) { return a > b ? a / b : b / a; }
 
-/* Panels over which neither the radius nor the wall changes by more than a factor 1.5; their limits are
- * in geometric progression of whichever changes more. */
+/* Panels of a row over which neither the radius nor the wall thickness changes by more than a factor 1.5;
+ * their limits are in geometric progression of the quantity that changes more. */
 struct panels {
     double v0, v1;
     int n;
@@ -124,8 +95,8 @@ static struct panels panels_of(const struct wf_tree *t, size_t i)
 {
     double r0 = t->r0[i], r1 = t->r1[i], w0 = r0 - t->i0[i], w1 = r1 - t->i1[i];
     struct panels p = { r0, r1, 1 };
-    if (ratio(w0, w1) > ratio(r0, r1)) p.v0 = w0, p.v1 = w1;
-    p.n += (int)floor(log(ratio(p.v0, p.v1)) / log(1.5));
+    if (ratio_above_one(w0, w1) > ratio_above_one(r0, r1)) p.v0 = w0, p.v1 = w1;
+    p.n += (int)floor(log(ratio_above_one(p.v0, p.v1)) / log(1.5));
     return p;
 }
 
@@ -135,37 +106,39 @@ static double panel_limit(const struct panels *p, int k)
     return (p->v0 * pow(p->v1 / p->v0, (double)k / p->n) - p->v0) / (p->v1 - p->v0);
 }
 
-/* Given: rule, scheme, tree, row, loads, force [N] and moment [N m] the upper part puts on the row's end.
- * Returned: *out.
- * Method: curvature M/(EI) across and M/(GJ) along the axis, integrated by the rule over panels short enough
- * (radius ratio at most 1.5) for rounding-error accuracy; displacement = integral of (l - s) curvature x
- * tangent. */
-static void chain_row_bend(const struct wf_chain_rule *g, const struct wf_chain_scheme *c,
+/* Bend one row as a cantilever. Given: rule, scheme, tree, row, loads, force [N] and moment [N m] that the
+ * upper part exerts on the row's end. Returned: *out. Method: curvature M/(EI) across and M/(GJ) along the
+ * axis, integrated by the rule over panels short enough (radius ratio at most 1.5) for rounding-error
+ * accuracy; displacement = integral of (l - s) curvature x tangent. */
+static void chain_row_bend(const struct chain_rule *g, const struct wf_chain_scheme *c,
                            const struct wf_tree *t, size_t i, const struct wf_loads *l, const double force[3],
-                           const double moment[3], struct wf_chain_row *out)
+                           const double moment[3], struct chain_row *out)
 {
     const double base[3] = { t->x0[i], t->y0[i], t->z0[i] };
     double axis[3] = { t->x1[i] - base[0], t->y1[i] - base[1], t->z1[i] - base[2] };
     double length = sqrt(wf_dot(axis, axis)), shear[3] = { 0 }, lever[3] = { 0 };
     for (int k = 0; k < 3; k++) axis[k] /= length;
     struct panels p = panels_of(t, i);
-    *out = (struct wf_chain_row){ 0 };
+    *out = (struct chain_row){ 0 };
 
-    /* shear and lever: line load above the panel, summed, and its first moment about the panel's upper end */
+    /* shear and lever: line load above the panel, integrated, and its first moment about the panel's upper
+     * end */
     for (int part = p.n; part-- > 0;) {
-        double low = panel_limit(&p, part), h = (panel_limit(&p, part + 1) - low) * length, q[N][3];
-        for (int j = 0; j < N; j++) line_load(t, i, l, base, axis, length, low + g->x[j] * h / length, q[j]);
-        for (int k = 0; k < N; k++) {
+        double low = panel_limit(&p, part), h = (panel_limit(&p, part + 1) - low) * length,
+               q[CHAIN_POINTS][3];
+        for (int j = 0; j < CHAIN_POINTS; j++)
+            unbent_line_load(t, i, l, base, axis, length, low + g->x[j] * h / length, q[j]);
+        for (int k = 0; k < CHAIN_POINTS; k++) {
             double s = low + g->x[k] * h / length, arm = (1 - s) * length, up = (1 - g->x[k]) * h;
             double reach = arm * (1 - c->smear + 0.5 * c->smear * (1 - s)), side[3], m[3], curvature[3], v[3];
             double bending, torsion, mean = 0.5 + c->taper * (s - 0.5);
             for (int x = 0; x < 3; x++) {
                 side[x] = reach * force[x] + lever[x] + up * shear[x];
-                for (int j = 0; j < N; j++) side[x] += h * h * g->above[k][j] * q[j][x];
+                for (int j = 0; j < CHAIN_POINTS; j++) side[x] += h * h * g->above[k][j] * q[j][x];
             }
             wf_cross(axis, side, m);
             for (int x = 0; x < 3; x++) m[x] += c->moment * moment[x];
-            compliance(t, i, mean, &bending, &torsion);
+            row_compliance(t, i, mean, &bending, &torsion);
             double twist = (torsion - bending) * wf_dot(m, axis);
             for (int x = 0; x < 3; x++) curvature[x] = bending * m[x] + twist * axis[x];
             wf_cross(curvature, axis, v);
@@ -176,7 +149,7 @@ static void chain_row_bend(const struct wf_chain_rule *g, const struct wf_chain_
         }
         for (int x = 0; x < 3; x++) {
             lever[x] += h * shear[x];
-            for (int j = 0; j < N; j++) {
+            for (int j = 0; j < CHAIN_POINTS; j++) {
                 lever[x] += g->w[j] * h * g->x[j] * h * q[j][x];
                 shear[x] += g->w[j] * h * q[j][x];
             }
@@ -186,45 +159,35 @@ static void chain_row_bend(const struct wf_chain_rule *g, const struct wf_chain_
     for (int x = 0; x < 3; x++) out->load[x] = shear[x];
 }
 
-const struct wf_chain_scheme wf_chain_corrected = {
-    .smear = 0, .moment = 1, .carry = 1, .taper = 1, .weight = 1
-};
-const struct wf_chain_scheme wf_chain_printed = {
-    .smear = 1, .moment = 0, .carry = 0, .taper = 0, .weight = 0
-};
-
-static void add(double y[3], double s, const double x[3])
-{
-    for (int k = 0; k < 3; k++) y[k] += s * x[k];
-}
+/* The tree: internal forces from the tips down, displacements from the base up. */
 
 /* y += s (a x b) */
 static void add_cross(double y[3], double s, const double a[3], const double b[3])
 {
     double c[3];
     wf_cross(a, b, c);
-    add(y, s, c);
+    v3_add(y, s, c);
 }
 
-/* All loads and their moments about the first base, summed apart from what is handed down, as a check of it.
- */
-struct tally {
+/* All loads and their moments about the first base, summed independently of the forces passed down, to check
+ * these. */
+struct load_tally {
     double force[3], moment[3], largest_force, largest_moment;
 };
 
-static void count(struct tally *sum, const struct wf_tree *t, const double at[3], const double force[3],
-                  const double moment[3])
+static void tally_load(struct load_tally *sum, const struct wf_tree *t, const double at[3],
+                       const double force[3], const double moment[3])
 {
     const double arm[3] = { at[0] - t->x0[0], at[1] - t->y0[0], at[2] - t->z0[0] };
     double m[3] = { moment[0], moment[1], moment[2] };
     add_cross(m, 1, arm, force);
-    add(sum->force, 1, force);
-    add(sum->moment, 1, m);
+    v3_add(sum->force, 1, force);
+    v3_add(sum->moment, 1, m);
     sum->largest_force = fmax(sum->largest_force, sqrt(wf_dot(force, force)));
     sum->largest_moment = fmax(sum->largest_moment, sqrt(wf_dot(m, m)));
 }
 
-static double imbalance(const struct tally *sum, const struct wf_response *r)
+static double tally_imbalance(const struct load_tally *sum, const struct wf_response *r)
 {
     double f[3], m[3];
     for (int k = 0; k < 3; k++)
@@ -234,39 +197,39 @@ static double imbalance(const struct tally *sum, const struct wf_response *r)
     return fmax(force, moment);
 }
 
-/* Point loads at the rows' ends: given ones and the weight of point masses. The rows above are added later.
- */
-static enum wf_status load_ends(const struct wf_tree *t, const struct wf_loads *l, struct wf_response *r,
-                                struct tally *sum, struct wf_err *e)
+/* Loads at the rows' ends: point loads and the weight of point masses. chain_hand_down adds the rows
+ * above. */
+static enum wf_status chain_load_ends(const struct wf_tree *t, const struct wf_loads *l,
+                                      struct wf_response *r, struct load_tally *sum, struct wf_err *e)
 {
     for (size_t k = 0; k < l->points; k++) {
         const struct wf_point_load *p = l->point + k;
         if (p->segment < 0 || (size_t)p->segment >= t->n)
             return wf_fail(e, WF_EUSAGE, "point load %zu: no segment %d (there are %zu)", k, (int)p->segment,
                            t->n);
-        add(r->force1 + 3 * p->segment, l->point_scale, p->force);
-        add(r->moment1 + 3 * p->segment, l->point_scale, p->moment);
+        v3_add(r->force1 + 3 * p->segment, l->point_scale, p->force);
+        v3_add(r->moment1 + 3 * p->segment, l->point_scale, p->moment);
     }
     for (size_t i = 0; i < t->n; i++) {
         const double at[3] = { t->x1[i], t->y1[i], t->z1[i] };
         if (t->mass1) r->force1[3 * i + 2] -= t->mass1[i] * l->gravity * l->weight_scale;
-        count(sum, t, at, r->force1 + 3 * i, r->moment1 + 3 * i);
+        tally_load(sum, t, at, r->force1 + 3 * i, r->moment1 + 3 * i);
     }
     return WF_OK;
 }
 
-/* Tips to base: internal forces, and each row's own bending kept in end and turn. */
-static void hand_down(const struct wf_chain_scheme *c, const struct wf_tree *t, const struct wf_loads *l,
-                      struct wf_response *r, struct tally *sum)
+/* Tips to base: internal forces; end and turn receive each row's own bending. */
+static void chain_hand_down(const struct wf_chain_scheme *c, const struct wf_tree *t,
+                            const struct wf_loads *l, struct wf_response *r, struct load_tally *sum)
 {
-    struct wf_chain_rule rule;
+    struct chain_rule rule;
     chain_rule_fill(&rule);
     for (size_t i = t->n; i-- > 0;) {
         const double base[3] = { t->x0[i], t->y0[i], t->z0[i] };
         const double chord[3] = { t->x1[i] - base[0], t->y1[i] - base[1], t->z1[i] - base[2] };
         double *f0 = r->force0 + 3 * i, *m0 = r->moment0 + 3 * i, *f1 = r->force1 + 3 * i,
                *m1 = r->moment1 + 3 * i;
-        struct wf_chain_row row;
+        struct chain_row row;
         chain_row_bend(&rule, c, t, i, l, f1, m1, &row);
         for (size_t k = 0; k < 3; k++) {
             r->load[3 * i + k] = row.load[k];
@@ -276,34 +239,34 @@ static void hand_down(const struct wf_chain_scheme *c, const struct wf_tree *t, 
             m0[k] = m1[k] + row.load_moment[k];
         }
         add_cross(m0, 1, chord, f1);
-        count(sum, t, base, row.load, row.load_moment);
+        tally_load(sum, t, base, row.load, row.load_moment);
         if (t->parent[i] >= 0) {
             size_t p = (size_t)t->parent[i];
             const double offset[3] = { base[0] - t->x1[p], base[1] - t->y1[p], base[2] - t->z1[p] };
-            add(r->force1 + 3 * p, 1, f0);
-            add(r->moment1 + 3 * p, 1, m0);
+            v3_add(r->force1 + 3 * p, 1, f0);
+            v3_add(r->moment1 + 3 * p, 1, m0);
             add_cross(r->moment1 + 3 * p, 1, offset, f0);
         } else {
             const double offset[3] = { base[0] - t->x0[0], base[1] - t->y0[0], base[2] - t->z0[0] };
-            add(r->base_force, 1, f0);
-            add(r->base_moment, 1, m0);
+            v3_add(r->base_force, 1, f0);
+            v3_add(r->base_moment, 1, m0);
             add_cross(r->base_moment, 1, offset, f0);
         }
     }
 }
 
-/* Axis direction after a small rotation, kept at unit length. */
-static void lean(const double axis[3], const double turn[3], double out[3])
+/* Axis direction after a small rotation, normalised to unit length. */
+static void tilted_axis(const double axis[3], const double turn[3], double out[3])
 {
     wf_cross(turn, axis, out);
-    add(out, 1, axis);
+    v3_add(out, 1, axis);
     double size = sqrt(wf_dot(out, out));
     for (int k = 0; k < 3; k++) out[k] /= size;
 }
 
 /* Base to tips: displacement and rotation of every row's end. */
-static void sum_up(const struct wf_chain_scheme *c, const struct wf_tree *t, const struct wf_solve_options *o,
-                   struct wf_response *r)
+static void sum_displacements(const struct wf_chain_scheme *c, const struct wf_tree *t,
+                              const struct wf_solve_options *o, struct wf_response *r)
 {
     for (size_t i = 0; i < t->n; i++) {
         double axis[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] };
@@ -311,21 +274,21 @@ static void sum_up(const struct wf_chain_scheme *c, const struct wf_tree *t, con
         if (t->parent[i] >= 0) {
             size_t p = (size_t)t->parent[i];
             const double offset[3] = { t->x0[i] - t->x1[p], t->y0[i] - t->y1[p], t->z0[i] - t->z1[p] };
-            add(place, 1, r->end + 3 * p);
-            add(tilt, c->carry, r->turn + 3 * p);
+            v3_add(place, 1, r->end + 3 * p);
+            v3_add(tilt, c->carry, r->turn + 3 * p);
             add_cross(place, 1, tilt, offset);
         } else {
             for (int k = 0; k < 2; k++)
                 if (o->root_stiffness[k] > 0)
                     tilt[k] = c->carry * r->moment0[3 * i + (size_t)k] / o->root_stiffness[k];
         }
-        add(end, 1, place);
+        v3_add(end, 1, place);
         add_cross(end, 1, tilt, axis);
-        add(turn, 1, tilt);
+        v3_add(turn, 1, tilt);
         double size = sqrt(wf_dot(axis, axis));
         for (int k = 0; k < 3; k++) own[k] = axis[k] / size;
-        lean(own, tilt, r->tangent0 + 3 * i);
-        lean(own, turn, r->tangent1 + 3 * i);
+        tilted_axis(own, tilt, r->tangent0 + 3 * i);
+        tilted_axis(own, turn, r->tangent1 + 3 * i);
     }
 }
 
@@ -337,30 +300,39 @@ enum wf_status wf_chain_solve(const struct wf_chain_scheme *c, const struct wf_t
     if (!status) status = wf_solve_check_round(t, "the chain", e);
     if (status || (status = wf_tree_check(t, d, e))) return status;
     struct wf_loads loads = *l;
-    struct tally sum = { 0 };
+    struct load_tally sum = { 0 };
     loads.weight_scale *= c->weight;
     if (t->bend && d)
         wf_diag_warn(d, "straight-rows", "the chain takes curved segments as straight between their ends");
-    if ((status = load_ends(t, &loads, r, &sum, e))) return status;
-    hand_down(c, t, &loads, r, &sum);
-    sum_up(c, t, o, r);
-    r->imbalance = imbalance(&sum, r);
+    if ((status = chain_load_ends(t, &loads, r, &sum, e))) return status;
+    chain_hand_down(c, t, &loads, r, &sum);
+    sum_displacements(c, t, o, r);
+    r->imbalance = tally_imbalance(&sum, r);
     r->load_factor = 1;
     r->iterations = r->steps = 1;
     r->small_deflection = true;
     return WF_OK;
 }
 
-static enum wf_status solve_corrected(const struct wf_tree *t, const struct wf_loads *l,
-                                      const struct wf_solve_options *o, struct wf_arena *a,
-                                      struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+/* The solvers as rows. */
+
+const struct wf_chain_scheme wf_chain_corrected = {
+    .smear = 0, .moment = 1, .carry = 1, .taper = 1, .weight = 1
+};
+const struct wf_chain_scheme wf_chain_printed = {
+    .smear = 1, .moment = 0, .carry = 0, .taper = 0, .weight = 0
+};
+
+static enum wf_status chain_solve_corrected(const struct wf_tree *t, const struct wf_loads *l,
+                                            const struct wf_solve_options *o, struct wf_arena *a,
+                                            struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
     return wf_chain_solve(&wf_chain_corrected, t, l, o, a, r, d, e);
 }
 
-static enum wf_status solve_printed(const struct wf_tree *t, const struct wf_loads *l,
-                                    const struct wf_solve_options *o, struct wf_arena *a,
-                                    struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+static enum wf_status chain_solve_printed(const struct wf_tree *t, const struct wf_loads *l,
+                                          const struct wf_solve_options *o, struct wf_arena *a,
+                                          struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
     return wf_chain_solve(&wf_chain_printed, t, l, o, a, r, d, e);
 }
@@ -377,7 +349,7 @@ const struct wf_solver wf_solver_chain = {
         "small deflection: below about 10 % of the height and 15 degrees; loads and weight act on the unbent "
         "tree, so weight does not add to the bending",
     .small_deflection = true,
-    .solve = solve_corrected
+    .solve = chain_solve_corrected
 };
 const struct wf_solver wf_solver_chain_as_printed = {
     .name = "chain-as-printed",
@@ -388,5 +360,36 @@ const struct wf_solver wf_solver_chain_as_printed = {
                 "they are refined; no weight; right for a single uniform segment only",
     .small_deflection = true,
     .as_printed = true,
-    .solve = solve_printed
+    .solve = chain_solve_printed
 };
+
+/* The schemes between the two, for validation cases. */
+
+#define VARIANT(id, called, spread, handed, turned)                                                          \
+    static enum wf_status chain_solve_##id(const struct wf_tree *t, const struct wf_loads *l,                \
+                                           const struct wf_solve_options *o, struct wf_arena *a,             \
+                                           struct wf_response *r, struct wf_diag *d, struct wf_err *e)       \
+    {                                                                                                        \
+        static const struct wf_chain_scheme scheme = {                                                       \
+            .smear = spread, .moment = handed, .carry = turned, .taper = 1, .weight = 1                      \
+        };                                                                                                   \
+        return wf_chain_solve(&scheme, t, l, o, a, r, d, e);                                                 \
+    }                                                                                                        \
+    static const struct wf_solver id = { .name = called,                                                     \
+                                         .title = "a way between the printed and the corrected chain",       \
+                                         .source = "variants of Tang et al. 2012, eqs 5-12",                 \
+                                         .validity = "to compare schemes; not for trees",                    \
+                                         .small_deflection = true,                                           \
+                                         .solve = chain_solve_##id }
+
+VARIANT(s1, "chain-S1", 1, 0, 0);
+VARIANT(s1_turned, "chain-S1-turned", 1, 0, 1);
+VARIANT(s2, "chain-S2", 0, 0, 0);
+VARIANT(s2_turned, "chain-S2-turned", 0, 0, 1);
+VARIANT(s3, "chain-S3", 1, 1, 0);
+VARIANT(s3_turned, "chain-S3-turned", 1, 1, 1);
+VARIANT(s4, "chain-S4", 0, 1, 0);
+VARIANT(s4_turned, "chain-S4-turned", 0, 1, 1);
+
+const struct wf_solver *const wf_chain_variants[] = { &s1,        &s1_turned, &s2,        &s2_turned, &s3,
+                                                      &s3_turned, &s4,        &s4_turned, NULL };

@@ -6,16 +6,17 @@
 #include "load/drag.h"
 #include "solve/chain.h"
 
-static double middle(double a, double b) { return 0.5 * (a + b); }
+static double mean_of_ends(double a, double b) { return 0.5 * (a + b); }
 
-static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i, struct wf_deflect_row *o)
+static void describe_rod(const struct wf_tree *t, const struct wf_loads *l, size_t i,
+                         struct wf_deflect_row *o)
 {
     const double base[3] = { t->x0[i], t->y0[i], t->z0[i] }, end[3] = { t->x1[i], t->y1[i], t->z1[i] };
-    double x[3], du[9], r = middle(t->r0[i], t->r1[i]), q = middle(t->i0[i], t->i1[i]);
+    double x[3], du[9], r = mean_of_ends(t->r0[i], t->r1[i]), q = mean_of_ends(t->i0[i], t->i1[i]);
     double inertia = wf_ring_inertia(r, q);
     double half = 0.5 * l->air_density * l->wind_scale;
     o->parent = t->parent[i];
-    for (int k = 0; k < 3; k++) o->axis[k] = end[k] - base[k], x[k] = middle(base[k], end[k]);
+    for (int k = 0; k < 3; k++) o->axis[k] = end[k] - base[k], x[k] = mean_of_ends(base[k], end[k]);
     o->length = sqrt(wf_dot(o->axis, o->axis));
     for (int k = 0; k < 3; k++) o->axis[k] /= o->length, o->base[k] = base[k];
     if (o->parent >= 0) {
@@ -28,9 +29,9 @@ static void describe(const struct wf_tree *t, const struct wf_loads *l, size_t i
     wf_cross(o->axis, o->normal, o->lifted);
     o->drag = isnan(t->drag[i]) ? -half * 2 * r * o->length : half * t->drag[i] * 2 * r * o->length;
     o->lift = half * t->lift[i] * 2 * r * o->length;
-    o->sail = half * middle(t->sail0[i], t->sail1[i]) * o->length;
+    o->sail = half * mean_of_ends(t->sail0[i], t->sail1[i]) * o->length;
     o->weight = l->gravity * l->weight_scale * o->length *
-                (t->density[i] * wf_ring_area(r, q) + middle(t->burden0[i], t->burden1[i]));
+                (t->density[i] * wf_ring_area(r, q) + mean_of_ends(t->burden0[i], t->burden1[i]));
     o->bend = 1 / (t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia);
     o->twist = 1 / (t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia);
     o->radius = r;
@@ -62,12 +63,14 @@ enum wf_status wf_deflect_open(const struct wf_tree *t, const struct wf_loads *l
     d->spin = WF_TAKE(a, t->n, double);
     if (!d->row || !d->turn || !d->end || !d->chord || !d->force || !d->above || !d->angle || !d->spin)
         return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
-    for (size_t i = 0; i < t->n; i++) describe(t, l, i, &d->row[i]);
+    for (size_t i = 0; i < t->n; i++) describe_rod(t, l, i, &d->row[i]);
     return WF_OK;
 }
 
-/* Wind's force on a row of direction t (eqs 1 and 2): drag and lift of the area seen across it, crown drag
- * along the wind. */
+/* A frame: forces and rotations. */
+
+/* Wind force on a row of direction t (eqs 1 and 2): drag and lift on the area projected across it, crown
+ * drag along the wind. */
 static void wind_force(const struct wf_loads *l, const struct wf_deflect_row *o, double gust,
                        const double t[3], double f[3])
 {
@@ -93,7 +96,7 @@ static void wind_force(const struct wf_loads *l, const struct wf_deflect_row *o,
     }
 }
 
-/* The same on the unbent row, where only the speed changes. */
+/* Wind force on the undeformed row, where only the speed changes. */
 static void wind_force_unbent(const struct wf_loads *l, const struct wf_deflect_row *o, double gust,
                               double f[3])
 {
@@ -111,7 +114,7 @@ static void wind_force_unbent(const struct wf_loads *l, const struct wf_deflect_
     }
 }
 
-/* R' = turn by the angle of sine s and cosine c about the unit axis a, times R */
+/* R' = rotation by the angle of sine s and cosine c about the unit axis a, times R */
 static void turn_by(const double a[3], double s, double c, const double R[9], double out[9])
 {
     for (int j = 0; j < 3; j++) {
@@ -124,7 +127,7 @@ static void turn_by(const double a[3], double s, double c, const double R[9], do
 
 static const double upright[9] = { 1, 0, 0, 0, 1, 0, 0, 0, 1 };
 
-static const double *stand(const struct wf_deflect *d, size_t i, double at[3])
+static const double *row_base(const struct wf_deflect *d, size_t i, double at[3])
 {
     const struct wf_deflect_row *o = &d->row[i];
     memcpy(at, o->base, 3 * sizeof *at);
@@ -134,8 +137,8 @@ static const double *stand(const struct wf_deflect *d, size_t i, double at[3])
     return d->turn[o->parent];
 }
 
-/* Hold delta/L at 1 and remember. */
-static double bounded(struct wf_deflect *d, size_t i, double ratio)
+/* Limit delta/L to 1; count the rows limited and keep the largest ratio. */
+static double bounded_ratio(struct wf_deflect *d, size_t i, double ratio)
 {
     if (ratio > d->worst_ratio) d->worst_ratio = ratio, d->worst = (int32_t)i;
     if (ratio <= 1) return ratio;
@@ -143,7 +146,7 @@ static double bounded(struct wf_deflect *d, size_t i, double ratio)
     return 1;
 }
 
-static void remember(struct wf_deflect *d, size_t i, double sine, double step)
+static void store_angle(struct wf_deflect *d, size_t i, double sine, double step)
 {
     if (!(d->scheme.damping > 0)) return;
     double y = sine * sine, angle;
@@ -164,24 +167,24 @@ static void frame_printed(struct wf_deflect *d, double gust, double step)
     for (size_t i = 0; i < d->n; i++) {
         const struct wf_deflect_row *o = &d->row[i];
         double at[3], t[3], f[3], side[3], hinge[3] = { 1, 0, 0 };
-        const double *base = stand(d, i, at);
+        const double *base = row_base(d, i, at);
         m3_apply(base, o->axis, t);
         wind_force(d->loads, o, gust, t, f);
         v3_add(f, -d->scheme.restoring, d->force[i]);
         v3_add(f, d->scheme.damping * d->spin[i] * d->spin[i], t);
         memcpy(d->force[i], f, sizeof f);
         wf_cross(t, f, side); /* |side| = F_Y, along the hinge */
-        double across = sqrt(wf_dot(side, side)), sine = bounded(d, i, o->printed * across);
+        double across = sqrt(wf_dot(side, side)), sine = bounded_ratio(d, i, o->printed * across);
         for (int k = 0; across > 0 && k < 3; k++) hinge[k] = side[k] / across;
         turn_by(hinge, sine, sqrt(1 - sine * sine), base, d->turn[i]);
         m3_apply(d->turn[i], o->axis, d->chord[i]);
         for (int k = 0; k < 3; k++) d->end[i][k] = at[k] + o->length * d->chord[i][k];
-        remember(d, i, sine, step);
+        store_angle(d, i, sine, step);
     }
 }
 
-/* Force on the row with the damping of its last motion, against the bending and never beyond it. */
-static void damp(const struct wf_deflect *d, size_t i, double f[3])
+/* Reduce the force across row i by the damping of its last motion, at most to zero. */
+static void add_damping(const struct wf_deflect *d, size_t i, double f[3])
 {
     double spin = d->spin[i], against = d->scheme.damping * spin * fabs(spin), side[3];
     if (!(fabs(against) > 0)) return;
@@ -192,8 +195,8 @@ static void damp(const struct wf_deflect *d, size_t i, double f[3])
     if (size > 0) v3_add(f, -against / size, side);
 }
 
-/* Tips to root on the unbent tree: what is above each row's end. */
-static void hand_down(struct wf_deflect *d, double gust)
+/* Tips to root on the undeformed tree: force and moment on each row's end. */
+static void deflect_hand_down(struct wf_deflect *d, double gust)
 {
     const struct wf_loads *l = d->loads;
     memset(d->above, 0, d->n * sizeof *d->above);
@@ -209,8 +212,8 @@ static void hand_down(struct wf_deflect *d, double gust)
         f[2] -= o->weight;
         if (l->line)
             for (size_t k = 0; k < 3; k++)
-                f[k] += l->point_scale * o->length * middle(l->line[6 * i + k], l->line[6 * i + 3 + k]);
-        damp(d, i, f);
+                f[k] += l->point_scale * o->length * mean_of_ends(l->line[6 * i + k], l->line[6 * i + 3 + k]);
+        add_damping(d, i, f);
         if (o->parent < 0) continue;
         for (int k = 0; k < 3; k++) total[k] = P[k] + f[k], lever[k] = o->length * (P[k] + 0.5 * f[k]);
         wf_cross(o->axis, lever, by_length);
@@ -222,7 +225,7 @@ static void hand_down(struct wf_deflect *d, double gust)
 }
 
 /* out = R exp([v]x), row by row: r cos + (r x v) sin/angle + (r.v) v (1 - cos)/angle^2 */
-static inline void turned(const double R[9], const double v[3], double out[9])
+static inline void rotated_by(const double R[9], const double v[3], double out[9])
 {
     double x = wf_dot(v, v), by[3];
     struct rotation o = rotation_of(x);
@@ -237,14 +240,14 @@ static inline void turned(const double R[9], const double v[3], double out[9])
 static void frame_corrected(struct wf_deflect *d, double gust, double step)
 {
     const double third = 1. / 3, sixth = 1. / 6;
-    hand_down(d, gust);
+    deflect_hand_down(d, gust);
     for (size_t i = 0; i < d->n; i++) {
         const struct wf_deflect_row *o = &d->row[i];
         const double *P = d->above[i], *m = d->above[i] + 3, *f = d->force[i];
         const double *t = o->axis, L = o->length, bend = o->bend * L, along = wf_dot(m, t);
         double at[3], push[3], slope[3], chord[3], turn[3], lean[3];
-        const double *base = stand(d, i, at);
-        /* cantilever: end force P, spread force f, end moment m; turns of its chord and of its end */
+        const double *base = row_base(d, i, at);
+        /* cantilever: end force P, spread force f, end moment m; rotation of its chord and of its end */
         for (int k = 0; k < 3; k++)
             push[k] = L * (third * P[k] + 0.125 * f[k]), slope[k] = L * (0.5 * P[k] + sixth * f[k]);
         wf_cross(t, push, chord);
@@ -254,14 +257,14 @@ static void frame_corrected(struct wf_deflect *d, double gust, double step)
             chord[k] = bend * (chord[k] + 0.5 * across);
             turn[k] = bend * (turn[k] + across) + o->twist * L * along * t[k];
         }
-        double square = wf_dot(chord, chord), ratio = sqrt(square), sine = bounded(d, i, ratio);
+        double square = wf_dot(chord, chord), ratio = sqrt(square), sine = bounded_ratio(d, i, ratio);
         double shrink = ratio > 1 ? 1 / ratio : 1, cosine = ratio > 1 ? 0 : sqrt(1 - square);
         wf_cross(chord, t, lean);
         for (int k = 0; k < 3; k++) lean[k] = cosine * t[k] + shrink * lean[k];
         m3_apply(base, lean, d->chord[i]);
         for (int k = 0; k < 3; k++) d->end[i][k] = at[k] + L * d->chord[i][k];
-        turned(base, turn, d->turn[i]);
-        remember(d, i, sine, step);
+        rotated_by(base, turn, d->turn[i]);
+        store_angle(d, i, sine, step);
     }
 }
 
@@ -276,9 +279,9 @@ void wf_deflect_frame(struct wf_deflect *d, double gust, double step)
         frame_corrected(d, gust, step);
 }
 
-/* One steady frame as a solver: the shape by the scheme, internal forces by statics on the unbent tree. */
+/* One steady frame as a solver: shape by the scheme, internal forces by statics on the undeformed tree. */
 
-static void warn(const struct wf_deflect *d, const struct wf_tree *t, struct wf_diag *diag)
+static void warn_clamped(const struct wf_deflect *d, const struct wf_tree *t, struct wf_diag *diag)
 {
     if (!d->clamped || !diag) return;
     wf_diag_warn(diag, "asin-clamped",
@@ -288,7 +291,7 @@ static void warn(const struct wf_deflect *d, const struct wf_tree *t, struct wf_
                  d->clamped > 1 ? "are" : "is", d->worst_ratio, (long long)t->id[d->worst]);
 }
 
-static void read(const struct wf_deflect *d, const struct wf_tree *t, struct wf_response *r)
+static void deflect_read(const struct wf_deflect *d, const struct wf_tree *t, struct wf_response *r)
 {
     for (size_t i = 0; i < d->n; i++) {
         const double tip[3] = { t->x1[i], t->y1[i], t->z1[i] };
@@ -302,9 +305,9 @@ static void read(const struct wf_deflect *d, const struct wf_tree *t, struct wf_
     }
 }
 
-static enum wf_status solve(bool printed, const struct wf_tree *t, const struct wf_loads *l,
-                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
-                            struct wf_diag *diag, struct wf_err *e)
+static enum wf_status deflect_solve(bool printed, const struct wf_tree *t, const struct wf_loads *l,
+                                    const struct wf_solve_options *o, struct wf_arena *a,
+                                    struct wf_response *r, struct wf_diag *diag, struct wf_err *e)
 {
     const struct wf_deflect_scheme scheme = { .printed = printed };
     struct wf_arena work = { 0 };
@@ -314,25 +317,25 @@ static enum wf_status solve(bool printed, const struct wf_tree *t, const struct 
     if (!status) status = wf_deflect_open(t, l, &scheme, &work, &d, e);
     if (!status) {
         wf_deflect_frame(&d, 1, 0);
-        read(&d, t, r);
-        warn(&d, t, diag);
+        deflect_read(&d, t, r);
+        warn_clamped(&d, t, diag);
     }
     wf_arena_free(&work);
     return status;
 }
 
-static enum wf_status solve_corrected(const struct wf_tree *t, const struct wf_loads *l,
-                                      const struct wf_solve_options *o, struct wf_arena *a,
-                                      struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+static enum wf_status deflect_solve_corrected(const struct wf_tree *t, const struct wf_loads *l,
+                                              const struct wf_solve_options *o, struct wf_arena *a,
+                                              struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
-    return solve(false, t, l, o, a, r, d, e);
+    return deflect_solve(false, t, l, o, a, r, d, e);
 }
 
-static enum wf_status solve_printed(const struct wf_tree *t, const struct wf_loads *l,
-                                    const struct wf_solve_options *o, struct wf_arena *a,
-                                    struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+static enum wf_status deflect_solve_printed(const struct wf_tree *t, const struct wf_loads *l,
+                                            const struct wf_solve_options *o, struct wf_arena *a,
+                                            struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
-    return solve(true, t, l, o, a, r, d, e);
+    return deflect_solve(true, t, l, o, a, r, d, e);
 }
 
 #define ZHAO                                                                                                 \
@@ -347,7 +350,7 @@ const struct wf_solver wf_solver_deflect = {
         "small deflection: below about 10 % of the height and 15 degrees; loads and weight act on the "
         "unbent tree; converges as segments are refined",
     .small_deflection = true,
-    .solve = solve_corrected,
+    .solve = deflect_solve_corrected,
 };
 const struct wf_solver wf_solver_deflect_as_printed = {
     .name = "deflect-as-printed",
@@ -357,5 +360,5 @@ const struct wf_solver wf_solver_deflect_as_printed = {
                 "weight; the deflection depends on the number of segments",
     .small_deflection = true,
     .as_printed = true,
-    .solve = solve_printed,
+    .solve = deflect_solve_printed,
 };

@@ -10,19 +10,22 @@
 #include <stdint.h>
 #include <string.h>
 
+/* Block Lanczos: the largest eigenvalues of a symmetric operator. */
+
 enum { BLOCK = 3, PIECE = 2048 };
 
 struct krylov {
     const struct wf_lanczos *l;
-    size_t most, used; /* columns: room, orthonormal so far  */
-    double *V, *T;     /* most x size; most x most           */
+    size_t most, used; /* columns: room, orthonormal so far */
+    double *V, *T;     /* most x size; most x most */
     double *value, *Q; /* of T: eigenvalues, eigenvectors as columns */
 };
 
-static double *column(const struct krylov *k, size_t i) { return k->V + i * k->l->size; }
+static double *krylov_column(const struct krylov *k, size_t i) { return k->V + i * k->l->size; }
 
-/* Eight running sums, so that the loop runs in vector registers and gives the same digits everywhere. */
-WF_INLINE double dot(const double *u, const double *v, size_t n)
+/* Eight partial sums, so that the loop uses vector registers and the result does not depend on the
+ * compiler. */
+WF_INLINE double dot_product(const double *u, const double *v, size_t n)
 {
     double sum[8] = { 0 };
     size_t i = 0;
@@ -32,12 +35,12 @@ WF_INLINE double dot(const double *u, const double *v, size_t n)
     return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
 }
 
-static double norm(const double *u, size_t n) { return sqrt(dot(u, u, n)); }
+static double vector_norm(const double *u, size_t n) { return sqrt(dot_product(u, u, n)); }
 
-/* Parts of the block's vectors w (BLOCK x size) along the first `upto` columns, to part (BLOCK x upto), and
- * their removal. The vectors are worked through in pieces that stay in the cache, so each column is fetched
- * twice a block. */
-WF_WIDE static void take_out(const struct krylov *k, double *w, size_t upto, double *part)
+/* Components of the block's vectors w (BLOCK x size) along the first `upto` columns, written to part (BLOCK
+ * x upto) and subtracted. The vectors are processed in pieces that fit in the cache, so each column is
+ * fetched twice per block. */
+WF_WIDE static void take_out_parts(const struct krylov *k, double *w, size_t upto, double *part)
 {
     const size_t size = k->l->size;
     memset(part, 0, BLOCK * upto * sizeof *part);
@@ -45,56 +48,58 @@ WF_WIDE static void take_out(const struct krylov *k, double *w, size_t upto, dou
         size_t n = size - from < PIECE ? size - from : PIECE;
         for (size_t i = 0; i < upto; i++)
             for (size_t b = 0; b < BLOCK; b++)
-                part[b * upto + i] += dot(column(k, i) + from, w + b * size + from, n);
+                part[b * upto + i] += dot_product(krylov_column(k, i) + from, w + b * size + from, n);
     }
     for (size_t from = 0; from < size; from += PIECE) {
         size_t n = size - from < PIECE ? size - from : PIECE;
         for (size_t i = 0; i < upto; i++)
             for (size_t b = 0; b < BLOCK; b++) {
-                const double *v = column(k, i) + from, p = part[b * upto + i];
+                const double *v = krylov_column(k, i) + from, p = part[b * upto + i];
                 double *x = w + b * size + from;
                 for (size_t j = 0; j < n; j++) x[j] -= p * v[j];
             }
     }
 }
 
-/* Once, and again where little is left of a vector, so that what is left is clean to rounding; parts are
- * added to c (BLOCK rows of `stride`). before[b]: norms at the start. */
+/* Orthogonalise a block; a second time where little of a vector remains, so that the rest is orthogonal to
+ * rounding. Components are added to c (BLOCK rows of `stride`). before[b]: norms on entry. */
 static void orthogonalise(const struct krylov *k, double *w, size_t upto, const double *before, double *part,
                           double *c, size_t stride)
 {
     bool clean = false;
     for (int pass = 0; pass < 2 && !clean; pass++) {
-        take_out(k, w, upto, part);
+        take_out_parts(k, w, upto, part);
         clean = true;
         for (size_t b = 0; b < BLOCK; b++) {
             for (size_t i = 0; i < upto; i++) c[b * stride + i] += part[b * upto + i];
-            clean = clean && norm(w + b * k->l->size, k->l->size) >= 0.05 * before[b];
+            clean = clean && vector_norm(w + b * k->l->size, k->l->size) >= 0.05 * before[b];
         }
     }
 }
 
-/* Add w as a column, after taking out its parts along the columns from `first` on (added to c). Returned:
- * what is left of it; nothing is added when that is only rounding of what had norm `before`. */
-static double admit(struct krylov *k, double *w, size_t first, double *c, double before)
+/* Add w as a column after subtracting its components along the columns from `first` on (added to c).
+ * Returned: norm of the rest; no column is added when the rest is only rounding error of a vector of norm
+ * `before`. */
+static double admit_column(struct krylov *k, double *w, size_t first, double *c, double before)
 {
     const size_t size = k->l->size;
     for (int twice = 0; twice < 2; twice++)
         for (size_t i = first; i < k->used; i++) {
-            const double *v = column(k, i);
-            double part = dot(v, w, size);
+            const double *v = krylov_column(k, i);
+            double part = dot_product(v, w, size);
             for (size_t j = 0; j < size; j++) w[j] -= part * v[j];
             c[i] += part;
         }
-    double left = norm(w, size);
+    double left = vector_norm(w, size);
     if (k->used == k->most || !(left > 1e-12 * before)) return left;
-    double *v = column(k, k->used);
+    double *v = krylov_column(k, k->used);
     for (size_t j = 0; j < size; j++) v[j] = w[j] / left;
     c[k->used++] += left;
     return left;
 }
 
-/* A start that has a part along every motion: fixed, so that every run gives the same digits. */
+/* Pseudo-random start vector with a component along every motion; fixed, so that every run gives the same
+ * result. */
 static void scatter(double *w, size_t size, uint64_t seed)
 {
     uint64_t s = 0x9E3779B97F4A7C15u * (seed + 1);
@@ -104,7 +109,7 @@ static void scatter(double *w, size_t size, uint64_t seed)
     }
 }
 
-static enum wf_status ritz(struct krylov *k, struct wf_err *e)
+static enum wf_status ritz_values(struct krylov *k, struct wf_err *e)
 {
     size_t n = k->used;
     gsl_matrix *M = gsl_matrix_alloc(n, n), *Q = gsl_matrix_alloc(n, n);
@@ -130,21 +135,21 @@ static enum wf_status ritz(struct krylov *k, struct wf_err *e)
     return status;
 }
 
-/* Extend the space by A of its last block, the columns from `from` on. w: BLOCK x size; rest[j]: norm of what
- * A of column j has outside the space so far. */
-static size_t extend(struct krylov *k, size_t from, double *w, double *part, double *rest)
+/* Extend the space by A times its last block, the columns from `from` on. w: BLOCK x size; rest[j]: norm of
+ * the part of A times column j outside the space so far. */
+static size_t extend_space(struct krylov *k, size_t from, double *w, double *part, double *rest)
 {
     const struct wf_lanczos *l = k->l;
     size_t to = k->used;
     double before[BLOCK] = { 0 };
     memset(w, 0, BLOCK * l->size * sizeof *w);
     for (size_t j = from; j < to; j++) {
-        l->apply(l->ctx, column(k, j), w + (j - from) * l->size);
-        before[j - from] = norm(w + (j - from) * l->size, l->size);
+        l->apply(l->ctx, krylov_column(k, j), w + (j - from) * l->size);
+        before[j - from] = vector_norm(w + (j - from) * l->size, l->size);
     }
     orthogonalise(k, w, to, before, part, k->T + from * k->most, k->most);
     for (size_t j = from; j < to; j++)
-        rest[j - from] = admit(k, w + (j - from) * l->size, to, k->T + j * k->most, before[j - from]);
+        rest[j - from] = admit_column(k, w + (j - from) * l->size, to, k->T + j * k->most, before[j - from]);
     return to;
 }
 
@@ -154,7 +159,7 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
     struct krylov k = { .l = l, .most = 10 * l->wanted + 60 };
     if (k.most > l->size) k.most = l->size;
     k.V = WF_TAKE(a, k.most * l->size, double);
-    k.T = WF_TAKE(a, (k.most + BLOCK) * k.most, double); /* a short last block has rows to spare */
+    k.T = WF_TAKE(a, (k.most + BLOCK) * k.most, double); /* the last block may be short */
     k.Q = WF_TAKE(a, k.most * k.most, double);
     k.value = WF_TAKE(a, k.most, double);
     double *w = WF_TAKE(a, BLOCK * l->size, double), *start = WF_TAKE(a, k.most, double), rest[BLOCK];
@@ -164,16 +169,16 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
     wf_quiet_begin();
 
     for (size_t j = 0; j < BLOCK && j < k.most; j++) {
-        scatter(w + l->size, l->size, j); /* through the operator once: smooth motions first */
+        scatter(w + l->size, l->size, j); /* apply the operator once: favours smooth motions */
         l->apply(l->ctx, w + l->size, w);
-        admit(&k, w, 0, start, norm(w, l->size));
+        admit_column(&k, w, 0, start, vector_norm(w, l->size));
     }
     enum wf_status status = WF_ENOCONV;
     for (size_t from = 0; from < k.used;) {
-        size_t block = k.used - from, done = extend(&k, from, w, part, rest), whole = k.used;
-        /* T holds the columns applied so far; the newest block's own columns are still to come */
+        size_t block = k.used - from, done = extend_space(&k, from, w, part, rest), whole = k.used;
+        /* T holds the columns that A was applied to; the newest block is not among them yet */
         k.used = done;
-        enum wf_status small = ritz(&k, e);
+        enum wf_status small = ritz_values(&k, e);
         k.used = whole;
         if (small) {
             status = small;
@@ -188,12 +193,12 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
         k.used = whole;
         from = done;
         if (whole > done && !(done >= l->wanted && worst <= l->tolerance)) continue;
-        /* settled; or nothing new came: the space holds all there is, unless it is only full */
+        /* converged; or no new column was found: the space is complete, unless it only reached its limit */
         if (worst <= l->tolerance || whole < k.most || k.most == l->size) status = WF_OK;
         k.used = done;
         break;
     }
-    if (!k.used) status = WF_OK; /* nothing moves at all */
+    if (!k.used) status = WF_OK; /* no motion at all */
     wf_quiet_end();
     if (status == WF_ENOMEM) return status;
     for (size_t i = 0; i < l->wanted; i++) {
@@ -202,13 +207,15 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
         double *x = vector + i * l->size;
         memset(x, 0, l->size * sizeof *x);
         for (size_t j = 0; j < k.used && i < k.used; j++)
-            for (size_t c = 0; c < l->size; c++) x[c] += k.Q[j * k.most + i] * column(&k, j)[c];
+            for (size_t c = 0; c < l->size; c++) x[c] += k.Q[j * k.most + i] * krylov_column(&k, j)[c];
     }
     if (status == WF_ENOCONV) return wf_fail(e, status, "natural frequencies did not settle");
     return status;
 }
 
-/* Flexibility x mass made symmetric: with x = sqrt(mass) u, A = sqrt(mass) flexibility sqrt(mass). */
+/* Natural frequencies. */
+
+/* Flexibility x mass in symmetric form: with x = sqrt(mass) u, A = sqrt(mass) flexibility sqrt(mass). */
 struct sway {
     struct wf_beam *beam;
     size_t size;
@@ -224,16 +231,16 @@ static void sway(void *ctx, const double *in, double *out)
     for (size_t i = 0; i < s->size; i++) out[i] *= s->root[i];
 }
 
-/* The state to sway about: Newton from where the beam is; only if that fails the longer ways. A shape that is
- * balanced but unstable is kept: its modes say so. */
-static enum wf_status balance(struct wf_beam *b, struct wf_arena *work, struct wf_err *e)
+/* Equilibrium of the motions: Newton from the beam's present shape; only if that fails, wf_beam_settle. An
+ * unstable equilibrium is kept: its modes show it. */
+static enum wf_status find_equilibrium(struct wf_beam *b, struct wf_arena *work, struct wf_err *e)
 {
     struct wf_beam_outcome out;
     return wf_beam_newton(b) == WF_OK ? WF_OK : wf_beam_settle(b, work, &out, e);
 }
 
 /* Sort by rising omega^2 = 1 / value, negative first. */
-static void arrange(double *value, size_t *order, size_t n)
+static void order_by_frequency(double *value, size_t *order, size_t n)
 {
     for (size_t i = 0; i < n; i++) order[i] = i;
     for (size_t i = 1; i < n; i++)
@@ -248,9 +255,9 @@ static double hertz(double value)
     return value > 0 ? 1 / (WF_TURN * sqrt(value)) : -1 / (WF_TURN * sqrt(-value));
 }
 
-/* Room for what is kept of a beam, and its state. */
-static enum wf_status keep(const struct wf_beam *b, const int32_t *pieces, size_t count, struct wf_arena *a,
-                           struct wf_modes_kept *kept, struct wf_err *e)
+/* Allocate and fill what is kept of a beam. */
+static enum wf_status keep_equilibrium(const struct wf_beam *b, const int32_t *pieces, size_t count,
+                                       struct wf_arena *a, struct wf_modes_kept *kept, struct wf_err *e)
 {
     size_t rows = b->mesh.tree->n;
     kept->size = wf_beam_motion_size(b);
@@ -266,7 +273,7 @@ static enum wf_status keep(const struct wf_beam *b, const int32_t *pieces, size_
     return WF_OK;
 }
 
-/* Frequencies on the beam's mesh; ends' displacements by one more answer to the mode's inertia. */
+/* Frequencies on the beam's mesh; displacements of the ends by one more response to the mode's inertia. */
 static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena *work, double *frequency,
                                double *shape, struct wf_modes_kept *kept, struct wf_err *e)
 {
@@ -291,7 +298,7 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena 
     };
     if (!status) status = wf_lanczos(&l, value, vector, work, e);
     if (status) return status;
-    arrange(value, order, count);
+    order_by_frequency(value, order, count);
     for (size_t i = 0; i < count; i++) {
         double most = 0;
         frequency[i] = hertz(value[order[i]]);
@@ -311,9 +318,10 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena 
     return WF_OK;
 }
 
-/* Pieces for the next mesh: the error of a figure falls with the fourth power. */
-static bool finer(const double *coarse, const double *fine, size_t count, double tolerance, double ratio,
-                  int32_t *pieces, size_t n)
+/* Pieces for the next mesh; false when the error is within tolerance. The error of a frequency falls with
+ * the fourth power of the piece length. */
+static bool choose_finer_mesh(const double *coarse, const double *fine, size_t count, double tolerance,
+                              double ratio, int32_t *pieces, size_t n)
 {
     double worst = 0;
     for (size_t i = 0; i < count; i++)
@@ -341,15 +349,15 @@ enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
     for (int mesh = 0; mesh < MESHES && !status; mesh++) {
         status = wf_beam_init(&b, t, l, o, pieces, &work, e);
         if (!status && mesh > 0) wf_beam_carry(&last, &b);
-        if (!status) status = balance(&b, &work, e);
-        if (!status && kept) status = keep(&b, pieces, count, a, kept, e);
+        if (!status) status = find_equilibrium(&b, &work, e);
+        if (!status && kept) status = keep_equilibrium(&b, pieces, count, a, kept, e);
         if (!status) status = modes_on(&b, count, &work, frequency, shape, kept, e);
         if (status || !(o->mesh_tolerance > 0)) break;
         if (mesh == 0)
             for (size_t i = 0; i < t->n; i++) pieces[i] *= 2;
         else {
             double ratio = (double)b.mesh.n / (double)last.mesh.n;
-            if (!finer(before, frequency, count, o->mesh_tolerance, ratio, pieces, t->n)) break;
+            if (!choose_finer_mesh(before, frequency, count, o->mesh_tolerance, ratio, pieces, t->n)) break;
         }
         memcpy(before, frequency, count * sizeof *before);
         last = b;
@@ -381,7 +389,7 @@ enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
     if (!status) {
         memcpy(b.shape, kept->shape, b.mesh.n * sizeof *b.shape);
         memcpy(b.tilt, kept->tilt, t->n * sizeof *b.tilt);
-        status = balance(&b, &work, e);
+        status = find_equilibrium(&b, &work, e);
     }
     if (!status) status = wf_beam_linearise(&b, true, &work, e);
     if (!status) {
@@ -397,7 +405,9 @@ enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
     return status;
 }
 
-/* Has the unloaded shape under `factor` times the weight an unstable direction? */
+/* Self-buckling. */
+
+/* Does the unloaded shape under `factor` times the weight have an unstable direction? */
 static bool gives_way(struct wf_beam *b, double factor)
 {
     struct wf_beam_stability count = { .margin = 0 };

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The boundary-value problem of a tree of rods, by multiple shooting on the tree.
  *
- * Unknown are place, turn, force and moment at the base of every piece. Integrated to its end, each piece
- * must meet the base of those it carries, and its force and moment must be the sum of theirs and of the
- * loads at its end (Feng et al. 1999, eqs 4 and 5); at a tip that sum is empty: it is free. Newton's
- * equations have the shape of the tree: from the tips down, the change of force and moment at a piece's base
- * is worked out as a linear function of the change of its pose, 6 x 6 a piece; from the root up the changes
- * follow. Damping by the natural monotonicity test (Deuflhard 2004, Newton Methods for Nonlinear Problems,
- * sec. 3.3); the derivative is kept while it serves. */
+ * Unknowns are position, rotation, force and moment at the base of every piece. Integrated to its end, each
+ * piece must meet the bases of the pieces on it, and its force and moment must equal the sum of theirs and
+ * of the loads at its end (Feng et al. 1999, eqs 4 and 5); at a free tip that sum is empty. Newton's
+ * equations have the structure of the tree: from the tips down, the change of force and moment at a piece's
+ * base is computed as a linear function of the change of its pose, a 6 x 6 block per piece; from the root up
+ * the changes follow. Damping by the natural monotonicity test (Deuflhard 2004, Newton Methods for Nonlinear
+ * Problems, sec. 3.3); a derivative is reused while convergence is fast enough. */
 #include "solve/rod.h"
 #include "base/num.h"
 #include "solve/beam.h"
@@ -17,8 +17,8 @@
 
 struct wf_rod_node { /* one a piece */
     struct wf_rod_pose pose;
-    struct wf_rod_wrench wrench; /* at the piece's base           */
-    double tilt[3];              /* root plate, under root pieces */
+    struct wf_rod_wrench wrench; /* at the piece's base */
+    double tilt[3];              /* tilt of the root plate, for pieces on the ground */
 };
 struct wf_rod_end { /* where the integration of a piece arrives */
     struct wf_rod_pose pose;
@@ -26,15 +26,15 @@ struct wf_rod_end { /* where the integration of a piece arrives */
     double tally[3];
 };
 struct wf_rod_block {
-    double J[144];        /* derivative of the end by the base                                */
+    double J[144];        /* derivative of the end by the base */
     double K[36], lu[36]; /* change of the base's wrench by its pose; factor of the 6x6 block */
-    size_t order[6];      /* its row order                                                    */
-    double root[9];       /* under a root plate: change of tilt by moment                     */
+    size_t order[6];      /* its row order */
+    double root[9];       /* for pieces on a root plate: change of tilt by moment */
 };
 
 struct wf_rod {
     const struct wf_tree *tree;
-    struct wf_loads loads; /* a copy: its scales are what continuation changes */
+    struct wf_loads loads; /* a copy of the caller's */
     const struct wf_solve_options *options;
     struct wf_rod_integrator integrator;
     size_t n;
@@ -43,19 +43,22 @@ struct wf_rod {
     struct wf_rod_node *node, *trial;
     struct wf_rod_end *end;
     struct wf_rod_block *block;
-    double (*off)[12];                  /* misfit: pose against the end below, wrench at the end */
-    double (*step)[12];                 /* Newton's change                                       */
-    double (*next)[12];                 /* the one after it, with the same derivative            */
-    double (*tilt)[3], (*next_tilt)[3]; /* of the root plates                      */
-    double (*change)[6];                /* of the ends' poses, while solving                     */
+    double (*off)[12];                  /* residual: pose against the end below, wrench at the end */
+    double (*step)[12];                 /* Newton step */
+    double (*next)[12];                 /* next (simplified) Newton step, with the same derivative */
+    double (*tilt)[3], (*next_tilt)[3]; /* of the root plates */
+    double (*change)[6];                /* change of the ends' poses, while solving */
     int32_t *first_point, *next_point;  /* per row, per load: point loads of a row; -1 ends */
-    double size;                        /* length to measure places by [m]                       */
+    double size;                        /* length that scales positions [m] */
     size_t iterations, steps;
     const char *fault;
 };
 
-/* Force and moment at the end of a row from outside: point mass, dead and follower loads. Given: turn of the
- * end. Returned: added to *w. by_spin (36, NULL = not asked): derivative by (place, spin), added. */
+/* Residual of the present nodes. */
+
+/* External force and moment at the end of a piece that ends its row: point mass, dead and follower loads.
+ * Given: rotation q of the end. Returned: added to *w; by_spin (36, may be NULL): derivative by (position,
+ * spin), added. */
 static void rod_end_load(const struct wf_rod *r, size_t i, const double q[4], struct wf_rod_wrench *w,
                          double *by_spin)
 {
@@ -77,8 +80,8 @@ static void rod_end_load(const struct wf_rod *r, size_t i, const double q[4], st
     }
 }
 
-/* What is missing: poses against the ends they stand on, forces and moments at the ends (eqs 4, 5). */
-static void misfit(struct wf_rod *r, const struct wf_rod_node *node)
+/* Residuals: poses against the ends below, forces and moments at the ends (eqs 4, 5). */
+static void set_misfit(struct wf_rod *r, const struct wf_rod_node *node)
 {
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_end *end = &r->end[i];
@@ -106,7 +109,7 @@ static void misfit(struct wf_rod *r, const struct wf_rod_node *node)
     }
 }
 
-static bool arrive(struct wf_rod *r, const struct wf_rod_node *node)
+static bool integrate_pieces(struct wf_rod *r, const struct wf_rod_node *node)
 {
     for (size_t i = 0; i < r->n; i++) {
         struct wf_rod_end *o = &r->end[i];
@@ -116,12 +119,14 @@ static bool arrive(struct wf_rod *r, const struct wf_rod_node *node)
             return false;
         }
     }
-    misfit(r, node);
+    set_misfit(r, node);
     return true;
 }
 
+/* Newton's equations, eliminated along the tree. */
+
 /* C = A B, 6 x 6, with B a block of a 12 x 12 matrix */
-static void times(const double A[36], const double *B, double C[36])
+static void multiply_block6(const double A[36], const double *B, double C[36])
 {
     for (size_t i = 0; i < 6; i++)
         for (size_t j = 0; j < 6; j++) {
@@ -153,7 +158,8 @@ static bool lu_factor(struct wf_rod_block *b)
     return true;
 }
 
-/* The root plate: springs c hold the tilt v against the moment, c v = T' m (0 = clamped). *tangent = T. */
+/* Root plate: springs c resist the tilt v, c v = T' m (0 = clamped). Returned: b->root; T, tangent of the
+ * rotation vector. */
 static void root_factor(const struct wf_rod *r, const double v[3], struct wf_rod_block *b, double T[9])
 {
     const double *c = r->options->root_stiffness;
@@ -174,9 +180,9 @@ static void root_factor(const struct wf_rod *r, const double v[3], struct wf_rod
         b->root[4] = 1 / d;
 }
 
-/* From the tips down. K of a piece gathers what its end carries, then becomes the answer of its base:
- * (D - K B) dw = (K A - C) dp. */
-static bool factor(struct wf_rod *r)
+/* Eliminate from the tips down. K of a piece first sums the reaction at its end, then becomes the reaction
+ * of its base: (D - K B) dw = (K A - C) dp. */
+static bool factor_tree(struct wf_rod *r)
 {
     for (size_t i = 0; i < r->n; i++) {
         struct wf_rod_block *b = &r->block[i];
@@ -189,8 +195,8 @@ static bool factor(struct wf_rod *r)
         struct wf_rod_wrench unused = { { 0 }, { 0 } };
         double KA[36], KB[36], column[6];
         rod_end_load(r, i, r->end[i].pose.q, &unused, b->K);
-        times(b->K, b->J, KA);
-        times(b->K, b->J + 6, KB);
+        multiply_block6(b->K, b->J, KA);
+        multiply_block6(b->K, b->J + 6, KB);
         for (size_t j = 0; j < 6; j++)
             for (size_t k = 0; k < 6; k++) b->lu[6 * j + k] = b->J[12 * (6 + j) + 6 + k] - KB[6 * j + k];
         if (!lu_factor(b)) return false;
@@ -205,13 +211,13 @@ static bool factor(struct wf_rod *r)
     return true;
 }
 
-static void apply6(const double *A, size_t wide, const double x[6], double y[6])
+static void apply_block6(const double *A, size_t wide, const double x[6], double y[6])
 {
     for (size_t i = 0; i < 6; i++)
         for (size_t k = 0; k < 6; k++) y[i] += A[wide * i + k] * x[k];
 }
 
-/* Change of the root's pose (0, spin); of its tilt in tilt. */
+/* Newton step of a root's pose (0, spin) and of its tilt. */
 static void root_step(const struct wf_rod *r, const struct wf_rod_node *node, struct wf_rod_block *b,
                       const double k[6], double pose[6], double tilt[3])
 {
@@ -229,10 +235,10 @@ static void root_step(const struct wf_rod *r, const struct wf_rod_node *node, st
     m3_apply(T, tilt, pose + 3);
 }
 
-/* Changes for the present misfit with the present factor: constants from the tips down, changes from the
- * root up. */
-static void solve_steps(struct wf_rod *r, const struct wf_rod_node *node, double (*step)[12],
-                        double (*tilt)[3])
+/* Newton step for the present residual with the present factors: constants from the tips down, changes from
+ * the root up. */
+static void solve_changes(struct wf_rod *r, const struct wf_rod_node *node, double (*step)[12],
+                          double (*tilt)[3])
 {
     for (size_t i = 0; i < r->n; i++)
         for (int k = 0; k < 6; k++) step[i][6 + k] = -r->off[i][6 + k];
@@ -242,7 +248,7 @@ static void solve_steps(struct wf_rod *r, const struct wf_rod_node *node, double
         lu_solve(&r->block[i], k);
         if (below < 0) continue;
         for (int j = 0; j < 6; j++) against[j] = -r->off[i][j];
-        apply6(r->block[i].K, 6, against, lift);
+        apply_block6(r->block[i].K, 6, against, lift);
         for (int j = 0; j < 6; j++) step[below][6 + j] += k[j] + lift[j];
     }
     for (size_t i = 0; i < r->n; i++) {
@@ -252,15 +258,15 @@ static void solve_steps(struct wf_rod *r, const struct wf_rod_node *node, double
             root_step(r, &node[i], &r->block[i], p + 6, p, tilt[i]);
         else
             for (int j = 0; j < 6; j++) p[j] = r->change[below][j] - r->off[i][j];
-        apply6(r->block[i].K, 6, p, p + 6);
+        apply_block6(r->block[i].K, 6, p, p + 6);
         memset(r->change[i], 0, sizeof r->change[i]);
-        apply6(r->block[i].J, 12, p, r->change[i]);
-        apply6(r->block[i].J + 6, 12, p + 6, r->change[i]);
+        apply_block6(r->block[i].J, 12, p, r->change[i]);
+        apply_block6(r->block[i].J + 6, 12, p + 6, r->change[i]);
     }
 }
 
-static void move(const struct wf_rod *r, double share, const double (*step)[12], const double (*tilt)[3],
-                 struct wf_rod_node *to)
+static void move_nodes(const struct wf_rod *r, double share, const double (*step)[12],
+                       const double (*tilt)[3], struct wf_rod_node *to)
 {
     for (size_t i = 0; i < r->n; i++) {
         const double *p = step[i];
@@ -280,59 +286,64 @@ static void move(const struct wf_rod *r, double share, const double (*step)[12],
     }
 }
 
-static double length_of(const double v[3]) { return sqrt(wf_dot(v, v)); }
+static double vector_length(const double v[3]) { return sqrt(wf_dot(v, v)); }
 
-/* Largest of: places by the tree's size, turns, forces and moments as turn along a piece. */
-static double norm(const struct wf_rod *r, const double (*step)[12], double *turn)
+/* Size of a step: the largest of positions by the tree's size, rotations, and forces and moments as rotation
+ * along a piece. */
+static double change_size(const struct wf_rod *r, const double (*step)[12], double *turn)
 {
     double most = 0;
     *turn = 0;
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_piece *p = &r->piece[i];
-        *turn = fmax(*turn, length_of(step[i] + 3));
-        double force = length_of(step[i] + 6) * p->h * p->h / p->stiffness;
-        double moment = length_of(step[i] + 9) * p->h / p->stiffness;
-        most = fmax(fmax(most, length_of(step[i]) / r->size), fmax(force, moment));
+        *turn = fmax(*turn, vector_length(step[i] + 3));
+        double force = vector_length(step[i] + 6) * p->h * p->h / p->stiffness;
+        double moment = vector_length(step[i] + 9) * p->h / p->stiffness;
+        most = fmax(fmax(most, vector_length(step[i]) / r->size), fmax(force, moment));
     }
     return fmax(most, *turn);
 }
 
-/* The same of the answer itself, against the unloaded tree: what accuracy is relative to. */
-static double answer(const struct wf_rod *r)
+/* Size of the solution relative to the unloaded tree, by the same measure: the scale of the relative
+ * accuracy. */
+static double answer_size(const struct wf_rod *r)
 {
     double most = 0;
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_piece *p = &r->piece[i];
-        double moment = length_of(r->node[i].wrench.m) * p->h / p->stiffness, turn[3];
-        double force = length_of(r->node[i].wrench.n) * p->h * p->h / p->stiffness;
+        double moment = vector_length(r->node[i].wrench.m) * p->h / p->stiffness, turn[3];
+        double force = vector_length(r->node[i].wrench.n) * p->h * p->h / p->stiffness;
         wf_rod_vector(r->node[i].pose.q, turn);
-        most = fmax(fmax(most, force), fmax(moment, length_of(turn)));
+        most = fmax(fmax(most, force), fmax(moment, vector_length(turn)));
     }
     return fmin(most, 1);
 }
 
-static void swap(struct wf_rod *r)
+static void swap_nodes(struct wf_rod *r)
 {
     struct wf_rod_node *node = r->node;
     r->node = r->trial;
     r->trial = node;
 }
 
-/* Choose the steps of all pieces anew where the nodes are, to an accuracy, and keep to them from here.
- * Returned: size of Newton's next change with the present derivative; NAN when the integration fails. */
+/* Newton. */
+
+/* Choose the integration steps of all pieces anew at the present nodes, to an accuracy, and keep them from
+ * here on. Returned: size of the next Newton step with the present derivative; NAN when the integration
+ * fails. */
 static double fix_steps(struct wf_rod *r, double accuracy)
 {
     double turn;
     r->integrator.fixed = false;
     wf_rod_accuracy(&r->integrator, accuracy);
-    if (!arrive(r, r->node)) return NAN;
+    if (!integrate_pieces(r, r->node)) return NAN;
     r->integrator.fixed = true;
-    solve_steps(r, r->node, r->step, r->tilt);
-    return norm(r, (const double(*)[12])r->step, &turn);
+    solve_changes(r, r->node, r->step, r->tilt);
+    return change_size(r, (const double(*)[12])r->step, &turn);
 }
 
-/* Newton at the present loads from the present nodes; afterwards the ends belong to the nodes. false:
- * stalled, the nodes are where it did. */
+/* Newton's method at the present loads from the present nodes. Returned: true with ends that belong to the
+ * nodes; false when it stalled, with the nodes reached. */
 static bool rod_newton(struct wf_rod *r)
 {
     const double tolerance = r->options->tolerance, rounding = 1e-14, near = 1e-3;
@@ -341,16 +352,16 @@ static bool rod_newton(struct wf_rod *r)
     bool fresh = false;
     r->integrator.fixed = false;
     wf_rod_accuracy(&r->integrator, tolerance);
-    if (!arrive(r, r->node)) return false;
+    if (!integrate_pieces(r, r->node)) return false;
     for (size_t round = 0; round < r->options->iterations_max; round++) {
         r->iterations++;
         if (!fresh) {
-            if (!factor(r)) return false;
-            solve_steps(r, r->node, r->step, r->tilt);
+            if (!factor_tree(r)) return false;
+            solve_changes(r, r->node, r->step, r->tilt);
             share = 1;
         }
-        size = norm(r, (const double(*)[12])r->step, &turn);
-        double scale = fmax(answer(r), 1e-12), next = INFINITY;
+        size = change_size(r, (const double(*)[12])r->step, &turn);
+        double scale = fmax(answer_size(r), 1e-12), next = INFINITY;
         if (!r->integrator.fixed && size < near * scale) size = fix_steps(r, 0.01 * tolerance * scale);
         if (!isfinite(size)) return false;
         share = fmin(share, turn > 1 ? 1 / turn : 1);
@@ -358,22 +369,22 @@ static bool rod_newton(struct wf_rod *r)
             wf_rod_accuracy(&r->integrator, 0.01 * tolerance * fmin(1, fmax(scale, size)));
         for (;; share *= 0.5) {
             if (share < 1e-3) return false;
-            move(r, share, (const double(*)[12])r->step, (const double(*)[3])r->tilt, r->trial);
-            if (!arrive(r, r->trial)) continue;
-            solve_steps(r, r->trial, r->next, r->next_tilt);
-            next = norm(r, (const double(*)[12])r->next, &turn);
+            move_nodes(r, share, (const double(*)[12])r->step, (const double(*)[3])r->tilt, r->trial);
+            if (!integrate_pieces(r, r->trial)) continue;
+            solve_changes(r, r->trial, r->next, r->next_tilt);
+            next = change_size(r, (const double(*)[12])r->next, &turn);
             if (next <= (1 - 0.25 * share) * size || next <= tolerance * scale + rounding) break;
         }
-        swap(r);
+        swap_nodes(r);
         if (share >= 1 && fmin(size, next) <= tolerance * scale + rounding) {
-            /* done if the steps chosen where it ended find the same */
+            /* converged if steps chosen anew at the solution give the same */
             size = fix_steps(r, 0.01 * tolerance * scale);
             if (size <= serves * scale + rounding) return true;
             if (!isfinite(size)) return false;
             fresh = true;
             continue;
         }
-        /* keep the derivative where it still gains a digit a step */
+        /* reuse the derivative while it gains a digit per step */
         fresh = share >= 1 && next < 0.1 * size;
         share = fmin(1, 2 * share);
         if (fresh) {
@@ -384,7 +395,9 @@ static bool rod_newton(struct wf_rod *r)
     return false;
 }
 
-/* Unloaded pose and no forces everywhere. */
+/* Setting up. */
+
+/* Unloaded pose, zero forces. */
 static void rod_rest(struct wf_rod *r)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -405,8 +418,8 @@ static void sort_points(struct wf_rod *r)
     }
 }
 
-/* Cut the tree and start from its unloaded shape. `r` stays where it is. wf_rod_done gives back what is not
- * in the arena. */
+/* Cut the tree into pieces and start from its unloaded shape. `r` must not move. rod_done frees what is
+ * not in the arena. Errors: WF_EUSAGE (point load on a row that does not exist), WF_ENOMEM. */
 static enum wf_status rod_init(struct wf_rod *r, const struct wf_tree *t, const struct wf_loads *l,
                                const struct wf_solve_options *o, bool printed, struct wf_arena *a,
                                struct wf_err *e)
@@ -416,7 +429,7 @@ static enum wf_status rod_init(struct wf_rod *r, const struct wf_tree *t, const 
         if (l->point[k].segment < 0 || (size_t)l->point[k].segment >= t->n)
             return wf_fail(e, WF_EUSAGE, "point load %zu: no segment %d (there are %zu)", k,
                            (int)l->point[k].segment, t->n);
-    /* as printed a segment is a row; else few rows are cut as the beam engine cuts them */
+    /* as printed a row is one segment; otherwise trees of few rows are cut as in the beam solver */
     r->piece = wf_rod_cut(t, l, printed || t->n >= 24 ? 1 : (int32_t)(23 / t->n + 1), a, &r->n);
     r->first_point = WF_TAKE(a, t->n, int32_t);
     r->next_point = WF_TAKE(a, l->points, int32_t);
@@ -442,11 +455,9 @@ static enum wf_status rod_init(struct wf_rod *r, const struct wf_tree *t, const 
 
 static void rod_done(struct wf_rod *r) { wf_rod_close(&r->integrator); }
 
-/* ---- The solver ---- */
-
-/* The beam engine on the same pieces, one element a piece. */
-static enum wf_status beam_of(const struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
-                              struct wf_beam *b, struct wf_err *e)
+/* A beam on the same pieces, one element per piece. */
+static enum wf_status beam_of_rod(const struct wf_rod *r, const struct wf_solve_options *o,
+                                  struct wf_arena *a, struct wf_beam *b, struct wf_err *e)
 {
     int32_t *cut = WF_TAKE(a, r->tree->n, int32_t);
     if (!cut) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", r->tree->n);
@@ -454,8 +465,8 @@ static enum wf_status beam_of(const struct wf_rod *r, const struct wf_solve_opti
     return wf_beam_init(b, r->tree, &r->loads, o, cut, a, e);
 }
 
-/* The beam engine in the shape found: the quadratic of turn along a piece that has its curvature at the base
- * and its end. */
+/* Set the beam to the shape of the rod: along each piece the quadratic of rotation that matches its
+ * curvature at the base and its end. */
 static void pose_beam(const struct wf_rod *r, struct wf_beam *b)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -478,8 +489,9 @@ static void pose_beam(const struct wf_rod *r, struct wf_beam *b)
     wf_beam_sweep_up(b);
 }
 
-/* Largest turn between two states: where it is large, another branch of answers may have been caught. */
-static double leap(const struct wf_rod *r, const struct wf_rod_node *from)
+/* Largest rotation between two states [rad]. Where it is large, Newton may have converged to another branch
+ * of solutions. */
+static double largest_turn_since(const struct wf_rod *r, const struct wf_rod_node *from)
 {
     double most = 0;
     for (size_t i = 0; i < r->n; i++) {
@@ -492,19 +504,19 @@ static double leap(const struct wf_rod *r, const struct wf_rod_node *from)
     return most;
 }
 
-/* Newton from the present nodes. Its end is kept when no part has turned by more than 40 degrees and the beam
- * engine finds that it stands. */
-static bool close_up(struct wf_rod *r, struct wf_beam *b, struct wf_rod_node *kept)
+/* Newton from the present nodes. The result is accepted when no part has rotated by more than 40 degrees and
+ * the beam solver finds it stable. */
+static bool close_from_nodes(struct wf_rod *r, struct wf_beam *b, struct wf_rod_node *kept)
 {
     memcpy(kept, r->node, r->n * sizeof *kept);
     r->fault = NULL;
-    if (!rod_newton(r) || leap(r, kept) > 0.7) return false;
+    if (!rod_newton(r) || largest_turn_since(r, kept) > 0.7) return false;
     pose_beam(r, b);
     r->steps++;
     return wf_beam_stable(b);
 }
 
-/* Nodes where the beam engine has come to rest. */
+/* Set the nodes from the beam's equilibrium. */
 static void start_from_beam(struct wf_rod *r, const struct wf_beam *b)
 {
     for (size_t i = 0; i < r->n; i++) {
@@ -524,25 +536,25 @@ static void start_from_beam(struct wf_rod *r, const struct wf_beam *b)
     }
 }
 
-/* From rest where that is near; else from the shape in which the beam engine comes to rest, which it reaches
- * by load steps and, past a limit point, by creep. */
-static enum wf_status settle(struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
-                             double *load_factor, struct wf_diag *d, struct wf_err *e)
+/* Equilibrium: Newton from the unloaded shape; if that fails, from the equilibrium of the beam solver, which
+ * uses load steps and, beyond a limit point, creep. */
+static enum wf_status rod_settle(struct wf_rod *r, const struct wf_solve_options *o, struct wf_arena *a,
+                                 double *load_factor, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_beam b;
     struct wf_beam_outcome out = { .load_factor = 1 };
     struct wf_err why = { 0 };
     struct wf_rod_node *kept = WF_TAKE(a, r->n, struct wf_rod_node);
-    enum wf_status status = kept ? beam_of(r, o, a, &b, e) : wf_fail(e, WF_ENOMEM, "no room for rods");
+    enum wf_status status = kept ? beam_of_rod(r, o, a, &b, e) : wf_fail(e, WF_ENOMEM, "no room for rods");
     if (status) return status;
-    if (!close_up(r, &b, kept)) {
+    if (!close_from_nodes(r, &b, kept)) {
         status = wf_beam_settle(&b, a, &out, &why);
         if (status) {
             *load_factor = out.load_factor;
             return wf_fail(e, status, "%s", why.text);
         }
         start_from_beam(r, &b);
-        if (!close_up(r, &b, kept))
+        if (!close_from_nodes(r, &b, kept))
             return wf_fail(e, WF_ENOCONV, "%s",
                            r->fault                ? r->fault
                            : r->integrator.printed ? "the printed equations do not close from root to tips; "
@@ -554,27 +566,27 @@ static enum wf_status settle(struct wf_rod *r, const struct wf_solve_options *o,
     return WF_OK;
 }
 
-static void share_out(double sum[3], double s, const double x[3]) { v3_add(sum, s, x); }
-
-struct tally {
+struct rod_tally {
     double force[3], moment[3];
 };
 
-static void count(struct tally *sum, const double arm[3], const double force[3], const double moment[3])
+static void tally_rod_load(struct rod_tally *sum, const double arm[3], const double force[3],
+                           const double moment[3])
 {
     double lever[3];
     wf_cross(arm, force, lever);
-    share_out(sum->force, 1, force);
-    share_out(sum->moment, 1, moment);
-    share_out(sum->moment, 1, lever);
+    v3_add(sum->force, 1, force);
+    v3_add(sum->moment, 1, moment);
+    v3_add(sum->moment, 1, lever);
 }
 
-/* Columns of the answer; loads and their moments summed apart from the integration, as a check of it. */
-static void read(const struct wf_rod *r, struct wf_response *out)
+/* Columns of the response. Loads and their moments are summed independently of the integration, to check
+ * it. */
+static void rod_read(const struct wf_rod *r, struct wf_response *out)
 {
     const struct wf_tree *t = r->tree;
     const double first[3] = { t->x0[0], t->y0[0], t->z0[0] };
-    struct tally sum = { { 0 }, { 0 } };
+    struct rod_tally sum = { { 0 }, { 0 } };
     for (size_t i = 0; i < r->n; i++) {
         const struct wf_rod_piece *p = &r->piece[i];
         const struct wf_rod_node *base = &r->node[i];
@@ -585,8 +597,8 @@ static void read(const struct wf_rod *r, struct wf_response *out)
             arm[k] = base->pose.r[k] - first[k];
             load[k] = base->wrench.n[k] - end->wrench.n[k];
         }
-        share_out(out->load + row, 1, load);
-        count(&sum, arm, load, end->tally);
+        v3_add(out->load + row, 1, load);
+        tally_rod_load(&sum, arm, load, end->tally);
         if (p->s0 <= 0) {
             memcpy(out->force0 + row, base->wrench.n, sizeof base->wrench.n);
             memcpy(out->moment0 + row, base->wrench.m, sizeof base->wrench.m);
@@ -596,16 +608,16 @@ static void read(const struct wf_rod *r, struct wf_response *out)
         if (p->parent < 0) {
             double lever[3];
             wf_cross(arm, base->wrench.n, lever);
-            share_out(out->base_force, 1, base->wrench.n);
-            share_out(out->base_moment, 1, base->wrench.m);
-            share_out(out->base_moment, 1, lever);
+            v3_add(out->base_force, 1, base->wrench.n);
+            v3_add(out->base_moment, 1, base->wrench.m);
+            v3_add(out->base_moment, 1, lever);
         }
         if (!p->last) continue;
         const double tip[3] = { t->x1[p->row], t->y1[p->row], t->z1[p->row] };
         struct wf_rod_wrench outside = { { 0 }, { 0 } };
         rod_end_load(r, i, end->pose.q, &outside, NULL);
         for (int k = 0; k < 3; k++) arm[k] = end->pose.r[k] - first[k];
-        count(&sum, arm, outside.n, outside.m);
+        tally_rod_load(&sum, arm, outside.n, outside.m);
         memcpy(out->force1 + row, end->wrench.n, sizeof end->wrench.n);
         memcpy(out->moment1 + row, end->wrench.m, sizeof end->wrench.m);
         wf_row_axis(t, (size_t)p->row, 1, place, axis);
@@ -623,9 +635,9 @@ static void read(const struct wf_rod *r, struct wf_response *out)
         if (whole[k] > 0) out->imbalance = fmax(out->imbalance, off[k] / whole[k]);
 }
 
-static enum wf_status solve(bool printed, const struct wf_tree *t, const struct wf_loads *l,
-                            const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *out,
-                            struct wf_diag *d, struct wf_err *e)
+static enum wf_status rod_solve(bool printed, const struct wf_tree *t, const struct wf_loads *l,
+                                const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *out,
+                                struct wf_diag *d, struct wf_err *e)
 {
     struct wf_arena work = { 0 };
     struct wf_rod r = { 0 };
@@ -639,8 +651,8 @@ static enum wf_status solve(bool printed, const struct wf_tree *t, const struct 
                      "the printed rod takes curved segments as straight between their ends");
     wf_quiet_begin();
     status = rod_init(&r, t, l, &rigid, printed, &work, e);
-    if (!status) status = settle(&r, &rigid, &work, &out->load_factor, d, e);
-    if (!status) read(&r, out);
+    if (!status) status = rod_settle(&r, &rigid, &work, &out->load_factor, d, e);
+    if (!status) rod_read(&r, out);
     out->iterations = r.iterations, out->steps = r.steps;
     rod_done(&r);
     wf_quiet_end();
@@ -648,18 +660,18 @@ static enum wf_status solve(bool printed, const struct wf_tree *t, const struct 
     return status;
 }
 
-static enum wf_status solve_frame(const struct wf_tree *t, const struct wf_loads *l,
-                                  const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
-                                  struct wf_diag *d, struct wf_err *e)
+static enum wf_status rod_solve_frame(const struct wf_tree *t, const struct wf_loads *l,
+                                      const struct wf_solve_options *o, struct wf_arena *a,
+                                      struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
-    return solve(false, t, l, o, a, r, d, e);
+    return rod_solve(false, t, l, o, a, r, d, e);
 }
 
-static enum wf_status solve_angles(const struct wf_tree *t, const struct wf_loads *l,
-                                   const struct wf_solve_options *o, struct wf_arena *a,
-                                   struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+static enum wf_status rod_solve_angles(const struct wf_tree *t, const struct wf_loads *l,
+                                       const struct wf_solve_options *o, struct wf_arena *a,
+                                       struct wf_response *r, struct wf_diag *d, struct wf_err *e)
 {
-    return solve(true, t, l, o, a, r, d, e);
+    return rod_solve(true, t, l, o, a, r, d, e);
 }
 
 #define FENG                                                                                                 \
@@ -672,7 +684,7 @@ const struct wf_solver wf_solver_rod = {
     .source = FENG "; frame by quaternion; Deuflhard 2004, Newton Methods for Nonlinear Problems, sec. 3.3",
     .validity = "Elastic wood that does not stretch, static mean wind; any deflection. Loads follow the bent "
                 "shape.",
-    .solve = solve_frame,
+    .solve = rod_solve_frame,
 };
 const struct wf_solver wf_solver_rod_as_printed = {
     .name = "rod-as-printed",
@@ -683,5 +695,5 @@ const struct wf_solver wf_solver_rod_as_printed = {
         "depends on the number of segments and agrees with 'rod' as they are refined; no answer where "
         "a segment turns by 90 degrees",
     .as_printed = true,
-    .solve = solve_angles,
+    .solve = rod_solve_angles,
 };

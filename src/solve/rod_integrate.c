@@ -6,14 +6,7 @@
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
-/* The steps by which one piece is integrated.
- *
- * They are chosen by GSL's error control and end where the wind is not smooth: in the middle of a step a jump
- * of a derivative costs an eighth-order formula its order, and the control many rejected steps. The steps
- * taken are kept with the piece. Taken again, they make the end of a piece a smooth function of its base,
- * which steps chosen anew each time do not: their choice scatters the end by the error allowed, and Newton
- * cannot end below the scatter (Bock 1981, internal numerical differentiation, in: Modelling of Chemical
- * Reaction Systems, Springer, 102-125). */
+/* Pieces: sections, and how rows are cut. */
 
 void wf_rod_section_at(const struct wf_tree *t, const struct wf_loads *l, size_t i, double s,
                        struct wf_rod_section *out)
@@ -33,7 +26,7 @@ void wf_rod_section_at(const struct wf_tree *t, const struct wf_loads *l, size_t
             l->line ? l->point_scale * wf_between(l->line[6 * i + k], l->line[6 * i + 3 + k], s) : 0;
 }
 
-/* Size of the load on a row and its end, on the unloaded shape [N]. */
+/* Magnitude of the load on a row and its end, on the unloaded shape [N]. */
 static double load_size(const struct wf_tree *t, const struct wf_loads *l, size_t i)
 {
     struct wf_rod_section section;
@@ -91,9 +84,18 @@ struct wf_rod_piece *wf_rod_cut(const struct wf_tree *t, const struct wf_loads *
     return piece;
 }
 
+/* The steps by which one piece is integrated.
+ *
+ * They are chosen by GSL's error control and end at kinks of the wind profile: inside a step a jump of a
+ * derivative would reduce the order of the eighth-order formula and cause many rejected steps. The steps
+ * taken are stored with the piece. Repeating them makes the end of a piece a smooth function of its base;
+ * steps chosen anew each time would scatter the end by the accepted error, and Newton's method cannot
+ * converge below that scatter (Bock 1981, internal numerical differentiation, in: Modelling of Chemical
+ * Reaction Systems, Springer, 102-125). */
+
 enum { STEPS_MOST = 4000 };
 
-static bool keep(struct wf_rod_integrator *g, double length)
+static bool keep_step(struct wf_rod_integrator *g, double length)
 {
     struct wf_rod_piece *p = g->piece;
     if (p->steps == p->room) {
@@ -107,17 +109,17 @@ static bool keep(struct wf_rod_integrator *g, double length)
     return true;
 }
 
-/* To where the wind is smooth, as a share of the piece. */
-static double smooth(struct wf_rod_integrator *g, double sigma, const double *y)
+/* Distance to the next kink of the wind profile, as a share of the piece. */
+static double share_to_kink(struct wf_rod_integrator *g, double sigma, const double *y)
 {
     const struct wf_wind *w = g->loads->wind;
     double rate[WF_ROD_ANGLES], at[3];
     if (!w || !w->clear || g->state_system.function(sigma, y, rate, g)) return INFINITY;
     for (int k = 0; k < 3; k++) at[k] = g->place[k] + g->piece->h * y[k];
-    return w->clear(w, at, rate) / g->piece->h; /* state and rate begin with place and tangent */
+    return w->clear(w, at, rate) / g->piece->h; /* state and rate begin with position and tangent */
 }
 
-static bool choose(struct wf_rod_integrator *g, double *y)
+static bool choose_steps(struct wf_rod_integrator *g, double *y)
 {
     gsl_odeiv2_driver *d = g->state;
     struct wf_rod_piece *p = g->piece;
@@ -125,18 +127,20 @@ static bool choose(struct wf_rod_integrator *g, double *y)
     p->steps = 0;
     if (gsl_odeiv2_driver_reset(d)) return false;
     for (int k = 0; sigma < 1; k++) {
-        double from = sigma, to = fmin(1, sigma + smooth(g, sigma, y)), next = size;
+        double from = sigma, to = fmin(1, sigma + share_to_kink(g, sigma, y)), next = size;
         if (k == STEPS_MOST ||
             gsl_odeiv2_evolve_apply(d->e, d->c, d->s, d->sys, &sigma, to, &next, y) != GSL_SUCCESS ||
-            !keep(g, sigma - from))
+            !keep_step(g, sigma - from))
             return false;
-        size = sigma < to ? next : fmax(size, next); /* one that was cut short says little about the next */
+        size = sigma < to
+                   ? next
+                   : fmax(size, next); /* a step that was cut short tells little about the next step size */
     }
     p->first_step = fmin(fmax(size, 1e-3), 1);
     return true;
 }
 
-static bool again(struct wf_rod_integrator *g, double *y)
+static bool repeat_steps(struct wf_rod_integrator *g, double *y)
 {
     gsl_odeiv2_driver *d = g->state;
     const struct wf_rod_piece *p = g->piece;
@@ -147,21 +151,23 @@ static bool again(struct wf_rod_integrator *g, double *y)
     return true;
 }
 
-/* From base to end. Given: the state y at the base; g->piece is the piece under way. Returned: y at the end;
- * false when a step could not be taken. */
+/* Integrate from base to end. Given: the state y at the base; g->piece is the present piece. Returned: y at
+ * the end; false when a step fails. */
 static bool rod_drive(struct wf_rod_integrator *g, double *y)
 {
-    return g->fixed ? again(g, y) : choose(g, y);
+    return g->fixed ? repeat_steps(g, y) : choose_steps(g, y);
 }
 
-/* The state in the piece's own measure: lengths by h, forces by EI/h2, moments by EI/h, arc by h. */
+/* The equations. */
+
+/* Layout of the state, in the piece's units: lengths by h, forces by EI/h2, moments by EI/h, arc by h. */
 enum { PLACE = 0, QUATERNION = 3, FORCE = 7, MOMENT = 10, TALLY = 13, VARIED = 13 };
 enum { ANGLE = 3, RATE = 6, A_FORCE = 9, A_MOMENT = 12, A_TALLY = 15 };
 
 struct local {
-    double t[3], bend, twist; /* tangent; compliances times the measure EI */
+    double t[3], bend, twist; /* tangent; compliances times the piece's stiffness */
     struct wf_line_load load; /* per length */
-    double f[3];              /* load in the piece's measure               */
+    double f[3];              /* load in the piece's units */
 };
 
 static void local_at(const struct wf_rod_integrator *g, double sigma, const double x[3], const double t[3],
@@ -179,7 +185,7 @@ static void local_at(const struct wf_rod_integrator *g, double sigma, const doub
     for (int k = 0; k < 3; k++) o->f[k] = measure * (o->load.force[k] + c.dead[k]);
 }
 
-static void tangent(const struct wf_rod_integrator *g, double sigma, const double q[4], double t[3])
+static void tangent_at(const struct wf_rod_integrator *g, double sigma, const double q[4], double t[3])
 {
     const struct wf_rod_piece *p = g->piece;
     double axis[3], place[3];
@@ -191,12 +197,12 @@ static void tangent(const struct wf_rod_integrator *g, double sigma, const doubl
 }
 
 /* curvature k = bend M + (twist - bend) (M.t) t */
-static void curvature(const struct local *o, const double M[3], double k[3])
+static void curvature_of(const struct local *o, const double M[3], double k[3])
 {
     v3_section(o->bend, o->twist, o->t, M, k);
 }
 
-static void statics(const struct local *o, const double N[3], double dN[3], double dM[3])
+static void force_rates(const struct local *o, const double N[3], double dN[3], double dM[3])
 {
     wf_cross(N, o->t, dM); /* -t x n */
     for (int k = 0; k < 3; k++) dN[k] = -o->f[k];
@@ -205,35 +211,35 @@ static void statics(const struct local *o, const double N[3], double dN[3], doub
 static void frame_rates(const struct local *o, const double y[], double dy[])
 {
     double k[3], spin[4] = { 0 };
-    curvature(o, y + MOMENT, k);
+    curvature_of(o, y + MOMENT, k);
     for (int j = 0; j < 3; j++) spin[1 + j] = 0.5 * k[j];
     memcpy(dy + PLACE, o->t, sizeof o->t);
     wf_rod_times(spin, y + QUATERNION, dy + QUATERNION);
-    statics(o, y + FORCE, dy + FORCE, dy + MOMENT);
+    force_rates(o, y + FORCE, dy + FORCE, dy + MOMENT);
 }
 
-static int frame(double sigma, const double y[], double dy[], void *context)
+static int frame_equations(double sigma, const double y[], double dy[], void *context)
 {
     const struct wf_rod_integrator *g = context;
     struct local o;
     double t[3];
-    tangent(g, sigma, y + QUATERNION, t);
+    tangent_at(g, sigma, y + QUATERNION, t);
     local_at(g, sigma, y + PLACE, t, &o);
     frame_rates(&o, y, dy);
     wf_cross(y + PLACE, o.f, dy + TALLY);
     return isfinite(dy[QUATERNION]) && isfinite(dy[FORCE]) ? GSL_SUCCESS : GSL_EBADFUNC;
 }
 
-static int varied(double sigma, const double y[], double dy[], void *context)
+static int varied_equations(double sigma, const double y[], double dy[], void *context)
 {
     const struct wf_rod_integrator *g = context;
     const struct wf_rod_piece *p = g->piece;
     struct local o;
     double t[3], k[3], measure = p->h * p->h * p->h / p->stiffness;
-    tangent(g, sigma, y + QUATERNION, t);
+    tangent_at(g, sigma, y + QUATERNION, t);
     local_at(g, sigma, y + PLACE, t, &o);
     frame_rates(&o, y, dy);
-    curvature(&o, y + MOMENT, k);
+    curvature_of(&o, y + MOMENT, k);
     const double *M = y + MOMENT, *N = y + FORCE;
     double along = wf_dot(M, t), extra = o.twist - o.bend;
     for (int c = 0; c < 12; c++) {
@@ -256,7 +262,7 @@ static int varied(double sigma, const double y[], double dy[], void *context)
     return isfinite(dy[QUATERNION]) && isfinite(dy[FORCE]) ? GSL_SUCCESS : GSL_EBADFUNC;
 }
 
-/* Columns of the turned axes e1, e2, e3 in base axes, from the angles (about e3, then e2, then e1). */
+/* Columns of the rotated axes e1, e2, e3 in base axes, from the angles (about e3, then e2, then e1). */
 static void axes_of(const double a[3], double R[9])
 {
     double cf = cos(a[0]), sf = sin(a[0]), ct = cos(a[1]), st = sin(a[1]), cp = cos(a[2]), sp = sin(a[2]);
@@ -272,7 +278,7 @@ static void axes_of(const double a[3], double R[9])
     memcpy(R, all, sizeof all);
 }
 
-static int angles(double sigma, const double y[], double dy[], void *context)
+static int angle_equations(double sigma, const double y[], double dy[], void *context)
 {
     struct wf_rod_integrator *g = context;
     struct local o;
@@ -288,7 +294,7 @@ static int angles(double sigma, const double y[], double dy[], void *context)
     for (int k = 0; k < 3; k++) t[k] = E[3 * k];
     local_at(g, sigma, y + PLACE, t, &o);
     memcpy(dy + PLACE, t, sizeof t);
-    statics(&o, y + A_FORCE, dy + A_FORCE, rate);
+    force_rates(&o, y + A_FORCE, dy + A_FORCE, rate);
     memcpy(dy + A_MOMENT, rate, sizeof rate);
     double about[3]; /* change of the moments about e1, e2, e3 */
     m3_apply_transposed(E, rate, about);
@@ -300,15 +306,26 @@ static int angles(double sigma, const double y[], double dy[], void *context)
     return isfinite(dy[RATE]) && isfinite(dy[A_FORCE]) ? GSL_SUCCESS : GSL_EBADFUNC;
 }
 
+/* The integrator: open, close, integrate along a piece. */
+
+void wf_rod_close(struct wf_rod_integrator *g)
+{
+    if (g->state) gsl_odeiv2_driver_free(g->state);
+    if (g->varied) gsl_odeiv2_driver_free(g->varied);
+    g->state = g->varied = NULL;
+}
+
 enum wf_status wf_rod_open(struct wf_rod_integrator *g, const struct wf_tree *t, const struct wf_loads *l,
                            bool printed, struct wf_arena *a, struct wf_err *e)
 {
-    const double tight = 1e-11, loose = 1e-4; /* a derivative good to four digits gains four a Newton step */
+    const double tight = 1e-11,
+                 loose = 1e-4; /* a derivative accurate to four digits gains four digits per Newton step */
     *g = (struct wf_rod_integrator){ .tree = t, .loads = l, .arena = a, .printed = printed };
-    g->state_system = (gsl_odeiv2_system){ .function = printed ? angles : frame,
+    g->state_system = (gsl_odeiv2_system){ .function = printed ? angle_equations : frame_equations,
                                            .dimension = printed ? WF_ROD_ANGLES : WF_ROD_FRAME,
                                            .params = g };
-    g->varied_system = (gsl_odeiv2_system){ .function = varied, .dimension = WF_ROD_VARIED, .params = g };
+    g->varied_system =
+        (gsl_odeiv2_system){ .function = varied_equations, .dimension = WF_ROD_VARIED, .params = g };
     g->state = gsl_odeiv2_driver_alloc_y_new(&g->state_system, gsl_odeiv2_step_rk8pd, 1, tight, 0);
     g->varied = gsl_odeiv2_driver_alloc_y_new(&g->varied_system, gsl_odeiv2_step_rkck, 1, loose, loose);
     if (g->state && g->varied && !gsl_odeiv2_driver_set_nmax(g->varied, 400)) return WF_OK;
@@ -321,15 +338,8 @@ void wf_rod_accuracy(struct wf_rod_integrator *g, double error)
     gsl_odeiv2_control_init(g->state->c, fmax(error, 1e-15), 0, 1, 0);
 }
 
-void wf_rod_close(struct wf_rod_integrator *g)
-{
-    if (g->state) gsl_odeiv2_driver_free(g->state);
-    if (g->varied) gsl_odeiv2_driver_free(g->varied);
-    g->state = g->varied = NULL;
-}
-
-/* Base axes: e1 the tangent, e2 and e3 any two that complete it. */
-static void complete(const double t[3], double F[9])
+/* Base axes: e1 the tangent, e2 and e3 any two that complete a right-handed frame. */
+static void complete_axes(const double t[3], double F[9])
 {
     int least = fabs(t[0]) < fabs(t[1]) ? 0 : 1;
     if (fabs(t[2]) < fabs(t[least])) least = 2;
@@ -342,12 +352,12 @@ static void complete(const double t[3], double F[9])
     for (int k = 0; k < 3; k++) F[3 * k] = t[k], F[3 * k + 1] = e2[k], F[3 * k + 2] = e3[k];
 }
 
-/* The same on the unloaded axis, carried along by the turn of the base: axes chosen on the loaded one would
- * jump where the choice changes, and the printed equations with them. */
+/* Base axes chosen on the unloaded axis and rotated with the base: axes chosen on the loaded axis would jump
+ * where the choice changes, and the printed equations with them. */
 static void carried_axes(const double axis[3], const double q[4], double F[9])
 {
     double unloaded[9], e[3], turned[3];
-    complete(axis, unloaded);
+    complete_axes(axis, unloaded);
     for (int c = 0; c < 3; c++) {
         for (int k = 0; k < 3; k++) e[k] = unloaded[3 * k + c];
         wf_rod_turn(q, e, turned);
@@ -355,7 +365,7 @@ static void carried_axes(const double axis[3], const double q[4], double F[9])
     }
 }
 
-static void start(struct wf_rod_integrator *g, struct wf_rod_piece *p, const struct wf_rod_pose *base)
+static void start_piece(struct wf_rod_integrator *g, struct wf_rod_piece *p, const struct wf_rod_pose *base)
 {
     double place[3];
     g->piece = p;
@@ -382,7 +392,7 @@ bool wf_rod_along(struct wf_rod_integrator *g, struct wf_rod_piece *p, const str
     double y[WF_ROD_ANGLES] = { 0 }, force = p->stiffness / (p->h * p->h), moment = p->stiffness / p->h;
     int f = g->printed ? A_FORCE : FORCE, m = g->printed ? A_MOMENT : MOMENT,
         w = g->printed ? A_TALLY : TALLY;
-    start(g, p, base);
+    start_piece(g, p, base);
     for (int k = 0; k < 3; k++) y[f + k] = at->n[k] / force, y[m + k] = at->m[k] / moment;
     if (g->printed) {
         double about[3];
@@ -424,7 +434,7 @@ bool wf_rod_vary(struct wf_rod_integrator *g, struct wf_rod_piece *p, const stru
 {
     double y[WF_ROD_VARIED] = { 0 }, force = p->stiffness / (p->h * p->h), moment = p->stiffness / p->h;
     const double measure[4] = { p->h, 1, force, moment };
-    start(g, p, base);
+    start_piece(g, p, base);
     memcpy(y + QUATERNION, base->q, sizeof base->q);
     for (int k = 0; k < 3; k++) y[FORCE + k] = at->n[k] / force, y[MOMENT + k] = at->m[k] / moment;
     for (int c = 0; c < 12; c++) y[VARIED + 13 * c] = 1;

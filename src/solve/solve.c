@@ -23,7 +23,7 @@ void wf_solve_options_default(struct wf_solve_options *o)
 
 static bool finite3(const double x[3]) { return isfinite(x[0]) && isfinite(x[1]) && isfinite(x[2]); }
 
-static enum wf_status check_loads(const struct wf_tree *t, const struct wf_loads *l, struct wf_err *e)
+static enum wf_status check_solver_loads(const struct wf_tree *t, const struct wf_loads *l, struct wf_err *e)
 {
     if (!isfinite(l->gravity) || !isfinite(l->wind_scale) || !isfinite(l->weight_scale) ||
         !isfinite(l->point_scale))
@@ -55,7 +55,7 @@ enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l,
     if (status && !d)
         status = wf_fail(e, status, "%s", faults.first ? faults.first->text : "the tree has no segments");
     wf_arena_free(&own);
-    return status ? status : check_loads(t, l, e);
+    return status ? status : check_solver_loads(t, l, e);
 }
 
 enum wf_status wf_solve_check_round(const struct wf_tree *t, const char *what, struct wf_err *e)

@@ -20,7 +20,7 @@ static void chord_of(const struct wf_tree *t, size_t i, double c[3])
     c[0] = t->x1[i] - t->x0[i], c[1] = t->y1[i] - t->y0[i], c[2] = t->z1[i] - t->z0[i];
 }
 
-/* A tree of its own places and arcs, sharing every other column. */
+/* Copy a tree with its own coordinates and arcs; other columns are shared. */
 static enum wf_status copy_shape(const struct wf_tree *t, struct wf_arena *a, struct wf_tree *out,
                                  struct wf_err *e)
 {
@@ -38,8 +38,8 @@ static enum wf_status copy_shape(const struct wf_tree *t, struct wf_arena *a, st
     return WF_OK;
 }
 
-/* Take the curvature out of row i. b: the scanned tree under its weight, unbent; L: rotation from the
- * stress-free to the scanned state at the row's base (in) and end (out). */
+/* Remove the elastic curvature from row i. b: the scanned tree under its weight, undeformed; L: rotation
+ * from the stress-free to the scanned state at the row's base (in) and end (out). */
 static void straighten(const struct wf_beam *b, size_t i, double L[9], struct wf_tree *out)
 {
     const struct wf_beam_part *p = &b->mesh.part[i];
@@ -97,7 +97,8 @@ static enum wf_status straighten_all(const struct wf_tree *t, const struct wf_lo
     return WF_OK;
 }
 
-/* Largest miss of the sagged tree; moves each row of *out by its own part of it, seen from the row's base. */
+/* Move each row's end in *out by its own share of the error under weight, seen from the row's base.
+ * Returned: largest error [m]. */
 static double correct(const struct wf_tree *scan, const struct wf_beam *b, struct wf_tree *out)
 {
     double worst = 0;
@@ -114,7 +115,8 @@ static double correct(const struct wf_tree *scan, const struct wf_beam *b, struc
         chord_of(out, i, chord);
         v3_add(chord, 1, own);
         set_end(out, i, chord);
-        double *bend = out->bend + 3 * i; /* an arc's curvature stays across its moved chord */
+        double *bend =
+            out->bend + 3 * i; /* an arc's curvature must remain perpendicular to its moved chord */
         v3_add(bend, -wf_dot(bend, chord) / wf_dot(chord, chord), chord);
     }
     return worst;
@@ -142,7 +144,7 @@ enum wf_status wf_unload(const struct wf_tree *t, const struct wf_loads *l, cons
         if (!status) {
             *left = correct(t, &b, out);
             if (*left <= 1e-9 * size || *left > 0.9 * before)
-                pass = PASSES; /* there, or as near as it gets */
+                pass = PASSES; /* converged, or no further progress */
             before = *left;
         }
         wf_arena_free(&work);

@@ -11,6 +11,7 @@
 #include "load/scene.h"
 #include "solve/solve.h"
 #include "wind/wind.h"
+#include <stdbool.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -49,12 +50,20 @@ struct wf_break {
     double height;         /* its height above ground on the unbent tree [m]              */
 };
 
+/* How the critical wind speed is looked for. */
+struct wf_search {
+    double speed_max; /* up to here [m/s] */
+};
+/* Up to 100 m/s. */
+void wf_search_default(struct wf_search *s);
+
 struct wf_directions;
 struct wf_analysis {
     const struct wf_species *species;
     const struct wf_model *model;
     const struct wf_solver *solver;
     struct wf_scenario scenario;
+    struct wf_search search; /* of its critical speeds, from all directions too */
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
@@ -73,19 +82,32 @@ struct wf_analysis {
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_err *e);
 
-/* When each part of the tree fails by each criterion. Given: an analysis after wf_analysis_set_up; its wind's
- * direction counts. Searched are the whole tree and the stem alone; where no branch has a known resistance
- * the stem is the whole tree. The branches' answer is the tree's where they fail first or nothing fails, else
- * they are WF_CRITICAL_UNSEARCHED. All searches share their solutions. */
+/* One wind speed at the reference height [m/s] of an analysis after wf_analysis_set_up, its columns not kept:
+ * only the totals and the worst places of *out hold afterwards. Returned: WF_OK and *out; where the solver
+ * finds no equilibrium (WF_EUNSTABLE, WF_ENOCONV) also WF_OK with that status in out->status, the totals NAN
+ * and the load factor in out->response; another code when the run must end. */
+enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                               struct wf_at_speed *out, struct wf_err *e);
+/* The row that ends highest on level 0. */
+size_t wf_tip_row(const struct wf_tree *t);
+
+/* When each part of the tree fails by each criterion. Given: an analysis after wf_analysis_set_up with its
+ * search; its wind's direction counts. Searched are the whole tree and the stem alone; where no branch has a
+ * known resistance the stem is the whole tree. The branches' answer is the tree's where they fail first or
+ * nothing fails, else they are WF_CRITICAL_UNSEARCHED. All searches share their solutions. */
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_break (*out)[WF_SCOPES], struct wf_err *e);
 
-/* Given: species, model, scenario, solver, options, n speeds [m/s]. Returned: WF_OK and *out, even where
- * single speeds have no answer (their status says why); another code when nothing could be computed. */
+/* Is a row of the tree of that level's wood? Given: an analysis after wf_analysis_set_up. */
+bool wf_analysis_grown(const struct wf_analysis *an, size_t level);
+
+/* Given: species, model, scenario, search (NULL: the default), solver, options, n speeds [m/s]. Returned:
+ * WF_OK and *out, even where single speeds have no answer (their status says why); another code when nothing
+ * could be computed. */
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
-                          const struct wf_solver *solver, const struct wf_solve_options *o,
-                          const double *speeds, size_t n, struct wf_arena *a, struct wf_diag *d,
-                          struct wf_analysis *out, struct wf_err *e);
+                          const struct wf_search *search, const struct wf_solver *solver,
+                          const struct wf_solve_options *o, const double *speeds, size_t n,
+                          struct wf_arena *a, struct wf_diag *d, struct wf_analysis *out, struct wf_err *e);
 
 #ifdef __cplusplus
 }

@@ -2,20 +2,17 @@
 #include "study/directions.h"
 #include "base/num.h"
 #include "base/parallel.h"
-#include "study/speed.h"
 #include "wind/climate.h"
 #include <math.h>
 
 double wf_direction_azimuth(const struct wf_directions_request *q, double from)
 {
-    return -0.5 * WF_PI - (from + q->north);
+    return wf_wind_azimuth(from, q->north);
 }
 
 double wf_direction_from(const struct wf_directions_request *q, double azimuth)
 {
-    double from = fmod(-0.5 * WF_PI - azimuth - q->north, WF_TURN);
-    if (from < 0.0) from += WF_TURN;
-    return WF_TURN - from < 1e-9 ? 0.0 : from;
+    return wf_wind_from(azimuth, q->north);
 }
 
 /* What the threads share. */

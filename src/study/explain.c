@@ -2,9 +2,7 @@
 #include "study/explain.h"
 #include "base/num.h"
 #include "base/vec3.h"
-#include "load/scene.h"
 #include "solve/solve.h"
-#include "study/speed.h"
 #include <stdlib.h>
 #include <string.h>
 

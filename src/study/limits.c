@@ -4,7 +4,7 @@
 #include "data/model.h"
 #include "data/species.h"
 #include "load/drag.h"
-#include "load/scene.h"
+#include "study/analysis.h"
 #include "wind/terrain.h"
 #include <math.h>
 #include <stdio.h>
@@ -109,7 +109,7 @@ static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
     if (c->outcome == WF_CRITICAL_ABOVE)
         wf_diag_warn(d, "critical-above-range",
                      "%s: no section reaches its strength up to %.6g m/s, the highest speed searched", who,
-                     an->scenario.speed_max);
+                     an->search.speed_max);
     if (c->outcome == WF_CRITICAL_UNSOLVED)
         wf_diag_warn(d, "no-equilibrium",
                      "%s: the critical wind speed could not be bracketed: no equilibrium was found between "
@@ -128,32 +128,23 @@ static void check_as_printed(const struct wf_analysis *an, struct wf_diag *d)
                      an->species->name, an->species->preset);
 }
 
-/* Names of the assumed values of one part, as "; culm: density, shear_modulus". */
-struct named_value {
-    const char *name;
-    const struct wf_value *value;
+/* A growing text of assumed values by part: "culm: density, shear_modulus; crown: ...". */
+struct assumed {
+    char *buf;
+    size_t size, used;
+    const char *part; /* the last one named */
 };
 
-static void add_assumed(char *buf, size_t size, const char *part, const struct named_value *v, size_t n)
+/* table: of the part, in which the value's key is. */
+static void add_assumed(struct assumed *to, const char *part, const char *table, const struct wf_property *p)
 {
-    size_t used = strlen(buf);
-    bool first = true;
-    for (size_t i = 0; i < n; i++) {
-        if (v[i].value->standing != WF_ASSUMED || used >= size) continue;
-        if (first)
-            used += (size_t)snprintf(buf + used, size - used, "%s%s: ", used ? "; " : "", part);
-        else
-            used += (size_t)snprintf(buf + used, size - used, ", ");
-        if (used < size) used += (size_t)snprintf(buf + used, size - used, "%s", v[i].name);
-        first = false;
-    }
-}
-
-static bool level_grown(const struct wf_analysis *a, size_t level)
-{
-    for (size_t i = 0; i < a->tree.n; i++)
-        if (wf_model_wood(a->model, a->species, &a->tree, i) == &a->species->level[level]) return true;
-    return false;
+    if (p->value->standing != WF_ASSUMED || to->used >= to->size) return;
+    bool same = to->part == part;
+    const char *before = same ? ", " : to->used ? "; " : "";
+    int n = snprintf(to->buf + to->used, to->size - to->used, "%s%s%s%s%s", before, same ? "" : part,
+                     same ? "" : ": ", table, p->key);
+    to->used += (size_t)n;
+    to->part = part;
 }
 
 static bool has_crown(const struct wf_tree *t)
@@ -163,51 +154,36 @@ static bool has_crown(const struct wf_tree *t)
     return false;
 }
 
+static void level_assumed(const struct wf_analysis *an, size_t level, struct assumed *to)
+{
+    const struct wf_level *l = &an->species->level[level];
+    struct wf_property p;
+    to->part = NULL;
+    for (size_t i = 0; wf_level_property(l, i, &p); i++)
+        if (p.acts == WF_ACTS_ALWAYS || (p.acts == WF_ACTS_GIVEN && p.value->given))
+            add_assumed(to, l->name, "", &p);
+    for (size_t i = 0; level == 0 && isnan(an->model->radius) && wf_level_property(l, i, &p); i++)
+        if (p.acts == WF_ACTS_SIZE) add_assumed(to, l->name, "", &p);
+    p = (struct wf_property){ .key = "wall", .value = &l->wall_note };
+    if (l->wall.n) add_assumed(to, l->name, "", &p);
+}
+
 /* The values of the species that are assumptions and take part (levels grown, radius where the model gives
  * none), as one text ("culm: density, shear_modulus; crown: ..."), or "" when there is none. Returned: buf.
  */
 static char *limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
 {
     const struct wf_species *sp = an->species;
-    buf[0] = '\0';
-    for (size_t i = 0; i < sp->levels; i++) {
-        if (!level_grown(an, i)) continue;
-        const struct wf_level *l = &sp->level[i];
-        const struct named_value all[] = {
-            { "youngs_modulus", &l->youngs_modulus },
-            { "shear_modulus", &l->shear_modulus },
-            { "density", &l->density },
-            { "modulus_of_rupture", &l->modulus_of_rupture },
-            { "knot_factor", &l->knot_factor },
-            { "drag_coefficient", &l->drag_coefficient },
-            { "lift_coefficient", &l->lift_coefficient },
-        };
-        struct named_value used[WF_COUNT(all) + 2];
-        size_t n = 0;
-        /* of the defaults nobody wrote only the first three can change an answer */
-        for (size_t k = 0; k < WF_COUNT(all); k++)
-            if (all[k].value->given || k < 3) used[n++] = all[k];
-        if (i == 0 && isnan(an->model->radius)) used[n++] = (struct named_value){ "radius", &l->radius };
-        if (l->wall.n) used[n++] = (struct named_value){ "wall", &l->wall_note };
-        add_assumed(buf, size, l->name, used, n);
-    }
-    if (!has_crown(&an->tree)) return buf;
-    const struct named_value crown[] = {
-        { "drag_coefficient", &sp->crown_drag },
-        { "leaf_mass_per_area", &sp->leaf_mass_per_area },
-        { "frontal_share", &sp->leaf_frontal_share },
-    };
-    struct named_value all[WF_COUNT(crown) + WF_LAW_PARAMETERS];
-    char name[WF_LAW_PARAMETERS][64];
-    size_t n = WF_COUNT(crown);
-    memcpy(all, crown, sizeof crown);
     const struct wf_law *law = an->loads.streamline ? &an->loads.streamline->law : NULL;
-    for (size_t k = 0, count = wf_law_count(law); k < count; k++) {
-        if (law->parameter[k].kind != WF_LAW_VALUE) continue;
-        (void)snprintf(name[k], sizeof name[k], "streamlining %s", law->parameter[k].name);
-        all[n++] = (struct named_value){ name[k], &sp->streamlining.parameter[k] };
-    }
-    add_assumed(buf, size, "crown", all, n);
+    struct assumed to = { .buf = buf, .size = size };
+    struct wf_property p;
+    buf[0] = '\0';
+    for (size_t i = 0; i < sp->levels; i++)
+        if (wf_analysis_grown(an, i)) level_assumed(an, i, &to);
+    if (!has_crown(&an->tree)) return buf;
+    for (size_t i = 0; wf_crown_property(sp, i, &p); i++) add_assumed(&to, "crown", "", &p);
+    for (size_t i = 0; wf_law_property(law, &sp->streamlining, i, &p); i++)
+        add_assumed(&to, "crown", "streamlining.", &p);
     return buf;
 }
 
@@ -344,7 +320,7 @@ void wf_limits_profile(const struct wf_scenario *s, double tallness, const char 
     if (s->measured && strcmp(s->profile, "measured") == 0) check_measured(s, tallness, tree, d);
 }
 
-static void check_site(const struct wf_site *s, struct wf_diag *d)
+void wf_limits_site(const struct wf_site *s, struct wf_diag *d)
 {
     if (!s) return;
     if (s->steepest > 0.3)
@@ -367,5 +343,5 @@ static void limits_wind(const struct wf_analysis *an, struct wf_diag *d)
     check_streamline(an, d);
     wf_limits_profile(&an->scenario, an->tallness, an->model->name, d);
     check_reynolds(an, d);
-    check_site(an->scenario.site, d);
+    wf_limits_site(an->scenario.site, d);
 }

@@ -5,7 +5,12 @@
  * Stable codes: small-deflection, reynolds-range, streamline-range, profile-range, steep, map-edge,
  * assumed-values, as-printed, no-strength, no-equilibrium, critical-above-range. */
 #include "base/diag.h"
-#include "study/analysis.h"
+#include <stdbool.h>
+
+struct wf_analysis; /* study/analysis.h */
+struct wf_at_speed;
+struct wf_scenario; /* load/scene.h */
+struct wf_site;     /* wind/terrain.h */
 
 /* Limits of a small-deflection answer: share of tree height [-] and turn of the axis [rad] (15 deg). */
 #define WF_SMALL_DEFLECTION_SHARE 0.10
@@ -21,5 +26,7 @@ bool wf_limits_small_passed(const struct wf_at_speed *at);
 
 /* The profile-range warnings alone, for a tree of that height [m]. */
 void wf_limits_profile(const struct wf_scenario *s, double tallness, const char *tree, struct wf_diag *d);
+/* The warnings of the ground alone: steep, map-edge. NULL: none. */
+void wf_limits_site(const struct wf_site *s, struct wf_diag *d);
 
 #endif

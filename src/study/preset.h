@@ -28,13 +28,6 @@ enum wf_status wf_preset_apply(const struct wf_preset *p, struct wf_arena *a, st
 /* The departures as findings: codes r-cubed, air-density, aerofoil-coefficients, modulus-outlier, ... */
 void wf_preset_warn(const struct wf_preset *p, const struct wf_analysis *an, struct wf_diag *d);
 
-/* Where each paper's printed formula or constant leaves physics, by how much on the tree in hand. */
-
-/* Zhao & Zhang 2013, below eq 2: C_D, C_L [-]; rho_a = 2.37e-3 g/m3 in kg/m3. */
-#define WF_ZHAO_DRAG 0.013
-#define WF_ZHAO_LIFT 0.75
-#define WF_ZHAO_AIR 2.37e-6
-
-/* Of the printed shelter of Feng et al. */
+/* Where the printed shelter of Feng et al. leaves physics. */
 void wf_departures_shelter(struct wf_diag *d);
 #endif

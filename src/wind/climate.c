@@ -8,6 +8,8 @@
 #include <string.h>
 #include <strings.h>
 
+/* Scales of wind. */
+
 static const struct wf_wind_grade beaufort[] = {
     { "0", 0.0, 0.3, "calm", "smoke rises straight" },
     { "1", 0.3, 1.6, "light air", "smoke drifts" },
@@ -62,8 +64,8 @@ const struct wf_wind_scale wf_wind_scales[] = {
 
 bool wf_wind_scale_is(const char *text) { return strchr(text, ':') && text[strspn(text, " \t")] > '9'; }
 
-static enum wf_status unknown(const char *what, const char *word, const char *const *known, size_t n,
-                              struct wf_err *e)
+static enum wf_status unknown_scale_word(const char *what, const char *word, const char *const *known,
+                                         size_t n, struct wf_err *e)
 {
     return wf_fail(e, WF_EUSAGE, "unknown %s '%s'%s", what, word,
                    wf_did_you_mean_or(word, known, n, "there are: ").text);
@@ -80,10 +82,10 @@ enum wf_status wf_wind_scale_parse(const char *text, struct wf_scale_wind *out, 
     scale[size] = '\0';
     const struct wf_wind_scale *s = wf_wind_scales;
     for (; s->name && strcasecmp(s->name, scale) != 0; s++) known[n++] = s->name;
-    if (!s->name) return unknown("wind scale", scale, known, n, e);
+    if (!s->name) return unknown_scale_word("wind scale", scale, known, n, e);
     const struct wf_wind_grade *g = s->grade;
     for (n = 0; g->name && strcasecmp(g->name, colon + 1) != 0; g++) known[n++] = g->name;
-    if (!g->name) return unknown("grade", colon + 1, known, n, e);
+    if (!g->name) return unknown_scale_word("grade", colon + 1, known, n, e);
     *out = (struct wf_scale_wind){ s, g, isfinite(g->high) ? 0.5 * (g->low + g->high) : g->low };
     return WF_OK;
 }
@@ -95,7 +97,7 @@ const struct wf_wind_grade *wf_wind_scale_grade(const struct wf_wind_scale *s, d
     return NULL;
 }
 
-/* The same wind under another averaging time. */
+/* Averaging times. */
 
 const struct wf_averaging_law wf_averaging_laws[] = {
     { "durst",
@@ -120,7 +122,7 @@ static const double harper[CLASSES][PERIODS][TIMES] = {
     { { 1.23, 1.05, 1.02, 1.00, 1.00 }, { 1.30, 1.11, 1.07, 1.06, 1.03, 1.00 } },
 };
 
-/* Largest gust of `gust` seconds over the mean of `period` seconds; 0 where the table has none. */
+/* Ratio of the largest gust of `gust` seconds to the mean over `period` seconds; 0 if it is not tabulated. */
 static double harper_factor(size_t class, double period, double gust)
 {
     size_t row = fabs(period - 600.0) < 0.01 ? 0 : fabs(period - 3600.0) < 0.01 ? 1 : PERIODS;
@@ -163,9 +165,11 @@ enum wf_status wf_wind_average(const char *law, double speed, double from, doubl
     return WF_OK;
 }
 
+/* Wind roses. */
+
 enum { SECTORS_MAX = 16 };
 
-/* The sector a direction is the middle of; SECTORS_MAX when it is none. */
+/* The sector whose middle a direction is; SECTORS_MAX: none. */
 static size_t sector_of(double degrees, size_t sectors)
 {
     double place = degrees / 360.0 * (double)sectors;

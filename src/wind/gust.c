@@ -7,20 +7,20 @@
 #include <math.h>
 #include <string.h>
 
-/* Gusts that are a formula in time: one wind for all points, carried along at the mean speed (Taylor 1938).
- */
+/* Models that are a formula in time: the same wind at all points, delayed by x/U along the wind (frozen
+ * turbulence, Taylor 1938). */
 
 enum { STREAM_PHASE = 0x32, STREAM_NOISE = 7 };
 enum { DIRECT_BLOCK = 4096 };
 
-static enum wf_status wf_gust_direct_open(struct wf_gust *g, struct wf_arena *a, struct wf_err *e)
+static enum wf_status direct_open(struct wf_gust *g, struct wf_arena *a, struct wf_err *e)
 {
     (void)a, (void)e;
     g->block = g->spec.block ? g->spec.block : DIRECT_BLOCK;
     return WF_OK;
 }
 
-/* Time at the point: what passed the origin x/U ago. */
+/* Time of the wind at a point: that of the origin x/U ago [s]. */
 static double local_time(const struct wf_gust_spec *s, size_t point, size_t step)
 {
     return (double)step * s->step - wf_gust_place(s, point, 0) / s->speed;
@@ -32,8 +32,8 @@ static double drawn_phase(const struct wf_gust_spec *s)
 }
 
 /* U(t) = Ua (1 + a cos(omega t + phi)), phi drawn once; a = sqrt(2) times the turbulence intensity. */
-static enum wf_status wf_gust_cosine_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
-                                          struct wf_err *e)
+static enum wf_status cosine_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                  struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
     double omega = WF_TURN / wf_gust_get(s, "period"), phase = drawn_phase(s),
@@ -52,8 +52,8 @@ void wf_gust_octaves(const struct wf_gust_spec *s, struct wf_octaves *o)
                               wf_gust_get(s, "lacunarity"), 1 };
 }
 
-static enum wf_status wf_gust_perlin_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
-                                          struct wf_err *e)
+static enum wf_status perlin_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                  struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
     struct wf_octaves o;
@@ -69,8 +69,8 @@ static enum wf_status wf_gust_perlin_fill(struct wf_gust *g, size_t first, size_
 }
 
 /* V0 + A sin + B N with N of zero mean and unit variance; A^2/2 + B^2 = (Iu V0)^2. */
-static enum wf_status wf_gust_sine_perlin_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
-                                               struct wf_err *e)
+static enum wf_status sine_perlin_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                       struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
     struct wf_octaves o;
@@ -89,10 +89,9 @@ static enum wf_status wf_gust_sine_perlin_fill(struct wf_gust *g, size_t first, 
     return WF_OK;
 }
 
-/* As printed: V0 + V0 sin(omega t + alpha) + epsilon N(t), t counted in frames, N value noise in 0..1 with
- * one lattice number a frame-second as octaves are not given. */
-static enum wf_status wf_gust_zhao_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
-                                        struct wf_err *e)
+/* As printed: V0 + V0 sin(omega t + alpha) + epsilon N(t), t counted in frames, N value noise in 0..1. The
+ * paper gives no octaves: one lattice number for every noise-frames frames. */
+static enum wf_status zhao_fill(struct wf_gust *g, size_t first, size_t steps, double *out, struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
     double omega = wf_gust_get(s, "omega"), alpha = wf_gust_get(s, "alpha"),
@@ -109,14 +108,12 @@ static enum wf_status wf_gust_zhao_fill(struct wf_gust *g, size_t first, size_t 
 }
 
 /* Speed change of the extreme operating gust over its mean, at time t after its start [m/s]. */
-static double wf_gust_eog(double amplitude, double duration, double t)
+static double eog_change(double amplitude, double duration, double t)
 {
     if (!(t > 0.0 && t < duration)) return 0.0;
     return -0.37 * amplitude * sin(1.5 * WF_TURN * t / duration) * (1.0 - cos(WF_TURN * t / duration));
 }
 
-/* IEC 61400-1: min(1.35 (Ve1 - U), 3.3 sigma / (1 + 0.1 D / Lambda)), Lambda = 0.7 z up to 60 m, then 42 m.
- */
 double wf_gust_eog_amplitude(const struct wf_gust_spec *s)
 {
     double length = s->height <= 60.0 ? 0.7 * s->height : 42.0, once = wf_gust_get(s, "annual-extreme");
@@ -124,8 +121,7 @@ double wf_gust_eog_amplitude(const struct wf_gust_spec *s)
     return once > s->speed ? fmin(1.35 * (once - s->speed), turbulent) : turbulent;
 }
 
-static enum wf_status wf_gust_eog_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
-                                       struct wf_err *e)
+static enum wf_status eog_fill(struct wf_gust *g, size_t first, size_t steps, double *out, struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
     double amplitude = wf_gust_eog_amplitude(s), start = wf_gust_get(s, "start"),
@@ -134,30 +130,31 @@ static enum wf_status wf_gust_eog_fill(struct wf_gust *g, size_t first, size_t s
     for (size_t p = 0; p < s->points; p++)
         for (size_t i = 0; i < steps; i++)
             out[p * g->block + i] =
-                wf_gust_mean(s, p) + wf_gust_eog(amplitude, t, local_time(s, p, first + i) - start);
+                wf_gust_mean(s, p) + eog_change(amplitude, t, local_time(s, p, first + i) - start);
     return WF_OK;
 }
 
-/* A measured record as a gust model: resampled to the step by straight lines, the same at all points, carried
- * along at the mean speed. */
+/* A measured record as a model: interpolated linearly to the step, the same at all points, delayed along the
+ * wind by x/U. */
 
-struct play {
+struct record_play {
     const double *part[3];
-    double scale; /* of all components: asked mean wind / recorded mean wind, 1 without rescaling */
+    double scale; /* factor of all components: specified / recorded mean wind; 1 without rescaling */
 };
 
-static enum wf_status wf_gust_record_open(struct wf_gust *g, struct wf_arena *a, struct wf_err *e)
+static enum wf_status record_open(struct wf_gust *g, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
     const struct wf_record *r = s->record;
-    struct play *w = WF_TAKE(a, 1, struct play);
+    struct record_play *w = WF_TAKE(a, 1, struct record_play);
     if (!w) return wf_fail(e, WF_ENOMEM, "no room for a gust model");
-    *w = (struct play){ { r->u, r->v, r->w }, wf_gust_get(s, "rescale") > 0.0 ? s->speed / r->mean : 1.0 };
+    *w = (struct record_play){ { r->u, r->v, r->w },
+                               wf_gust_get(s, "rescale") > 0.0 ? s->speed / r->mean : 1.0 };
     g->work = w;
-    return wf_gust_direct_open(g, a, e);
+    return direct_open(g, a, e);
 }
 
-static double at_time(const double *x, const struct wf_record *r, double t)
+static double record_at(const double *x, const struct wf_record *r, double t)
 {
     double place = fmin(fmax(t / r->step, 0.0), (double)(r->n - 1));
     size_t i = (size_t)place;
@@ -165,11 +162,11 @@ static double at_time(const double *x, const struct wf_record *r, double t)
     return x[i] + (x[i + 1] - x[i]) * (place - (double)i);
 }
 
-static enum wf_status wf_gust_record_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
-                                          struct wf_err *e)
+static enum wf_status record_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
+                                  struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
-    const struct play *w = g->work;
+    const struct record_play *w = g->work;
     const struct wf_record *r = s->record;
     double carried = w->scale * r->mean;
     (void)e;
@@ -179,153 +176,9 @@ static enum wf_status wf_gust_record_fill(struct wf_gust *g, size_t first, size_
             for (size_t i = 0; i < steps; i++) {
                 double t = (double)(first + i) * s->step - wf_gust_place(s, p, 0) / carried;
                 out[(c * s->points + p) * g->block + i] =
-                    w->part[c] ? shift + w->scale * at_time(w->part[c], r, t) : 0.0;
+                    w->part[c] ? shift + w->scale * record_at(w->part[c], r, t) : 0.0;
             }
         }
-    return WF_OK;
-}
-
-/* What a gust specification must keep to, and making it ready. */
-
-static void within(struct wf_diag *d, const char *name, double value, double low, double high,
-                   const char *unit)
-{
-    if (!(value >= low && value <= high))
-        wf_diag_error(d, NULL, 0, 0, "%s = %g is outside %g..%g%s%s", name, value, low, high,
-                      *unit ? " " : "", unit);
-}
-
-static void check_record(const struct wf_gust_spec *s, struct wf_diag *d)
-{
-    const struct wf_record *r = s->record;
-    if (!r) {
-        wf_diag_error(d, NULL, 0, 0, "record: needs a file");
-        return;
-    }
-    double length = (double)(r->n - 1) * r->step, asked = (double)(s->steps - 1) * s->step;
-    if (asked > length * (1.0 + 1e-9))
-        wf_diag_error(d, r->file, 0, 0, "the record lasts %g s, %g s are asked for", length, asked);
-    if (s->components > 1 && r->components < 3)
-        wf_diag_error(d, r->file, 0, 0, "3 components are asked for, %u recorded", r->components);
-    if (!(r->mean > 0.0)) wf_diag_error(d, r->file, 0, 0, "the recorded mean wind is %g m/s", r->mean);
-}
-
-static void check_places(const struct wf_gust_spec *s, struct wf_diag *d)
-{
-    if (s->points < 1 || s->points > WF_GUST_POINTS_MAX) {
-        wf_diag_error(d, NULL, 0, 0, "points = %zu is outside 1..%d", s->points, WF_GUST_POINTS_MAX);
-        return;
-    }
-    if (s->points > 1 && !s->place) {
-        wf_diag_error(d, NULL, 0, 0, "%zu points need places", s->points);
-        return;
-    }
-    for (size_t p = 0; p < s->points; p++) {
-        double mean = wf_gust_mean(s, p), z = wf_gust_place(s, p, 2);
-        if (!(mean > 0.0 && mean <= 120.0))
-            wf_diag_error(d, NULL, 0, 0, "point %zu: mean wind %g m/s is outside 0..120 m/s", p, mean);
-        if (!(isfinite(wf_gust_place(s, p, 0)) && isfinite(wf_gust_place(s, p, 1)) && z >= 0.0 &&
-              z <= 1000.0))
-            wf_diag_error(d, NULL, 0, 0, "point %zu: place is not finite or not 0..1000 m above ground", p);
-    }
-}
-
-static void warn(const struct wf_gust_spec *s, struct wf_diag *d)
-{
-    const char *name = s->model->name;
-    if (s->model->fill == wf_gust_zhao_fill)
-        wf_diag_warn(d, "as-printed",
-                     "%s: printed sine and noise give an intensity of about 0.7 and shift the mean by "
-                     "half the noise",
-                     name);
-    if (s->model->spectrum && s->intensity > 0.35)
-        wf_diag_warn(d, "gaussian",
-                     "%s: at intensity %g a Gaussian wind blows backwards at times; canopy wind is skewed "
-                     "instead",
-                     name, s->intensity);
-    if (strcmp(name, "kaimal") == 0) {
-        double lowest = INFINITY, highest = 0.0, displacement = wf_gust_get(s, "displacement");
-        for (size_t p = 0; p < s->points; p++) {
-            lowest = fmin(lowest, wf_gust_place(s, p, 2) - displacement);
-            highest = fmax(highest, wf_gust_place(s, p, 2) - displacement);
-        }
-        if (lowest < 2.0)
-            wf_diag_warn(d, "spectrum-height",
-                         "kaimal: points lower than 2 m above the displaced ground take the spectrum of 2 m");
-        if (highest > 100.0)
-            wf_diag_warn(d, "spectrum-height",
-                         "kaimal: points up to %g m are above the surface layer the spectra describe",
-                         highest);
-    }
-}
-
-/* Everything wrong with a specification, as findings; warnings for use outside a model's range.
- * Returned: WF_EUSAGE when there is any error. */
-static enum wf_status gust_check(const struct wf_gust_spec *s, struct wf_diag *d, struct wf_err *e)
-{
-    size_t before = d->errors;
-    const struct wf_gust_model *m = s->model;
-    bool measured = m->fill == wf_gust_record_fill;
-    within(d, "wind speed", s->speed, 0.1, 120.0, "m/s");
-    within(d, "height", s->height, 0.1, 1000.0, "m");
-    if (!measured)
-        within(d, "turbulence intensity", s->intensity, 0.0, 1.0, "(standard deviation / mean wind)");
-    within(d, "step", s->step, 1e-4, 60.0, "s");
-    if (s->steps < 2 || s->steps > (size_t)1 << 40)
-        wf_diag_error(d, NULL, 0, 0, "steps = %zu is outside 2..2^40", s->steps);
-    if (s->components != 1 && s->components != 3)
-        wf_diag_error(d, NULL, 0, 0, "components = %u: 1 or 3", s->components);
-    if (s->components > m->components)
-        wf_diag_error(
-            d, NULL, 0, 0,
-            "%s gives the wind along its mean direction only; 3 components need kaimal, von-karman or record",
-            m->name);
-    if (s->block && (s->block < 64 || (s->block & (s->block - 1))))
-        wf_diag_error(d, NULL, 0, 0, "block = %zu: a power of two of at least 64 steps", s->block);
-    for (size_t i = 0; m->par[i].name; i++)
-        within(d, m->par[i].name, s->value[i], m->par[i].low, m->par[i].high, m->par[i].unit);
-    if (m->spectrum && strcmp(m->spectrum, "one-over-f") == 0 && !(wf_gust_get(s, "low") < 0.5 / s->step))
-        wf_diag_error(d, NULL, 0, 0, "low = %g Hz is not below half the sampling frequency, %g Hz",
-                      wf_gust_get(s, "low"), 0.5 / s->step);
-    check_places(s, d);
-    if (measured) check_record(s, d);
-    if (d->errors > before) return wf_fail(e, WF_EUSAGE, "the gust model %s cannot be run as asked", m->name);
-    warn(s, d);
-    return WF_OK;
-}
-
-enum wf_status wf_gust_open(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
-                            struct wf_gust *g, struct wf_err *e)
-{
-    memset(g, 0, sizeof *g);
-    if (gust_check(s, d, e)) return WF_EUSAGE;
-    g->spec = *s;
-    enum wf_status status = s->model->open(g, a, e);
-    if (status) {
-        wf_gust_close(g);
-        return status;
-    }
-    g->blocks = (s->steps + g->block - 1) / g->block;
-    if (g->joint > 0.05)
-        wf_diag_warn(d, "short-window",
-                     "%s: eddies longer than the window of %zu steps; neighbouring blocks differ by "
-                     "%.1f %% of the standard deviation where they meet",
-                     s->model->name, 2 * g->block, 100.0 * g->joint);
-    return WF_OK;
-}
-
-enum wf_status wf_gust_series(struct wf_gust *g, size_t point, unsigned component, double *block, double *out,
-                              struct wf_err *e)
-{
-    const struct wf_gust_spec *s = &g->spec;
-    if (point >= s->points || component >= s->components)
-        return wf_fail(e, WF_EUSAGE, "there is no component %u at point %zu", component, point);
-    for (size_t b = 0; b < g->blocks; b++) {
-        enum wf_status status = wf_gust_block(g, b, block, e);
-        if (status) return status;
-        size_t first = b * g->block, steps = s->steps - first < g->block ? s->steps - first : g->block;
-        memcpy(out + first, block + (component * s->points + point) * g->block, steps * sizeof *out);
-    }
     return WF_OK;
 }
 
@@ -348,6 +201,8 @@ enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, co
     s->record = r;
     return wf_record_read(file, &q, a, d, r, e);
 }
+
+/* The models as rows. */
 
 #define COHERENCE_PARS                                                                                       \
     { "decay-along", "-", 3.0, 0.0, 100.0, "coherence decay for separation along the wind" },                \
@@ -447,7 +302,7 @@ const struct wf_gust_model wf_gust_models[] = {
       "the amplitude is sqrt(2) times the turbulence intensity, so that the intensity asked for is met; the "
       "phase is "
       "drawn once a run (drawn at each step it would be white noise)",
-      1, NULL, cosine_pars, wf_gust_direct_open, wf_gust_cosine_fill, NULL },
+      1, NULL, cosine_pars, direct_open, cosine_fill, NULL },
     { "sine-perlin", "a sine and gradient noise",
       "Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163; noise: Perlin K. (2002), ACM Trans. "
       "Graph. 21(3):681-682",
@@ -455,21 +310,21 @@ const struct wf_gust_model wf_gust_models[] = {
       "the printed sine swings from 0 to twice the mean (intensity 0.71) and the printed noise shifts the "
       "mean; here "
       "sine and zero-mean noise share the variance asked for",
-      1, NULL, sine_perlin_pars, wf_gust_direct_open, wf_gust_sine_perlin_fill, NULL },
+      1, NULL, sine_perlin_pars, direct_open, sine_perlin_fill, NULL },
     { "sine-perlin-as-printed", "a sine and value noise, as printed",
       "Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163",
       "reproduces the paper; intensity about 0.7 and a mean above the one asked for: not a physical wind",
-      NULL, 1, NULL, zhao_pars, wf_gust_direct_open, wf_gust_zhao_fill, NULL },
+      NULL, 1, NULL, zhao_pars, direct_open, zhao_fill, NULL },
     { "perlin", "octaves of gradient noise", "Perlin K. (2002), ACM Trans. Graph. 21(3):681-682",
       "synthetic wind within a fixed range; slope -(1+2H), H = -ln(persistence)/ln(lacunarity), in the band "
       "of the octaves",
-      NULL, 1, NULL, perlin_pars, wf_gust_direct_open, wf_gust_perlin_fill, NULL },
+      NULL, 1, NULL, perlin_pars, direct_open, perlin_fill, NULL },
     { "record", "a measured wind", "the user's anemometer file",
       "one point's record at all points, carried along at its mean speed", NULL, 3, NULL, record_pars,
-      wf_gust_record_open, wf_gust_record_fill, NULL },
+      record_open, record_fill, NULL },
     { "eog", "one extreme operating gust", "IEC 61400-1:2005, 6.3.2.2",
       "a designed single gust: a dip, a rise and a dip; intensity taken as the standard's sigma1/U", NULL, 1,
-      NULL, eog_pars, wf_gust_direct_open, wf_gust_eog_fill, NULL },
+      NULL, eog_pars, direct_open, eog_fill, NULL },
     { 0 }
 };
 
@@ -479,6 +334,168 @@ const struct wf_gust_model *wf_gust_named(const char *name)
         if (strcmp(m->name, name) == 0) return m;
     return NULL;
 }
+
+/* Checks of a specification. */
+
+static void check_range(struct wf_diag *d, const char *name, double value, double low, double high,
+                        const char *unit)
+{
+    if (!(value >= low && value <= high))
+        wf_diag_error(d, NULL, 0, 0, "%s = %g is outside %g..%g%s%s", name, value, low, high,
+                      *unit ? " " : "", unit);
+}
+
+static void gust_check_record(const struct wf_gust_spec *s, struct wf_diag *d)
+{
+    const struct wf_record *r = s->record;
+    if (!r) {
+        wf_diag_error(d, NULL, 0, 0, "record: needs a file");
+        return;
+    }
+    double length = (double)(r->n - 1) * r->step, asked = (double)(s->steps - 1) * s->step;
+    if (asked > length * (1.0 + 1e-9))
+        wf_diag_error(d, r->file, 0, 0, "the record lasts %g s, %g s are asked for", length, asked);
+    if (s->components > 1 && r->components < 3)
+        wf_diag_error(d, r->file, 0, 0, "3 components are asked for, %u recorded", r->components);
+    if (!(r->mean > 0.0)) wf_diag_error(d, r->file, 0, 0, "the recorded mean wind is %g m/s", r->mean);
+}
+
+static void gust_check_places(const struct wf_gust_spec *s, struct wf_diag *d)
+{
+    if (s->points < 1 || s->points > WF_GUST_POINTS_MAX) {
+        wf_diag_error(d, NULL, 0, 0, "points = %zu is outside 1..%d", s->points, WF_GUST_POINTS_MAX);
+        return;
+    }
+    if (s->points > 1 && !s->place) {
+        wf_diag_error(d, NULL, 0, 0, "%zu points need places", s->points);
+        return;
+    }
+    for (size_t p = 0; p < s->points; p++) {
+        double mean = wf_gust_mean(s, p), z = wf_gust_place(s, p, 2);
+        if (!(mean > 0.0 && mean <= 120.0))
+            wf_diag_error(d, NULL, 0, 0, "point %zu: mean wind %g m/s is outside 0..120 m/s", p, mean);
+        if (!(isfinite(wf_gust_place(s, p, 0)) && isfinite(wf_gust_place(s, p, 1)) && z >= 0.0 &&
+              z <= 1000.0))
+            wf_diag_error(d, NULL, 0, 0, "point %zu: place is not finite or not 0..1000 m above ground", p);
+    }
+}
+
+static void gust_warn(const struct wf_gust_spec *s, struct wf_diag *d)
+{
+    const char *name = s->model->name;
+    if (s->model->fill == zhao_fill)
+        wf_diag_warn(d, "as-printed",
+                     "%s: printed sine and noise give an intensity of about 0.7 and shift the mean by "
+                     "half the noise",
+                     name);
+    if (s->model->spectrum && s->intensity > 0.35)
+        wf_diag_warn(d, "gaussian",
+                     "%s: at intensity %g a Gaussian wind blows backwards at times; canopy wind is skewed "
+                     "instead",
+                     name, s->intensity);
+    if (strcmp(name, "kaimal") == 0) {
+        double lowest = INFINITY, highest = 0.0, displacement = wf_gust_get(s, "displacement");
+        for (size_t p = 0; p < s->points; p++) {
+            lowest = fmin(lowest, wf_gust_place(s, p, 2) - displacement);
+            highest = fmax(highest, wf_gust_place(s, p, 2) - displacement);
+        }
+        if (lowest < 2.0)
+            wf_diag_warn(d, "spectrum-height",
+                         "kaimal: points lower than 2 m above the displaced ground take the spectrum of 2 m");
+        if (highest > 100.0)
+            wf_diag_warn(d, "spectrum-height",
+                         "kaimal: points up to %g m are above the surface layer the spectra describe",
+                         highest);
+    }
+}
+
+/* Report all mistakes of a specification, and warn of use outside a model's range. Returned: WF_EUSAGE if
+ * there is any mistake. */
+static enum wf_status gust_check(const struct wf_gust_spec *s, struct wf_diag *d, struct wf_err *e)
+{
+    size_t before = d->errors;
+    const struct wf_gust_model *m = s->model;
+    bool measured = m->fill == record_fill;
+    check_range(d, "wind speed", s->speed, 0.1, 120.0, "m/s");
+    check_range(d, "height", s->height, 0.1, 1000.0, "m");
+    if (!measured)
+        check_range(d, "turbulence intensity", s->intensity, 0.0, 1.0, "(standard deviation / mean wind)");
+    check_range(d, "step", s->step, 1e-4, 60.0, "s");
+    if (s->steps < 2 || s->steps > (size_t)1 << 40)
+        wf_diag_error(d, NULL, 0, 0, "steps = %zu is outside 2..2^40", s->steps);
+    if (s->components != 1 && s->components != 3)
+        wf_diag_error(d, NULL, 0, 0, "components = %u: 1 or 3", s->components);
+    if (s->components > m->components)
+        wf_diag_error(
+            d, NULL, 0, 0,
+            "%s gives the wind along its mean direction only; 3 components need kaimal, von-karman or record",
+            m->name);
+    if (s->block && (s->block < 64 || (s->block & (s->block - 1))))
+        wf_diag_error(d, NULL, 0, 0, "block = %zu: a power of two of at least 64 steps", s->block);
+    for (size_t i = 0; m->par[i].name; i++)
+        check_range(d, m->par[i].name, s->value[i], m->par[i].low, m->par[i].high, m->par[i].unit);
+    if (m->spectrum && strcmp(m->spectrum, "one-over-f") == 0 && !(wf_gust_get(s, "low") < 0.5 / s->step))
+        wf_diag_error(d, NULL, 0, 0, "low = %g Hz is not below half the sampling frequency, %g Hz",
+                      wf_gust_get(s, "low"), 0.5 / s->step);
+    gust_check_places(s, d);
+    if (measured) gust_check_record(s, d);
+    if (d->errors > before) return wf_fail(e, WF_EUSAGE, "the gust model %s cannot be run as asked", m->name);
+    gust_warn(s, d);
+    return WF_OK;
+}
+
+/* Blocks of time. */
+
+void wf_gust_close(struct wf_gust *g)
+{
+    if (g->spec.model && g->spec.model->close) g->spec.model->close(g);
+}
+
+enum wf_status wf_gust_open(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
+                            struct wf_gust *g, struct wf_err *e)
+{
+    memset(g, 0, sizeof *g);
+    if (gust_check(s, d, e)) return WF_EUSAGE;
+    g->spec = *s;
+    enum wf_status status = s->model->open(g, a, e);
+    if (status) {
+        wf_gust_close(g);
+        return status;
+    }
+    g->blocks = (s->steps + g->block - 1) / g->block;
+    if (g->joint > 0.05)
+        wf_diag_warn(d, "short-window",
+                     "%s: eddies longer than the window of %zu steps; neighbouring blocks differ by "
+                     "%.1f %% of the standard deviation where they meet",
+                     s->model->name, 2 * g->block, 100.0 * g->joint);
+    return WF_OK;
+}
+
+enum wf_status wf_gust_block(struct wf_gust *g, size_t index, double *out, struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    if (index >= g->blocks) return wf_fail(e, WF_EUSAGE, "block %zu of %zu", index, g->blocks);
+    size_t first = index * g->block, steps = s->steps - first < g->block ? s->steps - first : g->block;
+    memset(out, 0, s->components * s->points * g->block * sizeof *out);
+    return s->model->fill(g, first, steps, out, e);
+}
+
+enum wf_status wf_gust_series(struct wf_gust *g, size_t point, unsigned component, double *block, double *out,
+                              struct wf_err *e)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    if (point >= s->points || component >= s->components)
+        return wf_fail(e, WF_EUSAGE, "there is no component %u at point %zu", component, point);
+    for (size_t b = 0; b < g->blocks; b++) {
+        enum wf_status status = wf_gust_block(g, b, block, e);
+        if (status) return status;
+        size_t first = b * g->block, steps = s->steps - first < g->block ? s->steps - first : g->block;
+        memcpy(out + first, block + (component * s->points + point) * g->block, steps * sizeof *out);
+    }
+    return WF_OK;
+}
+
+/* Targets. */
 
 double wf_gust_target(const struct wf_gust_spec *s, size_t point, enum wf_component c, double f)
 {
@@ -495,23 +512,9 @@ double wf_gust_variance(const struct wf_gust_spec *s, size_t point, enum wf_comp
         struct wf_spectrum_par p = wf_gust_spectrum_par(s, point);
         return wf_spectrum_variance(wf_spectrum_named(m->spectrum), &p, c, 0.0, 0.5 / s->step);
     }
-    if (c != WF_ALONG || m->fill == wf_gust_record_fill || m->fill == wf_gust_eog_fill) return NAN;
-    if (m->fill != wf_gust_zhao_fill) return asked * asked;
+    if (c != WF_ALONG || m->fill == record_fill || m->fill == eog_fill) return NAN;
+    if (m->fill != zhao_fill) return asked * asked;
     double epsilon = wf_gust_get(s, "epsilon");
-    /* value noise between uniform numbers: variance 181/2772 of its size squared */
+    /* variance of value noise between uniform numbers: 181/2772 of the square of its size */
     return 0.5 * s->speed * s->speed + epsilon * epsilon * 181.0 / 2772.0;
-}
-
-enum wf_status wf_gust_block(struct wf_gust *g, size_t index, double *out, struct wf_err *e)
-{
-    const struct wf_gust_spec *s = &g->spec;
-    if (index >= g->blocks) return wf_fail(e, WF_EUSAGE, "block %zu of %zu", index, g->blocks);
-    size_t first = index * g->block, steps = s->steps - first < g->block ? s->steps - first : g->block;
-    memset(out, 0, s->components * s->points * g->block * sizeof *out);
-    return s->model->fill(g, first, steps, out, e);
-}
-
-void wf_gust_close(struct wf_gust *g)
-{
-    if (g->spec.model && g->spec.model->close) g->spec.model->close(g);
 }

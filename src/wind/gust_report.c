@@ -7,6 +7,8 @@
 #include <stdbool.h>
 #include <string.h>
 
+/* Moments, gust factor and integral scale of a series. */
+
 static void moments(const double *x, size_t n, struct wf_gust_stats *o)
 {
     double m2 = 0, m3 = 0, m4 = 0, sum = 0;
@@ -101,8 +103,11 @@ enum wf_status wf_gust_stats(const double *x, size_t n, double step, double gust
     return time_scale(x, n, step, a, out, e);
 }
 
-/* Counts of x in `bins` equal bins from low to high; outside goes to the end bins. */
-static void histogram(const double *x, size_t n, double low, double high, size_t bins, size_t *count)
+/* A gust model run once and measured. */
+
+/* Count the values of x in `bins` equal bins from low to high; values outside count in the first or last bin.
+ */
+static void count_bins(const double *x, size_t n, double low, double high, size_t bins, size_t *count)
 {
     memset(count, 0, bins * sizeof *count);
     for (size_t i = 0; i < n; i++) {
@@ -112,10 +117,10 @@ static void histogram(const double *x, size_t n, double low, double high, size_t
     }
 }
 
-static const double WIDE = 1.0 / 3.0; /* of the target's slope band, either end kept clear */
+static const double WIDE = 1.0 / 3.0; /* margin at either end of the band in which the slope is fitted [-] */
 
-static enum wf_status run(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
-                          struct wf_gust_report *o, struct wf_err *e)
+static enum wf_status run_model(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_gust_report *o, struct wf_err *e)
 {
     struct wf_gust g;
     size_t rows = s->points * s->components;
@@ -137,7 +142,7 @@ static enum wf_status run(const struct wf_gust_spec *s, struct wf_arena *a, stru
     return status;
 }
 
-/* The longest even stretch whose length has no prime factor above 5. */
+/* The largest even number up to n with no prime factor above 5: a length that transforms fast. */
 static size_t transform_length(size_t n)
 {
     for (n -= n % 2;; n -= 2) {
@@ -149,7 +154,7 @@ static size_t transform_length(size_t n)
     }
 }
 
-static enum wf_status spectra(struct wf_gust_report *o, struct wf_arena *a, struct wf_err *e)
+static enum wf_status measure_spectra(struct wf_gust_report *o, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_gust_spec *s = &o->spec;
     size_t length = transform_length(s->steps);
@@ -173,7 +178,7 @@ static enum wf_status spectra(struct wf_gust_report *o, struct wf_arena *a, stru
     return WF_OK;
 }
 
-static enum wf_status pairs(struct wf_gust_report *o, struct wf_arena *a, struct wf_err *e)
+static enum wf_status measure_pairs(struct wf_gust_report *o, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_gust_spec *s = &o->spec;
     size_t segment = 64, n = s->steps;
@@ -202,16 +207,16 @@ static enum wf_status pairs(struct wf_gust_report *o, struct wf_arena *a, struct
     return WF_OK;
 }
 
-static void add(struct wf_gust_report *o, const char *name, const char *unit, double asked, double got,
-                double scatter, double slack)
+static void add_property(struct wf_gust_report *o, const char *name, const char *unit, double asked,
+                         double got, double scatter, double slack)
 {
     if (o->findings == WF_GUST_FINDINGS || isnan(asked) || isnan(got)) return;
     bool within = fabs(got - asked) <= slack + (isnan(scatter) ? 0.0 : 4.0 * scatter);
     o->finding[o->findings++] = (struct wf_gust_finding){ name, unit, asked, got, scatter, within };
 }
 
-/* Standard errors in a series of duration D: of the mean sigma sqrt(2T/D) with T the integral scale, of the
- * variance sqrt(integral of S^2 df / D) (Bendat & Piersol 2010, Random Data, ch. 8). */
+/* Standard error of the variance in a series of duration D: sqrt(integral of S^2 df / D). That of the mean,
+ * used below, is sigma sqrt(2T/D) with T the integral scale (Bendat & Piersol 2010, Random Data, ch. 8). */
 static double variance_scatter(const struct wf_gust_report *o, unsigned c)
 {
     double sum = 0.0;
@@ -231,17 +236,19 @@ static void check_moments(struct wf_gust_report *o)
         double share = sqrt(2.0 * got->time_scale / length),
                wanted = sqrt(wf_gust_variance(s, 0, (enum wf_component)c));
         if (c == 0 && !isnan(wanted))
-            add(o, "mean", "m/s",
-                wf_gust_mean(s, 0) + (strcmp(s->model->name, "sine-perlin-as-printed")
-                                          ? 0.0
-                                          : 0.5 * wf_gust_get(s, "epsilon")),
-                got->mean, wanted * share, 0.0);
-        add(o, name[c], "m/s", wanted, got->deviation, 0.5 * variance_scatter(o, c) / got->deviation, 1e-9);
+            add_property(o, "mean", "m/s",
+                         wf_gust_mean(s, 0) + (strcmp(s->model->name, "sine-perlin-as-printed")
+                                                   ? 0.0
+                                                   : 0.5 * wf_gust_get(s, "epsilon")),
+                         got->mean, wanted * share, 0.0);
+        add_property(o, name[c], "m/s", wanted, got->deviation, 0.5 * variance_scatter(o, c) / got->deviation,
+                     1e-9);
     }
 }
 
-/* Largest ratio, by band, of the made spectrum to the target, with the scatter of a single series taken out:
- * the same seed with a flat spectrum is the noise itself and is divided out. One point, the first. */
+/* Compare the spectrum of the series with the target in bands, at the first point. The scatter of a single
+ * series is removed: a series of the same seed with a flat spectrum has the same noise, and its spectrum is
+ * divided out. */
 static enum wf_status check_synthesis(struct wf_gust_report *o, struct wf_arena *a, struct wf_err *e)
 {
     struct wf_gust_spec s = o->spec, flat;
@@ -278,7 +285,7 @@ static enum wf_status check_synthesis(struct wf_gust_report *o, struct wf_arena 
         }
         if (fabs(made / want - 1.0) > fabs(worst - 1.0)) worst = made / want;
     }
-    add(o, "spectrum, worst band, noise taken out", "-", 1.0, worst, NAN, 0.05);
+    add_property(o, "spectrum, worst band, noise taken out", "-", 1.0, worst, NAN, 0.05);
     return WF_OK;
 }
 
@@ -292,7 +299,8 @@ static void check_spectrum(struct wf_gust_report *o)
         square += off * off, count += 1.0;
     }
     if (count > 4.0)
-        add(o, "spectrum, rms of bands / scatter", "-", 1.0, sqrt(square / count), sqrt(0.5 / count), 0.05);
+        add_property(o, "spectrum, rms of bands / scatter", "-", 1.0, sqrt(square / count), sqrt(0.5 / count),
+                     0.05);
     if (strcmp(s->model->name, "one-over-f") == 0)
         slope = -wf_gust_get(s, "slope"), low = wf_gust_get(s, "low"), high = 0.5 / s->step;
     if (strcmp(s->model->name, "perlin") == 0) {
@@ -313,7 +321,8 @@ static void check_spectrum(struct wf_gust_report *o)
     }
     double spread = xx - x1 * x1 / n;
     if (noise > 3.0)
-        add(o, "slope of the spectrum", "-", slope, (xy - x1 * y1 / n) / spread, 1.0 / sqrt(spread), 0.1);
+        add_property(o, "slope of the spectrum", "-", slope, (xy - x1 * y1 / n) / spread, 1.0 / sqrt(spread),
+                     0.1);
 }
 
 enum wf_status wf_gust_report_make(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
@@ -321,18 +330,19 @@ enum wf_status wf_gust_report_make(const struct wf_gust_spec *s, struct wf_arena
 {
     memset(o, 0, sizeof *o);
     o->spec = *s;
-    enum wf_status status = run(s, a, d, o, e);
+    enum wf_status status = run_model(s, a, d, o, e);
     if (!status && s->steps < 64)
         status = wf_fail(e, WF_EUSAGE, "%zu steps: at least 64 are needed to look at", s->steps);
     for (unsigned c = 0; c < s->components && !status; c++)
         status =
             wf_gust_stats(o->x + c * s->points * s->steps, s->steps, s->step, 3.0, 600.0, a, &o->stats[c], e);
-    if (!status) status = spectra(o, a, e);
-    if (!status) status = pairs(o, a, e);
+    if (!status) status = measure_spectra(o, a, e);
+    if (!status) status = measure_pairs(o, a, e);
     if (status) return status;
     o->bin_low = o->stats[0].low;
     o->bin_width = fmax((o->stats[0].high - o->stats[0].low) / WF_REPORT_BINS, 1e-9);
-    histogram(o->x, s->steps, o->bin_low, o->bin_low + o->bin_width * WF_REPORT_BINS, WF_REPORT_BINS, o->bin);
+    count_bins(o->x, s->steps, o->bin_low, o->bin_low + o->bin_width * WF_REPORT_BINS, WF_REPORT_BINS,
+               o->bin);
     check_moments(o);
     status = check_synthesis(o, a, e);
     if (!status) check_spectrum(o);

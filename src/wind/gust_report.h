@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_WIND_GUST_REPORT_H
 #define WF_WIND_GUST_REPORT_H
-/* What a wind series looks like: moments, intensity, integral scale, gust factor. */
+/* Statistics of a wind series (moments, intensity, integral scale, gust factor), and a report that compares
+ * the wind of a gust model with its specification. */
 #include "base/arena.h"
 #include "base/err.h"
 #include "wind/gust.h"
@@ -15,27 +16,26 @@ struct wf_gust_stats {
     double low, high;           /* least and largest value [m/s]                                      */
     double time_scale;          /* integral of the autocorrelation to its first zero [s]              */
     double length_scale;        /* time_scale * mean [m]                                              */
-    double gust_window, period; /* averaging times of the gust factor [s], as used                    */
+    double gust_window, period; /* averaging times of the gust factor as used: whole steps [s]        */
     double gust_factor;         /* largest mean over gust_window / mean over the period, averaged over the
                                    whole periods in the series [-]; NAN when there is none             */
     double peak_factor;         /* (largest windowed mean - mean) / deviation, averaged the same way [-] */
     size_t periods;
 };
-/* Given: x[n], step [s], gust averaging time (3 s is usual), period of the mean (600 s; longer than the
- * series: the whole series). Autocorrelation by FFT (Wiener-Khinchin), zero-padded. */
+/* Compute the statistics of a series. Given: x[n] [m/s], step [s], averaging time of gusts (usually 3 s),
+ * period of the mean (usually 600 s; if longer than the series, the whole series). Method: autocorrelation by
+ * zero-padded FFT (Wiener-Khinchin). Errors: WF_EUSAGE for fewer than 2 steps, WF_ENOMEM. */
 enum wf_status wf_gust_stats(const double *x, size_t n, double step, double gust_window, double period,
                              struct wf_arena *a, struct wf_gust_stats *out, struct wf_err *e);
 
-/* A gust model run once and looked at: does it do what it was asked to? */
-
 enum { WF_REPORT_BANDS = 96, WF_REPORT_BINS = 40 };
 
-/* One property that was asked for and what came out. */
+/* A specified property of the wind and its measured value. */
 struct wf_gust_finding {
     const char *name, *unit;
-    double asked, got;
-    double scatter; /* one standard error of `got` in a series of this length; NAN: none given */
-    bool within;    /* |got - asked| <= 4 scatter plus a slack for spectra                       */
+    double asked, got; /* specified, measured                                                       */
+    double scatter;    /* standard error of `got` in a series of this length; NAN: unknown          */
+    bool within;       /* |got - asked| <= 4 scatter plus a tolerance                               */
 };
 enum { WF_GUST_FINDINGS = 12 };
 
@@ -43,7 +43,7 @@ struct wf_gust_report {
     struct wf_gust_spec spec;
     double *x; /* [(c * points + p) * steps + i] velocity [m/s]               */
     struct wf_gust_stats stats[WF_COMPONENTS];
-    double joint, coherence_error; /* of the synthesis; NAN where they do not apply              */
+    double joint, coherence_error; /* errors of the synthesis; NAN where they do not apply       */
     size_t bands;
     struct wf_band band[WF_REPORT_BANDS];
     /* first point, by component and band [m2/s]; target NAN without one */
@@ -62,8 +62,8 @@ struct wf_gust_report {
     struct wf_gust_finding finding[WF_GUST_FINDINGS];
 };
 
-/* Run the model over all its steps, holding the series (points * components * steps numbers), and measure it.
- */
+/* Run the model over all its steps, keep the series in memory (points * components * steps numbers) and
+ * measure it. Errors: those of wf_gust_open, WF_EUSAGE for fewer than 64 steps, WF_ENOMEM. */
 enum wf_status wf_gust_report_make(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
                                    struct wf_gust_report *out, struct wf_err *e);
 #endif

@@ -57,7 +57,7 @@ double wf_gust_mean(const struct wf_gust_spec *s, size_t point)
     return s->mean ? s->mean[point] : s->speed;
 }
 
-/* The spectrum's height is above the displaced ground; close to it and below, that of 2 m. */
+/* The spectrum's height counts from the displaced ground; points lower than 2 m get the spectrum of 2 m. */
 struct wf_spectrum_par wf_gust_spectrum_par(const struct wf_gust_spec *s, size_t point)
 {
     double displacement = wf_gust_get(s, "displacement"), d = isnan(displacement) ? 0.0 : displacement;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_WIND_GUST_SPEC_H
 #define WF_WIND_GUST_SPEC_H
-/* A gust model and what is asked of it. Models are rows (wind/gust.h). */
+/* A gust model and the specification of a wind that it makes. The models are rows (wind/gust.h). */
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
@@ -21,13 +21,13 @@ struct wf_gust_spec;
 struct wf_gust;
 struct wf_gust_model {
     const char *name, *title, *source, *validity;
-    const char *corrected;         /* what differs from the printed form and why; NULL: as printed */
-    unsigned components;           /* most it can give: 1 or 3 */
-    const char *spectrum;          /* row of wf_spectra; NULL: not made from a spectrum */
+    const char *corrected;         /* how it differs from the published form, and why; NULL: as published */
+    unsigned components;           /* largest number of components: 1 or 3 */
+    const char *spectrum;          /* row of wf_spectra; NULL: not based on a spectrum */
     const struct wf_gust_par *par; /* ends at name == NULL */
     enum wf_status (*open)(struct wf_gust *g, struct wf_arena *a, struct wf_err *e);
     enum wf_status (*fill)(struct wf_gust *g, size_t first, size_t steps, double *out, struct wf_err *e);
-    void (*close)(struct wf_gust *g); /* NULL: nothing but the arena */
+    void (*close)(struct wf_gust *g); /* NULL: all memory is in the arena */
 };
 struct wf_gust_spec {
     const struct wf_gust_model *model;
@@ -49,34 +49,28 @@ struct wf_gust_spec {
 struct wf_gust {
     struct wf_gust_spec spec;
     size_t block, blocks; /* steps in a block (the last may be shorter), number of blocks */
-    double joint;         /* expected mismatch where blocks meet / standard deviation [-] (spectral models) */
-    void *work;           /* the model's own */
+    double joint; /* expected discontinuity between blocks / standard deviation [-] (spectral models) */
+    void *work;   /* state of the model */
 };
 
-/* 10 m/s at 10 m, intensity 0.2, 0.1 s, 10 min, one point, one component, seed 1, the model's defaults. */
+/* Default specification: 10 m/s at 10 m, intensity 0.2, step 0.1 s, 10 min, one point, one component, seed 1,
+ * and the model's default parameters. */
 void wf_gust_spec_default(const struct wf_gust_model *m, struct wf_gust_spec *s);
-/* Set a model's parameter by name. WF_EUSAGE names the parameters there are and the allowed range. */
+/* Set a parameter of the model by name. Errors: WF_EUSAGE with the known parameters or the allowed range. */
 enum wf_status wf_gust_set(struct wf_gust_spec *s, const char *name, double value, struct wf_err *e);
-double wf_gust_get(const struct wf_gust_spec *s, const char *name); /* NAN: the model has no such parameter */
+/* Value of a parameter of the model; NAN if it has no parameter of that name. */
+double wf_gust_get(const struct wf_gust_spec *s, const char *name);
 
 /* Parameters of the target spectrum at a point. */
 struct wf_spectrum_par wf_gust_spectrum_par(const struct wf_gust_spec *s, size_t point);
-/* Distance along the wind and mean wind of a point. */
+/* Coordinate of a point [m]: axis 0 along the wind, 1 across, 2 above ground; and its mean wind [m/s]. */
 double wf_gust_place(const struct wf_gust_spec *s, size_t point, int axis);
 double wf_gust_mean(const struct wf_gust_spec *s, size_t point);
 
-/* Set parameters of the model from "name=number,name=number"; NULL: none. WF_EUSAGE tells what is wrong and
- * what there is. */
+/* Set parameters of the model from a text "name=number,name=number"; NULL: none. Errors: those of
+ * wf_gust_set; WF_EUSAGE for a text of another form; WF_ENOMEM. */
 enum wf_status wf_gust_set_words(struct wf_gust_spec *s, const char *words, struct wf_arena *a,
                                  struct wf_err *e);
-/* The reverse: intensity and every parameter with its value, as "name=number;..."; NULL: no room. */
+/* Intensity and all parameters with their values as a text "name=number;..."; NULL without memory. */
 char *wf_gust_words(const struct wf_gust_spec *s, struct wf_arena *a);
-
-/* Columns of an anemometer file as wf_record_request_default has them, in words. */
-#define WF_RECORD_COLUMNS "t_s,u_ms,v_ms,w_ms"
-/* Read the anemometer file of the model `record` and hang it into the specification. Given: the file, its
- * columns "time,u[,v[,w]]". Errors: WF_EUSAGE without a file or with other columns, those of wf_record_read.
- */
-enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const char *columns,
-                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
 #endif

@@ -10,20 +10,22 @@
 #include <stddef.h>
 #include <string.h>
 
-/* Ratio of neighbouring rungs; linear interpolation of the weights between them is the only error for few
- * points and is measured in the tests. */
+/* Coherence between many points. */
+
+/* Ratio of successive rungs. For few points the linear interpolation between rungs is the only error; the
+ * tests measure it. */
 static const double RUNG_RATIO = 1.12;
-/* Added to the diagonal of the conditioning matrix, so that points at one place stay solvable. */
+/* Added to the diagonal of the correlation matrix, so that it stays regular when points coincide. */
 static const double NUGGET = 1e-11;
 
-static double distance(const double *a, const double *b)
+static double stretched_distance(const double *a, const double *b)
 {
     double x = a[0] - b[0], y = a[1] - b[1], z = a[2] - b[2];
     return sqrt(x * x + y * y + z * z);
 }
 
-/* Farthest-point order: the first is the point nearest to the middle. */
-static enum wf_status put_in_order(struct wf_coherence *c, const double *at, struct wf_arena *a,
+/* Put the points in farthest-point order; the first is the point nearest to the middle. */
+static enum wf_status order_points(struct wf_coherence *c, const double *at, struct wf_arena *a,
                                    struct wf_err *e)
 {
     double middle[3] = { 0 }, best = INFINITY;
@@ -33,7 +35,7 @@ static enum wf_status put_in_order(struct wf_coherence *c, const double *at, str
         for (int k = 0; k < 3; k++) middle[k] += at[3 * i + (size_t)k] / (double)c->n;
     size_t next = 0;
     for (size_t i = 0; i < c->n; i++) {
-        double r = distance(at + 3 * i, middle);
+        double r = stretched_distance(at + 3 * i, middle);
         if (r < best) best = r, next = i;
         gap[i] = INFINITY;
     }
@@ -45,7 +47,7 @@ static enum wf_status put_in_order(struct wf_coherence *c, const double *at, str
         gap[taken] = -1.0;
         for (size_t i = 0; i < c->n; i++) {
             if (gap[i] < 0.0) continue;
-            double r = distance(at + 3 * i, at + 3 * taken);
+            double r = stretched_distance(at + 3 * i, at + 3 * taken);
             if (r < gap[i]) gap[i] = r;
             if (gap[next] < 0.0 || gap[i] > gap[next]) next = i;
         }
@@ -53,13 +55,13 @@ static enum wf_status put_in_order(struct wf_coherence *c, const double *at, str
     return WF_OK;
 }
 
-/* The `near` closest earlier turns, by insertion. */
+/* Find the `near` closest earlier points of a turn, by insertion. */
 static void find_neighbours(struct wf_coherence *c, size_t turn)
 {
     double r[WF_COHERENCE_NEAR];
     size_t *list = c->neighbour + turn * c->near, held = 0;
     for (size_t j = 0; j < turn; j++) {
-        double d = distance(c->stretched + 3 * turn, c->stretched + 3 * j);
+        double d = stretched_distance(c->stretched + 3 * turn, c->stretched + 3 * j);
         if (held == c->near && d >= r[held - 1]) continue;
         size_t at = held < c->near ? held++ : held - 1;
         for (; at > 0 && r[at - 1] > d; at--) r[at] = r[at - 1], list[at] = list[at - 1];
@@ -68,17 +70,17 @@ static void find_neighbours(struct wf_coherence *c, size_t turn)
     c->count[turn] = held;
 }
 
-/* Weights and rest of one turn at one g: solve K b = k, d = 1 - k.b, by Cholesky. */
-static void condition(const struct wf_coherence *c, size_t turn, double g, double *weight, double *rest)
+/* Weights b and remaining variance d of one turn at one g: solve K b = k by Cholesky, d = 1 - k.b. */
+static void find_weights(const struct wf_coherence *c, size_t turn, double g, double *weight, double *rest)
 {
     double l[WF_COHERENCE_NEAR][WF_COHERENCE_NEAR], k[WF_COHERENCE_NEAR], y[WF_COHERENCE_NEAR];
     size_t m = c->count[turn];
     const size_t *list = c->neighbour + turn * c->near;
     for (size_t i = 0; i < m; i++) {
         const double *at = c->stretched + 3 * list[i];
-        k[i] = exp(-g * distance(at, c->stretched + 3 * turn));
+        k[i] = exp(-g * stretched_distance(at, c->stretched + 3 * turn));
         for (size_t j = 0; j <= i; j++) {
-            double s = i == j ? 1.0 + NUGGET : exp(-g * distance(at, c->stretched + 3 * list[j]));
+            double s = i == j ? 1.0 + NUGGET : exp(-g * stretched_distance(at, c->stretched + 3 * list[j]));
             for (size_t q = 0; q < j; q++) s -= l[i][q] * l[j][q];
             l[i][j] = i == j ? sqrt(fmax(s, NUGGET)) : s / l[j][j];
         }
@@ -118,18 +120,18 @@ enum wf_status wf_coherence_make(size_t n, const double *place, const double dec
         !c->weight || !c->rest)
         return wf_fail(e, WF_ENOMEM, "no room for the coherence of %zu points", n);
     for (size_t i = 0; i < 3 * n; i++) at[i] = place[i] * decay[i % 3];
-    if (put_in_order(c, at, a, e)) return e ? e->code : WF_ENOMEM;
+    if (order_points(c, at, a, e)) return e ? e->code : WF_ENOMEM;
     for (size_t turn = 0; turn < n; turn++) find_neighbours(c, turn);
     for (size_t q = 0; q < c->rungs; q++) {
         c->rung[q] = g_low * pow(RUNG_RATIO, (double)q);
         for (size_t turn = 0; turn < n; turn++)
-            condition(c, turn, c->rung[q], c->weight + (q * n + turn) * c->near, c->rest + q * n + turn);
+            find_weights(c, turn, c->rung[q], c->weight + (q * n + turn) * c->near, c->rest + q * n + turn);
     }
     return WF_OK;
 }
 
-/* Where g lies on the ladder: rung and share towards the next, both clamped. */
-static void coherence_find(const struct wf_coherence *c, double g, size_t *rung, double *share)
+/* The rung below g and the share of the way to the next one, both limited to the range of rungs. */
+static void find_rung(const struct wf_coherence *c, double g, size_t *rung, double *share)
 {
     if (!(g > c->rung[0])) {
         *rung = 0, *share = 0.0;
@@ -141,14 +143,15 @@ static void coherence_find(const struct wf_coherence *c, double g, size_t *rung,
     *share = fmin((g - c->rung[q]) / (c->rung[q + 1] - c->rung[q]), 1.0);
 }
 
-/* Covariance of the made field by the recursion itself: row by row, each new point against all earlier. */
+/* The covariance of the simulated field follows from the recursion: row by row, each new point with all
+ * earlier ones. */
 double wf_coherence_error(const struct wf_coherence *c, double g, struct wf_arena *a)
 {
     size_t n = c->n < 400 ? c->n : 400, q;
     double share, worst = 0.0;
     double *made = WF_TAKE(a, n * n, double);
     if (!made) return NAN;
-    coherence_find(c, g, &q, &share);
+    find_rung(c, g, &q, &share);
     for (size_t i = 0; i < n; i++) {
         const double *w0 = c->weight + (q * c->n + i) * c->near, *w1 = w0 + c->n * c->near;
         double rest = (1.0 - share) * c->rest[q * c->n + i] + share * c->rest[(q + 1) * c->n + i];
@@ -160,27 +163,30 @@ double wf_coherence_error(const struct wf_coherence *c, double g, struct wf_aren
                 s += b * (j == i ? made[i * n + from] : made[from > j ? from * n + j : j * n + from]);
             }
             made[i * n + j] = s;
-            double want = exp(-g * distance(c->stretched + 3 * i, c->stretched + 3 * j));
+            double want = exp(-g * stretched_distance(c->stretched + 3 * i, c->stretched + 3 * j));
             worst = fmax(worst, fabs(s - want));
         }
     }
     return worst;
 }
 
-/* Wind with a given spectrum at every point and a given coherence between points, in blocks of time.
- * White noise w_p(t), one number per (seed, component, point, step), is passed through the filter
+/* Synthesis of the wind in blocks of time. White noise w_p(t), one number for each (seed, component, point,
+ * step), is filtered:
+ *
  *     x_p = inverse FFT of  sqrt(S_p(f) / (2 dt)) exp(-2 pi i f x_p/U) sum_q H_pq(f) W_q(f)
- * with H the sequential factor of the coherence. A window of L steps gives its inner half; windows lie L/2
- * apart, so neighbouring blocks share the noise around their joint and fit together but for the part of the
- * filter's memory that is longer than L/4 steps. That part is measured (`joint`) and L doubled until it is
- * small. Source: Shinozuka M., Jan C.-M. (1972), Digital simulation of random processes and its applications,
- * J. Sound Vib. 25:111-128 (spectral representation); Oppenheim A., Schafer R. (1975), overlap-save. */
+ *
+ * with H the sequential factor of the coherence. Of a window of L steps the inner half is used; windows are
+ * L/2 apart, so adjacent blocks share the noise around their boundary and are continuous except for the part
+ * of the filter's impulse response that is longer than L/4 steps. That part is computed (`joint`), and L is
+ * doubled until it is small. Source: Shinozuka M., Jan C.-M. (1972), Digital simulation of random processes
+ * and its applications, J. Sound Vib. 25:111-128 (spectral representation); Oppenheim A., Schafer R. (1975),
+ * overlap-save. */
 
 enum { STREAM_TURBULENCE = 0x31, WINDOW_MIN = 2048, WINDOW_MAX = 1 << 17 };
-static const double WINDOW_SECONDS = 800.0; /* first choice: longer than the 10 min of a mean wind */
-static const double JOINT_WANTED = 0.02;    /* share of the standard deviation */
-static const double ROOM_WANTED = 160e6;    /* bytes for the spectra of all points */
-static const double APART = 7.0; /* stretched distance times g beyond which points are free: e^-7 */
+static const double WINDOW_SECONDS = 800.0; /* first window: longer than the 10 min of a mean wind [s] */
+static const double JOINT_WANTED = 0.02;    /* largest discontinuity between blocks / standard deviation */
+static const double ROOM_WANTED = 160e6;    /* memory for the spectra of all points [bytes] */
+static const double APART = 7.0; /* stretched distance times g beyond which points are independent: e^-7 */
 
 struct spectral {
     size_t window;     /* L [steps] */
@@ -189,10 +195,10 @@ struct spectral {
     double *amplitude; /* classes * components * (L/2 + 1) */
     double *shear;     /* classes * (L/2 + 1): correlation of u and w by frequency; NULL: none */
     struct wf_coherence coherence;
-    double speed;                         /* that carries the eddies [m/s] */
-    size_t segments;                      /* stretches of frequency on one rung of the coherence ladder */
-    size_t *segment_first, *segment_rung; /* segments (+1) in halfcomplex places */
-    double *share;                        /* L: towards the next rung */
+    double speed;                         /* convection speed of the eddies [m/s] */
+    size_t segments;                      /* ranges of frequency between the same two rungs */
+    size_t *segment_first, *segment_rung; /* segments (+1): first place in a halfcomplex spectrum, rung */
+    double *share;                        /* L: share of the way to the next rung */
     double *wavenumber;                   /* L: g at each halfcomplex place [1/m] */
     double *along, *other;                /* points * L: halfcomplex spectra, by turn */
     gsl_fft_real_wavetable *forward;
@@ -200,10 +206,10 @@ struct spectral {
     gsl_fft_real_workspace *space;
 };
 
-/* Frequency number of a place in GSL's halfcomplex order r0 r1 i1 r2 i2 ... r(L/2). */
+/* Number of the frequency at a place of GSL's halfcomplex order r0 r1 i1 r2 i2 ... r(L/2). */
 static size_t frequency_of(size_t place) { return (place + 1) / 2; }
 
-/* The spectrum at one height and mean wind, ready for many frequencies. */
+/* The target spectrum at one height and mean wind. */
 struct target {
     const struct wf_spectrum *row;
     struct wf_spectrum_par par;
@@ -218,7 +224,8 @@ static double amplitude_at(const struct target *t, enum wf_component c, double f
     return sqrt(t->row->density(&t->par, c, f) / (2.0 * t->step));
 }
 
-/* Share of the filter's energy that lies beyond a quarter window either way. */
+/* Share of the energy of the filter's impulse response that lies more than a quarter window from its middle.
+ */
 static double tail_energy(const struct wf_gust_spec *s, double *h, size_t window, struct spectral *w)
 {
     const struct target target = target_of(s, 0);
@@ -313,8 +320,8 @@ static enum wf_status sort_into_classes(struct wf_gust *g, struct spectral *w, s
     return WF_OK;
 }
 
-/* The one number a frequency that the coherence depends on, at each place of a halfcomplex spectrum, and the
- * stretches of places that lie between the same two rungs. */
+/* Compute g at each place of a halfcomplex spectrum, and the ranges of places that lie between the same two
+ * rungs. */
 static enum wf_status lay_ladder(const struct wf_gust_spec *s, struct spectral *w, struct wf_arena *a,
                                  struct wf_err *e)
 {
@@ -330,7 +337,7 @@ static enum wf_status lay_ladder(const struct wf_gust_spec *s, struct spectral *
         size_t at;
         double f = (double)frequency_of(i) / ((double)n * s->step);
         w->wavenumber[i] = hypot(f / w->speed, q);
-        coherence_find(&w->coherence, w->wavenumber[i], &at, &w->share[i]);
+        find_rung(&w->coherence, w->wavenumber[i], &at, &w->share[i]);
         if (at == rung) continue;
         w->segment_first[w->segments] = i;
         w->segment_rung[w->segments++] = rung = at;
@@ -373,8 +380,8 @@ void wf_gust_spectral_close(struct wf_gust *g)
 
 enum { TOGETHER = 4 };
 
-/* y += sum of four neighbours, each with a weight that runs linearly between two rungs: one pass over y for
- * four. */
+/* y += sum of four neighbours, each with a weight that is linear between two rungs: one pass over y for four
+ * neighbours. */
 static void add_four(double *restrict y, const double *const z[TOGETHER], const double b[TOGETHER],
                      const double db[TOGETHER], const double *restrict share, size_t first, size_t last)
 {
@@ -384,8 +391,8 @@ static void add_four(double *restrict y, const double *const z[TOGETHER], const 
                 (b[2] + share[i] * db[2]) * z2[i] + (b[3] + share[i] * db[3]) * z3[i];
 }
 
-/* y_i <- sqrt(d_i) w_i + sum_j b_ij y_j at every frequency where a neighbour is still near enough to matter.
- */
+/* y_i <- sqrt(d_i) w_i + sum_j b_ij y_j at every frequency at which the closest neighbour is correlated with
+ * the point. */
 static void join_neighbours(const struct spectral *w, double *all, size_t turn)
 {
     const struct wf_coherence *c = &w->coherence;
@@ -415,7 +422,7 @@ static void make_field(const struct wf_gust *g, struct spectral *w, unsigned com
                        double *all)
 {
     const struct wf_gust_spec *s = &g->spec;
-    uint64_t start = (uint64_t)first - w->window / 4; /* wraps: time before the series has addresses too */
+    uint64_t start = (uint64_t)first - w->window / 4; /* wraps: times before the series have addresses too */
     for (size_t turn = 0; turn < s->points; turn++) {
         double *y = all + turn * w->window;
         uint64_t stream = wf_random_stream(STREAM_TURBULENCE, component, w->coherence.order[turn]);
@@ -425,8 +432,9 @@ static void make_field(const struct wf_gust *g, struct spectral *w, unsigned com
     }
 }
 
-/* Multiply by the amplitude and by the delay of the place along the wind (Taylor's frozen pattern). */
-static void shape(double *y, const double *amplitude, size_t window, double turn_per_step)
+/* Multiply a spectrum by the amplitude and by the phase of the delay along the wind (frozen turbulence,
+ * Taylor). */
+static void shape_spectrum(double *y, const double *amplitude, size_t window, double turn_per_step)
 {
     double c = 1.0, s = 0.0, dc = cos(turn_per_step), ds = sin(turn_per_step);
     y[0] *= amplitude[0];
@@ -447,7 +455,8 @@ enum wf_status wf_gust_spectral_fill(struct wf_gust *g, size_t first, size_t ste
     struct spectral *w = g->work;
     size_t half = w->window / 2 + 1;
     (void)e;
-    /* u is made first and kept, whitened, for w to lean on; its own series is shaped from a copy */
+    /* the white spectrum of u is kept, because that of w is correlated with it; the series of u is made from
+     * a copy */
     for (unsigned component = 0; component < s->components; component++) {
         double *all = component == 0 ? w->along : w->other;
         make_field(g, w, component, first, all);
@@ -467,8 +476,8 @@ enum wf_status wf_gust_spectral_fill(struct wf_gust *g, size_t first, size_t ste
                 memcpy(y, all + turn * w->window, w->window * sizeof *y);
             }
             double delay = wf_gust_place(s, p, 0) / w->speed;
-            shape(y, w->amplitude + (class * s->components + component) * half, w->window,
-                  WF_TURN * delay / ((double)w->window * s->step));
+            shape_spectrum(y, w->amplitude + (class * s->components + component) * half, w->window,
+                           WF_TURN * delay / ((double)w->window * s->step));
             gsl_fft_halfcomplex_inverse(y, 1, w->window, w->back, w->space);
             double mean = component == WF_ALONG ? wf_gust_mean(s, p) : 0.0;
             for (size_t i = 0; i < steps; i++) to[i] = mean + y[w->window / 4 + i];
@@ -495,7 +504,7 @@ double wf_gust_coherence_error(const struct wf_gust *g, struct wf_arena *a)
     const struct spectral *w = g->work;
     double worst = 0.0;
     if (!g->spec.model->spectrum) return NAN;
-    /* every seventh rung, and half way to the next, where interpolation is worst */
+    /* every seventh rung, half way to the next, where the error of the interpolation is largest */
     for (size_t q = 0; q + 1 < w->coherence.rungs; q += 7)
         worst = fmax(worst, wf_coherence_error(&w->coherence,
                                                0.5 * (w->coherence.rung[q] + w->coherence.rung[q + 1]), a));

@@ -7,7 +7,7 @@ enum { STREAM_SHIFT = 0x21, STREAM_OCTAVE = 0x22 };
 
 static double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
 
-/* Lattice points below zero have addresses too: the index wraps as two's complement does. */
+/* The number at lattice point k. Negative k have addresses too: the index wraps (two's complement). */
 static double lattice(uint64_t seed, uint64_t stream, double k)
 {
     return wf_random_uniform(seed, stream, (uint64_t)(int64_t)k);

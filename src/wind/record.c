@@ -13,8 +13,8 @@ void wf_record_request_default(struct wf_record_request *q)
     };
 }
 
-/* What is read before the even step is known. */
-struct raw {
+/* The rows of the file, read before the step is known. */
+struct record_rows {
     size_t n, room;
     double *time;    /* NAN: unreadable */
     double *part[3]; /* NAN: unreadable */
@@ -23,14 +23,14 @@ struct raw {
     char first_text[40];
 };
 
-static void forget(struct raw *r)
+static void free_rows(struct record_rows *r)
 {
     free(r->time);
     free(r->line);
     for (int k = 0; k < 3; k++) free(r->part[k]);
 }
 
-static bool grow(struct raw *r)
+static bool grow_rows(struct record_rows *r)
 {
     size_t room = r->room ? 2 * r->room : 4096;
     double *t = realloc(r->time, room * sizeof *t);
@@ -47,8 +47,8 @@ static bool grow(struct raw *r)
     return good;
 }
 
-/* A number, or NAN and the place of the first cell that is none. */
-static double take(struct raw *r, struct wf_csv *c, size_t column, double limit)
+/* Read a number. Returned: NAN for an unreadable cell; the place of the first one is kept for messages. */
+static double read_reading(struct record_rows *r, struct wf_csv *c, size_t column, double limit)
 {
     double value = NAN;
     const struct wf_cell *cell = &c->cell[column];
@@ -66,7 +66,8 @@ static double take(struct raw *r, struct wf_csv *c, size_t column, double limit)
 }
 
 static enum wf_status read_rows(const char *path, const struct wf_record_request *q, struct wf_arena *a,
-                                struct wf_diag *d, struct raw *r, struct wf_record *out, struct wf_err *e)
+                                struct wf_diag *d, struct record_rows *r, struct wf_record *out,
+                                struct wf_err *e)
 {
     struct wf_csv csv = { 0 };
     size_t errors = d->errors, column[3], time = WF_CSV_NONE;
@@ -76,12 +77,12 @@ static enum wf_status read_rows(const char *path, const struct wf_record_request
     if (d->errors > errors)
         return wf_fail(e, WF_EINPUT, "%s: a column that was asked for is not there", path);
     while (wf_csv_next(&csv)) {
-        if (r->n == r->room && !grow(r)) return wf_fail(e, WF_ENOMEM, "%s: no room for its rows", path);
+        if (r->n == r->room && !grow_rows(r)) return wf_fail(e, WF_ENOMEM, "%s: no room for its rows", path);
         bool bad = false;
-        r->time[r->n] = q->time ? take(r, &csv, time, 1e15) : (double)r->n * q->step;
+        r->time[r->n] = q->time ? read_reading(r, &csv, time, 1e15) : (double)r->n * q->step;
         bad = isnan(r->time[r->n]);
         for (int k = 0; k < 3; k++) {
-            r->part[k][r->n] = q->part[k] ? take(r, &csv, column[k], q->speed_max) : 0.0;
+            r->part[k][r->n] = q->part[k] ? read_reading(r, &csv, column[k], q->speed_max) : 0.0;
             bad = bad || isnan(r->part[k][r->n]);
         }
         r->line[r->n++] = csv.row_line;
@@ -101,7 +102,8 @@ static enum wf_status read_rows(const char *path, const struct wf_record_request
 }
 
 /* The even step: the median of the differences between readable times. */
-static enum wf_status find_step(const char *path, struct raw *r, struct wf_record *out, struct wf_err *e)
+static enum wf_status find_step(const char *path, struct record_rows *r, struct wf_record *out,
+                                struct wf_err *e)
 {
     double *gap = malloc(r->n * sizeof *gap), before = NAN;
     size_t n = 0;
@@ -125,9 +127,9 @@ static enum wf_status find_step(const char *path, struct raw *r, struct wf_recor
     return n ? WF_OK : wf_fail(e, WF_EINPUT, "%s: no two readable times", path);
 }
 
-/* Rows to their steps; what no row fills stays NAN. */
-static enum wf_status spread(const char *path, struct raw *r, struct wf_record *out, double *to[3],
-                             struct wf_err *e)
+/* Copy the rows to the steps of their times; steps without a row are NAN. */
+static enum wf_status rows_to_steps(const char *path, struct record_rows *r, struct wf_record *out,
+                                    double *to[3], struct wf_err *e)
 {
     size_t first = 0, before = (size_t)-1;
     while (isnan(r->time[first])) first++;
@@ -146,9 +148,9 @@ static enum wf_status spread(const char *path, struct raw *r, struct wf_record *
     return WF_OK;
 }
 
-/* Straight lines over the gaps; a gap at an end takes the nearest value. */
-static enum wf_status bridge(const char *path, const struct wf_record_request *q, struct wf_record *out,
-                             double *to[3], struct wf_err *e)
+/* Fill gaps by linear interpolation; a gap at an end of the record by the nearest value. */
+static enum wf_status bridge_gaps(const char *path, const struct wf_record_request *q, struct wf_record *out,
+                                  double *to[3], struct wf_err *e)
 {
     size_t n = out->n, empty = 0;
     for (size_t i = 0; i < n; i++) empty += isnan(to[0][i]) ? 1 : 0;
@@ -181,7 +183,7 @@ static enum wf_status bridge(const char *path, const struct wf_record_request *q
     return WF_OK;
 }
 
-static void turn(double *a, double *b, size_t n, double angle)
+static void rotate_components(double *a, double *b, size_t n, double angle)
 {
     double c = cos(angle), s = sin(angle);
     for (size_t i = 0; i < n; i++) {
@@ -191,7 +193,7 @@ static void turn(double *a, double *b, size_t n, double angle)
     }
 }
 
-static double average(const double *x, size_t n)
+static double mean_of(const double *x, size_t n)
 {
     double sum = 0.0;
     for (size_t i = 0; i < n; i++) sum += x[i];
@@ -201,7 +203,7 @@ static double average(const double *x, size_t n)
 enum wf_status wf_record_read(const char *path, const struct wf_record_request *q, struct wf_arena *a,
                               struct wf_diag *d, struct wf_record *out, struct wf_err *e)
 {
-    struct raw r = { 0 };
+    struct record_rows r = { 0 };
     double *to[3] = { NULL, NULL, NULL };
     memset(out, 0, sizeof *out);
     out->file = path;
@@ -225,17 +227,17 @@ enum wf_status wf_record_read(const char *path, const struct wf_record_request *
     for (int k = 0; k < 3 && !s; k++)
         if (!(to[k] = WF_TAKE(a, out->n, double)))
             s = wf_fail(e, WF_ENOMEM, "%s: no room for its rows", path);
-    if (!s) s = spread(path, &r, out, to, e);
-    forget(&r);
-    if (!s) s = bridge(path, q, out, to, e);
+    if (!s) s = rows_to_steps(path, &r, out, to, e);
+    free_rows(&r);
+    if (!s) s = bridge_gaps(path, q, out, to, e);
     if (s) return s;
-    out->azimuth = atan2(average(to[1], out->n), average(to[0], out->n));
-    turn(to[0], to[1], out->n, out->azimuth);
-    out->tilt = atan2(average(to[2], out->n), average(to[0], out->n));
-    turn(to[0], to[2], out->n, out->tilt);
+    out->azimuth = atan2(mean_of(to[1], out->n), mean_of(to[0], out->n));
+    rotate_components(to[0], to[1], out->n, out->azimuth);
+    out->tilt = atan2(mean_of(to[2], out->n), mean_of(to[0], out->n));
+    rotate_components(to[0], to[2], out->n, out->tilt);
     out->u = to[0];
     out->v = q->part[1] ? to[1] : NULL;
     out->w = q->part[2] ? to[2] : NULL;
-    out->mean = average(to[0], out->n);
+    out->mean = mean_of(to[0], out->n);
     return WF_OK;
 }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+/* Elementary flows. */
+
 void wf_flow_cylinder(double stream, double radius, double circulation, const double x[2], double u[2])
 {
     double r2 = x[0] * x[0] + x[1] * x[1], doublet = stream * radius * radius / (r2 * r2),
@@ -73,35 +75,37 @@ void wf_feng_slit(double stream, double length, const double x[2], double u[2])
     u[1] = stream * (x[0] / r - (x[0] - length) / r1);
 }
 
-/* The law "wake": drag takes momentum out of the wind, and the gap it leaves spreads and fills.
+/* The law "wake": drag removes momentum from the wind; the velocity deficit widens and decays downwind.
  *
- * Momentum. A slab's drag area per area of a cell is k = Cd_wood (-ln(1 - wood)) + Cd_crown tau: for sparse
- * parts their own drag area, for dense ones what parts standing behind each other at random amount to. The
- * air of a cell loses speed by rho u du = -1/2 rho u^2 dk, so without a limit it leaves with exp(-k/2) of its
- * speed. A cell that is covered altogether still lets T through, hence the share
+ * Momentum. A slab's drag area per area of a cell is k = Cd_wood (-ln(1 - wood)) + Cd_crown tau: in sparse
+ * cells the drag area of the parts, in dense cells that of parts placed behind each other at random. The air
+ * of a cell loses speed by rho u du = -1/2 rho u^2 dk, so that without a limit the share exp(-k/2) of its
+ * speed remains. A fully covered cell still transmits T, hence the share
+ *
  *     t = T + (1 - T) exp(-k / (2 (1 - T))),   1 - k/2 for sparse cells, T for full ones.
  *
- * Recovery. The loss made in a slab, u (1 - t) of the undisturbed speed, is carried along the wind and spread
- * to both sides by turbulence as a Gaussian of standard deviation (growth x distance): the sum of the loss
- * over the cross-section stays (momentum), its peak falls. Behind a crown of radius R the loss has halved
- * where growth x distance is about R. Losses of all slabs add up, each made from the wind that arrives at its
- * slab. The ground reflects. Source: Bastankhah & Porte-Agel (2014); superposition Niayifar & Porte-Agel
- * (2016), who give the growth 0.38 I + 0.004 for a turbulence intensity I.
+ * Recovery. The deficit of a slab, (1 - t) times the arriving speed, is convected with the wind and spread to
+ * all sides by turbulence as a Gaussian of standard deviation (growth x distance): the sum of the deficit
+ * over the cross-section is constant (momentum), its peak decreases. Behind a crown of radius R the deficit
+ * has halved where growth x distance is about R. The deficits of all slabs add, each computed from the wind
+ * that arrives at its slab. The ground reflects. Source: Bastankhah & Porte-Agel (2014); superposition
+ * Niayifar & Porte-Agel (2016), who give the growth 0.38 I + 0.004 for a turbulence intensity I.
  *
- * To save work, losses of old slabs that have nearly the same distance are spread together. */
+ * To save time, deficits of slabs at nearly the same distance upwind are spread together. */
 
 enum { TAPS = 512 };
 
-/* Losses of one or several slabs. */
-struct source {
+/* Deficit of one or several slabs. */
+struct wake_source {
     double *loss; /* up*across */
     double place; /* slab, mean weighted by loss */
     double total;
-    size_t row[2], column[2]; /* cells outside are zero: first, one behind the last */
+    size_t row[2], column[2]; /* first, and one past the last, that are not zero */
 };
 
-/* Shares of a cell's loss that come to lie 0, 1, 2... cells away; returned: how many. */
-static size_t kernel(double sigma, double tap[TAPS])
+/* Shares of a cell's deficit that are moved by 0, 1, 2... cells, for a standard deviation sigma [cells].
+ * Returned: how many. */
+static size_t gaussian_taps(double sigma, double tap[TAPS])
 {
     size_t n = (size_t)ceil(3.0 * sigma + 0.5);
     double sum = 0.0;
@@ -115,17 +119,17 @@ static size_t kernel(double sigma, double tap[TAPS])
     return n + 1;
 }
 
-static void add_row(double *restrict out, const double *restrict in, double factor, size_t n)
+static void add_scaled_row(double *restrict out, const double *restrict in, double factor, size_t n)
 {
     for (size_t i = 0; i < n; i++) out[i] += factor * in[i];
 }
 
 enum { LANES = 8 }; /* cells summed side by side, in registers */
 
-/* One row spread across, cells `low` to `high`; `row` has TAPS zeros on both sides. Cells at equal distances
- * are added first, so that a mirrored row gives the mirrored answer to the last bit. */
-static void across_row(const double *restrict row, const double *restrict tap, long n, long low, long high,
-                       double *restrict out)
+/* Spread one row across, for cells `low` to `high`; `row` has TAPS zeros on both sides. Cells at equal
+ * distances are added first, so that a mirrored row gives the mirrored result to the last bit. */
+static void spread_across(const double *restrict row, const double *restrict tap, long n, long low, long high,
+                          double *restrict out)
 {
     for (long i = low; i < high; i += LANES) {
         double sum[LANES];
@@ -136,17 +140,17 @@ static void across_row(const double *restrict row, const double *restrict tap, l
     }
 }
 
-/* Rows `from` to `end` of a strip of columns, each times its tap, added up. */
-static void add_rows(const double *restrict strip, size_t stride, long from, long end, const double *tap,
-                     long first, long step, double sum[restrict static LANES])
+/* Add rows `from` to `end` of a strip of columns to `sum`, each times its tap. */
+static void sum_tapped_rows(const double *restrict strip, size_t stride, long from, long end,
+                            const double *tap, long first, long step, double sum[restrict static LANES])
 {
     for (long k = from, t = first; k < end; k++, t += step)
         for (int q = 0; q < LANES; q++) sum[q] += tap[t < 0 ? -t : t] * strip[(size_t)k * stride + (size_t)q];
 }
 
-/* Rows r0 to r1 of `work` spread up and down and reflected at the ground, added to the plane. */
-static void upwards(const struct wf_shelter *s, const double *work, size_t stride, const double *tap, long n,
-                    long r0, long r1, long low, long high, double *plane)
+/* Spread rows r0 to r1 of `work` up and down, reflect them at the ground, and add them to the plane. */
+static void spread_upwards(const struct wf_shelter *s, const double *work, size_t stride, const double *tap,
+                           long n, long r0, long r1, long low, long high, double *plane)
 {
     long up = (long)s->up, last = r1 - 2 + n < up - 1 ? r1 - 2 + n : up - 1;
     for (long c = low; c < high; c += LANES) {
@@ -154,53 +158,55 @@ static void upwards(const struct wf_shelter *s, const double *work, size_t strid
         for (long to = 0; to <= last; to++) {
             double sum[LANES] = { 0 };
             long from = to - n + 1 > r0 ? to - n + 1 : r0, end = to + n < r1 ? to + n : r1;
-            long mirror =
-                n - 1 - to < r1 ? n - 1 - to : r1; /* rows whose image below the ground reaches here */
-            add_rows(work + c, stride, from, end, tap, to - from, -1, sum);
-            add_rows(work + c, stride, r0, mirror, tap, to + r0 + 1, 1, sum);
+            long mirror = n - 1 - to < r1
+                              ? n - 1 - to
+                              : r1; /* rows whose mirror image below the ground reaches this row */
+            sum_tapped_rows(work + c, stride, from, end, tap, to - from, -1, sum);
+            sum_tapped_rows(work + c, stride, r0, mirror, tap, to + r0 + 1, 1, sum);
             for (long q = 0; q < wide; q++) plane[to * (long)s->across + c + q] += sum[q];
         }
     }
 }
 
-/* Room to spread in: rows of across + LANES cells, and one row with zeros around it. */
-struct work {
+/* Scratch: rows of across + LANES cells, and one row with zeros around it. */
+struct spread_room {
     size_t stride;
     double *rows, *row; /* up * stride; TAPS + stride + TAPS */
 };
 
 /* Add one source, spread by sigma [m], to a plane. */
-static void spread(const struct wf_shelter *s, const struct source *from, double sigma, const struct work *w,
-                   double *plane)
+static void spread_source(const struct wf_shelter *s, const struct wake_source *from, double sigma,
+                          const struct spread_room *w, double *plane)
 {
     double tap[TAPS];
     long across = (long)s->across;
     long c0 = (long)from->column[0], c1 = (long)from->column[1];
     long r0 = (long)from->row[0], r1 = (long)from->row[1];
     if (r1 <= r0) return;
-    if (sigma < 0.02 * fmin(s->step[1], s->step[2])) { /* not a thousandth leaves its cell */
+    if (sigma < 0.02 * fmin(s->step[1], s->step[2])) { /* spreading would be negligible */
         for (long k = r0; k < r1; k++)
-            add_row(plane + k * across + c0, from->loss + k * across + c0, 1.0, (size_t)(c1 - c0));
+            add_scaled_row(plane + k * across + c0, from->loss + k * across + c0, 1.0, (size_t)(c1 - c0));
         return;
     }
-    long n = (long)kernel(sigma / s->step[1], tap);
+    long n = (long)gaussian_taps(sigma / s->step[1], tap);
     long low = c0 - n + 1 > 0 ? c0 - n + 1 : 0, high = c1 + n - 1 < across ? c1 + n - 1 : across;
     for (long k = r0; k < r1; k++) {
         memcpy(w->row + TAPS, from->loss + k * across, s->across * sizeof *w->row);
-        across_row(w->row + TAPS, tap, n, low, high, w->rows + k * (long)w->stride);
+        spread_across(w->row + TAPS, tap, n, low, high, w->rows + k * (long)w->stride);
     }
-    n = (long)kernel(sigma / s->step[2], tap);
-    upwards(s, w->rows, w->stride, tap, n, r0, r1, low, high, plane);
+    n = (long)gaussian_taps(sigma / s->step[2], tap);
+    spread_upwards(s, w->rows, w->stride, tap, n, r0, r1, low, high, plane);
 }
 
-/* Loss of a slab from the wind that arrives; the cells that have any. */
-static void lose(const struct wf_shelter *s, size_t slab, const double *arriving, struct source *out)
+/* Deficit of a slab, from the wind that arrives at it, and the range of cells that have one. */
+static void find_loss(const struct wf_shelter *s, size_t slab, const double *arriving,
+                      struct wake_source *out)
 {
     const struct wf_shelter_request *q = &s->request;
     size_t cells = s->up * s->across;
     const double *wood = s->wood + slab * cells, *leaf = s->leaf + slab * cells;
     double least = wf_shelter_speed_share(q), span = 1.0 - least;
-    *out = (struct source){
+    *out = (struct wake_source){
         .loss = out->loss, .place = (double)slab, .row = { s->up }, .column = { s->across }
     };
     for (size_t c = 0; c < cells; c++) {
@@ -219,10 +225,10 @@ static void lose(const struct wf_shelter *s, size_t slab, const double *arriving
     }
 }
 
-static void unite(struct source *a, const struct source *b, size_t cells)
+static void unite_sources(struct wake_source *a, const struct wake_source *b, size_t cells)
 {
     double total = a->total + b->total;
-    add_row(a->loss, b->loss, 1.0, cells);
+    add_scaled_row(a->loss, b->loss, 1.0, cells);
     if (total > 0.0) a->place = (a->place * a->total + b->place * b->total) / total;
     a->total = total;
     for (int k = 0; k < 2; k++) {
@@ -233,18 +239,18 @@ static void unite(struct source *a, const struct source *b, size_t cells)
     }
 }
 
-/* Neighbours whose distances to `plane` differ by less than a sixth become one. Returned: how many are left;
- * memory of those taken in moves behind them. */
-static size_t gather(struct source *list, size_t n, double plane, size_t cells)
+/* Unite successive sources whose distances to `plane` differ by less than a sixth. Returned: number of
+ * sources left; the memory of the others is kept behind them for reuse. */
+static size_t gather_sources(struct wake_source *list, size_t n, double plane, size_t cells)
 {
     size_t kept = 0;
     for (size_t i = 1; i < n; i++) {
-        struct source *last = &list[kept];
+        struct wake_source *last = &list[kept];
         if (list[i].place - last->place <= (plane - list[i].place) / 6.0) {
-            unite(last, &list[i], cells);
+            unite_sources(last, &list[i], cells);
             continue;
         }
-        struct source swap = list[++kept];
+        struct wake_source swap = list[++kept];
         list[kept] = list[i];
         list[i] = swap;
     }
@@ -254,9 +260,9 @@ static size_t gather(struct source *list, size_t n, double plane, size_t cells)
 static enum wf_status shelter_wake(struct wf_shelter *s, struct wf_arena *scratch, struct wf_err *e)
 {
     size_t cells = s->up * s->across, n = 0;
-    struct source *list = WF_TAKE(scratch, s->slabs, struct source);
+    struct wake_source *list = WF_TAKE(scratch, s->slabs, struct wake_source);
     double *still = WF_TAKE(scratch, cells, double);
-    struct work work = { .stride = s->across + LANES };
+    struct spread_room work = { .stride = s->across + LANES };
     work.rows = WF_TAKE(scratch, s->up * work.stride, double);
     work.row = WF_TAKE(scratch, 2 * TAPS + work.stride, double);
     if (!list || !work.rows || !work.row || !still) return wf_fail(e, WF_ENOMEM, "no room for wakes");
@@ -265,13 +271,13 @@ static enum wf_status shelter_wake(struct wf_shelter *s, struct wf_arena *scratc
         if (p < s->slabs) {
             if (!list[n].loss && !(list[n].loss = WF_TAKE(scratch, cells, double)))
                 return wf_fail(e, WF_ENOMEM, "no room for wakes");
-            lose(s, p, p ? plane - cells : still, &list[n]);
+            find_loss(s, p, p ? plane - cells : still, &list[n]);
             if (list[n].total > 0.0) n++;
         }
-        n = gather(list, n, (double)p, cells);
+        n = gather_sources(list, n, (double)p, cells);
         for (size_t i = 0; i < n; i++) {
             double distance = ((double)p + WF_SHELTER_LAG - list[i].place) * s->step[0];
-            spread(s, &list[i], s->request.wake_growth * distance, &work, plane);
+            spread_source(s, &list[i], s->request.wake_growth * distance, &work, plane);
         }
         for (size_t c = 0; c < cells; c++)
             if (plane[c] > 1.0) plane[c] = 1.0;
@@ -279,33 +285,38 @@ static enum wf_status shelter_wake(struct wf_shelter *s, struct wf_arena *scratc
     return WF_OK;
 }
 
-/* The law "feng1999": flows of the classes superposed, as the paper prints them.
+/* The law "feng1999": the flows of the classes superposed, as the paper prints them.
  *
- * What is printed: the cylinder f = Q(z + a^2/z) with the remark that the wind is back beyond 5 to 7 radii;
- * the hole f = Q/(2 WF_PI) ln z with radial speed like 1/r; the slit psi = -Q(R - R1); 20 % through a cell
- * that is covered altogether; superposition. What is not printed is how a flow's strength follows from the
- * wind and what happens behind a cell that is covered in part. Here: transmitting  the wind behind is 1 - (1
- * - T) coverage of the wind before, and stays so; cylinder      the disturbance of eq. (6) by a stem of the
- * run's solid width, in the plane across the stem, behind it up to 7 radii; farther off the wind counts as
- * undisturbed; hole, slit    the wall around them is taken as one, T of the wind passes everywhere; the rest
- * of the wind comes through the hole and spreads by eq. (7), with speed (1 - T) U at the radius r0 of a
- *                 circle of the cell's area, or through the slit by eq. (8) as printed, with speed (1 - T) U
- *                 on its middle; both up to 20 r0 (for a slit r0 is half its width).
- * Nothing bounds the sum: many holes side by side can blow more than the wind. */
+ * The paper gives: the cylinder f = Q(z + a^2/z), with the remark that the wind has recovered beyond 5 to 7
+ * radii; the hole f = Q/(2 pi) ln z, with a radial speed proportional to 1/r; the slit psi = -Q(R - R1); a
+ * transmission of 20 % for a fully covered cell; superposition. It does not give the strength of a flow for a
+ * given wind, nor the wind behind a partly covered cell. Here:
+ *
+ * transmitting: behind the cell the wind is 1 - (1 - T) coverage of the wind before it, without recovery.
+ *
+ * cylinder: the disturbance of eq. (6) by a stem of the run's solid width, in the plane across the stem, up
+ * to 7 radii behind it; farther away the wind is undisturbed.
+ *
+ * hole, slit: the wall around them is treated as one; the share T of the wind passes everywhere. The rest of
+ * the wind passes through the hole and spreads by eq. (7), with speed (1 - T) U at the radius r0 of a circle
+ * of the cell's area; or through the slit by eq. (8) as printed, with speed (1 - T) U on its middle. Both up
+ * to 20 r0 (for a slit r0 is half its width).
+ *
+ * The sum has no bound: the flow of many adjacent holes can be faster than the wind. */
 
-/* A flow that starts at a place of the grid: how far it is followed, and its velocity over that of the wind
- * at a point along, across and up from there. */
-struct flow {
-    double strength;    /* of the wind that meets it [-] */
+/* A flow that starts at a place of the grid: its range, and its velocity over that of the wind at a point
+ * given along, across and up from there. */
+struct feng_flow {
+    double strength;    /* speed that drives it / undisturbed speed [-] */
     double centre[2];   /* across, up [m] */
     double radius;      /* a or r0 [m] */
     double length;      /* of a slit [m] */
-    bool level;         /* stem or slit lies across instead of standing up */
-    double reach, half; /* [m]; half its extent along its own axis */
-    void (*velocity)(const struct flow *f, const double x[3], double u[3]);
+    bool level;         /* true: stem or slit is horizontal, false: vertical */
+    double reach, half; /* range; half its extent along its own axis [m] */
+    void (*velocity)(const struct feng_flow *f, const double x[3], double u[3]);
 };
 
-static void cylinder(const struct flow *f, const double x[3], double u[3])
+static void cylinder_velocity(const struct feng_flow *f, const double x[3], double u[3])
 {
     double plane[2] = { x[0], f->level ? x[2] : x[1] }, v[2];
     u[0] = u[1] = u[2] = 0.0;
@@ -315,7 +326,7 @@ static void cylinder(const struct flow *f, const double x[3], double u[3])
     u[f->level ? 2 : 1] = v[1];
 }
 
-static void hole(const struct flow *f, const double x[3], double u[3])
+static void hole_velocity(const struct feng_flow *f, const double x[3], double u[3])
 {
     double r = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
     double v[3], strength = 2.0 * WF_PI * f->radius;
@@ -324,7 +335,7 @@ static void hole(const struct flow *f, const double x[3], double u[3])
     for (int k = 0; k < 3; k++) u[k] = v[0] * x[k] / r;
 }
 
-static void slit(const struct flow *f, const double x[3], double u[3])
+static void slit_velocity(const struct feng_flow *f, const double x[3], double u[3])
 {
     int own = f->level ? 1 : 2, side = f->level ? 2 : 1;
     double off = hypot(x[0], x[side]), v[2];
@@ -335,20 +346,20 @@ static void slit(const struct flow *f, const double x[3], double u[3])
 }
 
 /* First of n cells whose centre lies beyond a place [cells]. */
-static size_t beyond(double at, size_t n) { return (size_t)fmin(fmax(ceil(at - 0.5), 0.0), (double)n); }
+static size_t first_beyond(double at, size_t n) { return (size_t)fmin(fmax(ceil(at - 0.5), 0.0), (double)n); }
 
 /* Add a flow that starts in slab k to the planes behind. */
-static void blow(struct wf_shelter *s, size_t k, const struct flow *f)
+static void add_flow(struct wf_shelter *s, size_t k, const struct feng_flow *f)
 {
     double wide[2] = { f->reach, f->reach };
     if (f->half > 0.0) wide[f->level ? 0 : 1] = f->half;
     size_t first[2], last[2];
     const size_t n[2] = { s->across, s->up };
     for (int d = 0; d < 2; d++) {
-        /* a centre just as far as the reach belongs to it on both sides */
+        /* include cell centres exactly at the range, on both sides */
         double at = (f->centre[d] - s->low[d + 1]) / s->step[d + 1], far = wide[d] / s->step[d + 1] + 1e-6;
-        first[d] = beyond(at - far, n[d]);
-        last[d] = beyond(at + far, n[d]);
+        first[d] = first_beyond(at - far, n[d]);
+        last[d] = first_beyond(at + far, n[d]);
     }
     for (size_t p = k; p < s->planes; p++) {
         double x[3] = { ((double)(p - k) + WF_SHELTER_LAG) * s->step[0] }, u[3];
@@ -364,15 +375,15 @@ static void blow(struct wf_shelter *s, size_t k, const struct flow *f)
     }
 }
 
-/* Cells of one class and width that follow each other along a line: one stem's width, or one slit's length.
- */
-struct line {
+/* A line of cells. Successive cells of one class and width on it are the width of one stem, or the length of
+ * one slit. */
+struct cell_line {
     size_t start, stride, n; /* first cell of the slab, distance to the next */
     bool level;              /* the line runs across */
 };
 
-static void follow(struct wf_shelter *s, size_t k, const double *wind, const struct line *l,
-                   enum wf_cell_class class, bool positive, double share)
+static void add_line_flows(struct wf_shelter *s, size_t k, const double *wind, const struct cell_line *l,
+                           enum wf_cell_class class, bool positive, double share)
 {
     size_t slab = k * s->up * s->across;
     const int axis = l->level ? 1 : 2;
@@ -395,43 +406,43 @@ static void follow(struct wf_shelter *s, size_t k, const double *wind, const str
         double place[2] = { s->low[1] + ((double)(cell % s->across) + 0.5) * s->step[1],
                             s->low[2] + ((double)(cell / s->across) + 0.5) * s->step[2] };
         place[axis - 1] = s->low[axis] + sum / weight * s->step[axis];
-        struct flow f = { .centre = { place[0], place[1] }, .strength = share * arrives / weight };
+        struct feng_flow f = { .centre = { place[0], place[1] }, .strength = share * arrives / weight };
         if (class == WF_CELL_CYLINDER) {
-            f.velocity = cylinder;
+            f.velocity = cylinder_velocity;
             f.level = !positive;
             f.radius = 0.5 * fabs(width);
             f.reach = 7.0 * f.radius;
             f.half = 0.5 * s->step[positive ? 2 : 1];
         } else {
-            f.velocity = slit;
+            f.velocity = slit_velocity;
             f.level = l->level;
             f.radius = 0.5 * fabs(width);
             f.reach = 20.0 * f.radius;
             f.length = (double)(end - i) * s->step[axis];
             f.half = 0.5 * f.length + f.reach;
         }
-        blow(s, k, &f);
+        add_flow(s, k, &f);
         i = end;
     }
 }
 
-static void holes(struct wf_shelter *s, size_t k, const double *wind, double share)
+static void add_hole_flows(struct wf_shelter *s, size_t k, const double *wind, double share)
 {
     size_t cells = s->up * s->across;
     for (size_t c = 0; c < cells; c++) {
         if (s->class[k * cells + c] != WF_CELL_HOLE) continue;
-        struct flow f = { .strength = share * wind[c],
-                          .centre = { s->low[1] + ((double)(c % s->across) + 0.5) * s->step[1],
-                                      s->low[2] + ((double)(c / s->across) + 0.5) * s->step[2] },
-                          .radius = sqrt(s->step[1] * s->step[2] / WF_PI),
-                          .velocity = hole };
+        struct feng_flow f = { .strength = share * wind[c],
+                               .centre = { s->low[1] + ((double)(c % s->across) + 0.5) * s->step[1],
+                                           s->low[2] + ((double)(c / s->across) + 0.5) * s->step[2] },
+                               .radius = sqrt(s->step[1] * s->step[2] / WF_PI),
+                               .velocity = hole_velocity };
         f.reach = 20.0 * f.radius;
-        blow(s, k, &f);
+        add_flow(s, k, &f);
     }
 }
 
-/* What passes straight on through each cell of slab k. */
-static void pass(const struct wf_shelter *s, size_t k, double least, double *wind)
+/* Multiply the wind by the direct transmission of each cell of slab k. */
+static void pass_through(const struct wf_shelter *s, size_t k, double least, double *wind)
 {
     size_t cells = s->up * s->across;
     for (size_t c = 0; c < cells; c++) {
@@ -451,22 +462,24 @@ static enum wf_status shelter_feng(struct wf_shelter *s, struct wf_arena *scratc
     for (size_t p = 0; p < s->planes; p++) {
         if (p < s->slabs) {
             for (size_t k = 0; k < s->up; k++) {
-                const struct line row = { k * s->across, 1, s->across, true };
-                follow(s, p, wind, &row, WF_CELL_CYLINDER, true, 1.0);
-                follow(s, p, wind, &row, WF_CELL_SLIT, false, 1.0 - least);
+                const struct cell_line row = { k * s->across, 1, s->across, true };
+                add_line_flows(s, p, wind, &row, WF_CELL_CYLINDER, true, 1.0);
+                add_line_flows(s, p, wind, &row, WF_CELL_SLIT, false, 1.0 - least);
             }
             for (size_t i = 0; i < s->across; i++) {
-                const struct line column = { i, s->across, s->up, false };
-                follow(s, p, wind, &column, WF_CELL_CYLINDER, false, 1.0);
-                follow(s, p, wind, &column, WF_CELL_SLIT, true, 1.0 - least);
+                const struct cell_line column = { i, s->across, s->up, false };
+                add_line_flows(s, p, wind, &column, WF_CELL_CYLINDER, false, 1.0);
+                add_line_flows(s, p, wind, &column, WF_CELL_SLIT, true, 1.0 - least);
             }
-            holes(s, p, wind, 1.0 - least);
-            pass(s, p, least, wind);
+            add_hole_flows(s, p, wind, 1.0 - least);
+            pass_through(s, p, least, wind);
         }
         for (size_t c = 0; c < cells; c++) s->part[0][p * cells + c] += 1.0 - wind[c];
     }
     return WF_OK;
 }
+
+/* The laws as rows. */
 
 const struct wf_shelter_law wf_shelter_laws[] = {
     { "wake", "drag takes momentum, wakes spread and recover",

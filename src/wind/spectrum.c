@@ -7,8 +7,8 @@
 #include <math.h>
 #include <string.h>
 
-/* The target spectra. Each is written per unit variance; the constants follow from the integrals, so that
- * the variance asked for is the variance of the whole spectrum. */
+/* The target spectra. Each is scaled by its integral over all frequencies, so that its variance is the one
+ * specified. */
 
 /* Integrals of the printed forms over n = 0..infinity, in u*^2:
  *   u: 105 f/(1+33 f)^(5/3) / n      -> 105/33 * 3/2
@@ -80,7 +80,7 @@ static double davenport(const struct wf_spectrum_par *p, enum wf_component c, do
     return p->deviation * p->deviation / 6.0 * 4.0 * scale * x * pow(1.0 + x * x, -4.0 / 3.0);
 }
 
-/* Flat below `low`, f^-slope above, nothing beyond `high`; scaled to the variance in closed form. */
+/* Constant below `low`, f^-slope above, zero beyond `high`; scaled to the variance in closed form. */
 static double power_law(const struct wf_spectrum_par *p, enum wf_component c, double n)
 {
     double b = p->slope, r = p->high / p->low;
@@ -123,6 +123,8 @@ const struct wf_spectrum *wf_spectrum_named(const char *name)
     return NULL;
 }
 
+/* Variances. */
+
 struct integrand {
     const struct wf_spectrum *s;
     const struct wf_spectrum_par *p;
@@ -130,7 +132,7 @@ struct integrand {
     double window; /* [s]; 0: no averaging */
 };
 
-static double weighted(double log_f, void *ctx)
+static double weighted_density(double log_f, void *ctx)
 {
     const struct integrand *g = ctx;
     double f = exp(log_f), arg = WF_PI * f * g->window;
@@ -138,19 +140,19 @@ static double weighted(double log_f, void *ctx)
     return f * g->s->density(g->p, g->c, f) * sinc * sinc;
 }
 
-static double integrate(struct integrand *g, double from, double to)
+static double integrate_density(struct integrand *g, double from, double to)
 {
     enum { ROOM = 2000 };
     double sum = 0.0, error = 0.0, low = fmax(from, 1e-9), head = 0.0;
     if (!(to > low)) return 0.0;
     gsl_integration_workspace *w = gsl_integration_workspace_alloc(ROOM);
     if (!w) return NAN;
-    gsl_function f = { weighted, g };
+    gsl_function f = { weighted_density, g };
     wf_quiet_begin();
     int bad = gsl_integration_qag(&f, log(low), log(to), 0.0, 1e-8, ROOM, GSL_INTEG_GAUSS61, w, &sum, &error);
     wf_quiet_end();
     gsl_integration_workspace_free(w);
-    /* below 1 nHz the density is taken as constant */
+    /* below 1 nHz the density is treated as constant */
     if (from < low) head = (low - from) * g->s->density(g->p, g->c, from);
     return bad ? NAN : sum + head;
 }
@@ -159,30 +161,33 @@ double wf_spectrum_variance(const struct wf_spectrum *s, const struct wf_spectru
                             double from, double to)
 {
     struct integrand g = { s, p, c, 0.0 };
-    return integrate(&g, from, to);
+    return integrate_density(&g, from, to);
 }
 
 double wf_spectrum_averaged_variance(const struct wf_spectrum *s, const struct wf_spectrum_par *p,
                                      double window, double to)
 {
     struct integrand g = { s, p, WF_ALONG, window };
-    return integrate(&g, 0.0, to);
+    return integrate_density(&g, 0.0, to);
 }
 
-struct segments {
+/* Spectrum and coherence of series. */
+
+struct welch_segments {
     size_t length, count, hop;
     double *taper, power; /* sum of taper^2 */
     gsl_fft_real_wavetable *table;
     gsl_fft_real_workspace *space;
 };
 
-static void drop(struct segments *s)
+static void free_segments(struct welch_segments *s)
 {
     if (s->table) gsl_fft_real_wavetable_free(s->table);
     if (s->space) gsl_fft_real_workspace_free(s->space);
 }
 
-static enum wf_status cut(struct segments *s, size_t n, size_t length, struct wf_arena *a, struct wf_err *e)
+static enum wf_status cut_segments(struct welch_segments *s, size_t n, size_t length, struct wf_arena *a,
+                                   struct wf_err *e)
 {
     memset(s, 0, sizeof *s);
     if (length < 8 || length % 2 || length > n)
@@ -194,7 +199,7 @@ static enum wf_status cut(struct segments *s, size_t n, size_t length, struct wf
     s->table = gsl_fft_real_wavetable_alloc(length);
     s->space = gsl_fft_real_workspace_alloc(length);
     if (!s->taper || !s->table || !s->space) {
-        drop(s);
+        free_segments(s);
         return wf_fail(e, WF_ENOMEM, "no room for a spectrum of %zu steps", length);
     }
     for (size_t i = 0; i < length; i++) {
@@ -204,7 +209,7 @@ static enum wf_status cut(struct segments *s, size_t n, size_t length, struct wf
     return WF_OK;
 }
 
-static void transform(const struct segments *s, const double *x, size_t at, double *h)
+static void transform_segment(const struct welch_segments *s, const double *x, size_t at, double *h)
 {
     double mean = 0.0;
     for (size_t i = 0; i < s->length; i++) mean += x[at * s->hop + i];
@@ -214,30 +219,31 @@ static void transform(const struct segments *s, const double *x, size_t at, doub
 }
 
 /* Real and imaginary part of frequency k of a halfcomplex spectrum. */
-static double re(const double *h, size_t k) { return k ? h[2 * k - 1] : h[0]; }
-static double im(const double *h, size_t k, size_t n) { return k && 2 * k < n ? h[2 * k] : 0.0; }
+static double real_part(const double *h, size_t k) { return k ? h[2 * k - 1] : h[0]; }
+static double imaginary_part(const double *h, size_t k, size_t n) { return k && 2 * k < n ? h[2 * k] : 0.0; }
 
 enum wf_status wf_spectrum_welch(const double *x, size_t n, double step, size_t segment, double *density,
                                  size_t *segments, struct wf_arena *a, struct wf_err *e)
 {
-    struct segments s;
-    enum wf_status status = cut(&s, n, segment, a, e);
+    struct welch_segments s;
+    enum wf_status status = cut_segments(&s, n, segment, a, e);
     if (status) return status;
     double *h = WF_TAKE(a, segment, double);
     if (!h) {
-        drop(&s);
+        free_segments(&s);
         return wf_fail(e, WF_ENOMEM, "no room for a spectrum of %zu steps", segment);
     }
     memset(density, 0, (segment / 2 + 1) * sizeof *density);
     for (size_t q = 0; q < s.count; q++) {
-        transform(&s, x, q, h);
+        transform_segment(&s, x, q, h);
         for (size_t k = 0; k <= segment / 2; k++) {
             double two_sided = (k && 2 * k < segment ? 2.0 : 1.0) * step / (s.power * (double)s.count);
-            density[k] += two_sided * (re(h, k) * re(h, k) + im(h, k, segment) * im(h, k, segment));
+            density[k] += two_sided * (real_part(h, k) * real_part(h, k) +
+                                       imaginary_part(h, k, segment) * imaginary_part(h, k, segment));
         }
     }
     if (segments) *segments = s.count;
-    drop(&s);
+    free_segments(&s);
     return WF_OK;
 }
 
@@ -245,23 +251,24 @@ enum wf_status wf_coherence_welch(const double *x, const double *y, size_t n, do
                                   double *modulus, double *real, size_t *segments, struct wf_arena *a,
                                   struct wf_err *e)
 {
-    struct segments s;
+    struct welch_segments s;
     (void)step;
-    enum wf_status status = cut(&s, n, segment, a, e);
+    enum wf_status status = cut_segments(&s, n, segment, a, e);
     if (status) return status;
     size_t half = segment / 2 + 1;
     double *hx = WF_TAKE(a, segment, double), *hy = WF_TAKE(a, segment, double);
     double *sxx = WF_TAKE(a, half, double), *syy = WF_TAKE(a, half, double), *odd = WF_TAKE(a, half, double);
     if (!hx || !hy || !sxx || !syy || !odd) {
-        drop(&s);
+        free_segments(&s);
         return wf_fail(e, WF_ENOMEM, "no room for a spectrum of %zu steps", segment);
     }
     memset(real, 0, half * sizeof *real);
     for (size_t q = 0; q < s.count; q++) {
-        transform(&s, x, q, hx);
-        transform(&s, y, q, hy);
+        transform_segment(&s, x, q, hx);
+        transform_segment(&s, y, q, hy);
         for (size_t k = 0; k < half; k++) {
-            double xr = re(hx, k), xi = im(hx, k, segment), yr = re(hy, k), yi = im(hy, k, segment);
+            double xr = real_part(hx, k), xi = imaginary_part(hx, k, segment), yr = real_part(hy, k),
+                   yi = imaginary_part(hy, k, segment);
             sxx[k] += xr * xr + xi * xi;
             syy[k] += yr * yr + yi * yi;
             real[k] += xr * yr + xi * yi;
@@ -274,7 +281,7 @@ enum wf_status wf_coherence_welch(const double *x, const double *y, size_t n, do
         real[k] = norm > 0.0 ? real[k] / norm : 0.0;
     }
     if (segments) *segments = s.count;
-    drop(&s);
+    free_segments(&s);
     return WF_OK;
 }
 

@@ -24,9 +24,9 @@ enum wf_status wf_terrain_alloc(struct wf_terrain *t, size_t columns, size_t row
     return t->z ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for a map of %zu x %zu", columns, rows);
 }
 
-/* Mean of the neighbours that exist plus the draw of this place. */
-static void set(struct wf_terrain *t, size_t c, size_t r, const int (*offset)[2], int n, size_t reach,
-                double size, uint64_t seed)
+/* Set a height to the mean of the neighbours on the map plus the random draw of its place. */
+static void set_height(struct wf_terrain *t, size_t c, size_t r, const int (*offset)[2], int n, size_t reach,
+                       double size, uint64_t seed)
 {
     double sum = 0.0, count = 0.0;
     for (int i = 0; i < n; i++) {
@@ -41,7 +41,7 @@ static void set(struct wf_terrain *t, size_t c, size_t r, const int (*offset)[2]
     t->z[at] = (count > 0.0 ? sum / count : 0.0) + size * draw;
 }
 
-static void scale_to(struct wf_terrain *t, double relief)
+static void scale_to_relief(struct wf_terrain *t, double relief)
 {
     double mean = 0.0, square = 0.0, low = INFINITY, n = (double)(t->columns * t->rows);
     for (size_t i = 0; i < t->columns * t->rows; i++) mean += t->z[i] / n;
@@ -65,17 +65,18 @@ enum wf_status wf_terrain_make(unsigned n, double cell, double h, double relief,
     if (wf_terrain_alloc(t, side, side, cell, a, e)) return e ? e->code : WF_EUSAGE;
     double size = 1.0;
     for (size_t r = 0; r < side; r += side - 1)
-        for (size_t c = 0; c < side; c += side - 1) set(t, c, r, corner, 0, 0, size, seed);
+        for (size_t c = 0; c < side; c += side - 1) set_height(t, c, r, corner, 0, 0, size, seed);
     for (size_t reach = (side - 1) / 2; reach > 0; reach /= 2) {
         size *= pow(2.0, -0.5 * h);
         for (size_t r = reach; r < side; r += 2 * reach)
-            for (size_t c = reach; c < side; c += 2 * reach) set(t, c, r, corner, 4, reach, size, seed);
+            for (size_t c = reach; c < side; c += 2 * reach)
+                set_height(t, c, r, corner, 4, reach, size, seed);
         size *= pow(2.0, -0.5 * h);
         for (size_t r = 0; r < side; r += reach)
             for (size_t c = (r / reach) % 2 ? 0 : reach; c < side; c += 2 * reach)
-                set(t, c, r, edge, 4, reach, size, seed);
+                set_height(t, c, r, edge, 4, reach, size, seed);
     }
-    scale_to(t, relief);
+    scale_to_relief(t, relief);
     return WF_OK;
 }
 
@@ -89,7 +90,7 @@ double wf_terrain_height(const struct wf_terrain *t, double x, double y)
            j = (size_t)fmin(fmax(r, 0.0), (double)(t->rows - 2));
     const double *z = t->z + j * t->columns + i;
     double a = fmin(fmax(c - (double)i, 0.0), 1.0), b = fmin(fmax(r - (double)j, 0.0), 1.0), sum = 0.0;
-    /* a corner of weight zero may be without data */
+    /* leave out corners of weight zero, which may have no data */
     if ((1.0 - a) * (1.0 - b) > 0.0) sum += (1.0 - a) * (1.0 - b) * z[0];
     if (a * (1.0 - b) > 0.0) sum += a * (1.0 - b) * z[1];
     if ((1.0 - a) * b > 0.0) sum += (1.0 - a) * b * z[t->columns];
@@ -97,7 +98,7 @@ double wf_terrain_height(const struct wf_terrain *t, double x, double y)
     return sum;
 }
 
-/* Steepest slope |dz/ds| of the map, central differences [-]. */
+/* Largest slope |dz/ds| of the map, by central differences [-]. */
 static double terrain_steepest(const struct wf_terrain *t)
 {
     double worst = 0.0;
@@ -112,14 +113,14 @@ static double terrain_steepest(const struct wf_terrain *t)
 
 /* ESRI ASCII grids. */
 
-struct text {
+struct grid_text {
     const char *path, *at, *end, *word;
-    size_t line, column, size; /* of the word in hand */
+    size_t line, column, size; /* of the current word */
     const char *start;         /* of the line         */
 };
 
-/* The next word; false at the end. */
-static bool next(struct text *t)
+/* Move to the next word; false at the end of the text. */
+static bool next_word(struct grid_text *t)
 {
     while (t->at < t->end && isspace((unsigned char)*t->at))
         if (*t->at++ == '\n') t->line++, t->start = t->at;
@@ -130,9 +131,9 @@ static bool next(struct text *t)
     return t->size > 0;
 }
 
-static enum wf_status number(struct text *t, const char *what, double *value, struct wf_err *e)
+static enum wf_status grid_number(struct grid_text *t, const char *what, double *value, struct wf_err *e)
 {
-    if (!next(t))
+    if (!next_word(t))
         return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: error: the file ends where %s is expected", t->path,
                        t->line, t->column, what);
     const char *end = wf_number_read(t->word, t->word + t->size, '.', value);
@@ -145,12 +146,12 @@ enum { COLUMNS, ROWS, X, Y, CELL, NODATA, X_CENTRE, Y_CENTRE, KEYS };
 static const char *const key[KEYS] = { "ncols",    "nrows",        "xllcorner", "yllcorner",
                                        "cellsize", "nodata_value", "xllcenter", "yllcenter" };
 
-static enum wf_status header(struct text *t, double value[KEYS], struct wf_err *e)
+static enum wf_status read_header(struct grid_text *t, double value[KEYS], struct wf_err *e)
 {
     for (int k = 0; k < KEYS; k++) value[k] = NAN;
     for (;;) {
-        struct text before = *t;
-        if (!next(t)) break;
+        struct grid_text before = *t;
+        if (!next_word(t)) break;
         if (!isalpha((unsigned char)t->word[0]) || strncasecmp(t->word, "nan", t->size) == 0) {
             *t = before;
             break;
@@ -163,7 +164,7 @@ static enum wf_status header(struct text *t, double value[KEYS], struct wf_err *
                            "nrows, xllcorner, "
                            "yllcorner, cellsize, nodata_value",
                            t->path, t->line, t->column, (int)(t->size < 40 ? t->size : 40), t->word);
-        if (number(t, key[k], &value[k], e)) return WF_EINPUT;
+        if (grid_number(t, key[k], &value[k], e)) return WF_EINPUT;
     }
     for (int k = COLUMNS; k <= CELL; k++) {
         bool centre = (k == X && !isnan(value[X_CENTRE])) || (k == Y && !isnan(value[Y_CENTRE]));
@@ -185,10 +186,10 @@ enum wf_status wf_terrain_read(const char *path, struct wf_arena *a, struct wf_t
     struct wf_bytes bytes;
     double value[KEYS];
     if (wf_file_read_text(path, a, &bytes, e)) return e ? e->code : WF_EINPUT;
-    struct text t = {
+    struct grid_text t = {
         .path = path, .at = bytes.data, .end = bytes.data + bytes.size, .line = 1, .start = bytes.data
     };
-    if (header(&t, value, e)) return WF_EINPUT;
+    if (read_header(&t, value, e)) return WF_EINPUT;
     enum wf_status s = wf_terrain_alloc(out, (size_t)value[COLUMNS], (size_t)value[ROWS], value[CELL], a, e);
     if (s) return s;
     out->x0 = isnan(value[X_CENTRE]) ? value[X] + 0.5 * out->cell : value[X_CENTRE];
@@ -196,7 +197,7 @@ enum wf_status wf_terrain_read(const char *path, struct wf_arena *a, struct wf_t
     for (size_t r = out->rows; r-- > 0;)
         for (size_t c = 0; c < out->columns; c++) {
             double *z = &out->z[r * out->columns + c];
-            if (number(&t, "a height", z, e)) return WF_EINPUT;
+            if (grid_number(&t, "a height", z, e)) return WF_EINPUT;
             if (*z == value[NODATA])
                 *z = NAN;
             else if (fabs(*z) > 12000.0)
@@ -204,7 +205,7 @@ enum wf_status wf_terrain_read(const char *path, struct wf_arena *a, struct wf_t
                                "%s:%zu:%zu: error: height %g m; is the no-data value %g in the header?", path,
                                t.line, t.column, *z, *z);
         }
-    if (next(&t))
+    if (next_word(&t))
         return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: error: more heights than ncols x nrows = %zu", path, t.line,
                        t.column, out->rows * out->columns);
     return WF_OK;
@@ -227,14 +228,14 @@ enum wf_status wf_terrain_write(const char *path, const struct wf_terrain *t, co
     return wf_file_commit(&f, e);
 }
 
-/* Shelter by the ground itself: angles to the skyline within a distance. */
+/* Shelter by the terrain: elevation angles of the skyline within a distance. */
 
 double wf_terrain_horizon(const struct wf_terrain *t, size_t column, size_t row, double towards,
                           double distance, bool *seen)
 {
     double here = t->z[row * t->columns + column], best = NAN, ex = sin(towards), ey = cos(towards);
     double x = t->x0 + (double)column * t->cell, y = t->y0 + (double)row * t->cell;
-    /* along a diagonal the steps hit grid points too */
+    /* steps that hit grid points in the diagonal directions too */
     double step = t->cell / fmax(fabs(ex), fabs(ey));
     *seen = true;
     for (size_t i = 1; (double)i * step <= distance * (1.0 + 1e-9); i++) {
@@ -264,15 +265,15 @@ double wf_terrain_topex(const struct wf_terrain *t, size_t column, size_t row, d
 
 /* Wind over low hills: the linear response of a neutral wind, by Fourier transform of the map. */
 
-struct plane {
+struct map_plane {
     size_t nx, ny;
     double *h; /* complex, ny rows of nx */
     gsl_fft_complex_wavetable *wx, *wy;
     gsl_fft_complex_workspace *sx, *sy;
 };
 
-/* The next size at least n with no other prime factors than 2, 3, 5. */
-static size_t smooth(size_t n)
+/* The smallest number from n with no prime factors other than 2, 3, 5: a length that transforms fast. */
+static size_t smooth_size(size_t n)
 {
     for (;; n++) {
         size_t rest = n;
@@ -283,7 +284,7 @@ static size_t smooth(size_t n)
     }
 }
 
-static void drop(struct plane *p)
+static void free_plane(struct map_plane *p)
 {
     if (p->wx) gsl_fft_complex_wavetable_free(p->wx);
     if (p->wy) gsl_fft_complex_wavetable_free(p->wy);
@@ -291,22 +292,22 @@ static void drop(struct plane *p)
     if (p->sy) gsl_fft_complex_workspace_free(p->sy);
 }
 
-static enum wf_status lay_out(struct plane *p, const struct wf_terrain *t, struct wf_arena *a,
-                              struct wf_err *e)
+static enum wf_status take_plane(struct map_plane *p, const struct wf_terrain *t, struct wf_arena *a,
+                                 struct wf_err *e)
 {
-    p->nx = smooth(2 * t->columns - 2);
-    p->ny = smooth(2 * t->rows - 2);
+    p->nx = smooth_size(2 * t->columns - 2);
+    p->ny = smooth_size(2 * t->rows - 2);
     p->h = WF_TAKE(a, 2 * p->nx * p->ny, double);
     p->wx = gsl_fft_complex_wavetable_alloc(p->nx);
     p->wy = gsl_fft_complex_wavetable_alloc(p->ny);
     p->sx = gsl_fft_complex_workspace_alloc(p->nx);
     p->sy = gsl_fft_complex_workspace_alloc(p->ny);
     if (p->h && p->wx && p->wy && p->sx && p->sy) return WF_OK;
-    drop(p);
+    free_plane(p);
     return wf_fail(e, WF_ENOMEM, "no room for the transform of a map of %zu x %zu", t->columns, t->rows);
 }
 
-static void transform(struct plane *p, gsl_fft_direction way)
+static void transform_plane(struct map_plane *p, gsl_fft_direction way)
 {
     for (size_t r = 0; r < p->ny; r++)
         gsl_fft_complex_transform(p->h + 2 * r * p->nx, 1, p->nx, p->wx, p->sx, way);
@@ -314,9 +315,9 @@ static void transform(struct plane *p, gsl_fft_direction way)
         gsl_fft_complex_transform(p->h + 2 * c, p->nx, p->ny, p->wy, p->sy, way);
 }
 
-/* Which grid point stands at place i of the doubled map: there and back, then the first again up to a size
- * that transforms well. */
-static size_t mirrored(size_t i, size_t n) { return i < n ? i : i < 2 * n - 2 ? 2 * n - 2 - i : 0; }
+/* Index into the mirrored map, padded with its first value to an FFT-friendly length: the grid point at place
+ * i. */
+static size_t mirror_index(size_t i, size_t n) { return i < n ? i : i < 2 * n - 2 ? 2 * n - 2 - i : 0; }
 
 static double wavenumber(size_t i, size_t n, double cell)
 {
@@ -324,9 +325,9 @@ static double wavenumber(size_t i, size_t n, double cell)
     return WF_TURN * k / ((double)n * cell);
 }
 
-/* Mean of 1/|k|, each wave with its share of the height variance per |k|: for one wave of number k it is 1/k.
- */
-static double mean_length(const struct plane *p, double cell)
+/* Length scale of the terrain [m]: the mean of 1/|k| over all waves, weighted by |k| times their height
+ * variance; 1/k for a single wave of wavenumber k. */
+static double mean_length(const struct map_plane *p, double cell)
 {
     double energy = 0.0, weighted = 0.0;
     for (size_t r = 0; r < p->ny; r++)
@@ -340,7 +341,8 @@ static double mean_length(const struct plane *p, double cell)
     return weighted > 0.0 ? energy / weighted : 0.0;
 }
 
-/* l ln(l/z0) = 2 kappa^2 L with kappa = 0.4, by Newton from above (the left side is convex there). */
+/* Inner-layer height: l ln(l/z0) = 2 kappa^2 L with kappa = 0.4, by Newton's method from above, where the
+ * left side is convex. */
 static double inner_height(double length, double z0)
 {
     double l = fmax(length, 3.0 * z0);
@@ -348,8 +350,8 @@ static double inner_height(double length, double z0)
     return l;
 }
 
-static enum wf_status respond(const struct wf_terrain *t, const struct wf_speedup_request *q, struct plane *p,
-                              struct wf_speedup *out, struct wf_err *e)
+static enum wf_status apply_response(const struct wf_terrain *t, const struct wf_speedup_request *q,
+                                     struct map_plane *p, struct wf_speedup *out, struct wf_err *e)
 {
     double ex = -sin(q->from), ey = -cos(q->from);
     out->length = q->length > 0.0 ? q->length : mean_length(p, t->cell);
@@ -373,7 +375,7 @@ static enum wf_status respond(const struct wf_terrain *t, const struct wf_speedu
 enum wf_status wf_terrain_speedup(const struct wf_terrain *t, const struct wf_speedup_request *q,
                                   struct wf_arena *a, struct wf_speedup *out, struct wf_err *e)
 {
-    struct plane p = { 0 };
+    struct map_plane p = { 0 };
     double mean = 0.0;
     memset(out, 0, sizeof *out);
     if (!(q->roughness > 0.0 && q->roughness <= 10.0 && q->height > q->roughness && q->height <= 500.0 &&
@@ -391,22 +393,32 @@ enum wf_status wf_terrain_speedup(const struct wf_terrain *t, const struct wf_sp
         mean += t->z[i] / (double)(t->rows * t->columns);
     }
     out->ds = WF_TAKE(a, t->rows * t->columns, double);
-    if (!out->ds || lay_out(&p, t, a, e)) return wf_fail(e, WF_ENOMEM, "no room for the speed-up of a map");
+    if (!out->ds || take_plane(&p, t, a, e))
+        return wf_fail(e, WF_ENOMEM, "no room for the speed-up of a map");
     for (size_t r = 0; r < p.ny; r++)
         for (size_t c = 0; c < p.nx; c++)
             p.h[2 * (r * p.nx + c)] =
-                t->z[mirrored(r, t->rows) * t->columns + mirrored(c, t->columns)] - mean;
-    transform(&p, gsl_fft_forward);
-    enum wf_status s = respond(t, q, &p, out, e);
+                t->z[mirror_index(r, t->rows) * t->columns + mirror_index(c, t->columns)] - mean;
+    transform_plane(&p, gsl_fft_forward);
+    enum wf_status s = apply_response(t, q, &p, out, e);
     if (!s) {
-        transform(&p, gsl_fft_backward);
+        transform_plane(&p, gsl_fft_backward);
         for (size_t r = 0; r < t->rows; r++)
             for (size_t c = 0; c < t->columns; c++)
                 out->ds[r * t->columns + c] = p.h[2 * (r * p.nx + c)] / (double)(p.nx * p.ny);
     }
     out->steepest = terrain_steepest(t);
-    drop(&p);
+    free_plane(&p);
     return s;
+}
+
+/* A tree on the map. */
+
+bool wf_site_place(const char *text, double *x, double *y)
+{
+    const char *comma = text ? strchr(text, ',') : NULL, *end = text ? text + strlen(text) : NULL;
+    return comma && wf_number_read(text, comma, '.', x) == comma &&
+           wf_number_read(comma + 1, end, '.', y) == end;
 }
 
 enum wf_status wf_site_read(struct wf_site *s, struct wf_arena *a, struct wf_err *e)
@@ -434,7 +446,7 @@ enum wf_status wf_site_speed_up(const struct wf_site *s, double from, double hei
     struct wf_speedup up;
     enum wf_status status = wf_terrain_speedup(&s->ground, &q, &scratch, &up, e);
     if (!status) {
-        struct wf_terrain change = s->ground; /* the same grid, holding the change of the wind */
+        struct wf_terrain change = s->ground; /* the speed-up on the same grid */
         change.z = up.ds;
         *factor = 1.0 + wf_terrain_height(&change, s->x, s->y);
         if (!(*factor >= 0.1 && *factor <= 5.0))

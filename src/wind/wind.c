@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/wind.h"
 #include "base/csv.h"
+#include "base/num.h"
 #include <math.h>
 #include <string.h>
 
@@ -19,10 +20,10 @@ double wf_air_viscosity(double temperature, double density)
     return 1.458e-6 * temperature * sqrt(temperature) / (temperature + 110.4) / density;
 }
 
-/* The mean wind in and above a stand: exponential below the canopy top, logarithmic above.
- * Sources: Inoue E. 1963, On the turbulent structure of airflow within crop canopies, J. Meteorol. Soc. Jpn
- * 41:317-326; Cionco R.M. 1965, A mathematical model for air flow in a vegetative canopy, J. Appl. Meteorol.
- * 4:517-522; Thom A.S. 1971 for the log law above. */
+/* The canopy profile, the mean wind in and above a stand: exponential below the canopy top, logarithmic
+ * above. Sources: Inoue E. 1963, On the turbulent structure of airflow within crop canopies, J. Meteorol.
+ * Soc. Jpn 41:317-326; Cionco R.M. 1965, A mathematical model for air flow in a vegetative canopy, J. Appl.
+ * Meteorol. 4:517-522; Thom A.S. 1971 for the log law above. */
 
 void wf_canopy_shape(const struct wf_wind *w, double *top, double *attenuation)
 {
@@ -32,16 +33,16 @@ void wf_canopy_shape(const struct wf_wind *w, double *top, double *attenuation)
 }
 
 /* Speed over friction speed times kappa, and its slope, at height z above the ground. */
-static double shape(const struct wf_wind *w, double z, double *slope)
+static double canopy_ratio(const struct wf_wind *w, double z, double *slope)
 {
     double d = w->displacement, z0 = w->roughness, h, a;
     wf_canopy_shape(w, &h, &a);
     if (z > h) {
-        if (z - d <= z0) return *slope = 0.0; /* the calm layer, where there is no stand */
+        if (z - d <= z0) return *slope = 0.0; /* the calm layer; only without a stand */
         *slope = 1.0 / (z - d);
         return log((z - d) / z0);
     }
-    /* below the ground: that of the ground, without slope */
+    /* below the ground: the speed at the ground, without gradient */
     double inside = log((h - d) / z0) * exp(-a * (1.0 - fmax(z, 0.0) / h));
     *slope = z >= 0.0 ? inside * a / h : 0.0;
     return inside;
@@ -49,8 +50,8 @@ static double shape(const struct wf_wind *w, double z, double *slope)
 
 void wf_canopy_sample(const struct wf_wind *w, const double x[3], double u[3], double du[9])
 {
-    double unused, slope, scale = w->speed / shape(w, w->reference_height, &unused),
-                          here = scale * shape(w, x[2], &slope);
+    double unused, slope, scale = w->speed / canopy_ratio(w, w->reference_height, &unused),
+                          here = scale * canopy_ratio(w, x[2], &slope);
     for (int i = 0; i < 3; i++) {
         u[i] = here * w->direction[i];
         du[3 * i] = du[3 * i + 1] = 0.0;
@@ -58,11 +59,10 @@ void wf_canopy_sample(const struct wf_wind *w, const double x[3], double u[3], d
     }
 }
 
-/* Mean wind profiles: one row each. All blow in one direction everywhere; the speed depends on height alone.
- */
+/* Profiles given by a formula. The direction is the same everywhere; the speed depends on height only. */
 
 /* Velocity and gradient from speed and d speed / dz at a height. */
-static void blow(const struct wf_wind *w, double speed, double slope, double u[3], double du[9])
+static void blow_along(const struct wf_wind *w, double speed, double slope, double u[3], double du[9])
 {
     for (int i = 0; i < 3; i++) {
         u[i] = speed * w->direction[i];
@@ -74,11 +74,11 @@ static void blow(const struct wf_wind *w, double speed, double slope, double u[3
 static void uniform(const struct wf_wind *w, const double x[3], double u[3], double du[9])
 {
     (void)x;
-    blow(w, w->speed, 0, u, du);
+    blow_along(w, w->speed, 0, u, du);
 }
 
-/* The gradient jumps at z = d + z0, where the speed is zero: forces go with the square of the speed and
- * keep a continuous derivative there. */
+/* The gradient is discontinuous at z = d + z0, where the speed is zero; forces, which are proportional to the
+ * square of the speed, have a continuous derivative there. */
 static void logarithmic(const struct wf_wind *w, const double x[3], double u[3], double du[9])
 {
     double z = x[2] - w->displacement, speed = 0, slope = 0;
@@ -87,11 +87,12 @@ static void logarithmic(const struct wf_wind *w, const double x[3], double u[3],
         speed = scale * log(z / w->roughness);
         slope = scale / z;
     }
-    blow(w, speed, slope, u, du);
+    blow_along(w, speed, slope, u, du);
 }
 
-/* (z/h)^a has an infinite gradient at the ground. Below a ten-thousandth of the reference height (1 mm at
- * 10 m) the parabola with the same value and slope there and zero at the ground takes its place. */
+/* (z/h)^a has an infinite gradient at the ground. Below a ten-thousandth of the reference height (1 mm for 10
+ * m) it is therefore replaced by the parabola that has the same value and slope there and is zero at the
+ * ground. */
 static void power(const struct wf_wind *w, const double x[3], double u[3], double du[9])
 {
     double a = w->exponent, low = 1e-4 * w->reference_height, z = x[2], speed = 0, slope = 0;
@@ -103,8 +104,106 @@ static void power(const struct wf_wind *w, const double x[3], double u[3], doubl
         speed = top * s * (2 - a - (1 - a) * s);
         slope = top * (2 - a - 2 * (1 - a) * s) / low;
     }
-    blow(w, speed, slope, u, du);
+    blow_along(w, speed, slope, u, du);
 }
+
+/* A measured profile. */
+
+enum { HEIGHTS_MAX = 1000 };
+
+/* Slopes at the points: those of the parabola through three neighbours, limited to twice the smaller of the
+ * slopes on either side, so that there is no overshoot (Steffen 1990, eqs 8, 11); at the ends those of the
+ * straight line. */
+static void steffen_slopes(struct wf_measured_profile *p)
+{
+    const double *z = p->z, *u = p->u;
+    size_t last = p->n - 1;
+    p->slope[0] = (u[1] - u[0]) / (z[1] - z[0]);
+    p->slope[last] = (u[last] - u[last - 1]) / (z[last] - z[last - 1]);
+    for (size_t i = 1; i < last; i++) {
+        double below = z[i] - z[i - 1], above = z[i + 1] - z[i];
+        double a = (u[i] - u[i - 1]) / below, b = (u[i + 1] - u[i]) / above;
+        double middle = fabs(a * above + b * below) / (below + above);
+        p->slope[i] = a * b > 0.0 ? copysign(fmin(2.0 * fmin(fabs(a), fabs(b)), middle), a) : 0.0;
+    }
+}
+
+enum wf_status wf_measured_read(const char *path, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_measured_profile *out, struct wf_err *e)
+{
+    struct wf_csv csv = { 0 };
+    size_t errors = d->errors;
+    *out = (struct wf_measured_profile){ .z = WF_TAKE(a, HEIGHTS_MAX + 1, double),
+                                         .u = WF_TAKE(a, HEIGHTS_MAX + 1, double),
+                                         .slope = WF_TAKE(a, HEIGHTS_MAX + 1, double) };
+    if (!out->z || !out->u || !out->slope) return wf_fail(e, WF_ENOMEM, "%s: no room for a profile", path);
+    if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
+    size_t height = wf_csv_need(&csv, "height_m"), speed = wf_csv_need(&csv, "speed_ms");
+    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a wind profile", path);
+    out->n = 1; /* the ground */
+    while (wf_csv_next(&csv)) {
+        double z, u;
+        if (!wf_csv_number(&csv, height, 0.0, 1000.0, &z) || !wf_csv_number(&csv, speed, 0.0, 120.0, &u))
+            continue;
+        if (out->n > HEIGHTS_MAX) return wf_fail(e, WF_EINPUT, "%s: more than %d heights", path, HEIGHTS_MAX);
+        if (!(z > out->z[out->n - 1]))
+            wf_csv_mistake(&csv, height, "%g m is not above %g m, the height before", z, out->z[out->n - 1]);
+        out->z[out->n] = z;
+        out->u[out->n++] = u;
+    }
+    if (d->errors == errors && out->n < 3)
+        wf_diag_error(d, path, 0, 0, "a profile needs at least two heights above the ground, %zu given",
+                      out->n - 1);
+    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: the profile cannot be used", path);
+    steffen_slopes(out);
+    return WF_OK;
+}
+
+/* Speed and slope of a measured profile at height z. */
+static void measured_at(const struct wf_measured_profile *p, double z, double *u, double *slope)
+{
+    size_t low = 0, high = p->n - 1;
+    *u = z > 0.0 ? p->u[high] : 0.0;
+    *slope = 0.0;
+    if (!(z > 0.0 && z < p->z[high])) return;
+    while (high - low > 1) {
+        size_t middle = (low + high) / 2;
+        *(p->z[middle] > z ? &high : &low) = middle;
+    }
+    double width = p->z[high] - p->z[low], s = p->slope[low], t = z - p->z[low];
+    double line = (p->u[high] - p->u[low]) / width;
+    double square = (3.0 * line - 2.0 * s - p->slope[high]) / width,
+           cube = (s + p->slope[high] - 2.0 * line) / (width * width);
+    *u = p->u[low] + t * (s + t * (square + t * cube));
+    *slope = s + t * (2.0 * square + 3.0 * t * cube);
+}
+
+void wf_measured_sample(const struct wf_wind *w, const double x[3], double u[3], double du[9])
+{
+    const struct wf_measured_profile *p = w->field;
+    double reference, unused, here, slope;
+    measured_at(p, w->reference_height, &reference, &unused);
+    measured_at(p, x[2], &here, &slope);
+    for (int i = 0; i < 3; i++) {
+        u[i] = w->speed * here / reference * w->direction[i];
+        du[3 * i] = du[3 * i + 1] = 0.0;
+        du[3 * i + 2] = w->speed * slope / reference * w->direction[i];
+    }
+}
+
+enum wf_status wf_measured_blow(const struct wf_measured_profile *p, struct wf_wind *w, struct wf_err *e)
+{
+    double reference, slope;
+    measured_at(p, w->reference_height, &reference, &slope);
+    if (!(reference > 0.0))
+        return wf_fail(e, WF_EINPUT, "the measured profile has no wind at the reference height of %g m",
+                       w->reference_height);
+    w->sample = wf_measured_sample;
+    w->field = p;
+    return WF_OK;
+}
+
+/* The profiles as rows. */
 
 const struct wf_profile wf_profiles[] = {
     { "uniform", "the same speed at every height", "wind tunnels, comparisons; not the wind over ground",
@@ -138,6 +237,17 @@ const struct wf_profile wf_profiles[] = {
       wf_measured_sample },
     { NULL, NULL, NULL, NULL }
 };
+
+const char *const wf_profile_names[] = { "uniform", "log", "power", "canopy", "measured", NULL };
+
+double wf_wind_from(double azimuth, double north)
+{
+    double from = fmod(-0.5 * WF_PI - azimuth - north, WF_TURN);
+    if (from < 0.0) from += WF_TURN;
+    return WF_TURN - from < 1e-9 ? 0.0 : from;
+}
+
+double wf_wind_azimuth(double from, double north) { return -0.5 * WF_PI - (from + north); }
 
 const struct wf_profile *wf_profile_named(const char *name)
 {
@@ -189,98 +299,7 @@ enum wf_status wf_wind_check(const struct wf_wind *w, struct wf_err *e)
     return WF_OK;
 }
 
-enum { HEIGHTS_MAX = 1000 };
-
-/* Slopes at the points: of the parabola through three neighbours, held to twice the flatter side, so that
- * nothing overshoots (Steffen 1990, eqs 8, 11); of the straight line at the ends. */
-static void steffen(struct wf_measured_profile *p)
-{
-    const double *z = p->z, *u = p->u;
-    size_t last = p->n - 1;
-    p->slope[0] = (u[1] - u[0]) / (z[1] - z[0]);
-    p->slope[last] = (u[last] - u[last - 1]) / (z[last] - z[last - 1]);
-    for (size_t i = 1; i < last; i++) {
-        double below = z[i] - z[i - 1], above = z[i + 1] - z[i];
-        double a = (u[i] - u[i - 1]) / below, b = (u[i + 1] - u[i]) / above;
-        double middle = fabs(a * above + b * below) / (below + above);
-        p->slope[i] = a * b > 0.0 ? copysign(fmin(2.0 * fmin(fabs(a), fabs(b)), middle), a) : 0.0;
-    }
-}
-
-enum wf_status wf_measured_read(const char *path, struct wf_arena *a, struct wf_diag *d,
-                                struct wf_measured_profile *out, struct wf_err *e)
-{
-    struct wf_csv csv = { 0 };
-    size_t errors = d->errors;
-    *out = (struct wf_measured_profile){ .z = WF_TAKE(a, HEIGHTS_MAX + 1, double),
-                                         .u = WF_TAKE(a, HEIGHTS_MAX + 1, double),
-                                         .slope = WF_TAKE(a, HEIGHTS_MAX + 1, double) };
-    if (!out->z || !out->u || !out->slope) return wf_fail(e, WF_ENOMEM, "%s: no room for a profile", path);
-    if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
-    size_t height = wf_csv_need(&csv, "height_m"), speed = wf_csv_need(&csv, "speed_ms");
-    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a wind profile", path);
-    out->n = 1; /* the ground */
-    while (wf_csv_next(&csv)) {
-        double z, u;
-        if (!wf_csv_number(&csv, height, 0.0, 1000.0, &z) || !wf_csv_number(&csv, speed, 0.0, 120.0, &u))
-            continue;
-        if (out->n > HEIGHTS_MAX) return wf_fail(e, WF_EINPUT, "%s: more than %d heights", path, HEIGHTS_MAX);
-        if (!(z > out->z[out->n - 1]))
-            wf_csv_mistake(&csv, height, "%g m is not above %g m, the height before", z, out->z[out->n - 1]);
-        out->z[out->n] = z;
-        out->u[out->n++] = u;
-    }
-    if (d->errors == errors && out->n < 3)
-        wf_diag_error(d, path, 0, 0, "a profile needs at least two heights above the ground, %zu given",
-                      out->n - 1);
-    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: the profile cannot be used", path);
-    steffen(out);
-    return WF_OK;
-}
-
-/* Cubic between neighbours. */
-static void at_height(const struct wf_measured_profile *p, double z, double *u, double *slope)
-{
-    size_t low = 0, high = p->n - 1;
-    *u = z > 0.0 ? p->u[high] : 0.0;
-    *slope = 0.0;
-    if (!(z > 0.0 && z < p->z[high])) return;
-    while (high - low > 1) {
-        size_t middle = (low + high) / 2;
-        *(p->z[middle] > z ? &high : &low) = middle;
-    }
-    double width = p->z[high] - p->z[low], s = p->slope[low], t = z - p->z[low];
-    double line = (p->u[high] - p->u[low]) / width;
-    double square = (3.0 * line - 2.0 * s - p->slope[high]) / width,
-           cube = (s + p->slope[high] - 2.0 * line) / (width * width);
-    *u = p->u[low] + t * (s + t * (square + t * cube));
-    *slope = s + t * (2.0 * square + 3.0 * t * cube);
-}
-
-void wf_measured_sample(const struct wf_wind *w, const double x[3], double u[3], double du[9])
-{
-    const struct wf_measured_profile *p = w->field;
-    double reference, unused, here, slope;
-    at_height(p, w->reference_height, &reference, &unused);
-    at_height(p, x[2], &here, &slope);
-    for (int i = 0; i < 3; i++) {
-        u[i] = w->speed * here / reference * w->direction[i];
-        du[3 * i] = du[3 * i + 1] = 0.0;
-        du[3 * i + 2] = w->speed * slope / reference * w->direction[i];
-    }
-}
-
-enum wf_status wf_measured_blow(const struct wf_measured_profile *p, struct wf_wind *w, struct wf_err *e)
-{
-    double reference, slope;
-    at_height(p, w->reference_height, &reference, &slope);
-    if (!(reference > 0.0))
-        return wf_fail(e, WF_EINPUT, "the measured profile has no wind at the reference height of %g m",
-                       w->reference_height);
-    w->sample = wf_measured_sample;
-    w->field = p;
-    return WF_OK;
-}
+/* Points. */
 
 enum wf_status wf_points_read(const char *path, size_t most, struct wf_arena *a, struct wf_diag *d,
                               struct wf_points *out, struct wf_err *e)

@@ -81,9 +81,9 @@ static inline struct wf_species *mock_species(const struct mock_kind *kind, stru
                                .levels = 1,
                                .level = level,
                                .preset = "corrected" };
-    sp->crown_drag = mock_value(0.5, 0.4, WF_BORROWED, vollsinger);
-    sp->leaf_mass_per_area = mock_value(0.13, 0.2, WF_BORROWED, vollsinger);
-    sp->leaf_frontal_share = mock_value(0.35, 0.4, WF_ASSUMED, NULL);
+    sp->crown.drag_coefficient = mock_value(0.5, 0.4, WF_BORROWED, vollsinger);
+    sp->crown.leaf_mass_per_area = mock_value(0.13, 0.2, WF_BORROWED, vollsinger);
+    sp->crown.frontal_share = mock_value(0.35, 0.4, WF_ASSUMED, NULL);
     sp->streamlining = (struct wf_law_use){
         .law = "vogel",
         .low = 4,
