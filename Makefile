@@ -1,5 +1,7 @@
 # windfirm: build, test, demo. `make help` lists the targets.
-VERSION := 0.1.0
+# the version stands in src/windfirm.h, as numbers and as text
+VERSION := $(shell awk '/define WF_VERSION_(MAJOR|MINOR|PATCH) / { v = v "." $$3 } END { print substr(v, 2) }' src/windfirm.h)
+$(if $(shell grep 'define WF_VERSION "$(VERSION)"' src/windfirm.h),,$(error src/windfirm.h: WF_VERSION is not $(VERSION)))
 BUILD   ?= build
 B       := $(BUILD)$(if $(SAN),/san)
 PREFIX  ?= /usr/local
@@ -15,17 +17,19 @@ WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wm
 SANF   := $(if $(SAN),-fsanitize=address -fsanitize=undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
 INC     = -Isrc $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG)))
 ALL     = -std=c17 -D_GNU_SOURCE $(WARN) -ffp-contract=off $(INC) -MMD -MP $(SANF) \
-          -DWF_SHARE='"$(SHARE)"' $(if $(MATIO),-DWF_MATIO) -DWF_VERSION='"$(VERSION)"'
+          $(if $(MATIO),-DWF_MATIO) -DWF_VERSION='"$(VERSION)"'
 # least squares: Ceres has no pkg-config file; its one C++ file links with its C++ library
 CERES   = -lceres -lglog -lstdc++
 LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 $(CERES) -lm
 
-# Debian packages: to build, to draw, to test
+# Debian packages: to build and to draw; and for tests alone
 PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev \
-            g++ libceres-dev libeigen3-dev libgoogle-glog-dev \
-            gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei libcmocka-dev poppler-utils
+            g++ libceres-dev libeigen3-dev libgoogle-glog-dev gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei
+TEST_PACKAGES := libcmocka-dev poppler-utils gdb
 
 SRC    := $(wildcard src/*.c src/*/*.c)
+# where species, models and templates are is compiled into these alone; `make install` compiles them a second time
+SHARED := $(shell grep -l WF_SHARE $(SRC))
 LIBSRC := $(filter-out src/main.c src/cmd/%,$(SRC))
 CMDSRC := $(filter src/main.c src/cmd/%,$(SRC))
 TESTS  := $(wildcard tests/test_*.c)
@@ -44,6 +48,7 @@ $(B)/tests/%: $(B)/tests/%.o $(B)/libwindfirm.a
 $(B)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(CFLAGS) -c $< -o $@
+$(call obj,$(SHARED)): ALL += -DWF_SHARE='"$(SHARE)"'
 $(B)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(SANF) $(CFLAGS) -c $< -o $@
@@ -59,46 +64,72 @@ demo: packages ## install what is missing, build, compare bamboo and willow: out
 	@$(B)/windfirm compare species/moso_bamboo.yaml species/weeping_willow.yaml --model models/culm.yaml \
 	    --wind 10,15,25 -o out/demo
 	@ls -1 out/demo/report.pdf out/demo/report.html
-test: packages ## install what is missing, build, run every test and validation case
+test: packages test-packages ## install what is missing, build, run every test and validation case
 	@$(MAKE) -s -j$$(nproc) all programs
 	@tests/run.sh $(B)
-bench: packages ## measure speed and memory
+bench: packages test-packages ## measure speed and memory
 	@$(MAKE) -s -j$$(nproc) all $(call bin,$(BENCH))
 	@for b in $(call bin,$(BENCH)); do $$b || exit; done
-bench-peers: packages ## the same tree in CalculiX (package calculix-ccx, installed when missing): time beside time
+bench-peers: packages test-packages ## the same tree in CalculiX (package calculix-ccx, installed when missing): time beside time
 	@tools/packages.sh calculix-ccx || true
 	@$(MAKE) -s -j$$(nproc) $(B)/tests/bench_beam
 	@tests/bench_peers.sh $(B)
 programs: $(call bin,$(TESTS))
 packages:
 	@tools/packages.sh $(PACKAGES)
+test-packages:
+	@tools/packages.sh $(TEST_PACKAGES)
 
-check: layers symbols ## rooms include only to the left; every public symbol begins with wf_
+check: layers symbols interface house ## rooms, names, installed headers, and the measures of tools/house.sh
 layers:
-	@awk -f tests/layers.awk $(SRC) $(wildcard src/*/*.h)
+	@awk -f tests/layers.awk $(SRC) $(wildcard src/*.h src/*/*.h src/*/*.cpp)
 symbols: $(B)/libwindfirm.a
 	@! nm -g --defined-only $< | awk '$$2 ~ /^[TDBRC]$$/ && $$3 !~ /^(wf_|__odr_asan)/' | grep .
+interface: # what is installed: number, names, C and C++
+	@tools/interface.sh $(HEADERS)
+house: all # sizes, circles, callers, the way through the program
+	@tools/house.sh $(B)
 golden: all ## write the expected tables of the demo again, after a change that is understood
 	$(B)/windfirm compare species/moso_bamboo.yaml species/weeping_willow.yaml --model models/culm.yaml \
 	    --wind 10,15,25 -o $(B)/golden --no-report --quiet
 	cp $(B)/golden/tables/*.csv tests/golden/
 
+# The interface: src/windfirm.h and what it includes, found by the compiler. Installed, they include one another as
+# <windfirm/...>, so that one -I is enough.
+HEADERS = $(sort $(filter src/%.h,$(shell $(CC) -MM -Isrc src/windfirm.h)))
+# What an installed program differs in from the built one; another PREFIX makes it again.
+N := $(B)/install
 I := $(DESTDIR)$(PREFIX)
-install: ## program, library, headers, species, models, report templates (DESTDIR, PREFIX)
-	@$(MAKE) BUILD=$(BUILD)/install SHARE=$(PREFIX)/share/windfirm all
+installed = $(patsubst $(B)/%,$(N)/%,$(filter $(call obj,$(SHARED)),$(1))) $(filter-out $(call obj,$(SHARED)),$(1))
+$(N)/prefix: FORCE
+	@mkdir -p $(@D)
+	@echo '$(PREFIX)' | cmp -s - $@ || echo '$(PREFIX)' >$@
+$(N)/%.o: %.c $(N)/prefix
+	@mkdir -p $(@D)
+	$(CC) $(ALL) -DWF_SHARE='"$(PREFIX)/share/windfirm"' $(CFLAGS) -c $< -o $@
+$(N)/libwindfirm.a: $(call installed,$(call obj,$(LIBSRC))) $(B)/src/fit/ceres.o
+	@rm -f $@
+	$(AR) rcs $@ $^
+$(N)/windfirm: $(call installed,$(call obj,$(CMDSRC))) $(N)/libwindfirm.a
+	$(CC) $(SANF) $(LDFLAGS) $^ $(LDLIBS) -o $@
+install: $(N)/windfirm ## program, library, headers, species, models, report templates (DESTDIR, PREFIX)
 	install -d $(I)/bin $(I)/lib/pkgconfig $(I)/share/windfirm
-	install -m 755 $(BUILD)/install/windfirm $(I)/bin
-	install -m 644 $(BUILD)/install/libwindfirm.a $(I)/lib
-	for h in $(filter-out src/cmd/%,$(wildcard src/*/*.h)); do \
-	    install -D -m 644 $$h $(I)/include/windfirm/$${h#src/} || exit; done
+	install -m 755 $(N)/windfirm $(I)/bin
+	install -m 644 $(N)/libwindfirm.a $(I)/lib
+	for h in $(patsubst src/%,%,$(HEADERS)); do \
+	    install -d $$(dirname $(I)/include/windfirm/$$h) && \
+	    sed 's|^#include "\(.*\)"|#include <windfirm/\1>|' src/$$h >$(I)/include/windfirm/$$h || exit; done
 	cp -r species models reports validation $(I)/share/windfirm
 	sed 's|@PREFIX@|$(PREFIX)|; s|@VERSION@|$(VERSION)|; s|@REQUIRES@|$(PKG)|' src/windfirm.pc.in \
 	    > $(I)/lib/pkgconfig/windfirm.pc
+headers: ## the headers that are installed
+	@printf '%s\n' $(HEADERS)
+FORCE:
 clean: ## remove what was built and computed
 	rm -rf $(BUILD) out
 help: ## this list
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test bench bench-peers programs packages check layers symbols golden install clean help
+.PHONY: all demo test bench bench-peers programs packages test-packages check layers symbols interface house golden install headers clean help
 .SECONDARY:
--include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS) $(BENCH)) $(B)/src/fit/ceres.o)
+-include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS) $(BENCH)) $(patsubst %.c,$(N)/%.o,$(SHARED)) $(B)/src/fit/ceres.o)

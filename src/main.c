@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/cmd.h"

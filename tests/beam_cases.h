@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_BEAM_CASES_H
 #define WF_TESTS_BEAM_CASES_H
 /* Trees and loads for the tests and measurements of the structural engine. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Speed and memory of the structural engine. Times are processor time of this process, the best of several
  * runs; ratios are taken within one run, so that they hold on a busy machine too. */
 #include "beam_cases.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Frames of a swaying tree a second, and the time of the rod solver. The tree: a stem, 12 branches on it, 8
  * twigs on each, all of 5 segments, and 800 leaves; wind, forces and shape are worked out anew in every
  * frame. */

@@ -1,7 +1,9 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Time of a calibration: modulus and root stiffness of the tree of 1000 rows to 56 readings of 7 winds,
  * against the solutions it cannot do without: the tree solved from rest in each of these winds and in none.
  */
 #include "base/random.h"
+#include "data/species.h"
 #include "fit_case.h"
 #include "solve/beam.h"
 #include <time.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Processor time to make 1000 points x 36 000 steps of Kaimal wind in a crown, block by block, over that of
  * the normal numbers alone, which no method can do without. */
 #include "base/random.h"

@@ -1,4 +1,5 @@
 #!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
 # CalculiX beside windfirm on one tree of 1000 segments: static equilibrium at 40 m/s with weight, and the first
 # ten frequencies. Given: the build folder. CalculiX has no wind that follows the bent shape: it gets the same
 # drag as dead forces on its nodes, so the shapes differ; what is compared is time. Its B31 beams have no circular

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Processor time to make the shelter of the generated tree of 10k segments on 32 slabs of 128 x 128 cells. */
 #include "base/csv.h"
 #include "cases/build.h"

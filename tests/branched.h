@@ -1,7 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_BRANCHED_H
 #define WF_TESTS_BRANCHED_H
 /* Branched trees from a model as text and a species of two levels. */
 #include "close.h"
+#include "data/model.h"
+#include "data/species.h"
 #include "grow/grow.h"
 #include "scratch.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_CHAIN_H
 #define WF_TESTS_CHAIN_H
 /* Trees for the tests of the chain solver. */

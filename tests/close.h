@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_CLOSE_H
 #define WF_TESTS_CLOSE_H
 /* cmocka with a comparison in double precision (its own assert_float_equal casts to float). */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_EDITED_H
 #define WF_TESTS_EDITED_H
 /* A good text with one place changed, and the findings that must follow: one row a mistake. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_FIT_CASE_H
 #define WF_TESTS_FIT_CASE_H
 /* Trees with sensors on them, for the tests of calibration. */

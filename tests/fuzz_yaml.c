@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fuzz target of the readers of tables and models (libFuzzer). Build and run:
  *   clang -std=c17 -D_GNU_SOURCE -g -O1 -fsanitize=fuzzer,address,undefined -Isrc tests/fuzz_yaml.c \
  *       src/base/ *.c src/data/ *.c src/grow/stem.c -lyaml -ludunits2 -lm \
@@ -10,6 +11,7 @@
 #include "data/species.h"
 #include "grow/stem.h"
 #include "load/drag.h"
+#include "load/load.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_IMPORTED_H
 #define WF_TESTS_IMPORTED_H
 /* A tree file read for a test, and what must hold of every tree that was read and joined. */

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Run the layer and symbol checks, every test program and the validation cases of a build; the last line is
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Run the checks of layers, symbols and installed headers, every test program and the validation cases of a build; the last line is
 # "N passed, N failed" (", N skipped" when there are any). Given: the build folder.
 build=$1
 log=$build/tests/log
@@ -13,7 +14,7 @@ number() { # the number in front of a word on the log's last matching line, 0 wh
 }
 
 mkdir -p "$build/tests"
-for what in layers symbols; do
+for what in layers symbols interface; do
     if ${MAKE:-make} -s $what; then
         passed=$((passed + 1))
     else

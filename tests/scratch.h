@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_SCRATCH_H
 #define WF_TESTS_SCRATCH_H
 /* Scratch files and findings for tests: text in, "line:column: message" lines out. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_SERIES_CASES_H
 #define WF_TESTS_SERIES_CASES_H
 /* Runs in time for tests: a species and a model, words as in a file of runs. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_SHELL_H
 #define WF_TESTS_SHELL_H
 /* Commands of the program as rows: what is typed, the exit code, what it prints. */

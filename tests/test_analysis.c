@@ -1,5 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* wf_analyze on stems whose answers are known: closed forms, balance of forces, invariance, limits. */
-#include "solve/solvers.h"
+#include "data/model.h"
+#include "data/species.h"
+#include "solve/solve.h"
 #include "close.h"
 #include "study/analysis.h"
 #include "study/limits.h"

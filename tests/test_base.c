@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors, arena, findings, numbers, near words, UTF-8. */
 #include "base/arena.h"
 #include "base/diag.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tables from spreadsheets. */
 #include "base/csv.h"
 #include "close.h"

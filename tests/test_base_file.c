@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files appear complete or not at all; reading refuses what cannot be used. */
 #include "base/file.h"
 #include "close.h"

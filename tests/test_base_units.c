@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Quantities at the door. */
 #include "base/units.h"
 #include "close.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The beam and linear solvers against closed forms of small deflection, section by section. */
 #include "beam_cases.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the structural engine refuses, and that it never does more than refuse: every memory request of every
  * solver is denied once. */
 #include <stddef.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Large deflections against closed forms and against the answer's own symmetries. */
 #include "beam_cases.h"
 #include <gsl/gsl_sf_ellint.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trees at and beyond what they can bear: every case ends in an answer or in a statement. */
 #include "beam_cases.h"
 #include "solve/modes.h"

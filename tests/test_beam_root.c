@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The elastic root plate: a stem too stiff to bend, on springs. */
 #include "beam_cases.h"
 #include "solve/modes.h"

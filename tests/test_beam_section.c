@@ -1,6 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sections that are not round: two bending stiffnesses that turn with the section, torsion, weight to one
  * side. */
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "base/vec3.h"
 #include "beam_cases.h"
 #include "data/section.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The eliminated tangent is exact: a Newton correction leads back to an equilibrium that was left. */
 #include "base/vec3.h"
 #include "beam_cases.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trees, wood, wind and options at random: every case ends in a balanced answer. */
 #include "beam_cases.h"
 #include "solve/modes.h"

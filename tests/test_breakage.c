@@ -1,7 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Stress and safety of sections, against closed forms of a cantilever. */
 #include "close.h"
 #include "data/section.h"
-#include "fail/criterion.h"
+#include "fail/fail.h"
 #include "solve/chain.h"
 
 #define PI 3.14159265358979323846

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The chain of cantilevers on a stem: exact where it should be, wrong as printed where it is as printed. */
 #include "chain.h"
 

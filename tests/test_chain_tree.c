@@ -1,5 +1,6 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The chain of cantilevers on branched trees. */
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "chain.h"
 
 /* An arm off the top of a stem, pushed sideways at its end: both bend, and the stem twists. */
@@ -108,7 +109,7 @@ static void base_bears_all_loads(void **state)
                                         .mass = 900 * PI * r * r + 0.4 * u };
             struct wf_line_load q;
             for (int j = 0; j < 3; j++) d[j] /= length;
-            wf_line_load(&f.l, &pt, x, d, &q);
+            wf_load_on_line(&f.l, &pt, x, d, &q);
             for (int j = 0; j < 3; j++) {
                 int a = (j + 1) % 3, b = (j + 2) % 3;
                 F[j] += q.force[j] * length / 4000;

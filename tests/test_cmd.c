@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The program as a user meets it: what it prints and its exit code, above all for bad input. */
 #include "close.h"
 #include "shell.h"

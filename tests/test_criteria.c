@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Criteria of failure by part of the tree, and what results.json says of them. */
 #include "close.h"
-#include "solve/solvers.h"
+#include "data/model.h"
+#include "data/species.h"
+#include "solve/solve.h"
 #include "data/out/folder.h"
-#include "fail/breakage.h"
+#include "fail/fail.h"
 #include "load/drag.h"
 #include "out/results.h"
 #include "study/directions.h"

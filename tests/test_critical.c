@@ -1,6 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The search for the critical wind speed: every outcome, the lowest crossing, failures on the way. */
 #include "close.h"
-#include "fail/critical.h"
+#include "fail/fail.h"
 #include <string.h>
 
 struct curve {

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cylinder's drag coefficient: the classic curve, bark instead of the drag crisis, smoothness,
  * derivative.
  */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The frame-by-frame method: the printed formula to the digit, the corrected one against chain and beam, and
  * how leaves ride. */
 #include "base/vec3.h"

@@ -1,5 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Winds from all around: where they come from, symmetry, the same bytes on any number of threads, climate. */
-#include "solve/solvers.h"
+#include "data/model.h"
+#include "data/species.h"
+#include "solve/solve.h"
 #include "load/drag.h"
 #include "close.h"
 #include "study/directions.h"

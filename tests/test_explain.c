@@ -1,5 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Methods against beam theory, branch by branch. */
-#include "solve/solvers.h"
+#include "data/model.h"
+#include "data/species.h"
+#include "solve/solve.h"
 #include "load/drag.h"
 #include "close.h"
 #include "study/explain.h"

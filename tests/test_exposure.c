@@ -1,6 +1,9 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Ground around a tree: level ground changes nothing, the factor is that of the map, and the load feels it.
  */
-#include "solve/solvers.h"
+#include "data/model.h"
+#include "data/species.h"
+#include "solve/solve.h"
 #include "load/drag.h"
 #include "close.h"
 #include "study/analysis.h"

@@ -1,5 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Calibration: recovery of known trees, intervals that cover, outliers, bounds, and what cannot be told. */
 #include "base/random.h"
+#include "data/species.h"
 #include "fit_case.h"
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_multifit_nlinear.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm fit and simulate-test as a user meets them. */
 #include "close.h"
 #include "shell.h"

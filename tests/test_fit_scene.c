@@ -1,12 +1,15 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The scene of a fit: air, wind profile and site of a test reach its readings, as they reach an analysis. */
 #include "close.h"
+#include "data/model.h"
+#include "data/species.h"
 #include "fit/build.h"
 #include "fit/fit.h"
 #include "fit/predict.h"
 #include "load/drag.h"
 #include "scratch.h"
 #include "shell.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "study/analysis.h"
 #include "wind/terrain.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Studies and records: units, gaps, the loading branch, sway records, and everything users get wrong. */
 #include "base/random.h"
 #include "close.h"

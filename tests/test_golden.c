@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The demo's tables against those kept in tests/golden. They guard against unintended change; what is right
  * is told by the validation cases. `make golden` writes them again. */
 #include "close.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Synthesised wind against what it was asked to be: spectrum, coherence, moments, repeatability, messages. */
 #include "base/random.h"
 #include "close.h"

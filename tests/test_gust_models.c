@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Gusts given by a formula, what a specification may hold, and what is said of one that is wrong. */
 #include "close.h"
 #include "wind/gust.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Coherent noise: lattice zeros, continuity, range, symmetry, octaves, variance. */
 #include "base/random.h"
 #include "close.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The wind in a stand, a measured profile, a wind climate. */
 #include "close.h"
 #include "wind/wind.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Winds named by a scale; averaging times. */
 #include "close.h"
 #include "wind/climate.h"

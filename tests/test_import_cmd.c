@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The commands import and tree info as a user meets them: output and exit code. */
 #include "close.h"
 #include "shell.h"

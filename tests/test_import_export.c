@@ -1,5 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trees written and read back, and MATLAB files. */
 #include "close.h"
+#include "data/species.h"
 #include "grow/qsm.h"
 #include "imported.h"
 #ifdef WF_MATIO

@@ -1,5 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every format a tree may come in, read from small files written by hand. */
 #include "close.h"
+#include "data/species.h"
 #include "imported.h"
 
 #define DATA "tests/data/qsm/"

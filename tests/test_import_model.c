@@ -1,5 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* From cylinders to connected segments, and materials on them. */
 #include "close.h"
+#include "data/species.h"
 #include "imported.h"
 
 #define DATA "tests/data/qsm/"

@@ -1,6 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Scanned trees of other people, when the folder named by WINDFIRM_REFERENCE holds them (trees/qsm, beams):
  * sizes, masses and drag against an independent calculation. They are not shipped, for their licences. */
 #include "close.h"
+#include "data/species.h"
 #include "imported.h"
 #include "solve/modes.h"
 #include <time.h>

@@ -1,5 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Files as they really are: what is repaired, counted, refused. */
 #include "close.h"
+#include "data/species.h"
 #include "imported.h"
 #include <time.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Block Lanczos on small dense matrices whose eigenvalues are known. */
 #include "close.h"
 #include "solve/modes.h"

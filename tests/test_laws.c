@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Laws as rows: every row is complete and smooth; reader, schema and messages follow a table that only this
  * test knows; a case may name a law. */
+#include "base/units.h"
 #include "cases/read.h"
 #include "cases/run.h"
 #include "close.h"

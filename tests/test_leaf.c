@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A stem with sections and masses of its own, bent by its weight: grown, predicted, fitted, and what users
  * get wrong. */
 #include "base/vec3.h"

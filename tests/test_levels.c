@@ -1,10 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Trees of levels: counts, places, angles, lengths, radii, curves, spread, and what is refused. */
-#include "solve/solvers.h"
+#include "data/model.h"
+#include "solve/solve.h"
 #include "load/drag.h"
 #include "branched.h"
 #include "close.h"
 #include "edited.h"
-#include "solve/solve.h"
 
 #define DEG (M_PI / 180)
 

@@ -1,5 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The line load: closed cases, limits, and every derivative against central differences. */
 #include "close.h"
+#include "load/drag.h"
 #include "load/load.h"
 #include <string.h>
 
@@ -39,7 +41,7 @@ static void cylinder_across(void **state)
     struct wf_loads l = in_wind(&w);
     struct wf_line_point p = { .diameter = 0.1, .drag = 1.1, .mass = 3 };
     struct wf_line_load f;
-    wf_line_load(&l, &p, origin, up, &f);
+    wf_load_on_line(&l, &p, origin, up, &f);
     assert_close(f.force[0], 0.5 * 1.225 * 1.1 * 0.1 * 144, 1e-15);
     assert_close(f.force[1], 0, 0);
     assert_close(f.force[2], -3 * 9.81, 1e-15);
@@ -53,11 +55,11 @@ static void cylinder_inclined(void **state)
     struct wf_line_point p = { .diameter = 0.1, .drag = 1.1 };
     struct wf_line_load f;
     double half = sqrt(0.5), t[3] = { half, 0, half }, across = 0.5 * 1.225 * 1.1 * 0.1 * 144;
-    wf_line_load(&l, &p, origin, t, &f);
+    wf_load_on_line(&l, &p, origin, t, &f);
     /* sin^2 of the angle between wind and axis, pushing across the axis */
     assert_close(f.force[0] * half - f.force[2] * half, across * 0.5, 1e-14);
     assert_close(f.force[0] * half + f.force[2] * half, 0, 1e-14);
-    wf_line_load(&l, &p, origin, to_x, &f);
+    wf_load_on_line(&l, &p, origin, to_x, &f);
     for (int i = 0; i < 3; i++) assert_close(f.force[i], 0, 0);
     for (int i = 0; i < 9; i++) assert_close(f.by_turn[i], 0, 0);
 }
@@ -69,7 +71,7 @@ static void lift_is_across_wind_and_axis(void **state)
     struct wf_loads l = in_wind(&w);
     struct wf_line_point p = { .diameter = 0.1, .drag = 0, .lift = 0.3 };
     struct wf_line_load f;
-    wf_line_load(&l, &p, origin, up, &f);
+    wf_load_on_line(&l, &p, origin, up, &f);
     assert_close(f.force[0], 0, 0);
     assert_close(f.force[1], 0.5 * 1.225 * 0.3 * 0.1 * 144, 1e-15); /* z x x = y */
     assert_close(f.force[2], 0, 0);
@@ -83,13 +85,13 @@ static void crown_goes_with_the_wind(void **state)
     struct wf_line_point p = { .diameter = 0, .drag = 1, .sail = 0.8 };
     struct wf_line_load f;
     double half = sqrt(0.5), t[3] = { half, 0, half };
-    wf_line_load(&l, &p, origin, t, &f); /* whatever the axis does */
+    wf_load_on_line(&l, &p, origin, t, &f); /* whatever the axis does */
     assert_close(f.force[0], 0.5 * 1.225 * 0.8 * 225, 1e-15);
     assert_close(f.force[2], 0, 0);
     for (int i = 0; i < 9; i++) assert_close(f.by_turn[i], 0, 0);
     l.streamline = wf_streamline_named("vogel");
     l.streamline_par = (struct wf_law_values){ .number = { -0.7, 5 } };
-    wf_line_load(&l, &p, origin, to_y, &f);
+    wf_load_on_line(&l, &p, origin, to_y, &f);
     assert_close(f.force[0], 0.5 * 1.225 * 0.8 * 225 * pow(3, -0.7), 1e-14);
 }
 
@@ -105,7 +107,7 @@ static void still_air_gives_weight_alone(void **state)
     l.streamline_par = (struct wf_law_values){ .number = { -0.7, 5 } };
     for (int still = 0; still < 2; still++) { /* in the calm layer, and without any wind */
         if (still) l.wind = NULL;
-        wf_line_load(&l, &p, below, up, &f);
+        wf_load_on_line(&l, &p, below, up, &f);
         assert_close(f.force[0], 0, 0);
         assert_close(f.force[1], 0, 0);
         assert_close(f.force[2], -2 * 9.81, 1e-15);
@@ -125,7 +127,7 @@ static void vanishing_wind(void **state)
         struct wf_wind w = along_x(speed);
         struct wf_loads l = in_wind(&w);
         struct wf_line_load f;
-        wf_line_load(&l, &p, origin, up, &f);
+        wf_load_on_line(&l, &p, origin, up, &f);
         if (speed * speed > 1e-290)
             assert_close(f.force[0] / (speed * speed), 0.5 * 1.225 * (1.2 * 0.1 + 1), 1e-12);
         for (int i = 0; i < 9; i++) assert_true(fabs(f.by_turn[i]) <= speed * speed);
@@ -142,9 +144,9 @@ static void scales_act_on_the_force(void **state)
     double t[3] = { 0.36, 0.48, 0.8 };
     l.streamline = wf_streamline_named("vogel");
     l.streamline_par = (struct wf_law_values){ .number = { -0.5, 4 } };
-    wf_line_load(&l, &p, origin, t, &whole);
+    wf_load_on_line(&l, &p, origin, t, &whole);
     l.wind_scale = 0.25, l.weight_scale = 0.5;
-    wf_line_load(&l, &p, origin, t, &part);
+    wf_load_on_line(&l, &p, origin, t, &part);
     assert_close(part.force[0], 0.25 * whole.force[0], 1e-14);
     assert_close(part.force[2] + 0.5 * 7 * 9.81, 0.25 * (whole.force[2] + 7 * 9.81), 1e-12);
     for (int i = 0; i < 9; i++) assert_close(part.by_place[i], 0.25 * whole.by_place[i], 1e-14);
@@ -180,17 +182,17 @@ static void largest_gap(const struct wf_loads *l, const struct wf_line_point *p,
 {
     struct wf_line_load f, a, b;
     double size_x = 0, size_w = 0, gap_x = 0, gap_w = 0;
-    wf_line_load(l, p, x, t, &f);
+    wf_load_on_line(l, p, x, t, &f);
     for (int i = 0; i < 9; i++) size_x += fabs(f.by_place[i]), size_w += fabs(f.by_turn[i]);
     for (int j = 0; j < 3; j++) {
         const double hx = 1e-5, hw = 1e-5;
         double there[3] = { x[0], x[1], x[2] }, spin[3] = { 0 }, tt[3];
-        there[j] = x[j] + hx, wf_line_load(l, p, there, t, &a);
-        there[j] = x[j] - hx, wf_line_load(l, p, there, t, &b);
+        there[j] = x[j] + hx, wf_load_on_line(l, p, there, t, &a);
+        there[j] = x[j] - hx, wf_load_on_line(l, p, there, t, &b);
         for (int i = 0; i < 3; i++)
             gap_x += fabs((a.force[i] - b.force[i]) / (2 * hx) - f.by_place[3 * i + j]);
-        spin[j] = hw, turned(t, spin, tt), wf_line_load(l, p, x, tt, &a);
-        spin[j] = -hw, turned(t, spin, tt), wf_line_load(l, p, x, tt, &b);
+        spin[j] = hw, turned(t, spin, tt), wf_load_on_line(l, p, x, tt, &a);
+        spin[j] = -hw, turned(t, spin, tt), wf_load_on_line(l, p, x, tt, &b);
         for (int i = 0; i < 3; i++)
             gap_w += fabs((a.force[i] - b.force[i]) / (2 * hw) - f.by_turn[3 * i + j]);
     }
@@ -234,8 +236,8 @@ static void parts_make_the_whole(void **state)
     struct wf_line_load f;
     struct wf_line_parts q;
     double t[3] = { 0.36, 0.48, 0.8 }, across = 0;
-    wf_line_load(&l, &p, origin, t, &f);
-    wf_line_parts(&l, &p, origin, t, &q);
+    wf_load_on_line(&l, &p, origin, t, &f);
+    wf_load_parts_on_line(&l, &p, origin, t, &q);
     for (int i = 0; i < 3; i++) {
         assert_close(q.drag_axis[i] + q.drag_crown[i] + q.lift[i] + q.weight[i], f.force[i], 1e-14);
         across += q.lift[i] * w.direction[i];

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tree models: what is read, and every mistake by name. */
 #include "close.h"
 #include "data/model.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Natural frequencies and self-buckling against closed forms and independent computations. */
 #include "beam_cases.h"
 #include "solve/modes.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "close.h"
 #include "data/out/folder.h"
 #include "data/out/mock.h"

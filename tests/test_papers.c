@@ -1,6 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What the papers say of their trees must hold in their runs, as far as it is physics; and what is wrong with
  * the printed methods must show. */
 #include "close.h"
+#include "data/species.h"
 #include "out/series.h"
 #include "scratch.h"
 #include "series_cases.h"

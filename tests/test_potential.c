@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Potential flows: published closed forms, and what any of them must satisfy. */
 #include "close.h"
 #include "wind/shelter_laws.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Counter-based random numbers: the published known answers, and the moments of what is made of them. */
 #include "base/random.h"
 #include "close.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Area coverage by outlines against exact geometry. */
 #include "base/random.h"
 #include "close.h"

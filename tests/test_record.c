@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Anemometer files: what is bridged, what is refused, what the axes become. */
 #include "base/random.h"
 #include "close.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The rod solver against the beam engine without stretch, statics at forks and tips, and the printed form. */
 #include "wind/shelter_laws.h"
 #include "beam_cases.h"

@@ -1,4 +1,6 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sensitivities that a fit relies on, against central differences of whole solutions. */
+#include "data/species.h"
 #include "fit_case.h"
 
 /* Every reading and every parameter: exact sensitivity against differences extrapolated from two steps. */

@@ -1,6 +1,8 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Time series of balances: steady wind is one answer, a gust follows it, trends of the papers hold. */
 #include "base/file.h"
 #include "close.h"
+#include "data/species.h"
 #include "out/series.h"
 #include "scratch.h"
 #include "series_cases.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The wind inside and behind a tree: exact cases, symmetry, conservation, refusals. */
 #include "wind/shelter_laws.h"
 #include "close.h"

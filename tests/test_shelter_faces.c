@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Where the wind inside a crown is not smooth: the faces of its cells. */
 #include "wind/shelter_laws.h"
 #include "base/vec3.h"

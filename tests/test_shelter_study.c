@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A tree solved in its own shelter, and the command as a user meets it. */
 #include "cases/build.h"
 #include "close.h"

@@ -1,9 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The shipped library: every species table and tree model reads without a finding, is named as its file,
  * and lies inside the ranges its class of material allows. */
 #include "close.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "load/drag.h"
+#include "load/load.h"
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,8 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Species tables: what is read, and every mistake by name. */
 #include "close.h"
 #include "data/species.h"
 #include "edited.h"
 #include "load/drag.h"
+#include "load/load.h"
 
 static const char good[] =
     "species: moso\n"

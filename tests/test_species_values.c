@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The values of a species as rows: every one has a name and words, reaches the tree, and is found by a fit.
  */
 #include "base/file.h"

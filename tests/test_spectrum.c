@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Target spectra: their integrals, their laws at both ends, and the components' shares. */
 #include "close.h"
 #include "wind/spectrum.h"

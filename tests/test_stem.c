@@ -1,5 +1,7 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A stem grown from a model and a species: shape, walls, leaves, masses. */
 #include "close.h"
+#include "data/species.h"
 #include "grow/stem.h"
 #include <string.h>
 

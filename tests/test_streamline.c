@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Streamlining laws: values, continuity, derivative, and the spline against GSL's. */
 #include "close.h"
 #include "load/drag.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Made and read ground, exposure, speed-up. */
 #include "close.h"
 #include "wind/terrain.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The tree's columns and their check. */
 #include "close.h"
 #include "data/tree.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Branched and measured trees on the command line: which tree is meant, seasons, pictures. */
 #include "close.h"
 #include "shell.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Validation cases: the format and its mistakes, what passes and what must fail, the shipped files. */
 #include "base/file.h"
 #include "cases/build.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Wind profiles and air. */
 #include "close.h"
 #include "wind/wind.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Winds on the command line: grades, averaging times, measured profiles, directions, gusts, streams; bad
  * input. */
 #include "close.h"

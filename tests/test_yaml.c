@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The YAML reader under a small schema that has every kind of row. */
 #include "base/yaml.h"
 #include "close.h"

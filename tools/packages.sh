@@ -1,5 +1,7 @@
 #!/bin/sh
-# Install those of the named Debian packages that are missing; say nothing when all are there.
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Install those of the named Debian packages that are missing; say nothing when all are there. What cannot be
+# installed is left out with a line: what needs it says so itself.
 if ! command -v dpkg-query >/dev/null; then
     echo "no Debian package system here; needed: $*" >&2
     exit 0
@@ -15,5 +17,10 @@ done
 echo "installing$missing" >&2
 as=
 if [ "$(id -u)" != 0 ]; then as=sudo; fi
-$as apt-get -q update </dev/null >&2 &&
-    $as env DEBIAN_FRONTEND=noninteractive apt-get -qy --no-install-recommends install $missing </dev/null >&2
+get() { $as env DEBIAN_FRONTEND=noninteractive apt-get -qy --no-install-recommends install "$@" </dev/null >&2; }
+$as apt-get -q update </dev/null >&2
+get $missing && exit 0
+for p in $missing; do # one that cannot be had does not keep the others out
+    get "$p" || echo "package $p cannot be installed: left out" >&2
+done
+exit 0

@@ -5,6 +5,10 @@
  * returns is aligned to 64 bytes and zeroed. A zero-initialised struct wf_arena is empty and has no limit. */
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct wf_arena_block;
 struct wf_arena {
     struct wf_arena_block *block; /* newest block */
@@ -24,4 +28,8 @@ void wf_arena_free(struct wf_arena *a);
 
 /* n zeroed elements of type T from arena `a`, or NULL. */
 #define WF_TAKE(a, n, T) ((T *)wf_arena_take((a), (n), sizeof(T)))
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -7,6 +7,10 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 enum wf_severity { WF_WARNING, WF_ERROR };
 
 struct wf_finding {
@@ -37,4 +41,8 @@ void wf_diag_warn(struct wf_diag *d, const char *code, const char *fmt, ...)
 void wf_diag_sort(struct wf_diag *d, struct wf_finding *before);
 /* Write "file:line:column: error: text" to buf[size], without the parts that are unknown. Returned: buf. */
 char *wf_finding_print(const struct wf_finding *f, char *buf, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -650,3 +650,12 @@ enum wf_status wf_yaml_read(const char *path, const struct wf_yaml_table *table,
     if (!y.mistakes) return WF_OK;
     return wf_fail(e, WF_EINPUT, "%s: %zu mistake%s", path, y.mistakes, y.mistakes == 1 ? "" : "s");
 }
+
+void wf_yaml_ascending(struct wf_yaml *y, const char *key, size_t n, const double *s)
+{
+    for (size_t i = 1; i < n; i++)
+        if (s[i] <= s[i - 1]) {
+            wf_yaml_error(y, key, "%g follows %g; the values must ascend", s[i], s[i - 1]);
+            return;
+        }
+}

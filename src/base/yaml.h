@@ -117,6 +117,8 @@ struct wf_yaml_mark wf_yaml_where(struct wf_yaml *y, const char *key);
 const char *wf_yaml_raw(struct wf_yaml *y, const char *key);
 /* For `finish`: whether a key of the current table, or of a table in it ("place.count"), is in the file. */
 bool wf_yaml_has(struct wf_yaml *y, const char *key);
+/* For `finish`: the numbers of a list must ascend strictly. Given: the list's key and values. */
+void wf_yaml_ascending(struct wf_yaml *y, const char *key, size_t n, const double *s);
 /* For `finish`: zeroed memory from the reader's arena. After NULL the reading fails with WF_ENOMEM. */
 void *wf_yaml_take(struct wf_yaml *y, size_t n, size_t size);
 

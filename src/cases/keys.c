@@ -4,7 +4,7 @@
 #include "cases/measure.h"
 #include "load/drag.h"
 #include "solve/chain.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include <math.h>
 #include <stdint.h>
 #include <string.h>

@@ -152,7 +152,7 @@ static enum wf_status rigid_drag(const struct wf_setup *s, double *drag, struct 
             struct wf_line_point p = { .diameter = 2.0 * wf_between(t->r0[i], t->r1[i], u),
                                        .drag = t->drag[i] };
             for (int k = 0; k < 3; k++) x[k] = wf_between(base[k], end[k], u);
-            wf_line_parts(&s->loads, &p, x, axis, &parts);
+            wf_load_parts_on_line(&s->loads, &p, x, axis, &parts);
             *drag += 0.5 * weight[g / 2] * length * wf_dot(parts.drag_axis, s->wind.direction);
         }
     }

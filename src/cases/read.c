@@ -6,7 +6,7 @@
 #include "base/text.h"
 #include "cases/keys.h"
 #include "cases/measure.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -4,11 +4,12 @@
 #include "cmd/option_groups.h"
 #include "cmd/pages.h"
 #include "cmd/wind_speed.h"
+#include "data/species.h"
 #include "load/drag.h"
 #include "load/scene.h"
 #include "out/explain.h"
 #include "out/results.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "study/limits.h"
 #include "study/preset.h"
 #include <math.h>

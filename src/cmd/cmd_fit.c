@@ -3,6 +3,7 @@
 #include "cmd/args.h"
 #include "cmd/cmd.h"
 #include "cmd/pages.h"
+#include "data/species.h"
 #include "out/fit_species.h"
 #include "out/fit_results.h"
 #include <math.h>

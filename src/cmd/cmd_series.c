@@ -5,6 +5,7 @@
 #include "cmd/option_groups.h"
 #include "cmd/pages.h"
 #include "cmd/wind_speed.h"
+#include "data/species.h"
 #include "load/drag.h"
 #include "out/results.h"
 #include "out/series.h"

@@ -5,6 +5,7 @@
 #include "cmd/option_groups.h"
 #include "cmd/pages.h"
 #include "cmd/wind_speed.h"
+#include "data/species.h"
 #include "grow/clothe.h"
 #include "grow/grow.h"
 #include "grow/qsm_model.h"
@@ -12,7 +13,7 @@
 #include "load/scene.h"
 #include "out/shelter_results.h"
 #include "out/wind_results.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "study/limits.h"
 #include "wind/shelter_laws.h"
 #include <math.h>

@@ -4,6 +4,7 @@
 #include "cmd/cmd.h"
 #include "data/species.h"
 #include "load/drag.h"
+#include "load/load.h"
 #include <glob.h>
 #include <stdio.h>
 #include <string.h>

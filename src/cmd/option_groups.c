@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/option_groups.h"
 #include "cmd/cmd.h"
+#include "grow/grow.h"
 #include "solve/solve.h"
-#include "solve/solvers.h"
 #include "study/preset.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
@@ -36,42 +36,6 @@ enum wf_joint wf_joint_named(const char *word)
     return strcmp(word, "axis") ? WF_JOINT_BRIDGE : WF_JOINT_AXIS;
 }
 
-/* File name without folder and ending, as a key. */
-static const char *file_key(const char *path, struct wf_arena *a)
-{
-    const char *slash = strrchr(path, '/');
-    char *key = wf_arena_text(a, slash ? slash + 1 : path), *dot = key ? strrchr(key, '.') : NULL;
-    if (dot && dot != key) *dot = '\0';
-    return key;
-}
-
-static enum wf_status read_measured(const struct wf_tree_asked *t, const char *path, struct wf_arena *a,
-                                    struct wf_model *out, struct wf_diag *d, struct wf_err *e)
-{
-    struct wf_import_options o = wf_import_default();
-    struct wf_qsm *q = WF_TAKE(a, 1, struct wf_qsm);
-    struct wf_qsm_model *m = WF_TAKE(a, 1, struct wf_qsm_model);
-    if (!q || !m) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
-    enum wf_status s = wf_import_read(path, &o, a, q, d, e);
-    if (s || (s = wf_qsm_to_tree(q, wf_joint_named(t->joint), a, m, e))) return s;
-    *out = (struct wf_model){
-        .key = file_key(path, a),
-        .file = wf_arena_text(a, path),
-        .source = wf_arena_print(a, "measured tree, %s, %zu cylinders", q->format, q->n),
-        .generator = WF_GENERATOR_MEASURED,
-        .height = wf_tree_height(&m->tree),
-        .radius = m->tree.r0[0],
-        .crown_base = NAN,
-        .crown_top = NAN,
-        .segments = m->tree.n,
-        .measured = &m->tree,
-        .measured_kind = m->kind,
-    };
-    out->name = out->key;
-    if (!out->key || !out->file || !out->source) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
-    return WF_OK;
-}
-
 int wf_tree_asked_check(const struct wf_tree_asked *t, const char *command, const char *file)
 {
     const char *wrong = NULL;
@@ -90,7 +54,8 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
     enum wf_status s;
     if (tree) {
         *path = tree;
-        s = read_measured(t, tree, a, out, d, e);
+        struct wf_model *scan = NULL;
+        if (!(s = wf_model_scanned(tree, t->joint, a, &scan, d, e))) *out = *scan;
     } else {
         *path = wf_shipped("models", t->model, a);
         s = wf_model_read(*path, a, out, d, e);

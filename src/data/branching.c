@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "data/branching.h"
 #include "base/num.h"
-#include "data/value.h"
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
@@ -44,7 +43,7 @@ static void place_finish(struct wf_yaml *y, void *branching)
         wf_yaml_error(y, "", "more than one of count, spacing and at; exactly one says where branches stand");
     if (b->from >= b->to && !wf_yaml_has(y, "at") && b->count != 1)
         wf_yaml_error(y, "from", "%g is not below 'to', %g", b->from, b->to);
-    if (b->at) wf_value_ascending(y, "at", b->places, b->at);
+    if (b->at) wf_yaml_ascending(y, "at", b->places, b->at);
 }
 
 static const struct wf_yaml_table place_table = {
@@ -106,7 +105,7 @@ static void insertion_finish(struct wf_yaml *y, void *branching)
         wf_yaml_error(y, "angles", "is not used beside 'angle'");
     if (wf_yaml_has(y, "at") != wf_yaml_has(y, "angles"))
         wf_yaml_error(y, "", "'at' and 'angles' go together");
-    if (b->insertion_along.s) wf_value_ascending(y, "at", b->insertion_along.n, b->insertion_along.s);
+    if (b->insertion_along.s) wf_yaml_ascending(y, "at", b->insertion_along.n, b->insertion_along.s);
 }
 
 static const struct wf_yaml_table insertion_table = {
@@ -131,7 +130,7 @@ const char *const wf_radius_words[] = { "parent", "species", "absolute", "length
 static void along_finish(struct wf_yaml *y, const struct wf_along *along)
 {
     if (wf_yaml_has(y, "at") != wf_yaml_has(y, "share")) wf_yaml_error(y, "", "'at' and 'share' go together");
-    if (along->s && along->v) wf_value_ascending(y, "at", along->n, along->s);
+    if (along->s && along->v) wf_yaml_ascending(y, "at", along->n, along->s);
 }
 
 static const struct wf_yaml_row length_rows[] = {

@@ -5,7 +5,7 @@
  * and curvature) and of the leaves, with their schema. Angles in radians, lengths in metres; a place is a
  * relative position along an axis, 0 = base, 1 = tip. */
 #include "base/yaml.h"
-#include "data/species.h"
+#include "data/tree.h"
 #include <stddef.h>
 
 enum { WF_BRANCH_LEVELS_MAX = 8 }; /* levels of a tree, the stem included */

@@ -1,12 +1,39 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_DATA_LAW_H
 #define WF_DATA_LAW_H
-/* A law as a row that owns its parameters. The rows stand where the laws are worked out (load/drag.h); the
- * species table, its schema and the results take names, parameters and units from the rows they are given. */
-#include "base/units.h"
+/* Values with range, source and standing, and laws as rows that own their parameters. The rows stand where
+ * the laws are worked out (load/drag.h); the species table, its schema and the results take names, parameters
+ * and units from the rows they are given. */
 #include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum wf_standing {
+    WF_ASSUMED,  /* no source: an assumption of this table                  */
+    WF_BORROWED, /* measured on another species or part                     */
+    WF_HANDBOOK, /* from a handbook or review, not traced to its experiment */
+    WF_MEASURED, /* measured on this species and part                       */
+    WF_PRINTED   /* as a paper prints it, known or suspected not to be physical */
+};
+
+struct wf_value {
+    double value, low, high; /* SI; low = high = value when no range is given */
+    enum wf_standing standing;
+    const char *source; /* NULL only when standing is WF_ASSUMED */
+    bool given;         /* false: the file does not name it; value is the documented default, NAN if none */
+    const char *note;   /* NULL when there is none */
+};
+
+/* A list of numbers. */
+struct wf_numbers {
+    size_t n;
+    double *v;
+};
+const char *wf_standing_text(enum wf_standing s);
 
 enum {
     WF_LAW_PARAMETERS = 4, /* most of one law                      */
@@ -22,7 +49,7 @@ enum wf_law_kind {
 struct wf_law_parameter {
     const char *name; /* key in a species table                              */
     enum wf_law_kind kind;
-    enum wf_dimension dimension;
+    unsigned dimension; /* an enum wf_dimension of base/units.h               */
     const char *unit;   /* for messages and the schema; NULL: dimensionless    */
     double low, high;   /* allowed [SI]                                        */
     const char *preset; /* default as it would be written; NULL: needed        */
@@ -52,6 +79,17 @@ struct wf_law_table {
     size_t size; /* of a row */
 };
 
+/* A law a species chooses, with its parameters in the order of the law's row. */
+struct wf_law_use {
+    struct wf_law_table from;               /* it is chosen from; set by the reader                   */
+    const char *law;                        /* a row of its table of laws; NULL: not chosen           */
+    struct wf_value parameter[WF_LAW_KEYS]; /* numbers [SI]; of plain ones only the value             */
+    struct wf_numbers list[WF_LAW_KEYS];    /* [SI]                                                   */
+    double low, high;          /* what the source covers, in the unit of the table of laws; NAN: not said */
+    const char *source;        /* of the law; that of its first sourced parameter when it names none      */
+    enum wf_standing standing; /* of the lists                                                           */
+};
+
 /* The tables a species may choose from. */
 struct wf_laws {
     struct wf_law_table streamlining; /* share of a crown's drag area; range in wind speed [m/s]         */
@@ -61,7 +99,7 @@ struct wf_laws {
 /* Row i of a table; NULL behind the last. */
 static inline const struct wf_law *wf_law_row(struct wf_law_table t, size_t i)
 {
-    const struct wf_law *l = (const void *)((const char *)t.row + i * t.size);
+    const struct wf_law *l = (const struct wf_law *)(const void *)((const char *)t.row + i * t.size);
     return l->name ? l : NULL;
 }
 
@@ -99,4 +137,8 @@ static inline const struct wf_law *wf_law_owner(struct wf_law_table t, const cha
         if (wf_law_find(l, name) >= 0) return l;
     return NULL;
 }
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -3,7 +3,7 @@
 #include "base/num.h"
 #include "base/yaml.h"
 #include "data/branching.h"
-#include "data/value.h"
+#include "data/species.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -104,7 +104,7 @@ static void taper_finish(struct wf_yaml *y, void *model)
     check_taper_key(y, "share", table, law);
     const struct wf_along *p = &m->profile;
     if (!table || !p->s || !p->n) return;
-    wf_value_ascending(y, "at", p->n, p->s);
+    wf_yaml_ascending(y, "at", p->n, p->s);
     if (p->s[0] > 0 || p->s[p->n - 1] < 1)
         wf_yaml_error(y, "at", "runs from %g to %g; it must cover the stem from 0 to 1", p->s[0],
                       p->s[p->n - 1]);
@@ -167,7 +167,7 @@ static const struct wf_yaml_row crown_shape_rows[] = {
 static void crown_shape_finish(struct wf_yaml *y, void *model)
 {
     const struct wf_along *s = &((struct wf_model *)model)->crown_shape;
-    wf_value_ascending(y, "at", s->s ? s->n : 0, s->s);
+    wf_yaml_ascending(y, "at", s->s ? s->n : 0, s->s);
     double sum = 0;
     for (size_t i = 0; s->v && i < s->n; i++) sum += s->v[i];
     if (s->v && sum <= 0) wf_yaml_error(y, "share", "is 0 everywhere; the leaves must be somewhere");

@@ -10,8 +10,10 @@
 #include "data/branching.h"
 #include "data/ifs.h"
 #include "data/section.h"
-#include "data/species.h"
 #include "data/tree.h"
+
+struct wf_level;
+struct wf_species;
 
 enum wf_taper {
     WF_TAPER_TABLE,  /* radius at relative heights              */

@@ -3,23 +3,11 @@
 #include "data/species.h"
 #include "base/num.h"
 #include "base/text.h"
-#include "data/tree.h"
-#include "data/value.h"
+#include "base/units.h"
+#include "data/law_schema.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-double wf_along_at(const struct wf_along *a, double s, double fallback)
-{
-    if (!a->n) return fallback;
-    if (!(s > a->s[0])) return a->v[0];
-    for (size_t i = 1; i < a->n; i++)
-        if (s <= a->s[i]) {
-            double w = (s - a->s[i - 1]) / (a->s[i] - a->s[i - 1]);
-            return a->v[i - 1] + w * (a->v[i] - a->v[i - 1]);
-        }
-    return a->v[a->n - 1];
-}
 
 const char *wf_species_source(const struct wf_species *sp, const char *key)
 {
@@ -58,18 +46,11 @@ static void level_finish(struct wf_yaml *y, void *level)
                                           .note = "youngs_modulus / 16" };
 }
 
-static void need_source(struct wf_yaml *y, enum wf_standing s)
-{
-    if (s != WF_ASSUMED && !wf_yaml_has(y, "source"))
-        wf_yaml_error(y, "status", "a table that is '%s' needs a source: a key of 'sources'",
-                      wf_standing_text(s));
-}
-
 static void wall_finish(struct wf_yaml *y, void *level)
 {
     const struct wf_level *l = level;
-    wf_value_ascending(y, "at", l->wall.s ? l->wall.n : 0, l->wall.s);
-    need_source(y, l->wall_note.standing);
+    wf_yaml_ascending(y, "at", l->wall.s ? l->wall.n : 0, l->wall.s);
+    wf_value_needs_source(y, l->wall_note.standing);
 }
 
 #define WALL(member)                                                                                         \
@@ -245,215 +226,6 @@ void wf_level_onto(const struct wf_level *l, struct wf_tree *t, size_t i, bool l
     }
 }
 
-/* Keys of a law: the choice, then the parameters of all laws of the table, each key once. While a file is
- * read the parameters stand in the order of the keys; at the end those of the law chosen move to the front.
- */
-#define USE(member) offsetof(struct wf_law_use, member)
-#define SPEED(k, member, words)                                                                              \
-    .key = k, .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_SPEED, .unit = "m/s", .low = 0, .high = 150,     \
-    .absent = "not said", .offset = USE(member), .doc = words
-static const struct wf_yaml_row range_rows[] = {
-    /* of streamlining laws */
-    { SPEED("valid_from", low, "Lowest wind speed the source covers; a run outside says so."),
-      .example = "4 m/s" },
-    { SPEED("valid_to", high, "Highest wind speed the source covers."), .example = "20 m/s" },
-    { .key = NULL },
-};
-static const struct wf_yaml_row origin_rows[] = {
-    { .key = "status",
-      .kind = WF_YAML_ENUM,
-      .initial = "assumed",
-      .choices = wf_standing_words,
-      .offset = USE(standing),
-      .doc = "Standing of the table, as for a value." },
-    { .key = "source", .kind = WF_YAML_NAME, .offset = USE(source), .doc = "A key of 'sources'." },
-    { .key = "note",
-      .kind = WF_YAML_TEXT,
-      .absent = "no note",
-      .offset = WF_YAML_DROP,
-      .doc = "Conditions of the measurement, reasons of an assumption." },
-    { .key = NULL },
-};
-
-enum { LAWS_MAX = 24, LAW_ROWS = 1 + WF_LAW_KEYS + 6 };
-
-/* The k-th key of a table of laws; NULL behind the last. *owner: the first law that has it. */
-static const struct wf_law_parameter *law_key(struct wf_law_table t, size_t k, const struct wf_law **owner)
-{
-    const struct wf_law *l;
-    for (size_t i = 0, found = 0; (l = wf_law_row(t, i)); i++)
-        for (size_t p = 0, n = wf_law_count(l); p < n; p++) {
-            if (wf_law_owner(t, l->parameter[p].name) != l) continue;
-            *owner = l;
-            if (found++ == k) return &l->parameter[p];
-        }
-    return NULL;
-}
-
-/* "vogel", or "vogel, other": the laws that have a parameter of that name. */
-static void law_names(struct wf_law_table t, const char *name, char *buf, size_t size)
-{
-    const struct wf_law *l;
-    size_t used = 0;
-    for (size_t i = 0; (l = wf_law_row(t, i)) && used < size; i++)
-        if (wf_law_find(l, name) >= 0)
-            used += (size_t)snprintf(buf + used, size - used, "%s%s", used ? ", " : "", l->name);
-}
-
-/* "none: a rigid crown; vogel: ... ." */
-static char *law_summary(struct wf_law_table t, struct wf_arena *a)
-{
-    const struct wf_law *l;
-    char *text = wf_arena_text(a, "");
-    for (size_t i = 0; text && (l = wf_law_row(t, i)); i++)
-        text = wf_arena_print(a, "%s%s%s: %s", text, i ? "; " : "", l->name, l->summary);
-    return text ? wf_arena_print(a, "%s.", text) : NULL;
-}
-
-/* The list of a law that must ascend, and that its others are as long as. */
-static const struct wf_law_parameter *first_list(const struct wf_law *l)
-{
-    for (size_t k = 0, n = wf_law_count(l); k < n; k++)
-        if (l->parameter[k].kind == WF_LAW_LIST) return &l->parameter[k];
-    return NULL;
-}
-
-/* The row of the k-th key. Returned: false without room. */
-static bool law_row(struct wf_law_table t, size_t k, struct wf_arena *a, struct wf_yaml_row *out)
-{
-    char names[200] = "";
-    const struct wf_law *owner;
-    const struct wf_law_parameter *p = law_key(t, k, &owner), *first = first_list(owner);
-    const size_t value = USE(parameter) + k * sizeof(struct wf_value);
-    const size_t list = USE(list) + k * sizeof(struct wf_numbers);
-    law_names(t, p->name, names, sizeof names);
-    *out = (struct wf_yaml_row){ .key = p->name,
-                                 .dimension = p->dimension,
-                                 .unit = p->unit,
-                                 .low = p->low,
-                                 .high = p->high,
-                                 .initial = p->preset,
-                                 .doc = p->doc,
-                                 .example = p->example };
-    out->absent = p->preset ? wf_arena_print(a, "%s by law %s, refused by the others", p->preset, names)
-                            : wf_arena_print(a, "needed by law %s, refused by the others", names);
-    switch (p->kind) {
-    case WF_LAW_NUMBER:
-        out->kind = WF_YAML_QUANTITY, out->offset = value + offsetof(struct wf_value, value);
-        break;
-    case WF_LAW_VALUE:
-        out->kind = WF_YAML_TABLE, out->table = &wf_value_table, out->offset = value;
-        out->given = 1 + value + offsetof(struct wf_value, given);
-        break;
-    case WF_LAW_LIST:
-        out->kind = WF_YAML_QUANTITIES, out->offset = list + offsetof(struct wf_numbers, v);
-        out->count = list + offsetof(struct wf_numbers, n);
-        out->same_length_as = first == p ? NULL : first->name;
-    }
-    return out->absent != NULL;
-}
-
-/* Keys that belong to some laws: needed by them, refused by the others. */
-static void law_keys_fit(struct wf_yaml *y, const struct wf_law_use *u)
-{
-    const struct wf_law *chosen = wf_law_named(u->from, u->law), *owner;
-    const struct wf_law_parameter *p;
-    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++) {
-        bool mine = wf_law_find(chosen, p->name) >= 0, has = wf_yaml_has(y, p->name);
-        if (mine && !has && !p->preset)
-            wf_yaml_error(y, "", "law '%s' needs the key '%s'", chosen->name, p->name);
-        if (!mine && has)
-            wf_yaml_error(y, p->name, "is for law '%s'; the law here is '%s'", owner->name, chosen->name);
-    }
-}
-
-/* Source of the first parameter that has one. */
-static const char *law_parameter_source(const struct wf_law_use *u)
-{
-    const struct wf_law *owner;
-    for (size_t k = 0; law_key(u->from, k, &owner); k++)
-        if (u->parameter[k].source) return u->parameter[k].source;
-    return NULL;
-}
-
-static void law_finish(struct wf_yaml *y, void *use)
-{
-    struct wf_law_use *u = use;
-    const char *law = wf_yaml_raw(y, "law");
-    const struct wf_law *owner;
-    const struct wf_law_parameter *p;
-    if (law && !strcmp(law, u->law)) law_keys_fit(y, u); /* a law that is not known was refused already */
-    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++)
-        if (p == first_list(owner))
-            wf_value_ascending(y, p->name, u->list[k].v ? u->list[k].n : 0, u->list[k].v);
-    need_source(y, u->standing);
-    if (u->low >= u->high)
-        wf_yaml_error(y, "valid_to", "%s is not above valid_from %s", wf_yaml_raw(y, "valid_to"),
-                      wf_yaml_raw(y, "valid_from"));
-    if (!u->source) u->source = law_parameter_source(u);
-}
-
-/* From the order of the keys to that of the chosen law's row. */
-static void law_settle(struct wf_law_use *u)
-{
-    const struct wf_law *chosen = wf_law_named(u->from, u->law), *owner;
-    const struct wf_law_use read = *u;
-    const struct wf_law_parameter *p;
-    memset(u->parameter, 0, sizeof u->parameter);
-    memset(u->list, 0, sizeof u->list);
-    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++) {
-        int at = wf_law_find(chosen, p->name);
-        if (at >= 0) u->parameter[at] = read.parameter[k], u->list[at] = read.list[k];
-    }
-}
-
-/* The schema of a table's keys. */
-struct law_schema {
-    const char *word[LAWS_MAX];
-    struct wf_yaml_row row[LAW_ROWS];
-    struct wf_yaml_table table;
-};
-
-static size_t copy_rows(struct wf_yaml_row *to, const struct wf_yaml_row *from)
-{
-    size_t n = 0;
-    while (from[n].key) to[n] = from[n], n++;
-    return n;
-}
-
-/* Given: the laws, rows between their parameters and the origin. Returned: false without room. */
-static bool law_schema(struct wf_law_table t, const char *title, const struct wf_yaml_row *between,
-                       struct wf_arena *a, struct law_schema *out)
-{
-    const struct wf_law *l, *owner, *example = NULL;
-    const struct wf_law_parameter *p, *sourced = NULL;
-    struct wf_yaml_row *r = out->row;
-    for (size_t i = 0; i + 1 < LAWS_MAX && (l = wf_law_row(t, i)); i++) {
-        out->word[i] = l->name;
-        if (!example && l->parameter) example = l;
-    }
-    *r++ = (struct wf_yaml_row){ .key = "law",
-                                 .kind = WF_YAML_CHOICE,
-                                 .required = true,
-                                 .initial = out->word[0],
-                                 .choices = out->word,
-                                 .offset = USE(law),
-                                 .doc = law_summary(t, a),
-                                 .example = example ? example->name : out->word[0] };
-    if (!out->row[0].doc) return false;
-    for (size_t k = 0; k < WF_LAW_KEYS && (p = law_key(t, k, &owner)); k++, r++) {
-        if (!law_row(t, k, a, r)) return false;
-        if (!sourced && p->kind == WF_LAW_VALUE) sourced = p;
-    }
-    r += copy_rows(r, between);
-    size_t last = copy_rows(r, origin_rows);
-    for (size_t i = 0; i < last; i++)
-        if (!strcmp(r[i].key, "source"))
-            r[i].absent = sourced ? wf_arena_print(a, "that of the %s", sourced->name) : "none";
-    out->table = (struct wf_yaml_table){ .title = title, .row = out->row, .finish = law_finish, .doc = "" };
-    return true;
-}
-
 #define TEXT(k, member) .key = k, .kind = WF_YAML_TEXT, .offset = offsetof(struct wf_species, member)
 static const struct wf_yaml_row species_rows[] = {
     { .key = "species",
@@ -532,12 +304,12 @@ static void sources_of_law(struct wf_yaml *y, const struct wf_species *sp, const
     char place[160];
     const struct wf_law *owner;
     const struct wf_law_parameter *p;
-    for (size_t k = 0; (p = law_key(u->from, k, &owner)); k++) {
+    for (size_t k = 0; (p = wf_law_key(u->from, k, &owner)); k++) {
         (void)snprintf(place, sizeof place, "%s.%s.source", path, p->name);
         source_exists(y, sp, u->parameter[k].source, place);
     }
     (void)snprintf(place, sizeof place, "%s.source", path);
-    if (u->source != law_parameter_source(u)) source_exists(y, sp, u->source, place);
+    if (u->source != wf_law_source(u)) source_exists(y, sp, u->source, place);
 }
 
 static void species_finish(struct wf_yaml *y, void *species)
@@ -553,8 +325,8 @@ static void species_finish(struct wf_yaml *y, void *species)
     sources_of_rows(y, sp, crown_values, sp, "crown");
     sources_of_law(y, sp, &sp->streamlining, "crown.streamlining");
     sources_of_law(y, sp, &sp->axis_drag, "axis_drag");
-    law_settle(&sp->streamlining);
-    law_settle(&sp->axis_drag);
+    wf_law_settle(&sp->streamlining);
+    wf_law_settle(&sp->axis_drag);
 }
 
 static const struct wf_yaml_row level_name = { .key = "name",
@@ -577,7 +349,7 @@ static const struct wf_yaml_row crown_law = { .key = "streamlining",
 
 /* The table with the rows of the values and the keys of the laws given. */
 struct species_schema {
-    struct law_schema streamlining, axis_drag;
+    struct wf_law_schema streamlining, axis_drag;
     struct wf_yaml_row level[WF_COUNT(level_values) + 2], crown[WF_COUNT(crown_values) + 1];
     struct wf_yaml_row species[WF_COUNT(species_rows) + 1];
     struct wf_yaml_table level_table, crown_table, table;
@@ -611,11 +383,12 @@ static const struct wf_yaml_table *species_schema(const struct wf_laws *laws, st
 {
     static const struct wf_yaml_row none[] = { { .key = NULL } };
     struct species_schema *s = WF_TAKE(a, 1, struct species_schema);
-    if (!s || !law_schema(laws->streamlining, "a streamlining law", range_rows, a, &s->streamlining) ||
-        !law_schema(laws->axis_drag, "a drag law", none, a, &s->axis_drag))
+    if (!s ||
+        !wf_law_schema_make(laws->streamlining, "a streamlining law", wf_law_ranges, a, &s->streamlining) ||
+        !wf_law_schema_make(laws->axis_drag, "a drag law", none, a, &s->axis_drag))
         return NULL;
     part_schemas(s);
-    size_t n = copy_rows(s->species, species_rows);
+    size_t n = wf_law_copy_rows(s->species, species_rows);
     s->species[n - 2].table = &s->level_table;
     s->species[n - 1].table = &s->crown_table;
     if (wf_law_row(laws->axis_drag, 1)) {

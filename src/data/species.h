@@ -6,40 +6,17 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
-#include "base/units.h"
-#include "base/yaml.h"
 #include "data/law.h"
+#include "data/tree.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
-enum wf_standing {
-    WF_ASSUMED,  /* no source: an assumption of this table                  */
-    WF_BORROWED, /* measured on another species or part                     */
-    WF_HANDBOOK, /* from a handbook or review, not traced to its experiment */
-    WF_MEASURED, /* measured on this species and part                       */
-    WF_PRINTED   /* as a paper prints it, known or suspected not to be physical */
-};
+#ifdef __cplusplus
+extern "C" {
+#endif
 
-struct wf_value {
-    double value, low, high; /* SI; low = high = value when no range is given */
-    enum wf_standing standing;
-    const char *source; /* NULL only when standing is WF_ASSUMED */
-    bool given;         /* false: the file does not name it; value is the documented default, NAN if none */
-    const char *note;   /* NULL when there is none */
-};
-
-/* A quantity along an axis: value v[i] at relative position s[i] in 0..1, linear between. */
-struct wf_along {
-    size_t n;
-    double *s, *v;
-};
-
-/* A list of numbers. */
-struct wf_numbers {
-    size_t n;
-    double *v;
-};
+struct wf_yaml_pair;
 
 struct wf_level {
     const char *name;                   /* "culm", "branch", ... */
@@ -55,17 +32,6 @@ struct wf_level {
     struct wf_along wall;               /* wall thickness / local outer radius, along the axis [-];
                                            n == 0: solid                        */
     struct wf_value wall_note;          /* source and standing of `wall`        */
-};
-
-/* A law a species chooses, with its parameters in the order of the law's row. */
-struct wf_law_use {
-    struct wf_law_table from;               /* it is chosen from; set by the reader                   */
-    const char *law;                        /* a row of its table of laws; NULL: not chosen           */
-    struct wf_value parameter[WF_LAW_KEYS]; /* numbers [SI]; of plain ones only the value             */
-    struct wf_numbers list[WF_LAW_KEYS];    /* [SI]                                                   */
-    double low, high;          /* what the source covers, in the unit of the table of laws; NAN: not said */
-    const char *source;        /* of the law; that of its first sourced parameter when it names none      */
-    enum wf_standing standing; /* of the lists                                                           */
 };
 
 /* The leaves in the wind; none of it given: a species without leaves. */
@@ -99,8 +65,8 @@ enum wf_acts {
  * the one list of them: a value that has a row is read, shown, written, reported, and put on a tree. */
 struct wf_property {
     const char *key; /* in the table of its level, the crown or its law: "density" */
-    enum wf_dimension dimension;
-    const char *unit; /* to show it in; "" for a plain number */
+    unsigned dimension; /* an enum wf_dimension of base/units.h */
+    const char *unit;   /* to show it in; "" for a plain number */
     enum wf_acts acts;
     const struct wf_value *value; /* [SI] */
     const char *was;              /* `quantity` of results.json, which goes with its schema.version 2 */
@@ -116,7 +82,6 @@ bool wf_crown_property(const struct wf_species *sp, size_t i, struct wf_property
 bool wf_law_property(const struct wf_law *law, const struct wf_law_use *use, size_t i,
                      struct wf_property *out);
 
-struct wf_tree;
 /* Put a level's values on row i of a tree: the columns youngs, shear, density, strength (modulus of rupture
  * times knot factor; 0 when not given), drag (NAN when not given: by the law of bare axes), lift and damping.
  * link: the row only joins two parts, with stiffness and damping, without mass, strength, drag and lift.
@@ -144,8 +109,7 @@ enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, str
  * parameters are those given. NULL: no room. */
 char *wf_species_schema(const struct wf_laws *laws, struct wf_arena *a, struct wf_err *e);
 
-/* Value of an along-table at relative position s (clamped to its ends); `fallback` when empty. */
-double wf_along_at(const struct wf_along *a, double s, double fallback);
-
-const char *wf_standing_text(enum wf_standing s);
+#ifdef __cplusplus
+}
+#endif
 #endif

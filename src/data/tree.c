@@ -143,3 +143,15 @@ bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row)
 {
     return s == WF_SCOPE_TREE || (t->level[row] == 0) == (s == WF_SCOPE_STEM);
 }
+
+double wf_along_at(const struct wf_along *a, double s, double fallback)
+{
+    if (!a->n) return fallback;
+    if (!(s > a->s[0])) return a->v[0];
+    for (size_t i = 1; i < a->n; i++)
+        if (s <= a->s[i]) {
+            double w = (s - a->s[i - 1]) / (a->s[i] - a->s[i - 1]);
+            return a->v[i - 1] + w * (a->v[i] - a->v[i - 1]);
+        }
+    return a->v[a->n - 1];
+}

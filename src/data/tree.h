@@ -11,6 +11,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct wf_tree {
     const char *name;
     size_t n;             /* segments                                              */
@@ -59,9 +63,21 @@ enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, str
 double wf_tree_height(const struct wf_tree *t);           /* highest point above the lowest base [m] */
 double wf_tree_length(const struct wf_tree *t, size_t i); /* arc length of row i [m] */
 
+/* A quantity along an axis: value v[i] at relative position s[i] in 0..1, linear between. */
+struct wf_along {
+    size_t n;
+    double *s, *v;
+};
+/* Value of an along-table at relative position s (clamped to its ends); `fallback` when empty. */
+double wf_along_at(const struct wf_along *a, double s, double fallback);
+
 /* A part of a tree: the whole tree, the stem (level 0), everything but the stem. */
 enum wf_scope { WF_SCOPE_TREE, WF_SCOPE_STEM, WF_SCOPE_BRANCHES, WF_SCOPES };
 const char *wf_scope_name(enum wf_scope s); /* "tree", "stem", "branches" */
 /* Whether a row belongs to a part of the tree. */
 bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fail/breakage.h"
+#include "fail/fail.h"
 #include "base/vec3.h"
 #include "data/section.h"
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fail/criterion.h"
+#include "fail/fail.h"
 #include <math.h>
 
 const struct wf_criterion wf_criteria[WF_CRITERIA] = {

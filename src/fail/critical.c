@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fail/critical.h"
+#include "fail/fail.h"
 #include "base/num.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/build.h"
 #include "data/model.h"
+#include "data/species.h"
 #include "grow/clothe.h"
 #include "grow/import.h"
 #include "grow/qsm_model.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 // The only C++ of the program: Ceres behind a C header. Everything is checked before Ceres is called, because
 // its own checks end the program; what it has to say goes to a sink, never to a terminal or a file.
 #include "fit/lsq.h"

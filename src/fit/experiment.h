@@ -3,13 +3,14 @@
 #define WF_FIT_EXPERIMENT_H
 /* What was measured on which tree under which load: everything a fit compares with the engine. */
 #include "base/units.h"
-#include "data/species.h"
 #include "data/tree.h"
 #include "load/load.h"
 #include "solve/solve.h"
 #include "wind/wind.h"
 #include <stdbool.h>
 #include <stdint.h>
+
+struct wf_species;
 
 enum wf_sensor_kind {
     WF_SENSOR_DEFLECTION, /* horizontal displacement of the axis along an azimuth [m]           */

@@ -1,4 +1,5 @@
-#include "fit/intervals.h"
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "fit/fit.h"
 #include <math.h>
 #include <string.h>
 

@@ -2,6 +2,7 @@
 #include "fit/param.h"
 #include "base/num.h"
 #include "base/text.h"
+#include "data/species.h"
 #include "load/drag.h"
 #include <math.h>
 #include <stdio.h>

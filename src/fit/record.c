@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/record.h"
 #include "base/num.h"
 #include "base/yaml.h"

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_RECORD_H
 #define WF_FIT_RECORD_H
 /* Measured records from spreadsheets: SI columns over time, and which part of them is used. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_RING_DOWN_H
 #define WF_FIT_RING_DOWN_H
 /* Frequency and damping of free sway. */

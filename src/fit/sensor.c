@@ -2,6 +2,7 @@
 #include "fit/sensor.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "data/species.h"
 #include "solve/beam_mesh.h"
 #include "solve/beam_small.h"
 
@@ -194,7 +195,7 @@ static void load_at(const struct wf_loads *l, const struct wf_line_point *q, con
                     size_t i, int j, double force[3])
 {
     struct wf_line_load f;
-    wf_line_load(l, q, b->stage[i].r[j], b->stage[i].t[j], &f);
+    wf_load_on_line(l, q, b->stage[i].r[j], b->stage[i].t[j], &f);
     memcpy(force, f.force, sizeof f.force);
 }
 

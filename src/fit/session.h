@@ -1,8 +1,23 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_SESSION_H
 #define WF_FIT_SESSION_H
 /* Inside a fit: residuals for the solver of least squares, with some parameters held. */
-#include "fit/fit.h"
+#include "base/diag.h"
+#include "fit/lsq.h"
+#include "fit/param.h"
 #include "fit/predict.h"
+
+struct wf_fit_options {
+    enum wf_loss loss;
+    double loss_scale; /* in robust standard deviations; NAN: 1.345 Huber, 2.385 Cauchy, 4.685 Tukey (95 %
+                        * efficient for normal errors; Holland and Welsch 1977)                          */
+    bool priors;       /* the species table's ranges take part as normal distributions                   */
+    bool profile;      /* intervals by profile likelihood as well                                        */
+    size_t starts, resamples; /* starting points tried (1: the given one); bootstrap data sets (0: none)  */
+    uint64_t seed;
+    wf_lsq_progress *progress; /* may be NULL; ctx is progress_ctx */
+    void *progress_ctx;
+};
 
 struct wf_session {
     struct wf_experiment *x;

@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/random.h"
 #include "base/vec3.h"
+#include "data/species.h"
 #include <math.h>
 #include <string.h>
 
@@ -10,7 +11,8 @@
 
 enum { FIRST_WANDER_DRAW = 16 }; /* draws below this index are those of DRAW_PLACE and so on */
 
-enum wf_status wf_course_take(struct wf_course *c, size_t segments, struct wf_arena *a, struct wf_err *e)
+/* Allocate a centre line of at most `segments` segments. Errors: WF_ENOMEM. */
+static enum wf_status course_take(struct wf_course *c, size_t segments, struct wf_arena *a, struct wf_err *e)
 {
     c->segments = segments;
     c->node = wf_arena_take(a, segments + 1, sizeof *c->node);
@@ -70,8 +72,11 @@ static void turn_to_side(double direction[3], double side[3], double deviation, 
     rotate(side, axis, cos(angle), sin(angle));
 }
 
-void wf_course_run(const struct wf_axis *axis, const struct wf_axis_form *f, uint64_t seed,
-                   struct wf_course *c)
+/* Compute the centre line of an axis. Given: axis, form of its level, seed. Returned: *c. Method: at every
+ * joint the direction turns towards the vertical by an equal part of the curve's turn, and to a random side
+ * by its wander; `side` is transported along the axis without twist. */
+static void course_run(const struct wf_axis *axis, const struct wf_axis_form *f, uint64_t seed,
+                       struct wf_course *c)
 {
     size_t n = f->segments, joints = 0;
     double step = axis->length / (double)n, d[3], s[3];
@@ -99,7 +104,8 @@ void wf_course_run(const struct wf_axis *axis, const struct wf_axis_form *f, uin
     }
 }
 
-void wf_course_at(const struct wf_course *c, uint32_t tick, double x[3])
+/* Point of the centre line at a tick [m]. */
+static void course_at(const struct wf_course *c, uint32_t tick, double x[3])
 {
     size_t j = tick / WF_AXIS_TICKS, left = tick % WF_AXIS_TICKS;
     double share = (double)left / WF_AXIS_TICKS;
@@ -107,27 +113,31 @@ void wf_course_at(const struct wf_course *c, uint32_t tick, double x[3])
         x[k] = left ? c->node[j][k] + share * (c->node[j + 1][k] - c->node[j][k]) : c->node[j][k];
 }
 
-double wf_axis_taper(const struct wf_axis_form *f, double s)
+/* Radius over base radius at place s of an axis [-]. */
+static double axis_taper(const struct wf_axis_form *f, double s)
 {
     if (f->taper) return wf_model_taper(f->taper, s);
     double left = 1 - s;
     return f->tip_share + (1 - f->tip_share) * (f->taper_power == 1 ? left : pow(left, f->taper_power));
 }
 
-uint32_t wf_tick_of(double s, size_t segments)
+/* The tick nearest to place s; at least 1, at most the tip. */
+static uint32_t tick_of(double s, size_t segments)
 {
     double ticks = (double)(segments * WF_AXIS_TICKS), t = round(s * ticks);
     return (uint32_t)fmin(fmax(t, 1), ticks);
 }
 
-void wf_axis_leafy(const struct wf_model *m, size_t level, struct wf_axis_form *f)
+/* Set leaf_from and leaf_to of a level's form: the part of its axes that has leaves in the model's season. */
+static void axis_leafy(const struct wf_model *m, size_t level, struct wf_axis_form *f)
 {
     if (!(m->leaf_area > 0) || level + m->foliage.levels < wf_model_levels(m)) return;
     f->leaf_from = m->foliage.from;
     f->leaf_to = m->foliage.to;
 }
 
-void wf_axes_stem(const struct wf_model *m, double base_radius, struct wf_axis *stem)
+/* The stem of a model as an axis of level 0. Given: base radius [m]. */
+static void axes_stem(const struct wf_model *m, double base_radius, struct wf_axis *stem)
 {
     double ca = cos(m->lean_azimuth), sa = sin(m->lean_azimuth), cl = cos(m->lean), sl = sin(m->lean);
     *stem = (struct wf_axis){
@@ -159,7 +169,7 @@ static enum wf_status take_axis_cut(struct axis_cut *c, const struct wf_axes *x,
     c->ends = WF_TAKE(a, most * WF_AXIS_TICKS + 1, uint8_t);
     c->row = WF_TAKE(a, most * WF_AXIS_TICKS + 1, int32_t);
     if (!c->ends || !c->row) return wf_fail(e, WF_ENOMEM, "no room for an axis of %zu segments", most);
-    return wf_course_take(&c->course, most, a, e);
+    return course_take(&c->course, most, a, e);
 }
 
 /* Mark where the rows of axis i end: at its joints, at knots, and at the places of its children. *child is
@@ -172,7 +182,7 @@ static size_t cut_axis(struct axis_cut *c, const struct wf_axes *x, size_t level
     for (size_t t = WF_AXIS_TICKS; t <= ticks; t += WF_AXIS_TICKS) c->ends[t] = 1;
     for (size_t w = 0; w < 2; w++)
         for (size_t k = 0; f->knots[w] && k < f->knots[w]->n; k++)
-            if (f->knots[w]->s[k] > 0) c->ends[wf_tick_of(f->knots[w]->s[k], f->segments)] = 1;
+            if (f->knots[w]->s[k] > 0) c->ends[tick_of(f->knots[w]->s[k], f->segments)] = 1;
     if (level + 1 < x->levels)
         for (; *child < x->n[level + 1] && x->axis[level + 1][*child].parent == (int32_t)i; ++*child)
             c->ends[x->axis[level + 1][*child].tick] = 1;
@@ -219,17 +229,17 @@ static size_t write_axis(struct axis_cut *c, struct wf_axes *x, size_t level, si
     uint32_t last = 0;
     double from[3], to[3];
     (void)cut_axis(c, x, level, i, child);
-    wf_course_run(axis, f, x->seed, &c->course);
+    course_run(axis, f, x->seed, &c->course);
     memcpy(from, axis->base, sizeof from);
     for (uint32_t k = 1; k <= ticks; k++) {
         if (!c->ends[k]) continue;
         double s0 = (double)last / (double)ticks, s1 = (double)k / (double)ticks;
-        wf_course_at(&c->course, k, to);
+        course_at(&c->course, k, to);
         set_row_ends(t, r, from, to);
         t->parent[r] = below;
         t->level[r] = (int32_t)level;
-        t->r0[r] = axis->radius * wf_axis_taper(f, s0);
-        t->r1[r] = axis->radius * wf_axis_taper(f, s1);
+        t->r0[r] = axis->radius * axis_taper(f, s0);
+        t->r1[r] = axis->radius * axis_taper(f, s1);
         t->leaf0[r] = t->leaf1[r] = overlap_share(s0, s1, f->leaf_from, f->leaf_to);
         c->row[k] = below = (int32_t)r++;
         last = k;
@@ -364,12 +374,12 @@ static bool grow_one(struct nursery *g, const struct wf_axis *parent, const stru
     uint64_t key = key_of_child(g->seed, parent->key, group * b->per_whorl + of);
     double s =
         place_of_group(b, group, gap) + cut_normal_draw(g->seed, key, DRAW_PLACE, b->place_spread * gap);
-    uint32_t tick = wf_tick_of(s, segments);
+    uint32_t tick = tick_of(s, segments);
     s = (double)tick / (double)(segments * WF_AXIS_TICKS);
     double length =
         branch_length(b, parent, s) * exp(cut_normal_draw(g->seed, key, DRAW_LENGTH, b->length_spread));
     if (!(length >= b->shortest)) return false;
-    double local = parent->radius * wf_axis_taper(g->parent_form, s);
+    double local = parent->radius * axis_taper(g->parent_form, s);
     double radius = branch_radius(b, g->material, local, s, length) *
                     exp(cut_normal_draw(g->seed, key, DRAW_RADIUS, b->radius_spread));
     if (b->radius_law != WF_RADIUS_PIPE && radius > local) {
@@ -388,7 +398,7 @@ static bool grow_one(struct nursery *g, const struct wf_axis *parent, const stru
         out->direction[k] = cos(lean) * course->direction[j][k] +
                             sin(lean) * (cos(to) * course->side[j][k] + sin(to) * third[k]);
     wf_side_of(out->direction, out->side);
-    wf_course_at(course, tick, out->base);
+    course_at(course, tick, out->base);
     return true;
 }
 
@@ -405,14 +415,14 @@ static enum wf_status grow_level(struct nursery *g, struct wf_axes *x, size_t le
             return wf_fail(e, WF_EINPUT, "level %zu would have more than %d branches", level,
                            (int)WF_AXIS_ROWS_MAX);
     }
-    enum wf_status s = wf_course_take(&course, form->segments, a, e);
+    enum wf_status s = course_take(&course, form->segments, a, e);
     if (s) return s;
     struct wf_axis *born = x->axis[level] = WF_TAKE(a, most, struct wf_axis);
     if (!born) return wf_fail(e, WF_ENOMEM, "no room for %zu branches", most);
     for (size_t i = 0; i < x->n[level - 1]; i++) {
         const struct wf_axis *parent = &x->axis[level - 1][i];
         size_t groups = count_places(g->b, parent->length, &gap);
-        wf_course_run(parent, form, x->seed, &course);
+        course_run(parent, form, x->seed, &course);
         for (size_t k = 0; k < groups * g->b->per_whorl; k++) {
             struct wf_axis *one = &born[x->n[level]];
             if (!grow_one(g, parent, &course, k / g->b->per_whorl, k % g->b->per_whorl, gap, one)) continue;
@@ -428,14 +438,14 @@ enum wf_status wf_levels_axes(const struct wf_model *m, const struct wf_species 
 {
     *out = (struct wf_axes){ .levels = wf_model_levels(m), .seed = m->seed, .n = { 1 } };
     if (!(out->axis[0] = WF_TAKE(a, 1, struct wf_axis))) return wf_fail(e, WF_ENOMEM, "no room for a stem");
-    wf_axes_stem(m, isnan(m->radius) ? sp->level[0].radius.value : m->radius, out->axis[0]);
+    axes_stem(m, isnan(m->radius) ? sp->level[0].radius.value : m->radius, out->axis[0]);
     out->form[0] = (struct wf_axis_form){
         .segments = m->segments,
         .curve = m->curve,
         .taper = m,
         .knots = { m->taper == WF_TAPER_TABLE ? &m->profile : NULL, &sp->level[0].wall },
     };
-    wf_axis_leafy(m, 0, &out->form[0]);
+    axis_leafy(m, 0, &out->form[0]);
     *capped = 0;
     for (size_t l = 1; l < out->levels; l++) {
         const struct wf_branching *b = &m->branching[l - 1];
@@ -451,7 +461,7 @@ enum wf_status wf_levels_axes(const struct wf_model *m, const struct wf_species 
             .tip_share = b->radius_law == WF_RADIUS_PIPE ? 1 : b->tip_share,
             .taper_power = b->taper_power,
         };
-        wf_axis_leafy(m, l, &out->form[l]);
+        axis_leafy(m, l, &out->form[l]);
         enum wf_status s = grow_level(&g, out, l, a, e);
         if (s) return s;
         *capped += g.capped;
@@ -518,11 +528,11 @@ static void copy_axis(struct images *g, const struct wf_axis *parent, const doub
     m3_mul(whole, w->a, map);
     const double axis[3] = { map[2], map[5], map[8] };
     out->length = sqrt(axis[0] * axis[0] + axis[1] * axis[1] + axis[2] * axis[2]);
-    out->tick = wf_tick_of(w->position, g->form->segments);
+    out->tick = tick_of(w->position, g->form->segments);
     place = (double)out->tick / (double)(g->form->segments * WF_AXIS_TICKS);
     for (int k = 0; k < 3; k++) out->direction[k] = axis[k] / out->length;
     wf_side_of(out->direction, out->side);
-    local = parent->radius * wf_axis_taper(g->form, place);
+    local = parent->radius * axis_taper(g->form, place);
     out->radius = w->radius * parent->radius;
     if (out->radius > local) {
         out->radius = local;
@@ -541,20 +551,20 @@ static enum wf_status grow_images(struct images *g, struct wf_axes *x, size_t le
         return wf_fail(e, WF_EINPUT, "%s: level %zu would have more than %d branches", g->m->key, level,
                        (int)WF_AXIS_ROWS_MAX);
     size_t n = acting * x->n[level - 1];
-    enum wf_status s = wf_course_take(&course, g->form->segments, a, e);
+    enum wf_status s = course_take(&course, g->form->segments, a, e);
     if (s) return s;
     x->axis[level] = WF_TAKE(a, n, struct wf_axis);
     g->next = WF_TAKE(a, 9 * n, double);
     if (!x->axis[level] || !g->next) return wf_fail(e, WF_ENOMEM, "no room for %zu branches", n);
     for (size_t i = 0; i < x->n[level - 1]; i++) {
         const struct wf_axis *parent = &x->axis[level - 1][i];
-        wf_course_run(parent, g->form, 0, &course);
+        course_run(parent, g->form, 0, &course);
         for (size_t k = 0; k < f->maps; k++) {
             if (level > f->map[k].until) continue;
             struct wf_axis *out = &x->axis[level][x->n[level]];
             copy_axis(g, parent, g->map + 9 * i, &f->map[k], out, g->next + 9 * x->n[level]);
             out->parent = (int32_t)i;
-            wf_course_at(&course, out->tick, out->base);
+            course_at(&course, out->tick, out->base);
             x->n[level]++;
         }
     }
@@ -568,7 +578,7 @@ enum wf_status wf_ifs_axes(const struct wf_model *m, double base_radius, struct 
     double stem_map[9];
     *out = (struct wf_axes){ .levels = m->ifs.levels, .seed = m->seed, .n = { 1 } };
     if (!(out->axis[0] = WF_TAKE(a, 1, struct wf_axis))) return wf_fail(e, WF_ENOMEM, "no room for a stem");
-    wf_axes_stem(m, base_radius, out->axis[0]);
+    axes_stem(m, base_radius, out->axis[0]);
     map_of_stem(out->axis[0], stem_map);
     for (size_t l = 0; l < out->levels; l++) {
         out->form[l] = (struct wf_axis_form){
@@ -576,7 +586,7 @@ enum wf_status wf_ifs_axes(const struct wf_model *m, double base_radius, struct 
             .taper = m,
             .knots = { m->taper == WF_TAPER_TABLE ? &m->profile : NULL, NULL },
         };
-        wf_axis_leafy(m, l, &out->form[l]);
+        axis_leafy(m, l, &out->form[l]);
     }
     struct images g = { .m = m, .form = &out->form[0], .map = stem_map };
     for (size_t l = 1; l < out->levels; l++) {

@@ -7,8 +7,9 @@
 #include "base/err.h"
 #include "data/branching.h"
 #include "data/model.h"
-#include "data/species.h"
 #include "data/tree.h"
+
+struct wf_species;
 
 /* Places on an axis are counted in ticks of a tenth of a segment, so that no row is shorter than that. */
 enum { WF_AXIS_TICKS = 10, WF_AXIS_ROWS_MAX = 20000000 };
@@ -48,28 +49,11 @@ struct wf_course {
     double (*side)[3];      /* per segment, unit            */
     double (*direction)[3]; /* per segment, unit            */
 };
-/* Allocate a centre line of at most `segments` segments. Errors: WF_ENOMEM. */
-enum wf_status wf_course_take(struct wf_course *c, size_t segments, struct wf_arena *a, struct wf_err *e);
-/* Compute the centre line of an axis. Given: axis, form of its level, seed. Returned: *c. Method: at every
- * joint the direction turns towards the vertical by an equal part of the curve's turn, and to a random side
- * by its wander; `side` is transported along the axis without twist. */
-void wf_course_run(const struct wf_axis *axis, const struct wf_axis_form *f, uint64_t seed,
-                   struct wf_course *c);
-/* Point of the centre line at a tick [m]. */
-void wf_course_at(const struct wf_course *c, uint32_t tick, double x[3]);
 
-/* Radius over base radius at place s of an axis [-]. */
-double wf_axis_taper(const struct wf_axis_form *f, double s);
 /* A unit vector perpendicular to `direction`: towards the upper side; for a vertical direction +x. */
 void wf_side_of(const double direction[3], double side[3]);
-/* The tick nearest to place s; at least 1, at most the tip. */
-uint32_t wf_tick_of(double s, size_t segments);
 
-/* Set leaf_from and leaf_to of a level's form: the part of its axes that has leaves in the model's season. */
-void wf_axis_leafy(const struct wf_model *m, size_t level, struct wf_axis_form *f);
 
-/* The stem of a model as an axis of level 0. Given: base radius [m]. */
-void wf_axes_stem(const struct wf_model *m, double base_radius, struct wf_axis *stem);
 
 /* Convert axes to the rows of a tree: level by level from the stem, so that parents come first. Returned:
  * geometry, radii and levels, and in leaf0 = leaf1 the share of each row that has leaves. Errors: WF_EINPUT

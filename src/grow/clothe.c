@@ -1,4 +1,6 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/clothe.h"
+#include "data/species.h"
 #include "grow/qsm_model.h"
 #include <math.h>
 

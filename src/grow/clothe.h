@@ -1,10 +1,12 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_CLOTHE_H
 #define WF_GROW_CLOTHE_H
 /* A species' materials and leaves on the segments of a tree. */
 #include "base/arena.h"
 #include "base/err.h"
-#include "data/species.h"
 #include "data/tree.h"
+
+struct wf_species;
 
 struct wf_clothing {
     double leaf_area;    /* one-sided, whole tree [m2]; 0: leaf-off */

@@ -1,12 +1,83 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/grow.h"
 #include "base/num.h"
+#include "data/species.h"
 #include "grow/branches.h"
 #include "grow/clothe.h"
+#include "grow/import.h"
 #include "grow/leaves.h"
+#include "grow/qsm_model.h"
 #include "grow/stem.h"
 #include <math.h>
 #include <string.h>
+
+/* ---- Models ---- */
+
+enum wf_status wf_model_open(const char *path, struct wf_arena *a, struct wf_model **out, struct wf_diag *d,
+                             struct wf_err *e)
+{
+    struct wf_model *m = WF_TAKE(a, 1, struct wf_model);
+    if (!m) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
+    *out = m;
+    return wf_model_read(path, a, m, d, e);
+}
+
+/* File name without folder and ending, as a key. */
+static const char *file_key(const char *path, struct wf_arena *a)
+{
+    const char *slash = strrchr(path, '/');
+    char *key = wf_arena_text(a, slash ? slash + 1 : path), *dot = key ? strrchr(key, '.') : NULL;
+    if (dot && dot != key) *dot = '\0';
+    return key;
+}
+
+enum wf_status wf_model_scanned(const char *path, const char *joint, struct wf_arena *a,
+                                struct wf_model **out, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_import_options o = wf_import_default();
+    struct wf_qsm *q = WF_TAKE(a, 1, struct wf_qsm);
+    struct wf_qsm_model *m = WF_TAKE(a, 1, struct wf_qsm_model);
+    struct wf_model *made = *out = WF_TAKE(a, 1, struct wf_model);
+    bool bridge = joint && strcmp(joint, "bridge") == 0;
+    if (!q || !m || !made) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
+    if (joint && !bridge && strcmp(joint, "axis") != 0)
+        return wf_fail(e, WF_EUSAGE, "joint \"%s\": \"axis\" or \"bridge\"", joint);
+    enum wf_status s = wf_import_read(path, &o, a, q, d, e);
+    if (s || (s = wf_qsm_to_tree(q, bridge ? WF_JOINT_BRIDGE : WF_JOINT_AXIS, a, m, e))) return s;
+    *made = (struct wf_model){
+        .key = file_key(path, a),
+        .file = wf_arena_text(a, path),
+        .source = wf_arena_print(a, "measured tree, %s, %zu cylinders", q->format, q->n),
+        .generator = WF_GENERATOR_MEASURED,
+        .height = wf_tree_height(&m->tree),
+        .radius = m->tree.r0[0],
+        .crown_base = NAN,
+        .crown_top = NAN,
+        .segments = m->tree.n,
+        .measured = &m->tree,
+        .measured_kind = m->kind,
+    };
+    made->name = made->key;
+    if (!made->key || !made->file || !made->source) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
+    return WF_OK;
+}
+
+enum wf_status wf_model_leaves(struct wf_model *m, double area, struct wf_err *e)
+{
+    if (!(area >= 0 && isfinite(area))) return wf_fail(e, WF_EUSAGE, "leaf area %g m2", area);
+    if (area > 0 && m->generator != WF_GENERATOR_MEASURED && !(m->leaf_area_on > 0))
+        return wf_fail(e, WF_EUSAGE, "leaf area: the model %s does not say where its leaves are", m->key);
+    m->leaf_area_on = area;
+    wf_model_set_season(m, area > 0 ? WF_LEAF_ON : WF_LEAF_OFF);
+    return WF_OK;
+}
+
+void wf_model_stands(struct wf_model *m, bool under_weight)
+{
+    m->shape = under_weight ? WF_SHAPE_UNDER_WEIGHT : WF_SHAPE_STRESS_FREE;
+}
+
+/* ---- Growth ---- */
 
 static void warn_of_growth(const struct wf_model *m, const struct wf_tree *t, size_t capped, size_t thick,
                            struct wf_diag *d)

@@ -2,6 +2,7 @@
 #include "grow/leaves.h"
 #include "base/random.h"
 #include "base/vec3.h"
+#include "data/species.h"
 #include "grow/branches.h"
 #include <math.h>
 

@@ -5,8 +5,9 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "data/model.h"
-#include "data/species.h"
 #include "data/tree.h"
+
+struct wf_species;
 
 /* Distribute the model's leaf area over the tree. Given: a grown tree whose leaf0, leaf1 hold the share of
  * each row that has leaves. Returned in the tree: one-sided leaf area per length, the same on all leafy

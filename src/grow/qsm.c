@@ -276,7 +276,13 @@ static void write_vtk(const struct wf_qsm *q, FILE *to)
     for (size_t i = 0; i < q->n; i++) fprintf(to, "%lld\n", (long long)q->id[i]);
 }
 
-const struct wf_export_format wf_export_formats[] = {
+/* The formats of an export; ends at ending == NULL.
+ * .csv: id, radius, length, start, axis, parent (0 = root), extension (0 = none), branch, branch order,
+ * position in branch, added; for tapered rows also the radii at both ends. Read back it gives the same tree.
+ * .txt: the same without ids and header, separated by tabs, in the column order of TreeQSM 2.3's cylinder
+ * text. .vtk: VTK legacy PolyData, one line for each row; radius at the points, level, id and branch at the
+ * cells (ParaView: filter Tube, vary radius by scalar). */
+static const struct wf_export_format export_formats[] = {
     { ".csv", "normalised CSV", write_normalised },
     { ".txt", "TreeQSM columns", write_treeqsm },
     { ".vtk", "VTK PolyData", write_vtk },
@@ -286,7 +292,7 @@ const struct wf_export_format wf_export_formats[] = {
 enum wf_status wf_qsm_write(const struct wf_qsm *q, const char *path, struct wf_err *e)
 {
     const char *dot = strrchr(path, '.');
-    const struct wf_export_format *f = wf_export_formats;
+    const struct wf_export_format *f = export_formats;
     while (f->ending && (!dot || strcmp(dot, f->ending))) f++;
     if (!f->ending)
         return wf_fail(e, WF_EUSAGE,

@@ -132,13 +132,6 @@ struct wf_export_format {
     const char *title;  /* in words                    */
     void (*write)(const struct wf_qsm *q, FILE *to);
 };
-/* The formats of an export; ends at ending == NULL.
- * .csv: id, radius, length, start, axis, parent (0 = root), extension (0 = none), branch, branch order,
- * position in branch, added; for tapered rows also the radii at both ends. Read back it gives the same tree.
- * .txt: the same without ids and header, separated by tabs, in the column order of TreeQSM 2.3's cylinder
- * text. .vtk: VTK legacy PolyData, one line for each row; radius at the points, level, id and branch at the
- * cells (ParaView: filter Tube, vary radius by scalar). */
-extern const struct wf_export_format wf_export_formats[];
 
 /* Write a table. Given: a table after wf_qsm_repair, and a path whose ending names the format. A failed
  * export leaves no file. Errors: WF_EUSAGE for another ending, WF_EOUTPUT. */

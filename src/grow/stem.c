@@ -2,6 +2,7 @@
 #include "grow/stem.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "data/species.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>

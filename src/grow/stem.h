@@ -5,8 +5,9 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "data/model.h"
-#include "data/species.h"
 #include "data/tree.h"
+
+struct wf_species;
 
 /* Given: a model and a species whose level 0 clothes the stem. Returned: the tree, one row after the other
  * from the ground to the tip. Rows: about m->segments equal ones; a row also ends at the crown's base and top

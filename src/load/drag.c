@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load/drag.h"
+#include "base/units.h"
 #include <math.h>
 
 /* Streamlining of a crown. */
@@ -95,7 +96,8 @@ const struct wf_streamline_law wf_streamline_laws[] = {
 
 const struct wf_streamline_law *wf_streamline_named(const char *name)
 {
-    return (const void *)wf_law_named(wf_laws.streamlining, name);
+    return (const void *)wf_law_named((struct wf_law_table){ wf_streamline_laws, sizeof *wf_streamline_laws },
+                                      name);
 }
 
 /* Drag of a bare axis. */
@@ -183,8 +185,6 @@ const struct wf_axis_drag_law wf_axis_drag_laws[] = {
 
 const struct wf_axis_drag_law *wf_axis_drag_named(const char *name)
 {
-    return (const void *)wf_law_named(wf_laws.axis_drag, name);
+    return (const void *)wf_law_named((struct wf_law_table){ wf_axis_drag_laws, sizeof *wf_axis_drag_laws },
+                                      name);
 }
-
-const struct wf_laws wf_laws = { .streamlining = { wf_streamline_laws, sizeof *wf_streamline_laws },
-                                 .axis_drag = { wf_axis_drag_laws, sizeof *wf_axis_drag_laws } };

@@ -63,9 +63,6 @@ extern const struct wf_axis_drag_law wf_axis_drag_laws[]; /* bark; ends at law.n
 /* The row of that name; NULL when there is none. */
 const struct wf_axis_drag_law *wf_axis_drag_named(const char *name);
 
-/* Both tables in one argument, for the species reader, whose room must not include this one. */
-extern const struct wf_laws wf_laws;
-
 /* Interpolation of measured points by a smooth curve that never overshoots them: cubic Hermite pieces;
  * slopes by the rule of Steffen (1990, A simple method for monotonic interpolation in one dimension, Astron.
  * Astrophys. 239:443-450). The slope at the first and last point is zero, so that the curve joins the

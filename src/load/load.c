@@ -2,7 +2,11 @@
 #include "load/load.h"
 #include "base/vec3.h"
 #include "data/species.h"
+#include "load/drag.h"
 #include <math.h>
+
+const struct wf_laws wf_laws = { .streamlining = { wf_streamline_laws, sizeof *wf_streamline_laws },
+                                 .axis_drag = { wf_axis_drag_laws, sizeof *wf_axis_drag_laws } };
 
 void wf_loads_default(struct wf_loads *l)
 {
@@ -103,8 +107,8 @@ static inline void flow_at(const struct wf_loads *l, const struct wf_line_point 
     f->crown_grow = c * (share + share_slope * speed);
 }
 
-void wf_line_load(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
-                  const double t[3], struct wf_line_load *out)
+void wf_load_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
+                     const double t[3], struct wf_line_load *out)
 {
     *out = (struct wf_line_load){ .force = { 0, 0, -p->mass * l->gravity * l->weight_scale } };
     if (!l->wind) return;
@@ -137,8 +141,8 @@ void wf_line_load(const struct wf_loads *l, const struct wf_line_point *p, const
                                       f.lift * (t[i] * f.u[j] - f.along * ((i == j) + f.m[i] * f.m[j]));
 }
 
-void wf_line_parts(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
-                   const double t[3], struct wf_line_parts *out)
+void wf_load_parts_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
+                           const double t[3], struct wf_line_parts *out)
 {
     *out = (struct wf_line_parts){ .weight = { 0, 0, -p->mass * l->gravity * l->weight_scale } };
     if (!l->wind) return;

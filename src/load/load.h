@@ -4,10 +4,18 @@
 /* Loads on a tree: wind, weight, point loads, dead line loads. Solvers read struct wf_loads and do not
  * change it; beam and rod solvers evaluate it on the deformed shape. */
 #include "base/err.h"
+#include "data/law.h"
 #include "data/tree.h"
-#include "load/drag.h"
 #include "wind/wind.h"
 #include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct wf_axis_drag_law;
+struct wf_species;
+struct wf_streamline_law;
 
 enum wf_point_kind {
     WF_POINT_DEAD,    /* keeps its global direction */
@@ -34,10 +42,12 @@ struct wf_loads {
     const double *line; /* 6n: dead load per unit reference length at a row's base (3) and end (3), linear
                          * between, keeping its global direction [N/m]; NULL = none. Scaled by point_scale. */
 };
+/* The laws a species may choose from: streamlining and axis drag (load/drag.h). */
+extern const struct wf_laws wf_laws;
+
 /* Defaults: still air of 1.225 kg/m3 and 1.4607e-5 m2/s (15 C, sea level), gravity 9.81 m/s2, scale factors
  * 1, rigid crown, axis drag by the law 'bark'. */
 void wf_loads_default(struct wf_loads *l);
-struct wf_species;
 /* Set the streamlining and axis drag laws named by a species, with its parameters. Given: *l filled by
  * wf_loads_default; the species. Returned: the laws in *l; their lists point into the species, which must
  * outlive *l. Errors: WF_EINPUT for an unknown law. */
@@ -63,7 +73,7 @@ struct wf_line_load {
  * crown, weight. Given: loads, properties of the point, position x [m], unit tangent t. Returned: *out.
  * Source: Hoerner 1965 (cross-flow principle): 1/2 rho Cd D |Un| Un, Un = U - (U.t)t; lift 1/2 rho Cl D |Un|
  * (t x Un); crown 1/2 rho (Cd A)(|U|) |U| U along the wind. */
-void wf_line_load(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
+void wf_load_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
                   const double t[3], struct wf_line_load *out);
 
 /* The force of wf_line_load split into its parts, for reports [N/m]: along-wind drag of axis and of crown,
@@ -71,6 +81,10 @@ void wf_line_load(const struct wf_loads *l, const struct wf_line_point *p, const
 struct wf_line_parts {
     double drag_axis[3], drag_crown[3], lift[3], weight[3];
 };
-void wf_line_parts(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
+void wf_load_parts_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
                    const double t[3], struct wf_line_parts *out);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

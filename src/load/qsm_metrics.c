@@ -102,7 +102,7 @@ void wf_qsm_drag(const struct wf_qsm *q, double pressure, double drag_coefficien
         if (!(d > 0)) continue;
         const double t[3] = { (q->x1[i] - x[0]) / d, (q->y1[i] - x[1]) / d, (q->z1[i] - x[2]) / d };
         struct wf_line_parts parts;
-        wf_line_parts(&l, &point, x, t, &parts);
+        wf_load_parts_on_line(&l, &point, x, t, &parts);
         double f = q->length[i] * sqrt(wf_dot(parts.drag_axis, parts.drag_axis));
         *force += f;
         *moment += f * (0.5 * (q->z0[i] + q->z1[i]) - low);

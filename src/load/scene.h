@@ -5,10 +5,15 @@
  * cases all use these functions, so that the same input gives the same loads. */
 #include "base/diag.h"
 #include "base/err.h"
-#include "data/species.h"
 #include "load/load.h"
 #include "wind/wind.h"
 #include <math.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct wf_species;
 
 struct wf_site; /* wind/terrain.h */
 struct wf_scenario {
@@ -94,4 +99,8 @@ enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_sp
                                  struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e);
 /* Air density [kg m-3]: as given, else from temperature and altitude. */
 double wf_scenario_air_density(const struct wf_scenario *s);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

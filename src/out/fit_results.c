@@ -2,6 +2,7 @@
 /* results.json, tables and words for the figures of a calibration. */
 #include "out/fit_results.h"
 #include "base/file.h"
+#include "data/species.h"
 #include "out/doc.h"
 #include "out/folder.h"
 #include <math.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/fit_species.h"
 #include "base/file.h"
+#include "data/species.h"
 #include "load/drag.h"
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What went in: species values with range, standing and source; model; scenario; method. */
 #include "out/inputs.h"
+#include "data/model.h"
+#include "data/species.h"
 #include "load/drag.h"
 #include "wind/climate.h"
 #include "wind/shelter.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/series.h"
 #include "base/file.h"
+#include "data/species.h"
 #include "out/folder.h"
 #include <math.h>
 #include <string.h>

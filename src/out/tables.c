@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/tables.h"
+#include "data/species.h"
 #include "study/directions.h"
+#include "wind/climate.h"
 #include <math.h>
 
 static const double degrees = 57.295779513082320877; /* 180 / pi */

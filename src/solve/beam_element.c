@@ -52,7 +52,7 @@ void wf_beam_load(const struct wf_beam_part *p, const struct wf_loads *l, const 
                   struct wf_line_load load[2])
 {
     for (int j = 0; j < 2; j++) {
-        wf_line_load(l, &p->line[j], s->r[j], s->t[j], &load[j]);
+        wf_load_on_line(l, &p->line[j], s->r[j], s->t[j], &load[j]);
         v3_add(load[j].force, l->point_scale, p->dead[j]);
     }
 }

@@ -75,7 +75,7 @@ static void unbent_line_load(const struct wf_tree *t, size_t i, const struct wf_
                                .mass = t->density[i] * WF_PI * (outer * outer - inner * inner) +
                                        wf_between(t->burden0[i], t->burden1[i], s) };
     struct wf_line_load f;
-    wf_line_load(l, &p, x, axis, &f);
+    wf_load_on_line(l, &p, x, axis, &f);
     for (size_t k = 0; k < 3; k++) {
         q[k] = f.force[k];
         if (l->line) q[k] += l->point_scale * wf_between(l->line[6 * i + k], l->line[6 * i + 3 + k], s);

@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/vec3.h"
 #include "data/section.h"
+#include "load/drag.h"
 #include "solve/chain.h"
 
 static double mean_of_ends(double a, double b) { return 0.5 * (a + b); }

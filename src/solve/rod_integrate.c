@@ -37,7 +37,7 @@ static double load_size(const struct wf_tree *t, const struct wf_loads *l, size_
     double chord = sqrt(wf_dot(axis, axis));
     for (int k = 0; k < 3; k++) axis[k] /= chord;
     wf_rod_section_at(t, l, i, 0.5, &section);
-    wf_line_load(l, &section.line, x, axis, &load);
+    wf_load_on_line(l, &section.line, x, axis, &load);
     v3_add(load.force, 1, section.dead);
     return mass + wf_tree_length(t, i) * sqrt(wf_dot(load.force, load.force));
 }
@@ -178,7 +178,7 @@ static void local_at(const struct wf_rod_integrator *g, double sigma, const doub
     double r[3], measure = p->h * p->h * p->h / p->stiffness;
     wf_rod_section_at(g->tree, g->loads, (size_t)p->row, p->s0 + (p->s1 - p->s0) * sigma, &c);
     for (int k = 0; k < 3; k++) r[k] = g->place[k] + p->h * x[k];
-    wf_line_load(g->loads, &c.line, r, t, &o->load);
+    wf_load_on_line(g->loads, &c.line, r, t, &o->load);
     memcpy(o->t, t, sizeof o->t);
     o->bend = p->stiffness / (g->printed ? g->ei : c.ei);
     o->twist = p->stiffness / (g->printed ? g->gj : c.gj);

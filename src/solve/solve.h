@@ -10,6 +10,10 @@
 #include "load/load.h"
 #include <stdbool.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 /* The response, one row per tree segment; the arrays are in the arena of wf_response_alloc. Vectors are in
  * global axes. */
 struct wf_response {
@@ -54,6 +58,11 @@ struct wf_solver {
                             const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
                             struct wf_diag *d, struct wf_err *e);
 };
+/* All solvers (solvers.c); ends at NULL; the first is the default. */
+extern const struct wf_solver *const wf_solvers[];
+/* The row of that name; NULL when there is none. */
+const struct wf_solver *wf_solver_named(const char *name);
+
 /* Check what every solver needs: a tree that passes wf_tree_check, finite loads that act on existing rows.
  * Errors: WF_EINPUT, each bad row an error in *d; with d NULL *e names the first. */
 enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l, struct wf_diag *d,
@@ -62,4 +71,8 @@ enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l,
 /* Refuse a tree with sections that are not round, on behalf of the solver `what` (named in the message).
  * Errors: WF_EINPUT. */
 enum wf_status wf_solve_check_round(const struct wf_tree *t, const char *what, struct wf_err *e);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

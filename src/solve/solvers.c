@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "solve/beam.h"
 #include "solve/chain.h"
 #include "solve/deflect.h"

@@ -3,7 +3,10 @@
 #include "base/num.h"
 #include "base/parallel.h"
 #include "base/vec3.h"
+#include "data/model.h"
+#include "data/species.h"
 #include "grow/grow.h"
+#include "load/drag.h"
 #include "solve/unload.h"
 #include "study/limits.h"
 #include "study/sheltered.h"
@@ -110,7 +113,7 @@ static void integrate(const struct wf_tree *t, const struct wf_loads *l, const s
         struct wf_line_point p = line_point(t, i, gauss_s[g]);
         struct wf_line_parts parts;
         curve_at(c, gauss_s[g], x, tangent);
-        wf_line_parts(l, &p, x, tangent, &parts);
+        wf_load_parts_on_line(l, &p, x, tangent, &parts);
         for (int k = 0; k < 3; k++) {
             out->air[k] += ds * (parts.drag_axis[k] + parts.drag_crown[k] + parts.lift[k]);
             out->weight[k] += ds * parts.weight[k];

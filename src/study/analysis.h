@@ -5,16 +5,20 @@
 #include "base/arena.h"
 #include "base/diag.h"
 #include "base/err.h"
-#include "data/model.h"
-#include "data/species.h"
 #include "data/tree.h"
-#include "fail/criterion.h"
-#include "fail/critical.h"
+#include "fail/fail.h"
 #include "load/load.h"
 #include "load/scene.h"
 #include "solve/solve.h"
 #include "wind/wind.h"
 #include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct wf_model;
+struct wf_species;
 
 /* What one segment bears, columns. */
 struct wf_figures {
@@ -104,4 +108,8 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
                           const struct wf_search *search, const struct wf_solver *solver,
                           const struct wf_solve_options *o, const double *speeds, size_t n,
                           struct wf_arena *a, struct wf_diag *d, struct wf_analysis *out, struct wf_err *e);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

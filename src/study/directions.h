@@ -3,7 +3,12 @@
 #define WF_STUDY_DIRECTIONS_H
 /* The same tree in winds from all around, and how often a wind climate brings what breaks it. */
 #include "study/analysis.h"
-#include "wind/climate.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct wf_rose; /* wind/climate.h */
 
 /* What is asked for. North of the model is +y and east +x, unless `north` says otherwise. */
 struct wf_directions_request {
@@ -50,4 +55,8 @@ double wf_direction_from(const struct wf_directions_request *q, double azimuth);
 enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_solve_options *o,
                                  const struct wf_directions_request *q, struct wf_arena *a,
                                  struct wf_directions *out, struct wf_err *e);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -2,7 +2,7 @@
 #include "study/explain.h"
 #include "base/num.h"
 #include "base/vec3.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include <stdlib.h>
 #include <string.h>
 

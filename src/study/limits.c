@@ -1,6 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/limits.h"
 #include "base/num.h"
+#include "data/model.h"
+#include "data/species.h"
+#include "load/drag.h"
 #include "study/analysis.h"
 #include "wind/terrain.h"
 #include <math.h>

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/preset.h"
-#include "solve/solvers.h"
+#include "base/yaml.h"
+#include "data/species.h"
+#include "solve/solve.h"
 #include <math.h>
 #include <string.h>
 

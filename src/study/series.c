@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/series.h"
 #include "base/vec3.h"
-#include "solve/solvers.h"
+#include "solve/solve.h"
 #include "study/limits.h"
 #include "wind/shelter_laws.h"
 #include <math.h>

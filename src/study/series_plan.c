@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/series_plan.h"
 #include "base/yaml.h"
-#include "solve/solvers.h"
+#include "data/species.h"
+#include "solve/solve.h"
 #include "wind/gust.h"
 #include "wind/shelter_laws.h"
 #include <math.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/sheltered.h"
+#include "load/drag.h"
 #include <math.h>
 #include <string.h>
 

@@ -98,7 +98,8 @@ double wf_terrain_height(const struct wf_terrain *t, double x, double y)
     return sum;
 }
 
-double wf_terrain_steepest(const struct wf_terrain *t)
+/* Largest slope |dz/ds| of the map, by central differences [-]. */
+static double terrain_steepest(const struct wf_terrain *t)
 {
     double worst = 0.0;
     for (size_t r = 1; r + 1 < t->rows; r++)
@@ -406,7 +407,7 @@ enum wf_status wf_terrain_speedup(const struct wf_terrain *t, const struct wf_sp
             for (size_t c = 0; c < t->columns; c++)
                 out->ds[r * t->columns + c] = p.h[2 * (r * p.nx + c)] / (double)(p.nx * p.ny);
     }
-    out->steepest = wf_terrain_steepest(t);
+    out->steepest = terrain_steepest(t);
     free_plane(&p);
     return s;
 }
@@ -432,7 +433,7 @@ enum wf_status wf_site_read(struct wf_site *s, struct wf_arena *a, struct wf_err
             "%s: the tree at %.9g, %.9g is outside the map or where it has no data; it reaches from %.9g, "
             "%.9g to %.9g, %.9g",
             s->file, s->x, s->y, t->x0, t->y0, x1, y1);
-    s->steepest = wf_terrain_steepest(t);
+    s->steepest = terrain_steepest(t);
     s->edge = fmin(fmin(s->x - t->x0, x1 - s->x), fmin(s->y - t->y0, y1 - s->y));
     return WF_OK;
 }

@@ -45,8 +45,6 @@ enum wf_status wf_terrain_write(const char *path, const struct wf_terrain *t, co
 /* Height at a point [m], bilinear between grid points; NAN outside the map or next to a point without data.
  */
 double wf_terrain_height(const struct wf_terrain *t, double x, double y);
-/* Largest slope |dz/ds| of the map, by central differences [-]. */
-double wf_terrain_steepest(const struct wf_terrain *t);
 
 /* Topex-to-distance, a measure of shelter by the terrain: the sum over the eight compass directions of the
  * largest elevation angle of the ground within `distance` [m] (usually 1000 m); angles below the horizontal

@@ -8,6 +8,10 @@
 #include "base/err.h"
 #include <stddef.h>
 
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 struct wf_wind;
 /* Velocity u [m/s] and gradient du[3*i+j] = d u_i / d x_j [1/s] at point x [m]. */
 typedef void wf_wind_sample(const struct wf_wind *w, const double x[3], double u[3], double du[9]);
@@ -91,4 +95,8 @@ struct wf_points {
  * all mistakes in `d`, WF_ENOMEM. */
 enum wf_status wf_points_read(const char *path, size_t most, struct wf_arena *a, struct wf_diag *d,
                               struct wf_points *out, struct wf_err *e);
+
+#ifdef __cplusplus
+}
+#endif
 #endif

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_FOLDER_H
 #define WF_TESTS_FOLDER_H
 /* A folder of its own for a test, and questions about what is in it. */

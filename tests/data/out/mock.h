@@ -1,7 +1,11 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_TESTS_MOCK_H
 #define WF_TESTS_MOCK_H
 /* A run made by hand: tapered cantilevers under a wind load that grows towards the top, good enough to look
  * like results. It tests what is written and drawn, not the mechanics. */
+#include "data/model.h"
+#include "data/species.h"
+#include "load/drag.h"
 #include "out/results.h"
 #include <math.h>
 #include <string.h>

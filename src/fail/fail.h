@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_FAIL_FAIL_H
+#define WF_FAIL_FAIL_H
+/* When a tree fails: forces and stresses in its sections, criteria of failure as rows, and the search for the
+ * wind speed at which one is reached. */
+#include "base/err.h"
+#include "data/tree.h"
+#include "solve/solve.h"
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Forces and stresses in sections ---- */
+
+/* Breakage: outer-fibre stress against the modulus of rupture, at both ends of every row and, where the
+ * stress has its maximum inside a row (a slender top does not break at its base), there too. */
+
+struct wf_breakage {
+    size_t n;
+    double *shear0, *shear1;     /* force across the axis [N] */
+    double *axial0, *axial1;     /* along the axis, tension positive [N] */
+    double *bending0, *bending1; /* bending moment (across the axis) [N m] */
+    double *torsion0, *torsion1; /* moment about the axis [N m] */
+    double *stress0, *stress1;   /* |M| r / I + |N| / A, thin or thick ring [Pa] */
+    double *safety0, *safety1;   /* strength / stress [-]; INFINITY unstressed, NAN strength unknown */
+    double *peak, *peak_place;   /* largest stress in the row [Pa]; 0 = at its base, 1 = at its end */
+    double largest_stress;       /* [Pa] */
+    int32_t largest_stress_row;
+};
+/* Section forces, stresses and safety factors of a solved tree. Given: tree and its response. Returned: *out
+ * with arrays of n in the arena. peak, peak_place and largest_stress include the inside of each row;
+ * safety0/1 are those of its two ends. Method: inside a row the moment is the cubic that fits moments and
+ * forces at both ends (dM/ds = -t x F), force and radii are linear; where the stress rises inwards from both
+ * ends its maximum is searched. Source: elementary bending, Timoshenko 1955, Strength of Materials I. Valid
+ * for sound, round stems; shear stress and torsion are reported but do not enter the stress. Errors:
+ * WF_ENOMEM, WF_EINTERNAL (response of another tree). */
+enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, struct wf_arena *a,
+                                 struct wf_breakage *out, struct wf_err *e);
+
+/* ---- Criteria ---- */
+
+/* The place nearest to failure. Utilisation is 1 / safety. */
+struct wf_worst {
+    double safety; /* resistance over load [-]; INFINITY unloaded, NAN when no resistance is known */
+    int32_t row;   /* -1 when none */
+    double place;  /* 0 = at the row's base, 1 = at its end */
+};
+
+/* Failure criteria, one row each: load over resistance of a solved tree, in the whole tree, the stem alone
+ * and the branches alone. A new criterion is a value of enum wf_criterion_id, a row in criterion.c and its
+ * functions in a file of its own; search and results iterate over the rows. */
+
+enum wf_criterion_id {
+    WF_BREAKAGE,
+    WF_CRITERIA
+}; /* index in wf_criteria; the first is reported as `critical` */
+
+struct wf_criterion {
+    const char *name, *source, *validity;
+    /* Is the resistance of a row known? */
+    bool (*known)(const struct wf_tree *t, size_t row);
+    /* Given: tree, its response, its section forces and stresses, the scope (part of the tree). Returned:
+     * *out, the place of highest utilisation; unchanged where no resistance is known. */
+    void (*utilisation)(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
+                        enum wf_scope scope, struct wf_worst *out);
+};
+extern const struct wf_criterion wf_criteria[WF_CRITERIA];
+
+/* Is the resistance of at least one row of a scope known? */
+bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope);
+
+/* Evaluate every criterion in every scope. Given: tree, its response and section forces; response NULL where
+ * no equilibrium was found. Returned: worst[criterion][scope]; without a response safety NAN and row -1. */
+void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
+                       struct wf_worst (*worst)[WF_SCOPES]);
+
+/* Functions of the criterion 'breakage' in wf_criteria: is the modulus of rupture of a row known; place of
+ * the largest stress over modulus of rupture within a scope. */
+bool wf_breakage_known(const struct wf_tree *t, size_t row);
+void wf_breakage_utilisation(const struct wf_tree *t, const struct wf_response *r,
+                             const struct wf_breakage *b, enum wf_scope scope, struct wf_worst *out);
+
+/* ---- Critical wind speed ---- */
+
+/* Critical wind speed: the lowest speed at which a criterion (load / resistance) reaches 1. */
+
+enum wf_critical_outcome {
+    WF_CRITICAL_FOUND,
+    WF_CRITICAL_ABOVE,       /* criterion stays below 1 up to the highest speed searched */
+    WF_CRITICAL_SELF_WEIGHT, /* fails without wind */
+    WF_CRITICAL_NO_STRENGTH, /* no row has a modulus of rupture */
+    WF_CRITICAL_UNSOLVED,    /* no equilibrium was found above `speed_low`: the bracket is reported */
+    WF_CRITICAL_UNSEARCHED   /* not searched for; it is not below `speed_low` */
+};
+struct wf_critical {
+    enum wf_critical_outcome outcome;
+    double speed;                 /* [m/s]; NAN unless found */
+    double speed_low, speed_high; /* bracket at the end, or range searched [m/s] */
+    double gradient;              /* d criterion / d speed at `speed` [s/m] */
+    size_t evaluations;
+};
+/* Search for the critical wind speed. Given: criterion(ctx, speed [m/s], &value) returning WF_OK, WF_ENOCONV
+ * or WF_EUNSTABLE where no equilibrium exists, or another error, which ends the search and is returned;
+ * highest speed [m/s]; relative tolerance on the speed. A value that is not a number at speed 0 means that
+ * no strength is known. Returned: WF_OK and *out, whatever the outcome; WF_EUSAGE, WF_ENOMEM, WF_EINTERNAL
+ * (not a number in wind). Method: 32 even steps from 0 to speed_max until the criterion reaches 1 or no
+ * equilibrium is found, so that the lowest crossing is found where crossings are more than a step apart;
+ * then Brent's method (GSL) until evaluations on both sides confirm a bracket within the tolerance. Where no
+ * equilibrium is found, bisection towards the highest speed that has one; a crossing found on the way takes
+ * precedence. */
+enum wf_status
+wf_critical_search(enum wf_status (*criterion)(void *ctx, double speed, double *value, struct wf_err *e),
+                   void *ctx, double speed_max, double tolerance, struct wf_critical *out, struct wf_err *e);
+/* Speed of the k-th of these steps, k = 0..WF_CRITICAL_RUNGS [m/s]. A caller with several processors may
+ * evaluate some of them in parallel before the search. */
+enum { WF_CRITICAL_RUNGS = 32 };
+double wf_critical_rung(double speed_max, int k);
+/* The outcome in words, for reports. */
+const char *wf_critical_text(enum wf_critical_outcome o);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
