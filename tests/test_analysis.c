@@ -398,6 +398,26 @@ static void test_memory(void **state)
     }
 }
 
+/* How far a critical speed is looked for is no property of the scene. */
+static void test_search(void **state)
+{
+    (void)state;
+    struct bench b;
+    static const double bad[] = { 0, 0.5, 201, NAN };
+    for (size_t k = 0; k < sizeof bad / sizeof *bad; k++) {
+        set_up(&b);
+        b.search.speed_max = bad[k];
+        assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_EUSAGE);
+        assert_non_null(strstr(b.err.text, "highest speed searched"));
+        wf_arena_free(&b.arena);
+    }
+    set_up(&b);
+    b.search.speed_max = 150;
+    assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
+    assert_close(b.out.search.speed_max, 150, 0);
+    wf_arena_free(&b.arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -406,6 +426,7 @@ int main(void)
         cmocka_unit_test(test_agreement),    cmocka_unit_test(test_still_air),
         cmocka_unit_test(test_limits),       cmocka_unit_test(test_cannot_stand),
         cmocka_unit_test(test_refused),      cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_search),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
