@@ -23,6 +23,12 @@ limit 'files in src' "$(wc -l <"$scratch/files")" 230
 xargs wc -l <"$scratch/files" | awk '$2 != "total" && $1 > 700' >"$scratch/long"
 limit 'files over 700 lines' "$(wc -l <"$scratch/long")" 0 "$scratch/long"
 
+# The licence, in the first line, or the second of a script.
+for f in $(git ls-files src tests tools 2>/dev/null | grep -E '\.(c|h|cpp|sh|awk)$'); do
+    if [ -f "$f" ]; then sed -n 1,2p "$f" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' || echo "$f"; fi
+done >"$scratch/bare"
+limit 'files of src, tests, tools without a line of licence' "$(wc -l <"$scratch/bare")" 0 "$scratch/bare"
+
 # A function runs from its signature to the "}" in the first column; a body begins with "{" in the first
 # column after a line that ends in ")" (clang-format's BreakBeforeBraces: Linux). A macro's lines are no code.
 xargs awk '
@@ -84,7 +90,7 @@ sed 's/#.*//; s/[ \t]//g; /^$/d' "$allow" | sort >"$scratch/allowed"
 nm -A -g $objects 2>"$scratch/nm" | awk -v build="$build/src/" '
     { split($0, part, ":"); path = part[1]; sub(build, "", path); sub(/\.o$/, "", path)
       kind = $(NF - 1); name = $NF }
-    kind ~ /^[TDBRGSCVWi]$/ && name ~ /^wf_/ && !(name in home) { home[name] = path; next }
+    kind ~ /^[TDBRGSCVWi]$/ && name ~ /^wf_[a-z0-9_]*$/ && !(name in home) { home[name] = path; next }
     kind == "U" { users[name]++; user[name] = path }
     END { for (name in home)
               if (users[name] == 0) print name, home[name], "-"

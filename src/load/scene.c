@@ -7,6 +7,8 @@
 #include <math.h>
 #include <string.h>
 
+static double scenario_air_density(const struct wf_scenario *s);
+
 void wf_scenario_default(struct wf_scenario *s)
 {
     *s = (struct wf_scenario){
@@ -153,12 +155,13 @@ enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_sp
     enum wf_status status = wf_scenario_still(sp, s->gravity, loads, e);
     wf_scenario_wind(s, wind);
     loads->wind = wind;
-    loads->air_density = wf_scenario_air_density(s);
+    loads->air_density = scenario_air_density(s);
     loads->air_viscosity = wf_air_viscosity(s->temperature, loads->air_density);
     return status;
 }
 
-double wf_scenario_air_density(const struct wf_scenario *s)
+/* Air density [kg m-3]: as given, else from temperature and altitude. */
+static double scenario_air_density(const struct wf_scenario *s)
 {
     return isnan(s->air_density) ? wf_air_density(s->temperature, s->altitude) : s->air_density;
 }

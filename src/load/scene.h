@@ -97,8 +97,6 @@ enum wf_status wf_scenario_still(const struct wf_species *sp, double gravity, st
  * Returned: *wind, and *loads, which points to *wind. Errors: as wf_scenario_still. */
 enum wf_status wf_scenario_loads(const struct wf_scenario *s, const struct wf_species *sp,
                                  struct wf_wind *wind, struct wf_loads *loads, struct wf_err *e);
-/* Air density [kg m-3]: as given, else from temperature and altitude. */
-double wf_scenario_air_density(const struct wf_scenario *s);
 
 #ifdef __cplusplus
 }

@@ -2,6 +2,7 @@
 #include "out/tree_picture.h"
 #include "base/file.h"
 #include "base/num.h"
+#include "data/species.h"
 #include "out/figures.h"
 #include "out/folder.h"
 #include "out/tree_summary.h"

@@ -5,10 +5,11 @@
 #include "base/err.h"
 #include "base/num.h"
 #include "data/model.h"
-#include "data/species.h"
 #include "data/tree.h"
 #include <libxml/tree.h>
 #include <stdbool.h>
+
+struct wf_species;
 
 /* Segments above which the picture in a report is one of points (PNG), not of lines (SVG). */
 enum { WF_PICTURE_LINES_MAX = 5000 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/tree_summary.h"
+#include "data/species.h"
 #include <math.h>
 #include <stdbool.h>
 

@@ -4,11 +4,12 @@
 /* Size of a tree: of one as analysed, level by level; of a measured one, as a line of a table. */
 #include "base/arena.h"
 #include "base/err.h"
-#include "data/species.h"
 #include "data/tree.h"
 #include "grow/qsm_model.h"
 #include "load/qsm_metrics.h"
 #include <stdio.h>
+
+struct wf_species;
 
 enum { WF_SUMMARY_LEVELS = 16 };
 
