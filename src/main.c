@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/num.h"
 #include "base/text.h"
-#include "cmd/cmd.h"
+#include "cmd/commands.h"
 #include <stdio.h>
 #include <string.h>
 

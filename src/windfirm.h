@@ -26,7 +26,6 @@
  * wf_finding_print(f, buffer, size): one finding as "file:line:column: error: text"; the list starts at
  * findings.first. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 
 /* ---- Species: materials and crown ----

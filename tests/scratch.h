@@ -2,7 +2,7 @@
 #ifndef WF_TESTS_SCRATCH_H
 #define WF_TESTS_SCRATCH_H
 /* Scratch files and findings for tests: text in, "line:column: message" lines out. */
-#include "base/diag.h"
+#include "base/err.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

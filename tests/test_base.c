@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Errors, arena, findings, numbers, near words, UTF-8. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "base/num.h"
 #include "base/text.h"

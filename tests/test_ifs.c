@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Iterated function systems: copies, contraction, dimension, forms, and what is refused. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "branched.h"
 #include "close.h"
 #include "data/model.h"
 #include "edited.h"
-#include "grow/leaves.h"
+#include "grow/clothe.h"
 
 #define DEG (M_PI / 180)
 

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Leaves of branched trees: area, mass, sail, single leaves, seasons. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "branched.h"
 #include "close.h"
 #include "data/model.h"
 #include "edited.h"
-#include "grow/leaves.h"
+#include "grow/clothe.h"
 #include <string.h>
 
 static const char plain[] =

@@ -8,7 +8,7 @@
 
 #include <cmocka.h>
 
-#include "out/folder.h"
+#include "out/doc.h"
 #include "shell.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Pictures of trees: what is written for gnuplot, what is drawn, what is refused. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "branched.h"
 #include "data/model.h"
 #include "edited.h"
 #include "out/tree_picture.h"
-#include "out/tree_summary.h"
 #include <sys/stat.h>
 
 static const char plain[] =

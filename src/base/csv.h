@@ -7,7 +7,6 @@
  * are removed. Mistakes become errors in the list of findings, with line and column; those beyond
  * WF_CSV_LISTED of one file are only counted. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include <stdbool.h>
 #include <stddef.h>

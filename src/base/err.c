@@ -2,6 +2,7 @@
 #include "base/err.h"
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 enum wf_status wf_fail(struct wf_err *e, enum wf_status code, const char *fmt, ...)
 {
@@ -28,4 +29,85 @@ const char *wf_status_text(enum wf_status code)
         [WF_EINTERNAL] = "internal fault",
     };
     return (unsigned)code < WF_STATUS_COUNT ? words[code] : "unknown status";
+}
+
+/* Append a finding. It is counted even when there is no memory to keep its text. */
+static void add_finding(struct wf_diag *d, struct wf_finding f, const char *text)
+{
+    *(f.severity == WF_ERROR ? &d->errors : &d->warnings) += 1;
+    struct wf_finding *node = WF_TAKE(d->arena, 1, struct wf_finding);
+    if (!node) return;
+    f.text = wf_arena_text(d->arena, text);
+    if (f.file) f.file = wf_arena_text(d->arena, f.file);
+    if (f.code) f.code = wf_arena_text(d->arena, f.code);
+    if (!f.text) return;
+    *node = f;
+    if (d->last)
+        d->last->next = node;
+    else
+        d->first = node;
+    d->last = node;
+}
+
+void wf_diag_error(struct wf_diag *d, const char *file, size_t line, size_t column, const char *fmt, ...)
+{
+    char text[2048];
+    va_list args;
+    va_start(args, fmt);
+    (void)vsnprintf(text, sizeof text, fmt, args);
+    va_end(args);
+    add_finding(d, (struct wf_finding){ .severity = WF_ERROR, .file = file, .line = line, .column = column },
+                text);
+}
+
+static bool known_warning(const struct wf_diag *d, const char *code, const char *text)
+{
+    for (const struct wf_finding *f = d->first; f; f = f->next)
+        if (f->severity == WF_WARNING && f->code && !strcmp(f->code, code) && !strcmp(f->text, text))
+            return true;
+    return false;
+}
+
+void wf_diag_warn(struct wf_diag *d, const char *code, const char *fmt, ...)
+{
+    char text[2048];
+    va_list args;
+    va_start(args, fmt);
+    (void)vsnprintf(text, sizeof text, fmt, args);
+    va_end(args);
+    if (!known_warning(d, code, text))
+        add_finding(d, (struct wf_finding){ .severity = WF_WARNING, .code = code }, text);
+}
+
+static bool precedes(const struct wf_finding *a, const struct wf_finding *b)
+{
+    if (!a->line || !b->line) return a->line && !b->line;
+    return a->line < b->line || (a->line == b->line && a->column < b->column);
+}
+
+void wf_diag_sort(struct wf_diag *d, struct wf_finding *before)
+{
+    struct wf_finding **start = before ? &before->next : &d->first, *rest = *start;
+    *start = NULL;
+    for (struct wf_finding *f = rest, *next; f; f = next) {
+        struct wf_finding **at = start;
+        while (*at && !precedes(f, *at)) at = &(*at)->next;
+        next = f->next;
+        f->next = *at;
+        *at = f;
+        if (!f->next) d->last = f;
+    }
+}
+
+char *wf_finding_print(const struct wf_finding *f, char *buf, size_t size)
+{
+    char place[48] = "";
+    if (f->line && f->column)
+        (void)snprintf(place, sizeof place, "%zu:%zu:", f->line, f->column);
+    else if (f->line)
+        (void)snprintf(place, sizeof place, "%zu:", f->line);
+    (void)snprintf(buf, size, "%s%s%s%s%s%s%s%s: %s", f->file ? f->file : "", f->file ? ":" : "", place,
+                   f->file || *place ? " " : "", f->severity == WF_ERROR ? "error" : "warning",
+                   f->code ? " [" : "", f->code ? f->code : "", f->code ? "]" : "", f->text);
+    return buf;
 }

@@ -5,7 +5,6 @@
  * reader and the printed schema both use the rows, so they cannot disagree. A reading reports all mistakes of
  * a file, each with line, column and path. Anchors, tags and files of several documents are refused. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "base/units.h"
 #include <stdbool.h>

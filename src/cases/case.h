@@ -4,7 +4,6 @@
 /* Validation cases as data (docs/validation-cases.md). A case states what a solver must compute; a file
  * holds one case or several. Each names its source, a structure, loads, solvers and wanted values. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "cases/words.h"
 #include "load/drag.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cases/read.h"
-#include "base/diag.h"
+#include "base/err.h"
 #include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"

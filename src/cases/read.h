@@ -3,7 +3,6 @@
 #define WF_CASES_READ_H
 /* Reading validation files. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "cases/case.h"
 

@@ -4,7 +4,7 @@
 /* A line of a case file as words with their columns; the reader of a key takes them from left to right. A
  * wrong word is reported once, with line and column, and the reader returns false. */
 #include "base/arena.h"
-#include "base/diag.h"
+#include "base/err.h"
 #include "base/units.h"
 #include <stdbool.h>
 #include <stddef.h>

@@ -5,7 +5,7 @@
 #include "base/file.h"
 #include "base/text.h"
 #include "base/yaml.h"
-#include "cmd/cmd.h"
+#include "cmd/commands.h"
 #include "cmd/wind_speed.h"
 #include <string.h>
 #include <unistd.h>

@@ -2,8 +2,9 @@
 /* windfirm analyze and windfirm compare: what a steady wind does to one or several species on one tree. */
 #include "base/num.h"
 #include "cmd/args.h"
-#include "cmd/cmd.h"
 #include "cmd/option_groups.h"
+#include "cmd/commands.h"
+#include "cmd/option.h"
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"

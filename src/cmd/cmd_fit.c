@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm fit: calibrate a tree to what was measured on it. */
 #include "cmd/args.h"
-#include "cmd/cmd.h"
-#include "cmd/pages.h"
+#include "cmd/commands.h"
 #include "data/species.h"
-#include "out/fit_species.h"
 #include "out/fit_results.h"
 #include <math.h>
 #include <signal.h>

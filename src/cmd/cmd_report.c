@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/args.h"
-#include "cmd/cmd.h"
+#include "cmd/commands.h"
 #include "out/report.h"
 #include <stdio.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #include "base/text.h"
 #include "base/yaml.h"
 #include "cmd/args.h"
-#include "cmd/cmd.h"
+#include "cmd/commands.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "fit/calibration.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm series and windfirm papers: trees in winds that change. */
 #include "cmd/args.h"
-#include "cmd/cmd.h"
 #include "cmd/option_groups.h"
-#include "cmd/pages.h"
+#include "cmd/commands.h"
+#include "cmd/option.h"
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"

@@ -3,7 +3,7 @@
 #include "base/file.h"
 #include "base/num.h"
 #include "cmd/args.h"
-#include "cmd/cmd.h"
+#include "cmd/commands.h"
 #include "fit/build.h"
 #include "fit/predict.h"
 #include <gsl/gsl_linalg.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/text.h"
 #include "cmd/args.h"
-#include "cmd/cmd.h"
+#include "cmd/commands.h"
 #include "data/species.h"
 #include "load/drag.h"
 #include "load/load.h"

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm terrain: ground made or read, what shelters it and what speeds the wind up. */
 #include "cmd/args.h"
-#include "cmd/cmd.h"
-#include "cmd/pages.h"
-#include "out/terrain_results.h"
+#include "cmd/commands.h"
 #include "out/wind_results.h"
 #include <math.h>
 #include <stdio.h>

@@ -2,14 +2,14 @@
 /* windfirm tree: the size of measured trees, and pictures of trees. */
 #include "base/text.h"
 #include "cmd/args.h"
-#include "cmd/cmd.h"
 #include "cmd/option_groups.h"
+#include "cmd/commands.h"
+#include "cmd/option.h"
 #include "data/species.h"
 #include "grow/grow.h"
 #include "load/drag.h"
 #include "load/qsm_metrics.h"
 #include "out/tree_picture.h"
-#include "out/tree_summary.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

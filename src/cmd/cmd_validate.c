@@ -4,7 +4,7 @@
 #include "cases/read.h"
 #include "cases/run.h"
 #include "cmd/args.h"
-#include "cmd/cmd.h"
+#include "cmd/commands.h"
 #include <fts.h>
 #include <math.h>
 #include <stdio.h>

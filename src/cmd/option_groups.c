@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/option_groups.h"
-#include "cmd/cmd.h"
+#include "cmd/commands.h"
 #include "grow/grow.h"
 #include "solve/solve.h"
 #include "study/preset.h"

@@ -4,7 +4,6 @@
 /* A tree model (models/ *.yaml): the architecture of a tree; wf_grow combines it with the materials of a
  * species. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "base/yaml.h"
 #include "data/branching.h"

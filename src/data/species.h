@@ -4,7 +4,6 @@
 /* A species table: material and section per branching level, and how the crown meets the wind.
  * SI throughout; every value carries its range, source and standing. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "data/law.h"
 #include "data/tree.h"
@@ -64,7 +63,7 @@ enum wf_acts {
 /* One value of a species with its name, the same in files, results and messages. The rows of species.c are
  * the one list of them: a value that has a row is read, shown, written, reported, and put on a tree. */
 struct wf_property {
-    const char *key; /* in the table of its level, the crown or its law: "density" */
+    const char *key;    /* in the table of its level, the crown or its law: "density" */
     unsigned dimension; /* an enum wf_dimension of base/units.h */
     const char *unit;   /* to show it in; "" for a plain number */
     enum wf_acts acts;

@@ -5,7 +5,6 @@
  * SI units, z up, ground at z = 0. A quantity with columns 0 and 1 varies linearly from the segment's base
  * (0) to its end (1). */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include <stdbool.h>
 #include <stddef.h>

@@ -2,7 +2,7 @@
 #ifndef WF_FIT_CALIBRATION_H
 #define WF_FIT_CALIBRATION_H
 /* A calibration study (YAML): which trees, which tests on them, which sensors, what is free. */
-#include "base/diag.h"
+#include "base/err.h"
 #include "base/yaml.h"
 #include "fit/experiment.h"
 #include "load/scene.h"

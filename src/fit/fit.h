@@ -3,7 +3,7 @@
 #define WF_FIT_FIT_H
 /* Calibration: the parameters that make the engine read what the sensors read, and how well they are known.
  */
-#include "base/diag.h"
+#include "base/err.h"
 #include "fit/intervals.h"
 
 void wf_fit_options_default(struct wf_fit_options *o);

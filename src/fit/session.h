@@ -2,7 +2,7 @@
 #ifndef WF_FIT_SESSION_H
 #define WF_FIT_SESSION_H
 /* Inside a fit: residuals for the solver of least squares, with some parameters held. */
-#include "base/diag.h"
+#include "base/err.h"
 #include "fit/lsq.h"
 #include "fit/param.h"
 #include "fit/predict.h"

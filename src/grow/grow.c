@@ -5,7 +5,6 @@
 #include "grow/branches.h"
 #include "grow/clothe.h"
 #include "grow/import.h"
-#include "grow/leaves.h"
 #include "grow/qsm_model.h"
 #include "grow/stem.h"
 #include <math.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_GROW_GROW_H
 #define WF_GROW_GROW_H
-/* Models of trees, from files or from scans, and the tree that a model and the materials of a species give. */
+/* Models of trees, from files or from scans, and the tree that a model and the materials of a species give.
+ */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "data/tree.h"
 #include <stdbool.h>
@@ -27,12 +27,12 @@ enum wf_status wf_model_open(const char *path, struct wf_arena *a, struct wf_mod
 enum wf_status wf_model_scanned(const char *path, const char *joint, struct wf_arena *a,
                                 struct wf_model **out, struct wf_diag *d, struct wf_err *e);
 
-/* Give a model leaves: one-sided area of the whole tree [m2]; 0: none. WF_EUSAGE for a model that does not say
- * where its leaves are. */
+/* Give a model leaves: one-sided area of the whole tree [m2]; 0: none. WF_EUSAGE for a model that does not
+ * say where its leaves are. */
 enum wf_status wf_model_leaves(struct wf_model *m, double area, struct wf_err *e);
 
-/* Does the model show the tree as it stands, bent by its own weight? Then its stress-free shape is found first;
- * else the model is taken as stress-free. */
+/* Does the model show the tree as it stands, bent by its own weight? Then its stress-free shape is found
+ * first; else the model is taken as stress-free. */
 void wf_model_stands(struct wf_model *m, bool under_weight);
 
 /* Given: model, species, arena for the tree. Returned: the tree. Its rows are ordered by level from the stem,

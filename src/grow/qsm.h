@@ -5,7 +5,6 @@
  * modelling. A quantitative structure model (QSM) describes a scanned tree by cylinders that need not touch
  * each other: a cylinder has its own start and end, a parent, and a branch. Lengths in metres, z up. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include <stdbool.h>
 #include <stddef.h>

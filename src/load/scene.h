@@ -3,7 +3,6 @@
 #define WF_LOAD_SCENE_H
 /* From a user's scenario and a species to wind field, air properties and loads. Studies, fits and validation
  * cases all use these functions, so that the same input gives the same loads. */
-#include "base/diag.h"
 #include "base/err.h"
 #include "load/load.h"
 #include "wind/wind.h"

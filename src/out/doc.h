@@ -3,10 +3,12 @@
 #define WF_OUT_DOC_H
 /* Building a JSON document without a check after every line: a failure (no memory) is noted in the
  * builder, later calls do nothing harmful, and the writer asks once at the end. */
-#include "base/diag.h"
 #include "base/err.h"
+#include "base/file.h"
 #include <jansson.h>
+#include <libxml/tree.h>
 #include <stdbool.h>
+#include <stdio.h>
 
 struct wf_doc {
     bool failed;
@@ -45,4 +47,57 @@ void wf_doc_figure(struct wf_doc *d, json_t *list, const char *name, const char 
 void wf_doc_warnings(struct wf_doc *d, json_t *list, const struct wf_diag *diag);
 /* Write FOLDER/results.json and free the document. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_doc_end(struct wf_doc *d, json_t *document, const char *folder, struct wf_err *e);
+
+/* Documents for the stylesheets, and the stylesheets themselves. */
+
+/* Append `value` to `parent` as an element of that name: an object's members become child elements by key,
+ * an array's elements become <item>, null an element with the attribute null="yes". Keys that XML cannot
+ * say are left out. Returned: the element, or NULL without memory. */
+xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value);
+
+/* Apply the stylesheet at `path` to a document. Given: pairs of parameter name and XPath expression, ending
+ * at NULL, or NULL. Neither network nor writing is allowed to it. Returned: the new document in *out (free
+ * with xmlFreeDoc) and, if f is not NULL, also its serialised form on f. Errors: WF_EINPUT with the place
+ * when the stylesheet is wrong, WF_EOUTPUT when it fails or f does. */
+enum wf_status wf_xml_transform(const char *path, xmlDoc *document, const char **parameters, FILE *f,
+                                xmlDoc **out, struct wf_err *e);
+
+/* Read an XML file. Errors: WF_EINPUT with line and reason. */
+enum wf_status wf_xml_read(const char *path, xmlDoc **out, struct wf_err *e);
+
+/* A results folder: results.json, tables/, plots/, pages. */
+
+/* FOLDER/NAME. Errors: WF_EOUTPUT for a name that is too long. */
+enum wf_status wf_folder_path(const char *folder, const char *name, char path[static WF_PATH_MAX],
+                              struct wf_err *e);
+/* Make FOLDER/tables and FOLDER/plots. Errors: WF_EOUTPUT. */
+enum wf_status wf_folder_make(const char *folder, struct wf_err *e);
+/* Begin FOLDER/NAME for writing, to be committed or abandoned by the caller. Errors: as wf_file_begin, and
+ * WF_EOUTPUT for a name that is too long. */
+enum wf_status wf_folder_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e);
+
+/* What the figure scripts must know beside the tables: FOLDER/plots/run.csv, rows "key,index,value". It is
+ * data, never a script: reports/plots/facts.gp reads it with gnuplot's column functions. */
+struct wf_plot_data {
+    struct wf_file f;
+};
+
+/* Begin FOLDER/plots/NAME.csv; the folder must exist. Errors: WF_EOUTPUT. */
+enum wf_status wf_plot_data_begin(struct wf_plot_data *p, const char *folder, const char *name,
+                                  struct wf_err *e);
+/* A row with a number; what is not finite is written as NaN. index: from 1 in a list, 0 for a single value.
+ */
+void wf_plot_data_number(struct wf_plot_data *p, const char *key, size_t index, double x);
+void wf_plot_data_count(struct wf_plot_data *p, const char *key, size_t index, size_t n);
+/* A row with a text, NULL as an empty one: quoted; what gnuplot's reader would take for an end (quotes,
+ * commas, backslashes) is written as an octal escape, control characters as spaces. */
+void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, const char *text);
+void wf_plot_data_print(struct wf_plot_data *p, const char *key, size_t index, const char *fmt, ...)
+    __attribute__((format(printf, 4, 5)));
+/* A number that comes as text, from a document. Errors: WF_EINPUT when it is not one number and nothing else.
+ */
+enum wf_status wf_plot_data_parse(struct wf_plot_data *p, const char *key, size_t index, const char *text,
+                                  struct wf_err *e);
+/* End: the file takes its name. Errors: as wf_file_commit. */
+enum wf_status wf_plot_data_end(struct wf_plot_data *p, struct wf_err *e);
 #endif

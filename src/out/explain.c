@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/explain.h"
-#include "out/folder.h"
+#include "out/doc.h"
 #include <math.h>
 
 static void row(FILE *f, const struct wf_explained *x, size_t b)

@@ -3,7 +3,6 @@
 #define WF_OUT_EXPLAIN_H
 /* Methods against beam theory: table, plot data, part of a document. */
 #include "out/doc.h"
-#include "out/folder.h"
 #include "study/explain.h"
 
 struct wf_explained {

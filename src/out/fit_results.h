@@ -34,4 +34,10 @@ struct wf_fit_results {
 /* Write FOLDER/results.json, tables/{parameters,readings,profiles,records}.csv and plots/run.csv; the folder
  * is made. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char *folder, struct wf_err *e);
+
+/* A species table with fitted values in place of the old ones, ready for analyze. */
+
+/* Write the species table of the first tree to `path` with the fitted values in place. Errors: WF_EOUTPUT,
+ * WF_ENOMEM, WF_EMISSING without the units database. */
+enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char *path, struct wf_err *e);
 #endif

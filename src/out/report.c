@@ -1,13 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/report.h"
 #include "base/file.h"
+#include "out/doc.h"
 #include "out/figures.h"
-#include "out/folder.h"
-#include "out/program.h"
 #include "out/results.h"
-#include "out/tables.h"
 #include "out/tree_picture.h"
-#include "out/xml.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>

@@ -3,7 +3,6 @@
 #define WF_OUT_REPORT_H
 /* The page maker: figures and pages of any results folder, made from its results.json, tables/ and plots/
  * alone. */
-#include "base/diag.h"
 #include "base/err.h"
 
 /* Draw FOLDER/plots/ *.svg (gnuplot), and write FOLDER/PAGE.html (XSLT) and FOLDER/PAGE.pdf (WeasyPrint).

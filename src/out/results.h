@@ -10,6 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 
 #define WF_RESULTS_SCHEMA "windfirm-results"
 enum { WF_RESULTS_VERSION = 1 };
@@ -61,4 +62,17 @@ const char *wf_part_status(enum wf_status s);
 const char *wf_part_outcome(enum wf_critical_outcome o);
 /* Height above ground of position s (0 base, 1 end) of a row on the unbent tree [m]; NAN for row -1. */
 double wf_part_height(const struct wf_tree *t, int32_t row, double s);
+
+/* The tables of a run, as CSV: comma, a point for decimals, one header row with the unit in the column name.
+ */
+
+struct wf_table {
+    const char *name;    /* "tables/summary.csv" */
+    const char *meaning; /* one line for results.json */
+    /* Write header and rows to f. Returned: rows written, without the header. */
+    size_t (*write)(const struct wf_run *run, FILE *f);
+    bool (*made)(const struct wf_run *run); /* does the run have it; NULL: always */
+};
+extern const struct wf_table wf_tables[]; /* ends at name == NULL */
+enum { WF_TABLES = 5 };
 #endif

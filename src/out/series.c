@@ -2,7 +2,7 @@
 #include "out/series.h"
 #include "base/file.h"
 #include "data/species.h"
-#include "out/folder.h"
+#include "out/doc.h"
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/shelter_results.h"
-#include "out/folder.h"
+#include "out/doc.h"
 #include <math.h>
 
 enum { MAP = 64, CUT_LONG = 160, CUT_WIDE = 100 };

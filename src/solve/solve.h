@@ -4,7 +4,6 @@
 /* The solver interface: a tree and its loads in, its deformed shape and internal forces out. Each solver is
  * a row (solve/solvers.h). */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "data/tree.h"
 #include "load/load.h"

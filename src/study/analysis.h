@@ -3,7 +3,6 @@
 #define WF_STUDY_ANALYSIS_H
 /* One tree in a list of winds: wind -> load -> solve -> fail, and the critical wind speed. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "data/tree.h"
 #include "fail/fail.h"

@@ -4,7 +4,7 @@
 /* Validity of a finished analysis: each limit that was passed becomes a warning that states by how much.
  * Stable codes: small-deflection, reynolds-range, streamline-range, profile-range, steep, map-edge,
  * assumed-values, as-printed, no-strength, no-equilibrium, critical-above-range. */
-#include "base/diag.h"
+#include "base/err.h"
 #include <stdbool.h>
 
 struct wf_analysis; /* study/analysis.h */

@@ -2,7 +2,7 @@
 #ifndef WF_STUDY_PRESET_H
 #define WF_STUDY_PRESET_H
 /* Presets: a published method by name, formula and constants as printed. `corrected` changes nothing. */
-#include "base/diag.h"
+#include "base/err.h"
 #include "study/analysis.h"
 
 struct wf_preset {

@@ -4,7 +4,7 @@
 /* A tree in a wind that changes: the balance of every moment for itself (quasi-static: no inertia, so gusts
  * are to be slow against the tree's own sway), or, with the deflect scheme, frame after frame with its memory
  * of the last one. */
-#include "grow/leaves.h"
+#include "grow/clothe.h"
 #include "solve/deflect.h"
 #include "study/analysis.h"
 #include "study/preset.h"

@@ -4,7 +4,6 @@
 /* Scales of wind (Beaufort, grades of tropical cyclones), conversion between averaging times, and wind roses.
  */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include <stdbool.h>
 #include <stddef.h>

@@ -3,7 +3,6 @@
 #define WF_WIND_GUST_SPEC_H
 /* A gust model and the specification of a wind that it makes. The models are rows (wind/gust.h). */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "wind/record.h"
 #include "wind/spectrum.h"

@@ -4,7 +4,6 @@
 /* A measured wind: the CSV file of a sonic or cup anemometer, resampled to an even step and rotated to wind
  * axes. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include <stdbool.h>
 #include <stddef.h>

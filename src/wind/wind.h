@@ -4,7 +4,6 @@
 /* The mean wind as a field (velocity and gradient at any point), with profiles as rows, each with source and
  * range; properties of air; measured profiles. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include <stddef.h>
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#ifndef WF_CMD_CMD_H
-#define WF_CMD_CMD_H
+#ifndef WF_CMD_COMMANDS_H
+#define WF_CMD_COMMANDS_H
 /* The subcommands, and what all of them need: files that are shipped, messages, exit codes. Only this room
  * and main.c print, read argv or choose an exit code. */
 #include "base/arena.h"
-#include "base/diag.h"
 #include "base/err.h"
 #include "cmd/option.h"
+#include "out/doc.h"
 
 struct wf_command {
     const char *name, *operands, *summary;
@@ -51,4 +51,13 @@ const char *wf_beside(const char *file, const char *name, struct wf_arena *a);
 void wf_progress(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
 /* Print findings to stderr: errors always, warnings unless quiet. */
 void wf_print_findings(const struct wf_diag *d, bool quiet);
+
+/* Pages of a results folder, and what a document says about its command. */
+
+/* Draw figures and pages of a folder and print what is missing. A drawing program that is not installed is no
+ * error. Errors: those of wf_report_make. */
+enum wf_status wf_pages_make(const char *folder, const char *language, struct wf_arena *a, struct wf_err *e);
+/* Command line, program and date of this run; title and note stay empty. Errors: WF_ENOMEM. */
+enum wf_status wf_pages_head(int argc, char **argv, struct wf_arena *a, struct wf_doc_head *out,
+                             struct wf_err *e);
 #endif
