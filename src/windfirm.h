@@ -51,7 +51,7 @@
 /* ---- Wind and loads ----
  *
  * wf_scenario_default(&scenario): power law 0.16 at 10 m towards +x, 15 C, sea level, 9.81 m/s2. Change its
- * fields: profile (a row of wf_profiles), roughness, azimuth, temperature, altitude, speed_max, ...
+ * fields: profile (a row of wf_profiles), roughness, azimuth, temperature, altitude, ...
  * wf_scenario_check refuses what cannot be blown; wf_scenario_loads turns it, with a species, into the wind
  * field and the loads that solvers take. Dead and follower point loads, line loads: struct wf_loads. */
 #include "load/load.h"
@@ -75,8 +75,9 @@
 
 /* ---- Analysis: all of it for one tree ----
  *
- * wf_analyze(&species, model, &scenario, wf_solver_named("beam"), &options, speeds, n, &memory, &findings,
- *            &analysis, &why)
+ * wf_search_default(&search): critical wind speeds are searched for up to 100 m/s.
+ * wf_analyze(&species, model, &scenario, &search, wf_solver_named("beam"), &options, speeds, n, &memory,
+ *            &findings, &analysis, &why)
  * grows the tree, bends it at n wind speeds at the scenario's reference height, searches the critical wind
  * speeds and samples curves. Of struct wf_analysis:
  *   at[k]                                  the k-th speed: status, tip_deflection, base_moment, response, ...

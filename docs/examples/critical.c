@@ -14,6 +14,7 @@ int main(int argc, char **argv)
     struct wf_species species;
     struct wf_model *model;
     struct wf_scenario scenario;
+    struct wf_search search;
     struct wf_solve_options options;
     struct wf_analysis tree;
     double speed = argc > 3 ? atof(argv[3]) : 0;
@@ -21,10 +22,11 @@ int main(int argc, char **argv)
 
     findings.arena = &memory;
     wf_scenario_default(&scenario);
+    wf_search_default(&search);
     wf_solve_options_default(&options);
     if (wf_species_read(argv[1], &wf_laws, &memory, &species, &findings, &why) ||
         wf_model_open(argv[2], &memory, &model, &findings, &why) ||
-        wf_analyze(&species, model, &scenario, wf_solver_named("beam"), &options, &speed, 1, &memory,
+        wf_analyze(&species, model, &scenario, &search, wf_solver_named("beam"), &options, &speed, 1, &memory,
                    &findings, &tree, &why))
         return fprintf(stderr, "%s\n", why.text), 1;
     printf("tip %.3f m, critical wind %.2f m/s\n", tree.at[0].tip_deflection,

@@ -3,7 +3,6 @@
 #include "base/csv.h"
 #include "base/num.h"
 #include "base/vec3.h"
-#include "cases/keys.h"
 #include "data/section.h"
 #include "load/scene.h"
 #include <math.h>

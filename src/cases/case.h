@@ -5,6 +5,7 @@
  * holds one case or several. Each names its source, a structure, loads, solvers and wanted values. */
 #include "base/arena.h"
 #include "base/err.h"
+#include "cases/words.h"
 #include "load/drag.h"
 #include "solve/solve.h"
 #include <stdbool.h>
@@ -72,12 +73,6 @@ struct wf_want {
     const char *unit;   /* as written; "" when dimensionless */
     double unit_factor; /* SI per unit, for printing */
     size_t line;
-};
-
-/* A growing list in an arena. */
-struct wf_list {
-    void *data;
-    size_t n, room;
 };
 
 enum wf_case_shape {

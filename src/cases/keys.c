@@ -493,17 +493,3 @@ void wf_case_default(struct wf_case *c)
             for (size_t i = 0; i < k->count; i++) ((double *)(void *)((char *)c + k->offset))[i] = NAN;
     c->length = c->arc[0] = c->arc[1] = c->mesh_tolerance = NAN;
 }
-
-bool wf_list_add(struct wf_list *l, const void *element, size_t size, struct wf_arena *a)
-{
-    if (l->n >= l->room) {
-        size_t room = 2 * l->n + 4;
-        void *data = wf_arena_take(a, room, size);
-        if (!data) return false;
-        if (l->n) memcpy(data, l->data, l->n * size);
-        l->data = data;
-        l->room = room;
-    }
-    memcpy((char *)l->data + l->n++ * size, element, size);
-    return true;
-}

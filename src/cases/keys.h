@@ -21,9 +21,6 @@ extern const struct wf_case_key wf_case_keys[]; /* ends at name == NULL; at most
 /* A case with defaults, before any key is read. */
 void wf_case_default(struct wf_case *c);
 
-/* Add one element to a list; false when there is no memory. */
-bool wf_list_add(struct wf_list *l, const void *element, size_t size, struct wf_arena *a);
-
 /* Index of a key; the number of keys when there is none of that name. */
 size_t wf_case_key_index(const char *name);
 #endif

@@ -167,3 +167,17 @@ bool wf_words_end(struct wf_words *w)
     if (w->next >= w->n) return true;
     return wf_words_wrong(w, w->next, "'%s' is not expected here", w->word[w->next]);
 }
+
+bool wf_list_add(struct wf_list *l, const void *element, size_t size, struct wf_arena *a)
+{
+    if (l->n >= l->room) {
+        size_t room = 2 * l->n + 4;
+        void *data = wf_arena_take(a, room, size);
+        if (!data) return false;
+        if (l->n) memcpy(data, l->data, l->n * size);
+        l->data = data;
+        l->room = room;
+    }
+    memcpy((char *)l->data + l->n++ * size, element, size);
+    return true;
+}

@@ -48,4 +48,12 @@ bool wf_words_quantities(struct wf_words *w, enum wf_dimension d, size_t low, si
                          const char *stop, double *out, size_t *count, const char **unit_text);
 /* Report any word left on the line; true when there is none. */
 bool wf_words_end(struct wf_words *w);
+
+/* A growing list in an arena. */
+struct wf_list {
+    void *data;
+    size_t n, room;
+};
+/* Add one element to a list; false when there is no memory. */
+bool wf_list_add(struct wf_list *l, const void *element, size_t size, struct wf_arena *a);
 #endif

@@ -8,7 +8,6 @@
 #include "grow/grow.h"
 #include "load/drag.h"
 #include "solve/unload.h"
-#include "study/limits.h"
 #include "study/sheltered.h"
 #include "wind/shelter_laws.h"
 #include <math.h>

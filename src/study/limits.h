@@ -16,9 +16,6 @@ struct wf_site;     /* wind/terrain.h */
 #define WF_SMALL_DEFLECTION_SHARE 0.10
 #define WF_SMALL_DEFLECTION_TURN 0.26179938779914943
 
-/* Given: an analysis complete but for its warnings. Returned: the warnings added to `d`. */
-void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d);
-
 /* Is this a small-deflection answer beyond those limits? Slopes of all rows count where they are kept, else
  * the tip's.
  */
