@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/figures.h"
 #include "out/doc.h"
-#include "out/report.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>
