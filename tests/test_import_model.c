@@ -144,7 +144,8 @@ static void materials_follow_levels(void **state)
           .drag_coefficient = { .value = 0.9, .given = true } },
     };
     struct wf_species sp = { .key = "test", .levels = 1, .level = level };
-    sp.crown.drag_coefficient.value = 0.5, sp.crown.frontal_share.value = 0.3, sp.crown.leaf_mass_per_area.value = 0.2;
+    sp.crown.drag_coefficient.value = 0.5, sp.crown.frontal_share.value = 0.3,
+    sp.crown.leaf_mass_per_area.value = 0.2;
     struct wf_clothing c = { .leaf_area = 10, .kind = m.kind };
     assert_int_equal(wf_clothe(&m.tree, &sp, &c, &t.arena, &t.err), WF_OK);
     size_t branch = find(&t, &m, 4, WF_SEGMENT_WOOD), top = find(&t, &m, 3, WF_SEGMENT_WOOD);

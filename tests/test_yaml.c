@@ -229,7 +229,7 @@ static const struct edit mistakes[] = {
       "1:1: missing key 'name' (Name.); for example 'name: box'\n"
       "1:1: missing key 'height' (Height.); for example 'height: 9 mm'" },
     { NULL, "name: a\nheight: 1 m\n---\nname: b\n",
-      "3:1: a second document starts here; one a file is expected" },
+      "3:1: a second document starts here; a file must have exactly one" },
     { NULL, "a: &x 1\nb: *x\n",
       "1:4: the anchor '&x' is not understood here; write the value out\n"
       "2:4: the alias '*x' is not understood here; write the value out" },

@@ -95,7 +95,7 @@ nm -A -g $objects 2>"$scratch/nm" | awk -v build="$build/src/" '
     END { for (name in home)
               if (users[name] == 0) print name, home[name], "-"
               else if (users[name] == 1 && user[name] != home[name]) print name, home[name], user[name] }' |
-    sort >"$scratch/single"
+    grep -v "\.resolver " | sort >"$scratch/single"
 join -v 1 "$scratch/single" "$scratch/tested" >"$scratch/untested"
 cut -d' ' -f1 "$scratch/untested" | comm -23 - "$scratch/allowed" >"$scratch/new"
 join "$scratch/untested" "$scratch/new" | sed 's/\(.*\) \(.*\) \(.*\)/\1, of \2, for \3/' >"$scratch/news"

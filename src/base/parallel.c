@@ -15,7 +15,7 @@ struct parallel_job {
     struct wf_err *why; /* n; code WF_OK: no error */
 };
 
-size_t wf_together_threads(size_t asked)
+size_t wf_parallel_threads(size_t asked)
 {
     long processors = asked ? (long)asked : sysconf(_SC_NPROCESSORS_ONLN);
     return processors < 1 ? 1 : processors > THREADS_MAX ? THREADS_MAX : (size_t)processors;
@@ -35,7 +35,7 @@ static void *parallel_worker(void *parallel_job)
 static void run_on_threads(struct parallel_job *c, size_t threads)
 {
     pthread_t thread[THREADS_MAX];
-    size_t wanted = wf_together_threads(threads), started = 0;
+    size_t wanted = wf_parallel_threads(threads), started = 0;
     while (started + 1 < wanted && started + 1 < c->n &&
            pthread_create(&thread[started], NULL, parallel_worker, c) == 0)
         started++;
@@ -43,7 +43,7 @@ static void run_on_threads(struct parallel_job *c, size_t threads)
     for (size_t k = 0; k < started; k++) pthread_join(thread[k], NULL);
 }
 
-enum wf_status wf_together(size_t n, size_t threads,
+enum wf_status wf_parallel(size_t n, size_t threads,
                            enum wf_status (*one)(void *context, size_t k, struct wf_err *e), void *context,
                            struct wf_err *e)
 {

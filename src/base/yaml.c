@@ -548,7 +548,7 @@ static void screen_event(struct wf_yaml *y, const yaml_event_t *v, size_t *depth
     switch (v->type) {
     case YAML_DOCUMENT_START_EVENT:
         if (++*documents == 2)
-            yaml_mark(y, v->start_mark, "a second document starts here; one a file is expected");
+            yaml_mark(y, v->start_mark, "a second document starts here; a file must have exactly one");
         break;
     case YAML_ALIAS_EVENT:
         yaml_mark(y, v->start_mark, "the alias '*%s' is not understood here; write the value out",

@@ -131,7 +131,7 @@ static enum wf_status attempt_run(const struct wf_case *c, size_t k, size_t piec
     bool flow = c->shape == WF_SHAPE_FLOW; /* no tree, loads or mesh */
     enum wf_status status = WF_OK;
     if (c->shape == WF_SHAPE_FIT)
-        status = wf_fail(&own, WF_EUSAGE, "a fit is run by the program, not by the library");
+        status = wf_fail(&own, WF_EUSAGE, "a case with a fit is run by wf_case_fit");
     else if (!flow)
         status = wf_setup_build(c, pieces, a, s, &own);
     if (!status && !isnan(mesh_tolerance)) s->options.mesh_tolerance = mesh_tolerance;

@@ -2,9 +2,9 @@
 /* windfirm analyze and windfirm compare: what a steady wind does to one or several species on one tree. */
 #include "base/num.h"
 #include "cmd/args.h"
-#include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
+#include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"
@@ -58,7 +58,7 @@ const struct wf_option wf_analyze_options[] = {
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
-           "also let the wind come from all around, in so many directions"),
+           "also compute winds from this many directions, evenly spaced"),
     PATH("--climate", climate, "FILE", NULL,
          "how often and how strongly the wind comes from where, for hours a year above the critical wind: a "
          "CSV as for 'windfirm wind rose', hourly means at the reference height; its directions are taken"),

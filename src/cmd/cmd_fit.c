@@ -29,7 +29,7 @@ static const struct wf_option options[] = {
           "each:root.stiffness, damping_ratio, ...",
           .letter = "-f"),
     CHOICE("--loss", loss, "NAME", "none|huber|cauchy|tukey", "none",
-           "what outliers count: squares, or a robust loss"),
+           "weight of outliers: none = plain least squares, or a robust loss"),
     NUMBER("--loss-scale", loss_scale, "NUMBER", NONE, NULL, 0.1, 100, NULL,
            "where the loss departs from squares, in standard deviations [1.345 huber, 2.385 cauchy, 4.685 "
            "tukey]"),

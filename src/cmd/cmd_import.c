@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/file.h"
 #include "cmd/args.h"
-#include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
+#include "cmd/option_groups.h"
 #include "grow/qsm.h"
 #include "load/qsm_metrics.h"
 #include <stdio.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm series and windfirm papers: trees in winds that change. */
 #include "cmd/args.h"
-#include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
+#include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"
@@ -188,7 +188,7 @@ const struct wf_option wf_series_options[] = {
            "k of the deflect scheme, below 1"),
     NUMBER("--damping", run.damping, "NUMBER", NONE, NULL, 0, 1e9, "0", "c of the deflect scheme, N s2"),
     WORD("--leaf-motion", run.leaf_motion, "NAME", leaf_word, NULL,
-         "how leaves turn, a look that enters no load [the preset's, else eq13]"),
+         "how leaves turn; affects the picture only, not the loads [the preset's, else eq13]"),
     NUMBER("--leaf-amplitude", run.leaf_amplitude, "ANGLE", ANGLE, "deg", 0, 180, "30",
            "largest turn by one of the three noises"),
     NUMBER("--leaf-follow", run.leaf_follow, "NUMBER", NONE, NULL, -10, 10, "0.5",

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm shelter: what a tree leaves of the wind inside and behind itself. */
 #include "cmd/args.h"
-#include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
+#include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "grow/clothe.h"

@@ -2,9 +2,9 @@
 /* windfirm tree: the size of measured trees, and pictures of trees. */
 #include "base/text.h"
 #include "cmd/args.h"
-#include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
+#include "cmd/option_groups.h"
 #include "data/species.h"
 #include "grow/grow.h"
 #include "load/drag.h"

@@ -2,9 +2,9 @@
 /* windfirm wind: make a gusty wind, look at it, draw it. */
 #include "base/text.h"
 #include "cmd/args.h"
-#include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
+#include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
 #include "out/wind_results.h"
 #include "wind/climate.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fail/fail.h"
 #include "base/vec3.h"
 #include "data/section.h"
+#include "fail/fail.h"
 #include <math.h>
 
 /* Forces and moments on a section, split along and across its axis, and its outer-fibre stress. */

@@ -124,8 +124,9 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
     else if (f->stopped)
         wf_diag_warn(d, "stopped", "interrupted after the fit itself: profiles or bootstrap are incomplete");
     if (!f->freedom)
-        wf_diag_warn(d, "nothing-left",
-                     "as many parameters as readings: none is left that could speak against the model");
+        wf_diag_warn(
+            d, "nothing-left",
+            "as many parameters as readings: no degrees of freedom remain, so the fit cannot test the model");
     if (!f->lsq.stopped && !f->lsq.converged)
         wf_diag_warn(d, "not-converged", "the fit did not converge: %s", f->lsq.message);
     if (f->starts > 1 && f->starts_same < f->starts)

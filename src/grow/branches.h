@@ -53,8 +53,6 @@ struct wf_course {
 /* A unit vector perpendicular to `direction`: towards the upper side; for a vertical direction +x. */
 void wf_side_of(const double direction[3], double side[3]);
 
-
-
 /* Convert axes to the rows of a tree: level by level from the stem, so that parents come first. Returned:
  * geometry, radii and levels, and in leaf0 = leaf1 the share of each row that has leaves. Errors: WF_EINPUT
  * for more than WF_AXIS_ROWS_MAX rows, WF_ENOMEM. */

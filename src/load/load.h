@@ -74,7 +74,7 @@ struct wf_line_load {
  * Source: Hoerner 1965 (cross-flow principle): 1/2 rho Cd D |Un| Un, Un = U - (U.t)t; lift 1/2 rho Cl D |Un|
  * (t x Un); crown 1/2 rho (Cd A)(|U|) |U| U along the wind. */
 void wf_load_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
-                  const double t[3], struct wf_line_load *out);
+                     const double t[3], struct wf_line_load *out);
 
 /* The force of wf_line_load split into its parts, for reports [N/m]: along-wind drag of axis and of crown,
  * across-wind lift, weight. */
@@ -82,7 +82,7 @@ struct wf_line_parts {
     double drag_axis[3], drag_crown[3], lift[3], weight[3];
 };
 void wf_load_parts_on_line(const struct wf_loads *l, const struct wf_line_point *p, const double x[3],
-                   const double t[3], struct wf_line_parts *out);
+                           const double t[3], struct wf_line_parts *out);
 
 #ifdef __cplusplus
 }

@@ -329,11 +329,11 @@ void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, st
 {
     if (!d) return;
     if (b->loose > 0)
-        wf_diag_warn(
-            d, "loose-parts",
-            "%zu small parts, each bearing less than 1 %% of the load, are balanced but not stable: they may "
-            "snap to another shape",
-            b->loose);
+        wf_diag_warn(d, "loose-parts",
+                     "%zu small parts, each carrying less than 1 %% of the load, are in unstable "
+                     "equilibrium: they may "
+                     "snap to another shape",
+                     b->loose);
     if (out->beyond_limit)
         wf_diag_warn(d, "limit-point",
                      "the tree gives way at %.3g of the load; the answer is where it comes to rest",

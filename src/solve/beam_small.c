@@ -15,7 +15,9 @@ enum wf_status wf_beam_linearise(struct wf_beam *b, bool frozen, struct wf_arena
     b->misfit = (struct wf_beam_misfit){ 0 };
     wf_beam_sweep_up(b);
     if (!wf_beam_sweep_down(b, true, NULL))
-        return wf_fail(e, WF_EUNSTABLE, "the tree has no stiffness left in the state it is to move about");
+        return wf_fail(
+            e, WF_EUNSTABLE,
+            "the stiffness matrix of the equilibrium is singular: no small motions exist about it");
     return WF_OK;
 }
 

@@ -122,7 +122,7 @@ static enum wf_status ritz_values(struct krylov *k, struct wf_err *e)
             for (size_t j = 0; j < n; j++)
                 gsl_matrix_set(M, i, j, 0.5 * (k->T[i * k->most + j] + k->T[j * k->most + i]));
         if (gsl_eigen_symmv(M, v, Q, w))
-            status = wf_fail(e, WF_ENOCONV, "eigenvalues of the small problem failed");
+            status = wf_fail(e, WF_ENOCONV, "the eigenvalue solver failed on the projected (Lanczos) matrix");
     }
     if (!status) {
         gsl_eigen_symmv_sort(v, Q, GSL_EIGEN_SORT_ABS_DESC);
@@ -209,7 +209,7 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
         for (size_t j = 0; j < k.used && i < k.used; j++)
             for (size_t c = 0; c < l->size; c++) x[c] += k.Q[j * k.most + i] * krylov_column(&k, j)[c];
     }
-    if (status == WF_ENOCONV) return wf_fail(e, status, "natural frequencies did not settle");
+    if (status == WF_ENOCONV) return wf_fail(e, status, "natural frequencies did not converge");
     return status;
 }
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "solve/solve.h"
 #include "solve/beam.h"
 #include "solve/chain.h"
 #include "solve/deflect.h"
 #include "solve/rod.h"
+#include "solve/solve.h"
 #include <string.h>
 
 const struct wf_solver *const wf_solvers[] = { &wf_solver_beam,

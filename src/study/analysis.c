@@ -446,7 +446,7 @@ static enum wf_status rung(void *context, size_t k, struct wf_err *e)
 static enum wf_status climb(const struct search *q, struct wf_err *e)
 {
     struct known *known = q->known;
-    size_t threads = wf_together_threads(q->o->threads);
+    size_t threads = wf_parallel_threads(q->o->threads);
     struct wf_arena scratch = { 0 };
     struct batch *b = WF_TAKE(&scratch, 1, struct batch);
     if (!b) return wf_fail(e, WF_ENOMEM, "no room for the search of the critical speed");
@@ -462,7 +462,7 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
             else
                 b->speed[n++] = speed;
         }
-        enum wf_status s = wf_together(n, q->o->threads, rung, b, e);
+        enum wf_status s = wf_parallel(n, q->o->threads, rung, b, e);
         if (s) {
             wf_arena_free(&scratch);
             return s;
@@ -581,7 +581,7 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     for (size_t k = 0; k < an->sweep_n; k++)
         an->sweep[k].speed = step * (k < 4 * QUARTERED ? 0.25 * (double)k : (double)k - 3 * QUARTERED);
     struct sweep_points c = { an, &curve, an->sweep };
-    return wf_together(an->sweep_n, o->threads, sweep_point, &c, e);
+    return wf_parallel(an->sweep_n, o->threads, sweep_point, &c, e);
 }
 
 void wf_search_default(struct wf_search *s) { *s = (struct wf_search){ .speed_max = 100.0 }; }

@@ -98,7 +98,7 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
         out->direction[k].from = WF_TURN * (double)k / (double)q->n;
         out->direction[k].at = at + k * an->n;
     }
-    s = wf_together(q->n, o->threads, one, &w, e);
+    s = wf_parallel(q->n, o->threads, one, &w, e);
     if (!s) add_climate(out);
     return s;
 }

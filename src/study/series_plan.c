@@ -78,7 +78,8 @@ static const struct wf_yaml_row run_rows[] = {
     QUANTITY("reference_height", profile.reference_height, WF_DIM_LENGTH, "m", 0.01, 1000,
              "Where the wind has its speed.", .initial = "10 m", .example = "10 m"),
     WORD(leaf_motion,
-         "How leaves turn, a look that enters no load: eq13 (Tang et al. 2012), noise (Zhao & Zhang 2013).",
+         "How leaves turn; affects the picture only, not the loads: eq13 (Tang et al. 2012), noise (Zhao & "
+         "Zhang 2013).",
          .absent = "the preset's, else eq13", .example = "noise"),
     QUANTITY("leaf_amplitude", leaf_amplitude, WF_DIM_ANGLE, "deg", 0, 180,
              "Largest turn by one of the three noises, M_x = M_y = M_z.", .absent = "30 deg",

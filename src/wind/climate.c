@@ -145,7 +145,7 @@ enum wf_status wf_wind_average(const char *law, double speed, double from, doubl
         return wf_fail(
             e, WF_EUSAGE,
             "unknown averaging law '%s'%s%s%s; there are durst, in-land, off-land, off-sea, at-sea", law,
-            near ? "; did you mean '" : "", near ? near : "", near ? "'" : "");
+            near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
     }
     if (row == 0) {
         if (!(from >= 1.0 && from <= 3600.0 && to >= 1.0 && to <= 3600.0))

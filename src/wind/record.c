@@ -218,9 +218,8 @@ enum wf_status wf_record_read(const char *path, const struct wf_record_request *
         while (isnan(r.time[last])) last--;
         double steps = (r.time[last] - r.time[first]) / out->step;
         if (steps > 1.0 / fmax(1.0 - q->bad_share, 1e-3) * (double)r.n + 2.0 * q->gap / out->step + 2.0)
-            s = wf_fail(e, WF_EINPUT,
-                        "%s: %zu rows speak for %.0f steps of %g s; at most %g %% may be missing", path, r.n,
-                        steps + 1.0, out->step, 100.0 * q->bad_share);
+            s = wf_fail(e, WF_EINPUT, "%s: %zu rows cover %.0f steps of %g s; at most %g %% may be missing",
+                        path, r.n, steps + 1.0, out->step, 100.0 * q->bad_share);
         else
             out->n = (size_t)llround(steps) + 1;
     }
