@@ -48,6 +48,8 @@ $(B)/tests/%: $(B)/tests/%.o $(B)/libwindfirm.a
 $(B)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(CFLAGS) -c $< -o $@
+# a new version reaches those that print it
+$(call obj,$(shell grep -lw WF_VERSION $(SRC) $(TESTS))): src/windfirm.h
 $(call obj,$(SHARED)): ALL += -DWF_SHARE='"$(SHARE)"'
 $(B)/%.o: %.cpp
 	@mkdir -p $(@D)
