@@ -11,11 +11,12 @@
   <xsl:variable name="a" select="$x * (1 - 2 * ($x &lt; 0))"/>
   <xsl:variable name="pattern">
     <xsl:choose>
-      <xsl:when test="$a = 0 or $a &gt;= 1000">0</xsl:when>
+      <xsl:when test="$a = 0 or $a &gt;= 1000">#,##0</xsl:when>
       <xsl:when test="$a &gt;= 100">0.0</xsl:when>
       <xsl:when test="$a &gt;= 10">0.00</xsl:when>
       <xsl:when test="$a &gt;= 1">0.000</xsl:when>
       <xsl:when test="$a &gt;= 0.01">0.0000</xsl:when>
+      <xsl:when test="$a &gt;= 0.001">0.000000</xsl:when>
       <xsl:otherwise>0.0000000</xsl:otherwise>
     </xsl:choose>
   </xsl:variable>
@@ -394,7 +395,7 @@
   </p>
   <table class="block">
     <xsl:call-template name="block-row">
-      <xsl:with-param name="id">tb.trees</xsl:with-param>
+      <xsl:with-param name="id">ft.trees</xsl:with-param>
       <xsl:with-param name="text">
         <xsl:for-each select="$r/trees/item">
           <xsl:if test="position() &gt; 1"><br/></xsl:if>

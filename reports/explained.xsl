@@ -71,7 +71,7 @@
 </xsl:template>
 
 <xsl:template name="by-branch">
-  <table class="data">
+  <table class="data whole">
     <xsl:call-template name="caption">
       <xsl:with-param name="id">
         <xsl:choose>

@@ -192,7 +192,7 @@
       </xsl:with-param>
     </xsl:call-template>
   </table>
-  <table class="data" style="margin-top: 3mm">
+  <table class="data whole">
     <thead>
       <tr>
         <th><xsl:call-template name="say"><xsl:with-param name="id">p.role</xsl:with-param></xsl:call-template></th>

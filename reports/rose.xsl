@@ -20,7 +20,9 @@
     <xsl:with-param name="x" select="shape"/><xsl:with-param name="pattern">0.00</xsl:with-param>
   </xsl:call-template>
   <xsl:for-each select="hours_a_year_above/item">
-    <xsl:call-template name="cell"><xsl:with-param name="x" select="."/></xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="."/><xsl:with-param name="pattern">#,##0.0</xsl:with-param>
+    </xsl:call-template>
   </xsl:for-each>
 </xsl:template>
 
@@ -75,7 +77,9 @@
     <tbody class="long">
       <xsl:for-each select="$r/sectors/item">
         <tr>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="from_deg"/></xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="from_deg"/><xsl:with-param name="pattern">0.#</xsl:with-param>
+          </xsl:call-template>
           <xsl:call-template name="hours-row"/>
         </tr>
       </xsl:for-each>

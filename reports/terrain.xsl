@@ -89,14 +89,17 @@
     <xsl:call-template name="fact">
       <xsl:with-param name="id">tr.above</xsl:with-param><xsl:with-param name="x" select="$r/height_above_ground_m"/>
       <xsl:with-param name="unit">m</xsl:with-param>
+      <xsl:with-param name="pattern">#,##0.#####</xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="fact">
       <xsl:with-param name="id">tr.roughness</xsl:with-param><xsl:with-param name="x" select="$r/roughness_m"/>
       <xsl:with-param name="unit">m</xsl:with-param>
+      <xsl:with-param name="pattern">#,##0.#####</xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="fact">
       <xsl:with-param name="id">tr.distance</xsl:with-param><xsl:with-param name="x" select="$r/topex_distance_m"/>
       <xsl:with-param name="unit">m</xsl:with-param>
+      <xsl:with-param name="pattern">#,##0.#####</xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="fact">
       <xsl:with-param name="id">tr.length</xsl:with-param><xsl:with-param name="x" select="$r/hill_half_width_m"/>

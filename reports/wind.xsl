@@ -195,7 +195,7 @@
     </xsl:if>
     <xsl:call-template name="fact">
       <xsl:with-param name="id">wd.step</xsl:with-param><xsl:with-param name="x" select="$r/step_s"/>
-      <xsl:with-param name="unit">s</xsl:with-param>
+      <xsl:with-param name="unit">s</xsl:with-param><xsl:with-param name="pattern">#,##0.#####</xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="block-row">
       <xsl:with-param name="id">wd.steps</xsl:with-param><xsl:with-param name="text" select="string($r/steps)"/>
@@ -219,7 +219,7 @@
     </xsl:if>
   </table>
   <xsl:if test="$r/model/parameters/item">
-    <table class="data" style="margin-top: 3mm">
+    <table class="data">
       <xsl:call-template name="caption"><xsl:with-param name="id">wd.parameters</xsl:with-param></xsl:call-template>
       <thead>
         <tr>
@@ -233,7 +233,7 @@
         <xsl:for-each select="$r/model/parameters/item">
           <tr>
             <td><code><xsl:value-of select="name"/></code></td>
-            <xsl:call-template name="n"><xsl:with-param name="x" select="value"/></xsl:call-template>
+            <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="value"/></xsl:call-template></td>
             <td><xsl:value-of select="translate(unit, '-', '–')"/></td><td><xsl:value-of select="meaning"/></td>
           </tr>
         </xsl:for-each>

@@ -84,12 +84,14 @@
   </xsl:choose>
 </xsl:template>
 
-<!-- A result with about three significant digits. -->
+<!-- A result with about three significant digits; what four decimals would round to nothing is less than their last. -->
 <xsl:template name="number">
   <xsl:param name="x"/>
   <xsl:variable name="size" select="($x &lt; 0) * -$x + ($x &gt;= 0) * $x"/>
+  <xsl:variable name="tiny" select="$x &gt; 0 and $x &lt; 0.00005"/>
+  <xsl:if test="$tiny">&lt; </xsl:if>
   <xsl:call-template name="fixed">
-    <xsl:with-param name="x" select="$x"/>
+    <xsl:with-param name="x" select="$x + $tiny * (0.0001 - $x)"/>
     <xsl:with-param name="pattern">
       <xsl:choose>
         <xsl:when test="$size &gt;= 99.95 or $size = 0">#,##0</xsl:when>

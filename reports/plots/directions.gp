@@ -8,7 +8,7 @@ load HERE.'style.gp'
 load HERE.'report_facts.gp'
 AROUND = DIR.'/tables/directions.csv'
 KEY = 12.0 + 18*(trees == 1 ? 1 : (trees + 2)/3)
-WIDTH = 640.0; HEIGHT = 360.0 + KEY
+WIDTH = 640.0; HEIGHT = 340.0 + KEY
 U = number('WIND_LAST', 0)
 load HERE.'start.gp'
 set multiplot
@@ -33,7 +33,7 @@ do for [p=1:2] {
     STEP = ring(TOP[p]); RINGS = ceil(TOP[p]/STEP - 1e-9); E = RINGS*STEP
     set xrange [-1.25*E:1.25*E]; set yrange [-1.25*E:1.25*E]
     set lmargin at screen 0.01 + 0.5*(p - 1); set rmargin at screen 0.49 + 0.5*(p - 1)
-    set tmargin at screen 1 - 26.0/HEIGHT; set bmargin at screen (KEY + 4)/HEIGHT
+    set tmargin at screen 1 - 40.0/HEIGHT; set bmargin at screen (KEY + 4)/HEIGHT
     set title TITLE[p] offset 0,0.2
     do for [j=1:RINGS] {
         set label sprintf('%g', j*STEP) at first 0.38*j*STEP, 0.92*j*STEP front textcolor rgb '#606060'
@@ -66,7 +66,8 @@ load HERE.'strip.gp'
 set size noratio
 set key maxcols 3
 if (trees == 1) {
-    plot 2 with lines, keyentry with linespoints lt 1 title L('AROUND_FIRST'), keyentry with linespoints lt 2 title L('AROUND_STEM')
+    plot 2 with lines, keyentry with linespoints lt 1 title L('AROUND_FIRST'), \
+         for [n=1:(S_max > 0)] keyentry with linespoints lt 2 title L('AROUND_STEM')
 } else {
     plot 2 with lines, for [i=1:trees] keyentry with linespoints lt i title NAME[i]
 }

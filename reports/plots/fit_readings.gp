@@ -9,7 +9,7 @@ GROUPS = int(number('GROUPS', 0))
 READINGS = DIR.'/tables/readings.csv'
 SHOWN = GROUPS > 8 ? 8 : GROUPS
 ROWS = (SHOWN + 1)/2
-WIDTH = 640.0; STEP = 250.0; HEIGHT = STEP*ROWS
+WIDTH = 640.0; STEP = 210.0; HEIGHT = STEP*ROWS
 SPAN = SHOWN == 1 ? 556.0 : 232.0
 in(g) = column("group") == g
 load HERE.'start.gp'
@@ -18,7 +18,7 @@ unset key
 do for [g=1:SHOWN] {
     i = g - 1; x0 = (i%2) ? 396.0 : 72.0; y1 = HEIGHT - 28.0 - STEP*(i/2)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + SPAN)/WIDTH
-    set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 160)/HEIGHT
+    set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 122)/HEIGHT
     set title text_of('GROUP', g) offset 0,-0.6
     set xlabel with_unit(L(text_of('LOAD', g)), text_of('LOAD_UNIT', g)); set ylabel with_unit(L(text_of('GROUP_KIND', g)), text_of('GROUP_UNIT', g)) offset 1,0
     FREE = text_of('LOAD', g) eq 'free sway'

@@ -42,10 +42,11 @@ LINES = ceil(PANELS/(1.0*COLUMNS))
 WIDTH = 640.0
 # the same scale both ways
 WIDE = (WIDTH - 50)/COLUMNS - 10; TALL = WIDE*top/(high - low)
-most = 560.0/LINES - 46; most = most > 330 ? 330.0 : most
+most = LINES == 2 ? 154.0 : 560.0/LINES - 46;   # of two lines two figures go on a page
+most = most > 330 ? 330.0 : most
 if (TALL > most) { TALL = most }
 PER = TALL/top; WIDE = PER*(high - low)
-HEIGHT = LINES*(TALL + 46) + 34
+HEIGHT = LINES*(TALL + 46) + 6
 load HERE.'start.gp'
 set multiplot
 unset key; unset grid

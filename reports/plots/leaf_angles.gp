@@ -10,6 +10,8 @@ ANGLES = DIR.'/tables/leaf_angles.csv'
 SHOWS = ""
 do for [r=1:RUNS] { if (FRAMES[r] > 1 && LEAVES[r] > 0 && words(SHOWS) < 6) { SHOWS = SHOWS.r." " } }
 PANELS = words(SHOWS)
+NOISE = 0; SWING = 0
+do for [r in SHOWS] { if (MOTION[int(r)] eq 'noise') { NOISE = 1 } else { SWING = 1 } }
 WIDTH = 640.0; ROW = PANELS > 4 ? 46.0 : 60.0; KEY = 44.0; HEIGHT = PANELS*(ROW + 12) + 48 + KEY
 # the first leaf's rows: run, time, angles; a motion without an angle leaves it empty
 set table $LEAF separator comma
@@ -32,6 +34,6 @@ do for [p=1:PANELS] {
 }
 load HERE.'strip.gp'
 set key maxcols 5 width 0
-plot for [c=1:5] -1 with lines lt c title L(sprintf('LEAF_%d', c))
+plot for [c=(SWING ? 1 : 3):(NOISE ? 5 : 2)] -1 with lines lt c title L(sprintf('LEAF_%d', c))
 unset multiplot
 set output

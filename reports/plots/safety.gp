@@ -25,7 +25,8 @@ set format y '%g'
 set xlabel sprintf(L('WIND'), sprintf('%g', number('REFERENCE', 0))); set ylabel L('SAFETY') offset 1,0
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 1 - 16.0/WIDTH
 set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
-set label L('BREAKS') at graph 0.01, first 1 left offset 0,-0.7 textcolor rgb '#505050'
+set style textbox opaque fillcolor rgb '#ffffff' noborder margins 0.3,0.1
+set label L('BREAKS') at graph 0.01, first 1 left offset 0,-0.8 front boxed textcolor rgb '#505050'
 # Critical speeds: a drop line with the figure at its foot, where curves seldom pass; close neighbours stand above
 # one another.
 do for [n=1:words(STRONG)] {

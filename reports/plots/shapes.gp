@@ -37,7 +37,7 @@ columns = trees < 3 ? trees : (trees == 4 ? 2 : 3)
 rows = (trees + columns - 1)/columns
 LEFT = 58.0; GAP = 22.0; TITLE = 30.0; UNDER = 48.0; KEY = winds > 3 ? 50.0 : 30.0
 w = (640.0 - LEFT - 12 - GAP*(columns-1))/columns
-most = trees == 1 ? 310.0 : (rows == 1 ? 380.0 : 330.0)
+most = trees == 1 ? 262.0 : (rows == 1 ? 380.0 : 330.0)
 scale = w/(high - low)
 scale = scale*(top - floor) > most ? most/(top - floor) : scale
 w = scale*(high - low); h = scale*(top - floor)

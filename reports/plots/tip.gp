@@ -7,7 +7,7 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 load HERE.'style.gp'
 load HERE.'report_facts.gp'
 KEY = 12.0 + 18*((trees + 2)/3)
-WIDTH = 640.0; HEIGHT = 276.0 + KEY
+WIDTH = 640.0; HEIGHT = 250.0 + KEY
 load HERE.'start.gp'
 set multiplot
 set xrange [0:SPEED_MAX]; set yrange [0:*]
@@ -16,8 +16,8 @@ bottom = (52.0 + KEY)/HEIGHT
 do for [panel=0:1] {
     NAME_Y = panel ? "tip_angle_deg" : "tip_deflection_m"
     set ylabel (panel ? L('TIP_ANGLE') : L('TIP_DEFLECTION')) offset 1,0
-    x0 = panel ? 384.0 : 60.0
-    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + 246)/WIDTH
+    x0 = panel ? 392.0 : 72.0
+    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + 234)/WIDTH
     set tmargin at screen 1 - 14.0/HEIGHT; set bmargin at screen bottom
     plot for [i=1:trees] SWEEP using (pick(of(i) && column("wind_m_s") <= SPEED_MAX, column("wind_m_s"))):NAME_Y with lines lt i, \
          for [i=1:trees] SUMMARY using (pick(of(i) && strlen(SOLVED[i]) > 0, column("wind_m_s"))):NAME_Y with points lt i lw 1

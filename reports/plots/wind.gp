@@ -11,7 +11,7 @@ SERIES = DIR.'/tables/series.csv'
 SPECTRUM = DIR.'/tables/spectrum.csv'
 HISTOGRAM = DIR.'/tables/histogram.csv'
 array COMPONENT[3] = ['along', 'across', 'up']
-WIDTH = 640.0; HEIGHT = 570.0
+WIDTH = 640.0; KEY = COMPONENTS > 1 ? 24.0 : 0.0; HEIGHT = 490.0 + KEY
 stats SPECTRUM using (column("frequency_hz")*column("density_m2_s")) nooutput
 TOP = STATS_max
 stats HISTOGRAM using 1 nooutput
@@ -24,22 +24,21 @@ EVERY = ceil(SHOWN/STEP/3000.0)
 load HERE.'start.gp'
 set multiplot
 set lmargin at screen 84.0/WIDTH; set rmargin at screen 618.0/WIDTH
-set tmargin at screen 1 - 26.0/HEIGHT; set bmargin at screen 1 - 200.0/HEIGHT
+set tmargin at screen 1 - 26.0/HEIGHT; set bmargin at screen 1 - 170.0/HEIGHT
 set title sprintf(L('WIND_FIRST'), MODEL, sprintf('%g', SHOWN)) offset 0,-0.6
 set xrange [0:SHOWN]; set yrange [*:*]
 set xlabel L('TIME'); set ylabel L('WIND_MS') offset 1,0
-set key top right horizontal
-plot for [c=COMPONENTS:1:-1] SERIES every EVERY using 1:(column(c + 1)) with lines lt c lw 0.8 dt 1 title (COMPONENTS > 1 ? L(sprintf('COMPONENT_%d', c)) : "")
+unset key
+plot for [c=COMPONENTS:1:-1] SERIES every EVERY using 1:(column(c + 1)) with lines lt c lw 0.8 dt 1
 
 set lmargin at screen 84.0/WIDTH; set rmargin at screen 384.0/WIDTH
-set tmargin at screen 1 - 284.0/HEIGHT; set bmargin at screen 60.0/HEIGHT
+set tmargin at screen 1 - 248.0/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
 set title (TARGET ? L('SPECTRUM_TARGET') : L('SPECTRUM')) offset 0,-0.6
 set logscale xy; set xrange [*:*]; set yrange [3e-5*TOP:*]
 set format xy "%g"
 set xlabel L('FREQUENCY'); set ylabel L('F_S') offset 0,0
-set key bottom right vertical
 is(c) = strcol("component") eq COMPONENT[c]
-plot for [c=1:COMPONENTS] SPECTRUM using (pick(is(c), column("frequency_hz"))):(column("frequency_hz")*column("density_m2_s")) with points lt c lw 1 title (COMPONENTS > 1 ? L(sprintf('COMPONENT_%d', c)) : ""), \
+plot for [c=1:COMPONENTS] SPECTRUM using (pick(is(c), column("frequency_hz"))):(column("frequency_hz")*column("density_m2_s")) with points lt c lw 1, \
      for [c=1:(TARGET ? COMPONENTS : 0)] SPECTRUM using (pick(is(c), column("frequency_hz"))):(column("frequency_hz")*column("target_m2_s")) with lines lt c
 
 unset logscale; set format xy "%g"
@@ -49,5 +48,9 @@ set xrange [*:*]; set yrange [0:*]
 set xlabel L('WIND_MS'); set ylabel L('SHARE') offset 0,0
 set xtics TICK
 plot HISTOGRAM using 1:2 with boxes fs solid 0.35 noborder lt 1, HISTOGRAM using 1:3 with lines lt 2
+if (KEY > 0) {
+    load HERE.'strip.gp'
+    plot 2 with lines, for [c=1:COMPONENTS] keyentry with linespoints lt c title L(sprintf('COMPONENT_%d', c))
+}
 unset multiplot
 set output

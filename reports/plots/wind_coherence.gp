@@ -14,14 +14,19 @@ do for [i=1:FEW] {
     stats COHERENCE using (pick(column("point") == which(i) + 1, column("distance_m"))) nooutput
     APART[i] = STATS_max
 }
-WIDTH = 640.0; HEIGHT = 340.0
+WIDTH = 640.0; KEY = 24.0; HEIGHT = 310.0 + KEY
 load HERE.'start.gp'
+set multiplot
+set tmargin at screen 1 - 26.0/HEIGHT; set bmargin at screen (52.0 + KEY)/HEIGHT
 set lmargin at screen 60.0/WIDTH; set rmargin at screen 626.0/WIDTH
 set title L('COHERENCE') offset 0,-0.6
 set logscale x; set format x "%g"
 set xlabel L('FREQUENCY'); set ylabel L('ROOT_COHERENCE') offset 1,0
 set yrange [-0.3:1.05]
-set key top right vertical
-plot for [i=1:FEW] COHERENCE using (pick(column("point") == which(i) + 1, column("frequency_hz"))):(column("coherence")) with points lt i lw 1 title sprintf("%g m", APART[i]), \
+unset key
+plot for [i=1:FEW] COHERENCE using (pick(column("point") == which(i) + 1, column("frequency_hz"))):(column("coherence")) with points lt i lw 1, \
      for [i=1:(TARGET ? FEW : 0)] COHERENCE using (pick(column("point") == which(i) + 1, column("frequency_hz"))):(column("target")) with lines lt i
+load HERE.'strip.gp'
+plot 2 with lines, for [i=1:FEW] keyentry with linespoints lt i title sprintf("%g m", APART[i])
+unset multiplot
 set output

@@ -7,13 +7,14 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 load HERE.'style.gp'
 SECTORS = int(number('SECTORS', 0))
 ROSE = DIR.'/tables/rose.csv'
-WIDTH = 640.0; HEIGHT = 520.0
+WIDTH = 640.0; HEIGHT = 500.0
 array COLOUR[5] = ['#dfe9f2', '#a9c9e2', '#5f9fcf', '#2b6cab', '#0b2f5e']
 above(k) = k == 1 ? L('ROSE_ALL') : sprintf(L('ROSE_ABOVE'), sprintf('%d', 5*(k - 1)))
 stats ROSE using 2 nooutput
 TOP = STATS_max
 TEN = 10.0**floor(log10(TOP/2)); RING = TOP/2/TEN > 5 ? 5*TEN : TOP/2/TEN > 2 ? 2*TEN : TEN
 WIDE = 180.0/SECTORS*0.92
+RINGS = ceil(TOP/RING - 1e-9); MOST = RINGS*RING
 do for [i=1:SECTORS] {
     stats ROSE every ::(i-1)::(i-1) using 1 nooutput
     AT = 90 - STATS_max
@@ -21,24 +22,23 @@ do for [i=1:SECTORS] {
         stats ROSE every ::(i-1)::(i-1) using (k == 1 ? column(2) : column(k + 3)) nooutput
         R = STATS_max
         if (R > 0.002*TOP) {
-            set object circle at 0,0 size first R arc [AT-WIDE:AT+WIDE] fillcolor rgb COLOUR[k] fillstyle solid 1 border lc rgb '#ffffff' front
+            set object circle at 0,0 size first R arc [AT-WIDE:AT+WIDE] fillcolor rgb COLOUR[k] fillstyle solid 1 border lc rgb '#3c5a78' lw 0.6 front
         }
     }
 }
-do for [j=1:floor(1.15*TOP/RING + 1e-9)] {
+do for [j=1:RINGS] {
     set label sprintf("%g%%", 100*j*RING) at first 0.383*j*RING, 0.924*j*RING front textcolor rgb '#606060'
 }
-E = 1.16*TOP
+E = 1.08*MOST
 set label L('NORTH') at first 0, E center; set label L('SOUTH') at first 0, -E center
 set label L('EAST') at first E, 0 center; set label L('WEST') at first -E, 0 center
 load HERE.'start.gp'
 set size ratio -1
 unset border; unset tics; unset grid
-set xrange [-1.25*TOP:1.25*TOP]; set yrange [-1.25*TOP:1.25*TOP]
+set xrange [-1.14*MOST:1.14*MOST]; set yrange [-1.14*MOST:1.14*MOST]
 set lmargin at screen 0.02; set rmargin at screen 0.78; set tmargin at screen 0.98; set bmargin at screen 0.02
 set key at screen 0.985, screen 0.9 right top Left reverse
 set parametric; set trange [0:2*pi]; set samples 181
-RINGS = floor(1.15*TOP/RING + 1e-9)
 plot for [j=1:RINGS] j*RING*cos(t), j*RING*sin(t) with lines lw 0.8 lc rgb '#c8c8c8' dt 1, \
-     for [k=1:5] keyentry with boxes fs solid 1 noborder lc rgb COLOUR[k] title above(k)
+     for [k=1:5] keyentry with boxes fs solid 1 border lc rgb '#3c5a78' dt 1 lw 0.6 fc rgb COLOUR[k] title above(k)
 set output
