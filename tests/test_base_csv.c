@@ -120,7 +120,7 @@ static void headers_that_cannot_be_used(void **state)
     } bad[] = {
         { "", 0, "the table is empty: a header row is expected", "" },
         { "# only\n\n", 8, "the table is empty: a header row is expected", "" },
-        { "a,b,A\n", 6, "the header row is not usable", "1:5: column 'A' is there twice" },
+        { "a,b,A\n", 6, "the header row is not usable", "1:5: column 'A' occurs twice" },
         { "a,\"b\n", 5, "the header row is not usable", "1:3: a quote is opened here and never closed" },
         { "a,b\n\xFF\n", 6, ":2:1: byte 0xFF is not UTF-8 text; save the file as UTF-8", "" },
         { "a,b\n1,\0\n", 8, ":2:3: byte 0x00 is not UTF-8 text; save the file as UTF-8", "" },

@@ -74,7 +74,7 @@ static void writing_says_why_not(void **state)
     struct wf_file f;
     struct wf_err e = { 0 };
     assert_int_equal(wf_file_begin(&f, "/tmp", &e), WF_EOUTPUT);
-    assert_string_equal(e.text, "/tmp: is a folder, a file was to be written");
+    assert_string_equal(e.text, "/tmp: is a folder; a file is to be written there");
     e = (struct wf_err){ 0 };
     assert_int_equal(wf_file_begin(&f, "/tmp/no-such-folder-here/x", &e), WF_EOUTPUT);
     assert_string_equal(e.text, "/tmp/no-such-folder-here/x: cannot be written: No such file or directory");

@@ -251,7 +251,7 @@ static void places_of_mistakes(void **unused)
         { "profile_file: none.csv", { "8:50: tests[0].wind.profile_file: ", "cannot be read" } },
         { "profile_file: words.csv", { "3:3: speed_ms: 'x' is not a number", "8:50: " } },
         { "profile_file: calm.csv",
-          { "8:50: tests[0].wind.profile_file: the measured profile has no wind" } },
+          { "8:50: tests[0].wind.profile_file: the measured profile has speed 0" } },
         { "speed_up: 9", { "8:46: tests[0].wind.speed_up: 9 is outside" } },
         { "speed_up: 2, dem: ridge.asc, at: \"1,2\"", { "8:54: tests[0].wind.dem: 'speed_up' and 'dem'" } },
         { "dem: ridge.asc", { "8:41: tests[0].wind.dem: needs 'at'" } },

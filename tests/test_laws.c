@@ -151,7 +151,7 @@ static void reader_follows_the_table(void **state)
     struct wf_err e = { 0 };
     wf_loads_default(&l);
     assert_int_equal(wf_loads_laws(&l, &sp, &e), WF_EINPUT); /* the program does not know them */
-    assert_string_equal(e.text, "x: no streamlining law is called 'soft'");
+    assert_string_equal(e.text, "x: unknown streamlining law 'soft'");
     wf_arena_free(&a);
 }
 

@@ -179,7 +179,7 @@ static void leaves_need_a_crown_and_an_axis(void **state)
     assert_int_equal(grown_read(&g, text, &e), WF_OK);
     free(text);
     assert_int_equal(wf_grow(&g.model, &g.species, &g.arena, &g.tree, &g.diag, &e), WF_EINPUT);
-    assert_string_equal(e.text, "m: no axis grew that could bear its leaves");
+    assert_string_equal(e.text, "m: the model has leaf area, but no axis of the tree has leaves");
 }
 
 int main(void)

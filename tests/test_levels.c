@@ -311,12 +311,10 @@ static void mistakes_are_named_with_their_place(void **state)
     (void)state;
     static const struct edit cases[] = {
         { "count: 4", "cout: 4",
-          "6:12: branches[0].place: none of count, spacing and at; exactly one says where "
-          "branches stand\n"
+          "6:12: branches[0].place: none of count, spacing and at; give exactly one of them\n"
           "6:33: branches[0].place: unknown key 'cout'; did you mean 'count'?" },
         { "count: 4", "count: 4, spacing: 1 m",
-          "6:12: branches[0].place: more than one of count, spacing and at; exactly one says where branches "
-          "stand" },
+          "6:12: branches[0].place: more than one of count, spacing and at; give exactly one of them" },
         { "from: 0.3, to: 0.9", "from: 0.9, to: 0.3",
           "6:19: branches[0].place.from: 0.9 is not below 'to', 0.3" },
         { "{rule: planar}", "{rule: planar, divergence: 90 deg}",

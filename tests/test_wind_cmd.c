@@ -86,7 +86,7 @@ static void test_profile(void **state)
         { "printf 'height_m,speed_ms\\n5,4\\n2,3\\n' >$T/p.csv; $W explain oak $M --profile-file $T/p.csv",
           CODE_INPUT,
           { "2 m is not above 5 m" } },
-        { "$W analyze oak $M " QUIET "--wind 10 --profile measured", CODE_INPUT, { "needs a profile file" } },
+        { "$W analyze oak $M " QUIET "--wind 10 --profile measured", CODE_INPUT, { "needs a file of heights and speeds" } },
         { PROFILE "$W analyze oak $M " QUIET "--wind 10 --profile log --profile-file $T/p.csv",
           CODE_INPUT,
           { "goes with the profile 'measured', not 'log'" } },

@@ -238,7 +238,7 @@ static const struct edit mistakes[] = {
       "1:5: the alias '*a' is not understood here; write the value out\n"
       "1:9: the alias '*a' is not understood here; write the value out" },
     { NULL, "name: !!str a\n", "1:7: the tag 'tag:yaml.org,2002:str' is not understood here" },
-    { NULL, "[[[[[[[[[[[[[[[[[[[[[[[[[[[[", "1:17: nested more than 16 deep" },
+    { NULL, "[[[[[[[[[[[[[[[[[[[[[[[[[[[[", "1:17: nesting deeper than 16 levels" },
     { NULL, "name: a\n\theight: 1 m\n", "2:1: a tab cannot indent; use spaces" },
     { NULL, "name: [a\nheight: 1 m\n",
       "2:7: not YAML: did not find expected ',' or ']' (while parsing a flow sequence that starts on line "

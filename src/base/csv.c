@@ -161,7 +161,7 @@ static void report_double_names(struct wf_csv *c)
     for (size_t i = 0; i < c->columns; i++)
         for (size_t j = 0; *c->name[i].text && j < i; j++)
             if (!strcasecmp(c->name[i].text, c->name[j].text)) {
-                (void)snprintf(text, sizeof text, "column '%.100s' is there twice", c->name[i].text);
+                (void)snprintf(text, sizeof text, "column '%.100s' occurs twice", c->name[i].text);
                 wf_csv_report(c, c->name[i].line, c->name[i].column, text);
                 break;
             }

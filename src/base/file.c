@@ -40,7 +40,7 @@ enum wf_status wf_file_begin(struct wf_file *f, const char *path, struct wf_err 
     struct stat s;
     bool exists = !stat(path, &s);
     if (exists && S_ISDIR(s.st_mode))
-        return wf_fail(e, WF_EOUTPUT, "%s: is a folder, a file was to be written", path);
+        return wf_fail(e, WF_EOUTPUT, "%s: is a folder; a file is to be written there", path);
     bool direct = exists && !S_ISREG(s.st_mode);
     int fd = direct ? open(path, O_WRONLY | O_CLOEXEC) : open_beside(f);
     if (fd >= 0 && (f->stream = fdopen(fd, "wb"))) return WF_OK;

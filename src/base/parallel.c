@@ -51,7 +51,7 @@ enum wf_status wf_parallel(size_t n, size_t threads,
     struct parallel_job c = {
         .n = n, .one = one, .context = context, .why = WF_TAKE(&scratch, n, struct wf_err)
     };
-    if (n && !c.why) return wf_fail(e, WF_ENOMEM, "no room for %zu solutions", n);
+    if (n && !c.why) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu solutions", n);
     run_on_threads(&c, threads);
     enum wf_status s = WF_OK;
     for (size_t k = 0; k < n && !s; k++)

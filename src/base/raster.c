@@ -153,7 +153,7 @@ enum wf_status wf_raster_make(struct wf_raster *r, size_t nx, size_t ny, struct 
     r->touched = WF_TAKE(a, nx * ny, int32_t);
     r->edge = WF_TAKE(a, (nx + 2) * ny, double);
     if (!r->head || !r->touched || !r->edge)
-        return wf_fail(e, WF_ENOMEM, "no room for a grid of %zu by %zu cells", nx, ny);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a grid of %zu by %zu cells", nx, ny);
     memset(r->head, 0xff, nx * ny * sizeof *r->head);
     return WF_OK;
 }
@@ -245,7 +245,7 @@ enum wf_status wf_raster_union(struct wf_raster *r, const struct wf_outline *o, 
         out[cell] = 1.0 - open;
         r->head[cell] = -1;
     }
-    return room ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for %zu outlines on the grid", n);
+    return room ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for %zu outlines on the grid", n);
 }
 
 /* Grids: the weighted sum of outlines in every cell. */

@@ -579,7 +579,8 @@ static void screen_event(struct wf_yaml *y, const yaml_event_t *v, size_t *depth
         yaml_mark(y, v->start_mark, "the anchor '&%s' is not understood here; write the value out",
                   (const char *)anchor);
     if (tag) yaml_mark(y, v->start_mark, "the tag '%s' is not understood here", (const char *)tag);
-    if (*depth > WF_YAML_DEPTH) yaml_mark(y, v->start_mark, "nested more than %d deep", (int)WF_YAML_DEPTH);
+    if (*depth > WF_YAML_DEPTH)
+        yaml_mark(y, v->start_mark, "nesting deeper than %d levels", (int)WF_YAML_DEPTH);
 }
 
 /* Check that the file is one plain document: no syntax errors, anchors, aliases, tags, further documents or

@@ -18,7 +18,7 @@ static void *key_field(struct wf_case *c, const struct wf_case_key *k) { return 
 static bool key_text(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
 {
     const char **text = key_field(c, k), *joined = w->rest;
-    if (!*w->rest) return wf_words_wrong(w, w->n, "words are expected");
+    if (!*w->rest) return wf_words_wrong(w, w->n, "text is expected");
     bool continues = *text && c->given[k - wf_case_keys] >= c->line;
     if (continues) joined = wf_arena_print(w->arena, "%s %s", *text, w->rest);
     if (!joined) return wf_words_wrong(w, 1, "no memory");
@@ -49,7 +49,7 @@ static bool key_numbers(struct wf_words *w, struct wf_case *c, const struct wf_c
         return false;
     for (size_t i = 0; i < n; i++)
         if (v[i] < k->low || v[i] > k->high)
-            return wf_words_wrong(w, at + i, "'%s' is outside what is allowed: %g to %g", w->word[at + i],
+            return wf_words_wrong(w, at + i, "'%s' is outside the allowed range %g to %g", w->word[at + i],
                                   k->low, k->high);
     for (size_t i = 0; i < k->count; i++) ((double *)key_field(c, k))[i] = v[i < n ? i : 0];
     return true;
@@ -194,8 +194,8 @@ static bool law_parameters(struct wf_words *w, const struct wf_law *l, struct wf
             return false;
         for (size_t i = 0; i < got; i++)
             if (v[i] < p->low || v[i] > p->high)
-                return wf_words_wrong(w, at + i, "'%s' is outside what is allowed: %g to %g", w->word[at + i],
-                                      p->low, p->high);
+                return wf_words_wrong(w, at + i, "'%s' is outside the allowed range %g to %g",
+                                      w->word[at + i], p->low, p->high);
         if (list && out->n && out->n != got)
             return wf_words_wrong(w, at, "%zu numbers, but the list before has %zu", got, out->n);
         if (list)

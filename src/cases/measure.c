@@ -477,7 +477,7 @@ static bool tolerance_read(struct wf_words *w, struct wf_want *want)
     if (want->tolerance <= 0.0) return wf_words_wrong(w, w->next - 1, "a tolerance is positive");
     if (want->absolute) want->tolerance *= want->unit_factor;
     if (!want->absolute && want->tolerance > 0.5)
-        return wf_words_wrong(w, at, "a relative tolerance above 0.5 proves nothing");
+        return wf_words_wrong(w, at, "a relative tolerance must not exceed 0.5");
     return true;
 }
 

@@ -222,7 +222,8 @@ static void begin_case(struct case_reader *r)
     const struct wf_case *other = r->cases.data;
     for (size_t i = 0; i < r->cases.n; i++)
         if (!strcmp(other[i].name, r->now.name))
-            (void)wf_words_wrong(&r->w, 1, "case '%s' was begun on line %zu", r->now.name, other[i].line);
+            (void)wf_words_wrong(&r->w, 1, "case '%s' is already defined on line %zu", r->now.name,
+                                 other[i].line);
 }
 
 static void unknown_key(struct wf_words *w)

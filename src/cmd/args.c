@@ -386,7 +386,7 @@ char *wf_args_study_schema(struct wf_arena *a, struct wf_err *e)
 {
     struct wf_yaml_table table = study_table;
     struct study_keys *b = open_study_keys(NULL, a);
-    if (!b) return (void)wf_fail(e, WF_ENOMEM, "no room for the keys of a study"), NULL;
+    if (!b) return (void)wf_fail(e, WF_ENOMEM, "not enough memory for the keys of a study"), NULL;
     table.row = b->row;
     return wf_yaml_schema(&table, a, e);
 }
@@ -417,7 +417,7 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
         }
     }
     if (!(out->operand = WF_TAKE(a, (size_t)argc, const char *)))
-        return wf_complain(&(struct wf_err){ WF_ENOMEM, "no room for the command line" });
+        return wf_complain(&(struct wf_err){ WF_ENOMEM, "not enough memory for the command line" });
     if (wf_units_open(&r.units, &e)) return wf_complain(&e);
     for (int i = 1; i < argc;) {
         if (!end_of_options && strcmp(argv[i], "--") == 0) {

@@ -116,7 +116,7 @@ static enum wf_status read_directions(const struct analyze_options *o, struct wf
     };
     if (!climate) return WF_OK;
     struct wf_rose *rose = WF_TAKE(a, 1, struct wf_rose);
-    if (!rose) return wf_fail(e, WF_ENOMEM, "no room for a climate");
+    if (!rose) return wf_fail(e, WF_ENOMEM, "not enough memory for a climate");
     enum wf_status s = wf_rose_read(climate, a, d, rose, e);
     if (s) return s;
     out->rose = rose;
@@ -141,7 +141,7 @@ static enum wf_status expose_site(struct wf_site *site, const char *at, struct w
 {
     double *factor = WF_TAKE(a, q->n + 1, double);
     enum wf_status status = read_place(at, &site->x, &site->y, e);
-    if (!factor) return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
+    if (!factor) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
     if (!status) status = wf_scenario_site(s, site, q->north, a, e);
     for (size_t k = 0; k < q->n && !status; k++)
         status = wf_site_speed_up(site, 2.0 * M_PI * (double)k / (double)q->n, s->reference_height,
@@ -161,7 +161,7 @@ static enum wf_status read_exposure(const struct analyze_options *o, struct wf_a
         return wf_fail(e, WF_EUSAGE, "--speed-up and --dem: one of them says how exposed the tree is");
     if (!o->dem) return WF_OK;
     struct wf_site *site = WF_TAKE(a, 1, struct wf_site);
-    if (!site) return wf_fail(e, WF_ENOMEM, "no room for a map");
+    if (!site) return wf_fail(e, WF_ENOMEM, "not enough memory for a map");
     site->file = o->dem;
     return expose_site(site, o->at, a, s, q, e);
 }
@@ -403,7 +403,7 @@ static enum wf_status run_directions(struct work *w, struct wf_analysis *an, str
     const struct wf_directions_request *q = &w->request.directions;
     if (!q->n) return WF_OK;
     struct wf_directions *out = WF_TAKE(&w->arena, 1, struct wf_directions);
-    if (!out) return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
+    if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
     wf_progress("%s: %zu directions ...", an->species->name, q->n);
     an->directions = out;
     return wf_directions_run(an, &w->request.solve, q, &w->arena, out, e);
@@ -477,7 +477,7 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
                           .analysis = w->analysis,
                           .input = w->input };
     if (!w->species || !w->analysis || !w->input || !w->diag || !run.command || !run.date)
-        return wf_fail(e, WF_ENOMEM, "no room for %zu species", n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", n);
     enum wf_status s = read_inputs(w, e);
     run.inputs = w->inputs;
     if (s || (s = analyse(w, e))) return s;

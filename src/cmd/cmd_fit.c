@@ -226,7 +226,7 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
     if (s) return s;
     j->r.input = WF_TAKE(&j->arena, j->r.study.tests, struct wf_fit_input);
     j->r.file = WF_TAKE(&j->arena, 1 + 2 * j->r.study.trees + 3 * j->r.study.tests, struct wf_input_file);
-    if (!j->r.input || !j->r.file) return wf_fail(e, WF_ENOMEM, "no room for the study");
+    if (!j->r.input || !j->r.file) return wf_fail(e, WF_ENOMEM, "not enough memory for the study");
     s = wf_fit_build(&b, &j->arena, &j->r.diag, &j->r.x, j->r.input, e);
     if (!s) s = note_input(j, "study", j->options->args.operand[0], e);
     for (size_t k = 0; k < j->r.x.trees && !s; k++) {
@@ -336,8 +336,9 @@ int wf_cmd_fit(int argc, char **argv)
         j.r.command = wf_args_typed(argc, argv, &j.arena);
         j.r.loss = o.loss, j.r.priors = o.priors;
         j.r.date = wf_run_date(&j.arena);
-        enum wf_status s = j.r.command && j.r.date ? calibrate(&j, o.args.quiet, &e)
-                                                   : wf_fail(&e, WF_ENOMEM, "no room for the command line");
+        enum wf_status s = j.r.command && j.r.date
+                               ? calibrate(&j, o.args.quiet, &e)
+                               : wf_fail(&e, WF_ENOMEM, "not enough memory for the command line");
         code = s ? wf_complain(&e) : interrupted ? 1 : 0;
     }
     wf_arena_free(&j.arena);

@@ -80,7 +80,7 @@ static enum wf_status expect_widths(const struct plan *p, const bool *with, doub
     if (s) gsl_vector_free(s);
     if (work) gsl_vector_free(work);
     wf_quiet_end();
-    return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for the plan");
+    return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for the plan");
 }
 
 static void print_widths(const struct plan *p, const char *name, const double *half)
@@ -165,7 +165,7 @@ static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, st
     enum wf_status s = wf_fit_study_read(p->options.args.operand[0], &p->arena, &p->study, d, e);
     if (s) return s;
     struct wf_fit_input *in = WF_TAKE(&p->arena, p->study.tests, struct wf_fit_input);
-    if (!in) return wf_fail(e, WF_ENOMEM, "no room for the study");
+    if (!in) return wf_fail(e, WF_ENOMEM, "not enough memory for the study");
     s = wf_fit_build(&b, &p->arena, d, &p->x, in, e);
     if (!s) s = wf_fit_params(&p->study, p->options.free, &p->x, true, &p->arena, &p->param, &p->params, e);
     if (!s && !p->params)
@@ -173,7 +173,7 @@ static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, st
     if (s) return s;
     size_t n = p->params, m = p->x.data;
     p->reading = WF_TAKE(&p->arena, m, double), p->slope = WF_TAKE(&p->arena, m * n, double);
-    if (!p->reading || !p->slope) return wf_fail(e, WF_ENOMEM, "no room for the plan");
+    if (!p->reading || !p->slope) return wf_fail(e, WF_ENOMEM, "not enough memory for the plan");
     for (size_t k = 0; k < n; k++) p->free += !wf_param_nuisance(&p->param[k]);
     s = wf_fit_expect(&p->x, p->param, n, &p->arena, p->reading, p->slope, e);
     if (!s) wf_fit_make_up(&p->x, p->reading, (uint64_t)p->options.seed, 1);

@@ -64,7 +64,7 @@ static enum wf_status expose_points(const struct terrain_options *o, struct wf_t
     s->topex = WF_TAKE(a, n, double);
     s->factor = WF_TAKE(a, n, double);
     if (!status && (!s->topex || !s->factor))
-        status = wf_fail(e, WF_ENOMEM, "no room for a map of %zu points", n);
+        status = wf_fail(e, WF_ENOMEM, "not enough memory for a map of %zu points", n);
     for (size_t i = 0; i < n && !status; i++) {
         double seen;
         s->topex[i] = wf_terrain_topex(t, i % t->columns, i / t->columns, o->distance, &seen) * 180 / M_PI;

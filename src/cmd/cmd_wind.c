@@ -120,7 +120,7 @@ static enum wf_status place_points(const struct wind_options *o, struct wf_gust_
         return status;
     }
     double *place = WF_TAKE(a, 3 * s->points, double);
-    if (!place) return wf_fail(e, WF_ENOMEM, "no room for %zu points", s->points);
+    if (!place) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu points", s->points);
     for (size_t p = 0; p < s->points; p++)
         place[3 * p + 1] = (double)p * o->spacing, place[3 * p + 2] = s->height;
     s->place = place;
@@ -206,7 +206,7 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     struct wf_gust_report *r = WF_TAKE(a, 1, struct wf_gust_report);
     const char *folder = o->output;
     bool quiet = o->args.quiet;
-    if (!r) return wf_fail(e, WF_ENOMEM, "no room for a report");
+    if (!r) return wf_fail(e, WF_ENOMEM, "not enough memory for a report");
     enum wf_status s = wf_gust_report_make(spec, a, d, r, e);
     if (!s && !quiet) print_wind(r);
     if (!s) s = wf_wind_results_write(r, head, d, folder, e);

@@ -39,8 +39,7 @@ static void place_finish(struct wf_yaml *y, void *branching)
 {
     const struct wf_branching *b = branching;
     int ways = wf_yaml_has(y, "count") + wf_yaml_has(y, "spacing") + wf_yaml_has(y, "at");
-    if (ways > 1)
-        wf_yaml_error(y, "", "more than one of count, spacing and at; exactly one says where branches stand");
+    if (ways > 1) wf_yaml_error(y, "", "more than one of count, spacing and at; give exactly one of them");
     if (b->from >= b->to && !wf_yaml_has(y, "at") && b->count != 1)
         wf_yaml_error(y, "from", "%g is not below 'to', %g", b->from, b->to);
     if (b->at) wf_yaml_ascending(y, "at", b->places, b->at);
@@ -275,7 +274,7 @@ static void branching_finish(struct wf_yaml *y, void *branching)
     const struct wf_branching *b = branching;
     if (wf_yaml_has(y, "place") && !wf_yaml_has(y, "place.count") && !wf_yaml_has(y, "place.spacing") &&
         !wf_yaml_has(y, "place.at"))
-        wf_yaml_error(y, "place", "none of count, spacing and at; exactly one says where branches stand");
+        wf_yaml_error(y, "place", "none of count, spacing and at; give exactly one of them");
     if (wf_yaml_has(y, "insertion") && !wf_yaml_has(y, "insertion.angle") &&
         !wf_yaml_has(y, "insertion.at") && !wf_yaml_has(y, "insertion.angles"))
         wf_yaml_error(y, "insertion", "either 'angle', or 'at' with 'angles' is needed");

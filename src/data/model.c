@@ -132,7 +132,7 @@ static const struct wf_yaml_row model_stem_rows[] = {
                  .initial = "0 deg", .example = "4 deg"),
     WF_KEY_LIST("masses", mass, masses, stem_mass_table,
                 "Masses of the stem and of what hangs to its sides, piece by piece; with sections.",
-                .absent = "by the species' density, nothing hangs on it"),
+                .absent = "by the species' density, no hanging masses"),
     WF_KEY_INTEGER("segments", segments, 1, 100000,
                    "Equal rows the stem is cut into; a row also ends at every kink of shape, wall and crown.",
                    .initial = "40", .example = "40"),

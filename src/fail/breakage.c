@@ -88,7 +88,8 @@ enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_respon
     *b = (struct wf_breakage){ .largest_stress_row = -1 };
     if (r->n != t->n)
         return wf_fail(e, WF_EINTERNAL, "breakage: the answer has %zu segments, the tree %zu", r->n, t->n);
-    if (!take_columns(b, t->n, a)) return wf_fail(e, WF_ENOMEM, "breakage: no room for %zu segments", t->n);
+    if (!take_columns(b, t->n, a))
+        return wf_fail(e, WF_ENOMEM, "breakage: not enough memory for %zu segments", t->n);
     for (size_t i = 0; i < t->n; i++) {
         struct section_load s0 =
             section_load_at(r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i, t->r0[i], t->i0[i]);

@@ -86,7 +86,8 @@ static double narrow_bracket(struct speed_search *s, double tolerance)
     wf_quiet_begin();
     gsl_root_fsolver *solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent);
     double root = NAN;
-    if (!solver) s->fault = wf_fail(s->err, WF_ENOMEM, "critical speed: no room for the root search");
+    if (!solver)
+        s->fault = wf_fail(s->err, WF_ENOMEM, "critical speed: not enough memory for the root search");
     while (!s->fault) {
         find_edge(s, tolerance);
         if (s->fault || s->lost < s->falls) break;
@@ -155,11 +156,11 @@ const char *wf_critical_text(enum wf_critical_outcome o)
     case WF_CRITICAL_SELF_WEIGHT:
         return "fails under its own weight, without wind";
     case WF_CRITICAL_NO_STRENGTH:
-        return "no strength known";
+        return "no modulus of rupture known";
     case WF_CRITICAL_UNSOLVED:
-        return "no equilibrium found beyond the speed given";
+        return "no equilibrium found above the speed given";
     case WF_CRITICAL_UNSEARCHED:
-        return "not searched for: another part of the tree fails first";
+        return "not computed: another part of the tree fails first";
     }
     return "unknown";
 }

@@ -46,7 +46,7 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
     struct wf_species *sp = WF_TAKE(a, 1, struct wf_species);
     struct wf_model m;
     const char *path;
-    if (!sp) return wf_fail(e, WF_ENOMEM, "no room for a species");
+    if (!sp) return wf_fail(e, WF_ENOMEM, "not enough memory for a species");
     enum wf_status status = find(b, "species", s->species, a, &path, e);
     if (!status) status = wf_species_read(path, &wf_laws, a, sp, d, e);
     *out = (struct wf_fit_tree){ .name = s->name, .species = sp };
@@ -163,7 +163,7 @@ static enum wf_status read_ground(const struct wf_fit_build *b, size_t test, str
     struct wf_err why = { 0 };
     if (!w->dem) return WF_OK;
     struct wf_site *site = WF_TAKE(a, 1, struct wf_site);
-    if (!site) return wf_fail(e, WF_ENOMEM, "no room for a map");
+    if (!site) return wf_fail(e, WF_ENOMEM, "not enough memory for a map");
     enum wf_status status = wf_fit_path(b->study, w->dem, a, file, &why);
     site->file = *file;
     wf_site_place(w->at, &site->x, &site->y);
@@ -205,7 +205,7 @@ static enum wf_status average(const struct wf_study_test *s, struct wf_fit_test 
     t->state = WF_TAKE(a, t->states, struct wf_fit_state);
     *data = WF_TAKE(a, t->states * t->sensors, struct wf_fit_datum);
     double *sum = WF_TAKE(a, m, double);
-    if (!t->state || !*data || !sum) return wf_fail(e, WF_ENOMEM, "no room for test %s", t->name);
+    if (!t->state || !*data || !sum) return wf_fail(e, WF_ENOMEM, "not enough memory for test %s", t->name);
     size_t from = 0, seen = 0;
     for (size_t k = 0; k < t->states; k++) {
         size_t until = used * (k + 1) / t->states, count = 0, line = 0;
@@ -263,7 +263,7 @@ static enum wf_status from_file(const struct wf_fit_build *b, const struct wf_st
                                 size_t *n, struct wf_err *e)
 {
     struct wf_record_column *column = WF_TAKE(a, s->sensors + 1, struct wf_record_column);
-    if (!column) return wf_fail(e, WF_ENOMEM, "no room for the columns of %s", path);
+    if (!column) return wf_fail(e, WF_ENOMEM, "not enough memory for the columns of %s", path);
     bool wind = s->wind.given;
     column[0] =
         (struct wf_record_column){ wind ? s->wind.column : s->pull.column, wind ? s->wind.unit : s->pull.unit,
@@ -298,7 +298,7 @@ static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_
 {
     struct wf_record_column *column = WF_TAKE(a, s->sensors + 1, struct wf_record_column);
     struct wf_fit_record r;
-    if (!column) return wf_fail(e, WF_ENOMEM, "no room for the columns of %s", path);
+    if (!column) return wf_fail(e, WF_ENOMEM, "not enough memory for the columns of %s", path);
     column[0] = (struct wf_record_column){ s->along, NULL, WF_DIM_LENGTH };
     enum wf_status status = sensor_columns(b, s, column + 1, e);
     if (!status) status = wf_fit_path(b->study, path, a, &in->path, e);
@@ -307,7 +307,7 @@ static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_
     if (status) return status;
     t->state = WF_TAKE(a, r.n, struct wf_fit_state);
     *data = WF_TAKE(a, r.n * t->sensors, struct wf_fit_datum);
-    if (!t->state || !*data) return wf_fail(e, WF_ENOMEM, "no room for test %s", s->name);
+    if (!t->state || !*data) return wf_fail(e, WF_ENOMEM, "not enough memory for test %s", s->name);
     for (size_t i = 0; i < r.n; i++) {
         const double *row = r.value + i * r.columns;
         if (fabs(row[0]) <= 1e-3) continue; /* the base itself */
@@ -345,7 +345,7 @@ static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_st
     t->sensor = WF_TAKE(a, 2, struct wf_fit_sensor), t->state = WF_TAKE(a, 1, struct wf_fit_state);
     *data = WF_TAKE(a, 2, struct wf_fit_datum);
     if (!time || !y || !t->sensor || !t->state || !*data)
-        return wf_fail(e, WF_ENOMEM, "no room for test %s", s->name);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for test %s", s->name);
     for (size_t i = 0; i < r->n; i++)
         if (r->used[i]) time[m] = r->time[i], y[m++] = r->value[i];
     if (wf_ring_down(time, y, m, a, &in->sway, &why))
@@ -385,7 +385,7 @@ static enum wf_status planned(const struct wf_study_test *s, struct wf_arena *a,
                        s->pull.given ? "'loads' in 'pull'" : "'speeds' in 'wind'");
     t->state = WF_TAKE(a, t->states, struct wf_fit_state),
     *data = WF_TAKE(a, t->states * t->sensors, struct wf_fit_datum);
-    if (!t->state || !*data) return wf_fail(e, WF_ENOMEM, "no room for test %s", s->name);
+    if (!t->state || !*data) return wf_fail(e, WF_ENOMEM, "not enough memory for test %s", s->name);
     for (size_t i = 0; i < t->states; i++) {
         t->state[i] = (struct wf_fit_state){ .load = load[i], .time = (double)i, .rows = 1 };
         for (size_t k = 0; k < t->sensors; k++)
@@ -408,7 +408,7 @@ static enum wf_status fit_build_test(const struct wf_fit_build *b, size_t index,
     };
     *in = (struct wf_fit_input){ .load_name = "free sway", .load_unit = "", .load_factor = 1 };
     t->sensor = WF_TAKE(a, s->sensors + 2, struct wf_fit_sensor);
-    if (!sign || !given || !t->sensor) return wf_fail(e, WF_ENOMEM, "no room for test %s", s->name);
+    if (!sign || !given || !t->sensor) return wf_fail(e, WF_ENOMEM, "not enough memory for test %s", s->name);
     for (size_t k = 0; k < b->study->trees; k++)
         if (!s->tree || !strcmp(s->tree, b->study->tree[k].name)) t->tree = k;
     if (t->tree == b->study->trees)
@@ -429,7 +429,7 @@ static enum wf_status fit_build_test(const struct wf_fit_build *b, size_t index,
     if (s->along) return wf_fail(e, WF_EINPUT, "test %s: its places are read from 'data'", s->name);
     t->states = 1;
     t->state = WF_TAKE(a, 1, struct wf_fit_state), *data = WF_TAKE(a, s->sensors + 1, struct wf_fit_datum);
-    if (!t->state || !*data) return wf_fail(e, WF_ENOMEM, "no room for test %s", s->name);
+    if (!t->state || !*data) return wf_fail(e, WF_ENOMEM, "not enough memory for test %s", s->name);
     t->state[0].row = -2;
     for (size_t k = 0; k < s->sensors; k++) {
         value = b->plan ? (double)NAN : given[k];
@@ -521,7 +521,7 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
         if (x->data + n > room) {
             room = 2 * (x->data + n);
             struct wf_fit_datum *more = WF_TAKE(a, room, struct wf_fit_datum);
-            if (!more) return wf_fail(e, WF_ENOMEM, "%s: no room for its data", s->file);
+            if (!more) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its data", s->file);
             if (x->data) memcpy(more, x->datum, x->data * sizeof *more);
             x->datum = more;
         }
@@ -557,7 +557,8 @@ enum wf_status wf_fit_params(const struct wf_fit_study *s, const char *names, co
     for (const char *c = names; c && *c; c++) count += *c == ',';
     *n = 0;
     *out = WF_TAKE(a, (count + 1) * x->trees + wf_param_nuisances(x), struct wf_fit_param);
-    if (!*out || (names && !list)) return wf_fail(e, WF_ENOMEM, "%s: no room for parameters", s->file);
+    if (!*out || (names && !list))
+        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for parameters", s->file);
     enum wf_status status = WF_OK;
     for (char *p = list ? strtok_r(list, ", ", &rest) : NULL; p && !status; p = strtok_r(NULL, ", ", &rest))
         status = wf_param_add(x, p, a, *out, n, e);

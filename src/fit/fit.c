@@ -29,7 +29,7 @@ static enum wf_status room(struct wf_fit *f, struct wf_arena *a, struct wf_err *
     f->influence = WF_TAKE(a, m, double), f->influenced = WF_TAKE(a, m, size_t);
     bool ok = f->internal && f->estimate && f->covariance && f->correlation && f->reading && f->slope &&
               f->sigma && f->residual && f->band && f->influence && f->influenced;
-    return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for the answers of a fit");
+    return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for the answers of a fit");
 }
 
 /* Readings of a parameter's quantity that no datum depends on are refused before anything is fitted. */

@@ -21,7 +21,7 @@ static enum wf_status groups_of(const struct wf_experiment *x, struct wf_fit *ou
     for (size_t t = 0; t < x->tests; t++) most += x->test[t].sensors;
     out->groups = 0;
     if (!(out->group = WF_TAKE(a, most, struct wf_fit_group)))
-        return wf_fail(e, WF_ENOMEM, "no room for groups");
+        return wf_fail(e, WF_ENOMEM, "not enough memory for groups");
     for (size_t t = 0; t < x->tests; t++)
         for (size_t s = 0; s < x->test[t].sensors; s++) {
             struct wf_fit_group g = { .test = t, .sensor = s, .inflation = 1 };
@@ -117,7 +117,7 @@ enum wf_status wf_fit_spread(struct wf_session *s, struct wf_fit *out, struct wf
 {
     enum { ROUNDS = 12 };
     double *r = WF_TAKE(a, s->x->data, double), *scratch = WF_TAKE(a, s->x->data, double);
-    if (!r || !scratch) return wf_fail(e, WF_ENOMEM, "no room for the residuals");
+    if (!r || !scratch) return wf_fail(e, WF_ENOMEM, "not enough memory for the residuals");
     enum wf_status status = groups_of(s->x, out, a, e);
     for (int round = 0; !status && round < ROUNDS; round++) {
         status = wf_session_solve(s, &out->lsq, e);
@@ -141,7 +141,7 @@ enum wf_status wf_fit_restart(struct wf_session *s, struct wf_fit *out, struct w
 {
     double *best = WF_TAKE(a, s->n, double);
     struct wf_lsq_result r;
-    if (!best) return wf_fail(e, WF_ENOMEM, "no room for more starts");
+    if (!best) return wf_fail(e, WF_ENOMEM, "not enough memory for more starts");
     enum wf_status status = wf_session_solve(s, &r, e);
     if (status || r.stopped) return status;
     memcpy(best, s->internal, s->n * sizeof *best);
@@ -206,7 +206,8 @@ enum wf_status wf_fit_resample(struct wf_session *s, struct wf_fit *out, struct 
     size_t most = s->o->resamples;
     double *value = WF_TAKE(a, out->free * most, double), *optimum = WF_TAKE(a, s->n, double);
     size_t *pool = WF_TAKE(a, s->x->data, size_t);
-    if (!value || !optimum || !pool) return wf_fail(e, WF_ENOMEM, "no room for %zu data sets", most);
+    if (!value || !optimum || !pool)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu data sets", most);
     memcpy(optimum, s->internal, s->n * sizeof *optimum);
     for (size_t b = 0; b < most; b++) {
         struct wf_lsq_result r;
@@ -287,7 +288,7 @@ static enum wf_status sandwich(const struct wf_session *s, const bool *at_bound,
 {
     double *fill = WF_TAKE(a, n * n, double), *half = WF_TAKE(a, n * n, double),
            *bread = WF_TAKE(a, n * n, double);
-    if (!fill || !half || !bread) return wf_fail(e, WF_ENOMEM, "no room for the covariance");
+    if (!fill || !half || !bread) return wf_fail(e, WF_ENOMEM, "not enough memory for the covariance");
     size_t rows = s->x->data + s->priors;
     for (size_t i = 0; i < rows; i++) {
         double psi = 1, slope = 1;
@@ -318,7 +319,7 @@ static enum wf_status reduced_covariance(const struct wf_session *s, const bool 
     size_t rows = s->x->data + s->priors;
     if (rows < n) return wf_fail(e, WF_EINPUT, "%zu readings cannot fix %zu parameters", rows, n);
     gsl_matrix *W = gsl_matrix_calloc(rows, n);
-    if (!W) return wf_fail(e, WF_ENOMEM, "no room for the covariance");
+    if (!W) return wf_fail(e, WF_ENOMEM, "not enough memory for the covariance");
     enum wf_status status;
     if (s->o->loss != WF_LOSS_NONE) {
         status = sandwich(s, at_bound, of, n, W, w, C, a, e);
@@ -390,7 +391,7 @@ enum wf_status wf_fit_covariance(struct wf_session *s, struct wf_fit *out, struc
     bool *at_bound = WF_TAKE(a, n, bool);
     size_t *of = WF_TAKE(a, n, size_t);
     double *C = WF_TAKE(a, n * n, double), *w = WF_TAKE(a, n, double);
-    if (!at_bound || !of || !C || !w) return wf_fail(e, WF_ENOMEM, "no room for the covariance");
+    if (!at_bound || !of || !C || !w) return wf_fail(e, WF_ENOMEM, "not enough memory for the covariance");
     enum wf_status status = wf_predict(s->predictor, s->internal, s->reading, s->slope, e);
     if (status) return status;
     for (size_t k = 0; k < n; k++) {
@@ -469,7 +470,7 @@ enum wf_status wf_fit_loose(struct wf_fit *f, struct wf_arena *a, struct wf_err 
     f->loose_n = 0;
     f->loose = WF_TAKE(a, 2 * n, struct wf_loose);
     double *v = WF_TAKE(a, n, double);
-    if (!f->loose || !v) return wf_fail(e, WF_ENOMEM, "no room for the verdict");
+    if (!f->loose || !v) return wf_fail(e, WF_ENOMEM, "not enough memory for the verdict");
     wf_quiet_begin();
     gsl_matrix *C = n ? gsl_matrix_alloc(n, n) : NULL, *V = n ? gsl_matrix_alloc(n, n) : NULL;
     gsl_vector *value = n ? gsl_vector_alloc(n) : NULL;
@@ -492,7 +493,7 @@ enum wf_status wf_fit_loose(struct wf_fit *f, struct wf_arena *a, struct wf_err 
     if (value) gsl_vector_free(value);
     if (work) gsl_eigen_symmv_free(work);
     wf_quiet_end();
-    return ok || !n ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for the verdict");
+    return ok || !n ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for the verdict");
 }
 
 /* Profile likelihood: one parameter held at a row of values, the others refitted at each. */
@@ -583,7 +584,7 @@ enum wf_status wf_fit_profiles(struct wf_session *s, struct wf_fit *out, struct 
 {
     double *optimum = WF_TAKE(a, s->n, double), *inside = WF_TAKE(a, s->n, double);
     struct wf_lsq_result here;
-    if (!optimum || !inside) return wf_fail(e, WF_ENOMEM, "no room for the profiles");
+    if (!optimum || !inside) return wf_fail(e, WF_ENOMEM, "not enough memory for the profiles");
     enum wf_status status = wf_session_solve(s, &here, e);
     if (status || here.stopped) return status;
     memcpy(optimum, s->internal, s->n * sizeof *optimum);
@@ -596,7 +597,7 @@ enum wf_status wf_fit_profiles(struct wf_session *s, struct wf_fit *out, struct 
                           .inside = inside,
                           .limit = out->quantile * out->quantile };
         if (!(w.point = WF_TAKE(a, 2 * (SIDE + NARROW) + 1, struct wf_profile_point)))
-            return wf_fail(e, WF_ENOMEM, "no room for the profiles");
+            return wf_fail(e, WF_ENOMEM, "not enough memory for the profiles");
         w.point[w.n++] = (struct wf_profile_point){ wf_param_value(&s->p[k], optimum[k]), 0 };
         double step = q->sd > 0 && q->sd < 0.5 ? q->sd : 0.5;
         s->held[k] = true;

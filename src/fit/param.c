@@ -288,7 +288,7 @@ enum wf_status wf_param_add(const struct wf_experiment *x, const char *name, str
     for (size_t i = from; i < to; i++) {
         p.tree = colon && x->trees > 1 ? (ptrdiff_t)i : -1;
         p.name = p.tree >= 0 ? wf_arena_print(a, "%s:%s", x->tree[i].name, plain) : wf_arena_text(a, plain);
-        if (!p.name) return wf_fail(e, WF_ENOMEM, "no room for parameters");
+        if (!p.name) return wf_fail(e, WF_ENOMEM, "not enough memory for parameters");
         p.low = wf_fit_quantities[p.quantity].low;
         p.high = wf_fit_quantities[p.quantity].high;
         if ((status = from_species(x, &p, e))) return status;
@@ -333,7 +333,7 @@ enum wf_status wf_param_add_nuisance(const struct wf_experiment *x, struct wf_ar
                                           .sensor = s,
                                           .unit = k ? spread / late : spread };
                 p.name = wf_arena_print(a, "%s%s%s.%s", test, dot, sensor->name, k ? "drift" : "offset");
-                if (!p.name) return wf_fail(e, WF_ENOMEM, "no room for parameters");
+                if (!p.name) return wf_fail(e, WF_ENOMEM, "not enough memory for parameters");
                 p.low = -1e3 * p.unit, p.high = 1e3 * p.unit;
                 out[(*n)++] = p;
             }

@@ -33,7 +33,7 @@ static enum wf_status frequency(struct wf_predictor *w, size_t index, const stru
     size_t count = isnan(s->azimuth) ? 1 : MODES, top = 0;
     stand(w, t->tree, internal, &loads, &options);
     double *shape = WF_TAKE(&w->scratch, count * 3 * tree->n, double);
-    if (!shape) return wf_fail(e, WF_ENOMEM, "no room for the modes");
+    if (!shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the modes");
     enum wf_status status =
         wf_modes_keep(tree, &loads, &options, count, &w->scratch, f, count > 1 ? shape : NULL, kept, e);
     if (status) return status;
@@ -60,7 +60,7 @@ static enum wf_status by_parameter(struct wf_predictor *w, size_t tree, const do
     struct wf_loads loads;
     struct wf_solve_options options;
     double *x = WF_TAKE(&w->scratch, w->params, double), side[2];
-    if (!x) return wf_fail(e, WF_ENOMEM, "no room for a prediction");
+    if (!x) return wf_fail(e, WF_ENOMEM, "not enough memory for a prediction");
     memcpy(x, internal, w->params * sizeof *x);
     for (size_t p = 0; p < w->params; p++) {
         row[p] = 0;
@@ -136,7 +136,7 @@ enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_
     for (size_t k = 0; k < x->tests; k++) states += x->test[k].states + 1;
     if (!w || !(w->tree = WF_TAKE(a, x->trees, struct wf_tree)) ||
         !(w->warm = WF_TAKE(a, states, struct wf_warm)) || !(w->first_state = WF_TAKE(a, x->tests, size_t)))
-        return wf_fail(e, WF_ENOMEM, "no room for the predictions");
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the predictions");
     w->x = x, w->p = p, w->params = n;
     for (size_t k = 0; k < x->trees; k++) {
         struct wf_tree *t = &w->tree[k];
@@ -144,7 +144,8 @@ enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_
         double **column[] = { &t->youngs, &t->shear, &t->density, &t->r0,    &t->r1,
                               &t->i0,     &t->i1,    &t->drag,    &t->sail0, &t->sail1 };
         for (size_t c = 0; c < WF_COUNT(column); c++)
-            if (!(*column[c] = WF_TAKE(a, t->n, double))) return wf_fail(e, WF_ENOMEM, "no room for a tree");
+            if (!(*column[c] = WF_TAKE(a, t->n, double)))
+                return wf_fail(e, WF_ENOMEM, "not enough memory for a tree");
     }
     for (size_t k = 0; k < x->tests; k++) {
         size_t rows = x->tree[x->test[k].tree].tree.n;
@@ -154,17 +155,18 @@ enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_
             w->warm[at].shape = WF_TAKE(a, rows, struct wf_beam_shape);
             w->warm[at].tilt = wf_arena_take(a, rows, sizeof *w->warm[at].tilt);
             if (!w->warm[at].shape || !w->warm[at].tilt)
-                return wf_fail(e, WF_ENOMEM, "no room for the shapes");
+                return wf_fail(e, WF_ENOMEM, "not enough memory for the shapes");
         }
     }
     size_t m = w->most_sensors;
     w->rest = WF_TAKE(a, m, double), w->other = WF_TAKE(a, m, double);
-    if (!(w->solved = WF_TAKE(a, n, double))) return wf_fail(e, WF_ENOMEM, "no room for the parameters");
+    if (!(w->solved = WF_TAKE(a, n, double)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the parameters");
     for (size_t k = 0; k < n; k++) w->solved[k] = NAN;
     w->rest_slope = WF_TAKE(a, m * n, double), w->other_slope = WF_TAKE(a, m * n, double);
     w->told = WF_TAKE(a, x->data, double), w->told_slope = WF_TAKE(a, x->data * n, double);
     if (!w->rest || !w->other || !w->rest_slope || !w->other_slope || !w->told || !w->told_slope)
-        return wf_fail(e, WF_ENOMEM, "no room for the readings");
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the readings");
     *out = w;
     return WF_OK;
 }
@@ -419,7 +421,8 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
     k.node = wf_arena_take(&w->scratch, n, sizeof *k.node),
     k.root = wf_arena_take(&w->scratch, n, sizeof *k.root);
     if (status) return status;
-    if (!k.ends || !k.moved || !k.node || !k.root) return wf_fail(e, WF_ENOMEM, "no room for a solution");
+    if (!k.ends || !k.moved || !k.node || !k.root)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a solution");
     bool rest = t->from_rest && loads.gravity > 0;
     memset(w->rest, 0, t->sensors * sizeof *w->rest);
     memset(w->rest_slope, 0, t->sensors * m * sizeof *w->rest_slope);
@@ -514,7 +517,7 @@ enum wf_status wf_fit_expect(struct wf_experiment *x, const struct wf_fit_param 
 {
     struct wf_predictor *w = NULL;
     double *at = WF_TAKE(a, n, double);
-    if (!at) return wf_fail(e, WF_ENOMEM, "no room for the plan");
+    if (!at) return wf_fail(e, WF_ENOMEM, "not enough memory for the plan");
     for (size_t k = 0; k < n; k++) at[k] = wf_param_internal(&p[k], p[k].start);
     enum wf_status s = wf_predictor_open(x, p, n, a, &w, e);
     if (!s) s = wf_predict(w, at, reading, slope, e);

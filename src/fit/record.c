@@ -114,7 +114,8 @@ static enum wf_status prepare(struct wf_csv *c, const struct wf_record_column *c
 {
     struct wf_units *u;
     p->at = WF_TAKE(a, n, size_t), p->only = WF_TAKE(a, onlys, size_t), p->factor = WF_TAKE(a, n, double);
-    if (!p->at || !p->only || !p->factor) return wf_fail(e, WF_ENOMEM, "no room for %zu columns", n);
+    if (!p->at || !p->only || !p->factor)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu columns", n);
     enum wf_status status = wf_units_open(&u, e);
     if (status) return status;
     p->time = time ? wf_csv_need(c, time) : WF_CSV_NONE;
@@ -150,7 +151,7 @@ enum wf_status wf_fit_record_read(const char *path, const struct wf_record_colum
                                    .value = WF_TAKE(a, most * columns, double),
                                    .used = WF_TAKE(a, most, bool) };
     if (!out->time || !out->line || !out->value || !out->used)
-        return wf_fail(e, WF_ENOMEM, "%s: no room for its rows", path);
+        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", path);
     double first = NAN;
     while (wf_csv_next(&c)) {
         bool wanted = true, empty = time && missing(wf_csv_text(&c, p.time)), good = true;

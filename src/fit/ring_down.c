@@ -70,7 +70,7 @@ enum wf_status wf_ring_down(const double *t, const double *y, size_t n, struct w
     struct data d = { t, y, n };
     double mean = 0, variance = 0, span = n > 1 ? t[n - 1] - t[0] : 0;
     double *r = WF_TAKE(a, n, double), *J = WF_TAKE(a, N * n, double), C[N * N];
-    if (!r || !J) return wf_fail(e, WF_ENOMEM, "no room for a record of %zu samples", n);
+    if (!r || !J) return wf_fail(e, WF_ENOMEM, "not enough memory for a record of %zu samples", n);
     if (n < 12 || !(span > 0))
         return wf_fail(e, WF_EINPUT, "a sway record needs at least 12 samples in time; there are %zu", n);
     for (size_t i = 0; i < n; i++) mean += y[i] / (double)n;

@@ -21,7 +21,7 @@ enum wf_status wf_session_open(struct wf_experiment *x, const struct wf_fit_para
     s->free_high = WF_TAKE(a, n, double);
     if (!s->sigma || !s->internal || !s->held || !s->pinned || !s->low || !s->high || !s->reading ||
         !s->slope || !s->chain || !s->start || !s->free_low || !s->free_high)
-        return wf_fail(e, WF_ENOMEM, "no room for the fit of %zu readings", m);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the fit of %zu readings", m);
     for (size_t k = 0; k < n; k++) {
         s->low[k] = wf_param_internal(&p[k], p[k].low);
         s->high[k] = wf_param_internal(&p[k], p[k].high);

@@ -19,7 +19,7 @@ static enum wf_status course_take(struct wf_course *c, size_t segments, struct w
     c->side = wf_arena_take(a, segments, sizeof *c->side);
     c->direction = wf_arena_take(a, segments, sizeof *c->direction);
     if (c->node && c->side && c->direction) return WF_OK;
-    return wf_fail(e, WF_ENOMEM, "no room for an axis of %zu segments", segments);
+    return wf_fail(e, WF_ENOMEM, "not enough memory for an axis of %zu segments", segments);
 }
 
 static void normalise(double v[3])
@@ -168,7 +168,8 @@ static enum wf_status take_axis_cut(struct axis_cut *c, const struct wf_axes *x,
         if (x->form[l].segments > most) most = x->form[l].segments;
     c->ends = WF_TAKE(a, most * WF_AXIS_TICKS + 1, uint8_t);
     c->row = WF_TAKE(a, most * WF_AXIS_TICKS + 1, int32_t);
-    if (!c->ends || !c->row) return wf_fail(e, WF_ENOMEM, "no room for an axis of %zu segments", most);
+    if (!c->ends || !c->row)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for an axis of %zu segments", most);
     return course_take(&c->course, most, a, e);
 }
 
@@ -418,7 +419,7 @@ static enum wf_status grow_level(struct nursery *g, struct wf_axes *x, size_t le
     enum wf_status s = course_take(&course, form->segments, a, e);
     if (s) return s;
     struct wf_axis *born = x->axis[level] = WF_TAKE(a, most, struct wf_axis);
-    if (!born) return wf_fail(e, WF_ENOMEM, "no room for %zu branches", most);
+    if (!born) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu branches", most);
     for (size_t i = 0; i < x->n[level - 1]; i++) {
         const struct wf_axis *parent = &x->axis[level - 1][i];
         size_t groups = count_places(g->b, parent->length, &gap);
@@ -437,7 +438,8 @@ enum wf_status wf_levels_axes(const struct wf_model *m, const struct wf_species 
                               struct wf_axes *out, size_t *capped, struct wf_err *e)
 {
     *out = (struct wf_axes){ .levels = wf_model_levels(m), .seed = m->seed, .n = { 1 } };
-    if (!(out->axis[0] = WF_TAKE(a, 1, struct wf_axis))) return wf_fail(e, WF_ENOMEM, "no room for a stem");
+    if (!(out->axis[0] = WF_TAKE(a, 1, struct wf_axis)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a stem");
     axes_stem(m, isnan(m->radius) ? sp->level[0].radius.value : m->radius, out->axis[0]);
     out->form[0] = (struct wf_axis_form){
         .segments = m->segments,
@@ -483,7 +485,7 @@ enum wf_status wf_levels_pipes(const struct wf_model *m, struct wf_tree *t, size
     if (!any) return WF_OK;
     double *above =
         WF_TAKE(&scratch, t->n, double); /* per row: sum of r^exponent of the rows that start at its end */
-    if (!above) return wf_fail(e, WF_ENOMEM, "no room for the pipes of %zu segments", t->n);
+    if (!above) return wf_fail(e, WF_ENOMEM, "not enough memory for the pipes of %zu segments", t->n);
     for (size_t i = t->n; i-- > 0;) {
         if (!is_piped(m, t, i)) continue;
         const struct wf_branching *b = &m->branching[t->level[i] - 1];
@@ -555,7 +557,7 @@ static enum wf_status grow_images(struct images *g, struct wf_axes *x, size_t le
     if (s) return s;
     x->axis[level] = WF_TAKE(a, n, struct wf_axis);
     g->next = WF_TAKE(a, 9 * n, double);
-    if (!x->axis[level] || !g->next) return wf_fail(e, WF_ENOMEM, "no room for %zu branches", n);
+    if (!x->axis[level] || !g->next) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu branches", n);
     for (size_t i = 0; i < x->n[level - 1]; i++) {
         const struct wf_axis *parent = &x->axis[level - 1][i];
         course_run(parent, g->form, 0, &course);
@@ -577,7 +579,8 @@ enum wf_status wf_ifs_axes(const struct wf_model *m, double base_radius, struct 
 {
     double stem_map[9];
     *out = (struct wf_axes){ .levels = m->ifs.levels, .seed = m->seed, .n = { 1 } };
-    if (!(out->axis[0] = WF_TAKE(a, 1, struct wf_axis))) return wf_fail(e, WF_ENOMEM, "no room for a stem");
+    if (!(out->axis[0] = WF_TAKE(a, 1, struct wf_axis)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a stem");
     axes_stem(m, base_radius, out->axis[0]);
     map_of_stem(out->axis[0], stem_map);
     for (size_t l = 0; l < out->levels; l++) {

@@ -20,7 +20,9 @@ enum wf_status wf_leaves_spread(const struct wf_model *m, const struct wf_specie
                        m->key, sp->key);
     double length = 0;
     for (size_t i = 0; i < t->n; i++) length += t->leaf0[i] * wf_tree_length(t, i);
-    if (!(length > 0)) return wf_fail(e, WF_EINPUT, "%s: no axis grew that could bear its leaves", m->key);
+    if (!(length > 0))
+        return wf_fail(e, WF_EINPUT, "%s: the model has leaf area, but no axis of the tree has leaves",
+                       m->key);
     double sail = sp->crown.frontal_share.value * sp->crown.drag_coefficient.value;
     for (size_t i = 0; i < t->n; i++) {
         double leaf = t->leaf0[i] * m->leaf_area / length;
@@ -40,7 +42,7 @@ static enum wf_status take_leaves(struct wf_leaves *out, size_t n, struct wf_are
                                .direction = WF_TAKE(a, 3 * n, double),
                                .side = WF_TAKE(a, 3 * n, double) };
     if (out->row && out->place && out->area && out->size && out->direction && out->side) return WF_OK;
-    return wf_fail(e, WF_ENOMEM, "no room for %zu leaves", n);
+    return wf_fail(e, WF_ENOMEM, "not enough memory for %zu leaves", n);
 }
 
 /* Directions and size of leaf j on row i: tilted from the axis, rotated about it by the golden angle from the
@@ -122,7 +124,7 @@ static enum wf_status leaves(struct wf_tree *t, const struct wf_species *sp, con
                              struct wf_arena *a, struct wf_err *e)
 {
     uint32_t *tips = WF_TAKE(a, t->n, uint32_t);
-    if (!tips) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    if (!tips) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     double length = 0;
     for (size_t i = t->n; i-- > 0;) {
         if (!tips[i]) tips[i] = 1;
@@ -150,7 +152,7 @@ enum wf_status wf_clothe_wood(struct wf_tree *t, const struct wf_species *sp, co
     double *from = WF_TAKE(&scratch, t->n, double), *total = WF_TAKE(&scratch, t->n, double);
     if (!from || !total) {
         wf_arena_free(&scratch);
-        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     }
     along_branch(t, from, total);
     for (size_t i = 0; i < t->n; i++) {

@@ -92,8 +92,9 @@ static void warn_of_growth(const struct wf_model *m, const struct wf_tree *t, si
                      "from",
                      m->name, thick);
     if (buried)
-        wf_diag_warn(d, "below-ground", "%s: %zu of %zu segments end below the ground, where no wind blows",
-                     m->name, buried, t->n);
+        wf_diag_warn(d, "below-ground",
+                     "%s: %zu of %zu segments end below the ground, where the wind speed is 0", m->name,
+                     buried, t->n);
 }
 
 static enum wf_status grow_branched(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,

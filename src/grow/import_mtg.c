@@ -297,7 +297,7 @@ static enum wf_status write_mtg_rows(struct wf_qsm *q, const struct mtg_graph *g
 {
     size_t n = 0;
     int32_t *row = WF_TAKE(a, g->n, int32_t);
-    if (!row) return wf_fail(e, WF_ENOMEM, "no room for %zu entities", g->n);
+    if (!row) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu entities", g->n);
     for (size_t v = 0; v < g->n; v++) row[v] = g->entity[v].scale == g->finest ? (int32_t)n++ : -1;
     enum wf_status s = wf_qsm_alloc(q, n, a, e);
     if (s) return s;
@@ -328,7 +328,7 @@ enum wf_status wf_import_mtg(const struct wf_import_head *h, const struct wf_imp
     if ((s = read_mtg_head(g, h->path, &at, &line, e))) return s;
     for (const char *p = at; p < end; p++) g->room += *p == '/' || *p == '<' || *p == '+';
     g->entity = WF_TAKE(a, g->room, struct mtg_entity);
-    if (!g->entity) return wf_fail(e, WF_ENOMEM, "%s: no room for %zu entities", h->path, g->room);
+    if (!g->entity) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu entities", h->path, g->room);
     while (at < end) {
         const char *stop = memchr(at, '\n', (size_t)(end - at));
         if (!stop) stop = end;

@@ -92,7 +92,7 @@ static enum wf_status place_hand_rows(struct wf_qsm *q, const struct hand_angles
     struct hand_placing p = { .q = q, .hand = hand };
     struct wf_children c;
     int32_t *parent = WF_TAKE(a, q->n, int32_t), *queue = WF_TAKE(a, q->n, int32_t);
-    if (!parent || !queue) return wf_fail(e, WF_ENOMEM, "no room for %zu rows", q->n);
+    if (!parent || !queue) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu rows", q->n);
     enum wf_status s = find_parent_rows(q, parent, a, e);
     if (!s) s = wf_children_of(parent, q->n, a, &c, e);
     if (s) return s;
@@ -245,7 +245,8 @@ static enum wf_status take_hand_angles(struct hand_angles *hand, size_t n, struc
 {
     double **column[] = { &hand->angle, &hand->zenith, &hand->azimuth, &hand->distance, &hand->share };
     for (size_t k = 0; k < WF_COUNT(column); k++)
-        if (!(*column[k] = WF_TAKE(a, n, double))) return wf_fail(e, WF_ENOMEM, "no room for %zu rows", n);
+        if (!(*column[k] = WF_TAKE(a, n, double)))
+            return wf_fail(e, WF_ENOMEM, "not enough memory for %zu rows", n);
     return WF_OK;
 }
 

@@ -21,7 +21,7 @@ enum wf_status wf_ids_begin(struct wf_ids *x, const int64_t *id, size_t n, struc
     for (x->slots = 16; x->slots < 2 * n; x->slots *= 2) {
     }
     x->row = WF_TAKE(a, x->slots, int32_t);
-    if (!x->row) return wf_fail(e, WF_ENOMEM, "no room for the index of %zu ids", n);
+    if (!x->row) return wf_fail(e, WF_ENOMEM, "not enough memory for the index of %zu ids", n);
     for (size_t k = 0; k < x->slots; k++) x->row[k] = -1;
     return WF_OK;
 }
@@ -47,7 +47,8 @@ enum wf_status wf_children_of(const int32_t *parent, size_t n, struct wf_arena *
 {
     int32_t *begin = WF_TAKE(a, n + 2, int32_t), *child = WF_TAKE(a, n, int32_t);
     int32_t *at = WF_TAKE(a, n + 1, int32_t);
-    if (!begin || !child || !at) return wf_fail(e, WF_ENOMEM, "no room for the branching of %zu rows", n);
+    if (!begin || !child || !at)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the branching of %zu rows", n);
     for (size_t i = 0; i < n; i++) begin[(parent[i] < 0 ? n : (size_t)parent[i]) + 1]++;
     for (size_t i = 0; i <= n; i++) {
         begin[i + 1] += begin[i];
@@ -97,10 +98,9 @@ const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
     [WF_REPAIR_SAME_ID] = { "same-id-twice", "different rows with the id of an earlier row: given a new id",
                             false, false },
     [WF_REPAIR_NO_PARENT] = { "parent-missing", "rows whose parent is not in the file", false, false },
-    [WF_REPAIR_CYCLE] = { "cycle", "rings of rows that are their own ancestors: cut at the lowest row", false,
-                          false },
-    [WF_REPAIR_LOOSE] = { "loose-part", "parts hanging in the air: joined to the nearest axis", false,
-                          false },
+    [WF_REPAIR_CYCLE] = { "cycle", "cycles of parents: cut at the lowest row", false, false },
+    [WF_REPAIR_LOOSE] = { "loose-part", "parts not connected to the ground: joined to the nearest axis",
+                          false, false },
     [WF_REPAIR_AZIMUTH] = { "azimuth-assumed",
                             "azimuths not measured: each 137.5 degrees after the one before", false, false },
 };
@@ -139,7 +139,7 @@ enum wf_status wf_qsm_alloc(struct wf_qsm *q, size_t n, struct wf_arena *a, stru
     q->n = n;
     for (size_t c = 0; c < COLUMNS; c++) {
         void *p = wf_arena_take(a, n, columns[c].size);
-        if (!p) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", n);
+        if (!p) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu cylinders", n);
         column_set(q, c, p);
     }
     for (size_t i = 0; i < n; i++) {
@@ -160,7 +160,7 @@ enum wf_status wf_qsm_pick(struct wf_qsm *q, const int32_t *pick, size_t n, stru
 {
     struct wf_qsm out = *q;
     int32_t *where = WF_TAKE(a, q->n, int32_t);
-    if (!where) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", n);
+    if (!where) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu cylinders", n);
     for (size_t i = 0; i < q->n; i++) where[i] = -1;
     for (size_t i = 0; i < n; i++) where[pick[i]] = (int32_t)i;
     enum wf_status s = wf_qsm_alloc(&out, n, a, e);

@@ -257,7 +257,7 @@ static enum wf_status take_joining(struct joining *b, struct wf_arena *a, struct
     b->held = WF_TAKE(a, q->n, int32_t);
     b->sorted = WF_TAKE(a, q->n, struct branch_station);
     if (!b->m->kind || !b->m->row || !b->head || !b->tail || !b->held || !b->sorted)
-        return wf_fail(e, WF_ENOMEM, "%s: no room for %zu segments", q->name, most);
+        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu segments", q->name, most);
     b->t->n = 0;
     b->t->name = q->name;
     return WF_OK;
@@ -268,7 +268,7 @@ enum wf_status wf_qsm_to_tree(const struct wf_qsm *q, enum wf_joint joint, struc
 {
     *out = (struct wf_qsm_model){ 0 };
     struct hold_row *hold = WF_TAKE(a, q->n, struct hold_row);
-    if (!hold) return wf_fail(e, WF_ENOMEM, "%s: no room for %zu rows", q->name, q->n);
+    if (!hold) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu rows", q->name, q->n);
     find_holds(q, joint, hold);
     struct joining b = { .q = q, .hold = hold, .m = out, .t = &out->tree };
     b.shortest = joint == WF_JOINT_AXIS ? SHORTEST : NO_LENGTH;

@@ -17,7 +17,7 @@ static bool same_row(const struct wf_qsm *q, size_t i, size_t k)
 static enum wf_status enter_ids(struct wf_qsm *q, struct wf_ids *ids, struct wf_arena *a, struct wf_err *e)
 {
     int32_t *keep = WF_TAKE(a, q->n, int32_t);
-    if (!keep) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
+    if (!keep) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu cylinders", q->n);
     enum wf_status s = wf_ids_begin(ids, q->id, q->n, a, e);
     if (s) return s;
     int64_t fresh = 0;
@@ -84,7 +84,7 @@ static enum wf_status roots_of(struct wf_qsm *q, int32_t *root, struct wf_arena 
 {
     int32_t *path = WF_TAKE(a, q->n, int32_t);
     uint8_t *open = WF_TAKE(a, q->n, uint8_t);
-    if (!path || !open) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
+    if (!path || !open) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu cylinders", q->n);
     for (size_t i = 0; i < q->n; i++) root[i] = -1;
     for (size_t i = 0; i < q->n; i++) {
         size_t depth = 0;
@@ -180,7 +180,8 @@ static enum wf_status qsm_join(struct wf_qsm *q, struct wf_arena *a, struct wf_e
     double *wood = WF_TAKE(a, q->n, double);
     uint8_t *standing = WF_TAKE(a, q->n, uint8_t);
     struct loose *part = WF_TAKE(a, q->n, struct loose);
-    if (!root || !wood || !standing || !part) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
+    if (!root || !wood || !standing || !part)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu cylinders", q->n);
     enum wf_status s = roots_of(q, root, a, e);
     if (s) return s;
     for (size_t i = 0; i < q->n; i++) {
@@ -222,7 +223,7 @@ static enum wf_status qsm_sort(struct wf_qsm *q, struct wf_arena *a, struct wf_e
     enum wf_status s = wf_children_of(q->parent, q->n, a, &c, e);
     if (s) return s;
     int32_t *stack = WF_TAKE(a, q->n, int32_t), *pick = WF_TAKE(a, q->n, int32_t);
-    if (!stack || !pick) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
+    if (!stack || !pick) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu cylinders", q->n);
     size_t depth = 0, n = 0;
     for (int32_t k = c.begin[q->n + 1]; k-- > c.begin[q->n];) stack[depth++] = c.child[k];
     while (depth) { /* depth first, children in the order of the file */
@@ -242,7 +243,7 @@ static enum wf_status remove_points(struct wf_qsm *q, struct wf_arena *a, struct
 {
     int32_t *keep = WF_TAKE(a, q->n, int32_t);
     uint8_t *gone = WF_TAKE(a, q->n, uint8_t);
-    if (!keep || !gone) return wf_fail(e, WF_ENOMEM, "no room for %zu cylinders", q->n);
+    if (!keep || !gone) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu cylinders", q->n);
     size_t kept = 0;
     for (size_t i = 0; i < q->n; i++) {
         int32_t p = q->parent[i];

@@ -38,13 +38,12 @@ enum wf_status wf_loads_laws(struct wf_loads *l, const struct wf_species *sp, st
     if (crown->law) {
         l->streamline = wf_streamline_named(crown->law);
         if (!l->streamline)
-            return wf_fail(e, WF_EINPUT, "%s: no streamlining law is called '%s'", sp->key, crown->law);
+            return wf_fail(e, WF_EINPUT, "%s: unknown streamlining law '%s'", sp->key, crown->law);
         l->streamline_par = law_values_of(crown, &l->streamline->law);
     }
     if (axis->law) {
         l->axis_drag = wf_axis_drag_named(axis->law);
-        if (!l->axis_drag)
-            return wf_fail(e, WF_EINPUT, "%s: no drag law of an axis is called '%s'", sp->key, axis->law);
+        if (!l->axis_drag) return wf_fail(e, WF_EINPUT, "%s: unknown axis drag law '%s'", sp->key, axis->law);
         l->axis_drag_par = law_values_of(axis, &l->axis_drag->law);
     }
     return WF_OK;

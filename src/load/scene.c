@@ -49,9 +49,9 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
         { "gravity", "m/s2", s->gravity, 0.0, 100.0 },
     };
     if (!s->profile || !wf_profile_named(s->profile))
-        return wf_fail(e, WF_EUSAGE, "no wind profile is called '%s'", s->profile ? s->profile : "");
+        return wf_fail(e, WF_EUSAGE, "unknown wind profile '%s'", s->profile ? s->profile : "");
     if (s->shelter && !wf_shelter_law_named(s->shelter))
-        return wf_fail(e, WF_EUSAGE, "no law of shelter is called '%s'", s->shelter);
+        return wf_fail(e, WF_EUSAGE, "unknown shelter law '%s'", s->shelter);
     for (size_t i = 0; i < WF_COUNT(limits); i++)
         if (!(limits[i].value >= limits[i].low && limits[i].value <= limits[i].high))
             return wf_fail(e, WF_EUSAGE, "%s %.6g %s is outside %.6g..%.6g", limits[i].name, limits[i].value,
@@ -96,7 +96,8 @@ enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_
     set_profile_numbers(s, w);
     bool asked = strcmp(s->profile, measured) == 0;
     if (asked && !w->file)
-        return wf_fail(e, WF_EUSAGE, "the profile '%s' needs a profile file of heights and speeds", measured);
+        return wf_fail(e, WF_EUSAGE, "the profile '%s' needs a file of heights and speeds (profile file)",
+                       measured);
     if (!asked && w->file)
         return wf_fail(e, WF_EUSAGE, "%s: a profile file goes with the profile '%s', not '%s'", w->file,
                        measured, s->profile);
@@ -109,7 +110,7 @@ enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profil
     enum wf_status status = wf_scenario_words(s, w, e);
     if (status || !w->file) return status;
     struct wf_measured_profile *p = WF_TAKE(a, 1, struct wf_measured_profile);
-    if (!p) return wf_fail(e, WF_ENOMEM, "no room for a profile");
+    if (!p) return wf_fail(e, WF_ENOMEM, "not enough memory for a profile");
     s->measured = p, s->profile_file = w->file;
     return wf_measured_read(w->file, a, d, p, e);
 }

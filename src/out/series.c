@@ -195,7 +195,7 @@ static enum wf_status leaves(const struct wf_series_page *p, FILE *f, struct wf_
                         at[3 * i + 2], along(s, tip + 3 * i), tip[3 * i + 2]);
         }
         wf_arena_free(&scratch);
-        if (!at || !tip) return wf_fail(e, WF_ENOMEM, "no room for %zu leaves", s->leaves.n);
+        if (!at || !tip) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu leaves", s->leaves.n);
     }
     return WF_OK;
 }

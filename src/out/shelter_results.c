@@ -39,7 +39,7 @@ enum wf_status wf_shelter_tips(struct wf_shelter_run *r, const struct wf_loads *
     const double *to = r->still.axis[0];
     bool *carries = WF_TAKE(a, t->n, bool);
     r->tip = WF_TAKE(a, t->n, struct wf_tip);
-    if (!carries || !r->tip) return wf_fail(e, WF_ENOMEM, "no room for %zu tips", t->n);
+    if (!carries || !r->tip) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu tips", t->n);
     for (size_t i = 0; i < t->n; i++)
         if (t->parent[i] >= 0) carries[t->parent[i]] = true;
     for (size_t i = 0; i < t->n; i++) {

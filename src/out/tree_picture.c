@@ -60,7 +60,7 @@ enum wf_status wf_tree_summarise(const struct wf_tree *t, struct wf_tree_summary
                                      .height = wf_tree_height(t) };
     if (!first || !length) {
         wf_arena_free(&scratch);
-        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     }
     axis_lengths(t, first, length);
     for (size_t i = 0; i < t->n; i++) {

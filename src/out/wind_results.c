@@ -373,7 +373,7 @@ enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path,
                         .row = WF_TAKE(a, TILE * rows, float) };
     double *block = WF_TAKE(a, rows * g.block, double);
     if (!w.row || !block)
-        status = wf_fail(e, WF_ENOMEM, "no room for a block of %zu points", s->points);
+        status = wf_fail(e, WF_ENOMEM, "not enough memory for a block of %zu points", s->points);
     else if (!(status = wf_file_begin(&f, path, e))) {
         w.to = f.stream;
         stream_head(&w);

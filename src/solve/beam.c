@@ -290,7 +290,7 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
     double *before = WF_TAKE(work, 3 * t->n, double), *load = WF_TAKE(work, 3 * t->n, double),
            *bear = WF_TAKE(work, t->n, double);
     if (!pieces || !reach || !share || !before || !load || !bear)
-        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     int32_t start = wf_beam_first_pieces(t, o);
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
 
@@ -426,7 +426,8 @@ static enum wf_status linear_answer_on(const struct wf_tree *t, const struct wf_
     if (status) return status;
     x->u = wf_arena_take(work, x->beam.mesh.n, sizeof *x->u);
     x->q = wf_arena_take(work, x->beam.mesh.n, sizeof *x->q);
-    if (!x->u || !x->q) return wf_fail(e, WF_ENOMEM, "no room for %zu displacements", x->beam.mesh.n);
+    if (!x->u || !x->q)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu displacements", x->beam.mesh.n);
     wf_beam_sweep_up(&x->beam);
     wf_beam_sweep_down(&x->beam, false, NULL);
     linear_displacements(&x->beam, x->u, x->q);
@@ -479,7 +480,7 @@ static enum wf_status linear_solve(const struct wf_tree *t, const struct wf_load
     struct linear_answer x, last;
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
     int32_t *pieces = WF_TAKE(&work, t->n, int32_t), cut = 1;
-    if (!status && !pieces) status = wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    if (!status && !pieces) status = wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     if (!status) status = wf_solve_check_round(t, "the linear solver", e);
     if (!status) status = wf_solve_check(t, l, d, e);
     if (!status) status = linear_answer_on(t, l, o, cut, pieces, &work, &x, e);

@@ -188,7 +188,7 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
     if (t->mass1) m->mass1 = WF_TAKE(a, m->n, double);
     if (t->section) m->flat = WF_TAKE(a, m->n, struct wf_beam_flat);
     if (!m->part || !m->first || !m->last || (t->mass1 && !m->mass1) || (t->section && !m->flat))
-        return wf_fail(e, WF_ENOMEM, "no room for %zu beam elements", m->n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu beam elements", m->n);
     int32_t at = 0;
     for (size_t i = 0; i < t->n; i++) {
         int32_t cut = pieces ? pieces[i] : 1;

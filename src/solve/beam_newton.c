@@ -213,7 +213,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->root_hold || !b->shape ||
         !b->pose || !b->stage || !b->wrench || !b->node || !b->answer || !b->change || !b->dv ||
         (b->mesh.flat && !b->flat))
-        return wf_fail(e, WF_ENOMEM, "no room for the state of %zu beam elements", n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the state of %zu beam elements", n);
     return WF_OK;
 }
 
@@ -420,7 +420,7 @@ enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_b
     struct saved_shape last = { WF_TAKE(a, b->mesh.n, struct wf_beam_shape),
                                 wf_arena_take(a, b->mesh.tree->n, sizeof *last.tilt) };
     b->k0 = wf_arena_take(a, b->mesh.n, sizeof *b->k0);
-    if (!last.shape || !last.tilt || !b->k0) return wf_fail(e, WF_ENOMEM, "no room for load steps");
+    if (!last.shape || !last.tilt || !b->k0) return wf_fail(e, WF_ENOMEM, "not enough memory for load steps");
     out->load_factor = load_steps(b, &full, &last);
     if (out->load_factor >= 1) return WF_OK;
 

@@ -10,7 +10,7 @@ enum wf_status wf_beam_linearise(struct wf_beam *b, bool frozen, struct wf_arena
     b->small = WF_TAKE(a, b->mesh.n, struct wf_beam_small);
     b->push = wf_arena_take(a, b->mesh.n, sizeof *b->push);
     if (!b->small || !b->push)
-        return wf_fail(e, WF_ENOMEM, "no room for the small motions of %zu elements", b->mesh.n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the small motions of %zu elements", b->mesh.n);
     b->frozen = frozen;
     b->misfit = (struct wf_beam_misfit){ 0 };
     wf_beam_sweep_up(b);

@@ -303,7 +303,7 @@ enum wf_status wf_chain_solve(const struct wf_chain_scheme *c, const struct wf_t
     struct load_tally sum = { 0 };
     loads.weight_scale *= c->weight;
     if (t->bend && d)
-        wf_diag_warn(d, "straight-rows", "the chain takes curved segments as straight between their ends");
+        wf_diag_warn(d, "straight-rows", "the chain treats curved segments as straight between their ends");
     if ((status = chain_load_ends(t, &loads, r, &sum, e))) return status;
     chain_hand_down(c, t, &loads, r, &sum);
     sum_displacements(c, t, o, r);

@@ -47,7 +47,7 @@ enum wf_status wf_deflect_open(const struct wf_tree *t, const struct wf_loads *l
     if (!(scheme->restoring >= 0 && scheme->restoring < 1))
         return wf_fail(e, WF_EUSAGE,
                        "restoring factor k = %.6g is outside 0 <= k < 1: F(t) = F_1 - k F(t-1) settles to "
-                       "F_1/(1 + k) only below 1; from 1 on it swings for ever or grows without limit",
+                       "F_1/(1 + k) only below 1; from 1 on it oscillates or diverges",
                        scheme->restoring);
     if (!(scheme->damping >= 0))
         return wf_fail(e, WF_EUSAGE, "damping factor %.6g N s2 is negative: it would drive the motion",
@@ -62,7 +62,7 @@ enum wf_status wf_deflect_open(const struct wf_tree *t, const struct wf_loads *l
     d->angle = WF_TAKE(a, t->n, double);
     d->spin = WF_TAKE(a, t->n, double);
     if (!d->row || !d->turn || !d->end || !d->chord || !d->force || !d->above || !d->angle || !d->spin)
-        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     for (size_t i = 0; i < t->n; i++) describe_rod(t, l, i, &d->row[i]);
     return WF_OK;
 }

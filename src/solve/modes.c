@@ -116,7 +116,7 @@ static enum wf_status ritz_values(struct krylov *k, struct wf_err *e)
     gsl_vector *v = gsl_vector_alloc(n);
     gsl_eigen_symmv_workspace *w = gsl_eigen_symmv_alloc(n);
     enum wf_status status = WF_OK;
-    if (!M || !Q || !v || !w) status = wf_fail(e, WF_ENOMEM, "no room for %zu modes", n);
+    if (!M || !Q || !v || !w) status = wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", n);
     if (!status) {
         for (size_t i = 0; i < n; i++)
             for (size_t j = 0; j < n; j++)
@@ -165,7 +165,7 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
     double *w = WF_TAKE(a, BLOCK * l->size, double), *start = WF_TAKE(a, k.most, double), rest[BLOCK];
     double *part = WF_TAKE(a, BLOCK * k.most, double);
     if (!k.V || !k.T || !k.Q || !k.value || !w || !start || !part)
-        return wf_fail(e, WF_ENOMEM, "no room for %zu modes", l->wanted);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", l->wanted);
     wf_quiet_begin();
 
     for (size_t j = 0; j < BLOCK && j < k.most; j++) {
@@ -266,7 +266,7 @@ static enum wf_status keep_equilibrium(const struct wf_beam *b, const int32_t *p
     kept->tilt = wf_arena_take(a, rows, sizeof *kept->tilt);
     kept->motion = WF_TAKE(a, count * kept->size, double);
     if (!kept->pieces || !kept->shape || !kept->tilt || !kept->motion)
-        return wf_fail(e, WF_ENOMEM, "no room for %zu modes", count);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
     memcpy(kept->pieces, pieces, rows * sizeof *pieces);
     memcpy(kept->shape, b->shape, b->mesh.n * sizeof *b->shape);
     memcpy(kept->tilt, b->tilt, rows * sizeof *b->tilt);
@@ -290,7 +290,7 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena 
                       .node = wf_arena_take(work, b->mesh.n, sizeof *s.node),
                       .ends = wf_arena_take(work, b->mesh.n, sizeof *s.ends) };
     if (!value || ((shape || kept) && !vector) || !answer || !order || !s.root || !s.u || !s.node || !s.ends)
-        return wf_fail(e, WF_ENOMEM, "no room for %zu modes", count);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
     wf_beam_motion_mass(b, s.root);
     for (size_t i = 0; i < size; i++) s.root[i] = sqrt(s.root[i]);
     struct wf_lanczos l = {
@@ -343,7 +343,7 @@ enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
     if (status) return status;
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
     double *before = WF_TAKE(a, count, double);
-    if (!pieces || !before) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    if (!pieces || !before) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     int32_t start = wf_beam_first_pieces(t, o);
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
     for (int mesh = 0; mesh < MESHES && !status; mesh++) {
@@ -385,7 +385,7 @@ enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
     double(*node)[6] = status ? NULL : wf_arena_take(&work, b.mesh.n, sizeof *node);
     double(*ends)[6] = status ? NULL : wf_arena_take(&work, b.mesh.n, sizeof *ends);
     if (!status && (!mass || !answer || !node || !ends))
-        status = wf_fail(e, WF_ENOMEM, "no room for a motion of %zu segments", t->n);
+        status = wf_fail(e, WF_ENOMEM, "not enough memory for a motion of %zu segments", t->n);
     if (!status) {
         memcpy(b.shape, kept->shape, b.mesh.n * sizeof *b.shape);
         memcpy(b.tilt, kept->tilt, t->n * sizeof *b.tilt);
@@ -443,7 +443,7 @@ enum wf_status wf_buckling(const struct wf_tree *t, const struct wf_loads *l,
     enum wf_status status = wf_solve_check(t, l, NULL, e);
     if (status) return status;
     int32_t *pieces = WF_TAKE(a, t->n, int32_t);
-    if (!pieces) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     weight.wind = NULL, weight.points = 0, weight.line = NULL;
     int32_t start = wf_beam_first_pieces(t, o);
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;

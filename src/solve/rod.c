@@ -445,7 +445,7 @@ static enum wf_status rod_init(struct wf_rod *r, const struct wf_tree *t, const 
     r->change = wf_arena_take(a, r->n, sizeof *r->change);
     if (!r->piece || !r->first_point || !r->next_point || !r->node || !r->trial || !r->end || !r->block ||
         !r->off || !r->step || !r->next || !r->tilt || !r->next_tilt || !r->change)
-        return wf_fail(e, WF_ENOMEM, "no room for rods of %zu segments", t->n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for rods of %zu segments", t->n);
     for (size_t i = 0; i < t->n; i++)
         r->size = fmax(r->size, hypot(t->x1[i] - t->x0[0], hypot(t->y1[i] - t->y0[0], t->z1[i] - t->z0[0])));
     sort_points(r);
@@ -460,7 +460,7 @@ static enum wf_status beam_of_rod(const struct wf_rod *r, const struct wf_solve_
                                   struct wf_arena *a, struct wf_beam *b, struct wf_err *e)
 {
     int32_t *cut = WF_TAKE(a, r->tree->n, int32_t);
-    if (!cut) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", r->tree->n);
+    if (!cut) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", r->tree->n);
     for (size_t i = 0; i < r->n; i++) cut[r->piece[i].row]++;
     return wf_beam_init(b, r->tree, &r->loads, o, cut, a, e);
 }
@@ -545,7 +545,8 @@ static enum wf_status rod_settle(struct wf_rod *r, const struct wf_solve_options
     struct wf_beam_outcome out = { .load_factor = 1 };
     struct wf_err why = { 0 };
     struct wf_rod_node *kept = WF_TAKE(a, r->n, struct wf_rod_node);
-    enum wf_status status = kept ? beam_of_rod(r, o, a, &b, e) : wf_fail(e, WF_ENOMEM, "no room for rods");
+    enum wf_status status =
+        kept ? beam_of_rod(r, o, a, &b, e) : wf_fail(e, WF_ENOMEM, "not enough memory for rods");
     if (status) return status;
     if (!close_from_nodes(r, &b, kept)) {
         status = wf_beam_settle(&b, a, &out, &why);
@@ -648,7 +649,7 @@ static enum wf_status rod_solve(bool printed, const struct wf_tree *t, const str
     if (status || (status = wf_tree_check(t, d, e))) return status;
     if (printed && t->bend && d)
         wf_diag_warn(d, "straight-rows",
-                     "the printed rod takes curved segments as straight between their ends");
+                     "the printed rod treats curved segments as straight between their ends");
     wf_quiet_begin();
     status = rod_init(&r, t, l, &rigid, printed, &work, e);
     if (!status) status = rod_settle(&r, &rigid, &work, &out->load_factor, d, e);

@@ -330,7 +330,7 @@ enum wf_status wf_rod_open(struct wf_rod_integrator *g, const struct wf_tree *t,
     g->varied = gsl_odeiv2_driver_alloc_y_new(&g->varied_system, gsl_odeiv2_step_rkck, 1, loose, loose);
     if (g->state && g->varied && !gsl_odeiv2_driver_set_nmax(g->varied, 400)) return WF_OK;
     wf_rod_close(g);
-    return wf_fail(e, WF_ENOMEM, "no room for the integrators of the rods");
+    return wf_fail(e, WF_ENOMEM, "not enough memory for the integrators of the rods");
 }
 
 void wf_rod_accuracy(struct wf_rod_integrator *g, double error)

@@ -10,7 +10,7 @@ enum wf_status wf_response_alloc(struct wf_response *r, size_t n, struct wf_aren
     *r = (struct wf_response){ .n = n };
     for (size_t i = 0; i < WF_COUNT(column); i++)
         if (!(*column[i] = WF_TAKE(a, 3 * n, double)))
-            return wf_fail(e, WF_ENOMEM, "no room for the response of %zu segments", n);
+            return wf_fail(e, WF_ENOMEM, "not enough memory for the response of %zu segments", n);
     return WF_OK;
 }
 
@@ -61,5 +61,5 @@ enum wf_status wf_solve_check(const struct wf_tree *t, const struct wf_loads *l,
 enum wf_status wf_solve_check_round(const struct wf_tree *t, const char *what, struct wf_err *e)
 {
     if (!t->section) return WF_OK;
-    return wf_fail(e, WF_EINPUT, "%s: %s knows round sections only", t->name ? t->name : "tree", what);
+    return wf_fail(e, WF_EINPUT, "%s: %s supports round sections only", t->name ? t->name : "tree", what);
 }

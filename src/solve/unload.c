@@ -29,11 +29,11 @@ static enum wf_status copy_shape(const struct wf_tree *t, struct wf_arena *a, st
     *out = *t;
     for (int c = 0; c < 6; c++) {
         if (!(*to[c] = WF_TAKE(a, t->n, double)))
-            return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+            return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
         memcpy(*to[c], from[c], t->n * sizeof(double));
     }
     if (!(out->bend = WF_TAKE(a, 3 * t->n, double)))
-        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     if (t->bend) memcpy(out->bend, t->bend, 3 * t->n * sizeof(double));
     return WF_OK;
 }
@@ -78,7 +78,7 @@ static enum wf_status straighten_all(const struct wf_tree *t, const struct wf_lo
 {
     struct wf_beam b;
     double(*L)[9] = wf_arena_take(work, t->n, sizeof *L);
-    if (!L) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    if (!L) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     enum wf_status status = wf_beam_init(&b, t, l, o, NULL, work, e);
     if (status) return status;
     wf_beam_sweep_up(&b);

@@ -156,7 +156,7 @@ static enum wf_status fill_figures(const struct wf_tree *t, const struct wf_load
     double **column[] = { &out->projected_area, &out->drag, &out->lift, &out->deflection, &out->slope };
     for (size_t k = 0; k < WF_COUNT(column); k++)
         if (!(*column[k] = WF_TAKE(a, t->n, double)))
-            return wf_fail(e, WF_ENOMEM, "no room for the figures of %zu rows", t->n);
+            return wf_fail(e, WF_ENOMEM, "not enough memory for the figures of %zu rows", t->n);
     for (size_t i = 0; i < t->n; i++) {
         struct curve unloaded, bent;
         struct sums row;
@@ -449,7 +449,7 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
     size_t threads = wf_parallel_threads(q->o->threads);
     struct wf_arena scratch = { 0 };
     struct batch *b = WF_TAKE(&scratch, 1, struct batch);
-    if (!b) return wf_fail(e, WF_ENOMEM, "no room for the search of the critical speed");
+    if (!b) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
     b->search = q;
     bool fell = threads < 2;
     for (int k = 0; k <= WF_CRITICAL_RUNGS && !fell;) {
@@ -530,7 +530,7 @@ enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_
     struct wf_arena scratch = { 0 };
     struct known *known = WF_TAKE(&scratch, 1, struct known);
     enum wf_status s = WF_OK;
-    if (!known) return wf_fail(e, WF_ENOMEM, "no room for the search of the critical speed");
+    if (!known) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
     for (int c = 0; c < WF_CRITERIA && !s; c++) {
         struct search search = { an, o, (enum wf_criterion_id)c, WF_SCOPE_TREE, known };
         s = find_break(search, &out[c][WF_SCOPE_TREE], e);
@@ -577,7 +577,7 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
         if ((step = steps[k]) * STEPS >= top) break;
     an->sweep_n = (size_t)ceil(top / step - 1e-9) + 3 * QUARTERED + 1;
     if (!(an->sweep = WF_TAKE(a, an->sweep_n, struct wf_at_speed)))
-        return wf_fail(e, WF_ENOMEM, "no room for a sweep of %zu speeds", an->sweep_n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a sweep of %zu speeds", an->sweep_n);
     for (size_t k = 0; k < an->sweep_n; k++)
         an->sweep[k].speed = step * (k < 4 * QUARTERED ? 0.25 * (double)k : (double)k - 3 * QUARTERED);
     struct sweep_points c = { an, &curve, an->sweep };
@@ -614,7 +614,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     };
     if ((s = wf_analysis_set_up(out, a, d, e))) return s;
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
-        return wf_fail(e, WF_ENOMEM, "no room for %zu speeds", n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
     for (size_t k = 0; k < n; k++)
         if ((s = speed_solve(out, o, speeds[k], a, d, &out->at[k], e))) return s;
     if ((s = wf_analysis_breaks(out, o, out->breaks, e))) return s;

@@ -93,7 +93,7 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
     struct work w = { an, &alone, out };
     struct wf_at_speed *at = WF_TAKE(a, q->n * an->n, struct wf_at_speed);
     out->direction = WF_TAKE(a, q->n, struct wf_direction);
-    if (!out->direction || !at) return wf_fail(e, WF_ENOMEM, "no room for %zu directions", q->n);
+    if (!out->direction || !at) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
     for (size_t k = 0; k < q->n; k++) {
         out->direction[k].from = WF_TURN * (double)k / (double)q->n;
         out->direction[k].at = at + k * an->n;

@@ -60,7 +60,7 @@ enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solv
     loads.wind = speed > 0 ? &wind : NULL;
     *out = (struct wf_explain){ .axis = WF_TAKE(a, t->n, struct wf_explain_axis),
                                 .room = WF_TAKE(a, t->n, double) };
-    if (!out->axis || !out->room) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    if (!out->axis || !out->room) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     find_axes(t, out);
     enum wf_status status = wf_solvers[0]->solve(t, &loads, o, a, &beam, d, e);
     if (status) return status;

@@ -247,7 +247,7 @@ enum wf_status wf_preset_apply(const struct wf_preset *p, struct wf_arena *a, st
     if (!p->departures) return WF_OK;
     struct wf_level *level = WF_TAKE(a, sp->levels, struct wf_level);
     struct wf_yaml_pair *source = WF_TAKE(a, sp->sources + 1, struct wf_yaml_pair);
-    if (!level || !source) return wf_fail(e, WF_ENOMEM, "no room for the species");
+    if (!level || !source) return wf_fail(e, WF_ENOMEM, "not enough memory for the species");
     memcpy(level, sp->level, sp->levels * sizeof *level);
     if (sp->sources) memcpy(source, sp->source, sp->sources * sizeof *source);
     if (!wf_species_source(sp, p->name)) source[sp->sources++] = (struct wf_yaml_pair){ p->name, p->source };

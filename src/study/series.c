@@ -74,7 +74,7 @@ static enum wf_status series_wind(struct wf_series *s, struct wf_arena *a, struc
     s->gust_words = wf_gust_words(&spec, a);
     bool room = block && s->gust_words;
     for (unsigned c = 1; c < spec.components; c++) room = (*part[c] = WF_TAKE(a, s->frames, double)) && room;
-    if (!room) status = wf_fail(e, WF_ENOMEM, "no room for the wind");
+    if (!room) status = wf_fail(e, WF_ENOMEM, "not enough memory for the wind");
     for (unsigned c = 0; c < spec.components && !status; c++)
         status = wf_gust_series(&gust, 0, c, block, *part[c], e);
     wf_gust_close(&gust);
@@ -141,7 +141,7 @@ static enum wf_status set_up(struct wf_series *s, struct wf_shelter *shelter, st
         r.law = q->shelter;
         r.transmission = q->transmission;
         struct wf_wind *base = WF_TAKE(a, 1, struct wf_wind);
-        if (!base) return wf_fail(e, WF_ENOMEM, "no room for the wind");
+        if (!base) return wf_fail(e, WF_ENOMEM, "not enough memory for the wind");
         *base = s->an.wind;
         if ((status = wf_shelter_make(&s->an.tree, base, &r, a, shelter, e))) return status;
         wf_shelter_field(shelter, &s->an.wind);
@@ -164,7 +164,7 @@ static enum wf_status take(struct wf_series *s, struct wf_arena *a, struct wf_er
         if ((size_t)s->an.tree.level[i] >= s->levels) s->levels = (size_t)s->an.tree.level[i] + 1;
     s->level = WF_TAKE(a, s->levels, struct wf_series_level);
     if (!s->status || !s->place || !s->deflection || !s->moment || !s->key || !s->level)
-        return wf_fail(e, WF_ENOMEM, "no room for %zu frames of %zu segments", f, n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu frames of %zu segments", f, n);
     for (size_t k = 0; k < s->spec.keys; k++) s->key[k] = k * f / s->spec.keys;
     s->tip = wf_tip_row(&s->an.tree);
     return WF_OK;
@@ -278,7 +278,7 @@ static enum wf_status measure_levels(struct wf_series *s, struct wf_err *e)
     size_t *side = WF_TAKE(&scratch, 2 * s->levels, size_t);
     if (!goes_on || !foot || !side) {
         wf_arena_free(&scratch);
-        return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     }
     for (size_t i = 0; i < t->n; i++) {
         int32_t p = t->parent[i];
@@ -322,7 +322,7 @@ enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena 
                        spec->frames, spec->keys);
     struct wf_shelter *shelter = WF_TAKE(a, 1, struct wf_shelter);
     s->wind = WF_TAKE(a, s->frames, double);
-    if (!shelter || !s->wind) return wf_fail(e, WF_ENOMEM, "no room for %zu frames", s->frames);
+    if (!shelter || !s->wind) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu frames", s->frames);
     enum wf_status status = set_up(s, shelter, a, d, e);
     if (!status) status = series_wind(s, a, d, e);
     if (!status) status = take(s, a, e);

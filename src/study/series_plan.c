@@ -185,7 +185,7 @@ enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const str
     if (!s->preset) return wf_fail(e, WF_EUSAGE, "run '%s': no preset is called '%s'", r->name, r->preset);
     s->profile = r->profile;
     if (r->profile.name && !wf_profile_named(r->profile.name))
-        return wf_fail(e, WF_EUSAGE, "run '%s': no wind profile is called '%s'", r->name, r->profile.name);
+        return wf_fail(e, WF_EUSAGE, "run '%s': unknown wind profile '%s'", r->name, r->profile.name);
     if (wf_preset_apply(s->preset, a, own, &s->scenario, &s->solver, e)) return e->code;
     if (given(r->solver, "") && !(s->solver = wf_solver_named(r->solver)))
         return wf_fail(e, WF_EUSAGE, "run '%s': no solver is called '%s'", r->name, r->solver);

@@ -39,7 +39,7 @@ static enum wf_status bent_make(struct bent *b, const struct wf_tree *t, struct 
     b->last = WF_TAKE(a, 3 * t->n, double);
     bool room = b->end && b->last;
     for (size_t k = 0; k < 6; k++) room = (*column[k] = WF_TAKE(a, t->n, double)) && room;
-    return room ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for %zu bent segments", t->n);
+    return room ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for %zu bent segments", t->n);
 }
 
 static void bend(struct bent *b, const struct wf_tree *t)

@@ -147,7 +147,7 @@ static enum wf_status record_open(struct wf_gust *g, struct wf_arena *a, struct 
     const struct wf_gust_spec *s = &g->spec;
     const struct wf_record *r = s->record;
     struct record_play *w = WF_TAKE(a, 1, struct record_play);
-    if (!w) return wf_fail(e, WF_ENOMEM, "no room for a gust model");
+    if (!w) return wf_fail(e, WF_ENOMEM, "not enough memory for a gust model");
     *w = (struct record_play){ { r->u, r->v, r->w },
                                wf_gust_get(s, "rescale") > 0.0 ? s->speed / r->mean : 1.0 };
     g->work = w;
@@ -189,7 +189,7 @@ enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, co
     struct wf_record *r = WF_TAKE(a, 1, struct wf_record);
     char *rest = NULL, *words = wf_arena_text(a, columns);
     if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs the file of an anemometer");
-    if (!r || !words) return wf_fail(e, WF_ENOMEM, "no room for a record");
+    if (!r || !words) return wf_fail(e, WF_ENOMEM, "not enough memory for a record");
     wf_record_request_default(&q);
     q.time = strtok_r(words, ",", &rest);
     for (int k = 0; k < 3; k++) q.part[k] = strtok_r(NULL, ",", &rest);
@@ -439,7 +439,8 @@ static enum wf_status gust_check(const struct wf_gust_spec *s, struct wf_diag *d
                       wf_gust_get(s, "low"), 0.5 / s->step);
     gust_check_places(s, d);
     if (measured) gust_check_record(s, d);
-    if (d->errors > before) return wf_fail(e, WF_EUSAGE, "the gust model %s cannot be run as asked", m->name);
+    if (d->errors > before)
+        return wf_fail(e, WF_EUSAGE, "the gust model %s its specification has mistakes", m->name);
     gust_warn(s, d);
     return WF_OK;
 }

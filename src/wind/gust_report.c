@@ -62,7 +62,7 @@ static enum wf_status time_scale(const double *x, size_t n, double step, struct 
     if (forward) gsl_fft_real_wavetable_free(forward);
     if (back) gsl_fft_halfcomplex_wavetable_free(back);
     if (space) gsl_fft_real_workspace_free(space);
-    return room ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for the autocorrelation of %zu steps", n);
+    return room ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for the autocorrelation of %zu steps", n);
 }
 
 static void gust_factor(const double *x, size_t n, double step, struct wf_gust_stats *o)
@@ -129,7 +129,7 @@ static enum wf_status run_model(const struct wf_gust_spec *s, struct wf_arena *a
     double *block = WF_TAKE(a, rows * g.block, double);
     o->x = WF_TAKE(a, rows * s->steps, double);
     if (!block || !o->x)
-        status = wf_fail(e, WF_ENOMEM, "no room for %zu series of %zu steps", rows, s->steps);
+        status = wf_fail(e, WF_ENOMEM, "not enough memory for %zu series of %zu steps", rows, s->steps);
     for (size_t b = 0; b < g.blocks && !status; b++) {
         status = wf_gust_block(&g, b, block, e);
         size_t first = b * g.block, steps = s->steps - first < g.block ? s->steps - first : g.block;
@@ -159,7 +159,7 @@ static enum wf_status measure_spectra(struct wf_gust_report *o, struct wf_arena 
     const struct wf_gust_spec *s = &o->spec;
     size_t length = transform_length(s->steps);
     double *density = WF_TAKE(a, length / 2 + 1, double), df = 1.0 / ((double)length * s->step);
-    if (!density) return wf_fail(e, WF_ENOMEM, "no room for a spectrum of %zu steps", length);
+    if (!density) return wf_fail(e, WF_ENOMEM, "not enough memory for a spectrum of %zu steps", length);
     o->bands = wf_bands(length, s->step, 10, o->band, WF_REPORT_BANDS);
     for (unsigned c = 0; c < s->components; c++) {
         enum wf_status status =
@@ -191,7 +191,7 @@ static enum wf_status measure_pairs(struct wf_gust_report *o, struct wf_arena *a
     o->coherence_target = WF_TAKE(a, o->pairs * o->pair_bands, double);
     o->apart = WF_TAKE(a, o->pairs, double);
     if (!modulus || !real || !o->coherence || !o->coherence_target || !o->apart)
-        return wf_fail(e, WF_ENOMEM, "no room for the coherence of %zu pairs", o->pairs);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the coherence of %zu pairs", o->pairs);
     for (size_t p = 0; p < o->pairs; p++) {
         for (int axis = 0; axis < 3; axis++)
             o->apart[p] = hypot(o->apart[p], wf_gust_place(s, p + 1, axis) - wf_gust_place(s, 0, axis));
@@ -269,7 +269,7 @@ static enum wf_status check_synthesis(struct wf_gust_report *o, struct wf_arena 
         if (status) break;
         double *block = WF_TAKE(a, g.block, double);
         status = x && block && density[i] ? wf_gust_series(&g, 0, 0, block, x, e)
-                                          : wf_fail(e, WF_ENOMEM, "no room for a check");
+                                          : wf_fail(e, WF_ENOMEM, "not enough memory for a check");
         wf_gust_close(&g);
         if (!status) status = wf_spectrum_welch(x, length, s.step, length, density[i], NULL, a, e);
     }

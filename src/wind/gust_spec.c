@@ -75,7 +75,7 @@ enum wf_status wf_gust_set_words(struct wf_gust_spec *s, const char *words, stru
                                  struct wf_err *e)
 {
     char *rest = NULL, *copy = words ? wf_arena_text(a, words) : NULL;
-    if (words && !copy) return wf_fail(e, WF_ENOMEM, "no room for the parameters of a gust model");
+    if (words && !copy) return wf_fail(e, WF_ENOMEM, "not enough memory for the parameters of a gust model");
     for (char *item = copy ? strtok_r(copy, ",", &rest) : NULL; item; item = strtok_r(NULL, ",", &rest)) {
         char *equals = strchr(item, '=');
         double value;

@@ -118,7 +118,7 @@ enum wf_status wf_coherence_make(size_t n, const double *place, const double dec
     c->rest = WF_TAKE(a, c->rungs * n, double);
     if (!at || !c->order || !c->count || !c->neighbour || !c->stretched || !c->closest || !c->rung ||
         !c->weight || !c->rest)
-        return wf_fail(e, WF_ENOMEM, "no room for the coherence of %zu points", n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the coherence of %zu points", n);
     for (size_t i = 0; i < 3 * n; i++) at[i] = place[i] * decay[i % 3];
     if (order_points(c, at, a, e)) return e ? e->code : WF_ENOMEM;
     for (size_t turn = 0; turn < n; turn++) find_neighbours(c, turn);
@@ -263,7 +263,7 @@ static enum wf_status make_tables(struct spectral *w, struct wf_err *e)
     w->space = gsl_fft_real_workspace_alloc(w->window);
     if (w->forward && w->back && w->space) return WF_OK;
     free_tables(w);
-    return wf_fail(e, WF_ENOMEM, "no room for a Fourier transform of %zu steps", w->window);
+    return wf_fail(e, WF_ENOMEM, "not enough memory for a Fourier transform of %zu steps", w->window);
 }
 
 static enum wf_status choose_window(struct wf_gust *g, struct spectral *w, struct wf_arena *a,
@@ -276,7 +276,7 @@ static enum wf_status choose_window(struct wf_gust *g, struct spectral *w, struc
     while (w->window > WINDOW_MIN && (double)w->window * per_step > ROOM_WANTED) w->window /= 2;
     if (s->block) w->window = 2 * s->block;
     double *h = WF_TAKE(a, s->block ? w->window : WINDOW_MAX, double);
-    if (!h) return wf_fail(e, WF_ENOMEM, "no room for a window of %d steps", WINDOW_MAX);
+    if (!h) return wf_fail(e, WF_ENOMEM, "not enough memory for a window of %d steps", WINDOW_MAX);
     for (;; w->window *= 2) {
         if (make_tables(w, e)) return WF_ENOMEM;
         g->joint = sqrt(2.0 * tail_energy(s, h, w->window, w));
@@ -291,7 +291,7 @@ static enum wf_status sort_into_classes(struct wf_gust *g, struct spectral *w, s
     const struct wf_gust_spec *s = &g->spec;
     size_t n = s->points, half = w->window / 2 + 1, *first = WF_TAKE(a, n, size_t);
     w->class_of = WF_TAKE(a, n, size_t);
-    if (!first || !w->class_of) return wf_fail(e, WF_ENOMEM, "no room for %zu points", n);
+    if (!first || !w->class_of) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu points", n);
     for (size_t p = 0; p < n; p++) {
         size_t c = 0;
         while (c < w->classes && (wf_gust_place(s, first[c], 2) != wf_gust_place(s, p, 2) ||
@@ -304,7 +304,7 @@ static enum wf_status sort_into_classes(struct wf_gust *g, struct spectral *w, s
     w->amplitude = WF_TAKE(a, w->classes * s->components * half, double);
     if (row->shear && s->components > 1) w->shear = WF_TAKE(a, w->classes * half, double);
     if (!w->amplitude || (row->shear && s->components > 1 && !w->shear))
-        return wf_fail(e, WF_ENOMEM, "no room for the spectra of %zu heights", w->classes);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the spectra of %zu heights", w->classes);
     for (size_t c = 0; c < w->classes; c++) {
         const struct target target = target_of(s, first[c]);
         for (size_t k = 0; k < half; k++) {
@@ -332,7 +332,7 @@ static enum wf_status lay_ladder(const struct wf_gust_spec *s, struct spectral *
     w->segment_first = WF_TAKE(a, w->coherence.rungs + 2, size_t);
     w->segment_rung = WF_TAKE(a, w->coherence.rungs + 2, size_t);
     if (!w->share || !w->wavenumber || !w->segment_first || !w->segment_rung)
-        return wf_fail(e, WF_ENOMEM, "no room for a window of %zu steps", n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a window of %zu steps", n);
     for (size_t i = 0; i < n; i++) {
         size_t at;
         double f = (double)frequency_of(i) / ((double)n * s->step);
@@ -350,7 +350,7 @@ enum wf_status wf_gust_spectral_open(struct wf_gust *g, struct wf_arena *a, stru
 {
     struct wf_gust_spec *s = &g->spec;
     struct spectral *w = WF_TAKE(a, 1, struct spectral);
-    if (!w) return wf_fail(e, WF_ENOMEM, "no room for a gust model");
+    if (!w) return wf_fail(e, WF_ENOMEM, "not enough memory for a gust model");
     g->work = w;
     if (choose_window(g, w, a, e)) return WF_ENOMEM;
     g->block = w->window / 2;
@@ -368,8 +368,8 @@ enum wf_status wf_gust_spectral_open(struct wf_gust *g, struct wf_arena *a, stru
     w->along = WF_TAKE(a, s->points * w->window, double);
     w->other = s->components > 1 ? WF_TAKE(a, s->points * w->window, double) : w->along;
     if (!w->along || !w->other)
-        return wf_fail(e, WF_ENOMEM, "no room for the spectra of %zu points and %zu steps", s->points,
-                       w->window);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the spectra of %zu points and %zu steps",
+                       s->points, w->window);
     return WF_OK;
 }
 

@@ -77,7 +77,8 @@ static enum wf_status read_rows(const char *path, const struct wf_record_request
     if (d->errors > errors)
         return wf_fail(e, WF_EINPUT, "%s: a column that was asked for is not there", path);
     while (wf_csv_next(&csv)) {
-        if (r->n == r->room && !grow_rows(r)) return wf_fail(e, WF_ENOMEM, "%s: no room for its rows", path);
+        if (r->n == r->room && !grow_rows(r))
+            return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", path);
         bool bad = false;
         r->time[r->n] = q->time ? read_reading(r, &csv, time, 1e15) : (double)r->n * q->step;
         bad = isnan(r->time[r->n]);
@@ -107,7 +108,7 @@ static enum wf_status find_step(const char *path, struct record_rows *r, struct 
 {
     double *gap = malloc(r->n * sizeof *gap), before = NAN;
     size_t n = 0;
-    if (!gap) return wf_fail(e, WF_ENOMEM, "%s: no room for its rows", path);
+    if (!gap) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", path);
     for (size_t i = 0; i < r->n; i++) {
         if (isnan(r->time[i])) continue;
         if (!isnan(before)) {
@@ -225,7 +226,7 @@ enum wf_status wf_record_read(const char *path, const struct wf_record_request *
     }
     for (int k = 0; k < 3 && !s; k++)
         if (!(to[k] = WF_TAKE(a, out->n, double)))
-            s = wf_fail(e, WF_ENOMEM, "%s: no room for its rows", path);
+            s = wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", path);
     if (!s) s = rows_to_steps(path, &r, out, to, e);
     free_rows(&r);
     if (!s) s = bridge_gaps(path, q, out, to, e);

@@ -218,7 +218,7 @@ static enum wf_status cut_into_slabs(const struct wf_shelter *s, const struct wf
     double p0[3], p1[3];
     size_t *next = WF_TAKE(a, s->slabs + 1, size_t);
     out->first = WF_TAKE(a, s->slabs + 1, size_t);
-    if (!next || !out->first) return wf_fail(e, WF_ENOMEM, "no room for %zu slabs", s->slabs);
+    if (!next || !out->first) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu slabs", s->slabs);
     for (size_t i = 0; i < t->n; i++) {
         row_ends(s, t, i, p0, p1);
         slabs_passed(s, p0, p1, &first, &last);
@@ -227,7 +227,8 @@ static enum wf_status cut_into_slabs(const struct wf_shelter *s, const struct wf
     for (size_t k = 0; k < s->slabs; k++) out->first[k + 1] += out->first[k];
     memcpy(next, out->first, (s->slabs + 1) * sizeof *next);
     if (!(out->list = WF_TAKE(a, out->first[s->slabs], struct slab_piece)))
-        return wf_fail(e, WF_ENOMEM, "no room for %zu pieces of %zu segments", out->first[s->slabs], t->n);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu pieces of %zu segments", out->first[s->slabs],
+                       t->n);
     for (size_t i = 0; i < t->n; i++) {
         row_ends(s, t, i, p0, p1);
         slabs_passed(s, p0, p1, &first, &last);
@@ -300,7 +301,7 @@ static enum wf_status project_all(struct wf_shelter *s, const struct wf_tree *t,
     struct slab_view v = { .s = s, .t = t };
     size_t most = 0, cells = s->up * s->across;
     bool *carries = WF_TAKE(scratch, t->n, bool), leaves = false;
-    if (!carries) return wf_fail(e, WF_ENOMEM, "no room for %zu segments", t->n);
+    if (!carries) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     for (size_t i = 0; i < t->n; i++) {
         if (t->parent[i] >= 0) carries[t->parent[i]] = true;
         leaves = leaves || is_leafy(t, i);
@@ -311,7 +312,7 @@ static enum wf_status project_all(struct wf_shelter *s, const struct wf_tree *t,
         most = pieces.first[k + 1] - pieces.first[k] > most ? pieces.first[k + 1] - pieces.first[k] : most;
     v.carries = carries;
     if (!(v.outline = WF_TAKE(scratch, most, struct wf_outline)))
-        return wf_fail(e, WF_ENOMEM, "no room for %zu outlines", most);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu outlines", most);
     for (size_t k = 0; k < s->slabs; k++) {
         v.n = 0;
         for (size_t i = pieces.first[k]; i < pieces.first[k + 1]; i++) project_piece(&v, &pieces.list[i]);
@@ -344,8 +345,8 @@ static enum wf_status shelter_cover(const struct wf_tree *t, const struct wf_win
     out->class = WF_TAKE(a, n, uint8_t);
     out->width = WF_TAKE(a, n, double);
     if (!out->wood || !out->leaf || !out->class || !out->width)
-        return wf_fail(e, WF_ENOMEM, "no room for %zu slabs of %zu by %zu cells", q->slabs, q->cells,
-                       q->cells);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu slabs of %zu by %zu cells", q->slabs,
+                       q->cells, q->cells);
     s = project_all(out, t, &scratch, &why);
     wf_arena_free(&scratch);
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
@@ -513,7 +514,7 @@ static enum wf_status shelter_wind(struct wf_shelter *s, struct wf_arena *a, str
     s->slab = WF_TAKE(a, s->slabs + 1, struct wf_shelter_slab);
     for (size_t i = 0; i < s->request.law->parts; i++)
         if (!(s->part[i] = WF_TAKE(a, n, double))) s->slab = NULL;
-    if (!s->slab) return wf_fail(e, WF_ENOMEM, "no room for a wind field of %zu points", n);
+    if (!s->slab) return wf_fail(e, WF_ENOMEM, "not enough memory for a wind field of %zu points", n);
     enum wf_status status = s->request.law->fill(s, &scratch, e);
     wf_arena_free(&scratch);
     if (!status) measure_slabs(s);

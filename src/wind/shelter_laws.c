@@ -265,12 +265,13 @@ static enum wf_status shelter_wake(struct wf_shelter *s, struct wf_arena *scratc
     struct spread_room work = { .stride = s->across + LANES };
     work.rows = WF_TAKE(scratch, s->up * work.stride, double);
     work.row = WF_TAKE(scratch, 2 * TAPS + work.stride, double);
-    if (!list || !work.rows || !work.row || !still) return wf_fail(e, WF_ENOMEM, "no room for wakes");
+    if (!list || !work.rows || !work.row || !still)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for wakes");
     for (size_t p = 0; p < s->planes; p++) {
         double *plane = s->part[0] + p * cells;
         if (p < s->slabs) {
             if (!list[n].loss && !(list[n].loss = WF_TAKE(scratch, cells, double)))
-                return wf_fail(e, WF_ENOMEM, "no room for wakes");
+                return wf_fail(e, WF_ENOMEM, "not enough memory for wakes");
             find_loss(s, p, p ? plane - cells : still, &list[n]);
             if (list[n].total > 0.0) n++;
         }
@@ -457,7 +458,7 @@ static enum wf_status shelter_feng(struct wf_shelter *s, struct wf_arena *scratc
 {
     size_t cells = s->up * s->across;
     double least = wf_shelter_speed_share(&s->request), *wind = WF_TAKE(scratch, cells, double);
-    if (!wind) return wf_fail(e, WF_ENOMEM, "no room for a plane of %zu cells", cells);
+    if (!wind) return wf_fail(e, WF_ENOMEM, "not enough memory for a plane of %zu cells", cells);
     for (size_t c = 0; c < cells; c++) wind[c] = 1.0;
     for (size_t p = 0; p < s->planes; p++) {
         if (p < s->slabs) {

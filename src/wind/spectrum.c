@@ -200,7 +200,7 @@ static enum wf_status cut_segments(struct welch_segments *s, size_t n, size_t le
     s->space = gsl_fft_real_workspace_alloc(length);
     if (!s->taper || !s->table || !s->space) {
         free_segments(s);
-        return wf_fail(e, WF_ENOMEM, "no room for a spectrum of %zu steps", length);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a spectrum of %zu steps", length);
     }
     for (size_t i = 0; i < length; i++) {
         s->taper[i] = 0.5 - 0.5 * cos(WF_TURN * ((double)i + 0.5) / (double)length);
@@ -231,7 +231,7 @@ enum wf_status wf_spectrum_welch(const double *x, size_t n, double step, size_t 
     double *h = WF_TAKE(a, segment, double);
     if (!h) {
         free_segments(&s);
-        return wf_fail(e, WF_ENOMEM, "no room for a spectrum of %zu steps", segment);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a spectrum of %zu steps", segment);
     }
     memset(density, 0, (segment / 2 + 1) * sizeof *density);
     for (size_t q = 0; q < s.count; q++) {
@@ -260,7 +260,7 @@ enum wf_status wf_coherence_welch(const double *x, const double *y, size_t n, do
     double *sxx = WF_TAKE(a, half, double), *syy = WF_TAKE(a, half, double), *odd = WF_TAKE(a, half, double);
     if (!hx || !hy || !sxx || !syy || !odd) {
         free_segments(&s);
-        return wf_fail(e, WF_ENOMEM, "no room for a spectrum of %zu steps", segment);
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a spectrum of %zu steps", segment);
     }
     memset(real, 0, half * sizeof *real);
     for (size_t q = 0; q < s.count; q++) {

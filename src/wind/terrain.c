@@ -21,7 +21,7 @@ enum wf_status wf_terrain_alloc(struct wf_terrain *t, size_t columns, size_t row
     if (!(cell > 0.0 && cell <= 1e5))
         return wf_fail(e, WF_EINPUT, "a cell of %g m: above 0, at most 100 km", cell);
     t->z = WF_TAKE(a, columns * rows, double);
-    return t->z ? WF_OK : wf_fail(e, WF_ENOMEM, "no room for a map of %zu x %zu", columns, rows);
+    return t->z ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for a map of %zu x %zu", columns, rows);
 }
 
 /* Set a height to the mean of the neighbours on the map plus the random draw of its place. */
@@ -304,7 +304,8 @@ static enum wf_status take_plane(struct map_plane *p, const struct wf_terrain *t
     p->sy = gsl_fft_complex_workspace_alloc(p->ny);
     if (p->h && p->wx && p->wy && p->sx && p->sy) return WF_OK;
     free_plane(p);
-    return wf_fail(e, WF_ENOMEM, "no room for the transform of a map of %zu x %zu", t->columns, t->rows);
+    return wf_fail(e, WF_ENOMEM, "not enough memory for the transform of a map of %zu x %zu", t->columns,
+                   t->rows);
 }
 
 static void transform_plane(struct map_plane *p, gsl_fft_direction way)
@@ -394,7 +395,7 @@ enum wf_status wf_terrain_speedup(const struct wf_terrain *t, const struct wf_sp
     }
     out->ds = WF_TAKE(a, t->rows * t->columns, double);
     if (!out->ds || take_plane(&p, t, a, e))
-        return wf_fail(e, WF_ENOMEM, "no room for the speed-up of a map");
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the speed-up of a map");
     for (size_t r = 0; r < p.ny; r++)
         for (size_t c = 0; c < p.nx; c++)
             p.h[2 * (r * p.nx + c)] =

@@ -136,7 +136,8 @@ enum wf_status wf_measured_read(const char *path, struct wf_arena *a, struct wf_
     *out = (struct wf_measured_profile){ .z = WF_TAKE(a, HEIGHTS_MAX + 1, double),
                                          .u = WF_TAKE(a, HEIGHTS_MAX + 1, double),
                                          .slope = WF_TAKE(a, HEIGHTS_MAX + 1, double) };
-    if (!out->z || !out->u || !out->slope) return wf_fail(e, WF_ENOMEM, "%s: no room for a profile", path);
+    if (!out->z || !out->u || !out->slope)
+        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for a profile", path);
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
     size_t height = wf_csv_need(&csv, "height_m"), speed = wf_csv_need(&csv, "speed_ms");
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a wind profile", path);
@@ -196,7 +197,7 @@ enum wf_status wf_measured_blow(const struct wf_measured_profile *p, struct wf_w
     double reference, slope;
     measured_at(p, w->reference_height, &reference, &slope);
     if (!(reference > 0.0))
-        return wf_fail(e, WF_EINPUT, "the measured profile has no wind at the reference height of %g m",
+        return wf_fail(e, WF_EINPUT, "the measured profile has speed 0 at the reference height of %g m",
                        w->reference_height);
     w->sample = wf_measured_sample;
     w->field = p;
@@ -307,7 +308,7 @@ enum wf_status wf_points_read(const char *path, size_t most, struct wf_arena *a,
     struct wf_csv csv = { 0 };
     size_t errors = d->errors, n = 0;
     *out = (struct wf_points){ .place = WF_TAKE(a, 3 * most, double), .mean = WF_TAKE(a, most, double) };
-    if (!out->place || !out->mean) return wf_fail(e, WF_ENOMEM, "%s: no room for points", path);
+    if (!out->place || !out->mean) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for points", path);
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
     const size_t column[3] = { wf_csv_need(&csv, "x_m"), wf_csv_need(&csv, "y_m"), wf_csv_need(&csv, "z_m") };
     size_t mean = wf_csv_column(&csv, "mean_ms");
