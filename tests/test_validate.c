@@ -95,7 +95,7 @@ static const struct {
     { MAST "case a\nwant moment base y 1 N m\ncase a\nwant moment base y 1 N m\n", 10, 6, "defined on line 8" },
     { MAST, 1, 1, "a wanted value" },
     { ROD "force tip 1 0 0 N\n", 7, 17, "without units" },
-    { ROD "taper 1.5\n", 7, 7, "outside what is allowed" },
+    { ROD "taper 1.5\n", 7, 7, "outside the allowed range" },
     { ROD "EA 5\nwant moment base y 1\n", 1, 1, "all four" },
     { HEAD "arc 1 m angle 45 deg from 0 0 1 towards 0 0.1 1\n", 3, 5, "perpendicular" },
     { HEAD "node 0 0 0 0 m\nnode 1 0 0 1 m\nbranch 0 2 1 1 cm\n", 5, 10, "no node 2" },
