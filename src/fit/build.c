@@ -13,7 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A file of the study, or the bare name of a shipped one. */
+/* Path of a file named in the calibration, or of a shipped file given by its name alone. */
 static enum wf_status find(const struct wf_fit_build *b, const char *room, const char *name,
                            struct wf_arena *a, const char **path, struct wf_err *e)
 {
@@ -38,7 +38,6 @@ static enum wf_status measured(const struct wf_study_tree *s, const char *path, 
     return status;
 }
 
-/* Inside. */
 static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index, struct wf_arena *a,
                                      struct wf_diag *d, struct wf_fit_tree *out, struct wf_err *e)
 {
@@ -60,13 +59,13 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
     out->size = s->qsm ? out->height : m.height;
     if ((status = wf_scenario_still(sp, s->gravity, &out->loads, e))) return status;
     wf_solve_options_default(&out->options);
-    out->options.tolerance = 1e-11; /* else small steps drown in what is left of the last answer */
+    out->options.tolerance = 1e-11; /* finite differences are taken of solutions: small residual */
     if (!isnan(s->root_stiffness))
         out->options.root_stiffness[0] = out->options.root_stiffness[1] = s->root_stiffness;
     return WF_OK;
 }
 
-/* One test: its sensors, the states it went through, and what was read. */
+/* One test: its sensors, states and readings. */
 
 /* Sigma of a reading: absolute and relative parts add in squares. */
 static double sigma_of(const struct wf_fit_sensor *s, double value)
@@ -126,7 +125,7 @@ static void load_of(const struct wf_study_test *s, struct wf_fit_test *t, struct
     }
 }
 
-/* A mistake of a test's wind that shows when its files are read. */
+/* Report a mistake in a test's wind that is found when its files are read. */
 static enum wf_status wind_fails(const struct wf_fit_build *b, size_t test, const char *key,
                                  struct wf_yaml_mark place, const struct wf_err *why, struct wf_diag *d,
                                  struct wf_err *e)
@@ -138,7 +137,7 @@ static enum wf_status wind_fails(const struct wf_fit_build *b, size_t test, cons
                    b->study->test[test].name);
 }
 
-/* The measured profile of a test's wind, into the scene. */
+/* Read the measured profile of a test's wind into the scene. */
 static enum wf_status read_profile(const struct wf_fit_build *b, size_t test, struct wf_arena *a,
                                    struct wf_diag *d, struct wf_scenario *scene, const char **file,
                                    struct wf_err *e)
@@ -154,7 +153,7 @@ static enum wf_status read_profile(const struct wf_fit_build *b, size_t test, st
     return status ? wind_fails(b, test, "profile_file", w->profile_file_place, &why, d, e) : WF_OK;
 }
 
-/* The ground under a test's tree, into the scene. */
+/* Read the terrain around a test's tree into the scene. */
 static enum wf_status read_ground(const struct wf_fit_build *b, size_t test, struct wf_arena *a,
                                   struct wf_diag *d, struct wf_scenario *scene, const char **file,
                                   struct wf_err *e)
@@ -171,8 +170,8 @@ static enum wf_status read_ground(const struct wf_fit_build *b, size_t test, str
     return status ? wind_fails(b, test, "dem", w->dem_place, &why, d, e) : WF_OK;
 }
 
-/* The wind of a test on its tree, its air, and how much of it the tree meets. Where the study names no air it
- * is the standard air of the tree's loads. */
+/* Set a test's wind, air and speed-up. Air that the calibration does not give is the standard air of the
+ * tree's loads. */
 static enum wf_status scene_of(const struct wf_fit_build *b, size_t test, const struct wf_fit_tree *tree,
                                struct wf_arena *a, struct wf_diag *d, struct wf_fit_test *t,
                                struct wf_fit_input *in, struct wf_err *e)
@@ -194,7 +193,7 @@ static enum wf_status scene_of(const struct wf_fit_build *b, size_t test, const 
     return WF_OK;
 }
 
-/* Average neighbouring used rows down to `points` states. */
+/* Average neighbouring used rows into at most `points` states. */
 static enum wf_status average(const struct wf_study_test *s, struct wf_fit_test *t,
                               const struct wf_fit_record *r, const double *sign, struct wf_arena *a,
                               struct wf_fit_datum **data, size_t *n, struct wf_err *e)
@@ -290,7 +289,7 @@ static enum wf_status from_file(const struct wf_fit_build *b, const struct wf_st
     return average(s, t, &in->record, sign, a, data, n, e);
 }
 
-/* Rows are places along the axis: each is a state of its own, in which every sensor sits there. */
+/* Readings by position along the axis: each row becomes a state, in which all sensors are at its position. */
 static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_study_test *s,
                                   const char *path, const double *sign, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_fit_test *t, struct wf_fit_input *in, struct wf_fit_datum **data,
@@ -326,7 +325,7 @@ static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_
     return t->states ? WF_OK : wf_fail(e, WF_EINPUT, "test %s: no row beyond the base", s->name);
 }
 
-/* Frequency and damping from a record of free sway become two readings. */
+/* Fit frequency and damping to measured free sway; they become two readings. */
 static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_study_test *s, const char *path,
                                 struct wf_arena *a, struct wf_diag *d, struct wf_fit_test *t,
                                 struct wf_fit_input *in, struct wf_fit_datum **data, size_t *n,
@@ -374,7 +373,7 @@ static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_st
     return WF_OK;
 }
 
-/* States of a plan; values stay open. */
+/* States of a planned test; its readings are NAN. */
 static enum wf_status planned(const struct wf_study_test *s, struct wf_arena *a, struct wf_fit_test *t,
                               struct wf_fit_datum **data, size_t *n, struct wf_err *e)
 {
@@ -440,7 +439,7 @@ static enum wf_status fit_build_test(const struct wf_fit_build *b, size_t index,
     return WF_OK;
 }
 
-/* Who wants to know the row of a place. */
+/* A place and where to store its row. */
 struct place {
     struct wf_fit_place at;
     int32_t *row;
@@ -455,7 +454,7 @@ static enum wf_status place(struct place *list, size_t *n, double at, bool along
     return WF_OK;
 }
 
-/* Cut a tree where its tests pull and measure, and tell them the rows. */
+/* Divide a tree's rows where its tests pull and measure, and store the rows in the tests. */
 static enum wf_status cut(const struct wf_fit_build *b, struct wf_experiment *x, size_t tree,
                           struct wf_arena *a, struct wf_err *e)
 {
@@ -564,7 +563,7 @@ enum wf_status wf_fit_params(const struct wf_fit_study *s, const char *names, co
         status = wf_param_add(x, p, a, *out, n, e);
     if (!status) status = wf_units_open(&u, e);
     if (status) return status;
-    /* limits of the study also hold for a parameter named on the command line */
+    /* bounds of the calibration also apply to a parameter named on the command line */
     for (size_t k = 0; k < s->frees && !status; k++) {
         size_t from = *n, to;
         if (!names) status = wf_param_add(x, s->free[k].parameter, a, *out, n, e);

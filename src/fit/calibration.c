@@ -173,7 +173,8 @@ enum wf_status wf_study_wind_scene(const struct wf_study_wind *w, struct wf_scen
     return status || w->profile.file ? status : wf_scenario_check(out, e);
 }
 
-/* A number that was wrong has been told; what follows from it would only confuse. */
+/* False when a number was invalid: it is already reported, and further checks would report its consequences.
+ */
 static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_study_wind *w)
 {
     const char *const key[] = { "reference_height", "exponent",    "roughness", "displacement",
@@ -195,7 +196,7 @@ static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_study_wind
     return right && (w->profile.name || !wf_yaml_has(y, "profile"));
 }
 
-/* Keys of a wind that do not go together. */
+/* Report keys of a wind that exclude each other. */
 static void wind_finish(struct wf_yaml *y, void *wind)
 {
     struct wf_study_wind *w = wind;
@@ -286,7 +287,7 @@ static const struct wf_yaml_table free_table = {
 };
 #undef T
 
-/* A name that stands twice in a list: tests and parameters are told apart by it. */
+/* Report a name that occurs twice in a list: names identify tests and parameters. */
 static void twice(struct wf_yaml *y, const char *list, const void *first, size_t n, size_t size, size_t at)
 {
     const char *base = first;
@@ -303,7 +304,7 @@ static void twice(struct wf_yaml *y, const char *list, const void *first, size_t
         }
 }
 
-/* A test without pull and wind bends the tree by its weight alone. */
+/* Check a sensor of a test without pull and wind, where only weight bends the tree. */
 static void under_weight(struct wf_yaml *y, const struct wf_study_test *t, const char *place,
                          const struct wf_study_sensor *q)
 {

@@ -9,7 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* Parts of one, which the units database does not take for a plain number. */
+/* Dimensionless units that UDUNITS does not convert to a plain number. */
 static bool part_of_one(const char *unit, double *factor)
 {
     static const struct {
@@ -47,7 +47,7 @@ enum wf_status wf_column_unit(struct wf_units *u, const struct wf_record_column 
         if (!wf_quantity_read(u, text, c->dimension, factor, &why)) return WF_OK;
         return wf_fail(e, WF_EINPUT, "column '%s': the unit '%s': %s", c->name, c->unit, why.text);
     }
-    /* the longest tail that is a unit: m_s is m/s, kN_m is kN m */
+    /* the longest suffix that is a unit: m_s is m/s, kN_m is kN m */
     static const char joint[] = { '/', ' ' };
     const char *tail = strchr(c->name, '_');
     for (; tail; tail = strchr(tail + 1, '_'))
@@ -102,7 +102,7 @@ static bool time_of(struct wf_csv *c, size_t column, double factor, double *t)
     return true;
 }
 
-/* Where the columns are, and their factors. */
+/* Indices of the columns, and their factors. */
 struct plan {
     size_t time, *at, *only;
     double time_factor, *factor;
