@@ -4,13 +4,13 @@
 /* Makes an experiment from a calibration and its data files. */
 #include "fit/calibration.h"
 #include "fit/param.h"
-#include "fit/record.h"
 #include "fit/ring_down.h"
+#include "fit/test_data.h"
 
 /* Input of one test, kept for figures. */
 struct wf_fit_input {
     const char *path; /* NULL: no data file                                  */
-    struct wf_fit_record record;
+    struct wf_test_data data;
     bool swung;
     struct wf_ring_down sway;
     const char *profile, *ground;      /* files of the measured profile and of the terrain; NULL: none */
@@ -19,7 +19,7 @@ struct wf_fit_input {
 };
 
 struct wf_fit_build {
-    const struct wf_fit_study *study;
+    const struct wf_calibration *calibration;
     const char *share;       /* folder that contains the shipped species/ and models/    */
     const char *const *data; /* data files for tests without one, in the order of the tests */
     size_t datas;
@@ -34,7 +34,7 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
 /* Parameters of the calibration, or of `names` (comma-separated) where it is not NULL, and the sensors'
  * offsets and drifts. plan: start values are those of the species table, not of the calibration. Returned:
  * *out, *n. */
-enum wf_status wf_fit_params(const struct wf_fit_study *s, const char *names, const struct wf_experiment *x,
+enum wf_status wf_fit_params(const struct wf_calibration *s, const char *names, const struct wf_experiment *x,
                              bool plan, struct wf_arena *a, struct wf_fit_param **out, size_t *n,
                              struct wf_err *e);
 

@@ -76,7 +76,7 @@ static enum wf_status series_wind(struct wf_series *s, struct wf_arena *a, struc
     for (unsigned c = 1; c < spec.components; c++) room = (*part[c] = WF_TAKE(a, s->frames, double)) && room;
     if (!room) status = wf_fail(e, WF_ENOMEM, "not enough memory for the wind");
     for (unsigned c = 0; c < spec.components && !status; c++)
-        status = wf_gust_series(&gust, 0, c, block, *part[c], e);
+        status = wf_gust_history(&gust, 0, c, block, *part[c], e);
     wf_gust_close(&gust);
     return status;
 }
