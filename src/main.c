@@ -43,7 +43,7 @@ int main(int argc, char **argv)
         if (strcmp(word, c->name) != 0) continue;
         char page[] = "--help", *only_help[] = { argv[detail ? 2 : 1], page, NULL };
         int code = detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
-        /* what was printed counts only when it arrived: a full disk or a closed pipe is a failed run */
+        /* output that could not be written, because of a full disk or a closed pipe, is a failed run */
         return fflush(stdout) || ferror(stdout) ? (code ? code : 1) : code;
     }
     return unknown(word);

@@ -244,8 +244,8 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
                              &j->r.params, e);
 }
 
-/* The same fit with the root clamped where it gives, or giving where it is clamped. A rival that cannot be
- * fitted is left out: it is no fault of the fit that was asked for. */
+/* Second fit with the opposite root: clamped if the first was elastic, and vice versa. If it fails, it is
+ * omitted; the requested fit is unaffected. */
 static void fit_rival(struct fit_job *j, struct wf_fit_options o)
 {
     struct wf_fit_param *p = WF_TAKE(&j->arena, j->r.params + j->r.x.trees + 1, struct wf_fit_param);
@@ -277,7 +277,7 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     for (size_t k = 0; k < j->r.x.trees; k++) {
         double *of = j->r.x.tree[k].options.root_stiffness;
         stiffness[k] = of[0];
-        if (had) of[0] = of[1] = 0; /* clamped, whatever the study gives */
+        if (had) of[0] = of[1] = 0; /* clamped, also where the study gives a stiffness */
     }
     enum wf_status s = wf_fit_run(&j->r.x, p, n, &o, &j->arena, &d, &r->fit, &e);
     for (size_t k = 0; k < j->r.x.trees; k++)
@@ -289,7 +289,7 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     r->made = true;
 }
 
-/* A fit leaves the data's sigmas as it found them best; those of the main fit are kept for its figures. */
+/* Fit the tree, and unless --no-rival the second model too. */
 static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
 {
     struct wf_fit_options o = library_options(j->options);
@@ -315,7 +315,7 @@ static enum wf_status calibrate(struct fit_job *j, bool quiet, struct wf_err *e)
     fflush(stdout);
     wf_print_findings(&j->r.diag, quiet);
     if (!s) s = wf_fit_results_write(&j->r, j->folder, e);
-    if (interrupted) write = NULL; /* what others would take for the answer */
+    if (interrupted) write = NULL; /* the species table would be mistaken for a completed fit's */
     if (!s && write) s = wf_fit_species_write(&j->r, write, e);
     bool report = !j->options->no_report;
     if (!s && report) s = wf_pages_make(j->folder, j->options->lang, &j->arena, e);

@@ -91,7 +91,7 @@ static enum wf_status run_all(const struct series_job *j, struct wf_series *seri
     return WF_OK;
 }
 
-/* Every method on the trees of the runs that ask for it. What it warns of stands with the run. */
+/* Apply every method to the trees of the runs that request it. Its warnings are added to those of the run. */
 static enum wf_status explain_runs(const struct wf_series_plan *plan, const struct wf_series *series,
                                    struct wf_diag *diag, struct wf_arena *a, struct wf_series_page *page,
                                    struct wf_err *e)

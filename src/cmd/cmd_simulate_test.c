@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* windfirm simulate-test: what a planned test would tell, before anyone climbs the tree. */
+/* windfirm simulate-test: which values a planned test would determine, and how accurately. */
 #include "base/file.h"
 #include "base/num.h"
 #include "cmd/args.h"
@@ -46,7 +46,7 @@ struct plan {
     double *reading, *slope;
 };
 
-/* 95 % half widths of the internal values when only some sensors are there; INFINITY where one is not
+/* 95 % half widths of the internal values when only the sensors in `with` are used; INFINITY where one is not
  * determined. The singular values below 1e-9 of the largest count as none. */
 static enum wf_status expect_widths(const struct plan *p, const bool *with, double *half, struct wf_err *e)
 {
@@ -126,7 +126,7 @@ static enum wf_status print_layouts(const struct plan *p, struct wf_err *e)
     return s;
 }
 
-/* One file a test: load and readings with noise, columns as the study names them or would. */
+/* Write one file per test: load and readings with noise, in columns named after the sensors. */
 static enum wf_status write_test(const struct plan *p, size_t test, const char *folder, struct wf_err *e)
 {
     const struct wf_fit_test *t = &p->x.test[test];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* windfirm terrain: ground made or read, what shelters it and what speeds the wind up. */
+/* windfirm terrain: generated or measured ground, its sheltered places and where it speeds the wind up. */
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "out/wind_results.h"

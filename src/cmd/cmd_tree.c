@@ -119,7 +119,7 @@ struct ask {
     struct wf_tree_wear known;
 };
 
-/* Repairs stand on the page by kind; only single rows need a line of their own. */
+/* The page counts repairs by kind; only findings about single rows are printed separately. */
 static void print_rows_left_out(const struct wf_diag *d, bool quiet)
 {
     char line[2048];
@@ -217,7 +217,7 @@ static enum wf_status draw_picture(const struct draw_options *o, struct wf_arena
     return WF_OK;
 }
 
-/* Given: the command line behind "tree". Returned: exit code. */
+/* Given: the command line after "tree". Returned: exit code. */
 static int draw_tree(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };

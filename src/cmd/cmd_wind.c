@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* windfirm wind: make a gusty wind, look at it, draw it. */
+/* windfirm wind: generate a gusty wind, analyse it, draw it. */
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SHOWN_MAX = 200 }; /* points that are looked at; more are only written */
+enum { SHOWN_MAX = 200 }; /* points that are analysed; a wind with more is only written to a file */
 
 struct wind_options {
     struct wf_args args;
@@ -198,7 +198,7 @@ static void print_wind(const struct wf_gust_report *r)
     }
 }
 
-/* Look at a wind: tables, plots and what is printed. */
+/* Analyse a wind: tables, plots and a printed summary. */
 static enum wf_status show_wind(const struct wind_options *o, const struct wf_gust_spec *spec,
                                 const struct wf_doc_head *head, struct wf_arena *a, struct wf_diag *d,
                                 struct wf_err *e)

@@ -103,7 +103,7 @@ bool wf_option_quantity(struct wf_reading *r, size_t k, const char *text, const 
         wf_option_mistake(r, r->key[k], o->name, "%s", e.text);
         return false;
     }
-    const double slack = 1e-12; /* of the bound itself: a bound of 0 has none */
+    const double slack = 1e-12; /* relative to the bound: a bound of 0 has no slack */
     if (*si >= si_low - slack * fabs(si_low) && *si <= si_high + slack * fabs(si_high)) return true;
     wf_option_mistake(r, r->key[k], o->name, "%.100s is outside %.6g..%.6g%s%s", text, low, o->high,
                       o->unit ? " " : "", o->unit ? o->unit : "");

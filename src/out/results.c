@@ -101,7 +101,7 @@ static size_t write_segments(const struct wf_run *run, FILE *f)
         for (size_t k = 0; k < a->n; k++) {
             const struct wf_breakage *b = &a->at[k].breakage;
             const struct wf_figures *g = &a->at[k].figures;
-            if (a->at[k].status) continue; /* no answer, no rows; summary.csv tells why */
+            if (a->at[k].status) continue; /* no rows without a solution; summary.csv has its status */
             for (size_t r = 0; r < t->n; r++) {
                 const double row[] = { t->z0[r],
                                        t->z1[r],
@@ -595,7 +595,7 @@ static enum wf_status write_document(const struct wf_run *run, const size_t rows
     bool dumped = !d.failed && !json_dumpf(o, f->stream, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
     if (dumped)
         putc('\n', f->stream);
-    else if (!ferror(f->stream)) /* a write that failed is told by the caller, for all files alike */
+    else if (!ferror(f->stream)) /* the caller reports failed writes, for all files */
         code = wf_fail(e, WF_ENOMEM, "%s: no memory for the document", f->path);
     json_decref(o);
     return code;
@@ -622,19 +622,19 @@ static enum wf_status write_all(const struct wf_run *run, const char *folder, st
             rows[i] = wf_tables[i].write(run, f[i].stream);
         else if ((code = write_document(run, rows, &f[i], e)))
             return code;
-        if (fflush(f[i].stream) || ferror(f[i].stream)) /* a full disk shows before any file is replaced */
+        if (fflush(f[i].stream) || ferror(f[i].stream)) /* detects a full disk before any file is replaced */
             return wf_fail(e, WF_EOUTPUT, "%s: cannot be written: %s", path,
                            errno ? strerror(errno) : "write error");
     }
     for (size_t i = 0; i < FILES; i++)
         if (!f[i].stream)
-            unlink(f[i].path); /* an earlier run's would be taken for this one's */
+            unlink(f[i].path); /* a table of an earlier run would be mistaken for one of this run */
         else if ((code = wf_file_commit(&f[i], e)))
             return code;
     return WF_OK;
 }
 
-/* A branched tree is shown; a bare stem is seen in every other figure. */
+/* Only a branched tree gets a picture; the other figures show a bare stem completely. */
 static enum wf_status picture(const struct wf_run *run, const char *folder, struct wf_err *e)
 {
     const struct wf_analysis *a = &run->analysis[0];
@@ -657,7 +657,7 @@ enum wf_status wf_results_write(const struct wf_run *run, const char *folder, st
     code = wf_folder_path(folder, "tables", tables, e);
     if (!code) code = wf_mkdirs(tables, e);
     if (code) return code;
-    /* A caller may have set a locale with a decimal comma; a table has points. */
+    /* The caller may have set a locale with a decimal comma; tables use a point. */
     locale_t plain = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
     if (!plain) return wf_fail(e, WF_ENOMEM, "no memory for the locale of the tables");
     locale_t before = uselocale(plain);
