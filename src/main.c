@@ -24,9 +24,9 @@ static int unknown(const char *word)
     const char *known[COMMANDS_MAX];
     size_t n = 0;
     for (; n < COMMANDS_MAX && wf_commands[n].name; n++) known[n] = wf_commands[n].name;
-    const char *near = wf_nearest(word, known, n);
-    fprintf(stderr, "windfirm: no command is called '%s'%s%s%s\n", word, near ? "; did you mean '" : "",
-            near ? near : "", near ? "'?" : "; 'windfirm --help' lists them");
+    struct wf_hint hint = wf_did_you_mean(word, known, n);
+    fprintf(stderr, "windfirm: no command is called '%s'%s\n", word,
+            *hint.text ? hint.text : "; 'windfirm --help' lists them");
     return 2;
 }
 

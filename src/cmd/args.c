@@ -92,9 +92,9 @@ static void unknown_option(struct wf_reading *r, const char *word, size_t length
     snprintf(typed, sizeof typed, "%.*s", (int)length, word);
     for (; n < r->options; n++) known[n] = r->args->option[n].name;
     known[n++] = "--help";
-    const char *near = wf_nearest(typed, known, n);
-    wf_option_mistake(r, NULL, "", "unknown option '%s'%s%s%s", typed, near ? "; did you mean '" : "",
-                      near ? near : "", near ? "'?" : "; 'windfirm COMMAND --help' lists them");
+    struct wf_hint hint = wf_did_you_mean(typed, known, n);
+    wf_option_mistake(r, NULL, "", "unknown option '%s'%s", typed,
+                      *hint.text ? hint.text : "; 'windfirm COMMAND --help' lists them");
 }
 
 /* The argument at argv[i], an option; returned: how many arguments it took. */

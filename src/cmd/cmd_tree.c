@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm tree: the size of measured trees, and pictures of trees. */
+#include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -247,11 +248,10 @@ int wf_cmd_tree(int argc, char **argv)
     int code = wf_args_read(argc, argv, info_options, info_about, 2, (size_t)argc, &arena, &o.args);
     if (code < 0 && strcmp(o.args.operand[0], "info")) {
         static const char *const words[] = { "info", "draw" };
-        const char *near = wf_nearest(o.args.operand[0], words, 2);
         fprintf(stderr,
-                "windfirm tree: '%s' is not known%s%s%s; it is: windfirm tree info FILE..., windfirm tree "
+                "windfirm tree: '%s' is not known%s; it is: windfirm tree info FILE..., windfirm tree "
                 "draw\n",
-                o.args.operand[0], near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+                o.args.operand[0], wf_did_you_mean(o.args.operand[0], words, WF_COUNT(words)).text);
         code = 2;
     }
     if (code < 0) {

@@ -136,10 +136,9 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
     known[n] = "list";
     const struct wf_gust_model *m = wf_gust_named(name);
     if (!m) {
-        const char *near = wf_nearest(name, known, n + 1);
-        return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'%s%s%s", name,
-                       near ? "; did you mean '" : "", near ? near : "",
-                       near ? "'?" : "; `windfirm wind list` shows them");
+        struct wf_hint hint = wf_did_you_mean(name, known, n + 1);
+        return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'%s", name,
+                       *hint.text ? hint.text : "; `windfirm wind list` shows them");
     }
     wf_gust_spec_default(m, s);
     s->height = o->height;

@@ -132,12 +132,11 @@ static void check_choice(struct wf_reading *r, size_t k, const char *text)
     size_t n = choice_words(o, word, list, sizeof list);
     for (size_t i = 0; i < n; i++)
         if (strcmp(text, word[i]) == 0) return;
-    const char *near = wf_nearest(text, word, n);
     char all[768] = "";
     for (size_t i = 0, used = 0; i < n && used < sizeof all; i++)
         used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", word[i]);
-    wf_option_mistake(r, r->key[k], o->name, "'%.100s' is none of %s%s%s%s", text, all,
-                      near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    wf_option_mistake(r, r->key[k], o->name, "'%.100s' is none of %s%s", text, all,
+                      wf_did_you_mean(text, word, n).text);
 }
 
 static void take_flag(struct wf_reading *r, size_t k, const char *text)
