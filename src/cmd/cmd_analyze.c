@@ -85,9 +85,8 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment"),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; left out, the stem is clamped"),
-    FLAG("--no-report", no_report, "write results and tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-report", no_report, lang, "write results and tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 

@@ -2,6 +2,7 @@
 /* windfirm fit: calibrate a tree to what was measured on it. */
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "cmd/option_groups.h"
 #include "data/species.h"
 #include "out/fit_results.h"
 #include <math.h>
@@ -44,9 +45,8 @@ static const struct wf_option options[] = {
     TEXT("--write", write, "FILE", NULL, "write the species table with the fitted values"),
     TEXT("--output", output, "FOLDER", "out/fit", "where results, tables, plots and pages go",
          .letter = "-o"),
-    FLAG("--no-report", no_report, "results and tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-report", no_report, lang, "results and tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 

@@ -65,9 +65,8 @@ const struct wf_option wf_shelter_options[] = {
     WF_IMPORT_ROWS(import),
     TEXT("--output", output, "FOLDER", "out/shelter", "where tables and plots go", .letter = "-o"),
     FLAG("--no-motion", no_motion, "only the wind; the tree is not bent"),
-    FLAG("--no-plots", no_plots, "write the tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 

@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "cmd/option_groups.h"
 #include "fit/build.h"
 #include "fit/predict.h"
 #include <gsl/gsl_linalg.h>
@@ -24,7 +25,7 @@ static const struct wf_option options[] = {
     NUMBER("--seed", seed, "NUMBER", NONE, NULL, 0, 9007199254740992.0, "1", "of the noise"),
     TEXT("--output", output, "FOLDER", "out/simulate-test", "where the made-up data go, one CSV file a test",
          .letter = "-o"),
-    QUIET("print errors only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 static const char about[] =

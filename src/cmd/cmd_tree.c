@@ -190,7 +190,7 @@ static const struct wf_option draw_options[] = {
          "radius of a stem whose model names none, names of the levels", .letter = "-s"),
     TEXT("--output", output, "FILE", "tree.svg",
          "the picture: .svg, .png or .pdf; many thousand segments are better as .png", .letter = "-o"),
-    QUIET("print errors only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 

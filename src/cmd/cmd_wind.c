@@ -55,9 +55,8 @@ const struct wf_option wf_wind_options[] = {
          "NAME.csv as a table, NAME.npy as 32-bit numbers, steps x points x components"),
     WF_GUST_ROWS(gust),
     TEXT("--output", output, "FOLDER", "out/wind", "where tables and plots go", .letter = "-o"),
-    FLAG("--no-plots", no_plots, "write the tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 

@@ -17,6 +17,12 @@ const char *wf_shelter_word(size_t i);
 const char *wf_profile_word(size_t i);
 const char *wf_import_word(size_t i);
 
+/* The last rows of most commands. `no`: the option that leaves out figures and pages, "--no-report" or
+ * "--no-plots". */
+#define WF_QUIET_ROW QUIET("print errors only")
+#define WF_LANGUAGE_ROW(m) CHOICE("--lang", m, "NAME", "en|zh", "en", "language of the report")
+#define WF_PAGE_ROWS(no, m, language, help) FLAG(no, m, help), WF_LANGUAGE_ROW(language)
+
 #define WF_AZIMUTH_ROW(m)                                                                                    \
     NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \
            "direction the wind blows towards, from +x towards +y")
