@@ -14,8 +14,8 @@ struct fit_options {
     struct wf_args args;
     const char *data, *free; /* lists with commas; NULL: the study's */
     const char *loss;
-    double loss_scale;              /* [standard deviations]; NAN: the loss's own */
-    double starts, bootstrap, seed; /* numbers, cut to whole ones */
+    double loss_scale; /* [standard deviations]; NAN: the loss's own */
+    size_t starts, bootstrap, seed;
     bool priors, no_profile, no_rival, no_report;
     const char *lang;
     const char *write, *output; /* NULL: nothing is written; folder */
@@ -35,11 +35,9 @@ static const struct wf_option options[] = {
            "where the loss departs from squares, in standard deviations [1.345 huber, 2.385 cauchy, 4.685 "
            "tukey]"),
     FLAG("--priors", priors, "the species table's ranges take part as normal distributions"),
-    NUMBER("--starts", starts, "NUMBER", NONE, NULL, 1, 1000, "1",
-           "starting points tried, within a factor of 3 of the start"),
-    NUMBER("--bootstrap", bootstrap, "NUMBER", NONE, NULL, 0, 10000, "0",
-           "resampled data sets for intervals by the bootstrap"),
-    NUMBER("--seed", seed, "NUMBER", NONE, NULL, 0, 9007199254740992.0, "1", "of starts and bootstrap"),
+    WHOLE("--starts", starts, 1, 1000, "1", "starting points tried, within a factor of 3 of the start"),
+    WHOLE("--bootstrap", bootstrap, 0, 10000, "0", "resampled data sets for intervals by the bootstrap"),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of starts and bootstrap"),
     FLAG("--no-profile", no_profile, "no intervals by profile likelihood"),
     FLAG("--no-rival", no_rival, "no second fit with the root the other way"),
     TEXT("--write", write, "FILE", NULL, "write the species table with the fitted values"),
@@ -200,9 +198,9 @@ static struct wf_fit_options library_options(const struct fit_options *asked)
     o.loss_scale = asked->loss_scale;
     o.priors = asked->priors;
     o.profile = !asked->no_profile;
-    o.starts = (size_t)asked->starts;
-    o.resamples = (size_t)asked->bootstrap;
-    o.seed = (uint64_t)asked->seed;
+    o.starts = asked->starts;
+    o.resamples = asked->bootstrap;
+    o.seed = asked->seed;
     o.progress = show_progress;
     return o;
 }

@@ -14,7 +14,7 @@
 struct simulate_options {
     struct wf_args args;
     const char *free; /* NULL: the study's */
-    double seed;
+    size_t seed;
     const char *output;
 };
 
@@ -22,7 +22,7 @@ struct simulate_options {
 static const struct wf_option options[] = {
     TEXTS("--free", free, "NAME[,NAME]", "parameters the test is to determine, in place of the study's",
           .letter = "-f"),
-    NUMBER("--seed", seed, "NUMBER", NONE, NULL, 0, 9007199254740992.0, "1", "of the noise"),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of the noise"),
     TEXT("--output", output, "FOLDER", "out/simulate-test", "where the made-up data go, one CSV file a test",
          .letter = "-o"),
     WF_QUIET_ROW,
@@ -177,7 +177,7 @@ static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, st
     if (!p->reading || !p->slope) return wf_fail(e, WF_ENOMEM, "not enough memory for the plan");
     for (size_t k = 0; k < n; k++) p->free += !wf_param_nuisance(&p->param[k]);
     s = wf_fit_expect(&p->x, p->param, n, &p->arena, p->reading, p->slope, e);
-    if (!s) wf_fit_make_up(&p->x, p->reading, (uint64_t)p->options.seed, 1);
+    if (!s) wf_fit_make_up(&p->x, p->reading, p->options.seed, 1);
     if (!s && !quiet) s = print_layouts(p, e);
     if (!s) s = wf_mkdirs(folder, e);
     for (size_t t = 0; t < p->x.tests && !s; t++) s = write_test(p, t, folder, e);
