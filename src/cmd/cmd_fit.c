@@ -2,6 +2,7 @@
 /* windfirm fit: calibrate a tree to what was measured on it. */
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "cmd/option_groups.h"
 #include "data/species.h"
 #include "out/fit_results.h"
 #include <math.h>
@@ -13,8 +14,8 @@ struct fit_options {
     struct wf_args args;
     const char *data, *free; /* lists with commas; NULL: the calibration's */
     const char *loss;
-    double loss_scale;              /* [standard deviations]; NAN: the loss's own */
-    double starts, bootstrap, seed; /* numbers, cut to whole ones */
+    double loss_scale; /* [standard deviations]; NAN: the loss's own */
+    size_t starts, bootstrap, seed;
     bool priors, no_profile, no_rival, no_report;
     const char *lang;
     const char *write, *output; /* NULL: nothing is written; folder */
@@ -34,19 +35,16 @@ static const struct wf_option options[] = {
            "where the loss departs from squares, in standard deviations [1.345 huber, 2.385 cauchy, 4.685 "
            "tukey]"),
     FLAG("--priors", priors, "the species table's ranges take part as normal distributions"),
-    NUMBER("--starts", starts, "NUMBER", NONE, NULL, 1, 1000, "1",
-           "starting points tried, within a factor of 3 of the start"),
-    NUMBER("--bootstrap", bootstrap, "NUMBER", NONE, NULL, 0, 10000, "0",
-           "resampled data sets for intervals by the bootstrap"),
-    NUMBER("--seed", seed, "NUMBER", NONE, NULL, 0, 9007199254740992.0, "1", "of starts and bootstrap"),
+    WHOLE("--starts", starts, 1, 1000, "1", "starting points tried, within a factor of 3 of the start"),
+    WHOLE("--bootstrap", bootstrap, 0, 10000, "0", "resampled data sets for intervals by the bootstrap"),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of starts and bootstrap"),
     FLAG("--no-profile", no_profile, "no intervals by profile likelihood"),
     FLAG("--no-rival", no_rival, "no second fit with the root the other way"),
     TEXT("--write", write, "FILE", NULL, "write the species table with the fitted values"),
     TEXT("--output", output, "FOLDER", "out/fit", "where results, tables, plots and pages go",
          .letter = "-o"),
-    FLAG("--no-report", no_report, "results and tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-report", no_report, lang, "results and tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 
@@ -200,9 +198,9 @@ static struct wf_fit_options library_options(const struct fit_options *asked)
     o.loss_scale = asked->loss_scale;
     o.priors = asked->priors;
     o.profile = !asked->no_profile;
-    o.starts = (size_t)asked->starts;
-    o.resamples = (size_t)asked->bootstrap;
-    o.seed = (uint64_t)asked->seed;
+    o.starts = asked->starts;
+    o.resamples = asked->bootstrap;
+    o.seed = asked->seed;
     o.progress = show_progress;
     return o;
 }
@@ -246,8 +244,8 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
                              &j->r.params, e);
 }
 
-/* The same fit with the root clamped where it gives, or giving where it is clamped. A rival that cannot be
- * fitted is left out: it is no fault of the fit that was asked for. */
+/* Second fit with the opposite root: clamped if the first was elastic, and vice versa. If it fails, it is
+ * omitted; the requested fit is unaffected. */
 static void fit_rival(struct fit_job *j, struct wf_fit_options o)
 {
     struct wf_fit_param *p = WF_TAKE(&j->arena, j->r.params + j->r.x.trees + 1, struct wf_fit_param);
@@ -279,7 +277,7 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     for (size_t k = 0; k < j->r.x.trees; k++) {
         double *of = j->r.x.tree[k].options.root_stiffness;
         stiffness[k] = of[0];
-        if (had) of[0] = of[1] = 0; /* clamped, whatever the calibration gives */
+        if (had) of[0] = of[1] = 0; /* clamped, also where the calibration gives a stiffness */
     }
     enum wf_status s = wf_fit_run(&j->r.x, p, n, &o, &j->arena, &d, &r->fit, &e);
     for (size_t k = 0; k < j->r.x.trees; k++)
@@ -291,7 +289,7 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     r->made = true;
 }
 
-/* A fit leaves the data's sigmas as it found them best; those of the main fit are kept for its figures. */
+/* Fit the tree, and unless --no-rival the second model too. */
 static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
 {
     struct wf_fit_options o = library_options(j->options);
@@ -317,7 +315,7 @@ static enum wf_status calibrate(struct fit_job *j, bool quiet, struct wf_err *e)
     fflush(stdout);
     wf_print_findings(&j->r.diag, quiet);
     if (!s) s = wf_fit_results_write(&j->r, j->folder, e);
-    if (interrupted) write = NULL; /* what others would take for the answer */
+    if (interrupted) write = NULL; /* the species table would be mistaken for a completed fit's */
     if (!s && write) s = wf_fit_species_write(&j->r, write, e);
     bool report = !j->options->no_report;
     if (!s && report) s = wf_pages_make(j->folder, j->options->lang, &j->arena, e);

@@ -39,6 +39,7 @@ static enum wf_status measured(const struct wf_calibration_tree *s, const char *
     return status;
 }
 
+/* A tree of the calibration: its species, its model or scan, its loads, and the options of its solution. */
 static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index, struct wf_arena *a,
                                      struct wf_diag *d, struct wf_fit_tree *out, struct wf_err *e)
 {

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* results.json, tables and words for the figures of a calibration. */
+/* results.json, tables and plot data of a calibration. */
 
 static void cell(FILE *f, double x)
 {
@@ -323,11 +323,11 @@ enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char 
 struct sheet {
     FILE *f;
     const struct wf_fit_results *of;
-    const char *source_key; /* key of the fit among the sources */
+    const char *source_key; /* source key of the fitted values */
     struct wf_units *units;
 };
 
-/* What was fitted of a quantity and level; NULL: nothing. */
+/* The estimate for a quantity and level; NULL: not fitted. */
 static const struct wf_estimate *fitted(const struct wf_fit_results *of, enum wf_fit_quantity q,
                                         int32_t level)
 {
@@ -356,7 +356,7 @@ static void number(const struct sheet *t, const char *key, double si, const stru
             *p->unit ? " " : "", p->unit);
 }
 
-/* A value as it was, or as fitted. share: of what was fitted. */
+/* A value unchanged, or from its estimate q (NULL: not fitted). share: of the level's value in it. */
 static void value(const struct sheet *t, const char *indent, const struct wf_property *p,
                   const struct wf_estimate *q, double share)
 {
@@ -403,7 +403,7 @@ static void along(FILE *f, const char *key, const struct wf_along *w, const stru
     fputs("}\n", f);
 }
 
-/* What was fitted of a level's value. What is fitted of the whole tree (damping) stands with the stem. */
+/* The estimate for a level's value. One for the whole tree (damping) is written with the stem. */
 static const struct wf_estimate *level_fitted(const struct wf_fit_results *of, const char *key, size_t level,
                                               enum wf_fit_quantity *q)
 {
@@ -417,7 +417,7 @@ static void level(const struct sheet *t, const struct wf_species *sp, size_t k)
     const struct wf_level *l = &sp->level[k];
     const struct wf_fit_results *of = t->of;
     double share = 1;
-    bool own = false; /* E of this level by itself, not by a factor on all wood */
+    bool own = false; /* E of this level was fitted separately, not as a factor on all wood */
     for (size_t i = 0; i < of->fit.free; i++)
         own |= of->param[i].quantity == WF_FIT_YOUNGS && of->param[i].level == (int32_t)k;
     if (!own) share = l->youngs_modulus.value / sp->level[0].youngs_modulus.value;
@@ -440,7 +440,7 @@ static void list(FILE *f, const char *key, const struct wf_numbers *v, const cha
     fputs("]\n", f);
 }
 
-/* table: of the law, for what is fitted. */
+/* table: where the law is in the species table; selects the estimate. */
 static void parameter(const struct sheet *t, const char *table, const struct wf_law_parameter *p,
                       const struct wf_law_use *u, size_t k)
 {
@@ -475,7 +475,7 @@ static void law_use(const struct sheet *t, const char *key, const char *table, s
     if (!isnan(s->high)) fprintf(f, "    valid_to: %.9g m/s\n", s->high);
 }
 
-/* What was fitted and has no key in a species table. */
+/* The estimates that have no key in a species table. */
 static char *beside(const struct wf_fit_results *of, struct wf_arena *a)
 {
     char *out = wf_arena_print(a, "Fitted values stand in the levels and the crown.");
