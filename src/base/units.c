@@ -62,13 +62,25 @@ void wf_units_close(struct wf_units *u)
     free(u);
 }
 
+/* What UDUNITS takes at most, with a margin, to read its database and to read a unit [bytes]. */
+enum { DATABASE_BYTES = 8 << 20, UNIT_READING_BYTES = 256 << 10 };
+
+/* Whether that much memory can be had. UDUNITS 2.2 crashes, or ends the program, when an allocation of its
+ * own fails; it is therefore called only where there is room. */
+static bool room(size_t bytes)
+{
+    void *volatile p = malloc(bytes); /* volatile: the compiler may otherwise leave out the pair of calls */
+    bool any = p != NULL;
+    free(p);
+    return any;
+}
+
 /* Why UDUNITS could not read its database. */
 static enum wf_status database_fails(ut_status why, struct wf_err *e)
 {
     const char *named = getenv("UDUNITS2_XML_PATH");
     bool absent = why == UT_OPEN_ARG || why == UT_OPEN_ENV || why == UT_OPEN_DEFAULT;
-    if (why == UT_OS && errno == ENOMEM)
-        return wf_fail(e, WF_ENOMEM, "not enough memory for the units database of UDUNITS-2");
+    if (why == UT_OS) return wf_fail(e, WF_ENOMEM, "not enough memory for the units database of UDUNITS-2");
     if (absent && named)
         return wf_fail(e, WF_EMISSING,
                        "the units database of UDUNITS-2 cannot be opened: UDUNITS2_XML_PATH is '%.200s'",
@@ -87,6 +99,11 @@ enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
     struct wf_units *u = calloc(1, sizeof *u);
     *out = u;
     if (!u) return wf_fail(e, WF_ENOMEM, "no memory for the units table");
+    if (!room(DATABASE_BYTES)) {
+        free(u);
+        *out = NULL;
+        return database_fails(UT_OS, e);
+    }
     errno = 0;
     u->system = ut_read_xml(NULL);
     bool ok = u->system != NULL;
@@ -181,7 +198,7 @@ static bool angle_spelling(const char *s)
 static enum wf_status parse_unit(const struct wf_units *u, const char *text, ut_unit **out, struct wf_err *e)
 {
     errno = 0;
-    *out = ut_parse(u->system, text, UT_UTF8);
+    *out = room(UNIT_READING_BYTES) ? ut_parse(u->system, text, UT_UTF8) : NULL;
     if (*out || (errno != ENOMEM && ut_get_status() != UT_OS)) return WF_OK;
     return wf_fail(e, WF_ENOMEM, "not enough memory for the unit '%s'", text);
 }
