@@ -12,6 +12,7 @@ static const char *format_asked;
 static void must_be_table(const struct wf_qsm *q)
 {
     const double *column[] = { q->x0, q->y0, q->z0, q->x1, q->y1, q->z1, q->r0, q->r1 };
+    bool stem = false;
     must(q->n > 0, "a table has rows");
     must_be_finite(q->base, 3, "the base is finite");
     for (size_t k = 0; k < sizeof column / sizeof *column; k++)
@@ -20,9 +21,12 @@ static void must_be_table(const struct wf_qsm *q)
         must(q->parent[i] >= -1 && q->parent[i] < (int32_t)i, "parents come before their children");
         must(q->r0[i] > 0 && q->r1[i] > 0, "radii are positive");
         must(wf_qsm_distance(q, i) > 0, "rows have a length");
-        must(q->order[i] >= 0 && (q->parent[i] >= 0 || q->order[i] == 0), "orders count from 0 at a root");
-        must(q->next[i] == -1 || (q->next[i] > (int32_t)i && q->next[i] < (int32_t)q->n), "next is a row");
+        must(q->order[i] >= 0, "every row has an order");
+        stem = stem || (q->parent[i] < 0 && q->order[i] == 0);
+        must(q->next[i] == -1 || (q->next[i] < (int32_t)q->n && q->parent[q->next[i]] == (int32_t)i),
+             "a branch goes on in a child");
     }
+    must(stem, "orders count from 0 at a stem");
 }
 
 static void join(struct fuzz *f, const struct wf_qsm *q, enum wf_joint way)
