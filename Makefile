@@ -63,7 +63,7 @@ $(call obj,$(shell grep -lw WF_VERSION $(SRC) $(TESTS))): src/windfirm.h
 $(call obj,$(SHARED)): ALL += -DWF_SHARE='"$(SHARE)"'
 $(B)/%.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(SANF) $(CFLAGS) -c $< -o $@
+	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(if $(FUZZ),,$(SANF)) $(CFLAGS) -c $< -o $@
 # the numeric kernels are small fixed-size loops: unroll and vectorise them
 KERNELS := $(wildcard src/solve/*.c src/load/*.c) src/wind/shelter_laws.c src/wind/gust_spectral.c
 $(call obj,$(KERNELS)): CFLAGS += -O3
@@ -96,7 +96,7 @@ fuzz-smoke: fuzz-readers ## the same for 10 s each, all at once
 fuzz-readers: packages
 	@tools/packages.sh clang
 	@tools/packages.sh libclang-rt-$$(clang -dumpversion | cut -d. -f1)-dev
-	@! tools/fuzz.sh has-libfuzzer || $(MAKE) -s -j$$(nproc) FUZZ=1 CC=clang CXX=clang++ CFLAGS='-O1 -g' readers
+	@! tools/fuzz.sh has-libfuzzer || $(MAKE) -s -j$$(nproc) FUZZ=1 CC=clang CFLAGS='-O1 -g' readers
 readers: $(READERS:%=$(B)/tests/fuzz/%)
 programs: $(call bin,$(TESTS)) readers
 packages:
