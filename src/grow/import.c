@@ -72,7 +72,7 @@ static enum wf_status known_format(const char *format, struct wf_err *e)
     if (!format) return WF_OK;
     for (const struct wf_import_format *f = wf_import_formats; f->name; f++) {
         if (!strcmp(f->name, format)) return WF_OK;
-        names[n++] = f->name;
+        if (n < WF_COUNT(names)) names[n++] = f->name;
     }
     return wf_fail(e, WF_EUSAGE, "format '%s' is not known%s; see 'windfirm import --help'", format,
                    wf_did_you_mean(format, names, n).text);
