@@ -269,6 +269,8 @@ const struct wf_table wf_tables[] = {
     { NULL, NULL, NULL, NULL },
 };
 
+_Static_assert(WF_COUNT(wf_tables) == WF_TABLES + 1, "WF_TABLES is the number of rows of wf_tables");
+
 const char *wf_part_status(enum wf_status s)
 {
     switch (s) {
