@@ -25,7 +25,7 @@ static int unknown(const char *word)
     size_t n = 0;
     for (; n < COMMANDS_MAX && wf_commands[n].name; n++) known[n] = wf_commands[n].name;
     const char *near = wf_nearest(word, known, n);
-    fprintf(stderr, "windfirm: no command is called '%s'%s%s%s\n", word, near ? "; did you mean '" : "",
+    fprintf(stderr, "windfirm: unknown command '%s'%s%s%s\n", word, near ? "; did you mean '" : "",
             near ? near : "", near ? "'?" : "; 'windfirm --help' lists them");
     return 2;
 }

@@ -477,7 +477,7 @@ static void law_use(const struct sheet *t, const char *key, const char *table, s
 /* What was fitted and has no key in a species table. */
 static char *beside(const struct wf_fit_results *of, struct wf_arena *a)
 {
-    char *out = wf_arena_print(a, "Fitted values stand in the levels and the crown.");
+    char *out = wf_arena_print(a, "Fitted values are in the levels and the crown.");
     for (size_t k = 0; out && k < of->fit.free; k++) {
         enum wf_fit_quantity q = of->param[k].quantity;
         double u;
@@ -528,8 +528,8 @@ enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char 
          *study = wf_arena_print(&a, "fit_%s", of->study.key);
     char *note = beside(of, &a);
     struct sheet t = { .of = of, .study = study };
-    enum wf_status s =
-        key && study && note ? wf_units_open(&t.units, e) : wf_fail(e, WF_ENOMEM, "%s: no room", path);
+    enum wf_status s = key && study && note ? wf_units_open(&t.units, e)
+                                            : wf_fail(e, WF_ENOMEM, "%s: not enough memory", path);
     if (!s) s = wf_file_begin(&f, path, e);
     if (!s) {
         if (strchr(key, '.')) *strchr(key, '.') = '\0';
