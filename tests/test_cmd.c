@@ -83,6 +83,29 @@ static void test_wind(void **state)
     CHECK(rows);
 }
 
+/* A count or a seed that is not whole is refused by every command; none is cut. */
+static void test_counts(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W analyze oak $RUN --threads 1.5", CODE_INPUT, { "--threads: 1.5 is not a whole number" } },
+        { "$W series oak $M --keys 2.5 --seed 0.1",
+          CODE_INPUT,
+          { "--keys: 2.5 is not a whole number", "--seed: 0.1 is not a whole number" } },
+        { "$W wind kaimal --points 2.5 --seed 1.5",
+          CODE_INPUT,
+          { "--points: 2.5 is not a whole number", "--seed: 1.5 is not a whole number" } },
+        { "$W shelter -m culm -s oak --slabs 4.5 --cells 32.5 --gap 1.5",
+          CODE_INPUT,
+          { "--slabs: 4.5 is not a whole number", "--cells: 32.5 is not a whole number",
+            "--gap: 1.5 is not a whole number" } },
+        { "$W terrain --size 2.5 --seed 0.5",
+          CODE_INPUT,
+          { "--size: 2.5 is not a whole number", "--seed: 0.5 is not a whole number" } },
+    };
+    CHECK(rows);
+}
+
 /* A wind that does not change has its page too; the papers' models are found from any folder. */
 static void test_series(void **state)
 {
@@ -275,7 +298,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_usage),  cmocka_unit_test(test_wind),    cmocka_unit_test(test_bad_files),
         cmocka_unit_test(test_output), cmocka_unit_test(test_library), cmocka_unit_test(test_study),
-        cmocka_unit_test(test_series),
+        cmocka_unit_test(test_counts), cmocka_unit_test(test_series),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -85,13 +85,12 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment"),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped"),
-    FLAG("--no-report", no_report, "write results and tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-report", no_report, lang, "write results and tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 
-/* What the options ask for, in the terms of the library. */
+/* The options, converted to structs of the library. */
 struct request {
     struct wf_scenario scenario;
     struct wf_search search;
@@ -105,8 +104,8 @@ static double degrees(double rad) { return rad * 180.0 / M_PI; }
 
 /* ---- From options to a request ---- */
 
-/* The directions asked for; a climate is read, its mistakes are in `d`. Returned: *out, n = 0 where no
- * directions are asked for. */
+/* The wind directions of the options; a climate is read, its mistakes are in `d`. Returned: *out, n = 0 when
+ * the options specify no directions. */
 static enum wf_status read_directions(const struct analyze_options *o, struct wf_arena *a, struct wf_diag *d,
                                       struct wf_directions_request *out, struct wf_err *e)
 {
@@ -135,7 +134,7 @@ static enum wf_status read_place(const char *text, double *x, double *y, struct 
                    text ? text : "");
 }
 
-/* The exposure on a map of the ground: for the wind from one direction and from all that are asked for. */
+/* The exposure on a map of the ground: for the wind from one direction and from all specified directions. */
 static enum wf_status expose_site(struct wf_site *site, const char *at, struct wf_arena *a,
                                   struct wf_scenario *s, struct wf_directions_request *q, struct wf_err *e)
 {
@@ -150,7 +149,7 @@ static enum wf_status expose_site(struct wf_site *site, const char *at, struct w
     return status;
 }
 
-/* The exposure asked for, into the scenario and, by direction, into the request. */
+/* Put the specified exposure into the scenario and, by direction, into the request. */
 static enum wf_status read_exposure(const struct analyze_options *o, struct wf_arena *a,
                                     struct wf_scenario *s, struct wf_directions_request *q, struct wf_err *e)
 {
@@ -165,7 +164,7 @@ static enum wf_status read_exposure(const struct analyze_options *o, struct wf_a
     return expose_site(site, o->at, a, s, q, e);
 }
 
-/* What the options ask for. A measured profile and a climate are read; their mistakes are in `d`. */
+/* Convert the options to a request. A measured profile and a climate are read; their mistakes are in `d`. */
 static enum wf_status read_request(const struct analyze_options *o, struct wf_arena *a, struct wf_diag *d,
                                    struct request *out, struct wf_err *e)
 {
@@ -201,7 +200,7 @@ static void print_cell(FILE *to, int width, int digits, double x)
         fprintf(to, "%*s", width, "-");
 }
 
-/* At the strongest wind asked for. */
+/* At the strongest specified wind. */
 static void print_direction(FILE *to, const struct wf_analysis *an, const struct wf_direction *d)
 {
     const struct wf_at_speed *at = &d->at[an->n - 1];
@@ -398,7 +397,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     return !s && climate ? note_input(w, "climate", climate, e) : s;
 }
 
-/* The same from all directions, where asked for. */
+/* Analyse the wind from all directions, where specified. */
 static enum wf_status run_directions(struct work *w, struct wf_analysis *an, struct wf_err *e)
 {
     const struct wf_directions_request *q = &w->request.directions;
@@ -430,7 +429,7 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
     return WF_OK;
 }
 
-/* Plots and pages. A drawing program that is not installed leaves the results complete; *whole tells whether
+/* Plots and pages. A drawing program that is not installed leaves the results complete; *whole: whether
  * everything was drawn. */
 static enum wf_status draw_report(struct work *w, bool *whole, struct wf_err *e)
 {
@@ -445,7 +444,7 @@ static enum wf_status draw_report(struct work *w, bool *whole, struct wf_err *e)
     return wf_fail(e, s, "%s", why.text);
 }
 
-/* Pages of an earlier run beside new results would be taken for theirs. */
+/* Pages of an earlier run would be mistaken for pages of the new results. */
 static void warn_of_old_pages(struct work *w)
 {
     static const char *const page[] = { "report.html", "report.pdf" };
@@ -469,7 +468,7 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     w->species = WF_TAKE(&w->arena, n, struct wf_species);
     w->analysis = WF_TAKE(&w->arena, n, struct wf_analysis);
     w->input = WF_TAKE(&w->arena, n + OTHER_FILES, struct wf_input_file);
-    w->inputs = 1; /* the model's place */
+    w->inputs = 1; /* the first place is kept for the model */
     w->diag = WF_TAKE(&w->arena, n, struct wf_diag);
     struct wf_run run = { .command = typed_quoted(&w->arena, argc, argv),
                           .version = WF_VERSION,
@@ -483,7 +482,7 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     run.inputs = w->inputs;
     if (s || (s = analyse(w, e))) return s;
     if (!w->options.args.quiet) print_results(stdout, &run);
-    fflush(stdout); /* so that warnings stand below the table where both go to the same place */
+    fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
     for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
     if ((s = wf_results_write(&run, w->folder, e))) return s;
     bool pages = !w->options.no_report, whole = false;

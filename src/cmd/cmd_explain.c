@@ -34,9 +34,8 @@ const struct wf_option wf_explain_options[] = {
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
     TEXT("--output", output, "FOLDER", "out/explain", "where table, plot and page go", .letter = "-o"),
-    FLAG("--no-report", no_report, "write the table only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-report", no_report, lang, "write the table only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 

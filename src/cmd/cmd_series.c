@@ -16,6 +16,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Rows of both commands; into any struct with no_report, lang and no_vtk. */
+#define SERIES_PAGE_ROWS                                                                                     \
+    WF_PAGE_ROWS("--no-report", no_report, lang, "write tables only"),                                       \
+        FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"), WF_QUIET_ROW
+
 /* ---- From a plan of runs to tables, frames and a page ---- */
 
 struct series_job {
@@ -91,7 +96,7 @@ static enum wf_status run_all(const struct series_job *j, struct wf_series *seri
     return WF_OK;
 }
 
-/* Every method on the trees of the runs that ask for it. What it warns of stands with the run. */
+/* Apply every method to the trees of the runs that request it. Its warnings are added to those of the run. */
 static enum wf_status explain_runs(const struct wf_series_plan *plan, const struct wf_series *series,
                                    struct wf_diag *diag, struct wf_arena *a, struct wf_series_page *page,
                                    struct wf_err *e)
@@ -120,7 +125,7 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
     struct wf_err e = { 0 };
     struct wf_series *series = WF_TAKE(a, plan->runs, struct wf_series);
     struct wf_diag *diag = WF_TAKE(a, plan->runs, struct wf_diag);
-    struct wf_series_run *run = WF_TAKE(a, plan->runs, struct wf_series_run);
+    struct wf_series_page_run *run = WF_TAKE(a, plan->runs, struct wf_series_page_run);
     struct wf_series_page page = { .title = plan->title,
                                    .note = plan->note,
                                    .command = j->command,
@@ -132,7 +137,7 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
         wf_fail(&e, WF_ENOMEM, "no memory");
         return wf_complain(&e);
     }
-    for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_run){ &series[r], &diag[r] };
+    for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_page_run){ &series[r], &diag[r] };
     enum wf_status s = run_all(j, series, diag, a, &e);
     if (!s) s = explain_runs(plan, series, diag, a, &page, &e);
     if (s) return wf_complain(&e);
@@ -199,10 +204,7 @@ const struct wf_option wf_series_options[] = {
            "in place of the species'"),
     TEXT("--output", output, "FOLDER", "out/series", "where tables, frames and the page go", .letter = "-o"),
     FLAG("--explain", explain, "every method against beam theory, branch by branch, too"),
-    FLAG("--no-report", no_report, "write tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"),
-    QUIET("print errors only"),
+    SERIES_PAGE_ROWS,
     { 0 },
 };
 
@@ -262,10 +264,7 @@ struct papers_options {
 static const struct wf_option papers_options[] = {
     TEXT("--output", output, "FOLDER", NULL, "where tables, frames and the page go [out/NAME]",
          .letter = "-o"),
-    FLAG("--no-report", no_report, "write tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"),
-    QUIET("print errors only"),
+    SERIES_PAGE_ROWS,
     { 0 },
 };
 

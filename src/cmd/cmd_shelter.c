@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* windfirm shelter: what a tree leaves of the wind inside and behind itself. */
+/* windfirm shelter: the wind that remains inside and behind a tree. */
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -65,9 +65,8 @@ const struct wf_option wf_shelter_options[] = {
     WF_IMPORT_ROWS(import),
     TEXT("--output", output, "FOLDER", "out/shelter", "where tables and plots go", .letter = "-o"),
     FLAG("--no-motion", no_motion, "only the wind; the tree is not bent"),
-    FLAG("--no-plots", no_plots, "write the tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 
@@ -208,7 +207,7 @@ static enum wf_status bend_tree(struct work *w, struct wf_arena *a, struct wf_di
     struct wf_solve_options o;
     const struct wf_solver *solver = wf_solvers[0];
     wf_solve_options_default(&o);
-    o.mesh_tolerance = 1e-4; /* drawn lines and means of many tips */
+    o.mesh_tolerance = 1e-4; /* accurate enough for drawn lines and means over many tips */
     enum wf_status s = solver->solve(&w->tree, &w->loads, &o, a, &w->run.open, d, e);
     if (!s)
         s = wf_sheltered_solve(&w->tree, &w->loads, &w->request, solver, &o, a, &w->sheltered, &w->run.own, d,

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* windfirm terrain: ground made or read, what shelters it and what speeds the wind up. */
+/* windfirm terrain: generated or measured ground, its sheltered places and where it speeds the wind up. */
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "cmd/option_groups.h"
 #include "out/wind_results.h"
 #include <math.h>
 #include <stdio.h>
@@ -40,9 +41,8 @@ static const struct wf_option options[] = {
     NUMBER("--distance", distance, "LENGTH", LENGTH, "m", 1, 1e5, "1000", "distance to which topex searches"),
     PATH("--positions", positions, "FILE", NULL, "CSV with x_m and y_m: exposure at these places"),
     TEXT("--output", output, "FOLDER", "out/terrain", "where tables, grids and the map go", .letter = "-o"),
-    FLAG("--no-plots", no_plots, "write tables and grids only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-plots", no_plots, lang, "write tables and grids only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* windfirm wind: make a gusty wind, look at it, draw it. */
+/* windfirm wind: generate a gusty wind, analyse it, draw it. */
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SHOWN_MAX = 200 }; /* points that are looked at; more are only written */
+enum { SHOWN_MAX = 200 }; /* points that are analysed; a wind with more is only written to a file */
 
 struct wind_options {
     struct wf_args args;
@@ -55,9 +55,8 @@ const struct wf_option wf_wind_options[] = {
          "NAME.csv as a table, NAME.npy as 32-bit numbers, steps x points x components"),
     WF_GUST_ROWS(gust),
     TEXT("--output", output, "FOLDER", "out/wind", "where tables and plots go", .letter = "-o"),
-    FLAG("--no-plots", no_plots, "write the tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 
@@ -136,9 +135,9 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
     known[n] = "list";
     const struct wf_gust_model *m = wf_gust_named(name);
     if (!m) {
-        const char *near = wf_nearest(name, known, n + 1);
-        return wf_fail(e, WF_EUSAGE, "unknown gust model '%s'%s%s%s", name, near ? "; did you mean '" : "",
-                       near ? near : "", near ? "'?" : "; `windfirm wind list` shows them");
+        struct wf_hint hint = wf_did_you_mean(name, known, n + 1);
+        return wf_fail(e, WF_EUSAGE, "unknown gust model '%s'%s", name,
+                       *hint.text ? hint.text : "; `windfirm wind list` shows them");
     }
     wf_gust_spec_default(m, s);
     s->height = o->height;
@@ -197,7 +196,7 @@ static void print_wind(const struct wf_gust_report *r)
     }
 }
 
-/* Look at a wind: tables, plots and what is printed. */
+/* Analyse a wind: tables, plots and a printed summary. */
 static enum wf_status show_wind(const struct wind_options *o, const struct wf_gust_spec *spec,
                                 const struct wf_doc_head *head, struct wf_arena *a, struct wf_diag *d,
                                 struct wf_err *e)

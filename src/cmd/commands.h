@@ -41,11 +41,11 @@ int wf_exit_code(enum wf_status s);
 int wf_complain(const struct wf_err *e);
 /* Folder with the shipped species/, models/ and validation/: $WINDFIRM_SHARE, else where it was installed. */
 const char *wf_share(void);
-/* The file a user means: the path itself when it is there or looks like one, else the shipped
- * SHARE/room/NAME.yaml. Returned: text in the arena, or `name` without room. */
+/* The file a user means: the path itself when it exists or looks like a path, else the shipped
+ * SHARE/room/NAME.yaml. Returned: text in the arena, or `name` without memory. */
 const char *wf_shipped(const char *room, const char *name, struct wf_arena *a);
-/* A file that `file` names: beside it when it is there, else as the name leads from the present folder.
- * Returned: text in the arena, or `name`. */
+/* A file that `file` names: beside it when it is there, else relative to the current folder. Returned: text
+ * in the arena, or `name`. */
 const char *wf_beside(const char *file, const char *name, struct wf_arena *a);
 /* One line of progress on stderr when it is a terminal, in place of the last; NULL clears it. */
 void wf_progress(const char *fmt, ...) __attribute__((format(printf, 1, 2)));

@@ -45,7 +45,7 @@ struct wf_option {
     const char *unit;              /* of a plain number and of low and high; NULL: none                    */
     double low, high;              /* allowed, in `unit`                                                   */
     const char *choices;           /* words separated by '|'                                               */
-    const char *(*word)(size_t i); /* or the i-th word of a list of rows, NULL behind the last             */
+    const char *(*word)(size_t i); /* or the i-th word of a list of rows, NULL after the last              */
     size_t averaging;              /* of a speed: offset of its struct wf_averaging (cmd/wind_speed.h)     */
     const char *help;
 };

@@ -140,13 +140,10 @@ enum wf_status wf_wind_average(const char *law, double speed, double from, doubl
     size_t row = 0;
     for (; wf_averaging_laws[row].name && strcmp(wf_averaging_laws[row].name, law) != 0; row++)
         known[row] = wf_averaging_laws[row].name;
-    if (!wf_averaging_laws[row].name) {
-        const char *near = wf_nearest(law, known, row);
-        return wf_fail(
-            e, WF_EUSAGE,
-            "unknown averaging law '%s'%s%s%s; known are durst, in-land, off-land, off-sea, at-sea", law,
-            near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
-    }
+    if (!wf_averaging_laws[row].name)
+        return wf_fail(e, WF_EUSAGE,
+                       "unknown averaging law '%s'%s; known are durst, in-land, off-land, off-sea, at-sea",
+                       law, wf_did_you_mean(law, known, row).text);
     if (row == 0) {
         if (!(from >= 1.0 && from <= 3600.0 && to >= 1.0 && to <= 3600.0))
             return wf_fail(e, WF_EUSAGE, "durst: averaging times of %g s and %g s; 1 s to 3600 s are covered",
