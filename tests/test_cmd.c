@@ -14,7 +14,7 @@ static void test_usage(void **state)
         { "$W analyze --help", CODE_OK, { "--reference-height LENGTH", "(0.01..1000 m) [10 m]", "beam" } },
         { "$W help compare", CODE_OK, { "Usage: windfirm compare" } },
         { "$W analyse", CODE_INPUT, { "did you mean 'analyze'?" } },
-        { "$W qqqqqq", CODE_INPUT, { "no command is called 'qqqqqq'" } },
+        { "$W qqqqqq", CODE_INPUT, { "unknown command 'qqqqqq'" } },
         { "$W analyze species/moso_bamboo.yaml $RUN --wnd 3",
           CODE_INPUT,
           { "'--wnd'; did you mean '--wind'?" } },

@@ -38,7 +38,7 @@ static enum wf_status read_head(const char *path, struct wf_import_head *h, stru
                                 struct wf_err *e)
 {
     *h = (struct wf_import_head){ .path = path, .text = WF_TAKE(a, HEAD + 1, char) };
-    if (!h->text) return wf_fail(e, WF_ENOMEM, "%s: no memory to look at it", path);
+    if (!h->text) return wf_fail(e, WF_ENOMEM, "%s: not enough memory to read it", path);
     FILE *f = fopen(path, "rb");
     if (!f) return wf_fail(e, WF_EINPUT, "%s: %s", path, strerror(errno));
     h->size = fread(h->text, 1, HEAD, f);
@@ -96,8 +96,8 @@ static void suspect_units(const struct wf_qsm *q, struct wf_diag *d)
     }
     if (thick > 0.2 * (high - low))
         wf_diag_warn(d, "thick-stem",
-                     "%s: %.3g m thick and %.3g m high; is a unit wrong (--diameter-unit, --length-unit)?",
-                     q->name, thick, high - low);
+                     "%s: %.3g m thick and %.3g m high; check --diameter-unit and --length-unit", q->name,
+                     thick, high - low);
 }
 
 enum wf_status wf_import_read(const char *path, const struct wf_import_options *o, struct wf_arena *a,
