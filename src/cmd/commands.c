@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/commands.h"
+#include "cmd/args.h"
 #include "out/report.h"
 #include "out/results.h"
 #include <stdarg.h>
@@ -132,8 +133,7 @@ enum wf_status wf_pages_make(const char *folder, const char *language, struct wf
 enum wf_status wf_pages_head(int argc, char **argv, struct wf_arena *a, struct wf_doc_head *out,
                              struct wf_err *e)
 {
-    char *text = wf_arena_text(a, "windfirm");
-    for (int i = 0; text && i < argc; i++) text = wf_arena_print(a, "%s %s", text, argv[i]);
+    char *text = wf_args_typed(argc, argv, a);
     *out = (struct wf_doc_head){ .command = text, .version = WF_VERSION, .date = wf_run_date(a) };
     return text && out->date ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
 }
