@@ -20,7 +20,7 @@ struct job {
     struct wf_diag diag;
     struct wf_err err;
     char folder[64];
-    struct wf_fit_study study;
+    struct wf_calibration calibration;
     struct wf_experiment x;
     struct wf_fit_input input[8];
 };
@@ -73,8 +73,8 @@ static enum wf_status build(struct job *j, const char *wind)
                        "      - {name: top, kind: deflection, height: 14 m, azimuth: 0 deg, sigma: 1 mm}\n"
                        "free:\n  - {parameter: level0.youngs_modulus, start: 6 GPa}\n",
                        *wind ? ", " : "", wind));
-    struct wf_fit_build b = { .study = &j->study, .share = ".", .plan = true };
-    enum wf_status s = wf_fit_study_read(path, &j->arena, &j->study, &j->diag, &j->err);
+    struct wf_fit_build b = { .calibration = &j->calibration, .share = ".", .plan = true };
+    enum wf_status s = wf_calibration_read(path, &j->arena, &j->calibration, &j->diag, &j->err);
     return s ? s : wf_fit_build(&b, &j->arena, &j->diag, &j->x, j->input, &j->err);
 }
 
@@ -111,7 +111,7 @@ static double modulus(struct job *j)
     size_t n;
     wf_fit_options_default(&o);
     o.profile = false;
-    if (wf_fit_params(&j->study, NULL, &j->x, false, &j->arena, &p, &n, &j->err) ||
+    if (wf_fit_params(&j->calibration, NULL, &j->x, false, &j->arena, &p, &n, &j->err) ||
         wf_fit_run(&j->x, p, n, &o, &j->arena, &j->diag, &f, &j->err))
         fail_msg("%s", j->err.text);
     assert_int_equal(n, 1);
@@ -168,7 +168,7 @@ static void stiffness_goes_with_the_air(void **unused)
         j.x.tree[0].loads.gravity = 0;
         for (size_t i = 0; i < j.x.tree[0].tree.n; i++) j.x.tree[0].tree.drag[i] = 1;
         if (!k) {
-            if (wf_fit_params(&j.study, NULL, &j.x, true, &j.arena, &p, &n, &j.err) ||
+            if (wf_fit_params(&j.calibration, NULL, &j.x, true, &j.arena, &p, &n, &j.err) ||
                 wf_fit_expect(&j.x, p, n, &j.arena, reading, NULL, &j.err))
                 fail_msg("%s", j.err.text);
             memcpy(value, reading, sizeof value);

@@ -336,7 +336,7 @@ static bool key_fit(struct wf_words *w, struct wf_case *c, const struct wf_case_
         return wf_words_wrong(w, w->n,
                               "the name of a calibration study, from the case's folder, is expected");
     c->shape = WF_SHAPE_FIT;
-    c->fit_study = w->word[w->next++];
+    c->fit_calibration = w->word[w->next++];
     return wf_words_end(w);
 }
 

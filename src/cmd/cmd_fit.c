@@ -12,7 +12,7 @@
 
 struct fit_options {
     struct wf_args args;
-    const char *data, *free; /* lists with commas; NULL: the study's */
+    const char *data, *free; /* lists with commas; NULL: the calibration's */
     const char *loss;
     double loss_scale; /* [standard deviations]; NAN: the loss's own */
     size_t starts, bootstrap, seed;
@@ -122,7 +122,7 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
 {
     const struct wf_fit *f = &of->fit;
     bool bound = false;
-    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", of->study.name, f->x->data,
+    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", of->calibration.name, f->x->data,
             f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
             f->params > f->free ? " (offsets and drifts included)" : "");
     print_parameters(to, f);
@@ -162,7 +162,7 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
         else
             fprintf(to, "\ntoo few readings to compare the two\n");
     }
-    if (of->study.reference) fprintf(to, "\nfor comparison: %s\n", of->study.reference);
+    if (of->calibration.reference) fprintf(to, "\nfor comparison: %s\n", of->calibration.reference);
 }
 
 /* ---- The fit ---- */
@@ -216,14 +216,16 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
 {
     const char *names = j->options->data, *list[64];
     char *rest = NULL, *copy = names ? wf_arena_text(&j->arena, names) : NULL;
-    struct wf_fit_build b = { .study = &j->r.study, .share = wf_share(), .data = list };
+    struct wf_fit_build b = { .calibration = &j->r.calibration, .share = wf_share(), .data = list };
     for (char *p = copy ? strtok_r(copy, ",", &rest) : NULL; p && b.datas < 64;
          p = strtok_r(NULL, ",", &rest))
         list[b.datas++] = p;
-    enum wf_status s = wf_fit_study_read(j->options->args.operand[0], &j->arena, &j->r.study, &j->r.diag, e);
+    enum wf_status s =
+        wf_calibration_read(j->options->args.operand[0], &j->arena, &j->r.calibration, &j->r.diag, e);
     if (s) return s;
-    j->r.input = WF_TAKE(&j->arena, j->r.study.tests, struct wf_fit_input);
-    j->r.file = WF_TAKE(&j->arena, 1 + 2 * j->r.study.trees + 3 * j->r.study.tests, struct wf_input_file);
+    j->r.input = WF_TAKE(&j->arena, j->r.calibration.tests, struct wf_fit_input);
+    j->r.file =
+        WF_TAKE(&j->arena, 1 + 2 * j->r.calibration.trees + 3 * j->r.calibration.tests, struct wf_input_file);
     if (!j->r.input || !j->r.file) return wf_fail(e, WF_ENOMEM, "not enough memory for the study");
     s = wf_fit_build(&b, &j->arena, &j->r.diag, &j->r.x, j->r.input, e);
     if (!s) s = note_input(j, "study", j->options->args.operand[0], e);
@@ -238,7 +240,7 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
         if (!s && in->ground) s = note_input(j, "ground", in->ground, e);
     }
     return s ? s
-             : wf_fit_params(&j->r.study, j->options->free, &j->r.x, false, &j->arena, &j->r.param,
+             : wf_fit_params(&j->r.calibration, j->options->free, &j->r.x, false, &j->arena, &j->r.param,
                              &j->r.params, e);
 }
 
@@ -275,7 +277,7 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     for (size_t k = 0; k < j->r.x.trees; k++) {
         double *of = j->r.x.tree[k].options.root_stiffness;
         stiffness[k] = of[0];
-        if (had) of[0] = of[1] = 0; /* clamped, also where the study gives a stiffness */
+        if (had) of[0] = of[1] = 0; /* clamped, also where the calibration gives a stiffness */
     }
     enum wf_status s = wf_fit_run(&j->r.x, p, n, &o, &j->arena, &d, &r->fit, &e);
     for (size_t k = 0; k < j->r.x.trees; k++)

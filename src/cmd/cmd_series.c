@@ -125,7 +125,7 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
     struct wf_err e = { 0 };
     struct wf_series *series = WF_TAKE(a, plan->runs, struct wf_series);
     struct wf_diag *diag = WF_TAKE(a, plan->runs, struct wf_diag);
-    struct wf_series_run *run = WF_TAKE(a, plan->runs, struct wf_series_run);
+    struct wf_series_page_run *run = WF_TAKE(a, plan->runs, struct wf_series_page_run);
     struct wf_series_page page = { .title = plan->title,
                                    .note = plan->note,
                                    .command = j->command,
@@ -137,7 +137,7 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
         wf_fail(&e, WF_ENOMEM, "no memory");
         return wf_complain(&e);
     }
-    for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_run){ &series[r], &diag[r] };
+    for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_page_run){ &series[r], &diag[r] };
     enum wf_status s = run_all(j, series, diag, a, &e);
     if (!s) s = explain_runs(plan, series, diag, a, &page, &e);
     if (s) return wf_complain(&e);

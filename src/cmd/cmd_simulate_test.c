@@ -13,7 +13,7 @@
 
 struct simulate_options {
     struct wf_args args;
-    const char *free; /* NULL: the study's */
+    const char *free; /* NULL: the calibration's */
     size_t seed;
     const char *output;
 };
@@ -40,7 +40,7 @@ static const char about[] =
 struct plan {
     struct wf_arena arena;
     struct simulate_options options;
-    struct wf_fit_study study;
+    struct wf_calibration calibration;
     struct wf_experiment x;
     struct wf_fit_param *param;
     size_t params, free;
@@ -161,14 +161,15 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
 
 static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, struct wf_err *e)
 {
-    struct wf_fit_build b = { .study = &p->study, .share = wf_share(), .plan = true };
+    struct wf_fit_build b = { .calibration = &p->calibration, .share = wf_share(), .plan = true };
     const char *folder = p->options.output;
-    enum wf_status s = wf_fit_study_read(p->options.args.operand[0], &p->arena, &p->study, d, e);
+    enum wf_status s = wf_calibration_read(p->options.args.operand[0], &p->arena, &p->calibration, d, e);
     if (s) return s;
-    struct wf_fit_input *in = WF_TAKE(&p->arena, p->study.tests, struct wf_fit_input);
+    struct wf_fit_input *in = WF_TAKE(&p->arena, p->calibration.tests, struct wf_fit_input);
     if (!in) return wf_fail(e, WF_ENOMEM, "not enough memory for the study");
     s = wf_fit_build(&b, &p->arena, d, &p->x, in, e);
-    if (!s) s = wf_fit_params(&p->study, p->options.free, &p->x, true, &p->arena, &p->param, &p->params, e);
+    if (!s)
+        s = wf_fit_params(&p->calibration, p->options.free, &p->x, true, &p->arena, &p->param, &p->params, e);
     if (!s && !p->params)
         s = wf_fail(e, WF_EUSAGE, "nothing is free: name parameters with --free or in the study");
     if (s) return s;

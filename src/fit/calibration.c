@@ -22,7 +22,7 @@ static const char *const kinds[] = { "deflection",  "horizontal", "vertical", "t
     ROW(T, k, WF_YAML_QUANTITY, member), .dimension = dim, .unit = u, .low = from, .high = to
 #define AZIMUTH(T) QUANTITY(T, "azimuth", azimuth, WF_DIM_ANGLE, "deg", -WF_TURN, WF_TURN)
 
-#define T struct wf_study_tree
+#define T struct wf_calibration_tree
 static const struct wf_yaml_row tree_rows[] = {
     { ROW(T, "name", WF_YAML_NAME, name), .required = true,
       .doc = "Name of the tree, for tests and parameters.", .example = "T3" },
@@ -48,7 +48,7 @@ static const struct wf_yaml_table tree_table = {
 };
 #undef T
 
-#define T struct wf_study_sensor
+#define T struct wf_calibration_sensor
 static const struct wf_yaml_row sensor_rows[] = {
     { ROW(T, "name", WF_YAML_NAME, name), .required = true, .doc = "Name of the sensor.",
       .example = "clino_1" },
@@ -95,7 +95,7 @@ static const struct wf_yaml_table sensor_table = {
 };
 #undef T
 
-#define T struct wf_study_pull
+#define T struct wf_calibration_pull
 static const struct wf_yaml_row pull_rows[] = {
     { ROW(T, "column", WF_YAML_TEXT, column), .absent = "needed where there is data",
       .doc = "Column of the force in the rope, with its unit: force_kN." },
@@ -122,7 +122,7 @@ static const struct wf_yaml_row pull_rows[] = {
 static const struct wf_yaml_table pull_table = { .title = "a pull", .row = pull_rows, .doc = "" };
 #undef T
 
-#define T struct wf_study_wind
+#define T struct wf_calibration_wind
 static const struct wf_yaml_row wind_rows[] = {
     { ROW(T, "column", WF_YAML_TEXT, column), .absent = "needed where there is data",
       .doc = "Column of the wind speed, with its unit: wind_m_s." },
@@ -161,7 +161,8 @@ static const struct wf_yaml_row wind_rows[] = {
     { 0 }
 };
 
-enum wf_status wf_study_wind_scene(const struct wf_study_wind *w, struct wf_scenario *out, struct wf_err *e)
+enum wf_status wf_calibration_wind_scene(const struct wf_calibration_wind *w, struct wf_scenario *out,
+                                         struct wf_err *e)
 {
     wf_scenario_default(out);
     enum wf_status status = wf_scenario_words(out, &w->profile, e);
@@ -173,8 +174,9 @@ enum wf_status wf_study_wind_scene(const struct wf_study_wind *w, struct wf_scen
     return status || w->profile.file ? status : wf_scenario_check(out, e);
 }
 
-/* A number that was wrong has been told; what follows from it would only confuse. */
-static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_study_wind *w)
+/* False when a number was invalid: it is already reported, and further checks would report its consequences.
+ */
+static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_calibration_wind *w)
 {
     const char *const key[] = { "reference_height", "exponent",    "roughness", "displacement",
                                 "canopy_height",    "attenuation", "azimuth",   "temperature",
@@ -195,17 +197,17 @@ static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_study_wind
     return right && (w->profile.name || !wf_yaml_has(y, "profile"));
 }
 
-/* Keys of a wind that do not go together. */
+/* Report keys of a wind that exclude each other. */
 static void wind_finish(struct wf_yaml *y, void *wind)
 {
-    struct wf_study_wind *w = wind;
+    struct wf_calibration_wind *w = wind;
     struct wf_scenario scene;
     struct wf_err why = { 0 };
     double x, z;
     if (!w->given) return;
     w->profile_file_place = wf_yaml_where(y, "profile_file");
     w->dem_place = wf_yaml_where(y, "dem");
-    if (wind_numbers_are_right(y, w) && wf_study_wind_scene(w, &scene, &why))
+    if (wind_numbers_are_right(y, w) && wf_calibration_wind_scene(w, &scene, &why))
         wf_yaml_error(y, wf_yaml_has(y, "profile") ? "profile" : "", "%s", why.text);
     if (w->dem && !isnan(w->speed_up))
         wf_yaml_error(y, "dem", "'speed_up' and 'dem': one of them says how exposed the tree is");
@@ -221,7 +223,7 @@ static const struct wf_yaml_table wind_table = {
 };
 #undef T
 
-#define T struct wf_study_sway
+#define T struct wf_calibration_sway
 static const struct wf_yaml_row sway_rows[] = { { ROW(T, "column", WF_YAML_TEXT, column), .required = true,
                                                   .doc = "Column that swings freely after a release, in any "
                                                          "measure; frequency and damping are fitted to it." },
@@ -231,7 +233,7 @@ static const struct wf_yaml_row sway_rows[] = { { ROW(T, "column", WF_YAML_TEXT,
 static const struct wf_yaml_table sway_table = { .title = "a free sway", .row = sway_rows, .doc = "" };
 #undef T
 
-#define T struct wf_study_test
+#define T struct wf_calibration_test
 static const struct wf_yaml_row test_rows[] = {
     { ROW(T, "name", WF_YAML_NAME, name), .required = true, .doc = "Name of the test." },
     { ROW(T, "tree", WF_YAML_NAME, tree), .absent = "the only tree", .doc = "Which tree it was made on." },
@@ -271,7 +273,7 @@ static const struct wf_yaml_table test_table = {
 };
 #undef T
 
-#define T struct wf_study_free
+#define T struct wf_calibration_free
 static const struct wf_yaml_row free_rows[] = {
     { ROW(T, "parameter", WF_YAML_TEXT, parameter), .required = true, .doc = "Its name.",
       .example = "level0.youngs_modulus" },
@@ -286,7 +288,7 @@ static const struct wf_yaml_table free_table = {
 };
 #undef T
 
-/* A name that stands twice in a list: tests and parameters are told apart by it. */
+/* Report a name that occurs twice in a list: names identify tests and parameters. */
 static void twice(struct wf_yaml *y, const char *list, const void *first, size_t n, size_t size, size_t at)
 {
     const char *base = first;
@@ -303,9 +305,9 @@ static void twice(struct wf_yaml *y, const char *list, const void *first, size_t
         }
 }
 
-/* A test without pull and wind bends the tree by its weight alone. */
-static void under_weight(struct wf_yaml *y, const struct wf_study_test *t, const char *place,
-                         const struct wf_study_sensor *q)
+/* Check a sensor of a test without pull and wind, where only weight bends the tree. */
+static void under_weight(struct wf_yaml *y, const struct wf_calibration_test *t, const char *place,
+                         const struct wf_calibration_sensor *q)
 {
     const char *name = wf_sensor_rows[q->kind].name;
     bool directed = q->kind == WF_SENSOR_DEFLECTION || q->kind == WF_SENSOR_TILT ||
@@ -319,8 +321,8 @@ static void under_weight(struct wf_yaml *y, const struct wf_study_test *t, const
     if (!t->along && !q->value) wf_yaml_error(y, place, "a %s under weight alone needs 'value'", name);
 }
 
-static void sensor_finish(struct wf_yaml *y, const struct wf_study_test *t, const char *place,
-                          const struct wf_study_sensor *q)
+static void sensor_finish(struct wf_yaml *y, const struct wf_calibration_test *t, const char *place,
+                          const struct wf_calibration_sensor *q)
 {
     const struct wf_sensor_row *r = &wf_sensor_rows[q->kind];
     bool sway = q->kind == WF_SENSOR_FREQUENCY || q->kind == WF_SENSOR_DAMPING;
@@ -339,9 +341,9 @@ static void sensor_finish(struct wf_yaml *y, const struct wf_study_test *t, cons
     if (!sway && !t->pull.given && !t->wind.given) under_weight(y, t, place, q);
 }
 
-static void test_finish(struct wf_yaml *y, const struct wf_fit_study *s, size_t i)
+static void test_finish(struct wf_yaml *y, const struct wf_calibration *s, size_t i)
 {
-    const struct wf_study_test *t = &s->test[i];
+    const struct wf_calibration_test *t = &s->test[i];
     char place[64];
     size_t sways = 0;
     snprintf(place, sizeof place, "tests[%zu]", i);
@@ -362,26 +364,26 @@ static void test_finish(struct wf_yaml *y, const struct wf_fit_study *s, size_t 
     }
 }
 
-static void finish(struct wf_yaml *y, void *study)
+static void finish(struct wf_yaml *y, void *calibration)
 {
-    struct wf_fit_study *s = study;
+    struct wf_calibration *s = calibration;
     char place[64];
     for (size_t i = 0; s->tree && i < s->trees; i++) {
         snprintf(place, sizeof place, "trees[%zu]", i);
         if (!s->tree[i].model == !s->tree[i].qsm) wf_yaml_error(y, place, "needs either 'model' or 'qsm'");
     }
-    twice(y, "trees", s->tree, s->trees, sizeof *s->tree, offsetof(struct wf_study_tree, name));
-    twice(y, "tests", s->test, s->tests, sizeof *s->test, offsetof(struct wf_study_test, name));
+    twice(y, "trees", s->tree, s->trees, sizeof *s->tree, offsetof(struct wf_calibration_tree, name));
+    twice(y, "tests", s->test, s->tests, sizeof *s->test, offsetof(struct wf_calibration_test, name));
     for (size_t i = 0; s->test && i < s->tests; i++) {
         snprintf(place, sizeof place, "tests[%zu].sensors", i);
         twice(y, place, s->test[i].sensor, s->test[i].sensors, sizeof *s->test[i].sensor,
-              offsetof(struct wf_study_sensor, name));
+              offsetof(struct wf_calibration_sensor, name));
         test_finish(y, s, i);
     }
 }
 
-#define T struct wf_fit_study
-static const struct wf_yaml_row study_rows[] = {
+#define T struct wf_calibration
+static const struct wf_yaml_row calibration_rows[] = {
     { ROW(T, "fit", WF_YAML_NAME, key), .required = true, .doc = "Key of the study, as its file's name." },
     { ROW(T, "name", WF_YAML_TEXT, name), .required = true, .doc = "Name for people." },
     { ROW(T, "note", WF_YAML_TEXT, note), .absent = "no note",
@@ -398,9 +400,9 @@ static const struct wf_yaml_row study_rows[] = {
       .absent = "named by --free", .doc = "What is fitted, unless --free names it." },
     { 0 }
 };
-const struct wf_yaml_table wf_fit_study_table = {
+const struct wf_yaml_table wf_calibration_table = {
     .title = "a calibration study",
-    .row = study_rows,
+    .row = calibration_rows,
     .size = sizeof(T),
     .finish = finish,
     .doc = "A calibration study (YAML): trees, tests made on them, sensors, and what is to be fitted. A "
@@ -409,16 +411,16 @@ const struct wf_yaml_table wf_fit_study_table = {
 };
 #undef T
 
-enum wf_status wf_fit_study_read(const char *path, struct wf_arena *a, struct wf_fit_study *out,
-                                 struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_calibration_read(const char *path, struct wf_arena *a, struct wf_calibration *out,
+                                   struct wf_diag *d, struct wf_err *e)
 {
-    *out = (struct wf_fit_study){ .file = wf_arena_text(a, path) };
+    *out = (struct wf_calibration){ .file = wf_arena_text(a, path) };
     if (!out->file) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
-    return wf_yaml_read(path, &wf_fit_study_table, out, a, d, e);
+    return wf_yaml_read(path, &wf_calibration_table, out, a, d, e);
 }
 
-enum wf_status wf_fit_path(const struct wf_fit_study *s, const char *name, struct wf_arena *a,
-                           const char **out, struct wf_err *e)
+enum wf_status wf_calibration_path(const struct wf_calibration *s, const char *name, struct wf_arena *a,
+                                   const char **out, struct wf_err *e)
 {
     static const char variable[] = "${WINDFIRM_REFERENCE}/";
     bool outside = !strncmp(name, variable, sizeof variable - 1);

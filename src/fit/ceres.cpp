@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-// The only C++ of the program: Ceres behind a C header. Everything is checked before Ceres is called, because
-// its own checks end the program; what it has to say goes to a sink, never to a terminal or a file.
+// The only C++ of the program: Ceres behind a C header. All input is checked before Ceres is called, because
+// its own checks abort the program. Its log messages are discarded.
 #include "fit/lsq.h"
 #include <ceres/ceres.h>
 #include <cmath>
@@ -10,7 +10,8 @@
 #include <vector>
 
 namespace {
-// One residual block per observation gives each its own robust loss; the model is evaluated once for all.
+// One residual block for each observation, because Ceres applies a loss to a block; the model is evaluated
+// once for all blocks.
 struct Model : ceres::EvaluationCallback {
     const wf_lsq *q;
     const double *p;
@@ -56,7 +57,7 @@ struct Progress : ceres::IterationCallback {
     ceres::CallbackReturnType operator()(const ceres::IterationSummary &s) override
     {
         stopped = q->progress && q->progress(q->ctx, static_cast<size_t>(s.iteration), s.cost);
-        // an abort counts as no solution: the best so far, and its cost, would not be given back
+        // not SOLVER_ABORT: after an abort Ceres does not return the best parameters so far and their cost
         return stopped ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
     }
 };

@@ -12,7 +12,7 @@ void wf_fit_options_default(struct wf_fit_options *o)
     };
 }
 
-/* Where 95 % of the efficiency for normal errors is kept. */
+/* Scale of the loss that has 95 % efficiency for normal errors. */
 static double usual_scale(const struct wf_fit_options *o)
 {
     return isnan(o->loss_scale) ? wf_losses[o->loss].usual_scale : o->loss_scale;
@@ -32,7 +32,7 @@ static enum wf_status room(struct wf_fit *f, struct wf_arena *a, struct wf_err *
     return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for the answers of a fit");
 }
 
-/* Readings of a parameter's quantity that no datum depends on are refused before anything is fitted. */
+/* Check the number of parameters, their bounds and start values. */
 static enum wf_status check(const struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
                             struct wf_err *e)
 {
@@ -57,7 +57,7 @@ static enum wf_status check(const struct wf_experiment *x, const struct wf_fit_p
     return WF_OK;
 }
 
-/* Sigmas that are to be estimated begin at 2 % of the largest reading of their sensor. */
+/* Start values of sigmas to be estimated: 2 % of the largest reading of the sensor. */
 static void first_sigmas(struct wf_experiment *x)
 {
     for (size_t t = 0; t < x->tests; t++)
@@ -73,7 +73,7 @@ static void first_sigmas(struct wf_experiment *x)
         }
 }
 
-/* No reading moves with a parameter: say so by name rather than let it wander. */
+/* Refuse a parameter on which no reading depends: the data cannot determine it. */
 static enum wf_status moves(struct wf_session *s, struct wf_err *e)
 {
     enum wf_status status = wf_predict(s->predictor, s->internal, s->reading, s->slope, e);
@@ -134,7 +134,7 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
                      f->starts_same, f->starts);
 }
 
-/* Did a parameter that is no nuisance end on a bound? */
+/* Is a parameter other than a nuisance parameter on a bound? */
 static bool fit_at_bound(const struct wf_fit *f)
 {
     bool any = false;

@@ -150,14 +150,14 @@ void wf_param_apply(const struct wf_experiment *x, const struct wf_fit_param *p,
     }
 }
 
-/* From the names users give to parameters. */
+/* Parameters from their names. */
 
 static double ratio(const struct wf_value *v)
 {
     return v->high > v->low && v->low > 0 ? log(v->high / v->low) : 0;
 }
 
-/* The value of the species table that a quantity is; NULL: there is none. */
+/* The value of the species table for a quantity; NULL: there is none. */
 static const struct wf_value *in_table(const struct wf_species *sp, const struct wf_level *l,
                                        enum wf_fit_quantity q)
 {
@@ -172,7 +172,7 @@ static const struct wf_value *in_table(const struct wf_species *sp, const struct
     return NULL;
 }
 
-/* Start value and range of the species table: the range is taken to hold 95 % of the plausible values. */
+/* Start value and range of the species table: the range is taken as a 95 % interval. */
 static enum wf_status from_species(const struct wf_experiment *x, struct wf_fit_param *p, struct wf_err *e)
 {
     const struct wf_fit_tree *t = &x->tree[p->tree >= 0 ? p->tree : 0];
@@ -191,7 +191,7 @@ static enum wf_status from_species(const struct wf_experiment *x, struct wf_fit_
     if (p->quantity == WF_FIT_FRAME) p->start = 0;
     if (t->tree.section && (p->quantity == WF_FIT_RADIUS || p->quantity == WF_FIT_DENSITY))
         return wf_fail(e, WF_EUSAGE, "%s: not for a stem with 'sections'", p->name);
-    /* a root plate that adds as much rotation as a stem of that size bends */
+    /* a root plate that rotates as much as a stem of that size bends */
     if (p->quantity == WF_FIT_ROOT)
         p->start = t->options.root_stiffness[0] > 0
                        ? t->options.root_stiffness[0]
@@ -232,7 +232,7 @@ static enum wf_status unknown(const char *name, struct wf_err *e)
                    name);
 }
 
-/* Which quantity a name without its tree means. */
+/* Quantity and level of a name without its tree. */
 static bool find(const char *name, enum wf_fit_quantity *q, int32_t *level)
 {
     int used = 0;

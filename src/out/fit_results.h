@@ -19,7 +19,7 @@ struct wf_fit_results {
     const char *command, *date; /* as typed; ISO 8601, UTC                          */
     const char *loss;           /* name of the loss that weighs residuals: "none"... */
     bool priors;                /* the species table's ranges were used              */
-    struct wf_fit_study study;
+    struct wf_calibration calibration;
     struct wf_experiment x;
     struct wf_fit_input *input; /* per test                        */
     struct wf_fit_param *param; /* `params` of them, as in fit     */
@@ -28,7 +28,7 @@ struct wf_fit_results {
     struct wf_fit_rival rival;
     struct wf_diag diag; /* warnings of the fit             */
     size_t files;
-    struct wf_input_file *file; /* study, species, trees, data     */
+    struct wf_input_file *file; /* calibration, species, trees, data */
 };
 
 /* Write FOLDER/results.json, tables/{parameters,readings,profiles,records}.csv and plots/run.csv; the folder

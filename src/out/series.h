@@ -5,14 +5,14 @@
 #include "out/explain.h"
 #include "study/series.h"
 
-struct wf_series_run {
+struct wf_series_page_run {
     const struct wf_series *series;
     const struct wf_diag *diag;
 };
 struct wf_series_page {
     const char *title, *note, *command, *date, *version;
     size_t n;
-    const struct wf_series_run *run;
+    const struct wf_series_page_run *run;
     size_t explained; /* runs whose tree every method bends */
     const struct wf_explained *explain;
 };

@@ -22,7 +22,7 @@ static void cell(FILE *f, double value, const char *format)
     if (isfinite(value)) fprintf(f, format, value);
 }
 
-static void series(FILE *f, const struct wf_gust_report *r)
+static void histories(FILE *f, const struct wf_gust_report *r)
 {
     const struct wf_gust_spec *s = &r->spec;
     static const char *const name[WF_COMPONENTS] = { "u", "v", "w" };
@@ -181,7 +181,7 @@ enum wf_status wf_wind_results_write(const struct wf_gust_report *r, const struc
     static const struct {
         const char *name;
         void (*write)(FILE *f, const struct wf_gust_report *r);
-    } table[] = { { "tables/series.csv", series },
+    } table[] = { { "tables/series.csv", histories },
                   { "tables/spectrum.csv", spectrum },
                   { "tables/histogram.csv", histogram },
                   { "tables/coherence.csv", coherence } };

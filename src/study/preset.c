@@ -11,10 +11,10 @@
 #define WF_ZHAO_LIFT 0.75
 #define WF_ZHAO_AIR 2.37e-6
 
-/* Sea-level air at 15 C [kg m-3] and drag of a bare cylinder [-], to compare with. */
+/* Sea-level air at 15 C [kg m-3] and drag of a bare cylinder [-], for comparison. */
 static const double air = 1.225, cylinder = 1.2;
 
-/* Where each paper's printed formula or constant leaves physics, by how much on the tree in hand. */
+/* Departures of each paper's printed formulas and constants from physics, with their size on this tree. */
 
 /* Rows of the stem. */
 static size_t stem_rows(const struct wf_tree *t)
@@ -52,7 +52,7 @@ static void departures_tang(const struct wf_analysis *an, struct wf_diag *d)
         "tang2012: displacements of the segments are added up, so a strongly bent stem grows longer");
 }
 
-/* Of their winds, memories and leaves, in series. */
+/* Departures of wind, recursion over frames and leaves in runs in time. */
 static void departures_tang_in_time(struct wf_diag *d)
 {
     wf_diag_warn(

@@ -486,8 +486,8 @@ enum wf_status wf_gust_block(struct wf_gust *g, size_t index, double *out, struc
     return s->model->fill(g, first, steps, out, e);
 }
 
-enum wf_status wf_gust_series(struct wf_gust *g, size_t point, unsigned component, double *block, double *out,
-                              struct wf_err *e)
+enum wf_status wf_gust_history(struct wf_gust *g, size_t point, unsigned component, double *block,
+                               double *out, struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
     if (point >= s->points || component >= s->components)
