@@ -392,33 +392,6 @@ char *wf_args_study_schema(struct wf_arena *a, struct wf_err *e)
 
 /* ---- Command lines ---- */
 
-/* A word as a shell takes it: in quotes where it is empty or has characters that a shell would interpret.
- * Returned: NULL without memory. */
-static const char *quoted(const char *word, struct wf_arena *a)
-{
-    if (*word && !word[strcspn(word, " \t\r\n'\"\\$`&*?[]{}()<>|;#~!")]) return word;
-    char *text = WF_TAKE(a, 4 * strlen(word) + 3, char), *to = text;
-    if (!text) return NULL;
-    *to++ = '\'';
-    for (; *word; word++)
-        if (*word == '\'')
-            to = stpcpy(to, "'\\''");
-        else
-            *to++ = *word;
-    strcpy(to, "'");
-    return text;
-}
-
-char *wf_args_typed(int argc, char **argv, struct wf_arena *a)
-{
-    char *text = wf_arena_text(a, "windfirm");
-    for (int i = 0; text && i < argc; i++) {
-        const char *word = quoted(argv[i], a);
-        text = word ? wf_arena_print(a, "%s %s", text, word) : NULL;
-    }
-    return text;
-}
-
 int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char *about, size_t low,
                  size_t high, struct wf_arena *a, struct wf_args *out)
 {

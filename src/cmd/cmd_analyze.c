@@ -458,7 +458,7 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     w->input = WF_TAKE(&w->arena, n + OTHER_FILES, struct wf_input_file);
     w->inputs = 1; /* the first place is kept for the model */
     w->diag = WF_TAKE(&w->arena, n, struct wf_diag);
-    struct wf_run run = { .command = wf_args_typed(argc, argv, &w->arena),
+    struct wf_run run = { .command = wf_command_line(argc, argv, &w->arena),
                           .version = WF_VERSION,
                           .date = wf_run_date(&w->arena),
                           .n = n,
