@@ -393,13 +393,6 @@ char *wf_args_study_schema(struct wf_arena *a, struct wf_err *e)
 
 /* ---- Command lines ---- */
 
-char *wf_args_typed(int argc, char **argv, struct wf_arena *a)
-{
-    char *text = wf_arena_text(a, "windfirm");
-    for (int i = 0; text && i < argc; i++) text = wf_arena_print(a, "%s %s", text, argv[i]);
-    return text;
-}
-
 int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char *about, size_t low,
                  size_t high, struct wf_arena *a, struct wf_args *out)
 {

@@ -346,17 +346,6 @@ struct work {
     struct wf_diag *diag; /* one per species */
 };
 
-/* The command line as typed, quoted where a shell needs it. */
-static char *typed_quoted(struct wf_arena *a, int argc, char **argv)
-{
-    char *text = wf_arena_text(a, "windfirm");
-    for (int i = 0; text && i < argc; i++) {
-        bool plain = argv[i][0] && !strpbrk(argv[i], " \t'\"$&*;<>|");
-        text = wf_arena_print(a, plain ? "%s %s" : "%s '%s'", text, argv[i]);
-    }
-    return text;
-}
-
 static enum wf_status note_input(struct work *w, const char *role, const char *path, struct wf_err *e)
 {
     return wf_input_file_note(role, path, &w->arena, &w->input[w->inputs++], e);
@@ -470,7 +459,7 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     w->input = WF_TAKE(&w->arena, n + OTHER_FILES, struct wf_input_file);
     w->inputs = 1; /* the first place is kept for the model */
     w->diag = WF_TAKE(&w->arena, n, struct wf_diag);
-    struct wf_run run = { .command = typed_quoted(&w->arena, argc, argv),
+    struct wf_run run = { .command = wf_command_line(argc, argv, &w->arena),
                           .version = WF_VERSION,
                           .date = wf_run_date(&w->arena),
                           .n = n,

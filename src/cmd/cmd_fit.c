@@ -332,7 +332,7 @@ int wf_cmd_fit(int argc, char **argv)
     int code = wf_args_read(argc, argv, options, about, 1, 1, &j.arena, &o.args);
     if (code < 0) {
         j.folder = o.output;
-        j.r.command = wf_args_typed(argc, argv, &j.arena);
+        j.r.command = wf_command_line(argc, argv, &j.arena);
         j.r.loss = o.loss, j.r.priors = o.priors;
         j.r.date = wf_run_date(&j.arena);
         enum wf_status s = j.r.command && j.r.date

@@ -239,7 +239,7 @@ int wf_cmd_series(int argc, char **argv)
                                        .run = &o.run };
         struct series_job job = { .plan = &plan,
                                   .folder = o.output,
-                                  .command = wf_args_typed(argc, argv, &arena),
+                                  .command = wf_command_line(argc, argv, &arena),
                                   .language = o.lang,
                                   .quiet = o.args.quiet,
                                   .page = !o.no_report,
@@ -297,7 +297,7 @@ int wf_cmd_papers(int argc, char **argv)
     if (code < 0) {
         struct series_job job = { .plan = &plan,
                                   .folder = o.output ? o.output : wf_arena_print(&arena, "out/%s", plan.key),
-                                  .command = wf_args_typed(argc, argv, &arena),
+                                  .command = wf_command_line(argc, argv, &arena),
                                   .language = o.lang,
                                   .quiet = o.args.quiet,
                                   .page = !o.no_report,

@@ -129,11 +129,37 @@ enum wf_status wf_pages_make(const char *folder, const char *language, struct wf
     return s == WF_OK || s == WF_EMISSING ? WF_OK : wf_fail(e, s, "%s", why.text);
 }
 
+/* A word as a shell takes it: in quotes where it is empty or has characters that a shell would interpret.
+ * Returned: NULL without memory. */
+static const char *quoted(const char *word, struct wf_arena *a)
+{
+    if (*word && !word[strcspn(word, " \t\r\n'\"\\$`&*?[]{}()<>|;#~!")]) return word;
+    char *text = WF_TAKE(a, 4 * strlen(word) + 3, char), *to = text;
+    if (!text) return NULL;
+    *to++ = '\'';
+    for (; *word; word++)
+        if (*word == '\'')
+            to = stpcpy(to, "'\\''");
+        else
+            *to++ = *word;
+    strcpy(to, "'");
+    return text;
+}
+
+char *wf_command_line(int argc, char **argv, struct wf_arena *a)
+{
+    char *text = wf_arena_text(a, "windfirm");
+    for (int i = 0; text && i < argc; i++) {
+        const char *word = quoted(argv[i], a);
+        text = word ? wf_arena_print(a, "%s %s", text, word) : NULL;
+    }
+    return text;
+}
+
 enum wf_status wf_pages_head(int argc, char **argv, struct wf_arena *a, struct wf_doc_head *out,
                              struct wf_err *e)
 {
-    char *text = wf_arena_text(a, "windfirm");
-    for (int i = 0; text && i < argc; i++) text = wf_arena_print(a, "%s %s", text, argv[i]);
+    char *text = wf_command_line(argc, argv, a);
     *out = (struct wf_doc_head){ .command = text, .version = WF_VERSION, .date = wf_run_date(a) };
     return text && out->date ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
 }
