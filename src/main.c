@@ -25,7 +25,7 @@ static int unknown(const char *word)
     size_t n = 0;
     for (; n < COMMANDS_MAX && wf_commands[n].name; n++) known[n] = wf_commands[n].name;
     struct wf_hint hint = wf_did_you_mean(word, known, n);
-    fprintf(stderr, "windfirm: no command is called '%s'%s\n", word,
+    fprintf(stderr, "windfirm: unknown command '%s'%s\n", word,
             *hint.text ? hint.text : "; 'windfirm --help' lists them");
     return 2;
 }

@@ -414,7 +414,7 @@ static enum wf_status fit_build_test(const struct wf_fit_build *b, size_t index,
     for (size_t k = 0; k < b->calibration->trees; k++)
         if (!s->tree || !strcmp(s->tree, b->calibration->tree[k].name)) t->tree = k;
     if (t->tree == b->calibration->trees)
-        return wf_fail(e, WF_EINPUT, "%s: test %s: no tree is called '%s'", b->calibration->file, s->name,
+        return wf_fail(e, WF_EINPUT, "%s: test %s: unknown tree '%s'", b->calibration->file, s->name,
                        s->tree);
     load_of(s, t, in);
     enum wf_status status = wf_units_open(&u, e);
@@ -505,7 +505,7 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
     size_t used = 0, room = 0;
     *x = (struct wf_experiment){ .trees = s->trees, .tests = s->tests };
     x->tree = WF_TAKE(a, s->trees, struct wf_fit_tree), x->test = WF_TAKE(a, s->tests, struct wf_fit_test);
-    if (!x->tree || !x->test) return wf_fail(e, WF_ENOMEM, "%s: no room", s->file);
+    if (!x->tree || !x->test) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", s->file);
     enum wf_status status = WF_OK;
     for (size_t k = 0; k < s->trees && !status; k++) status = fit_build_tree(b, k, a, d, &x->tree[k], e);
     for (size_t k = 0; k < s->tests && !status; k++) {
