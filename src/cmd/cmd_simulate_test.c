@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "cmd/read_mat.h"
 #include "fit/build.h"
 #include "fit/predict.h"
 #include <gsl/gsl_linalg.h>
@@ -160,7 +161,7 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
 
 static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, struct wf_err *e)
 {
-    struct wf_fit_build b = { .study = &p->study, .share = wf_share(), .plan = true };
+    struct wf_fit_build b = { .study = &p->study, .share = wf_share(), .plan = true, .mat = wf_read_mat };
     const char *folder = p->options.output;
     enum wf_status s = wf_fit_study_read(p->options.args.operand[0], &p->arena, &p->study, d, e);
     if (s) return s;

@@ -6,6 +6,7 @@
 #include "fit/param.h"
 #include "fit/record.h"
 #include "fit/ring_down.h"
+#include "grow/import_file.h"
 
 /* What was read for one test, kept for figures. */
 struct wf_fit_input {
@@ -23,7 +24,8 @@ struct wf_fit_build {
     const char *share;       /* folder with the shipped species/ and models/             */
     const char *const *data; /* files of tests that name none, in the order of the tests */
     size_t datas;
-    bool plan; /* loads and speeds of the study in place of data           */
+    bool plan;             /* loads and speeds of the study in place of data           */
+    wf_import_reader *mat; /* of MATLAB files, as in struct wf_import_options       */
 };
 
 /* Trees: materials, rows cut where something is measured. Errors: WF_EINPUT with mistakes in d; WF_EMISSING
