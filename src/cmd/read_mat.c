@@ -39,14 +39,14 @@ static unsigned cpu_limit(const char *path)
 
 /* ---- The process that reads ---- */
 
-/* Never above what is inherited. `hard` allows one step more than `soft`, which tells the reason by its
- * signal. */
+/* Lower a limit, never raise an inherited one. The hard limit is `more` above the soft one, whose signal
+ * tells the reason. */
 static bool limit(__rlimit_resource_t what, rlim_t soft, rlim_t more)
 {
     struct rlimit l;
     if (getrlimit(what, &l)) return false;
     if (l.rlim_max > soft + more) l.rlim_max = soft + more;
-    l.rlim_cur = l.rlim_max < soft ? l.rlim_max : soft;
+    if (l.rlim_cur > soft) l.rlim_cur = soft;
     return setrlimit(what, &l) == 0;
 }
 
