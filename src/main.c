@@ -25,9 +25,9 @@ static int unknown(const char *word)
     const char *known[COMMANDS_MAX];
     size_t n = 0;
     for (; n < COMMANDS_MAX && wf_commands[n].name; n++) known[n] = wf_commands[n].name;
-    const char *near = wf_nearest(word, known, n);
-    fprintf(stderr, "windfirm: no command is called '%s'%s%s%s\n", word, near ? "; did you mean '" : "",
-            near ? near : "", near ? "'?" : "; 'windfirm --help' lists them");
+    struct wf_hint hint = wf_did_you_mean(word, known, n);
+    fprintf(stderr, "windfirm: unknown command '%s'%s\n", word,
+            *hint.text ? hint.text : "; 'windfirm --help' lists them");
     return 2;
 }
 
@@ -45,7 +45,7 @@ int main(int argc, char **argv)
         if (strcmp(word, c->name) != 0) continue;
         char page[] = "--help", *only_help[] = { argv[detail ? 2 : 1], page, NULL };
         int code = detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
-        /* what was printed counts only when it arrived: a full disk or a closed pipe is a failed run */
+        /* output that could not be written, because of a full disk or a closed pipe, is a failed run */
         return fflush(stdout) || ferror(stdout) ? (code ? code : 1) : code;
     }
     return unknown(word);

@@ -51,6 +51,20 @@ static void answers(void **unused)
     prints("$W schema fit", 0, "sensors[]");
 }
 
+/* Counts and seeds are whole numbers; none is cut to one. */
+static void counts(void **unused)
+{
+    (void)unused;
+    static const char *const row[][2] = {
+        { "$W fit $S --starts 2.7 -o $T/o", "--starts: 2.7 is not a whole number" },
+        { "$W fit $S --bootstrap 25.5 -o $T/o", "--bootstrap: 25.5 is not a whole number" },
+        { "$W fit $S --seed 0.5 -o $T/o", "--seed: 0.5 is not a whole number" },
+        { "$W fit $S --starts 0 -o $T/o", "--starts: 0 is outside 1..1000" },
+        { "$W simulate-test $S --seed 3.2 -o $T/o", "--seed: 3.2 is not a whole number" },
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) prints(row[i][0], 2, row[i][1]);
+}
+
 static void refusals(void **unused)
 {
     (void)unused;
@@ -69,7 +83,7 @@ static void refusals(void **unused)
         { "cp models/field/data/sample_pull.csv $T/bad.csv; sed -i 's/height: 4 m/height: 40 m/' $T/s.yaml",
           "no place 40 m" },
         { "printf 't_s,force_N,clino_root_rad,clino_stem_rad,strain_um_m\\n' > $T/bad.csv",
-          "below the header" },
+          "follows the header" },
         { "printf 't_s,force_N,clino_root_rad,clino_stem_rad,strain_um_m\\n0,9,1,2,3\\n' > $T/bad.csv",
           "only 1 row" },
         { ": > $T/bad.csv", "the table is empty" },
@@ -152,7 +166,9 @@ static void interrupted_fit_is_whole(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(answers), cmocka_unit_test(refusals),
+    const struct CMUnitTest tests[] = { cmocka_unit_test(answers),
+                                        cmocka_unit_test(counts),
+                                        cmocka_unit_test(refusals),
                                         cmocka_unit_test(cases_of_validate),
                                         cmocka_unit_test(open_question_is_flagged),
                                         cmocka_unit_test(interrupted_fit_is_whole) };

@@ -20,7 +20,7 @@ struct job {
     struct wf_diag diag;
     struct wf_err err;
     char folder[64];
-    struct wf_fit_study study;
+    struct wf_calibration calibration;
     struct wf_experiment x;
     struct wf_fit_input input[8];
 };
@@ -73,8 +73,8 @@ static enum wf_status build(struct job *j, const char *wind)
                        "      - {name: top, kind: deflection, height: 14 m, azimuth: 0 deg, sigma: 1 mm}\n"
                        "free:\n  - {parameter: level0.youngs_modulus, start: 6 GPa}\n",
                        *wind ? ", " : "", wind));
-    struct wf_fit_build b = { .study = &j->study, .share = ".", .plan = true };
-    enum wf_status s = wf_fit_study_read(path, &j->arena, &j->study, &j->diag, &j->err);
+    struct wf_fit_build b = { .calibration = &j->calibration, .share = ".", .plan = true };
+    enum wf_status s = wf_calibration_read(path, &j->arena, &j->calibration, &j->diag, &j->err);
     return s ? s : wf_fit_build(&b, &j->arena, &j->diag, &j->x, j->input, &j->err);
 }
 
@@ -111,7 +111,7 @@ static double modulus(struct job *j)
     size_t n;
     wf_fit_options_default(&o);
     o.profile = false;
-    if (wf_fit_params(&j->study, NULL, &j->x, false, &j->arena, &p, &n, &j->err) ||
+    if (wf_fit_params(&j->calibration, NULL, &j->x, false, &j->arena, &p, &n, &j->err) ||
         wf_fit_run(&j->x, p, n, &o, &j->arena, &j->diag, &f, &j->err))
         fail_msg("%s", j->err.text);
     assert_int_equal(n, 1);
@@ -168,7 +168,7 @@ static void stiffness_goes_with_the_air(void **unused)
         j.x.tree[0].loads.gravity = 0;
         for (size_t i = 0; i < j.x.tree[0].tree.n; i++) j.x.tree[0].tree.drag[i] = 1;
         if (!k) {
-            if (wf_fit_params(&j.study, NULL, &j.x, true, &j.arena, &p, &n, &j.err) ||
+            if (wf_fit_params(&j.calibration, NULL, &j.x, true, &j.arena, &p, &n, &j.err) ||
                 wf_fit_expect(&j.x, p, n, &j.arena, reading, NULL, &j.err))
                 fail_msg("%s", j.err.text);
             memcpy(value, reading, sizeof value);
@@ -247,20 +247,21 @@ static void places_of_mistakes(void **unused)
         { "profile: canopy", { "8:45: tests[0].wind.profile: the canopy profile needs the canopy height" } },
         { "profile: log, displacement: 12 m", { "8:45: tests[0].wind.profile: reference height 10 m" } },
         { "profile: measured", { "8:45: tests[0].wind.profile: the profile 'measured' needs" } },
-        { "profile: log, profile_file: mast.csv", { "8:45: ", "goes with the profile 'measured'" } },
+        { "profile: log, profile_file: mast.csv", { "8:45: ", "is for the profile 'measured'" } },
         { "profile_file: none.csv", { "8:50: tests[0].wind.profile_file: ", "cannot be read" } },
         { "profile_file: words.csv", { "3:3: speed_ms: 'x' is not a number", "8:50: " } },
         { "profile_file: calm.csv",
           { "8:50: tests[0].wind.profile_file: the measured profile has speed 0" } },
         { "speed_up: 9", { "8:46: tests[0].wind.speed_up: 9 is outside" } },
-        { "speed_up: 2, dem: ridge.asc, at: \"1,2\"", { "8:54: tests[0].wind.dem: 'speed_up' and 'dem'" } },
+        { "speed_up: 2, dem: ridge.asc, at: \"1,2\"",
+          { "8:54: tests[0].wind.dem: give one of 'speed_up' and 'dem', not both" } },
         { "dem: ridge.asc", { "8:41: tests[0].wind.dem: needs 'at'" } },
         { "dem: none.asc, at: \"1,2\"", { "8:41: tests[0].wind.dem: ", "cannot be read" } },
         { "dem: mast.csv, at: \"1,2\"", { "8:41: tests[0].wind.dem: ", "mast.csv:1:1: error" } },
         { "dem: ridge.asc, at: \"1,9000\"", { "8:41: tests[0].wind.dem: ", "outside the map" } },
         { "dem: ridge.asc, at: 800", { "8:56: tests[0].wind.at: '800'", "x,y" } },
-        { "at: \"1,2\"", { "8:40: tests[0].wind.at: ", "needs the ground, 'dem'" } },
-        { "north: 20 deg", { "8:43: tests[0].wind.north: is of 'dem'" } },
+        { "at: \"1,2\"", { "8:40: tests[0].wind.at: ", "needs 'dem', the heights of the ground" } },
+        { "north: 20 deg", { "8:43: tests[0].wind.north: applies only with 'dem'" } },
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         struct job j;

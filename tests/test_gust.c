@@ -31,7 +31,7 @@ static double *series(const struct wf_gust_spec *s, size_t point, unsigned compo
     double *x = calloc(s->steps, sizeof *x);
     assert_non_null(block);
     assert_non_null(x);
-    assert_int_equal(wf_gust_series(&g, point, component, block, x, &e), WF_OK);
+    assert_int_equal(wf_gust_history(&g, point, component, block, x, &e), WF_OK);
     wf_gust_close(&g);
     wf_arena_free(&a);
     free(block);

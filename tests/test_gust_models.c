@@ -35,7 +35,7 @@ static double *run(const struct wf_gust_spec *s)
     if (wf_gust_open(s, &arena, &diag, &g, &err)) fail_msg("%s", err.text);
     double *block = WF_TAKE(&arena, s->components * s->points * g.block, double),
            *x = WF_TAKE(&arena, s->steps, double);
-    assert_int_equal(wf_gust_series(&g, 0, 0, block, x, &err), WF_OK);
+    assert_int_equal(wf_gust_history(&g, 0, 0, block, x, &err), WF_OK);
     wf_gust_close(&g);
     return x;
 }

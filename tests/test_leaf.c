@@ -16,7 +16,7 @@ struct job {
     struct wf_arena arena;
     struct wf_diag diag;
     struct wf_err err;
-    struct wf_fit_study study;
+    struct wf_calibration calibration;
     struct wf_experiment x;
     struct wf_fit_param *param;
     size_t params;
@@ -26,11 +26,11 @@ static void build(struct job *j, const char *path)
 {
     memset(j, 0, sizeof *j);
     j->diag.arena = &j->arena;
-    struct wf_fit_build b = { .study = &j->study, .share = "." };
-    if (wf_fit_study_read(path, &j->arena, &j->study, &j->diag, &j->err)) fail_msg("%s", j->err.text);
-    struct wf_fit_input *in = WF_TAKE(&j->arena, j->study.tests, struct wf_fit_input);
+    struct wf_fit_build b = { .calibration = &j->calibration, .share = "." };
+    if (wf_calibration_read(path, &j->arena, &j->calibration, &j->diag, &j->err)) fail_msg("%s", j->err.text);
+    struct wf_fit_input *in = WF_TAKE(&j->arena, j->calibration.tests, struct wf_fit_input);
     if (wf_fit_build(&b, &j->arena, &j->diag, &j->x, in, &j->err)) fail_msg("%s", j->err.text);
-    if (wf_fit_params(&j->study, NULL, &j->x, false, &j->arena, &j->param, &j->params, &j->err))
+    if (wf_fit_params(&j->calibration, NULL, &j->x, false, &j->arena, &j->param, &j->params, &j->err))
         fail_msg("%s", j->err.text);
 }
 
@@ -188,10 +188,10 @@ static void places(void **unused)
     struct job j;
     struct scratch m, s;
     struct wf_predictor *w;
-    char study[2000];
+    char calibration[2000];
     scratch_write(&m, model, sizeof model - 1);
-    snprintf(study, sizeof study, text, m.path);
-    scratch_write(&s, study, strlen(study));
+    snprintf(calibration, sizeof calibration, text, m.path);
+    scratch_write(&s, calibration, strlen(calibration));
     build(&j, s.path);
     double at = wf_param_internal(&j.param[0], j.param[0].start), y[5];
     assert_int_equal(wf_predictor_open(&j.x, j.param, 1, &j.arena, &w, &j.err), WF_OK);
@@ -214,7 +214,7 @@ static void says(struct job *j, const char *text, const char *const *words, size
     j->diag.arena = &j->arena;
     scratch_write(&s, text, strlen(text));
     assert_int_equal(model ? wf_model_read(s.path, &j->arena, &m, &j->diag, &j->err)
-                           : wf_fit_study_read(s.path, &j->arena, &j->study, &j->diag, &j->err),
+                           : wf_calibration_read(s.path, &j->arena, &j->calibration, &j->diag, &j->err),
                      WF_EINPUT);
     findings_print(&j->diag, all, sizeof all);
     for (size_t i = 0; i < n; i++)
@@ -227,7 +227,7 @@ static void mistakes(void **unused)
 {
     (void)unused;
     struct job j;
-    static const char study[] =
+    static const char calibration[] =
         "fit: x\nname: x\ntrees:\n  - {name: a, species: scots_pine, model: culm}\ntests:\n"
         "  - {name: t, along: s_m, pull: {height: 3 m}, sensors: [{name: s, kind: reach, column: x_m}]}\n"
         "  - {name: u, zero: unloaded, sensors: [{name: s, kind: rise, height: 2 m, along: 3 m, value: 1 "
@@ -239,7 +239,7 @@ static void mistakes(void **unused)
                                         "under weight alone needs 'azimuth'",
                                         "under weight alone needs 'value'",
                                         "give each a test of its own" };
-    says(&j, study, said, sizeof said / sizeof *said, false);
+    says(&j, calibration, said, sizeof said / sizeof *said, false);
     static const char model[] =
         "model: m\nname: m\nshape: under_weight\ncrown: {base: 1 m, leaf_area: 1 m2}\nstem:\n  height: 4 m\n"
         "  base_radius: 1 cm\n  taper: {law: linear, tip_share: 0.5}\n  sections:\n"

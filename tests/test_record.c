@@ -160,12 +160,12 @@ static void played_back(void **state)
     s.components = 3;
     assert_int_equal(wf_gust_open(&s, &arena, &diag, &g, &err), WF_OK);
     double *block = calloc(3 * g.block, sizeof *block), x[200];
-    assert_int_equal(wf_gust_series(&g, 0, 2, block, x, &err), WF_OK);
+    assert_int_equal(wf_gust_history(&g, 0, 2, block, x, &err), WF_OK);
     for (size_t i = 0; i < 200; i++) assert_true(fabs(x[i] - record.w[i]) < 1e-9);
     assert_int_equal(wf_gust_set(&s, "rescale", 1.0, &err), WF_OK);
     s.speed = 20.0;
     assert_int_equal(wf_gust_open(&s, &arena, &diag, &g, &err), WF_OK);
-    assert_int_equal(wf_gust_series(&g, 0, 0, block, x, &err), WF_OK);
+    assert_int_equal(wf_gust_history(&g, 0, 0, block, x, &err), WF_OK);
     double mean = 0;
     for (size_t i = 0; i < 200; i++) mean += x[i] / 200;
     assert_close(mean, 20.0, 1e-9);

@@ -172,7 +172,7 @@ static void files(void **state)
     if (try(&m)) fail_msg("%s", m.err.text);
     scratch_write(&s, "", 0);
     snprintf(folder, sizeof folder, "%s.d", s.path);
-    const struct wf_series_run run = { &m.series, &m.diag };
+    const struct wf_series_page_run run = { &m.series, &m.diag };
     const struct wf_series_page page = {
         .title = "t", .command = "c", .date = "d", .version = "v", .n = 1, .run = &run
     };

@@ -242,8 +242,8 @@ static const struct edit mistakes[] = {
       "25:23: crown.streamlining.law: 'vogle' is not one of: none, vogel, table; did you mean 'vogel'?" },
     { "law: vogel, ", "",
       "25:17: crown.streamlining: missing key 'law' (none: a rigid crown; vogel: share = (U / "
-      "reference_speed)^exponent above the reference speed, 1 below; table: linear between the speeds "
-      "given.); for example 'law: vogel'" },
+      "reference_speed)^exponent above the reference speed, 1 below; table: interpolated between "
+      "the speeds given by monotone cubics.); for example 'law: vogel'" },
     { "law: vogel", "law: none",
       "25:39: crown.streamlining.exponent: is for law 'vogel'; the law here is 'none'\n"
       "26:22: crown.streamlining.reference_speed: is for law 'vogel'; the law here is 'none'" },
@@ -356,7 +356,7 @@ static void the_schema_is_printed(void **state)
     static const char *const lines[] = { "  levels[].youngs_modulus  (required)\n",
                                          "  crown.streamlining.exponent\n",
                                          "0.001 GPa to 200 GPa",
-                                         "left out: youngs_modulus / 16, assumed",
+                                         "if absent: youngs_modulus / 16, assumed",
                                          "\nvalue:\n",
                                          "  low\n" };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) assert_non_null(strstr(text, lines[i]));

@@ -23,6 +23,20 @@ limit 'files in src' "$(wc -l <"$scratch/files")" 233
 xargs wc -l <"$scratch/files" | awk '$2 != "total" && $1 > 700' >"$scratch/long"
 limit 'files over 700 lines' "$(wc -l <"$scratch/long")" 0 "$scratch/long"
 
+# docs/design.md: files of a room that its list lacks, and files named anywhere in it that are not there. In the lists
+# a name without an ending is a .c and a .h; capitals (cmd_NAME.c) stand for a name still to be chosen.
+plan=docs/design.md
+awk '/^\* `[a-z]+`: / { split($0, quoted, "`"); room = quoted[2] }
+    /^$/ { room = "" }
+    room { n = split($0, quoted, "`"); for (i = 2; i <= n; i += 2) if (quoted[i] != room || seen[room]++)
+               print "src/" room "/" quoted[i] (quoted[i] ~ /\./ ? "" : ".c\nsrc/" room "/" quoted[i] ".h") }' "$plan" |
+    while read -r name; do ls $name 2>/dev/null || echo "$name"; done | sort -u >"$scratch/listed"
+grep '/.*/' "$scratch/files" | comm -23 - "$scratch/listed" | sed "s|\$|: not in the list of its room|" >"$scratch/plan"
+grep -o '`[a-z_./]*/[a-z_0-9./]*\.[a-z]*`' "$plan" | tr -d '`' | sort -u | cat "$scratch/listed" - | while read -r name; do
+    [ -e "$name" ] || [ -e "src/$name" ] || [ "${name#plots/}" != "$name" ] || echo "$name: not there" # plots: of results
+done >>"$scratch/plan"
+limit "files missing in $plan, or there alone" "$(wc -l <"$scratch/plan")" 0 "$scratch/plan"
+
 # The licence, in the first line, or the second of a script.
 for f in $(git ls-files src tests tools 2>/dev/null | grep -E '\.(c|h|cpp|sh|awk)$'); do
     if [ -f "$f" ]; then sed -n 1,2p "$f" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' || echo "$f"; fi

@@ -34,7 +34,7 @@ static const char *const tree_column_names[TREE_COLUMNS] = { "id",      "parent"
                                                              "z0",      "x1",      "y1",   "z1",
                                                              "radius0", "radius1", "level" };
 
-struct tree_record {
+struct tree_row {
     long long id, parent, level;
     double v[R1 + 1]; /* X0..R1 */
 };
@@ -50,7 +50,7 @@ static int compare_ids(const void *a, const void *b)
     return (x->id > y->id) - (x->id < y->id);
 }
 
-static bool record_read(struct wf_csv *f, const size_t at[TREE_COLUMNS], struct tree_record *r)
+static bool tree_row_read(struct wf_csv *f, const size_t at[TREE_COLUMNS], struct tree_row *r)
 {
     bool ok = wf_csv_integer(f, at[ID], 1, INT64_MAX, &r->id);
     ok &= wf_csv_integer(f, at[PARENT], 0, INT64_MAX, &r->parent);
@@ -60,8 +60,8 @@ static bool record_read(struct wf_csv *f, const size_t at[TREE_COLUMNS], struct 
     return ok;
 }
 
-static enum wf_status tree_from_records(const struct tree_record *r, size_t n, const char *path,
-                                        struct wf_arena *a, struct wf_tree *t, struct wf_err *e)
+static enum wf_status tree_from_rows(const struct tree_row *r, size_t n, const char *path, struct wf_arena *a,
+                                     struct wf_tree *t, struct wf_err *e)
 {
     struct by_id *index = WF_TAKE(a, n, struct by_id);
     if (!index) return wf_fail(e, WF_ENOMEM, "%s: no memory for %zu rows", path, n);
@@ -93,8 +93,8 @@ enum wf_status wf_case_tree_read(const char *path, struct wf_arena *a, struct wf
     if (wf_csv_open(&f, path, a, &d, e)) return e->code;
     for (size_t k = 0; k < TREE_COLUMNS; k++) at[k] = wf_csv_need(&f, tree_column_names[k]);
     while (!d.errors && wf_csv_next(&f)) {
-        struct tree_record r;
-        if (record_read(&f, at, &r) && !wf_list_add(&rows, &r, sizeof r, a))
+        struct tree_row r;
+        if (tree_row_read(&f, at, &r) && !wf_list_add(&rows, &r, sizeof r, a))
             return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
     }
     if (d.errors) {
@@ -102,7 +102,7 @@ enum wf_status wf_case_tree_read(const char *path, struct wf_arena *a, struct wf
         return wf_fail(e, WF_EINPUT, "%s", wf_finding_print(d.first, text, sizeof text));
     }
     if (!rows.n) return wf_fail(e, WF_EINPUT, "%s: no rows", path);
-    return tree_from_records(rows.data, rows.n, path, a, t, e);
+    return tree_from_rows(rows.data, rows.n, path, a, t, e);
 }
 
 /* The structure of a validation case as a tree of rows, before any splitting. */
@@ -426,7 +426,7 @@ static enum wf_status case_point_loads(const struct wf_case *c, struct wf_setup 
     if (!p) return wf_fail(e, WF_ENOMEM, "no memory");
     for (size_t i = 0; i < c->loads.n; i++) {
         if (wf_setup_row(s, &l[i].at) < 0)
-            return wf_fail(e, WF_EINPUT, "%s:%zu: the base is held; a load there does nothing", c->file,
+            return wf_fail(e, WF_EINPUT, "%s:%zu: the base is fixed; a load there has no effect", c->file,
                            l[i].line);
         p[i].segment = wf_setup_row(s, &l[i].at);
         p[i].kind = l[i].follower ? WF_POINT_FOLLOWER : WF_POINT_DEAD;

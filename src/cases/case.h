@@ -82,7 +82,7 @@ enum wf_case_shape {
     WF_SHAPE_BRANCHES,
     WF_SHAPE_TREE,
     WF_SHAPE_FLOW,
-    WF_SHAPE_FIT /* a calibration study, run by wf_case_fit */
+    WF_SHAPE_FIT /* a calibration, run by wf_case_fit */
 };
 enum wf_case_model { WF_MODEL_K, WF_MODEL_EB, WF_MODEL_SR };
 enum { WF_CASE_KEYS_MAX = 72, WF_CASE_SOLVERS_MAX = 6, WF_CASE_PIECES_MAX = 8 };
@@ -112,9 +112,10 @@ struct wf_case {
     struct wf_law_values axis_drag_par, streamlining_par;
     double crown_area, air_viscosity; /* still-air crown area times its Cd per length [m]; [m2/s] */
     double wind[3], air_density, drag, cauchy, gravity, weight_parameter;
-    const char *fit_study, *fit_free; /* file beside the case; free parameters, NULL: those of the study */
+    const char *fit_calibration; /* name of its file, beside the case */
+    const char *fit_free;        /* free parameters; NULL: those of the calibration */
     double data_sets,
-        noise; /* number of synthetic data sets and their noise in sigmas; NAN: the study's data, 1 */
+        noise; /* number of synthetic data sets and their noise in sigmas; NAN: the calibration's data, 1 */
     const char *flow;
     double flow_speed, flow_radius, flow_circulation, flow_strength, flow_segment[2];
     const struct wf_solver *solver[WF_CASE_SOLVERS_MAX];

@@ -160,7 +160,7 @@ struct trial {
     const struct wf_case *of;
     const char *share; /* folder of the shipped species and models */
     wf_import_reader *mat;
-    struct wf_fit_study study;
+    struct wf_calibration calibration;
     struct wf_experiment x;
     struct wf_fit_param *param;
     size_t params;
@@ -172,19 +172,19 @@ struct trial {
 static enum wf_status build_trial(struct trial *t, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_case *c = t->of;
-    const char *slash = *c->fit_study == '/' ? NULL : strrchr(c->file, '/');
+    const char *slash = *c->fit_calibration == '/' ? NULL : strrchr(c->file, '/');
     const char *path =
-        wf_arena_print(a, "%.*s%s", slash ? (int)(slash + 1 - c->file) : 0, c->file, c->fit_study);
+        wf_arena_print(a, "%.*s%s", slash ? (int)(slash + 1 - c->file) : 0, c->file, c->fit_calibration);
     struct wf_diag d = { .arena = a };
     struct wf_fit_build b = {
-        .study = &t->study, .share = t->share, .plan = !isnan(c->data_sets), .mat = t->mat
+        .calibration = &t->calibration, .share = t->share, .plan = !isnan(c->data_sets), .mat = t->mat
     };
     if (!path) return wf_fail(e, WF_ENOMEM, "no memory");
-    enum wf_status s = wf_fit_study_read(path, a, &t->study, &d, e);
-    struct wf_fit_input *in = s ? NULL : WF_TAKE(a, t->study.tests, struct wf_fit_input);
+    enum wf_status s = wf_calibration_read(path, a, &t->calibration, &d, e);
+    struct wf_fit_input *in = s ? NULL : WF_TAKE(a, t->calibration.tests, struct wf_fit_input);
     if (!s && !in) s = wf_fail(e, WF_ENOMEM, "no memory");
     if (!s) s = wf_fit_build(&b, a, &d, &t->x, in, e);
-    if (!s) s = wf_fit_params(&t->study, c->fit_free, &t->x, b.plan, a, &t->param, &t->params, e);
+    if (!s) s = wf_fit_params(&t->calibration, c->fit_free, &t->x, b.plan, a, &t->param, &t->params, e);
     if (s) return s;
     t->value = WF_TAKE(a, t->params, double), t->covered = WF_TAKE(a, t->params, double);
     return t->value && t->covered ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The way from a command line to an options struct: options and operands as typed, study files, the usage
- * text. */
+/* Reads a command line into an options struct: options and operands as typed, study files, the usage text. */
 #include "cmd/args.h"
 #include "base/file.h"
 #include "base/text.h"
@@ -47,7 +46,7 @@ static void print_option(FILE *to, const struct wf_option *o)
     print_paragraph(to, text, 28);
 }
 
-/* Paragraphs are parted by newlines; a line that starts with a blank stays as it is. */
+/* Newlines separate paragraphs; a line that starts with a blank is printed unchanged. */
 static void print_about(FILE *to, const char *about)
 {
     while (*about) {
@@ -93,9 +92,9 @@ static void unknown_option(struct wf_reading *r, const char *word, size_t length
     snprintf(typed, sizeof typed, "%.*s", (int)length, word);
     for (; n < r->options; n++) known[n] = r->args->option[n].name;
     known[n++] = "--help";
-    const char *near = wf_nearest(typed, known, n);
-    wf_option_mistake(r, NULL, "", "unknown option '%s'%s%s%s", typed, near ? "; did you mean '" : "",
-                      near ? near : "", near ? "'?" : "; 'windfirm COMMAND --help' lists them");
+    struct wf_hint hint = wf_did_you_mean(typed, known, n);
+    wf_option_mistake(r, NULL, "", "unknown option '%s'%s", typed,
+                      *hint.text ? hint.text : "; 'windfirm COMMAND --help' lists them");
 }
 
 /* The argument at argv[i], an option; returned: how many arguments it took. */
@@ -152,7 +151,7 @@ static void complete(struct wf_reading *r)
 }
 
 /* ---- Study files ----
- * The options of a command as keys of a YAML file, so that an analysis can be kept, sent and run again. One
+ * The options of a command as keys of a YAML file, so that an analysis can be saved, shared and repeated. One
  * file serves several commands: each takes the keys that are options of its own and lists the others. */
 
 enum { KEYS_MAX = 150 };
@@ -200,7 +199,7 @@ static void add_key(struct study_keys *b, struct wf_yaml_row row)
     b->keys++;
 }
 
-/* "--root-stiffness" as a key: root_stiffness. Returned: text in the arena, NULL without room. */
+/* "--root-stiffness" as a key: root_stiffness. Returned: text in the arena, NULL without memory. */
 static const char *key_of(const struct wf_option *o, struct wf_arena *a)
 {
     char *key = wf_arena_text(a, o->name + 2);
@@ -239,7 +238,7 @@ static bool fill_keys(struct study_keys *b, struct wf_arena *a)
           .example = "moso_bamboo" },
         { .key = "gust",
           .kind = WF_YAML_JOINED,
-          .doc = "gust model, a row of 'windfirm wind list' - series wind",
+          .doc = "gust model, a name from 'windfirm wind list' - series wind",
           .example = "kaimal" },
     };
     for (size_t i = 0; i < sizeof first / sizeof *first; i++) add_key(b, first[i]);
@@ -269,7 +268,7 @@ static void take_operands(struct study_keys *b, const char *list)
     out->operand = operand;
 }
 
-/* The value of row k, as it stands in the study file. What was typed comes first. */
+/* The value of row k from the study file. A typed value takes precedence. */
 static void take_key(struct study_keys *b, size_t k)
 {
     struct wf_reading *r = b->reading;
@@ -328,7 +327,8 @@ static const struct wf_yaml_table study_table = {
     .doc =
         "A study: the options of a command as keys, so that an analysis can be kept and run again. Every "
         "option of analyze, compare, explain, series, shelter and wind is a key, with '_' for '-'; a flag is "
-        "yes or no; a list is written [10, 15, 25]. What is typed comes before what the file says. Files are "
+        "yes or no; a list is written [10, 15, 25]. The command line takes precedence over the file. Files "
+        "are "
         "looked for beside the study first.",
     .finish = apply_keys,
 };
@@ -392,13 +392,6 @@ char *wf_args_study_schema(struct wf_arena *a, struct wf_err *e)
 }
 
 /* ---- Command lines ---- */
-
-char *wf_args_typed(int argc, char **argv, struct wf_arena *a)
-{
-    char *text = wf_arena_text(a, "windfirm");
-    for (int i = 0; text && i < argc; i++) text = wf_arena_print(a, "%s %s", text, argv[i]);
-    return text;
-}
 
 int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char *about, size_t low,
                  size_t high, struct wf_arena *a, struct wf_args *out)

@@ -54,19 +54,19 @@ const struct wf_option wf_analyze_options[] = {
     WORD("--solver", solver, "NAME", wf_solver_word, "beam", "how the bent shape is computed",
          .letter = "-s"),
     WORD("--preset", preset, "NAME", wf_preset_word, "corrected",
-         "a published method, its formula and constants as printed; warnings tell where it leaves physics"),
+         "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
     PATH("--climate", climate, "FILE", NULL,
-         "how often and how strongly the wind comes from where, for hours a year above the critical wind: a "
-         "CSV as for 'windfirm wind rose', hourly means at the reference height; its directions are taken"),
+         "wind climate, for hours a year above the critical wind: frequency and strength by direction, a CSV "
+         "as for 'windfirm wind rose', hourly means at the reference height; its directions are taken"),
     NUMBER("--north", north, "ANGLE", ANGLE, "deg", -360, 360, "0",
            "where north is in the model: clockwise from +y as seen from above; 0: north is +y, east +x"),
     WHOLE("--threads", threads, 0, 64, "0", "processors to use, 0: all; the results are the same"),
     WORD("--shelter", shelter, "LAW", wf_shelter_word, "none",
-         "the wind inside the crown: none: as outside; wake: what drag of the windward parts leaves; "
+         "the wind inside the crown: none: as outside; wake: reduced by the drag of the windward parts; "
          "feng1999: potential flows as printed"),
     NUMBER("--speed-up", speed_up, "NUMBER", NONE, NULL, 0.1, 5, NULL,
            "exposure of the site: wind at the tree over the wind named [1]"),
@@ -84,14 +84,13 @@ const struct wf_option wf_analyze_options[] = {
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
            "relative error accepted from the mesh; 0 takes one element a segment"),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
-           "rotational stiffness of the root plate; left out, the stem is clamped"),
-    FLAG("--no-report", no_report, "write results and tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+           "rotational stiffness of the root plate; without it the stem is clamped"),
+    WF_PAGE_ROWS("--no-report", no_report, lang, "write results and tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 
-/* What the options ask for, in the terms of the library. */
+/* The options, converted to structs of the library. */
 struct request {
     struct wf_scenario scenario;
     struct wf_search search;
@@ -105,8 +104,8 @@ static double degrees(double rad) { return rad * 180.0 / M_PI; }
 
 /* ---- From options to a request ---- */
 
-/* The directions asked for; a climate is read, its mistakes are in `d`. Returned: *out, n = 0 where no
- * directions are asked for. */
+/* The wind directions of the options; a climate is read, its mistakes are in `d`. Returned: *out, n = 0 when
+ * the options specify no directions. */
 static enum wf_status read_directions(const struct analyze_options *o, struct wf_arena *a, struct wf_diag *d,
                                       struct wf_directions_request *out, struct wf_err *e)
 {
@@ -135,7 +134,7 @@ static enum wf_status read_place(const char *text, double *x, double *y, struct 
                    text ? text : "");
 }
 
-/* The exposure on a map of the ground: for the wind from one direction and from all that are asked for. */
+/* The exposure on a map of the ground: for the wind from one direction and from all specified directions. */
 static enum wf_status expose_site(struct wf_site *site, const char *at, struct wf_arena *a,
                                   struct wf_scenario *s, struct wf_directions_request *q, struct wf_err *e)
 {
@@ -150,15 +149,14 @@ static enum wf_status expose_site(struct wf_site *site, const char *at, struct w
     return status;
 }
 
-/* The exposure asked for, into the scenario and, by direction, into the request. */
+/* Put the specified exposure into the scenario and, by direction, into the request. */
 static enum wf_status read_exposure(const struct analyze_options *o, struct wf_arena *a,
                                     struct wf_scenario *s, struct wf_directions_request *q, struct wf_err *e)
 {
     bool given = !isnan(o->speed_up);
     if (given) s->speed_up = o->speed_up;
-    if (!o->dem && o->at) return wf_fail(e, WF_EUSAGE, "--at: a place on the ground needs the ground, --dem");
-    if (o->dem && given)
-        return wf_fail(e, WF_EUSAGE, "--speed-up and --dem: one of them says how exposed the tree is");
+    if (!o->dem && o->at) return wf_fail(e, WF_EUSAGE, "--at: needs --dem, the heights of the ground");
+    if (o->dem && given) return wf_fail(e, WF_EUSAGE, "give one of --speed-up and --dem, not both");
     if (!o->dem) return WF_OK;
     struct wf_site *site = WF_TAKE(a, 1, struct wf_site);
     if (!site) return wf_fail(e, WF_ENOMEM, "not enough memory for a map");
@@ -166,7 +164,7 @@ static enum wf_status read_exposure(const struct analyze_options *o, struct wf_a
     return expose_site(site, o->at, a, s, q, e);
 }
 
-/* What the options ask for. A measured profile and a climate are read; their mistakes are in `d`. */
+/* Convert the options to a request. A measured profile and a climate are read; their mistakes are in `d`. */
 static enum wf_status read_request(const struct analyze_options *o, struct wf_arena *a, struct wf_diag *d,
                                    struct request *out, struct wf_err *e)
 {
@@ -202,7 +200,7 @@ static void print_cell(FILE *to, int width, int digits, double x)
         fprintf(to, "%*s", width, "-");
 }
 
-/* At the strongest wind asked for. */
+/* At the strongest specified wind. */
 static void print_direction(FILE *to, const struct wf_analysis *an, const struct wf_direction *d)
 {
     const struct wf_at_speed *at = &d->at[an->n - 1];
@@ -229,7 +227,7 @@ static void print_climate(FILE *to, const struct wf_analysis *an)
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
     fprintf(to,
-            "\n  The critical wind is one that lasts, a 10-min mean at %.6g m. Hours a year: with an hourly "
+            "\n  The critical wind is a sustained one, a 10-min mean at %.6g m. Hours a year: with an hourly "
             "mean above "
             "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
             an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
@@ -270,7 +268,8 @@ static void print_speed(FILE *to, const struct wf_at_speed *at)
 {
     print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
     if (at->status) {
-        fprintf(to, "   no equilibrium; %.0f %% of the load stood\n", 100.0 * at->response.load_factor);
+        fprintf(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
+                100.0 * at->response.load_factor);
         return;
     }
     print_number(to, 12, 3, at->tip_deflection);
@@ -308,7 +307,8 @@ static void print_results(FILE *to, const struct wf_run *run)
     fprintf(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
     if (s->speed_up != 1.0)
         fprintf(to,
-                "The tree meets %.4g times the wind named (exposure of the site); critical speeds are of the "
+                "The wind at the tree is %.4g times the wind named (exposure of the site); critical speeds "
+                "are of the "
                 "wind "
                 "named\n",
                 s->speed_up);
@@ -345,17 +345,6 @@ struct work {
     struct wf_input_file *input;
     struct wf_diag *diag; /* one per species */
 };
-
-/* The command line as typed, quoted where a shell needs it. */
-static char *typed_quoted(struct wf_arena *a, int argc, char **argv)
-{
-    char *text = wf_arena_text(a, "windfirm");
-    for (int i = 0; text && i < argc; i++) {
-        bool plain = argv[i][0] && !strpbrk(argv[i], " \t'\"$&*;<>|");
-        text = wf_arena_print(a, plain ? "%s %s" : "%s '%s'", text, argv[i]);
-    }
-    return text;
-}
 
 static enum wf_status note_input(struct work *w, const char *role, const char *path, struct wf_err *e)
 {
@@ -397,7 +386,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     return !s && climate ? note_input(w, "climate", climate, e) : s;
 }
 
-/* The same from all directions, where asked for. */
+/* Analyse the wind from all directions, where specified. */
 static enum wf_status run_directions(struct work *w, struct wf_analysis *an, struct wf_err *e)
 {
     const struct wf_directions_request *q = &w->request.directions;
@@ -429,7 +418,7 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
     return WF_OK;
 }
 
-/* Plots and pages. A drawing program that is not installed leaves the results complete; *whole tells whether
+/* Plots and pages. A drawing program that is not installed leaves the results complete; *whole: whether
  * everything was drawn. */
 static enum wf_status draw_report(struct work *w, bool *whole, struct wf_err *e)
 {
@@ -444,7 +433,7 @@ static enum wf_status draw_report(struct work *w, bool *whole, struct wf_err *e)
     return wf_fail(e, s, "%s", why.text);
 }
 
-/* Pages of an earlier run beside new results would be taken for theirs. */
+/* Pages of an earlier run would be mistaken for pages of the new results. */
 static void warn_of_old_pages(struct work *w)
 {
     static const char *const page[] = { "report.html", "report.pdf" };
@@ -468,9 +457,9 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     w->species = WF_TAKE(&w->arena, n, struct wf_species);
     w->analysis = WF_TAKE(&w->arena, n, struct wf_analysis);
     w->input = WF_TAKE(&w->arena, n + OTHER_FILES, struct wf_input_file);
-    w->inputs = 1; /* the model's place */
+    w->inputs = 1; /* the first place is kept for the model */
     w->diag = WF_TAKE(&w->arena, n, struct wf_diag);
-    struct wf_run run = { .command = typed_quoted(&w->arena, argc, argv),
+    struct wf_run run = { .command = wf_command_line(argc, argv, &w->arena),
                           .version = WF_VERSION,
                           .date = wf_run_date(&w->arena),
                           .n = n,
@@ -482,7 +471,7 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     run.inputs = w->inputs;
     if (s || (s = analyse(w, e))) return s;
     if (!w->options.args.quiet) print_results(stdout, &run);
-    fflush(stdout); /* so that warnings stand below the table where both go to the same place */
+    fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
     for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
     if ((s = wf_results_write(&run, w->folder, e))) return s;
     bool pages = !w->options.no_report, whole = false;
@@ -526,7 +515,7 @@ int wf_cmd_analyze(int argc, char **argv)
         "is "
         "steady; the tree bends until its stiffness balances wind and weight, and the wind is taken on the "
         "bent "
-        "shape. Deflection is counted from the unloaded shape, so it holds the sag under weight as well.\n"
+        "shape. Deflection is counted from the unloaded shape, so it includes the sag under weight.\n"
         "\n"
         "  windfirm analyze species/moso_bamboo.yaml --model models/moso_culm.yaml --wind 5:40:1";
     return analyze_or_compare(argc, argv, about, 1, 1);

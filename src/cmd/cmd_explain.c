@@ -34,19 +34,19 @@ const struct wf_option wf_explain_options[] = {
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
     TEXT("--output", output, "FOLDER", "out/explain", "where table, plot and page go", .letter = "-o"),
-    FLAG("--no-report", no_report, "write the table only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-report", no_report, lang, "write the table only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 
-static const char about[] = "SPECIES is a species table. Every solver bends the same tree in the same wind; "
-                            "for each branch the table gives "
-                            "its own bending (less what its foot does) over that of the beam engine: where a "
-                            "published method, as printed "
-                            "or corrected, can be trusted, and where it cannot.\n"
-                            "\n"
-                            "  windfirm explain poplar --model zhao2013_ifs --wind 10";
+static const char about[] =
+    "SPECIES is a species table. Every solver bends the same tree in the same wind; "
+    "for each branch the table gives "
+    "its own bending (less the movement of its foot) over that of the beam engine: where a "
+    "published method, as printed "
+    "or corrected, can be trusted, and where it cannot.\n"
+    "\n"
+    "  windfirm explain poplar --model zhao2013_ifs --wind 10";
 
 static void print_methods(const struct wf_explain *x, double speed, double height)
 {

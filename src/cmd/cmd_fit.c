@@ -2,6 +2,7 @@
 /* windfirm fit: calibrate a tree to what was measured on it. */
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "cmd/option_groups.h"
 #include "cmd/read_mat.h"
 #include "data/species.h"
 #include "out/fit_results.h"
@@ -12,10 +13,10 @@
 
 struct fit_options {
     struct wf_args args;
-    const char *data, *free; /* lists with commas; NULL: the study's */
+    const char *data, *free; /* lists with commas; NULL: the calibration's */
     const char *loss;
-    double loss_scale;              /* [standard deviations]; NAN: the loss's own */
-    double starts, bootstrap, seed; /* numbers, cut to whole ones */
+    double loss_scale; /* [standard deviations]; NAN: the loss's own */
+    size_t starts, bootstrap, seed;
     bool priors, no_profile, no_rival, no_report;
     const char *lang;
     const char *write, *output; /* NULL: nothing is written; folder */
@@ -35,19 +36,16 @@ static const struct wf_option options[] = {
            "where the loss departs from squares, in standard deviations [1.345 huber, 2.385 cauchy, 4.685 "
            "tukey]"),
     FLAG("--priors", priors, "the species table's ranges take part as normal distributions"),
-    NUMBER("--starts", starts, "NUMBER", NONE, NULL, 1, 1000, "1",
-           "starting points tried, within a factor of 3 of the start"),
-    NUMBER("--bootstrap", bootstrap, "NUMBER", NONE, NULL, 0, 10000, "0",
-           "resampled data sets for intervals by the bootstrap"),
-    NUMBER("--seed", seed, "NUMBER", NONE, NULL, 0, 9007199254740992.0, "1", "of starts and bootstrap"),
+    WHOLE("--starts", starts, 1, 1000, "1", "starting points tried, within a factor of 3 of the start"),
+    WHOLE("--bootstrap", bootstrap, 0, 10000, "0", "resampled data sets for intervals by the bootstrap"),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of starts and bootstrap"),
     FLAG("--no-profile", no_profile, "no intervals by profile likelihood"),
     FLAG("--no-rival", no_rival, "no second fit with the root the other way"),
     TEXT("--write", write, "FILE", NULL, "write the species table with the fitted values"),
     TEXT("--output", output, "FOLDER", "out/fit", "where results, tables, plots and pages go",
          .letter = "-o"),
-    FLAG("--no-report", no_report, "results and tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-report", no_report, lang, "results and tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 
@@ -55,8 +53,7 @@ static const char about[] =
     "STUDY names trees, tests on them and sensors ('windfirm schema fit' shows its keys); the engine's "
     "answer is fitted to the "
     "readings. Estimates come with 95 % intervals by covariance and by profile likelihood, with what the "
-    "data leave open, and "
-    "beside a fit with the root the other way (clamped or giving).\n"
+    "data do not determine, and beside a fit with the root the other way (clamped or flexible).\n"
     "\n"
     "  windfirm fit models/field/sample_pull.yaml --free level0.youngs_modulus,root.stiffness\n"
     "  windfirm fit models/field/sample_pull.yaml --loss cauchy --write mine.yaml";
@@ -125,7 +122,7 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
 {
     const struct wf_fit *f = &of->fit;
     bool bound = false;
-    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", of->study.name, f->x->data,
+    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", of->calibration.name, f->x->data,
             f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
             f->params > f->free ? " (offsets and drifts included)" : "");
     print_parameters(to, f);
@@ -159,13 +156,13 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
         }
         if (!isnan(of->rival.aicc) && !isnan(of->rival.own))
             fprintf(to, "\nAICc %.2f here, %.2f there: the data %s\n", of->rival.own, of->rival.aicc,
-                    fabs(of->rival.own - of->rival.aicc) < 2 ? "do not choose between them"
+                    fabs(of->rival.own - of->rival.aicc) < 2 ? "do not decide between them"
                     : of->rival.own < of->rival.aicc         ? "prefer this fit"
                                                              : "prefer the other");
         else
             fprintf(to, "\ntoo few readings to compare the two\n");
     }
-    if (of->study.reference) fprintf(to, "\nfor comparison: %s\n", of->study.reference);
+    if (of->calibration.reference) fprintf(to, "\nfor comparison: %s\n", of->calibration.reference);
 }
 
 /* ---- The fit ---- */
@@ -201,9 +198,9 @@ static struct wf_fit_options library_options(const struct fit_options *asked)
     o.loss_scale = asked->loss_scale;
     o.priors = asked->priors;
     o.profile = !asked->no_profile;
-    o.starts = (size_t)asked->starts;
-    o.resamples = (size_t)asked->bootstrap;
-    o.seed = (uint64_t)asked->seed;
+    o.starts = asked->starts;
+    o.resamples = asked->bootstrap;
+    o.seed = asked->seed;
     o.progress = show_progress;
     return o;
 }
@@ -219,14 +216,18 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
 {
     const char *names = j->options->data, *list[64];
     char *rest = NULL, *copy = names ? wf_arena_text(&j->arena, names) : NULL;
-    struct wf_fit_build b = { .study = &j->r.study, .share = wf_share(), .data = list, .mat = wf_read_mat };
+    struct wf_fit_build b = {
+        .calibration = &j->r.calibration, .share = wf_share(), .data = list, .mat = wf_read_mat
+    };
     for (char *p = copy ? strtok_r(copy, ",", &rest) : NULL; p && b.datas < 64;
          p = strtok_r(NULL, ",", &rest))
         list[b.datas++] = p;
-    enum wf_status s = wf_fit_study_read(j->options->args.operand[0], &j->arena, &j->r.study, &j->r.diag, e);
+    enum wf_status s =
+        wf_calibration_read(j->options->args.operand[0], &j->arena, &j->r.calibration, &j->r.diag, e);
     if (s) return s;
-    j->r.input = WF_TAKE(&j->arena, j->r.study.tests, struct wf_fit_input);
-    j->r.file = WF_TAKE(&j->arena, 1 + 2 * j->r.study.trees + 3 * j->r.study.tests, struct wf_input_file);
+    j->r.input = WF_TAKE(&j->arena, j->r.calibration.tests, struct wf_fit_input);
+    j->r.file =
+        WF_TAKE(&j->arena, 1 + 2 * j->r.calibration.trees + 3 * j->r.calibration.tests, struct wf_input_file);
     if (!j->r.input || !j->r.file) return wf_fail(e, WF_ENOMEM, "not enough memory for the study");
     s = wf_fit_build(&b, &j->arena, &j->r.diag, &j->r.x, j->r.input, e);
     if (!s) s = note_input(j, "study", j->options->args.operand[0], e);
@@ -241,12 +242,12 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
         if (!s && in->ground) s = note_input(j, "ground", in->ground, e);
     }
     return s ? s
-             : wf_fit_params(&j->r.study, j->options->free, &j->r.x, false, &j->arena, &j->r.param,
+             : wf_fit_params(&j->r.calibration, j->options->free, &j->r.x, false, &j->arena, &j->r.param,
                              &j->r.params, e);
 }
 
-/* The same fit with the root clamped where it gives, or giving where it is clamped. A rival that cannot be
- * fitted is left out: it is no fault of the fit that was asked for. */
+/* Second fit with the opposite root: clamped if the first was elastic, and vice versa. If it fails, it is
+ * omitted; the requested fit is unaffected. */
 static void fit_rival(struct fit_job *j, struct wf_fit_options o)
 {
     struct wf_fit_param *p = WF_TAKE(&j->arena, j->r.params + j->r.x.trees + 1, struct wf_fit_param);
@@ -272,13 +273,13 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     for (size_t k = j->r.params - nuisance; k < j->r.params; k++) p[n++] = j->r.param[k];
     o.profile = false, o.resamples = 0, o.starts = 1;
     struct wf_fit_rival *r = &j->r.rival;
-    r->text = had ? "clamped root" : "root plate that gives";
+    r->text = had ? "clamped root" : "flexible root plate";
     double *stiffness = WF_TAKE(&j->arena, j->r.x.trees, double);
     if (!stiffness) return;
     for (size_t k = 0; k < j->r.x.trees; k++) {
         double *of = j->r.x.tree[k].options.root_stiffness;
         stiffness[k] = of[0];
-        if (had) of[0] = of[1] = 0; /* clamped, whatever the study gives */
+        if (had) of[0] = of[1] = 0; /* clamped, also where the calibration gives a stiffness */
     }
     enum wf_status s = wf_fit_run(&j->r.x, p, n, &o, &j->arena, &d, &r->fit, &e);
     for (size_t k = 0; k < j->r.x.trees; k++)
@@ -290,7 +291,7 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     r->made = true;
 }
 
-/* A fit leaves the data's sigmas as it found them best; those of the main fit are kept for its figures. */
+/* Fit the tree, and unless --no-rival the second model too. */
 static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
 {
     struct wf_fit_options o = library_options(j->options);
@@ -316,7 +317,7 @@ static enum wf_status calibrate(struct fit_job *j, bool quiet, struct wf_err *e)
     fflush(stdout);
     wf_print_findings(&j->r.diag, quiet);
     if (!s) s = wf_fit_results_write(&j->r, j->folder, e);
-    if (interrupted) write = NULL; /* what others would take for the answer */
+    if (interrupted) write = NULL; /* the species table would be mistaken for a completed fit's */
     if (!s && write) s = wf_fit_species_write(&j->r, write, e);
     bool report = !j->options->no_report;
     if (!s && report) s = wf_pages_make(j->folder, j->options->lang, &j->arena, e);
@@ -334,7 +335,7 @@ int wf_cmd_fit(int argc, char **argv)
     int code = wf_args_read(argc, argv, options, about, 1, 1, &j.arena, &o.args);
     if (code < 0) {
         j.folder = o.output;
-        j.r.command = wf_args_typed(argc, argv, &j.arena);
+        j.r.command = wf_command_line(argc, argv, &j.arena);
         j.r.loss = o.loss, j.r.priors = o.priors;
         j.r.date = wf_run_date(&j.arena);
         enum wf_status s = j.r.command && j.r.date

@@ -22,7 +22,7 @@ static const struct wf_option options[] = {
          "write the tree: name.csv, name.txt (TreeQSM columns), name.vtk (ParaView); a folder for several",
          .letter = "-o"),
     WF_IMPORT_ROWS(import),
-    QUIET("print errors only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 

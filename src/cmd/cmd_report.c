@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "cmd/option_groups.h"
 #include "out/report.h"
 #include <stdio.h>
 #include <string.h>
@@ -12,8 +13,8 @@ struct report_options {
 
 #define OPTIONS struct report_options
 static const struct wf_option options[] = {
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_LANGUAGE_ROW(lang),
+    WF_QUIET_ROW,
     { 0 },
 };
 

@@ -16,7 +16,7 @@ int wf_cmd_schema(int argc, char **argv)
                                 "  windfirm schema study";
     enum { WORDS = 4 };
     static const char *const word[WORDS] = { "species", "model", "fit", "study" };
-    static const struct wf_yaml_table *const table[WORDS] = { NULL, &wf_model_table, &wf_fit_study_table,
+    static const struct wf_yaml_table *const table[WORDS] = { NULL, &wf_model_table, &wf_calibration_table,
                                                               NULL };
     static const struct wf_option none[] = { { 0 } };
     struct wf_arena arena = { 0 };

@@ -16,6 +16,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Rows of both commands; into any struct with no_report, lang and no_vtk. */
+#define SERIES_PAGE_ROWS                                                                                     \
+    WF_PAGE_ROWS("--no-report", no_report, lang, "write tables only"),                                       \
+        FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"), WF_QUIET_ROW
+
 /* ---- From a plan of runs to tables, frames and a page ---- */
 
 struct series_job {
@@ -50,7 +55,7 @@ static enum wf_status read_run(const struct wf_series_plan_run *r, const char *f
 static void print_runs(const struct wf_series_page *p)
 {
     printf("%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s", "tip mean m",
-           "most m");
+           "largest m");
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
         double sum = 0, most = 0, wind = 0, n = 0;
@@ -91,7 +96,7 @@ static enum wf_status run_all(const struct series_job *j, struct wf_series *seri
     return WF_OK;
 }
 
-/* Every method on the trees of the runs that ask for it. What it warns of stands with the run. */
+/* Apply every method to the trees of the runs that request it. Its warnings are added to those of the run. */
 static enum wf_status explain_runs(const struct wf_series_plan *plan, const struct wf_series *series,
                                    struct wf_diag *diag, struct wf_arena *a, struct wf_series_page *page,
                                    struct wf_err *e)
@@ -120,7 +125,7 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
     struct wf_err e = { 0 };
     struct wf_series *series = WF_TAKE(a, plan->runs, struct wf_series);
     struct wf_diag *diag = WF_TAKE(a, plan->runs, struct wf_diag);
-    struct wf_series_run *run = WF_TAKE(a, plan->runs, struct wf_series_run);
+    struct wf_series_page_run *run = WF_TAKE(a, plan->runs, struct wf_series_page_run);
     struct wf_series_page page = { .title = plan->title,
                                    .note = plan->note,
                                    .command = j->command,
@@ -132,7 +137,7 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
         wf_fail(&e, WF_ENOMEM, "no memory");
         return wf_complain(&e);
     }
-    for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_run){ &series[r], &diag[r] };
+    for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_page_run){ &series[r], &diag[r] };
     enum wf_status s = run_all(j, series, diag, a, &e);
     if (!s) s = explain_runs(plan, series, diag, a, &page, &e);
     if (s) return wf_complain(&e);
@@ -199,17 +204,15 @@ const struct wf_option wf_series_options[] = {
            "in place of the species'"),
     TEXT("--output", output, "FOLDER", "out/series", "where tables, frames and the page go", .letter = "-o"),
     FLAG("--explain", explain, "every method against beam theory, branch by branch, too"),
-    FLAG("--no-report", no_report, "write tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"),
-    QUIET("print errors only"),
+    SERIES_PAGE_ROWS,
     { 0 },
 };
 
 static const char series_about[] =
     "SPECIES is a species table, a file or the name of a shipped one. Every frame is a balance of its own: "
     "wind, "
-    "loads and shape without inertia, so it holds for winds that change slowly against the tree's own sway. "
+    "loads and shape without inertia, so it is valid for winds that change slowly against the tree's own "
+    "sway. "
     "The "
     "deflect solvers go from frame to frame with their restoring and damping terms.\n"
     "\n"
@@ -236,7 +239,7 @@ int wf_cmd_series(int argc, char **argv)
                                        .run = &o.run };
         struct series_job job = { .plan = &plan,
                                   .folder = o.output,
-                                  .command = wf_args_typed(argc, argv, &arena),
+                                  .command = wf_command_line(argc, argv, &arena),
                                   .language = o.lang,
                                   .quiet = o.args.quiet,
                                   .page = !o.no_report,
@@ -261,10 +264,7 @@ struct papers_options {
 static const struct wf_option papers_options[] = {
     TEXT("--output", output, "FOLDER", NULL, "where tables, frames and the page go [out/NAME]",
          .letter = "-o"),
-    FLAG("--no-report", no_report, "write tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"),
-    QUIET("print errors only"),
+    SERIES_PAGE_ROWS,
     { 0 },
 };
 
@@ -297,7 +297,7 @@ int wf_cmd_papers(int argc, char **argv)
     if (code < 0) {
         struct series_job job = { .plan = &plan,
                                   .folder = o.output ? o.output : wf_arena_print(&arena, "out/%s", plan.key),
-                                  .command = wf_args_typed(argc, argv, &arena),
+                                  .command = wf_command_line(argc, argv, &arena),
                                   .language = o.lang,
                                   .quiet = o.args.quiet,
                                   .page = !o.no_report,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* windfirm shelter: what a tree leaves of the wind inside and behind itself. */
+/* windfirm shelter: the wind that remains inside and behind a tree. */
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -59,21 +59,21 @@ const struct wf_option wf_shelter_options[] = {
     CHOICE("--as", as, "WHAT", "energy|speed", "energy", "what the transmission is a share of"),
     WHOLE("--gap", gap, 1, 64, "1", "widest hole or slit, in cells"),
     NUMBER("--leaf-reach", leaf_reach, "LENGTH", LENGTH, "m", 1e-3, 100, "0.25",
-           "how far leaves stand from their segment"),
+           "greatest distance of leaves from their segment"),
     NUMBER("--wake-growth", wake_growth, "NUMBER", NONE, NULL, 0, 1, "0.08",
            "standard deviation of a wake per distance (law wake)"),
     WF_IMPORT_ROWS(import),
     TEXT("--output", output, "FOLDER", "out/shelter", "where tables and plots go", .letter = "-o"),
     FLAG("--no-motion", no_motion, "only the wind; the tree is not bent"),
-    FLAG("--no-plots", no_plots, "write the tables only"),
-    CHOICE("--lang", lang, "NAME", "en|zh", "en", "language of the report"),
-    QUIET("print errors only"),
+    WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 
 static const char about[] =
-    "  Cut a tree across the wind into slabs, project each on a grid, and tell what its branches and leaves\n"
-    "  leave of the wind inside and behind it; bend the tree in that wind and in the open, side by side.\n"
+    "  Cut a tree across the wind into slabs, project each on a grid, and compute the wind that its "
+    "branches\n  and leaves leave inside and behind it; bend the tree in that wind and in the open, side by "
+    "side.\n"
     "\n"
     "  windfirm shelter --model scots_pine --species scots_pine --wind 15\n"
     "  windfirm shelter --tree tree.csv --species oak --leaf-area 120 --azimuth 45 --law feng1999";
@@ -109,7 +109,7 @@ static enum wf_status read_measured(struct work *w, const char *file, struct wf_
 static enum wf_status read_tree(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     const char *model = w->options.model, *file = w->options.tree, *species = w->options.species;
-    if (!model == !file) return wf_fail(e, WF_EUSAGE, "give a tree by --model or --tree, one of them");
+    if (!model == !file) return wf_fail(e, WF_EUSAGE, "give a tree by either --model or --tree");
     if (!species) return wf_fail(e, WF_EUSAGE, "--species is needed, for example --species oak");
     struct wf_err other = { 0 };
     enum wf_status s = wf_species_read(wf_shipped("species", species, a), &wf_laws, a, &w->species, d, e),
@@ -207,7 +207,7 @@ static enum wf_status bend_tree(struct work *w, struct wf_arena *a, struct wf_di
     struct wf_solve_options o;
     const struct wf_solver *solver = wf_solvers[0];
     wf_solve_options_default(&o);
-    o.mesh_tolerance = 1e-4; /* drawn lines and means of many tips */
+    o.mesh_tolerance = 1e-4; /* accurate enough for drawn lines and means over many tips */
     enum wf_status s = solver->solve(&w->tree, &w->loads, &o, a, &w->run.open, d, e);
     if (!s)
         s = wf_sheltered_solve(&w->tree, &w->loads, &w->request, solver, &o, a, &w->sheltered, &w->run.own, d,

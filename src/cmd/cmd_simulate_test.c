@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* windfirm simulate-test: what a planned test would tell, before anyone climbs the tree. */
+/* windfirm simulate-test: which values a planned test would determine, and how accurately. */
 #include "base/file.h"
 #include "base/num.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "cmd/option_groups.h"
 #include "cmd/read_mat.h"
 #include "fit/build.h"
 #include "fit/predict.h"
@@ -13,8 +14,8 @@
 
 struct simulate_options {
     struct wf_args args;
-    const char *free; /* NULL: the study's */
-    double seed;
+    const char *free; /* NULL: the calibration's */
+    size_t seed;
     const char *output;
 };
 
@@ -22,16 +23,17 @@ struct simulate_options {
 static const struct wf_option options[] = {
     TEXTS("--free", free, "NAME[,NAME]", "parameters the test is to determine, in place of the study's",
           .letter = "-f"),
-    NUMBER("--seed", seed, "NUMBER", NONE, NULL, 0, 9007199254740992.0, "1", "of the noise"),
-    TEXT("--output", output, "FOLDER", "out/simulate-test", "where the made-up data go, one CSV file a test",
-         .letter = "-o"),
-    QUIET("print errors only"),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of the noise"),
+    TEXT("--output", output, "FOLDER", "out/simulate-test",
+         "where the simulated data go, one CSV file a test", .letter = "-o"),
+    WF_QUIET_ROW,
     { 0 },
 };
 static const char about[] =
     "STUDY is a calibration study whose tests have 'loads' or 'speeds' and whose sensors have 'sigma' or "
     "'sigma_share'. The "
-    "tree is taken as the species table has it; readings are made up with noise, and the 95 % interval each "
+    "tree is taken as the species table has it; readings are simulated with noise, and the 95 % interval "
+    "each "
     "layout would "
     "give is computed: all sensors, each alone, all but one.\n"
     "\n"
@@ -40,14 +42,14 @@ static const char about[] =
 struct plan {
     struct wf_arena arena;
     struct simulate_options options;
-    struct wf_fit_study study;
+    struct wf_calibration calibration;
     struct wf_experiment x;
     struct wf_fit_param *param;
     size_t params, free;
     double *reading, *slope;
 };
 
-/* 95 % half widths of the internal values when only some sensors are there; INFINITY where one is not
+/* 95 % half widths of the internal values when only the sensors in `with` are used; INFINITY where one is not
  * determined. The singular values below 1e-9 of the largest count as none. */
 static enum wf_status expect_widths(const struct plan *p, const bool *with, double *half, struct wf_err *e)
 {
@@ -127,13 +129,13 @@ static enum wf_status print_layouts(const struct plan *p, struct wf_err *e)
     return s;
 }
 
-/* One file a test: load and readings with noise, columns as the study names them or would. */
+/* Write one file per test: load and readings with noise, in columns named after the sensors. */
 static enum wf_status write_test(const struct plan *p, size_t test, const char *folder, struct wf_err *e)
 {
     const struct wf_fit_test *t = &p->x.test[test];
     const char *path = wf_arena_print((struct wf_arena *)&p->arena, "%s/%s.csv", folder, t->name);
     struct wf_file f = { 0 };
-    enum wf_status s = path ? wf_file_begin(&f, path, e) : wf_fail(e, WF_ENOMEM, "no room");
+    enum wf_status s = path ? wf_file_begin(&f, path, e) : wf_fail(e, WF_ENOMEM, "not enough memory");
     if (s) return s;
     fprintf(f.stream, "t_s,%s",
             t->load == WF_FIT_PULL     ? "force_N"
@@ -161,14 +163,17 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
 
 static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, struct wf_err *e)
 {
-    struct wf_fit_build b = { .study = &p->study, .share = wf_share(), .plan = true, .mat = wf_read_mat };
+    struct wf_fit_build b = {
+        .calibration = &p->calibration, .share = wf_share(), .plan = true, .mat = wf_read_mat
+    };
     const char *folder = p->options.output;
-    enum wf_status s = wf_fit_study_read(p->options.args.operand[0], &p->arena, &p->study, d, e);
+    enum wf_status s = wf_calibration_read(p->options.args.operand[0], &p->arena, &p->calibration, d, e);
     if (s) return s;
-    struct wf_fit_input *in = WF_TAKE(&p->arena, p->study.tests, struct wf_fit_input);
+    struct wf_fit_input *in = WF_TAKE(&p->arena, p->calibration.tests, struct wf_fit_input);
     if (!in) return wf_fail(e, WF_ENOMEM, "not enough memory for the study");
     s = wf_fit_build(&b, &p->arena, d, &p->x, in, e);
-    if (!s) s = wf_fit_params(&p->study, p->options.free, &p->x, true, &p->arena, &p->param, &p->params, e);
+    if (!s)
+        s = wf_fit_params(&p->calibration, p->options.free, &p->x, true, &p->arena, &p->param, &p->params, e);
     if (!s && !p->params)
         s = wf_fail(e, WF_EUSAGE, "nothing is free: name parameters with --free or in the study");
     if (s) return s;
@@ -177,11 +182,11 @@ static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, st
     if (!p->reading || !p->slope) return wf_fail(e, WF_ENOMEM, "not enough memory for the plan");
     for (size_t k = 0; k < n; k++) p->free += !wf_param_nuisance(&p->param[k]);
     s = wf_fit_expect(&p->x, p->param, n, &p->arena, p->reading, p->slope, e);
-    if (!s) wf_fit_make_up(&p->x, p->reading, (uint64_t)p->options.seed, 1);
+    if (!s) wf_fit_make_up(&p->x, p->reading, p->options.seed, 1);
     if (!s && !quiet) s = print_layouts(p, e);
     if (!s) s = wf_mkdirs(folder, e);
     for (size_t t = 0; t < p->x.tests && !s; t++) s = write_test(p, t, folder, e);
-    if (!s && !quiet) printf("\nMade-up readings: %s\n", folder);
+    if (!s && !quiet) printf("\nSimulated readings: %s\n", folder);
     return s;
 }
 

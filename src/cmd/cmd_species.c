@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -98,14 +99,14 @@ int wf_cmd_species(int argc, char **argv)
     struct wf_args args;
     int code = wf_args_read(argc, argv, none, about, 1, 2, &arena, &args);
     if (code < 0) {
-        const char *what = args.operand[0], *near = wf_nearest(what, words, 2);
+        const char *what = args.operand[0];
         if (strcmp(what, "list") == 0 && args.n == 1)
             code = list_species(&arena);
         else if (strcmp(what, "show") == 0 && args.n == 2)
             code = show_species(args.operand[1], &arena);
         else {
-            fprintf(stderr, "windfirm species: '%s' is neither 'list' nor 'show NAME'%s%s%s\n", what,
-                    near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+            fprintf(stderr, "windfirm species: '%s' is neither 'list' nor 'show NAME'%s\n", what,
+                    wf_did_you_mean(what, words, WF_COUNT(words)).text);
             code = 2;
         }
     }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm tree: the size of measured trees, and pictures of trees. */
+#include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -44,8 +45,8 @@ static void print_modelled(FILE *to, const struct wf_qsm_metrics *g, const struc
         to,
         "  %-20s%zu lateral branches, %zu links in the parents' wood, %zu bridges of unseen wood (%.3g m3)\n",
         "", m->laterals, m->links, m->bridges, m->bridge_volume);
-    fprintf(to, "  %-20s%zu gaps drawn together, the widest %.3f m; %zu rows too short to keep\n", "",
-            m->gaps, m->widest_gap, m->short_rows);
+    fprintf(to, "  %-20s%zu gaps closed, the widest %.3f m; %zu rows too short to keep\n", "", m->gaps,
+            m->widest_gap, m->short_rows);
 }
 
 /* One tree, one page. */
@@ -119,7 +120,7 @@ struct ask {
     struct wf_tree_wear known;
 };
 
-/* Repairs stand on the page by kind; only single rows need a line of their own. */
+/* The page counts repairs by kind; only findings about single rows are printed separately. */
 static void print_rows_left_out(const struct wf_diag *d, bool quiet)
 {
     char line[2048];
@@ -189,7 +190,7 @@ static const struct wf_option draw_options[] = {
          "radius of a stem whose model names none, names of the levels", .letter = "-s"),
     TEXT("--output", output, "FILE", "tree.svg",
          "the picture: .svg, .png or .pdf; many thousand segments are better as .png", .letter = "-o"),
-    QUIET("print errors only"),
+    WF_QUIET_ROW,
     { 0 },
 };
 
@@ -217,7 +218,7 @@ static enum wf_status draw_picture(const struct draw_options *o, struct wf_arena
     return WF_OK;
 }
 
-/* Given: the command line behind "tree". Returned: exit code. */
+/* Given: the command line after "tree". Returned: exit code. */
 static int draw_tree(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
@@ -247,11 +248,10 @@ int wf_cmd_tree(int argc, char **argv)
     int code = wf_args_read(argc, argv, info_options, info_about, 2, (size_t)argc, &arena, &o.args);
     if (code < 0 && strcmp(o.args.operand[0], "info")) {
         static const char *const words[] = { "info", "draw" };
-        const char *near = wf_nearest(o.args.operand[0], words, 2);
         fprintf(stderr,
-                "windfirm tree: '%s' is not known%s%s%s; it is: windfirm tree info FILE..., windfirm tree "
+                "windfirm tree: '%s' is not known%s; it is: windfirm tree info FILE..., windfirm tree "
                 "draw\n",
-                o.args.operand[0], near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+                o.args.operand[0], wf_did_you_mean(o.args.operand[0], words, WF_COUNT(words)).text);
         code = 2;
     }
     if (code < 0) {

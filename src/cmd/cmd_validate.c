@@ -58,7 +58,7 @@ static void print_check(const struct wf_check *c)
            relative, margin, c->passed ? "" : "  FAILED");
 }
 
-/* Outcome and one line a wanted value: wanted, got, error, margin (allowed error / error). Of a long list
+/* Outcome and one line per wanted value: wanted, got, error, margin (allowed error / error). Of a long list
  * only what failed and the three closest to their tolerance, unless `all`. */
 static void print_case(const struct wf_verdict *v, bool all)
 {
@@ -144,7 +144,7 @@ static void worse(struct run *r, int code)
     if (code > r->code) r->code = code;
 }
 
-/* One solver of one case. Returned: exit code of what kept it from running at all. */
+/* One solver of one case. Returned: 0, or the exit code of the error that prevented the run. */
 static int run_solver(struct run *r, const struct wf_case *c, size_t k, struct wf_arena *work)
 {
     struct wf_err e = { WF_OK, "" };
@@ -194,7 +194,7 @@ static void run_file(struct run *r, const char *path)
 
 static int by_name(const FTSENT **a, const FTSENT **b) { return strcmp((*a)->fts_name, (*b)->fts_name); }
 
-/* Every *.case below a folder, in order of name; a file as it is. Returned: how many were met. */
+/* Every *.case below a folder, in order of name; a file as it is. Returned: number of files found. */
 static size_t run_path(struct run *r, const char *path)
 {
     char *const roots[] = { (char *)(void *)path, NULL }; /* fts does not write to it */

@@ -41,11 +41,11 @@ int wf_exit_code(enum wf_status s);
 int wf_complain(const struct wf_err *e);
 /* Folder with the shipped species/, models/ and validation/: $WINDFIRM_SHARE, else where it was installed. */
 const char *wf_share(void);
-/* The file a user means: the path itself when it is there or looks like one, else the shipped
- * SHARE/room/NAME.yaml. Returned: text in the arena, or `name` without room. */
+/* The file a user means: the path itself when it exists or looks like a path, else the shipped
+ * SHARE/room/NAME.yaml. Returned: text in the arena, or `name` without memory. */
 const char *wf_shipped(const char *room, const char *name, struct wf_arena *a);
-/* A file that `file` names: beside it when it is there, else as the name leads from the present folder.
- * Returned: text in the arena, or `name`. */
+/* A file that `file` names: beside it when it is there, else relative to the current folder. Returned: text
+ * in the arena, or `name`. */
 const char *wf_beside(const char *file, const char *name, struct wf_arena *a);
 /* One line of progress on stderr when it is a terminal, in place of the last; NULL clears it. */
 void wf_progress(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
@@ -57,6 +57,9 @@ void wf_print_findings(const struct wf_diag *d, bool quiet);
 /* Draw figures and pages of a folder and print what is missing. A drawing program that is not installed is no
  * error. Errors: those of wf_report_make. */
 enum wf_status wf_pages_make(const char *folder, const char *language, struct wf_arena *a, struct wf_err *e);
+/* The command line as typed, "windfirm ...", with quotes where a shell needs them: it can be pasted and run
+ * again. Every command records this text. NULL: no memory. */
+char *wf_command_line(int argc, char **argv, struct wf_arena *a);
 /* Command line, program and date of this run; title and note stay empty. Errors: WF_ENOMEM. */
 enum wf_status wf_pages_head(int argc, char **argv, struct wf_arena *a, struct wf_doc_head *out,
                              struct wf_err *e);

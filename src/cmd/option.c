@@ -103,7 +103,7 @@ bool wf_option_quantity(struct wf_reading *r, size_t k, const char *text, const 
         wf_option_mistake(r, r->key[k], o->name, "%s", e.text);
         return false;
     }
-    const double slack = 1e-12; /* of the bound itself: a bound of 0 has none */
+    const double slack = 1e-12; /* relative to the bound: a bound of 0 has no slack */
     if (*si >= si_low - slack * fabs(si_low) && *si <= si_high + slack * fabs(si_high)) return true;
     wf_option_mistake(r, r->key[k], o->name, "%.100s is outside %.6g..%.6g%s%s", text, low, o->high,
                       o->unit ? " " : "", o->unit ? o->unit : "");
@@ -132,12 +132,11 @@ static void check_choice(struct wf_reading *r, size_t k, const char *text)
     size_t n = choice_words(o, word, list, sizeof list);
     for (size_t i = 0; i < n; i++)
         if (strcmp(text, word[i]) == 0) return;
-    const char *near = wf_nearest(text, word, n);
     char all[768] = "";
     for (size_t i = 0, used = 0; i < n && used < sizeof all; i++)
         used += (size_t)snprintf(all + used, sizeof all - used, "%s%s", i ? ", " : "", word[i]);
-    wf_option_mistake(r, r->key[k], o->name, "'%.100s' is none of %s%s%s%s", text, all,
-                      near ? "; did you mean '" : "", near ? near : "", near ? "'?" : "");
+    wf_option_mistake(r, r->key[k], o->name, "'%.100s' is none of %s%s", text, all,
+                      wf_did_you_mean(text, word, n).text);
 }
 
 static void take_flag(struct wf_reading *r, size_t k, const char *text)

@@ -45,7 +45,7 @@ struct wf_option {
     const char *unit;              /* of a plain number and of low and high; NULL: none                    */
     double low, high;              /* allowed, in `unit`                                                   */
     const char *choices;           /* words separated by '|'                                               */
-    const char *(*word)(size_t i); /* or the i-th word of a list of rows, NULL behind the last             */
+    const char *(*word)(size_t i); /* or the i-th word of a list of rows, NULL after the last              */
     size_t averaging;              /* of a speed: offset of its struct wf_averaging (cmd/wind_speed.h)     */
     const char *help;
 };
@@ -107,7 +107,8 @@ bool wf_option_given(const struct wf_args *args, size_t member);
 /* Row of a command that takes a study file (cmd/args.c). */
 #define STUDY                                                                                                \
     WF_ROW("--study", STUDY, args.study, const char *,                                                       \
-           "options from a file, one key an option ('windfirm schema study'); what is typed comes first",    \
+           "options from a file, one key an option ('windfirm schema study'); the command line takes "       \
+           "precedence",                                                                                     \
            .value = "FILE")
 
 /* Help, allowed values and default of an option as one paragraph. */

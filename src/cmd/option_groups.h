@@ -10,12 +10,18 @@
 #include "load/scene.h"
 #include "wind/gust.h"
 
-/* Words of choices by number; NULL behind the last. For a shelter, "none" comes first. */
+/* Words of choices by number; NULL after the last. For a shelter, "none" comes first. */
 const char *wf_solver_word(size_t i);
 const char *wf_preset_word(size_t i);
 const char *wf_shelter_word(size_t i);
 const char *wf_profile_word(size_t i);
 const char *wf_import_word(size_t i);
+
+/* The last rows of most commands. `no`: the option that leaves out figures and pages, "--no-report" or
+ * "--no-plots". */
+#define WF_QUIET_ROW QUIET("print errors only")
+#define WF_LANGUAGE_ROW(m) CHOICE("--lang", m, "NAME", "en|zh", "en", "language of the report")
+#define WF_PAGE_ROWS(no, m, language, help) FLAG(no, m, help), WF_LANGUAGE_ROW(language)
 
 #define WF_AZIMUTH_ROW(m)                                                                                    \
     NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \
@@ -27,7 +33,7 @@ const char *wf_import_word(size_t i);
          "how the wind grows with height [power; measured with --profile-file]"),                            \
         PATH("--profile-file", in.file, "FILE", NULL,                                                        \
              "measured mean winds, a CSV with columns height_m and speed_ms; only their ratios count, "      \
-             "--wind says how strong it is at the reference height"),                                        \
+             "--wind gives the speed at the reference height"),                                              \
         NUMBER("--reference-height", in.reference_height, "LENGTH", LENGTH, "m", 0.01, 1000, "10",           \
                "height at which the wind has the speed named"),                                              \
         NUMBER("--exponent", in.exponent, "NUMBER", NONE, NULL, 0, 1, NULL, "of the power profile [0.16]"),  \
@@ -57,7 +63,7 @@ struct wf_import_asked {
 };
 #define WF_IMPORT_ROWS(in)                                                                                   \
     WORD("--format", in.format, "FORMAT", wf_import_word, NULL,                                              \
-         "of the files; normally told by their content", .letter = "-f"),                                    \
+         "of the files; by default recognised by their content", .letter = "-f"),                            \
         FLAG("--strict", in.strict, "refuse a file that needs a repair"),                                    \
         CHOICE("--length-unit", in.length_unit, "UNIT", "m|cm|mm", NULL,                                     \
                "of coordinates and lengths whose column names no unit (m; MTG: cm)"),                        \
@@ -68,10 +74,10 @@ struct wf_import_options wf_import_asked_options(const struct wf_import_asked *a
 
 /* Which tree is meant: a model or a measured tree, and its season. */
 struct wf_tree_asked {
-    const char *model, *file; /* one of them; NULL: not given            */
-    const char *joint;        /* of a measured tree: "axis" or "bridge"  */
-    double leaf_area;         /* in place of the model's [m2]; NAN: its  */
-    const char *season;       /* "leaf_on" or "leaf_off"; NULL: its      */
+    const char *model, *file; /* one of them; NULL: not given                    */
+    const char *joint;        /* of a measured tree: "axis" or "bridge"          */
+    double leaf_area;         /* in place of the model's [m2]; NAN: the model's */
+    const char *season;       /* "leaf_on" or "leaf_off"; NULL: the model's      */
     bool unload;
 };
 #define WF_TREE_ROWS(in)                                                                                     \
@@ -92,10 +98,10 @@ struct wf_tree_asked {
 
 /* The joint of a measured tree that a word of --joint means. */
 enum wf_joint wf_joint_named(const char *word);
-/* Is exactly one tree asked for? Returned: -1 to go on, 2 after saying what is missing. `file`: a tree file
+/* Is exactly one tree specified? Returned: -1 to go on, 2 after saying what is missing. `file`: a tree file
  * given otherwise than by --tree; NULL: none. */
 int wf_tree_asked_check(const struct wf_tree_asked *t, const char *command, const char *file);
-/* Read the tree asked for, or `file`, in the season asked for. Returned: *out; *path, the file it was read
+/* Read the specified tree, or `file`, in the specified season. Returned: *out; *path, the file it was read
  * from. Errors: mistakes of a file are findings in `d`; any other error is in `e`. */
 enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *file, struct wf_arena *a,
                                   struct wf_model *out, const char **path, struct wf_diag *d,

@@ -16,7 +16,7 @@ struct winds {
     struct wf_reading *r;
     size_t k; /* row */
     const struct wf_option *o;
-    const char *law; /* asked for; NULL: the one that suits           */
+    const char *law; /* specified; NULL: durst, or that of a scale    */
     double share;    /* 10-min mean over a plain speed as typed       */
     size_t n;
     double *speed; /* SPEEDS_MAX + 1 [m/s] */
@@ -96,8 +96,8 @@ static void read_range(struct winds *w, char *text, const char *unit)
         for (size_t k = 0; k < (size_t)count; k++) w->speed[w->n++] = w->share * (from + by * (double)k);
 }
 
-/* The unit behind the last number holds for every plain number of the list: "5:40:5 km/h", "20,40 km/h".
- * A unit further left only would leave the numbers after it in doubt. Returned: false when in doubt. */
+/* The unit after the last number holds for every plain number of the list: "5:40:5 km/h", "20,40 km/h". A
+ * unit given with an earlier number only makes the numbers after it ambiguous. Returned: false then. */
 static bool shared_unit(const struct wf_option *o, const char *text, const char **unit)
 {
     bool earlier = false;
@@ -168,13 +168,13 @@ static void read_wind(struct winds *w, const char *text)
     }
 }
 
-/* What plain speeds are multiplied by; said once. */
+/* Factor for plain speeds, which is also described in winds_said. */
 static double share_of(struct winds *w, double time)
 {
     struct wf_err e = { 0 };
     const char *law = w->law ? w->law : "durst";
     double share = 1.0;
-    bool allowed = time >= 1.0 && time <= 3600.0; /* else the option is complained of already */
+    bool allowed = time >= 1.0 && time <= 3600.0; /* else the mistake was already reported */
     if (!allowed || time == WF_MEAN_TIME) return 1.0;
     if (wf_wind_average(law, 1.0, time, WF_MEAN_TIME, &share, &e)) {
         wf_option_mistake(w->r, w->r->key[w->k], "--averaging-time", "%s", e.text);

@@ -7,8 +7,8 @@
 
 /* What the speeds of a wind are averaged over, and the law that converts them to 10-min means. */
 struct wf_averaging {
-    double time;     /* [s]                                                   */
-    const char *law; /* a row of wf_averaging_laws; NULL: the one that suits */
+    double time;     /* [s]                                                               */
+    const char *law; /* a row of wf_averaging_laws; NULL: durst, or that of a scale      */
 };
 /* The averaging laws by number, for a row of choices. */
 const char *wf_averaging_word(size_t i);

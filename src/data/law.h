@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_DATA_LAW_H
 #define WF_DATA_LAW_H
-/* Values with range, source and standing, and laws as rows that own their parameters. The rows stand where
- * the laws are worked out (load/drag.h); the species table, its schema and the results take names, parameters
- * and units from the rows they are given. */
+/* Values with range, source and standing, and laws as rows that own their parameters. The rows are defined
+ * beside the code that evaluates the laws (load/drag.h); the species table, its schema and the results take
+ * names, parameters and units from the rows they are given. */
 #include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
@@ -96,7 +96,7 @@ struct wf_laws {
     struct wf_law_table axis_drag;    /* drag coefficient of a bare axis; range in Reynolds number [-]   */
 };
 
-/* Row i of a table; NULL behind the last. */
+/* Row i of a table; NULL after the last. */
 static inline const struct wf_law *wf_law_row(struct wf_law_table t, size_t i)
 {
     const struct wf_law *l = (const struct wf_law *)(const void *)((const char *)t.row + i * t.size);

@@ -96,10 +96,10 @@ void wf_value_needs_source(struct wf_yaml *y, enum wf_standing s)
 #define USE(member) offsetof(struct wf_law_use, member)
 #define SPEED(k, member, words)                                                                              \
     .key = k, .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_SPEED, .unit = "m/s", .low = 0, .high = 150,     \
-    .absent = "not said", .offset = USE(member), .doc = words
+    .absent = "not stated", .offset = USE(member), .doc = words
 const struct wf_yaml_row wf_law_ranges[] = {
     /* of streamlining laws */
-    { SPEED("valid_from", low, "Lowest wind speed the source covers; a run outside says so."),
+    { SPEED("valid_from", low, "Lowest wind speed the source covers; a run outside them warns."),
       .example = "4 m/s" },
     { SPEED("valid_to", high, "Highest wind speed the source covers."), .example = "20 m/s" },
     { .key = NULL },
@@ -110,7 +110,7 @@ static const struct wf_yaml_row origin_rows[] = {
       .initial = "assumed",
       .choices = wf_standing_words,
       .offset = USE(standing),
-      .doc = "Standing of the table, as for a value." },
+      .doc = "Status of the table, as for a value." },
     { .key = "source", .kind = WF_YAML_NAME, .offset = USE(source), .doc = "A key of 'sources'." },
     { .key = "note",
       .kind = WF_YAML_TEXT,
@@ -152,7 +152,7 @@ static char *law_summary(struct wf_law_table t, struct wf_arena *a)
     return text ? wf_arena_print(a, "%s.", text) : NULL;
 }
 
-/* The list of a law that must ascend, and that its others are as long as. */
+/* The list of a law that must ascend; the law's other lists must be equally long. */
 static const struct wf_law_parameter *first_list(const struct wf_law *l)
 {
     for (size_t k = 0, n = wf_law_count(l); k < n; k++)
@@ -160,7 +160,7 @@ static const struct wf_law_parameter *first_list(const struct wf_law *l)
     return NULL;
 }
 
-/* The row of the k-th key. Returned: false without room. */
+/* The row of the k-th key. Returned: false without memory. */
 static bool law_row(struct wf_law_table t, size_t k, struct wf_arena *a, struct wf_yaml_row *out)
 {
     char names[200] = "";
@@ -195,7 +195,7 @@ static bool law_row(struct wf_law_table t, size_t k, struct wf_arena *a, struct 
     return out->absent != NULL;
 }
 
-/* Keys that belong to some laws: needed by them, refused by the others. */
+/* Keys that belong to some laws: required with these, refused with the others. */
 static void law_keys_fit(struct wf_yaml *y, const struct wf_law_use *u)
 {
     const struct wf_law *chosen = wf_law_named(u->from, u->law), *owner;
@@ -223,7 +223,7 @@ static void law_finish(struct wf_yaml *y, void *use)
     const char *law = wf_yaml_raw(y, "law");
     const struct wf_law *owner;
     const struct wf_law_parameter *p;
-    if (law && !strcmp(law, u->law)) law_keys_fit(y, u); /* a law that is not known was refused already */
+    if (law && !strcmp(law, u->law)) law_keys_fit(y, u); /* an unknown law was already reported */
     for (size_t k = 0; (p = wf_law_key(u->from, k, &owner)); k++)
         if (p == first_list(owner))
             wf_yaml_ascending(y, p->name, u->list[k].v ? u->list[k].n : 0, u->list[k].v);

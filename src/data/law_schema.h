@@ -6,7 +6,7 @@
 #include "base/yaml.h"
 #include "data/law.h"
 
-/* A value: {value, low, high, status, source, note}, or a bare quantity, which stands as assumed. */
+/* A value: {value, low, high, status, source, note}, or a bare quantity, whose standing is assumed. */
 extern const struct wf_yaml_table wf_value_table;
 /* The words of enum wf_standing in its order; ends at NULL. */
 extern const char *const wf_standing_words[];
@@ -29,16 +29,16 @@ struct wf_law_schema {
 };
 /* Rows of a streamlining law that say where it holds; end at key NULL. */
 extern const struct wf_yaml_row wf_law_ranges[];
-/* Given: the laws, rows between their parameters and the origin. Returned: false without room. */
+/* Given: the laws, rows between their parameters and the origin. Returned: false without memory. */
 bool wf_law_schema_make(struct wf_law_table t, const char *title, const struct wf_yaml_row *between,
                         struct wf_arena *a, struct wf_law_schema *out);
 /* Copy rows up to the one without a key. Returned: how many. */
 size_t wf_law_copy_rows(struct wf_yaml_row *to, const struct wf_yaml_row *from);
 
-/* The k-th key of a table of laws; NULL behind the last. *owner: the first law that has it. */
+/* The k-th key of a table of laws; NULL after the last. *owner: the first law that has it. */
 const struct wf_law_parameter *wf_law_key(struct wf_law_table t, size_t k, const struct wf_law **owner);
 /* Source of the first parameter that has one. */
 const char *wf_law_source(const struct wf_law_use *u);
-/* From the order of the keys to that of the chosen law's row. */
+/* Reorder the parameters from the order of the keys to that of the chosen law's row. */
 void wf_law_settle(struct wf_law_use *u);
 #endif

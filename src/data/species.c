@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The species table: its rows, the checks between its keys, and what is asked of it. */
+/* The species table: its rows, the checks between its keys, and functions that look values up. */
 #include "data/species.h"
 #include "base/num.h"
 #include "base/text.h"
@@ -29,7 +29,7 @@ const struct wf_level *wf_species_wood(const struct wf_species *sp, int32_t orde
     return v;
 }
 
-/* Shear modulus along the grain when nobody measured it. E/G of the species in Forest Products Laboratory
+/* Shear modulus along the grain when it was not measured. E/G of the species in Forest Products Laboratory
  * 2010 (Wood Handbook, FPL-GTR-190, Table 5-1, 12 % moisture) lies between 7 (cherry) and 27 (balsa) for the
  * two planes along the grain; 16 is near the middle. Bending hardly depends on it, torsion does. */
 static const double modulus_ratio = 16.0;
@@ -104,7 +104,7 @@ struct property_row {
     const char *was; /* as in struct wf_property; NULL: the key */
     size_t column;   /* of struct wf_tree; 0: none. Rows with one column follow each other           */
     bool factor;     /* multiplies what the row before put there                                     */
-    bool on_links;   /* links have it too; else 0                                                    */
+    bool on_links;   /* set on links too; else 0 there                                               */
     bool optional;   /* not given: `absent` goes to the column                                       */
     double absent;
 };
@@ -146,7 +146,8 @@ static const struct property_row level_values[] = {
             .doc = "Drag coefficient of the bare axis in cross-flow on its diameter.", .example = "1.2"),
       .acts = WF_ACTS_GIVEN, COLUMN(drag), ABSENT(NAN) },
     { LEVEL(lift_coefficient, WF_DIM_NONE, NULL, -3, 3, .initial = "0",
-            .doc = "Force across wind and axis, as the drag coefficient.", .example = "0.1"),
+            .doc = "Coefficient of the force across wind and axis, defined as the drag coefficient.",
+            .example = "0.1"),
       .acts = WF_ACTS_GIVEN, COLUMN(lift) },
     { .yaml.key = NULL },
 };
@@ -170,7 +171,7 @@ static const struct wf_value *value_of(const struct property_row *r, const void 
     return (const void *)((const char *)holder + r->yaml.offset);
 }
 
-/* The i-th property of the rows. Returned: false behind the last. */
+/* The i-th property of the rows. Returned: false after the last. */
 static bool property_at(const struct property_row *rows, size_t i, const void *holder,
                         struct wf_property *out)
 {
@@ -261,7 +262,7 @@ static const struct wf_yaml_row species_rows[] = {
     { .key = "crown",
       .kind = WF_YAML_TABLE,
       .absent = "no leaves; a model with leaves is then refused",
-      .doc = "The leaves in the wind." },
+      .doc = "Drag and mass of the leaves." },
     { .key = NULL },
 };
 /* Where there is only one law of axis drag there is nothing to choose, and no key. */
@@ -400,8 +401,8 @@ static const struct wf_yaml_table *species_schema(const struct wf_laws *laws, st
         .row = s->species,
         .size = sizeof(struct wf_species),
         .finish = species_finish,
-        .doc = "A species table (YAML): the material and section of every branching level and how the crown "
-               "meets the wind. Quantities carry their units. A whole table to start from: "
+        .doc = "A species table (YAML): the material and section of every branching level and the drag of "
+               "the crown. Quantities carry their units. A complete example: "
                "species/moso_bamboo.yaml.",
     };
     return &s->table;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_DATA_SPECIES_H
 #define WF_DATA_SPECIES_H
-/* A species table: material and section per branching level, and how the crown meets the wind.
- * SI throughout; every value carries its range, source and standing. */
+/* A species table: material and section per branching level, and the drag of the crown. SI throughout; every
+ * value carries its range, source and standing. */
 #include "base/arena.h"
 #include "base/err.h"
 #include "data/law.h"
@@ -52,12 +52,12 @@ struct wf_species {
     struct wf_yaml_pair *source; /* citations by key */
 };
 
-/* Which answers a value acts on. */
+/* Which results a value affects. */
 enum wf_acts {
-    WF_ACTS_ALWAYS, /* on all, also where the table does not give it and its default stands         */
-    WF_ACTS_GIVEN,  /* on all, where the table gives it; its default leaves them as they are        */
-    WF_ACTS_SIZE,   /* where the model names no size of its own                                     */
-    WF_ACTS_MOTION  /* on a tree in motion, not on one in a steady wind                             */
+    WF_ACTS_ALWAYS, /* all, also by its default where the table does not give it                    */
+    WF_ACTS_GIVEN,  /* all, where the table gives it; its default has no effect                     */
+    WF_ACTS_SIZE,   /* all, where the model gives no size                                           */
+    WF_ACTS_MOTION  /* those of a tree in motion, not those of a steady wind                        */
 };
 
 /* One value of a species with its name, the same in files, results and messages. The rows of species.c are
@@ -71,10 +71,10 @@ struct wf_property {
     const char *was;              /* `quantity` of results.json, which goes with its schema.version 2 */
 };
 
-/* The i-th property of a level, in the order of the schema. Returned: false behind the last. */
+/* The i-th property of a level, in the order of the schema. Returned: false after the last. */
 bool wf_level_property(const struct wf_level *l, size_t i, struct wf_property *out);
 
-/* The same for the crown, its law apart. */
+/* The same for the crown, without its law. */
 bool wf_crown_property(const struct wf_species *sp, size_t i, struct wf_property *out);
 
 /* The i-th sourced parameter of a law that a species uses. Given: the law's row (NULL: it has none). */
@@ -105,7 +105,7 @@ enum wf_status wf_species_read(const char *path, const struct wf_laws *laws, str
                                struct wf_species *out, struct wf_diag *d, struct wf_err *e);
 
 /* The table's schema as text: every key with dimension, range, default, meaning; the laws and their
- * parameters are those given. NULL: no room. */
+ * parameters are those given. NULL: no memory. */
 char *wf_species_schema(const struct wf_laws *laws, struct wf_arena *a, struct wf_err *e);
 
 #ifdef __cplusplus

@@ -13,16 +13,16 @@
 #include <stdio.h>
 #include <string.h>
 
-/* A file of the study, or the bare name of a shipped one. */
+/* Path of a file named in the calibration, or of a shipped file given by its name alone. */
 static enum wf_status find(const struct wf_fit_build *b, const char *room, const char *name,
                            struct wf_arena *a, const char **path, struct wf_err *e)
 {
-    if (strpbrk(name, "/.")) return wf_fit_path(b->study, name, a, path, e);
+    if (strpbrk(name, "/.")) return wf_calibration_path(b->calibration, name, a, path, e);
     *path = wf_arena_print(a, "%s/%s/%s.yaml", b->share, room, name);
     return *path ? WF_OK : wf_fail(e, WF_ENOMEM, "%s: no memory", name);
 }
 
-static enum wf_status measured(const struct wf_study_tree *s, const char *path, wf_import_reader *mat,
+static enum wf_status measured(const struct wf_calibration_tree *s, const char *path, wf_import_reader *mat,
                                const struct wf_species *sp, struct wf_arena *a, struct wf_diag *d,
                                struct wf_tree *out, struct wf_err *e)
 {
@@ -40,11 +40,11 @@ static enum wf_status measured(const struct wf_study_tree *s, const char *path, 
     return status;
 }
 
-/* Inside. */
+/* A tree of the calibration: its species, its model or scan, its loads, and the options of its solution. */
 static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index, struct wf_arena *a,
                                      struct wf_diag *d, struct wf_fit_tree *out, struct wf_err *e)
 {
-    const struct wf_study_tree *s = &b->study->tree[index];
+    const struct wf_calibration_tree *s = &b->calibration->tree[index];
     struct wf_species *sp = WF_TAKE(a, 1, struct wf_species);
     struct wf_model m;
     const char *path;
@@ -62,13 +62,13 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
     out->size = s->qsm ? out->height : m.height;
     if ((status = wf_scenario_still(sp, s->gravity, &out->loads, e))) return status;
     wf_solve_options_default(&out->options);
-    out->options.tolerance = 1e-11; /* else small steps drown in what is left of the last answer */
+    out->options.tolerance = 1e-11; /* finite differences are taken of solutions: small residual */
     if (!isnan(s->root_stiffness))
         out->options.root_stiffness[0] = out->options.root_stiffness[1] = s->root_stiffness;
     return WF_OK;
 }
 
-/* One test: its sensors, the states it went through, and what was read. */
+/* One test: its sensors, states and readings. */
 
 /* Sigma of a reading: absolute and relative parts add in squares. */
 static double sigma_of(const struct wf_fit_sensor *s, double value)
@@ -76,8 +76,8 @@ static double sigma_of(const struct wf_fit_sensor *s, double value)
     return s->estimated ? 1 : hypot(s->sigma, s->sigma_share * value);
 }
 
-static enum wf_status sensor(struct wf_units *u, const struct wf_fit_study *study,
-                             const struct wf_study_test *t, const struct wf_study_sensor *s,
+static enum wf_status sensor(struct wf_units *u, const struct wf_calibration *calibration,
+                             const struct wf_calibration_test *t, const struct wf_calibration_sensor *s,
                              struct wf_fit_sensor *out, double *value, struct wf_err *e)
 {
     const struct wf_sensor_row *r = &wf_sensor_rows[s->kind];
@@ -98,16 +98,18 @@ static enum wf_status sensor(struct wf_units *u, const struct wf_fit_study *stud
     out->estimated = !s->sigma && !(out->sigma_share > 0);
     *value = NAN;
     if (s->sigma && wf_quantity_read_as(u, s->sigma, r->dimension, r->unit, &out->sigma, &why))
-        return wf_fail(e, WF_EINPUT, "%s: test %s: %s: sigma: %s", study->file, t->name, s->name, why.text);
+        return wf_fail(e, WF_EINPUT, "%s: test %s: %s: sigma: %s", calibration->file, t->name, s->name,
+                       why.text);
     if (s->sigma && !(out->sigma > 0))
-        return wf_fail(e, WF_EINPUT, "%s: test %s: %s: sigma must be above zero", study->file, t->name,
+        return wf_fail(e, WF_EINPUT, "%s: test %s: %s: sigma must be above zero", calibration->file, t->name,
                        s->name);
     if (s->value && wf_quantity_read_as(u, s->value, r->dimension, r->unit, value, &why))
-        return wf_fail(e, WF_EINPUT, "%s: test %s: %s: value: %s", study->file, t->name, s->name, why.text);
+        return wf_fail(e, WF_EINPUT, "%s: test %s: %s: value: %s", calibration->file, t->name, s->name,
+                       why.text);
     return WF_OK;
 }
 
-static void load_of(const struct wf_study_test *s, struct wf_fit_test *t, struct wf_fit_input *in)
+static void load_of(const struct wf_calibration_test *s, struct wf_fit_test *t, struct wf_fit_input *in)
 {
     bool sways =
         s->sway.given ||
@@ -128,62 +130,62 @@ static void load_of(const struct wf_study_test *s, struct wf_fit_test *t, struct
     }
 }
 
-/* A mistake of a test's wind that shows when its files are read. */
+/* Report a mistake in a test's wind that is found when its files are read. */
 static enum wf_status wind_fails(const struct wf_fit_build *b, size_t test, const char *key,
                                  struct wf_yaml_mark place, const struct wf_err *why, struct wf_diag *d,
                                  struct wf_err *e)
 {
     if (why->code == WF_EMISSING || why->code == WF_ENOMEM) return wf_fail(e, why->code, "%s", why->text);
-    wf_diag_error(d, b->study->file, place.line, place.column, "tests[%zu].wind.%s: %s", test, key,
+    wf_diag_error(d, b->calibration->file, place.line, place.column, "tests[%zu].wind.%s: %s", test, key,
                   why->text);
-    return wf_fail(e, WF_EINPUT, "%s: test %s: its wind cannot be used", b->study->file,
-                   b->study->test[test].name);
+    return wf_fail(e, WF_EINPUT, "%s: test %s: its wind cannot be used", b->calibration->file,
+                   b->calibration->test[test].name);
 }
 
-/* The measured profile of a test's wind, into the scene. */
+/* Read the measured profile of a test's wind into the scene. */
 static enum wf_status read_profile(const struct wf_fit_build *b, size_t test, struct wf_arena *a,
                                    struct wf_diag *d, struct wf_scenario *scene, const char **file,
                                    struct wf_err *e)
 {
-    const struct wf_study_wind *w = &b->study->test[test].wind;
+    const struct wf_calibration_wind *w = &b->calibration->test[test].wind;
     struct wf_profile_words words = w->profile;
     struct wf_err why = { 0 };
     if (!words.file) return WF_OK;
-    enum wf_status status = wf_fit_path(b->study, words.file, a, file, &why);
+    enum wf_status status = wf_calibration_path(b->calibration, words.file, a, file, &why);
     words.file = *file;
     if (!status) status = wf_scenario_profile(scene, &words, a, d, &why);
     if (!status) status = wf_scenario_check(scene, &why);
     return status ? wind_fails(b, test, "profile_file", w->profile_file_place, &why, d, e) : WF_OK;
 }
 
-/* The ground under a test's tree, into the scene. */
+/* Read the terrain around a test's tree into the scene. */
 static enum wf_status read_ground(const struct wf_fit_build *b, size_t test, struct wf_arena *a,
                                   struct wf_diag *d, struct wf_scenario *scene, const char **file,
                                   struct wf_err *e)
 {
-    const struct wf_study_wind *w = &b->study->test[test].wind;
+    const struct wf_calibration_wind *w = &b->calibration->test[test].wind;
     struct wf_err why = { 0 };
     if (!w->dem) return WF_OK;
     struct wf_site *site = WF_TAKE(a, 1, struct wf_site);
     if (!site) return wf_fail(e, WF_ENOMEM, "not enough memory for a map");
-    enum wf_status status = wf_fit_path(b->study, w->dem, a, file, &why);
+    enum wf_status status = wf_calibration_path(b->calibration, w->dem, a, file, &why);
     site->file = *file;
     wf_site_place(w->at, &site->x, &site->y);
     if (!status) status = wf_scenario_site(scene, site, w->north, a, &why);
     return status ? wind_fails(b, test, "dem", w->dem_place, &why, d, e) : WF_OK;
 }
 
-/* The wind of a test on its tree, its air, and how much of it the tree meets. Where the study names no air it
- * is the standard air of the tree's loads. */
+/* Set a test's wind, air and speed-up. Air that the calibration does not give is the standard air of the
+ * tree's loads. */
 static enum wf_status scene_of(const struct wf_fit_build *b, size_t test, const struct wf_fit_tree *tree,
                                struct wf_arena *a, struct wf_diag *d, struct wf_fit_test *t,
                                struct wf_fit_input *in, struct wf_err *e)
 {
-    const struct wf_study_wind *w = &b->study->test[test].wind;
+    const struct wf_calibration_wind *w = &b->calibration->test[test].wind;
     struct wf_scenario scene;
     struct wf_loads loads;
     if (t->load != WF_FIT_WIND) return WF_OK;
-    enum wf_status status = wf_study_wind_scene(w, &scene, e);
+    enum wf_status status = wf_calibration_wind_scene(w, &scene, e);
     if (!status) status = read_profile(b, test, a, d, &scene, &in->profile, e);
     if (!status) status = read_ground(b, test, a, d, &scene, &in->ground, e);
     if (!status) status = wf_scenario_loads(&scene, tree->species, &t->wind, &loads, e);
@@ -196,9 +198,9 @@ static enum wf_status scene_of(const struct wf_fit_build *b, size_t test, const 
     return WF_OK;
 }
 
-/* Average neighbouring used rows down to `points` states. */
-static enum wf_status average(const struct wf_study_test *s, struct wf_fit_test *t,
-                              const struct wf_fit_record *r, const double *sign, struct wf_arena *a,
+/* Average neighbouring used rows into at most `points` states. */
+static enum wf_status average(const struct wf_calibration_test *s, struct wf_fit_test *t,
+                              const struct wf_test_data *r, const double *sign, struct wf_arena *a,
                               struct wf_fit_datum **data, size_t *n, struct wf_err *e)
 {
     size_t used = 0, m = r->columns;
@@ -236,7 +238,7 @@ static enum wf_status average(const struct wf_study_test *s, struct wf_fit_test 
     return WF_OK;
 }
 
-static enum wf_status windows(const struct wf_study_test *s, struct wf_fit_record *r, struct wf_err *e)
+static enum wf_status windows(const struct wf_calibration_test *s, struct wf_test_data *r, struct wf_err *e)
 {
     size_t left = 0;
     for (size_t i = 0; i < r->n; i++) {
@@ -246,66 +248,65 @@ static enum wf_status windows(const struct wf_study_test *s, struct wf_fit_recor
     return left ? WF_OK : wf_fail(e, WF_EINPUT, "test %s: no row between 'after' and 'until'", s->name);
 }
 
-static enum wf_status sensor_columns(const struct wf_fit_build *b, const struct wf_study_test *s,
-                                     struct wf_record_column *column, struct wf_err *e)
+static enum wf_status sensor_columns(const struct wf_fit_build *b, const struct wf_calibration_test *s,
+                                     struct wf_test_column *column, struct wf_err *e)
 {
     for (size_t k = 0; k < s->sensors; k++) {
-        const struct wf_study_sensor *q = &s->sensor[k];
-        column[k] = (struct wf_record_column){ q->column, q->unit, wf_sensor_rows[q->kind].dimension };
+        const struct wf_calibration_sensor *q = &s->sensor[k];
+        column[k] = (struct wf_test_column){ q->column, q->unit, wf_sensor_rows[q->kind].dimension };
         if (!q->column)
-            return wf_fail(e, WF_EINPUT, "%s: test %s: sensor %s names no column", b->study->file, s->name,
-                           q->name);
+            return wf_fail(e, WF_EINPUT, "%s: test %s: sensor %s names no column", b->calibration->file,
+                           s->name, q->name);
     }
     return WF_OK;
 }
 
-static enum wf_status from_file(const struct wf_fit_build *b, const struct wf_study_test *s, const char *path,
-                                const double *sign, struct wf_arena *a, struct wf_diag *d,
+static enum wf_status from_file(const struct wf_fit_build *b, const struct wf_calibration_test *s,
+                                const char *path, const double *sign, struct wf_arena *a, struct wf_diag *d,
                                 struct wf_fit_test *t, struct wf_fit_input *in, struct wf_fit_datum **data,
                                 size_t *n, struct wf_err *e)
 {
-    struct wf_record_column *column = WF_TAKE(a, s->sensors + 1, struct wf_record_column);
+    struct wf_test_column *column = WF_TAKE(a, s->sensors + 1, struct wf_test_column);
     if (!column) return wf_fail(e, WF_ENOMEM, "not enough memory for the columns of %s", path);
     bool wind = s->wind.given;
     column[0] =
-        (struct wf_record_column){ wind ? s->wind.column : s->pull.column, wind ? s->wind.unit : s->pull.unit,
-                                   wind ? WF_DIM_SPEED : WF_DIM_FORCE };
+        (struct wf_test_column){ wind ? s->wind.column : s->pull.column, wind ? s->wind.unit : s->pull.unit,
+                                 wind ? WF_DIM_SPEED : WF_DIM_FORCE };
     if (!column[0].name)
-        return wf_fail(e, WF_EINPUT, "%s: test %s: the %s names no column", b->study->file, s->name,
+        return wf_fail(e, WF_EINPUT, "%s: test %s: the %s names no column", b->calibration->file, s->name,
                        in->load_name);
     enum wf_status status = sensor_columns(b, s, column + 1, e);
-    if (!status) status = wf_fit_path(b->study, path, a, &in->path, e);
+    if (!status) status = wf_calibration_path(b->calibration, path, a, &in->path, e);
     if (!status)
-        status = wf_fit_record_read(in->path, column, s->sensors + 1, s->time, s->rows, s->rows_n, a,
-                                    &in->record, d, e);
-    if (!status) status = windows(s, &in->record, e);
-    if (!status && !wind) status = wf_loading_branch(&in->record, 0, s->pull.from, s->pull.to, s->name, e);
+        status = wf_test_data_read(in->path, column, s->sensors + 1, s->time, s->rows, s->rows_n, a,
+                                   &in->data, d, e);
+    if (!status) status = windows(s, &in->data, e);
+    if (!status && !wind) status = wf_loading_branch(&in->data, 0, s->pull.from, s->pull.to, s->name, e);
     if (status) return status;
-    if (in->record.missing)
+    if (in->data.missing)
         wf_diag_warn(d, "rows-missing", "%s: test %s: %zu rows with an empty or NA cell were left out",
-                     in->path, s->name, in->record.missing);
+                     in->path, s->name, in->data.missing);
     double most = 0;
-    for (size_t i = 0; i < in->record.n; i++)
-        most = fmax(most, fabs(in->record.value[i * in->record.columns]));
+    for (size_t i = 0; i < in->data.n; i++) most = fmax(most, fabs(in->data.value[i * in->data.columns]));
     if (!(most > 0))
         return wf_fail(e, WF_EINPUT, "test %s: the %s is zero throughout", s->name, in->load_name);
-    return average(s, t, &in->record, sign, a, data, n, e);
+    return average(s, t, &in->data, sign, a, data, n, e);
 }
 
-/* Rows are places along the axis: each is a state of its own, in which every sensor sits there. */
-static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_study_test *s,
+/* Readings by position along the axis: each row becomes a state, in which all sensors are at its position. */
+static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_calibration_test *s,
                                   const char *path, const double *sign, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_fit_test *t, struct wf_fit_input *in, struct wf_fit_datum **data,
                                   size_t *n, struct wf_err *e)
 {
-    struct wf_record_column *column = WF_TAKE(a, s->sensors + 1, struct wf_record_column);
-    struct wf_fit_record r;
+    struct wf_test_column *column = WF_TAKE(a, s->sensors + 1, struct wf_test_column);
+    struct wf_test_data r;
     if (!column) return wf_fail(e, WF_ENOMEM, "not enough memory for the columns of %s", path);
-    column[0] = (struct wf_record_column){ s->along, NULL, WF_DIM_LENGTH };
+    column[0] = (struct wf_test_column){ s->along, NULL, WF_DIM_LENGTH };
     enum wf_status status = sensor_columns(b, s, column + 1, e);
-    if (!status) status = wf_fit_path(b->study, path, a, &in->path, e);
+    if (!status) status = wf_calibration_path(b->calibration, path, a, &in->path, e);
     if (!status)
-        status = wf_fit_record_read(in->path, column, s->sensors + 1, NULL, s->rows, s->rows_n, a, &r, d, e);
+        status = wf_test_data_read(in->path, column, s->sensors + 1, NULL, s->rows, s->rows_n, a, &r, d, e);
     if (status) return status;
     t->state = WF_TAKE(a, r.n, struct wf_fit_state);
     *data = WF_TAKE(a, r.n * t->sensors, struct wf_fit_datum);
@@ -328,20 +329,20 @@ static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_
     return t->states ? WF_OK : wf_fail(e, WF_EINPUT, "test %s: no row beyond the base", s->name);
 }
 
-/* Frequency and damping from a record of free sway become two readings. */
-static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_study_test *s, const char *path,
-                                struct wf_arena *a, struct wf_diag *d, struct wf_fit_test *t,
-                                struct wf_fit_input *in, struct wf_fit_datum **data, size_t *n,
-                                struct wf_err *e)
+/* Fit frequency and damping to measured free sway; they become two readings. */
+static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_calibration_test *s,
+                                const char *path, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_fit_test *t, struct wf_fit_input *in, struct wf_fit_datum **data,
+                                size_t *n, struct wf_err *e)
 {
-    struct wf_record_column column = { s->sway.column, NULL, WF_DIM_NONE };
+    struct wf_test_column column = { s->sway.column, NULL, WF_DIM_NONE };
     struct wf_err why = { 0 };
-    enum wf_status status = wf_fit_path(b->study, path, a, &in->path, e);
+    enum wf_status status = wf_calibration_path(b->calibration, path, a, &in->path, e);
     if (!status)
-        status = wf_fit_record_read(in->path, &column, 1, s->time, s->rows, s->rows_n, a, &in->record, d, e);
-    if (!status) status = windows(s, &in->record, e);
+        status = wf_test_data_read(in->path, &column, 1, s->time, s->rows, s->rows_n, a, &in->data, d, e);
+    if (!status) status = windows(s, &in->data, e);
     if (status) return status;
-    struct wf_fit_record *r = &in->record;
+    struct wf_test_data *r = &in->data;
     double *time = WF_TAKE(a, r->n, double), *y = WF_TAKE(a, r->n, double);
     size_t m = 0;
     t->sensor = WF_TAKE(a, 2, struct wf_fit_sensor), t->state = WF_TAKE(a, 1, struct wf_fit_state);
@@ -376,8 +377,8 @@ static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_st
     return WF_OK;
 }
 
-/* States of a plan; values stay open. */
-static enum wf_status planned(const struct wf_study_test *s, struct wf_arena *a, struct wf_fit_test *t,
+/* States of a planned test; its readings are NAN. */
+static enum wf_status planned(const struct wf_calibration_test *s, struct wf_arena *a, struct wf_fit_test *t,
                               struct wf_fit_datum **data, size_t *n, struct wf_err *e)
 {
     const double *load = s->pull.given ? s->pull.load : s->wind.speed;
@@ -402,25 +403,26 @@ static enum wf_status fit_build_test(const struct wf_fit_build *b, size_t index,
                                      struct wf_fit_input *in, struct wf_fit_datum **data, size_t *n,
                                      struct wf_err *e)
 {
-    const struct wf_study_test *s = &b->study->test[index];
+    const struct wf_calibration_test *s = &b->calibration->test[index];
     struct wf_units *u;
     double value, *sign = WF_TAKE(a, s->sensors + 1, double), *given = WF_TAKE(a, s->sensors + 1, double);
     *t = (struct wf_fit_test){
-        .name = s->name, .tree = b->study->trees, .sensors = s->sensors, .pull_row = -1
+        .name = s->name, .tree = b->calibration->trees, .sensors = s->sensors, .pull_row = -1
     };
     *in = (struct wf_fit_input){ .load_name = "free sway", .load_unit = "", .load_factor = 1 };
     t->sensor = WF_TAKE(a, s->sensors + 2, struct wf_fit_sensor);
     if (!sign || !given || !t->sensor) return wf_fail(e, WF_ENOMEM, "not enough memory for test %s", s->name);
-    for (size_t k = 0; k < b->study->trees; k++)
-        if (!s->tree || !strcmp(s->tree, b->study->tree[k].name)) t->tree = k;
-    if (t->tree == b->study->trees)
-        return wf_fail(e, WF_EINPUT, "%s: test %s: no tree is called '%s'", b->study->file, s->name, s->tree);
+    for (size_t k = 0; k < b->calibration->trees; k++)
+        if (!s->tree || !strcmp(s->tree, b->calibration->tree[k].name)) t->tree = k;
+    if (t->tree == b->calibration->trees)
+        return wf_fail(e, WF_EINPUT, "%s: test %s: unknown tree '%s'", b->calibration->file, s->name,
+                       s->tree);
     load_of(s, t, in);
     enum wf_status status = wf_units_open(&u, e);
     if (status) return status;
     for (size_t k = 0; k < s->sensors && !status; k++) {
         sign[k] = s->sensor[k].sign ? -1 : 1;
-        status = sensor(u, b->study, s, &s->sensor[k], &t->sensor[k], &given[k], e);
+        status = sensor(u, b->calibration, s, &s->sensor[k], &t->sensor[k], &given[k], e);
     }
     wf_units_close(u);
     if (status) return status;
@@ -442,7 +444,7 @@ static enum wf_status fit_build_test(const struct wf_fit_build *b, size_t index,
     return WF_OK;
 }
 
-/* Who wants to know the row of a place. */
+/* A place and where to store its row. */
 struct place {
     struct wf_fit_place at;
     int32_t *row;
@@ -457,7 +459,7 @@ static enum wf_status place(struct place *list, size_t *n, double at, bool along
     return WF_OK;
 }
 
-/* Cut a tree where its tests pull and measure, and tell them the rows. */
+/* Divide a tree's rows where its tests pull and measure, and store the rows in the tests. */
 static enum wf_status cut(const struct wf_fit_build *b, struct wf_experiment *x, size_t tree,
                           struct wf_arena *a, struct wf_err *e)
 {
@@ -471,8 +473,8 @@ static enum wf_status cut(const struct wf_fit_build *b, struct wf_experiment *x,
         struct wf_fit_test *q = &x->test[k];
         if (q->tree != tree) continue;
         if (q->load == WF_FIT_PULL)
-            status = place(list, &n, b->study->test[k].pull.height, false, &q->pull_row, t->name, e);
-        bool places = b->study->test[k].along != NULL;
+            status = place(list, &n, b->calibration->test[k].pull.height, false, &q->pull_row, t->name, e);
+        bool places = b->calibration->test[k].along != NULL;
         for (size_t s = 0; places && s < q->states && !status; s++)
             status = place(list, &n, q->state[s].load, true, &q->state[s].row, t->name, e);
         for (size_t s = 0; s < q->sensors && !status; s++) {
@@ -481,7 +483,7 @@ static enum wf_status cut(const struct wf_fit_build *b, struct wf_experiment *x,
             if (gauge && t->tree.section)
                 return wf_fail(e, WF_EINPUT,
                                "%s: test %s: %s: strain is not computed for a stem with 'sections'",
-                               b->study->file, q->name, w->name);
+                               b->calibration->file, q->name, w->name);
             if (!wf_sensor_rows[w->kind].placed || places) continue;
             status = place(list, &n, w->height + (gauge ? 0.5 * w->gauge : 0), w->along, &w->row, t->name, e);
             if (gauge && !status)
@@ -492,7 +494,7 @@ static enum wf_status cut(const struct wf_fit_build *b, struct wf_experiment *x,
     for (size_t k = 0; k < n; k++) at[k] = list[k].at;
     struct wf_err why = { 0 };
     if (!status && wf_fit_divide(&t->tree, t->size / 40, at, n, row, a, &why))
-        return wf_fail(e, why.code, "%s: tree %s: %s", b->study->file, t->name, why.text);
+        return wf_fail(e, why.code, "%s: tree %s: %s", b->calibration->file, t->name, why.text);
     for (size_t k = 0; k < n && !status; k++) *list[k].row = row[k];
     return status;
 }
@@ -500,11 +502,11 @@ static enum wf_status cut(const struct wf_fit_build *b, struct wf_experiment *x,
 enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, struct wf_diag *d,
                             struct wf_experiment *x, struct wf_fit_input *in, struct wf_err *e)
 {
-    const struct wf_fit_study *s = b->study;
+    const struct wf_calibration *s = b->calibration;
     size_t used = 0, room = 0;
     *x = (struct wf_experiment){ .trees = s->trees, .tests = s->tests };
     x->tree = WF_TAKE(a, s->trees, struct wf_fit_tree), x->test = WF_TAKE(a, s->tests, struct wf_fit_test);
-    if (!x->tree || !x->test) return wf_fail(e, WF_ENOMEM, "%s: no room", s->file);
+    if (!x->tree || !x->test) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", s->file);
     enum wf_status status = WF_OK;
     for (size_t k = 0; k < s->trees && !status; k++) status = fit_build_tree(b, k, a, d, &x->tree[k], e);
     for (size_t k = 0; k < s->tests && !status; k++) {
@@ -540,7 +542,7 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
     return status;
 }
 
-static enum wf_status bound(struct wf_units *u, const struct wf_fit_study *s, const struct wf_fit_param *p,
+static enum wf_status bound(struct wf_units *u, const struct wf_calibration *s, const struct wf_fit_param *p,
                             const char *key, const char *text, double *value, struct wf_err *e)
 {
     struct wf_err why = { 0 };
@@ -549,7 +551,7 @@ static enum wf_status bound(struct wf_units *u, const struct wf_fit_study *s, co
     return wf_fail(e, WF_EINPUT, "%s: free: %s: %s: %s", s->file, p->name, key, why.text);
 }
 
-enum wf_status wf_fit_params(const struct wf_fit_study *s, const char *names, const struct wf_experiment *x,
+enum wf_status wf_fit_params(const struct wf_calibration *s, const char *names, const struct wf_experiment *x,
                              bool plan, struct wf_arena *a, struct wf_fit_param **out, size_t *n,
                              struct wf_err *e)
 {
@@ -566,7 +568,7 @@ enum wf_status wf_fit_params(const struct wf_fit_study *s, const char *names, co
         status = wf_param_add(x, p, a, *out, n, e);
     if (!status) status = wf_units_open(&u, e);
     if (status) return status;
-    /* limits of the study also hold for a parameter named on the command line */
+    /* bounds of the calibration also apply to a parameter named on the command line */
     for (size_t k = 0; k < s->frees && !status; k++) {
         size_t from = *n, to;
         if (!names) status = wf_param_add(x, s->free[k].parameter, a, *out, n, e);

@@ -22,7 +22,7 @@ static const char *const kinds[] = { "deflection",  "horizontal", "vertical", "t
     ROW(T, k, WF_YAML_QUANTITY, member), .dimension = dim, .unit = u, .low = from, .high = to
 #define AZIMUTH(T) QUANTITY(T, "azimuth", azimuth, WF_DIM_ANGLE, "deg", -WF_TURN, WF_TURN)
 
-#define T struct wf_study_tree
+#define T struct wf_calibration_tree
 static const struct wf_yaml_row tree_rows[] = {
     { ROW(T, "name", WF_YAML_NAME, name), .required = true,
       .doc = "Name of the tree, for tests and parameters.", .example = "T3" },
@@ -40,7 +40,7 @@ static const struct wf_yaml_row tree_rows[] = {
     { QUANTITY(T, "root_stiffness", root_stiffness, WF_DIM_ROTATIONAL_STIFFNESS, "kN m/rad", 1, 1e12),
       .absent = "clamped, unless it is a free parameter", .doc = "Rotational stiffness of the root plate." },
     { QUANTITY(T, "gravity", gravity, WF_DIM_ACCELERATION, "m/s2", 0, 100), .initial = "9.81 m/s2",
-      .doc = "0 leaves the weight out." },
+      .doc = "0: without weight." },
     { 0 }
 };
 static const struct wf_yaml_table tree_table = {
@@ -48,7 +48,7 @@ static const struct wf_yaml_table tree_table = {
 };
 #undef T
 
-#define T struct wf_study_sensor
+#define T struct wf_calibration_sensor
 static const struct wf_yaml_row sensor_rows[] = {
     { ROW(T, "name", WF_YAML_NAME, name), .required = true, .doc = "Name of the sensor.",
       .example = "clino_1" },
@@ -78,16 +78,16 @@ static const struct wf_yaml_row sensor_rows[] = {
     { QUANTITY(T, "gauge", gauge, WF_DIM_LENGTH, "mm", 1e-3, 10), .absent = "100 mm",
       .doc = "Length over which strain or extension is taken." },
     { ROW(T, "sign", WF_YAML_ENUM, sign), .choices = signs, .initial = "+",
-      .doc = "- where the column counts the other way." },
+      .doc = "- where the column has the opposite sign." },
     { ROW(T, "sigma", WF_YAML_TEXT, sigma),
       .absent = "estimated from the scatter, unless sigma_share is given",
       .doc = "Standard uncertainty of a reading.", .example = "0.05 deg" },
     { QUANTITY(T, "sigma_share", sigma_share, WF_DIM_NONE, NULL, 0, 1), .absent = "none",
       .doc = "The same as a share of the reading; both add in squares.", .example = "2 %" },
     { ROW(T, "offset", WF_YAML_ENUM, offset), .choices = no_yes, .initial = "no",
-      .doc = "Its zero is not known." },
+      .doc = "Its zero is unknown and is fitted." },
     { ROW(T, "drift", WF_YAML_ENUM, drift), .choices = no_yes, .initial = "no",
-      .doc = "Its zero wanders evenly with time." },
+      .doc = "Its zero drifts linearly with time." },
     { 0 }
 };
 static const struct wf_yaml_table sensor_table = {
@@ -95,7 +95,7 @@ static const struct wf_yaml_table sensor_table = {
 };
 #undef T
 
-#define T struct wf_study_pull
+#define T struct wf_calibration_pull
 static const struct wf_yaml_row pull_rows[] = {
     { ROW(T, "column", WF_YAML_TEXT, column), .absent = "needed where there is data",
       .doc = "Column of the force in the rope, with its unit: force_kN." },
@@ -122,7 +122,7 @@ static const struct wf_yaml_row pull_rows[] = {
 static const struct wf_yaml_table pull_table = { .title = "a pull", .row = pull_rows, .doc = "" };
 #undef T
 
-#define T struct wf_study_wind
+#define T struct wf_calibration_wind
 static const struct wf_yaml_row wind_rows[] = {
     { ROW(T, "column", WF_YAML_TEXT, column), .absent = "needed where there is data",
       .doc = "Column of the wind speed, with its unit: wind_m_s." },
@@ -161,7 +161,8 @@ static const struct wf_yaml_row wind_rows[] = {
     { 0 }
 };
 
-enum wf_status wf_study_wind_scene(const struct wf_study_wind *w, struct wf_scenario *out, struct wf_err *e)
+enum wf_status wf_calibration_wind_scene(const struct wf_calibration_wind *w, struct wf_scenario *out,
+                                         struct wf_err *e)
 {
     wf_scenario_default(out);
     enum wf_status status = wf_scenario_words(out, &w->profile, e);
@@ -173,8 +174,9 @@ enum wf_status wf_study_wind_scene(const struct wf_study_wind *w, struct wf_scen
     return status || w->profile.file ? status : wf_scenario_check(out, e);
 }
 
-/* A number that was wrong has been told; what follows from it would only confuse. */
-static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_study_wind *w)
+/* False when a number was invalid: it is already reported, and further checks would report its consequences.
+ */
+static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_calibration_wind *w)
 {
     const char *const key[] = { "reference_height", "exponent",    "roughness", "displacement",
                                 "canopy_height",    "attenuation", "azimuth",   "temperature",
@@ -195,23 +197,23 @@ static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_study_wind
     return right && (w->profile.name || !wf_yaml_has(y, "profile"));
 }
 
-/* Keys of a wind that do not go together. */
+/* Report keys of a wind that exclude each other. */
 static void wind_finish(struct wf_yaml *y, void *wind)
 {
-    struct wf_study_wind *w = wind;
+    struct wf_calibration_wind *w = wind;
     struct wf_scenario scene;
     struct wf_err why = { 0 };
     double x, z;
     if (!w->given) return;
     w->profile_file_place = wf_yaml_where(y, "profile_file");
     w->dem_place = wf_yaml_where(y, "dem");
-    if (wind_numbers_are_right(y, w) && wf_study_wind_scene(w, &scene, &why))
+    if (wind_numbers_are_right(y, w) && wf_calibration_wind_scene(w, &scene, &why))
         wf_yaml_error(y, wf_yaml_has(y, "profile") ? "profile" : "", "%s", why.text);
-    if (w->dem && !isnan(w->speed_up))
-        wf_yaml_error(y, "dem", "'speed_up' and 'dem': one of them says how exposed the tree is");
+    if (w->dem && !isnan(w->speed_up)) wf_yaml_error(y, "dem", "give one of 'speed_up' and 'dem', not both");
     if (w->dem && !w->at) wf_yaml_error(y, "dem", "needs 'at', where the tree stands on it");
-    if (!w->dem && w->at) wf_yaml_error(y, "at", "a place on the ground needs the ground, 'dem'");
-    if (!w->dem && wf_yaml_has(y, "north")) wf_yaml_error(y, "north", "is of 'dem', which is not given");
+    if (!w->dem && w->at) wf_yaml_error(y, "at", "needs 'dem', the heights of the ground");
+    if (!w->dem && wf_yaml_has(y, "north"))
+        wf_yaml_error(y, "north", "applies only with 'dem', which is not given");
     if (w->dem && w->at && !wf_site_place(w->at, &x, &z))
         wf_yaml_error(y, "at", "'%.100s': the tree's place is written x,y in m, for example 450,1200", w->at);
 }
@@ -221,17 +223,18 @@ static const struct wf_yaml_table wind_table = {
 };
 #undef T
 
-#define T struct wf_study_sway
-static const struct wf_yaml_row sway_rows[] = { { ROW(T, "column", WF_YAML_TEXT, column), .required = true,
-                                                  .doc = "Column that swings freely after a release, in any "
-                                                         "measure; frequency and damping are fitted to it." },
-                                                { AZIMUTH(T), .absent = "the lowest mode",
-                                                  .doc = "Direction of sway." },
-                                                { 0 } };
+#define T struct wf_calibration_sway
+static const struct wf_yaml_row sway_rows[] = {
+    { ROW(T, "column", WF_YAML_TEXT, column), .required = true,
+      .doc = "Column of a free oscillation after a release, in any unit; frequency and damping are fitted to "
+             "it." },
+    { AZIMUTH(T), .absent = "the lowest mode", .doc = "Direction of sway." },
+    { 0 }
+};
 static const struct wf_yaml_table sway_table = { .title = "a free sway", .row = sway_rows, .doc = "" };
 #undef T
 
-#define T struct wf_study_test
+#define T struct wf_calibration_test
 static const struct wf_yaml_row test_rows[] = {
     { ROW(T, "name", WF_YAML_NAME, name), .required = true, .doc = "Name of the test." },
     { ROW(T, "tree", WF_YAML_NAME, tree), .absent = "the only tree", .doc = "Which tree it was made on." },
@@ -242,9 +245,9 @@ static const struct wf_yaml_row test_rows[] = {
     { ROW(T, "time", WF_YAML_TEXT, time), .absent = "rows are a second apart",
       .doc = "Column of the time: seconds (t_s), or dates and times (2020-07-29T16:31:52Z)." },
     { QUANTITY(T, "after", after, WF_DIM_TIME, "s", 0, 1e9), .absent = "from the first row",
-      .doc = "Leave out what was before." },
+      .doc = "Earlier rows are ignored." },
     { QUANTITY(T, "until", until, WF_DIM_TIME, "s", 0, 1e9), .absent = "to the last row",
-      .doc = "Leave out what was after." },
+      .doc = "Later rows are ignored." },
     { ROW(T, "points", WF_YAML_INTEGER, points), .low = 2, .high = 2000, .initial = "50",
       .doc = "Neighbouring rows are averaged down to this number." },
     { ROW(T, "along", WF_YAML_TEXT, along), .absent = "sensors have places of their own",
@@ -254,8 +257,8 @@ static const struct wf_yaml_row test_rows[] = {
       .example = "along_m" },
     { ROW(T, "zero", WF_YAML_ENUM, zero), .choices = zeros, .initial = "rest",
       .doc =
-          "What readings are counted from: the tree at rest under its weight, or its unloaded shape. A test "
-          "without pull, wind and sway bends the tree by its weight alone and needs 'unloaded'." },
+          "State from which readings are measured: the tree at rest under its weight, or its unloaded shape. "
+          "A test without pull, wind and sway bends the tree by its weight alone and needs 'unloaded'." },
     { ROW(T, "pull", WF_YAML_TABLE, pull), .table = &pull_table, .given = 1 + offsetof(T, pull.given),
       .absent = "no pull", .doc = "A rope." },
     { ROW(T, "wind", WF_YAML_TABLE, wind), .table = &wind_table, .given = 1 + offsetof(T, wind.given),
@@ -271,7 +274,7 @@ static const struct wf_yaml_table test_table = {
 };
 #undef T
 
-#define T struct wf_study_free
+#define T struct wf_calibration_free
 static const struct wf_yaml_row free_rows[] = {
     { ROW(T, "parameter", WF_YAML_TEXT, parameter), .required = true, .doc = "Its name.",
       .example = "level0.youngs_modulus" },
@@ -286,7 +289,7 @@ static const struct wf_yaml_table free_table = {
 };
 #undef T
 
-/* A name that stands twice in a list: tests and parameters are told apart by it. */
+/* Report a name that occurs twice in a list: names identify tests and parameters. */
 static void twice(struct wf_yaml *y, const char *list, const void *first, size_t n, size_t size, size_t at)
 {
     const char *base = first;
@@ -303,9 +306,9 @@ static void twice(struct wf_yaml *y, const char *list, const void *first, size_t
         }
 }
 
-/* A test without pull and wind bends the tree by its weight alone. */
-static void under_weight(struct wf_yaml *y, const struct wf_study_test *t, const char *place,
-                         const struct wf_study_sensor *q)
+/* Check a sensor of a test without pull and wind, where only weight bends the tree. */
+static void under_weight(struct wf_yaml *y, const struct wf_calibration_test *t, const char *place,
+                         const struct wf_calibration_sensor *q)
 {
     const char *name = wf_sensor_rows[q->kind].name;
     bool directed = q->kind == WF_SENSOR_DEFLECTION || q->kind == WF_SENSOR_TILT ||
@@ -319,8 +322,8 @@ static void under_weight(struct wf_yaml *y, const struct wf_study_test *t, const
     if (!t->along && !q->value) wf_yaml_error(y, place, "a %s under weight alone needs 'value'", name);
 }
 
-static void sensor_finish(struct wf_yaml *y, const struct wf_study_test *t, const char *place,
-                          const struct wf_study_sensor *q)
+static void sensor_finish(struct wf_yaml *y, const struct wf_calibration_test *t, const char *place,
+                          const struct wf_calibration_sensor *q)
 {
     const struct wf_sensor_row *r = &wf_sensor_rows[q->kind];
     bool sway = q->kind == WF_SENSOR_FREQUENCY || q->kind == WF_SENSOR_DAMPING;
@@ -339,9 +342,9 @@ static void sensor_finish(struct wf_yaml *y, const struct wf_study_test *t, cons
     if (!sway && !t->pull.given && !t->wind.given) under_weight(y, t, place, q);
 }
 
-static void test_finish(struct wf_yaml *y, const struct wf_fit_study *s, size_t i)
+static void test_finish(struct wf_yaml *y, const struct wf_calibration *s, size_t i)
 {
-    const struct wf_study_test *t = &s->test[i];
+    const struct wf_calibration_test *t = &s->test[i];
     char place[64];
     size_t sways = 0;
     snprintf(place, sizeof place, "tests[%zu]", i);
@@ -362,28 +365,28 @@ static void test_finish(struct wf_yaml *y, const struct wf_fit_study *s, size_t 
     }
 }
 
-static void finish(struct wf_yaml *y, void *study)
+static void finish(struct wf_yaml *y, void *calibration)
 {
-    struct wf_fit_study *s = study;
+    struct wf_calibration *s = calibration;
     char place[64];
     for (size_t i = 0; s->tree && i < s->trees; i++) {
         snprintf(place, sizeof place, "trees[%zu]", i);
         if (!s->tree[i].model == !s->tree[i].qsm) wf_yaml_error(y, place, "needs either 'model' or 'qsm'");
     }
-    twice(y, "trees", s->tree, s->trees, sizeof *s->tree, offsetof(struct wf_study_tree, name));
-    twice(y, "tests", s->test, s->tests, sizeof *s->test, offsetof(struct wf_study_test, name));
+    twice(y, "trees", s->tree, s->trees, sizeof *s->tree, offsetof(struct wf_calibration_tree, name));
+    twice(y, "tests", s->test, s->tests, sizeof *s->test, offsetof(struct wf_calibration_test, name));
     for (size_t i = 0; s->test && i < s->tests; i++) {
         snprintf(place, sizeof place, "tests[%zu].sensors", i);
         twice(y, place, s->test[i].sensor, s->test[i].sensors, sizeof *s->test[i].sensor,
-              offsetof(struct wf_study_sensor, name));
+              offsetof(struct wf_calibration_sensor, name));
         test_finish(y, s, i);
     }
 }
 
-#define T struct wf_fit_study
-static const struct wf_yaml_row study_rows[] = {
+#define T struct wf_calibration
+static const struct wf_yaml_row calibration_rows[] = {
     { ROW(T, "fit", WF_YAML_NAME, key), .required = true, .doc = "Key of the study, as its file's name." },
-    { ROW(T, "name", WF_YAML_TEXT, name), .required = true, .doc = "Name for people." },
+    { ROW(T, "name", WF_YAML_TEXT, name), .required = true, .doc = "Readable name." },
     { ROW(T, "note", WF_YAML_TEXT, note), .absent = "no note",
       .doc = "Assumptions, and what a reader should know." },
     { ROW(T, "source", WF_YAML_TEXT, source), .absent = "no source",
@@ -398,27 +401,26 @@ static const struct wf_yaml_row study_rows[] = {
       .absent = "named by --free", .doc = "What is fitted, unless --free names it." },
     { 0 }
 };
-const struct wf_yaml_table wf_fit_study_table = {
+const struct wf_yaml_table wf_calibration_table = {
     .title = "a calibration study",
-    .row = study_rows,
+    .row = calibration_rows,
     .size = sizeof(T),
     .finish = finish,
     .doc = "A calibration study (YAML): trees, tests made on them, sensors, and what is to be fitted. A "
-           "whole one to start "
-           "from: models/field/sample_pull.yaml."
+           "complete example: models/field/sample_pull.yaml."
 };
 #undef T
 
-enum wf_status wf_fit_study_read(const char *path, struct wf_arena *a, struct wf_fit_study *out,
-                                 struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_calibration_read(const char *path, struct wf_arena *a, struct wf_calibration *out,
+                                   struct wf_diag *d, struct wf_err *e)
 {
-    *out = (struct wf_fit_study){ .file = wf_arena_text(a, path) };
+    *out = (struct wf_calibration){ .file = wf_arena_text(a, path) };
     if (!out->file) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
-    return wf_yaml_read(path, &wf_fit_study_table, out, a, d, e);
+    return wf_yaml_read(path, &wf_calibration_table, out, a, d, e);
 }
 
-enum wf_status wf_fit_path(const struct wf_fit_study *s, const char *name, struct wf_arena *a,
-                           const char **out, struct wf_err *e)
+enum wf_status wf_calibration_path(const struct wf_calibration *s, const char *name, struct wf_arena *a,
+                                   const char **out, struct wf_err *e)
 {
     static const char variable[] = "${WINDFIRM_REFERENCE}/";
     bool outside = !strncmp(name, variable, sizeof variable - 1);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-// The only C++ of the program: Ceres behind a C header. Everything is checked before Ceres is called, because
-// its own checks end the program; what it has to say goes to a sink, never to a terminal or a file.
+// The only C++ of the program: Ceres behind a C header. All input is checked before Ceres is called, because
+// its own checks abort the program. Its log messages are discarded.
 #include "fit/lsq.h"
 #include <ceres/ceres.h>
 #include <cmath>
@@ -10,7 +10,8 @@
 #include <vector>
 
 namespace {
-// One residual block per observation gives each its own robust loss; the model is evaluated once for all.
+// One residual block for each observation, because Ceres applies a loss to a block; the model is evaluated
+// once for all blocks.
 struct Model : ceres::EvaluationCallback {
     const wf_lsq *q;
     const double *p;
@@ -56,7 +57,7 @@ struct Progress : ceres::IterationCallback {
     ceres::CallbackReturnType operator()(const ceres::IterationSummary &s) override
     {
         stopped = q->progress && q->progress(q->ctx, static_cast<size_t>(s.iteration), s.cost);
-        // an abort counts as no solution: the best so far, and its cost, would not be given back
+        // not SOLVER_ABORT: after an abort Ceres does not return the best parameters so far and their cost
         return stopped ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
     }
 };
@@ -92,7 +93,8 @@ wf_status check(const wf_lsq *q, const double *p, wf_err *e)
     if (!q->model || !q->low || !q->high || q->params < 1)
         return wf_fail(e, WF_EUSAGE, "a fit needs a model, bounds and at least one free parameter");
     if (q->residuals < q->params)
-        return wf_fail(e, WF_EUSAGE, "%zu observations cannot fix %zu parameters", q->residuals, q->params);
+        return wf_fail(e, WF_EUSAGE, "%zu observations cannot determine %zu parameters", q->residuals,
+                       q->params);
     if (q->plain > q->residuals || (q->loss != WF_LOSS_NONE && !(q->loss_scale > 0)))
         return wf_fail(e, WF_EUSAGE, "a robust loss needs a positive scale");
     for (size_t k = 0; k < q->params; k++)
@@ -142,7 +144,7 @@ wf_status solve(const wf_lsq *q, double *p, wf_lsq_result *out, wf_err *e)
     if (s.termination_type != ceres::FAILURE) return WF_OK;
     if (s.iterations.size() <= 1)
         return wf_fail(e, WF_EINPUT, "the model has no finite answer at the start values");
-    return wf_fail(e, WF_ENOCONV, "the fit ended without an answer: %s", out->message);
+    return wf_fail(e, WF_ENOCONV, "the fit ended without a result: %s", out->message);
 }
 } // namespace
 
@@ -167,5 +169,5 @@ try {
 } catch (const std::exception &x) {
     return wf_fail(e, WF_EINTERNAL, "least squares: %s", x.what());
 } catch (...) {
-    return wf_fail(e, WF_EINTERNAL, "least squares: an unknown fault");
+    return wf_fail(e, WF_EINTERNAL, "least squares: an unknown error");
 }

@@ -18,12 +18,12 @@ const struct wf_sensor_row wf_sensor_rows[WF_SENSOR_KINDS] = {
     [WF_SENSOR_DAMPING] = { "damping", WF_DIM_NONE, "%", 100, false },
 };
 
-/* Cutting rows of a tree where something is measured or pulled. */
+/* Division of a tree's rows where something is measured or pulled. */
 
 enum { PLACES_MAX = 64 };
-static const double least = 1e-3; /* nearer than this to a row's end is that end [m] */
+static const double least = 1e-3; /* places nearer than this to a row's end are taken as that end [m] */
 
-/* The main axis: from the first base, at every fork the thickest way on. above: scratch, one per row. */
+/* Find the main axis: from the first base, at every fork the thickest child. above: scratch, one per row. */
 static void main_axis(const struct wf_tree *t, int32_t *above, bool *axis)
 {
     for (size_t i = 0; i < t->n; i++) above[i] = -1, axis[i] = false;
@@ -34,7 +34,7 @@ static void main_axis(const struct wf_tree *t, int32_t *above, bool *axis)
     for (int32_t i = 0; i >= 0; i = above[i]) axis[i] = true;
 }
 
-/* The main axis of a tree, and how far along it every row begins [m]. */
+/* The main axis of a tree, and the distance along it to the base of every row [m]. */
 struct axis {
     const bool *on;
     const double *start;
@@ -45,7 +45,7 @@ static enum wf_status axis_of(const struct wf_tree *t, struct wf_arena *a, struc
     int32_t *above = WF_TAKE(a, t->n, int32_t);
     bool *on = WF_TAKE(a, t->n, bool);
     double *start = WF_TAKE(a, t->n, double);
-    if (!above || !on || !start) return wf_fail(e, WF_ENOMEM, "no room to divide the tree");
+    if (!above || !on || !start) return wf_fail(e, WF_ENOMEM, "not enough memory to divide the tree");
     main_axis(t, above, on);
     for (size_t i = 0; i < t->n; i++) {
         int32_t p = t->parent[i];
@@ -63,7 +63,7 @@ static double axis_length(const struct wf_tree *t, const struct axis *axis)
     return most;
 }
 
-/* Where a row begins and ends in the measure of a place [m]. */
+/* Coordinates of a row's base and end: along the axis or above its base [m]. */
 static void range_of(const struct wf_tree *t, const struct axis *axis, size_t i, bool along, double *from,
                      double *to)
 {
@@ -71,7 +71,7 @@ static void range_of(const struct wf_tree *t, const struct axis *axis, size_t i,
     *to = along ? axis->start[i] + wf_tree_length(t, i) : t->z1[i] - t->z0[0];
 }
 
-/* The axis' row that passes a place, and where in it; the lowest such row. */
+/* The lowest row of the axis that contains a place. Returned: row and position in it, 0..1. */
 static bool row_at(const struct wf_tree *t, const struct axis *axis, const struct wf_fit_place *p,
                    size_t *row, double *s)
 {
@@ -86,7 +86,7 @@ static bool row_at(const struct wf_tree *t, const struct axis *axis, const struc
     return false;
 }
 
-/* Shares of a row at which it is cut, 0 and 1 included. */
+/* Positions 0..1 at which a row is divided, 0 and 1 included. Returned: number of parts. */
 static size_t cuts_of(const struct wf_tree *t, const struct axis *axis, size_t i, double length,
                       const struct wf_fit_place *place, size_t n, double *cut)
 {
@@ -140,7 +140,7 @@ static void copy_part(const struct wf_tree *from, size_t i, double s0, double s1
     to->id[at] = from->id[i];
 }
 
-/* The part of row i that goes from s0 to s1 of it, of a tree whose sections are not round. */
+/* Copy the non-round section of row i between s0 and s1 (0..1). */
 static void copy_section(const struct wf_tree_sections *from, size_t i, double s0, double s1,
                          struct wf_tree_sections *to, size_t at)
 {
@@ -160,7 +160,7 @@ static void copy_section(const struct wf_tree_sections *from, size_t i, double s
     }
 }
 
-/* Rows at whose ends the places are. */
+/* Find the rows whose ends are at the places. */
 static void find_rows(const struct wf_tree *t, const struct axis *axis, const struct wf_fit_place *place,
                       size_t n, int32_t *row)
 {
@@ -182,7 +182,7 @@ enum wf_status wf_fit_divide(struct wf_tree *t, double length, const struct wf_f
     double *cut = WF_TAKE(a, 1100 + 2 * PLACES_MAX, double);
     int32_t *last = WF_TAKE(a, t->n, int32_t);
     struct axis axis, axis_out;
-    if (!cut || !last) return wf_fail(e, WF_ENOMEM, "no room to divide the tree");
+    if (!cut || !last) return wf_fail(e, WF_ENOMEM, "not enough memory to divide the tree");
     if (n > PLACES_MAX)
         return wf_fail(e, WF_EINPUT, "%zu places on one tree; at most %d", n, (int)PLACES_MAX);
     if (t->bend || t->stiff || t->mass1)

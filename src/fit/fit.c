@@ -12,7 +12,7 @@ void wf_fit_options_default(struct wf_fit_options *o)
     };
 }
 
-/* Where 95 % of the efficiency for normal errors is kept. */
+/* Scale of the loss that has 95 % efficiency for normal errors. */
 static double usual_scale(const struct wf_fit_options *o)
 {
     return isnan(o->loss_scale) ? wf_losses[o->loss].usual_scale : o->loss_scale;
@@ -32,7 +32,7 @@ static enum wf_status room(struct wf_fit *f, struct wf_arena *a, struct wf_err *
     return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for the answers of a fit");
 }
 
-/* Readings of a parameter's quantity that no datum depends on are refused before anything is fitted. */
+/* Check the number of parameters, their bounds and start values. */
 static enum wf_status check(const struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
                             struct wf_err *e)
 {
@@ -40,7 +40,7 @@ static enum wf_status check(const struct wf_experiment *x, const struct wf_fit_p
     if (x->data < n) {
         size_t nuisance = 0;
         for (size_t k = 0; k < n; k++) nuisance += wf_param_nuisance(&p[k]);
-        return wf_fail(e, WF_EUSAGE, "%zu reading%s cannot fix %zu parameter%s%s", x->data,
+        return wf_fail(e, WF_EUSAGE, "%zu reading%s cannot determine %zu parameter%s%s", x->data,
                        x->data == 1 ? "" : "s", n, n == 1 ? "" : "s",
                        nuisance ? " (offsets and drifts of sensors included)" : "");
     }
@@ -57,7 +57,7 @@ static enum wf_status check(const struct wf_experiment *x, const struct wf_fit_p
     return WF_OK;
 }
 
-/* Sigmas that are to be estimated begin at 2 % of the largest reading of their sensor. */
+/* Start values of sigmas to be estimated: 2 % of the largest reading of the sensor. */
 static void first_sigmas(struct wf_experiment *x)
 {
     for (size_t t = 0; t < x->tests; t++)
@@ -73,7 +73,7 @@ static void first_sigmas(struct wf_experiment *x)
         }
 }
 
-/* No reading moves with a parameter: say so by name rather than let it wander. */
+/* Refuse a parameter on which no reading depends: the data cannot determine it. */
 static enum wf_status moves(struct wf_session *s, struct wf_err *e)
 {
     enum wf_status status = wf_predict(s->predictor, s->internal, s->reading, s->slope, e);
@@ -94,7 +94,7 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
         const struct wf_estimate *q = &f->estimate[k];
         if (q->at_low || q->at_high)
             wf_diag_warn(d, "at-bound",
-                         "%s ended on its %s bound: this is no estimate, the data ask for a value beyond",
+                         "%s ended on its %s bound: this is no estimate; the best fit lies beyond the bound",
                          f->param[k].name, q->at_low ? "lower" : "upper");
     }
     if (fit_at_bound(f) && f->free > 1)
@@ -107,7 +107,7 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
     if (!f->sigma_estimated && f->freedom && f->reduced > 2)
         wf_diag_warn(
             d, "misfit",
-            "reduced chi-square %.3g: the readings scatter %.2g times as much as their uncertainties say; "
+            "reduced chi-square %.3g: the readings scatter %.2g times as much as their stated uncertainties; "
             "intervals are widened by that factor",
             f->reduced, sqrt(f->reduced));
     for (size_t i = 0; i < f->groups; i++)
@@ -134,7 +134,7 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
                      f->starts_same, f->starts);
 }
 
-/* Did a parameter that is no nuisance end on a bound? */
+/* Is a parameter other than a nuisance parameter on a bound? */
 static bool fit_at_bound(const struct wf_fit *f)
 {
     bool any = false;

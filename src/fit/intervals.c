@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How far the readings scatter about the fit: sigmas that were not given, correlation of neighbours, reduced
+/* Scatter of the readings about the fit: sigmas that are not given, correlation of neighbours, reduced
  * chi-square. */
 
 static enum wf_status groups_of(const struct wf_experiment *x, struct wf_fit *out, struct wf_arena *a,
@@ -31,7 +31,7 @@ static enum wf_status groups_of(const struct wf_experiment *x, struct wf_fit *ou
     return WF_OK;
 }
 
-/* Residuals (measured - predicted) over a sigma, of one group; returned: how many. */
+/* Residuals (measured - predicted) over a sigma, of one group. Returned: their number. */
 static size_t collect(const struct wf_session *s, const struct wf_fit_group *g, bool plain, double *r)
 {
     size_t n = 0;
@@ -43,7 +43,7 @@ static size_t collect(const struct wf_session *s, const struct wf_fit_group *g, 
     return n;
 }
 
-/* Correlation of neighbouring residuals; 0 where it is within what chance gives. */
+/* Correlation of neighbouring residuals; 0 where it is not significant (two standard errors). */
 static double neighbours(const double *r, size_t n)
 {
     double square = 0, lag = 0;
@@ -54,7 +54,7 @@ static double neighbours(const double *r, size_t n)
     return rho > 2 / sqrt((double)n) ? fmin(rho, 1 - 2 / (double)n) : 0;
 }
 
-/* New sigmas for sensors whose sigma is not known. Returned: largest relative change. */
+/* Estimate the sigmas of sensors without a given one. Returned: largest relative change. */
 static double renew(struct wf_session *s, struct wf_fit *out, double *r, double *scratch)
 {
     double most = 0, share = 1 - (double)s->n / (double)(s->x->data > s->n ? s->x->data : s->n + 1);
@@ -84,7 +84,7 @@ static double renew(struct wf_session *s, struct wf_fit *out, double *r, double 
     return most;
 }
 
-/* Reduced chi-square of the sigmas given; with a robust loss by the robust spread. */
+/* Reduced chi-square with the given sigmas; with a robust loss from the robust standard deviation. */
 static void judge(struct wf_session *s, struct wf_fit *out, double *r, double *scratch)
 {
     size_t m = s->x->data;
@@ -133,7 +133,7 @@ enum wf_status wf_fit_spread(struct wf_session *s, struct wf_fit *out, struct wf
     return status;
 }
 
-/* Other starts and other data: several minima, and intervals by the bootstrap (Efron 1979). */
+/* Several start values, to find other minima; intervals by the bootstrap (Efron 1979). */
 
 enum { START = 41, SAMPLE = 42 }; /* streams of random numbers */
 
@@ -168,7 +168,7 @@ enum wf_status wf_fit_restart(struct wf_session *s, struct wf_fit *out, struct w
         }
     }
     memcpy(s->internal, best, s->n * sizeof *best);
-    /* another minimum has residuals, and sigmas, of its own */
+    /* residuals, and so sigmas, differ at another minimum */
     return least < first * (1 - 1e-6) ? wf_fit_spread(s, out, a, e) : wf_session_solve(s, &out->lsq, e);
 }
 
@@ -179,14 +179,14 @@ static double quantile(const double *x, size_t n, double p)
     return i + 1 < n ? x[i] + (at - (double)i) * (x[i + 1] - x[i]) : x[n - 1];
 }
 
-enum { OWN = 8 }; /* sensors with fewer readings are drawn from together */
+enum { OWN = 8 }; /* readings of sensors with fewer are resampled as one pool */
 
-/* Draw as many readings of every sensor as it has, with replacement: how often each was drawn is its weight.
- */
+/* Draw, with replacement, as many readings of every sensor as it has. A reading's weight is the number of
+ * times it is drawn. */
 static void draw(struct wf_session *s, const struct wf_fit *out, size_t *pool, uint64_t sample)
 {
     for (size_t i = 0; i < s->x->data; i++) s->x->datum[i].weight = 0;
-    for (size_t g = 0; g <= out->groups; g++) { /* the last: all small sensors */
+    for (size_t g = 0; g <= out->groups; g++) { /* the last: the pool of sensors with few readings */
         uint64_t stream = wf_random_stream(SAMPLE, sample, g);
         size_t n = 0;
         for (size_t i = 0; i < s->x->data; i++) {
@@ -232,11 +232,11 @@ enum wf_status wf_fit_resample(struct wf_session *s, struct wf_fit *out, struct 
 
 /* Covariance, bands and influence from the weighted slopes at the optimum. */
 
-/* Smallest singular value over the largest that still counts as information. */
+/* Least ratio of a singular value to the largest that is taken as information. */
 static const double blind = 1e-9;
 
-/* C = V diag(1/s^2) V' of the rows x n matrix W (destroyed); values too small to count are taken at the
- * limit, so what they leave open shows as an enormous variance. */
+/* C = V diag(1/s^2) V' of the rows x n matrix W (destroyed); singular values below the limit are raised
+ * to it, so that undetermined combinations get a very large variance. */
 static enum wf_status inverse(gsl_matrix *W, size_t n, double *C, struct wf_err *e)
 {
     gsl_matrix *V = gsl_matrix_alloc(n, n);
@@ -281,8 +281,7 @@ static void multiply(const double *A, const double *B, size_t n, double *C)
         }
 }
 
-/* Huber's sandwich: bread from the slopes of psi (from psi/r where they do not suffice), filling from psi^2.
- */
+/* Huber's sandwich covariance: outer matrix from slopes of psi (at least 0.05 psi/r), inner from psi^2. */
 static enum wf_status sandwich(const struct wf_session *s, const bool *at_bound, const size_t *of, size_t n,
                                gsl_matrix *W, double *w, double *C, struct wf_arena *a, struct wf_err *e)
 {
@@ -296,7 +295,7 @@ static enum wf_status sandwich(const struct wf_session *s, const bool *at_bound,
         if (i < s->x->data) {
             double r = (s->x->datum[i].value - s->reading[i]) / s->sigma[i];
             wf_losses[s->o->loss].slopes(s->scale, r, &psi, &slope);
-            /* the smaller of both keeps the bread positive where a loss turns down again */
+            /* psi can fall with r; the lower limit keeps the outer matrix positive definite */
             slope = fmax(slope, 0.05 * (r != 0 ? psi / r : 1));
         }
         for (size_t j = 0; j < n; j++) {
@@ -317,7 +316,7 @@ static enum wf_status reduced_covariance(const struct wf_session *s, const bool 
                                          size_t n, double *C, double *w, struct wf_arena *a, struct wf_err *e)
 {
     size_t rows = s->x->data + s->priors;
-    if (rows < n) return wf_fail(e, WF_EINPUT, "%zu readings cannot fix %zu parameters", rows, n);
+    if (rows < n) return wf_fail(e, WF_EINPUT, "%zu readings cannot determine %zu parameters", rows, n);
     gsl_matrix *W = gsl_matrix_calloc(rows, n);
     if (!W) return wf_fail(e, WF_ENOMEM, "not enough memory for the covariance");
     enum wf_status status;
@@ -419,13 +418,14 @@ enum wf_status wf_fit_covariance(struct wf_session *s, struct wf_fit *out, struc
     return WF_OK;
 }
 
-/* Which combinations of parameters the data leave open, in words. */
+/* Description of the combinations of parameters that the data do not determine. */
 
-/* A combination is loose beyond this standard deviation of a logarithm: a factor of e either way within 95 %.
- */
+/* A combination is undetermined above this standard deviation of a logarithm: the 95 % interval is then a
+ * factor of e in both directions. */
 static const double loose_sd = 0.5;
 
-/* "level0.youngs_modulus rises while root.stiffness falls": all that share a fifth of the direction. */
+/* "level0.youngs_modulus rises while root.stiffness falls": parameters whose component of the unit vector is
+ * 0.2 or more. */
 static const char *describe(const struct wf_fit *f, const double *v, double sd, struct wf_arena *a)
 {
     char text[600];
@@ -449,7 +449,8 @@ static const char *describe(const struct wf_fit *f, const double *v, double sd, 
                                     exp(1.96 * sd), text);
 }
 
-/* A single parameter that is no estimate: on its bound, or without an end to its profile. */
+/* Add a single parameter that is not determined: on its bound, or with a profile that does not reach the
+ * limit. */
 static void single(struct wf_fit *f, size_t k, struct wf_arena *a)
 {
     const struct wf_estimate *q = &f->estimate[k];
@@ -496,9 +497,9 @@ enum wf_status wf_fit_loose(struct wf_fit *f, struct wf_arena *a, struct wf_err 
     return ok || !n ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for the verdict");
 }
 
-/* Profile likelihood: one parameter held at a row of values, the others refitted at each. */
+/* Profile likelihood: one parameter fixed at several values, the others refitted at each. */
 
-enum { SIDE = 12, NARROW = 8 }; /* points on each side at most; and to narrow its end down */
+enum { SIDE = 12, NARROW = 8 }; /* largest number of points on each side, and of steps to bracket its end */
 
 struct walk {
     struct wf_session *s;
@@ -506,13 +507,13 @@ struct walk {
     double best; /* cost at the optimum                  */
     const double *optimum;
     double *inside; /* parameters at the last point below the limit */
-    double limit;   /* rise at which the interval ends      */
+    double limit;   /* rise at the end of the interval      */
     struct wf_profile_point *point;
     size_t n;
 };
 
-/* Root of the rise with the parameter held at x, the others refitted from where they are; NAN where nothing
- * can be fitted. */
+/* Square root of the rise with the parameter fixed at x and the others refitted from their present values;
+ * NAN where the fit fails. */
 static double rise_at(struct walk *w, double x)
 {
     struct wf_session *s = w->s;
@@ -524,9 +525,9 @@ static double rise_at(struct walk *w, double x)
     return sqrt(rise);
 }
 
-/* Where the root of the rise passes the goal between `in` and `out`: interpolated, after steps inwards while
- * the outer point is above it by more than a twentieth, because there the curve is not straight. w->inside:
- * the other parameters at `in`. */
+/* Value between `in` and `out` at which the root of the rise reaches the limit, by linear interpolation. The
+ * bracket is narrowed first while the outer point exceeds the limit by more than 5 %, because the curve is
+ * not linear there. w->inside: the other parameters at `in`. */
 static double crossing(struct walk *w, double in, double root_in, double out, double root_out)
 {
     const double goal = sqrt(w->limit);
@@ -546,8 +547,8 @@ static double crossing(struct walk *w, double in, double root_in, double out, do
     return root_out > root_in ? in + (out - in) * (goal - root_in) / (root_out - root_in) : out;
 }
 
-/* From the optimum outwards until the rise passes the limit or the bound is met. Returned: internal value
- * where it passes, NAN where it does not. */
+/* Step from the optimum outwards until the rise exceeds the limit or the bound is reached. Returned: internal
+ * value at the limit, NAN where it is not reached. */
 static double side(struct walk *w, double step)
 {
     struct wf_session *s = w->s;
@@ -563,7 +564,7 @@ static double side(struct walk *w, double step)
         double now = rise_at(w, x);
         if (isnan(now)) return NAN;
         if (now >= goal) return crossing(w, from, root, x, now);
-        /* the root of the rise is nearly straight: aim a little beyond the limit */
+        /* the root of the rise is nearly linear: step 5 % beyond the extrapolated limit */
         double slope = (now - root) / (x - from);
         root = now;
         if (last) return NAN;

@@ -12,7 +12,7 @@
 const struct wf_fit_quantity_row wf_fit_quantities[WF_FIT_QUANTITIES] = {
     [WF_FIT_YOUNGS] = { "levelN.youngs_modulus", WF_DIM_PRESSURE, "GPa", 1e-9, true, 1e8, 1e11,
                         "modulus of elasticity along the grain of a level; 'wood' for levelN: one factor on "
-                        "all levels, told as that of level 0" },
+                        "all levels, given as the value of level 0" },
     [WF_FIT_YOUNGS_TIP] = { "youngs_modulus_tip_share", WF_DIM_NONE, "", 1, true, 0.05, 20,
                             "modulus at the top of the tree over that at its base, linear with height" },
     [WF_FIT_SHEAR] = { "levelN.shear_modulus", WF_DIM_PRESSURE, "GPa", 1e-9, true, 1e6, 1e10,
@@ -150,14 +150,14 @@ void wf_param_apply(const struct wf_experiment *x, const struct wf_fit_param *p,
     }
 }
 
-/* From the names users give to parameters. */
+/* Parameters from their names. */
 
 static double ratio(const struct wf_value *v)
 {
     return v->high > v->low && v->low > 0 ? log(v->high / v->low) : 0;
 }
 
-/* The value of the species table that a quantity is; NULL: there is none. */
+/* The value of the species table for a quantity; NULL: there is none. */
 static const struct wf_value *in_table(const struct wf_species *sp, const struct wf_level *l,
                                        enum wf_fit_quantity q)
 {
@@ -172,7 +172,7 @@ static const struct wf_value *in_table(const struct wf_species *sp, const struct
     return NULL;
 }
 
-/* Start value and range of the species table: the range is taken to hold 95 % of the plausible values. */
+/* Start value and range of the species table: the range is taken as a 95 % interval. */
 static enum wf_status from_species(const struct wf_experiment *x, struct wf_fit_param *p, struct wf_err *e)
 {
     const struct wf_fit_tree *t = &x->tree[p->tree >= 0 ? p->tree : 0];
@@ -191,7 +191,7 @@ static enum wf_status from_species(const struct wf_experiment *x, struct wf_fit_
     if (p->quantity == WF_FIT_FRAME) p->start = 0;
     if (t->tree.section && (p->quantity == WF_FIT_RADIUS || p->quantity == WF_FIT_DENSITY))
         return wf_fail(e, WF_EUSAGE, "%s: not for a stem with 'sections'", p->name);
-    /* a root plate that adds as much rotation as a stem of that size bends */
+    /* a root plate that rotates as much as a stem of that size bends */
     if (p->quantity == WF_FIT_ROOT)
         p->start = t->options.root_stiffness[0] > 0
                        ? t->options.root_stiffness[0]
@@ -221,18 +221,18 @@ static enum wf_status unknown(const char *name, struct wf_err *e)
     int level = 0;
     (void)sscanf(name, "level%d", &level);
     if (near && !strncmp(near, "levelN", 6))
-        return wf_fail(e, WF_EUSAGE, "no parameter is called '%s'; did you mean 'level%d%s'?", name, level,
+        return wf_fail(e, WF_EUSAGE, "unknown parameter '%s'; did you mean 'level%d%s'?", name, level,
                        near + 6);
-    if (near) return wf_fail(e, WF_EUSAGE, "no parameter is called '%s'; did you mean '%s'?", name, near);
+    if (near) return wf_fail(e, WF_EUSAGE, "unknown parameter '%s'; did you mean '%s'?", name, near);
     return wf_fail(e, WF_EUSAGE,
-                   "no parameter is called '%s'; known are levelN.youngs_modulus, wood.youngs_modulus, "
+                   "unknown parameter '%s'; known are levelN.youngs_modulus, wood.youngs_modulus, "
                    "youngs_modulus_tip_share, levelN.shear_modulus, levelN.density, levelN.radius_factor, "
                    "levelN.drag_coefficient, crown.drag_coefficient, crown.streamlining.exponent, "
                    "root.stiffness, damping_ratio, frame.azimuth",
                    name);
 }
 
-/* Which quantity a name without its tree means. */
+/* Quantity and level of a name without its tree. */
 static bool find(const char *name, enum wf_fit_quantity *q, int32_t *level)
 {
     int used = 0;
@@ -272,7 +272,7 @@ static enum wf_status tree_named(const struct wf_experiment *x, const char *name
     char word[64];
     snprintf(word, sizeof word, "%.*s", (int)length, name);
     const char *near = wf_nearest(word, known, n);
-    return wf_fail(e, WF_EUSAGE, "no tree of the study is called '%s'; %s%s%s", word,
+    return wf_fail(e, WF_EUSAGE, "the study has no tree '%s'; %s%s%s", word,
                    near ? "did you mean '" : "the first is '", near ? near : known[0], near ? "'?" : "'");
 }
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_PARAM_H
 #define WF_FIT_PARAM_H
-/* What a fit may change. Quantities are rows; a free parameter is a quantity of a level and a tree. The
- * solver of least squares sees internal values: the logarithm of positive quantities, others over `unit`. */
+/* Parameters of a fit. Quantities are rows; a free parameter is a quantity of a level and a tree. The least
+ * squares solver uses internal values: the logarithm of positive quantities, others over `unit`. */
 #include "fit/experiment.h"
 
-/* Parameter of a crown's streamlining law that a fit may change (WF_FIT_VOGEL). */
+/* Parameter of a crown's streamlining law that can be fitted (WF_FIT_VOGEL). */
 #define WF_FIT_CROWN_LAW "exponent"
 
 enum wf_fit_quantity {
@@ -18,14 +18,14 @@ enum wf_fit_quantity {
     WF_FIT_CROWN_DRAG,
     WF_FIT_VOGEL,
     WF_FIT_ROOT,    /* rotational stiffness of the root plate about any horizontal axis */
-    WF_FIT_DAMPING, /* damping ratio of free sway, all causes together                  */
+    WF_FIT_DAMPING, /* damping ratio of free sway, sum of all causes                    */
     WF_FIT_FRAME,   /* azimuth, in the model, of the measured coordinates' x axis       */
     WF_FIT_OFFSET,  /* zero of one sensor                                               */
     WF_FIT_DRIFT,   /* its change with time                                             */
     WF_FIT_QUANTITIES
 };
 struct wf_fit_quantity_row {
-    const char *name; /* "levelN.youngs_modulus": N stands for a number; NULL: never named by a user */
+    const char *name; /* "levelN.youngs_modulus": N is a number; NULL: users cannot name it */
     enum wf_dimension dimension;
     const char *unit; /* shown in reports */
     double factor;    /* SI to that unit  */
@@ -35,17 +35,17 @@ struct wf_fit_quantity_row {
 };
 extern const struct wf_fit_quantity_row wf_fit_quantities[WF_FIT_QUANTITIES];
 
-/* The quantity that is a value of a species table. Given: where its key is, "levelN.", "crown." or
- * "crown.streamlining.", and the key. Returned: WF_FIT_QUANTITIES when no fit changes that value. */
+/* The quantity of a value of a species table. Given: the table that contains its key, "levelN.", "crown." or
+ * "crown.streamlining.", and the key. Returned: WF_FIT_QUANTITIES for a value that cannot be fitted. */
 enum wf_fit_quantity wf_fit_quantity_of(const char *table, const char *key);
 
 struct wf_fit_param {
-    const char *name; /* as the user named it, for one of several trees with "TREE:" in front */
+    const char *name; /* as given by the user, for one of several trees with the prefix "TREE:" */
     enum wf_fit_quantity quantity;
     int32_t level;  /* of the species table; -1: none or all     */
     ptrdiff_t tree; /* -1: shared by all                         */
     size_t test, sensor;
-    double unit;                 /* internal value 1 is this much, where the scale is not logarithmic */
+    double unit;                 /* quantity at internal value 1, where the scale is not logarithmic */
     double start, low, high;     /* [SI]                                */
     double prior_mean, prior_sd; /* of the internal value; sd 0: no prior */
 };
@@ -56,18 +56,19 @@ bool wf_param_nuisance(const struct wf_fit_param *p);
 /* Unit and factor for reports: those of the sensor for offsets. */
 const char *wf_param_unit(const struct wf_experiment *x, const struct wf_fit_param *p, double *factor);
 
-/* Add the parameter a user names ("level0.youngs_modulus", "root.stiffness", "TREE:root.stiffness",
- * "each:..." for one of every tree). Start and prior come from the species table. Given: room for as many as
- * there are trees at out[*n]. Errors: WF_EUSAGE naming what is known and near. */
+/* Add the parameter of a name ("level0.youngs_modulus", "root.stiffness", "TREE:root.stiffness",
+ * "each:..." for one parameter of every tree). Start and prior come from the species table. Given: space at
+ * out[*n] for one parameter of every tree. Errors: WF_EUSAGE with the known names and the nearest one. */
 enum wf_status wf_param_add(const struct wf_experiment *x, const char *name, struct wf_arena *a,
                             struct wf_fit_param *out, size_t *n, struct wf_err *e);
-/* Add offsets and drifts of sensors that have them; unit = spread of the sensor's data. */
+/* Add the offsets and drifts of sensors that have them; unit = range of the sensor's data, for drifts
+ * over the duration. */
 enum wf_status wf_param_add_nuisance(const struct wf_experiment *x, struct wf_arena *a,
                                      struct wf_fit_param *out, size_t *n, struct wf_err *e);
 size_t wf_param_nuisances(const struct wf_experiment *x);
 
 /* Write the parameters' values into a tree: `into` has its own columns and starts as a copy of the tree of
- * index `tree`. Also loads and options. damping gets the parameter's value if there is one. */
+ * index `tree`. Also writes loads and options. */
 void wf_param_apply(const struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
                     const double *internal, size_t tree, struct wf_tree *into, struct wf_loads *loads,
                     struct wf_solve_options *options);

@@ -11,7 +11,7 @@
 
 /* Natural frequencies and damping of free sway. */
 
-/* The tree with the parameters in place, in still air. */
+/* Apply the parameters to the tree, in still air. */
 static void stand(const struct wf_predictor *w, size_t tree, const double *internal, struct wf_loads *loads,
                   struct wf_solve_options *options)
 {
@@ -46,12 +46,12 @@ static enum wf_status frequency(struct wf_predictor *w, size_t index, const stru
         if (2 * along * along >= v[0] * v[0] + v[1] * v[1] && f[k] > 0) *number = k;
     }
     *out = f[*number];
-    if (!(*out > 0)) return wf_fail(e, WF_EUNSTABLE, "the tree does not stand under its own weight");
+    if (!(*out > 0)) return wf_fail(e, WF_EUNSTABLE, "the tree has no equilibrium under its own weight");
     return WF_OK;
 }
 
-/* Change of the frequency with each internal value: Rayleigh's quotient of the mode held, on either side. Its
- * equilibrium is found anew, so the weight's part is in it. */
+/* Derivative of the frequency by each internal value: central difference of Rayleigh quotients with the mode
+ * shape fixed. The equilibrium is solved again, so the effect of weight is included. */
 static enum wf_status by_parameter(struct wf_predictor *w, size_t tree, const double *internal,
                                    const struct wf_modes_kept *kept, size_t number, double *row,
                                    struct wf_err *e)
@@ -78,7 +78,7 @@ static enum wf_status by_parameter(struct wf_predictor *w, size_t tree, const do
     return WF_OK;
 }
 
-/* An earlier datum that is the same frequency of the same tree; `at` when there is none. */
+/* Index of an earlier datum of the same frequency of the same tree; `at` when there is none. */
 static size_t earlier(const struct wf_experiment *x, size_t at, double azimuth)
 {
     const struct wf_fit_datum *d = x->datum;
@@ -102,7 +102,7 @@ static void damping(const struct wf_predictor *w, size_t tree, const double *int
     }
 }
 
-/* Readings of a test of free sway, from *at on; *at goes to the first datum behind them. */
+/* Readings of a test of free sway, from *at on; *at becomes the index of the first datum after them. */
 static enum wf_status sway_test(struct wf_predictor *w, size_t index, const double *internal, double *reading,
                                 double *slope, size_t *at, struct wf_err *e)
 {
@@ -173,21 +173,21 @@ enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_
 
 void wf_predictor_close(struct wf_predictor *w) { wf_arena_free(&w->scratch); }
 
-/* One test while its states are gone through. */
+/* One test while its states are solved. */
 struct bench {
     struct wf_predictor *w;
     const struct wf_fit_test *test;
     struct wf_beam beam;
-    struct wf_beam_small *small; /* kept aside while the beam is being solved */
+    struct wf_beam_small *small; /* kept here while the beam is being solved */
     struct wf_point_load pull;
     struct wf_wind wind;
     double force;                   /* in the rope [N]                                   */
     double frame;                   /* azimuth of measured coordinates                   */
-    const struct wf_fit_state *now; /* the state in hand; NULL: at rest                  */
+    const struct wf_fit_state *now; /* the current state; NULL: at rest                  */
     double (*ends)[6], (*moved)[6], (*node)[6], (*root)[3];
 };
 
-/* A sensor as it stands in the state in hand. */
+/* A sensor with its row and azimuth in the current state. */
 static struct wf_fit_sensor placed(const struct bench *k, size_t s)
 {
     struct wf_fit_sensor sensor = k->test->sensor[s];
@@ -196,7 +196,7 @@ static struct wf_fit_sensor placed(const struct bench *k, size_t s)
     return sensor;
 }
 
-/* Set the rope's force by its present direction; returned: its free length [m]. */
+/* Set the rope's force in its present direction. Returned: its free length [m]. */
 static double aim(struct bench *k, const double at[3], double u[3])
 {
     const struct wf_fit_test *t = k->test;
@@ -214,7 +214,7 @@ static double aim(struct bench *k, const double at[3], double u[3])
     return length;
 }
 
-/* Solve; near: the shape is a solution of the same state for other parameters, so Newton is tried alone. */
+/* Solve. near: the shape solves the same state for other parameters, so Newton's method is tried first. */
 static enum wf_status settle(struct bench *k, bool near, struct wf_err *e)
 {
     struct wf_beam_outcome outcome;
@@ -232,7 +232,9 @@ static enum wf_status settle(struct bench *k, bool near, struct wf_err *e)
         aim(k, b->pose[b->mesh.last[k->test->pull_row]].r, u);
         for (int i = 0; i < 3; i++) change = fmax(change, fabs(k->pull.force[i] - before[i]));
         if (change <= 1e-11 * fabs(k->force)) return WF_OK;
-        if (pass > 60) return wf_fail(e, WF_ENOCONV, "the rope of test %s finds no direction", k->test->name);
+        if (pass > 60)
+            return wf_fail(e, WF_ENOCONV, "the direction of the rope of test %s did not converge",
+                           k->test->name);
     }
 }
 
@@ -251,9 +253,9 @@ static enum wf_status linearise(struct bench *k, struct wf_err *e)
     return wf_fail(e, WF_EUNSTABLE, "the tree has no stiffness left");
 }
 
-/* How the strap moves per unit of force there, when the rope follows it: the change of the force by the
- * strap's own motion is answered too. Given: strap's motion at a constant force; returned: change of force.
- */
+/* Change of the rope's force because its direction follows the strap, including the motion of the strap by
+ * that change. Given: flexibility C of the strap, stiffness K of the rope, motion of the strap at constant
+ * force. Returned: change of force. */
 static void follow(const double C[9], const double K[9], const double moved[3], double force[3])
 {
     double A[3][4];
@@ -264,7 +266,7 @@ static void follow(const double C[9], const double K[9], const double moved[3], 
         }
         A[i][3] = K[3 * i] * moved[0] + K[3 * i + 1] * moved[1] + K[3 * i + 2] * moved[2];
     }
-    for (int c = 0; c < 3; c++) { /* near the unit matrix: the rope is longer than the tree moves */
+    for (int c = 0; c < 3; c++) { /* near the unit matrix: the rope is much longer than the motion */
         int best = c;
         for (int r = c + 1; r < 3; r++)
             if (fabs(A[r][c]) > fabs(A[best][c])) best = r;
@@ -348,7 +350,7 @@ static void slopes(struct bench *k, const double *internal, double *slope)
     }
 }
 
-/* Solve the state the loads are set to, from where it stood last time. */
+/* Solve the state of the present loads, starting from its last solution. */
 static enum wf_status state(struct bench *k, size_t warm, const double *internal, double *reading,
                             double *slope, struct wf_err *e)
 {
@@ -386,7 +388,7 @@ static enum wf_status state(struct bench *k, size_t warm, const double *internal
     return WF_OK;
 }
 
-/* A test's wind and the air it is of. */
+/* Set a test's wind and air. */
 static void blow(const struct wf_fit_test *t, struct wf_loads *loads, const struct wf_wind *wind)
 {
     loads->wind = wind;
@@ -457,7 +459,7 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
     return status;
 }
 
-/* Zeros of sensors and their drift are added to what the engine says. */
+/* Add the sensors' offsets and drifts to the predicted readings. */
 static void nuisance(const struct wf_predictor *w, const double *internal, double *reading, double *slope)
 {
     for (size_t p = 0; p < w->params; p++) {
@@ -474,7 +476,7 @@ static void nuisance(const struct wf_predictor *w, const double *internal, doubl
     }
 }
 
-/* Same internal values as those of the readings last told; nuisance: those of sensors too. */
+/* Do all parameters equal those of the last prediction? nuisance: compare offsets and drifts as well. */
 static bool repeated(const struct wf_predictor *w, const double *internal, bool nuisance)
 {
     for (size_t p = 0; p < w->params; p++)

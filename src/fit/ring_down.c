@@ -27,7 +27,7 @@ static bool model(void *ctx, const double *p, double *residual, double *jacobian
     return true;
 }
 
-/* Strongest line between 1.5 periods in the record and half the sampling rate. */
+/* Frequency of the highest peak of the spectrum between `low` and `high` [Hz]. */
 static double strongest(const struct data *d, double mean, double low, double high)
 {
     double best = low, most = -1;
@@ -61,7 +61,8 @@ static enum wf_status errors(const struct data *d, const double *p, double *r, d
         for (size_t k = 0; k < N; k++) C[N * j + k] = variance * gsl_matrix_get(A, j, k);
     if (A) gsl_matrix_free(A);
     wf_quiet_end();
-    return ok ? WF_OK : wf_fail(e, WF_ENOCONV, "the sway record does not fix a frequency and a damping");
+    return ok ? WF_OK
+              : wf_fail(e, WF_ENOCONV, "the sway record does not determine a frequency and a damping");
 }
 
 enum wf_status wf_ring_down(const double *t, const double *y, size_t n, struct wf_arena *a,
@@ -75,11 +76,11 @@ enum wf_status wf_ring_down(const double *t, const double *y, size_t n, struct w
         return wf_fail(e, WF_EINPUT, "a sway record needs at least 12 samples in time; there are %zu", n);
     for (size_t i = 0; i < n; i++) mean += y[i] / (double)n;
     for (size_t i = 0; i < n; i++) variance += (y[i] - mean) * (y[i] - mean) / (double)n;
-    if (!(variance > 0)) return wf_fail(e, WF_EINPUT, "the sway record does not move");
+    if (!(variance > 0)) return wf_fail(e, WF_EINPUT, "the sway record is constant");
     double low = 1.0 / span, high = 0.5 * (double)(n - 1) / span, f = strongest(&d, mean, low, high),
            least = INFINITY;
     double best[N] = { 0 };
-    for (int k = 0; k < 6; k++) { /* start from slow and fast decay, and beside the line */
+    for (int k = 0; k < 6; k++) { /* starts: slow and fast decay, frequencies at and beside the peak */
         double size = sqrt(2 * variance), decay = (k % 3 == 0 ? 0.01 : k % 3 == 1 ? 0.05 : 0.2) * WF_TURN * f;
         double p[N] = { y[0] - mean, k < 3 ? 0 : size, decay, WF_TURN * f * (k < 3 ? 1 : 1.05), mean };
         const double lows[N] = { -1e3 * size, -1e3 * size, 0, 0.3 * WF_TURN * low, mean - 1e2 * size };

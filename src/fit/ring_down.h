@@ -9,14 +9,14 @@
 struct wf_ring_down {
     double frequency, frequency_sd; /* undamped, f = f_d / sqrt(1 - zeta^2) [Hz]        */
     double damping, damping_sd;     /* share of critical [-]                            */
-    double amplitude, phase, mean;  /* of the fitted curve, in the record's measure     */
+    double amplitude, phase, mean;  /* of the fitted curve, in the unit of the samples  */
     double decay, turn;             /* rate [1/s]; angular frequency as damped [rad/s]  */
     double explained;               /* share of the variance that the curve explains    */
 };
 
-/* Fit y = A exp(-d t) cos(w t + p) + c. Given: n >= 12 samples, times [s] rising. Errors: WF_EINPUT for a
- * record that does not swing or is shorter than a period and a half; WF_ENOCONV. Method: bounded least
- * squares from the strongest line of the spectrum; standard errors widened for correlated residuals
+/* Fit y = A exp(-d t) cos(w t + p) + c. Given: n >= 12 samples, times [s] rising. Errors: WF_EINPUT for
+ * samples that do not oscillate or cover less than 1.5 periods; WF_ENOCONV. Method: bounded least
+ * squares, started at the highest peak of the spectrum; standard errors enlarged for correlated residuals
  * (fit/fit.h). */
 enum wf_status wf_ring_down(const double *t, const double *y, size_t n, struct wf_arena *a,
                             struct wf_ring_down *out, struct wf_err *e);

@@ -8,7 +8,7 @@
 
 /* Sensors on a bent stem. */
 
-/* A place of the stem: bent pose, and place and axis of the unloaded stem. */
+/* A point of the stem: bent pose, and position and axis of the unloaded stem. */
 struct place {
     struct wf_beam_pose pose;
     double at[3], axis[3], radius;
@@ -24,7 +24,7 @@ static void place_of(const struct wf_beam *b, int32_t row, struct place *p)
     p->pose = row < 0 ? *wf_beam_base(b, 0, &ground) : b->pose[b->mesh.last[i]];
 }
 
-/* Change (place, spin) of a place. */
+/* Change of a point: displacement, rotation. */
 static const double *change_of(const struct wf_beam *b, int32_t row, const double (*ends)[6])
 {
     return row < 0 ? b->root_change[0] : ends[b->mesh.last[row]];
@@ -35,7 +35,7 @@ static void azimuth_of(const struct wf_fit_sensor *s, double d[3])
     d[0] = cos(s->azimuth), d[1] = sin(s->azimuth), d[2] = 0;
 }
 
-/* From the axis to the fibre under a gauge, at right angles to the axis. */
+/* Vector from the axis to the fibre under a gauge, perpendicular to the axis. */
 static void fibre(const struct wf_fit_sensor *s, const struct place *p, double out[3])
 {
     double d[3], size;
@@ -45,7 +45,7 @@ static void fibre(const struct wf_fit_sensor *s, const struct place *p, double o
     for (int i = 0; i < 3; i++) out[i] = size > 0 ? p->radius * d[i] / size : 0;
 }
 
-/* The gauge: span from its lower to its upper end, bent and unloaded, and the bent lever arms. */
+/* A gauge: vector from its lower to its upper end, bent and unloaded, and its lever arms when bent. */
 struct gauge {
     double bent[3], rest[3], arm[2][3], lever[2][3], bent_length, rest_length;
 };
@@ -166,7 +166,7 @@ double wf_sensor_by_radius(const struct wf_fit_sensor *s, const struct wf_beam *
     return (longer - longer_rest * g.bent_length / g.rest_length) / g.rest_length;
 }
 
-/* What a change of a parameter disturbs in a solved tree, element by element, at a fixed shape. */
+/* Change of a solved tree's equilibrium by a parameter, for each element at a fixed shape. */
 
 bool wf_disturbs(const struct wf_fit_param *p, size_t tree)
 {
@@ -174,7 +174,7 @@ bool wf_disturbs(const struct wf_fit_param *p, size_t tree)
     return p->tree < 0 || (size_t)p->tree == tree;
 }
 
-/* Law moment per unit of ln E (bending, and torsion where G follows E) or of ln G. */
+/* Derivative of the section moment by ln E (bending, and torsion where G is proportional to E) or ln G. */
 static void by_modulus(const struct wf_beam *b, size_t i, bool bending, bool torsion, double factor,
                        struct wf_beam_disturbance *out)
 {
@@ -190,7 +190,7 @@ static void by_modulus(const struct wf_beam *b, size_t i, bool bending, bool tor
     }
 }
 
-/* Difference of the load at the Gauss points between two states of its inputs, over `step`. */
+/* Wind and weight per length at Gauss point j of element i. */
 static void load_at(const struct wf_loads *l, const struct wf_line_point *q, const struct wf_beam *b,
                     size_t i, int j, double force[3])
 {
@@ -199,7 +199,8 @@ static void load_at(const struct wf_loads *l, const struct wf_line_point *q, con
     memcpy(force, f.force, sizeof f.force);
 }
 
-/* Numeric in the scalar laws only: mass, diameter, coefficients, exponent; relative error below 1e-9. */
+/* Derivative of the load at the Gauss points, by central differences of scalar inputs only (mass, diameter,
+ * coefficients, exponent); relative error below 1e-9. */
 static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_t i,
                     struct wf_beam_disturbance *out)
 {

@@ -36,8 +36,8 @@ void wf_session_close(struct wf_session *s)
     if (s->predictor) wf_predictor_close(s->predictor);
 }
 
-/* The solver sees stiffnesses as flexibilities over that of the start: readings are nearly linear in them, so
- * that the valley in which the wood gives for the root is straight, not curved. */
+/* Stiffnesses are passed to the solver as flexibilities relative to the start value. Readings are nearly
+ * linear in them, so the valley of the cost along which stem and root compensate each other is straight. */
 static bool flexible(const struct wf_fit_param *p)
 {
     return p->quantity == WF_FIT_YOUNGS || p->quantity == WF_FIT_SHEAR || p->quantity == WF_FIT_ROOT;
@@ -49,7 +49,7 @@ static double packed_of(const struct wf_session *s, size_t k, double internal)
     return flexible(&s->p[k]) ? exp(wf_param_internal(&s->p[k], s->p[k].start) - x) : internal;
 }
 
-/* slope: change of the internal value with the packed one. */
+/* slope: derivative of the internal value by the packed one. */
 static double internal_of(const struct wf_session *s, size_t k, double packed, double *slope)
 {
     *slope = 1;
@@ -96,7 +96,7 @@ static bool progress(void *ctx, size_t iteration, double cost)
     return s->stopped;
 }
 
-/* Nothing is free: the cost alone. */
+/* No parameter is free: compute the cost alone. */
 static enum wf_status evaluate(struct wf_session *s, struct wf_lsq_result *out, struct wf_err *e)
 {
     *out = (struct wf_lsq_result){ .converged = true };
@@ -140,8 +140,8 @@ static enum wf_status search(struct wf_session *s, struct wf_lsq_result *out, st
     return status;
 }
 
-/* The same with what sits on a bound held there; *out has the cost to beat. Returned: whether it was beaten.
- */
+/* Minimise with the parameters that are on a bound held there. Given: *out with the cost so far. Returned:
+ * true, and *out, when the new cost is lower. */
 static bool along_bounds(struct wf_session *s, struct wf_lsq_result *out)
 {
     struct wf_lsq_result r;
@@ -161,8 +161,8 @@ static bool along_bounds(struct wf_session *s, struct wf_lsq_result *out)
     return done;
 }
 
-/* A step that a bound cuts off can end the search beside the least: the others are then searched with what
- * sits on a bound held, and all together again from there. */
+/* A step truncated at a bound can end the search away from the minimum. The other parameters are then
+ * minimised with those on a bound held, and all together again from there. */
 enum wf_status wf_session_solve(struct wf_session *s, struct wf_lsq_result *out, struct wf_err *e)
 {
     enum { ROUNDS = 8 };

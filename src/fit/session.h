@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_FIT_SESSION_H
 #define WF_FIT_SESSION_H
-/* Inside a fit: residuals for the solver of least squares, with some parameters held. */
+/* Internal to a fit: residuals for the least squares solver, with some parameters held. */
 #include "base/err.h"
 #include "fit/lsq.h"
 #include "fit/param.h"
@@ -11,9 +11,9 @@ struct wf_fit_options {
     enum wf_loss loss;
     double loss_scale; /* in robust standard deviations; NAN: 1.345 Huber, 2.385 Cauchy, 4.685 Tukey (95 %
                         * efficient for normal errors; Holland and Welsch 1977)                          */
-    bool priors;       /* the species table's ranges take part as normal distributions                   */
-    bool profile;      /* intervals by profile likelihood as well                                        */
-    size_t starts, resamples; /* starting points tried (1: the given one); bootstrap data sets (0: none)  */
+    bool priors;       /* the ranges of the species table are used as normal prior distributions         */
+    bool profile;      /* also compute intervals by profile likelihood                                   */
+    size_t starts, resamples; /* starting points (1: the given one), bootstrap data sets (0: none)          */
     uint64_t seed;
     wf_lsq_progress *progress; /* may be NULL; ctx is progress_ctx */
     void *progress_ctx;
@@ -22,27 +22,28 @@ struct wf_fit_options {
 struct wf_session {
     struct wf_experiment *x;
     const struct wf_fit_param *p;
-    size_t n, priors; /* parameters; residuals of priors behind those of the data */
+    size_t n, priors; /* parameters; residuals of priors, after those of the data */
     const struct wf_fit_options *o;
     struct wf_predictor *predictor;
-    double *sigma;    /* per datum, as it takes part                              */
+    double *sigma;    /* per datum, as used in the fit                            */
     double *internal; /* all parameters                                           */
     bool *held;
-    bool *pinned;       /* scratch: parameters held because they sit on a bound                */
+    bool *pinned;       /* scratch: parameters held because they are on a bound                */
     double *low, *high; /* internal bounds                                          */
     double *reading, *slope;
-    double *chain; /* change of an internal value with what the solver of least squares has for it */
+    double *chain;                        /* derivative of an internal value by the solver's variable */
     double *start, *free_low, *free_high; /* scratch of that solver, packed                     */
     double scale;                         /* of the loss, in sigma                                    */
-    bool stopped;                         /* progress said so                                         */
-    struct wf_err model;                  /* why the model last had no answer                         */
+    bool stopped;                         /* by progress                                              */
+    struct wf_err model;                  /* reason of the model's last failure                       */
 };
 
 enum wf_status wf_session_open(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
                                const struct wf_fit_options *o, struct wf_arena *a, struct wf_session *s,
                                struct wf_err *e);
 void wf_session_close(struct wf_session *s);
-/* Minimise over the parameters that are not held, from s->internal to s->internal. cost: half the sum. */
+/* Minimise over the parameters that are not held, from s->internal to s->internal. out->cost: half the sum of
+ * losses. */
 enum wf_status wf_session_solve(struct wf_session *s, struct wf_lsq_result *out, struct wf_err *e);
 /* Robust standard deviation 1.4826 MAD of n numbers (about 0); scratch: n. */
 double wf_robust_sd(const double *x, size_t n, double *scratch);

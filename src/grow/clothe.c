@@ -134,7 +134,7 @@ static enum wf_status leaves(struct wf_tree *t, const struct wf_species *sp, con
     for (size_t i = 0; i < t->n; i++) {
         t->leaf0[i] = t->leaf1[i] = t->sail0[i] = t->sail1[i] = t->burden0[i] = t->burden1[i] = 0;
         double leaf = tips[i] == 1 && !is_link(c, i) ? c->leaf_area / length : 0;
-        if (!(leaf > 0)) continue; /* a species without a crown has no values to multiply by 0 */
+        if (!(leaf > 0)) continue; /* a species without a crown has no values, and 0 times NAN is NAN */
         t->leaf0[i] = t->leaf1[i] = leaf;
         t->sail0[i] = t->sail1[i] = leaf * sp->crown.frontal_share.value * sp->crown.drag_coefficient.value;
         t->burden0[i] = t->burden1[i] = leaf * sp->crown.leaf_mass_per_area.value;

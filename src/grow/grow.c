@@ -130,7 +130,7 @@ static enum wf_status grow_measured(const struct wf_model *m, const struct wf_sp
     const struct wf_tree *t = m->measured;
     const struct wf_clothing wear = { .leaf_area = m->leaf_area, .kind = m->measured_kind };
     if (m->leaf_area > 0 && !sp->crown.drag_coefficient.given)
-        return wf_fail(e, WF_EINPUT, "%s: leaves are asked for, but the species table %s has no 'crown'",
+        return wf_fail(e, WF_EINPUT, "%s: leaves are specified, but the species table %s has no 'crown'",
                        m->name, sp->key);
     enum wf_status s = wf_tree_alloc(out, t->n, a, e);
     if (s) return s;

@@ -42,7 +42,7 @@ static double volume(const struct wf_tree *t, size_t i)
            (wf_tree_area(t, i, 0) + 4 * wf_tree_area(t, i, 0.5) + wf_tree_area(t, i, 1));
 }
 
-/* Masses of one piece onto its rows, from..to - 1. */
+/* Add the masses of one piece to its rows, first..end - 1. */
 static void load_piece(const struct wf_stem_mass *p, double from, size_t first, size_t end, struct wf_tree *t)
 {
     double sum = 0, length = p->to - from, side = (p->left - p->right) * p->lever / length;
@@ -54,8 +54,8 @@ static void load_piece(const struct wf_stem_mass *p, double from, size_t first, 
     }
 }
 
-/* Sections that are not round, radii of the same area, and masses for the rows of a stem that has its places
- * and materials. s: row ends as shares of its height. */
+/* Set sections that are not round, radii of the same area, and masses on the rows of a stem that has its
+ * places and materials. s: row ends as shares of its height. */
 static enum wf_status stem_sections(const struct wf_model *m, const double *s, struct wf_tree *t,
                                     struct wf_arena *a, struct wf_err *e)
 {

@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* XML 1.0 has no control characters but tab and the line ends: the others become spaces. */
+/* XML 1.0 allows no control characters except tab and line ends: the others are replaced by spaces. */
 static xmlNode *text_element(xmlNode *parent, const char *name, const char *text)
 {
     char *copy = strdup(text);
@@ -57,7 +57,7 @@ xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value
     for (size_t i = 0; i < json_array_size(value); i++)
         if (!wf_xml_from_json(node, "item", json_array_get(value, i))) return NULL;
     if (!json_is_object(value)) return node;
-    /* jansson walks an object by an iterator that is not const, and leaves the object as it was. */
+    /* jansson's iterator needs an object that is not const, although it does not change it. */
     union {
         const json_t *given;
         json_t *wanted;
@@ -70,7 +70,7 @@ xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value
     return node;
 }
 
-/* What libxml2 and libxslt would print is kept here instead. */
+/* Collects what libxml2 and libxslt would otherwise print. */
 struct complaint {
     char text[400];
 };
@@ -130,8 +130,8 @@ enum wf_status wf_xml_transform(const char *path, xmlDoc *document, const char *
     *out = NULL;
     enum wf_status code = wf_xml_read(path, &source, e);
     if (code) return code;
-    /* A faulty stylesheet and a full disk are reported to process-wide handlers; they are ours for this call
-     * only. */
+    /* libxml2 and libxslt report a faulty stylesheet or a full disk to process-wide handlers; they are
+     * replaced during this call only. */
     xmlGenericErrorFunc before = xsltGenericError, before_xml = xmlGenericError;
     void *context = xsltGenericErrorContext, *context_xml = xmlGenericErrorContext;
     xsltSetGenericErrorFunc(&c, keep);
@@ -206,7 +206,7 @@ void wf_doc_flag(struct wf_doc *d, json_t *object, const char *key, bool flag)
     wf_doc_put(d, object, key, json_boolean(flag));
 }
 
-/* json_real refuses what JSON cannot say. */
+/* json_real refuses NaN and infinity, which JSON cannot represent. */
 static json_t *number(double x) { return isfinite(x) ? json_real(x) : json_null(); }
 
 void wf_doc_number(struct wf_doc *d, json_t *object, const char *key, double x)
@@ -335,7 +335,7 @@ void wf_plot_data_number(struct wf_plot_data *p, const char *key, size_t index, 
     char *e = strchr(text, 'e');
     if (!isfinite(x))
         fprintf(p->f.stream, "%s,%zu,NaN\n", key, index);
-    else if (e && !strchr(text, '.')) /* gnuplot reads 1e-5 in a text as a whole number with a tail */
+    else if (e && !strchr(text, '.')) /* in a text, gnuplot reads 1e-5 as the whole number 1 */
         fprintf(p->f.stream, "%s,%zu,%.*s.0%s\n", key, index, (int)(e - text), text, e);
     else
         fprintf(p->f.stream, "%s,%zu,%s\n", key, index, text);
@@ -358,7 +358,7 @@ void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, co
     fputs("\"\n", f);
 }
 
-/* Cut behind a whole character. */
+/* Shorten a text that fills its buffer to end with a complete UTF-8 character. */
 static void cut(char *text)
 {
     size_t n = strlen(text);

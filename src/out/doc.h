@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_DOC_H
 #define WF_OUT_DOC_H
-/* Building a JSON document without a check after every line: a failure (no memory) is noted in the
- * builder, later calls do nothing harmful, and the writer asks once at the end. */
+/* Building a JSON document without a check after every line: a failure (no memory) is recorded in the
+ * builder, later calls are harmless, and the writer checks once at the end. */
 #include "base/err.h"
 #include "base/file.h"
 #include <jansson.h>
@@ -14,7 +14,7 @@ struct wf_doc {
     bool failed;
 };
 
-/* A new object or array; NULL, and failed, without memory. */
+/* A new object or array; without memory NULL, and the builder is marked as failed. */
 json_t *wf_doc_object(struct wf_doc *d);
 json_t *wf_doc_array(struct wf_doc *d);
 /* Put `value` (its reference is taken over) under a key, or at an array's end. Returned: value. */
@@ -35,30 +35,30 @@ void wf_doc_numbers(struct wf_doc *d, json_t *object, const char *key, const dou
 
 /* Where a document comes from. */
 struct wf_doc_head {
-    const char *title, *note;             /* the user's own; NULL: the page composes one */
-    const char *command, *version, *date; /* as typed; of the program; ISO 8601, UTC     */
+    const char *title, *note;             /* given by the user; NULL: the page composes one    */
+    const char *command, *version, *date; /* as typed; of the program; ISO 8601, UTC          */
 };
 /* A document {schema {name, version 1}, title, note, provenance {program, version, date, command}}. */
 json_t *wf_doc_begin(struct wf_doc *d, const char *schema, const struct wf_doc_head *h);
 /* Append a figure to a list that tells the page maker what to draw: {name, script, run}, see out/figures.h.
  */
 void wf_doc_figure(struct wf_doc *d, json_t *list, const char *name, const char *script, size_t run);
-/* Append warnings {code, text} to a list, but those it has already. */
+/* Append warnings {code, text} to a list, except those it already has. */
 void wf_doc_warnings(struct wf_doc *d, json_t *list, const struct wf_diag *diag);
 /* Write FOLDER/results.json and free the document. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_doc_end(struct wf_doc *d, json_t *document, const char *folder, struct wf_err *e);
 
 /* Documents for the stylesheets, and the stylesheets themselves. */
 
-/* Append `value` to `parent` as an element of that name: an object's members become child elements by key,
- * an array's elements become <item>, null an element with the attribute null="yes". Keys that XML cannot
- * say are left out. Returned: the element, or NULL without memory. */
+/* Append `value` to `parent` as an element of that name: an object's members become child elements by key, an
+ * array's elements become <item>, null an element with the attribute null="yes". Keys that are not valid XML
+ * names are left out. Returned: the element, or NULL without memory. */
 xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value);
 
 /* Apply the stylesheet at `path` to a document. Given: pairs of parameter name and XPath expression, ending
- * at NULL, or NULL. Neither network nor writing is allowed to it. Returned: the new document in *out (free
- * with xmlFreeDoc) and, if f is not NULL, also its serialised form on f. Errors: WF_EINPUT with the place
- * when the stylesheet is wrong, WF_EOUTPUT when it fails or f does. */
+ * at NULL, or NULL. The stylesheet may neither use the network nor write files. Returned: the new document in
+ * *out (free with xmlFreeDoc) and, if f is not NULL, also its serialised form on f. Errors: WF_EINPUT with
+ * the place when the stylesheet is wrong, WF_EOUTPUT when it fails or f does. */
 enum wf_status wf_xml_transform(const char *path, xmlDoc *document, const char **parameters, FILE *f,
                                 xmlDoc **out, struct wf_err *e);
 
@@ -76,8 +76,9 @@ enum wf_status wf_folder_make(const char *folder, struct wf_err *e);
  * WF_EOUTPUT for a name that is too long. */
 enum wf_status wf_folder_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e);
 
-/* What the figure scripts must know beside the tables: FOLDER/plots/run.csv, rows "key,index,value". It is
- * data, never a script: reports/plots/facts.gp reads it with gnuplot's column functions. */
+/* Values that the figure scripts need in addition to the tables: FOLDER/plots/run.csv, rows
+ * "key,index,value". It is data, never a script: reports/plots/facts.gp reads it with gnuplot's column
+ * functions. */
 struct wf_plot_data {
     struct wf_file f;
 };
@@ -89,15 +90,15 @@ enum wf_status wf_plot_data_begin(struct wf_plot_data *p, const char *folder, co
  */
 void wf_plot_data_number(struct wf_plot_data *p, const char *key, size_t index, double x);
 void wf_plot_data_count(struct wf_plot_data *p, const char *key, size_t index, size_t n);
-/* A row with a text, NULL as an empty one: quoted; what gnuplot's reader would take for an end (quotes,
- * commas, backslashes) is written as an octal escape, control characters as spaces. */
+/* A row with a text, NULL as an empty one: quoted; characters at which gnuplot's reader could end the text
+ * (quotes, commas, backslashes) are written as an octal escape, control characters as spaces. */
 void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, const char *text);
 void wf_plot_data_print(struct wf_plot_data *p, const char *key, size_t index, const char *fmt, ...)
     __attribute__((format(printf, 4, 5)));
-/* A number that comes as text, from a document. Errors: WF_EINPUT when it is not one number and nothing else.
- */
+/* A row with a number given as text, as a document holds it. Errors: WF_EINPUT when it is not one number and
+ * nothing else. */
 enum wf_status wf_plot_data_parse(struct wf_plot_data *p, const char *key, size_t index, const char *text,
                                   struct wf_err *e);
-/* End: the file takes its name. Errors: as wf_file_commit. */
+/* Finish the file and give it its final name. Errors: as wf_file_commit. */
 enum wf_status wf_plot_data_end(struct wf_plot_data *p, struct wf_err *e);
 #endif

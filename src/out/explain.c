@@ -22,7 +22,7 @@ static void table(FILE *f, const struct wf_explained *x, size_t n)
         for (size_t b = 0; b < x[i].of->axes; b++) row(f, &x[i], b);
 }
 
-/* Has a method an answer that a logarithmic scale can show? */
+/* Does a method have a ratio that a logarithmic scale can show? */
 static bool answers(const struct wf_explain *x, size_t method)
 {
     for (size_t b = 0; b < x->axes; b++)

@@ -18,7 +18,7 @@ static int start(const char *const *argv, int fd, pid_t *child)
     failed = posix_spawn_file_actions_addopen(&act, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     if (!failed) failed = posix_spawn_file_actions_adddup2(&act, fd, STDOUT_FILENO);
     if (!failed) failed = posix_spawn_file_actions_adddup2(&act, fd, STDERR_FILENO);
-    /* posix_spawn takes char *const[] for the sake of old callers and changes nothing. */
+    /* posix_spawn takes char *const[] for historical reasons; it does not change the strings. */
     union {
         const char *const *given;
         char *const *wanted;
@@ -28,7 +28,7 @@ static int start(const char *const *argv, int fd, pid_t *child)
     return failed;
 }
 
-/* Keep the first words and read on to the end, so that the program is never blocked by a full pipe. */
+/* Keep the start of the output and read the rest too, so that a full pipe never blocks the program. */
 static void listen_to(int fd, char said[static WF_SAID_MAX])
 {
     char piece[512];
@@ -62,7 +62,7 @@ enum wf_status wf_program_run(const char *const *argv, const char *package, char
     if (failed) return wf_fail(e, WF_EOUTPUT, "%s: cannot be run: %s", argv[0], strerror(failed));
     while (waitpid(child, &result, 0) < 0)
         if (errno != EINTR)
-            return wf_fail(e, WF_EOUTPUT, "%s: its end was missed: %s", argv[0], strerror(errno));
+            return wf_fail(e, WF_EOUTPUT, "%s: waiting for its end failed: %s", argv[0], strerror(errno));
     if (WIFSIGNALED(result))
         return wf_fail(e, WF_EOUTPUT, "%s was ended by signal %d: %s", argv[0], WTERMSIG(result), said);
     if (WEXITSTATUS(result) == 127)
@@ -84,7 +84,8 @@ enum wf_status wf_report_asset(const char *name, char *path, size_t size, struct
                    path);
 }
 
-/* Does the file end in </svg>? gnuplot leaves an empty file after a fault and half a one on a full disk. */
+/* Does the file end in </svg>? gnuplot leaves an empty file after an error and an incomplete one on a full
+ * disk. */
 static bool complete(const char *path)
 {
     static const char tail[] = "</svg>";

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-/* results.json, tables and words for the figures of a calibration. */
+/* results.json, tables and plot data of a calibration. */
 
 static void cell(FILE *f, double x)
 {
@@ -83,14 +83,14 @@ static void profiles(FILE *f, const struct wf_fit_results *of)
         }
 }
 
-/* Rows as measured: load and first reading, and whether they took part; for sway the record and the fitted
+/* Rows as measured: load and first reading, and whether they took part; for sway the samples and the fitted
  * curve. */
-static void records(FILE *f, const struct wf_fit_results *of)
+static void test_data(FILE *f, const struct wf_fit_results *of)
 {
     fputs("test,time_s,load,first,used,fitted\n", f);
     for (size_t k = 0; k < of->x.tests; k++) {
         const struct wf_fit_input *in = &of->input[k];
-        const struct wf_fit_record *r = &in->record;
+        const struct wf_test_data *r = &in->data;
         double start = NAN;
         for (size_t i = 0; i < r->n; i++) {
             if (isnan(start) && r->used[i]) start = r->time[i];
@@ -104,10 +104,10 @@ static void records(FILE *f, const struct wf_fit_results *of)
     }
 }
 
-static size_t recorded_tests(const struct wf_fit_results *of)
+static size_t tests_with_data(const struct wf_fit_results *of)
 {
     size_t n = 0;
-    for (size_t k = 0; k < of->x.tests; k++) n += of->input[k].record.n > 0;
+    for (size_t k = 0; k < of->x.tests; k++) n += of->input[k].data.n > 0;
     return n;
 }
 
@@ -154,7 +154,7 @@ static void plot_data(struct wf_plot_data *p, const struct wf_fit_results *of)
     wf_plot_data_count(p, "PARAMS", 0, of->fit.free);
     wf_plot_data_count(p, "PROFILED", 0, profiled);
     wf_plot_data_count(p, "TESTS", 0, of->x.tests);
-    wf_plot_data_count(p, "RECORDED", 0, recorded_tests(of));
+    wf_plot_data_count(p, "RECORDED", 0, tests_with_data(of));
     wf_plot_data_number(p, "LIMIT", 0, of->fit.quantile * of->fit.quantile);
     plot_groups(p, of);
     plot_parameters(p, of);
@@ -238,8 +238,9 @@ static json_t *document(struct wf_doc *d, const struct wf_fit_results *of)
     json_t *o = wf_doc_object(d), *schema = wf_doc_put(d, o, "schema", wf_doc_object(d));
     wf_doc_text(d, schema, "name", "windfirm-fit");
     wf_doc_count(d, schema, "version", 1);
-    wf_doc_text(d, o, "title", of->study.name), wf_doc_text(d, o, "note", of->study.note);
-    wf_doc_text(d, o, "source", of->study.source), wf_doc_text(d, o, "reference", of->study.reference);
+    wf_doc_text(d, o, "title", of->calibration.name), wf_doc_text(d, o, "note", of->calibration.note);
+    wf_doc_text(d, o, "source", of->calibration.source),
+        wf_doc_text(d, o, "reference", of->calibration.reference);
     wf_doc_text(d, o, "version", WF_VERSION), wf_doc_text(d, o, "date", of->date);
     wf_doc_text(d, o, "command", of->command), wf_doc_text(d, o, "loss", of->loss);
     wf_doc_flag(d, o, "priors", of->priors);
@@ -257,7 +258,7 @@ static json_t *document(struct wf_doc *d, const struct wf_fit_results *of)
         wf_doc_number(d, t, "height", of->x.tree[k].height),
             wf_doc_count(d, t, "segments", of->x.tree[k].tree.n);
     }
-    wf_doc_count(d, o, "records", recorded_tests(of));
+    wf_doc_count(d, o, "records", tests_with_data(of));
     json_t *sways = wf_doc_put(d, o, "sways", wf_doc_array(d));
     for (size_t k = 0; k < of->x.tests; k++) {
         const struct wf_ring_down *s = &of->input[k].sway;
@@ -301,7 +302,7 @@ enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char 
     } part[] = { { "tables/parameters.csv", parameters },
                  { "tables/readings.csv", readings },
                  { "tables/profiles.csv", profiles },
-                 { "tables/records.csv", records },
+                 { "tables/records.csv", test_data },
                  { "results.json", results } };
     enum wf_status status = wf_folder_make(folder, e);
     for (size_t i = 0; i < sizeof part / sizeof *part && !status; i++) {
@@ -322,11 +323,11 @@ enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char 
 struct sheet {
     FILE *f;
     const struct wf_fit_results *of;
-    const char *study; /* key of the fit among the sources */
+    const char *source_key; /* source key of the fitted values */
     struct wf_units *units;
 };
 
-/* What was fitted of a quantity and level; NULL: nothing. */
+/* The estimate for a quantity and level; NULL: not fitted. */
 static const struct wf_estimate *fitted(const struct wf_fit_results *of, enum wf_fit_quantity q,
                                         int32_t level)
 {
@@ -355,7 +356,7 @@ static void number(const struct sheet *t, const char *key, double si, const stru
             *p->unit ? " " : "", p->unit);
 }
 
-/* A value as it was, or as fitted. share: of what was fitted. */
+/* A value unchanged, or from its estimate q (NULL: not fitted). share: of the level's value in it. */
 static void value(const struct sheet *t, const char *indent, const struct wf_property *p,
                   const struct wf_estimate *q, double share)
 {
@@ -376,7 +377,7 @@ static void value(const struct sheet *t, const char *indent, const struct wf_pro
     number(t, "value", x, p), number(t, "low", fmin(low, x), p), number(t, "high", fmax(high, x), p);
     fprintf(f, "status: %s", q ? open ? "assumed" : "measured" : wf_standing_text(v->standing));
     if (q)
-        fprintf(f, ", source: %s", t->study);
+        fprintf(f, ", source: %s", t->source_key);
     else if (v->source)
         fprintf(f, ", source: %s", v->source);
     if (q || v->note) {
@@ -402,7 +403,7 @@ static void along(FILE *f, const char *key, const struct wf_along *w, const stru
     fputs("}\n", f);
 }
 
-/* What was fitted of a level's value. What is fitted of the whole tree (damping) stands with the stem. */
+/* The estimate for a level's value. One for the whole tree (damping) is written with the stem. */
 static const struct wf_estimate *level_fitted(const struct wf_fit_results *of, const char *key, size_t level,
                                               enum wf_fit_quantity *q)
 {
@@ -416,7 +417,7 @@ static void level(const struct sheet *t, const struct wf_species *sp, size_t k)
     const struct wf_level *l = &sp->level[k];
     const struct wf_fit_results *of = t->of;
     double share = 1;
-    bool own = false; /* E of this level by itself, not by a factor on all wood */
+    bool own = false; /* E of this level was fitted separately, not as a factor on all wood */
     for (size_t i = 0; i < of->fit.free; i++)
         own |= of->param[i].quantity == WF_FIT_YOUNGS && of->param[i].level == (int32_t)k;
     if (!own) share = l->youngs_modulus.value / sp->level[0].youngs_modulus.value;
@@ -439,7 +440,7 @@ static void list(FILE *f, const char *key, const struct wf_numbers *v, const cha
     fputs("]\n", f);
 }
 
-/* table: of the law, for what is fitted. */
+/* table: where the law is in the species table; selects the estimate. */
 static void parameter(const struct sheet *t, const char *table, const struct wf_law_parameter *p,
                       const struct wf_law_use *u, size_t k)
 {
@@ -474,10 +475,10 @@ static void law_use(const struct sheet *t, const char *key, const char *table, s
     if (!isnan(s->high)) fprintf(f, "    valid_to: %.9g m/s\n", s->high);
 }
 
-/* What was fitted and has no key in a species table. */
+/* The estimates that have no key in a species table. */
 static char *beside(const struct wf_fit_results *of, struct wf_arena *a)
 {
-    char *out = wf_arena_print(a, "Fitted values stand in the levels and the crown.");
+    char *out = wf_arena_print(a, "Fitted values are in the levels and the crown.");
     for (size_t k = 0; out && k < of->fit.free; k++) {
         enum wf_fit_quantity q = of->param[k].quantity;
         double u;
@@ -505,8 +506,8 @@ static void write(const struct sheet *t, const char *key, const char *note)
     fputs("note: ", f), text(f, note), fputs("\nsources:\n", f);
     for (size_t i = 0; i < sp->sources; i++)
         fprintf(f, "  %s: ", sp->source[i].key), text(f, sp->source[i].text), fputc('\n', f);
-    fprintf(f, "  %s: \"Calibration study %s, windfirm %s, %.10s;", t->study, of->study.key, WF_VERSION,
-            of->date);
+    fprintf(f, "  %s: \"Calibration study %s, windfirm %s, %.10s;", t->source_key, of->calibration.key,
+            WF_VERSION, of->date);
     for (size_t i = 0; i < of->files; i++) fprintf(f, " %s sha256 %s;", of->file[i].path, of->file[i].sha256);
     fputs("\"\nlevels:\n", f);
     for (size_t k = 0; k < sp->levels; k++) level(t, sp, k);
@@ -525,11 +526,11 @@ enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char 
     struct wf_file f = { 0 };
     const char *slash = strrchr(path, '/');
     char *key = wf_arena_text(&a, slash ? slash + 1 : path),
-         *study = wf_arena_print(&a, "fit_%s", of->study.key);
+         *source_key = wf_arena_print(&a, "fit_%s", of->calibration.key);
     char *note = beside(of, &a);
-    struct sheet t = { .of = of, .study = study };
-    enum wf_status s =
-        key && study && note ? wf_units_open(&t.units, e) : wf_fail(e, WF_ENOMEM, "%s: no room", path);
+    struct sheet t = { .of = of, .source_key = source_key };
+    enum wf_status s = key && source_key && note ? wf_units_open(&t.units, e)
+                                                 : wf_fail(e, WF_ENOMEM, "%s: not enough memory", path);
     if (!s) s = wf_file_begin(&f, path, e);
     if (!s) {
         if (strchr(key, '.')) *strchr(key, '.') = '\0';

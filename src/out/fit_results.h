@@ -2,24 +2,24 @@
 #ifndef WF_OUT_FIT_RESULTS_H
 #define WF_OUT_FIT_RESULTS_H
 /* The results of a calibration: results.json, tables, figures and pages of its folder, and a species table
- * with the fitted values. Nothing here knows how the fit was asked for. */
+ * with the fitted values. Nothing here depends on the command line. */
 #include "fit/build.h"
 #include "fit/fit.h"
 #include "out/results.h"
 
-/* The same data without, or with, a root plate that gives. */
+/* Second fit to the same data with the opposite root: clamped if the first was elastic, and vice versa. */
 struct wf_fit_rival {
     bool made;
-    const char *text; /* "clamped root" or "root plate that gives" */
+    const char *text; /* "clamped root" or "flexible root plate" */
     struct wf_fit fit;
-    double aicc, own; /* of the rival, and of the fit itself with the same sigmas [-] */
+    double aicc, own; /* of this fit, and of the first with the same sigmas [-] */
 };
 
 struct wf_fit_results {
     const char *command, *date; /* as typed; ISO 8601, UTC                          */
     const char *loss;           /* name of the loss that weighs residuals: "none"... */
-    bool priors;                /* the species table's ranges took part              */
-    struct wf_fit_study study;
+    bool priors;                /* the species table's ranges were used              */
+    struct wf_calibration calibration;
     struct wf_experiment x;
     struct wf_fit_input *input; /* per test                        */
     struct wf_fit_param *param; /* `params` of them, as in fit     */
@@ -28,7 +28,7 @@ struct wf_fit_results {
     struct wf_fit_rival rival;
     struct wf_diag diag; /* warnings of the fit             */
     size_t files;
-    struct wf_input_file *file; /* study, species, trees, data     */
+    struct wf_input_file *file; /* calibration, species, trees, data */
 };
 
 /* Write FOLDER/results.json, tables/{parameters,readings,profiles,records}.csv and plots/run.csv; the folder

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What went in: species values with range, standing and source; model; scenario; method. */
+/* The inputs of a run: species values with range, standing and source; model; scenario; method. */
 #include "out/inputs.h"
 #include "data/model.h"
 #include "data/species.h"
@@ -27,7 +27,7 @@ static void put_standing(struct wf_doc *d, json_t *o, const struct wf_species *s
     wf_doc_text(d, o, "note", v->note);
 }
 
-/* Does this value of a grown part act on the answers? They are those of a steady wind. */
+/* Does this value of a grown part affect the results, which are those of a steady wind? */
 static bool acts(const struct wf_analysis *a, const struct wf_property *p)
 {
     if (p->acts == WF_ACTS_MOTION) return false;
@@ -65,7 +65,7 @@ static void add_law_values(struct wf_doc *d, json_t *list, const struct wf_analy
     for (size_t k = 0; wf_law_property(law, u, k, &p); k++) add_value(d, list, a, part, table, &p, grown);
 }
 
-/* The plain numbers, or the lists, of all streamlining laws; empty for those that are not the species'. */
+/* The plain numbers, or the lists, of all streamlining laws; empty for laws that the species does not use. */
 static void put_law(struct wf_doc *d, json_t *o, const struct wf_law_use *u, enum wf_law_kind kind)
 {
     const struct wf_law *chosen = wf_law_named(wf_laws.streamlining, u->law), *l;
@@ -207,7 +207,7 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     return o;
 }
 
-/* Of a species that chooses its axes' drag law. */
+/* Only for a species that chooses its axes' drag law. */
 static void put_axis_drag(struct wf_doc *d, json_t *method, const struct wf_law *law)
 {
     json_t *o = wf_doc_put(d, method, "axis_drag", wf_doc_object(d));

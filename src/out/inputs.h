@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_INPUTS_H
 #define WF_OUT_INPUTS_H
-/* What went in, as parts of results.json: species values with range, standing and source; model; scenario;
- * method. Each returns a new object, to be put into the document. */
+/* The inputs of a run as parts of results.json: species values with range, standing and source; model;
+ * scenario; method. Each returns a new object, to be put into the document. */
 #include "out/doc.h"
 #include "study/analysis.h"
 

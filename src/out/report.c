@@ -41,7 +41,7 @@ struct job {
     enum wf_status first; /* of the parts that could not be made */
 };
 
-/* A part that cannot be made is a warning, and the others are made all the same. */
+/* A part that cannot be made is a warning; the other parts are still made. */
 static void miss(struct job *j, const char *part, const struct wf_err *why)
 {
     wf_diag_warn(j->d, part, "%s", why->text);
@@ -49,7 +49,7 @@ static void miss(struct job *j, const char *part, const struct wf_err *why)
     j->first = wf_fail(j->e, why->code, "%s", why->text);
 }
 
-/* What a report needs beside its document. */
+/* Check that the document has trees and that the tables a report needs can be read. */
 static enum wf_status check_report(struct job *j)
 {
     char path[WF_PATH_MAX];
@@ -57,7 +57,7 @@ static enum wf_status check_report(struct job *j)
     if (!json_array_size(json_object_get(j->results, "trees")))
         return wf_fail(j->e, WF_EINPUT, "%s/results.json: trees: at least one is needed", j->folder);
     for (size_t i = 0; !code && wf_tables[i].name; i++) {
-        if (wf_tables[i].made) continue; /* not every run has it */
+        if (wf_tables[i].made) continue; /* only some runs have it */
         code = wf_folder_path(j->folder, wf_tables[i].name, path, j->e);
         if (!code && access(path, R_OK)) code = wf_fail(j->e, WF_EINPUT, "%s: cannot be read", path);
     }
@@ -111,9 +111,9 @@ static enum wf_status make_document(struct job *j)
 
 typedef enum wf_status drawer(const char *folder, const char *language, xmlDoc **svg, struct wf_err *e);
 
-/* Draw one figure, by a way of its own or as all others, and hang it into the document:
- * <figure name="tip"><svg/></figure>, or the attribute missing="why". `unready`: why none can be drawn, NULL
- * when they can. */
+/* Draw one figure, with its own drawer or the common one, and add it to the document: <figure
+ * name="tip"><svg/></figure>, or the attribute missing="why". `unready`: why none can be drawn, NULL when
+ * they can. */
 static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawer *own,
                                  const struct wf_err *unready)
 {
@@ -193,7 +193,7 @@ static enum wf_status draw_report(struct job *j)
     return code;
 }
 
-/* The names in a document end up in file names: letters, digits and _ only. */
+/* Names in a document become parts of file names: only letters, digits and _ are allowed. */
 static bool plain(const char *name)
 {
     static const char allowed[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
@@ -238,7 +238,8 @@ static enum wf_status write_html(struct job *j, const char *html)
     return code;
 }
 
-/* WeasyPrint goes on after a fault and still ends with status 0: look for its word and for a whole file. */
+/* WeasyPrint continues after an error and still ends with status 0: look for the error in its output, and
+ * check that the file is complete. */
 static enum wf_status print_pdf(const char *html, const char *path, struct wf_err *e)
 {
     char said[WF_SAID_MAX], head[5] = "", tail[8] = "";

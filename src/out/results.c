@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/results.h"
 #include "base/file.h"
+#include "base/num.h"
 #include "data/species.h"
 #include "out/doc.h"
 #include "out/inputs.h"
@@ -46,7 +47,35 @@ static void lead(FILE *f, const struct wf_run *run, size_t tree, double speed)
     cell(f, speed);
 }
 
-#define COUNT(array) (sizeof(array) / sizeof *(array))
+/* Outcome and totals of a solution in tables of many winds; empty cells without a solution. percent: whether
+ * the deflection in percent of the height is among them. */
+static void total_cells(FILE *f, const struct wf_at_speed *at, bool percent)
+{
+    enum { PERCENT = 1 };
+    const double total[] = { at->tip_deflection,
+                             100 * at->tip_deflection_share,
+                             degrees * at->tip_angle,
+                             at->drag,
+                             at->base_shear,
+                             at->base_moment,
+                             1e-6 * at->breakage.largest_stress,
+                             at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety };
+    fprintf(f, ",%s", wf_part_status(at->status));
+    for (size_t c = 0; c < WF_COUNT(total); c++)
+        if (percent || c != PERCENT) cell(f, at->status ? NAN : total[c]);
+}
+
+/* Speed, outcome and height of breakage of the tree, then of its stem. */
+static void break_cells(FILE *f, const struct wf_break breaks[WF_CRITERIA][WF_SCOPES])
+{
+    const struct wf_break *const part[] = { &breaks[WF_BREAKAGE][WF_SCOPE_TREE],
+                                            &breaks[WF_BREAKAGE][WF_SCOPE_STEM] };
+    for (size_t c = 0; c < WF_COUNT(part); c++) {
+        cell(f, part[c]->critical.speed);
+        fprintf(f, ",%s", wf_part_outcome(part[c]->critical.outcome));
+        cell(f, part[c]->height);
+    }
+}
 
 static size_t write_summary(const struct wf_run *run, FILE *f)
 {
@@ -74,14 +103,8 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
                                      height };
             lead(f, run, i, at->speed);
             fprintf(f, ",%s", wf_part_status(at->status));
-            for (size_t c = 0; c < COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
-            const struct wf_break *const breaks[] = { &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE],
-                                                      &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM] };
-            for (size_t c = 0; c < COUNT(breaks); c++) {
-                cell(f, breaks[c]->critical.speed);
-                fprintf(f, ",%s", wf_part_outcome(breaks[c]->critical.outcome));
-                cell(f, breaks[c]->height);
-            }
+            for (size_t c = 0; c < WF_COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
+            break_cells(f, a->breaks);
             putc('\n', f);
         }
     }
@@ -101,7 +124,7 @@ static size_t write_segments(const struct wf_run *run, FILE *f)
         for (size_t k = 0; k < a->n; k++) {
             const struct wf_breakage *b = &a->at[k].breakage;
             const struct wf_figures *g = &a->at[k].figures;
-            if (a->at[k].status) continue; /* no answer, no rows; summary.csv tells why */
+            if (a->at[k].status) continue; /* no rows without a solution; summary.csv has its status */
             for (size_t r = 0; r < t->n; r++) {
                 const double row[] = { t->z0[r],
                                        t->z1[r],
@@ -126,7 +149,7 @@ static size_t write_segments(const struct wf_run *run, FILE *f)
                                        degrees * g->slope[r] };
                 lead(f, run, i, a->at[k].speed);
                 fprintf(f, ",%zu,%ld,%ld", r + 1, (long)t->parent[r] + 1, (long)t->level[r]);
-                cells(f, COUNT(row), row);
+                cells(f, WF_COUNT(row), row);
                 putc('\n', f);
             }
             rows += t->n;
@@ -142,7 +165,7 @@ static void shape_point(FILE *f, const struct wf_run *run, size_t tree, double s
     const double row[] = { x[0], x[1], x[2], x[0] + u[0], x[1] + u[1], x[2] + u[2] };
     lead(f, run, tree, speed);
     fprintf(f, ",%zu,%zu", axis, segment);
-    cells(f, COUNT(row), row);
+    cells(f, WF_COUNT(row), row);
     putc('\n', f);
 }
 
@@ -187,17 +210,8 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
         const struct wf_analysis *a = &run->analysis[i];
         for (size_t k = 0; k < a->sweep_n; k++) {
             const struct wf_at_speed *at = &a->sweep[k];
-            const double total[] = { at->tip_deflection,
-                                     100 * at->tip_deflection_share,
-                                     degrees * at->tip_angle,
-                                     at->drag,
-                                     at->base_shear,
-                                     at->base_moment,
-                                     1e-6 * at->breakage.largest_stress,
-                                     at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety };
             lead(f, run, i, at->speed);
-            fprintf(f, ",%s", wf_part_status(at->status));
-            for (size_t c = 0; c < COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
+            total_cells(f, at, true);
             putc('\n', f);
         }
         rows += a->sweep_n;
@@ -211,24 +225,10 @@ static void direction_row(const struct wf_run *run, size_t tree, size_t k, size_
     const struct wf_directions *x = a->directions;
     const struct wf_direction *d = &x->direction[k];
     const struct wf_at_speed *at = &d->at[wind];
-    const double total[] = { at->tip_deflection,
-                             degrees * at->tip_angle,
-                             at->drag,
-                             at->base_shear,
-                             at->base_moment,
-                             1e-6 * at->breakage.largest_stress,
-                             at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety };
     lead(f, run, tree, at->speed);
     cell(f, degrees * d->from);
-    fprintf(f, ",%s", wf_part_status(at->status));
-    for (size_t c = 0; c < sizeof total / sizeof *total; c++) cell(f, at->status ? NAN : total[c]);
-    const struct wf_break *const breaks[] = { &d->breaks[WF_BREAKAGE][WF_SCOPE_TREE],
-                                              &d->breaks[WF_BREAKAGE][WF_SCOPE_STEM] };
-    for (size_t c = 0; c < 2; c++) {
-        cell(f, breaks[c]->critical.speed);
-        fprintf(f, ",%s", wf_part_outcome(breaks[c]->critical.outcome));
-        cell(f, breaks[c]->height);
-    }
+    total_cells(f, at, false);
+    break_cells(f, d->breaks);
     const struct wf_rose *r = x->request.rose;
     cell(f, r ? r->frequency[k] : NAN);
     cell(f, r ? r->scale[k] : NAN);
@@ -259,7 +259,9 @@ static size_t write_directions(const struct wf_run *run, FILE *f)
 
 const struct wf_table wf_tables[] = {
     { "tables/summary.csv", "totals of each tree at each wind speed", write_summary, NULL },
-    { "tables/segments.csv", "what each segment bears at each wind speed", write_segments, NULL },
+    { "tables/segments.csv",
+      "loads, section forces, stresses and movement of each segment at each wind speed", write_segments,
+      NULL },
     { "tables/shape.csv", "axis points, unloaded and loaded", write_shape, NULL },
     { "tables/sweep.csv",
       "totals at wind speeds from 0, evenly spaced, four times finer at the start, for curves", write_sweep,
@@ -268,6 +270,8 @@ const struct wf_table wf_tables[] = {
       write_directions, directions_made },
     { NULL, NULL, NULL, NULL },
 };
+
+_Static_assert(WF_COUNT(wf_tables) == WF_TABLES + 1, "WF_TABLES is the number of rows of wf_tables");
 
 const char *wf_part_status(enum wf_status s)
 {
@@ -595,7 +599,7 @@ static enum wf_status write_document(const struct wf_run *run, const size_t rows
     bool dumped = !d.failed && !json_dumpf(o, f->stream, JSON_INDENT(1) | JSON_REAL_PRECISION(17));
     if (dumped)
         putc('\n', f->stream);
-    else if (!ferror(f->stream)) /* a write that failed is told by the caller, for all files alike */
+    else if (!ferror(f->stream)) /* the caller reports failed writes, for all files */
         code = wf_fail(e, WF_ENOMEM, "%s: no memory for the document", f->path);
     json_decref(o);
     return code;
@@ -622,19 +626,19 @@ static enum wf_status write_all(const struct wf_run *run, const char *folder, st
             rows[i] = wf_tables[i].write(run, f[i].stream);
         else if ((code = write_document(run, rows, &f[i], e)))
             return code;
-        if (fflush(f[i].stream) || ferror(f[i].stream)) /* a full disk shows before any file is replaced */
+        if (fflush(f[i].stream) || ferror(f[i].stream)) /* detects a full disk before any file is replaced */
             return wf_fail(e, WF_EOUTPUT, "%s: cannot be written: %s", path,
                            errno ? strerror(errno) : "write error");
     }
     for (size_t i = 0; i < FILES; i++)
         if (!f[i].stream)
-            unlink(f[i].path); /* an earlier run's would be taken for this one's */
+            unlink(f[i].path); /* a table of an earlier run would be mistaken for one of this run */
         else if ((code = wf_file_commit(&f[i], e)))
             return code;
     return WF_OK;
 }
 
-/* A branched tree is shown; a bare stem is seen in every other figure. */
+/* Only a branched tree gets a picture; the other figures show a bare stem completely. */
 static enum wf_status picture(const struct wf_run *run, const char *folder, struct wf_err *e)
 {
     const struct wf_analysis *a = &run->analysis[0];
@@ -657,7 +661,7 @@ enum wf_status wf_results_write(const struct wf_run *run, const char *folder, st
     code = wf_folder_path(folder, "tables", tables, e);
     if (!code) code = wf_mkdirs(tables, e);
     if (code) return code;
-    /* A caller may have set a locale with a decimal comma; a table has points. */
+    /* The caller may have set a locale with a decimal comma; tables use a point. */
     locale_t plain = newlocale(LC_NUMERIC_MASK, "C", (locale_t)0);
     if (!plain) return wf_fail(e, WF_ENOMEM, "no memory for the locale of the tables");
     locale_t before = uselocale(plain);

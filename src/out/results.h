@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_RESULTS_H
 #define WF_OUT_RESULTS_H
-/* One results document, many readers: results.json and tables/ *.csv of a run. Keys, units and meanings
- * are described in docs/results.md. */
+/* The results document and its tables: results.json and tables/ *.csv of a run. Keys, units and meanings are
+ * described in docs/results.md. */
 #include "base/arena.h"
 #include "base/err.h"
 #include "base/file.h"
@@ -14,8 +14,9 @@
 
 #define WF_RESULTS_SCHEMA "windfirm-results"
 enum { WF_RESULTS_VERSION = 1 };
-/* Does a program of results version `own` read a document of version `found`? It reads its own and the one
- * before; the first is 1. New keys leave the version; a key that goes or changes its meaning raises it. */
+/* Can a program of results version `own` read a document of version `found`? It reads its own version and the
+ * one before; the first is 1. A new key does not change the version; a key that is removed or changes its
+ * meaning raises it. */
 static inline bool wf_results_readable(long long found, long long own)
 {
     return found >= 1 && (found == own || found == own - 1);
@@ -26,9 +27,9 @@ struct wf_input_file {
     char sha256[WF_SHA256_TEXT]; /* of the file's bytes                                    */
 };
 
-/* Everything one run found. The analyses share the list of wind speeds, in the same order. */
+/* All results of one run. The analyses share the list of wind speeds, in the same order. */
 struct wf_run {
-    const char *title;   /* the user's own title; NULL: the report composes one */
+    const char *title;   /* given by the user; NULL: the report composes one    */
     const char *command; /* command line as given                               */
     const char *version; /* of the program                                      */
     const char *date;    /* ISO 8601, UTC: 2026-11-23T09:45:00Z                 */
@@ -45,9 +46,9 @@ struct wf_run {
 enum wf_status wf_input_file_note(const char *role, const char *path, struct wf_arena *a,
                                   struct wf_input_file *out, struct wf_err *e);
 
-/* Now, as wf_run.date wants it. The environment's SOURCE_DATE_EPOCH [s since 1970], when it is a number,
- * takes the place of the clock, so that a rerun can give the same bytes. Returned: text, or NULL without
- * room. */
+/* The present time in the form of wf_run.date. The environment's SOURCE_DATE_EPOCH [s since 1970], when it is
+ * a number, takes the place of the clock, so that a rerun can give the same bytes. Returned: text, or NULL
+ * without memory. */
 const char *wf_run_date(struct wf_arena *a);
 
 /* Write FOLDER/results.json and FOLDER/tables/{summary,segments,shape,sweep}.csv, and directions.csv where

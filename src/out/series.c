@@ -6,14 +6,14 @@
 #include <math.h>
 #include <string.h>
 
-/* Place along the wind [m]: with the height above ground the plane the panels show. */
+/* Position along the wind [m]. The panels show it and the height above ground. */
 static double along(const struct wf_series *s, const double x[3])
 {
     const double *to = s->an.wind.direction;
     return to[0] * x[0] + to[1] * x[1];
 }
 
-/* To the left of the wind. */
+/* Position across the wind, positive to the left [m]. */
 static double across(const struct wf_series *s, const double x[3])
 {
     const double *to = s->an.wind.direction;
@@ -383,7 +383,7 @@ static json_t *run_part(struct wf_doc *d, const struct wf_series *s)
     return o;
 }
 
-/* Panels of key frames, courses in time, leaves, methods against each other: what the runs have to show. */
+/* Figures of key frames, time series, leaves and compared methods, as far as the runs contain them. */
 static void figures(struct wf_doc *d, json_t *list, const struct wf_series_page *p)
 {
     bool course = false, single = false, leafy = false;

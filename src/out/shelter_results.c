@@ -24,7 +24,8 @@ static double speed_at(const struct wf_wind *w, const struct wf_tree *t, const s
 
 static double size3(double x, double y, double z) { return sqrt(x * x + y * y + z * z); }
 
-/* How far a branch's end moves when its base is held in place, but not its direction there. */
+/* Displacement of a branch's end relative to the branch's base, including what the rotation of the base
+ * causes. */
 static double swing(const struct wf_tree *t, const struct wf_response *r, size_t row)
 {
     int32_t from = t->parent[branch_base(t, row)];
@@ -75,7 +76,8 @@ static void slabs(FILE *f, const struct wf_shelter_run *r)
     }
 }
 
-/* Coverage and class of a block of cells: the mean, and the commonest class but none, if any. */
+/* Coverage and class of a block of cells: the mean, and the most frequent class other than none, if there is
+ * one. */
 static double block(const struct wf_shelter *s, size_t slab, const size_t from[2], const size_t to[2],
                     enum wf_cell_class *class)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_SHELTER_RESULTS_H
 #define WF_OUT_SHELTER_RESULTS_H
-/* What `windfirm shelter` computes and leaves in its folder. */
+/* What `windfirm shelter` computes and writes to its folder. */
 #include "out/doc.h"
 #include "study/sheltered.h"
 
@@ -20,7 +20,7 @@ struct wf_shelter_run {
     struct wf_response open, own; /* without and with shelter */
     struct wf_sheltered *sheltered;
     struct wf_shelter still; /* of the unloaded shape: what maps and cuts show */
-    bool moved;              /* responses are there */
+    bool moved;              /* the tree was bent: open, own and tip are valid */
     struct wf_tip *tip;
     size_t tips;
 };

@@ -174,7 +174,7 @@ static void outline(FILE *f, const struct wf_tree *t, size_t i, bool side, bool 
     double dx = x1 - x0, dz = z1 - z0, length = hypot(dx, dz);
     double nx = length > 0 ? -dz / length : 1, nz = length > 0 ? dx / length : 0;
     double a = t->r0[i], b = t->r1[i];
-    if (length < a) { /* seen end on: a square is as near to the disc as a line's width shows */
+    if (length < a) { /* seen end on: a square, which at a line's width looks like the disc */
         fprintf(f, "%.5g %.5g\n%.5g %.5g\n%.5g %.5g\n%.5g %.5g\n%.5g %.5g\n\n", x0 - a, z0 - a, x0 + a,
                 z0 - a, x0 + a, z0 + a, x0 - a, z0 + a, x0 - a, z0 - a);
         return;
@@ -184,8 +184,8 @@ static void outline(FILE *f, const struct wf_tree *t, size_t i, bool side, bool 
             z0 + a * nz);
 }
 
-/* Blocks by level, view and thickness, in the order the script counts them; one empty mark at the base keeps
- * a block without segments from being no block at all. */
+/* Blocks by level, view and thickness, in the order the script counts them; every block begins with an empty
+ * outline at the base, so that one without segments still counts as a block. */
 static void outlines(FILE *f, const struct wf_tree *t, size_t levels, double thin)
 {
     for (size_t l = 0; l < levels; l++)
@@ -204,7 +204,7 @@ static void outlines(FILE *f, const struct wf_tree *t, size_t levels, double thi
         }
 }
 
-/* Rows of the table beside the picture: a name that has a label in the figure's words, and a value. */
+/* Rows of the table beside the picture: a name, whose label is in the figure's list of words, and a value. */
 struct side_table {
     struct wf_plot_data *p;
     size_t rows;
@@ -222,7 +222,7 @@ static void entry(struct side_table *t, const char *name, const char *fmt, ...)
     wf_plot_data_text(t->p, "P_VALUE", t->rows, value);
 }
 
-/* The same with a value that is a word, with a label of its own. */
+/* The same with a value that is a word, which also has a label. */
 static void entry_word(struct side_table *t, const char *name, const char *word)
 {
     wf_plot_data_text(t->p, "P_NAME", ++t->rows, name);
@@ -291,7 +291,7 @@ static enum wf_status plot_data(const char *folder, const struct wf_tree_picture
 
 enum wf_status wf_tree_picture_write(const struct wf_tree_picture *p, const char *folder, struct wf_err *e)
 {
-    const double pixels = 420; /* height of a view in the picture: what is thinner than one is a line */
+    const double pixels = 420; /* height of a view; segments thinner than one pixel become lines */
     char path[WF_PATH_MAX];
     struct wf_tree_summary s;
     enum wf_status code = wf_tree_summarise(p->tree, &s, e);
@@ -344,7 +344,7 @@ static const char *ending(const char *path)
     return NULL;
 }
 
-/* Everything in a folder of its own that is removed afterwards. */
+/* Draw the picture in a temporary folder, which the caller removes. */
 static enum wf_status draw_in(const struct wf_tree_picture *p, const char *folder, const char *path,
                               struct wf_arena *a, struct wf_err *e)
 {

@@ -28,10 +28,10 @@ struct wf_tree_summary {
     double low[3], high[3];                /* extent of all ends [m] */
 };
 
-/* An axis is a run of rows of one level joined end to end. WF_ENOMEM without room for scratch. */
+/* An axis is a run of rows of one level joined end to end. WF_ENOMEM without memory for scratch. */
 enum wf_status wf_tree_summarise(const struct wf_tree *t, struct wf_tree_summary *out, struct wf_err *e);
 
-/* What the user knows beyond the geometry. */
+/* Properties that the user gives in addition to the geometry. */
 struct wf_tree_wear {
     double density;                   /* NAN: of the species, else unknown [kg m-3] */
     double leaf_area;                 /* one-sided; NAN: unknown [m2]               */
@@ -73,8 +73,9 @@ enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char 
 
 /* Is there a picture to draw in a results folder? */
 bool wf_tree_picture_there(const char *folder);
-/* Draw FOLDER/plots/tree.svg, or tree.png for a tree of many segments, from what wf_tree_picture_write left.
- * Labels in a language ("en", "zh"). Returned: the picture as an SVG document to be put into a page. */
+/* Draw FOLDER/plots/tree.svg, or tree.png for a tree of many segments, from the files of
+ * wf_tree_picture_write. Labels in a language ("en", "zh"). Returned: the picture as an SVG document to be
+ * put into a page. */
 enum wf_status wf_tree_picture_report(const char *folder, const char *language, xmlDoc **svg,
                                       struct wf_err *e);
 #endif

@@ -22,7 +22,7 @@ static void cell(FILE *f, double value, const char *format)
     if (isfinite(value)) fprintf(f, format, value);
 }
 
-static void series(FILE *f, const struct wf_gust_report *r)
+static void histories(FILE *f, const struct wf_gust_report *r)
 {
     const struct wf_gust_spec *s = &r->spec;
     static const char *const name[WF_COMPONENTS] = { "u", "v", "w" };
@@ -181,7 +181,7 @@ enum wf_status wf_wind_results_write(const struct wf_gust_report *r, const struc
     static const struct {
         const char *name;
         void (*write)(FILE *f, const struct wf_gust_report *r);
-    } table[] = { { "tables/series.csv", series },
+    } table[] = { { "tables/series.csv", histories },
                   { "tables/spectrum.csv", spectrum },
                   { "tables/histogram.csv", histogram },
                   { "tables/coherence.csv", coherence } };
@@ -273,7 +273,7 @@ struct stream {
     FILE *to;
     bool text;
     float *row;                                       /* TILE * points * components             */
-    double sum[WF_COMPONENTS], square[WF_COMPONENTS]; /* of the first point, about its mean asked for */
+    double sum[WF_COMPONENTS], square[WF_COMPONENTS]; /* of the first point, about its specified mean */
 };
 
 static void stream_head(const struct stream *w)
@@ -299,7 +299,7 @@ static void stream_head(const struct stream *w)
 }
 
 /* Steps of a block from `i` on, at most TILE: steps are the slowest in the file and the fastest in the block,
- * so that a tile of them keeps both in reach. */
+ * so that a tile of steps keeps both in the processor's cache. */
 static void stream_tile(struct stream *w, const double *block, size_t stride, size_t i, size_t steps,
                         size_t at)
 {
@@ -334,7 +334,7 @@ static enum wf_status stream_blocks(struct stream *w, struct wf_gust *g, double 
                 double x = block[c * s->points * g->block + i] - (c ? 0.0 : mean);
                 w->sum[c] += x, w->square[c] += x * x;
             }
-        if (ferror(w->to)) break; /* the commit tells why */
+        if (ferror(w->to)) break; /* wf_file_commit reports the error */
     }
     return WF_OK;
 }
@@ -424,7 +424,7 @@ static enum wf_status write_grids(const struct wf_terrain_site *s, const char *f
     return wf_plot_data_end(&p, e);
 }
 
-/* The grid point nearest to each place asked for; the height is interpolated. */
+/* The grid point nearest to each place of the file; the height is interpolated. */
 enum wf_status wf_terrain_positions_write(const struct wf_terrain_site *s, const char *file,
                                           const char *folder, struct wf_arena *a, struct wf_diag *d,
                                           struct wf_err *e)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_WIND_RESULTS_H
 #define WF_OUT_WIND_RESULTS_H
-/* What `windfirm wind` leaves: tables and document of a gusty wind, of a wind rose, and a wind written block
- * by block that needs no more memory than a block takes. */
+/* What `windfirm wind` writes: tables and document of a gusty wind or of a wind rose, and a wind streamed to
+ * a file block by block, with the memory of one block. */
 #include "out/doc.h"
 #include "wind/climate.h"
 #include "wind/gust_report.h"
@@ -12,7 +12,7 @@
  * is made. diag: warnings of the run. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_wind_results_write(const struct wf_gust_report *r, const struct wf_doc_head *head,
                                      const struct wf_diag *diag, const char *folder, struct wf_err *e);
-/* Speeds above which a rose tells how often the wind blows [m/s]. */
+/* Speeds for which a rose gives the share of time with a stronger wind [m/s]. */
 enum { WF_ROSE_CLASSES = 4 };
 extern const double wf_rose_classes[WF_ROSE_CLASSES];
 /* Write FOLDER/tables/rose.csv, plots/run.csv and results.json of a rose read from `file`; the folder is
@@ -21,15 +21,15 @@ enum wf_status wf_rose_results_write(const struct wf_rose *r, const char *file,
                                      const struct wf_doc_head *head, const struct wf_diag *diag,
                                      const char *folder, struct wf_err *e);
 
-/* What came out, beside what was asked for. */
+/* Statistics of the wind that was written, and the specified ones. */
 struct wf_wind_streamed {
     size_t blocks, block;            /* blocks written, and steps in each                               */
     double seconds;                  /* processor time [s]                                              */
     double mean[WF_COMPONENTS];      /* of the first point, along, across, up [m/s]                     */
     double deviation[WF_COMPONENTS]; /* standard deviation of the first point [m/s]                    */
-    double asked[WF_COMPONENTS];     /* the one asked for, NAN where the model has none [m/s]           */
-    double joint;                    /* mismatch where blocks meet over the standard deviation [-]      */
-    double coherence;                /* largest error of the coherence made; NAN where there is none [-] */
+    double asked[WF_COMPONENTS];     /* the specified one, NAN where the model has none [m/s]           */
+    double joint;                    /* mismatch where blocks meet / standard deviation [-]             */
+    double coherence;                /* largest error of the coherence; NAN where there is none [-]      */
 };
 
 /* Make the wind and write it to `path`: a name that ends in .csv as text, columns as in tables/series.csv;
@@ -40,7 +40,7 @@ enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path,
                               void (*progress)(size_t block, size_t blocks), struct wf_arena *a,
                               struct wf_diag *d, struct wf_wind_streamed *out, struct wf_err *e);
 
-/* What `windfirm terrain` finds at every point of a map, and the tables and grids it leaves. */
+/* What `windfirm terrain` computes at every point of a map, and the tables and grids it writes. */
 
 struct wf_terrain_site {
     struct wf_terrain ground;

@@ -13,11 +13,11 @@
 #include <math.h>
 #include <string.h>
 
-/* ---- What each row bears at one wind speed, and the whole tree's totals, from a solver's answer ---- */
+/* ---- Loads and displacements of rows and totals of the tree at one wind speed ---- */
 
 struct totals {
     double air[3]; /* force of the wind on the whole tree [N]       */
-    double weight; /* of wood, leaves and burdens, rows and tips [N] */
+    double weight; /* of wood, leaves and added loads, on rows and at tips [N] */
 };
 
 /* Gauss-Legendre, five points on 0..1 */
@@ -49,7 +49,7 @@ static void curve_bent(const struct wf_tree *t, const struct wf_response *r, siz
 {
     curve_unloaded(t, i, c);
     int32_t below = t->parent[i];
-    if (below >= 0) { /* the base rides on the parent's end, on a rigid arm where the axes do not meet */
+    if (below >= 0) { /* the base moves with the parent's end, like a rigid arm where the axes do not meet */
         const double end[3] = { t->x1[below], t->y1[below], t->z1[below] };
         double arm[3], turned[3], turn[9];
         for (int k = 0; k < 3; k++) arm[k] = c->p0[k] - end[k];
@@ -64,7 +64,7 @@ static void curve_bent(const struct wf_tree *t, const struct wf_response *r, siz
     }
 }
 
-/* Place and unit tangent at s in 0..1. */
+/* Position and unit tangent at s in 0..1. */
 static void curve_at(const struct curve *c, double s, double x[3], double tangent[3])
 {
     double s2 = s * s, s3 = s2 * s;
@@ -90,7 +90,7 @@ static struct wf_line_point line_point(const struct wf_tree *t, size_t i, double
     };
 }
 
-/* Share of the crown's still-air area left in the wind at x. */
+/* Ratio of the crown's streamlined frontal area in the wind at x to its still-air frontal area. */
 static double crown_share(const struct wf_loads *l, const double x[3])
 {
     double u[3], gradient[9], derivative;
@@ -123,7 +123,7 @@ static void integrate(const struct wf_tree *t, const struct wf_loads *l, const s
     }
 }
 
-/* Turn of the axis at the row's end, without twist [rad]. */
+/* Rotation of the axis at the row's end, without twist [rad]. */
 static double slope_at_end(const struct curve *unloaded, const struct wf_response *r, size_t i)
 {
     const double *turn = r->turn + 3 * i, *now = r->tangent1 + 3 * i;
@@ -138,16 +138,16 @@ static double slope_at_end(const struct curve *unloaded, const struct wf_respons
     return atan2(norm(across), wf_dot(before, now));
 }
 
-/* Given: tree, the loads the solver had, its answer, direction the wind blows towards (unit vector), crown
- * drag coefficient by which the sail columns were multiplied. Returned: columns of n in *out and the totals.
- * Method: horizontal forces of the wind are the solver's own loads (wf_response.load), so that all rows' drag
- * adds up to the base shear; a horizontal dead load would count as wind. The vertical part of lift, weight
- * and area come from five-point Gauss quadrature along each row. A geometrically exact answer is sampled on
- * its bent shape (cubic Hermite curve through the row's ends and end tangents); a small-deflection answer on
- * the unloaded shape, where its loads acted. Projected area of the axis is that of its surface seen along the
- * wind; that of the crown is its still-air frontal area times the streamlining share, which puts the whole
- * loss of drag into area. Deflection and slope are counted from the unloaded shape, so they hold the sag
- * under weight as well. */
+/* Given: tree, the loads passed to the solver, its result, direction the wind blows towards (unit vector),
+ * crown drag coefficient by which the sail columns were multiplied. Returned: columns of n in *out and the
+ * totals. Method: horizontal forces of the wind are the solver's own loads (wf_response.load), so that the
+ * drag of all rows sums to the base shear; a horizontal dead load would count as wind. The vertical part of
+ * lift, weight and area come from five-point Gauss quadrature along each row. A geometrically exact result is
+ * sampled on its bent shape (cubic Hermite curve through the row's ends and end tangents); a small-deflection
+ * result on the unloaded shape, on which its loads were computed. Projected area of the axis is that of its
+ * surface seen along the wind; that of the crown is its still-air frontal area times the streamlining share,
+ * so that the whole reduction of drag is counted as a reduction of area. Deflection and slope are measured
+ * from the unloaded shape, so they include the sag under weight. */
 static enum wf_status fill_figures(const struct wf_tree *t, const struct wf_loads *l,
                                    const struct wf_response *r, const double direction[3], double crown_drag,
                                    struct wf_arena *a, struct wf_figures *out, struct totals *totals,
@@ -165,7 +165,7 @@ static enum wf_status fill_figures(const struct wf_tree *t, const struct wf_load
         bent = unloaded;
         if (!r->small_deflection) curve_bent(t, r, i, &bent);
         integrate(t, l, &bent, i, direction, crown_drag, &row);
-        /* along the ground the solver's own loads, so that the drag adds up to the base shear */
+        /* horizontally the solver's own loads, so that the drag sums to the base shear */
         row.air[0] = r->load[3 * i];
         row.air[1] = r->load[3 * i + 1];
         out->drag[i] = wf_dot(row.air, direction);
@@ -180,7 +180,7 @@ static enum wf_status fill_figures(const struct wf_tree *t, const struct wf_load
     return WF_OK;
 }
 
-/* ---- The coupling at one wind speed: wind -> load -> solve -> fail -> figures ---- */
+/* ---- One wind speed: wind -> load -> solve -> fail -> figures ---- */
 
 size_t wf_tip_row(const struct wf_tree *t)
 {
@@ -220,7 +220,8 @@ static void totals_unknown(struct wf_at_speed *out)
     wf_criteria_check(NULL, NULL, NULL, out->worst);
 }
 
-/* The tree in the wind it leaves itself; a coarser grid than for maps, because it is made for every shape. */
+/* The tree in the wind that its own crown reduces. The grid is coarser than that of maps because it is made
+ * anew for every shape. */
 static enum wf_status solve_sheltered(const struct wf_analysis *an, const struct wf_loads *l,
                                       const struct wf_solve_options *o, struct wf_arena *a,
                                       struct wf_sheltered *out, struct wf_response *r, struct wf_diag *d,
@@ -235,7 +236,7 @@ static enum wf_status solve_sheltered(const struct wf_analysis *an, const struct
     return wf_sheltered_solve(&an->tree, l, &q, an->solver, o, a, out, r, d, e);
 }
 
-/* What follows from the response. */
+/* Compute stresses, criteria and figures from the response. */
 static enum wf_status fill_at_speed(const struct wf_analysis *an, const struct wf_loads *l,
                                     struct wf_arena *a, struct wf_at_speed *out, struct wf_err *e)
 {
@@ -288,7 +289,7 @@ enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_sol
     enum wf_status s = speed_solve(an, o, speed, &scratch, &quiet, out, e);
     wf_arena_free(&scratch);
     struct wf_at_speed kept = *out;
-    /* the columns went with the scratch memory: keep the scalars, clear the pointers */
+    /* the columns are freed with the scratch arena: keep the scalars, clear the pointers */
     kept.response = (struct wf_response){ .imbalance = out->response.imbalance,
                                           .load_factor = out->response.load_factor,
                                           .iterations = out->response.iterations,
@@ -305,7 +306,7 @@ enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_sol
 
 /* ---- Set up ---- */
 
-/* The stress-free shape of a tree drawn or measured as it stands under its own weight. */
+/* Replace a shape drawn or measured under the tree's own weight by its stress-free shape. */
 static enum wf_status unload(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_solve_options o;
@@ -320,7 +321,7 @@ static enum wf_status unload(struct wf_analysis *an, struct wf_arena *a, struct 
     wf_diag_warn(
         d, "unloaded",
         "%s, %s: taken as standing under its own weight. Its stress-free shape is up to %.3g m away; under "
-        "its weight it comes back to the shape given within %.2g m. Deflections count from the stress-free "
+        "its weight it returns to the shape given within %.2g m. Deflections count from the stress-free "
         "shape",
         an->model->name, an->species->name, moved, left);
     return WF_OK;
@@ -345,7 +346,7 @@ bool wf_analysis_grown(const struct wf_analysis *an, size_t level)
 
 /* ---- The critical wind speeds, by criterion and part of the tree ---- */
 
-/* Answers at speeds already asked for: all searches go up the same ladder. */
+/* Results at speeds already solved: all searches use the same speeds at first. */
 enum { KNOWN_MAX = 200 };
 struct known {
     int n;
@@ -397,7 +398,7 @@ static bool falls(const struct search *q, const struct wf_at_speed *at)
     return at->status || !(safety(q, at) > 1.0);
 }
 
-/* Load over resistance at the worst place. */
+/* Load over resistance at the worst section. */
 static enum wf_status utilisation(void *ctx, double speed, double *value, struct wf_err *e)
 {
     const struct search *s = ctx;
@@ -409,8 +410,8 @@ static enum wf_status utilisation(void *ctx, double speed, double *value, struct
     return WF_OK;
 }
 
-/* The speed found on a quick mesh, brought to the asked one by secants on its slope, which hardly differ;
- * *at: totals there. */
+/* Refine the critical speed found on a coarse mesh to the mesh tolerance of the options, by secant steps with
+ * the coarse mesh's slope, which differs little. Returned: c->speed, and *at, the totals at it. */
 static enum wf_status polish(const struct search *search, struct wf_critical *c, struct wf_at_speed *at,
                              struct wf_err *e)
 {
@@ -426,7 +427,7 @@ static enum wf_status polish(const struct search *search, struct wf_critical *c,
     }
 }
 
-/* A batch of rungs at once. */
+/* A batch of speeds solved in parallel. */
 struct batch {
     const struct search *search;
     double speed[WF_CRITICAL_RUNGS + 1];
@@ -441,8 +442,9 @@ static enum wf_status rung(void *context, size_t k, struct wf_err *e)
     return WF_OK;
 }
 
-/* Up the ladder that wf_critical_search will climb, as many rungs at a time as there are threads, until one
- * falls; what was found is kept for it. Faults are left for it to meet again. */
+/* Solve the speeds that wf_critical_search will step through, as many at a time as there are threads, until
+ * the tree fails at one, and store the results. Errors are ignored: wf_critical_search solves that speed
+ * again and reports them. */
 static enum wf_status climb(const struct search *q, struct wf_err *e)
 {
     struct known *known = q->known;
@@ -508,7 +510,7 @@ static enum wf_status find_break(struct search search, struct wf_break *out, str
     return WF_OK;
 }
 
-/* The branches' answer as far as that of the whole tree tells it. */
+/* Result of the branches as far as it follows from that of the whole tree. */
 static void branches(const struct wf_analysis *an, const struct wf_criterion *c, const struct wf_break *tree,
                      struct wf_break *out)
 {
@@ -560,8 +562,8 @@ static enum wf_status sweep_point(void *context, size_t k, struct wf_err *e)
     return wf_speed_totals(c->an, c->o, c->at[k].speed, &c->at[k], e);
 }
 
-/* Speeds from 0 past the asked and the critical ones, at a step a reader can name; a quarter of it for the
- * first steps, where a slender tree bends fastest. */
+/* Totals at speeds from 0 beyond the given and the critical speeds, at a round step; a quarter of it for the
+ * first steps, where the deflection of a slender tree grows fastest. */
 static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
                             struct wf_err *e)
 {
@@ -569,7 +571,7 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     static const double steps[] = { 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0 };
     struct wf_solve_options curve = *o;
     double top = 1.0, step = 0.0;
-    if (o->mesh_tolerance > 0.0) curve.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4); /* no line is finer */
+    if (o->mesh_tolerance > 0.0) curve.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4); /* finer than drawn */
     for (size_t k = 0; k < an->n; k++) top = fmax(top, an->at[k].speed);
     const struct wf_critical *first = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
     if (first->outcome == WF_CRITICAL_FOUND) top = fmax(top, fmin(1.1 * first->speed, an->search.speed_max));

@@ -19,17 +19,17 @@ extern "C" {
 struct wf_model;
 struct wf_species;
 
-/* What one segment bears, columns. */
+/* Loads and displacements of the segments, as columns. */
 struct wf_figures {
     double *projected_area; /* of axis and crown across the wind, bent shape [m2] */
     double *drag, *lift;    /* along and across the wind [N]                      */
-    double *deflection;     /* of the end, distance from the unloaded place [m]   */
-    double *slope;          /* of the end, turn of the axis from its unloaded direction [rad] */
+    double *deflection;     /* of the end, distance from the unloaded position [m]   */
+    double *slope;          /* of the end, angle between the axis and its unloaded direction [rad] */
 };
 
 struct wf_at_speed {
     double speed;          /* at reference height [m/s] */
-    enum wf_status status; /* WF_OK, or why there is no answer (load_factor tells how far it stood) */
+    enum wf_status status; /* WF_OK, or why there is no result (response.load_factor: load reached) */
     struct wf_response response;
     struct wf_breakage breakage;
     struct wf_worst worst[WF_CRITERIA][WF_SCOPES];
@@ -41,7 +41,7 @@ struct wf_at_speed {
     double base_shear, base_moment; /* [N], [N m] */
 };
 
-/* When and where a tree, or a part of it, fails by a criterion. */
+/* Wind speed and section at which a tree, or a part of it, fails by a criterion. */
 struct wf_break {
     struct wf_critical critical;
     struct wf_at_speed at; /* totals at the critical speed; speed NAN where there is none */
@@ -49,9 +49,9 @@ struct wf_break {
     double height;         /* its height above ground on the unbent tree [m]              */
 };
 
-/* How the critical wind speed is looked for. */
+/* Range of the search for critical wind speeds. */
 struct wf_search {
-    double speed_max; /* up to here [m/s] */
+    double speed_max; /* highest speed searched [m/s] */
 };
 /* Up to 100 m/s. */
 void wf_search_default(struct wf_search *s);
@@ -62,54 +62,55 @@ struct wf_analysis {
     const struct wf_model *model;
     const struct wf_solver *solver;
     struct wf_scenario scenario;
-    struct wf_search search; /* of its critical speeds, from all directions too */
+    struct wf_search search; /* of critical speeds, also of those by direction */
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
     size_t n;
-    struct wf_at_speed *at; /* the speeds asked for                            */
+    struct wf_at_speed *at; /* results at the given speeds                     */
     size_t sweep_n;
-    struct wf_at_speed *sweep; /* rising from 0, closer at first, for curves (totals only) */
+    struct wf_at_speed *sweep; /* totals for curves: speeds from 0, at first four times closer */
     struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
-    const struct wf_directions *directions; /* winds from all around; NULL: not asked for */
+    const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */
 };
 
-/* The tree, the wind field and what acts: everything but the answers. Given: *an with species, model,
+/* Grow the tree and make its wind field and loads; nothing is solved. Given: *an with species, model,
  * scenario and solver. Returned: tree, tallness, wind (at speed 0) and loads of *an. */
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_err *e);
 
-/* One wind speed at the reference height [m/s] of an analysis after wf_analysis_set_up, its columns not kept:
- * only the totals and the worst places of *out hold afterwards. Returned: WF_OK and *out; where the solver
- * finds no equilibrium (WF_EUNSTABLE, WF_ENOCONV) also WF_OK with that status in out->status, the totals NAN
- * and the load factor in out->response; another code when the run must end. */
+/* One wind speed at the reference height [m/s] of an analysis after wf_analysis_set_up; its columns are not
+ * kept: only the totals and the worst sections of *out are valid afterwards. Returned: WF_OK and *out; where
+ * the solver finds no equilibrium (WF_EUNSTABLE, WF_ENOCONV) also WF_OK with that status in out->status, the
+ * totals NAN and the load factor in out->response; another code when the run must end. */
 enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
                                struct wf_at_speed *out, struct wf_err *e);
 /* The row that ends highest on level 0. */
 size_t wf_tip_row(const struct wf_tree *t);
 
-/* When each part of the tree fails by each criterion. Given: an analysis after wf_analysis_set_up with its
- * search; its wind's direction counts. Searched are the whole tree and the stem alone; where no branch has a
- * known resistance the stem is the whole tree. The branches' answer is the tree's where they fail first or
- * nothing fails, else they are WF_CRITICAL_UNSEARCHED. All searches share their solutions. */
+/* Wind speed at which each part of the tree fails by each criterion. Given: an analysis after
+ * wf_analysis_set_up with its search, in the direction of its wind. The whole tree and the stem alone are
+ * searched; where no branch has a known resistance, the stem's result is that of the whole tree. The
+ * branches' result is the tree's where they fail first or nothing fails, else WF_CRITICAL_UNSEARCHED. All
+ * searches share their solutions. */
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_break (*out)[WF_SCOPES], struct wf_err *e);
 
-/* Is a row of the tree of that level's wood? Given: an analysis after wf_analysis_set_up. */
+/* Does the tree have a row with the wood of that level? Given: an analysis after wf_analysis_set_up. */
 bool wf_analysis_grown(const struct wf_analysis *an, size_t level);
 
 /* Given: species, model, scenario, search (NULL: the default), solver, options, n speeds [m/s]. Returned:
- * WF_OK and *out, even where single speeds have no answer (their status says why); another code when nothing
- * could be computed. */
+ * WF_OK and *out, even where single speeds have no result (their status is the reason); another code when
+ * nothing could be computed. */
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
                           const struct wf_search *search, const struct wf_solver *solver,
                           const struct wf_solve_options *o, const double *speeds, size_t n,
                           struct wf_arena *a, struct wf_diag *d, struct wf_analysis *out, struct wf_err *e);
 
-/* The last step of an analysis, in limits.c: what of it lies outside the validity of its laws and methods.
- * Given: an analysis complete but for its warnings. Returned: the warnings added to `d`. */
+/* The last step of an analysis, in limits.c: check it against the validity of its laws and methods.
+ * Given: an analysis complete except for its warnings. Returned: the warnings added to `d`. */
 void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d);
 
 #ifdef __cplusplus

@@ -15,7 +15,7 @@ double wf_direction_from(const struct wf_directions_request *q, double azimuth)
     return wf_wind_from(azimuth, q->north);
 }
 
-/* What the threads share. */
+/* Data shared by the threads. */
 struct work {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
@@ -40,7 +40,7 @@ static enum wf_status one(void *context, size_t at, struct wf_err *e)
     return wf_analysis_breaks(&an, w->o, d->breaks, e);
 }
 
-/* Share of all hours whose mean times `gust` is above what breaks the tree in this direction. */
+/* Share of all hours with wind from this direction whose mean times `gust` exceeds the critical speed [-]. */
 static double share(const struct wf_rose *r, size_t sector, const struct wf_critical *c, double gust)
 {
     switch (c->outcome) {
@@ -74,10 +74,9 @@ static enum wf_status check(const struct wf_directions_request *q, double *gust,
     *gust = NAN;
     if (!(q->n >= 2 && q->n <= 360)) return wf_fail(e, WF_EUSAGE, "%zu directions are outside 2..360", q->n);
     if (q->rose && q->rose->sectors != q->n)
-        return wf_fail(
-            e, WF_EUSAGE,
-            "the climate has %zu directions, %zu are asked for; leave them out to take the climate's",
-            q->rose->sectors, q->n);
+        return wf_fail(e, WF_EUSAGE,
+                       "the climate has %zu directions, %zu are specified; omit them to use the climate's",
+                       q->rose->sectors, q->n);
     return q->rose ? wf_wind_average(q->law, 1.0, 3600.0, WF_MEAN_TIME, gust, e) : WF_OK;
 }
 
@@ -89,7 +88,7 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
     enum wf_status s = check(q, &out->gust, e);
     if (s) return s;
     struct wf_solve_options alone = *o;
-    alone.threads = 1; /* a direction is one thread's */
+    alone.threads = 1; /* the parallel loop is over directions */
     struct work w = { an, &alone, out };
     struct wf_at_speed *at = WF_TAKE(a, q->n * an->n, struct wf_at_speed);
     out->direction = WF_TAKE(a, q->n, struct wf_direction);

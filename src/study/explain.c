@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Motion of the end of `row` that a stiff branch fixed to the end of the row `foot` would not have. */
+/* Displacement of the end of a branch less that of a rigid branch fixed to the end of its parent row [m]. */
 static double own(const struct wf_tree *t, const struct wf_response *r, const struct wf_explain_axis *b)
 {
     const size_t i = b->first, k = b->last;

@@ -14,8 +14,8 @@ static void limits_wind(const struct wf_analysis *an, struct wf_diag *d);
 
 #define DEGREES (180.0 / WF_PI)
 
-/* Speeds whose `test` holds, as "15, 25" or, when more than four, "12 wind speeds from 15 to 40", into buf;
- * returned: how many. */
+/* Speeds whose `test` holds, as "15, 25" or, when more than four, "12 wind speeds from 15 to 40", into buf.
+ * Returned: their number. */
 static size_t speeds_where(const struct wf_analysis *an, bool (*test)(const struct wf_at_speed *), char *buf,
                            size_t size)
 {
@@ -35,7 +35,7 @@ static size_t speeds_where(const struct wf_analysis *an, bool (*test)(const stru
 
 static double largest_turn(const struct wf_at_speed *at)
 {
-    double largest = at->tip_angle; /* totals have no rows */
+    double largest = at->tip_angle; /* results kept as totals have no rows */
     for (size_t i = 0; i < at->response.n; i++) largest = fmax(largest, at->figures.slope[i]);
     return largest;
 }
@@ -50,7 +50,7 @@ bool wf_limits_small_passed(const struct wf_at_speed *at)
             largest_turn(at) > WF_SMALL_DEFLECTION_TURN);
 }
 
-/* The critical wind speed is an answer too, mostly far beyond the winds asked for. */
+/* The answer at the critical wind speed is checked too: it is mostly far above the given wind speeds. */
 static void check_small_critical(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_break *first = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE];
@@ -93,7 +93,7 @@ static void check_equilibrium(const struct wf_analysis *an, struct wf_diag *d)
         if (unsolved(&an->at[k])) share = fmin(share, an->at[k].response.load_factor);
     wf_diag_warn(
         d, "no-equilibrium",
-        "%s: no equilibrium was found at %s m/s; the least share of the load that still stood is %.3g",
+        "%s: no equilibrium was found at %s m/s; the least share of the load with an equilibrium is %.3g",
         an->species->name, speeds, share);
 }
 
@@ -128,14 +128,14 @@ static void check_as_printed(const struct wf_analysis *an, struct wf_diag *d)
                      an->species->name, an->species->preset);
 }
 
-/* A growing text of assumed values by part: "culm: density, shear_modulus; crown: ...". */
+/* A text, appended to, of assumed values by part: "culm: density, shear_modulus; crown: ...". */
 struct assumed {
     char *buf;
     size_t size, used;
     const char *part; /* the last one named */
 };
 
-/* table: of the part, in which the value's key is. */
+/* table: the table of the part that contains the value's key. */
 static void add_assumed(struct assumed *to, const char *part, const char *table, const struct wf_property *p)
 {
     if (p->value->standing != WF_ASSUMED || to->used >= to->size) return;
@@ -168,7 +168,7 @@ static void level_assumed(const struct wf_analysis *an, size_t level, struct ass
     if (l->wall.n) add_assumed(to, l->name, "", &p);
 }
 
-/* The values of the species that are assumptions and take part (levels grown, radius where the model gives
+/* The values of the species that are assumptions and are used (levels grown, radius where the model gives
  * none), as one text ("culm: density, shear_modulus; crown: ..."), or "" when there is none. Returned: buf.
  */
 static char *limits_assumed(const struct wf_analysis *an, char *buf, size_t size)
@@ -217,7 +217,7 @@ static double wind_at_end(const struct wf_analysis *an, size_t i, double speed)
     return sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
 }
 
-/* Least and largest wind the crown meets at one speed; false without a crown. */
+/* Least and largest wind speed at the crown for one speed; false without a crown. */
 static bool crown_wind(const struct wf_analysis *an, double speed, double *low, double *high)
 {
     *low = INFINITY;
@@ -245,18 +245,18 @@ static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
         largest = fmax(largest, high);
     }
     if (largest > law->high)
-        wf_diag_warn(
-            d, "streamline-range",
-            "%s: the crown meets wind up to %.1f m/s%s; the evidence for its streamlining law '%s' ends at "
-            "%.3g m/s (%.0f %% beyond)",
-            an->species->name, largest, critical ? " (critical speed included)" : "", law->law, law->high,
-            100.0 * (largest / law->high - 1.0));
+        wf_diag_warn(d, "streamline-range",
+                     "%s: the wind at the crown is up to %.1f m/s%s; the evidence for its streamlining law "
+                     "'%s' ends at "
+                     "%.3g m/s (%.0f %% beyond)",
+                     an->species->name, largest, critical ? " (critical speed included)" : "", law->law,
+                     law->high, 100.0 * (largest / law->high - 1.0));
     if (least < law->low)
-        wf_diag_warn(
-            d, "streamline-range",
-            "%s: the crown meets wind down to %.1f m/s; the evidence for its streamlining law '%s' begins "
-            "at %.3g m/s (%.0f %% below)",
-            an->species->name, least, law->law, law->low, 100.0 * (1.0 - least / law->low));
+        wf_diag_warn(d, "streamline-range",
+                     "%s: the wind at the crown is down to %.1f m/s; the evidence for its streamlining law "
+                     "'%s' begins "
+                     "at %.3g m/s (%.0f %% below)",
+                     an->species->name, least, law->law, law->low, 100.0 * (1.0 - least / law->low));
 }
 
 static void check_reynolds(const struct wf_analysis *an, struct wf_diag *d)
@@ -300,7 +300,7 @@ static void check_measured(const struct wf_scenario *s, double tallness, const c
                      s->reference_height, low, high);
 }
 
-/* The logarithmic profile holds above its zero plane and inside the surface layer, some 100 m deep (Stull
+/* The logarithmic profile is valid above its zero plane and inside the surface layer, some 100 m deep (Stull
  * 1988, An Introduction to Boundary Layer Meteorology); power-law exponents are fitted up to some 200 m
  * (Davenport 1960). */
 void wf_limits_profile(const struct wf_scenario *s, double tallness, const char *tree, struct wf_diag *d)
@@ -311,12 +311,12 @@ void wf_limits_profile(const struct wf_scenario *s, double tallness, const char 
         wf_diag_warn(
             d, "profile-range",
             "%s: the lowest %.2f m of the tree (%.0f %% of its height) stand below displacement + roughness "
-            "length, where the logarithmic profile gives no wind",
+            "length, where the logarithmic profile has speed 0",
             tree, fmin(bottom, tallness), fmin(100.0, 100.0 * bottom / tallness));
     if ((logarithmic || power) && tallness > top)
         wf_diag_warn(d, "profile-range",
-                     "%s: the tree is %.0f m high; the '%s' profile holds up to some %.0f m", tree, tallness,
-                     s->profile, top);
+                     "%s: the tree is %.0f m high; the '%s' profile is valid up to about %.0f m", tree,
+                     tallness, s->profile, top);
     if (s->measured && strcmp(s->profile, "measured") == 0) check_measured(s, tallness, tree, d);
 }
 
@@ -325,7 +325,7 @@ void wf_limits_site(const struct wf_site *s, struct wf_diag *d)
     if (!s) return;
     if (s->steepest > 0.3)
         wf_diag_warn(d, "steep",
-                     "%s: slopes up to %.2f: the linear speed-up holds to about 0.3; beyond, the wind "
+                     "%s: slopes up to %.2f: the linear speed-up is valid to about 0.3; beyond, the wind "
                      "separates in the "
                      "lee and is overestimated there",
                      s->file, s->steepest);
@@ -337,7 +337,7 @@ void wf_limits_site(const struct wf_site *s, struct wf_diag *d)
             s->file, s->edge);
 }
 
-/* The part of it that looks at the wind: streamline-range, profile-range, reynolds-range, steep, map-edge. */
+/* The limits that depend on the wind: streamline-range, profile-range, reynolds-range, steep, map-edge. */
 static void limits_wind(const struct wf_analysis *an, struct wf_diag *d)
 {
     check_streamline(an, d);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_LIMITS_H
 #define WF_STUDY_LIMITS_H
-/* Validity of a finished analysis: each limit that was passed becomes a warning that states by how much.
+/* Validity of a finished analysis: each limit that is exceeded becomes a warning that states by how much.
  * Stable codes: small-deflection, reynolds-range, streamline-range, profile-range, steep, map-edge,
  * assumed-values, as-printed, no-strength, no-equilibrium, critical-above-range. */
 #include "base/err.h"
@@ -12,18 +12,17 @@ struct wf_at_speed;
 struct wf_scenario; /* load/scene.h */
 struct wf_site;     /* wind/terrain.h */
 
-/* Limits of a small-deflection answer: share of tree height [-] and turn of the axis [rad] (15 deg). */
+/* Limits of a small-deflection answer: share of tree height [-] and angle of the axis [rad] (15 deg). */
 #define WF_SMALL_DEFLECTION_SHARE 0.10
 #define WF_SMALL_DEFLECTION_TURN 0.26179938779914943
 
-/* Is this a small-deflection answer beyond those limits? Slopes of all rows count where they are kept, else
- * the tip's.
- */
+/* Is this a small-deflection answer beyond those limits? Slopes of all rows are compared where they are kept,
+ * else the tip's. */
 bool wf_limits_small_passed(const struct wf_at_speed *at);
 
 /* The profile-range warnings alone, for a tree of that height [m]. */
 void wf_limits_profile(const struct wf_scenario *s, double tallness, const char *tree, struct wf_diag *d);
-/* The warnings of the ground alone: steep, map-edge. NULL: none. */
+/* The warnings of the terrain alone: steep, map-edge. NULL: none. */
 void wf_limits_site(const struct wf_site *s, struct wf_diag *d);
 
 #endif

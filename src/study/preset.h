@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_PRESET_H
 #define WF_STUDY_PRESET_H
-/* Presets: a published method by name, formula and constants as printed. `corrected` changes nothing. */
+/* Presets: published methods by name, with formulas and constants as printed. `corrected` changes nothing. */
 #include "base/err.h"
 #include "study/analysis.h"
 
@@ -12,22 +12,22 @@ struct wf_preset {
     const char *leaves; /* row of wf_leaf_motions, for time series; NULL: the first */
     double drag, lift;  /* coefficients of wood and crown; NAN: the species' [-] */
     double air_density; /* [kg m-3]; NAN: the scenario's                  */
-    bool solid;         /* sections without a hollow                      */
+    bool solid;         /* solid sections, no cavity                      */
     bool rigid;         /* crowns that do not streamline                  */
-    /* One warning a departure from physics, with its reason and its size in this analysis. */
+    /* One warning for each departure from physics, with its reason and its size in this analysis. */
     void (*departures)(const struct wf_analysis *an, struct wf_diag *d);
-    void (*in_time)(struct wf_diag *d); /* those of its wind, memory and leaves; NULL: none */
+    void (*in_time)(struct wf_diag *d); /* those of its wind, recursion over frames and leaves; NULL: none */
 };
 extern const struct wf_preset wf_presets[]; /* corrected first; ends at name == NULL */
 const struct wf_preset *wf_preset_named(const char *name);
 
-/* Put the preset's constants in. Given and returned: a species and a scenario of the caller's own, the solver
- * asked for. The species' preset becomes the preset's name; changed values stand as printed. */
+/* Write the preset's constants. Given and returned: a species and a scenario of the caller's own, and the
+ * chosen solver. The species' preset becomes the preset's name; changed values get the status as printed. */
 enum wf_status wf_preset_apply(const struct wf_preset *p, struct wf_arena *a, struct wf_species *sp,
                                struct wf_scenario *sc, const struct wf_solver **solver, struct wf_err *e);
 /* The departures as findings: codes r-cubed, air-density, aerofoil-coefficients, modulus-outlier, ... */
 void wf_preset_warn(const struct wf_preset *p, const struct wf_analysis *an, struct wf_diag *d);
 
-/* Where the printed shelter of Feng et al. leaves physics. */
+/* Departures of the printed shelter law of Feng et al. from physics. */
 void wf_departures_shelter(struct wf_diag *d);
 #endif

@@ -9,14 +9,14 @@
 
 /* ---- The changing wind ---- */
 
-/* Can every frame have a direction of its own? */
+/* Can the wind direction change from frame to frame? */
 static bool turns(const struct wf_series_spec *q)
 {
     bool frames = q->solver == &wf_solver_deflect || q->solver == &wf_solver_deflect_as_printed;
     return !frames && !q->shelter;
 }
 
-/* How many components of the gust are used. */
+/* Number of gust components used. */
 static unsigned components(const struct wf_series_spec *q, const struct wf_gust_spec *gust, struct wf_diag *d)
 {
     unsigned most = gust->model->components;
@@ -37,7 +37,7 @@ static enum wf_status specify(const struct wf_series *s, struct wf_gust_spec *ou
     const struct wf_series_spec *q = &s->spec;
     const struct wf_gust_model *model = wf_gust_named(q->gust);
     enum wf_status status;
-    if (!model) return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'", q->gust);
+    if (!model) return wf_fail(e, WF_EUSAGE, "unknown gust model '%s'", q->gust);
     wf_gust_spec_default(model, out);
     out->speed = q->speed;
     out->height = s->an.scenario.reference_height;
@@ -50,13 +50,13 @@ static enum wf_status specify(const struct wf_series *s, struct wf_gust_spec *ou
     if (strcmp(model->name, "record") == 0)
         status = wf_gust_record_words(out, q->gust_file, q->gust_columns, a, d, e);
     else if (q->gust_file)
-        status = wf_fail(e, WF_EUSAGE, "%s: a file goes with the gust model 'record', not '%s'", q->gust_file,
+        status = wf_fail(e, WF_EUSAGE, "%s: a file is for the gust model 'record', not '%s'", q->gust_file,
                          model->name);
     out->components = components(q, out, d);
     return status;
 }
 
-/* Fill s->wind, and s->across and s->up where the wind turns, from the gust model. */
+/* Fill s->wind, and s->across and s->up where the wind direction changes, from the gust model. */
 static enum wf_status series_wind(struct wf_series *s, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_err *e)
 {
@@ -76,12 +76,12 @@ static enum wf_status series_wind(struct wf_series *s, struct wf_arena *a, struc
     for (unsigned c = 1; c < spec.components; c++) room = (*part[c] = WF_TAKE(a, s->frames, double)) && room;
     if (!room) status = wf_fail(e, WF_ENOMEM, "not enough memory for the wind");
     for (unsigned c = 0; c < spec.components && !status; c++)
-        status = wf_gust_series(&gust, 0, c, block, *part[c], e);
+        status = wf_gust_history(&gust, 0, c, block, *part[c], e);
     wf_gust_close(&gust);
     return status;
 }
 
-/* Speed and direction of frame k in place of those of the mean wind. */
+/* Set speed and direction of frame k in place of those of the mean wind. */
 static void series_blow(const struct wf_series *s, size_t k, struct wf_wind *wind)
 {
     double along = s->wind[k], across = s->across ? s->across[k] : 0.0, up = s->up ? s->up[k] : 0.0;
@@ -181,7 +181,7 @@ static void keep(struct wf_series *s, size_t frame, const double *end, size_t st
         hypot(tip[0] - t->x1[s->tip], hypot(tip[1] - t->y1[s->tip], tip[2] - t->z1[s->tip]));
 }
 
-/* The scheme with a memory. */
+/* The deflect scheme: each frame depends on the one before. */
 static enum wf_status run_frames(struct wf_series *s, bool printed, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_series_spec *q = &s->spec;
@@ -205,7 +205,7 @@ static enum wf_status run_frames(struct wf_series *s, bool printed, struct wf_ar
     return WF_OK;
 }
 
-/* A frame without an answer shows the one before it, the first the unloaded tree. */
+/* A frame without a result repeats the one before it; the first shows the unloaded tree. */
 static void show_last(struct wf_series *s, size_t k)
 {
     const struct wf_tree *t = &s->an.tree;
@@ -215,7 +215,7 @@ static void show_last(struct wf_series *s, size_t k)
         to[3 * i] = t->x1[i], to[3 * i + 1] = t->y1[i], to[3 * i + 2] = t->z1[i];
 }
 
-/* A balance every moment. */
+/* Quasi-static: one static equilibrium for each frame. */
 static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struct wf_err *e)
 {
     const struct wf_tree *t = &s->an.tree;
@@ -250,12 +250,12 @@ static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struc
     if (s->failed == s->frames) return wf_fail(e, first.code, "%s", first.text);
     if (s->failed)
         wf_diag_warn(d, "no-equilibrium",
-                     "%s: %zu of %zu frames have no answer (%s); they show the one before", s->spec.name,
+                     "%s: %zu of %zu frames have no result (%s); they show the frame before", s->spec.name,
                      s->failed, s->frames, first.text);
     return WF_OK;
 }
 
-/* Half the way along the wind between the extreme places of a row's end; against its axis' foot too. */
+/* Half the range along the wind of a row's end; with a foot, relative to that row's end [m]. */
 static double swing(const struct wf_series *s, size_t row, int32_t foot)
 {
     const double *to = s->an.wind.direction;
@@ -274,7 +274,7 @@ static enum wf_status measure_levels(struct wf_series *s, struct wf_err *e)
     const struct wf_tree *t = &s->an.tree;
     struct wf_arena scratch = { 0 };
     bool *goes_on = WF_TAKE(&scratch, t->n, bool);
-    int32_t *foot = WF_TAKE(&scratch, t->n, int32_t); /* row below the first of the axis */
+    int32_t *foot = WF_TAKE(&scratch, t->n, int32_t); /* parent row of the axis */
     size_t *side = WF_TAKE(&scratch, 2 * s->levels, size_t);
     if (!goes_on || !foot || !side) {
         wf_arena_free(&scratch);
@@ -348,7 +348,7 @@ enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena 
     return WF_OK;
 }
 
-/* ---- Leaves: their own turns, and where they are ---- */
+/* ---- Leaves: own rotations and positions ---- */
 
 void wf_leaf_matrix(const double angle[3], double R[9])
 {
@@ -392,7 +392,7 @@ void wf_leaf_swing(double phi, double psi, struct wf_leaf_pose *p)
     double hinge[3], size;
     wf_cross(up, p->tip, hinge);
     size = sqrt(wf_dot(hinge, hinge));
-    if (!(size > 0)) memcpy(hinge, p->side, sizeof hinge), size = 1; /* hangs straight: about its own side */
+    if (!(size > 0)) memcpy(hinge, p->side, sizeof hinge), size = 1; /* vertical leaf: about its own side */
     const double swing[3] = { -phi * hinge[0] / size, -phi * hinge[1] / size, -phi * hinge[2] / size };
     const double twist[3] = { 0, 0, psi };
     leaf_turn(swing, p->tip), leaf_turn(swing, p->side);
@@ -450,7 +450,7 @@ void wf_series_leaf_angles(const struct wf_series *s, size_t leaf, size_t frame,
     s->spec.leaf_motion->angle(s, leaf, frame, angle);
 }
 
-/* Turn that brings a row's unbent direction to its present one, the shortest way. */
+/* Smallest rotation from a row's unbent direction to its present one. */
 static void chord_turn(const struct wf_series *s, size_t row, const double *place, double at[3], double R[9])
 {
     const struct wf_tree *t = &s->an.tree;
@@ -470,8 +470,7 @@ static void chord_turn(const struct wf_series *s, size_t row, const double *plac
     rotation_matrix(v, R);
 }
 
-/* A leaf as its row carries it: by its own turns about the tree's axes where they are such, then by the row.
- */
+/* Pose of a leaf: its own rotations, where they are about the tree's axes, then the rotation of its row. */
 static void carry_leaf(const struct wf_series *s, size_t i, const double R[9], const double own[9],
                        struct wf_leaf_pose *p)
 {
@@ -499,7 +498,7 @@ void wf_series_leaves(const struct wf_series *s, size_t frame, double *at, doubl
         wf_leaf_matrix(motion->hang ? still : angle, own);
         carry_leaf(s, i, R, own, &p);
         if (motion->hang) motion->hang(angle, &p);
-        double length = sqrt(s->leaves.area[i]); /* drawn as long as a square of its area is wide */
+        double length = sqrt(s->leaves.area[i]); /* drawn with the side of a square of its area */
         for (size_t k = 0; k < 3; k++) {
             at[3 * i + k] = p.at[k];
             tip[3 * i + k] = p.at[k] + length * p.tip[k];

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_STUDY_SERIES_PLAN_H
 #define WF_STUDY_SERIES_PLAN_H
-/* Runs in time as words: a file of runs (models/papers/ *.yaml), and from words to what wf_series_run takes.
- */
+/* Runs in time as text: a file of runs (models/papers/ *.yaml), and the conversion of a run to the input of
+ * wf_series_run. */
 #include "study/series.h"
 
 struct wf_series_plan_run { /* NULL, NAN: the default */
@@ -19,14 +19,14 @@ struct wf_series_plan {
     struct wf_series_plan_run *run;
 };
 
-/* Read a file of runs. WF_EINPUT with every mistake in `d`. */
+/* Read a file of runs. Errors: WF_EINPUT with every mistake in `d`. */
 enum wf_status wf_series_plan_read(const char *path, struct wf_arena *a, struct wf_series_plan *out,
                                    struct wf_diag *d, struct wf_err *e);
-/* Its schema as text. NULL: no room. */
+/* Its schema as text. NULL: out of memory. */
 char *wf_series_plan_schema(struct wf_arena *a, struct wf_err *e);
 
-/* A run's words made ready; species and model come read. Returned: *out; its species is a copy after the
- * preset. WF_EUSAGE for a word that names nothing. */
+/* Convert a run's text. Given: the run, its species and model. Returned: *out; its species is a copy with the
+ * preset's values. Errors: WF_EUSAGE for an unknown name. */
 enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const struct wf_species *sp,
                                    const struct wf_model *m, struct wf_arena *a, struct wf_series_spec *out,
                                    struct wf_err *e);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-static const double settled = 1e-3; /* of the tree's height */
+static const double settled = 1e-3; /* largest displacement of the last pass over tree height */
 
 /* Streamlining share in the undisturbed wind at the mean height of the sail. */
 static double sail_share(const struct wf_tree *t, const struct wf_loads *l)
@@ -27,8 +27,8 @@ static double sail_share(const struct wf_tree *t, const struct wf_loads *l)
 struct bent {
     struct wf_tree tree;
     double *end;  /* 3n */
-    double *last; /* 3n: by how much the answer before differed from its shape */
-    double share; /* of the difference that is gone by each pass */
+    double *last; /* 3n: solution less shape of the last pass */
+    double share; /* relaxation factor: share of that difference added to the shape */
 };
 
 static enum wf_status bent_make(struct bent *b, const struct wf_tree *t, struct wf_arena *a, struct wf_err *e)
@@ -56,8 +56,8 @@ static void bend(struct bent *b, const struct wf_tree *t)
         }
 }
 
-/* The next shape, on the way to the answer: by Aitken's rule for vectors (Irons & Tuck 1969, Int. J. Numer.
- * Methods Eng. 1:275-277), which shortens steps that swing and keeps those that do not. */
+/* The next shape: relaxation by Aitken's rule for vectors (Irons & Tuck 1969, Int. J. Numer. Methods Eng.
+ * 1:275-277), which shortens steps that alternate in sign and keeps the others. */
 static void step(struct bent *b, const double *answer, size_t n, bool first)
 {
     double along = 0.0, turn = 0.0;
@@ -84,7 +84,7 @@ static double distance(const double *a, const double *b, size_t n)
     return sqrt(most);
 }
 
-/* The shelter of a shape and the wind in it, in place of the last. */
+/* Replace the shelter and its wind by those of a new shape. */
 static enum wf_status shelter(const struct wf_tree *shape, const struct wf_loads *l,
                               const struct wf_shelter_request *q, struct wf_sheltered *out, struct wf_err *e)
 {
@@ -104,11 +104,11 @@ static void warn(const struct wf_sheltered *s, const struct wf_shelter_request *
                      q->law->name, q->law->validity);
     if (s->change > settled)
         wf_diag_warn(d, "shelter-unsettled",
-                     "shape and shelter were still moving by %.2g of the tree's height after %zu passes",
+                     "shape and shelter still changed by %.2g of the tree's height after %zu passes",
                      s->change, s->passes);
 }
 
-/* Passes between shape and shelter. */
+/* Fixed-point iteration between shape and shelter. */
 static enum wf_status settle(const struct wf_tree *t, const struct wf_shelter_request *q,
                              const struct wf_loads *l, const struct wf_solver *solver,
                              const struct wf_solve_options *o, struct wf_arena *a, struct wf_arena *scratch,
@@ -117,7 +117,7 @@ static enum wf_status settle(const struct wf_tree *t, const struct wf_shelter_re
 {
     struct bent b;
     struct wf_err open = { 0 };
-    struct wf_diag quiet = { .arena = scratch }; /* only the last answer's warnings count */
+    struct wf_diag quiet = { .arena = scratch }; /* only warnings of the last solution are reported */
     double height = wf_tree_height(t);
     if (bent_make(&b, t, scratch, e)) return e->code;
     /* no equilibrium without shelter: start from the unbent shape */

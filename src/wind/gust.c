@@ -205,75 +205,80 @@ enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, co
 /* The models as rows. */
 
 #define COHERENCE_PARS                                                                                       \
-    { "decay-along", "-", 3.0, 0.0, 100.0, "coherence decay for separation along the wind" },                \
-        { "decay-across", "-", 10.0, 0.0, 100.0, "coherence decay for separation across the wind" },         \
-        { "decay-up", "-", 10.0, 0.0, 100.0, "coherence decay for separation in height" },                   \
+    { "decay-along", "-", 3.0, 0.0, 100.0, .help = "coherence decay for separation along the wind" },        \
+        { "decay-across", "-", 10.0, 0.0, 100.0, .help = "coherence decay for separation across the wind" }, \
+        { "decay-up", "-", 10.0, 0.0, 100.0, .help = "coherence decay for separation in height" },           \
     {                                                                                                        \
         "coherence-length", "m", 0.0, 0.0, 5000.0,                                                           \
-            "length Lc of the second term of IEC 61400-1; 0: Davenport's form, full coherence at 0 Hz"       \
+            .help =                                                                                          \
+                "length Lc of the second term of IEC 61400-1; 0: Davenport's form, full coherence at 0 Hz"   \
     }
 #define OCTAVE_PARS                                                                                          \
-    { "octaves", "-", 6.0, 1.0, 16.0, "number of octaves" },                                                 \
+    { "octaves", "-", 6.0, 1.0, 16.0, .help = "number of octaves", .whole = true },                          \
         { "persistence",                                                                                     \
           "-",                                                                                               \
           0.794,                                                                                             \
           0.01,                                                                                              \
           0.999,                                                                                             \
-          "amplitude ratio of octaves; 0.794 gives slope -5/3 at lacunarity 2, 0.5 a smooth wind" },         \
+          .help = "amplitude ratio of octaves; 0.794 gives slope -5/3 at lacunarity 2, 0.5 a smooth wind" }, \
     {                                                                                                        \
-        "lacunarity", "-", 2.0, 1.2, 4.0, "frequency ratio of octaves"                                       \
+        "lacunarity", "-", 2.0, 1.2, 4.0, .help = "frequency ratio of octaves"                               \
     }
 
-static const struct wf_gust_par cosine_pars[] = { { "period", "s", 20.0, 0.1, 3600.0, "of the gust" },
+static const struct wf_gust_par cosine_pars[] = { { "period", "s", 20.0, 0.1, 3600.0, .help = "of the gust" },
                                                   { 0 } };
 static const struct wf_gust_par sine_perlin_pars[] = {
-    { "period", "s", 60.0, 0.1, 3600.0, "of the sine" },
-    { "sine-share", "-", 0.5, 0.0, 1.0, "share of the variance that is in the sine" },
-    { "noise-period", "s", 20.0, 0.1, 3600.0, "lattice spacing of the first octave" },
+    { "period", "s", 60.0, 0.1, 3600.0, .help = "of the sine" },
+    { "sine-share", "-", 0.5, 0.0, 1.0, .help = "share of the variance that is in the sine" },
+    { "noise-period", "s", 20.0, 0.1, 3600.0, .help = "lattice spacing of the first octave" },
     OCTAVE_PARS,
     { 0 }
 };
 static const struct wf_gust_par zhao_pars[] = {
-    { "omega", "rad/frame", 3.14 / 120.0, 1e-4, 3.14, "angular frequency as printed, 3.14/120" },
-    { "alpha", "rad", 0.0, -6.2832, 6.2832, "phase as printed" },
-    { "epsilon", "m/s", 4.0, 0.0, 20.0, "size of the noise as printed" },
+    { "omega", "rad/frame", 3.14 / 120.0, 1e-4, 3.14, .help = "angular frequency as printed, 3.14/120" },
+    { "alpha", "rad", 0.0, -6.2832, 6.2832, .help = "phase as printed" },
+    { "epsilon", "m/s", 4.0, 0.0, 20.0, .help = "size of the noise as printed" },
     { "frame-rate", "1/s", 61.0, 0.1, 1000.0,
-      "frames a second; the unit of t is not printed, 61 is the paper's rate" },
-    { "noise-frames", "frames", 61.0, 1.0, 1e5, "spacing of the noise's lattice numbers; not printed" },
+      .help = "frames a second; the unit of t is not printed, 61 is the paper's rate" },
+    { "noise-frames", "frames", 61.0, 1.0, 1e5,
+      .help = "spacing of the noise's lattice numbers; not printed" },
     { 0 }
 };
 static const struct wf_gust_par perlin_pars[] = {
-    { "period", "s", 30.0, 0.1, 3600.0, "lattice spacing of the first octave" }, OCTAVE_PARS, { 0 }
+    { "period", "s", 30.0, 0.1, 3600.0, .help = "lattice spacing of the first octave" }, OCTAVE_PARS, { 0 }
 };
 static const struct wf_gust_par power_pars[] = {
-    { "slope", "-", 5.0 / 3.0, 0.0, 3.0, "beta in S ~ 1/f^beta" },
-    { "low", "Hz", 1.0 / 600.0, 1e-5, 1.0, "frequency below which S is flat" },
+    { "slope", "-", 5.0 / 3.0, 0.0, 3.0, .help = "beta in S ~ 1/f^beta" },
+    { "low", "Hz", 1.0 / 600.0, 1e-5, 1.0, .help = "frequency below which S is flat" },
     COHERENCE_PARS,
     { 0 }
 };
 static const struct wf_gust_par kaimal_pars[] = {
-    { "displacement", "m", 0.0, 0.0, 100.0, "zero-plane displacement; the spectrum's height is z - d" },
+    { "displacement", "m", 0.0, 0.0, 100.0,
+      .help = "zero-plane displacement; the spectrum's height is z - d" },
     COHERENCE_PARS,
     { 0 }
 };
 static const struct wf_gust_par karman_pars[] = {
-    { "length", "m", 65.0, 1.0, 1000.0, "along-wind integral length of u; 65 m at 10 m over open country" },
-    { "share-across", "-", 0.75, 0.1, 1.5, "standard deviation of v over that of u" },
-    { "share-up", "-", 0.5, 0.1, 1.5, "standard deviation of w over that of u" },
+    { "length", "m", 65.0, 1.0, 1000.0,
+      .help = "along-wind integral length of u; 65 m at 10 m over open country" },
+    { "share-across", "-", 0.75, 0.1, 1.5, .help = "standard deviation of v over that of u" },
+    { "share-up", "-", 0.5, 0.1, 1.5, .help = "standard deviation of w over that of u" },
     COHERENCE_PARS,
     { 0 }
 };
 static const struct wf_gust_par davenport_pars[] = { COHERENCE_PARS, { 0 } };
-static const struct wf_gust_par record_pars[] = {
-    { "rescale", "-", 0.0, 0.0, 1.0, "1: scale the record to the mean wind asked for" }, { 0 }
-};
+static const struct wf_gust_par record_pars[] = { { "rescale", "-", 0.0, 0.0, 1.0,
+                                                    .help = "1: scale the record to the specified mean wind",
+                                                    .whole = true },
+                                                  { 0 } };
 static const struct wf_gust_par eog_pars[] = {
-    { "start", "s", 5.0, 0.0, 1e6, "when the gust begins" },
-    { "duration", "s", 10.5, 1.0, 120.0, "of the gust; 10.5 s in the standard" },
+    { "start", "s", 5.0, 0.0, 1e6, .help = "when the gust begins" },
+    { "duration", "s", 10.5, 1.0, 120.0, .help = "of the gust; 10.5 s in the standard" },
     { "breadth", "m", 5.0, 0.0, 300.0,
-      "of what the gust must cover: crown width (rotor diameter in the standard)" },
+      .help = "of what the gust must cover: crown width (rotor diameter in the standard)" },
     { "annual-extreme", "m/s", 0.0, 0.0, 100.0,
-      "3-s wind of one year Ve1, which bounds the gust; 0: no bound" },
+      .help = "3-s wind of one year Ve1, which bounds the gust; 0: no bound" },
     { 0 }
 };
 
@@ -295,11 +300,12 @@ const struct wf_gust_model wf_gust_models[] = {
       "strong near-neutral wind, along the wind only; Gaussian", NULL, 1, "davenport", davenport_pars,
       SPECTRAL },
     { "one-over-f", "noise with a power-law spectrum 1/f^beta", "Voss R.F. (1985), Random fractal forgeries",
-      "a stand-in where only slope and intensity matter", NULL, 1, "one-over-f", power_pars, SPECTRAL },
+      "a substitute where only slope and intensity matter", NULL, 1, "one-over-f", power_pars, SPECTRAL },
     { "cosine", "one cosine, phase drawn once",
       "Tang L., Zou J., Lin D., Chen C. (2012), Trans. Chin. Soc. Agric. Mach. 43(1):165-168",
-      "a single gust period; peak factor sqrt(2), a third of the wind's own",
-      "the amplitude is sqrt(2) times the turbulence intensity, so that the intensity asked for is met; the "
+      "a single gust period; peak factor sqrt(2), a third of that of real wind",
+      "the amplitude is sqrt(2) times the turbulence intensity, so that the specified intensity is reached; "
+      "the "
       "phase is "
       "drawn once a run (drawn at each step it would be white noise)",
       1, NULL, cosine_pars, direct_open, cosine_fill, NULL },
@@ -309,19 +315,19 @@ const struct wf_gust_model wf_gust_models[] = {
       "a smooth synthetic wind of given intensity",
       "the printed sine swings from 0 to twice the mean (intensity 0.71) and the printed noise shifts the "
       "mean; here "
-      "sine and zero-mean noise share the variance asked for",
+      "sine and zero-mean noise share the specified variance",
       1, NULL, sine_perlin_pars, direct_open, sine_perlin_fill, NULL },
     { "sine-perlin-as-printed", "a sine and value noise, as printed",
       "Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163",
-      "reproduces the paper; intensity about 0.7 and a mean above the one asked for: not a physical wind",
+      "reproduces the paper; intensity about 0.7 and a mean above the specified one: not a physical wind",
       NULL, 1, NULL, zhao_pars, direct_open, zhao_fill, NULL },
     { "perlin", "octaves of gradient noise", "Perlin K. (2002), ACM Trans. Graph. 21(3):681-682",
       "synthetic wind within a fixed range; slope -(1+2H), H = -ln(persistence)/ln(lacunarity), in the band "
       "of the octaves",
       NULL, 1, NULL, perlin_pars, direct_open, perlin_fill, NULL },
     { "record", "a measured wind", "the user's anemometer file",
-      "one point's record at all points, carried along at its mean speed", NULL, 3, NULL, record_pars,
-      record_open, record_fill, NULL },
+      "one point's record at all points, delayed along the wind at its mean speed", NULL, 3, NULL,
+      record_pars, record_open, record_fill, NULL },
     { "eog", "one extreme operating gust", "IEC 61400-1:2005, 6.3.2.2",
       "a designed single gust: a dip, a rise and a dip; intensity taken as the standard's sigma1/U", NULL, 1,
       NULL, eog_pars, direct_open, eog_fill, NULL },
@@ -354,9 +360,9 @@ static void gust_check_record(const struct wf_gust_spec *s, struct wf_diag *d)
     }
     double length = (double)(r->n - 1) * r->step, asked = (double)(s->steps - 1) * s->step;
     if (asked > length * (1.0 + 1e-9))
-        wf_diag_error(d, r->file, 0, 0, "the record lasts %g s, %g s are asked for", length, asked);
+        wf_diag_error(d, r->file, 0, 0, "the record lasts %g s, %g s are specified", length, asked);
     if (s->components > 1 && r->components < 3)
-        wf_diag_error(d, r->file, 0, 0, "3 components are asked for, %u recorded", r->components);
+        wf_diag_error(d, r->file, 0, 0, "3 components are specified, %u recorded", r->components);
     if (!(r->mean > 0.0)) wf_diag_error(d, r->file, 0, 0, "the recorded mean wind is %g m/s", r->mean);
 }
 
@@ -390,7 +396,7 @@ static void gust_warn(const struct wf_gust_spec *s, struct wf_diag *d)
                      name);
     if (s->model->spectrum && s->intensity > 0.35)
         wf_diag_warn(d, "gaussian",
-                     "%s: at intensity %g a Gaussian wind blows backwards at times; canopy wind is skewed "
+                     "%s: at intensity %g a Gaussian wind is negative at times; canopy wind is skewed "
                      "instead",
                      name, s->intensity);
     if (strcmp(name, "kaimal") == 0) {
@@ -440,7 +446,7 @@ static enum wf_status gust_check(const struct wf_gust_spec *s, struct wf_diag *d
     gust_check_places(s, d);
     if (measured) gust_check_record(s, d);
     if (d->errors > before)
-        return wf_fail(e, WF_EUSAGE, "the gust model %s its specification has mistakes", m->name);
+        return wf_fail(e, WF_EUSAGE, "the specification of the gust model %s has mistakes", m->name);
     gust_warn(s, d);
     return WF_OK;
 }
@@ -481,8 +487,8 @@ enum wf_status wf_gust_block(struct wf_gust *g, size_t index, double *out, struc
     return s->model->fill(g, first, steps, out, e);
 }
 
-enum wf_status wf_gust_series(struct wf_gust *g, size_t point, unsigned component, double *block, double *out,
-                              struct wf_err *e)
+enum wf_status wf_gust_history(struct wf_gust *g, size_t point, unsigned component, double *block,
+                               double *out, struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
     if (point >= s->points || component >= s->components)

@@ -25,8 +25,8 @@ void wf_gust_close(struct wf_gust *g);
 
 /* The whole series of one component at one point. Given: `block`, scratch for one block. Returned: out[steps]
  * [m/s]. */
-enum wf_status wf_gust_series(struct wf_gust *g, size_t point, unsigned component, double *block, double *out,
-                              struct wf_err *e);
+enum wf_status wf_gust_history(struct wf_gust *g, size_t point, unsigned component, double *block,
+                               double *out, struct wf_err *e);
 
 /* Target spectrum of a component at a point and frequency f [Hz] -> [m2/s]; NAN if the model is not based on
  * a spectrum. */

@@ -268,7 +268,7 @@ static enum wf_status check_synthesis(struct wf_gust_report *o, struct wf_arena 
         status = wf_gust_open(i ? &flat : &s, a, &quiet, &g, e);
         if (status) break;
         double *block = WF_TAKE(a, g.block, double);
-        status = x && block && density[i] ? wf_gust_series(&g, 0, 0, block, x, e)
+        status = x && block && density[i] ? wf_gust_history(&g, 0, 0, block, x, e)
                                           : wf_fail(e, WF_ENOMEM, "not enough memory for a check");
         wf_gust_close(&g);
         if (!status) status = wf_spectrum_welch(x, length, s.step, length, density[i], NULL, a, e);

@@ -39,6 +39,9 @@ enum wf_status wf_gust_set(struct wf_gust_spec *s, const char *name, double valu
         if (!(value >= par[n].low && value <= par[n].high))
             return wf_fail(e, WF_EUSAGE, "%s: %s = %g is outside %g..%g %s (%s)", s->model->name, name, value,
                            par[n].low, par[n].high, par[n].unit, par[n].help);
+        if (par[n].whole && value != floor(value))
+            return wf_fail(e, WF_EUSAGE, "%s: %s = %g is not a whole number (%s)", s->model->name, name,
+                           value, par[n].help);
         s->value[n] = value;
         return WF_OK;
     }

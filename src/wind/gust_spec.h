@@ -14,6 +14,7 @@ struct wf_gust_par {
     const char *name, *unit;
     double fallback, low, high; /* default and allowed range, in `unit` */
     const char *help;
+    bool whole; /* only whole numbers are allowed */
 };
 
 struct wf_gust_spec;

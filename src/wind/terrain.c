@@ -16,7 +16,7 @@ enum wf_status wf_terrain_alloc(struct wf_terrain *t, size_t columns, size_t row
 {
     *t = (struct wf_terrain){ .columns = columns, .rows = rows, .cell = cell };
     if (columns < 2 || rows < 2 || columns > WF_TERRAIN_MAX || rows > WF_TERRAIN_MAX)
-        return wf_fail(e, WF_EINPUT, "a map of %zu columns and %zu rows: 2..%d are taken", columns, rows,
+        return wf_fail(e, WF_EINPUT, "a map of %zu columns and %zu rows: 2..%d are allowed", columns, rows,
                        WF_TERRAIN_MAX);
     if (!(cell > 0.0 && cell <= 1e5))
         return wf_fail(e, WF_EINPUT, "a cell of %g m: above 0, at most 100 km", cell);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "fit/record.h"
+#include "fit/test_data.h"
 #include "base/num.h"
 #include "base/yaml.h"
 #include <ctype.h>
@@ -9,7 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
-/* Parts of one, which the units database does not take for a plain number. */
+/* Dimensionless units that UDUNITS does not convert to a plain number. */
 static bool part_of_one(const char *unit, double *factor)
 {
     static const struct {
@@ -26,7 +26,7 @@ static bool part_of_one(const char *unit, double *factor)
     return false;
 }
 
-enum wf_status wf_column_unit(struct wf_units *u, const struct wf_record_column *c, double *factor,
+enum wf_status wf_column_unit(struct wf_units *u, const struct wf_test_column *c, double *factor,
                               struct wf_err *e)
 {
     char text[80];
@@ -47,7 +47,7 @@ enum wf_status wf_column_unit(struct wf_units *u, const struct wf_record_column 
         if (!wf_quantity_read(u, text, c->dimension, factor, &why)) return WF_OK;
         return wf_fail(e, WF_EINPUT, "column '%s': the unit '%s': %s", c->name, c->unit, why.text);
     }
-    /* the longest tail that is a unit: m_s is m/s, kN_m is kN m */
+    /* the longest suffix that is a unit: m_s is m/s, kN_m is kN m */
     static const char joint[] = { '/', ' ' };
     const char *tail = strchr(c->name, '_');
     for (; tail; tail = strchr(tail + 1, '_'))
@@ -102,13 +102,13 @@ static bool time_of(struct wf_csv *c, size_t column, double factor, double *t)
     return true;
 }
 
-/* Where the columns are, and their factors. */
+/* Indices of the columns, and their factors. */
 struct plan {
     size_t time, *at, *only;
     double time_factor, *factor;
 };
 
-static enum wf_status prepare(struct wf_csv *c, const struct wf_record_column *column, size_t n,
+static enum wf_status prepare(struct wf_csv *c, const struct wf_test_column *column, size_t n,
                               const char *time, const struct wf_yaml_pair *only, size_t onlys, struct plan *p,
                               struct wf_arena *a, struct wf_err *e)
 {
@@ -120,7 +120,7 @@ static enum wf_status prepare(struct wf_csv *c, const struct wf_record_column *c
     if (status) return status;
     p->time = time ? wf_csv_need(c, time) : WF_CSV_NONE;
     p->time_factor = 1;
-    struct wf_record_column clock = { time, NULL, WF_DIM_TIME };
+    struct wf_test_column clock = { time, NULL, WF_DIM_TIME };
     if (time) (void)wf_column_unit(u, &clock, &p->time_factor, &(struct wf_err){ 0 });
     for (size_t k = 0; k < n; k++) {
         struct wf_err why = { 0 };
@@ -134,10 +134,10 @@ static enum wf_status prepare(struct wf_csv *c, const struct wf_record_column *c
     return c->mistakes ? wf_fail(e, WF_EINPUT, "%s: its columns do not fit the study", c->file) : WF_OK;
 }
 
-enum wf_status wf_fit_record_read(const char *path, const struct wf_record_column *column, size_t columns,
-                                  const char *time, const struct wf_yaml_pair *only, size_t onlys,
-                                  struct wf_arena *a, struct wf_fit_record *out, struct wf_diag *d,
-                                  struct wf_err *e)
+enum wf_status wf_test_data_read(const char *path, const struct wf_test_column *column, size_t columns,
+                                 const char *time, const struct wf_yaml_pair *only, size_t onlys,
+                                 struct wf_arena *a, struct wf_test_data *out, struct wf_diag *d,
+                                 struct wf_err *e)
 {
     struct wf_csv c;
     struct plan p;
@@ -145,11 +145,11 @@ enum wf_status wf_fit_record_read(const char *path, const struct wf_record_colum
     if (status || (status = prepare(&c, column, columns, time, only, onlys, &p, a, e))) return status;
     size_t most = 1;
     for (const char *q = c.at; q < c.end; q++) most += *q == '\n' || *q == '\r';
-    *out = (struct wf_fit_record){ .columns = columns,
-                                   .time = WF_TAKE(a, most, double),
-                                   .line = WF_TAKE(a, most, size_t),
-                                   .value = WF_TAKE(a, most * columns, double),
-                                   .used = WF_TAKE(a, most, bool) };
+    *out = (struct wf_test_data){ .columns = columns,
+                                  .time = WF_TAKE(a, most, double),
+                                  .line = WF_TAKE(a, most, size_t),
+                                  .value = WF_TAKE(a, most * columns, double),
+                                  .used = WF_TAKE(a, most, bool) };
     if (!out->time || !out->line || !out->value || !out->used)
         return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", path);
     double first = NAN;
@@ -177,16 +177,15 @@ enum wf_status wf_fit_record_read(const char *path, const struct wf_record_colum
     if (c.mistakes)
         return wf_fail(e, WF_EINPUT, "%s: %zu mistake%s", path, c.mistakes, c.mistakes == 1 ? "" : "s");
     if (!out->n && !out->missing)
-        return wf_fail(e, WF_EINPUT, "%s: no row %s", path,
-                       onlys ? "is among those asked for" : "stands below the header");
+        return wf_fail(e, WF_EINPUT, "%s: no row %s", path, onlys ? "matches 'rows'" : "follows the header");
     if (!out->n)
         return wf_fail(e, WF_EINPUT,
-                       "%s: no row with numbers in every column%s; %zu rows had an empty or NA cell", path,
-                       onlys ? " among those asked for" : "", out->missing);
+                       "%s: no row%s has numbers in every column; %zu rows had an empty or NA cell", path,
+                       onlys ? " that matches 'rows'" : "", out->missing);
     return WF_OK;
 }
 
-enum wf_status wf_loading_branch(struct wf_fit_record *r, size_t column, double from, double to,
+enum wf_status wf_loading_branch(struct wf_test_data *r, size_t column, double from, double to,
                                  const char *name, struct wf_err *e)
 {
     const double slack = 0.02;

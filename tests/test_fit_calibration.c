@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Studies and records: units, gaps, the loading branch, sway records, and everything users get wrong. */
+/* Calibrations and test data: units, gaps, the loading branch, free sway, and everything users get wrong. */
 #include "base/random.h"
 #include "close.h"
 #include "fit/build.h"
@@ -11,18 +11,18 @@ struct job {
     struct wf_arena arena;
     struct wf_diag diag;
     struct wf_err err;
-    struct wf_fit_record record;
+    struct wf_test_data data;
 };
 
-static enum wf_status read_text(struct job *j, const char *text, const struct wf_record_column *c, size_t n,
+static enum wf_status read_text(struct job *j, const char *text, const struct wf_test_column *c, size_t n,
                                 const char *time)
 {
     struct scratch s;
     memset(j, 0, sizeof *j);
     j->diag.arena = &j->arena;
     scratch_write(&s, text, strlen(text));
-    enum wf_status status = wf_fit_record_read(wf_arena_text(&j->arena, s.path), c, n, time, NULL, 0,
-                                               &j->arena, &j->record, &j->diag, &j->err);
+    enum wf_status status = wf_test_data_read(wf_arena_text(&j->arena, s.path), c, n, time, NULL, 0,
+                                              &j->arena, &j->data, &j->diag, &j->err);
     scratch_remove(&s);
     return status;
 }
@@ -34,8 +34,8 @@ static bool found(const struct job *j, const char *words)
     return strstr(all, words) || strstr(j->err.text, words);
 }
 
-static const struct wf_record_column force_and_tilt[] = { { "F_kN", NULL, WF_DIM_FORCE },
-                                                          { "tilt_deg", NULL, WF_DIM_ANGLE } };
+static const struct wf_test_column force_and_tilt[] = { { "F_kN", NULL, WF_DIM_FORCE },
+                                                        { "tilt_deg", NULL, WF_DIM_ANGLE } };
 
 static void units_come_from_the_names(void **unused)
 {
@@ -63,7 +63,7 @@ static void units_come_from_the_names(void **unused)
     assert_int_equal(wf_units_open(&u, NULL), WF_OK);
     for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
         struct wf_err e = { 0 };
-        struct wf_record_column c = { name[i].name, name[i].unit, name[i].dimension };
+        struct wf_test_column c = { name[i].name, name[i].unit, name[i].dimension };
         double factor = 0;
         enum wf_status status = wf_column_unit(u, &c, &factor, &e);
         if (name[i].factor > 0) {
@@ -86,17 +86,17 @@ static void gaps_dates_and_mistakes(void **unused)
                                "2020-02-29T00:00:01Z,2,\n2020-02-29T00:00:02Z,2,3\n2020-03-01 00:00:02,2,3\n",
                                force_and_tilt, 2, "when"),
                      WF_OK);
-    assert_int_equal(j.record.n, 3);
-    assert_int_equal(j.record.missing, 2);
-    assert_close(j.record.time[1], 3, 0);
-    assert_close(j.record.time[2], 86403, 0);
-    assert_close(j.record.value[0], 1000, 0);
-    assert_int_equal(j.record.line[1], 5);
+    assert_int_equal(j.data.n, 3);
+    assert_int_equal(j.data.missing, 2);
+    assert_close(j.data.time[1], 3, 0);
+    assert_close(j.data.time[2], 86403, 0);
+    assert_close(j.data.value[0], 1000, 0);
+    assert_int_equal(j.data.line[1], 5);
     wf_arena_free(&j.arena);
     static const char *const bad[][2] = {
         { "t_s,F_kN,tilt_deg\n0,1,2\n1,one,2\n", "one" },
         { "t_s,F_kN,tilt_deg\n5,1,2\n4,1,2\n", "time goes backwards" },
-        { "t_s,F_kN,tilt_deg\n0,NA,2\n", "no row with numbers" },
+        { "t_s,F_kN,tilt_deg\n0,NA,2\n", "no row has numbers" },
         { "t_s,F_kN,tilt_dge\n0,1,2\n", "tilt_deg" },
         { "t_s,F_kN,tilt_deg\n0,1,2\n1,2\n", "2 cells" },
     };
@@ -113,7 +113,7 @@ static void loading_branch_is_found(void **unused)
     double force[] = { 0, 1, 2, 4, 3, 4, 6, 8, 7.9, 10, 5, 9, 2 };
     const bool want[] = { 0, 1, 1, 1, 0, 1, 1, 1, 1, 0, 0, 0, 0 };
     bool used[13];
-    struct wf_fit_record r = { .n = 13, .columns = 1, .value = force, .used = used };
+    struct wf_test_data r = { .n = 13, .columns = 1, .value = force, .used = used };
     for (int i = 0; i < 13; i++) used[i] = true;
     assert_int_equal(wf_loading_branch(&r, 0, 0.1, 0.9, "t", NULL), WF_OK);
     for (int i = 0; i < 13; i++) assert_int_equal(used[i], want[i]);
@@ -124,7 +124,7 @@ static void loading_branch_is_found(void **unused)
 }
 
 /* A made-up sway with noise; errors within what is stated in 95 of 100 cases, here 18 of 20 at least. */
-static void sway_record(void **unused)
+static void free_sway(void **unused)
 {
     (void)unused;
     int within = 0;
@@ -153,13 +153,13 @@ static void sway_record(void **unused)
     wf_arena_free(&a);
 }
 
-static void build_study(struct job *j, const char *path, bool plan, struct wf_fit_study *s,
-                        struct wf_experiment *x, struct wf_fit_param **p, size_t *n)
+static void build_calibration(struct job *j, const char *path, bool plan, struct wf_calibration *s,
+                              struct wf_experiment *x, struct wf_fit_param **p, size_t *n)
 {
     memset(j, 0, sizeof *j);
     j->diag.arena = &j->arena;
-    struct wf_fit_build b = { .study = s, .share = ".", .plan = plan };
-    if (wf_fit_study_read(path, &j->arena, s, &j->diag, &j->err)) fail_msg("%s", j->err.text);
+    struct wf_fit_build b = { .calibration = s, .share = ".", .plan = plan };
+    if (wf_calibration_read(path, &j->arena, s, &j->diag, &j->err)) fail_msg("%s", j->err.text);
     struct wf_fit_input *in = WF_TAKE(&j->arena, s->tests, struct wf_fit_input);
     if (wf_fit_build(&b, &j->arena, &j->diag, x, in, &j->err)) fail_msg("%s", j->err.text);
     if (wf_fit_params(s, NULL, x, plan, &j->arena, p, n, &j->err)) fail_msg("%s", j->err.text);
@@ -169,11 +169,11 @@ static void build_study(struct job *j, const char *path, bool plan, struct wf_fi
 static void comes_back(struct job *j, const char *path, const double *truth, size_t count, double most,
                        struct wf_experiment *x, struct wf_fit *f)
 {
-    struct wf_fit_study s;
+    struct wf_calibration s;
     struct wf_fit_param *p;
     struct wf_fit_options o;
     size_t n;
-    build_study(j, path, false, &s, x, &p, &n);
+    build_calibration(j, path, false, &s, x, &p, &n);
     wf_fit_options_default(&o);
     o.profile = false;
     if (wf_fit_run(x, p, n, &o, &j->arena, &j->diag, f, &j->err)) fail_msg("%s", j->err.text);
@@ -215,14 +215,14 @@ static void moso_gives_its_modulus_back(void **unused)
 {
     (void)unused;
     struct job j;
-    struct wf_fit_study s;
+    struct wf_calibration s;
     struct wf_experiment x;
     struct wf_fit_param *p;
     struct wf_fit f;
     struct wf_fit_options o;
     size_t n, within = 0;
     for (uint64_t seed = 1; seed <= 10; seed++) {
-        build_study(&j, "tests/data/fit/moso_wind.yaml", true, &s, &x, &p, &n);
+        build_calibration(&j, "tests/data/fit/moso_wind.yaml", true, &s, &x, &p, &n);
         struct wf_predictor *w;
         double y[32], truth = log(10e9);
         assert_true(x.data <= 32 && n == 1);
@@ -249,13 +249,13 @@ static void finer_rows_read_the_same(void **unused)
 {
     (void)unused;
     struct job j;
-    struct wf_fit_study s;
+    struct wf_calibration s;
     struct wf_experiment x;
     struct wf_fit_param *p;
     size_t n;
     double y[2][40], at[2];
     for (int k = 0; k < 2; k++) {
-        build_study(&j, "models/field/sample_pull.yaml", true, &s, &x, &p, &n);
+        build_calibration(&j, "models/field/sample_pull.yaml", true, &s, &x, &p, &n);
         struct wf_predictor *w;
         assert_true(x.data <= 40);
         if (k) {
@@ -279,7 +279,7 @@ static void finer_rows_read_the_same(void **unused)
     }
 }
 
-static void mistakes_of_a_study(void **unused)
+static void mistakes_of_a_calibration(void **unused)
 {
     (void)unused;
     static const char text[] = "fit: x\nname: x\ntrees:\n  - {name: a, species: scots_pine}\ntests:\n"
@@ -287,10 +287,10 @@ static void mistakes_of_a_study(void **unused)
                                "  - {name: u, sensors: [{name: s, kind: tilt, height: 2 m}]}\n";
     struct job j = { 0 };
     struct scratch s;
-    struct wf_fit_study out;
+    struct wf_calibration out;
     j.diag.arena = &j.arena;
     scratch_write(&s, text, sizeof text - 1);
-    assert_int_equal(wf_fit_study_read(s.path, &j.arena, &out, &j.diag, &j.err), WF_EINPUT);
+    assert_int_equal(wf_calibration_read(s.path, &j.arena, &out, &j.diag, &j.err), WF_EINPUT);
     static const char *const words[] = { "needs either 'model' or 'qsm'", "did you mean 'tilt'",
                                          "has no unit", "needs a pull or a wind" };
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
@@ -303,10 +303,10 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(units_come_from_the_names),   cmocka_unit_test(gaps_dates_and_mistakes),
-        cmocka_unit_test(loading_branch_is_found),     cmocka_unit_test(sway_record),
+        cmocka_unit_test(loading_branch_is_found),     cmocka_unit_test(free_sway),
         cmocka_unit_test(sample_gives_its_tree_back),  cmocka_unit_test(two_trees_share_a_modulus),
         cmocka_unit_test(moso_gives_its_modulus_back), cmocka_unit_test(finer_rows_read_the_same),
-        cmocka_unit_test(mistakes_of_a_study),
+        cmocka_unit_test(mistakes_of_a_calibration),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
