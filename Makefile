@@ -12,7 +12,7 @@ CFLAGS  ?= -O2 -g
 
 # libmatio is optional: without it MATLAB files are refused, naming the package (make MATIO= tries that)
 MATIO  := $(shell pkg-config --exists matio 2>/dev/null && echo matio)
-PKG    := $(MATIO) gsl yaml-0.1 jansson libxslt libxml-2.0
+PKG    := $(MATIO) $(if $(MATIO),zlib) gsl yaml-0.1 jansson libxslt libxml-2.0
 WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla -Werror
 SANF   := $(if $(SAN)$(FUZZ),-fsanitize=address -fsanitize=undefined -fno-sanitize-recover=all -fno-omit-frame-pointer) \
           $(if $(FUZZ),-fsanitize=fuzzer-no-link -fsanitize=float-cast-overflow)
@@ -24,7 +24,7 @@ CERES   = -lceres -lglog -lstdc++
 LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 $(CERES) -lm
 
 # Debian packages: to build and to draw; and for tests alone
-PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev \
+PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev zlib1g-dev \
             g++ libceres-dev libeigen3-dev libgoogle-glog-dev gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei
 TEST_PACKAGES := libcmocka-dev poppler-utils gdb
 

@@ -114,6 +114,7 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
         if (!strncmp(h.text, "\xEF\xBB\xBF", 3)) wf_qsm_count(out, WF_NOTE_BOM, 1, -1);
         if (strstr(h.text, "\r\n")) wf_qsm_count(out, WF_NOTE_CRLF, 1, -1);
     }
+    if (reader == wf_import_mat && o->mat) reader = o->mat;
     if ((s = reader(&h, o, a, out, d, e))) return s;
     size_t bad = out->repairs.count[WF_REPAIR_BAD_ROW] + out->repairs.count[WF_REPAIR_TRUNCATED];
     if (bad > out->n)
