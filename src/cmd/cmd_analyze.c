@@ -34,7 +34,7 @@ struct analyze_options {
     double azimuth, north;           /* [rad]                                     */
     double temperature, altitude;    /* [K], [m]                                  */
     double air_density;              /* [kg m-3]; NAN: from the two above         */
-    double search_to;                /* [m/s]                                     */
+    double search_to;                /* [m/s]; NAN: the default of the library    */
     double mesh_tolerance;           /* [-]                                       */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     bool no_report;
@@ -79,8 +79,9 @@ const struct wf_option wf_analyze_options[] = {
            "of the site above the sea, for the density of the air"),
     NUMBER("--air-density", air_density, "DENSITY", DENSITY, "kg/m3", 0.1, 2, NULL,
            "in place of the one from temperature and altitude"),
-    NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, "100",
-           "highest wind at which the critical speed is looked for"),
+    NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, NULL,
+           "highest wind at which the critical speed is looked for [60 m/s, or 1.2 times the highest wind "
+           "specified where that is more]"),
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
            "relative error accepted from the mesh; 0 takes one element a segment"),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
@@ -178,7 +179,8 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     s->altitude = o->altitude;
     s->air_density = o->air_density;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
-    out->search = (struct wf_search){ .speed_max = o->search_to };
+    wf_search_default(&out->search);
+    if (!isnan(o->search_to)) out->search = (struct wf_search){ .speed_max = o->search_to };
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;
@@ -284,6 +286,10 @@ static void print_speed(FILE *to, const struct wf_at_speed *at)
 static void print_critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
 {
     const struct wf_critical *c = &b->critical;
+    if (c->outcome == WF_CRITICAL_ABOVE) {
+        fprintf(to, "  %s > %.4g m/s, the highest searched\n", what, an->search.speed_max);
+        return;
+    }
     if (c->outcome != WF_CRITICAL_FOUND) {
         fprintf(to, "  %s: none; %s\n", what, wf_critical_text(c->outcome));
         return;

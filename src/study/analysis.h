@@ -49,11 +49,13 @@ struct wf_break {
     double height;         /* its height above ground on the unbent tree [m]              */
 };
 
-/* Range of the search for critical wind speeds. */
+/* Range of the search for critical wind speeds: up to speed_max, and up to `beyond` times the highest speed
+ * specified where that is more. */
 struct wf_search {
-    double speed_max; /* highest speed searched [m/s] */
+    double speed_max; /* [m/s] */
+    double beyond;    /* 0: not beyond speed_max [-] */
 };
-/* Up to 100 m/s. */
+/* Up to 60 m/s, no lower than any 10-min mean on record, and up to 1.2 times the highest speed specified. */
 void wf_search_default(struct wf_search *s);
 
 struct wf_directions;
@@ -62,7 +64,7 @@ struct wf_analysis {
     const struct wf_model *model;
     const struct wf_solver *solver;
     struct wf_scenario scenario;
-    struct wf_search search; /* of critical speeds, also of those by direction */
+    struct wf_search search; /* of critical speeds, also by direction; speed_max is the highest searched */
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
