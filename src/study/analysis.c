@@ -389,7 +389,7 @@ static enum wf_status range(struct wf_analysis *an, const struct wf_solve_option
     enum wf_status s = known
                            ? wf_known_breaks(an, o, known, an->breaks, e)
                            : wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
-    if (!s) s = wf_known_curve(an, o, a, e);
+    if (!s) s = wf_known_curve(an, o, known, a, e);
     wf_arena_free(&scratch);
     return s;
 }

@@ -29,6 +29,7 @@ struct wf_figures {
 
 struct wf_at_speed {
     double speed;          /* at reference height [m/s] */
+    bool interpolated;     /* in curves: between the speeds that were solved; sections (rows) are then -1 */
     enum wf_status status; /* WF_OK, or why there is no result (response.load_factor: load reached) */
     struct wf_response response;
     struct wf_breakage breakage;

@@ -22,8 +22,10 @@ struct wf_known {
 enum wf_status wf_known_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
                                struct wf_known *known, struct wf_break (*out)[WF_SCOPES], struct wf_err *e);
 
-/* The curves of an analysis whose speeds are solved and whose critical speeds are found.
- * Returned: an->sweep. Errors: WF_ENOMEM, or that of a solution. */
+/* The curves of an analysis whose speeds are solved and whose critical speeds are found with *known.
+ * Returned: an->sweep. Method: the solutions at hand are nodes; further rows are solved until the nodes
+ * predict each other; the other rows are interpolated by cubics of logarithms. Errors: WF_ENOMEM, or that of
+ * a solution. */
 enum wf_status wf_known_curve(struct wf_analysis *an, const struct wf_solve_options *o,
-                              struct wf_arena *a, struct wf_err *e);
+                              const struct wf_known *known, struct wf_arena *a, struct wf_err *e);
 #endif
