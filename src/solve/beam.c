@@ -356,6 +356,10 @@ void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, st
                      "equilibrium: they may "
                      "snap to another shape",
                      b->loose);
+    if (b->snapped > 0)
+        wf_diag_warn(d, "snapped-parts",
+                     "small parts, each carrying less than 1 %% of the load, snapped to another shape under "
+                     "the load; theirs is one of several");
     if (out->beyond_limit)
         wf_diag_warn(
             d, "limit-point",
