@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/commands.h"
@@ -44,7 +45,8 @@ int main(int argc, char **argv)
         char page[] = "--help", *only_help[] = { argv[detail ? 2 : 1], page, NULL };
         int code = detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
         /* output that could not be written, because of a full disk or a closed pipe, is a failed run */
-        return fflush(stdout) || ferror(stdout) ? (code ? code : 1) : code;
+        if (fflush(stdout) || ferror(stdout)) code = code ? code : 1;
+        return wf_interrupted() ? 128 + wf_interrupted() : code;
     }
     return unknown(word);
 }
