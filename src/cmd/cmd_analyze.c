@@ -19,6 +19,7 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 struct analyze_options {
     struct wf_args args;
@@ -451,6 +452,25 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
     return WF_OK;
 }
 
+/* Pages that no run listed, such as those of an earlier version, stay; they would be mistaken for pages of
+ * the new results. */
+static void warn_of_old_pages(struct work *w)
+{
+    static const char *const page[] = { "report.html", "report.pdf" };
+    struct stat results, old;
+    const char *path = wf_arena_print(&w->arena, "%s/results.json", w->folder);
+    if (!path || stat(path, &results)) return;
+    for (size_t i = 0; i < sizeof page / sizeof *page; i++) {
+        path = wf_arena_print(&w->arena, "%s/%s", w->folder, page[i]);
+        if (!path || stat(path, &old)) continue;
+        if (old.st_mtim.tv_sec < results.st_mtim.tv_sec ||
+            (old.st_mtim.tv_sec == results.st_mtim.tv_sec && old.st_mtim.tv_nsec < results.st_mtim.tv_nsec))
+            fprintf(stderr,
+                    "warning: %s is the page of an earlier run; 'windfirm report %s' draws it again\n", path,
+                    w->folder);
+    }
+}
+
 static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_err *e)
 {
     size_t n = w->options.args.n;
@@ -483,6 +503,8 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
                : pages ? " and tables (plots and pages not complete)"
                        : " and tables",
                w->folder);
+    fflush(stdout);
+    if (!whole) warn_of_old_pages(w);
     return s;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm wind: generate a gusty wind, analyse it, draw it. */
+#include "base/interrupt.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -223,7 +224,7 @@ static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_st
 {
     static const char *const name[WF_COMPONENTS] = { "along the wind", "across", "up" };
     printf("%s: %zu points, %zu steps of %g s, %u component%s, seed %llu: %s\n", s->model->name, s->points,
-           s->steps, s->step, s->components, s->components == 1 ? "" : "s", (unsigned long long)s->seed,
+           w->steps, s->step, s->components, s->components == 1 ? "" : "s", (unsigned long long)s->seed,
            path);
     printf("%zu blocks of %zu steps, made and written in %.1f s of processor time\n", w->blocks, w->block,
            w->seconds);
@@ -245,6 +246,7 @@ static enum wf_status write_stream(const struct wind_options *o, const struct wf
 {
     struct wf_wind_streamed w;
     const char *path = o->stream;
+    wf_interrupt_catch();
     enum wf_status s = wf_wind_stream(spec, path, show_progress, a, d, &w, e);
     wf_progress(NULL);
     if (!s && !o->args.quiet) print_streamed(spec, &w, path);
