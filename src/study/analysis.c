@@ -618,7 +618,7 @@ static enum wf_status keep_finished(struct wf_analysis *an, size_t speeds, bool 
         for (int scope = 0; scope < WF_SCOPES; scope++) {
             struct wf_break *b = &an->breaks[c][scope];
             *b = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
-            b->critical = (struct wf_critical){ .outcome = WF_CRITICAL_UNSEARCHED,
+            b->critical = (struct wf_critical){ .outcome = WF_CRITICAL_INTERRUPTED,
                                                 .speed = NAN,
                                                 .speed_high = an->search.speed_max,
                                                 .gradient = NAN };
