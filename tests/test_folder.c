@@ -124,13 +124,12 @@ static void belongs(void **unused)
           "mkdir -p d/tables; echo mine >d/tables/summary.csv; run 10 d; cat d/tables/summary.csv; ls -A d",
           0,
           { "d/tables: no run of windfirm made it", "mine\ntables\n" } },
-        { RUN "mkdir d; echo mine >d/report.pdf; $W analyze oak --model culm --wind 10 -q -o d; cat "
-              "d/report.pdf",
+        { RUN
+          "mkdir d; echo mine >d/report.pdf; $W analyze oak --model culm --wind 10 -q -o d; cat d/report.pdf",
           0,
           { "d/report.pdf: no run of windfirm made it", "mine" } },
-        { RUN
-          "run 10 d; mkdir x; $W report d >/dev/null; echo mine >x/a; echo mine >d/tables/directions.csv; "
-          "run 10 d --directions 8; cat d/tables/directions.csv",
+        { RUN "run 10 d; echo mine >d/tables/directions.csv; run 10 d --directions 8; cat "
+              "d/tables/directions.csv",
           0,
           { "directions.csv: no run of windfirm made it", "mine" } },
         /* nothing is left where nothing was made */
@@ -188,16 +187,15 @@ static void mixtures(void **unused)
           { "a: files of different runs stand together", "tables/summary.csv is not of this run",
             "tables/sweep.csv is missing" } },
         { RUN "run 10 a; run 12 b; cp b/results.json a; $W report a", 2, { "stand together" } },
-        { RUN "$W analyze oak --model culm --wind 10 -q -o a 2>/dev/null; echo >>a/report.html; $W report a; "
-              "$W report -q a",
+        { RUN "PATH=/none $W analyze oak --model culm --wind 10 -q -o a 2>/dev/null; echo >>a/report.html; "
+              "PATH=/none $W report a; test -e a/report.html",
           0,
           { "[changed-pages]", "report.html" } },
         /* results of a version that listed no files */
-        { RUN
-          "run 10 a; sed -i '/\"run_files\"/,/^ \\]/d; s/ \"status\": \"complete\",/ \"x\": 1/' "
-          "a/results.json; "
-          "$W report a; grep -c 'class=\"status\"' a/report.html; grep '\"status\": \"unv' a/results.json; "
-          "run 12 a && $W report a; grep '\"status\": \"co' a/results.json",
+        { RUN "run 10 a; sed -i '/\"run_files\"/,/^ \\]/d; s/ \"status\": \"complete\",/ \"x\": 1/' "
+              "a/results.json; PATH=/none $W report a; grep -c 'class=\"status\"' a/report.html; grep "
+              "'\"status\": \"unv' a/results.json; run 12 a && PATH=/none $W report a; grep '\"status\": "
+              "\"co' a/results.json",
           0,
           { "[not-listed]", "1\n", "unverified", "complete" } },
     };
@@ -212,9 +210,8 @@ static void two_at_once(void **unused)
               "ls -A d",
           0,
           { "d: another run of windfirm writes there now\n1\n", "0\nresults.json\ntables\n" } },
-        { RUN
-          "for i in 1 2 3 4 5 6; do run $i d 2>e$i & done; wait; $W report -q d; ls -A d | grep windfirm; "
-          "cat e? | sort | uniq",
+        { RUN "for i in 1 2 3 4 5 6; do run $i d 2>e$i & done; wait; PATH=/none $W report -q d 2>/dev/null; "
+              "ls -A d | grep windfirm; cat e? | sort | uniq",
           0,
           { "" } },
         /* stages of dead runs are cleaned, what only looks like one stays */
@@ -232,17 +229,14 @@ static void killed(void **unused)
 {
     (void)unused;
     static const struct row rows[] = {
-        { RUN
-          "sum() { (cd d && cat results.json tables/* 2>/dev/null | sha256sum); }\n"
-          "export SOURCE_DATE_EPOCH=1000000000; start=$(date +%s%N); run 12 d; b=$(sum); span=$((($(date "
-          "+%s%N) - "
-          "start) / 1000000)); run 10 d; a=$(sum)\n"
-          "for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do\n"
-          "run 10 d; $W analyze oak --model culm --wind 12 -q --no-report -o d 2>/dev/null & sleep $(awk "
-          "\"BEGIN { print $i * $span / 20000 }\")\n"
-          "kill -9 $! 2>/dev/null; wait $! 2>/dev/null; now=$(sum)\n"
-          "if [ \"$now\" != \"$a\" ] && [ \"$now\" != \"$b\" ] && $W report -q d 2>e; then echo MIXTURE; fi\n"
-          "run 10 d || echo STUCK; ls -A d | grep windfirm; done; echo end",
+        { RUN "sum() { (cd d && cat results.json tables/* 2>/dev/null | sha256sum); }\nexport "
+              "SOURCE_DATE_EPOCH=1000000000; start=$(date +%s%N); run 12 d; b=$(sum); span=$((($(date +%s%N) "
+              "- start) / 1000000)); run 10 d; a=$(sum)\nfor i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 "
+              "18 19 20; do\nrun 10 d; $W analyze oak --model culm --wind 12 -q --no-report -o d 2>/dev/null "
+              "& sleep $(awk \"BEGIN { print $i * $span / 20000 }\")\nkill -9 $! 2>/dev/null; wait $! "
+              "2>/dev/null; now=$(sum)\nif [ \"$now\" != \"$a\" ] && [ \"$now\" != \"$b\" ] && ! { $W report "
+              "-q d 2>&1 >/dev/null | grep -q .; }; then echo MIXTURE; fi\nrun 10 d || echo STUCK; ls -A d | "
+              "grep windfirm; done; echo end",
           0,
           { "end" } },
     };
@@ -262,10 +256,8 @@ static void killed_between_moves(void **unused)
     static const struct row rows[] = {
         { RUN "for n in 0 1 2 3 4 5; do run 10 d; gdb -q -batch -nx -ex 'set breakpoint pending on' -ex 'set "
               "debuginfod enabled off' -ex 'break renameat' -ex \"ignore 1 $n\" -ex run -ex kill --args $W "
-              "analyze "
-              "oak --model culm --wind 12 -q --no-report -o d >/dev/null 2>&1; ls -A d | grep -c windfirm; "
-              "$W report "
-              "-q d 2>e; echo $? $(grep -c together e); rm -rf d; done",
+              "analyze oak --model culm --wind 12 -q --no-report -o d >/dev/null 2>&1; ls -A d | grep -c "
+              "windfirm; $W report -q d 2>e; echo $? $(grep -c together e); rm -rf d; done",
           0,
           { "2\n0 0\n2\n2 1\n2\n2 1\n2\n2 1\n2\n2 1\n" } },
     };
@@ -277,29 +269,23 @@ static void interrupted(void **unused)
 {
     (void)unused;
     static const struct row rows[] = {
-        { RUN
-          "timeout --preserve-status -s INT 1 $W compare oak beech ash poplar birch --model broadleaf --wind "
-          "5:40:5 -q --no-report -o d; echo code $?; grep '\"status\": \"int' d/results.json; ls -A d; $W "
-          "report "
-          "d >/dev/null 2>&1; echo report $?; grep -c 'class=\"status\"' d/report.html",
+        { RUN "timeout --preserve-status -s INT 1 $W compare oak beech ash poplar birch --model broadleaf "
+              "--wind 5:40:5 -q --no-report -o d; echo code $?; grep '\"status\": \"int' d/results.json; ls "
+              "-A d; PATH=/none $W report d >/dev/null 2>&1; grep -c 'class=\"status\"' d/report.html",
           0,
-          { "code 130", "\"status\": \"interrupted\"", "plots\nresults.json\ntables\n", "report 0\n1\n" } },
-        { RUN
-          "timeout --preserve-status -s TERM 1 $W series oak --model broadleaf --wind 10 --gust cosine -q "
-          "--no-report -o d; echo code $?; grep '\"status\": \"int' d/results.json; ls -A d",
+          { "code 130", "\"status\": \"interrupted\"", "plots\nresults.json\ntables\n1\n" } },
+        { RUN "timeout --preserve-status -s TERM 1 $W series oak --model broadleaf --wind 10 --gust cosine "
+              "-q --no-report -o d; echo code $?; grep '\"status\": \"int' d/results.json; ls -A d",
           0,
           { "code 143", "interrupted", "plots\nresults.json\ntables\nvtk\n" } },
         { RUN "timeout --preserve-status -s INT 1 $W wind von-karman --points 30 --duration 1000000 --stream "
-              "g.npy "
-              ">/dev/null; echo code $?; ls -A | grep npy; head -c 100 g.npy | grep -a -o 'shape.*,'; stat "
-              "-c %s g.npy",
+              "g.npy >/dev/null; echo code $?; ls -A | grep npy; head -c 100 g.npy | grep -a -o 'shape.*,'; "
+              "stat -c %s g.npy",
           0,
           { "code 130\ng.npy\n", "shape" } },
         { RUN "$W analyze oak --model culm --wind 10 -q -o d & p=$!; for i in 1 2 3 4 5 6 7 8 9; do sleep "
-              "0.2; pgrep "
-              "-P $p >/dev/null && break; done; c=$(pgrep -P $p); kill -9 $p; wait $p; sleep 0.5; for k in "
-              "$c; do "
-              "kill -0 $k 2>/dev/null && echo ORPHAN; done; echo end",
+              "0.2; pgrep -P $p >/dev/null && break; done; c=$(pgrep -P $p); kill -9 $p; wait $p; sleep 0.5; "
+              "for k in $c; do kill -0 $k 2>/dev/null && echo ORPHAN; done; echo end",
           0,
           { "end" } },
     };
