@@ -70,6 +70,9 @@ enum wf_status wf_results_end(struct wf_run_folder *r, const char *language, str
  * wf_report_make. */
 enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *language, struct wf_diag *d,
                                struct wf_err *e);
+/* The command line as typed, "windfirm ...", with quotes where a shell needs them: it can be pasted and run
+ * again. Every command records this text. NULL: no memory. */
+char *wf_command_line(int argc, char **argv, struct wf_arena *a);
 /* Command line, program and date of this run; title and note stay empty. Errors: WF_ENOMEM. */
 enum wf_status wf_pages_head(int argc, char **argv, struct wf_arena *a, struct wf_doc_head *out,
                              struct wf_err *e);
