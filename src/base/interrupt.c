@@ -24,5 +24,3 @@ void wf_interrupt_catch(void)
 }
 
 int wf_interrupted(void) { return noted; }
-
-void wf_interrupt_note(int number) { noted = number; }

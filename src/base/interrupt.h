@@ -9,6 +9,4 @@
 void wf_interrupt_catch(void);
 /* Number of the signal that was caught; 0: none. */
 int wf_interrupted(void);
-/* Note a signal by number, as if it had been caught; 0 forgets it. */
-void wf_interrupt_note(int number);
 #endif
