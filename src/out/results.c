@@ -304,7 +304,8 @@ double wf_part_height(const struct wf_tree *t, int32_t row, double s)
     return t->z0[row] + s * (t->z1[row] - t->z0[row]);
 }
 
-/* A section of the tree: its segment's number as in segments.csv, and its place. */
+/* A section of the tree: its segment's number as in segments.csv, that of the row in the tree's file (a
+ * model: the same), its thickness at its thicker end, and its place. */
 static json_t *section(struct wf_doc *d, const struct wf_analysis *a, int32_t row, double s, double height)
 {
     const struct wf_tree *t = &a->tree;
@@ -313,6 +314,8 @@ static json_t *section(struct wf_doc *d, const struct wf_analysis *a, int32_t ro
     wf_doc_count(d, o, "segment", (size_t)row + 1);
     wf_doc_count(d, o, "level", t->level[row] > 0 ? (size_t)t->level[row] : 0);
     wf_doc_text(d, o, "part", wf_model_level_name(a->model, a->species, t->level[row]));
+    wf_doc_count(d, o, "id", t->id[row] > 0 ? (size_t)t->id[row] : 0);
+    wf_doc_quantity(d, o, "diameter", 2 * fmax(t->r0[row], t->r1[row]), "m", NULL);
     wf_doc_quantity(d, o, "position", s, "1", "the segment as a whole is named");
     wf_doc_quantity(d, o, "height", height, "m", NULL);
     return o;
