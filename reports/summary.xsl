@@ -26,6 +26,19 @@
   </xsl:choose>
 </xsl:template>
 
+<!-- A segment by its id in the file of the tree, its branching order and its thickness. -->
+<xsl:template name="segment">
+  <xsl:param name="section"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">segment.named</xsl:with-param>
+    <xsl:with-param name="a" select="$section/id"/>
+    <xsl:with-param name="b" select="$section/level"/>
+    <xsl:with-param name="c">
+      <xsl:call-template name="number"><xsl:with-param name="x" select="1000 * $section/diameter/value"/></xsl:call-template>
+    </xsl:with-param>
+  </xsl:call-template>
+</xsl:template>
+
 <!-- Wind speeds whose answers the method itself does not vouch for. -->
 <xsl:template name="small">
   <xsl:variable name="beyond" select="winds/item[within_limits = 'false']"/>
@@ -197,6 +210,19 @@
       </xsl:choose>
     </xsl:with-param>
   </xsl:call-template>
+  <xsl:if test="critical/outcome = 'self-weight' and critical/governing_section/diameter/value != ''">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.weakest</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="part"><xsl:with-param name="level" select="critical/governing_section/part"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="segment"><xsl:with-param name="section" select="critical/governing_section"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c" select="format-number(critical/governing_section/height/value, '0.0')"/>
+    </xsl:call-template>
+  </xsl:if>
   <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'found' and critical_stem/within_limits =
     'true'">
     <xsl:value-of select="$gap"/>

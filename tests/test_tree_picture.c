@@ -53,7 +53,7 @@ static int tear_down(void **state)
 
 static struct wf_tree_picture picture(void)
 {
-    return (struct wf_tree_picture){ &g.tree, &g.model, &g.species };
+    return (struct wf_tree_picture){ &g.tree, &g.model, &g.species, false };
 }
 
 static void summary_counts_axes_and_wood(void **state)
@@ -62,7 +62,7 @@ static void summary_counts_axes_and_wood(void **state)
     struct wf_tree_summary s;
     struct wf_err e = { 0 };
     grown_make(&g, plain);
-    assert_int_equal(wf_tree_summarise(&g.tree, &s, &e), WF_OK);
+    assert_int_equal(wf_tree_summarise(&g.tree, NULL, &s, &e), WF_OK);
     assert_int_equal(s.levels, 2);
     assert_int_equal(s.level[0].axes, 1);
     assert_int_equal(s.level[0].segments, 10);

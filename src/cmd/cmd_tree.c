@@ -197,8 +197,9 @@ struct draw_options {
 #define OPTIONS struct draw_options
 static const struct wf_option draw_options[] = {
     WF_TREE_ROWS(tree),
-    PATH("--species", species, "SPECIES", "beech",
-         "radius of a stem whose model names none, names of the levels", .letter = "-s"),
+    PATH("--species", species, "SPECIES", NULL,
+         "radius of a stem whose model names none (without: that of beech), names of the levels",
+         .letter = "-s"),
     TEXT("--output", output, "FILE", "tree.svg",
          "the picture: .svg, .png or .pdf; many thousand segments are better as .png", .letter = "-o"),
     WF_QUIET_ROW,
@@ -219,11 +220,13 @@ static enum wf_status draw_picture(const struct draw_options *o, struct wf_arena
     const char *path, *to = o->output;
     enum wf_status s =
         wf_tree_asked_read(&o->tree, o->args.n ? o->args.operand[0] : NULL, a, &model, &path, d, e);
-    if (!s) s = wf_species_read(wf_shipped("species", o->species, a), &wf_laws, a, &species, d, e);
+    if (!s)
+        s = wf_species_read(wf_shipped("species", o->species ? o->species : "beech", a), &wf_laws, a,
+                            &species, d, e);
     if (!s) s = wf_grow(&model, &species, a, &tree, d, e);
     if (!s) s = wf_tree_check(&tree, d, e);
     if (s) return s;
-    const struct wf_tree_picture picture = { &tree, &model, &species };
+    const struct wf_tree_picture picture = { &tree, &model, &species, o->species == NULL };
     if ((s = wf_tree_picture_draw(&picture, to, e))) return s;
     if (!o->args.quiet) printf("%s: %zu segments -> %s\n", model.name, tree.n, to);
     return WF_OK;

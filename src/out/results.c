@@ -645,7 +645,7 @@ static enum wf_status write_all(const struct wf_run *run, const char *folder, st
 static enum wf_status picture(const struct wf_run *run, const char *folder, struct wf_err *e)
 {
     const struct wf_analysis *a = &run->analysis[0];
-    const struct wf_tree_picture p = { &a->tree, a->model, a->species };
+    const struct wf_tree_picture p = { &a->tree, a->model, a->species, false };
     char plots[WF_PATH_MAX];
     if (a->model->generator == WF_GENERATOR_STEM) {
         wf_tree_picture_remove(folder);
