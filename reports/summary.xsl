@@ -26,6 +26,10 @@
   </xsl:choose>
 </xsl:template>
 
+<!-- Every warning once: those about the file of the tree are with each species. -->
+<xsl:variable name="warned" select="$r/warnings/item | $trees/warnings/item[not(text =
+  ../../preceding-sibling::item/warnings/item/text)]"/>
+
 <!-- A segment by its id in the file of the tree, its branching order and its thickness. -->
 <xsl:template name="segment">
   <xsl:param name="section"/>
@@ -213,7 +217,7 @@
   <xsl:if test="critical/outcome = 'self-weight' and critical/governing_section/diameter/value != ''">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
-      <xsl:with-param name="id">sum.weakest</xsl:with-param>
+      <xsl:with-param name="id">sum.segment</xsl:with-param>
       <xsl:with-param name="a">
         <xsl:call-template name="part"><xsl:with-param name="level" select="critical/governing_section/part"/></xsl:call-template>
       </xsl:with-param>
@@ -377,6 +381,15 @@
         </xsl:call-template>
       </xsl:if>
     </p>
+    <xsl:for-each select="$warned[code = 'unseen-wood' or code = 'stems-apart']">
+      <p class="care">
+        <xsl:call-template name="term">
+          <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
+        </xsl:call-template>
+        <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
+        <xsl:value-of select="text"/>
+      </p>
+    </xsl:for-each>
     <!-- no ranking out of answers that are not valid -->
     <xsl:variable name="void">
       <xsl:for-each select="$trees">
@@ -403,20 +416,19 @@
       </p>
     </xsl:for-each>
   </div>
-  <xsl:variable name="warned" select="count($trees/warnings/item | $r/warnings/item)"/>
   <p>
     <xsl:call-template name="say">
       <xsl:with-param name="id">sum.wind</xsl:with-param><xsl:with-param name="a" select="$reference"/>
     </xsl:call-template>
-    <xsl:if test="$warned &gt; 0">
+    <xsl:if test="$warned">
       <xsl:value-of select="$gap"/>
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:choose>
-            <xsl:when test="$warned = 1">sum.warning</xsl:when><xsl:otherwise>sum.warnings</xsl:otherwise>
+            <xsl:when test="count($warned) = 1">sum.warning</xsl:when><xsl:otherwise>sum.warnings</xsl:otherwise>
           </xsl:choose>
         </xsl:with-param>
-        <xsl:with-param name="a" select="$warned"/><xsl:with-param name="b" select="6"/>
+        <xsl:with-param name="a" select="count($warned)"/><xsl:with-param name="b" select="6"/>
       </xsl:call-template>
     </xsl:if>
   </p>

@@ -446,6 +446,17 @@ static bool is_gap(char c, char point)
     return c == ' ' || c == '\t' || c == '\r' || c == ';' || (c == ',' && point != ',');
 }
 
+/* Does a line start with '#' that is not the mark of a missing value, as in #N/A, #NV, #DIV/0!, #NAME? */
+static bool is_comment(const char *p, const char *stop, char point)
+{
+    const char *end = p;
+    if (*p != '#') return false;
+    while (end < stop && !is_gap(*end, point)) end++;
+    size_t n = (size_t)(end - p);
+    return !(end[-1] == '!' || end[-1] == '?' || (n == 4 && !strncmp(p, "#N/A", n)) ||
+             (n == 3 && !strncmp(p, "#NV", n)));
+}
+
 /* Read the numbers of the next line that is not blank or a comment. Returned: how many; 0 at the end of the
  * file. *whole is false when the line contains something that is not a number. */
 static size_t next_numbers(struct lines *t, double *value, bool *whole)
@@ -458,7 +469,7 @@ static size_t next_numbers(struct lines *t, double *value, bool *whole)
         size_t n = 0;
         *whole = true;
         while (p < stop && is_gap(*p, t->point)) p++;
-        if (p == stop || *p == '#') continue;
+        if (p == stop || is_comment(p, stop, t->point)) continue;
         while (p < stop && n < WIDEST) {
             const char *after = wf_number_read(p, stop, t->point, &value[n]);
             size_t word = 0;
