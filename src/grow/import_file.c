@@ -54,6 +54,7 @@ static const struct wf_field_row field_rows[] = {
     { WF_FIELD_AZIMUTH, " azimuth ", 1, WF_FIELD_RADIANS },
     { WF_FIELD_DISTANCE, " distance offset ", 1, WF_FIELD_METRES },
     { WF_FIELD_SHARE, " share position relativeposition ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_TREE, " tree treeid treename treenumber treeno treenr ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_NONE, "", 1, WF_FIELD_PLAIN },
 };
 
@@ -152,8 +153,10 @@ static const char *cylinder_numbers(struct wf_qsm *q, size_t i, const double *v)
     return NULL;
 }
 
-const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double v[WF_FIELD_COUNT])
+const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double given[WF_FIELD_COUNT])
 {
+    double v[WF_FIELD_COUNT];
+    for (int f = 0; f < WF_FIELD_COUNT; f++) v[f] = isfinite(given[f]) ? given[f] : (double)NAN;
     const char *wrong = cylinder_numbers(q, i, v);
     if (wrong) return wrong;
     double r = v[WF_FIELD_RADIUS], r0 = v[WF_FIELD_R0], r1 = v[WF_FIELD_R1], length = v[WF_FIELD_LENGTH];
