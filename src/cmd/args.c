@@ -138,6 +138,17 @@ static void check_operands(struct wf_reading *r, size_t low, size_t high)
                           high == 1 ? " is" : "s are", r->args->operand[high]);
 }
 
+/* Refuse options that have no effect beside the others: whoever gives one believes that it has. */
+static void refuse_unused(struct wf_reading *r)
+{
+    char why[WF_WHY];
+    for (size_t k = 0; k < r->options; k++) {
+        const struct wf_option *o = &r->args->option[k];
+        if (r->args->given[k] && o->unused && o->unused(r->args, o, why))
+            wf_option_mistake(r, r->key[k], o->name, "has no effect %s", why);
+    }
+}
+
 /* Defaults of what was not given, then the winds, which depend on other options. Called by the study file's
  * reader while mistakes about keys still know their line, else at the end; a second call does nothing. */
 static void complete(struct wf_reading *r)
@@ -148,6 +159,7 @@ static void complete(struct wf_reading *r)
     for (size_t k = 0; k < r->options; k++)
         if (!out->given[k] && out->option[k].initial) wf_option_take(r, k, out->option[k].initial);
     wf_winds_read(r);
+    if (!r->mistakes) refuse_unused(r);
 }
 
 /* ---- Study files ----

@@ -116,7 +116,7 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
 int wf_cmd_explain(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
-    struct explain_options o;
+    struct explain_options o = { 0 };
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_explain_options, about, 1, 1, &arena, &o.args);
     if (code < 0 && !o.model) {

@@ -21,6 +21,20 @@ struct fit_options {
     const char *write, *output; /* NULL: nothing is written; folder */
 };
 
+static bool scale_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(!strcmp(((const struct fit_options *)options)->loss, "none"), why,
+                            "with the loss 'none'");
+}
+
+static bool seed_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct fit_options *o = options;
+    (void)row;
+    return wf_option_unused(o->starts < 2 && !o->bootstrap, why, "without --starts above 1 or --bootstrap");
+}
+
 #define OPTIONS struct fit_options
 static const struct wf_option options[] = {
     TEXTS("--data", data, "FILE[,FILE]", "CSV files of the tests that name none, in their order",
@@ -33,11 +47,12 @@ static const struct wf_option options[] = {
            "weight of outliers: none = plain least squares, or a robust loss"),
     NUMBER("--loss-scale", loss_scale, "NUMBER", NONE, NULL, 0.1, 100, NULL,
            "where the loss departs from squares, in standard deviations [1.345 huber, 2.385 cauchy, 4.685 "
-           "tukey]"),
+           "tukey]",
+           .unused = scale_unused),
     FLAG("--priors", priors, "the species table's ranges take part as normal distributions"),
     WHOLE("--starts", starts, 1, 1000, "1", "starting points tried, within a factor of 3 of the start"),
     WHOLE("--bootstrap", bootstrap, 0, 10000, "0", "resampled data sets for intervals by the bootstrap"),
-    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of starts and bootstrap"),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of starts and bootstrap", .unused = seed_unused),
     FLAG("--no-profile", no_profile, "no intervals by profile likelihood"),
     FLAG("--no-rival", no_rival, "no second fit with the root the other way"),
     TEXT("--write", write, "FILE", NULL, "write the species table with the fitted values"),

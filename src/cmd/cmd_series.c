@@ -167,12 +167,20 @@ struct series_options {
     const char *lang;
 };
 
+static bool run_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct series_options *o = options;
+    if (row->member == offsetof(struct series_options, components))
+        return wf_series_plan_unused(&o->run, offsetof(struct wf_series_plan_run, components), why, WF_WHY);
+    return wf_series_plan_unused(&o->run, row->member - offsetof(struct series_options, run), why, WF_WHY);
+}
+
 #define OPTIONS struct series_options
 const struct wf_option wf_series_options[] = {
     STUDY,
     PATH("--model", run.model, "MODEL", NULL, "tree model: a file, or the name of a shipped one",
          .letter = "-m"),
-    WF_WIND_ROWS(run.wind, averaging, 0, 100, "mean wind at the reference height"),
+    WF_WIND_ROWS(run.wind, averaging, 0, 100, "mean wind at the reference height", .unused = run_unused),
     WORD("--gust", run.gust, "NAME", gust_word, "steady", "how the wind changes"),
     WORD("--preset", run.preset, "NAME", wf_preset_word, "corrected", "a published method, as printed"),
     WORD("--solver", run.solver, "NAME", wf_solver_word, NULL,
@@ -180,26 +188,29 @@ const struct wf_option wf_series_options[] = {
     WF_PROFILE_ROWS(run.profile),
     WORD("--shelter", run.shelter, "NAME", wf_shelter_word, "none", "wind inside the crown"),
     NUMBER("--intensity", run.intensity, "NUMBER", NONE, NULL, 0, 1, NULL,
-           "turbulence intensity of the gust model"),
-    NUMBER("--period", run.period, "TIME", TIME, "s", 0.1, 3600, NULL, "of the gust model"),
-    WF_GUST_ROWS(run),
+           "turbulence intensity of the gust model", .unused = run_unused),
+    NUMBER("--period", run.period, "TIME", TIME, "s", 0.1, 3600, NULL, "of the gust model",
+           .unused = run_unused),
+    WF_GUST_ROWS(run, run_unused),
     CHOICE("--components", components, "1|3", "1|3", NULL,
-           "of the gust: along the wind only, or along, across and up [3 where the model has them]"),
+           "of the gust: along the wind only, or along, across and up [3 where the model has them]",
+           .unused = run_unused),
     NUMBER("--duration", run.duration, "TIME", TIME, "s", 1e-3, 86400, "60", "time that is run"),
     NUMBER("--step", run.step, "TIME", TIME, "s", 1e-4, 3600, "0.1", "between frames"),
     WHOLE("--keys", run.keys, 1, 64, "8", "key frames drawn as panels"),
-    WHOLE("--seed", run.seed, 0, 1e9, "1", "of the random numbers"),
+    WHOLE("--seed", run.seed, 0, 1e9, "1", "of the random numbers", .unused = run_unused),
     NUMBER("--restoring", run.restoring, "NUMBER", NONE, NULL, 0, 100, "0",
-           "k of the deflect scheme, below 1"),
-    NUMBER("--damping", run.damping, "NUMBER", NONE, NULL, 0, 1e9, "0", "c of the deflect scheme, N s2"),
+           "k of the deflect scheme, below 1", .unused = run_unused),
+    NUMBER("--damping", run.damping, "NUMBER", NONE, NULL, 0, 1e9, "0", "c of the deflect scheme, N s2",
+           .unused = run_unused),
     WORD("--leaf-motion", run.leaf_motion, "NAME", leaf_word, NULL,
          "how leaves turn; affects the picture only, not the loads [the preset's, else eq13]"),
     NUMBER("--leaf-amplitude", run.leaf_amplitude, "ANGLE", ANGLE, "deg", 0, 180, "30",
-           "largest turn by one of the three noises"),
+           "largest turn by one of the three noises", .unused = run_unused),
     NUMBER("--leaf-follow", run.leaf_follow, "NUMBER", NONE, NULL, -10, 10, "0.5",
-           "lambda: share of theta_x added to theta_z"),
+           "lambda: share of theta_x added to theta_z", .unused = run_unused),
     NUMBER("--leaf-period", run.leaf_period, "TIME", TIME, "s", 1e-3, 3600, "1",
-           "of the noise's first octave"),
+           "of the noise's first octave", .unused = run_unused),
     NUMBER("--youngs-modulus", run.youngs, "MODULUS", PRESSURE, "Pa", 1e5, 1e12, NULL,
            "in place of the species'"),
     TEXT("--output", output, "FOLDER", "out/series", "where tables, frames and the page go", .letter = "-o"),

@@ -95,7 +95,7 @@ struct info_options {
 
 #define OPTIONS struct info_options
 static const struct wf_option info_options[] = {
-    WF_IMPORT_ROWS(import),
+    WF_IMPORT_ROWS(import, NULL),
     CHOICE("--joint", joint, "HOW", "axis|bridge", "axis",
            "how branches are held in the analysis: where they leave the parent's axis, or at its end"),
     PATH("--species", species, "SPECIES", NULL, "take density and leaves from this species table",

@@ -32,29 +32,66 @@ struct wind_options {
     const char *lang;
 };
 
+static bool model_unused(const struct wind_options *o, const struct wf_gust_model *m, const void *at,
+                         char *why)
+{
+    bool record = !strcmp(m->name, "record"), unused = false;
+    if (at == &o->intensity) unused = m->own_intensity;
+    if (at == &o->seed) unused = m->fixed;
+    if (at == &o->gust.file || at == &o->gust.columns) unused = !record;
+    if (at == &o->wind) unused = !wf_gust_takes_speed(m, o->gust.set);
+    return wf_option_unused(unused, why, "with the gust model '%s'%s", m->name,
+                            at == &o->wind ? ", which has its own (--set rescale=1 brings it to --wind)"
+                                           : "");
+}
+
+static bool wind_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wind_options *o = options;
+    const void *at = (const char *)options + row->member;
+    const char *what = o->args.n ? o->args.operand[0] : "";
+    bool of_rose = at == &o->gust.file || at == &o->output || at == &o->no_plots || at == &o->lang;
+    if (!strcmp(what, "list")) return wf_option_unused(true, why, "with 'list'");
+    if (!strcmp(what, "rose")) return wf_option_unused(!of_rose, why, "with 'rose'");
+    if (at == &o->height || at == &o->spacing)
+        if (wf_option_unused(o->points_file, why, "with --points-file")) return true;
+    if (at == &o->spacing && wf_option_unused(o->points < 2, why, "with one point")) return true;
+    if (at == &o->output && wf_option_unused(o->stream, why, "with --stream")) return true;
+    const struct wf_gust_model *m = wf_gust_named(what);
+    return m && model_unused(o, m, at, why);
+}
+
 #define OPTIONS struct wind_options
 const struct wf_option wf_wind_options[] = {
     STUDY,
-    WF_WIND_ROWS(wind, averaging, 0.01, 120, "mean wind"),
-    NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 1000, "10", "of the point above the ground"),
+    WF_WIND_ROWS(wind, averaging, 0.01, 120, "mean wind", .unused = wind_unused),
+    NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 1000, "10", "of the point above the ground",
+           .unused = wind_unused),
     NUMBER("--intensity", intensity, "NUMBER", NONE, NULL, 0, 1, "0.2",
-           "turbulence intensity: standard deviation along the wind / mean wind"),
+           "turbulence intensity: standard deviation along the wind / mean wind", .unused = wind_unused),
     NUMBER("--duration", duration, "TIME", TIME, "s", 1, 1e6, "3600",
-           "length of the series; a record is at most as long as it is, one gust (eog) as long as it takes"),
-    NUMBER("--step", step, "TIME", TIME, "s", 1e-4, 60, "0.1", "between two values"),
-    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "whole number; the same seed gives the same wind"),
-    CHOICE("--components", components, "1|3", "1|3", "1", "along the wind only, or along, across and up"),
+           "length of the series; a record is at most as long as it is, one gust (eog) as long as it takes",
+           .unused = wind_unused),
+    NUMBER("--step", step, "TIME", TIME, "s", 1e-4, 60, "0.1", "between two values", .unused = wind_unused),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "whole number; the same seed gives the same wind",
+          .unused = wind_unused),
+    CHOICE("--components", components, "1|3", "1|3", "1", "along the wind only, or along, across and up",
+           .unused = wind_unused),
     WHOLE("--points", points, 1, WF_GUST_POINTS_MAX, "1",
-          "points in a row across the wind; more than 200 with --stream"),
-    NUMBER("--spacing", spacing, "LENGTH", LENGTH, "m", 0.01, 1000, "2", "between neighbouring points"),
+          "points in a row across the wind; more than 200 with --stream", .unused = wind_unused),
+    NUMBER("--spacing", spacing, "LENGTH", LENGTH, "m", 0.01, 1000, "2", "between neighbouring points",
+           .unused = wind_unused),
     PATH("--points-file", points_file, "FILE", NULL,
          "points in place of a row, a CSV with columns x_m (along the wind), y_m (across, to the left), z_m "
-         "(above ground) and, where they differ, mean_ms"),
+         "(above ground) and, where they differ, mean_ms",
+         .unused = wind_unused),
     PATH("--stream", stream, "FILE", NULL,
          "write the wind to FILE block by block, for any number of points and steps, and nothing else: "
-         "NAME.csv as a table, NAME.npy as 32-bit numbers, steps x points x components"),
-    WF_GUST_ROWS(gust),
-    TEXT("--output", output, "FOLDER", "out/wind", "where tables and plots go", .letter = "-o"),
+         "NAME.csv as a table, NAME.npy as 32-bit numbers, steps x points x components",
+         .unused = wind_unused),
+    WF_GUST_ROWS(gust, wind_unused),
+    TEXT("--output", output, "FOLDER", "out/wind", "where tables and plots go", .letter = "-o",
+         .unused = wind_unused),
     WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
     WF_QUIET_ROW,
     { 0 },
@@ -305,7 +342,7 @@ static enum wf_status show_rose(const struct wind_options *o, const struct wf_do
 int wf_cmd_wind(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
-    struct wind_options o;
+    struct wind_options o = { 0 };
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_wind_options, about, 1, 1, &arena, &o.args);
     if (code < 0 && strcmp(o.args.operand[0], "list") == 0) code = list_models();

@@ -19,6 +19,16 @@ bool wf_option_given(const struct wf_args *args, size_t member)
     return args->given[k];
 }
 
+bool wf_option_unused(bool unused, char why[static WF_WHY], const char *fmt, ...)
+{
+    va_list list;
+    if (!unused) return false;
+    va_start(list, fmt);
+    vsnprintf(why, WF_WHY, fmt, list);
+    va_end(list);
+    return true;
+}
+
 void wf_option_mistake(struct wf_reading *r, const char *key, const char *name, const char *fmt, ...)
 {
     va_list list;

@@ -282,7 +282,7 @@ static const struct wf_gust_par eog_pars[] = {
     { 0 }
 };
 
-#define SPECTRAL wf_gust_spectral_open, wf_gust_spectral_fill, wf_gust_spectral_close
+#define SPECTRAL wf_gust_spectral_open, wf_gust_spectral_fill, wf_gust_spectral_close, false, false
 
 const struct wf_gust_model wf_gust_models[] = {
     { "kaimal", "turbulence with Kaimal spectra",
@@ -307,7 +307,7 @@ const struct wf_gust_model wf_gust_models[] = {
       "the amplitude is sqrt(2) times the turbulence intensity, so that the intensity asked for is met; the "
       "phase is "
       "drawn once a run (drawn at each step it would be white noise)",
-      1, NULL, cosine_pars, direct_open, cosine_fill, NULL },
+      1, NULL, cosine_pars, direct_open, cosine_fill, NULL, false, false },
     { "sine-perlin", "a sine and gradient noise",
       "Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163; noise: Perlin K. (2002), ACM Trans. "
       "Graph. 21(3):681-682",
@@ -315,21 +315,21 @@ const struct wf_gust_model wf_gust_models[] = {
       "the printed sine swings from 0 to twice the mean (intensity 0.71) and the printed noise shifts the "
       "mean; here "
       "sine and zero-mean noise share the variance asked for",
-      1, NULL, sine_perlin_pars, direct_open, sine_perlin_fill, NULL },
+      1, NULL, sine_perlin_pars, direct_open, sine_perlin_fill, NULL, false, false },
     { "sine-perlin-as-printed", "a sine and value noise, as printed",
       "Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163",
       "reproduces the paper; intensity about 0.7 and a mean above the one asked for: not a physical wind",
-      NULL, 1, NULL, zhao_pars, direct_open, zhao_fill, NULL },
+      NULL, 1, NULL, zhao_pars, direct_open, zhao_fill, NULL, true, false },
     { "perlin", "octaves of gradient noise", "Perlin K. (2002), ACM Trans. Graph. 21(3):681-682",
       "synthetic wind within a fixed range; slope -(1+2H), H = -ln(persistence)/ln(lacunarity), in the band "
       "of the octaves",
-      NULL, 1, NULL, perlin_pars, direct_open, perlin_fill, NULL },
+      NULL, 1, NULL, perlin_pars, direct_open, perlin_fill, NULL, false, false },
     { "record", "a measured wind", "the user's anemometer file",
       "one point's record at all points, carried along at its mean speed", NULL, 3, NULL, record_pars,
-      record_open, record_fill, NULL },
+      record_open, record_fill, NULL, true, true },
     { "eog", "one extreme operating gust", "IEC 61400-1:2005, 6.3.2.2",
       "a designed single gust: a dip, a rise and a dip; intensity taken as the standard's sigma1/U", NULL, 1,
-      NULL, eog_pars, direct_open, eog_fill, NULL },
+      NULL, eog_pars, direct_open, eog_fill, NULL, false, true },
     { 0 }
 };
 
