@@ -344,17 +344,6 @@ static const struct wf_yaml_table study_table = {
     .finish = apply_keys,
 };
 
-/* Whether a file begins with the key of a study. */
-static bool is_study(const char *path, struct wf_arena *a)
-{
-    struct wf_bytes text;
-    struct wf_err e = { 0 };
-    if (access(path, R_OK) || wf_file_read_text(path, a, &text, &e)) return false;
-    for (const char *p = text.data; p && *p; p = strchr(p, '\n') ? strchr(p, '\n') + 1 : NULL)
-        if (*p != '#' && *p != '\n' && *p != '\r') return strncmp(p, "study:", 6) == 0;
-    return false;
-}
-
 /* The study file: that of --study, or the only operand when that is one. NULL: none. */
 static const char *study_named(struct wf_reading *r)
 {
@@ -362,7 +351,7 @@ static const char *study_named(struct wf_reading *r)
     size_t k = 0;
     while (k < r->options && out->option[k].kind != WF_OPTION_STUDY) k++;
     if (k == r->options) return NULL;
-    if (!out->study && out->n == 1 && is_study(out->operand[0], r->arena)) {
+    if (!out->study && out->n == 1 && wf_begins_with_key(out->operand[0], "study:", r->arena)) {
         out->study = out->operand[0];
         out->given[k] = true;
         out->n = 0;

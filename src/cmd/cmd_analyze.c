@@ -438,10 +438,11 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     if (asked && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
     if (asked && !worst) worst = asked;
     for (size_t k = 0; k < w->options.args.n; k++) {
-        const char *path = wf_shipped("species", w->options.args.operand[k], &w->arena);
+        const char *path;
         size_t before = d.errors;
         next = (struct wf_err){ 0 };
-        enum wf_status s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
+        enum wf_status s = wf_shipped("species", w->options.args.operand[k], &w->arena, &path, &d, &next);
+        if (!s) s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
         if (s && d.errors == before) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
         if (s && !worst) worst = s;
         if (!s && (s = note_input(w, "species", path, e))) return s;

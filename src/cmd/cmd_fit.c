@@ -137,9 +137,9 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
 {
     const struct wf_fit *f = &of->fit;
     bool bound = false;
-    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", of->calibration.name, f->x->data,
-            f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
-            f->params > f->free ? " (offsets and drifts included)" : "");
+    fprintf(to, "%s\n%zu reading%s in %zu test%s, %zu parameter%s%s\n\n", of->calibration.name, f->x->data,
+            f->x->data == 1 ? "" : "s", f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
+            f->params == 1 ? "" : "s", f->params > f->free ? " (offsets and drifts included)" : "");
     print_parameters(to, f);
     for (size_t k = 0; k < of->x.tests; k++)
         if (of->input[k].swung) {
@@ -151,10 +151,17 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
     if (of->x.tests && of->input[0].swung) fputc('\n', to);
     print_correlations(to, f);
     print_sensors(to, f);
-    fprintf(to, "\nreduced chi-square %.4g with %zu degrees of freedom%s\n", f->reduced, f->freedom,
-            f->sigma_estimated ? " (1 by construction where sigmas are estimated)" : "");
     for (size_t k = 0; k < f->free; k++) bound |= f->estimate[k].at_low || f->estimate[k].at_high;
-    if (f->loose_n == 0)
+    if (f->freedom)
+        fprintf(to, "\nreduced chi-square %.4g with %zu degree%s of freedom%s\n", f->reduced, f->freedom,
+                f->freedom == 1 ? "" : "s",
+                f->sigma_estimated ? " (1 by construction where sigmas are estimated)" : "");
+    else
+        fprintf(
+            to,
+            "\nreduced chi-square - with 0 degrees of freedom: as many parameters as readings, so nothing "
+            "tests the fit\n");
+    if (f->loose_n == 0 && f->freedom)
         fprintf(to, "the data determine every parameter%s\n", bound ? " that did not end on a bound" : "");
     for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
     if (of->rival.made) {

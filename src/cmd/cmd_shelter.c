@@ -127,9 +127,8 @@ static enum wf_status read_tree(struct work *w, struct wf_arena *a, struct wf_di
     if (!model == !file) return wf_fail(e, WF_EUSAGE, "give a tree by --model or --tree, one of them");
     if (!species) return wf_fail(e, WF_EUSAGE, "--species is needed, for example --species oak");
     struct wf_err other = { 0 };
-    enum wf_status s = wf_species_read(wf_shipped("species", species, a), &wf_laws, a, &w->species, d, e),
-                   t = WF_OK;
-    if (model) t = wf_model_read(wf_shipped("models", model, a), a, &w->model, d, &other);
+    enum wf_status s = wf_species_named(species, a, &w->species, d, e), t = WF_OK;
+    if (model) t = wf_model_named(model, a, &w->model, d, &other);
     if (s || t) return s ? s : wf_fail(e, t, "%s", other.text);
     s = model ? wf_grow(&w->model, &w->species, a, &w->tree, d, e) : read_measured(w, file, a, d, e);
     return s ? s : wf_tree_check(&w->tree, d, e);

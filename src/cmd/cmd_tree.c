@@ -157,7 +157,7 @@ static int measure_files(struct ask *k, struct wf_arena *a)
     k->known.density = k->options->density;
     k->known.leaf_area = k->options->leaf_area;
     if (name) {
-        enum wf_status s = wf_species_read(wf_shipped("species", name, a), &wf_laws, a, &species, &d, &e);
+        enum wf_status s = wf_species_named(name, a, &species, &d, &e);
         wf_print_findings(&d, false);
         if (s) return wf_complain(&e);
         k->known.species = &species;
@@ -208,7 +208,7 @@ static enum wf_status draw_picture(const struct draw_options *o, struct wf_arena
     const char *path, *to = o->output;
     enum wf_status s =
         wf_tree_asked_read(&o->tree, o->args.n ? o->args.operand[0] : NULL, a, &model, &path, d, e);
-    if (!s) s = wf_species_read(wf_shipped("species", o->species, a), &wf_laws, a, &species, d, e);
+    if (!s) s = wf_species_named(o->species, a, &species, d, e);
     if (!s) s = wf_grow(&model, &species, a, &tree, d, e);
     if (!s) s = wf_tree_check(&tree, d, e);
     if (s) return s;

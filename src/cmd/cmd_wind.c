@@ -166,13 +166,13 @@ static enum wf_status place_points(const struct wind_options *o, struct wf_gust_
 static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spec *s, struct wf_arena *a,
                                 struct wf_diag *d, struct wf_err *e)
 {
-    const char *name = o->args.operand[0], *known[16];
+    const char *name = o->args.operand[0], *known[24];
     size_t n = 0;
-    for (; n < 15 && wf_gust_models[n].name; n++) known[n] = wf_gust_models[n].name;
-    known[n] = "list";
+    for (; n < 22 && wf_gust_models[n].name; n++) known[n] = wf_gust_models[n].name;
+    known[n++] = "list", known[n++] = "rose";
     const struct wf_gust_model *m = wf_gust_named(name);
     if (!m) {
-        struct wf_hint hint = wf_did_you_mean(name, known, n + 1);
+        struct wf_hint hint = wf_did_you_mean(name, known, n);
         return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'%s", name,
                        *hint.text ? hint.text : "; `windfirm wind list` shows them");
     }
@@ -200,6 +200,15 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
     return WF_OK;
 }
 
+/* In per cent; "-" where it is a share of nothing. */
+static void print_share(int width, double share)
+{
+    if (isfinite(share))
+        printf("%*.2f%%", width, 100.0 * share);
+    else
+        printf("%*s", width, "-");
+}
+
 static void print_wind(const struct wf_gust_report *r)
 {
     const struct wf_gust_spec *s = &r->spec;
@@ -217,18 +226,17 @@ static void print_wind(const struct wf_gust_report *r)
     printf("gust factor           %8.3f  (largest %g-s mean over %g s, mean of %zu)\n", t->gust_factor,
            t->gust_window, t->period, t->periods);
     printf("peak factor           %8.3f  (codes take 2.5 to 3.5)\n", t->peak_factor);
-    if (!isnan(r->joint))
+    if (isfinite(r->joint))
         printf("blocks meet within    %8.3f %% of the standard deviation\n", 100.0 * r->joint);
     if (!isnan(r->coherence_error))
         printf("coherence made within %8.4f of the one asked for\n", r->coherence_error);
     if (r->findings) printf("\n%-36s %12s %12s %10s  scatter\n", "asked and got", "asked", "got", "off");
     for (size_t i = 0; i < r->findings; i++) {
         const struct wf_gust_finding *f = &r->finding[i];
-        printf("%-36s %12.5g %12.5g %9.2f%%  ", f->name, f->asked, f->got, 100.0 * (f->got / f->asked - 1.0));
-        if (isnan(f->scatter))
-            printf("-");
-        else
-            printf("%.2f%%", 100.0 * f->scatter / fabs(f->asked));
+        printf("%-36s %12.5g %12.5g ", f->name, f->asked, f->got);
+        print_share(9, f->got / f->asked - 1.0);
+        printf("  ");
+        print_share(0, f->scatter / fabs(f->asked));
         printf("  %s\n", f->within ? "as expected" : "NOT as expected");
     }
 }
@@ -245,8 +253,11 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     enum wf_status s = wf_gust_report_make(spec, a, d, r, e);
     if (!s && !quiet) print_wind(r);
     if (!s) s = wf_wind_results_write(r, head, d, folder, e);
-    if (!s && !o->no_plots) s = wf_pages_make(folder, o->lang, a, e);
-    if (!s && !quiet) printf("\nTables%s: %s\n", o->no_plots ? "" : ", plots and page", folder);
+    bool plots = !o->no_plots && !s && r->stats[0].high > r->stats[0].low;
+    if (!s && !o->no_plots && !plots)
+        wf_diag_warn(d, "no-figures", "the wind does not change: no spectrum and no gust to draw");
+    if (plots) s = wf_pages_make(folder, o->lang, a, e);
+    if (!s && !quiet) printf("\nTables%s: %s\n", plots ? ", plots and page" : "", folder);
     return s;
 }
 
@@ -268,8 +279,10 @@ static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_st
         else
             printf(" (asked %.3f)\n", w->asked[c]);
     }
-    if (s->model->spectrum)
+    if (s->model->spectrum && isfinite(w->joint))
         printf("blocks meet within %.3f %% of the standard deviation\n", 100.0 * w->joint);
+    else if (s->model->spectrum)
+        printf("blocks meet within - of the standard deviation, which is 0\n");
     if (!isnan(w->coherence)) printf("coherence made within %.4f of the one asked for\n", w->coherence);
 }
 

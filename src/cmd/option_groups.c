@@ -72,8 +72,8 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
         struct wf_model *scan = NULL;
         if (!(s = wf_model_scanned(tree, t->joint, a, &scan, d, e))) *out = *scan;
     } else {
-        *path = wf_shipped("models", t->model, a);
-        s = wf_model_read(*path, a, out, d, e);
+        s = wf_shipped("models", t->model, a, path, d, e);
+        if (!s) s = wf_model_read(*path, a, out, d, e);
     }
     if (s) return s;
     double area = t->leaf_area;

@@ -169,6 +169,19 @@ static void question_order(struct winds *w, const char *whole)
             whole, first, whole, comma + 1, comma + 1, first, whole);
 }
 
+/* A grade without the name of its scale. Returned: as read_grade. */
+static const struct wf_wind_scale *read_next_grade(struct winds *w, const struct wf_wind_scale *scale,
+                                                   const char *item)
+{
+    const struct wf_wind_grade *g = scale->grade;
+    const char *grade = wf_arena_print(w->r->arena, "%s:%s", scale->name, item);
+    while (g->name && strcmp(g->name, item) != 0) g++;
+    if (g->name || !wf_option_unit(item)) return read_grade(w, grade ? grade : item);
+    winds_mistake(w, "'%.40s' behind a grade is read as '%s', which is none; write '%.40s m/s' for a speed",
+                  item, grade ? grade : item, item);
+    return NULL;
+}
+
 static void read_list(struct winds *w, char *text, const char *unit, const char *whole)
 {
     const struct wf_wind_scale *scale = NULL;
@@ -181,8 +194,7 @@ static void read_list(struct winds *w, char *text, const char *unit, const char 
         } else if (wf_wind_scale_is(item)) {
             scale = read_grade(w, item);
         } else if (follows_grade(w, scale, item, unit)) {
-            char *grade = wf_arena_print(w->r->arena, "%s:%s", scale->name, item);
-            scale = read_grade(w, grade ? grade : item);
+            scale = read_next_grade(w, scale, item);
         } else {
             double speed = read_speed(w, item, unit);
             falls |= speed < last;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/import.h"
+#include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "grow/import_mat.h"
@@ -10,6 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 const struct wf_import_format wf_import_formats[] = {
     { "normalised", "normalised CSV", "radius, length, start, axis, parent" },
@@ -34,11 +36,26 @@ struct wf_import_options wf_import_default(void)
 
 enum { HEAD = 65536 };
 
+/* The beginning of a pipe, which is read whole: it cannot be opened again. */
+static enum wf_status read_piped(struct wf_import_head *h, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_bytes b;
+    enum wf_status s = wf_file_read(h->path, a, &b, e);
+    if (s) return s;
+    h->size = b.size < HEAD ? b.size : HEAD;
+    memcpy(h->text, b.data, h->size);
+    h->ends_open = b.size && b.data[b.size - 1] != '\n';
+    h->piped = true;
+    return h->size ? WF_OK : wf_fail(e, WF_EINPUT, "%s: the file is empty", h->path);
+}
+
 static enum wf_status read_head(const char *path, struct wf_import_head *h, struct wf_arena *a,
                                 struct wf_err *e)
 {
     *h = (struct wf_import_head){ .path = path, .text = WF_TAKE(a, HEAD + 1, char) };
     if (!h->text) return wf_fail(e, WF_ENOMEM, "%s: no memory to look at it", path);
+    struct stat s;
+    if (!stat(path, &s) && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode)) return read_piped(h, a, e);
     FILE *f = fopen(path, "rb");
     if (!f) return wf_fail(e, WF_EINPUT, "%s: %s", path, strerror(errno));
     h->size = fread(h->text, 1, HEAD, f);

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/import_mat.h"
+#include "base/file.h"
 #include "base/num.h"
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 #ifdef WF_MATIO
 #include <matio.h>
 #endif
@@ -184,14 +187,56 @@ static enum wf_status read_cylinders(const struct mat_sources *s, const struct w
     return WF_OK;
 }
 
+/* A file on a disk for libmatio, which does not read pipes. Returned: the file's name, or the name of a copy
+ * that is to be removed. */
+static enum wf_status put_on_disk(const struct wf_import_head *h, struct wf_arena *a, const char **path,
+                                  struct wf_err *e)
+{
+    const char *folder = getenv("TMPDIR");
+    char *copy = wf_arena_print(a, "%s/windfirm-XXXXXX", folder && *folder ? folder : "/tmp");
+    struct wf_bytes b;
+    *path = h->path;
+    if (!h->piped) return WF_OK;
+    if (!copy) return wf_fail(e, WF_ENOMEM, "%s: no memory", h->path);
+    enum wf_status s = wf_file_read(h->path, a, &b, e);
+    if (s) return s;
+    int fd = mkstemp(copy);
+    if (fd < 0)
+        return wf_fail(e, WF_EOUTPUT, "%s: no file can be made in the folder for temporary files", copy);
+    *path = copy;
+    size_t done = 0;
+    for (ssize_t n = 1; done < b.size && n > 0; done += n > 0 ? (size_t)n : 0)
+        n = write(fd, b.data + done, b.size - done);
+    bool whole = close(fd) == 0 && done == b.size;
+    if (whole) return WF_OK;
+    (void)unlink(copy);
+    return wf_fail(e, WF_EOUTPUT, "%s: cannot be written", copy);
+}
+
+static enum wf_status read_on_disk(const struct wf_import_head *h, const char *path,
+                                   const struct wf_import_options *o, struct wf_arena *a, struct wf_qsm *q,
+                                   struct wf_diag *d, struct wf_err *e);
+
 enum wf_status wf_import_mat(const struct wf_import_head *h, const struct wf_import_options *o,
                              struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
+{
+    const char *path;
+    enum wf_status s = put_on_disk(h, a, &path, e);
+    if (s) return s;
+    s = read_on_disk(h, path, o, a, q, d, e);
+    if (h->piped) (void)unlink(path);
+    return s;
+}
+
+static enum wf_status read_on_disk(const struct wf_import_head *h, const char *path,
+                                   const struct wf_import_options *o, struct wf_arena *a, struct wf_qsm *q,
+                                   struct wf_diag *d, struct wf_err *e)
 {
     matvar_t *var[VARIABLES];
     struct mat_sources s = { 0 };
     size_t n = 0, models = 1;
-    if (!is_complete_mat(h->path)) return wf_fail(e, WF_EINPUT, "%s: the MATLAB file is cut off", h->path);
-    mat_t *mat = Mat_Open(h->path, MAT_ACC_RDONLY);
+    if (!is_complete_mat(path)) return wf_fail(e, WF_EINPUT, "%s: the MATLAB file is cut off", h->path);
+    mat_t *mat = Mat_Open(path, MAT_ACC_RDONLY);
     if (!mat) return wf_fail(e, WF_EINPUT, "%s: not a MATLAB file that libmatio can read", h->path);
     while (n < VARIABLES && (var[n] = Mat_VarReadNext(mat))) n++;
     enum wf_status status;

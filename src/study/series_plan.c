@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/series_plan.h"
+#include "base/num.h"
+#include "base/text.h"
 #include "base/yaml.h"
 #include "data/species.h"
 #include "solve/solve.h"
@@ -195,10 +197,36 @@ bool wf_series_plan_unused(const struct wf_series_plan_run *r, size_t member, ch
     }
 }
 
+static const char *preset_word(size_t i) { return wf_presets[i].name; }
+static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
+static const char *gust_word(size_t i) { return i ? wf_gust_models[i - 1].name : "steady"; }
+static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
+static const char *profile_word(size_t i) { return wf_profiles[i].name; }
+static const char *leaf_word(size_t i) { return wf_leaf_motions[i].name; }
+
+/* Report a word that is none of a list of rows. */
+static void check_word(struct wf_yaml *y, const char *key, const char *said, const char *(*word)(size_t i))
+{
+    const char *known[40];
+    size_t n = 0;
+    for (; said && n < WF_COUNT(known) && (known[n] = word(n)); n++)
+        if (strcmp(known[n], said) == 0) return;
+    if (said)
+        wf_yaml_error(y, key, "'%.60s' is not known%s", said,
+                      wf_did_you_mean_or(said, known, n, "there are: ").text);
+}
+
 /* Report values of a run that have no effect. The wind is required, also where a record has its own. */
 static void run_finish(struct wf_yaml *y, void *run)
 {
+    const struct wf_series_plan_run *r = run;
     char why[200];
+    check_word(y, "preset", r->preset, preset_word);
+    check_word(y, "solver", r->solver, solver_word);
+    check_word(y, "gust", r->gust, gust_word);
+    check_word(y, "shelter", r->shelter, shelter_word);
+    check_word(y, "profile", r->profile.name, profile_word);
+    check_word(y, "leaf_motion", r->leaf_motion, leaf_word);
     for (const struct wf_yaml_row *row = run_rows; row->key; row++)
         if (!row->required && wf_yaml_has(y, row->key) &&
             wf_series_plan_unused(run, row->offset, why, sizeof why))
