@@ -267,14 +267,14 @@ static bool fill_keys(struct study_keys *b, struct wf_arena *a)
 static void take_operands(struct study_keys *b, const char *list)
 {
     struct wf_args *out = b->reading->args;
-    char *rest = NULL, *text = wf_arena_text(b->reading->arena, list);
+    char *rest = wf_arena_text(b->reading->arena, list);
     const char **operand = WF_TAKE(b->reading->arena, strlen(list) + 1, const char *);
-    if (!text || !operand) {
+    if (!rest || !operand) {
         wf_option_mistake(b->reading, b->taker->subject, "", "out of memory");
         return;
     }
-    for (char *w = strtok_r(text, ",", &rest); w; w = strtok_r(NULL, ",", &rest)) {
-        w += strspn(w, " ");
+    for (char *w; (w = wf_list_item(&rest));) {
+        if (!*w) wf_option_mistake(b->reading, b->taker->subject, "", "an item of the list is empty");
         operand[out->n++] = b->taker->files ? wf_beside(b->file, w, b->reading->arena) : w;
     }
     out->operand = operand;

@@ -158,11 +158,23 @@ static void take_flag(struct wf_reading *r, size_t k, const char *text)
     r->args->given[k] = *(bool *)wf_option_member(r, k) = i < 2;
 }
 
+static bool has_empty_item(const char *list)
+{
+    bool empty = true;
+    for (const char *p = list; *p; p++) {
+        if (*p == ',' && empty) return true;
+        empty = *p == ',' || (empty && *p == ' ');
+    }
+    return empty;
+}
+
 static void take_text(struct wf_reading *r, size_t k, const char *text)
 {
     const struct wf_option *o = &r->args->option[k];
     const char **member = wf_option_member(r, k);
-    bool adds = o->kind == WF_OPTION_TEXTS && *member;
+    bool list = o->kind == WF_OPTION_TEXTS, adds = list && *member;
+    if (list && has_empty_item(text))
+        wf_option_mistake(r, r->key[k], o->name, "'%.100s': an item of the list is empty", text);
     *member = adds ? wf_arena_print(r->arena, "%s,%s", *member, text) : text;
     if (!*member) wf_option_mistake(r, r->key[k], o->name, "out of memory");
 }

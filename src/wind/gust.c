@@ -2,6 +2,7 @@
 #include "wind/gust.h"
 #include "base/num.h"
 #include "base/random.h"
+#include "base/text.h"
 #include "wind/gust_spectral.h"
 #include "wind/noise.h"
 #include <math.h>
@@ -187,13 +188,14 @@ enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, co
 {
     struct wf_record_request q;
     struct wf_record *r = WF_TAKE(a, 1, struct wf_record);
-    char *rest = NULL, *words = wf_arena_text(a, columns);
+    char *rest = wf_arena_text(a, columns);
     if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs the file of an anemometer");
-    if (!r || !words) return wf_fail(e, WF_ENOMEM, "not enough memory for a record");
+    if (!r || !rest) return wf_fail(e, WF_ENOMEM, "not enough memory for a record");
     wf_record_request_default(&q);
-    q.time = strtok_r(words, ",", &rest);
-    for (int k = 0; k < 3; k++) q.part[k] = strtok_r(NULL, ",", &rest);
-    if (!q.time || !q.part[0] || strtok_r(NULL, ",", &rest))
+    q.time = wf_list_item(&rest);
+    bool empty = !*q.time;
+    for (int k = 0; k < 3; k++) empty |= (q.part[k] = wf_list_item(&rest)) && !*q.part[k];
+    if (empty || !q.part[0] || wf_list_item(&rest))
         return wf_fail(
             e, WF_EUSAGE,
             "columns '%s': a time column and one to three components are needed, separated by commas",
