@@ -28,6 +28,8 @@ commands() {
 # What is not run, and why.
 reason_to_skip() {
     case "$1" in
+    *" analyze "*"--model weeping_willow_tree"*) echo "takes a minute" ;;
+    *"--bootstrap 200"*) echo "takes minutes; tests/test_fit_cmd.c has a smaller one" ;;
     "windfirm validate") echo "the whole validation is run by tests/run.sh itself" ;;
     esac
 }

@@ -131,14 +131,16 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Whether an item behind a grade is a grade of the same scale: any word, and a number without a unit where
- * the grades are numbers ("beaufort:8,9"). */
+/* Whether an item behind a grade is a grade of the same scale: any word, and a number without a unit that is
+ * a grade ("beaufort:8,9"; in "beaufort:8,30" the second is a speed). */
 static bool follows_grade(const struct winds *w, const struct wf_wind_scale *scale, const char *item,
                           const char *unit)
 {
-    const char *own = wf_option_unit(item);
     if (!scale || strchr(item, ':')) return false;
-    return !own || (!*own && unit == w->o->unit && strspn(scale->grade->name, "0123456789") > 0);
+    if (!wf_option_unit(item)) return true;
+    const struct wf_wind_grade *g = scale->grade;
+    while (g->name && strcmp(g->name, item) != 0) g++;
+    return g->name && unit == w->o->unit;
 }
 
 /* One item that is no grade. Returned: its first speed; NAN after a mistake. */
@@ -169,19 +171,6 @@ static void question_order(struct winds *w, const char *whole)
             whole, first, whole, comma + 1, comma + 1, first, whole);
 }
 
-/* A grade without the name of its scale. Returned: as read_grade. */
-static const struct wf_wind_scale *read_next_grade(struct winds *w, const struct wf_wind_scale *scale,
-                                                   const char *item)
-{
-    const struct wf_wind_grade *g = scale->grade;
-    const char *grade = wf_arena_print(w->r->arena, "%s:%s", scale->name, item);
-    while (g->name && strcmp(g->name, item) != 0) g++;
-    if (g->name || !wf_option_unit(item)) return read_grade(w, grade ? grade : item);
-    winds_mistake(w, "'%.40s' behind a grade is read as '%s', which is none; write '%.40s m/s' for a speed",
-                  item, grade ? grade : item, item);
-    return NULL;
-}
-
 static void read_list(struct winds *w, char *text, const char *unit, const char *whole)
 {
     const struct wf_wind_scale *scale = NULL;
@@ -194,7 +183,8 @@ static void read_list(struct winds *w, char *text, const char *unit, const char 
         } else if (wf_wind_scale_is(item)) {
             scale = read_grade(w, item);
         } else if (follows_grade(w, scale, item, unit)) {
-            scale = read_next_grade(w, scale, item);
+            char *grade = wf_arena_print(w->r->arena, "%s:%s", scale->name, item);
+            scale = read_grade(w, grade ? grade : item);
         } else {
             double speed = read_speed(w, item, unit);
             falls |= speed < last;
