@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/commands.h"
+#include "cmd/read_mat.h"
+#include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { COMMANDS_MAX = 64 };
 
@@ -25,12 +30,38 @@ static int unknown(const char *word)
     size_t n = 0;
     for (; n < COMMANDS_MAX && wf_commands[n].name; n++) known[n] = wf_commands[n].name;
     struct wf_hint hint = wf_did_you_mean(word, known, n);
-    fprintf(stderr, "windfirm: no command is called '%s'%s\n", word,
+    fprintf(stderr, "windfirm: unknown command '%s'%s\n", word,
             *hint.text ? hint.text : "; 'windfirm --help' lists them");
     return 2;
 }
 
-int main(int argc, char **argv)
+/* A descriptor of 0, 1, 2 that is closed would be given to the next file opened: what is printed would go
+ * into a results file. Each is therefore occupied by something that cannot be read, or not be written. A
+ * folder, because /dev/null could be opened again for writing by the name /dev/stdout. */
+static void occupy_closed(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && errno == EBADF)
+            (void)!open(fd == STDIN_FILENO ? "/dev/null" : "/", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+/* Output that could not be written, because of a full disk or a closed descriptor, is a failed run. Returned:
+ * the exit code. */
+static int finish(int code)
+{
+    bool bad = ferror(stdout) || fflush(stdout);
+    int reason = bad ? wf_stream_reason(stdout) : 0;
+    errno = 0;
+    if (fclose(stdout) && !bad) bad = true, reason = errno;
+    if (!bad) return code;
+    fprintf(stderr, "windfirm: standard output: %s\n",
+            reason == EBADF ? "is closed"
+            : reason        ? strerror(reason)
+                            : "write error");
+    return code ? code : 1;
+}
+
+static int run(int argc, char **argv)
 {
     if (argc < 2) return help(stderr);
     const char *word = argv[1];
@@ -38,13 +69,18 @@ int main(int argc, char **argv)
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || (detail && argc < 3)) return help(stdout);
     if (strcmp(word, "--version") == 0 || strcmp(word, "version") == 0)
         return printf("windfirm %s\n", WF_VERSION) < 0;
+    if (strcmp(word, WF_READ_MAT_WORD) == 0) return wf_read_mat_apart(argc, argv);
     if (detail) word = argv[2];
     for (const struct wf_command *c = wf_commands; c->name; c++) {
         if (strcmp(word, c->name) != 0) continue;
         char page[] = "--help", *only_help[] = { argv[detail ? 2 : 1], page, NULL };
-        int code = detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
-        /* output that could not be written, because of a full disk or a closed pipe, is a failed run */
-        return fflush(stdout) || ferror(stdout) ? (code ? code : 1) : code;
+        return detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
     }
     return unknown(word);
+}
+
+int main(int argc, char **argv)
+{
+    occupy_closed();
+    return finish(run(argc, argv));
 }

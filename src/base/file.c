@@ -63,16 +63,24 @@ void wf_file_abandon(struct wf_file *f)
     f->temporary[0] = '\0';
 }
 
+int wf_stream_reason(FILE *f)
+{
+    errno = 0;
+    (void)!write(fileno(f), "\n", 1);
+    return errno;
+}
+
 enum wf_status wf_file_commit(struct wf_file *f, struct wf_err *e)
 {
     if (!f->stream) return wf_fail(e, WF_EINTERNAL, "commit of a file that is not open");
-    errno = 0;
     bool bad = ferror(f->stream) || fflush(f->stream);
+    int reason = bad ? wf_stream_reason(f->stream) : 0;
+    errno = 0;
     bad = fclose(f->stream) || bad;
     f->stream = NULL;
     if (!bad && f->temporary[0]) bad = rename(f->temporary, f->path) != 0;
     if (!bad) return f->temporary[0] = '\0', WF_OK;
-    int reason = errno;
+    if (!reason) reason = errno;
     wf_file_abandon(f);
     return wf_fail(e, WF_EOUTPUT, "%s: cannot be written: %s", f->path,
                    reason ? strerror(reason) : "write error");

@@ -3,6 +3,7 @@
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
+#include "cmd/read_mat.h"
 #include "data/species.h"
 #include "out/fit_results.h"
 #include <math.h>
@@ -67,8 +68,7 @@ static const char about[] =
     "STUDY names trees, tests on them and sensors ('windfirm schema fit' shows its keys); the engine's "
     "answer is fitted to the "
     "readings. Estimates come with 95 % intervals by covariance and by profile likelihood, with what the "
-    "data leave open, and "
-    "beside a fit with the root the other way (clamped or giving).\n"
+    "data do not determine, and beside a fit with the root the other way (clamped or flexible).\n"
     "\n"
     "  windfirm fit models/field/sample_pull.yaml --free level0.youngs_modulus,root.stiffness\n"
     "  windfirm fit models/field/sample_pull.yaml --loss cauchy --write mine.yaml";
@@ -178,7 +178,7 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
         }
         if (!isnan(of->rival.aicc) && !isnan(of->rival.own))
             fprintf(to, "\nAICc %.2f here, %.2f there: the data %s\n", of->rival.own, of->rival.aicc,
-                    fabs(of->rival.own - of->rival.aicc) < 2 ? "do not choose between them"
+                    fabs(of->rival.own - of->rival.aicc) < 2 ? "do not decide between them"
                     : of->rival.own < of->rival.aicc         ? "prefer this fit"
                                                              : "prefer the other");
         else
@@ -238,7 +238,9 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
 {
     const char *names = j->options->data, *list[64];
     char *rest = NULL, *copy = names ? wf_arena_text(&j->arena, names) : NULL;
-    struct wf_fit_build b = { .calibration = &j->r.calibration, .share = wf_share(), .data = list };
+    struct wf_fit_build b = {
+        .calibration = &j->r.calibration, .share = wf_share(), .data = list, .mat = wf_read_mat
+    };
     for (char *p = copy ? strtok_r(copy, ",", &rest) : NULL; p && b.datas < 64;
          p = strtok_r(NULL, ",", &rest))
         list[b.datas++] = p;
@@ -266,9 +268,9 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
                              &j->r.params, e);
 }
 
-/* Second fit with the opposite root: clamped if the first was elastic, and vice versa. If it fails, it is
- * omitted; the requested fit is unaffected. */
-static void fit_rival(struct fit_job *j, struct wf_fit_options o)
+/* Second fit with the opposite root: clamped if the first was elastic, and vice versa. If the data do not
+ * allow it, it is omitted; the requested fit is unaffected. Errors: WF_ENOMEM. */
+static enum wf_status fit_rival(struct fit_job *j, struct wf_fit_options o, struct wf_err *why)
 {
     struct wf_fit_param *p = WF_TAKE(&j->arena, j->r.params + j->r.x.trees + 1, struct wf_fit_param);
     struct wf_diag d = { .arena = &j->arena };
@@ -278,7 +280,8 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     for (size_t k = 0; k < j->r.x.tests; k++)
         for (size_t s = 0; s < j->r.x.test[k].sensors; s++)
             tested |= j->r.x.test[k].sensor[s].kind != WF_SENSOR_DAMPING;
-    if (!p || !tested) return;
+    if (!p) return wf_fail(why, WF_ENOMEM, "not enough memory for the second fit");
+    if (!tested) return WF_OK;
     for (size_t k = 0; k < j->r.params; k++) had |= j->r.param[k].quantity == WF_FIT_ROOT;
     for (size_t k = 0; k < j->r.params; k++) {
         if (wf_param_nuisance(&j->r.param[k]))
@@ -288,14 +291,14 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     }
     if (!had && wf_param_add(&j->r.x, j->r.x.trees > 1 ? "each:root.stiffness" : "root.stiffness", &j->arena,
                              p, &n, &e))
-        return;
-    if (!n) return;
+        return e.code == WF_ENOMEM ? wf_fail(why, e.code, "%s", e.text) : WF_OK;
+    if (!n) return WF_OK;
     for (size_t k = j->r.params - nuisance; k < j->r.params; k++) p[n++] = j->r.param[k];
     o.profile = false, o.resamples = 0, o.starts = 1;
     struct wf_fit_rival *r = &j->r.rival;
-    r->text = had ? "clamped root" : "root plate that gives";
+    r->text = had ? "clamped root" : "flexible root plate";
     double *stiffness = WF_TAKE(&j->arena, j->r.x.trees, double);
-    if (!stiffness) return;
+    if (!stiffness) return wf_fail(why, WF_ENOMEM, "not enough memory for the second fit");
     for (size_t k = 0; k < j->r.x.trees; k++) {
         double *of = j->r.x.tree[k].options.root_stiffness;
         stiffness[k] = of[0];
@@ -304,11 +307,13 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     enum wf_status s = wf_fit_run(&j->r.x, p, n, &o, &j->arena, &d, &r->fit, &e);
     for (size_t k = 0; k < j->r.x.trees; k++)
         j->r.x.tree[k].options.root_stiffness[0] = j->r.x.tree[k].options.root_stiffness[1] = stiffness[k];
-    if (s || r->fit.stopped) return;
+    if (s == WF_ENOMEM) return wf_fail(why, s, "%s", e.text);
+    if (s || r->fit.stopped) return WF_OK;
     const struct wf_fit *rich = had ? &j->r.fit : &r->fit;
     r->aicc = wf_fit_aicc(&r->fit, rich);
     r->own = wf_fit_aicc(&j->r.fit, rich);
     r->made = true;
+    return WF_OK;
 }
 
 /* Fit the tree, and unless --no-rival the second model too. */
@@ -318,7 +323,7 @@ static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
     struct sigaction act = { .sa_handler = note_interrupt }, before;
     sigaction(SIGINT, &act, &before);
     enum wf_status s = wf_fit_run(&j->r.x, j->r.param, j->r.params, &o, &j->arena, &j->r.diag, &j->r.fit, e);
-    if (!s && !interrupted && !j->options->no_rival) fit_rival(j, o);
+    if (!s && !interrupted && !j->options->no_rival) s = fit_rival(j, o, e);
     sigaction(SIGINT, &before, NULL);
     wf_progress(NULL);
     return s;
@@ -355,7 +360,7 @@ int wf_cmd_fit(int argc, char **argv)
     int code = wf_args_read(argc, argv, options, about, 1, 1, &j.arena, &o.args);
     if (code < 0) {
         j.folder = o.output;
-        j.r.command = wf_args_typed(argc, argv, &j.arena);
+        j.r.command = wf_command_line(argc, argv, &j.arena);
         j.r.loss = o.loss, j.r.priors = o.priors;
         j.r.date = wf_run_date(&j.arena);
         enum wf_status s = j.r.command && j.r.date

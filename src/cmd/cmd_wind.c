@@ -98,8 +98,8 @@ const struct wf_option wf_wind_options[] = {
 };
 
 static const char about[] =
-    "  Make a wind that changes with time, compare it with what was asked for, write and draw it.\n"
-    "  MODEL is a row of `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
+    "  Make a wind that changes with time, compare it with what was specified, write and draw it.\n"
+    "  MODEL is a name from `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
     "frequency,\n"
     "  weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) and draws it.\n"
     "\n"
@@ -134,8 +134,8 @@ static enum wf_status read_record(const struct wind_options *o, struct wf_gust_s
     if (!WF_GIVEN(o, components) && r->components == 3) s->components = 3;
     if (!WF_GIVEN(o, wind)) s->speed = r->mean;
     if (!o->args.quiet)
-        printf("%s: %zu rows, %zu steps of %g s; %zu rows with unreadable cells, %zu steps bridged in %zu "
-               "gaps (longest %zu)\n"
+        printf("%s: %zu rows, %zu steps of %g s; %zu rows with unreadable cells, %zu steps interpolated in "
+               "%zu gaps (longest %zu)\n"
                "  mean %.3f m/s towards %.1f deg (first axis towards second), tilt %.1f deg\n",
                file, r->rows, r->n, r->step, r->unreadable, r->missing, r->gaps, r->longest, r->mean,
                r->azimuth * 180 / M_PI, r->tilt * 180 / M_PI);
@@ -148,7 +148,7 @@ static enum wf_status place_points(const struct wind_options *o, struct wf_gust_
 {
     const char *file = o->points_file;
     if (file && WF_GIVEN(o, points))
-        return wf_fail(e, WF_EUSAGE, "--points and --points-file: one of them says where the points are");
+        return wf_fail(e, WF_EUSAGE, "give one of --points and --points-file, not both");
     if (file) {
         struct wf_points p;
         enum wf_status status = wf_points_read(file, WF_GUST_POINTS_MAX, a, d, &p, e);
@@ -173,7 +173,7 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
     const struct wf_gust_model *m = wf_gust_named(name);
     if (!m) {
         struct wf_hint hint = wf_did_you_mean(name, known, n);
-        return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'%s", name,
+        return wf_fail(e, WF_EUSAGE, "unknown gust model '%s'%s", name,
                        *hint.text ? hint.text : "; `windfirm wind list` shows them");
     }
     wf_gust_spec_default(m, s);
@@ -194,7 +194,7 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
     if (s->points > SHOWN_MAX || (double)s->points * s->components * (double)s->steps > 3e8)
         return wf_fail(
             e, WF_EUSAGE,
-            "%zu points, %u components and %zu steps are more than is looked at here (%d points, 3e8 "
+            "%zu points, %u components and %zu steps are more than can be analysed here (%d points, 3e8 "
             "numbers); --stream writes any number",
             s->points, s->components, s->steps, SHOWN_MAX);
     return WF_OK;
@@ -229,8 +229,8 @@ static void print_wind(const struct wf_gust_report *r)
     if (isfinite(r->joint))
         printf("blocks meet within    %8.3f %% of the standard deviation\n", 100.0 * r->joint);
     if (!isnan(r->coherence_error))
-        printf("coherence made within %8.4f of the one asked for\n", r->coherence_error);
-    if (r->findings) printf("\n%-36s %12s %12s %10s  scatter\n", "asked and got", "asked", "got", "off");
+        printf("coherence within      %8.4f of the specified one\n", r->coherence_error);
+    if (r->findings) printf("\n%-36s %12s %12s %10s  scatter\n", "property", "specified", "obtained", "off");
     for (size_t i = 0; i < r->findings; i++) {
         const struct wf_gust_finding *f = &r->finding[i];
         printf("%-36s %12.5g %12.5g ", f->name, f->asked, f->got);
@@ -277,13 +277,13 @@ static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_st
         if (isnan(w->asked[c]))
             printf("\n");
         else
-            printf(" (asked %.3f)\n", w->asked[c]);
+            printf(" (specified %.3f)\n", w->asked[c]);
     }
     if (s->model->spectrum && isfinite(w->joint))
         printf("blocks meet within %.3f %% of the standard deviation\n", 100.0 * w->joint);
     else if (s->model->spectrum)
         printf("blocks meet within - of the standard deviation, which is 0\n");
-    if (!isnan(w->coherence)) printf("coherence made within %.4f of the one asked for\n", w->coherence);
+    if (!isnan(w->coherence)) printf("coherence within %.4f of the specified one\n", w->coherence);
 }
 
 static enum wf_status write_stream(const struct wind_options *o, const struct wf_gust_spec *spec,

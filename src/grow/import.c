@@ -10,8 +10,10 @@
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 const struct wf_import_format wf_import_formats[] = {
     { "normalised", "normalised CSV", "radius, length, start, axis, parent" },
@@ -53,7 +55,7 @@ static enum wf_status read_head(const char *path, struct wf_import_head *h, stru
                                 struct wf_err *e)
 {
     *h = (struct wf_import_head){ .path = path, .text = WF_TAKE(a, HEAD + 1, char) };
-    if (!h->text) return wf_fail(e, WF_ENOMEM, "%s: no memory to look at it", path);
+    if (!h->text) return wf_fail(e, WF_ENOMEM, "%s: not enough memory to read it", path);
     struct stat s;
     if (!stat(path, &s) && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode)) return read_piped(h, a, e);
     FILE *f = fopen(path, "rb");
@@ -65,6 +67,40 @@ static enum wf_status read_head(const char *path, struct wf_import_head *h, stru
     (void)fclose(f);
     if (bad) return wf_fail(e, WF_EINPUT, "%s: %s", path, strerror(why));
     return h->size ? WF_OK : wf_fail(e, WF_EINPUT, "%s: the file is empty", path);
+}
+
+/* A copy of a pipe on a disk, which libmatio needs. Returned: its name, to be removed. */
+static enum wf_status copy_piped(const char *pipe, struct wf_arena *a, char **copy, struct wf_err *e)
+{
+    const char *folder = getenv("TMPDIR");
+    struct wf_bytes b;
+    *copy = wf_arena_print(a, "%s/windfirm-XXXXXX", folder && *folder ? folder : "/tmp");
+    if (!*copy) return wf_fail(e, WF_ENOMEM, "%s: not enough memory to read it", pipe);
+    enum wf_status s = wf_file_read(pipe, a, &b, e);
+    if (s) return s;
+    int fd = mkstemp(*copy);
+    if (fd < 0) return wf_fail(e, WF_EOUTPUT, "%s: cannot be made: %s", *copy, strerror(errno));
+    size_t done = 0;
+    for (ssize_t n = 1; done < b.size && n > 0; done += n > 0 ? (size_t)n : 0)
+        n = write(fd, b.data + done, b.size - done);
+    if (close(fd) == 0 && done == b.size) return WF_OK;
+    (void)unlink(*copy);
+    return wf_fail(e, WF_EOUTPUT, "%s: cannot be written", *copy);
+}
+
+/* Call a reader of MATLAB files on a copy of a pipe. */
+static enum wf_status read_copy(wf_import_reader *reader, const struct wf_import_head *h,
+                                const struct wf_import_options *o, struct wf_arena *a, struct wf_qsm *q,
+                                struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_import_head on_disk = *h;
+    char *copy;
+    enum wf_status s = copy_piped(h->path, a, &copy, e);
+    if (s) return s;
+    on_disk.path = copy;
+    s = reader(&on_disk, o, a, q, d, e);
+    (void)unlink(copy);
+    return s;
 }
 
 static wf_import_reader *reader_for(const struct wf_import_head *h, const char *format)
@@ -113,8 +149,8 @@ static void suspect_units(const struct wf_qsm *q, struct wf_diag *d)
     }
     if (thick > 0.2 * (high - low))
         wf_diag_warn(d, "thick-stem",
-                     "%s: %.3g m thick and %.3g m high; is a unit wrong (--diameter-unit, --length-unit)?",
-                     q->name, thick, high - low);
+                     "%s: %.3g m thick and %.3g m high; check --diameter-unit and --length-unit", q->name,
+                     thick, high - low);
 }
 
 enum wf_status wf_import_read(const char *path, const struct wf_import_options *o, struct wf_arena *a,
@@ -131,7 +167,10 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
         if (!strncmp(h.text, "\xEF\xBB\xBF", 3)) wf_qsm_count(out, WF_NOTE_BOM, 1, -1);
         if (strstr(h.text, "\r\n")) wf_qsm_count(out, WF_NOTE_CRLF, 1, -1);
     }
-    if ((s = reader(&h, o, a, out, d, e))) return s;
+    bool copied = reader == wf_import_mat && h.piped;
+    if (reader == wf_import_mat && o->mat) reader = o->mat;
+    s = copied ? read_copy(reader, &h, o, a, out, d, e) : reader(&h, o, a, out, d, e);
+    if (s) return s;
     size_t bad = out->repairs.count[WF_REPAIR_BAD_ROW] + out->repairs.count[WF_REPAIR_TRUNCATED];
     if (bad > out->n)
         return wf_fail(e, WF_EINPUT, "%s: %zu of %zu rows cannot be read", path, bad, bad + out->n);

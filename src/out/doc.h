@@ -57,7 +57,8 @@ xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value
 
 /* Apply the stylesheet at `path` to a document. Given: pairs of parameter name and XPath expression, ending
  * at NULL, or NULL. The stylesheet may neither use the network nor write files. Returned: the new document in
- * *out (free with xmlFreeDoc) and, if f is not NULL, also its serialised form on f. Errors: WF_EINPUT with
+ * *out (free with xmlFreeDoc) and, if f is not NULL, also its serialised form on f; a write that fails is no
+ * error here, it shows in ferror(f), and wf_file_commit names file and reason. Errors: WF_EINPUT with
  * the place when the stylesheet is wrong, WF_EOUTPUT when it fails or f does. */
 enum wf_status wf_xml_transform(const char *path, xmlDoc *document, const char **parameters, FILE *f,
                                 xmlDoc **out, struct wf_err *e);

@@ -62,7 +62,7 @@ enum wf_status wf_program_run(const char *const *argv, const char *package, char
     if (failed) return wf_fail(e, WF_EOUTPUT, "%s: cannot be run: %s", argv[0], strerror(failed));
     while (waitpid(child, &result, 0) < 0)
         if (errno != EINTR)
-            return wf_fail(e, WF_EOUTPUT, "%s: its end was missed: %s", argv[0], strerror(errno));
+            return wf_fail(e, WF_EOUTPUT, "%s: waiting for its end failed: %s", argv[0], strerror(errno));
     if (WIFSIGNALED(result))
         return wf_fail(e, WF_EOUTPUT, "%s was ended by signal %d: %s", argv[0], WTERMSIG(result), said);
     if (WEXITSTATUS(result) == 127)

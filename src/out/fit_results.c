@@ -478,7 +478,7 @@ static void law_use(const struct sheet *t, const char *key, const char *table, s
 /* The estimates that have no key in a species table. */
 static char *beside(const struct wf_fit_results *of, struct wf_arena *a)
 {
-    char *out = wf_arena_print(a, "Fitted values stand in the levels and the crown.");
+    char *out = wf_arena_print(a, "Fitted values are in the levels and the crown.");
     for (size_t k = 0; out && k < of->fit.free; k++) {
         enum wf_fit_quantity q = of->param[k].quantity;
         double u;
@@ -529,8 +529,8 @@ enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char 
          *source_key = wf_arena_print(&a, "fit_%s", of->calibration.key);
     char *note = beside(of, &a);
     struct sheet t = { .of = of, .source_key = source_key };
-    enum wf_status s =
-        key && source_key && note ? wf_units_open(&t.units, e) : wf_fail(e, WF_ENOMEM, "%s: no room", path);
+    enum wf_status s = key && source_key && note ? wf_units_open(&t.units, e)
+                                                 : wf_fail(e, WF_ENOMEM, "%s: not enough memory", path);
     if (!s) s = wf_file_begin(&f, path, e);
     if (!s) {
         if (strchr(key, '.')) *strchr(key, '.') = '\0';

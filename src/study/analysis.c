@@ -12,6 +12,7 @@
 #include "wind/shelter_laws.h"
 #include <math.h>
 #include <string.h>
+#include <unistd.h>
 
 /* ---- Loads and displacements of rows and totals of the tree at one wind speed ---- */
 
@@ -321,7 +322,7 @@ static enum wf_status unload(struct wf_analysis *an, struct wf_arena *a, struct 
     wf_diag_warn(
         d, "unloaded",
         "%s, %s: taken as standing under its own weight. Its stress-free shape is up to %.3g m away; under "
-        "its weight it comes back to the shape given within %.2g m. Deflections count from the stress-free "
+        "its weight it returns to the shape given within %.2g m. Deflections count from the stress-free "
         "shape",
         an->model->name, an->species->name, moved, left);
     return WF_OK;
@@ -335,6 +336,31 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
     return !s && an->model->shape == WF_SHAPE_UNDER_WEIGHT ? unload(an, a, d, e) : s;
+}
+
+/* Measured: memory of one solution for a row of the tree (two meshes of the beam solver, the finer of about
+ * two elements a row), and of an analysis beside it. Large trees are solved one at a time: answers do not
+ * depend on the number of threads. */
+enum { SOLUTION_BYTES = 4500, ROW_BYTES = 1000, SOLUTIONS_BYTES = 1 << 30 };
+
+static size_t threads_for(const struct wf_analysis *an, const struct wf_solve_options *o)
+{
+    size_t threads = wf_parallel_threads(o->threads), most = SOLUTIONS_BYTES / SOLUTION_BYTES / an->tree.n;
+    return threads < most ? threads : most ? most : 1;
+}
+
+/* Refuse a tree for which this machine has not enough memory, instead of being killed by the system hours
+ * later. */
+static enum wf_status check_memory(const struct wf_analysis *an, size_t speeds, struct wf_err *e)
+{
+    double pages = (double)sysconf(_SC_PHYS_PAGES), page = (double)sysconf(_SC_PAGESIZE);
+    double needed = (double)an->tree.n * (SOLUTION_BYTES + ROW_BYTES + 400.0 * (double)speeds);
+    if (!(pages > 0 && page > 0) || needed <= 0.75 * pages * page) return WF_OK;
+    return wf_fail(
+        e, WF_ENOMEM,
+        "%zu segments at %zu wind speeds need about %.2g GB of memory; this machine has %.2g GB. Take "
+        "fewer segments or wind speeds",
+        an->tree.n, speeds, 1e-9 * needed, 1e-9 * pages * page);
 }
 
 bool wf_analysis_grown(const struct wf_analysis *an, size_t level)
@@ -448,7 +474,7 @@ static enum wf_status rung(void *context, size_t k, struct wf_err *e)
 static enum wf_status climb(const struct search *q, struct wf_err *e)
 {
     struct known *known = q->known;
-    size_t threads = wf_parallel_threads(q->o->threads);
+    size_t threads = threads_for(q->an, q->o);
     struct wf_arena scratch = { 0 };
     struct batch *b = WF_TAKE(&scratch, 1, struct batch);
     if (!b) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
@@ -464,7 +490,7 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
             else
                 b->speed[n++] = speed;
         }
-        enum wf_status s = wf_parallel(n, q->o->threads, rung, b, e);
+        enum wf_status s = wf_parallel(n, threads, rung, b, e);
         if (s) {
             wf_arena_free(&scratch);
             return s;
@@ -583,7 +609,7 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     for (size_t k = 0; k < an->sweep_n; k++)
         an->sweep[k].speed = step * (k < 4 * QUARTERED ? 0.25 * (double)k : (double)k - 3 * QUARTERED);
     struct sweep_points c = { an, &curve, an->sweep };
-    return wf_parallel(an->sweep_n, o->threads, sweep_point, &c, e);
+    return wf_parallel(an->sweep_n, threads_for(an, o), sweep_point, &c, e);
 }
 
 void wf_search_default(struct wf_search *s) { *s = (struct wf_search){ .speed_max = 100.0 }; }
@@ -619,7 +645,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     *out = (struct wf_analysis){
         .species = sp, .model = m, .solver = solver, .scenario = *sc, .search = q, .n = n, .diag = d
     };
-    if ((s = wf_analysis_set_up(out, a, d, e))) return s;
+    if ((s = wf_analysis_set_up(out, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
     for (size_t k = 0; k < n; k++)
