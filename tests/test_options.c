@@ -32,9 +32,9 @@ static void test_profiles(void **state)
           ">$T/s.yaml; $W analyze $T/s.yaml",
           CODE_INPUT,
           { "s.yaml:6:11: error: exponent: " NOT, "s.yaml:7:8: error: north: " NOT } },
-        { "sed 's/wind: 10 m.s/&\\n    exponent: 0.2\\n    profile: log/;s/nothing//' "
-          "models/papers/tang2012.yaml "
-          ">$T/p.yaml; $W papers $T/p.yaml --no-report --no-vtk -o $T/o",
+        { "sed 's/wind: 10 m.s/&, exponent: 0.2, profile: log/' models/papers/tang2012.yaml >$T/p.yaml; $W "
+          "papers "
+          "$T/p.yaml --no-report --no-vtk -o $T/o",
           CODE_INPUT,
           { "exponent: " NOT "with the profile 'log'" } },
         { "cat tests/data/fit/moso_wind.yaml >$T/f.yaml; sed -i 's/wind: *{/wind: {attenuation: 1, /' "
