@@ -116,6 +116,17 @@ const char *wf_nearest(const char *word, const char *const *known, size_t n)
     return best;
 }
 
+char *wf_list_item(char **rest)
+{
+    char *item = *rest, *comma = item ? strchr(item, ',') : NULL;
+    if (!item) return NULL;
+    *rest = comma ? comma + 1 : NULL;
+    if (comma) *comma = '\0';
+    item += strspn(item, " \t");
+    for (size_t n = strlen(item); n && (item[n - 1] == ' ' || item[n - 1] == '\t'); n--) item[n - 1] = '\0';
+    return item;
+}
+
 struct wf_hint wf_did_you_mean(const char *word, const char *const *known, size_t n)
 {
     struct wf_hint hint = { "" };

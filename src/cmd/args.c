@@ -138,6 +138,17 @@ static void check_operands(struct wf_reading *r, size_t low, size_t high)
                           high == 1 ? " is" : "s are", r->args->operand[high]);
 }
 
+/* Refuse options that have no effect beside the others: whoever gives one believes that it has. */
+static void refuse_unused(struct wf_reading *r)
+{
+    char why[WF_WHY];
+    for (size_t k = 0; k < r->options; k++) {
+        const struct wf_option *o = &r->args->option[k];
+        if (r->args->given[k] && o->unused && o->unused(r->args, o, why))
+            wf_option_mistake(r, r->key[k], o->name, "has no effect %s", why);
+    }
+}
+
 /* Defaults of what was not given, then the winds, which depend on other options. Called by the study file's
  * reader while mistakes about keys still know their line, else at the end; a second call does nothing. */
 static void complete(struct wf_reading *r)
@@ -148,6 +159,7 @@ static void complete(struct wf_reading *r)
     for (size_t k = 0; k < r->options; k++)
         if (!out->given[k] && out->option[k].initial) wf_option_take(r, k, out->option[k].initial);
     wf_winds_read(r);
+    if (!r->mistakes) refuse_unused(r);
 }
 
 /* ---- Study files ----
@@ -255,14 +267,14 @@ static bool fill_keys(struct study_keys *b, struct wf_arena *a)
 static void take_operands(struct study_keys *b, const char *list)
 {
     struct wf_args *out = b->reading->args;
-    char *rest = NULL, *text = wf_arena_text(b->reading->arena, list);
+    char *rest = wf_arena_text(b->reading->arena, list);
     const char **operand = WF_TAKE(b->reading->arena, strlen(list) + 1, const char *);
-    if (!text || !operand) {
+    if (!rest || !operand) {
         wf_option_mistake(b->reading, b->taker->subject, "", "out of memory");
         return;
     }
-    for (char *w = strtok_r(text, ",", &rest); w; w = strtok_r(NULL, ",", &rest)) {
-        w += strspn(w, " ");
+    for (char *w; (w = wf_list_item(&rest));) {
+        if (!*w) wf_option_mistake(b->reading, b->taker->subject, "", "an item of the list is empty");
         operand[out->n++] = b->taker->files ? wf_beside(b->file, w, b->reading->arena) : w;
     }
     out->operand = operand;
@@ -333,17 +345,6 @@ static const struct wf_yaml_table study_table = {
     .finish = apply_keys,
 };
 
-/* Whether a file begins with the key of a study. */
-static bool is_study(const char *path, struct wf_arena *a)
-{
-    struct wf_bytes text;
-    struct wf_err e = { 0 };
-    if (access(path, R_OK) || wf_file_read_text(path, a, &text, &e)) return false;
-    for (const char *p = text.data; p && *p; p = strchr(p, '\n') ? strchr(p, '\n') + 1 : NULL)
-        if (*p != '#' && *p != '\n' && *p != '\r') return strncmp(p, "study:", 6) == 0;
-    return false;
-}
-
 /* The study file: that of --study, or the only operand when that is one. NULL: none. */
 static const char *study_named(struct wf_reading *r)
 {
@@ -351,7 +352,7 @@ static const char *study_named(struct wf_reading *r)
     size_t k = 0;
     while (k < r->options && out->option[k].kind != WF_OPTION_STUDY) k++;
     if (k == r->options) return NULL;
-    if (!out->study && out->n == 1 && is_study(out->operand[0], r->arena)) {
+    if (!out->study && out->n == 1 && wf_begins_with_key(out->operand[0], "study:", r->arena)) {
         out->study = out->operand[0];
         out->given[k] = true;
         out->n = 0;

@@ -25,11 +25,10 @@ struct analyze_options {
     struct wf_args args;
     struct wf_tree_asked tree;
     struct wf_speeds wind;
-    struct wf_averaging averaging;
-    struct wf_profile_words profile;
+    struct wf_averaging averaging;   /* with the climate */
+    struct wf_profile_words profile; /* with the map of the ground */
     const char *output, *solver, *preset, *shelter, *lang;
-    const char *directions, *climate; /* NULL: not given                           */
-    const char *dem, *at;
+    const char *directions, *at; /* NULL: not given                                */
     size_t threads;
     double azimuth, north;           /* [rad]                                     */
     double temperature, altitude;    /* [K], [m]                                  */
@@ -39,6 +38,69 @@ struct analyze_options {
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     bool no_report;
 };
+
+/* The solver that is used: a preset's own comes first. NULL: a name is wrong. */
+static const struct wf_solver *solver_used(const struct analyze_options *o)
+{
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    return p ? wf_solver_named(p->solver ? p->solver : o->solver) : NULL;
+}
+
+static bool solver_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    (void)row;
+    return wf_option_unused(p && p->solver, why, "with the preset '%s', which has its own", o->preset);
+}
+
+static bool mesh_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    return s && wf_option_unused(s->unmeshed, why,
+                                 "with the solver '%s', which takes the segments as they are", s->name);
+}
+
+static bool root_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    return s && wf_option_unused(s->clamped, why, "with the solver '%s', which clamps the base", s->name);
+}
+
+static bool north_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    (void)row;
+    return wf_option_unused(!o->directions && !o->averaging.climate && !o->profile.ground, why,
+                            "without directions (--directions, --climate) or a map (--dem)");
+}
+
+static bool place_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    (void)row;
+    return wf_option_unused(!o->profile.ground, why, "without the ground, --dem");
+}
+
+/* The temperature sets the viscosity of the air too, so it has an effect beside a density. */
+static bool altitude_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    (void)row;
+    if (p && !isnan(p->air_density)) return wf_option_unused(true, why, "with the preset '%s'", p->name);
+    return wf_option_unused(!isnan(o->air_density), why, "beside --air-density");
+}
+
+static bool density_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_preset *p = wf_preset_named(((const struct analyze_options *)options)->preset);
+    (void)row;
+    return wf_option_unused(p && !isnan(p->air_density), why, "with the preset '%s', which has its own",
+                            p ? p->name : "");
+}
 
 #define OPTIONS struct analyze_options
 const struct wf_option wf_analyze_options[] = {
@@ -51,40 +113,42 @@ const struct wf_option wf_analyze_options[] = {
     WF_AVERAGING_ROWS(averaging),
     TEXT("--output", output, "FOLDER", NULL,
          "where results, tables, plots and pages go [out/analyze or out/compare]", .letter = "-o"),
-    WORD("--solver", solver, "NAME", wf_solver_word, "beam", "how the bent shape is computed",
-         .letter = "-s"),
+    WORD("--solver", solver, "NAME", wf_solver_word, "beam", "how the bent shape is computed", .letter = "-s",
+         .unused = solver_unused),
     WORD("--preset", preset, "NAME", wf_preset_word, "corrected",
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
-    PATH("--climate", climate, "FILE", NULL,
+    PATH("--climate", averaging.climate, "FILE", NULL,
          "wind climate, for hours a year above the critical wind: frequency and strength by direction, a CSV "
          "as for 'windfirm wind rose', hourly means at the reference height; its directions are taken"),
     NUMBER("--north", north, "ANGLE", ANGLE, "deg", -360, 360, "0",
-           "where north is in the model: clockwise from +y as seen from above; 0: north is +y, east +x"),
+           "where north is in the model: clockwise from +y as seen from above; 0: north is +y, east +x",
+           .unused = north_unused),
     WHOLE("--threads", threads, 0, 64, "0", "processors to use, 0: all; the results are the same"),
     WORD("--shelter", shelter, "LAW", wf_shelter_word, "none",
          "the wind inside the crown: none: as outside; wake: reduced by the drag of the windward parts; "
          "feng1999: potential flows as printed"),
     NUMBER("--speed-up", speed_up, "NUMBER", NONE, NULL, 0.1, 5, NULL,
            "exposure of the site: wind at the tree over the wind named [1]"),
-    PATH("--dem", dem, "FILE", NULL,
+    PATH("--dem", profile.ground, "FILE", NULL,
          "or found, for each direction, on heights of the ground, an ESRI ASCII grid, as 'windfirm terrain' "
          "finds it at the reference height"),
-    TEXT("--at", at, "X,Y", NULL, "where the tree stands on it [m]"),
-    NUMBER("--temperature", temperature, "TEMPERATURE", TEMPERATURE, "degC", -60, 60, "15", "of the air"),
+    TEXT("--at", at, "X,Y", NULL, "where the tree stands on it [m]", .unused = place_unused),
+    NUMBER("--temperature", temperature, "TEMPERATURE", TEMPERATURE, "degC", -60, 60, "15",
+           "of the air, for its density and viscosity"),
     NUMBER("--altitude", altitude, "LENGTH", LENGTH, "m", -500, 9000, "0",
-           "of the site above the sea, for the density of the air"),
+           "of the site above the sea, for the density of the air", .unused = altitude_unused),
     NUMBER("--air-density", air_density, "DENSITY", DENSITY, "kg/m3", 0.1, 2, NULL,
-           "in place of the one from temperature and altitude"),
+           "in place of the one from temperature and altitude", .unused = density_unused),
     NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, "100",
            "highest wind at which the critical speed is looked for"),
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
-           "relative error accepted from the mesh; 0 takes one element a segment"),
+           "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
-           "rotational stiffness of the root plate; without it the stem is clamped"),
+           "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
     WF_PAGE_ROWS("--no-report", no_report, lang, "write results and tables only"),
     WF_QUIET_ROW,
     { 0 },
@@ -109,7 +173,7 @@ static double degrees(double rad) { return rad * 180.0 / M_PI; }
 static enum wf_status read_directions(const struct analyze_options *o, struct wf_arena *a, struct wf_diag *d,
                                       struct wf_directions_request *out, struct wf_err *e)
 {
-    const char *n = o->directions, *climate = o->climate, *law = o->averaging.law;
+    const char *n = o->directions, *climate = o->averaging.climate, *law = o->averaging.law;
     *out = (struct wf_directions_request){
         .n = n ? (size_t)atoi(n) : 0, .north = o->north, .climate_file = climate, .law = law ? law : "durst"
     };
@@ -155,12 +219,12 @@ static enum wf_status read_exposure(const struct analyze_options *o, struct wf_a
 {
     bool given = !isnan(o->speed_up);
     if (given) s->speed_up = o->speed_up;
-    if (!o->dem && o->at) return wf_fail(e, WF_EUSAGE, "--at: needs --dem, the heights of the ground");
-    if (o->dem && given) return wf_fail(e, WF_EUSAGE, "give one of --speed-up and --dem, not both");
-    if (!o->dem) return WF_OK;
+    const char *dem = o->profile.ground;
+    if (dem && given) return wf_fail(e, WF_EUSAGE, "give one of --speed-up and --dem, not both");
+    if (!dem) return WF_OK;
     struct wf_site *site = WF_TAKE(a, 1, struct wf_site);
     if (!site) return wf_fail(e, WF_ENOMEM, "not enough memory for a map");
-    site->file = o->dem;
+    site->file = dem;
     return expose_site(site, o->at, a, s, q, e);
 }
 
@@ -402,10 +466,11 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     if (asked && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
     if (asked && !worst) worst = asked;
     for (size_t k = 0; k < w->options.args.n; k++) {
-        const char *path = wf_shipped("species", w->options.args.operand[k], &w->arena);
+        const char *path;
         size_t before = d.errors;
         next = (struct wf_err){ 0 };
-        enum wf_status s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
+        enum wf_status s = wf_shipped("species", w->options.args.operand[k], &w->arena, &path, &d, &next);
+        if (!s) s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
         if (s && d.errors == before) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
         if (s && !worst) worst = s;
         if (!s && (s = note_input(w, "species", path, e))) return s;

@@ -48,22 +48,36 @@ static const char about[] =
     "\n"
     "  windfirm explain poplar --model zhao2013_ifs --wind 10";
 
+/* Returned: whether there is none, and "-" was printed. */
+static bool print_ratio(double ratio)
+{
+    if (isfinite(ratio))
+        printf("%10.4g", ratio);
+    else
+        printf("%10s", "-");
+    return !isfinite(ratio);
+}
+
 static void print_methods(const struct wf_explain *x, double speed, double height)
 {
+    bool missing = false;
     printf("Wind %.4g m/s, a 10-min mean at %.6g m\n", speed, height);
     printf("Own bending of the branches over that by beam theory, middle of each level\n\n%-18s%10s%10s",
            "method", "tip", "within 5%");
     for (int32_t l = 0; l <= wf_explain_top(x); l++) printf("   level %d", (int)l);
     printf("\n");
     for (size_t m = 0; m < x->methods; m++) {
-        printf("%-18s%10.4g%9.0f%%", x->method[m]->name, x->tip[m], 100 * wf_explain_share(x, m, 0.05));
+        printf("%-18s", x->method[m]->name);
+        missing |= print_ratio(x->tip[m]);
+        printf("%9.0f%%", 100 * wf_explain_share(x, m, 0.05));
         for (int32_t l = 0; l <= wf_explain_top(x); l++) {
             struct wf_explain_spread s;
             wf_explain_spread(x, m, l, &s);
-            printf("%10.4g", s.middle);
+            missing |= print_ratio(s.middle);
         }
         printf("\n");
     }
+    if (missing) printf("-: the method has no answer there, or no branch bends by beam theory\n");
     printf("\n");
 }
 
@@ -90,8 +104,8 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
     wf_scenario_default(&an.scenario);
     an.scenario.azimuth = o->azimuth;
     wf_solve_options_default(&solve);
-    enum wf_status s = wf_species_read(wf_shipped("species", o->args.operand[0], a), &wf_laws, a, &sp, &d, e);
-    if (!s) s = wf_model_read(wf_shipped("models", o->model, a), a, &m, &d, e);
+    enum wf_status s = wf_species_named(o->args.operand[0], a, &sp, &d, e);
+    if (!s) s = wf_model_named(o->model, a, &m, &d, e);
     if (!s) s = wf_scenario_profile(&an.scenario, &o->profile, a, &d, e);
     if (!s) s = wf_scenario_check(&an.scenario, e);
     if (!s) s = wf_analysis_set_up(&an, a, &d, e);
@@ -123,7 +137,7 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
 int wf_cmd_explain(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
-    struct explain_options o;
+    struct explain_options o = { 0 };
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_explain_options, about, 1, 1, &arena, &o.args);
     if (code < 0 && !o.model) {

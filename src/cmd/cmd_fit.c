@@ -23,6 +23,20 @@ struct fit_options {
     const char *write, *output; /* NULL: nothing is written; folder */
 };
 
+static bool scale_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(!strcmp(((const struct fit_options *)options)->loss, "none"), why,
+                            "with the loss 'none'");
+}
+
+static bool seed_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct fit_options *o = options;
+    (void)row;
+    return wf_option_unused(o->starts < 2 && !o->bootstrap, why, "without --starts above 1 or --bootstrap");
+}
+
 #define OPTIONS struct fit_options
 static const struct wf_option options[] = {
     TEXTS("--data", data, "FILE[,FILE]", "CSV files of the tests that name none, in their order",
@@ -35,11 +49,12 @@ static const struct wf_option options[] = {
            "weight of outliers: none = plain least squares, or a robust loss"),
     NUMBER("--loss-scale", loss_scale, "NUMBER", NONE, NULL, 0.1, 100, NULL,
            "where the loss departs from squares, in standard deviations [1.345 huber, 2.385 cauchy, 4.685 "
-           "tukey]"),
+           "tukey]",
+           .unused = scale_unused),
     FLAG("--priors", priors, "the species table's ranges take part as normal distributions"),
     WHOLE("--starts", starts, 1, 1000, "1", "starting points tried, within a factor of 3 of the start"),
     WHOLE("--bootstrap", bootstrap, 0, 10000, "0", "resampled data sets for intervals by the bootstrap"),
-    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of starts and bootstrap"),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of starts and bootstrap", .unused = seed_unused),
     FLAG("--no-profile", no_profile, "no intervals by profile likelihood"),
     FLAG("--no-rival", no_rival, "no second fit with the root the other way"),
     TEXT("--write", write, "FILE", NULL, "write the species table with the fitted values"),
@@ -123,9 +138,9 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
 {
     const struct wf_fit *f = &of->fit;
     bool bound = false;
-    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", of->calibration.name, f->x->data,
-            f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
-            f->params > f->free ? " (offsets and drifts included)" : "");
+    fprintf(to, "%s\n%zu reading%s in %zu test%s, %zu parameter%s%s\n\n", of->calibration.name, f->x->data,
+            f->x->data == 1 ? "" : "s", f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
+            f->params == 1 ? "" : "s", f->params > f->free ? " (offsets and drifts included)" : "");
     print_parameters(to, f);
     for (size_t k = 0; k < of->x.tests; k++)
         if (of->input[k].swung) {
@@ -137,10 +152,17 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
     if (of->x.tests && of->input[0].swung) fputc('\n', to);
     print_correlations(to, f);
     print_sensors(to, f);
-    fprintf(to, "\nreduced chi-square %.4g with %zu degrees of freedom%s\n", f->reduced, f->freedom,
-            f->sigma_estimated ? " (1 by construction where sigmas are estimated)" : "");
     for (size_t k = 0; k < f->free; k++) bound |= f->estimate[k].at_low || f->estimate[k].at_high;
-    if (f->loose_n == 0)
+    if (f->freedom)
+        fprintf(to, "\nreduced chi-square %.4g with %zu degree%s of freedom%s\n", f->reduced, f->freedom,
+                f->freedom == 1 ? "" : "s",
+                f->sigma_estimated ? " (1 by construction where sigmas are estimated)" : "");
+    else
+        fprintf(
+            to,
+            "\nreduced chi-square - with 0 degrees of freedom: as many parameters as readings, so nothing "
+            "tests the fit\n");
+    if (f->loose_n == 0 && f->freedom)
         fprintf(to, "the data determine every parameter%s\n", bound ? " that did not end on a bound" : "");
     for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
     if (of->rival.made) {

@@ -21,7 +21,7 @@ static const struct wf_option options[] = {
     TEXT("--output", output, "FILE", NULL,
          "write the tree: name.csv, name.txt (TreeQSM columns), name.vtk (ParaView); a folder for several",
          .letter = "-o"),
-    WF_IMPORT_ROWS(import),
+    WF_IMPORT_ROWS(import, NULL),
     WF_QUIET_ROW,
     { 0 },
 };

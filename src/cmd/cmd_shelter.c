@@ -39,6 +39,22 @@ struct shelter_options {
     const char *lang;
 };
 
+/* Options of a measured tree. */
+static bool tree_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(!((const struct shelter_options *)options)->tree, why,
+                            "without a measured tree, --tree");
+}
+
+static bool growth_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct shelter_options *o = options;
+    const struct wf_shelter_law *law = wf_shelter_law_named(o->law);
+    (void)row;
+    return wf_option_unused(law && !law->wakes, why, "with the law '%s'", o->law);
+}
+
 #define OPTIONS struct shelter_options
 const struct wf_option wf_shelter_options[] = {
     STUDY,
@@ -47,7 +63,7 @@ const struct wf_option wf_shelter_options[] = {
     PATH("--species", species, "SPECIES", NULL,
          "wood and leaves: a species table, a file or the name of a shipped one", .letter = "-s"),
     NUMBER("--leaf-area", leaf_area, "AREA", AREA, "m2", 0, 1e5, "0",
-           "one-sided leaf area of a measured tree"),
+           "one-sided leaf area of a measured tree", .unused = tree_unused),
     WF_WIND_ROWS(wind, averaging, 0, 200, "mean wind at the reference height"),
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
@@ -61,8 +77,8 @@ const struct wf_option wf_shelter_options[] = {
     NUMBER("--leaf-reach", leaf_reach, "LENGTH", LENGTH, "m", 1e-3, 100, "0.25",
            "greatest distance of leaves from their segment"),
     NUMBER("--wake-growth", wake_growth, "NUMBER", NONE, NULL, 0, 1, "0.08",
-           "standard deviation of a wake per distance (law wake)"),
-    WF_IMPORT_ROWS(import),
+           "standard deviation of a wake per distance (law wake)", .unused = growth_unused),
+    WF_IMPORT_ROWS(import, tree_unused),
     TEXT("--output", output, "FOLDER", "out/shelter", "where tables and plots go", .letter = "-o"),
     FLAG("--no-motion", no_motion, "only the wind; the tree is not bent"),
     WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
@@ -112,9 +128,8 @@ static enum wf_status read_tree(struct work *w, struct wf_arena *a, struct wf_di
     if (!model == !file) return wf_fail(e, WF_EUSAGE, "give a tree by either --model or --tree");
     if (!species) return wf_fail(e, WF_EUSAGE, "--species is needed, for example --species oak");
     struct wf_err other = { 0 };
-    enum wf_status s = wf_species_read(wf_shipped("species", species, a), &wf_laws, a, &w->species, d, e),
-                   t = WF_OK;
-    if (model) t = wf_model_read(wf_shipped("models", model, a), a, &w->model, d, &other);
+    enum wf_status s = wf_species_named(species, a, &w->species, d, e), t = WF_OK;
+    if (model) t = wf_model_named(model, a, &w->model, d, &other);
     if (s || t) return s ? s : wf_fail(e, t, "%s", other.text);
     s = model ? wf_grow(&w->model, &w->species, a, &w->tree, d, e) : read_measured(w, file, a, d, e);
     return s ? s : wf_tree_check(&w->tree, d, e);

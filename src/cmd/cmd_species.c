@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
@@ -6,25 +7,23 @@
 #include "data/species.h"
 #include "load/drag.h"
 #include "load/load.h"
-#include <glob.h>
 #include <stdio.h>
 #include <string.h>
 
 static int list_species(struct wf_arena *a)
 {
     struct wf_diag d = { .arena = a };
-    glob_t found;
-    const char *pattern = wf_arena_print(a, "%s/species/*.yaml", wf_share());
-    if (!pattern || glob(pattern, 0, NULL, &found))
-        return wf_complain(&(struct wf_err){ WF_EINPUT, "no species tables are installed" });
+    const char **names, *path;
+    size_t n = wf_shipped_names(wf_share(), "species", a, &names);
+    if (!n) return wf_complain(&(struct wf_err){ WF_EINPUT, "no species tables are installed" });
     printf("%-18s %-8s %-28s %s\n", "name", "preset", "species", "latin");
-    for (size_t i = 0; i < found.gl_pathc; i++) {
+    for (size_t i = 0; i < n; i++) {
         struct wf_species sp;
-        if (wf_species_read(found.gl_pathv[i], &wf_laws, a, &sp, &d, NULL)) continue;
+        if (wf_shipped_path(wf_share(), "species", names[i], a, &path, NULL)) continue;
+        if (wf_species_read(path, &wf_laws, a, &sp, &d, NULL)) continue;
         printf("%-18s %-8s %-28s %s\n", sp.key, strcmp(sp.preset, "corrected") ? "printed" : "", sp.name,
                sp.latin ? sp.latin : "");
     }
-    globfree(&found);
     wf_print_findings(&d, false);
     return d.errors ? 2 : 0;
 }
@@ -72,10 +71,9 @@ static int show_species(const char *name, struct wf_arena *a)
     struct wf_err e = { 0 };
     struct wf_species sp;
     struct wf_units *u;
-    if (wf_species_read(wf_shipped("species", name, a), &wf_laws, a, &sp, &d, &e)) {
-        wf_print_findings(&d, false);
-        return d.errors ? 2 : wf_complain(&e);
-    }
+    enum wf_status s = wf_species_named(name, a, &sp, &d, &e);
+    wf_print_findings(&d, false);
+    if (s) return d.errors ? 2 : wf_complain(&e);
     if (wf_units_open(&u, &e)) return wf_complain(&e);
     printf("%s, %s%s%s%s%s\nfile: %s; preset: %s\n", sp.key, sp.name, sp.name_zh ? " " : "",
            sp.name_zh ? sp.name_zh : "", sp.latin ? ", " : "", sp.latin ? sp.latin : "", sp.file, sp.preset);

@@ -20,18 +20,27 @@ struct terrain_options {
     const char *lang;
 };
 
+/* Options of made ground. */
+static bool made_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(((const struct terrain_options *)options)->dem, why,
+                            "with ground that is read, --dem");
+}
+
 #define OPTIONS struct terrain_options
 static const struct wf_option options[] = {
     PATH("--dem", dem, "FILE", NULL, "heights as an ESRI ASCII grid; without it the ground is generated"),
-    WHOLE("--size", size, 1, 12, "8", "of generated ground: 2^NUMBER + 1 points a side"),
+    WHOLE("--size", size, 1, 12, "8", "of generated ground: 2^NUMBER + 1 points a side",
+          .unused = made_unused),
     NUMBER("--cell", cell, "LENGTH", LENGTH, "m", 0.1, 10000, "25",
-           "of generated ground: distance of neighbouring points"),
+           "of generated ground: distance of neighbouring points", .unused = made_unused),
     NUMBER("--smoothness", smoothness, "NUMBER", NONE, NULL, 0, 1, "1",
-           "of generated ground: exponent H, 0 rough to 1 smooth"),
+           "of generated ground: exponent H, 0 rough to 1 smooth", .unused = made_unused),
     NUMBER("--relief", relief, "LENGTH", LENGTH, "m", 0.01, 5000, "40",
-           "of generated ground: standard deviation of the heights"),
+           "of generated ground: standard deviation of the heights", .unused = made_unused),
     WHOLE("--seed", seed, 0, 9007199254740992.0, "1",
-          "of generated ground: whole number; the same seed gives the same ground"),
+          "of generated ground: whole number; the same seed gives the same ground", .unused = made_unused),
     NUMBER("--from", from, "ANGLE", ANGLE, "deg", -360, 360, "270",
            "direction the wind comes from, clockwise from north"),
     NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 500, "10", "above the ground, for the speed-up"),

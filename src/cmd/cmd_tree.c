@@ -105,7 +105,7 @@ struct info_options {
 
 #define OPTIONS struct info_options
 static const struct wf_option info_options[] = {
-    WF_IMPORT_ROWS(import),
+    WF_IMPORT_ROWS(import, NULL),
     CHOICE("--joint", joint, "HOW", "axis|bridge", "axis",
            "how branches are held in the analysis: where they leave the parent's axis, or at its end"),
     PATH("--species", species, "SPECIES", NULL, "take density and leaves from this species table",
@@ -168,7 +168,7 @@ static int measure_files(struct ask *k, struct wf_arena *a)
     k->known.density = k->options->density;
     k->known.leaf_area = k->options->leaf_area;
     if (name) {
-        enum wf_status s = wf_species_read(wf_shipped("species", name, a), &wf_laws, a, &species, &d, &e);
+        enum wf_status s = wf_species_named(name, a, &species, &d, &e);
         wf_print_findings(&d, false);
         if (s) return wf_complain(&e);
         k->known.species = &species;
@@ -220,9 +220,7 @@ static enum wf_status draw_picture(const struct draw_options *o, struct wf_arena
     const char *path, *to = o->output;
     enum wf_status s =
         wf_tree_asked_read(&o->tree, o->args.n ? o->args.operand[0] : NULL, a, &model, &path, d, e);
-    if (!s)
-        s = wf_species_read(wf_shipped("species", o->species ? o->species : "beech", a), &wf_laws, a,
-                            &species, d, e);
+    if (!s) s = wf_species_named(o->species ? o->species : "beech", a, &species, d, e);
     if (!s) s = wf_grow(&model, &species, a, &tree, d, e);
     if (!s) s = wf_tree_check(&tree, d, e);
     if (s) return s;

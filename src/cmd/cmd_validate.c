@@ -204,7 +204,8 @@ static size_t run_path(struct run *r, const char *path)
     for (FTSENT *f; (f = fts_read(walk));) {
         size_t n = f->fts_namelen;
         bool named = f->fts_level == FTS_ROOTLEVEL || (n > 5 && !strcmp(f->fts_name + n - 5, ".case"));
-        if (f->fts_info != FTS_F || !named) continue;
+        bool piped = f->fts_info == FTS_DEFAULT && f->fts_level == FTS_ROOTLEVEL;
+        if ((f->fts_info != FTS_F && !piped) || !named) continue;
         run_file(r, f->fts_path);
         files++;
     }

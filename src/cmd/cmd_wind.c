@@ -33,29 +33,66 @@ struct wind_options {
     const char *lang;
 };
 
+static bool model_unused(const struct wind_options *o, const struct wf_gust_model *m, const void *at,
+                         char *why)
+{
+    bool record = !strcmp(m->name, "record"), unused = false;
+    if (at == &o->intensity) unused = m->own_intensity;
+    if (at == &o->seed) unused = m->fixed;
+    if (at == &o->gust.file || at == &o->gust.columns) unused = !record;
+    if (at == &o->wind) unused = !wf_gust_takes_speed(m, o->gust.set);
+    return wf_option_unused(unused, why, "with the gust model '%s'%s", m->name,
+                            at == &o->wind ? ", which has its own (--set rescale=1 brings it to --wind)"
+                                           : "");
+}
+
+static bool wind_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wind_options *o = options;
+    const void *at = (const char *)options + row->member;
+    const char *what = o->args.n ? o->args.operand[0] : "";
+    bool of_rose = at == &o->gust.file || at == &o->output || at == &o->no_plots || at == &o->lang;
+    if (!strcmp(what, "list")) return wf_option_unused(true, why, "with 'list'");
+    if (!strcmp(what, "rose")) return wf_option_unused(!of_rose, why, "with 'rose'");
+    if (at == &o->height || at == &o->spacing)
+        if (wf_option_unused(o->points_file, why, "with --points-file")) return true;
+    if (at == &o->spacing && wf_option_unused(o->points < 2, why, "with one point")) return true;
+    if (at == &o->output && wf_option_unused(o->stream, why, "with --stream")) return true;
+    const struct wf_gust_model *m = wf_gust_named(what);
+    return m && model_unused(o, m, at, why);
+}
+
 #define OPTIONS struct wind_options
 const struct wf_option wf_wind_options[] = {
     STUDY,
-    WF_WIND_ROWS(wind, averaging, 0.01, 120, "mean wind"),
-    NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 1000, "10", "of the point above the ground"),
+    WF_WIND_ROWS(wind, averaging, 0.01, 120, "mean wind", .unused = wind_unused),
+    NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 1000, "10", "of the point above the ground",
+           .unused = wind_unused),
     NUMBER("--intensity", intensity, "NUMBER", NONE, NULL, 0, 1, "0.2",
-           "turbulence intensity: standard deviation along the wind / mean wind"),
+           "turbulence intensity: standard deviation along the wind / mean wind", .unused = wind_unused),
     NUMBER("--duration", duration, "TIME", TIME, "s", 1, 1e6, "3600",
-           "length of the series; a record is at most as long as it is, one gust (eog) as long as it takes"),
-    NUMBER("--step", step, "TIME", TIME, "s", 1e-4, 60, "0.1", "between two values"),
-    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "whole number; the same seed gives the same wind"),
-    CHOICE("--components", components, "1|3", "1|3", "1", "along the wind only, or along, across and up"),
+           "length of the series; a record is at most as long as it is, one gust (eog) as long as it takes",
+           .unused = wind_unused),
+    NUMBER("--step", step, "TIME", TIME, "s", 1e-4, 60, "0.1", "between two values", .unused = wind_unused),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "whole number; the same seed gives the same wind",
+          .unused = wind_unused),
+    CHOICE("--components", components, "1|3", "1|3", "1", "along the wind only, or along, across and up",
+           .unused = wind_unused),
     WHOLE("--points", points, 1, WF_GUST_POINTS_MAX, "1",
-          "points in a row across the wind; more than 200 with --stream"),
-    NUMBER("--spacing", spacing, "LENGTH", LENGTH, "m", 0.01, 1000, "2", "between neighbouring points"),
+          "points in a row across the wind; more than 200 with --stream", .unused = wind_unused),
+    NUMBER("--spacing", spacing, "LENGTH", LENGTH, "m", 0.01, 1000, "2", "between neighbouring points",
+           .unused = wind_unused),
     PATH("--points-file", points_file, "FILE", NULL,
          "points in place of a row, a CSV with columns x_m (along the wind), y_m (across, to the left), z_m "
-         "(above ground) and, where they differ, mean_ms"),
+         "(above ground) and, where they differ, mean_ms",
+         .unused = wind_unused),
     PATH("--stream", stream, "FILE", NULL,
          "write the wind to FILE block by block, for any number of points and steps, and nothing else: "
-         "NAME.csv as a table, NAME.npy as 32-bit numbers, steps x points x components"),
-    WF_GUST_ROWS(gust),
-    TEXT("--output", output, "FOLDER", "out/wind", "where tables and plots go", .letter = "-o"),
+         "NAME.csv as a table, NAME.npy as 32-bit numbers, steps x points x components",
+         .unused = wind_unused),
+    WF_GUST_ROWS(gust, wind_unused),
+    TEXT("--output", output, "FOLDER", "out/wind", "where tables and plots go", .letter = "-o",
+         .unused = wind_unused),
     WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
     WF_QUIET_ROW,
     { 0 },
@@ -130,13 +167,13 @@ static enum wf_status place_points(const struct wind_options *o, struct wf_gust_
 static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spec *s, struct wf_arena *a,
                                 struct wf_diag *d, struct wf_err *e)
 {
-    const char *name = o->args.operand[0], *known[16];
+    const char *name = o->args.operand[0], *known[24];
     size_t n = 0;
-    for (; n < 15 && wf_gust_models[n].name; n++) known[n] = wf_gust_models[n].name;
-    known[n] = "list";
+    for (; n < 22 && wf_gust_models[n].name; n++) known[n] = wf_gust_models[n].name;
+    known[n++] = "list", known[n++] = "rose";
     const struct wf_gust_model *m = wf_gust_named(name);
     if (!m) {
-        struct wf_hint hint = wf_did_you_mean(name, known, n + 1);
+        struct wf_hint hint = wf_did_you_mean(name, known, n);
         return wf_fail(e, WF_EUSAGE, "unknown gust model '%s'%s", name,
                        *hint.text ? hint.text : "; `windfirm wind list` shows them");
     }
@@ -164,6 +201,15 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
     return WF_OK;
 }
 
+/* In per cent; "-" where it is a share of nothing. */
+static void print_share(int width, double share)
+{
+    if (isfinite(share))
+        printf("%*.2f%%", width, 100.0 * share);
+    else
+        printf("%*s", width, "-");
+}
+
 static void print_wind(const struct wf_gust_report *r)
 {
     const struct wf_gust_spec *s = &r->spec;
@@ -181,18 +227,17 @@ static void print_wind(const struct wf_gust_report *r)
     printf("gust factor           %8.3f  (largest %g-s mean over %g s, mean of %zu)\n", t->gust_factor,
            t->gust_window, t->period, t->periods);
     printf("peak factor           %8.3f  (codes take 2.5 to 3.5)\n", t->peak_factor);
-    if (!isnan(r->joint))
+    if (isfinite(r->joint))
         printf("blocks meet within    %8.3f %% of the standard deviation\n", 100.0 * r->joint);
     if (!isnan(r->coherence_error))
         printf("coherence within      %8.4f of the specified one\n", r->coherence_error);
     if (r->findings) printf("\n%-36s %12s %12s %10s  scatter\n", "property", "specified", "obtained", "off");
     for (size_t i = 0; i < r->findings; i++) {
         const struct wf_gust_finding *f = &r->finding[i];
-        printf("%-36s %12.5g %12.5g %9.2f%%  ", f->name, f->asked, f->got, 100.0 * (f->got / f->asked - 1.0));
-        if (isnan(f->scatter))
-            printf("-");
-        else
-            printf("%.2f%%", 100.0 * f->scatter / fabs(f->asked));
+        printf("%-36s %12.5g %12.5g ", f->name, f->asked, f->got);
+        print_share(9, f->got / f->asked - 1.0);
+        printf("  ");
+        print_share(0, f->scatter / fabs(f->asked));
         printf("  %s\n", f->within ? "as expected" : "NOT as expected");
     }
 }
@@ -212,9 +257,12 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     s = wf_gust_report_make(spec, a, d, r, e);
     if (!s && !quiet) print_wind(r);
     if (!s) s = wf_wind_results_write(r, head, d, f.stage, e);
-    if (!s) s = wf_results_end(&f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    bool plots = !o->no_plots && !s && r->stats[0].high > r->stats[0].low;
+    if (!s && !o->no_plots && !plots)
+        wf_diag_warn(d, "no-figures", "the wind does not change: no spectrum and no gust to draw");
+    if (!s) s = wf_results_end(&f, plots ? o->lang : NULL, a, NULL, e);
     wf_run_abandon(&f);
-    if (!s && !quiet) printf("\nTables%s: %s\n", o->no_plots ? "" : ", plots and page", folder);
+    if (!s && !quiet) printf("\nTables%s: %s\n", plots ? ", plots and page" : "", folder);
     return s;
 }
 
@@ -236,8 +284,10 @@ static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_st
         else
             printf(" (specified %.3f)\n", w->asked[c]);
     }
-    if (s->model->spectrum)
+    if (s->model->spectrum && isfinite(w->joint))
         printf("blocks meet within %.3f %% of the standard deviation\n", 100.0 * w->joint);
+    else if (s->model->spectrum)
+        printf("blocks meet within - of the standard deviation, which is 0\n");
     if (!isnan(w->coherence)) printf("coherence within %.4f of the specified one\n", w->coherence);
 }
 
@@ -315,7 +365,7 @@ static enum wf_status show_rose(const struct wind_options *o, const struct wf_do
 int wf_cmd_wind(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
-    struct wind_options o;
+    struct wind_options o = { 0 };
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_wind_options, about, 1, 1, &arena, &o.args);
     if (code < 0 && strcmp(o.args.operand[0], "list") == 0) code = list_models();

@@ -19,6 +19,16 @@ bool wf_option_given(const struct wf_args *args, size_t member)
     return args->given[k];
 }
 
+bool wf_option_unused(bool unused, char why[static WF_WHY], const char *fmt, ...)
+{
+    va_list list;
+    if (!unused) return false;
+    va_start(list, fmt);
+    vsnprintf(why, WF_WHY, fmt, list);
+    va_end(list);
+    return true;
+}
+
 void wf_option_mistake(struct wf_reading *r, const char *key, const char *name, const char *fmt, ...)
 {
     va_list list;
@@ -148,11 +158,23 @@ static void take_flag(struct wf_reading *r, size_t k, const char *text)
     r->args->given[k] = *(bool *)wf_option_member(r, k) = i < 2;
 }
 
+static bool has_empty_item(const char *list)
+{
+    bool empty = true;
+    for (const char *p = list; *p; p++) {
+        if (*p == ',' && empty) return true;
+        empty = *p == ',' || (empty && *p == ' ');
+    }
+    return empty;
+}
+
 static void take_text(struct wf_reading *r, size_t k, const char *text)
 {
     const struct wf_option *o = &r->args->option[k];
     const char **member = wf_option_member(r, k);
-    bool adds = o->kind == WF_OPTION_TEXTS && *member;
+    bool list = o->kind == WF_OPTION_TEXTS, adds = list && *member;
+    if (list && has_empty_item(text))
+        wf_option_mistake(r, r->key[k], o->name, "'%.100s': an item of the list is empty", text);
     *member = adds ? wf_arena_print(r->arena, "%s,%s", *member, text) : text;
     if (!*member) wf_option_mistake(r, r->key[k], o->name, "out of memory");
 }
