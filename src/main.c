@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/commands.h"
@@ -74,7 +75,8 @@ static int run(int argc, char **argv)
     for (const struct wf_command *c = wf_commands; c->name; c++) {
         if (strcmp(word, c->name) != 0) continue;
         char page[] = "--help", *only_help[] = { argv[detail ? 2 : 1], page, NULL };
-        return detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
+        int code = detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
+        return wf_interrupted() ? 128 + wf_interrupted() : code;
     }
     return unknown(word);
 }

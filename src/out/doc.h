@@ -5,6 +5,7 @@
  * builder, later calls are harmless, and the writer checks once at the end. */
 #include "base/err.h"
 #include "base/file.h"
+#include "out/folder.h"
 #include <jansson.h>
 #include <libxml/tree.h>
 #include <stdbool.h>
@@ -65,17 +66,6 @@ enum wf_status wf_xml_transform(const char *path, xmlDoc *document, const char *
 
 /* Read an XML file. Errors: WF_EINPUT with line and reason. */
 enum wf_status wf_xml_read(const char *path, xmlDoc **out, struct wf_err *e);
-
-/* A results folder: results.json, tables/, plots/, pages. */
-
-/* FOLDER/NAME. Errors: WF_EOUTPUT for a name that is too long. */
-enum wf_status wf_folder_path(const char *folder, const char *name, char path[static WF_PATH_MAX],
-                              struct wf_err *e);
-/* Make FOLDER/tables and FOLDER/plots. Errors: WF_EOUTPUT. */
-enum wf_status wf_folder_make(const char *folder, struct wf_err *e);
-/* Begin FOLDER/NAME for writing, to be committed or abandoned by the caller. Errors: as wf_file_begin, and
- * WF_EOUTPUT for a name that is too long. */
-enum wf_status wf_folder_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e);
 
 /* Values that the figure scripts need in addition to the tables: FOLDER/plots/run.csv, rows
  * "key,index,value". It is data, never a script: reports/plots/facts.gp reads it with gnuplot's column
