@@ -125,8 +125,9 @@ static void print_rows_left_out(const struct wf_diag *d, bool quiet)
 {
     char line[2048];
     for (const struct wf_finding *f = d->first; f; f = f->next)
-        if (f->severity == WF_ERROR ||
-            (!quiet && f->code && (!strcmp(f->code, "row-left-out") || !strcmp(f->code, "thick-stem"))))
+        if (f->severity == WF_ERROR || (!quiet && f->code &&
+                                        (!strcmp(f->code, "row-left-out") || !strcmp(f->code, "thick-stem") ||
+                                         !strcmp(f->code, "unit-assumed"))))
             fprintf(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
 }
 
