@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "grow/import_mat.h"
 #include "grow/import_mtg.h"
+#include "grow/import_nodes.h"
 #include "grow/import_text.h"
 #include "grow/qsm_repair.h"
 #include <errno.h>
@@ -21,7 +22,9 @@ const struct wf_import_format wf_import_formats[] = {
     { "hand", "hand-measured table", "parent, length, diameter; angle or zenith, azimuth, distance" },
     { "treeqsm", "TreeQSM text", "14, 15 or 17 columns of numbers" },
     { "mat", "MATLAB file", "a QSM or cylinder structure or a matrix of 14 columns" },
-    { "mtg", "OpenAlea MTG", "features XX, YY, ZZ and a diameter" },
+    { "mtg", "OpenAlea MTG", "features XX, YY, ZZ and a diameter or radius" },
+    { "nodes", "nodes with their parents",
+      "x, y, z, radius, parent; or a line a tree; or SWC; or treegraph JSON" },
     { NULL, NULL, NULL },
 };
 
@@ -56,12 +59,14 @@ static wf_import_reader *reader_for(const struct wf_import_head *h, const char *
     if (format) {
         if (!strcmp(format, "mat")) return wf_import_mat;
         if (!strcmp(format, "mtg")) return wf_import_mtg;
+        if (!strcmp(format, "nodes")) return wf_import_nodes;
         return strcmp(format, "treeqsm") ? wf_import_table : wf_import_bare;
     }
     if (!strncmp(h->text, "MATLAB ", 7) || (h->size > 4 && !memcmp(h->text, hdf5, 4))) return wf_import_mat;
     if (memchr(h->text, '\0', h->size)) return NULL;
     if (strstr(h->text, "ENTITY-CODE") || (strstr(h->text, "CODE:") && strstr(h->text, "FORM-")))
         return wf_import_mtg;
+    if (wf_import_is_nodes(h)) return wf_import_nodes;
     return wf_import_is_bare(h) ? wf_import_bare : wf_import_table;
 }
 

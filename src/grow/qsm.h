@@ -78,6 +78,7 @@ struct wf_qsm {
     uint8_t *added;          /* 1: a gap filler of the program that made the model           */
     size_t *line;            /* line of the file, 0 = not a text file                        */
     double base[3];          /* subtracted from the file's coordinates [m]                   */
+    size_t trees;            /* trees in the file, set by readers of files of several; else 0 */
     struct wf_repairs repairs;
 };
 
