@@ -2,7 +2,7 @@
 /* Trees written and read back. */
 #include "close.h"
 #include "data/species.h"
-#include "grow/qsm.h"
+#include "grow/qsm_write.h"
 #include "imported.h"
 
 #define DATA "tests/data/qsm/"
@@ -46,7 +46,7 @@ static void round_trip(const char *from, const char *name)
     folder_make(&f, name);
     import_path(&t, from);
     assert_int_equal(t.status, WF_OK);
-    assert_int_equal(wf_qsm_write(&t.qsm, f.path, &t.err), WF_OK);
+    assert_int_equal(wf_qsm_write(&t.qsm, f.path, NULL, &t.err), WF_OK);
     struct wf_import_options strict = wf_import_default();
     strict.strict = true;
     import_with(&back, f.path, strict);
@@ -79,7 +79,7 @@ static void vtk_has_every_row(void **state)
     char text[4096];
     folder_make(&f, "tree.vtk");
     import_path(&t, DATA "plain.csv");
-    assert_int_equal(wf_qsm_write(&t.qsm, f.path, &t.err), WF_OK);
+    assert_int_equal(wf_qsm_write(&t.qsm, f.path, NULL, &t.err), WF_OK);
     FILE *in = fopen(f.path, "rb");
     text[fread(text, 1, sizeof text - 1, in)] = '\0';
     fclose(in);
@@ -98,7 +98,7 @@ static void an_unknown_ending_is_refused(void **state)
     (void)state;
     struct imported t;
     import_path(&t, DATA "plain.csv");
-    assert_int_equal(wf_qsm_write(&t.qsm, "/tmp/tree.obj", &t.err), WF_EUSAGE);
+    assert_int_equal(wf_qsm_write(&t.qsm, "/tmp/tree.obj", NULL, &t.err), WF_EUSAGE);
     assert_non_null(strstr(t.err.text, ".vtk"));
     wf_arena_free(&t.arena);
 }

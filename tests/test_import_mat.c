@@ -4,6 +4,7 @@
 #include "data/species.h"
 #include "grow/import_mat.h"
 #include "grow/import_pack.h"
+#include "grow/qsm_write.h"
 #include "imported.h"
 #include "shell.h"
 #include <dirent.h>
@@ -285,7 +286,7 @@ static void the_program_survives_damaged_files(void **state)
         { "ulimit -t 1; $W import tests/data/mat/hang_v73.mat $D/plain.csv; c=$?; [ $c -le 2 ]; exit",
           0,
           { "hang_v73.mat", "plain.csv: plain CSV" } },
-        { "$W --read-mat; $W --read-mat 1 tests/data/mat/crash_v73.mat", 2, { NULL } },
+        { "$W --read-mat; $W --read-mat 1 tests/data/mat/crash_v73.mat ''", 2, { NULL } },
     };
     CHECK(rows);
     assert_int_equal(shell("$W import tests/data/mat/crash_v73.mat 2>&1 | grep -c 'HDF5-DIAG'; true"), 0);
@@ -340,7 +341,7 @@ static void real_files_both_ways(void **state)
         snprintf(name, sizeof name, "%s/trees/qsm/%s", reference, f->d_name);
         import_path(&t, name);
         if (t.status) fail_msg("%s", t.err.text);
-        assert_int_equal(wf_qsm_write(&t.qsm, "/tmp/windfirm-test-real.csv", &t.err), WF_OK);
+        assert_int_equal(wf_qsm_write(&t.qsm, "/tmp/windfirm-test-real.csv", NULL, &t.err), WF_OK);
         wf_arena_free(&t.arena);
         snprintf(command, sizeof command,
                  "$W import -q %s -o $T/t.csv && cmp $T/t.csv /tmp/windfirm-test-real.csv", name);

@@ -22,10 +22,19 @@ static double metres(const char *unit)
     return unit[0] == 'c' ? 0.01 : unit[1] == 'm' ? 0.001 : 1;
 }
 
-struct wf_import_options wf_import_asked_options(const struct wf_import_asked *asked)
+/* Options of an import by the program: MATLAB files are read in another process. */
+static struct wf_import_options scan_options(const struct wf_scan_asked *scan)
 {
     struct wf_import_options o = wf_import_default();
     o.mat = wf_read_mat;
+    o.tree_id = scan->tree_id;
+    o.scan_model = scan->scan_model;
+    return o;
+}
+
+struct wf_import_options wf_import_asked_options(const struct wf_import_asked *asked)
+{
+    struct wf_import_options o = scan_options(&asked->scan);
     o.format = asked->format;
     o.strict = asked->strict;
     o.length_unit = metres(asked->length_unit);
@@ -57,8 +66,7 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
     if (tree) {
         *path = tree;
         struct wf_model *scan = NULL;
-        struct wf_import_options o = wf_import_default();
-        o.mat = wf_read_mat;
+        struct wf_import_options o = scan_options(&t->scan);
         if (!(s = wf_model_imported(tree, t->joint, &o, a, &scan, d, e))) *out = *scan;
     } else {
         *path = wf_shipped("models", t->model, a);

@@ -56,8 +56,19 @@ const char *wf_import_word(size_t i);
         TEXT("--columns", in.columns, "T,U[,V[,W]]", WF_RECORD_COLUMNS,                                      \
              "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s")
 
+/* What of a file of several is taken. */
+struct wf_scan_asked {
+    const char *tree_id, *scan_model; /* NULL: not given */
+};
+#define WF_SCAN_ROWS(in)                                                                                     \
+    TEXT("--tree-id", in.tree_id, "ID", NULL, "which tree of a file of several trees; its number, from 1"),  \
+        TEXT("--scan-model", in.scan_model, "N|all", NULL,                                                   \
+             "which model of a MATLAB file with several models of one tree, from 1 [the first]; all: the "   \
+             "range over the models (tree info, analyze)")
+
 /* How tree files are read. */
 struct wf_import_asked {
+    struct wf_scan_asked scan;
     const char *format, *length_unit, *diameter_unit; /* NULL: not given */
     bool strict;
 };
@@ -68,7 +79,8 @@ struct wf_import_asked {
         CHOICE("--length-unit", in.length_unit, "UNIT", "m|cm|mm", NULL,                                     \
                "of coordinates and lengths whose column names no unit (m; MTG: cm)"),                        \
         CHOICE("--diameter-unit", in.diameter_unit, "UNIT", "m|cm|mm", NULL,                                 \
-               "of radii and diameters whose column names no unit (as lengths; MTG: by size)")
+               "of radii and diameters whose column names no unit (as lengths; MTG: by size)"),              \
+        WF_SCAN_ROWS(in.scan)
 /* The same as the library takes it. */
 struct wf_import_options wf_import_asked_options(const struct wf_import_asked *asked);
 
@@ -79,6 +91,7 @@ struct wf_tree_asked {
     double leaf_area;         /* in place of the model's [m2]; NAN: the model's */
     const char *season;       /* "leaf_on" or "leaf_off"; NULL: the model's      */
     bool unload;
+    struct wf_scan_asked scan;
 };
 #define WF_TREE_ROWS(in)                                                                                     \
     PATH("--model", in.model, "MODEL", NULL,                                                                 \
@@ -94,7 +107,8 @@ struct wf_tree_asked {
                "in place of the model's: with its leaves, or when they have fallen"),                        \
         FLAG("--unload", in.unload,                                                                          \
              "the tree was measured or drawn standing under its own weight: find its stress-free shape "     \
-             "first")
+             "first"),                                                                                       \
+        WF_SCAN_ROWS(in.scan)
 
 /* The joint of a measured tree that a word of --joint means. */
 enum wf_joint wf_joint_named(const char *word);

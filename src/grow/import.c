@@ -111,6 +111,10 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
     struct wf_import_head h;
     *out = (struct wf_qsm){ .file = path, .name = file_name(path) };
     enum wf_status s = known_format(o->format, e);
+    if (!s && o->scan_model && !strcmp(o->scan_model, "all"))
+        s = wf_fail(e, WF_EUSAGE,
+                    "--scan-model all: for 'tree info' and 'analyze'; here a model is named by its "
+                    "number, from 1");
     if (!s) s = read_head(path, &h, a, e);
     if (s) return s;
     wf_import_reader *reader = reader_for(&h, o->format);
@@ -121,6 +125,14 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
     }
     if (reader == wf_import_mat && o->mat) reader = o->mat;
     if ((s = reader(&h, o, a, out, d, e))) return s;
+    if (o->tree_id && !out->trees)
+        return wf_fail(e, WF_EINPUT, "%s: error: --tree-id: a file of this format holds one tree (%s)", path,
+                       out->format);
+    if (o->scan_model && !out->models)
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s: error: --scan-model: only a MATLAB file holds several models of a tree; this is: %s", path,
+            out->format);
     size_t bad = out->repairs.count[WF_REPAIR_BAD_ROW] + out->repairs.count[WF_REPAIR_TRUNCATED];
     if (bad > out->n)
         return wf_fail(e, WF_EINPUT, "%s: %zu of %zu rows cannot be read", path, bad, bad + out->n);

@@ -29,7 +29,8 @@ void wf_import_last_row_cut(struct wf_qsm *q, size_t line)
 
 static const struct wf_field_row field_rows[] = {
     { WF_FIELD_ID, " id cylid cylinderid cylinder segid nodeid ", 1, WF_FIELD_PLAIN },
-    { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid parentnodeid parentnode ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid parentnodeid parentnode ", 1,
+      WF_FIELD_PLAIN },
     { WF_FIELD_NEXT, " extension extensionid ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_ORDER, " branchorder branchingorder level order ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_ADDED, " added ", 1, WF_FIELD_PLAIN },

@@ -15,12 +15,13 @@ typedef enum wf_status wf_import_reader(const struct wf_import_head *h, const st
                                         struct wf_err *e);
 
 struct wf_import_options {
-    const char *format;    /* a row of wf_import_formats; NULL = by content                            */
-    bool strict;           /* refuse a file that needs a repair                                        */
-    const char *tree_id;   /* which tree of a file of several; NULL: the file holds one tree           */
-    double length_unit;    /* metres per unit of lengths without a unit; NAN: 1 (an MTG: 0.01)         */
-    double diameter_unit;  /* the same for radii and diameters; NAN: 1 (an MTG: from the sizes)        */
-    wf_import_reader *mat; /* of MATLAB files; NULL: in this process, for trusted files of version 5   */
+    const char *format;     /* a row of wf_import_formats; NULL = by content                            */
+    bool strict;            /* refuse a file that needs a repair                                        */
+    const char *tree_id;    /* which tree of a file of several; NULL: the file holds one tree           */
+    const char *scan_model; /* which model of a MATLAB file of several, "1" ..; NULL: the first          */
+    double length_unit;     /* metres per unit of lengths without a unit; NAN: 1 (an MTG: 0.01)         */
+    double diameter_unit;   /* the same for radii and diameters; NAN: 1 (an MTG: from the sizes)        */
+    wf_import_reader *mat;  /* of MATLAB files; NULL: in this process, for trusted files of version 5   */
 };
 
 /* The beginning of a file, enough to recognise its format. */

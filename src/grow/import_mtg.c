@@ -426,18 +426,19 @@ static struct mtg_size size_in_file(const struct mtg_graph *g)
 
 static const double TALLEST = 130, LOWEST = 0.5; /* of a tree [m]: none is higher, few scans are lower */
 
-/* Metres per unit of lengths and of diameters. An MTG does not state them. Its coordinates are taken as
- * centimetres, as of digitised trees; with a feature `radius` as metres, as PlantScan3D writes them, unless
- * the tree would be higher than any. Diameters are centimetres when the tree then is more slender than 5,
- * else millimetres; a radius has the unit of the coordinates when the tree then is. */
+/* Metres per unit of lengths and of diameters. An MTG does not state them; windfirm's own are in metres. Its
+ * coordinates are taken as centimetres, as of digitised trees; with a feature `radius` as metres, as
+ * PlantScan3D writes them, unless the tree would be higher than any. Diameters are centimetres when the tree
+ * then is more slender than 5, else millimetres; a radius has the unit of the coordinates when the tree then
+ * is. */
 static void units_of_graph(struct wf_qsm *q, const struct mtg_graph *g, const struct wf_import_options *o,
                            double *unit, double *thick, struct wf_diag *d)
 {
     struct mtg_size z = size_in_file(g);
     bool radius = g->diameter_share > 1;
-    bool metres = radius && z.high <= TALLEST;
+    bool own = g->column[MTG_START_X] != 0, metres = own || (radius && z.high <= TALLEST);
     *unit = !isnan(o->length_unit) ? o->length_unit : metres ? 1 : 0.01;
-    *thick = o->diameter_unit;
+    *thick = own && isnan(o->diameter_unit) ? *unit : o->diameter_unit;
     if (isnan(*thick)) {
         wf_qsm_count(q, WF_NOTE_UNITS, 1, -1);
         *thick = radius ? *unit : 0.01;
@@ -445,7 +446,7 @@ static void units_of_graph(struct wf_qsm *q, const struct mtg_graph *g, const st
         if (z.high * *unit <= 5 * *thick * z.thick) *thick = 0.001;
     }
     double high = z.high * *unit;
-    if (!isnan(o->length_unit) || g->column[MTG_START_X]) return;
+    if (!isnan(o->length_unit) || own) return;
     if (metres)
         wf_diag_warn(
             d, "unit-assumed",

@@ -414,10 +414,11 @@ static enum wf_status read_ray(struct nodes *s, const struct wf_import_head *h,
         return wf_fail(e, WF_EINPUT, "%s:%zu: error: the line has something that is not a number", h->path,
                        t.line);
     if (of_nodes <= 0 || of_nodes % (long)header.node)
-        return wf_fail(e, WF_EINPUT,
-                       "%s:%zu: error: the line has %ld numbers, which is not %zu for the tree and %zu for each "
-                       "node",
-                       h->path, t.line, numbers, header.tree, header.node);
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s:%zu: error: the line has %ld numbers, which is not %zu for the tree and %zu for each "
+            "node",
+            h->path, t.line, numbers, header.tree, header.node);
     if ((status = nodes_begin(s, (size_t)of_nodes / header.node, a, e))) return status;
     read_ray_tree(s, &header, p, stop, &t);
     return nodes_to_rows(s, a, e);
