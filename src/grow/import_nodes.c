@@ -597,17 +597,26 @@ static bool read_head_line(const struct wf_import_head *h, struct node_text *t, 
     return read_ray_header(p, stop, &plain, header);
 }
 
-/* The header names a node, and a line has more numbers than the header has names. */
+/* Cells of a line, whatever is in them. */
+static size_t count_cells(const char *p, const char *stop)
+{
+    size_t n = (size_t)(stop - p), cells = 1;
+    char separator = memchr(p, ';', n) ? ';' : memchr(p, '\t', n) ? '\t' : ',';
+    for (; p < stop; p++) cells += *p == separator;
+    return cells;
+}
+
+/* The header names a node without an id, and a line has more cells than the header has names. */
 static bool is_ray(const struct wf_import_head *h)
 {
     struct node_text t;
     struct ray_header header;
-    const char *stop;
+    const char *stop, *p;
     if (!read_head_line(h, &t, &header) || header.columns.at[NODE_ID] != WF_CSV_NONE) return false;
-    const char *p = next_line(&t, &stop);
     if (header.columns.at[NODE_PARENT] == WF_CSV_NONE) return true; /* trunks: refused by its reader */
-    return p && (count_numbers(p, stop, decimal_sign(p, stop)) > (long)(header.tree + header.node) ||
-                 stop == h->text + h->size);
+    while ((p = next_line(&t, &stop)))
+        if (count_cells(p, stop) > header.tree + header.node) return true;
+    return false;
 }
 
 static bool is_table(const struct wf_import_head *h)
