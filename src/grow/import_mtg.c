@@ -148,7 +148,7 @@ static enum wf_status read_feature_columns(struct mtg_graph *g, const char *file
         return wf_fail(
             e, WF_EINPUT,
             "%s:%zu: error: the features XX, YY, ZZ and a diameter (TopDia, Diam, diameter) or radius are "
-            "needed; %s is missing",
+            "needed; %s is missing (a graph by lengths, widths and angles, as of AMAP, is not read)",
             file, line, !found[3] ? "a diameter" : "a coordinate");
     if (!found[MTG_START_X] || !found[MTG_START_Y] || !found[MTG_START_Z])
         memset(g->column + MTG_START_X, 0, (MTG_FEATURES - MTG_START_X) * sizeof *g->column);
