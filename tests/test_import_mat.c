@@ -336,11 +336,12 @@ static void one_model_of_several_is_chosen(void **state)
         { "$W tree info $MODELS --scan-model 0", 2, { "'0': not the number of a model" } },
         { "$W import $MODELS --scan-model all", 2, { "by its number" } },
         { "$W import $D/plain.csv --scan-model 1", 2, { "only a MATLAB file" } },
-        { "$W analyze oak --tree $MODELS --scan-model all --wind 10 --leaf-area 200 --no-report -o $T/o; grep "
+        { "$W analyze oak --tree $MODELS --scan-model all --wind 10 --leaf-area 200 --no-report -o $T/o; "
+          "grep "
           "-c scan-models "
           "$T/o/results.json",
           0,
-          { "scan-models", "over 3 models of the scan: critical wind speed ",
+          { "scan-models", "over 3 of 3 models of the scan: critical wind speed ",
             "lowest of model 1 (--scan-model 1)", "height 1.50 to 1.50 m" } },
         { "$W analyze oak --model models/culm.yaml --scan-model all --wind 10", 2, { "--tree" } },
     };
