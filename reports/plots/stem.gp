@@ -20,9 +20,10 @@ do for [i=1:trees] {
     top = HEIGHT_M[i] > top ? HEIGHT_M[i] : top
     do for [n=1:words(SOLVED[i])] {
         k = nth(SOLVED[i], n)
-        stats SEGMENTS using (pick(stem(i, k), column("bending0_Nm")/1e3)):(pick(stem(i, k), column("stress0_MPa"))) name 'S' nooutput
-        moment = S_max_x > moment ? S_max_x : moment
-        stress = S_max_y > stress ? S_max_y : stress
+        stats SEGMENTS using (pick(stem(i, k), column("bending0_Nm")/1e3)) name 'S' nooutput
+        moment = S_max > moment ? S_max : moment
+        stats SEGMENTS using (pick(stem(i, k), column("stress0_MPa"))) name 'S' nooutput
+        stress = S_max > stress ? S_max : stress
         stats SEGMENTS using (pick(stem(i, k), column("segment"))) name 'S' nooutput
         LAST[i] = S_max
     }

@@ -281,19 +281,35 @@ static void print_speed(FILE *to, const struct wf_at_speed *at)
     fputc('\n', to);
 }
 
+/* The segment that fails: its id in the file of the tree, branching order, diameter. */
+static void print_failing(FILE *to, const struct wf_analysis *an, int32_t row)
+{
+    const struct wf_tree *t = &an->tree;
+    fprintf(to, " (id %lld, order %d, %.3g mm thick)", (long long)t->id[row], t->level[row],
+            2e3 * fmax(t->r0[row], t->r1[row]));
+}
+
 static void print_critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
 {
     const struct wf_critical *c = &b->critical;
     if (c->outcome != WF_CRITICAL_FOUND) {
-        fprintf(to, "  %s: none; %s\n", what, wf_critical_text(c->outcome));
+        fprintf(to, "  %s: none; %s", what, wf_critical_text(c->outcome));
+        if (b->row >= 0) {
+            fprintf(to, ": the %s", wf_model_level_name(an->model, an->species, an->tree.level[b->row]));
+            print_failing(to, an, b->row);
+            fprintf(to, " %.2f m above the ground", b->height);
+        }
+        fputc('\n', to);
         return;
     }
     fprintf(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
             an->scenario.reference_height);
-    if (b->row >= 0)
+    if (b->row >= 0) {
         fprintf(to, "; the %s breaks%s %.2f m above the ground",
                 wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
                 b == &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE] ? " first" : "", b->height);
+        print_failing(to, an, b->row);
+    }
     fputc('\n', to);
 }
 
@@ -346,6 +362,7 @@ struct work {
     struct wf_input_file *input;
     struct wf_diag *diag; /* one per species */
     bool all_models;      /* of the scan: say how far they differ */
+    struct wf_diag tree;  /* warnings about the file of the tree */
 };
 
 static enum wf_status note_input(struct work *w, const char *role, const char *path, struct wf_err *e)
@@ -353,14 +370,34 @@ static enum wf_status note_input(struct work *w, const char *role, const char *p
     return wf_input_file_note(role, path, &w->arena, &w->input[w->inputs++], e);
 }
 
+static void take_warnings(struct wf_diag *to, const struct wf_diag *from)
+{
+    for (const struct wf_finding *f = from->first; f; f = f->next)
+        if (f->severity == WF_WARNING) wf_diag_warn(to, f->code, "%s", f->text);
+}
+
+/* The warnings of each species for its results: first those about the file of the tree, which have been
+ * printed. */
+static void put_tree_first(struct work *w)
+{
+    for (size_t k = 0; k < w->options.args.n; k++) {
+        struct wf_diag all = { .arena = &w->arena };
+        take_warnings(&all, &w->tree);
+        take_warnings(&all, &w->diag[k]);
+        w->diag[k] = all;
+    }
+}
+
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
     struct wf_diag d = { .arena = &w->arena };
+    w->tree.arena = &w->arena;
     const char *model = NULL;
     struct wf_err first = { 0 }, next = { 0 };
     enum wf_status worst =
         wf_tree_asked_read(&w->options.tree, NULL, &w->arena, &w->model, &model, &d, &first);
+    take_warnings(&w->tree, &d);
     size_t found = d.errors;
     enum wf_status asked = read_request(&w->options, &w->arena, &d, &w->request, &next);
     if (asked && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
@@ -585,6 +622,7 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     if (!w->options.args.quiet) print_results(stdout, &run);
     fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
     for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
+    put_tree_first(w);
     if ((s = wf_results_write(&run, w->results.stage, e))) return s;
     s = wf_results_end(&w->results, pages ? w->options.lang : NULL, &w->arena, &whole, e);
     if (!w->options.args.quiet)

@@ -25,7 +25,7 @@ static void print_repairs(FILE *to, const struct wf_qsm *q, bool note, const cha
         if (row->note != note || !q->repairs.count[k]) continue;
         fprintf(to, "  %-20s", kinds++ ? "" : title);
         if (!row->once) fprintf(to, "%zu ", q->repairs.count[k]);
-        fprintf(to, "%s\n", row->text);
+        fprintf(to, "%s%s%s\n", row->text, q->detail[k] ? "; " : "", q->detail[k] ? q->detail[k] : "");
     }
     if (!kinds) fprintf(to, "  %-20snone\n", title);
 }
@@ -49,14 +49,24 @@ static void print_modelled(FILE *to, const struct wf_qsm_metrics *g, const struc
             m->widest_gap, m->short_rows);
 }
 
+/* Findings that put the figures below them in doubt. */
+static void print_doubts(FILE *to, const struct wf_diag *d)
+{
+    for (const struct wf_finding *f = d->first; f; f = f->next)
+        if (f->code && (!strcmp(f->code, "unseen-wood") || !strcmp(f->code, "stems-apart")))
+            fprintf(to, "  %-20s%s\n", "WARNING", f->text);
+}
+
 /* One tree, one page. */
 static void print_page(FILE *to, const char *path, const struct wf_qsm *q, const struct wf_qsm_model *m,
-                       const struct wf_tree_wear *w)
+                       const struct wf_tree_wear *w, const struct wf_diag *d)
 {
     struct wf_qsm_metrics g;
     wf_qsm_measure(q, &g);
     double mass = wf_tree_wear_mass(&g, w), leaf = wf_tree_wear_sail(w);
-    fprintf(to, "%s\n  %-20s%s\n", path, "format", q->format);
+    fprintf(to, "%s\n", path);
+    print_doubts(to, d);
+    fprintf(to, "  %-20s%s\n", "format", q->format);
     fprintf(to, "  %-20s%zu cylinders, %zu branches, %zu tips, highest order %d, %zu stem%s\n", "rows",
             g.cylinders, g.branches, g.tips, g.highest_order, g.stems, g.stems == 1 ? "" : "s");
     fprintf(to, "  %-20s%.3f m\n", "height", g.height);
@@ -121,14 +131,16 @@ struct ask {
     struct wf_tree_wear known;
 };
 
-/* The page counts repairs by kind; only findings about single rows are printed separately. */
-static void print_rows_left_out(const struct wf_diag *d, bool quiet)
+/* The page counts repairs by kind, and so does a line of --csv; other findings are printed separately. */
+static void print_rows_left_out(const struct wf_diag *d, bool quiet, bool csv)
 {
     char line[2048];
     for (const struct wf_finding *f = d->first; f; f = f->next)
-        if (f->severity == WF_ERROR || (!quiet && f->code &&
-                                        (!strcmp(f->code, "row-left-out") || !strcmp(f->code, "thick-stem") ||
-                                         !strcmp(f->code, "unit-assumed"))))
+        if (f->severity == WF_ERROR ||
+            (!quiet && f->code &&
+             (!strcmp(f->code, "row-left-out") || !strcmp(f->code, "thick-stem") ||
+              !strcmp(f->code, "unit-assumed") || !strcmp(f->code, "root-not-lowest") ||
+              (csv && !strcmp(f->code, "unseen-wood")))))
             fprintf(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
 }
 
@@ -199,7 +211,7 @@ static enum wf_status measure_several(struct several *v, struct wf_err *e)
                                           : wf_fail(&own, WF_ENOMEM, "%s: no memory", v->path);
         if (!s) s = wf_qsm_to_tree(&q, wf_joint_named(v->ask->options->joint), &a, &m, &own);
         if (!s) several_line(v, i, &q, &m, name);
-        print_rows_left_out(&d, v->ask->options->args.quiet);
+        print_rows_left_out(&d, v->ask->options->args.quiet, true);
         if (s) fprintf(stderr, "windfirm: %s %zu: %s\n", v->models ? "model" : "tree", i, own.text);
         if (s && !worst) worst = s;
         wf_arena_free(&a);
@@ -229,8 +241,8 @@ static enum wf_status measure_file(const char *path, const struct ask *k, struct
     if (!s && k->options->csv)
         wf_tree_table_line(stdout, path, &q, &m, &k->known);
     else if (!s)
-        print_page(stdout, path, &q, &m, &k->known);
-    print_rows_left_out(&d, quiet);
+        print_page(stdout, path, &q, &m, &k->known, &d);
+    print_rows_left_out(&d, quiet, k->options->csv);
     return s;
 }
 
@@ -273,8 +285,9 @@ struct draw_options {
 #define OPTIONS struct draw_options
 static const struct wf_option draw_options[] = {
     WF_TREE_ROWS(tree),
-    PATH("--species", species, "SPECIES", "beech",
-         "radius of a stem whose model names none, names of the levels", .letter = "-s"),
+    PATH("--species", species, "SPECIES", NULL,
+         "radius of a stem whose model names none (without: that of beech), names of the levels",
+         .letter = "-s"),
     TEXT("--output", output, "FILE", "tree.svg",
          "the picture: .svg, .png or .pdf; many thousand segments are better as .png", .letter = "-o"),
     WF_QUIET_ROW,
@@ -295,11 +308,13 @@ static enum wf_status draw_picture(const struct draw_options *o, struct wf_arena
     const char *path, *to = o->output;
     enum wf_status s =
         wf_tree_asked_read(&o->tree, o->args.n ? o->args.operand[0] : NULL, a, &model, &path, d, e);
-    if (!s) s = wf_species_read(wf_shipped("species", o->species, a), &wf_laws, a, &species, d, e);
+    if (!s)
+        s = wf_species_read(wf_shipped("species", o->species ? o->species : "beech", a), &wf_laws, a,
+                            &species, d, e);
     if (!s) s = wf_grow(&model, &species, a, &tree, d, e);
     if (!s) s = wf_tree_check(&tree, d, e);
     if (s) return s;
-    const struct wf_tree_picture picture = { &tree, &model, &species };
+    const struct wf_tree_picture picture = { &tree, &model, &species, o->species == NULL };
     if ((s = wf_tree_picture_draw(&picture, to, d, e))) return s;
     if (!o->args.quiet) printf("%s: %zu segments -> %s\n", model.name, tree.n, to);
     return WF_OK;

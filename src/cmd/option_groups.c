@@ -29,6 +29,8 @@ static struct wf_import_options scan_options(const struct wf_scan_asked *scan)
     o.mat = wf_read_mat;
     o.tree_id = scan->tree_id;
     o.scan_model = scan->scan_model;
+    o.force = scan->force;
+    o.cap_children = scan->cap_children;
     return o;
 }
 

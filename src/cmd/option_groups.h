@@ -56,15 +56,23 @@ const char *wf_import_word(size_t i);
         TEXT("--columns", in.columns, "T,U[,V[,W]]", WF_RECORD_COLUMNS,                                      \
              "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s")
 
-/* What of a file of several is taken. */
+/* What of a scan is taken. */
 struct wf_scan_asked {
     const char *tree_id, *scan_model; /* NULL: not given */
+    bool force, cap_children;
 };
 #define WF_SCAN_ROWS(in)                                                                                     \
-    TEXT("--tree-id", in.tree_id, "ID", NULL, "which tree of a file of several trees; its number, from 1"),  \
+    TEXT("--tree-id", in.tree_id, "ID", NULL,                                                                \
+         "which tree of a file of several: a value of its column treeID, or the number of the line of the "  \
+         "tree, from 1"),                                                                                    \
         TEXT("--scan-model", in.scan_model, "N|all", NULL,                                                   \
              "which model of a MATLAB file with several models of one tree, from 1 [the first]; all: the "   \
-             "range over the models (tree info, analyze)")
+             "range over the models (tree info, analyze)"),                                                  \
+        FLAG("--force", in.force,                                                                            \
+             "take a measured tree whose stems stand more than 2 m apart, or of whose wood more than 25 % "  \
+             "was not scanned"),                                                                             \
+        FLAG("--cap-children", in.cap_children,                                                              \
+             "thin measured branches that are thicker than what they grow on")
 
 /* How tree files are read. */
 struct wf_import_asked {

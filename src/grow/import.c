@@ -6,6 +6,7 @@
 #include "grow/import_mtg.h"
 #include "grow/import_nodes.h"
 #include "grow/import_text.h"
+#include "grow/qsm_model.h"
 #include "grow/qsm_repair.h"
 #include <errno.h>
 #include <math.h>
@@ -105,6 +106,42 @@ static void suspect_units(const struct wf_qsm *q, struct wf_diag *d)
                      thick, high - low);
 }
 
+/* Wood and bridges that no scan saw, as shares of the wood measured and lengths [m]: above the first a
+ * warning, above the second an error. Good scans stay below 3 % and 0.25 m. */
+static const double UNSEEN_WARN = 0.05, UNSEEN_MOST = 0.25, BRIDGE_WARN = 1, BRIDGE_MOST = 3;
+
+/* How much of the tree would be made up when its rows are joined. Branches are held where they leave the
+ * axis, whatever the joint of the analysis: the other way of joining moves wood, and says nothing of the
+ * scan. */
+static enum wf_status check_unseen(const struct wf_qsm *q, bool force, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_qsm_model m;
+    struct wf_err none = { 0 };
+    double measured = 0;
+    for (size_t i = 0; i < q->n; i++) measured += wf_qsm_volume(q, i);
+    enum wf_status s = wf_qsm_to_tree(q, WF_JOINT_AXIS, &scratch, &m, &none);
+    double unseen = s ? 0 : fmax(m.bridge_volume, m.volume - measured), share = unseen / measured;
+    double gap = s ? 0 : m.widest_gap;
+    wf_arena_free(&scratch);
+    if (s == WF_ENOMEM) return wf_fail(e, s, "%s", none.text);
+    if (!(share > UNSEEN_WARN || gap > BRIDGE_WARN)) return WF_OK;
+    char text[256], longest[96] = "";
+    if (gap > 0)
+        (void)snprintf(longest, sizeof longest, "; the widest gap is %.3g m, below id %lld", gap,
+                       (long long)q->id[m.widest_row]);
+    (void)snprintf(text, sizeof text, "%.3g m3 of wood was not scanned, %.3g %% of the wood measured%s",
+                   unseen, 100 * share, longest);
+    if (!force && (share > UNSEEN_MOST || gap > BRIDGE_MOST))
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s: error: %s; more than %g %% or %g m is not taken as one tree: rows are missing, or the "
+            "file holds several trees; --force takes it",
+            q->file, text, 100 * UNSEEN_MOST, BRIDGE_MOST);
+    wf_diag_warn(d, "unseen-wood", "%s: %s", q->name, text);
+    return WF_OK;
+}
+
 enum wf_status wf_import_read(const char *path, const struct wf_import_options *o, struct wf_arena *a,
                               struct wf_qsm *out, struct wf_diag *d, struct wf_err *e)
 {
@@ -136,7 +173,8 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
     size_t bad = out->repairs.count[WF_REPAIR_BAD_ROW] + out->repairs.count[WF_REPAIR_TRUNCATED];
     if (bad > out->n)
         return wf_fail(e, WF_EINPUT, "%s: %zu of %zu rows cannot be read", path, bad, bad + out->n);
-    if ((s = wf_qsm_repair(out, o->strict, a, d, e))) return s;
+    if ((s = wf_qsm_repair(out, o, a, d, e))) return s;
+    if ((s = check_unseen(out, o->force, d, e))) return s;
     wf_qsm_report(out, d);
     suspect_units(out, d);
     return WF_OK;

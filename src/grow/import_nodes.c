@@ -186,16 +186,12 @@ static bool columns_placed(const struct node_columns *c)
 
 /* ---- A row a node ---- */
 
-static bool cell_blank(const char *text)
-{
-    return !*text || !strcmp(text, "NA") || !strcmp(text, "NaN") || !strcmp(text, "nan");
-}
-
 static bool read_cells(struct wf_csv *csv, const struct node_columns *c, double value[NODE_FIELDS])
 {
     for (int f = 0; f < NODE_FIELDS; f++) {
         value[f] = (double)NAN;
-        if (c->at[f] == WF_CSV_NONE || cell_blank(wf_csv_text(csv, c->at[f]))) continue;
+        const char *text = wf_csv_text(csv, c->at[f]);
+        if (c->at[f] == WF_CSV_NONE || wf_field_missing(text, strlen(text))) continue;
         if (!wf_csv_number(csv, c->at[f], -INFINITY, INFINITY, &value[f])) return false;
         value[f] *= c->factor[f];
     }
@@ -282,9 +278,9 @@ static const char *next_number(const char *p, const char *stop, char point, doub
     if (p == stop) return NULL;
     const char *after = wf_number_read(p, stop, point, value);
     if (!after) { /* "nan" and others: a number that is missing */
+        for (after = p; after < stop && !parts_numbers(*after, point);) after++;
+        if (!wf_field_missing(p, (size_t)(after - p))) return NULL;
         *value = (double)NAN;
-        for (after = p; after < stop && isalpha((unsigned char)*after);) after++;
-        if (after == p) return NULL;
     }
     return after == stop || parts_numbers(*after, point) ? after : NULL;
 }

@@ -81,6 +81,9 @@ const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
     [WF_NOTE_UNITS] = { "unit-inferred",
                         "the file does not state its unit of diameters: taken from the sizes", true, true },
     [WF_NOTE_MODELS] = { "further-models", "further tree models in the file ignored", true, false },
+    [WF_NOTE_APART] = { "stems-apart", "further stems that stand metres from the main one", true, false },
+    [WF_NOTE_THICK_CHILD] = { "thick-child", "branches thicker by more than a tenth than what they grow on",
+                              true, false },
     [WF_REPAIR_BAD_ROW] = { "bad-row", "rows that cannot be read: left out", false, false },
     [WF_REPAIR_TRUNCATED] = { "truncated", "the last row is cut off: left out", false, true },
     [WF_REPAIR_AXIS] = { "axis-not-unit", "axis vectors not of unit length: normalised", false, false },
@@ -99,6 +102,10 @@ const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
     [WF_REPAIR_CYCLE] = { "cycle", "cycles of parents: cut at the lowest row", false, false },
     [WF_REPAIR_LOOSE] = { "loose-part", "parts not connected to the ground: joined to the nearest axis",
                           false, false },
+    [WF_REPAIR_ROOT_ORDER] = { "root-order", "stems with a branch's order in the file: order 0 taken", false,
+                               false },
+    [WF_REPAIR_CAPPED] = { "children-capped", "rows thinned to the thickness of what they grow on", false,
+                           false },
     [WF_REPAIR_AZIMUTH] = { "azimuth-assumed",
                             "azimuths not measured: each 137.5 degrees after the one before", false, false },
 };
@@ -189,7 +196,9 @@ void wf_qsm_report(const struct wf_qsm *q, struct wf_diag *d)
             (void)snprintf(first, sizeof first, " (%s%s %lld)",
                            row->once ? "" : "first: ", by_line ? "line" : "id",
                            (long long)q->repairs.first[k]);
-        wf_diag_warn(d, row->code, "%s: %s%s%s", q->name, count, row->text, first);
+        const char *detail = q->detail[k];
+        wf_diag_warn(d, row->code, "%s: %s%s%s%s%s", q->name, count, row->text, first, detail ? "; " : "",
+                     detail ? detail : "");
     }
 }
 
