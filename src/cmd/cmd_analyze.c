@@ -425,6 +425,7 @@ struct work {
     size_t inputs;
     struct wf_input_file *input;
     struct wf_diag *diag; /* one per species */
+    bool all_models;      /* of the scan: say how far they differ */
     struct wf_diag tree;  /* warnings about the file of the tree */
 };
 
@@ -544,6 +545,105 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
     return WF_OK;
 }
 
+/* ---- The models of a scan ----
+ *
+ * Programs that fit cylinders to a scan give another model at each run. How far the answers of the models
+ * differ is part of how sure the answer is. */
+
+struct models_range {
+    size_t weak, first_weak;    /* models that fail without wind, and the first of them      */
+    size_t n, found, lowest;    /* models; with a critical speed; the model with the lowest, from 1 */
+    double speed[2], height[2]; /* least and most [m/s], [m] */
+};
+
+static void range_add(struct models_range *r, size_t number, double height, const struct wf_critical *c)
+{
+    r->height[0] = r->n ? fmin(r->height[0], height) : height;
+    r->height[1] = r->n ? fmax(r->height[1], height) : height;
+    r->n++;
+    if (c->outcome == WF_CRITICAL_SELF_WEIGHT && !r->weak++) r->first_weak = number;
+    if (c->outcome != WF_CRITICAL_FOUND) return;
+    if (!r->found || c->speed < r->speed[0]) r->speed[0] = c->speed, r->lowest = number;
+    r->speed[1] = r->found ? fmax(r->speed[1], c->speed) : c->speed;
+    r->found++;
+}
+
+/* Analyse model `number` with each species; model 1 has been. */
+static enum wf_status analyse_model(struct work *w, size_t number, struct models_range *range,
+                                    struct wf_err *e)
+{
+    struct wf_arena a = { 0 };
+    struct wf_diag d = { .arena = &a };
+    struct wf_tree_asked asked = w->options.tree;
+    struct wf_model model;
+    const char *path;
+    asked.scan.scan_model = wf_arena_print(&a, "%zu", number);
+    enum wf_status s = asked.scan.scan_model ? wf_tree_asked_read(&asked, NULL, &a, &model, &path, &d, e)
+                                             : wf_fail(e, WF_ENOMEM, "no memory for model %zu", number);
+    for (size_t k = 0; !s && k < w->options.args.n; k++) {
+        struct wf_analysis an;
+        wf_progress("%s: model %zu of %zu ...", w->species[k].name, number, w->model.measured_models);
+        s = wf_analyze(&w->species[k], &model, &w->request.scenario, &w->request.search, w->request.solver,
+                       &w->request.solve, w->options.wind.speed, w->options.wind.n, &a, &d, &an, e);
+        if (!s && !wf_interrupted())
+            range_add(&range[k], number, an.tallness, &an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
+    }
+    wf_progress(NULL);
+    wf_arena_free(&a);
+    return s;
+}
+
+/* The range becomes a warning of each species, so that terminal, results and pages have it. */
+static void warn_of_range(const struct models_range *r, size_t models, const char *species, struct wf_diag *d)
+{
+    char speeds[256], weak[96] = "", others[96] = "";
+    size_t none = r->n - r->found - r->weak;
+    if (r->weak)
+        (void)snprintf(weak, sizeof weak, "; %zu of them fail under their own weight, first model %zu",
+                       r->weak, r->first_weak);
+    if (none) (void)snprintf(others, sizeof others, "; for %zu of them none was found", none);
+    if (r->found)
+        (void)snprintf(speeds, sizeof speeds,
+                       "critical wind speed %.2f to %.2f m/s, lowest of model %zu (--scan-model %zu)",
+                       r->speed[0], r->speed[1], r->lowest, r->lowest);
+    else
+        (void)snprintf(speeds, sizeof speeds, "no critical wind speed found");
+    wf_diag_warn(
+        d, "scan-models",
+        "%s: over %zu of %zu models of the scan: %s%s%s, height %.2f to %.2f m; all other results are "
+        "those of model 1",
+        species, r->n, models, speeds, weak, others, r->height[0], r->height[1]);
+}
+
+static enum wf_status analyse_models(struct work *w, size_t species, struct wf_err *e)
+{
+    if (!w->all_models) return WF_OK;
+    struct models_range *range = WF_TAKE(&w->arena, species, struct models_range);
+    if (!range) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", species);
+    for (size_t k = 0; k < species; k++)
+        range_add(&range[k], 1, w->analysis[k].tallness,
+                  &w->analysis[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
+    for (size_t m = 2; m <= w->model.measured_models && !wf_interrupted(); m++) {
+        enum wf_status s = analyse_model(w, m, range, e);
+        if (s) return s;
+    }
+    for (size_t k = 0; k < species; k++)
+        warn_of_range(&range[k], w->model.measured_models, w->species[k].name, &w->diag[k]);
+    return WF_OK;
+}
+
+/* With --scan-model all, model 1 is analysed first; then the others. */
+static int take_all_models(struct work *w, const char *command)
+{
+    const char **asked = &w->options.tree.scan.scan_model;
+    w->all_models = *asked && !strcmp(*asked, "all");
+    if (!w->all_models) return -1;
+    *asked = "1";
+    if (!strcmp(w->options.preset, "corrected")) return -1;
+    fprintf(stderr, "windfirm %s: --scan-model all: not with --preset\n", command);
+    return 2;
+}
+
 /* Pages that no run listed, such as those of an earlier version, stay; they would be mistaken for pages of
  * the new results. */
 static void warn_of_old_pages(struct work *w)
@@ -583,7 +683,7 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     run.inputs = w->inputs;
     bool pages = !w->options.no_report, whole = false;
     if (!s) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);
-    if (s || (s = analyse(w, &run.n, e))) return s;
+    if (s || (s = analyse(w, &run.n, e)) || (s = analyse_models(w, run.n, e))) return s;
     if (!w->options.args.quiet) print_results(stdout, &run);
     fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
     for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
@@ -609,6 +709,7 @@ static int analyze_or_compare(int argc, char **argv, const char *about, size_t l
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_analyze_options, about, low, high, &w.arena, &w.options.args);
     if (code < 0) code = wf_tree_asked_check(&w.options.tree, argv[0], NULL);
+    if (code < 0) code = take_all_models(&w, argv[0]);
     if (code < 0 && !w.options.wind.n) {
         fprintf(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
         code = 2;

@@ -122,6 +122,7 @@ static const struct wf_option info_options[] = {
 static const char info_about[] =
     "  windfirm tree info FILE...\n"
     "  Size of measured trees: height, dbh, wood, surface, sail, branches, and what had to be repaired.\n"
+    "  Of a file of several trees, or with --scan-model all: a line for each tree or model.\n"
     "  A file that cannot be read does not stop the others; the exit code is then 2.";
 
 struct ask {
@@ -135,20 +136,107 @@ static void print_rows_left_out(const struct wf_diag *d, bool quiet, bool csv)
 {
     char line[2048];
     for (const struct wf_finding *f = d->first; f; f = f->next)
-        if (f->severity == WF_ERROR || (!quiet && f->code &&
-                                        (!strcmp(f->code, "row-left-out") || !strcmp(f->code, "thick-stem") ||
-                                         (csv && !strcmp(f->code, "unseen-wood")))))
+        if (f->severity == WF_ERROR ||
+            (!quiet && f->code &&
+             (!strcmp(f->code, "row-left-out") || !strcmp(f->code, "thick-stem") ||
+              !strcmp(f->code, "unit-assumed") || !strcmp(f->code, "root-not-lowest") ||
+              (csv && !strcmp(f->code, "unseen-wood")))))
             fprintf(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
+}
+
+/* ---- Several trees, or several models of one tree, in a file: a line each ---- */
+
+struct several {
+    const char *path;
+    const struct ask *ask;
+    bool models; /* of one tree */
+    size_t n, good;
+    double low[3], high[3]; /* height, dbh [m], wood [m3] over those that were read */
+};
+
+static void several_head(const struct several *v)
+{
+    if (v->ask->options->csv) return;
+    printf("%s: %zu %s\n  %8s %10s %10s %10s %12s %9s  %s\n", v->path, v->n,
+           v->models ? "models of one tree" : "trees", v->models ? "model" : "tree", "cylinders", "height m",
+           "dbh m", "wood m3", "repairs", "base in the file, m");
+}
+
+static void several_line(struct several *v, size_t number, const struct wf_qsm *q,
+                         const struct wf_qsm_model *m, const char *name)
+{
+    struct wf_qsm_metrics g;
+    size_t repairs = 0;
+    wf_qsm_measure(q, &g);
+    const double value[3] = { g.height, g.dbh, g.volume };
+    for (int k = 0; k < 3; k++) {
+        v->low[k] = v->good ? fmin(v->low[k], value[k]) : value[k];
+        v->high[k] = v->good ? fmax(v->high[k], value[k]) : value[k];
+    }
+    v->good++;
+    for (int k = 0; k < WF_REPAIR_COUNT; k++) repairs += wf_repair_rows[k].note ? 0 : q->repairs.count[k];
+    if (v->ask->options->csv)
+        wf_tree_table_line(stdout, name, q, m, &v->ask->known);
+    else
+        printf("  %8zu %10zu %10.3f %10.4f %12.6g %9zu  %.10g, %.10g, %.10g\n", number, g.cylinders, g.height,
+               g.dbh, g.volume, repairs, q->base[0], q->base[1], q->base[2]);
+}
+
+/* Over models of one tree: how far they differ, which is how sure the scan is. */
+static void several_range(const struct several *v)
+{
+    if (!v->models || !v->good || v->ask->options->csv) return;
+    printf("  range over %zu models: height %.3f to %.3f m, dbh %.4f to %.4f m, wood %.6g to %.6g m3\n",
+           v->good, v->low[0], v->high[0], v->low[1], v->high[1], v->low[2], v->high[2]);
+}
+
+/* One of them that cannot be read does not stop the others. */
+static enum wf_status measure_several(struct several *v, struct wf_err *e)
+{
+    enum wf_status worst = WF_OK;
+    several_head(v);
+    for (size_t i = 1; i <= v->n; i++) {
+        struct wf_arena a = { 0 };
+        struct wf_diag d = { .arena = &a };
+        struct wf_err own = { 0 };
+        struct wf_import_options o = v->ask->import;
+        struct wf_qsm q;
+        struct wf_qsm_model m;
+        const char *number = wf_arena_print(&a, "%zu", i), *name = wf_arena_print(&a, "%s#%zu", v->path, i);
+        if (v->models)
+            o.scan_model = number;
+        else
+            o.tree_id = number;
+        enum wf_status s = number && name ? wf_import_read(v->path, &o, &a, &q, &d, &own)
+                                          : wf_fail(&own, WF_ENOMEM, "%s: no memory", v->path);
+        if (!s) s = wf_qsm_to_tree(&q, wf_joint_named(v->ask->options->joint), &a, &m, &own);
+        if (!s) several_line(v, i, &q, &m, name);
+        print_rows_left_out(&d, v->ask->options->args.quiet, true);
+        if (s) fprintf(stderr, "windfirm: %s %zu: %s\n", v->models ? "model" : "tree", i, own.text);
+        if (s && !worst) worst = s;
+        wf_arena_free(&a);
+    }
+    several_range(v);
+    if (!worst) return WF_OK;
+    return wf_fail(e, worst, "%s: %zu of %zu could not be read", v->path, v->n - v->good, v->n);
 }
 
 static enum wf_status measure_file(const char *path, const struct ask *k, struct wf_arena *a,
                                    struct wf_err *e)
 {
     bool quiet = k->options->args.quiet;
+    struct wf_import_options o = k->import;
     struct wf_diag d = { .arena = a };
     struct wf_qsm q;
     struct wf_qsm_model m;
-    enum wf_status s = wf_import_read(path, &k->import, a, &q, &d, e);
+    bool all = o.scan_model && !strcmp(o.scan_model, "all");
+    if (all) o.scan_model = "1";
+    enum wf_status s = wf_import_read(path, &o, a, &q, &d, e);
+    struct several v = { path, k, all, all ? q.models : q.trees, 0, { 0 }, { 0 } };
+    if (all ? v.n > 0 : s == WF_EINPUT && v.n > 1 && !o.tree_id) {
+        *e = (struct wf_err){ 0 };
+        return measure_several(&v, e);
+    }
     if (!s) s = wf_qsm_to_tree(&q, wf_joint_named(k->options->joint), a, &m, e);
     if (!s && k->options->csv)
         wf_tree_table_line(stdout, path, &q, &m, &k->known);

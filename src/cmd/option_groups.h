@@ -71,12 +71,18 @@ bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *wh
 
 /* What of a scan is taken. The rows end with designators of when they have no effect. */
 struct wf_scan_asked {
-    const char *tree_id; /* NULL: not given */
+    const char *tree_id, *scan_model; /* NULL: not given */
     bool force, cap_children;
 };
 #define WF_SCAN_ROWS(in, ...)                                                                                \
     TEXT("--tree-id", in.tree_id, "ID", NULL,                                                                \
-         "which tree of a table of several: a value of its column treeID", __VA_ARGS__),                     \
+         "which tree of a file of several: a value of its column treeID, or the number of the line of the "  \
+         "tree, from 1",                                                                                     \
+         __VA_ARGS__),                                                                                       \
+        TEXT("--scan-model", in.scan_model, "N|all", NULL,                                                   \
+             "which model of a MATLAB file with several models of one tree, from 1 [the first]; all: the "   \
+             "range over the models (tree info, analyze)",                                                   \
+             __VA_ARGS__),                                                                                   \
         FLAG("--force", in.force,                                                                            \
              "take a measured tree whose stems stand more than 2 m apart, or of whose wood more than 25 % "  \
              "was not scanned",                                                                              \

@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "grow/import_mat.h"
 #include "grow/import_mtg.h"
+#include "grow/import_nodes.h"
 #include "grow/import_text.h"
 #include "grow/qsm_model.h"
 #include "grow/qsm_repair.h"
@@ -26,7 +27,9 @@ const struct wf_import_format wf_import_formats[] = {
     { "hand", "hand-measured table", "parent, length, diameter; angle or zenith, azimuth, distance" },
     { "treeqsm", "TreeQSM text", "14, 15 or 17 columns of numbers" },
     { "mat", "MATLAB file", "a QSM or cylinder structure or a matrix of 14 columns" },
-    { "mtg", "OpenAlea MTG", "features XX, YY, ZZ and a diameter" },
+    { "mtg", "OpenAlea MTG", "features XX, YY, ZZ and a diameter or radius" },
+    { "nodes", "nodes with their parents",
+      "x, y, z, radius, parent; or a line a tree; or SWC; or treegraph JSON" },
     { NULL, NULL, NULL },
 };
 
@@ -110,12 +113,14 @@ static wf_import_reader *reader_for(const struct wf_import_head *h, const char *
     if (format) {
         if (!strcmp(format, "mat")) return wf_import_mat;
         if (!strcmp(format, "mtg")) return wf_import_mtg;
+        if (!strcmp(format, "nodes")) return wf_import_nodes;
         return strcmp(format, "treeqsm") ? wf_import_table : wf_import_bare;
     }
     if (!strncmp(h->text, "MATLAB ", 7) || (h->size > 4 && !memcmp(h->text, hdf5, 4))) return wf_import_mat;
     if (memchr(h->text, '\0', h->size)) return NULL;
     if (strstr(h->text, "ENTITY-CODE") || (strstr(h->text, "CODE:") && strstr(h->text, "FORM-")))
         return wf_import_mtg;
+    if (wf_import_is_nodes(h)) return wf_import_nodes;
     return wf_import_is_bare(h) ? wf_import_bare : wf_import_table;
 }
 
@@ -196,12 +201,13 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
     struct wf_import_head h;
     *out = (struct wf_qsm){ .file = path, .name = file_name(path) };
     enum wf_status s = known_format(o->format, e);
+    if (!s && o->scan_model && !strcmp(o->scan_model, "all"))
+        s = wf_fail(e, WF_EUSAGE,
+                    "--scan-model all: for 'tree info' and 'analyze'; here a model is named by its "
+                    "number, from 1");
     if (!s) s = read_head(path, &h, a, e);
     if (s) return s;
     wf_import_reader *reader = reader_for(&h, o->format);
-    if (reader && reader != wf_import_table && o->tree_id)
-        return wf_fail(e, WF_EINPUT,
-                       "%s: error: --tree-id: only a table with a column treeID holds several trees", path);
     if (!reader) return wf_fail(e, WF_EINPUT, "%s: neither text nor a MATLAB file", path);
     if (reader != wf_import_mat) {
         if (!strncmp(h.text, "\xEF\xBB\xBF", 3)) wf_qsm_count(out, WF_NOTE_BOM, 1, -1);
@@ -211,6 +217,14 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
     if (reader == wf_import_mat && o->mat) reader = o->mat;
     s = copied ? read_copy(reader, &h, o, a, out, d, e) : reader(&h, o, a, out, d, e);
     if (s) return s;
+    if (o->tree_id && !out->trees)
+        return wf_fail(e, WF_EINPUT, "%s: error: --tree-id: a file of this format holds one tree (%s)", path,
+                       out->format);
+    if (o->scan_model && !out->models)
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s: error: --scan-model: only a MATLAB file holds several models of a tree; this is: %s", path,
+            out->format);
     size_t bad = out->repairs.count[WF_REPAIR_BAD_ROW] + out->repairs.count[WF_REPAIR_TRUNCATED];
     if (bad > out->n)
         return wf_fail(e, WF_EINPUT, "%s: %zu of %zu rows cannot be read", path, bad, bad + out->n);
