@@ -9,12 +9,12 @@ enum { COMMANDS_MAX = 64 };
 
 static int help(FILE *to)
 {
-    fprintf(to,
+    wf_show(to,
             "windfirm %s: what wind does to a tree\n\nUsage: windfirm COMMAND [argument...]\n\nCommands:\n",
             WF_VERSION);
     for (const struct wf_command *c = wf_commands; c->name; c++)
-        fprintf(to, "  %-10s %s\n", c->name, c->summary);
-    fprintf(to, "\n'windfirm COMMAND --help' lists a command's arguments, options, units and defaults.\n"
+        wf_show(to, "  %-10s %s\n", c->name, c->summary);
+    wf_show(to, "\n'windfirm COMMAND --help' lists a command's arguments, options, units and defaults.\n"
                 "'windfirm --version' prints the version.\n");
     return to == stdout ? 0 : 2;
 }
@@ -25,7 +25,7 @@ static int unknown(const char *word)
     size_t n = 0;
     for (; n < COMMANDS_MAX && wf_commands[n].name; n++) known[n] = wf_commands[n].name;
     struct wf_hint hint = wf_did_you_mean(word, known, n);
-    fprintf(stderr, "windfirm: no command is called '%s'%s\n", word,
+    wf_show(stderr, "windfirm: no command is called '%s'%s\n", word,
             *hint.text ? hint.text : "; 'windfirm --help' lists them");
     return 2;
 }
@@ -37,7 +37,7 @@ int main(int argc, char **argv)
     bool detail = strcmp(word, "help") == 0;
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || (detail && argc < 3)) return help(stdout);
     if (strcmp(word, "--version") == 0 || strcmp(word, "version") == 0)
-        return printf("windfirm %s\n", WF_VERSION) < 0;
+        return wf_show(stdout, "windfirm %s\n", WF_VERSION) < 0;
     if (detail) word = argv[2];
     for (const struct wf_command *c = wf_commands; c->name; c++) {
         if (strcmp(word, c->name) != 0) continue;

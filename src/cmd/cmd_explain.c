@@ -49,21 +49,23 @@ static const char about[] = "SPECIES is a species table. Every solver bends the 
 
 static void print_methods(const struct wf_explain *x, double speed, double height)
 {
-    printf("Wind %.4g m/s, a 10-min mean at %.6g m\n", speed, height);
-    printf("Own bending of the branches over that by beam theory, middle of each level\n\n%-18s%10s%10s",
-           "method", "tip", "within 5%");
-    for (int32_t l = 0; l <= wf_explain_top(x); l++) printf("   level %d", (int)l);
-    printf("\n");
+    wf_show(stdout, "Wind %.4g m/s, a 10-min mean at %.6g m\n", speed, height);
+    wf_show(stdout,
+            "Own bending of the branches over that by beam theory, middle of each level\n\n%-18s%10s%10s",
+            "method", "tip", "within 5%");
+    for (int32_t l = 0; l <= wf_explain_top(x); l++) wf_show(stdout, "   level %d", (int)l);
+    wf_show(stdout, "\n");
     for (size_t m = 0; m < x->methods; m++) {
-        printf("%-18s%10.4g%9.0f%%", x->method[m]->name, x->tip[m], 100 * wf_explain_share(x, m, 0.05));
+        wf_show(stdout, "%-18s%10.4g%9.0f%%", x->method[m]->name, x->tip[m],
+                100 * wf_explain_share(x, m, 0.05));
         for (int32_t l = 0; l <= wf_explain_top(x); l++) {
             struct wf_explain_spread s;
             wf_explain_spread(x, m, l, &s);
-            printf("%10.4g", s.middle);
+            wf_show(stdout, "%10.4g", s.middle);
         }
-        printf("\n");
+        wf_show(stdout, "\n");
     }
-    printf("\n");
+    wf_show(stdout, "\n");
 }
 
 /* What the printed methods leave out on this tree. */
@@ -109,7 +111,7 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
                                      .findings = &leaves };
     s = of.name ? wf_explain_write(&of, head, o->output, e) : wf_fail(e, WF_ENOMEM, "no memory");
     if (!s && !o->no_report) s = wf_pages_make(o->output, o->lang, a, e);
-    if (!s && !quiet) printf("\nTable%s: %s\n", o->no_report ? "" : ", plot, page", o->output);
+    if (!s && !quiet) wf_show(stdout, "\nTable%s: %s\n", o->no_report ? "" : ", plot, page", o->output);
     return s;
 }
 
@@ -120,7 +122,7 @@ int wf_cmd_explain(int argc, char **argv)
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_explain_options, about, 1, 1, &arena, &o.args);
     if (code < 0 && !o.model) {
-        fprintf(stderr, "windfirm explain: --model is needed, for example --model models/culm.yaml\n");
+        wf_show(stderr, "windfirm explain: --model is needed, for example --model models/culm.yaml\n");
         code = 2;
     }
     if (code < 0) {

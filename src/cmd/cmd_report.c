@@ -43,7 +43,7 @@ int wf_cmd_report(int argc, char **argv)
         enum wf_status s = wf_report_make(o.args.operand[0], o.lang, &d, &e);
         wf_progress(NULL);
         wf_print_findings(&d, quiet);
-        if (!s && !quiet) printf("Plots and pages: %s\n", o.args.operand[0]);
+        if (!s && !quiet) wf_show(stdout, "Plots and pages: %s\n", o.args.operand[0]);
         code = !s ? 0 : is_printed(&d, &e, quiet) ? wf_exit_code(s) : wf_complain(&e);
     }
     wf_arena_free(&arena);

@@ -54,8 +54,8 @@ static enum wf_status read_run(const struct wf_series_plan_run *r, const char *f
 
 static void print_runs(const struct wf_series_page *p)
 {
-    printf("%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s", "tip mean m",
-           "most m");
+    wf_show(stdout, "%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s",
+            "tip mean m", "most m");
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
         double sum = 0, most = 0, wind = 0, n = 0;
@@ -63,9 +63,10 @@ static void print_runs(const struct wf_series_page *p)
             wind += s->wind[k] / (double)s->frames;
             if (isfinite(s->deflection[k])) sum += s->deflection[k], most = fmax(most, s->deflection[k]), n++;
         }
-        printf("%4zu  %-34s%10zu%12.2f%12.4g%12.4g\n", r + 1, s->spec.name, s->frames, wind, sum / n, most);
+        wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12.4g%12.4g\n", r + 1, s->spec.name, s->frames, wind, sum / n,
+                most);
     }
-    printf("\n");
+    wf_show(stdout, "\n");
 }
 
 /* Findings of all runs, those that several have in common once. */
@@ -148,7 +149,8 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
     if (!s && j->vtk) s = wf_series_vtk(&page, j->folder, &e);
     if (!s && j->page) s = wf_pages_make(j->folder, j->language, a, &e);
     if (s) return wf_complain(&e);
-    if (!j->quiet) printf("\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
+    if (!j->quiet)
+        wf_show(stdout, "\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
     return 0;
 }
 
@@ -223,7 +225,7 @@ int wf_cmd_series(int argc, char **argv)
     struct series_options o = { 0 };
     int code = wf_args_read(argc, argv, wf_series_options, series_about, 1, 1, &arena, &o.args);
     if (code < 0 && !o.run.model) {
-        fprintf(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
+        wf_show(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
         code = 2;
     }
     if (code < 0) {
@@ -283,7 +285,7 @@ int wf_cmd_papers(int argc, char **argv)
     int code = wf_args_read(argc, argv, papers_options, papers_about, 1, 1, &arena, &o.args);
     if (code < 0 && !strcmp(o.args.operand[0], "schema")) {
         char *text = wf_series_plan_schema(&arena, &e);
-        if (text) fputs(text, stdout);
+        if (text) wf_show(stdout, "%s", text);
         code = text ? 0 : wf_complain(&e);
     }
     if (code < 0) {

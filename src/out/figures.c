@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/figures.h"
 #include "out/doc.h"
+#include "out/xml.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -248,7 +249,7 @@ enum wf_status wf_figures_draw(const char *folder, const struct wf_figure *g, co
     if (!code) code = wf_file_commit(&f, e);
     wf_file_abandon(&f);
     if (code || (code = wf_xml_read(f.path, &drawn, e))) return code;
-    code = wf_xml_transform(style, drawn, NULL, NULL, svg, e);
+    code = wf_xml_transform(style, drawn, NULL, svg, e);
     xmlFreeDoc(drawn);
     return code;
 }

@@ -5,6 +5,7 @@
 #include "out/figures.h"
 #include "out/results.h"
 #include "out/tree_picture.h"
+#include "out/xml.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -140,7 +141,7 @@ static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawe
     return WF_OK;
 }
 
-/* <row key index [text="yes"]>value</row> to the plot data. */
+/* <row key index [text="yes"|"words"]>value</row> to the plot data. */
 static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_err *e)
 {
     xmlChar *key = xmlGetProp(row, BAD_CAST "key"), *index = xmlGetProp(row, BAD_CAST "index"),
@@ -148,6 +149,8 @@ static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_e
     enum wf_status s = WF_OK;
     if (!key || !index || !value)
         s = wf_fail(e, WF_EINPUT, "figures.xsl: a row without key, index or value");
+    else if (text && !strcmp((char *)text, "words"))
+        wf_plot_data_words(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value);
     else if (text)
         wf_plot_data_text(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value);
     else
@@ -164,7 +167,7 @@ static enum wf_status write_plot_data(const char *folder, xmlDoc *report, struct
     xmlDoc *rows = NULL;
     enum wf_status code = wf_folder_make(folder, e);
     if (!code) code = wf_report_asset("figures.xsl", style, sizeof style, e);
-    if (!code) code = wf_xml_transform(style, report, NULL, NULL, &rows, e);
+    if (!code) code = wf_xml_transform(style, report, NULL, &rows, e);
     if (!code) code = wf_plot_data_begin(&p, folder, "run", e);
     if (!code) {
         for (xmlNode *n = xmlDocGetRootElement(rows)->children; n && !code; n = n->next)
@@ -230,7 +233,7 @@ static enum wf_status write_html(struct job *j, const char *html)
     enum wf_status code = wf_report_asset(name, style, sizeof style, j->e);
     if (!code) code = wf_file_begin(&f, html, j->e);
     if (code) return code;
-    code = wf_xml_transform(style, j->document, NULL, f.stream, &page, j->e);
+    code = wf_xml_transform(style, j->document, f.stream, &page, j->e);
     if (!code) {
         xmlFreeDoc(page);
         code = wf_file_commit(&f, j->e);
