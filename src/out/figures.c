@@ -10,6 +10,7 @@
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -54,6 +55,10 @@ static _Noreturn void become(const struct program *p, char **surroundings, pid_t
 #else
     (void)parent;
 #endif
+    /* what a stranger's numbers can make it do has an end */
+    const struct rlimit seconds = { 600, 600 }, bytes = { (rlim_t)8 << 30, (rlim_t)8 << 30 };
+    (void)setrlimit(RLIMIT_CPU, &seconds);
+    (void)setrlimit(RLIMIT_AS, &bytes);
     int empty = open("/dev/null", O_RDONLY);
     if (empty >= 0 && dup2(empty, STDIN_FILENO) >= 0 && dup2(fd, STDOUT_FILENO) >= 0 &&
         dup2(fd, STDERR_FILENO) >= 0 && !chdir(p->folder))

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "out/doc.h"
 #include "out/figures.h"
+#include "out/reader.h"
 #include "out/results.h"
 #include "out/tree_picture.h"
 #include "out/xml.h"
@@ -68,14 +69,11 @@ static enum wf_status check_report(struct job *j)
 static enum wf_status read_results(struct job *j)
 {
     char path[WF_PATH_MAX];
-    json_error_t why;
     enum wf_status code = wf_folder_path(j->folder, "results.json", path, j->e);
     if (code) return code;
     if (access(path, R_OK))
         return wf_fail(j->e, WF_EINPUT, "%s: cannot be read; is '%s' a results folder?", path, j->folder);
-    j->results = json_load_file(path, JSON_REJECT_DUPLICATES, &why);
-    if (!j->results)
-        return wf_fail(j->e, WF_EINPUT, "%s:%d:%d: error: %s", path, why.line, why.column, why.text);
+    if ((code = wf_document_read(path, &j->results, j->d, j->e))) return code;
     const json_t *schema = json_object_get(j->results, "schema");
     const char *name = json_string_value(json_object_get(schema, "name"));
     json_int_t version = json_integer_value(json_object_get(schema, "version"));
@@ -86,7 +84,8 @@ static enum wf_status read_results(struct job *j)
         return wf_fail(j->e, WF_EINPUT, "%s: results of version %lld; this program reads version %d%s", path,
                        (long long)version, j->kind->version,
                        j->kind->version > 1 ? " and the one before" : "");
-    return j->kind->figure == report_figures ? check_report(j) : WF_OK;
+    if (j->kind->figure == report_figures) code = check_report(j);
+    return code ? code : wf_tables_check(j->folder, j->e);
 }
 
 static enum wf_status make_document(struct job *j)
