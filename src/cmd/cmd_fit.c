@@ -5,6 +5,7 @@
 #include "cmd/option_groups.h"
 #include "data/species.h"
 #include "out/fit_results.h"
+#include "out/fitted_species.h"
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
