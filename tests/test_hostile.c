@@ -277,6 +277,32 @@ static void nasty_names(void **state)
     }
 }
 
+/* Every wrong value is named, with its place. */
+static void wrong_values_are_named(void **state)
+{
+    (void)state;
+    static const char text[] =
+        "{\"trees\": [{\"segments\": \"`x`43\", \"height\": {\"value\": 1e200}, \"unknown\": "
+        "true}], \"title\": 5, \"seed\": -1}";
+    char path[256];
+    struct wf_arena arena = { 0 };
+    struct wf_diag d = { .arena = &arena };
+    struct wf_err e = { 0 };
+    json_t *out;
+    if (shell("true")) fail_msg("%s", output);
+    snprintf(path, sizeof path, "%s.scratch/results.json", program);
+    FILE *f = fopen(path, "w");
+    assert_non_null(f);
+    fputs(text, f);
+    fclose(f);
+    assert_int_equal(wf_document_read(path, &out, &d, &e), WF_EINPUT);
+    assert_null(out);
+    assert_int_equal(d.errors, 4);
+    assert_string_equal(d.first->text, "trees[0].segments: \"`x`43\" is not a count");
+    assert_string_equal(d.first->next->text, "trees[0].height.value: 1e200 is not a number up to 1e100");
+    wf_arena_free(&arena);
+}
+
 /* What acts on a terminal is shown. */
 static void nothing_acts_on_a_terminal(void **state)
 {
@@ -350,6 +376,7 @@ int main(void)
         cmocka_unit_test(every_leaf_of_every_document),
         cmocka_unit_test(words_are_never_run),
         cmocka_unit_test(tables_are_data),
+        cmocka_unit_test(wrong_values_are_named),
         cmocka_unit_test(nasty_names),
         cmocka_unit_test(nasty_names_of_other_commands),
         cmocka_unit_test(nothing_acts_on_a_terminal),
