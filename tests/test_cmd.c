@@ -14,7 +14,7 @@ static void test_usage(void **state)
         { "$W analyze --help", CODE_OK, { "--reference-height LENGTH", "(0.01..1000 m) [10 m]", "beam" } },
         { "$W help compare", CODE_OK, { "Usage: windfirm compare" } },
         { "$W analyse", CODE_INPUT, { "did you mean 'analyze'?" } },
-        { "$W qqqqqq", CODE_INPUT, { "no command is called 'qqqqqq'" } },
+        { "$W qqqqqq", CODE_INPUT, { "unknown command 'qqqqqq'" } },
         { "$W analyze species/moso_bamboo.yaml $RUN --wnd 3",
           CODE_INPUT,
           { "'--wnd'; did you mean '--wind'?" } },
@@ -104,6 +104,41 @@ static void test_counts(void **state)
           { "--size: 2.5 is not a whole number", "--seed: 0.5 is not a whole number" } },
     };
     CHECK(rows);
+}
+
+/* Every command records its command line with quotes where a shell needs them: pasted, it runs again. */
+static void test_recorded_line(void **state)
+{
+    (void)state;
+#define LINE "; grep -o '\"command\": .*' \"$F/results.json\""
+    static const struct row rows[] = {
+        { "F=\"$T/it's\"; $W analyze oak $M --wind '10 m/s' --no-report -q -o \"$F\"" LINE,
+          CODE_OK,
+          { "--wind '10 m/s' --no-report -q -o '", ".scratch/it'\\\\''s'\"" } },
+        { "F=\"$T/a b\"; $W explain oak $M --wind '10 m/s' --no-report -q -o \"$F\"" LINE,
+          CODE_OK,
+          { "--wind '10 m/s' --no-report -q -o '", ".scratch/a b'\"" } },
+        { "F=\"$T/a;b\"; $W series oak $M --duration '2 s' --no-report --no-vtk -q -o \"$F\"" LINE,
+          CODE_OK,
+          { "--duration '2 s' --no-report", ".scratch/a;b'\"" } },
+        { "F=\"$T/a(b\"; $W wind kaimal --duration '60 s' --no-plots -q -o \"$F\"" LINE,
+          CODE_OK,
+          { "--duration '60 s' --no-plots", ".scratch/a(b'\"" } },
+        { "F=\"$T/a\\\\b\"; $W fit $S --no-profile --no-rival --no-report -q -o \"$F\"" LINE,
+          CODE_OK,
+          { "windfirm fit models/field/sample_pull.yaml --no-profile", ".scratch/a\\\\b'\"" } },
+        { "F=$T/plain; $W terrain --size 2 --no-plots -q -o $F" LINE,
+          CODE_OK,
+          { "\"windfirm terrain --size 2 --no-plots -q -o ", ".scratch/plain\"" } },
+    };
+#undef LINE
+    CHECK(rows);
+    /* the recorded line, without its JSON escapes, is a command that does the same */
+    assert_int_equal(shell("F=\"$T/it's\"; $W wind kaimal --duration '60 s' --no-plots -q -o \"$F\" && "
+                           "sed -n 's/\\\\\\\\/\\\\/g; s/.*\"command\": \"windfirm \\(.*\\)\".*/\\1/p' "
+                           "\"$F/results.json\" >$T/line && cp -R \"$F\" $T/first && rm -r \"$F\" && "
+                           "eval \"$W $(cat $T/line)\" && diff -r $T/first/tables \"$F/tables\""),
+                     CODE_OK);
 }
 
 /* A wind that does not change has its page too; the papers' models are found from any folder. */
@@ -296,9 +331,9 @@ static void test_library(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_usage),  cmocka_unit_test(test_wind),    cmocka_unit_test(test_bad_files),
-        cmocka_unit_test(test_output), cmocka_unit_test(test_library), cmocka_unit_test(test_study),
-        cmocka_unit_test(test_counts), cmocka_unit_test(test_series),
+        cmocka_unit_test(test_usage),  cmocka_unit_test(test_wind),          cmocka_unit_test(test_bad_files),
+        cmocka_unit_test(test_output), cmocka_unit_test(test_library),       cmocka_unit_test(test_study),
+        cmocka_unit_test(test_counts), cmocka_unit_test(test_recorded_line), cmocka_unit_test(test_series),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

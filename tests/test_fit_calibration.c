@@ -96,7 +96,7 @@ static void gaps_dates_and_mistakes(void **unused)
     static const char *const bad[][2] = {
         { "t_s,F_kN,tilt_deg\n0,1,2\n1,one,2\n", "one" },
         { "t_s,F_kN,tilt_deg\n5,1,2\n4,1,2\n", "time goes backwards" },
-        { "t_s,F_kN,tilt_deg\n0,NA,2\n", "no row with numbers" },
+        { "t_s,F_kN,tilt_deg\n0,NA,2\n", "no row has numbers" },
         { "t_s,F_kN,tilt_dge\n0,1,2\n", "tilt_deg" },
         { "t_s,F_kN,tilt_deg\n0,1,2\n1,2\n", "2 cells" },
     };

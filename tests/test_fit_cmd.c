@@ -93,7 +93,7 @@ static void refusals(void **unused)
         { "cp models/field/data/sample_pull.csv $T/bad.csv; sed -i 's/height: 4 m/height: 40 m/' $T/s.yaml",
           "no place 40 m" },
         { "printf 't_s,force_N,clino_root_rad,clino_stem_rad,strain_um_m\\n' > $T/bad.csv",
-          "below the header" },
+          "follows the header" },
         { "printf 't_s,force_N,clino_root_rad,clino_stem_rad,strain_um_m\\n0,9,1,2,3\\n' > $T/bad.csv",
           "only 1 row" },
         { ": > $T/bad.csv", "the table is empty" },

@@ -253,7 +253,7 @@ static void mistakes_are_named_with_their_place(void **state)
           "8:16: ifs.maps[0].matrix: this map leaves nothing of the axis: its length is 0 of the parent's" },
         { "position: 0.6, ", "", "8:7: ifs.maps[0]: missing key 'position'" },
         { "position: 0.6", "position: 1",
-          "8:7: ifs.maps[0]: stands at the tip; in form 'monopodial' the axis goes on above every copy" },
+          "8:7: ifs.maps[0]: stands at the tip; in form 'monopodial' the axis continues above every copy" },
         { "  levels: 4", "  levels: 4\n  form: sympodial",
           "9:5: ifs.maps: 0 stand at the tip (position 1); form 'sympodial' needs exactly one" },
         { "  levels: 4", "  levels: 9", "6:11: ifs.levels: 9 is outside 1 to 8" },

@@ -195,8 +195,8 @@ static void schema_follows_the_table(void **state)
     const char *text = wf_species_schema(&own, &a, NULL), *shipped = wf_species_schema(&wf_laws, &a, NULL);
     assert_non_null(strstr(text, "stiff: gives way late; soft: gives way early."));
     assert_non_null(strstr(text, "needed by law stiff, soft, refused by the others"));
-    assert_non_null(strstr(text, "left out: 0.25 by law soft, refused by the others"));
-    assert_non_null(strstr(text, "left out: that of the depth"));
+    assert_non_null(strstr(text, "if absent: 0.25 by law soft, refused by the others"));
+    assert_non_null(strstr(text, "if absent: that of the depth"));
     assert_non_null(strstr(text, "axis_drag.law  (required)"));
     if (!wf_law_row(wf_laws.axis_drag, 1))
         assert_null(strstr(shipped, "axis_drag")); /* one law is no choice */

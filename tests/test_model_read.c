@@ -201,7 +201,7 @@ static void the_schema_is_printed(void **state)
     const char *text = wf_model_schema(&a, &e);
     assert_non_null(text);
     static const char *const lines[] = { "  stem.height  (required)\n", "  crown.shape.share  (required)\n",
-                                         "an angle, 0 deg to 90 deg", "left out: 40",
+                                         "an angle, 0 deg to 90 deg", "default: 40",
                                          "table | linear | power" };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) assert_non_null(strstr(text, lines[i]));
     wf_arena_free(&a);

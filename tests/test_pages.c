@@ -90,6 +90,21 @@ static void a_command_speaks_the_language_it_is_asked_for(void **state)
     CHECK(rows);
 }
 
+/* Every warning has words in both languages: those that name their code where they are made, and the repairs
+ * of a scanned tree, which are rows. */
+static void every_warning_has_words(void **state)
+{
+    (void)state;
+    shell("{ cat src/*/*.c | tr -d '\\n' | grep -oE 'wf_diag_warn[(][^\"]*\"[a-z-]+\"' | sed "
+          "'s/.*(.*\"\\(.*\\)\"/\\1/'; "
+          "sed -n 's/.*\\[WF_[A-Z]*_[A-Z_]*\\] = { \"\\([a-z-]*\\)\",.*/\\1/p' src/grow/qsm.c; } | sort -u "
+          ">$T/codes; "
+          "wc -l <$T/codes | awk '$1 < 80 { print \"too few codes: \" $1 }'; "
+          "while read -r c; do grep -q \"<s id=.warn[.]$c.>\" reports/strings.xml || echo \"$c\"; done "
+          "<$T/codes");
+    if (*output) fail_msg("no words for %s", output);
+}
+
 /* Strings that no stylesheet asks for are not kept, and every string is there in both languages. */
 static void strings_are_whole(void **state)
 {
@@ -116,6 +131,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_page_in_both_languages),
         cmocka_unit_test(a_command_speaks_the_language_it_is_asked_for),
+        cmocka_unit_test(every_warning_has_words),
         cmocka_unit_test(strings_are_whole),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

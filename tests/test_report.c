@@ -199,7 +199,7 @@ static void missing_values(void **state)
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     char *html = folder_read(&f->folder, "report.html");
     assert_int_equal(times(html, "<svg"), 4);
-    assert_non_null(strstr(html, "Moso bamboo has no answer at any of the wind speeds asked for."));
+    assert_non_null(strstr(html, "Moso bamboo has no result at any of the specified wind speeds."));
     assert_non_null(strstr(html, "no equilibrium was found between 0.5 and 1.0"));
     assert_non_null(strstr(html, "whether it breaks cannot be said"));
     assert_null(strstr(html, "NaN"));

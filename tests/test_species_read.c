@@ -132,7 +132,8 @@ static void a_table_law_and_no_crown_are_read(void **state)
     const struct wf_law_use *m = &r.species.streamlining;
     assert_string_equal(m->law, "table");
     assert_int_equal(r.species.streamlining.standing, WF_MEASURED);
-    assert_close(wf_along_at(&(struct wf_along){ m->list[0].n, m->list[0].v, m->list[1].v }, 12, 1), 0.64, 1e-15);
+    assert_close(wf_along_at(&(struct wf_along){ m->list[0].n, m->list[0].v, m->list[1].v }, 12, 1), 0.64,
+                 1e-15);
     wf_arena_free(&a);
 
     char *bare = strdup(good);
@@ -242,8 +243,8 @@ static const struct edit mistakes[] = {
       "25:23: crown.streamlining.law: 'vogle' is not one of: none, vogel, table; did you mean 'vogel'?" },
     { "law: vogel, ", "",
       "25:17: crown.streamlining: missing key 'law' (none: a rigid crown; vogel: share = (U / "
-      "reference_speed)^exponent above the reference speed, 1 below; table: linear between the speeds "
-      "given.); for example 'law: vogel'" },
+      "reference_speed)^exponent above the reference speed, 1 below; table: a monotone cubic "
+      "curve through the shares at the speeds given.); for example 'law: vogel'" },
     { "law: vogel", "law: none",
       "25:39: crown.streamlining.exponent: is for law 'vogel'; the law here is 'none'\n"
       "26:22: crown.streamlining.reference_speed: is for law 'vogel'; the law here is 'none'" },
@@ -356,7 +357,7 @@ static void the_schema_is_printed(void **state)
     static const char *const lines[] = { "  levels[].youngs_modulus  (required)\n",
                                          "  crown.streamlining.exponent\n",
                                          "0.001 GPa to 200 GPa",
-                                         "left out: youngs_modulus / 16, assumed",
+                                         "if absent: youngs_modulus / 16, assumed",
                                          "\nvalue:\n",
                                          "  low\n" };
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) assert_non_null(strstr(text, lines[i]));

@@ -91,7 +91,7 @@ static void test_profile(void **state)
           { "needs a file of heights and speeds" } },
         { PROFILE "$W analyze oak $M " QUIET "--wind 10 --profile log --profile-file $T/p.csv",
           CODE_INPUT,
-          { "goes with the profile 'measured', not 'log'" } },
+          { "is for the profile 'measured', not 'log'" } },
         { "$W series oak $M " QUIET "--no-vtk --duration 1 --profile canopy",
           CODE_INPUT,
           { "needs the canopy height" } },
@@ -172,7 +172,7 @@ static void test_gusts(void **state)
         { "$W series oak $M " QUIET "--gust record", CODE_INPUT, { "needs the file of an anemometer" } },
         { "$W series oak $M " QUIET "--gust cosine --file x.csv",
           CODE_INPUT,
-          { "goes with the gust model 'record'" } },
+          { "is for the gust model 'record'" } },
         { "{ echo t_s,u_ms; i=0; while [ $i -lt 60 ]; do echo $i,$((i % 7 + 1)); i=$((i + 1)); done; } "
           ">$T/a.csv\n"
           "$W series oak $M " QUIET
@@ -214,7 +214,7 @@ static void test_stream(void **state)
           CODE_OK,
           { "t_s,u1_m_s,u2_m_s,u3_m_s", "1001 0" } },
         { "$W wind kaimal --points 300", CODE_INPUT, { "--stream writes any number" } },
-        { POINTS "$W wind kaimal --points 3 --points-file $T/x.csv", CODE_INPUT, { "one of them" } },
+        { POINTS "$W wind kaimal --points 3 --points-file $T/x.csv", CODE_INPUT, { "not both" } },
         { POINTS "echo 0,0,-1 >>$T/x.csv; echo a,0,1 >>$T/x.csv; $W wind kaimal --points-file $T/x.csv "
                  "--stream $T/s.npy",
           CODE_INPUT,

@@ -400,7 +400,7 @@ static void the_schema_names_every_key(void **state)
     assert_non_null(strstr(text, "\n  height  (required)\n      Height.\n      a length, 1 mm to 2000 mm\n   "
                                  "   example: height: 9 mm\n"));
     assert_non_null(
-        strstr(text, "\n  share\n      Share.\n      a plain number, 0 to 1\n      left out: 0.25\n"));
+        strstr(text, "\n  share\n      Share.\n      a plain number, 0 to 1\n      default: 0.25\n"));
     assert_non_null(strstr(text, "\n  parts[].mass\n"));
     assert_non_null(strstr(text, "\n      red | green | blue\n"));
     assert_non_null(strstr(text, "a whole number, 1 to 9"));

@@ -110,9 +110,9 @@ static void page_rows(struct schema_page *p, const struct wf_yaml_table *t, cons
         page_paragraph(p, r->doc, INDENT);
         if (*what) page_paragraph(p, what, INDENT);
         if (r->absent && !r->required)
-            page_print(p, "%*sleft out: %s\n", INDENT, "", r->absent);
+            page_print(p, "%*sif absent: %s\n", INDENT, "", r->absent);
         else if (r->initial && !r->required)
-            page_print(p, "%*sleft out: %s\n", INDENT, "", r->initial);
+            page_print(p, "%*sdefault: %s\n", INDENT, "", r->initial);
         if (r->example) page_print(p, "%*sexample: %s: %s\n", INDENT, "", r->key, r->example);
         if ((r->kind == WF_YAML_TABLE && !r->table->bare) || r->kind == WF_YAML_LIST)
             page_rows(p, r->table, full);

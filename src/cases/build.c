@@ -426,7 +426,7 @@ static enum wf_status case_point_loads(const struct wf_case *c, struct wf_setup 
     if (!p) return wf_fail(e, WF_ENOMEM, "no memory");
     for (size_t i = 0; i < c->loads.n; i++) {
         if (wf_setup_row(s, &l[i].at) < 0)
-            return wf_fail(e, WF_EINPUT, "%s:%zu: the base is held; a load there does nothing", c->file,
+            return wf_fail(e, WF_EINPUT, "%s:%zu: the base is fixed; a load there has no effect", c->file,
                            l[i].line);
         p[i].segment = wf_setup_row(s, &l[i].at);
         p[i].kind = l[i].follower ? WF_POINT_FOLLOWER : WF_POINT_DEAD;

@@ -73,7 +73,7 @@ static bool key_cantilever(struct wf_words *w, struct wf_case *c, const struct w
     if (!set_case_shape(w, c, WF_SHAPE_CANTILEVER) ||
         !wf_words_quantities(w, WF_DIM_LENGTH, 1, 1, false, NULL, &c->length, &n, NULL) || !wf_words_end(w))
         return false;
-    return c->length > 0.0 || wf_words_wrong(w, 1, "a length is positive");
+    return c->length > 0.0 || wf_words_wrong(w, 1, "a length must be positive");
 }
 
 static bool vector_after(struct wf_words *w, const char *word, double out[3])
@@ -99,7 +99,7 @@ static bool key_arc(struct wf_words *w, struct wf_case *c, const struct wf_case_
         !wf_words_end(w))
         return false;
     if (c->arc[0] <= 0.0 || c->arc[1] <= 0.0 || c->arc[1] > 6.2831)
-        return wf_words_wrong(w, 1, "the radius is positive and the angle lies between 0 and a full turn");
+        return wf_words_wrong(w, 1, "the radius must be positive and the angle between 0 and a full turn");
     double dot = 0.0, ff = 0.0, tt = 0.0;
     for (int i = 0; i < 3; i++) {
         dot += c->arc_from[i] * c->arc_towards[i];
@@ -153,7 +153,7 @@ static bool key_branch(struct wf_words *w, struct wf_case *c, const struct wf_ca
     b.from = end[0];
     b.to = end[1];
     if (!wf_words_quantities(w, WF_DIM_LENGTH, 2, 2, false, NULL, b.radius, &n, NULL)) return false;
-    if (b.radius[0] <= 0.0 || b.radius[1] <= 0.0) return wf_words_wrong(w, 3, "a radius is positive");
+    if (b.radius[0] <= 0.0 || b.radius[1] <= 0.0) return wf_words_wrong(w, 3, "a radius must be positive");
     const struct wf_case_branch *other = c->branches.data;
     bool reached = c->branches.n == 0;
     for (size_t i = 0; i < c->branches.n; i++) {
@@ -238,7 +238,7 @@ static bool key_support(struct wf_words *w, struct wf_case *c, const struct wf_c
         return false;
     if (n == 1) c->spring[1] = c->spring[0];
     if (c->spring[0] <= 0.0 || c->spring[1] <= 0.0)
-        return wf_words_wrong(w, 2, "a spring stiffness is positive");
+        return wf_words_wrong(w, 2, "a spring stiffness must be positive");
     return true;
 }
 
@@ -268,7 +268,7 @@ static bool key_point(struct wf_words *w, struct wf_case *c, const struct wf_cas
                                                          false, NULL, l.value, &n, NULL))
         return false;
     if (l.at.kind == WF_PLACE_BASE)
-        return wf_words_wrong(w, 1, "the base is held; a load there does nothing");
+        return wf_words_wrong(w, 1, "the base is fixed; a load there has no effect");
     return wf_list_add(&c->loads, &l, sizeof l, w->arena) || wf_words_wrong(w, 1, "no memory");
 }
 
@@ -282,8 +282,8 @@ static bool key_mass(struct wf_words *w, struct wf_case *c, const struct wf_case
         !wf_words_quantities(w, WF_DIM_MASS, 1, 1, false, NULL, &m.mass, &n, NULL))
         return false;
     if (m.at.kind == WF_PLACE_BASE)
-        return wf_words_wrong(w, 1, "the base is held; a mass there does nothing");
-    if (m.mass < 0.0) return wf_words_wrong(w, w->n - 1, "a mass is not negative");
+        return wf_words_wrong(w, 1, "the base is fixed; a mass there has no effect");
+    if (m.mass < 0.0) return wf_words_wrong(w, w->n - 1, "a mass must not be negative");
     return wf_list_add(&c->masses, &m, sizeof m, w->arena) || wf_words_wrong(w, 1, "no memory");
 }
 
@@ -321,7 +321,7 @@ static bool key_mesh(struct wf_words *w, struct wf_case *c, const struct wf_case
     if (kind == 2) {
         if (!wf_words_number(w, "tolerance", &c->mesh_tolerance)) return false;
         if (!(c->mesh_tolerance > 0.0 && c->mesh_tolerance < 1.0))
-            return wf_words_wrong(w, w->next - 1, "a mesh tolerance lies between 0 and 1");
+            return wf_words_wrong(w, w->next - 1, "a mesh tolerance must be between 0 and 1");
     }
     return wf_words_end(w);
 }
@@ -331,7 +331,7 @@ static bool key_fit(struct wf_words *w, struct wf_case *c, const struct wf_case_
 {
     (void)k;
     if (c->shape != WF_SHAPE_NONE && c->shape != WF_SHAPE_FIT)
-        return wf_words_wrong(w, 0, "the case has a structure; a fit brings its own");
+        return wf_words_wrong(w, 0, "the case has a structure; a fit uses that of its study");
     if (!wf_words_peek(w))
         return wf_words_wrong(w, w->n,
                               "the name of a calibration study, from the case's folder, is expected");

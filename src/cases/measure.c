@@ -127,7 +127,7 @@ enum wf_status wf_setup_solve(const struct wf_setup *s, const struct wf_solver *
     char text[800];
     if (d.errors) return wf_fail(e, WF_EINPUT, "%s", wf_finding_print(d.first, text, sizeof text));
     if (!(r->load_factor >= 1.0))
-        return wf_fail(e, WF_EUNSTABLE, "only %.4g of the load was carried", r->load_factor);
+        return wf_fail(e, WF_EUNSTABLE, "the solver reached only %.4g of the load", r->load_factor);
     return WF_OK;
 }
 
@@ -426,7 +426,7 @@ bool wf_place_read(struct wf_words *w, struct wf_place *p)
     if (p->kind == WF_PLACE_AT) {
         if (!wf_words_number(w, "share of the length", &p->share)) return false;
         if (p->share < 0.0 || p->share > 1.0)
-            return wf_words_wrong(w, w->next - 1, "a share of the length lies in 0..1, not %g", p->share);
+            return wf_words_wrong(w, w->next - 1, "a share of the length must be in 0..1, not %g", p->share);
     }
     return true;
 }
@@ -474,7 +474,7 @@ static bool tolerance_read(struct wf_words *w, struct wf_want *want)
     if (!wf_words_skip(w, "within")) return true;
     want->absolute = wf_words_skip(w, "absolute");
     if (!wf_words_number(w, "tolerance", &want->tolerance)) return false;
-    if (want->tolerance <= 0.0) return wf_words_wrong(w, w->next - 1, "a tolerance is positive");
+    if (want->tolerance <= 0.0) return wf_words_wrong(w, w->next - 1, "a tolerance must be positive");
     if (want->absolute) want->tolerance *= want->unit_factor;
     if (!want->absolute && want->tolerance > 0.5)
         return wf_words_wrong(w, at, "a relative tolerance must not exceed 0.5");
@@ -488,7 +488,7 @@ static bool tolerance_fits(struct wf_words *w, const struct wf_want *want)
     for (int i = 0; i < 3; i++)
         if (!isnan(want->value[i])) size += fabs(want->value[i]);
     if (size > 0.0 || want->absolute) return true;
-    return wf_words_wrong(w, w->n, "the wanted value is zero: say 'within absolute TOLERANCE'");
+    return wf_words_wrong(w, w->n, "the wanted value is zero: write 'within absolute TOLERANCE'");
 }
 
 static bool unit_read(struct wf_words *w, struct wf_want *want)
@@ -514,7 +514,7 @@ bool wf_want_read(struct wf_words *w, struct wf_want *want)
             if (wf_words_skip(w, component[k])) want->component = k;
         if (want->component < 0) low = 3;
         if (low == 3 && !(wf_words_peek(w) && strchr("+-.0123456789", *wf_words_peek(w))))
-            return wf_words_wrong(w, at, "a vector: say x, y, z or norm and one value, or three values");
+            return wf_words_wrong(w, at, "a vector needs three values, or x, y, z or norm and one value");
     }
     if (!wf_words_quantities(w, want->quantity->dimension, low, low, low == 3, "within", want->value, &count,
                              &want->unit) ||

@@ -61,11 +61,12 @@ static void check_section(struct case_checking *k)
          key_given(c, "radius") || key_given(c, "inner_radius")) &&
         !straight)
         case_wrong(k, c->line,
-                   "radius, taper, EI, EA, GA, GJ and mass_per_length describe a cantilever or an arc");
+                   "radius, taper, EI, EA, GA, GJ and mass_per_length apply only to a cantilever or an arc");
     if (all && !(direct && key_given(c, "EA") && key_given(c, "GA") && key_given(c, "GJ")))
         case_wrong(k, c->line, "give EI alone or all four of EA, GA, EI, GJ");
     if (all && (key_given(c, "taper") || c->radius[0] != c->radius[1]) && key_given(c, "radius"))
-        case_wrong(k, c->line, "given stiffnesses EA, GA, EI, GJ are constant; taper does not go with them");
+        case_wrong(k, c->line,
+                   "given stiffnesses EA, GA, EI, GJ are constant; taper cannot be combined with them");
     if (key_given(c, "taper") && key_given(c, "radius") && c->radius[1] != c->radius[0])
         case_wrong(k, c->line, "give the tip radius or 'taper', not both");
     if (straight) case_needs(k, direct || key_given(c, "radius"), "radius (or EI)");
@@ -88,7 +89,7 @@ static void check_case_loads(struct case_checking *k)
     if ((key_given(c, "cauchy") || key_given(c, "weight_parameter") || key_given(c, "line_load_by_radius")) &&
         !straight)
         case_wrong(k, c->line,
-                   "cauchy, weight_parameter and line_load_by_radius go with a cantilever or an arc");
+                   "cauchy, weight_parameter and line_load_by_radius apply only to a cantilever or an arc");
     case_excludes(k, "axis_drag", "drag_coefficient");
     case_excludes(k, "axis_drag", "cauchy");
     if ((key_given(c, "wind") && !key_given(c, "axis_drag")) || key_given(c, "cauchy"))
@@ -107,7 +108,7 @@ static void check_place(struct case_checking *k, const struct wf_place *p, size_
     if (p->kind == WF_PLACE_AT && s != WF_SHAPE_CANTILEVER && s != WF_SHAPE_ARC)
         case_wrong(k, line, "'at' is a place of a cantilever or arc; name a node or row");
     if ((p->kind == WF_PLACE_NODE || p->kind == WF_PLACE_ROW) && s != WF_SHAPE_BRANCHES && s != WF_SHAPE_TREE)
-        case_wrong(k, line, "nodes and rows belong to trees; say tip, base or at");
+        case_wrong(k, line, "nodes and rows belong to trees; use tip, base or at");
 }
 
 static void check_wants(struct case_checking *k)
@@ -134,7 +135,7 @@ static void check_wants(struct case_checking *k)
     }
     if (by_solver && !c->solvers) c->solver[c->solvers++] = wf_solvers[0];
     if (!by_solver && c->given[wf_case_key_index("solver")] > c->line)
-        case_wrong(k, c->line, "'solver' is given but nothing wanted comes from one");
+        case_wrong(k, c->line, "'solver' is given, but no wanted value needs one");
     if (!by_solver) c->solvers = 0;
 }
 
@@ -218,7 +219,7 @@ static void begin_case(struct case_reader *r)
     r->in_case = true;
     r->now.name = r->w.n > 1 ? r->w.word[1] : "";
     if (r->w.n < 2) (void)wf_words_wrong(&r->w, r->w.n, "the name of the case is missing");
-    if (r->w.n > 2) (void)wf_words_wrong(&r->w, 2, "a name is one word; say more in 'title' or 'note'");
+    if (r->w.n > 2) (void)wf_words_wrong(&r->w, 2, "a name is one word; write more in 'title' or 'note'");
     const struct wf_case *other = r->cases.data;
     for (size_t i = 0; i < r->cases.n; i++)
         if (!strcmp(other[i].name, r->now.name))
@@ -260,7 +261,7 @@ static void read_line(struct case_reader *r, const char *text, size_t length)
     if (!strcmp(w->key, "units")) w->plain = c->nondimensional != 0;
     if (!strcmp(w->key, "units") && (r->in_case || c->wants.n))
         (void)wf_words_wrong(
-            w, 0, "stands above the first case and the first wanted value: it holds for the whole file");
+            w, 0, "must come before the first case and the first wanted value: it applies to the whole file");
 }
 
 static const char *stem_of(const char *path, struct wf_arena *a)

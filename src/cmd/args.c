@@ -238,7 +238,7 @@ static bool fill_keys(struct study_keys *b, struct wf_arena *a)
           .example = "moso_bamboo" },
         { .key = "gust",
           .kind = WF_YAML_JOINED,
-          .doc = "gust model, a row of 'windfirm wind list' - series wind",
+          .doc = "gust model, a name from 'windfirm wind list' - series wind",
           .example = "kaimal" },
     };
     for (size_t i = 0; i < sizeof first / sizeof *first; i++) add_key(b, first[i]);
@@ -327,7 +327,8 @@ static const struct wf_yaml_table study_table = {
     .doc =
         "A study: the options of a command as keys, so that an analysis can be kept and run again. Every "
         "option of analyze, compare, explain, series, shelter and wind is a key, with '_' for '-'; a flag is "
-        "yes or no; a list is written [10, 15, 25]. What is typed comes before what the file says. Files are "
+        "yes or no; a list is written [10, 15, 25]. The command line takes precedence over the file. Files "
+        "are "
         "looked for beside the study first.",
     .finish = apply_keys,
 };
@@ -391,13 +392,6 @@ char *wf_args_study_schema(struct wf_arena *a, struct wf_err *e)
 }
 
 /* ---- Command lines ---- */
-
-char *wf_args_typed(int argc, char **argv, struct wf_arena *a)
-{
-    char *text = wf_arena_text(a, "windfirm");
-    for (int i = 0; text && i < argc; i++) text = wf_arena_print(a, "%s %s", text, argv[i]);
-    return text;
-}
 
 int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char *about, size_t low,
                  size_t high, struct wf_arena *a, struct wf_args *out)

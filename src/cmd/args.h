@@ -12,8 +12,6 @@
  * row. Order: what is typed, then keys of the study file that were not typed, then defaults, then winds. */
 int wf_args_read(int argc, char **argv, const struct wf_option *option, const char *about, size_t low,
                  size_t high, struct wf_arena *a, struct wf_args *out);
-/* The command line as typed, "windfirm ...". NULL: no memory. */
-char *wf_args_typed(int argc, char **argv, struct wf_arena *a);
 /* Every key a study file may have, as text. NULL: no memory. */
 char *wf_args_study_schema(struct wf_arena *a, struct wf_err *e);
 #endif

@@ -54,19 +54,19 @@ const struct wf_option wf_analyze_options[] = {
     WORD("--solver", solver, "NAME", wf_solver_word, "beam", "how the bent shape is computed",
          .letter = "-s"),
     WORD("--preset", preset, "NAME", wf_preset_word, "corrected",
-         "a published method, its formula and constants as printed; warnings tell where it leaves physics"),
+         "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
     PATH("--climate", climate, "FILE", NULL,
-         "how often and how strongly the wind comes from where, for hours a year above the critical wind: a "
-         "CSV as for 'windfirm wind rose', hourly means at the reference height; its directions are taken"),
+         "wind climate, for hours a year above the critical wind: frequency and strength by direction, a CSV "
+         "as for 'windfirm wind rose', hourly means at the reference height; its directions are taken"),
     NUMBER("--north", north, "ANGLE", ANGLE, "deg", -360, 360, "0",
            "where north is in the model: clockwise from +y as seen from above; 0: north is +y, east +x"),
     WHOLE("--threads", threads, 0, 64, "0", "processors to use, 0: all; the results are the same"),
     WORD("--shelter", shelter, "LAW", wf_shelter_word, "none",
-         "the wind inside the crown: none: as outside; wake: what drag of the windward parts leaves; "
+         "the wind inside the crown: none: as outside; wake: reduced by the drag of the windward parts; "
          "feng1999: potential flows as printed"),
     NUMBER("--speed-up", speed_up, "NUMBER", NONE, NULL, 0.1, 5, NULL,
            "exposure of the site: wind at the tree over the wind named [1]"),
@@ -84,7 +84,7 @@ const struct wf_option wf_analyze_options[] = {
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
            "relative error accepted from the mesh; 0 takes one element a segment"),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
-           "rotational stiffness of the root plate; left out, the stem is clamped"),
+           "rotational stiffness of the root plate; without it the stem is clamped"),
     WF_PAGE_ROWS("--no-report", no_report, lang, "write results and tables only"),
     WF_QUIET_ROW,
     { 0 },
@@ -155,9 +155,8 @@ static enum wf_status read_exposure(const struct analyze_options *o, struct wf_a
 {
     bool given = !isnan(o->speed_up);
     if (given) s->speed_up = o->speed_up;
-    if (!o->dem && o->at) return wf_fail(e, WF_EUSAGE, "--at: a place on the ground needs the ground, --dem");
-    if (o->dem && given)
-        return wf_fail(e, WF_EUSAGE, "--speed-up and --dem: one of them says how exposed the tree is");
+    if (!o->dem && o->at) return wf_fail(e, WF_EUSAGE, "--at: needs --dem, the heights of the ground");
+    if (o->dem && given) return wf_fail(e, WF_EUSAGE, "give one of --speed-up and --dem, not both");
     if (!o->dem) return WF_OK;
     struct wf_site *site = WF_TAKE(a, 1, struct wf_site);
     if (!site) return wf_fail(e, WF_ENOMEM, "not enough memory for a map");
@@ -228,7 +227,7 @@ static void print_climate(FILE *to, const struct wf_analysis *an)
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
     wf_show(to,
-            "\n  The critical wind is one that lasts, a 10-min mean at %.6g m. Hours a year: with an hourly "
+            "\n  The critical wind is a sustained one, a 10-min mean at %.6g m. Hours a year: with an hourly "
             "mean above "
             "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
             an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
@@ -269,7 +268,8 @@ static void print_speed(FILE *to, const struct wf_at_speed *at)
 {
     print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
     if (at->status) {
-        wf_show(to, "   no equilibrium; %.0f %% of the load stood\n", 100.0 * at->response.load_factor);
+        wf_show(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
+                100.0 * at->response.load_factor);
         return;
     }
     print_number(to, 12, 3, at->tip_deflection);
@@ -307,7 +307,8 @@ static void print_results(FILE *to, const struct wf_run *run)
     wf_show(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
     if (s->speed_up != 1.0)
         wf_show(to,
-                "The tree meets %.4g times the wind named (exposure of the site); critical speeds are of the "
+                "The wind at the tree is %.4g times the wind named (exposure of the site); critical speeds "
+                "are of the "
                 "wind "
                 "named\n",
                 s->speed_up);
@@ -344,17 +345,6 @@ struct work {
     struct wf_input_file *input;
     struct wf_diag *diag; /* one per species */
 };
-
-/* The command line as typed, quoted where a shell needs it. */
-static char *typed_quoted(struct wf_arena *a, int argc, char **argv)
-{
-    char *text = wf_arena_text(a, "windfirm");
-    for (int i = 0; text && i < argc; i++) {
-        bool plain = argv[i][0] && !strpbrk(argv[i], " \t'\"$&*;<>|");
-        text = wf_arena_print(a, plain ? "%s %s" : "%s '%s'", text, argv[i]);
-    }
-    return text;
-}
 
 static enum wf_status note_input(struct work *w, const char *role, const char *path, struct wf_err *e)
 {
@@ -469,7 +459,7 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     w->input = WF_TAKE(&w->arena, n + OTHER_FILES, struct wf_input_file);
     w->inputs = 1; /* the first place is kept for the model */
     w->diag = WF_TAKE(&w->arena, n, struct wf_diag);
-    struct wf_run run = { .command = typed_quoted(&w->arena, argc, argv),
+    struct wf_run run = { .command = wf_command_line(argc, argv, &w->arena),
                           .version = WF_VERSION,
                           .date = wf_run_date(&w->arena),
                           .n = n,
@@ -525,7 +515,7 @@ int wf_cmd_analyze(int argc, char **argv)
         "is "
         "steady; the tree bends until its stiffness balances wind and weight, and the wind is taken on the "
         "bent "
-        "shape. Deflection is counted from the unloaded shape, so it holds the sag under weight as well.\n"
+        "shape. Deflection is counted from the unloaded shape, so it includes the sag under weight.\n"
         "\n"
         "  windfirm analyze species/moso_bamboo.yaml --model models/moso_culm.yaml --wind 5:40:1";
     return analyze_or_compare(argc, argv, about, 1, 1);

@@ -39,13 +39,14 @@ const struct wf_option wf_explain_options[] = {
     { 0 },
 };
 
-static const char about[] = "SPECIES is a species table. Every solver bends the same tree in the same wind; "
-                            "for each branch the table gives "
-                            "its own bending (less what its foot does) over that of the beam engine: where a "
-                            "published method, as printed "
-                            "or corrected, can be trusted, and where it cannot.\n"
-                            "\n"
-                            "  windfirm explain poplar --model zhao2013_ifs --wind 10";
+static const char about[] =
+    "SPECIES is a species table. Every solver bends the same tree in the same wind; "
+    "for each branch the table gives "
+    "its own bending (less the movement of its foot) over that of the beam engine: where a "
+    "published method, as printed "
+    "or corrected, can be trusted, and where it cannot.\n"
+    "\n"
+    "  windfirm explain poplar --model zhao2013_ifs --wind 10";
 
 static void print_methods(const struct wf_explain *x, double speed, double height)
 {

@@ -3,6 +3,7 @@
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
+#include "cmd/read_mat.h"
 #include "data/species.h"
 #include "out/fit_results.h"
 #include "out/fitted_species.h"
@@ -53,8 +54,7 @@ static const char about[] =
     "STUDY names trees, tests on them and sensors ('windfirm schema fit' shows its keys); the engine's "
     "answer is fitted to the "
     "readings. Estimates come with 95 % intervals by covariance and by profile likelihood, with what the "
-    "data leave open, and "
-    "beside a fit with the root the other way (clamped or giving).\n"
+    "data do not determine, and beside a fit with the root the other way (clamped or flexible).\n"
     "\n"
     "  windfirm fit models/field/sample_pull.yaml --free level0.youngs_modulus,root.stiffness\n"
     "  windfirm fit models/field/sample_pull.yaml --loss cauchy --write mine.yaml";
@@ -157,7 +157,7 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
         }
         if (!isnan(of->rival.aicc) && !isnan(of->rival.own))
             wf_show(to, "\nAICc %.2f here, %.2f there: the data %s\n", of->rival.own, of->rival.aicc,
-                    fabs(of->rival.own - of->rival.aicc) < 2 ? "do not choose between them"
+                    fabs(of->rival.own - of->rival.aicc) < 2 ? "do not decide between them"
                     : of->rival.own < of->rival.aicc         ? "prefer this fit"
                                                              : "prefer the other");
         else
@@ -217,7 +217,9 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
 {
     const char *names = j->options->data, *list[64];
     char *rest = NULL, *copy = names ? wf_arena_text(&j->arena, names) : NULL;
-    struct wf_fit_build b = { .calibration = &j->r.calibration, .share = wf_share(), .data = list };
+    struct wf_fit_build b = {
+        .calibration = &j->r.calibration, .share = wf_share(), .data = list, .mat = wf_read_mat
+    };
     for (char *p = copy ? strtok_r(copy, ",", &rest) : NULL; p && b.datas < 64;
          p = strtok_r(NULL, ",", &rest))
         list[b.datas++] = p;
@@ -272,7 +274,7 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     for (size_t k = j->r.params - nuisance; k < j->r.params; k++) p[n++] = j->r.param[k];
     o.profile = false, o.resamples = 0, o.starts = 1;
     struct wf_fit_rival *r = &j->r.rival;
-    r->text = had ? "clamped root" : "root plate that gives";
+    r->text = had ? "clamped root" : "flexible root plate";
     double *stiffness = WF_TAKE(&j->arena, j->r.x.trees, double);
     if (!stiffness) return;
     for (size_t k = 0; k < j->r.x.trees; k++) {
@@ -335,7 +337,7 @@ int wf_cmd_fit(int argc, char **argv)
     int code = wf_args_read(argc, argv, options, about, 1, 1, &j.arena, &o.args);
     if (code < 0) {
         j.folder = o.output;
-        j.r.command = wf_args_typed(argc, argv, &j.arena);
+        j.r.command = wf_command_line(argc, argv, &j.arena);
         j.r.loss = o.loss, j.r.priors = o.priors;
         j.r.date = wf_run_date(&j.arena);
         enum wf_status s = j.r.command && j.r.date

@@ -55,7 +55,7 @@ static enum wf_status read_run(const struct wf_series_plan_run *r, const char *f
 static void print_runs(const struct wf_series_page *p)
 {
     wf_show(stdout, "%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s",
-            "tip mean m", "most m");
+            "tip mean m", "largest m");
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
         double sum = 0, most = 0, wind = 0, n = 0;
@@ -213,7 +213,8 @@ const struct wf_option wf_series_options[] = {
 static const char series_about[] =
     "SPECIES is a species table, a file or the name of a shipped one. Every frame is a balance of its own: "
     "wind, "
-    "loads and shape without inertia, so it holds for winds that change slowly against the tree's own sway. "
+    "loads and shape without inertia, so it is valid for winds that change slowly against the tree's own "
+    "sway. "
     "The "
     "deflect solvers go from frame to frame with their restoring and damping terms.\n"
     "\n"
@@ -240,7 +241,7 @@ int wf_cmd_series(int argc, char **argv)
                                        .run = &o.run };
         struct series_job job = { .plan = &plan,
                                   .folder = o.output,
-                                  .command = wf_args_typed(argc, argv, &arena),
+                                  .command = wf_command_line(argc, argv, &arena),
                                   .language = o.lang,
                                   .quiet = o.args.quiet,
                                   .page = !o.no_report,
@@ -298,7 +299,7 @@ int wf_cmd_papers(int argc, char **argv)
     if (code < 0) {
         struct series_job job = { .plan = &plan,
                                   .folder = o.output ? o.output : wf_arena_print(&arena, "out/%s", plan.key),
-                                  .command = wf_args_typed(argc, argv, &arena),
+                                  .command = wf_command_line(argc, argv, &arena),
                                   .language = o.lang,
                                   .quiet = o.args.quiet,
                                   .page = !o.no_report,

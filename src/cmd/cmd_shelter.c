@@ -59,7 +59,7 @@ const struct wf_option wf_shelter_options[] = {
     CHOICE("--as", as, "WHAT", "energy|speed", "energy", "what the transmission is a share of"),
     WHOLE("--gap", gap, 1, 64, "1", "widest hole or slit, in cells"),
     NUMBER("--leaf-reach", leaf_reach, "LENGTH", LENGTH, "m", 1e-3, 100, "0.25",
-           "how far leaves stand from their segment"),
+           "greatest distance of leaves from their segment"),
     NUMBER("--wake-growth", wake_growth, "NUMBER", NONE, NULL, 0, 1, "0.08",
            "standard deviation of a wake per distance (law wake)"),
     WF_IMPORT_ROWS(import),
@@ -71,8 +71,9 @@ const struct wf_option wf_shelter_options[] = {
 };
 
 static const char about[] =
-    "  Cut a tree across the wind into slabs, project each on a grid, and tell what its branches and leaves\n"
-    "  leave of the wind inside and behind it; bend the tree in that wind and in the open, side by side.\n"
+    "  Cut a tree across the wind into slabs, project each on a grid, and compute the wind that its "
+    "branches\n  and leaves leave inside and behind it; bend the tree in that wind and in the open, side by "
+    "side.\n"
     "\n"
     "  windfirm shelter --model scots_pine --species scots_pine --wind 15\n"
     "  windfirm shelter --tree tree.csv --species oak --leaf-area 120 --azimuth 45 --law feng1999";
@@ -108,7 +109,7 @@ static enum wf_status read_measured(struct work *w, const char *file, struct wf_
 static enum wf_status read_tree(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     const char *model = w->options.model, *file = w->options.tree, *species = w->options.species;
-    if (!model == !file) return wf_fail(e, WF_EUSAGE, "give a tree by --model or --tree, one of them");
+    if (!model == !file) return wf_fail(e, WF_EUSAGE, "give a tree by either --model or --tree");
     if (!species) return wf_fail(e, WF_EUSAGE, "--species is needed, for example --species oak");
     struct wf_err other = { 0 };
     enum wf_status s = wf_species_read(wf_shipped("species", species, a), &wf_laws, a, &w->species, d, e),

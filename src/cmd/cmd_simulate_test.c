@@ -5,6 +5,7 @@
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
+#include "cmd/read_mat.h"
 #include "fit/build.h"
 #include "fit/predict.h"
 #include <gsl/gsl_linalg.h>
@@ -23,15 +24,16 @@ static const struct wf_option options[] = {
     TEXTS("--free", free, "NAME[,NAME]", "parameters the test is to determine, in place of the study's",
           .letter = "-f"),
     WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of the noise"),
-    TEXT("--output", output, "FOLDER", "out/simulate-test", "where the made-up data go, one CSV file a test",
-         .letter = "-o"),
+    TEXT("--output", output, "FOLDER", "out/simulate-test",
+         "where the simulated data go, one CSV file a test", .letter = "-o"),
     WF_QUIET_ROW,
     { 0 },
 };
 static const char about[] =
     "STUDY is a calibration study whose tests have 'loads' or 'speeds' and whose sensors have 'sigma' or "
     "'sigma_share'. The "
-    "tree is taken as the species table has it; readings are made up with noise, and the 95 % interval each "
+    "tree is taken as the species table has it; readings are simulated with noise, and the 95 % interval "
+    "each "
     "layout would "
     "give is computed: all sensors, each alone, all but one.\n"
     "\n"
@@ -133,7 +135,7 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
     const struct wf_fit_test *t = &p->x.test[test];
     const char *path = wf_arena_print((struct wf_arena *)&p->arena, "%s/%s.csv", folder, t->name);
     struct wf_file f = { 0 };
-    enum wf_status s = path ? wf_file_begin(&f, path, e) : wf_fail(e, WF_ENOMEM, "no room");
+    enum wf_status s = path ? wf_file_begin(&f, path, e) : wf_fail(e, WF_ENOMEM, "not enough memory");
     if (s) return s;
     fprintf(f.stream, "t_s,%s",
             t->load == WF_FIT_PULL     ? "force_N"
@@ -161,7 +163,9 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
 
 static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, struct wf_err *e)
 {
-    struct wf_fit_build b = { .calibration = &p->calibration, .share = wf_share(), .plan = true };
+    struct wf_fit_build b = {
+        .calibration = &p->calibration, .share = wf_share(), .plan = true, .mat = wf_read_mat
+    };
     const char *folder = p->options.output;
     enum wf_status s = wf_calibration_read(p->options.args.operand[0], &p->arena, &p->calibration, d, e);
     if (s) return s;
@@ -182,7 +186,7 @@ static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, st
     if (!s && !quiet) s = print_layouts(p, e);
     if (!s) s = wf_mkdirs(folder, e);
     for (size_t t = 0; t < p->x.tests && !s; t++) s = write_test(p, t, folder, e);
-    if (!s && !quiet) wf_show(stdout, "\nMade-up readings: %s\n", folder);
+    if (!s && !quiet) wf_show(stdout, "\nSimulated readings: %s\n", folder);
     return s;
 }
 

@@ -21,16 +21,16 @@ struct terrain_options {
 
 #define OPTIONS struct terrain_options
 static const struct wf_option options[] = {
-    PATH("--dem", dem, "FILE", NULL, "heights as an ESRI ASCII grid; without it the ground is made"),
-    WHOLE("--size", size, 1, 12, "8", "of made ground: 2^NUMBER + 1 points a side"),
+    PATH("--dem", dem, "FILE", NULL, "heights as an ESRI ASCII grid; without it the ground is generated"),
+    WHOLE("--size", size, 1, 12, "8", "of generated ground: 2^NUMBER + 1 points a side"),
     NUMBER("--cell", cell, "LENGTH", LENGTH, "m", 0.1, 10000, "25",
-           "of made ground: distance of neighbouring points"),
+           "of generated ground: distance of neighbouring points"),
     NUMBER("--smoothness", smoothness, "NUMBER", NONE, NULL, 0, 1, "1",
-           "of made ground: exponent H, 0 rough to 1 smooth"),
+           "of generated ground: exponent H, 0 rough to 1 smooth"),
     NUMBER("--relief", relief, "LENGTH", LENGTH, "m", 0.01, 5000, "40",
-           "of made ground: standard deviation of the heights"),
+           "of generated ground: standard deviation of the heights"),
     WHOLE("--seed", seed, 0, 9007199254740992.0, "1",
-          "of made ground: whole number; the same seed gives the same ground"),
+          "of generated ground: whole number; the same seed gives the same ground"),
     NUMBER("--from", from, "ANGLE", ANGLE, "deg", -360, 360, "270",
            "direction the wind comes from, clockwise from north"),
     NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 500, "10", "above the ground, for the speed-up"),
@@ -38,7 +38,7 @@ static const struct wf_option options[] = {
            "roughness length of the ground"),
     NUMBER("--hill-length", hill_length, "LENGTH", LENGTH, "m", 0, 1e5, "0",
            "half-width of the hills at half height; 0: from the map"),
-    NUMBER("--distance", distance, "LENGTH", LENGTH, "m", 1, 1e5, "1000", "how far topex looks"),
+    NUMBER("--distance", distance, "LENGTH", LENGTH, "m", 1, 1e5, "1000", "distance to which topex searches"),
     PATH("--positions", positions, "FILE", NULL, "CSV with x_m and y_m: exposure at these places"),
     TEXT("--output", output, "FOLDER", "out/terrain", "where tables, grids and the map go", .letter = "-o"),
     WF_PAGE_ROWS("--no-plots", no_plots, lang, "write tables and grids only"),
@@ -47,7 +47,7 @@ static const struct wf_option options[] = {
 };
 
 static const char about[] =
-    "  Make ground by the diamond-square rule or read it, and give each place its exposure: "
+    "  Generate ground by the diamond-square rule or read it, and give each place its exposure: "
     "topex-to-distance\n"
     "  (Hannah et al. 1995) and the speed-up of the wind over low hills (Jackson & Hunt 1975).\n"
     "\n"
@@ -99,15 +99,14 @@ static void warn_of_limits(const struct wf_terrain_site *s, struct wf_diag *d)
     if (s->speedup.steepest > 0.3)
         wf_diag_warn(
             d, "steep",
-            "slopes up to %.2f: the linear speed-up holds to about 0.3; beyond, the wind separates in the "
+            "slopes up to %.2f: the linear speed-up is valid to about 0.3; beyond, the wind separates in the "
             "lee and is overestimated there",
             s->speedup.steepest);
     if (s->unseen)
-        wf_diag_warn(
-            d, "map-edge",
-            "%.0f %% of the points have a sight line that leaves the map: their topex sees less than "
-            "its distance",
-            100.0 * (double)s->unseen / (double)(s->ground.rows * s->ground.columns));
+        wf_diag_warn(d, "map-edge",
+                     "%.0f %% of the points have a sight line that leaves the map: their topex covers less "
+                     "than its distance",
+                     100.0 * (double)s->unseen / (double)(s->ground.rows * s->ground.columns));
 }
 
 static enum wf_status survey(const struct terrain_options *o, const struct wf_doc_head *head,

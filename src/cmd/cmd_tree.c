@@ -45,8 +45,8 @@ static void print_modelled(FILE *to, const struct wf_qsm_metrics *g, const struc
         to,
         "  %-20s%zu lateral branches, %zu links in the parents' wood, %zu bridges of unseen wood (%.3g m3)\n",
         "", m->laterals, m->links, m->bridges, m->bridge_volume);
-    wf_show(to, "  %-20s%zu gaps drawn together, the widest %.3f m; %zu rows too short to keep\n", "",
-            m->gaps, m->widest_gap, m->short_rows);
+    wf_show(to, "  %-20s%zu gaps closed, the widest %.3f m; %zu rows too short to keep\n", "", m->gaps,
+            m->widest_gap, m->short_rows);
 }
 
 /* One tree, one page. */

@@ -61,8 +61,8 @@ const struct wf_option wf_wind_options[] = {
 };
 
 static const char about[] =
-    "  Make a wind that changes with time, compare it with what was asked for, write and draw it.\n"
-    "  MODEL is a row of `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
+    "  Make a wind that changes with time, compare it with what was specified, write and draw it.\n"
+    "  MODEL is a name from `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
     "frequency,\n"
     "  weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) and draws it.\n"
     "\n"
@@ -98,8 +98,8 @@ static enum wf_status read_record(const struct wind_options *o, struct wf_gust_s
     if (!WF_GIVEN(o, wind)) s->speed = r->mean;
     if (!o->args.quiet)
         wf_show(stdout,
-                "%s: %zu rows, %zu steps of %g s; %zu rows with unreadable cells, %zu steps bridged in %zu "
-                "gaps (longest %zu)\n"
+                "%s: %zu rows, %zu steps of %g s; %zu rows with unreadable cells, %zu steps interpolated in "
+                "%zu gaps (longest %zu)\n"
                 "  mean %.3f m/s towards %.1f deg (first axis towards second), tilt %.1f deg\n",
                 file, r->rows, r->n, r->step, r->unreadable, r->missing, r->gaps, r->longest, r->mean,
                 r->azimuth * 180 / M_PI, r->tilt * 180 / M_PI);
@@ -112,7 +112,7 @@ static enum wf_status place_points(const struct wind_options *o, struct wf_gust_
 {
     const char *file = o->points_file;
     if (file && WF_GIVEN(o, points))
-        return wf_fail(e, WF_EUSAGE, "--points and --points-file: one of them says where the points are");
+        return wf_fail(e, WF_EUSAGE, "give one of --points and --points-file, not both");
     if (file) {
         struct wf_points p;
         enum wf_status status = wf_points_read(file, WF_GUST_POINTS_MAX, a, d, &p, e);
@@ -137,7 +137,7 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
     const struct wf_gust_model *m = wf_gust_named(name);
     if (!m) {
         struct wf_hint hint = wf_did_you_mean(name, known, n + 1);
-        return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'%s", name,
+        return wf_fail(e, WF_EUSAGE, "unknown gust model '%s'%s", name,
                        *hint.text ? hint.text : "; `windfirm wind list` shows them");
     }
     wf_gust_spec_default(m, s);
@@ -158,7 +158,7 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
     if (s->points > SHOWN_MAX || (double)s->points * s->components * (double)s->steps > 3e8)
         return wf_fail(
             e, WF_EUSAGE,
-            "%zu points, %u components and %zu steps are more than is looked at here (%d points, 3e8 "
+            "%zu points, %u components and %zu steps are more than can be analysed here (%d points, 3e8 "
             "numbers); --stream writes any number",
             s->points, s->components, s->steps, SHOWN_MAX);
     return WF_OK;
@@ -184,9 +184,9 @@ static void print_wind(const struct wf_gust_report *r)
     if (!isnan(r->joint))
         wf_show(stdout, "blocks meet within    %8.3f %% of the standard deviation\n", 100.0 * r->joint);
     if (!isnan(r->coherence_error))
-        wf_show(stdout, "coherence made within %8.4f of the one asked for\n", r->coherence_error);
+        wf_show(stdout, "coherence within      %8.4f of the specified one\n", r->coherence_error);
     if (r->findings)
-        wf_show(stdout, "\n%-36s %12s %12s %10s  scatter\n", "asked and got", "asked", "got", "off");
+        wf_show(stdout, "\n%-36s %12s %12s %10s  scatter\n", "property", "specified", "obtained", "off");
     for (size_t i = 0; i < r->findings; i++) {
         const struct wf_gust_finding *f = &r->finding[i];
         wf_show(stdout, "%-36s %12.5g %12.5g %9.2f%%  ", f->name, f->asked, f->got,
@@ -232,12 +232,11 @@ static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_st
         if (isnan(w->asked[c]))
             wf_show(stdout, "\n");
         else
-            wf_show(stdout, " (asked %.3f)\n", w->asked[c]);
+            wf_show(stdout, " (specified %.3f)\n", w->asked[c]);
     }
     if (s->model->spectrum)
         wf_show(stdout, "blocks meet within %.3f %% of the standard deviation\n", 100.0 * w->joint);
-    if (!isnan(w->coherence))
-        wf_show(stdout, "coherence made within %.4f of the one asked for\n", w->coherence);
+    if (!isnan(w->coherence)) wf_show(stdout, "coherence within %.4f of the specified one\n", w->coherence);
 }
 
 static enum wf_status write_stream(const struct wind_options *o, const struct wf_gust_spec *spec,

@@ -39,12 +39,12 @@ const struct wf_command wf_commands[] = {
     { "series", "SPECIES --model MODEL [option...]",
       "A tree in a wind that changes: time series, key frames, trajectories.", wf_cmd_series },
     { "simulate-test", "STUDY [option...]",
-      "Make up the readings of a planned test, and say which sensors would determine what.",
+      "Simulate the readings of a planned test, and say which sensors would determine what.",
       wf_cmd_simulate_test },
     { "species", "list | show NAME", "The species tables that are shipped, and what is in one.",
       wf_cmd_species },
     { "terrain", "[option...]",
-      "Ground made or read from a height model: exposure and speed-up of the wind at each place.",
+      "Ground generated or read from a height model: exposure and speed-up of the wind at each place.",
       wf_cmd_terrain },
     { "tree", "info FILE... | draw [FILE] [option...]",
       "Size of measured trees, and what had to be repaired; a picture of a measured tree or a model.",
@@ -52,7 +52,7 @@ const struct wf_command wf_commands[] = {
     { "validate", "[PATH...] [option...]", "Run validation cases and compare with their sources.",
       wf_cmd_validate },
     { "wind", "MODEL | list | rose [option...]",
-      "A gusty wind by one of the gust models, compared with what was asked for, written and drawn.",
+      "A gusty wind by one of the gust models, compared with what was specified, written and drawn.",
       wf_cmd_wind },
     { 0 },
 };
@@ -130,11 +130,37 @@ enum wf_status wf_pages_make(const char *folder, const char *language, struct wf
     return s == WF_OK || s == WF_EMISSING ? WF_OK : wf_fail(e, s, "%s", why.text);
 }
 
+/* A word as a shell takes it: in quotes where it is empty or has characters that a shell would interpret.
+ * Returned: NULL without memory. */
+static const char *quoted(const char *word, struct wf_arena *a)
+{
+    if (*word && !word[strcspn(word, " \t\r\n'\"\\$`&*?[]{}()<>|;#~!")]) return word;
+    char *text = WF_TAKE(a, 4 * strlen(word) + 3, char), *to = text;
+    if (!text) return NULL;
+    *to++ = '\'';
+    for (; *word; word++)
+        if (*word == '\'')
+            to = stpcpy(to, "'\\''");
+        else
+            *to++ = *word;
+    strcpy(to, "'");
+    return text;
+}
+
+char *wf_command_line(int argc, char **argv, struct wf_arena *a)
+{
+    char *text = wf_arena_text(a, "windfirm");
+    for (int i = 0; text && i < argc; i++) {
+        const char *word = quoted(argv[i], a);
+        text = word ? wf_arena_print(a, "%s %s", text, word) : NULL;
+    }
+    return text;
+}
+
 enum wf_status wf_pages_head(int argc, char **argv, struct wf_arena *a, struct wf_doc_head *out,
                              struct wf_err *e)
 {
-    char *text = wf_arena_text(a, "windfirm");
-    for (int i = 0; text && i < argc; i++) text = wf_arena_print(a, "%s %s", text, argv[i]);
+    char *text = wf_command_line(argc, argv, a);
     *out = (struct wf_doc_head){ .command = text, .version = WF_VERSION, .date = wf_run_date(a) };
     return text && out->date ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
 }

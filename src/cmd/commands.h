@@ -57,6 +57,9 @@ void wf_print_findings(const struct wf_diag *d, bool quiet);
 /* Draw figures and pages of a folder and print what is missing. A drawing program that is not installed is no
  * error. Errors: those of wf_report_make. */
 enum wf_status wf_pages_make(const char *folder, const char *language, struct wf_arena *a, struct wf_err *e);
+/* The command line as typed, "windfirm ...", with quotes where a shell needs them: it can be pasted and run
+ * again. Every command records this text. NULL: no memory. */
+char *wf_command_line(int argc, char **argv, struct wf_arena *a);
 /* Command line, program and date of this run; title and note stay empty. Errors: WF_ENOMEM. */
 enum wf_status wf_pages_head(int argc, char **argv, struct wf_arena *a, struct wf_doc_head *out,
                              struct wf_err *e);

@@ -107,7 +107,8 @@ bool wf_option_given(const struct wf_args *args, size_t member);
 /* Row of a command that takes a study file (cmd/args.c). */
 #define STUDY                                                                                                \
     WF_ROW("--study", STUDY, args.study, const char *,                                                       \
-           "options from a file, one key an option ('windfirm schema study'); what is typed comes first",    \
+           "options from a file, one key an option ('windfirm schema study'); the command line takes "       \
+           "precedence",                                                                                     \
            .value = "FILE")
 
 /* Help, allowed values and default of an option as one paragraph. */

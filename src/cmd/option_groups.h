@@ -33,7 +33,7 @@ const char *wf_import_word(size_t i);
          "how the wind grows with height [power; measured with --profile-file]"),                            \
         PATH("--profile-file", in.file, "FILE", NULL,                                                        \
              "measured mean winds, a CSV with columns height_m and speed_ms; only their ratios count, "      \
-             "--wind says how strong it is at the reference height"),                                        \
+             "--wind gives the speed at the reference height"),                                              \
         NUMBER("--reference-height", in.reference_height, "LENGTH", LENGTH, "m", 0.01, 1000, "10",           \
                "height at which the wind has the speed named"),                                              \
         NUMBER("--exponent", in.exponent, "NUMBER", NONE, NULL, 0, 1, NULL, "of the power profile [0.16]"),  \
@@ -63,7 +63,7 @@ struct wf_import_asked {
 };
 #define WF_IMPORT_ROWS(in)                                                                                   \
     WORD("--format", in.format, "FORMAT", wf_import_word, NULL,                                              \
-         "of the files; normally told by their content", .letter = "-f"),                                    \
+         "of the files; by default recognised by their content", .letter = "-f"),                            \
         FLAG("--strict", in.strict, "refuse a file that needs a repair"),                                    \
         CHOICE("--length-unit", in.length_unit, "UNIT", "m|cm|mm", NULL,                                     \
                "of coordinates and lengths whose column names no unit (m; MTG: cm)"),                        \

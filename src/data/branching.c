@@ -50,11 +50,11 @@ static const struct wf_yaml_table place_table = {
 };
 
 static const struct wf_yaml_row azimuth_rows[] = {
-    WF_KEY_ENUM(
-        "rule", azimuth, azimuth_words,
-        "spiral: each place turned by the divergence from the one below (phyllotaxis); whorl: whorls of "
-        "per_whorl branches, the next in the gaps of the last; planar: to both sides in turn; random.",
-        .initial = "spiral", .example = "spiral"),
+    WF_KEY_ENUM("rule", azimuth, azimuth_words,
+                "spiral: each place turned by the divergence from the one below (phyllotaxis); whorl: whorls "
+                "of per_whorl branches, each turned into the gaps of the one below; planar: alternating "
+                "between the two sides; random.",
+                .initial = "spiral", .example = "spiral"),
     WF_KEY_ANGLE("divergence", divergence, -1, 1, "Turn from one place to the next.",
                  .absent =
                      "spiral: 137.5 deg; whorl: half the angle between neighbours; not used by the others",
@@ -142,7 +142,7 @@ static const struct wf_yaml_row length_rows[] = {
     WF_KEY_NUMBER("factor", length_factor, 1e-3, 10, "Multiplies the law.", .initial = "1", .example = "0.6"),
     ALONG(length_along),
     SPREAD(length_spread, "Standard deviation of the logarithm of the length."),
-    WF_KEY_LENGTH("shortest", shortest, "m", 1e-3, 10, "Branches that would be shorter do not grow.",
+    WF_KEY_LENGTH("shortest", shortest, "m", 1e-3, 10, "Least length; shorter branches are omitted.",
                   .initial = "10 mm", .example = "50 mm"),
     { .key = NULL },
 };
@@ -249,16 +249,17 @@ const struct wf_yaml_table wf_curve_table = {
 /* The level as a whole. */
 
 static const struct wf_yaml_row branching_rows[] = {
-    WF_KEY_TEXT("name", name, "Name for people.", .absent = "no name", .example = "first order"),
+    WF_KEY_TEXT("name", name, "Readable name.", .absent = "no name", .example = "first order"),
     WF_KEY_PART("place", place_table, "Where on each parent the branches stand.", .required = true),
-    WF_KEY_PART("azimuth", azimuth_table, "To which side of the parent they go.", .absent = "a spiral"),
-    WF_KEY_PART("insertion", insertion_table, "At which angle they leave it.", .required = true,
-                .example = "{angle: 60 deg}"),
+    WF_KEY_PART("azimuth", azimuth_table, "Direction of the branches about the parent's axis.",
+                .absent = "a spiral"),
+    WF_KEY_PART("insertion", insertion_table, "Angle between the parent's axis and the branch.",
+                .required = true, .example = "{angle: 60 deg}"),
     WF_KEY_PART("length", length_table, "How long they are.", .required = true,
                 .example = "{law: parent, factor: 0.5}"),
     WF_KEY_PART("radius", radius_table, "How thick they are.", .required = true,
                 .example = "{law: parent, factor: 0.5}"),
-    WF_KEY_PART("taper", branch_taper_table, "How they get thinner.",
+    WF_KEY_PART("taper", branch_taper_table, "Taper of the branches.",
                 .absent = "a cone to 0.3 of the base radius"),
     WF_KEY_INTEGER("segments", segments, 1, 1000,
                    "Straight pieces of equal length of each branch; a row also ends where a branch of the "
@@ -300,14 +301,15 @@ static const struct wf_yaml_row foliage_rows[] = {
                     "One-sided leaf area of the whole tree with its leaves on.", .required = true,
                     .example = "17 m2"),
     WF_KEY_INTEGER("levels", levels, 1, WF_BRANCH_LEVELS_MAX,
-                   "How many of the last levels bear leaves, the same area on every length of them.",
+                   "Number of levels, counted from the last, that have leaves; leaf area per length is the "
+                   "same on all of them.",
                    .initial = "1", .example = "1"),
     WF_KEY_NUMBER("from", from, 0, 1, "Where on these axes the leaves begin.", .initial = "0",
                   .example = "0.2"),
     WF_KEY_NUMBER("to", to, 0, 1, "Where they end.", .initial = "1", .example = "1"),
     WF_KEY_INTEGER("count", count, 1, 10000000,
                    "Leaves, or clusters of leaves, placed one by one; they share the area.",
-                   .absent = "leaves only spread out", .example = "800"),
+                   .absent = "no single leaves; the area is spread along the axes", .example = "800"),
     WF_KEY_ANGLE("tilt", tilt, 0, 0.5, "Between the axis and a leaf.", .initial = "45 deg",
                  .example = "45 deg"),
     WF_KEY_ANGLE("scatter", scatter, 0, 0.25, "Standard deviation of the angles of each leaf.",

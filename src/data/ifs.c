@@ -116,7 +116,7 @@ static void map_finish(struct wf_yaml *y, void *map)
 #define T struct wf_ifs_map
 
 static const struct wf_yaml_row map_rows[] = {
-    WF_KEY_TEXT("name", name, "Name for people.", .absent = "named by its number", .example = "upper side"),
+    WF_KEY_TEXT("name", name, "Readable name.", .absent = "named by its number", .example = "upper side"),
     WF_KEY_NUMBER("position", position, 1e-3, 1, "Where the copy stands on the axis, 1 = its tip.",
                   .absent = "needed unless matrix is given", .example = "0.6"),
     WF_KEY_NUMBER("scale", scale, 1e-3, 100, "Size of the copy over the whole; below 1.",
@@ -170,7 +170,7 @@ static void ifs_finish(struct wf_yaml *y, void *ifs)
         (void)snprintf(key, sizeof key, "maps[%zu]", i);
         if (at_tip && wanted == 0)
             wf_yaml_error(y, key,
-                          "stands at the tip; in form 'monopodial' the axis goes on above every copy");
+                          "stands at the tip; in form 'monopodial' the axis continues above every copy");
     }
     if (f->maps && wanted == 1 && tip != 1)
         wf_yaml_error(y, "maps", "%zu stand at the tip (position 1); form '%s' needs exactly one", tip,
@@ -182,11 +182,12 @@ static void ifs_finish(struct wf_yaml *y, void *ifs)
 #define T struct wf_ifs
 
 static const struct wf_yaml_row ifs_rows[] = {
-    WF_KEY_ENUM("form", form, ifs_words,
-                "monopodial: the axis goes on above every copy; sympodial: its tip dies and one copy at the "
-                "tip takes over; false_dichotomous: its tip dies, every map stands for two copies opposite "
-                "each other, and those at the tip make the fork.",
-                .initial = "monopodial", .example = "monopodial"),
+    WF_KEY_ENUM(
+        "form", form, ifs_words,
+        "monopodial: the axis continues above every copy; sympodial: its tip dies and one copy at the tip "
+        "continues it; false_dichotomous: its tip dies, every map stands for two copies opposite "
+        "each other, and those at the tip form the fork.",
+        .initial = "monopodial", .example = "monopodial"),
     WF_KEY_INTEGER("levels", levels, 1, WF_BRANCH_LEVELS_MAX, "How many levels grow, the stem included.",
                    .required = true, .example = "3"),
     WF_KEY_LIST("maps", map, maps, map_table, "The contractive maps of the whole to its copies.",

@@ -96,10 +96,10 @@ void wf_value_needs_source(struct wf_yaml *y, enum wf_standing s)
 #define USE(member) offsetof(struct wf_law_use, member)
 #define SPEED(k, member, words)                                                                              \
     .key = k, .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_SPEED, .unit = "m/s", .low = 0, .high = 150,     \
-    .absent = "not said", .offset = USE(member), .doc = words
+    .absent = "not stated", .offset = USE(member), .doc = words
 const struct wf_yaml_row wf_law_ranges[] = {
     /* of streamlining laws */
-    { SPEED("valid_from", low, "Lowest wind speed the source covers; a run outside says so."),
+    { SPEED("valid_from", low, "Lowest wind speed the source covers; a run outside them warns."),
       .example = "4 m/s" },
     { SPEED("valid_to", high, "Highest wind speed the source covers."), .example = "20 m/s" },
     { .key = NULL },
@@ -110,7 +110,7 @@ static const struct wf_yaml_row origin_rows[] = {
       .initial = "assumed",
       .choices = wf_standing_words,
       .offset = USE(standing),
-      .doc = "Standing of the table, as for a value." },
+      .doc = "Status of the table, as for a value." },
     { .key = "source", .kind = WF_YAML_NAME, .offset = USE(source), .doc = "A key of 'sources'." },
     { .key = "note",
       .kind = WF_YAML_TEXT,

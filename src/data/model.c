@@ -21,7 +21,7 @@ static const struct wf_yaml_row stem_section_rows[] = {
         "Of the solid section: ellipse, rectangle, isosceles triangle either way up. Between two places "
         "width and height are linear, and the properties of two shapes are mixed in proportion.",
         .required = true, .example = "rectangle"),
-    WF_KEY_LENGTH("width", width, "mm", 1e-5, 10, "Level where the stem leans and is not turned.",
+    WF_KEY_LENGTH("width", width, "mm", 1e-5, 10, "Horizontal where the stem leans and is not turned.",
                   .required = true, .example = "32.9 mm"),
     WF_KEY_LENGTH("height", height, "mm", 1e-5, 10, "Across the width.", .required = true,
                   .example = "30.3 mm"),
@@ -139,8 +139,8 @@ static const struct wf_yaml_row model_stem_rows[] = {
     WF_KEY_ANGLE("lean", lean, 0, 0.25, "Angle of the straight stem from the vertical.", .initial = "0 deg",
                  .example = "10 deg"),
     WF_KEY_ANGLE("lean_azimuth", lean_azimuth, -1, 1,
-                 "Direction of the lean in the ground plane, from +x towards +y. Wind blows towards +x "
-                 "unless told otherwise.",
+                 "Direction of the lean in the ground plane, from +x towards +y. By default the wind blows "
+                 "towards +x.",
                  .initial = "0 deg", .example = "90 deg"),
     WF_KEY_PART("curve", wf_curve_table,
                 "The angle between successive segments of the stem; generator levels. An upright stem droops "
@@ -204,7 +204,7 @@ static const char *const seasons[] = { "leaf_on", "leaf_off", NULL };
 static const struct wf_yaml_row model_rows[] = {
     WF_KEY_NAME("model", key, "Key of the model, as its file's name.", .required = true,
                 .example = "moso_culm"),
-    WF_KEY_TEXT("name", name, "Name for people.", .required = true, .example = "Moso bamboo culm, 14 m"),
+    WF_KEY_TEXT("name", name, "Readable name.", .required = true, .example = "Moso bamboo culm, 14 m"),
     WF_KEY_TEXT("note", note, "What a user of the model should know.", .absent = "no note"),
     WF_KEY_TEXT("source", source, "Where the dimensions come from.", .absent = "no source"),
     WF_KEY_ENUM("generator", generator, wf_generator_words,
@@ -215,12 +215,12 @@ static const struct wf_yaml_row model_rows[] = {
                    "Of all random spread: the same seed gives the same tree.", .initial = "1",
                    .example = "1"),
     WF_KEY_ENUM("season", season, seasons,
-                "leaf_off: the leaves have fallen; neither their sail nor their mass is there.",
+                "leaf_off: the leaves have fallen; neither their drag nor their mass acts.",
                 .initial = "leaf_on", .example = "leaf_off"),
     WF_KEY_ENUM(
         "shape", shape, shapes,
-        "What the model draws. under_weight: the tree as it stands or hangs in still air; the stress-free "
-        "shape from which its weight bends it there is computed, so that without wind it is as drawn.",
+        "Which state the model describes. under_weight: the shape in still air under its own weight; the "
+        "stress-free shape is computed from it, so that without wind the tree has the shape given.",
         .initial = "stress_free", .example = "under_weight"),
     WF_KEY_PART("stem", model_stem_table, "The stem.", .required = true),
     WF_KEY_PART("crown", model_crown_table, "The leaves along the stem; generator stem.",
@@ -359,9 +359,8 @@ const struct wf_yaml_table wf_model_table = {
     .row = model_rows,
     .size = sizeof(struct wf_model),
     .finish = model_finish,
-    .doc =
-        "A tree model (YAML): the outer shape and the leaves of a tree, to be clothed with the materials of "
-        "a species table. Quantities carry their units. A whole model to start from: models/moso_culm.yaml.",
+    .doc = "A tree model (YAML): the outer shape and the leaves of a tree, to be combined with the materials "
+           "of a species table. Quantities carry their units. A complete example: models/moso_culm.yaml.",
 };
 
 /* Properties of a model. */

@@ -146,7 +146,8 @@ static const struct property_row level_values[] = {
             .doc = "Drag coefficient of the bare axis in cross-flow on its diameter.", .example = "1.2"),
       .acts = WF_ACTS_GIVEN, COLUMN(drag), ABSENT(NAN) },
     { LEVEL(lift_coefficient, WF_DIM_NONE, NULL, -3, 3, .initial = "0",
-            .doc = "Force across wind and axis, as the drag coefficient.", .example = "0.1"),
+            .doc = "Coefficient of the force across wind and axis, defined as the drag coefficient.",
+            .example = "0.1"),
       .acts = WF_ACTS_GIVEN, COLUMN(lift) },
     { .yaml.key = NULL },
 };
@@ -261,7 +262,7 @@ static const struct wf_yaml_row species_rows[] = {
     { .key = "crown",
       .kind = WF_YAML_TABLE,
       .absent = "no leaves; a model with leaves is then refused",
-      .doc = "The leaves in the wind." },
+      .doc = "Drag and mass of the leaves." },
     { .key = NULL },
 };
 /* Where there is only one law of axis drag there is nothing to choose, and no key. */
@@ -400,8 +401,8 @@ static const struct wf_yaml_table *species_schema(const struct wf_laws *laws, st
         .row = s->species,
         .size = sizeof(struct wf_species),
         .finish = species_finish,
-        .doc = "A species table (YAML): the material and section of every branching level and how the crown "
-               "meets the wind. Quantities carry their units. A whole table to start from: "
+        .doc = "A species table (YAML): the material and section of every branching level and the drag of "
+               "the crown. Quantities carry their units. A complete example: "
                "species/moso_bamboo.yaml.",
     };
     return &s->table;

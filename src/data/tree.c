@@ -74,7 +74,7 @@ static const char *section_row_fault(const struct wf_tree *t, size_t i)
         return "the shares of a section's shapes do not sum up to 1";
     if (!(fabs(wf_dot(up, up) - 1) < 1e-9 && fabs(wf_dot(up, axis)) < 1e-9 * sqrt(wf_dot(axis, axis))))
         return "the section's height is not measured across the segment";
-    if (!isfinite(c->side0[i] + c->side1[i])) return "the burden's first moment is not finite";
+    if (!isfinite(c->side0[i] + c->side1[i])) return "the first moment of the hanging mass is not finite";
     if (t->stiff || t->bend) return "a section that is not round needs a straight row of given moduli";
     return t->i0[i] > 0 || t->i1[i] > 0 ? "a section that is not round is solid" : NULL;
 }

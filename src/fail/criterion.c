@@ -5,7 +5,8 @@
 const struct wf_criterion wf_criteria[WF_CRITERIA] = {
     [WF_BREAKAGE] = { .name = "breakage",
                       .source = "elementary bending: Timoshenko S. 1955. Strength of Materials I",
-                      .validity = "sound, round stems and branches; shear stress and torsion do not count",
+                      .validity =
+                          "sound, round stems and branches; shear stress and torsion are not included",
                       .known = wf_breakage_known,
                       .utilisation = wf_breakage_utilisation },
 };

@@ -22,11 +22,12 @@ static enum wf_status find(const struct wf_fit_build *b, const char *room, const
     return *path ? WF_OK : wf_fail(e, WF_ENOMEM, "%s: no memory", name);
 }
 
-static enum wf_status measured(const struct wf_calibration_tree *s, const char *path,
+static enum wf_status measured(const struct wf_calibration_tree *s, const char *path, wf_import_reader *mat,
                                const struct wf_species *sp, struct wf_arena *a, struct wf_diag *d,
                                struct wf_tree *out, struct wf_err *e)
 {
     struct wf_import_options o = wf_import_default();
+    o.mat = mat;
     struct wf_qsm q;
     struct wf_qsm_model m;
     enum wf_status status = wf_import_read(path, &o, a, &q, d, e);
@@ -53,7 +54,7 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
     *out = (struct wf_fit_tree){ .name = s->name, .species = sp };
     if (!status) status = find(b, "models", s->qsm ? s->qsm : s->model, a, &path, e);
     if (!status) out->file = path;
-    if (!status && s->qsm) status = measured(s, path, sp, a, d, &out->tree, e);
+    if (!status && s->qsm) status = measured(s, path, b->mat, sp, a, d, &out->tree, e);
     if (!status && !s->qsm) status = wf_model_read(path, a, &m, d, e);
     if (!status && !s->qsm) status = wf_grow_stem(&m, sp, a, &out->tree, e);
     if (status) return status;
@@ -414,7 +415,7 @@ static enum wf_status fit_build_test(const struct wf_fit_build *b, size_t index,
     for (size_t k = 0; k < b->calibration->trees; k++)
         if (!s->tree || !strcmp(s->tree, b->calibration->tree[k].name)) t->tree = k;
     if (t->tree == b->calibration->trees)
-        return wf_fail(e, WF_EINPUT, "%s: test %s: no tree is called '%s'", b->calibration->file, s->name,
+        return wf_fail(e, WF_EINPUT, "%s: test %s: unknown tree '%s'", b->calibration->file, s->name,
                        s->tree);
     load_of(s, t, in);
     enum wf_status status = wf_units_open(&u, e);
@@ -505,7 +506,7 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
     size_t used = 0, room = 0;
     *x = (struct wf_experiment){ .trees = s->trees, .tests = s->tests };
     x->tree = WF_TAKE(a, s->trees, struct wf_fit_tree), x->test = WF_TAKE(a, s->tests, struct wf_fit_test);
-    if (!x->tree || !x->test) return wf_fail(e, WF_ENOMEM, "%s: no room", s->file);
+    if (!x->tree || !x->test) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", s->file);
     enum wf_status status = WF_OK;
     for (size_t k = 0; k < s->trees && !status; k++) status = fit_build_tree(b, k, a, d, &x->tree[k], e);
     for (size_t k = 0; k < s->tests && !status; k++) {

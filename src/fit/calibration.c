@@ -40,7 +40,7 @@ static const struct wf_yaml_row tree_rows[] = {
     { QUANTITY(T, "root_stiffness", root_stiffness, WF_DIM_ROTATIONAL_STIFFNESS, "kN m/rad", 1, 1e12),
       .absent = "clamped, unless it is a free parameter", .doc = "Rotational stiffness of the root plate." },
     { QUANTITY(T, "gravity", gravity, WF_DIM_ACCELERATION, "m/s2", 0, 100), .initial = "9.81 m/s2",
-      .doc = "0 leaves the weight out." },
+      .doc = "0: without weight." },
     { 0 }
 };
 static const struct wf_yaml_table tree_table = {
@@ -78,16 +78,16 @@ static const struct wf_yaml_row sensor_rows[] = {
     { QUANTITY(T, "gauge", gauge, WF_DIM_LENGTH, "mm", 1e-3, 10), .absent = "100 mm",
       .doc = "Length over which strain or extension is taken." },
     { ROW(T, "sign", WF_YAML_ENUM, sign), .choices = signs, .initial = "+",
-      .doc = "- where the column counts the other way." },
+      .doc = "- where the column has the opposite sign." },
     { ROW(T, "sigma", WF_YAML_TEXT, sigma),
       .absent = "estimated from the scatter, unless sigma_share is given",
       .doc = "Standard uncertainty of a reading.", .example = "0.05 deg" },
     { QUANTITY(T, "sigma_share", sigma_share, WF_DIM_NONE, NULL, 0, 1), .absent = "none",
       .doc = "The same as a share of the reading; both add in squares.", .example = "2 %" },
     { ROW(T, "offset", WF_YAML_ENUM, offset), .choices = no_yes, .initial = "no",
-      .doc = "Its zero is not known." },
+      .doc = "Its zero is unknown and is fitted." },
     { ROW(T, "drift", WF_YAML_ENUM, drift), .choices = no_yes, .initial = "no",
-      .doc = "Its zero wanders evenly with time." },
+      .doc = "Its zero drifts linearly with time." },
     { 0 }
 };
 static const struct wf_yaml_table sensor_table = {
@@ -209,11 +209,11 @@ static void wind_finish(struct wf_yaml *y, void *wind)
     w->dem_place = wf_yaml_where(y, "dem");
     if (wind_numbers_are_right(y, w) && wf_calibration_wind_scene(w, &scene, &why))
         wf_yaml_error(y, wf_yaml_has(y, "profile") ? "profile" : "", "%s", why.text);
-    if (w->dem && !isnan(w->speed_up))
-        wf_yaml_error(y, "dem", "'speed_up' and 'dem': one of them says how exposed the tree is");
+    if (w->dem && !isnan(w->speed_up)) wf_yaml_error(y, "dem", "give one of 'speed_up' and 'dem', not both");
     if (w->dem && !w->at) wf_yaml_error(y, "dem", "needs 'at', where the tree stands on it");
-    if (!w->dem && w->at) wf_yaml_error(y, "at", "a place on the ground needs the ground, 'dem'");
-    if (!w->dem && wf_yaml_has(y, "north")) wf_yaml_error(y, "north", "is of 'dem', which is not given");
+    if (!w->dem && w->at) wf_yaml_error(y, "at", "needs 'dem', the heights of the ground");
+    if (!w->dem && wf_yaml_has(y, "north"))
+        wf_yaml_error(y, "north", "applies only with 'dem', which is not given");
     if (w->dem && w->at && !wf_site_place(w->at, &x, &z))
         wf_yaml_error(y, "at", "'%.100s': the tree's place is written x,y in m, for example 450,1200", w->at);
 }
@@ -224,12 +224,13 @@ static const struct wf_yaml_table wind_table = {
 #undef T
 
 #define T struct wf_calibration_sway
-static const struct wf_yaml_row sway_rows[] = { { ROW(T, "column", WF_YAML_TEXT, column), .required = true,
-                                                  .doc = "Column that swings freely after a release, in any "
-                                                         "measure; frequency and damping are fitted to it." },
-                                                { AZIMUTH(T), .absent = "the lowest mode",
-                                                  .doc = "Direction of sway." },
-                                                { 0 } };
+static const struct wf_yaml_row sway_rows[] = {
+    { ROW(T, "column", WF_YAML_TEXT, column), .required = true,
+      .doc = "Column of a free oscillation after a release, in any unit; frequency and damping are fitted to "
+             "it." },
+    { AZIMUTH(T), .absent = "the lowest mode", .doc = "Direction of sway." },
+    { 0 }
+};
 static const struct wf_yaml_table sway_table = { .title = "a free sway", .row = sway_rows, .doc = "" };
 #undef T
 
@@ -244,9 +245,9 @@ static const struct wf_yaml_row test_rows[] = {
     { ROW(T, "time", WF_YAML_TEXT, time), .absent = "rows are a second apart",
       .doc = "Column of the time: seconds (t_s), or dates and times (2020-07-29T16:31:52Z)." },
     { QUANTITY(T, "after", after, WF_DIM_TIME, "s", 0, 1e9), .absent = "from the first row",
-      .doc = "Leave out what was before." },
+      .doc = "Earlier rows are ignored." },
     { QUANTITY(T, "until", until, WF_DIM_TIME, "s", 0, 1e9), .absent = "to the last row",
-      .doc = "Leave out what was after." },
+      .doc = "Later rows are ignored." },
     { ROW(T, "points", WF_YAML_INTEGER, points), .low = 2, .high = 2000, .initial = "50",
       .doc = "Neighbouring rows are averaged down to this number." },
     { ROW(T, "along", WF_YAML_TEXT, along), .absent = "sensors have places of their own",
@@ -256,8 +257,8 @@ static const struct wf_yaml_row test_rows[] = {
       .example = "along_m" },
     { ROW(T, "zero", WF_YAML_ENUM, zero), .choices = zeros, .initial = "rest",
       .doc =
-          "What readings are counted from: the tree at rest under its weight, or its unloaded shape. A test "
-          "without pull, wind and sway bends the tree by its weight alone and needs 'unloaded'." },
+          "State from which readings are measured: the tree at rest under its weight, or its unloaded shape. "
+          "A test without pull, wind and sway bends the tree by its weight alone and needs 'unloaded'." },
     { ROW(T, "pull", WF_YAML_TABLE, pull), .table = &pull_table, .given = 1 + offsetof(T, pull.given),
       .absent = "no pull", .doc = "A rope." },
     { ROW(T, "wind", WF_YAML_TABLE, wind), .table = &wind_table, .given = 1 + offsetof(T, wind.given),
@@ -385,7 +386,7 @@ static void finish(struct wf_yaml *y, void *calibration)
 #define T struct wf_calibration
 static const struct wf_yaml_row calibration_rows[] = {
     { ROW(T, "fit", WF_YAML_NAME, key), .required = true, .doc = "Key of the study, as its file's name." },
-    { ROW(T, "name", WF_YAML_TEXT, name), .required = true, .doc = "Name for people." },
+    { ROW(T, "name", WF_YAML_TEXT, name), .required = true, .doc = "Readable name." },
     { ROW(T, "note", WF_YAML_TEXT, note), .absent = "no note",
       .doc = "Assumptions, and what a reader should know." },
     { ROW(T, "source", WF_YAML_TEXT, source), .absent = "no source",
@@ -406,8 +407,7 @@ const struct wf_yaml_table wf_calibration_table = {
     .size = sizeof(T),
     .finish = finish,
     .doc = "A calibration study (YAML): trees, tests made on them, sensors, and what is to be fitted. A "
-           "whole one to start "
-           "from: models/field/sample_pull.yaml."
+           "complete example: models/field/sample_pull.yaml."
 };
 #undef T
 

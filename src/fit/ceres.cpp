@@ -93,7 +93,8 @@ wf_status check(const wf_lsq *q, const double *p, wf_err *e)
     if (!q->model || !q->low || !q->high || q->params < 1)
         return wf_fail(e, WF_EUSAGE, "a fit needs a model, bounds and at least one free parameter");
     if (q->residuals < q->params)
-        return wf_fail(e, WF_EUSAGE, "%zu observations cannot fix %zu parameters", q->residuals, q->params);
+        return wf_fail(e, WF_EUSAGE, "%zu observations cannot determine %zu parameters", q->residuals,
+                       q->params);
     if (q->plain > q->residuals || (q->loss != WF_LOSS_NONE && !(q->loss_scale > 0)))
         return wf_fail(e, WF_EUSAGE, "a robust loss needs a positive scale");
     for (size_t k = 0; k < q->params; k++)
@@ -143,7 +144,7 @@ wf_status solve(const wf_lsq *q, double *p, wf_lsq_result *out, wf_err *e)
     if (s.termination_type != ceres::FAILURE) return WF_OK;
     if (s.iterations.size() <= 1)
         return wf_fail(e, WF_EINPUT, "the model has no finite answer at the start values");
-    return wf_fail(e, WF_ENOCONV, "the fit ended without an answer: %s", out->message);
+    return wf_fail(e, WF_ENOCONV, "the fit ended without a result: %s", out->message);
 }
 } // namespace
 
@@ -168,5 +169,5 @@ try {
 } catch (const std::exception &x) {
     return wf_fail(e, WF_EINTERNAL, "least squares: %s", x.what());
 } catch (...) {
-    return wf_fail(e, WF_EINTERNAL, "least squares: an unknown fault");
+    return wf_fail(e, WF_EINTERNAL, "least squares: an unknown error");
 }

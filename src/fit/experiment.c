@@ -45,7 +45,7 @@ static enum wf_status axis_of(const struct wf_tree *t, struct wf_arena *a, struc
     int32_t *above = WF_TAKE(a, t->n, int32_t);
     bool *on = WF_TAKE(a, t->n, bool);
     double *start = WF_TAKE(a, t->n, double);
-    if (!above || !on || !start) return wf_fail(e, WF_ENOMEM, "no room to divide the tree");
+    if (!above || !on || !start) return wf_fail(e, WF_ENOMEM, "not enough memory to divide the tree");
     main_axis(t, above, on);
     for (size_t i = 0; i < t->n; i++) {
         int32_t p = t->parent[i];
@@ -182,7 +182,7 @@ enum wf_status wf_fit_divide(struct wf_tree *t, double length, const struct wf_f
     double *cut = WF_TAKE(a, 1100 + 2 * PLACES_MAX, double);
     int32_t *last = WF_TAKE(a, t->n, int32_t);
     struct axis axis, axis_out;
-    if (!cut || !last) return wf_fail(e, WF_ENOMEM, "no room to divide the tree");
+    if (!cut || !last) return wf_fail(e, WF_ENOMEM, "not enough memory to divide the tree");
     if (n > PLACES_MAX)
         return wf_fail(e, WF_EINPUT, "%zu places on one tree; at most %d", n, (int)PLACES_MAX);
     if (t->bend || t->stiff || t->mass1)

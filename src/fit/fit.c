@@ -40,7 +40,7 @@ static enum wf_status check(const struct wf_experiment *x, const struct wf_fit_p
     if (x->data < n) {
         size_t nuisance = 0;
         for (size_t k = 0; k < n; k++) nuisance += wf_param_nuisance(&p[k]);
-        return wf_fail(e, WF_EUSAGE, "%zu reading%s cannot fix %zu parameter%s%s", x->data,
+        return wf_fail(e, WF_EUSAGE, "%zu reading%s cannot determine %zu parameter%s%s", x->data,
                        x->data == 1 ? "" : "s", n, n == 1 ? "" : "s",
                        nuisance ? " (offsets and drifts of sensors included)" : "");
     }
@@ -94,7 +94,7 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
         const struct wf_estimate *q = &f->estimate[k];
         if (q->at_low || q->at_high)
             wf_diag_warn(d, "at-bound",
-                         "%s ended on its %s bound: this is no estimate, the data ask for a value beyond",
+                         "%s ended on its %s bound: this is no estimate; the best fit lies beyond the bound",
                          f->param[k].name, q->at_low ? "lower" : "upper");
     }
     if (fit_at_bound(f) && f->free > 1)
@@ -107,7 +107,7 @@ static void warn(const struct wf_fit *f, struct wf_diag *d)
     if (!f->sigma_estimated && f->freedom && f->reduced > 2)
         wf_diag_warn(
             d, "misfit",
-            "reduced chi-square %.3g: the readings scatter %.2g times as much as their uncertainties say; "
+            "reduced chi-square %.3g: the readings scatter %.2g times as much as their stated uncertainties; "
             "intervals are widened by that factor",
             f->reduced, sqrt(f->reduced));
     for (size_t i = 0; i < f->groups; i++)

@@ -316,7 +316,7 @@ static enum wf_status reduced_covariance(const struct wf_session *s, const bool 
                                          size_t n, double *C, double *w, struct wf_arena *a, struct wf_err *e)
 {
     size_t rows = s->x->data + s->priors;
-    if (rows < n) return wf_fail(e, WF_EINPUT, "%zu readings cannot fix %zu parameters", rows, n);
+    if (rows < n) return wf_fail(e, WF_EINPUT, "%zu readings cannot determine %zu parameters", rows, n);
     gsl_matrix *W = gsl_matrix_calloc(rows, n);
     if (!W) return wf_fail(e, WF_ENOMEM, "not enough memory for the covariance");
     enum wf_status status;

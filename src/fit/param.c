@@ -12,7 +12,7 @@
 const struct wf_fit_quantity_row wf_fit_quantities[WF_FIT_QUANTITIES] = {
     [WF_FIT_YOUNGS] = { "levelN.youngs_modulus", WF_DIM_PRESSURE, "GPa", 1e-9, true, 1e8, 1e11,
                         "modulus of elasticity along the grain of a level; 'wood' for levelN: one factor on "
-                        "all levels, told as that of level 0" },
+                        "all levels, given as the value of level 0" },
     [WF_FIT_YOUNGS_TIP] = { "youngs_modulus_tip_share", WF_DIM_NONE, "", 1, true, 0.05, 20,
                             "modulus at the top of the tree over that at its base, linear with height" },
     [WF_FIT_SHEAR] = { "levelN.shear_modulus", WF_DIM_PRESSURE, "GPa", 1e-9, true, 1e6, 1e10,
@@ -221,11 +221,11 @@ static enum wf_status unknown(const char *name, struct wf_err *e)
     int level = 0;
     (void)sscanf(name, "level%d", &level);
     if (near && !strncmp(near, "levelN", 6))
-        return wf_fail(e, WF_EUSAGE, "no parameter is called '%s'; did you mean 'level%d%s'?", name, level,
+        return wf_fail(e, WF_EUSAGE, "unknown parameter '%s'; did you mean 'level%d%s'?", name, level,
                        near + 6);
-    if (near) return wf_fail(e, WF_EUSAGE, "no parameter is called '%s'; did you mean '%s'?", name, near);
+    if (near) return wf_fail(e, WF_EUSAGE, "unknown parameter '%s'; did you mean '%s'?", name, near);
     return wf_fail(e, WF_EUSAGE,
-                   "no parameter is called '%s'; known are levelN.youngs_modulus, wood.youngs_modulus, "
+                   "unknown parameter '%s'; known are levelN.youngs_modulus, wood.youngs_modulus, "
                    "youngs_modulus_tip_share, levelN.shear_modulus, levelN.density, levelN.radius_factor, "
                    "levelN.drag_coefficient, crown.drag_coefficient, crown.streamlining.exponent, "
                    "root.stiffness, damping_ratio, frame.azimuth",
@@ -272,7 +272,7 @@ static enum wf_status tree_named(const struct wf_experiment *x, const char *name
     char word[64];
     snprintf(word, sizeof word, "%.*s", (int)length, name);
     const char *near = wf_nearest(word, known, n);
-    return wf_fail(e, WF_EUSAGE, "no tree of the study is called '%s'; %s%s%s", word,
+    return wf_fail(e, WF_EUSAGE, "the study has no tree '%s'; %s%s%s", word,
                    near ? "did you mean '" : "the first is '", near ? near : known[0], near ? "'?" : "'");
 }
 

@@ -46,7 +46,7 @@ static enum wf_status frequency(struct wf_predictor *w, size_t index, const stru
         if (2 * along * along >= v[0] * v[0] + v[1] * v[1] && f[k] > 0) *number = k;
     }
     *out = f[*number];
-    if (!(*out > 0)) return wf_fail(e, WF_EUNSTABLE, "the tree does not stand under its own weight");
+    if (!(*out > 0)) return wf_fail(e, WF_EUNSTABLE, "the tree has no equilibrium under its own weight");
     return WF_OK;
 }
 
@@ -232,7 +232,9 @@ static enum wf_status settle(struct bench *k, bool near, struct wf_err *e)
         aim(k, b->pose[b->mesh.last[k->test->pull_row]].r, u);
         for (int i = 0; i < 3; i++) change = fmax(change, fabs(k->pull.force[i] - before[i]));
         if (change <= 1e-11 * fabs(k->force)) return WF_OK;
-        if (pass > 60) return wf_fail(e, WF_ENOCONV, "the rope of test %s finds no direction", k->test->name);
+        if (pass > 60)
+            return wf_fail(e, WF_ENOCONV, "the direction of the rope of test %s did not converge",
+                           k->test->name);
     }
 }
 

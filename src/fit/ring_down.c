@@ -61,7 +61,8 @@ static enum wf_status errors(const struct data *d, const double *p, double *r, d
         for (size_t k = 0; k < N; k++) C[N * j + k] = variance * gsl_matrix_get(A, j, k);
     if (A) gsl_matrix_free(A);
     wf_quiet_end();
-    return ok ? WF_OK : wf_fail(e, WF_ENOCONV, "the sway record does not fix a frequency and a damping");
+    return ok ? WF_OK
+              : wf_fail(e, WF_ENOCONV, "the sway record does not determine a frequency and a damping");
 }
 
 enum wf_status wf_ring_down(const double *t, const double *y, size_t n, struct wf_arena *a,
@@ -75,7 +76,7 @@ enum wf_status wf_ring_down(const double *t, const double *y, size_t n, struct w
         return wf_fail(e, WF_EINPUT, "a sway record needs at least 12 samples in time; there are %zu", n);
     for (size_t i = 0; i < n; i++) mean += y[i] / (double)n;
     for (size_t i = 0; i < n; i++) variance += (y[i] - mean) * (y[i] - mean) / (double)n;
-    if (!(variance > 0)) return wf_fail(e, WF_EINPUT, "the sway record does not move");
+    if (!(variance > 0)) return wf_fail(e, WF_EINPUT, "the sway record is constant");
     double low = 1.0 / span, high = 0.5 * (double)(n - 1) / span, f = strongest(&d, mean, low, high),
            least = INFINITY;
     double best[N] = { 0 };

@@ -177,12 +177,11 @@ enum wf_status wf_test_data_read(const char *path, const struct wf_test_column *
     if (c.mistakes)
         return wf_fail(e, WF_EINPUT, "%s: %zu mistake%s", path, c.mistakes, c.mistakes == 1 ? "" : "s");
     if (!out->n && !out->missing)
-        return wf_fail(e, WF_EINPUT, "%s: no row %s", path,
-                       onlys ? "is among those asked for" : "stands below the header");
+        return wf_fail(e, WF_EINPUT, "%s: no row %s", path, onlys ? "matches 'rows'" : "follows the header");
     if (!out->n)
         return wf_fail(e, WF_EINPUT,
-                       "%s: no row with numbers in every column%s; %zu rows had an empty or NA cell", path,
-                       onlys ? " among those asked for" : "", out->missing);
+                       "%s: no row%s has numbers in every column; %zu rows had an empty or NA cell", path,
+                       onlys ? " that matches 'rows'" : "", out->missing);
     return WF_OK;
 }
 

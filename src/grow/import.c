@@ -38,7 +38,7 @@ static enum wf_status read_head(const char *path, struct wf_import_head *h, stru
                                 struct wf_err *e)
 {
     *h = (struct wf_import_head){ .path = path, .text = WF_TAKE(a, HEAD + 1, char) };
-    if (!h->text) return wf_fail(e, WF_ENOMEM, "%s: no memory to look at it", path);
+    if (!h->text) return wf_fail(e, WF_ENOMEM, "%s: not enough memory to read it", path);
     FILE *f = fopen(path, "rb");
     if (!f) return wf_fail(e, WF_EINPUT, "%s: %s", path, strerror(errno));
     h->size = fread(h->text, 1, HEAD, f);
@@ -72,7 +72,7 @@ static enum wf_status known_format(const char *format, struct wf_err *e)
     if (!format) return WF_OK;
     for (const struct wf_import_format *f = wf_import_formats; f->name; f++) {
         if (!strcmp(f->name, format)) return WF_OK;
-        names[n++] = f->name;
+        if (n < WF_COUNT(names)) names[n++] = f->name;
     }
     return wf_fail(e, WF_EUSAGE, "format '%s' is not known%s; see 'windfirm import --help'", format,
                    wf_did_you_mean(format, names, n).text);
@@ -96,8 +96,8 @@ static void suspect_units(const struct wf_qsm *q, struct wf_diag *d)
     }
     if (thick > 0.2 * (high - low))
         wf_diag_warn(d, "thick-stem",
-                     "%s: %.3g m thick and %.3g m high; is a unit wrong (--diameter-unit, --length-unit)?",
-                     q->name, thick, high - low);
+                     "%s: %.3g m thick and %.3g m high; check --diameter-unit and --length-unit", q->name,
+                     thick, high - low);
 }
 
 enum wf_status wf_import_read(const char *path, const struct wf_import_options *o, struct wf_arena *a,
@@ -114,6 +114,7 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
         if (!strncmp(h.text, "\xEF\xBB\xBF", 3)) wf_qsm_count(out, WF_NOTE_BOM, 1, -1);
         if (strstr(h.text, "\r\n")) wf_qsm_count(out, WF_NOTE_CRLF, 1, -1);
     }
+    if (reader == wf_import_mat && o->mat) reader = o->mat;
     if ((s = reader(&h, o, a, out, d, e))) return s;
     size_t bad = out->repairs.count[WF_REPAIR_BAD_ROW] + out->repairs.count[WF_REPAIR_TRUNCATED];
     if (bad > out->n)

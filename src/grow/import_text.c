@@ -110,10 +110,10 @@ static enum wf_status place_hand_rows(struct wf_qsm *q, const struct hand_angles
     }
     for (size_t i = 0; i < q->n && n < q->n; i++)
         if (isnan(q->x0[i]))
-            return wf_fail(
-                e, WF_EINPUT,
-                "%s:%zu: error: parent: row %lld is its own ancestor; without coordinates it has no place",
-                q->file, q->line[i], (long long)q->id[i]);
+            return wf_fail(e, WF_EINPUT,
+                           "%s:%zu: error: parent: row %lld is its own ancestor; without coordinates its "
+                           "position is unknown",
+                           q->file, q->line[i], (long long)q->id[i]);
     return WF_OK;
 }
 

@@ -62,7 +62,7 @@ enum wf_status wf_children_of(const int32_t *parent, size_t n, struct wf_arena *
 /* The table: its columns, and what is counted while it is read and repaired. */
 
 const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
-    [WF_NOTE_BOM] = { "byte-order-mark", "byte order mark passed over", true, true },
+    [WF_NOTE_BOM] = { "byte-order-mark", "byte order mark skipped", true, true },
     [WF_NOTE_CRLF] = { "windows-line-ends", "Windows line ends", true, true },
     [WF_NOTE_DECIMAL_COMMA] = { "decimal-comma", "decimal commas", true, true },
     [WF_NOTE_HEADER] = { "column-names", "column names with blanks around them", true, false },
@@ -70,9 +70,8 @@ const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
     [WF_NOTE_FROM_ZERO] = { "ids-from-zero", "rows are numbered from 0", true, true },
     [WF_NOTE_ORDER_FROM] = { "order-shifted", "branch orders not counted from 0 at the stem: shifted", true,
                              true },
-    [WF_NOTE_ORDER_MADE] = { "order-made",
-                             "branch orders that the file lacks: made from how the rows are joined", true,
-                             false },
+    [WF_NOTE_ORDER_MADE] = { "order-made", "branch orders that the file lacks: computed from the parents",
+                             true, false },
     [WF_NOTE_SORTED] = { "rows-sorted", "rows before their parent: reordered", true, false },
     [WF_NOTE_OFFSET] = { "offset-removed", "coordinate offset: the base of the stem moved to the origin",
                          true, true },
@@ -82,7 +81,7 @@ const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
                              false },
     [WF_NOTE_UNITS] = { "unit-inferred",
                         "the file does not state its unit of diameters: taken from the sizes", true, true },
-    [WF_NOTE_MODELS] = { "further-models", "further tree models in the file left aside", true, false },
+    [WF_NOTE_MODELS] = { "further-models", "further tree models in the file ignored", true, false },
     [WF_REPAIR_BAD_ROW] = { "bad-row", "rows that cannot be read: left out", false, false },
     [WF_REPAIR_TRUNCATED] = { "truncated", "the last row is cut off: left out", false, true },
     [WF_REPAIR_AXIS] = { "axis-not-unit", "axis vectors not of unit length: normalised", false, false },

@@ -83,7 +83,7 @@ const struct wf_streamline_law wf_streamline_laws[] = {
                .parameter = vogel_parameters },
       .share = share_vogel },
     { .law = { .name = "table",
-               .summary = "linear between the speeds given",
+               .summary = "a monotone cubic curve through the shares at the speeds given",
                .source = "the points given; between them monotone cubic pieces (Steffen M. 1990. Astron. "
                          "Astrophys. 239:443-450)",
                .validity = "from the first to the last point; held constant beyond",

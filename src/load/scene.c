@@ -99,7 +99,7 @@ enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_
         return wf_fail(e, WF_EUSAGE, "the profile '%s' needs a file of heights and speeds (profile file)",
                        measured);
     if (!asked && w->file)
-        return wf_fail(e, WF_EUSAGE, "%s: a profile file goes with the profile '%s', not '%s'", w->file,
+        return wf_fail(e, WF_EUSAGE, "%s: a profile file is for the profile '%s', not '%s'", w->file,
                        measured, s->profile);
     return WF_OK;
 }

@@ -146,7 +146,7 @@ static enum wf_status run(const struct program *p, char said[static WF_SAID_MAX]
     if (failed) return wf_fail(e, WF_EOUTPUT, "%s: cannot be run: %s", p->name, strerror(failed));
     while (waitpid(child, &result, 0) < 0)
         if (errno != EINTR)
-            return wf_fail(e, WF_EOUTPUT, "%s: its end was missed: %s", p->name, strerror(errno));
+            return wf_fail(e, WF_EOUTPUT, "%s: waiting for its end failed: %s", p->name, strerror(errno));
     if (WIFSIGNALED(result))
         return wf_fail(e, WF_EOUTPUT, "%s was ended by signal %d: %s", p->name, WTERMSIG(result), said);
     if (WEXITSTATUS(result) == 127)

@@ -10,7 +10,7 @@
 /* Second fit to the same data with the opposite root: clamped if the first was elastic, and vice versa. */
 struct wf_fit_rival {
     bool made;
-    const char *text; /* "clamped root" or "root plate that gives" */
+    const char *text; /* "clamped root" or "flexible root plate" */
     struct wf_fit fit;
     double aicc, own; /* of this fit, and of the first with the same sigmas [-] */
 };

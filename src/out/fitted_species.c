@@ -226,7 +226,7 @@ static void law_use(struct sheet *t, const char *key, const char *table, struct 
 /* The estimates that have no key in a species table. */
 static char *beside(const struct wf_fit_results *of, struct wf_arena *a)
 {
-    char *out = wf_arena_print(a, "Fitted values stand in the levels and the crown.");
+    char *out = wf_arena_print(a, "Fitted values are in the levels and the crown.");
     for (size_t k = 0; out && k < of->fit.free; k++) {
         enum wf_fit_quantity q = of->param[k].quantity;
         double u;
@@ -344,7 +344,7 @@ static enum wf_status write(struct sheet *t, const char *path, const char *key, 
     struct wf_file f = { 0 };
     const char *note = beside(t->of, a), *cited = citation(t->of, a);
     char *text = note && cited ? rendered(t, t->of->x.tree[0].species, key, note, cited) : NULL;
-    if (!text) return wf_fail(e, WF_ENOMEM, "%s: no memory for the table", path);
+    if (!text) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", path);
     enum wf_status s = wf_file_begin(&f, path, e);
     if (!s && (fputs(text, f.stream) < 0 || fflush(f.stream)))
         s = wf_fail(e, WF_EOUTPUT, "%s: cannot be written", path);
@@ -363,8 +363,8 @@ enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char 
     if (key && strchr(key, '.') > key) *strchr(key, '.') = '\0';
     key = key_of(key);
     struct sheet t = { .of = of, .source_key = key_of(wf_arena_print(&a, "fit_%s", of->calibration.key)) };
-    enum wf_status s =
-        key && t.source_key ? wf_units_open(&t.units, e) : wf_fail(e, WF_ENOMEM, "%s: no room", path);
+    enum wf_status s = key && t.source_key ? wf_units_open(&t.units, e)
+                                           : wf_fail(e, WF_ENOMEM, "%s: not enough memory", path);
     if (!s) s = write(&t, path, key, &a, e);
     wf_units_close(t.units);
     wf_arena_free(&a);

@@ -259,7 +259,9 @@ static size_t write_directions(const struct wf_run *run, FILE *f)
 
 const struct wf_table wf_tables[] = {
     { "tables/summary.csv", "totals of each tree at each wind speed", write_summary, NULL },
-    { "tables/segments.csv", "what each segment bears at each wind speed", write_segments, NULL },
+    { "tables/segments.csv",
+      "loads, section forces, stresses and movement of each segment at each wind speed", write_segments,
+      NULL },
     { "tables/shape.csv", "axis points, unloaded and loaded", write_shape, NULL },
     { "tables/sweep.csv",
       "totals at wind speeds from 0, evenly spaced, four times finer at the start, for curves", write_sweep,
@@ -268,6 +270,8 @@ const struct wf_table wf_tables[] = {
       write_directions, directions_made },
     { NULL, NULL, NULL, NULL },
 };
+
+_Static_assert(WF_COUNT(wf_tables) == WF_TABLES + 1, "WF_TABLES is the number of rows of wf_tables");
 
 const char *wf_part_status(enum wf_status s)
 {

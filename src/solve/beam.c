@@ -335,9 +335,10 @@ void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, st
                      "snap to another shape",
                      b->loose);
     if (out->beyond_limit)
-        wf_diag_warn(d, "limit-point",
-                     "the tree gives way at %.3g of the load; the answer is where it comes to rest",
-                     out->load_factor);
+        wf_diag_warn(
+            d, "limit-point",
+            "the tree becomes unstable at %.3g of the load; the result is the stable equilibrium it falls to",
+            out->load_factor);
 }
 
 /* The solver row: large deflections. */

@@ -429,6 +429,7 @@ enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_b
     perturb_shape(b);
     out->beyond_limit = true;
     if (creep_to_rest(b, &last)) return WF_OK;
-    return wf_fail(e, WF_EUNSTABLE, "no equilibrium found: the tree stands up to %.4g of the load",
+    return wf_fail(e, WF_EUNSTABLE,
+                   "no stable equilibrium found at full load; the last one is at %.4g of the load",
                    out->load_factor);
 }

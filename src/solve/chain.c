@@ -376,7 +376,7 @@ const struct wf_solver wf_solver_chain_as_printed = {
         return wf_chain_solve(&scheme, t, l, o, a, r, d, e);                                                 \
     }                                                                                                        \
     static const struct wf_solver id = { .name = called,                                                     \
-                                         .title = "a way between the printed and the corrected chain",       \
+                                         .title = "a variant between the printed and the corrected chain",   \
                                          .source = "variants of Tang et al. 2012, eqs 5-12",                 \
                                          .validity = "to compare schemes; not for trees",                    \
                                          .small_deflection = true,                                           \

@@ -557,10 +557,10 @@ static enum wf_status rod_settle(struct wf_rod *r, const struct wf_solve_options
         start_from_beam(r, &b);
         if (!close_from_nodes(r, &b, kept))
             return wf_fail(e, WF_ENOCONV, "%s",
-                           r->fault                ? r->fault
-                           : r->integrator.printed ? "the printed equations do not close from root to tips; "
-                                                     "shorter segments bring them nearer to beam theory"
-                                                   : "the integration from root to tips did not close");
+                           r->fault ? r->fault
+                           : r->integrator.printed
+                               ? "the printed equations did not converge; use shorter segments"
+                               : "the integration from root to tips did not converge");
     }
     *load_factor = 1;
     wf_beam_warn(&b, &out, d);

@@ -156,8 +156,8 @@ enum wf_status wf_unload(const struct wf_tree *t, const struct wf_loads *l, cons
     }
     if (!status && *left > 1e-3 * size)
         return wf_fail(e, WF_EUNSTABLE,
-                       "no stress-free shape found: under its weight the tree comes to rest %.3g m away "
-                       "from where it was scanned",
+                       "no stress-free shape found: under its weight the tree's equilibrium is %.3g m away "
+                       "from the scanned shape",
                        *left);
     return status;
 }

@@ -321,7 +321,7 @@ static enum wf_status unload(struct wf_analysis *an, struct wf_arena *a, struct 
     wf_diag_warn(
         d, "unloaded",
         "%s, %s: taken as standing under its own weight. Its stress-free shape is up to %.3g m away; under "
-        "its weight it comes back to the shape given within %.2g m. Deflections count from the stress-free "
+        "its weight it returns to the shape given within %.2g m. Deflections count from the stress-free "
         "shape",
         an->model->name, an->species->name, moved, left);
     return WF_OK;

@@ -74,10 +74,9 @@ static enum wf_status check(const struct wf_directions_request *q, double *gust,
     *gust = NAN;
     if (!(q->n >= 2 && q->n <= 360)) return wf_fail(e, WF_EUSAGE, "%zu directions are outside 2..360", q->n);
     if (q->rose && q->rose->sectors != q->n)
-        return wf_fail(
-            e, WF_EUSAGE,
-            "the climate has %zu directions, %zu are asked for; leave them out to take the climate's",
-            q->rose->sectors, q->n);
+        return wf_fail(e, WF_EUSAGE,
+                       "the climate has %zu directions, %zu are specified; omit them to use the climate's",
+                       q->rose->sectors, q->n);
     return q->rose ? wf_wind_average(q->law, 1.0, 3600.0, WF_MEAN_TIME, gust, e) : WF_OK;
 }
 

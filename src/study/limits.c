@@ -93,7 +93,7 @@ static void check_equilibrium(const struct wf_analysis *an, struct wf_diag *d)
         if (unsolved(&an->at[k])) share = fmin(share, an->at[k].response.load_factor);
     wf_diag_warn(
         d, "no-equilibrium",
-        "%s: no equilibrium was found at %s m/s; the least share of the load that still stood is %.3g",
+        "%s: no equilibrium was found at %s m/s; the least share of the load with an equilibrium is %.3g",
         an->species->name, speeds, share);
 }
 
@@ -245,18 +245,18 @@ static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
         largest = fmax(largest, high);
     }
     if (largest > law->high)
-        wf_diag_warn(
-            d, "streamline-range",
-            "%s: the crown meets wind up to %.1f m/s%s; the evidence for its streamlining law '%s' ends at "
-            "%.3g m/s (%.0f %% beyond)",
-            an->species->name, largest, critical ? " (critical speed included)" : "", law->law, law->high,
-            100.0 * (largest / law->high - 1.0));
+        wf_diag_warn(d, "streamline-range",
+                     "%s: the wind at the crown is up to %.1f m/s%s; the evidence for its streamlining law "
+                     "'%s' ends at "
+                     "%.3g m/s (%.0f %% beyond)",
+                     an->species->name, largest, critical ? " (critical speed included)" : "", law->law,
+                     law->high, 100.0 * (largest / law->high - 1.0));
     if (least < law->low)
-        wf_diag_warn(
-            d, "streamline-range",
-            "%s: the crown meets wind down to %.1f m/s; the evidence for its streamlining law '%s' begins "
-            "at %.3g m/s (%.0f %% below)",
-            an->species->name, least, law->law, law->low, 100.0 * (1.0 - least / law->low));
+        wf_diag_warn(d, "streamline-range",
+                     "%s: the wind at the crown is down to %.1f m/s; the evidence for its streamlining law "
+                     "'%s' begins "
+                     "at %.3g m/s (%.0f %% below)",
+                     an->species->name, least, law->law, law->low, 100.0 * (1.0 - least / law->low));
 }
 
 static void check_reynolds(const struct wf_analysis *an, struct wf_diag *d)
@@ -311,12 +311,12 @@ void wf_limits_profile(const struct wf_scenario *s, double tallness, const char 
         wf_diag_warn(
             d, "profile-range",
             "%s: the lowest %.2f m of the tree (%.0f %% of its height) stand below displacement + roughness "
-            "length, where the logarithmic profile gives no wind",
+            "length, where the logarithmic profile has speed 0",
             tree, fmin(bottom, tallness), fmin(100.0, 100.0 * bottom / tallness));
     if ((logarithmic || power) && tallness > top)
         wf_diag_warn(d, "profile-range",
-                     "%s: the tree is %.0f m high; the '%s' profile holds up to some %.0f m", tree, tallness,
-                     s->profile, top);
+                     "%s: the tree is %.0f m high; the '%s' profile is valid up to about %.0f m", tree,
+                     tallness, s->profile, top);
     if (s->measured && strcmp(s->profile, "measured") == 0) check_measured(s, tallness, tree, d);
 }
 
@@ -325,7 +325,7 @@ void wf_limits_site(const struct wf_site *s, struct wf_diag *d)
     if (!s) return;
     if (s->steepest > 0.3)
         wf_diag_warn(d, "steep",
-                     "%s: slopes up to %.2f: the linear speed-up holds to about 0.3; beyond, the wind "
+                     "%s: slopes up to %.2f: the linear speed-up is valid to about 0.3; beyond, the wind "
                      "separates in the "
                      "lee and is overestimated there",
                      s->file, s->steepest);

@@ -57,14 +57,14 @@ static void departures_tang_in_time(struct wf_diag *d)
 {
     wf_diag_warn(
         d, "unprinted-constants",
-        "tang2012: mu_d, mu_l, sigma and omega are not printed; drag is the species', the gust as asked");
+        "tang2012: mu_d, mu_l, sigma and omega are not printed; drag is the species', the gust as specified");
     wf_diag_warn(d, "phase-once",
                  "tang2012: eq 4 reads as if the phase were drawn at every call; that is white noise of 0.71 "
                  "sigma U, no "
                  "gust; here it is drawn once a run");
     wf_diag_warn(d, "leaf-look",
-                 "tang2012: eq 13 turns leaves in proportion to the wind, without limit; it is a look and "
-                 "enters no load");
+                 "tang2012: eq 13 turns leaves in proportion to the wind, without limit; it affects the "
+                 "picture only, not the loads");
 }
 
 void wf_departures_shelter(struct wf_diag *d)
@@ -77,10 +77,9 @@ void wf_departures_shelter(struct wf_diag *d)
                  "feng1999: 20 %% of the energy pass a covered cell, 0.45 of the speed; were the speed meant "
                  "it would be "
                  "0.2, a drag 5 times smaller");
-    wf_diag_warn(
-        d, "superposition",
-        "feng1999: potentials of neighbouring cells are added up without bound: many holes side by side can "
-        "blow more than the wind");
+    wf_diag_warn(d, "superposition",
+                 "feng1999: potentials of neighbouring cells are added up without bound: beside many holes "
+                 "the speed can exceed that of the wind");
 }
 
 static void departures_feng(const struct wf_analysis *an, struct wf_diag *d)
@@ -177,7 +176,8 @@ static void departures_zhao_in_time(struct wf_diag *d)
                  "the axis, as "
                  "printed, it bends nothing");
     wf_diag_warn(d, "leaf-look",
-                 "zhao2013: leaves turn by three noises whatever the wind; it is a look and enters no load");
+                 "zhao2013: leaves turn by three noises whatever the wind; it affects the picture only, not "
+                 "the loads");
 }
 
 const struct wf_preset wf_presets[] = {

@@ -37,7 +37,7 @@ static enum wf_status specify(const struct wf_series *s, struct wf_gust_spec *ou
     const struct wf_series_spec *q = &s->spec;
     const struct wf_gust_model *model = wf_gust_named(q->gust);
     enum wf_status status;
-    if (!model) return wf_fail(e, WF_EUSAGE, "no gust model is called '%s'", q->gust);
+    if (!model) return wf_fail(e, WF_EUSAGE, "unknown gust model '%s'", q->gust);
     wf_gust_spec_default(model, out);
     out->speed = q->speed;
     out->height = s->an.scenario.reference_height;
@@ -50,7 +50,7 @@ static enum wf_status specify(const struct wf_series *s, struct wf_gust_spec *ou
     if (strcmp(model->name, "record") == 0)
         status = wf_gust_record_words(out, q->gust_file, q->gust_columns, a, d, e);
     else if (q->gust_file)
-        status = wf_fail(e, WF_EUSAGE, "%s: a file goes with the gust model 'record', not '%s'", q->gust_file,
+        status = wf_fail(e, WF_EUSAGE, "%s: a file is for the gust model 'record', not '%s'", q->gust_file,
                          model->name);
     out->components = components(q, out, d);
     return status;
@@ -250,7 +250,7 @@ static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struc
     if (s->failed == s->frames) return wf_fail(e, first.code, "%s", first.text);
     if (s->failed)
         wf_diag_warn(d, "no-equilibrium",
-                     "%s: %zu of %zu frames have no answer (%s); they show the one before", s->spec.name,
+                     "%s: %zu of %zu frames have no result (%s); they show the frame before", s->spec.name,
                      s->failed, s->frames, first.text);
     return WF_OK;
 }

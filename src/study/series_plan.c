@@ -21,12 +21,12 @@
 
 static const char *const no_yes[] = { "no", "yes", NULL };
 static const struct wf_yaml_row run_rows[] = {
-    WORD(name, "What the run is called in tables and panels.", .required = true, .example = "10 m/s"),
+    WORD(name, "Name of the run in tables and panels.", .required = true, .example = "10 m/s"),
     WORD(species, "Species table, a file or a shipped name.", .required = true, .example = "moso_bamboo"),
     WORD(model, "Tree model, a file or a shipped name.", .required = true, .example = "moso_culm"),
     WORD(preset, "Published method whose formula and constants are used.", .initial = "corrected",
          .example = "tang2012"),
-    WORD(solver, "Row of the solvers.", .absent = "the preset's, else beam", .example = "beam"),
+    WORD(solver, "Name of the solver.", .absent = "the preset's, else beam", .example = "beam"),
     WORD(gust, "Gust model; steady: a wind that does not change.", .initial = "steady", .example = "cosine"),
     WORD(set, "Other parameters of the gust model, name=number,... as 'windfirm wind list' names them.",
          .absent = "the gust model's", .example = "length=65,share-up=0.5"),
@@ -41,12 +41,12 @@ static const struct wf_yaml_row run_rows[] = {
       AT(components),
       .doc = "Of the gust: 1 along the wind only, 3 along, across and up.",
       .example = "3" },
-    WORD(shelter, "Law of the wind inside the crown; none: every part meets the free wind.",
+    WORD(shelter, "Law of the wind inside the crown; none: the free wind acts on every part.",
          .initial = "none", .example = "feng1999"),
     { .key = "profile",
       .kind = WF_YAML_TEXT,
       AT(profile.name),
-      .doc = "Row of the wind profiles.",
+      .doc = "Name of the wind profile.",
       .absent = "power; measured with a file",
       .example = "uniform" },
     { .key = "profile_file",
@@ -76,7 +76,7 @@ static const struct wf_yaml_row run_rows[] = {
              "Share of the wind's energy that a fully covered cell lets through.", .initial = "0.2",
              .example = "0.2"),
     QUANTITY("reference_height", profile.reference_height, WF_DIM_LENGTH, "m", 0.01, 1000,
-             "Where the wind has its speed.", .initial = "10 m", .example = "10 m"),
+             "Height at which the wind has this speed.", .initial = "10 m", .example = "10 m"),
     WORD(leaf_motion,
          "How leaves turn; affects the picture only, not the loads: eq13 (Tang et al. 2012), noise (Zhao & "
          "Zhang 2013).",
@@ -122,7 +122,7 @@ static const struct wf_yaml_row plan_rows[] = {
       .kind = WF_YAML_NAME,
       .required = true,
       .offset = offsetof(struct wf_series_plan, key),
-      .doc = "Key of the runs, as the file is called.",
+      .doc = "Key of the runs, as its file's name.",
       .example = "tang2012" },
     { .key = "title",
       .kind = WF_YAML_TEXT,
@@ -138,7 +138,7 @@ static const struct wf_yaml_row plan_rows[] = {
     { .key = "source",
       .kind = WF_YAML_TEXT,
       .offset = offsetof(struct wf_series_plan, source),
-      .doc = "Where the runs come from.",
+      .doc = "Source of the runs.",
       .example = "Tang et al. 2012" },
     { .key = "runs",
       .kind = WF_YAML_LIST,
@@ -182,18 +182,18 @@ enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const str
     wf_series_default(s);
     s->name = r->name, s->species = own, s->model = m;
     s->preset = wf_preset_named(r->preset ? r->preset : "corrected");
-    if (!s->preset) return wf_fail(e, WF_EUSAGE, "run '%s': no preset is called '%s'", r->name, r->preset);
+    if (!s->preset) return wf_fail(e, WF_EUSAGE, "run '%s': unknown preset '%s'", r->name, r->preset);
     s->profile = r->profile;
     if (r->profile.name && !wf_profile_named(r->profile.name))
         return wf_fail(e, WF_EUSAGE, "run '%s': unknown wind profile '%s'", r->name, r->profile.name);
     if (wf_preset_apply(s->preset, a, own, &s->scenario, &s->solver, e)) return e->code;
     if (given(r->solver, "") && !(s->solver = wf_solver_named(r->solver)))
-        return wf_fail(e, WF_EUSAGE, "run '%s': no solver is called '%s'", r->name, r->solver);
+        return wf_fail(e, WF_EUSAGE, "run '%s': unknown solver '%s'", r->name, r->solver);
     if (given(r->gust, "steady")) s->gust = r->gust;
     if (s->gust && !wf_gust_named(s->gust))
-        return wf_fail(e, WF_EUSAGE, "run '%s': no gust model is called '%s'", r->name, s->gust);
+        return wf_fail(e, WF_EUSAGE, "run '%s': unknown gust model '%s'", r->name, s->gust);
     if (given(r->shelter, "none") && !(s->shelter = wf_shelter_law_named(r->shelter)))
-        return wf_fail(e, WF_EUSAGE, "run '%s': no shelter law is called '%s'", r->name, r->shelter);
+        return wf_fail(e, WF_EUSAGE, "run '%s': unknown shelter law '%s'", r->name, r->shelter);
     s->gust_set = r->set, s->gust_file = r->file;
     if (r->columns) s->gust_columns = r->columns;
     if (r->components == 2) return wf_fail(e, WF_EUSAGE, "run '%s': components: 1 or 3, not 2", r->name);
@@ -206,7 +206,7 @@ enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const str
     if (!isnan(r->transmission)) s->transmission = r->transmission;
     const char *leaf = given(r->leaf_motion, "") ? r->leaf_motion : s->preset->leaves;
     if (leaf && !(s->leaf_motion = wf_leaf_motion_named(leaf)))
-        return wf_fail(e, WF_EUSAGE, "run '%s': no motion of leaves is called '%s'", r->name, leaf);
+        return wf_fail(e, WF_EUSAGE, "run '%s': unknown motion of leaves '%s'", r->name, leaf);
     if (!isnan(r->leaf_amplitude)) wf_leaf_amplitude(r->leaf_amplitude, &s->flutter);
     if (!isnan(r->leaf_follow)) s->flutter.follow = r->leaf_follow;
     if (r->leaf_period > 0) s->leaf_period = r->leaf_period;

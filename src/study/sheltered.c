@@ -104,7 +104,7 @@ static void warn(const struct wf_sheltered *s, const struct wf_shelter_request *
                      q->law->name, q->law->validity);
     if (s->change > settled)
         wf_diag_warn(d, "shelter-unsettled",
-                     "shape and shelter were still moving by %.2g of the tree's height after %zu passes",
+                     "shape and shelter still changed by %.2g of the tree's height after %zu passes",
                      s->change, s->passes);
 }
 

@@ -142,7 +142,7 @@ enum wf_status wf_wind_average(const char *law, double speed, double from, doubl
         known[row] = wf_averaging_laws[row].name;
     if (!wf_averaging_laws[row].name)
         return wf_fail(e, WF_EUSAGE,
-                       "unknown averaging law '%s'%s; there are durst, in-land, off-land, off-sea, at-sea",
+                       "unknown averaging law '%s'%s; known are durst, in-land, off-land, off-sea, at-sea",
                        law, wf_did_you_mean(law, known, row).text);
     if (row == 0) {
         if (!(from >= 1.0 && from <= 3600.0 && to >= 1.0 && to <= 3600.0))
@@ -195,7 +195,7 @@ enum wf_status wf_rose_read(const char *path, struct wf_arena *a, struct wf_diag
     if (n != 8 && n != 12 && n != 16)
         return wf_fail(e, WF_EINPUT, "%s: %zu directions; a rose has 8, 12 or 16", path, n);
     double *all = WF_TAKE(a, 4 * n, double);
-    if (!all) return wf_fail(e, WF_ENOMEM, "%s: no room", path);
+    if (!all) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", path);
     *out = (struct wf_rose){ n, all, all + n, all + 2 * n, all + 3 * n, 0.0 };
     for (size_t i = 0; i < n; i++) {
         size_t s = sector_of(row[i][0], n);

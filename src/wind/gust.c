@@ -269,7 +269,7 @@ static const struct wf_gust_par karman_pars[] = {
 };
 static const struct wf_gust_par davenport_pars[] = { COHERENCE_PARS, { 0 } };
 static const struct wf_gust_par record_pars[] = { { "rescale", "-", 0.0, 0.0, 1.0,
-                                                    .help = "1: scale the record to the mean wind asked for",
+                                                    .help = "1: scale the record to the specified mean wind",
                                                     .whole = true },
                                                   { 0 } };
 static const struct wf_gust_par eog_pars[] = {
@@ -300,11 +300,12 @@ const struct wf_gust_model wf_gust_models[] = {
       "strong near-neutral wind, along the wind only; Gaussian", NULL, 1, "davenport", davenport_pars,
       SPECTRAL },
     { "one-over-f", "noise with a power-law spectrum 1/f^beta", "Voss R.F. (1985), Random fractal forgeries",
-      "a stand-in where only slope and intensity matter", NULL, 1, "one-over-f", power_pars, SPECTRAL },
+      "a substitute where only slope and intensity matter", NULL, 1, "one-over-f", power_pars, SPECTRAL },
     { "cosine", "one cosine, phase drawn once",
       "Tang L., Zou J., Lin D., Chen C. (2012), Trans. Chin. Soc. Agric. Mach. 43(1):165-168",
-      "a single gust period; peak factor sqrt(2), a third of the wind's own",
-      "the amplitude is sqrt(2) times the turbulence intensity, so that the intensity asked for is met; the "
+      "a single gust period; peak factor sqrt(2), a third of that of real wind",
+      "the amplitude is sqrt(2) times the turbulence intensity, so that the specified intensity is reached; "
+      "the "
       "phase is "
       "drawn once a run (drawn at each step it would be white noise)",
       1, NULL, cosine_pars, direct_open, cosine_fill, NULL },
@@ -314,19 +315,19 @@ const struct wf_gust_model wf_gust_models[] = {
       "a smooth synthetic wind of given intensity",
       "the printed sine swings from 0 to twice the mean (intensity 0.71) and the printed noise shifts the "
       "mean; here "
-      "sine and zero-mean noise share the variance asked for",
+      "sine and zero-mean noise share the specified variance",
       1, NULL, sine_perlin_pars, direct_open, sine_perlin_fill, NULL },
     { "sine-perlin-as-printed", "a sine and value noise, as printed",
       "Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163",
-      "reproduces the paper; intensity about 0.7 and a mean above the one asked for: not a physical wind",
+      "reproduces the paper; intensity about 0.7 and a mean above the specified one: not a physical wind",
       NULL, 1, NULL, zhao_pars, direct_open, zhao_fill, NULL },
     { "perlin", "octaves of gradient noise", "Perlin K. (2002), ACM Trans. Graph. 21(3):681-682",
       "synthetic wind within a fixed range; slope -(1+2H), H = -ln(persistence)/ln(lacunarity), in the band "
       "of the octaves",
       NULL, 1, NULL, perlin_pars, direct_open, perlin_fill, NULL },
     { "record", "a measured wind", "the user's anemometer file",
-      "one point's record at all points, carried along at its mean speed", NULL, 3, NULL, record_pars,
-      record_open, record_fill, NULL },
+      "one point's record at all points, delayed along the wind at its mean speed", NULL, 3, NULL,
+      record_pars, record_open, record_fill, NULL },
     { "eog", "one extreme operating gust", "IEC 61400-1:2005, 6.3.2.2",
       "a designed single gust: a dip, a rise and a dip; intensity taken as the standard's sigma1/U", NULL, 1,
       NULL, eog_pars, direct_open, eog_fill, NULL },
@@ -359,9 +360,9 @@ static void gust_check_record(const struct wf_gust_spec *s, struct wf_diag *d)
     }
     double length = (double)(r->n - 1) * r->step, asked = (double)(s->steps - 1) * s->step;
     if (asked > length * (1.0 + 1e-9))
-        wf_diag_error(d, r->file, 0, 0, "the record lasts %g s, %g s are asked for", length, asked);
+        wf_diag_error(d, r->file, 0, 0, "the record lasts %g s, %g s are specified", length, asked);
     if (s->components > 1 && r->components < 3)
-        wf_diag_error(d, r->file, 0, 0, "3 components are asked for, %u recorded", r->components);
+        wf_diag_error(d, r->file, 0, 0, "3 components are specified, %u recorded", r->components);
     if (!(r->mean > 0.0)) wf_diag_error(d, r->file, 0, 0, "the recorded mean wind is %g m/s", r->mean);
 }
 
@@ -395,7 +396,7 @@ static void gust_warn(const struct wf_gust_spec *s, struct wf_diag *d)
                      name);
     if (s->model->spectrum && s->intensity > 0.35)
         wf_diag_warn(d, "gaussian",
-                     "%s: at intensity %g a Gaussian wind blows backwards at times; canopy wind is skewed "
+                     "%s: at intensity %g a Gaussian wind is negative at times; canopy wind is skewed "
                      "instead",
                      name, s->intensity);
     if (strcmp(name, "kaimal") == 0) {
@@ -445,7 +446,7 @@ static enum wf_status gust_check(const struct wf_gust_spec *s, struct wf_diag *d
     gust_check_places(s, d);
     if (measured) gust_check_record(s, d);
     if (d->errors > before)
-        return wf_fail(e, WF_EUSAGE, "the gust model %s its specification has mistakes", m->name);
+        return wf_fail(e, WF_EUSAGE, "the specification of the gust model %s has mistakes", m->name);
     gust_warn(s, d);
     return WF_OK;
 }

@@ -30,7 +30,7 @@ static enum wf_status order_points(struct wf_coherence *c, const double *at, str
 {
     double middle[3] = { 0 }, best = INFINITY;
     double *gap = WF_TAKE(a, c->n, double);
-    if (!gap) return wf_fail(e, WF_ENOMEM, "no room to order %zu points", c->n);
+    if (!gap) return wf_fail(e, WF_ENOMEM, "not enough memory to order %zu points", c->n);
     for (size_t i = 0; i < c->n; i++)
         for (int k = 0; k < 3; k++) middle[k] += at[3 * i + (size_t)k] / (double)c->n;
     size_t next = 0;

@@ -74,8 +74,7 @@ static enum wf_status read_rows(const char *path, const struct wf_record_request
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
     if (q->time) time = wf_csv_need(&csv, q->time);
     for (int k = 0; k < 3; k++) column[k] = q->part[k] ? wf_csv_need(&csv, q->part[k]) : WF_CSV_NONE;
-    if (d->errors > errors)
-        return wf_fail(e, WF_EINPUT, "%s: a column that was asked for is not there", path);
+    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: a specified column is missing", path);
     while (wf_csv_next(&csv)) {
         if (r->n == r->room && !grow_rows(r))
             return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", path);
@@ -90,13 +89,13 @@ static enum wf_status read_rows(const char *path, const struct wf_record_request
         out->unreadable += bad;
     }
     out->rows = r->n;
-    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: broken rows", path);
+    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: unusable rows", path);
     if (r->n < 2) return wf_fail(e, WF_EINPUT, "%s: %zu rows; a record needs at least 2", path, r->n);
     if ((double)out->unreadable > q->bad_share * (double)r->n)
         return wf_fail(
             e, WF_EINPUT,
             "%s:%zu:%zu: error: %zu of %zu rows have a cell that is empty, not a number or beyond %g "
-            "m/s (first: '%s'); at most %g %% are bridged",
+            "m/s (first: '%s'); at most %g %% are interpolated",
             path, r->first_line, r->first_column, out->unreadable, r->n, q->speed_max, r->first_text,
             100.0 * q->bad_share);
     return WF_OK;
@@ -157,8 +156,8 @@ static enum wf_status bridge_gaps(const char *path, const struct wf_record_reque
     for (size_t i = 0; i < n; i++) empty += isnan(to[0][i]) ? 1 : 0;
     if ((double)empty > q->bad_share * (double)n)
         return wf_fail(e, WF_EINPUT,
-                       "%s: %zu of %zu steps of %g s have no reading; at most %g %% are bridged", path, empty,
-                       n, out->step, 100.0 * q->bad_share);
+                       "%s: %zu of %zu steps of %g s have no reading; at most %g %% are interpolated", path,
+                       empty, n, out->step, 100.0 * q->bad_share);
     for (size_t i = 0; i < n;) {
         if (!isnan(to[0][i])) {
             i++;
@@ -169,8 +168,8 @@ static enum wf_status bridge_gaps(const char *path, const struct wf_record_reque
         if ((double)(end - i) * out->step > q->gap)
             return wf_fail(
                 e, WF_EINPUT,
-                "%s: no reading from %.10g s to %.10g s after the start; gaps up to %g s are bridged", path,
-                (double)i * out->step, (double)end * out->step, q->gap);
+                "%s: no reading from %.10g s to %.10g s after the start; gaps up to %g s are interpolated",
+                path, (double)i * out->step, (double)end * out->step, q->gap);
         for (int k = 0; k < 3; k++)
             for (size_t j = i; j < end; j++) {
                 double left = i ? to[k][i - 1] : to[k][end], right = end < n ? to[k][end] : left;

@@ -25,7 +25,7 @@ enum wf_status wf_shelter_request_check(const struct wf_shelter_request *q, stru
         { "widest gap", " cells", (double)q->gap, 1, 64 },
         { "growth of a wake", "", q->wake_growth, 0, 1 },
     };
-    if (!q->law) return wf_fail(e, WF_EUSAGE, "no law of shelter is named");
+    if (!q->law) return wf_fail(e, WF_EUSAGE, "no shelter law is named");
     for (size_t i = 0; i < WF_COUNT(limit); i++)
         if (!(limit[i].value >= limit[i].low && limit[i].value <= limit[i].high))
             return wf_fail(e, WF_EUSAGE, "%s %.6g%s is outside %.6g..%.6g", limit[i].name, limit[i].value,

@@ -232,9 +232,8 @@ const struct wf_profile wf_profiles[] = {
       "the heights and speeds of the file named; between them a monotone cubic: Steffen M. 1990. Astron. "
       "Astrophys. "
       "239:443-450",
-      "between the lowest and the highest height measured; below them the speed goes to 0 at the ground, "
-      "above it "
-      "stays",
+      "between the lowest and the highest height measured; below them the speed falls to 0 at the ground, "
+      "above them it is constant",
       wf_measured_sample },
     { NULL, NULL, NULL, NULL }
 };
