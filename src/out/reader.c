@@ -179,6 +179,9 @@ enum wf_status wf_document_read(const char *path, json_t **out, struct wf_diag *
     enum wf_status code = wf_file_read(path, &c.scratch, &text, e);
     if (!code && !(*out = json_loadb(text.data, text.size, JSON_REJECT_DUPLICATES, &why)))
         code = wf_fail(e, WF_EINPUT, "%s:%d:%d: error: %s", path, why.line, why.column, why.text);
+    const char *name = json_string_value(json_object_get(json_object_get(*out, "schema"), "name"));
+    if (!code && (!name || strncmp(name, "windfirm-", strlen("windfirm-")) != 0))
+        code = wf_fail(e, WF_EINPUT, "%s: is not a results document of windfirm", path);
     if (!code) check_value(&c, *out, OBJECT, 0);
     if (c.mistakes > 0)
         code = wf_fail(e, WF_EINPUT, "%s: %zu value%s not of the form that windfirm writes", path, c.mistakes,
