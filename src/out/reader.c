@@ -105,7 +105,7 @@ static unsigned type_of(const json_t *v)
 static void mistake(struct check *c, const json_t *v, const char *wanted)
 {
     if (++c->mistakes > MISTAKES_MAX) return;
-    char *said = json_dumps(v, JSON_COMPACT | JSON_ENCODE_ANY);
+    char *said = json_dumps(v, JSON_COMPACT | JSON_ENCODE_ANY | JSON_REAL_PRECISION(12));
     const char *brief = said ? wf_text_shortened(said, 60, &c->scratch) : NULL;
     wf_diag_error(c->d, c->file, 0, 0, "%s: %s is not %s", c->place, brief ? brief : "this", wanted);
     free(said);
