@@ -5,6 +5,7 @@
  * builder, later calls are harmless, and the writer checks once at the end. */
 #include "base/err.h"
 #include "base/file.h"
+#include "out/folder.h"
 #include <jansson.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -46,17 +47,6 @@ void wf_doc_figure(struct wf_doc *d, json_t *list, const char *name, const char 
 void wf_doc_warnings(struct wf_doc *d, json_t *list, const struct wf_diag *diag);
 /* Write FOLDER/results.json and free the document. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_doc_end(struct wf_doc *d, json_t *document, const char *folder, struct wf_err *e);
-
-/* A results folder: results.json, tables/, plots/, pages. */
-
-/* FOLDER/NAME. Errors: WF_EOUTPUT for a name that is too long. */
-enum wf_status wf_folder_path(const char *folder, const char *name, char path[static WF_PATH_MAX],
-                              struct wf_err *e);
-/* Make FOLDER/tables and FOLDER/plots. Errors: WF_EOUTPUT. */
-enum wf_status wf_folder_make(const char *folder, struct wf_err *e);
-/* Begin FOLDER/NAME for writing, to be committed or abandoned by the caller. Errors: as wf_file_begin, and
- * WF_EOUTPUT for a name that is too long. */
-enum wf_status wf_folder_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e);
 
 /* Values that the figure scripts need in addition to the tables: FOLDER/plots/run.csv, rows
  * "key,index,value". It is data, never a script: reports/plots/facts.gp reads it with gnuplot's column

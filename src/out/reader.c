@@ -3,7 +3,7 @@
 #include "base/arena.h"
 #include "base/file.h"
 #include "base/text.h"
-#include "out/doc.h"
+#include "out/folder.h"
 #include <dirent.h>
 #include <errno.h>
 #include <math.h>
@@ -27,7 +27,7 @@ static const struct {
     { FLAG, "as_printed converged energy estimated given nuisance priors searched_to_the_end "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
     { LIST, "at classes_m_s criteria figures files findings hours_a_year_above methods move_m "
-            "not_determined parameters ratios runs sectors sensors share slabs statistics step_m "
+            "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
             "sways swing_m table_share table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/report.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "out/doc.h"
 #include "out/figures.h"
 #include "out/reader.h"
@@ -41,7 +42,16 @@ struct job {
     struct wf_diag *d;
     struct wf_err *e;
     enum wf_status first; /* of the parts that could not be made */
+    int interrupted;      /* before the drawing began: the pages of what is finished are drawn */
 };
+
+/* Was the drawing interrupted? */
+static enum wf_status check_interrupt(struct job *j)
+{
+    if (wf_interrupted() == j->interrupted) return WF_OK;
+    return wf_fail(j->e, WF_EINTERRUPTED,
+                   "interrupted while figures and pages were drawn; they are not complete");
+}
 
 /* A part that cannot be made is a warning; the other parts are still made. */
 static void miss(struct job *j, const char *part, const struct wf_err *why)
@@ -120,6 +130,7 @@ static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawe
 {
     struct wf_err why = { 0 };
     xmlDoc *svg = NULL;
+    if (check_interrupt(j)) return WF_EINTERRUPTED;
     xmlNode *node = xmlNewChild(j->figures, NULL, BAD_CAST "figure", NULL);
     if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST g->name))
         return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
@@ -129,6 +140,7 @@ static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawe
     }
     if (own ? own(j->folder, j->language, &svg, j->d, &why)
             : wf_figures_draw(j->folder, g, j->language, &svg, j->d, &why)) {
+        if (check_interrupt(j)) return WF_EINTERRUPTED;
         xmlNewProp(node, BAD_CAST "missing", BAD_CAST why.text);
         miss(j, "no-figure", &why);
         return WF_OK;
@@ -249,13 +261,21 @@ static enum wf_status write_page(struct job *j)
     snprintf(name, sizeof name, "%s.html", j->kind->page);
     enum wf_status code = wf_folder_path(j->folder, name, html, j->e);
     if (!code) code = write_html(j, html);
-    if (!code && wf_page_print(j->folder, j->kind->page, &why)) miss(j, "no-pdf", &why);
-    return code;
+    if (code || (code = check_interrupt(j))) return code;
+    if (wf_page_print(j->folder, j->kind->page, &why)) {
+        if (check_interrupt(j)) return WF_EINTERRUPTED;
+        miss(j, "no-pdf", &why);
+    }
+    return WF_OK;
 }
 
 enum wf_status wf_report_make(const char *folder, const char *language, struct wf_diag *d, struct wf_err *e)
 {
-    struct job j = { .folder = folder, .language = language ? language : "en", .d = d, .e = e };
+    struct job j = { .folder = folder,
+                     .language = language ? language : "en",
+                     .d = d,
+                     .e = e,
+                     .interrupted = wf_interrupted() };
     if (strcmp(j.language, "en") != 0 && strcmp(j.language, "zh") != 0)
         return wf_fail(e, WF_EUSAGE, "'%s' is not a language of the report; allowed: en, zh", language);
     enum wf_status code = read_results(&j);

@@ -178,8 +178,8 @@ static enum wf_status apply(xsltStylesheet *style, xmlDoc *document, FILE *f, st
         *out = xsltApplyStylesheetUser(style, document, NULL, NULL, NULL, run);
         if (!*out || run->state != XSLT_STATE_OK)
             code = wf_fail(e, WF_EOUTPUT, "%s: cannot be applied: %s", path, c->text);
-        else if (f && xsltSaveResultToFile(f, *out, style) < 0)
-            code = wf_fail(e, WF_EOUTPUT, "%s: its result cannot be written", path);
+        else if (f && xsltSaveResultToFile(f, *out, style) < 0 && !ferror(f))
+            code = wf_fail(e, WF_ENOMEM, "%s: not enough memory to write its result", path);
     }
     if (run) xsltFreeTransformContext(run);
     return code;

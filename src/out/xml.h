@@ -17,7 +17,7 @@ xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value
 /* Apply the stylesheet at `path` to a document. What it imports, includes and reads by document() is taken
  * from the folder of `path`, by plain names. Given: file to write the serialised result to, or NULL.
  * Returned: the new document in *out (free with xmlFreeDoc). Errors: WF_EINPUT with the place when the
- * stylesheet is wrong, WF_EOUTPUT when it fails or f does. */
+ * stylesheet is wrong, WF_EOUTPUT when it fails. */
 enum wf_status wf_xml_transform(const char *path, xmlDoc *document, FILE *f, xmlDoc **out, struct wf_err *e);
 
 /* Read an XML file. Errors: WF_EINPUT with line and reason. */
