@@ -259,16 +259,16 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
 static void print_cell(FILE *to, int width, int digits, double x)
 {
     if (isfinite(x))
-        fprintf(to, "%*.*f", width, digits, x);
+        wf_show(to, "%*.*f", width, digits, x);
     else
-        fprintf(to, "%*s", width, "-");
+        wf_show(to, "%*s", width, "-");
 }
 
 /* At the strongest specified wind. */
 static void print_direction(FILE *to, const struct wf_analysis *an, const struct wf_direction *d)
 {
     const struct wf_at_speed *at = &d->at[an->n - 1];
-    fprintf(to, "%8g", degrees(d->from));
+    wf_show(to, "%8g", degrees(d->from));
     print_cell(to, 13, 3, at->base_moment / 1e3);
     print_cell(to, 11, 3, at->tip_deflection);
     print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
@@ -287,16 +287,16 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
 static void print_climate(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_directions *x = an->directions;
-    fprintf(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
+    wf_show(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
-    fprintf(to,
+    wf_show(to,
             "\n  The critical wind is a sustained one, a 10-min mean at %.6g m. Hours a year: with an hourly "
             "mean above "
             "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
             an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
     if (x->above)
-        fprintf(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
+        wf_show(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
                 an->search.speed_max);
 }
 
@@ -306,33 +306,33 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
     const struct wf_directions *x = an->directions;
     if (!x) return;
     bool rose = x->request.rose, site = x->request.speed_up;
-    fprintf(to, "\n  Wind from all around, clockwise from north; north is ");
+    wf_show(to, "\n  Wind from all around, clockwise from north; north is ");
     if (x->request.north == 0.0)
-        fprintf(to, "+y, east +x of the model\n");
+        wf_show(to, "+y, east +x of the model\n");
     else
-        fprintf(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
-    fprintf(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
+        wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
+    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
             "breaks", "stem alone", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
-    fprintf(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
+    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
             site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
     if (rose) print_climate(to, an);
-    fprintf(to, "  Moment, movement and safety at %.6g m/s.\n", an->at[an->n - 1].speed);
+    wf_show(to, "  Moment, movement and safety at %.6g m/s.\n", an->at[an->n - 1].speed);
 }
 
 static void print_number(FILE *to, int width, int digits, double value)
 {
     if (isfinite(value))
-        fprintf(to, "%*.*f", width, digits, value);
+        wf_show(to, "%*.*f", width, digits, value);
     else
-        fprintf(to, "%*s", width, isinf(value) ? "inf" : "-");
+        wf_show(to, "%*s", width, isinf(value) ? "inf" : "-");
 }
 
 static void print_speed(FILE *to, const struct wf_at_speed *at)
 {
     print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
     if (at->status) {
-        fprintf(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
+        wf_show(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
                 100.0 * at->response.load_factor);
         return;
     }
@@ -349,7 +349,7 @@ static void print_speed(FILE *to, const struct wf_at_speed *at)
 static void print_failing(FILE *to, const struct wf_analysis *an, int32_t row)
 {
     const struct wf_tree *t = &an->tree;
-    fprintf(to, " (id %lld, order %d, %.3g mm thick)", (long long)t->id[row], t->level[row],
+    wf_show(to, " (id %lld, order %d, %.3g mm thick)", (long long)t->id[row], t->level[row],
             2e3 * fmax(t->r0[row], t->r1[row]));
 }
 
@@ -357,19 +357,19 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
 {
     const struct wf_critical *c = &b->critical;
     if (c->outcome != WF_CRITICAL_FOUND) {
-        fprintf(to, "  %s: none; %s", what, wf_critical_text(c->outcome));
+        wf_show(to, "  %s: none; %s", what, wf_critical_text(c->outcome));
         if (b->row >= 0) {
-            fprintf(to, ": the %s", wf_model_level_name(an->model, an->species, an->tree.level[b->row]));
+            wf_show(to, ": the %s", wf_model_level_name(an->model, an->species, an->tree.level[b->row]));
             print_failing(to, an, b->row);
-            fprintf(to, " %.2f m above the ground", b->height);
+            wf_show(to, " %.2f m above the ground", b->height);
         }
         fputc('\n', to);
         return;
     }
-    fprintf(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
+    wf_show(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
             an->scenario.reference_height);
     if (b->row >= 0) {
-        fprintf(to, "; the %s breaks%s %.2f m above the ground",
+        wf_show(to, "; the %s breaks%s %.2f m above the ground",
                 wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
                 b == &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE] ? " first" : "", b->height);
         print_failing(to, an, b->row);
@@ -382,11 +382,11 @@ static void print_results(FILE *to, const struct wf_run *run)
 {
     const struct wf_analysis *first = &run->analysis[0];
     const struct wf_scenario *s = &first->scenario;
-    fprintf(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
+    wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
-    fprintf(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
+    wf_show(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
     if (s->speed_up != 1.0)
-        fprintf(to,
+        wf_show(to,
                 "The wind at the tree is %.4g times the wind named (exposure of the site); critical speeds "
                 "are of the "
                 "wind "
@@ -394,11 +394,11 @@ static void print_results(FILE *to, const struct wf_run *run)
                 s->speed_up);
     for (size_t k = 0; k < run->n; k++) {
         const struct wf_analysis *an = &run->analysis[k];
-        fprintf(to, "\n%s (%s)\n", an->species->name,
+        wf_show(to, "\n%s (%s)\n", an->species->name,
                 an->species->latin ? an->species->latin : an->species->key);
-        fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
+        wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
                 "stress", "safety");
-        fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
+        wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
         for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
         print_critical(to, an, "critical wind speed", &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE]);
         int32_t broken = an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row;
@@ -640,7 +640,7 @@ static int take_all_models(struct work *w, const char *command)
     if (!w->all_models) return -1;
     *asked = "1";
     if (!strcmp(w->options.preset, "corrected")) return -1;
-    fprintf(stderr, "windfirm %s: --scan-model all: not with --preset\n", command);
+    wf_show(stderr, "windfirm %s: --scan-model all: not with --preset\n", command);
     return 2;
 }
 
@@ -657,7 +657,7 @@ static void warn_of_old_pages(struct work *w)
         if (!path || stat(path, &old)) continue;
         if (old.st_mtim.tv_sec < results.st_mtim.tv_sec ||
             (old.st_mtim.tv_sec == results.st_mtim.tv_sec && old.st_mtim.tv_nsec < results.st_mtim.tv_nsec))
-            fprintf(stderr,
+            wf_show(stderr,
                     "warning: %s is the page of an earlier run; 'windfirm report %s' draws it again\n", path,
                     w->folder);
     }
@@ -691,11 +691,11 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     if ((s = wf_results_write(&run, w->results.stage, e))) return s;
     s = wf_results_end(&w->results, pages ? w->options.lang : NULL, &w->arena, &whole, e);
     if (!w->options.args.quiet)
-        printf("\nResults%s: %s\n",
-               whole   ? ", tables, plots and pages"
-               : pages ? " and tables (plots and pages not complete)"
-                       : " and tables",
-               w->folder);
+        wf_show(stdout, "\nResults%s: %s\n",
+                whole   ? ", tables, plots and pages"
+                : pages ? " and tables (plots and pages not complete)"
+                        : " and tables",
+                w->folder);
     fflush(stdout);
     if (!whole) warn_of_old_pages(w);
     return s;
@@ -711,7 +711,7 @@ static int analyze_or_compare(int argc, char **argv, const char *about, size_t l
     if (code < 0) code = wf_tree_asked_check(&w.options.tree, argv[0], NULL);
     if (code < 0) code = take_all_models(&w, argv[0]);
     if (code < 0 && !w.options.wind.n) {
-        fprintf(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
+        wf_show(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
         code = 2;
     }
     if (code < 0) {

@@ -52,8 +52,8 @@ static enum wf_status read_run(const struct wf_series_plan_run *r, const char *f
 
 static void print_runs(const struct wf_series_page *p)
 {
-    printf("%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s", "tip mean m",
-           "largest m");
+    wf_show(stdout, "%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s",
+            "tip mean m", "largest m");
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
         double sum = 0, most = 0, wind = 0, n = 0;
@@ -62,13 +62,13 @@ static void print_runs(const struct wf_series_page *p)
             if (isfinite(s->deflection[k])) sum += s->deflection[k], most = fmax(most, s->deflection[k]), n++;
         }
         if (n > 0)
-            printf("%4zu  %-34s%10zu%12.2f%12.4g%12.4g\n", r + 1, s->spec.name, s->frames, wind, sum / n,
-                   most);
+            wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12.4g%12.4g\n", r + 1, s->spec.name, s->frames, wind,
+                    sum / n, most);
         else
-            printf("%4zu  %-34s%10zu%12.2f%12s%12s  no frame has a result\n", r + 1, s->spec.name, s->frames,
-                   wind, "-", "-");
+            wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12s%12s  no frame has a result\n", r + 1, s->spec.name,
+                    s->frames, wind, "-", "-");
     }
-    printf("\n");
+    wf_show(stdout, "\n");
 }
 
 /* Findings of all runs, those that several have in common once. */
@@ -176,7 +176,8 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
     if (!s) s = perform_runs(j, &f, &page, series, diag, a, &e);
     wf_run_abandon(&f);
     if (s) return wf_complain(&e);
-    if (!j->quiet) printf("\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
+    if (!j->quiet)
+        wf_show(stdout, "\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
     return 0;
 }
 
@@ -263,7 +264,7 @@ int wf_cmd_series(int argc, char **argv)
     struct series_options o = { 0 };
     int code = wf_args_read(argc, argv, wf_series_options, series_about, 1, 1, &arena, &o.args);
     if (code < 0 && !o.run.model) {
-        fprintf(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
+        wf_show(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
         code = 2;
     }
     if (code < 0) {
@@ -336,15 +337,15 @@ static int list_papers(struct wf_arena *a)
     const char **names, *path;
     size_t n = wf_shipped_names(wf_share(), "models/papers", a, &names);
     if (!n) return wf_complain(&(struct wf_err){ WF_EINPUT, "no runs of papers are installed" });
-    printf("%-20s %5s  %s\n", "name", "runs", "title");
+    wf_show(stdout, "%-20s %5s  %s\n", "name", "runs", "title");
     for (size_t i = 0; i < n; i++) {
         struct wf_series_plan plan;
         if (wf_shipped_path(wf_share(), "models/papers", names[i], a, &path, NULL) ||
             !wf_begins_with_key(path, "runs_of:", a) || /* a model that the runs use */
             wf_series_plan_read(path, a, &plan, &d, NULL))
             continue;
-        printf("%-20s %5zu  %s\n", names[i], plan.runs, plan.title);
-        if (plan.source) printf("%-20s %5s  source: %s\n", "", "", plan.source);
+        wf_show(stdout, "%-20s %5zu  %s\n", names[i], plan.runs, plan.title);
+        if (plan.source) wf_show(stdout, "%-20s %5s  source: %s\n", "", "", plan.source);
     }
     wf_print_findings(&d, false);
     return d.errors ? 2 : 0;
@@ -360,7 +361,7 @@ int wf_cmd_papers(int argc, char **argv)
     if (code < 0 && !strcmp(o.args.operand[0], "list")) code = list_papers(&arena);
     if (code < 0 && !strcmp(o.args.operand[0], "schema")) {
         char *text = wf_series_plan_schema(&arena, &e);
-        if (text) fputs(text, stdout);
+        if (text) wf_show(stdout, "%s", text);
         code = text ? 0 : wf_complain(&e);
     }
     if (code < 0) {

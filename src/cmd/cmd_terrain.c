@@ -89,20 +89,20 @@ static void print_range(const char *name, const char *unit, const double *v, siz
 {
     double low, mean, high;
     wf_terrain_range(v, n, &low, &mean, &high);
-    printf("%-24s %10.3f %10.3f %10.3f  %s\n", name, low, mean, high, unit);
+    wf_show(stdout, "%-24s %10.3f %10.3f %10.3f  %s\n", name, low, mean, high, unit);
 }
 
 static void print_site(const struct wf_terrain_site *s)
 {
     const struct wf_terrain *t = &s->ground;
     size_t n = t->rows * t->columns;
-    printf("%zu x %zu points, %g m apart; wind from %.0f deg\n\n%-24s %10s %10s %10s\n", t->columns, t->rows,
-           t->cell, s->from * 180 / M_PI, "", "lowest", "mean", "highest");
+    wf_show(stdout, "%zu x %zu points, %g m apart; wind from %.0f deg\n\n%-24s %10s %10s %10s\n", t->columns,
+            t->rows, t->cell, s->from * 180 / M_PI, "", "lowest", "mean", "highest");
     print_range("height", "m", t->z, n);
     print_range("topex-to-distance", "deg (high: sheltered)", s->topex, n);
     print_range("wind / level ground", "", s->factor, n);
-    printf("\nhills of half-width %.0f m, inner layer %.1f m, gain %.2f, steepest slope %.2f\n",
-           s->speedup.length, s->speedup.inner, s->speedup.gain, s->speedup.steepest);
+    wf_show(stdout, "\nhills of half-width %.0f m, inner layer %.1f m, gain %.2f, steepest slope %.2f\n",
+            s->speedup.length, s->speedup.inner, s->speedup.gain, s->speedup.steepest);
 }
 
 static void warn_of_limits(const struct wf_terrain_site *s, struct wf_diag *d)
@@ -156,7 +156,7 @@ int wf_cmd_terrain(int argc, char **argv)
         wf_print_findings(&d, quiet);
         if (!status && !quiet) {
             print_site(&s);
-            printf("Tables, grids and map: %s\n", o.output);
+            wf_show(stdout, "Tables, grids and map: %s\n", o.output);
         }
         code = status ? wf_complain(&e) : 0;
     }

@@ -77,7 +77,7 @@ int wf_exit_code(enum wf_status s)
 
 int wf_complain(const struct wf_err *e)
 {
-    fprintf(stderr, "windfirm: %s\n", e->text[0] ? e->text : wf_status_text(e->code));
+    wf_show(stderr, "windfirm: %s\n", e->text[0] ? e->text : wf_status_text(e->code));
     return wf_exit_code(e->code);
 }
 
@@ -86,7 +86,7 @@ void wf_print_findings(const struct wf_diag *d, bool quiet)
     char line[2048];
     for (const struct wf_finding *f = d->first; f; f = f->next)
         if (f->severity == WF_ERROR || !quiet)
-            fprintf(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
+            wf_show(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
 }
 
 const char *wf_share(void)
@@ -148,7 +148,8 @@ void wf_progress(const char *fmt, ...)
     if (fmt) {
         va_list list;
         va_start(list, fmt);
-        vfprintf(stderr, fmt, list);
+        char *text = NULL;
+        if (vasprintf(&text, fmt, list) >= 0) wf_show(stderr, "%s", text), free(text);
         va_end(list);
     }
     fflush(stderr);

@@ -71,9 +71,7 @@ int wf_tree_asked_check(const struct wf_tree_asked *t, const char *command, cons
     int given = (t->model != NULL) + (t->file != NULL) + (file != NULL);
     if (!given) wrong = "--model is needed, for example --model models/culm.yaml";
     if (given > 1) wrong = "more than one tree is given (--model, --tree); one is taken";
-    if (t->model && (t->scan.tree_id || t->scan.scan_model))
-        wrong = "--tree-id and --scan-model choose from the file of a measured tree (--tree)";
-    if (wrong) fprintf(stderr, "windfirm %s: %s\n", command, wrong);
+    if (wrong) wf_show(stderr, "windfirm %s: %s\n", command, wrong);
     return wrong ? 2 : -1;
 }
 
