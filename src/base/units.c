@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <udunits2.h>
 
 static const struct wf_dimension_row dimension_rows[WF_DIM_COUNT] = {
@@ -32,14 +33,23 @@ static const struct wf_dimension_row dimension_rows[WF_DIM_COUNT] = {
     [WF_DIM_MASS_PER_LENGTH] = { "a mass per length", "kg/m", "kg/m, g/m" },
 };
 
-/* Customary spellings that the database lacks or interprets differently (mph: milliphot). */
+/* Customary spellings that the database lacks or interprets differently (mph: milliphot, ms: milliseconds, c: the
+ * speed of light), each for one dimension. Those of speeds are read in either case. */
 static const struct {
-    const char *spelling, *meaning;
+    enum wf_dimension dimension;
+    const char *spelling, *meaning; /* meaning NULL: not a unit */
 } aliases[] = {
-    { "deg", "degree" },
-    { "mph", "mile/hour" },
-    { "kph", "km/hour" },
-    { "kmh", "km/hour" },
+    { WF_DIM_ANGLE, "deg", "degree" },    { WF_DIM_SPEED, "mph", "mile/hour" },
+    { WF_DIM_SPEED, "kph", "km/hour" },   { WF_DIM_SPEED, "kmh", "km/hour" },
+    { WF_DIM_SPEED, "kmph", "km/hour" },  { WF_DIM_SPEED, "km/h", "km/hour" },
+    { WF_DIM_SPEED, "ms", "m/s" },        { WF_DIM_SPEED, "mps", "m/s" },
+    { WF_DIM_SPEED, "m/s", "m/s" },       { WF_DIM_SPEED, "ms-1", "m/s" },
+    { WF_DIM_SPEED, "cms", "cm/s" },      { WF_DIM_SPEED, "fps", "ft/s" },
+    { WF_DIM_SPEED, "kn", "knot" },       { WF_DIM_SPEED, "kt", "knot" },
+    { WF_DIM_SPEED, "kts", "knot" },      { WF_DIM_SPEED, "kns", "knot" },
+    { WF_DIM_SPEED, "knot", "knot" },     { WF_DIM_SPEED, "knots", "knot" },
+    { WF_DIM_SPEED, "c", NULL },          { WF_DIM_FORCE, "kp", "kgf" },
+    { WF_DIM_FREQUENCY, "hz", "Hz" },
 };
 
 struct wf_units {
@@ -112,7 +122,11 @@ static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dime
     if (d == WF_DIM_NONE && strcmp(text, "%") != 0 && strcmp(text, "percent") != 0) return NULL;
     if (d == WF_DIM_ANGLE && !angle_spelling(text)) return NULL;
     for (size_t i = 0; i < WF_COUNT(aliases); i++)
-        if (!strcmp(text, aliases[i].spelling)) text = aliases[i].meaning;
+        if (aliases[i].dimension == d && !(d == WF_DIM_SPEED ? strcasecmp : strcmp)(text, aliases[i].spelling)) {
+            text = aliases[i].meaning;
+            break;
+        }
+    if (!text) return NULL;
     ut_unit *unit = ut_parse(u->system, text, UT_UTF8);
     if (!unit) return NULL;
     /* UDUNITS also converts to reciprocals (m3/kg to kg/m3): therefore require a dimensionless quotient */
@@ -133,13 +147,19 @@ static double converted(ut_unit *from, ut_unit *to, double v)
     return v;
 }
 
+bool wf_unit_known(const struct wf_units *u, const char *text)
+{
+    ut_unit *unit = plain_unit(text) ? ut_parse(u->system, text, UT_UTF8) : NULL;
+    if (unit) ut_free(unit);
+    return unit != NULL;
+}
+
 static enum wf_status refuse_unit(const struct wf_units *u, const char *text, const char *unit,
                                   enum wf_dimension d, struct wf_err *e)
 {
     if (d == WF_DIM_NONE)
         return wf_fail(e, WF_EINPUT, "'%s': a plain number is expected, without '%s'", text, unit);
-    ut_unit *other = plain_unit(unit) ? ut_parse(u->system, unit, UT_UTF8) : NULL;
-    if (other) ut_free(other);
+    bool other = wf_unit_known(u, unit);
     return wf_fail(e, WF_EINPUT, "'%s': '%s' is not %s %s; use one of: %s", text, unit,
                    other ? "a unit of" : "a known unit for", dimension_rows[d].name, dimension_rows[d].units);
 }

@@ -47,14 +47,23 @@ const char *wf_import_word(size_t i);
         NUMBER("--attenuation", in.attenuation, "NUMBER", NONE, NULL, 0, 10, NULL,                           \
                "of the wind inside the canopy [0: joins the log law smoothly]")
 
-/* A gust model's parameters and file; into any struct with texts set, file (NULL: not given) and columns. */
+/* A gust model's parameters and file; into any struct with texts set, file (NULL: not given) and a struct
+ * wf_record_words record. */
 #define WF_GUST_ROWS(in)                                                                                     \
     TEXT("--set", in.set, "NAME=NUMBER,...", NULL,                                                           \
          "parameters of the gust model; `windfirm wind list` shows them"),                                   \
         PATH("--file", in.file, "FILE", NULL,                                                                \
              "anemometer CSV of the gust model record (of `windfirm wind rose`: a wind climate)"),           \
-        TEXT("--columns", in.columns, "T,U[,V[,W]]", WF_RECORD_COLUMNS,                                      \
-             "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s")
+        TEXT("--columns", in.record.columns, "T,U[,V[,W]]", WF_RECORD_COLUMNS,                               \
+             "its columns: time, two horizontal components (or one speed) and the vertical one; units are read "\
+             "from the names (t_s, u_kmh, v_kn) or the logger's head, T - means that there is no time"),      \
+        NUMBER("--rate", in.record.rate, "FREQUENCY", FREQUENCY, "Hz", 1e-3, 1e4, NULL,                      \
+               "rows a second of a record without a time column"),                                           \
+        TEXT("--missing", in.record.missing, "NUMBER,...|none", NULL,                                        \
+             "numbers that mean 'no reading' in the file's own unit; none: every number is a wind [found: "  \
+             "negative speeds, and impossible numbers that are repeated]"),                                  \
+        CHOICE("--dates", in.record.dates, "ORDER", "day-first|month-first", NULL,                           \
+               "of dates such as 05/01/2024 [found by a number above 12]")
 
 /* How tree files are read. */
 struct wf_import_asked {

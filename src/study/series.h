@@ -64,7 +64,8 @@ struct wf_series_spec {
     const char *gust;         /* row of wf_gust_models; NULL: steady                                  */
     double intensity, period; /* of the gust [-], [s]; NAN: the model's own                           */
     const char *gust_set;     /* its other parameters, "name=number,..."; NULL: the model's own       */
-    const char *gust_file, *gust_columns; /* of the model `record`, see wind/gust_words.h              */
+    const char *gust_file;         /* of the model `record` */
+    struct wf_record_words record; /* how it is read        */
     unsigned components; /* of the gust used: 1 or 3; 0: 3 where the model has them and the wind direction
                             can change */
     uint64_t seed;

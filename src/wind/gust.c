@@ -182,22 +182,42 @@ static enum wf_status record_fill(struct wf_gust *g, size_t first, size_t steps,
     return WF_OK;
 }
 
-enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const char *columns,
+/* Cut a text at its next comma; NULL at its end. */
+static char *next_word(char **rest)
+{
+    char *word = *rest, *comma = word ? strchr(word, ',') : NULL;
+    if (comma) *comma = '\0';
+    *rest = comma ? comma + 1 : NULL;
+    return word;
+}
+
+enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const struct wf_record_words *how,
                                     struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_record_request q;
     struct wf_record *r = WF_TAKE(a, 1, struct wf_record);
-    char *rest = NULL, *words = wf_arena_text(a, columns);
+    char *words = wf_arena_text(a, how->columns), *rest = words;
     if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs the file of an anemometer");
     if (!r || !words) return wf_fail(e, WF_ENOMEM, "not enough memory for a record");
     wf_record_request_default(&q);
-    q.time = strtok_r(words, ",", &rest);
-    for (int k = 0; k < 3; k++) q.part[k] = strtok_r(NULL, ",", &rest);
-    if (!q.time || !q.part[0] || strtok_r(NULL, ",", &rest))
+    q.missing = how->missing;
+    q.step = how->rate > 0.0 ? 1.0 / how->rate : NAN;
+    if (!wf_dates_named(how->dates, &q.dates))
+        return wf_fail(e, WF_EUSAGE, "dates '%s'; there are: day-first, month-first", how->dates);
+    q.time = next_word(&rest);
+    if (!*q.time || !strcmp(q.time, "-")) q.time = NULL;
+    bool empty = false;
+    for (int k = 0; k < 3; k++) {
+        q.part[k] = next_word(&rest);
+        empty = empty || (q.part[k] && !*q.part[k]);
+    }
+    if (!q.part[0] || rest || empty)
         return wf_fail(
             e, WF_EUSAGE,
-            "columns '%s': a time column and one to three components are needed, separated by commas",
-            columns);
+            "columns '%s': a time column ('-': none) and one to three components are needed, separated by commas",
+            how->columns);
+    if (q.time && how->rate > 0.0)
+        return wf_fail(e, WF_EUSAGE, "a rate is for records without a time column; '%s' is one, '-' is none", q.time);
     s->record = r;
     return wf_record_read(file, &q, a, d, r, e);
 }
