@@ -169,7 +169,8 @@ bool wf_clock_read(struct wf_clock *k, struct wf_csv *c, size_t column, double *
     if (kind == WF_CSV_MIXED)
         wf_csv_mistake(c, column, "'%.40s': decimal comma and decimal point are mixed in this file", text);
     else
-        wf_csv_mistake(c, column, "'%.40s' is not %s%s", text, k->kind ? words[k->kind] : "a number or a time",
+        wf_csv_mistake(c, column, "'%.40s' is not %s%s", text,
+                       k->kind ? words[k->kind] : "a number or a time",
                        k->kind ? ", as the rows before it are" : "; times are written 2024-01-05T12:00:00.5");
     return false;
 }
@@ -177,24 +178,27 @@ bool wf_clock_read(struct wf_clock *k, struct wf_csv *c, size_t column, double *
 void wf_clock_say_unit(const struct wf_clock *k, struct wf_csv *c, size_t column)
 {
     if (k->kind == NUMBERS && !(k->factor > 0.0))
-        wf_diag_warn(c->diag, "unit-assumed", "%s: column '%s' names no unit and is taken to be in s; name it for "
-                                              "example '%s_s'",
+        wf_diag_warn(c->diag, "unit-assumed",
+                     "%s: column '%s' names no unit and is taken to be in s; name it for "
+                     "example '%s_s'",
                      c->file, c->name[column].text, c->name[column].text);
 }
 
-enum wf_status wf_clock_settle(const struct wf_clock *k, const char *file, const char *say, double *t, size_t n,
-                               struct wf_err *e)
+enum wf_status wf_clock_settle(const struct wf_clock *k, const char *file, const char *say, double *t,
+                               size_t n, struct wf_err *e)
 {
     bool day = k->day_seen || k->dates == WF_DATES_DAY_FIRST;
     bool month = k->month_seen || k->dates == WF_DATES_MONTH_FIRST;
     if (!k->slashes) return WF_OK;
     if (day && month)
-        return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: error: dates have the day first in some rows and the month first in "
-                                     "others%s",
+        return wf_fail(e, WF_EINPUT,
+                       "%s:%zu:%zu: error: dates have the day first in some rows and the month first in "
+                       "others%s",
                        file, k->line, k->column, k->dates ? ", or not as is said" : "");
     if (!day && !month && k->differ)
-        return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: error: no date shows whether the day or the month is first; say %s",
-                       file, k->line, k->column, say);
+        return wf_fail(e, WF_EINPUT,
+                       "%s:%zu:%zu: error: no date shows whether the day or the month is first; say %s", file,
+                       k->line, k->column, say);
     for (size_t i = 0; month && i < n; i++) {
         int y, m, d;
         if (isnan(t[i])) continue;

@@ -17,9 +17,10 @@ static bool part_of_one(const char *unit, double *factor)
     static const struct {
         const char *name;
         double factor;
-    } known[] = { { "um_m", 1e-6 },    { "um/m", 1e-6 },   { "\xC2\xB5m/m", 1e-6 }, { "\xCE\xBCm/m", 1e-6 },
-                  { "microstrain", 1e-6 }, { "ustrain", 1e-6 }, { "ppm", 1e-6 },    { "mm_m", 1e-3 },
-                  { "mm/m", 1e-3 },    { "permille", 1e-3 }, { "percent", 1e-2 },   { "%", 1e-2 } };
+    } known[] = { { "um_m", 1e-6 },        { "um/m", 1e-6 },        { "\xC2\xB5m/m", 1e-6 },
+                  { "\xCE\xBCm/m", 1e-6 }, { "microstrain", 1e-6 }, { "ustrain", 1e-6 },
+                  { "ppm", 1e-6 },         { "mm_m", 1e-3 },        { "mm/m", 1e-3 },
+                  { "permille", 1e-3 },    { "percent", 1e-2 },     { "%", 1e-2 } };
     for (size_t i = 0; i < WF_COUNT(known); i++)
         if (!strcmp(unit, known[i].name)) {
             *factor = known[i].factor;
@@ -28,7 +29,8 @@ static bool part_of_one(const char *unit, double *factor)
     return false;
 }
 
-static bool unit_factor(struct wf_units *u, const char *unit, enum wf_dimension d, double *factor, struct wf_err *e)
+static bool unit_factor(struct wf_units *u, const char *unit, enum wf_dimension d, double *factor,
+                        struct wf_err *e)
 {
     char text[80];
     if (d == WF_DIM_NONE) return part_of_one(unit, factor);
@@ -36,8 +38,8 @@ static bool unit_factor(struct wf_units *u, const char *unit, enum wf_dimension 
     return *unit && strlen(unit) <= 60 && !wf_quantity_read(u, text, d, factor, e);
 }
 
-/* What stands in brackets at the end of a name, "km/h" of "u (km/h)"; "" when nothing does. *stem: size of what
- * stands before them. */
+/* What stands in brackets at the end of a name, "km/h" of "u (km/h)"; "" when nothing does. *stem: size of
+ * what stands before them. */
 static const char *in_brackets(const char *name, char *out, size_t size, size_t *stem)
 {
     size_t n = strlen(name);
@@ -58,7 +60,8 @@ bool wf_name_unit(struct wf_units *u, const char *name, enum wf_dimension d, dou
     static const char joint[] = { '/', ' ' };
     char text[80], inner[64];
     *stem = strlen(name);
-    if (unit_factor(u, in_brackets(name, inner, sizeof inner, stem), d, factor, &(struct wf_err){ 0 })) return true;
+    if (unit_factor(u, in_brackets(name, inner, sizeof inner, stem), d, factor, &(struct wf_err){ 0 }))
+        return true;
     for (const char *tail = strpbrk(name, "_ "); tail; tail = strpbrk(tail + 1, "_ "))
         for (size_t k = 0; k < sizeof joint; k++) {
             bool plain = d == WF_DIM_NONE; /* "um_m" is a spelling of its own */
@@ -81,7 +84,8 @@ enum wf_status wf_column_unit(struct wf_units *u, const struct wf_column *c, dou
     *factor = 1;
     if (c->unit && unit_factor(u, c->unit, c->dimension, factor, &why)) return WF_OK;
     if (c->unit && c->dimension == WF_DIM_NONE)
-        return wf_fail(e, WF_EINPUT, "column '%s': the unit '%s' is not a part of one; known are um/m, mm/m, ppm, %%",
+        return wf_fail(e, WF_EINPUT,
+                       "column '%s': the unit '%s' is not a part of one; known are um/m, mm/m, ppm, %%",
                        c->name, c->unit);
     if (c->unit) return wf_fail(e, WF_EINPUT, "column '%s': the unit '%s': %s", c->name, c->unit, why.text);
     if (wf_name_unit(u, c->name, c->dimension, factor, &stem) || c->dimension == WF_DIM_NONE) return WF_OK;
@@ -104,8 +108,8 @@ static bool is_beaufort(const char *name)
     return (n >= 3 && !strcasecmp(name + n - 3, "bft")) || (n >= 8 && !strcasecmp(name + n - 8, "beaufort"));
 }
 
-bool wf_column_factor(struct wf_csv *c, struct wf_units *u, size_t column, enum wf_dimension d, const char *usual,
-                      double *factor)
+bool wf_column_factor(struct wf_csv *c, struct wf_units *u, size_t column, enum wf_dimension d,
+                      const char *usual, double *factor)
 {
     char inner[64];
     size_t stem;
@@ -123,21 +127,22 @@ bool wf_column_factor(struct wf_csv *c, struct wf_units *u, size_t column, enum 
     }
     if (wrong) {
         char text[256];
-        (void)snprintf(text, sizeof text, "column '%.60s': '%.40s' is not a unit of %s; use one of: %s", name->text,
-                       wrong, wf_dimension_row(d)->name, wf_dimension_row(d)->units);
+        (void)snprintf(text, sizeof text, "column '%.60s': '%.40s' is not a unit of %s; use one of: %s",
+                       name->text, wrong, wf_dimension_row(d)->name, wf_dimension_row(d)->units);
         wf_csv_report(c, name->line, name->column, text);
         return false;
     }
     if (!unit_factor(u, usual, d, factor, &(struct wf_err){ 0 })) return false;
-    wf_diag_warn(c->diag, "unit-assumed", "%s: column '%s' names no unit and is taken to be in %s; name it for "
-                                          "example '%s_%s'",
+    wf_diag_warn(c->diag, "unit-assumed",
+                 "%s: column '%s' names no unit and is taken to be in %s; name it for "
+                 "example '%s_%s'",
                  c->file, name->text, usual, name->text, usual);
     return true;
 }
 
 /* Whether a name is `want` but for its unit. */
-static bool same_but_unit(struct wf_units *u, const char *name, const char *want, size_t size, enum wf_dimension d,
-                          double *factor)
+static bool same_but_unit(struct wf_units *u, const char *name, const char *want, size_t size,
+                          enum wf_dimension d, double *factor)
 {
     size_t stem;
     if (!wf_name_unit(u, name, d, factor, &stem)) return false;
@@ -148,14 +153,16 @@ static bool same_but_unit(struct wf_units *u, const char *name, const char *want
     return same;
 }
 
-size_t wf_column_need(struct wf_csv *c, struct wf_units *u, const char *name, enum wf_dimension d, double *factor)
+size_t wf_column_need(struct wf_csv *c, struct wf_units *u, const char *name, enum wf_dimension d,
+                      double *factor)
 {
     size_t stem, column = wf_csv_column(c, name);
     *factor = 1;
     if (column != WF_CSV_NONE) {
         bool own = wf_name_unit(u, name, d, factor, &stem);
-        return c->unit && *c->unit[column] && own && !wf_column_factor(c, u, column, d, "1", factor) ? WF_CSV_NONE
-                                                                                                  : column;
+        return c->unit && *c->unit[column] && own && !wf_column_factor(c, u, column, d, "1", factor)
+                   ? WF_CSV_NONE
+                   : column;
     }
     if (wf_name_unit(u, name, d, factor, &stem))
         for (size_t k = 0; k < c->columns; k++)

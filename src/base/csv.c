@@ -177,7 +177,8 @@ static bool is_toa5(const struct wf_csv *c)
 
 static bool is_tob(const struct wf_csv *c)
 {
-    return c->end - c->at > 7 && !memcmp(c->at, "\"TOB", 4) && c->at[4] >= '1' && c->at[4] <= '3' && c->at[5] == '"';
+    return c->end - c->at > 7 && !memcmp(c->at, "\"TOB", 4) && c->at[4] >= '1' && c->at[4] <= '3' &&
+           c->at[5] == '"';
 }
 
 /* Whether the first line is "[word]". */
@@ -219,8 +220,9 @@ const struct wf_csv_head wf_csv_heads[] = {
     { .name = "LineScale 3",
       .source = "Jensen K. (2023), linescale3, a reader of these files",
       .is = is_linescale,
-      .refused = "its rows have no names and no times; replace its 13 lines by one with the column's name and unit "
-                 "as in line 5, for example force_kN, and give the rate" },
+      .refused =
+          "its rows have no names and no times; replace its 13 lines by one with the column's name and unit "
+          "as in line 5, for example force_kN, and give the rate" },
     { 0 },
 };
 
@@ -230,7 +232,8 @@ static bool seek_section(struct wf_csv *c, const char *section)
     size_t n = strlen(section);
     while (c->at < c->end) {
         const char *p = c->at;
-        bool found = (size_t)(c->end - p) > n + 2 && *p == '[' && !strncasecmp(p + 1, section, n) && p[n + 1] == ']';
+        bool found =
+            (size_t)(c->end - p) > n + 2 && *p == '[' && !strncasecmp(p + 1, section, n) && p[n + 1] == ']';
         skip_line(c);
         if (found) return true;
     }
@@ -244,8 +247,8 @@ static enum wf_status skip_head(struct wf_csv *c, struct wf_err *e)
         if (h->is(c)) c->head = h;
     if (!c->head) return WF_OK;
     if (c->head->refused)
-        return wf_fail(e, WF_EINPUT, "%s:%zu: error: a file of %s is not read: %s", c->file, c->line, c->head->name,
-                       c->head->refused);
+        return wf_fail(e, WF_EINPUT, "%s:%zu: error: a file of %s is not read: %s", c->file, c->line,
+                       c->head->name, c->head->refused);
     for (size_t i = 0; i < c->head->before; i++) skip_line(c);
     if (c->head->section && !seek_section(c, c->head->section))
         return wf_fail(e, WF_EINPUT, "%s:1: error: sections without [%s]", c->file, c->head->section);
@@ -299,8 +302,9 @@ static enum wf_status declared_marks(struct wf_csv *c, struct wf_err *e)
             word += strcspn(word, ":=\n");
             if (*word == ':' || *word == '=')
                 if (!wf_csv_declare(c, word + 1))
-                    return wf_fail(e, WF_EINPUT, "%s:%zu: error: missing marks are numbers separated by commas, at "
-                                                 "most %d, as in '# missing: -99.9, 999'",
+                    return wf_fail(e, WF_EINPUT,
+                                   "%s:%zu: error: missing marks are numbers separated by commas, at "
+                                   "most %d, as in '# missing: -99.9, 999'",
                                    c->file, line, (int)WF_CSV_MARKS);
         }
         p = end ? end + 1 : c->end;
@@ -402,9 +406,9 @@ static char csv_decimal_sign(const struct wf_csv *c, const struct wf_cell *k)
 
 static bool is_missing_word(const char *text)
 {
-    static const char *const words[] = { "",     "NA",   "N/A",     "NaN",     "-NaN",  "null", "none",
-                                         "nil",  "-",    "--",      "---",     "#N/A",  "#NV",  "#DIV/0!",
-                                         "#NUM!", "#VALUE!", "#REF!", "inf",    "+inf",  "-inf", "missing" };
+    static const char *const words[] = { "",      "NA",      "N/A",   "NaN", "-NaN", "null", "none",
+                                         "nil",   "-",       "--",    "---", "#N/A", "#NV",  "#DIV/0!",
+                                         "#NUM!", "#VALUE!", "#REF!", "inf", "+inf", "-inf", "missing" };
     for (size_t i = 0; i < WF_COUNT(words); i++)
         if (!strcasecmp(text, words[i])) return true;
     return false;

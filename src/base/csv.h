@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_CSV_H
 #define WF_BASE_CSV_H
-/* Reader for tables from spreadsheets and loggers: text with a header row whose cells are separated by commas,
- * semicolons or tabs; the separator is detected from the header. The text is parsed in place. Accepted: quotes as
- * in RFC 4180, any line end, UTF-8 with and without a byte order mark, UTF-16, Windows-1252 (with a warning),
- * blank lines, lines that start with '#', and the heads of loggers (wf_csv_heads). Blanks around a cell are
- * removed. A line "# missing: -99.9, 99" before the header declares missing marks. Mistakes become errors in the list of findings, with line and column; those beyond
+/* Reader for tables from spreadsheets and loggers: text with a header row whose cells are separated by
+ * commas, semicolons or tabs; the separator is detected from the header. The text is parsed in place.
+ * Accepted: quotes as in RFC 4180, any line end, UTF-8 with and without a byte order mark, UTF-16,
+ * Windows-1252 (with a warning), blank lines, lines that start with '#', and the heads of loggers
+ * (wf_csv_heads). Blanks around a cell are removed. A line "# missing: -99.9, 99" before the header declares
+ * missing marks. Mistakes become errors in the list of findings, with line and column; those beyond
  * WF_CSV_LISTED of one file are only counted. */
 #include "base/arena.h"
 #include "base/err.h"
@@ -18,11 +19,11 @@ enum { WF_CSV_LISTED = 100, WF_CSV_COLUMNS = 4096, WF_CSV_MARKS = 8 };
 struct wf_csv;
 struct wf_csv_head {
     const char *name, *source;
-    bool (*is)(const struct wf_csv *c); /* whether the text at the start of the file is this head            */
-    size_t before, after;               /* lines before the header row; lines between it and the data        */
-    size_t units;                       /* which of the lines after is the one with units; 0: none           */
-    const char *section;                /* in place of `before`: the header follows the line "[section]"     */
-    const char *refused;                /* why such a file is not read; NULL: it is                          */
+    bool (*is)(const struct wf_csv *c); /* whether the text at the start of the file is this head */
+    size_t before, after; /* lines before the header row; lines between it and the data        */
+    size_t units;         /* which of the lines after is the one with units; 0: none           */
+    const char *section;  /* in place of `before`: the header follows the line "[section]"     */
+    const char *refused;  /* why such a file is not read; NULL: it is                          */
 };
 extern const struct wf_csv_head wf_csv_heads[]; /* ends at name == NULL */
 
@@ -41,15 +42,15 @@ struct wf_csv {
     char separator; /* ',' ';' or tab                */
     char point;     /* decimal sign, 0 = none seen yet */
     size_t columns;
-    struct wf_cell *name; /* header cells                  */
-    struct wf_cell *cell; /* cells of the current row      */
-    const char **unit;    /* of the columns, from the head of a logger; NULL: there is none */
+    struct wf_cell *name;           /* header cells                  */
+    struct wf_cell *cell;           /* cells of the current row      */
+    const char **unit;              /* of the columns, from the head of a logger; NULL: there is none */
     const struct wf_csv_head *head; /* NULL: none              */
     double mark[WF_CSV_MARKS];      /* numbers that mean "missing", as in the file */
     size_t marks;
-    size_t row;           /* rows read so far              */
-    size_t row_line;      /* line the row starts on        */
-    size_t mistakes;      /* of this file                  */
+    size_t row;      /* rows read so far              */
+    size_t row_line; /* line the row starts on        */
+    size_t mistakes; /* of this file                  */
     struct wf_diag *diag;
 };
 

@@ -151,7 +151,6 @@ enum wf_status wf_file_read(const char *path, struct wf_arena *a, struct wf_byte
     return code;
 }
 
-
 static enum wf_status keep_converted(char *to, size_t size, struct wf_bytes *out)
 {
     to[size] = '\0';
@@ -169,8 +168,8 @@ static enum wf_status text_from_utf16(const char *path, enum wf_utf16 order, str
     return wf_fail(e, WF_EINPUT, "%s:1:1: the file is broken UTF-16 text; save it as UTF-8", path);
 }
 
-static enum wf_status read_text(const char *path, struct wf_arena *a, struct wf_bytes *out, struct wf_diag *table,
-                                struct wf_err *e)
+static enum wf_status read_text(const char *path, struct wf_arena *a, struct wf_bytes *out,
+                                struct wf_diag *table, struct wf_err *e)
 {
     enum wf_status code = wf_file_read(path, a, out, e);
     if (code) return code;
@@ -186,10 +185,11 @@ static enum wf_status read_text(const char *path, struct wf_arena *a, struct wf_
     char *to = table ? wf_arena_take(a, 3 * out->size + 1, 1) : NULL;
     size_t n = to ? wf_cp1252_to_utf8(out->data, out->size, to) : (size_t)-1;
     if (n == (size_t)-1)
-        return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: byte 0x%02X is not UTF-8 text; save the file as UTF-8", path,
-                       fault.line, fault.column, fault.byte);
-    wf_diag_warn(table, "not-utf8", "%s:%zu:%zu: byte 0x%02X is not UTF-8; the file is read as Windows-1252 (Latin-1)",
-                 path, fault.line, fault.column, fault.byte);
+        return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: byte 0x%02X is not UTF-8 text; save the file as UTF-8",
+                       path, fault.line, fault.column, fault.byte);
+    wf_diag_warn(table, "not-utf8",
+                 "%s:%zu:%zu: byte 0x%02X is not UTF-8; the file is read as Windows-1252 (Latin-1)", path,
+                 fault.line, fault.column, fault.byte);
     return keep_converted(to, n, out);
 }
 
@@ -198,8 +198,8 @@ enum wf_status wf_file_read_text(const char *path, struct wf_arena *a, struct wf
     return read_text(path, a, out, NULL, e);
 }
 
-enum wf_status wf_file_read_table(const char *path, struct wf_arena *a, struct wf_bytes *out, struct wf_diag *d,
-                                  struct wf_err *e)
+enum wf_status wf_file_read_table(const char *path, struct wf_arena *a, struct wf_bytes *out,
+                                  struct wf_diag *d, struct wf_err *e)
 {
     return read_text(path, a, out, d, e);
 }

@@ -41,14 +41,14 @@ enum { WF_READ_MAX = 256 * 1024 * 1024 }; /* largest file that is read whole [by
 /* Read a whole file into the arena. Returned: its bytes. Errors: WF_EINPUT for a folder and for a file that
  * is missing, unreadable or larger than WF_READ_MAX; WF_ENOMEM. */
 enum wf_status wf_file_read(const char *path, struct wf_arena *a, struct wf_bytes *out, struct wf_err *e);
-/* The same for text: a byte order mark is removed, UTF-16 is converted to UTF-8; bytes that are not UTF-8 text
- * (also NUL) are WF_EINPUT with line and column. */
+/* The same for text: a byte order mark is removed, UTF-16 is converted to UTF-8; bytes that are not UTF-8
+ * text (also NUL) are WF_EINPUT with line and column. */
 enum wf_status wf_file_read_text(const char *path, struct wf_arena *a, struct wf_bytes *out,
                                  struct wf_err *e);
 /* The same for a table of measurements: text that is not UTF-8 is also read as Windows-1252, with a warning
  * `not-utf8` in `d`. */
-enum wf_status wf_file_read_table(const char *path, struct wf_arena *a, struct wf_bytes *out, struct wf_diag *d,
-                                  struct wf_err *e);
+enum wf_status wf_file_read_table(const char *path, struct wf_arena *a, struct wf_bytes *out,
+                                  struct wf_diag *d, struct wf_err *e);
 
 /* Fingerprints. Results name the SHA-256 digest of each input file, so that they can be traced to the exact
  * bytes they were computed from. Source: FIPS PUB 180-4 (NIST, 2015). */

@@ -33,22 +33,22 @@ static const struct wf_dimension_row dimension_rows[WF_DIM_COUNT] = {
     [WF_DIM_MASS_PER_LENGTH] = { "a mass per length", "kg/m", "kg/m, g/m" },
 };
 
-/* Customary spellings that the database lacks or interprets differently (mph: milliphot, ms: milliseconds, c: the
- * speed of light), each for one dimension. Those of speeds are read in either case. */
+/* Customary spellings that the database lacks or interprets differently (mph: milliphot, ms: milliseconds, c:
+ * the speed of light), each for one dimension. Those of speeds are read in either case. */
 static const struct {
     enum wf_dimension dimension;
     const char *spelling, *meaning; /* meaning NULL: not a unit */
 } aliases[] = {
-    { WF_DIM_ANGLE, "deg", "degree" },    { WF_DIM_SPEED, "mph", "mile/hour" },
-    { WF_DIM_SPEED, "kph", "km/hour" },   { WF_DIM_SPEED, "kmh", "km/hour" },
-    { WF_DIM_SPEED, "kmph", "km/hour" },  { WF_DIM_SPEED, "km/h", "km/hour" },
-    { WF_DIM_SPEED, "ms", "m/s" },        { WF_DIM_SPEED, "mps", "m/s" },
-    { WF_DIM_SPEED, "m/s", "m/s" },       { WF_DIM_SPEED, "ms-1", "m/s" },
-    { WF_DIM_SPEED, "cms", "cm/s" },      { WF_DIM_SPEED, "fps", "ft/s" },
-    { WF_DIM_SPEED, "kn", "knot" },       { WF_DIM_SPEED, "kt", "knot" },
-    { WF_DIM_SPEED, "kts", "knot" },      { WF_DIM_SPEED, "kns", "knot" },
-    { WF_DIM_SPEED, "knot", "knot" },     { WF_DIM_SPEED, "knots", "knot" },
-    { WF_DIM_SPEED, "c", NULL },          { WF_DIM_FORCE, "kp", "kgf" },
+    { WF_DIM_ANGLE, "deg", "degree" },   { WF_DIM_SPEED, "mph", "mile/hour" },
+    { WF_DIM_SPEED, "kph", "km/hour" },  { WF_DIM_SPEED, "kmh", "km/hour" },
+    { WF_DIM_SPEED, "kmph", "km/hour" }, { WF_DIM_SPEED, "km/h", "km/hour" },
+    { WF_DIM_SPEED, "ms", "m/s" },       { WF_DIM_SPEED, "mps", "m/s" },
+    { WF_DIM_SPEED, "m/s", "m/s" },      { WF_DIM_SPEED, "ms-1", "m/s" },
+    { WF_DIM_SPEED, "cms", "cm/s" },     { WF_DIM_SPEED, "fps", "ft/s" },
+    { WF_DIM_SPEED, "kn", "knot" },      { WF_DIM_SPEED, "kt", "knot" },
+    { WF_DIM_SPEED, "kts", "knot" },     { WF_DIM_SPEED, "kns", "knot" },
+    { WF_DIM_SPEED, "knot", "knot" },    { WF_DIM_SPEED, "knots", "knot" },
+    { WF_DIM_SPEED, "c", NULL },         { WF_DIM_FORCE, "kp", "kgf" },
     { WF_DIM_FREQUENCY, "hz", "Hz" },
 };
 
@@ -122,7 +122,8 @@ static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dime
     if (d == WF_DIM_NONE && strcmp(text, "%") != 0 && strcmp(text, "percent") != 0) return NULL;
     if (d == WF_DIM_ANGLE && !angle_spelling(text)) return NULL;
     for (size_t i = 0; i < WF_COUNT(aliases); i++)
-        if (aliases[i].dimension == d && !(d == WF_DIM_SPEED ? strcasecmp : strcmp)(text, aliases[i].spelling)) {
+        if (aliases[i].dimension == d &&
+            !(d == WF_DIM_SPEED ? strcasecmp : strcmp)(text, aliases[i].spelling)) {
             text = aliases[i].meaning;
             break;
         }

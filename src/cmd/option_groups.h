@@ -55,8 +55,9 @@ const char *wf_import_word(size_t i);
         PATH("--file", in.file, "FILE", NULL,                                                                \
              "anemometer CSV of the gust model record (of `windfirm wind rose`: a wind climate)"),           \
         TEXT("--columns", in.record.columns, "T,U[,V[,W]]", WF_RECORD_COLUMNS,                               \
-             "its columns: time, two horizontal components (or one speed) and the vertical one; units are read "\
-             "from the names (t_s, u_kmh, v_kn) or the logger's head, T - means that there is no time"),      \
+             "its columns: time, two horizontal components (or one speed) and the vertical one; units are "  \
+             "read "                                                                                         \
+             "from the names (t_s, u_kmh, v_kn) or the logger's head, T - means that there is no time"),     \
         NUMBER("--rate", in.record.rate, "FREQUENCY", FREQUENCY, "Hz", 1e-3, 1e4, NULL,                      \
                "rows a second of a record without a time column"),                                           \
         TEXT("--missing", in.record.missing, "NUMBER,...|none", NULL,                                        \

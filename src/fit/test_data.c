@@ -12,12 +12,14 @@ struct plan {
     double *factor;
 };
 
-static enum wf_status prepare(struct wf_csv *c, const struct wf_column *column, size_t n, const struct wf_test_rows *how,
-                              struct plan *p, struct wf_arena *a, struct wf_err *e)
+static enum wf_status prepare(struct wf_csv *c, const struct wf_column *column, size_t n,
+                              const struct wf_test_rows *how, struct plan *p, struct wf_arena *a,
+                              struct wf_err *e)
 {
     struct wf_units *u;
     size_t stem;
-    p->at = WF_TAKE(a, n, size_t), p->only = WF_TAKE(a, how->onlys, size_t), p->factor = WF_TAKE(a, n, double);
+    p->at = WF_TAKE(a, n, size_t), p->only = WF_TAKE(a, how->onlys, size_t),
+    p->factor = WF_TAKE(a, n, double);
     if (!p->at || !p->only || !p->factor)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu columns", n);
     enum wf_status status = wf_units_open(&u, e);
@@ -46,10 +48,10 @@ static bool wanted_row(const struct wf_csv *c, const struct wf_test_rows *how, c
     return true;
 }
 
-/* Read the numbers of the current row in the file's units. Returned: false when one is missing or a mistake was
- * reported. */
-static bool read_numbers(struct wf_csv *c, const struct wf_test_rows *how, struct plan *p, size_t columns, double *t,
-                         double *v, size_t *missing)
+/* Read the numbers of the current row in the file's units. Returned: false when one is missing or a mistake
+ * was reported. */
+static bool read_numbers(struct wf_csv *c, const struct wf_test_rows *how, struct plan *p, size_t columns,
+                         double *t, double *v, size_t *missing)
 {
     double spare;
     bool empty = how->time && wf_csv_value(c, p->time, &spare) == WF_CSV_MISSING, good = true;
@@ -75,10 +77,11 @@ static enum wf_status strike_marks(struct wf_csv *c, const char *name, size_t k,
     if (!value || !wf_marks_find(&m, value, r->n))
         return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", c->file);
     if (m.doubtful < r->n)
-        return wf_fail(e, WF_EINPUT,
-                       "%s:%zu: error: column '%s': %.10g is a missing mark or a peak; the next largest is %.10g. Give "
-                       "the test 'missing: \"%.10g\"' if it means that there is no reading, or 'missing: none'",
-                       c->file, r->line[m.doubtful], name, value[m.doubtful], m.next, value[m.doubtful]);
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s:%zu: error: column '%s': %.10g is a missing mark or a peak; the next largest is %.10g. Give "
+            "the test 'missing: \"%.10g\"' if it means that there is no reading, or 'missing: none'",
+            c->file, r->line[m.doubtful], name, value[m.doubtful], m.next, value[m.doubtful]);
     size_t kept = 0;
     for (size_t i = 0; i < r->n; i++) {
         if (isnan(value[i])) continue;
@@ -91,25 +94,27 @@ static enum wf_status strike_marks(struct wf_csv *c, const char *name, size_t k,
 }
 
 /* Settle the order of day and month, strike missing marks, convert to SI. */
-static enum wf_status finish_rows(struct wf_csv *c, const struct wf_column *column, const struct wf_test_rows *how,
-                                  struct plan *p, struct wf_test_data *r, struct wf_arena *a, struct wf_err *e)
+static enum wf_status finish_rows(struct wf_csv *c, const struct wf_column *column,
+                                  const struct wf_test_rows *how, struct plan *p, struct wf_test_data *r,
+                                  struct wf_arena *a, struct wf_err *e)
 {
     enum wf_status s = WF_OK;
     if (how->time) {
         wf_clock_say_unit(&p->clock, c, p->time);
-        s = wf_clock_settle(&p->clock, c->file, "'dates: day-first' or 'dates: month-first' in the test", r->time, r->n,
-                            e);
+        s = wf_clock_settle(&p->clock, c->file, "'dates: day-first' or 'dates: month-first' in the test",
+                            r->time, r->n, e);
     }
     for (size_t k = 0; k < r->columns && !s; k++)
-        if (column[k].dimension == WF_DIM_SPEED) s = strike_marks(c, column[k].name, k, p->factor[k], how, r, a, e);
+        if (column[k].dimension == WF_DIM_SPEED)
+            s = strike_marks(c, column[k].name, k, p->factor[k], how, r, a, e);
     double first = r->n ? r->time[0] : 0;
     for (size_t i = 0; i < r->n && !s; i++) {
         r->time[i] -= first;
         r->used[i] = true;
         if (i && r->time[i] < r->time[i - 1]) {
             char text[128];
-            (void)snprintf(text, sizeof text, "%.60s: time goes backwards: %.6g s after %.6g s", how->time, r->time[i],
-                           r->time[i - 1]);
+            (void)snprintf(text, sizeof text, "%.60s: time goes backwards: %.6g s after %.6g s", how->time,
+                           r->time[i], r->time[i - 1]);
             wf_csv_report(c, r->line[i], 0, text);
         }
         for (size_t k = 0; k < r->columns; k++) r->value[i * r->columns + k] *= p->factor[k];
@@ -126,8 +131,8 @@ enum wf_status wf_test_data_read(const char *path, const struct wf_column *colum
     enum wf_status status = wf_csv_open(&c, path, a, d, e);
     if (status) return status;
     if (how->missing && strcmp(how->missing, "none") != 0 && !wf_csv_declare(&c, how->missing))
-        return wf_fail(e, WF_EINPUT, "%s: missing: '%s': 'none' or at most %d numbers, separated by commas", path,
-                       how->missing, (int)WF_CSV_MARKS);
+        return wf_fail(e, WF_EINPUT, "%s: missing: '%s': 'none' or at most %d numbers, separated by commas",
+                       path, how->missing, (int)WF_CSV_MARKS);
     if ((status = prepare(&c, column, columns, how, &p, a, e))) return status;
     size_t most = 1;
     for (const char *q = c.at; q < c.end; q++) most += *q == '\n' || *q == '\r';
@@ -150,7 +155,8 @@ enum wf_status wf_test_data_read(const char *path, const struct wf_column *colum
     if (c.mistakes)
         return wf_fail(e, WF_EINPUT, "%s: %zu mistake%s", path, c.mistakes, c.mistakes == 1 ? "" : "s");
     if (!out->n && !out->missing)
-        return wf_fail(e, WF_EINPUT, "%s: no row %s", path, how->onlys ? "matches 'rows'" : "follows the header");
+        return wf_fail(e, WF_EINPUT, "%s: no row %s", path,
+                       how->onlys ? "matches 'rows'" : "follows the header");
     if (!out->n)
         return wf_fail(e, WF_EINPUT,
                        "%s: no row%s has numbers in every column; %zu rows had an empty or NA cell", path,

@@ -25,10 +25,10 @@ struct wf_test_data {
 };
 
 struct wf_yaml_pair;
-/* Read rows of a CSV file. Given: columns, how rows are read. Rows with an empty, NA or missing cell in a needed
- * column are left out and counted. Units are those of `unit`, the file's head or the name. Errors: WF_EINPUT with
- * every mistake in d: text in place of a number, time going backwards, a missing column, no rows, a wind that may be
- * a missing mark or a peak. */
+/* Read rows of a CSV file. Given: columns, how rows are read. Rows with an empty, NA or missing cell in a
+ * needed column are left out and counted. Units are those of `unit`, the file's head or the name. Errors:
+ * WF_EINPUT with every mistake in d: text in place of a number, time going backwards, a missing column, no
+ * rows, a wind that may be a missing mark or a peak. */
 enum wf_status wf_test_data_read(const char *path, const struct wf_column *column, size_t columns,
                                  const struct wf_test_rows *how, struct wf_arena *a, struct wf_test_data *out,
                                  struct wf_diag *d, struct wf_err *e);

@@ -58,12 +58,13 @@ static enum wf_status read_head(const char *path, struct wf_import_head *h, stru
 }
 
 /* The same as UTF-8 text, for a file that is not MATLAB's; ways of writing are noted. */
-static enum wf_status head_as_text(struct wf_import_head *h, struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d,
-                                   struct wf_err *e)
+static enum wf_status head_as_text(struct wf_import_head *h, struct wf_arena *a, struct wf_qsm *q,
+                                   struct wf_diag *d, struct wf_err *e)
 {
     struct wf_bytes b;
     struct wf_err why = { 0 };
-    bool mark = !strncmp(h->text, "\xEF\xBB\xBF", 3), utf16 = wf_utf16_order(h->text, h->size) != WF_UTF16_NOT;
+    bool mark = !strncmp(h->text, "\xEF\xBB\xBF", 3),
+         utf16 = wf_utf16_order(h->text, h->size) != WF_UTF16_NOT;
     if (!utf16 && memchr(h->text, '\0', h->size))
         return wf_fail(e, WF_EINPUT, "%s: neither text nor a MATLAB file", h->path);
     if (wf_file_read_table(h->path, a, &b, d, &why)) return wf_fail(e, why.code, "%s", why.text);

@@ -85,7 +85,9 @@ static const struct wf_field_row *field_named(const char *name, size_t size)
 enum wf_field wf_field_of(struct wf_units *u, const char *name, double length_unit, double diameter_unit,
                           double *factor)
 {
-    static const enum wf_dimension dimension[] = { [WF_FIELD_METRES] = WF_DIM_LENGTH, [WF_FIELD_RADIANS] = WF_DIM_ANGLE };
+    static const enum wf_dimension dimension[] = {
+        [WF_FIELD_METRES] = WF_DIM_LENGTH, [WF_FIELD_RADIANS] = WF_DIM_ANGLE
+    };
     for (enum wf_field_unit k = WF_FIELD_METRES; k <= WF_FIELD_RADIANS; k++) {
         size_t stem;
         if (!wf_name_unit(u, name, dimension[k], factor, &stem)) continue;

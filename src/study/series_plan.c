@@ -34,7 +34,8 @@ static const struct wf_yaml_row run_rows[] = {
     { .key = "columns",
       .kind = WF_YAML_TEXT,
       AT(record.columns),
-      .doc = "Its columns: time, one or two horizontal components and the vertical one, with units in their names or "
+      .doc = "Its columns: time, one or two horizontal components and the vertical one, with units in their "
+             "names or "
              "in the logger's head; '-' in place of the time: there is none.",
       .initial = WF_RECORD_COLUMNS,
       .example = "t_s,u_ms,v_ms,w_ms" },

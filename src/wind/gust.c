@@ -191,8 +191,9 @@ static char *next_word(char **rest)
     return word;
 }
 
-enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const struct wf_record_words *how,
-                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file,
+                                    const struct wf_record_words *how, struct wf_arena *a, struct wf_diag *d,
+                                    struct wf_err *e)
 {
     struct wf_record_request q;
     struct wf_record *r = WF_TAKE(a, 1, struct wf_record);
@@ -212,12 +213,13 @@ enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, co
         empty = empty || (q.part[k] && !*q.part[k]);
     }
     if (!q.part[0] || rest || empty)
-        return wf_fail(
-            e, WF_EUSAGE,
-            "columns '%s': a time column ('-': none) and one to three components are needed, separated by commas",
-            how->columns);
+        return wf_fail(e, WF_EUSAGE,
+                       "columns '%s': a time column ('-': none) and one to three components are needed, "
+                       "separated by commas",
+                       how->columns);
     if (q.time && how->rate > 0.0)
-        return wf_fail(e, WF_EUSAGE, "a rate is for records without a time column; '%s' is one, '-' is none", q.time);
+        return wf_fail(e, WF_EUSAGE, "a rate is for records without a time column; '%s' is one, '-' is none",
+                       q.time);
     s->record = r;
     return wf_record_read(file, &q, a, d, r, e);
 }

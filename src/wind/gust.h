@@ -52,8 +52,9 @@ struct wf_record_words {
     const char *dates;   /* "day-first", "month-first"; NULL: not said                               */
     double rate;         /* of rows without a time [1/s]; NAN: not said                              */
 };
-/* Read an anemometer file for the model `record` and set s->record. Errors: WF_EUSAGE without a file or for words
- * of another form; those of wf_record_read. */
-enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const struct wf_record_words *how,
-                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
+/* Read an anemometer file for the model `record` and set s->record. Errors: WF_EUSAGE without a file or for
+ * words of another form; those of wf_record_read. */
+enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file,
+                                    const struct wf_record_words *how, struct wf_arena *a, struct wf_diag *d,
+                                    struct wf_err *e);
 #endif

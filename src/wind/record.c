@@ -7,17 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* No anemometer has measured more near the ground than 113 m/s (Barrow Island 1996, WMO); the fastest wind that a
- * user can vouch for, and the fastest one taken as a wind without being vouched for [m/s]. */
+/* No anemometer has measured more near the ground than 113 m/s (Barrow Island 1996, WMO); the fastest wind
+ * that a user can vouch for, and the fastest one taken as a wind without being vouched for [m/s]. */
 static const double VOUCHED_MAX = 120.0, SPEED_MAX = 90.0;
 
 void wf_record_request_default(struct wf_record_request *q)
 {
-    *q = (struct wf_record_request){ .time = "t_s",
-                                     .part = { "u_ms", "v_ms", "w_ms" },
-                                     .step = NAN,
-                                     .bad_share = 0.05,
-                                     .gap = 5.0 };
+    *q = (struct wf_record_request){
+        .time = "t_s", .part = { "u_ms", "v_ms", "w_ms" }, .step = NAN, .bad_share = 0.05, .gap = 5.0
+    };
 }
 
 /* The rows of the file, read before the step is known. */
@@ -98,8 +96,8 @@ static enum wf_status find_columns(const struct wf_record_request *q, struct wf_
     return c->mistakes ? wf_fail(e, WF_EINPUT, "%s: a specified column cannot be used", c->file) : WF_OK;
 }
 
-/* Read a row's time. A cell that is no time is unreadable like any other; the mistakes that the clock reports are
- * kept out of the list until it is known whether the rows are too many. */
+/* Read a row's time. A cell that is no time is unreadable like any other; the mistakes that the clock reports
+ * are kept out of the list until it is known whether the rows are too many. */
 static double read_time(struct record_rows *r, struct wf_csv *c, struct wf_clock *clock, size_t column)
 {
     double t;
@@ -131,12 +129,13 @@ static enum wf_status read_cells(const struct wf_record_request *q, struct wf_cs
     if (c->mistakes) return wf_fail(e, WF_EINPUT, "%s: unusable rows", c->file);
     if (r->n < 2) return wf_fail(e, WF_EINPUT, "%s: %zu rows; a record needs at least 2", c->file, r->n);
     wf_clock_say_unit(&clock, c, time);
-    return wf_clock_settle(&clock, c->file, "--dates day-first or --dates month-first (key dates)", r->time, r->n, e);
+    return wf_clock_settle(&clock, c->file, "--dates day-first or --dates month-first (key dates)", r->time,
+                           r->n, e);
 }
 
 /* Find the missing marks of component k and convert it to m/s. */
-static enum wf_status strike_marks(const struct wf_record_request *q, struct wf_csv *c, struct record_rows *r, int k,
-                                   bool alone, struct wf_err *e)
+static enum wf_status strike_marks(const struct wf_record_request *q, struct wf_csv *c, struct record_rows *r,
+                                   int k, bool alone, struct wf_err *e)
 {
     const char *name = c->name[r->column[k]].text;
     struct wf_marks m = { .impossible = SPEED_MAX / r->factor[k],
@@ -145,20 +144,23 @@ static enum wf_status strike_marks(const struct wf_record_request *q, struct wf_
     if (!wf_marks_find(&m, r->part[k], r->n))
         return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", c->file);
     if (m.doubtful < r->n)
-        return wf_fail(e, WF_EINPUT,
-                       "%s:%zu: error: column '%s': %.10g (%.4g m/s) is a missing mark or a peak; the next largest is "
-                       "%.10g. Say --missing %.10g if it means that there is no reading, or --missing none if "
-                       "every number is a wind (in a study the key missing)",
-                       c->file, r->line[m.doubtful], name, r->part[k][m.doubtful],
-                       r->part[k][m.doubtful] * r->factor[k], m.next, r->part[k][m.doubtful]);
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s:%zu: error: column '%s': %.10g (%.4g m/s) is a missing mark or a peak; the next largest is "
+            "%.10g. Say --missing %.10g if it means that there is no reading, or --missing none if "
+            "every number is a wind (in a study the key missing)",
+            c->file, r->line[m.doubtful], name, r->part[k][m.doubtful], r->part[k][m.doubtful] * r->factor[k],
+            m.next, r->part[k][m.doubtful]);
     if (m.missing)
-        wf_diag_warn(c->diag, "missing-marks", "%s: column '%s': %zu numbers are taken as missing marks, such as %.10g",
-                     c->file, name, m.missing, m.mark);
+        wf_diag_warn(c->diag, "missing-marks",
+                     "%s: column '%s': %zu numbers are taken as missing marks, such as %.10g", c->file, name,
+                     m.missing, m.mark);
     for (size_t i = 0; i < r->n; i++) {
         r->part[k][i] *= r->factor[k];
         if (fabs(r->part[k][i]) > VOUCHED_MAX)
-            return wf_fail(e, WF_EINPUT, "%s:%zu: error: column '%s': %.4g m/s is not a wind; the limit is %g m/s",
-                           c->file, r->line[i], name, r->part[k][i], VOUCHED_MAX);
+            return wf_fail(e, WF_EINPUT,
+                           "%s:%zu: error: column '%s': %.4g m/s is not a wind; the limit is %g m/s", c->file,
+                           r->line[i], name, r->part[k][i], VOUCHED_MAX);
     }
     return WF_OK;
 }
@@ -300,8 +302,10 @@ enum wf_status wf_record_read(const char *path, const struct wf_record_request *
     out->file = path;
     out->components = q->part[2] ? 3 : q->part[1] ? 2 : 1;
     if (!q->time && !(q->step > 0.0))
-        return wf_fail(e, WF_EUSAGE, "%s: a record without a time column needs its rate: --rate (key rate), for "
-                                     "example 20 Hz", path);
+        return wf_fail(e, WF_EUSAGE,
+                       "%s: a record without a time column needs its rate: --rate (key rate), for "
+                       "example 20 Hz",
+                       path);
     enum wf_status s = read_rows(path, q, a, d, &r, out, e);
     if (!s) s = find_step(path, &r, out, e);
     if (!s) {

@@ -38,12 +38,13 @@ struct wf_record {
 };
 
 /* Read a record. Rows with cells that are empty, NA, text or a missing mark are counted, and their steps are
- * interpolated linearly. Units are those of the columns' names or of the file's head; without one seconds and m/s
- * are assumed, with a warning `unit-assumed`. Method: the step is the median of the time differences; the axes are
- * rotated so that the means of v and w vanish (double rotation: Kaimal J.C., Finnigan J.J. 1994, Atmospheric
- * Boundary Layer Flows, ch. 6). Errors: WF_EINPUT, with the first place, for too many unreadable rows, a number that
- * may be a missing mark or a peak, a gap that is too long, times that do not increase or a missing column; WF_EUSAGE
- * without a time column and a step, and for `missing` that is no list; WF_ENOMEM. */
+ * interpolated linearly. Units are those of the columns' names or of the file's head; without one seconds and
+ * m/s are assumed, with a warning `unit-assumed`. Method: the step is the median of the time differences; the
+ * axes are rotated so that the means of v and w vanish (double rotation: Kaimal J.C., Finnigan J.J. 1994,
+ * Atmospheric Boundary Layer Flows, ch. 6). Errors: WF_EINPUT, with the first place, for too many unreadable
+ * rows, a number that may be a missing mark or a peak, a gap that is too long, times that do not increase or
+ * a missing column; WF_EUSAGE without a time column and a step, and for `missing` that is no list; WF_ENOMEM.
+ */
 enum wf_status wf_record_read(const char *path, const struct wf_record_request *q, struct wf_arena *a,
                               struct wf_diag *d, struct wf_record *out, struct wf_err *e);
 #endif

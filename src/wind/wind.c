@@ -321,7 +321,8 @@ enum wf_status wf_points_read(const char *path, size_t most, struct wf_arena *a,
     struct wf_units *units;
     double metres[3];
     if (wf_units_open(&units, e)) return e ? e->code : WF_EMISSING;
-    for (size_t k = 0; k < 3; k++) column[k] = wf_column_need(&csv, units, name[k], WF_DIM_LENGTH, &metres[k]);
+    for (size_t k = 0; k < 3; k++)
+        column[k] = wf_column_need(&csv, units, name[k], WF_DIM_LENGTH, &metres[k]);
     wf_units_close(units);
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a list of points", path);
     for (; wf_csv_next(&csv); n++) {
