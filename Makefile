@@ -3,7 +3,7 @@
 VERSION := $(shell awk '/define WF_VERSION_(MAJOR|MINOR|PATCH) / { v = v "." $$3 } END { print substr(v, 2) }' src/windfirm.h)
 $(if $(shell grep 'define WF_VERSION "$(VERSION)"' src/windfirm.h),,$(error src/windfirm.h: WF_VERSION is not $(VERSION)))
 BUILD   ?= build
-B       := $(BUILD)$(if $(SAN),/san)
+B       := $(BUILD)$(if $(SAN),/san)$(if $(FUZZ),/fuzz)
 PREFIX  ?= /usr/local
 SHARE   ?= $(CURDIR)
 CC      ?= cc
@@ -12,9 +12,10 @@ CFLAGS  ?= -O2 -g
 
 # libmatio is optional: without it MATLAB files are refused, naming the package (make MATIO= tries that)
 MATIO  := $(shell pkg-config --exists matio 2>/dev/null && echo matio)
-PKG    := $(MATIO) gsl yaml-0.1 jansson libxslt libxml-2.0
+PKG    := $(MATIO) $(if $(MATIO),zlib) gsl yaml-0.1 jansson libxslt libxml-2.0
 WARN   := -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes -Wvla -Werror
-SANF   := $(if $(SAN),-fsanitize=address -fsanitize=undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+SANF   := $(if $(SAN)$(FUZZ),-fsanitize=address -fsanitize=undefined -fno-sanitize-recover=all -fno-omit-frame-pointer) \
+          $(if $(FUZZ),-fsanitize=fuzzer-no-link -fsanitize=float-cast-overflow)
 INC     = -Isrc $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG)))
 ALL     = -std=c17 -D_GNU_SOURCE $(WARN) -ffp-contract=off $(INC) -MMD -MP $(SANF) \
           $(if $(MATIO),-DWF_MATIO) -DWF_VERSION='"$(VERSION)"'
@@ -23,7 +24,7 @@ CERES   = -lceres -lglog -lstdc++
 LDLIBS  = $(shell pkg-config --libs $(PKG)) -ludunits2 $(CERES) -lm
 
 # Debian packages: to build and to draw; and for tests alone
-PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev \
+PACKAGES := gcc libc6-dev pkg-config libgsl-dev libyaml-dev libjansson-dev libudunits2-dev libxslt1-dev libxml2-dev libmatio-dev zlib1g-dev \
             g++ libceres-dev libeigen3-dev libgoogle-glog-dev gnuplot-nox weasyprint fonts-liberation fonts-wqy-microhei
 TEST_PACKAGES := libcmocka-dev poppler-utils gdb
 
@@ -34,6 +35,8 @@ LIBSRC := $(filter-out src/main.c src/cmd/%,$(SRC))
 CMDSRC := $(filter src/main.c src/cmd/%,$(SRC))
 TESTS  := $(wildcard tests/test_*.c)
 BENCH  := $(wildcard tests/bench*.c)
+# harnesses of readers: tests/fuzz/read_NAME.c
+READERS := $(patsubst tests/fuzz/read_%.c,%,$(wildcard tests/fuzz/read_*.c))
 obj     = $(patsubst %.c,$(B)/%.o,$(1))
 bin     = $(patsubst %.c,$(B)/%,$(1))
 
@@ -45,6 +48,13 @@ $(B)/windfirm: $(call obj,$(CMDSRC)) $(B)/libwindfirm.a
 	$(CC) $(SANF) $(LDFLAGS) $^ $(LDLIBS) -o $@
 $(B)/tests/%: $(B)/tests/%.o $(B)/libwindfirm.a
 	$(CC) $(SANF) $(LDFLAGS) $^ -lcmocka $(LDLIBS) -o $@
+# A harness with a program around it that gives it files; with FUZZ=1 libFuzzer is that program. --wrap: see fuzz.c.
+$(B)/tests/fuzz/%: $(B)/tests/fuzz/read_%.o $(call obj,tests/fuzz/fuzz.c tests/fuzz/fuzz_import.c) \
+                   $(if $(FUZZ),,$(B)/tests/fuzz/replay.o) $(B)/libwindfirm.a
+	$(CC) $(SANF) $(if $(FUZZ),-fsanitize=fuzzer) $(LDFLAGS) $(WRAP) $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS) -o $@
+$(B)/tests/fuzz/%: WRAP = -Wl,--wrap=wf_units_open,--wrap=wf_units_close
+$(B)/tests/fuzz/results: WRAP += -Wl,--wrap=posix_spawnp
+$(B)/tests/fuzz/study: $(call obj,$(filter-out src/main.c,$(CMDSRC)))
 $(B)/%.o: %.c
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(CFLAGS) -c $< -o $@
@@ -53,7 +63,7 @@ $(call obj,$(shell grep -lw WF_VERSION $(SRC) $(TESTS))): src/windfirm.h
 $(call obj,$(SHARED)): ALL += -DWF_SHARE='"$(SHARE)"'
 $(B)/%.o: %.cpp
 	@mkdir -p $(@D)
-	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(SANF) $(CFLAGS) -c $< -o $@
+	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(if $(FUZZ),,$(SANF)) $(CFLAGS) -c $< -o $@
 # the numeric kernels are small fixed-size loops: unroll and vectorise them
 KERNELS := $(wildcard src/solve/*.c src/load/*.c) src/wind/shelter_laws.c src/wind/gust_spectral.c
 $(call obj,$(KERNELS)): CFLAGS += -O3
@@ -76,7 +86,19 @@ bench-peers: packages test-packages ## the same tree in CalculiX (package calcul
 	@tools/packages.sh calculix-ccx || true
 	@$(MAKE) -s -j$$(nproc) $(B)/tests/bench_beam
 	@tests/bench_peers.sh $(B)
-programs: $(call bin,$(TESTS))
+# clang, libFuzzer and their sanitizers; `make test` gives the stored inputs to the same readers without them
+FUZZ_SECONDS ?= 300
+FUZZ_JOBS    ?= 0
+fuzz: fuzz-readers ## new inputs for every reader of files, FUZZ_SECONDS each (300), FUZZ_JOBS at once (0: all)
+	@tools/fuzz.sh $(BUILD)/fuzz $(FUZZ_SECONDS) $(FUZZ_JOBS) $(READERS)
+fuzz-smoke: fuzz-readers ## the same for 10 s each, all at once
+	@tools/fuzz.sh $(BUILD)/fuzz 10 0 $(READERS)
+fuzz-readers: packages
+	@tools/packages.sh clang
+	@tools/packages.sh libclang-rt-$$(clang -dumpversion | cut -d. -f1)-dev
+	@! tools/fuzz.sh has-libfuzzer || $(MAKE) -s -j$$(nproc) FUZZ=1 CC=clang CFLAGS='-O1 -g' readers
+readers: $(READERS:%=$(B)/tests/fuzz/%)
+programs: $(call bin,$(TESTS)) readers
 packages:
 	@tools/packages.sh $(PACKAGES)
 test-packages:
@@ -132,6 +154,6 @@ clean: ## remove what was built and computed
 help: ## this list
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test bench bench-peers programs packages test-packages check layers symbols interface house golden install headers clean help
+.PHONY: all demo test fuzz fuzz-smoke fuzz-readers readers bench bench-peers programs packages test-packages check layers symbols interface house golden install headers clean help
 .SECONDARY:
--include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS) $(BENCH)) $(patsubst %.c,$(N)/%.o,$(SHARED)) $(B)/src/fit/ceres.o)
+-include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS) $(BENCH) $(wildcard tests/fuzz/*.c)) $(patsubst %.c,$(N)/%.o,$(SHARED)) $(B)/src/fit/ceres.o)

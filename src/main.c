@@ -2,6 +2,7 @@
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/commands.h"
+#include "cmd/read_mat.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -38,6 +39,7 @@ int main(int argc, char **argv)
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || (detail && argc < 3)) return help(stdout);
     if (strcmp(word, "--version") == 0 || strcmp(word, "version") == 0)
         return printf("windfirm %s\n", WF_VERSION) < 0;
+    if (strcmp(word, WF_READ_MAT_WORD) == 0) return wf_read_mat_apart(argc, argv);
     if (detail) word = argv[2];
     for (const struct wf_command *c = wf_commands; c->name; c++) {
         if (strcmp(word, c->name) != 0) continue;

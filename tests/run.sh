@@ -23,9 +23,10 @@ for what in layers symbols interface; do
     fi
 done
 
-for source in tests/test_*.c; do
-    name=$(basename "$source" .c)
-    "$build/tests/$name" >"$log" 2>&1 </dev/null
+program() { # name, command: counts the tests of a program
+    name=$1
+    shift
+    "$@" >"$log" 2>&1 </dev/null
     code=$?
     p=$(number '.*\[  PASSED  \] \([0-9]*\) test.*')
     f=$(number '.*\[  FAILED  \] \([0-9]*\) test.*')
@@ -35,6 +36,15 @@ for source in tests/test_*.c; do
     if [ "$f" -ne 0 ]; then cat "$log"; fi
     echo "$name: $p passed, $f failed, $s skipped"
     passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
+}
+
+for source in tests/test_*.c; do
+    name=$(basename "$source" .c)
+    program "$name" "$build/tests/$name"
+done
+for source in tests/fuzz/read_*.c; do # every stored input through every reader
+    name=$(basename "$source" .c | sed 's/^read_//')
+    program "fuzz/$name" "$build/tests/fuzz/$name" "$name" tests/fuzz/corpus/*/* tests/fuzz/crashes/*/*
 done
 
 "$WINDFIRM" validate >"$log" 2>&1 </dev/null

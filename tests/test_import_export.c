@@ -1,13 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Trees written and read back, and MATLAB files. */
+/* Trees written and read back. */
 #include "close.h"
 #include "data/species.h"
 #include "grow/qsm.h"
 #include "imported.h"
-#ifdef WF_MATIO
-#include <matio.h>
-#include <sys/stat.h>
-#endif
 
 #define DATA "tests/data/qsm/"
 
@@ -107,124 +103,12 @@ static void an_unknown_ending_is_refused(void **state)
     wf_arena_free(&t.arena);
 }
 
-#ifdef WF_MATIO
-/* The tree of treeqsm_23.txt, column by column. */
-static float radius[] = { 0.05F, 0.04F, 0.02F }, length[] = { 1, 0.5F, 0.5F };
-static float start[] = { 4, 4, 4, 19, 19, 19, 0.6F, 1.6F, 1.6F },
-             axis[] = { 0, 0, 0.6F, 0, 0, 0, 1, 1, 0.8F };
-static uint32_t parent[] = { 0, 1, 1 }, extension[] = { 2, 0, 0 };
-static uint8_t order[] = { 0, 0, 1 }, added[] = { 0, 0, 1 };
-
-static matvar_t *column(enum matio_classes c, enum matio_types type, size_t width, void *data)
-{
-    return Mat_VarCreate(NULL, c, type, 2, (size_t[]){ 3, width }, data, 0);
-}
-
-static matvar_t *cylinder(const char *name)
-{
-    static const char *fields[] = { "radius", "length",    "start", "axis",
-                                    "parent", "extension", "added", "BranchOrder" };
-    matvar_t *s = Mat_VarCreateStruct(name, 2, (size_t[]){ 1, 1 }, fields, 8);
-    matvar_t *part[] = {
-        column(MAT_C_SINGLE, MAT_T_SINGLE, 1, radius), column(MAT_C_SINGLE, MAT_T_SINGLE, 1, length),
-        column(MAT_C_SINGLE, MAT_T_SINGLE, 3, start),  column(MAT_C_SINGLE, MAT_T_SINGLE, 3, axis),
-        column(MAT_C_UINT32, MAT_T_UINT32, 1, parent), column(MAT_C_UINT32, MAT_T_UINT32, 1, extension),
-        column(MAT_C_UINT8, MAT_T_UINT8, 1, added),    column(MAT_C_UINT8, MAT_T_UINT8, 1, order)
-    };
-    for (size_t k = 0; k < 8; k++) Mat_VarSetStructFieldByName(s, fields[k], 0, part[k]);
-    return s;
-}
-
-static void assert_mat_tree(const char *path, size_t models)
-{
-    struct imported t;
-    import_path(&t, path);
-    if (t.status) fail_msg("%s", t.err.text);
-    assert_sound(&t.qsm);
-    assert_int_equal(t.qsm.n, 3);
-    assert_string_equal(t.qsm.format, "MATLAB file");
-    assert_close(t.metrics.volume, M_PI * (0.05 * 0.05 + 0.04 * 0.04 * 0.5 + 0.02 * 0.02 * 0.5), 1e-6);
-    assert_int_equal(t.qsm.order[2], 1);
-    assert_int_equal(t.qsm.added[2], 1);
-    assert_int_equal(t.qsm.repairs.count[WF_NOTE_MODELS], models - 1);
-    wf_arena_free(&t.arena);
-}
-
-static void matlab_structures(void **state)
-{
-    (void)state;
-    struct folder f;
-    folder_make(&f, "tree.mat");
-    for (size_t models = 1; models <= 3; models += 2) {
-        mat_t *mat = Mat_CreateVer(f.path, NULL, MAT_FT_MAT5);
-        matvar_t *qsm =
-            Mat_VarCreateStruct("QSM", 2, (size_t[]){ 1, models }, (const char *[]){ "cylinder" }, 1);
-        for (size_t k = 0; k < models; k++) Mat_VarSetStructFieldByName(qsm, "cylinder", k, cylinder(NULL));
-        double other = 1;
-        matvar_t *first =
-            Mat_VarCreate("inputs", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, (size_t[]){ 1, 1 }, &other, 0);
-        assert_int_equal(Mat_VarWrite(mat, first, MAT_COMPRESSION_NONE), 0);
-        assert_int_equal(Mat_VarWrite(mat, qsm, MAT_COMPRESSION_ZLIB), 0);
-        Mat_VarFree(first);
-        Mat_VarFree(qsm);
-        Mat_Close(mat);
-        assert_mat_tree(f.path, models);
-    }
-    /* cut in the middle: libmatio alone would give zeros */
-    struct stat size;
-    assert_int_equal(stat(f.path, &size), 0);
-    assert_int_equal(truncate(f.path, size.st_size / 2), 0);
-    struct imported t;
-    import_path(&t, f.path);
-    assert_int_equal(t.status, WF_EINPUT);
-    assert_non_null(strstr(t.err.text, "cut off"));
-    wf_arena_free(&t.arena);
-    folder_remove(&f);
-}
-
-static void matlab_without_a_tree(void **state)
-{
-    (void)state;
-    struct folder f;
-    struct imported t;
-    double data[6] = { 0 };
-    folder_make(&f, "tree.mat");
-    mat_t *mat = Mat_CreateVer(f.path, NULL, MAT_FT_MAT5);
-    matvar_t *v = Mat_VarCreate("x", MAT_C_DOUBLE, MAT_T_DOUBLE, 2, (size_t[]){ 2, 3 }, data, 0);
-    assert_int_equal(Mat_VarWrite(mat, v, MAT_COMPRESSION_NONE), 0);
-    Mat_VarFree(v);
-    Mat_Close(mat);
-    import_path(&t, f.path);
-    assert_int_equal(t.status, WF_EINPUT);
-    assert_non_null(strstr(t.err.text, "no tree in 1 variables"));
-    wf_arena_free(&t.arena);
-    folder_remove(&f);
-}
-#else
-static void matlab_structures(void **state)
-{
-    (void)state;
-    struct imported t;
-    static const char text[] = "MATLAB 5.0 MAT-file, Platform: GLNXA64";
-    import_text(&t, text, sizeof text);
-    assert_int_equal(t.status, WF_EMISSING);
-    assert_non_null(strstr(t.err.text, "libmatio-dev"));
-    wf_arena_free(&t.arena);
-}
-
-static void matlab_without_a_tree(void **state)
-{
-    (void)state;
-    skip();
-}
-#endif
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_written_reads_back),   cmocka_unit_test(vtk_has_every_row),
-        cmocka_unit_test(an_unknown_ending_is_refused), cmocka_unit_test(matlab_structures),
-        cmocka_unit_test(matlab_without_a_tree),
+        cmocka_unit_test(what_is_written_reads_back),
+        cmocka_unit_test(vtk_has_every_row),
+        cmocka_unit_test(an_unknown_ending_is_refused),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

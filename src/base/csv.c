@@ -171,7 +171,7 @@ static void report_double_names(struct wf_csv *c)
 
 static bool is_toa5(const struct wf_csv *c)
 {
-    const char *p = c->at + (c->at < c->end && *c->at == '"');
+    const char *p = c->at < c->end && *c->at == '"' ? c->at + 1 : c->at;
     return c->end - p > 5 && !memcmp(p, "TOA5", 4) && (p[4] == '"' || p[4] == ',');
 }
 
@@ -190,13 +190,14 @@ static bool is_sections(const struct wf_csv *c)
     return n > 2 && *c->at == '[' && c->at[n - 1] == ']' && !memchr(c->at, ',', n);
 }
 
-/* Whether the 4th to the 13th line are KEY=VALUE and the file goes on. */
+/* Whether the first 13 lines are one cell each, the 4th to the last of them KEY=VALUE. */
 static bool is_linescale(const struct wf_csv *c)
 {
     const char *p = c->at;
     for (int line = 1; line <= 13; line++) {
         const char *end = memchr(p, '\n', (size_t)(c->end - p));
-        if (!end || (line > 3 && (end == p || !memchr(p, '=', (size_t)(end - p))))) return false;
+        if (!end || memchr(p, ',', (size_t)(end - p)) || memchr(p, ';', (size_t)(end - p))) return false;
+        if (line > 3 && !memchr(p, '=', (size_t)(end - p))) return false;
         p = end + 1;
     }
     return true;

@@ -159,6 +159,7 @@ enum wf_status wf_case_order(const struct wf_case *c, size_t k, struct wf_arena 
 struct trial {
     const struct wf_case *of;
     const char *share; /* folder of the shipped species and models */
+    wf_import_reader *mat;
     struct wf_calibration calibration;
     struct wf_experiment x;
     struct wf_fit_param *param;
@@ -175,9 +176,9 @@ static enum wf_status build_trial(struct trial *t, struct wf_arena *a, struct wf
     const char *path =
         wf_arena_print(a, "%.*s%s", slash ? (int)(slash + 1 - c->file) : 0, c->file, c->fit_calibration);
     struct wf_diag d = { .arena = a };
-    struct wf_fit_build b = { .calibration = &t->calibration,
-                              .share = t->share,
-                              .plan = !isnan(c->data_sets) };
+    struct wf_fit_build b = {
+        .calibration = &t->calibration, .share = t->share, .plan = !isnan(c->data_sets), .mat = t->mat
+    };
     if (!path) return wf_fail(e, WF_ENOMEM, "no memory");
     enum wf_status s = wf_calibration_read(path, a, &t->calibration, &d, e);
     struct wf_fit_input *in = s ? NULL : WF_TAKE(a, t->calibration.tests, struct wf_fit_input);
@@ -238,10 +239,10 @@ static enum wf_status fitted_answer(void *ctx, const struct wf_want *w, double o
     return wf_fail(e, WF_EINPUT, "%s:%zu: the study fits no parameter '%s'", t->of->file, w->line, w->name);
 }
 
-enum wf_status wf_case_fit(const struct wf_case *c, const char *share, struct wf_arena *a,
-                           struct wf_verdict *v, struct wf_err *e)
+enum wf_status wf_case_fit(const struct wf_case *c, const char *share, wf_import_reader *mat,
+                           struct wf_arena *a, struct wf_verdict *v, struct wf_err *e)
 {
-    struct trial t = { .of = c, .share = share };
+    struct trial t = { .of = c, .share = share, .mat = mat };
     struct wf_err own = { WF_OK, "" };
     enum wf_status s = build_trial(&t, a, &own);
     if (!s) s = isnan(c->data_sets) ? fit_trial(&t, &own) : fit_made_up(&t, a, &own);

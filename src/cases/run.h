@@ -5,6 +5,7 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "cases/case.h"
+#include "grow/import_file.h"
 
 enum wf_outcome { WF_PASSED, WF_FAILED, WF_SKIPPED, WF_OUTCOME_COUNT };
 struct wf_check {
@@ -38,8 +39,9 @@ enum wf_status wf_case_order(const struct wf_case *c, size_t k, struct wf_arena 
                              struct wf_verdict *verdicts, struct wf_err *e);
 
 /* Fit the calibration of a case (WF_SHAPE_FIT) to its data or to synthetic data, and compare the estimates
- * with the wanted values. Given: the case; share: folder of the shipped species and models. Returned: as
- * wf_case_run; a calibration whose data are missing is skipped. */
-enum wf_status wf_case_fit(const struct wf_case *c, const char *share, struct wf_arena *a,
-                           struct wf_verdict *v, struct wf_err *e);
+ * with the wanted values. Given: the case; share: folder of the shipped species and models; the reader of
+ * MATLAB files, as in struct wf_import_options. Returned: as wf_case_run; a calibration whose data are
+ * missing is skipped. */
+enum wf_status wf_case_fit(const struct wf_case *c, const char *share, wf_import_reader *mat,
+                           struct wf_arena *a, struct wf_verdict *v, struct wf_err *e);
 #endif

@@ -3,6 +3,7 @@
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
+#include "cmd/read_mat.h"
 #include "data/species.h"
 #include "out/fit_results.h"
 #include <math.h>
@@ -215,7 +216,9 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
 {
     const char *names = j->options->data, *list[64];
     char *rest = NULL, *copy = names ? wf_arena_text(&j->arena, names) : NULL;
-    struct wf_fit_build b = { .calibration = &j->r.calibration, .share = wf_share(), .data = list };
+    struct wf_fit_build b = {
+        .calibration = &j->r.calibration, .share = wf_share(), .data = list, .mat = wf_read_mat
+    };
     for (char *p = copy ? strtok_r(copy, ",", &rest) : NULL; p && b.datas < 64;
          p = strtok_r(NULL, ",", &rest))
         list[b.datas++] = p;

@@ -5,6 +5,7 @@
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
+#include "cmd/read_mat.h"
 #include "fit/build.h"
 #include "fit/predict.h"
 #include <gsl/gsl_linalg.h>
@@ -162,7 +163,9 @@ static enum wf_status write_test(const struct plan *p, size_t test, const char *
 
 static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, struct wf_err *e)
 {
-    struct wf_fit_build b = { .calibration = &p->calibration, .share = wf_share(), .plan = true };
+    struct wf_fit_build b = {
+        .calibration = &p->calibration, .share = wf_share(), .plan = true, .mat = wf_read_mat
+    };
     const char *folder = p->options.output;
     enum wf_status s = wf_calibration_read(p->options.args.operand[0], &p->arena, &p->calibration, d, e);
     if (s) return s;

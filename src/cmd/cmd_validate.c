@@ -5,6 +5,7 @@
 #include "cases/run.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
+#include "cmd/read_mat.h"
 #include <fts.h>
 #include <math.h>
 #include <stdio.h>
@@ -149,7 +150,7 @@ static int run_solver(struct run *r, const struct wf_case *c, size_t k, struct w
     struct wf_err e = { WF_OK, "" };
     struct wf_verdict v, mesh[WF_CASE_PIECES_MAX];
     wf_progress("%s: %s", c->file, c->name);
-    enum wf_status status = c->shape == WF_SHAPE_FIT ? wf_case_fit(c, wf_share(), work, &v, &e)
+    enum wf_status status = c->shape == WF_SHAPE_FIT ? wf_case_fit(c, wf_share(), wf_read_mat, work, &v, &e)
                                                      : wf_case_run(c, k, 1, work, &v, &e);
     wf_progress(NULL);
     if (status) return wf_complain(&e);

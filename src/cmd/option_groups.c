@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/option_groups.h"
 #include "cmd/commands.h"
+#include "cmd/read_mat.h"
 #include "grow/grow.h"
 #include "solve/solve.h"
 #include "study/preset.h"
@@ -24,6 +25,7 @@ static double metres(const char *unit)
 struct wf_import_options wf_import_asked_options(const struct wf_import_asked *asked)
 {
     struct wf_import_options o = wf_import_default();
+    o.mat = wf_read_mat;
     o.format = asked->format;
     o.strict = asked->strict;
     o.length_unit = metres(asked->length_unit);
@@ -55,7 +57,9 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
     if (tree) {
         *path = tree;
         struct wf_model *scan = NULL;
-        if (!(s = wf_model_scanned(tree, t->joint, a, &scan, d, e))) *out = *scan;
+        struct wf_import_options o = wf_import_default();
+        o.mat = wf_read_mat;
+        if (!(s = wf_model_imported(tree, t->joint, &o, a, &scan, d, e))) *out = *scan;
     } else {
         *path = wf_shipped("models", t->model, a);
         s = wf_model_read(*path, a, out, d, e);

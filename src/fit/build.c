@@ -22,11 +22,12 @@ static enum wf_status find(const struct wf_fit_build *b, const char *room, const
     return *path ? WF_OK : wf_fail(e, WF_ENOMEM, "%s: no memory", name);
 }
 
-static enum wf_status measured(const struct wf_calibration_tree *s, const char *path,
+static enum wf_status measured(const struct wf_calibration_tree *s, const char *path, wf_import_reader *mat,
                                const struct wf_species *sp, struct wf_arena *a, struct wf_diag *d,
                                struct wf_tree *out, struct wf_err *e)
 {
     struct wf_import_options o = wf_import_default();
+    o.mat = mat;
     struct wf_qsm q;
     struct wf_qsm_model m;
     enum wf_status status = wf_import_read(path, &o, a, &q, d, e);
@@ -53,7 +54,7 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
     *out = (struct wf_fit_tree){ .name = s->name, .species = sp };
     if (!status) status = find(b, "models", s->qsm ? s->qsm : s->model, a, &path, e);
     if (!status) out->file = path;
-    if (!status && s->qsm) status = measured(s, path, sp, a, d, &out->tree, e);
+    if (!status && s->qsm) status = measured(s, path, b->mat, sp, a, d, &out->tree, e);
     if (!status && !s->qsm) status = wf_model_read(path, a, &m, d, e);
     if (!status && !s->qsm) status = wf_grow_stem(&m, sp, a, &out->tree, e);
     if (status) return status;

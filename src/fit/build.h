@@ -6,6 +6,7 @@
 #include "fit/param.h"
 #include "fit/ring_down.h"
 #include "fit/test_data.h"
+#include "grow/import_file.h"
 
 /* Input of one test, kept for figures. */
 struct wf_fit_input {
@@ -23,7 +24,8 @@ struct wf_fit_build {
     const char *share;       /* folder that contains the shipped species/ and models/    */
     const char *const *data; /* data files for tests without one, in the order of the tests */
     size_t datas;
-    bool plan; /* use loads and speeds of the calibration in place of data */
+    bool plan;             /* use loads and speeds of the calibration in place of data */
+    wf_import_reader *mat; /* of MATLAB files, as in struct wf_import_options */
 };
 
 /* Build trees, with rows divided where something is measured, tests and data. Returned: *out, and `in`, one

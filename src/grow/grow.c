@@ -33,7 +33,14 @@ static const char *file_key(const char *path, struct wf_arena *a)
 enum wf_status wf_model_scanned(const char *path, const char *joint, struct wf_arena *a,
                                 struct wf_model **out, struct wf_diag *d, struct wf_err *e)
 {
-    struct wf_import_options o = wf_import_default();
+    return wf_model_imported(path, joint, NULL, a, out, d, e);
+}
+
+enum wf_status wf_model_imported(const char *path, const char *joint, const struct wf_import_options *options,
+                                 struct wf_arena *a, struct wf_model **out, struct wf_diag *d,
+                                 struct wf_err *e)
+{
+    struct wf_import_options o = options ? *options : wf_import_default();
     struct wf_qsm *q = WF_TAKE(a, 1, struct wf_qsm);
     struct wf_qsm_model *m = WF_TAKE(a, 1, struct wf_qsm_model);
     struct wf_model *made = *out = WF_TAKE(a, 1, struct wf_model);

@@ -12,7 +12,8 @@
 extern "C" {
 #endif
 
-struct wf_model; /* data/model.h */
+struct wf_model;          /* data/model.h */
+struct wf_import_options; /* grow/import_file.h */
 struct wf_species;
 
 /* A tree model read from its file (models/NAME.yaml). Returned: *out in the arena, in the season of the file.
@@ -22,10 +23,16 @@ enum wf_status wf_model_open(const char *path, struct wf_arena *a, struct wf_mod
 
 /* A measured tree as a model: any format that wf_import_read knows, repaired and joined. Given: path, how
  * branches are held ("axis" or NULL: where they leave the parent's axis; "bridge": at its end, see
- * grow/qsm_model.h). Returned: *out in the arena, without leaves; what was repaired in `d`. Errors: WF_EUSAGE
- * for another joint, those of wf_import_read and wf_qsm_to_tree. */
+ * grow/qsm_model.h). Returned: *out in the arena, without leaves; what was repaired in `d`. MATLAB files are
+ * read in this process by libmatio: give it only files from a source that you trust; version 7.3 (HDF5) is
+ * refused. Errors: WF_EUSAGE for another joint, those of wf_import_read and wf_qsm_to_tree. */
 enum wf_status wf_model_scanned(const char *path, const char *joint, struct wf_arena *a,
                                 struct wf_model **out, struct wf_diag *d, struct wf_err *e);
+
+/* The same with options of an import; NULL: none. */
+enum wf_status wf_model_imported(const char *path, const char *joint, const struct wf_import_options *o,
+                                 struct wf_arena *a, struct wf_model **out, struct wf_diag *d,
+                                 struct wf_err *e);
 
 /* Give a model leaves: one-sided area of the whole tree [m2]; 0: none. WF_EUSAGE for a model that does not
  * say where its leaves are. */

@@ -136,6 +136,7 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
     bool matlab = o->format ? !strcmp(o->format, "mat") : is_matlab(&h);
     if (!matlab && (s = head_as_text(&h, a, out, d, e))) return s;
     wf_import_reader *reader = reader_for(&h, o->format);
+    if (reader == wf_import_mat && o->mat) reader = o->mat;
     if ((s = reader(&h, o, a, out, d, e))) return s;
     size_t bad = out->repairs.count[WF_REPAIR_BAD_ROW] + out->repairs.count[WF_REPAIR_TRUNCATED];
     if (bad > out->n)

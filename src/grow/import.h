@@ -19,7 +19,8 @@ struct wf_import_options wf_import_default(void);
  * wf_qsm_repair); in `d` a finding for each unreadable row (at most 100) and one for each kind of repair.
  * Errors: WF_EINPUT for a file that is missing, empty, binary, of no known format or not repairable, and with
  * the option `strict` for a file that needs a repair; WF_EMISSING for a MATLAB file when built without
- * libmatio; WF_EUSAGE for an unknown format; WF_ENOMEM. */
+ * libmatio; without the option `mat`, WF_EINPUT for a MATLAB file of version 7.3; WF_EUSAGE for an unknown
+ * format; WF_ENOMEM. */
 enum wf_status wf_import_read(const char *path, const struct wf_import_options *o, struct wf_arena *a,
                               struct wf_qsm *out, struct wf_diag *d, struct wf_err *e);
 #endif

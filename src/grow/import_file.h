@@ -6,11 +6,21 @@
 #include "base/units.h"
 #include "grow/qsm.h"
 
+struct wf_import_head;
+struct wf_import_options;
+
+/* Read a file of one format. Given: its beginning, options. Returned: *q, not repaired; unreadable rows are
+ * reported in `d` and left out. Errors: WF_EINPUT, WF_EMISSING, WF_ENOMEM. */
+typedef enum wf_status wf_import_reader(const struct wf_import_head *h, const struct wf_import_options *o,
+                                        struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d,
+                                        struct wf_err *e);
+
 struct wf_import_options {
-    const char *format;   /* a row of wf_import_formats; NULL = by content                            */
-    bool strict;          /* refuse a file that needs a repair                                        */
-    double length_unit;   /* metres per unit of lengths without a unit; NAN: 1 (an MTG: 0.01)         */
-    double diameter_unit; /* the same for radii and diameters; NAN: 1 (an MTG: from the sizes)        */
+    const char *format;    /* a row of wf_import_formats; NULL = by content                            */
+    bool strict;           /* refuse a file that needs a repair                                        */
+    double length_unit;    /* metres per unit of lengths without a unit; NAN: 1 (an MTG: 0.01)         */
+    double diameter_unit;  /* the same for radii and diameters; NAN: 1 (an MTG: from the sizes)        */
+    wf_import_reader *mat; /* of MATLAB files; NULL: in this process, for trusted files of version 5   */
 };
 
 /* The beginning of a file, enough to recognise its format. */
@@ -20,12 +30,6 @@ struct wf_import_head {
     size_t size;
     bool ends_open; /* the file's last line has no line end */
 };
-
-/* Read a file of one format. Given: its beginning, options. Returned: *q, not repaired; unreadable rows are
- * reported in `d` and left out. Errors: WF_EINPUT, WF_EMISSING, WF_ENOMEM. */
-typedef enum wf_status wf_import_reader(const struct wf_import_head *h, const struct wf_import_options *o,
-                                        struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d,
-                                        struct wf_err *e);
 
 enum wf_field {
     WF_FIELD_ID,

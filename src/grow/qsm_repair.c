@@ -103,6 +103,7 @@ static enum wf_status roots_of(struct wf_qsm *q, int32_t *root, struct wf_arena 
             for (int32_t m = q->parent[k]; m != k; m = q->parent[m])
                 if (q->z0[m] < q->z0[low]) low = m;
             wf_qsm_count(q, WF_REPAIR_CYCLE, 1, q->id[low]);
+            if (q->next[q->parent[low]] == low) q->next[q->parent[low]] = -1;
             q->parent[low] = -1;
             root[low] = k = low;
         }

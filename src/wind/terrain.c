@@ -11,6 +11,12 @@
 
 enum { STREAM_TERRAIN = 0x41 };
 
+/* Sizes of a cell and of a map's coordinates [m]: with smaller cells or larger numbers neighbouring points
+ * would have the same coordinates, and the work of a sight line would have no bound. */
+#define CELL_LEAST 0.01
+#define CELL_MOST 1e5
+#define PLACE_MOST 1e9
+
 enum wf_status wf_terrain_alloc(struct wf_terrain *t, size_t columns, size_t rows, double cell,
                                 struct wf_arena *a, struct wf_err *e)
 {
@@ -18,8 +24,8 @@ enum wf_status wf_terrain_alloc(struct wf_terrain *t, size_t columns, size_t row
     if (columns < 2 || rows < 2 || columns > WF_TERRAIN_MAX || rows > WF_TERRAIN_MAX)
         return wf_fail(e, WF_EINPUT, "a map of %zu columns and %zu rows: 2..%d are allowed", columns, rows,
                        WF_TERRAIN_MAX);
-    if (!(cell > 0.0 && cell <= 1e5))
-        return wf_fail(e, WF_EINPUT, "a cell of %g m: above 0, at most 100 km", cell);
+    if (!(cell >= CELL_LEAST && cell <= CELL_MOST))
+        return wf_fail(e, WF_EINPUT, "a cell of %g m: 1 cm to 100 km", cell);
     t->z = WF_TAKE(a, columns * rows, double);
     return t->z ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for a map of %zu x %zu", columns, rows);
 }
@@ -175,9 +181,12 @@ static enum wf_status read_header(struct grid_text *t, double value[KEYS], struc
         if (!(value[k] >= 2.0 && value[k] <= WF_TERRAIN_MAX && value[k] == floor(value[k])))
             return wf_fail(e, WF_EINPUT, "%s: error: %s = %g: a whole number 2..%d", t->path, key[k],
                            value[k], WF_TERRAIN_MAX);
-    if (!(value[CELL] > 0.0 && value[CELL] <= 1e5))
-        return wf_fail(e, WF_EINPUT, "%s: error: %s = %g m: above 0, at most 100 km", t->path, key[CELL],
-                       value[CELL]);
+    if (!(value[CELL] >= CELL_LEAST && value[CELL] <= CELL_MOST))
+        return wf_fail(e, WF_EINPUT, "%s: error: %s = %g m: 1 cm to 100 km", t->path, key[CELL], value[CELL]);
+    for (int k = 0; k < KEYS; k++)
+        if ((k == X || k == Y || k >= X_CENTRE) && fabs(value[k]) > PLACE_MOST)
+            return wf_fail(e, WF_EINPUT, "%s: error: %s = %g m: at most %g m from 0", t->path, key[k],
+                           value[k], PLACE_MOST);
     return WF_OK;
 }
 
@@ -237,8 +246,11 @@ double wf_terrain_horizon(const struct wf_terrain *t, size_t column, size_t row,
     double x = t->x0 + (double)column * t->cell, y = t->y0 + (double)row * t->cell;
     /* steps that hit grid points in the diagonal directions too */
     double step = t->cell / fmax(fabs(ex), fabs(ey));
+    /* behind the map's edge there is nothing to see, however far the distance */
+    double beyond = (hypot((double)t->columns, (double)t->rows) + 2.0) * t->cell,
+           most = fmin(distance * (1.0 + 1e-9), beyond);
     *seen = true;
-    for (size_t i = 1; (double)i * step <= distance * (1.0 + 1e-9); i++) {
+    for (size_t i = 1; (double)i * step <= most; i++) {
         double run = (double)i * step, z = wf_terrain_height(t, x + run * ex, y + run * ey);
         if (isnan(z)) {
             *seen = false;

@@ -19,8 +19,8 @@ struct wf_terrain {
     double *z;     /* rows * columns, southern row first [m]; NAN = no data */
 };
 
-/* Allocate a map. Given: numbers of columns and rows (2..WF_TERRAIN_MAX), spacing [m]. Returned: heights 0.
- * Errors: WF_EINPUT, WF_ENOMEM. */
+/* Allocate a map. Given: numbers of columns and rows (2..WF_TERRAIN_MAX), spacing 0.01..1e5 [m]. Returned:
+ * heights 0. Errors: WF_EINPUT, WF_ENOMEM. */
 enum wf_status wf_terrain_alloc(struct wf_terrain *t, size_t columns, size_t rows, double cell,
                                 struct wf_arena *a, struct wf_err *e);
 
