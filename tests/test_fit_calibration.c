@@ -22,8 +22,8 @@ static enum wf_status read_text(struct job *j, const char *text, const struct wf
     j->diag.arena = &j->arena;
     scratch_write(&s, text, strlen(text));
     struct wf_test_rows how = { .time = time, .rate = NAN };
-    enum wf_status status = wf_test_data_read(wf_arena_text(&j->arena, s.path), c, n, &how, &j->arena, &j->data,
-                                              &j->diag, &j->err);
+    enum wf_status status = wf_test_data_read(wf_arena_text(&j->arena, s.path), c, n, &how, &j->arena,
+                                              &j->data, &j->diag, &j->err);
     scratch_remove(&s);
     return status;
 }
@@ -36,7 +36,7 @@ static bool found(const struct job *j, const char *words)
 }
 
 static const struct wf_column force_and_tilt[] = { { "F_kN", NULL, WF_DIM_FORCE },
-                                                        { "tilt_deg", NULL, WF_DIM_ANGLE } };
+                                                   { "tilt_deg", NULL, WF_DIM_ANGLE } };
 
 static void units_come_from_the_names(void **unused)
 {

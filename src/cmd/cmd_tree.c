@@ -120,13 +120,15 @@ struct ask {
     struct wf_tree_wear known;
 };
 
-/* The page counts repairs by kind; only findings about single rows are printed separately. */
+/* The page counts repairs by kind; only findings about single rows, units and the encoding are printed
+ * separately. */
 static void print_rows_left_out(const struct wf_diag *d, bool quiet)
 {
     char line[2048];
     for (const struct wf_finding *f = d->first; f; f = f->next)
-        if (f->severity == WF_ERROR ||
-            (!quiet && f->code && (!strcmp(f->code, "row-left-out") || !strcmp(f->code, "thick-stem"))))
+        if (f->severity == WF_ERROR || (!quiet && f->code &&
+                                        (!strcmp(f->code, "row-left-out") || !strcmp(f->code, "thick-stem") ||
+                                         !strcmp(f->code, "not-utf8"))))
             fprintf(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
 }
 

@@ -62,15 +62,21 @@ static void note_unreadable(struct record_rows *r, const struct wf_cell *cell)
     strncpy(r->first_text, cell->size ? cell->text : "(empty)", sizeof r->first_text - 1);
 }
 
+/* A number with another decimal sign than those before it is a mistake of the file, not a gap. */
+static void report_mixed(struct wf_csv *c, size_t column, enum wf_csv_kind kind)
+{
+    if (kind == WF_CSV_MIXED)
+        wf_csv_mistake(c, column, "'%.40s': decimal comma and decimal point are mixed in this file",
+                       wf_csv_text(c, column));
+}
+
 /* Read a wind in the column's own unit. Returned: NAN for an unreadable cell. */
 static double read_reading(struct record_rows *r, struct wf_csv *c, size_t column)
 {
     double value;
     enum wf_csv_kind kind = wf_csv_reading(c, column, &value);
     if (kind == WF_CSV_NUMBER) return value;
-    if (kind == WF_CSV_MIXED)
-        wf_csv_mistake(c, column, "'%.40s': decimal comma and decimal point are mixed in this file",
-                       wf_csv_text(c, column));
+    report_mixed(c, column, kind);
     note_unreadable(r, &c->cell[column]);
     return NAN;
 }
@@ -108,6 +114,7 @@ static double read_time(struct record_rows *r, struct wf_csv *c, struct wf_clock
     c->diag = shown;
     c->mistakes = mistakes;
     if (good) return t;
+    report_mixed(c, column, wf_csv_value(c, column, &t));
     note_unreadable(r, &c->cell[column]);
     return NAN;
 }
