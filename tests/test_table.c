@@ -189,6 +189,7 @@ static void pull_tests(void **unused)
               "iconv -f UTF-8 -t UTF-16 pull_sections.txt >s.txt"),
           CODE_OK,
           { RIGHT } },
+        { FIT("iconv -f UTF-8 -t UTF-16 pull_day_first.yaml >p.yaml"), CODE_OK, { E, RIGHT } },
         { FIT("cp pull_day_first.yaml p.yaml"), CODE_OK, { E, RIGHT } },
         { FIT(DATES "sed 's|05/01/2024|05.01.2024|' pull_day_first.csv >d.csv"), CODE_OK, { RIGHT } },
         { FIT(DATES "sed 's|05/01/2024|01/25/2024|' pull_day_first.csv >d.csv"), CODE_OK, { RIGHT } },
@@ -211,6 +212,23 @@ static void pull_tests(void **unused)
                     "pull_day_first.csv d.csv"),
           CODE_OK,
           { RIGHT } },
+    };
+    CHECK(rows);
+}
+
+static void free_sway_has_a_rate(void **unused)
+{
+    (void)unused;
+#define SWAY(key)                                                                                            \
+    FIT("{ sed '/^tests:/,$d' pull_day_first.yaml; echo 'tests:'; echo '  - name: sway'; echo '    data: "   \
+        "s.csv'; " key                                                                                       \
+        "echo '    sway: {column: tilt}'; sed -n '/^free:/,$p' pull_day_first.yaml; } >p.yaml\n"             \
+        "awk 'BEGIN{print \"t_s,tilt\"; for(i=0;i<400;i++){t=i/20; printf "                                  \
+        "\"%.2f,%.6f\\n\",t,exp(-0.1*t)*cos(4*t)}}' >s.csv")
+    static const struct row rows[] = {
+        { SWAY(""), CODE_INPUT, { "the frequency of free sway needs the time of the rows", "rate: 20 Hz" } },
+        { SWAY("echo '    time: t_s'; ") " && cat out/tables/*.csv", CODE_OK, { E, "0.636" } },
+        { SWAY("echo '    rate: 20 Hz'; ") " && cat out/tables/*.csv", CODE_OK, { E, "0.636" } },
     };
     CHECK(rows);
 }
@@ -371,6 +389,7 @@ int main(void)
         cmocka_unit_test(marks_are_told_from_peaks),
         cmocka_unit_test(trees_by_hand),
         cmocka_unit_test(pull_tests),
+        cmocka_unit_test(free_sway_has_a_rate),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
