@@ -87,8 +87,8 @@ static void separators_times_and_heads(void **unused)
         { MADE("sed '3s|m/s|V|g' " P "wind_logger_toa5.dat", "TIMESTAMP,Ux,Uy,Uz"),
           CODE_INPUT,
           { ":2:", "'V' is not a unit of a speed" } },
-        { MADE("printf 'LS1\\n05\\\\01\\\\24\\n12:00:00\\n';"
-               "for k in A B C D E F G H I J; do echo $k=1; done; echo 2.5",
+        { MADE("{ printf 'LS1\\n05\\\\01\\\\24\\n12:00:00\\n';"
+               "for k in A B C D E F G H I J; do echo $k=1; done; echo 2.5; }",
                "t_s,u_ms"),
           CODE_INPUT,
           { "LineScale 3 is not read" } },
