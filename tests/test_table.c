@@ -3,6 +3,7 @@
  * times and encodings give the same answer. The samples of tests/data/public are made up. */
 #include "base/clock.h"
 #include "base/column.h"
+#include "base/text.h"
 #include "close.h"
 #include "scratch.h"
 #include "shell.h"
@@ -233,6 +234,46 @@ static void free_sway_has_a_rate(void **unused)
     CHECK(rows);
 }
 
+static void other_encodings(void **unused)
+{
+    (void)unused;
+    static const struct {
+        const char *from;
+        size_t size;
+        const char *to; /* NULL: refused */
+    } utf16[] = {
+        { "\xFF\xFE"
+          "a\0\xE4\0",
+          6, "a\xC3\xA4" },
+        { "\xFE\xFF\0a\x20\xAC", 6, "a\xE2\x82\xAC" },
+        { "a\0b\0", 4, "ab" },
+        { "\0a\0b", 4, "ab" },
+        { "\xFF\xFE\x3D\xD8\x00\xDE", 6, "\xF0\x9F\x98\x80" },
+        { "\xFF\xFE\x3D\xD8", 4, NULL },
+        { "\xFF\xFE\x00\xDE", 4, NULL },
+        { "\xFF\xFE"
+          "a",
+          3, NULL },
+        { "\xFF\xFE\0\0", 4, NULL },
+    };
+    char to[64];
+    for (size_t i = 0; i < sizeof utf16 / sizeof *utf16; i++) {
+        enum wf_utf16 order = wf_utf16_order(utf16[i].from, utf16[i].size);
+        assert_int_not_equal(order, WF_UTF16_NOT);
+        size_t n = wf_utf16_to_utf8(utf16[i].from, utf16[i].size, order, to);
+        assert_int_equal(n, utf16[i].to ? strlen(utf16[i].to) : (size_t)-1);
+        if (utf16[i].to) assert_memory_equal(to, utf16[i].to, n);
+    }
+    assert_int_equal(wf_utf16_order("ab", 2), WF_UTF16_NOT);
+    assert_int_equal(wf_cp1252_to_utf8("\x80\xE4\t", 3, to), 6);
+    assert_memory_equal(to, "\xE2\x82\xAC\xC3\xA4\t", 6);
+    assert_int_equal(wf_cp1252_to_utf8("\x81", 1, to), (size_t)-1);
+    assert_int_equal(wf_cp1252_to_utf8("\x01", 1, to), (size_t)-1);
+    assert_int_equal(wf_cp1252_to_utf8("\xC3\xA4", 2, to), (size_t)-1);
+    for (const struct wf_csv_head *h = wf_csv_heads; h->name; h++)
+        assert_true(h->source && h->is && (h->refused || h->section || h->before));
+}
+
 /* A column of times as a table, read and settled. */
 static enum wf_status read_times(const char *cells, enum wf_dates dates, double *t, size_t *n,
                                  struct wf_err *e)
@@ -345,6 +386,8 @@ static void units_in_names(void **unused)
         if (found) assert_close(factor, all[i].factor, 1e-12);
         assert_int_equal(stem, all[i].stem);
     }
+    assert_true(wf_unit_known(u, "kN") && wf_unit_known(u, "km/h"));
+    assert_false(wf_unit_known(u, "avg") || wf_unit_known(u, "100"));
     wf_units_close(u);
 }
 
@@ -383,6 +426,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(times_of_every_kind),
         cmocka_unit_test(units_in_names),
+        cmocka_unit_test(other_encodings),
         cmocka_unit_test(marks_by_rule),
         cmocka_unit_test(units_are_those_of_the_names),
         cmocka_unit_test(separators_times_and_heads),
