@@ -381,7 +381,7 @@ static void units_in_names(void **unused)
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         double factor = 0;
         size_t stem = 99;
-        bool found = wf_name_unit(u, all[i].name, all[i].dimension, &factor, &stem);
+        bool found = wf_name_unit(u, all[i].name, all[i].dimension, &factor, &stem, NULL);
         if (found != (all[i].factor > 0)) fail_msg("%s", all[i].name);
         if (found) assert_close(factor, all[i].factor, 1e-12);
         assert_int_equal(stem, all[i].stem);

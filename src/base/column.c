@@ -38,6 +38,16 @@ static bool unit_factor(struct wf_units *u, const char *unit, enum wf_dimension 
     return *unit && strlen(unit) <= 60 && !wf_quantity_read(u, text, d, factor, e);
 }
 
+/* The same for a text that need not be a unit: of the errors only a lack of memory is passed on. */
+static bool maybe_unit(struct wf_units *u, const char *unit, enum wf_dimension d, double *factor,
+                       struct wf_err *e)
+{
+    struct wf_err why = { 0 };
+    bool found = unit_factor(u, unit, d, factor, &why);
+    if (why.code == WF_ENOMEM) (void)wf_fail(e, WF_ENOMEM, "%s", why.text);
+    return found;
+}
+
 /* What stands in brackets at the end of a name, "km/h" of "u (km/h)"; "" when nothing does. *stem: size of
  * what stands before them. */
 static const char *in_brackets(const char *name, char *out, size_t size, size_t *stem)
@@ -55,20 +65,20 @@ static const char *in_brackets(const char *name, char *out, size_t size, size_t 
     return out;
 }
 
-bool wf_name_unit(struct wf_units *u, const char *name, enum wf_dimension d, double *factor, size_t *stem)
+bool wf_name_unit(struct wf_units *u, const char *name, enum wf_dimension d, double *factor, size_t *stem,
+                  struct wf_err *e)
 {
     static const char joint[] = { '/', ' ' };
     char text[80], inner[64];
     *stem = strlen(name);
-    if (unit_factor(u, in_brackets(name, inner, sizeof inner, stem), d, factor, &(struct wf_err){ 0 }))
-        return true;
+    if (maybe_unit(u, in_brackets(name, inner, sizeof inner, stem), d, factor, e)) return true;
     for (const char *tail = strpbrk(name, "_ "); tail; tail = strpbrk(tail + 1, "_ "))
         for (size_t k = 0; k < sizeof joint; k++) {
             bool plain = d == WF_DIM_NONE; /* "um_m" is a spelling of its own */
             (void)snprintf(text, sizeof text, "%.70s", tail + 1);
             for (char *p = text; *p && !plain; p++)
                 if (*p == '_') *p = joint[k];
-            if (!unit_factor(u, text, d, factor, &(struct wf_err){ 0 })) continue;
+            if (!maybe_unit(u, text, d, factor, e)) continue;
             *stem = (size_t)(tail - name);
             return true;
         }
@@ -87,8 +97,12 @@ enum wf_status wf_column_unit(struct wf_units *u, const struct wf_column *c, dou
         return wf_fail(e, WF_EINPUT,
                        "column '%s': the unit '%s' is not a part of one; known are um/m, mm/m, ppm, %%",
                        c->name, c->unit);
-    if (c->unit) return wf_fail(e, WF_EINPUT, "column '%s': the unit '%s': %s", c->name, c->unit, why.text);
-    if (wf_name_unit(u, c->name, c->dimension, factor, &stem) || c->dimension == WF_DIM_NONE) return WF_OK;
+    if (c->unit)
+        return wf_fail(e, why.code ? why.code : WF_EINPUT, "column '%s': the unit '%s': %s", c->name, c->unit,
+                       why.text);
+    if (wf_name_unit(u, c->name, c->dimension, factor, &stem, &why) || c->dimension == WF_DIM_NONE)
+        return WF_OK;
+    if (why.code) return wf_fail(e, why.code, "column '%s': %s", c->name, why.text);
     const char *tail = strrchr(c->name, '_');
     bool mass = c->dimension == WF_DIM_FORCE && tail && !strcasecmp(tail + 1, "kg");
     int size = mass ? (int)(tail - c->name) : (int)strlen(c->name);
@@ -109,22 +123,23 @@ static bool is_beaufort(const char *name)
 }
 
 bool wf_column_factor(struct wf_csv *c, struct wf_units *u, size_t column, enum wf_dimension d,
-                      const char *usual, double *factor)
+                      const char *usual, double *factor, struct wf_err *e)
 {
     char inner[64];
     size_t stem;
     const struct wf_cell *name = &c->name[column];
     const char *head = c->unit && *c->unit[column] ? c->unit[column] : NULL, *wrong = NULL;
     if (head) {
-        if (unit_factor(u, head, d, factor, &(struct wf_err){ 0 })) return true;
+        if (maybe_unit(u, head, d, factor, e)) return true;
         wrong = head;
-    } else if (wf_name_unit(u, name->text, d, factor, &stem)) {
+    } else if (wf_name_unit(u, name->text, d, factor, &stem, e)) {
         return true;
     } else if (wf_unit_known(u, in_brackets(name->text, inner, sizeof inner, &stem)) && *inner) {
         wrong = inner;
     } else if (d == WF_DIM_SPEED && is_beaufort(name->text)) {
         wrong = "Beaufort";
     }
+    if (e && e->code) return false;
     if (wrong) {
         char text[256];
         (void)snprintf(text, sizeof text, "column '%.60s': '%.40s' is not a unit of %s; use one of: %s",
@@ -132,7 +147,7 @@ bool wf_column_factor(struct wf_csv *c, struct wf_units *u, size_t column, enum 
         wf_csv_report(c, name->line, name->column, text);
         return false;
     }
-    if (!unit_factor(u, usual, d, factor, &(struct wf_err){ 0 })) return false;
+    if (!maybe_unit(u, usual, d, factor, e)) return false;
     wf_diag_warn(c->diag, "unit-assumed",
                  "%s: column '%s' names no unit and is taken to be in %s; name it for "
                  "example '%s_%s'",
@@ -142,10 +157,10 @@ bool wf_column_factor(struct wf_csv *c, struct wf_units *u, size_t column, enum 
 
 /* Whether a name is `want` but for its unit. */
 static bool same_but_unit(struct wf_units *u, const char *name, const char *want, size_t size,
-                          enum wf_dimension d, double *factor)
+                          enum wf_dimension d, double *factor, struct wf_err *e)
 {
     size_t stem;
-    if (!wf_name_unit(u, name, d, factor, &stem)) return false;
+    if (!wf_name_unit(u, name, d, factor, &stem, e)) return false;
     while (stem && name[stem - 1] == ' ') stem--;
     bool same = stem == size;
     for (size_t i = 0; same && i < size; i++)
@@ -154,19 +169,19 @@ static bool same_but_unit(struct wf_units *u, const char *name, const char *want
 }
 
 size_t wf_column_need(struct wf_csv *c, struct wf_units *u, const char *name, enum wf_dimension d,
-                      double *factor)
+                      double *factor, struct wf_err *e)
 {
     size_t stem, column = wf_csv_column(c, name);
     *factor = 1;
     if (column != WF_CSV_NONE) {
-        bool own = wf_name_unit(u, name, d, factor, &stem);
-        return c->unit && *c->unit[column] && own && !wf_column_factor(c, u, column, d, "1", factor)
+        bool own = wf_name_unit(u, name, d, factor, &stem, e);
+        return c->unit && *c->unit[column] && own && !wf_column_factor(c, u, column, d, "1", factor, e)
                    ? WF_CSV_NONE
                    : column;
     }
-    if (wf_name_unit(u, name, d, factor, &stem))
+    if (wf_name_unit(u, name, d, factor, &stem, e))
         for (size_t k = 0; k < c->columns; k++)
-            if (same_but_unit(u, c->name[k].text, name, stem, d, factor)) return k;
+            if (same_but_unit(u, c->name[k].text, name, stem, d, factor, e)) return k;
     return wf_csv_need(c, name);
 }
 

@@ -18,18 +18,19 @@ enum wf_status wf_column_unit(struct wf_units *u, const struct wf_column *c, dou
                               struct wf_err *e);
 /* The same for a name alone. Returned: whether it has a unit of the dimension; *factor; *stem, the size of
  * the name without it. */
-bool wf_name_unit(struct wf_units *u, const char *name, enum wf_dimension d, double *factor, size_t *stem);
+bool wf_name_unit(struct wf_units *u, const char *name, enum wf_dimension d, double *factor, size_t *stem,
+                  struct wf_err *e);
 /* Factor to SI of a column of a table: from the units in its head, else from its name, else `usual`, with a
  * warning `unit-assumed`. Errors: a mistake of the table, for units in the head or in brackets that are of
  * another kind. */
 bool wf_column_factor(struct wf_csv *c, struct wf_units *u, size_t column, enum wf_dimension d,
-                      const char *usual, double *factor);
+                      const char *usual, double *factor, struct wf_err *e);
 /* Find a required column that is called, for example, "speed_ms": that one, or one that differs in its unit
  * alone
  * ("speed_kmh", "Speed [kn]"). Returned: its index and factor to SI; WF_CSV_NONE after a mistake of the
  * table. */
 size_t wf_column_need(struct wf_csv *c, struct wf_units *u, const char *name, enum wf_dimension d,
-                      double *factor);
+                      double *factor, struct wf_err *e);
 /* Read a cell of the current row as a number within low..high [SI]. Returned: as wf_csv_number, *value in SI.
  */
 bool wf_column_number(struct wf_csv *c, size_t column, double factor, double low, double high, double *value);

@@ -3,17 +3,22 @@
 #define WF_BASE_CSV_H
 /* Reader for tables from spreadsheets and loggers: text with a header row whose cells are separated by
  * commas, semicolons or tabs; the separator is detected from the header. The text is parsed in place.
- * Accepted: quotes as in RFC 4180, any line end, UTF-8 with and without a byte order mark, UTF-16,
- * Windows-1252 (with a warning), blank lines, lines that start with '#', and the heads of loggers
- * (wf_csv_heads). Blanks around a cell are removed. A line "# missing: -99.9, 99" before the header declares
- * missing marks. Mistakes become errors in the list of findings, with line and column; those beyond
- * WF_CSV_LISTED of one file are only counted. */
+ * Accepted: quotes as in RFC 4180 around at most WF_CSV_QUOTED bytes, any line end, UTF-8 with and without a
+ * byte order mark, UTF-16, Windows-1252 (with a warning), blank lines, lines that start with '#', and the
+ * heads of loggers (wf_csv_heads). Blanks around a cell are removed. A line "# missing: -99.9, 99" before the
+ * header declares missing marks. Mistakes become errors in the list of findings, with line and column; those
+ * beyond WF_CSV_LISTED of one file are only counted. */
 #include "base/arena.h"
 #include "base/err.h"
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { WF_CSV_LISTED = 100, WF_CSV_COLUMNS = 4096, WF_CSV_MARKS = 8 };
+enum {
+    WF_CSV_LISTED = 100,
+    WF_CSV_COLUMNS = 4096,
+    WF_CSV_QUOTED = 65536, /* bytes of a quoted cell */
+    WF_CSV_MARKS = 8
+};
 
 /* Lines that a logger's program writes before the table. */
 struct wf_csv;

@@ -17,6 +17,7 @@ static enum wf_status prepare(struct wf_csv *c, const struct wf_column *column, 
                               struct wf_err *e)
 {
     struct wf_units *u;
+    struct wf_err timeless = { 0 };
     size_t stem;
     p->at = WF_TAKE(a, n, size_t), p->only = WF_TAKE(a, how->onlys, size_t),
     p->factor = WF_TAKE(a, n, double);
@@ -26,18 +27,23 @@ static enum wf_status prepare(struct wf_csv *c, const struct wf_column *column, 
     if (status) return status;
     p->time = how->time ? wf_csv_need(c, how->time) : WF_CSV_NONE;
     p->clock = (struct wf_clock){ .dates = how->dates };
-    if (how->time && !wf_name_unit(u, how->time, WF_DIM_TIME, &p->clock.factor, &stem)) p->clock.factor = 0.0;
-    for (size_t k = 0; k < n; k++) {
+    if (how->time && !wf_name_unit(u, how->time, WF_DIM_TIME, &p->clock.factor, &stem, &timeless))
+        p->clock.factor = 0.0;
+    if (timeless.code) status = wf_fail(e, timeless.code, "%s", timeless.text);
+    for (size_t k = 0; k < n && !status; k++) {
         struct wf_err why = { 0 };
         struct wf_column own = column[k];
         p->at[k] = wf_csv_need(c, column[k].name);
         if (p->at[k] == WF_CSV_NONE) continue;
         if (!own.unit && c->unit && *c->unit[p->at[k]]) own.unit = c->unit[p->at[k]];
-        if (wf_column_unit(u, &own, &p->factor[k], &why))
+        if (wf_column_unit(u, &own, &p->factor[k], &why) == WF_ENOMEM)
+            status = wf_fail(e, WF_ENOMEM, "%s", why.text);
+        else if (why.code)
             wf_csv_report(c, c->name[p->at[k]].line, c->name[p->at[k]].column, why.text);
     }
     for (size_t k = 0; k < how->onlys; k++) p->only[k] = wf_csv_need(c, how->only[k].key);
     wf_units_close(u);
+    if (status) return status;
     return c->mistakes ? wf_fail(e, WF_EINPUT, "%s: its columns do not fit the study", c->file) : WF_OK;
 }
 

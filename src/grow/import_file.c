@@ -83,14 +83,14 @@ static const struct wf_field_row *field_named(const char *name, size_t size)
 }
 
 enum wf_field wf_field_of(struct wf_units *u, const char *name, double length_unit, double diameter_unit,
-                          double *factor)
+                          double *factor, struct wf_err *e)
 {
     static const enum wf_dimension dimension[] = {
         [WF_FIELD_METRES] = WF_DIM_LENGTH, [WF_FIELD_RADIANS] = WF_DIM_ANGLE
     };
     for (enum wf_field_unit k = WF_FIELD_METRES; k <= WF_FIELD_RADIANS; k++) {
         size_t stem;
-        if (!wf_name_unit(u, name, dimension[k], factor, &stem)) continue;
+        if (!wf_name_unit(u, name, dimension[k], factor, &stem, e)) continue;
         const struct wf_field_row *f = field_named(name, stem);
         if (f->field == WF_FIELD_NONE || f->unit != k) continue;
         *factor *= f->factor;

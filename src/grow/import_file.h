@@ -72,7 +72,7 @@ struct wf_field_row {
  * "girth_in"; metres per unit for lengths, and for diameters and radii, whose name has no unit. Returned: the
  * field (WF_FIELD_NONE for a column that is not used) and the factor to SI. */
 enum wf_field wf_field_of(struct wf_units *u, const char *name, double length_unit, double diameter_unit,
-                          double *factor);
+                          double *factor, struct wf_err *e);
 
 /* Convert a row of a file to a cylinder. Given: value[WF_FIELD_COUNT] in SI, NAN = not in the file. Returned:
  * NULL and row i of q, or what is wrong with the row. The end is the given one; without it, start + length

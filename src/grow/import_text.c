@@ -160,13 +160,13 @@ static enum wf_status map_columns(struct csv_tree *t, const struct wf_import_opt
     double diameter_unit = isnan(o->diameter_unit) ? length_unit : o->diameter_unit;
     for (size_t k = 0; k < t->csv.columns; k++) {
         struct csv_field c = { .index = k };
-        c.field = wf_field_of(u, t->csv.name[k].text, length_unit, diameter_unit, &c.factor);
+        c.field = wf_field_of(u, t->csv.name[k].text, length_unit, diameter_unit, &c.factor, e);
         if (c.field == WF_FIELD_NONE || t->has[c.field]) continue;
         t->has[c.field] = true;
         t->column[t->columns++] = c;
     }
     wf_units_close(u);
-    return WF_OK;
+    return e && e->code ? e->code : WF_OK;
 }
 
 static bool has_three(const struct csv_tree *t, enum wf_field first)

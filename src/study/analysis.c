@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/analysis.h"
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "base/parallel.h"
 #include "base/vec3.h"
@@ -12,6 +13,7 @@
 #include "wind/shelter_laws.h"
 #include <math.h>
 #include <string.h>
+#include <unistd.h>
 
 /* ---- Loads and displacements of rows and totals of the tree at one wind speed ---- */
 
@@ -337,6 +339,31 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
     return !s && an->model->shape == WF_SHAPE_UNDER_WEIGHT ? unload(an, a, d, e) : s;
 }
 
+/* Measured: memory of one solution for a row of the tree (two meshes of the beam solver, the finer of about
+ * two elements a row), and of an analysis beside it. Large trees are solved one at a time: answers do not
+ * depend on the number of threads. */
+enum { SOLUTION_BYTES = 4500, ROW_BYTES = 1000, SOLUTIONS_BYTES = 1 << 30 };
+
+static size_t threads_for(const struct wf_analysis *an, const struct wf_solve_options *o)
+{
+    size_t threads = wf_parallel_threads(o->threads), most = SOLUTIONS_BYTES / SOLUTION_BYTES / an->tree.n;
+    return threads < most ? threads : most ? most : 1;
+}
+
+/* Refuse a tree for which this machine has not enough memory, instead of being killed by the system hours
+ * later. */
+static enum wf_status check_memory(const struct wf_analysis *an, size_t speeds, struct wf_err *e)
+{
+    double pages = (double)sysconf(_SC_PHYS_PAGES), page = (double)sysconf(_SC_PAGESIZE);
+    double needed = (double)an->tree.n * (SOLUTION_BYTES + ROW_BYTES + 400.0 * (double)speeds);
+    if (!(pages > 0 && page > 0) || needed <= 0.75 * pages * page) return WF_OK;
+    return wf_fail(
+        e, WF_ENOMEM,
+        "%zu segments at %zu wind speeds need about %.2g GB of memory; this machine has %.2g GB. Take "
+        "fewer segments or wind speeds",
+        an->tree.n, speeds, 1e-9 * needed, 1e-9 * pages * page);
+}
+
 bool wf_analysis_grown(const struct wf_analysis *an, size_t level)
 {
     for (size_t i = 0; i < an->tree.n; i++)
@@ -383,6 +410,7 @@ static enum wf_status search_totals(const struct search *q, double speed, struct
     const struct wf_at_speed *known = recall(q, speed);
     if (known) *at = *known;
     if (known) return WF_OK;
+    if (wf_interrupted()) return wf_fail(e, WF_EINTERRUPTED, "interrupted");
     enum wf_status s = wf_speed_totals(q->an, q->o, speed, at, e);
     if (!s) keep(q->known, q->o->mesh_tolerance, at);
     return s;
@@ -448,7 +476,7 @@ static enum wf_status rung(void *context, size_t k, struct wf_err *e)
 static enum wf_status climb(const struct search *q, struct wf_err *e)
 {
     struct known *known = q->known;
-    size_t threads = wf_parallel_threads(q->o->threads);
+    size_t threads = threads_for(q->an, q->o);
     struct wf_arena scratch = { 0 };
     struct batch *b = WF_TAKE(&scratch, 1, struct batch);
     if (!b) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
@@ -464,7 +492,7 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
             else
                 b->speed[n++] = speed;
         }
-        enum wf_status s = wf_parallel(n, q->o->threads, rung, b, e);
+        enum wf_status s = wf_parallel(n, threads, rung, b, e);
         if (s) {
             wf_arena_free(&scratch);
             return s;
@@ -583,7 +611,7 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     for (size_t k = 0; k < an->sweep_n; k++)
         an->sweep[k].speed = step * (k < 4 * QUARTERED ? 0.25 * (double)k : (double)k - 3 * QUARTERED);
     struct sweep_points c = { an, &curve, an->sweep };
-    return wf_parallel(an->sweep_n, o->threads, sweep_point, &c, e);
+    return wf_parallel(an->sweep_n, threads_for(an, o), sweep_point, &c, e);
 }
 
 void wf_search_default(struct wf_search *s) { *s = (struct wf_search){ .speed_max = 100.0 }; }
@@ -601,6 +629,29 @@ static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_s
     return s;
 }
 
+/* An interrupt: the speeds that were solved stay and make the curves; the critical speeds only where all were
+ * found. */
+static enum wf_status keep_finished(struct wf_analysis *an, size_t speeds, bool searched, struct wf_arena *a,
+                                    struct wf_diag *d, struct wf_err *e)
+{
+    wf_diag_warn(d, "interrupted", "interrupted: %zu of %zu wind speeds%s", speeds, an->n,
+                 searched ? "; curves at these alone" : ", no critical wind speed");
+    an->n = an->sweep_n = speeds;
+    if (!(an->sweep = WF_TAKE(a, speeds, struct wf_at_speed)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", speeds);
+    for (size_t k = 0; k < speeds; k++) an->sweep[k] = an->at[k];
+    for (int c = 0; c < WF_CRITERIA && !searched; c++)
+        for (int scope = 0; scope < WF_SCOPES; scope++) {
+            struct wf_break *b = &an->breaks[c][scope];
+            *b = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
+            b->critical = (struct wf_critical){ .outcome = WF_CRITICAL_INTERRUPTED,
+                                                .speed = NAN,
+                                                .speed_high = an->search.speed_max,
+                                                .gradient = NAN };
+        }
+    return WF_OK;
+}
+
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
                           const struct wf_search *search, const struct wf_solver *solver,
                           const struct wf_solve_options *o, const double *speeds, size_t n,
@@ -614,13 +665,19 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     *out = (struct wf_analysis){
         .species = sp, .model = m, .solver = solver, .scenario = *sc, .search = q, .n = n, .diag = d
     };
-    if ((s = wf_analysis_set_up(out, a, d, e))) return s;
+    if ((s = wf_analysis_set_up(out, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
-    for (size_t k = 0; k < n; k++)
-        if ((s = speed_solve(out, o, speeds[k], a, d, &out->at[k], e))) return s;
-    if ((s = wf_analysis_breaks(out, o, out->breaks, e))) return s;
-    if ((s = sweep(out, o, a, e))) return s;
+    struct wf_err why = { 0 };
+    size_t k = 0;
+    bool searched = false;
+    while (k < n && !(k && wf_interrupted()) && !s)
+        if (!(s = speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++;
+    if (!s) s = k < n ? WF_EINTERRUPTED : wf_analysis_breaks(out, o, out->breaks, &why);
+    searched = !s;
+    if (!s) s = sweep(out, o, a, &why);
+    if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
+    if (s) return wf_fail(e, s, "%s", why.text);
     wf_limits_check(out, d);
     return WF_OK;
 }

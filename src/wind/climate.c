@@ -189,8 +189,9 @@ enum wf_status wf_rose_read(const char *path, struct wf_arena *a, struct wf_diag
     double factor[4];
     struct wf_units *units;
     if (wf_units_open(&units, e)) return e ? e->code : WF_EMISSING;
-    for (int k = 0; k < 4; k++) column[k] = wf_column_need(&csv, units, name[k], dimension[k], &factor[k]);
+    for (int k = 0; k < 4; k++) column[k] = wf_column_need(&csv, units, name[k], dimension[k], &factor[k], e);
     wf_units_close(units);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a wind rose", path);
     for (; wf_csv_next(&csv); n++) {
         if (n == SECTORS_MAX) return wf_fail(e, WF_EINPUT, "%s: more than %d directions", path, SECTORS_MAX);

@@ -93,12 +93,13 @@ static enum wf_status find_columns(const struct wf_record_request *q, struct wf_
         r->column[k] = q->part[k] ? wf_csv_need(c, q->part[k]) : WF_CSV_NONE;
         r->factor[k] = 1.0;
         if (r->column[k] != WF_CSV_NONE)
-            (void)wf_column_factor(c, u, r->column[k], WF_DIM_SPEED, "m/s", &r->factor[k]);
+            (void)wf_column_factor(c, u, r->column[k], WF_DIM_SPEED, "m/s", &r->factor[k], e);
     }
     size_t stem;
-    if (*time != WF_CSV_NONE && !wf_name_unit(u, c->name[*time].text, WF_DIM_TIME, &clock->factor, &stem))
+    if (*time != WF_CSV_NONE && !wf_name_unit(u, c->name[*time].text, WF_DIM_TIME, &clock->factor, &stem, e))
         clock->factor = 0.0; /* dates have none; of numbers it is said when they are read */
     wf_units_close(u);
+    if (e && e->code) return e->code;
     return c->mistakes ? wf_fail(e, WF_EINPUT, "%s: a specified column cannot be used", c->file) : WF_OK;
 }
 

@@ -143,9 +143,10 @@ enum wf_status wf_measured_read(const char *path, struct wf_arena *a, struct wf_
     struct wf_units *units;
     double metres, speeds;
     if (wf_units_open(&units, e)) return e ? e->code : WF_EMISSING;
-    size_t height = wf_column_need(&csv, units, "height_m", WF_DIM_LENGTH, &metres);
-    size_t speed = wf_column_need(&csv, units, "speed_ms", WF_DIM_SPEED, &speeds);
+    size_t height = wf_column_need(&csv, units, "height_m", WF_DIM_LENGTH, &metres, e);
+    size_t speed = wf_column_need(&csv, units, "speed_ms", WF_DIM_SPEED, &speeds, e);
     wf_units_close(units);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a wind profile", path);
     out->n = 1; /* the ground */
     while (wf_csv_next(&csv)) {
@@ -322,8 +323,9 @@ enum wf_status wf_points_read(const char *path, size_t most, struct wf_arena *a,
     double metres[3];
     if (wf_units_open(&units, e)) return e ? e->code : WF_EMISSING;
     for (size_t k = 0; k < 3; k++)
-        column[k] = wf_column_need(&csv, units, name[k], WF_DIM_LENGTH, &metres[k]);
+        column[k] = wf_column_need(&csv, units, name[k], WF_DIM_LENGTH, &metres[k], e);
     wf_units_close(units);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a list of points", path);
     for (; wf_csv_next(&csv); n++) {
         if (n == most) return wf_fail(e, WF_EINPUT, "%s: more than %zu points", path, most);
