@@ -122,11 +122,16 @@ static void headers_that_cannot_be_used(void **state)
         { "# only\n\n", 8, "the table is empty: a header row is expected", "" },
         { "a,b,A\n", 6, "the header row is not usable", "1:5: column 'A' occurs twice" },
         { "a,\"b\n", 5, "the header row is not usable", "1:3: a quote is opened here and never closed" },
-        { "a,b\n\xFF\n", 6, ":2:1: byte 0xFF is not UTF-8 text; save the file as UTF-8", "" },
+        { "a,b\n\x81\n", 6, ":2:1: byte 0x81 is not UTF-8 text; save the file as UTF-8", "" },
+        { "a,\xC3\xA9\n\xFF,1\n", 10, ":2:1: byte 0xFF is not UTF-8 text; save the file as UTF-8", "" },
         { "a,b\n1,\0\n", 8, ":2:3: byte 0x00 is not UTF-8 text; save the file as UTF-8", "" },
         { "\xFF\xFE"
-          "a\0",
-          4, ":1:1: the file is UTF-16 text; save it as UTF-8", "" },
+          "a\0\0\xD8",
+          6, ":1:1: the file is broken UTF-16 text; save it as UTF-8", "" },
+        { "\xFE\xFF\0a\n", 5, ":1:1: the file is broken UTF-16 text", "" },
+        { "# missing: none\na,b\n", 20, ":1: error: missing marks are numbers", "" },
+        { "\"TOB1\",\"a\",\"b\"\n", 15, "its rows are binary", "" },
+        { "[project]\na\n", 12, "sections without [data]", "" },
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         struct table t;

@@ -200,21 +200,57 @@ enum wf_status wf_file_read(const char *path, struct wf_arena *a, struct wf_byte
     return code;
 }
 
-enum wf_status wf_file_read_text(const char *path, struct wf_arena *a, struct wf_bytes *out, struct wf_err *e)
+static enum wf_status keep_converted(char *to, size_t size, struct wf_bytes *out)
+{
+    to[size] = '\0';
+    *out = (struct wf_bytes){ to, size };
+    return WF_OK;
+}
+
+static enum wf_status text_from_utf16(const char *path, enum wf_utf16 order, struct wf_arena *a,
+                                      struct wf_bytes *out, struct wf_err *e)
+{
+    char *to = wf_arena_take(a, out->size / 2 * 3 + 1, 1);
+    if (!to) return wf_fail(e, WF_ENOMEM, "%s: no memory for its text", path);
+    size_t n = wf_utf16_to_utf8(out->data, out->size, order, to);
+    if (n != (size_t)-1) return keep_converted(to, n, out);
+    return wf_fail(e, WF_EINPUT, "%s:1:1: the file is broken UTF-16 text; save it as UTF-8", path);
+}
+
+static enum wf_status read_text(const char *path, struct wf_arena *a, struct wf_bytes *out,
+                                struct wf_diag *table, struct wf_err *e)
 {
     enum wf_status code = wf_file_read(path, a, out, e);
     if (code) return code;
     const unsigned char *b = (const unsigned char *)out->data;
-    if (out->size >= 2 && ((b[0] == 0xFF && b[1] == 0xFE) || (b[0] == 0xFE && b[1] == 0xFF)))
-        return wf_fail(e, WF_EINPUT, "%s:1:1: the file is UTF-16 text; save it as UTF-8", path);
+    enum wf_utf16 order = wf_utf16_order(out->data, out->size);
+    if (order != WF_UTF16_NOT) return text_from_utf16(path, order, a, out, e);
     if (out->size >= 3 && b[0] == 0xEF && b[1] == 0xBB && b[2] == 0xBF) {
         out->data += 3;
         out->size -= 3;
     }
     struct wf_utf8_fault fault;
     if (wf_utf8_valid(out->data, out->size, &fault)) return WF_OK;
-    return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: byte 0x%02X is not UTF-8 text; save the file as UTF-8", path,
-                   fault.line, fault.column, fault.byte);
+    char *to = table ? wf_arena_take(a, 3 * out->size + 1, 1) : NULL;
+    size_t n = to ? wf_cp1252_to_utf8(out->data, out->size, to) : (size_t)-1;
+    if (n == (size_t)-1)
+        return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: byte 0x%02X is not UTF-8 text; save the file as UTF-8",
+                       path, fault.line, fault.column, fault.byte);
+    wf_diag_warn(table, "not-utf8",
+                 "%s:%zu:%zu: byte 0x%02X is not UTF-8; the file is read as Windows-1252 (Latin-1)", path,
+                 fault.line, fault.column, fault.byte);
+    return keep_converted(to, n, out);
+}
+
+enum wf_status wf_file_read_text(const char *path, struct wf_arena *a, struct wf_bytes *out, struct wf_err *e)
+{
+    return read_text(path, a, out, NULL, e);
+}
+
+enum wf_status wf_file_read_table(const char *path, struct wf_arena *a, struct wf_bytes *out,
+                                  struct wf_diag *d, struct wf_err *e)
+{
+    return read_text(path, a, out, d, e);
 }
 
 /* Files that are shipped. */

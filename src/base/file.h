@@ -46,10 +46,14 @@ enum { WF_READ_MAX = 256 * 1024 * 1024 }; /* largest file that is read whole [by
  * further calls with the same arena get them again. Returned: the file's bytes. Errors: WF_EINPUT for a
  * folder and for a file that is missing, unreadable or larger than WF_READ_MAX; WF_ENOMEM. */
 enum wf_status wf_file_read(const char *path, struct wf_arena *a, struct wf_bytes *out, struct wf_err *e);
-/* The same for text: a byte order mark is removed; bytes that are not UTF-8 text (also NUL and UTF-16) are
- * WF_EINPUT with line and column. */
+/* The same for text: a byte order mark is removed, UTF-16 is converted to UTF-8; bytes that are not UTF-8
+ * text (also NUL) are WF_EINPUT with line and column. */
 enum wf_status wf_file_read_text(const char *path, struct wf_arena *a, struct wf_bytes *out,
                                  struct wf_err *e);
+/* The same for a table of measurements: text that is not UTF-8 is also read as Windows-1252, with a warning
+ * `not-utf8` in `d`. */
+enum wf_status wf_file_read_table(const char *path, struct wf_arena *a, struct wf_bytes *out,
+                                  struct wf_diag *d, struct wf_err *e);
 
 /* Files that are shipped, SHARE/ROOM/NAME.yaml: species tables in "species", tree models in "models", runs of
  * papers in "models/papers". */

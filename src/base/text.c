@@ -131,6 +131,79 @@ const char *wf_text_shortened(const char *text, size_t columns, struct wf_arena 
     return wf_arena_print(a, "%.*s\xE2\x80\xA6", (int)end, text);
 }
 
+/* Other encodings. */
+
+static size_t utf8_put(char *to, unsigned c)
+{
+    if (c < 0x80) {
+        to[0] = (char)c;
+        return 1;
+    }
+    if (c < 0x800) {
+        to[0] = (char)(0xC0 | c >> 6), to[1] = (char)(0x80 | (c & 0x3F));
+        return 2;
+    }
+    if (c < 0x10000) {
+        to[0] = (char)(0xE0 | c >> 12), to[1] = (char)(0x80 | (c >> 6 & 0x3F)),
+        to[2] = (char)(0x80 | (c & 0x3F));
+        return 3;
+    }
+    to[0] = (char)(0xF0 | c >> 18), to[1] = (char)(0x80 | (c >> 12 & 0x3F));
+    to[2] = (char)(0x80 | (c >> 6 & 0x3F)), to[3] = (char)(0x80 | (c & 0x3F));
+    return 4;
+}
+
+enum wf_utf16 wf_utf16_order(const char *text, size_t size)
+{
+    const unsigned char *s = (const unsigned char *)text;
+    if (size < 2) return WF_UTF16_NOT;
+    if (s[0] == 0xFF && s[1] == 0xFE) return WF_UTF16_LITTLE;
+    if (s[0] == 0xFE && s[1] == 0xFF) return WF_UTF16_BIG;
+    if (size < 4) return WF_UTF16_NOT;
+    if (s[0] && !s[1] && s[2] && !s[3]) return WF_UTF16_LITTLE;
+    return !s[0] && s[1] && !s[2] && s[3] ? WF_UTF16_BIG : WF_UTF16_NOT;
+}
+
+size_t wf_utf16_to_utf8(const char *text, size_t size, enum wf_utf16 order, char *to)
+{
+    const unsigned char *s = (const unsigned char *)text;
+    size_t n = 0, high = order == WF_UTF16_BIG ? 0 : 1;
+    if (size % 2) return (size_t)-1;
+    for (size_t i = 0; i < size; i += 2) {
+        unsigned c = (unsigned)s[i + high] << 8 | s[i + 1 - high];
+        if (c == 0xFEFF && !i) continue;
+        if (!c || (c >= 0xDC00 && c <= 0xDFFF)) return (size_t)-1;
+        if (c >= 0xD800 && c <= 0xDBFF) {
+            i += 2;
+            unsigned low = i < size ? (unsigned)s[i + high] << 8 | s[i + 1 - high] : 0;
+            if (low < 0xDC00 || low > 0xDFFF) return (size_t)-1;
+            c = 0x10000 + ((c - 0xD800) << 10) + (low - 0xDC00);
+        }
+        n += utf8_put(to + n, c);
+    }
+    return n;
+}
+
+size_t wf_cp1252_to_utf8(const char *text, size_t size, char *to)
+{
+    /* 0x80 to 0x9F; the others are their own code points. 0: not in the code page. */
+    static const unsigned short upper[32] = {
+        0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+        0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+        0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178
+    };
+    const unsigned char *s = (const unsigned char *)text;
+    size_t n = 0;
+    for (size_t i = 0; i < size; i++) {
+        unsigned c = s[i];
+        if (c >= 0x80 && c < 0xA0) c = upper[c - 0x80];
+        bool control = c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
+        if (!c || control || c == 0x7F || utf8_sequence(s + i, size - i) > 1) return (size_t)-1;
+        n += utf8_put(to + n, c);
+    }
+    return n;
+}
+
 /* Suggestions. */
 
 enum { WORD_MAX = 63 };

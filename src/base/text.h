@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_TEXT_H
 #define WF_BASE_TEXT_H
-/* Text: validation of UTF-8, text of users on terminals, in XML and in figures, suggestions for mistyped
- * words. */
+/* Text: validation of UTF-8, conversion of other encodings to it, text of users on terminals, in XML and in
+ * figures, suggestions for mistyped words. */
 #include "base/arena.h"
 #include <stdbool.h>
 #include <stddef.h>
@@ -29,6 +29,18 @@ const char *wf_text_for_xml(const char *text, struct wf_arena *a);
 /* For a place of `columns` columns (at least 2; wide East Asian characters take two): a longer text is cut
  * and ends in an ellipsis. */
 const char *wf_text_shortened(const char *text, size_t columns, struct wf_arena *a);
+
+/* Byte order of UTF-16 text, by its byte order mark or by the zero bytes of its first two characters. */
+enum wf_utf16 { WF_UTF16_NOT, WF_UTF16_LITTLE, WF_UTF16_BIG };
+enum wf_utf16 wf_utf16_order(const char *text, size_t size);
+/* Convert UTF-16 to UTF-8; a byte order mark is left out. Given: `to`, room for 3 bytes for each 2 of the
+ * text. Returned: bytes written; (size_t)-1 when the text has an odd number of bytes, a NUL or half a
+ * surrogate pair. */
+size_t wf_utf16_to_utf8(const char *text, size_t size, enum wf_utf16 order, char *to);
+/* Convert Windows-1252, of which ISO 8859-1 (Latin-1) is the printable part, to UTF-8. Given: `to`, room for
+ * 3 times the size. Returned: bytes written; (size_t)-1 when a byte is a control character other than a tab
+ * or a line end, is not in the code page, or when the text also has characters in UTF-8. */
+size_t wf_cp1252_to_utf8(const char *text, size_t size, char *to);
 
 /* Distance between two words, letter case ignored: the number of changes, insertions, deletions and swaps of
  * neighbouring letters (Damerau 1964, Levenshtein 1966; optimal string alignment). Returned: (size_t)-1 when

@@ -139,8 +139,8 @@ static void print_rows_left_out(const struct wf_diag *d, bool quiet, bool csv)
         if (f->severity == WF_ERROR ||
             (!quiet && f->code &&
              (!strcmp(f->code, "row-left-out") || !strcmp(f->code, "thick-stem") ||
-              !strcmp(f->code, "unit-assumed") || !strcmp(f->code, "root-not-lowest") ||
-              (csv && !strcmp(f->code, "unseen-wood")))))
+              !strcmp(f->code, "unit-assumed") || !strcmp(f->code, "not-utf8") ||
+              !strcmp(f->code, "root-not-lowest") || (csv && !strcmp(f->code, "unseen-wood")))))
             wf_show(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
 }
 

@@ -26,7 +26,8 @@ struct wind_options {
     const char *components;           /* "1" or "3"      */
     const char *points_file, *stream; /* NULL: not given */
     struct {
-        const char *set, *file, *columns;
+        const char *set, *file;
+        struct wf_record_words record;
     } gust;
     const char *output;
     bool no_plots;
@@ -39,7 +40,9 @@ static bool model_unused(const struct wind_options *o, const struct wf_gust_mode
     bool record = !strcmp(m->name, "record"), unused = false;
     if (at == &o->intensity) unused = m->own_intensity;
     if (at == &o->seed) unused = m->fixed;
-    if (at == &o->gust.file || at == &o->gust.columns) unused = !record;
+    if (at == &o->gust.file || at == &o->gust.record.columns || at == &o->gust.record.rate ||
+        at == &o->gust.record.missing || at == &o->gust.record.dates)
+        unused = !record;
     if (at == &o->wind) unused = !wf_gust_takes_speed(m, o->gust.set);
     return wf_option_unused(unused, why, "with the gust model '%s'%s", m->name,
                             at == &o->wind ? ", which has its own (--set rescale=1 brings it to --wind)"
@@ -126,12 +129,18 @@ static enum wf_status read_record(const struct wind_options *o, struct wf_gust_s
 {
     const char *file = o->gust.file;
     if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs --file");
-    enum wf_status status = wf_gust_record_words(s, file, o->gust.columns, a, d, e);
+    struct wf_record_words how = o->gust.record;
+    bool timeless = how.columns[0] == ',' || !strncmp(how.columns, "-,", 2);
+    if (timeless && isnan(how.rate) && WF_GIVEN(o, step)) how.rate = 1.0 / o->step;
+    enum wf_status status = wf_gust_record_words(s, file, &how, a, d, e);
     if (status) return status;
     const struct wf_record *r = s->record;
     double length = (double)(r->n - 1) * r->step;
     if (!WF_GIVEN(o, step)) s->step = r->step;
-    if (!WF_GIVEN(o, duration)) s->steps = (size_t)(length / s->step + 1e-6) + 1;
+    if (!WF_GIVEN(o, duration))
+        s->steps = (size_t)(length / s->step + 1e-6) + 1;
+    else
+        s->steps = (size_t)llround(fmin(o->duration / s->step, 1e12));
     if (!WF_GIVEN(o, components) && r->components == 3) s->components = 3;
     if (!WF_GIVEN(o, wind)) s->speed = r->mean;
     if (!o->args.quiet)

@@ -57,17 +57,26 @@ bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *wh
         NUMBER("--attenuation", in.attenuation, "NUMBER", NONE, NULL, 0, 10, NULL,                           \
                "of the wind inside the canopy [0: joins the log law smoothly]", WF_OF_PROFILE(in))
 
-/* A gust model's parameters and file; into any struct with texts set, file (NULL: not given) and columns.
- * `f`: when they have no effect. */
+/* A gust model's parameters and file; into any struct with texts set, file (NULL: not given) and a struct
+ * wf_record_words record. `f`: when they have no effect. */
 #define WF_GUST_ROWS(in, f)                                                                                  \
     TEXT("--set", in.set, "NAME=NUMBER,...", NULL,                                                           \
          "parameters of the gust model; `windfirm wind list` shows them", .unused = f),                      \
         PATH("--file", in.file, "FILE", NULL,                                                                \
              "anemometer CSV of the gust model record (of `windfirm wind rose`: a wind climate)",            \
              .unused = f),                                                                                   \
-        TEXT("--columns", in.columns, "T,U[,V[,W]]", WF_RECORD_COLUMNS,                                      \
-             "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s", \
-             .unused = f)
+        TEXT("--columns", in.record.columns, "T,U[,V[,W]]", WF_RECORD_COLUMNS,                               \
+             "its columns: time, two horizontal components (or one speed) and the vertical one; units are "  \
+             "read from the names (t_s, u_kmh, v_kn) or the logger's head, T - means that there is no time", \
+             .unused = f),                                                                                   \
+        NUMBER("--rate", in.record.rate, "FREQUENCY", FREQUENCY, "Hz", 1e-3, 1e4, NULL,                      \
+               "rows a second of a record without a time column", .unused = f),                              \
+        TEXT("--missing", in.record.missing, "NUMBER,...|none", NULL,                                        \
+             "numbers that mean 'no reading' in the file's own unit; none: every number is a wind [found: "  \
+             "negative speeds, and impossible numbers that are repeated]",                                   \
+             .unused = f),                                                                                   \
+        CHOICE("--dates", in.record.dates, "ORDER", "day-first|month-first", NULL,                           \
+               "of dates such as 05/01/2024 [found by a number above 12]", .unused = f)
 
 /* What of a scan is taken. The rows end with designators of when they have no effect. */
 struct wf_scan_asked {

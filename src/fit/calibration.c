@@ -257,8 +257,20 @@ static const struct wf_yaml_row test_rows[] = {
       .doc = "CSV file; ${WINDFIRM_REFERENCE}/... is looked for in the folder that variable names." },
     { ROW(T, "rows", WF_YAML_TEXTS, rows), .count = offsetof(T, rows_n), .absent = "all rows",
       .doc = "Only rows with these texts in these columns.", .example = "{tree: T3, pull: P1}" },
-    { ROW(T, "time", WF_YAML_TEXT, time), .absent = "rows are a second apart",
-      .doc = "Column of the time: seconds (t_s), or dates and times (2020-07-29T16:31:52Z)." },
+    { ROW(T, "time", WF_YAML_TEXT, time), .absent = "rows have no time",
+      .doc = "Column of the time: a number with its unit (t_s), dates and times (2020-07-29T16:31:52Z, "
+             "29.07.2020 "
+             "16:31:52) or times of day (16:31:52). Free sway, a drift, 'after' and 'until' need it, or "
+             "'rate'." },
+    { QUANTITY(T, "rate", rate, WF_DIM_FREQUENCY, "Hz", 1e-6, 1e6), .absent = "not known",
+      .doc = "Rows a second, where there is no column of the time.", .example = "20 Hz" },
+    { ROW(T, "dates", WF_YAML_TEXT, dates), .absent = "seen from a number above 12",
+      .doc = "day-first or month-first, for dates such as 05/01/2024.", .example = "day-first" },
+    { ROW(T, "missing", WF_YAML_TEXT, missing),
+      .absent = "cells that are empty or NA; of a wind also numbers that "
+                "are found to be marks",
+      .doc = "Numbers that mean 'no reading' in the file, separated by commas; none: every wind is one.",
+      .example = "-99.9,999" },
     { QUANTITY(T, "after", after, WF_DIM_TIME, "s", 0, 1e9), .absent = "from the first row",
       .doc = "Earlier rows are ignored." },
     { QUANTITY(T, "until", until, WF_DIM_TIME, "s", 0, 1e9), .absent = "to the last row",

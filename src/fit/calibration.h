@@ -54,7 +54,9 @@ struct wf_calibration_test {
     struct wf_calibration_sway sway;
     size_t zero; /* index in rest, unloaded */
     size_t points;
-    double after, until; /* [s] from the first row */
+    double rate;                 /* of rows without a time column [1/s]; NAN: not known */
+    const char *missing, *dates; /* missing marks, order of dates; NULL: not said */
+    double after, until;         /* [s] from the first row */
     size_t sensors;
     struct wf_calibration_sensor *sensor;
 };

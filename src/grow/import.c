@@ -55,6 +55,13 @@ static enum wf_status read_piped(struct wf_import_head *h, struct wf_arena *a, s
     return h->size ? WF_OK : wf_fail(e, WF_EINPUT, "%s: the file is empty", h->path);
 }
 
+static bool is_matlab(const struct wf_import_head *h)
+{
+    static const unsigned char hdf5[] = { 0x89, 'H', 'D', 'F' };
+    return !strncmp(h->text, "MATLAB ", 7) || (h->size > 4 && !memcmp(h->text, hdf5, 4));
+}
+
+/* Read the beginning of a file as it is. */
 static enum wf_status read_head(const char *path, struct wf_import_head *h, struct wf_arena *a,
                                 struct wf_err *e)
 {
@@ -67,7 +74,6 @@ static enum wf_status read_head(const char *path, struct wf_import_head *h, stru
     h->size = fread(h->text, 1, HEAD, f);
     bool bad = ferror(f) != 0;
     int why = errno;
-    if (!bad && fseek(f, -1, SEEK_END) == 0) h->ends_open = fgetc(f) != '\n';
     (void)fclose(f);
     if (bad) return wf_fail(e, WF_EINPUT, "%s: %s", path, strerror(why));
     return h->size ? WF_OK : wf_fail(e, WF_EINPUT, "%s: the file is empty", path);
@@ -107,17 +113,35 @@ static enum wf_status read_copy(wf_import_reader *reader, const struct wf_import
     return s;
 }
 
+/* The same as UTF-8 text, for a file that is not MATLAB's; ways of writing are noted. */
+static enum wf_status head_as_text(struct wf_import_head *h, struct wf_arena *a, struct wf_qsm *q,
+                                   struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_bytes b;
+    struct wf_err why = { 0 };
+    bool mark = !strncmp(h->text, "\xEF\xBB\xBF", 3),
+         utf16 = wf_utf16_order(h->text, h->size) != WF_UTF16_NOT;
+    if (!utf16 && memchr(h->text, '\0', h->size))
+        return wf_fail(e, WF_EINPUT, "%s: neither text nor a MATLAB file", h->path);
+    if (wf_file_read_table(h->path, a, &b, d, &why)) return wf_fail(e, why.code, "%s", why.text);
+    h->size = b.size < HEAD ? b.size : HEAD;
+    memcpy(h->text, b.data, h->size);
+    h->text[h->size] = '\0';
+    h->ends_open = b.size && b.data[b.size - 1] != '\n';
+    if (mark) wf_qsm_count(q, WF_NOTE_BOM, 1, -1);
+    if (strstr(h->text, "\r\n")) wf_qsm_count(q, WF_NOTE_CRLF, 1, -1);
+    return WF_OK;
+}
+
 static wf_import_reader *reader_for(const struct wf_import_head *h, const char *format)
 {
-    static const unsigned char hdf5[] = { 0x89, 'H', 'D', 'F' };
     if (format) {
         if (!strcmp(format, "mat")) return wf_import_mat;
         if (!strcmp(format, "mtg")) return wf_import_mtg;
         if (!strcmp(format, "nodes")) return wf_import_nodes;
         return strcmp(format, "treeqsm") ? wf_import_table : wf_import_bare;
     }
-    if (!strncmp(h->text, "MATLAB ", 7) || (h->size > 4 && !memcmp(h->text, hdf5, 4))) return wf_import_mat;
-    if (memchr(h->text, '\0', h->size)) return NULL;
+    if (is_matlab(h)) return wf_import_mat;
     if (strstr(h->text, "ENTITY-CODE") || (strstr(h->text, "CODE:") && strstr(h->text, "FORM-")))
         return wf_import_mtg;
     if (wf_import_is_nodes(h)) return wf_import_nodes;
@@ -207,12 +231,9 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
                     "number, from 1");
     if (!s) s = read_head(path, &h, a, e);
     if (s) return s;
+    bool matlab = o->format ? !strcmp(o->format, "mat") : is_matlab(&h);
+    if (!matlab && (s = head_as_text(&h, a, out, d, e))) return s;
     wf_import_reader *reader = reader_for(&h, o->format);
-    if (!reader) return wf_fail(e, WF_EINPUT, "%s: neither text nor a MATLAB file", path);
-    if (reader != wf_import_mat) {
-        if (!strncmp(h.text, "\xEF\xBB\xBF", 3)) wf_qsm_count(out, WF_NOTE_BOM, 1, -1);
-        if (strstr(h.text, "\r\n")) wf_qsm_count(out, WF_NOTE_CRLF, 1, -1);
-    }
     bool copied = reader == wf_import_mat && h.piped;
     if (reader == wf_import_mat && o->mat) reader = o->mat;
     s = copied ? read_copy(reader, &h, o, a, out, d, e) : reader(&h, o, a, out, d, e);

@@ -3,6 +3,7 @@
 #define WF_GROW_IMPORT_FILE_H
 /* What all readers of tree files share: options, the beginning of the file, the meaning of column names, the
  * conversion of a row to a cylinder, and the reporting of rows that cannot be read. */
+#include "base/units.h"
 #include "grow/qsm.h"
 
 struct wf_import_head;
@@ -70,14 +71,15 @@ enum wf_field_unit { WF_FIELD_PLAIN, WF_FIELD_METRES, WF_FIELD_RADIANS };
 struct wf_field_row {
     enum wf_field field;
     const char *names;       /* spellings, lower case, letters and digits only, between blanks */
-    double factor;           /* 0.5 for diameters                                              */
+    double factor;           /* 0.5 for diameters, 1 / (2 pi) for girths                       */
     enum wf_field_unit unit; /* of `field`                                                     */
 };
 
-/* Meaning of a column by its name. Given: a header cell such as " startX", "diameter_mm", "radius (m)";
- * metres per unit for lengths, and for diameters and radii, whose name has no unit. Returned: the field
- * (WF_FIELD_NONE for a column that is not used) and the factor to SI. */
-enum wf_field wf_field_of(const char *name, double length_unit, double diameter_unit, double *factor);
+/* Meaning of a column by its name. Given: a header cell such as " startX", "diameter_mm", "radius (m)",
+ * "girth_in"; metres per unit for lengths, and for diameters and radii, whose name has no unit. Returned: the
+ * field (WF_FIELD_NONE for a column that is not used) and the factor to SI. */
+enum wf_field wf_field_of(struct wf_units *u, const char *name, double length_unit, double diameter_unit,
+                          double *factor, struct wf_err *e);
 
 /* Whether text[0..n) is the mark of a missing value. Spreadsheets write errors as #N/A, #DIV/0!, #WERT! and
  * so on. */

@@ -555,7 +555,7 @@ enum wf_status wf_import_mtg(const struct wf_import_head *h, const struct wf_imp
                              struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_bytes b;
-    enum wf_status s = wf_file_read_text(h->path, a, &b, e);
+    enum wf_status s = wf_file_read_table(h->path, a, &b, d, e);
     if (s) return s;
     struct mtg_graph *g = WF_TAKE(a, 1, struct mtg_graph);
     if (!g) return wf_fail(e, WF_ENOMEM, "%s: no memory", h->path);

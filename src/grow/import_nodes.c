@@ -134,20 +134,23 @@ static enum wf_status nodes_to_rows(struct nodes *s, struct wf_arena *a, struct 
 /* ---- What the columns are ---- */
 
 struct node_columns {
+    struct wf_units *units; /* while the names are read */
+    struct wf_err *e;
     size_t at[NODE_FIELDS]; /* column of a field, WF_CSV_NONE: there is none */
     double factor[NODE_FIELDS];
 };
 
 /* The field of a column name; NODE_FIELDS: none that is used. A coordinate is the letter alone, with or
  * without a unit: "x", "y_cm", "z (m)". */
-static int node_field_of(const char *name, const struct wf_import_options *o, double *factor)
+static int node_field_of(const struct node_columns *c, const char *name, const struct wf_import_options *o,
+                         double *factor)
 {
     double length = isnan(o->length_unit) ? 1 : o->length_unit;
     double thick = isnan(o->diameter_unit) ? length : o->diameter_unit;
     char letter = (char)tolower((unsigned char)name[0]), spelt[64];
     bool alone = letter >= 'x' && letter <= 'z' && !isalnum((unsigned char)name[1]);
     if (alone) (void)snprintf(spelt, sizeof spelt, "%c1%s", letter, name + 1); /* as the end of a cylinder */
-    switch (wf_field_of(alone ? spelt : name, length, thick, factor)) {
+    switch (wf_field_of(c->units, alone ? spelt : name, length, thick, factor, c->e)) {
     case WF_FIELD_ID:
         return NODE_ID;
     case WF_FIELD_PARENT:
@@ -172,7 +175,7 @@ static void columns_note(struct node_columns *c, size_t column, const char *name
                          const struct wf_import_options *o)
 {
     double factor = 1;
-    int f = node_field_of(name, o, &factor);
+    int f = node_field_of(c, name, o, &factor);
     if (f == NODE_FIELDS || c->at[f] != WF_CSV_NONE) return;
     c->at[f] = column;
     c->factor[f] = factor;
@@ -222,8 +225,12 @@ static enum wf_status read_table(struct nodes *s, const struct wf_import_head *h
     double value[NODE_FIELDS];
     enum wf_status status = wf_csv_open(&csv, h->path, a, &own, e);
     if (status) return status;
+    if ((status = wf_units_open(&c.units, e))) return status;
+    c.e = e;
     columns_begin(&c);
     for (size_t k = 0; k < csv.columns; k++) columns_note(&c, k, csv.name[k].text, o);
+    wf_units_close(c.units);
+    if (e && e->code) return e->code;
     if (!columns_placed(&c) || c.at[NODE_PARENT] == WF_CSV_NONE)
         return wf_fail(
             e, WF_EINPUT,
@@ -324,7 +331,7 @@ static bool read_ray_header(const char *p, const char *stop, const struct wf_imp
                             struct ray_header *h)
 {
     char name[64];
-    *h = (struct ray_header){ .tree = 0 };
+    h->tree = h->node = 0;
     columns_begin(&h->columns);
     for (bool more = true; more;) {
         bool gap = p < stop && *p == ' ';
@@ -384,13 +391,16 @@ static enum wf_status read_ray(struct nodes *s, const struct wf_import_head *h,
                                const struct wf_import_options *o, struct wf_arena *a, struct wf_err *e)
 {
     struct node_text t;
-    struct ray_header header;
+    struct ray_header header = { .columns.e = e };
     const char *stop, *p;
     size_t chosen;
     enum wf_status status = open_text(&t, h->path, a, e);
-    if (status) return status;
+    if (status || (status = wf_units_open(&header.columns.units, e))) return status;
     p = next_line(&t, &stop);
-    if (!p || !read_ray_header(p, stop, o, &header) || header.columns.at[NODE_PARENT] == WF_CSV_NONE)
+    bool read = p && read_ray_header(p, stop, o, &header);
+    wf_units_close(header.columns.units);
+    if (e && e->code) return e->code;
+    if (!read || header.columns.at[NODE_PARENT] == WF_CSV_NONE)
         return wf_fail(e, WF_EINPUT,
                        "%s:%zu: error: no tree structure: the header needs x, y, z, radius and parent_id; a "
                        "file of trunks alone has no branches",
@@ -589,8 +599,13 @@ static bool is_swc(const struct wf_import_head *h)
 static bool read_head_line(const struct wf_import_head *h, struct node_text *t, struct ray_header *header)
 {
     const struct wf_import_options plain = { .length_unit = (double)NAN, .diameter_unit = (double)NAN };
+    struct wf_err e = { 0 };
     const char *stop, *p = first_data(h, t, &stop);
-    return read_ray_header(p, stop, &plain, header);
+    header->columns.e = &e;
+    if (wf_units_open(&header->columns.units, &e)) return false;
+    bool read = read_ray_header(p, stop, &plain, header);
+    wf_units_close(header->columns.units);
+    return read && !e.code;
 }
 
 /* Cells of a line, whatever is in them. */

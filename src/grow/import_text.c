@@ -152,13 +152,16 @@ static const char *table_format(const struct csv_tree *t)
     return "CSV of cylinders";
 }
 
-static void map_columns(struct csv_tree *t, const struct wf_import_options *o)
+static enum wf_status map_columns(struct csv_tree *t, const struct wf_import_options *o, struct wf_err *e)
 {
+    struct wf_units *u;
+    enum wf_status s = wf_units_open(&u, e);
+    if (s) return s;
     double length_unit = isnan(o->length_unit) ? 1 : o->length_unit;
     double diameter_unit = isnan(o->diameter_unit) ? length_unit : o->diameter_unit;
     for (size_t k = 0; k < t->csv.columns; k++) {
         struct csv_field c = { .index = k };
-        c.field = wf_field_of(t->csv.name[k].text, length_unit, diameter_unit, &c.factor);
+        c.field = wf_field_of(u, t->csv.name[k].text, length_unit, diameter_unit, &c.factor, e);
         if (c.field == WF_FIELD_NONE || t->has[c.field]) continue;
         t->has[c.field] = true;
         if (c.field == WF_FIELD_TREE) {
@@ -167,6 +170,8 @@ static void map_columns(struct csv_tree *t, const struct wf_import_options *o)
         }
         t->column[t->columns++] = c;
     }
+    wf_units_close(u);
+    return e && e->code ? e->code : WF_OK;
 }
 
 static bool has_three(const struct csv_tree *t, enum wf_field first)
@@ -210,6 +215,7 @@ static bool row_in_si(struct csv_tree *t, double *value)
         const char *text = wf_csv_text(&t->csv, c->index);
         if (wf_field_missing(text, strlen(text))) continue;
         double v;
+        if (wf_csv_value(&t->csv, c->index, &v) == WF_CSV_MISSING) continue;
         if (!wf_csv_number(&t->csv, c->index, -INFINITY, INFINITY, &v)) return false;
         value[c->field] = v * c->factor;
     }
@@ -382,10 +388,11 @@ enum wf_status wf_import_table(const struct wf_import_head *h, const struct wf_i
     enum wf_status s = wf_csv_open(&t.csv, h->path, a, &own, e);
     if (s) {
         for (const struct wf_finding *f = own.first; f; f = f->next)
-            wf_diag_error(d, f->file, f->line, f->column, "%s", f->text);
+            if (f->severity == WF_ERROR) wf_diag_error(d, f->file, f->line, f->column, "%s", f->text);
         return s;
     }
-    map_columns(&t, o);
+    own = (struct wf_diag){ .arena = a }; /* warnings about the encoding are given by wf_import_read */
+    if ((s = map_columns(&t, o, e))) return s;
     const char *what = header_lacks(&t);
     if (what) return refuse_header(&t, what, e);
     if (o->tree_id && t.tree == WF_CSV_NONE)
@@ -564,7 +571,7 @@ enum wf_status wf_import_bare(const struct wf_import_head *h, const struct wf_im
                               struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_bytes b;
-    enum wf_status s = wf_file_read_text(h->path, a, &b, e);
+    enum wf_status s = wf_file_read_table(h->path, a, &b, d, e);
     if (s) return s;
     struct lines t = { .at = b.data, .end = b.data + b.size };
     if (has_header(first_line(h))) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/wind_results.h"
+#include "base/column.h"
 #include "base/csv.h"
 #include "base/file.h"
 #include "base/interrupt.h"
@@ -454,14 +455,21 @@ enum wf_status wf_terrain_positions_write(const struct wf_terrain_site *s, const
     size_t errors = d->errors;
     enum wf_status status = wf_csv_open(&csv, file, a, d, e);
     if (status) return status;
-    size_t cx = wf_csv_need(&csv, "x_m"), cy = wf_csv_need(&csv, "y_m");
+    struct wf_units *units;
+    double fx, fy;
+    if ((status = wf_units_open(&units, e))) return status;
+    size_t cx = wf_column_need(&csv, units, "x_m", WF_DIM_LENGTH, &fx, e);
+    size_t cy = wf_column_need(&csv, units, "y_m", WF_DIM_LENGTH, &fy, e);
+    wf_units_close(units);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a list of positions", file);
     status = wf_folder_begin(&f, folder, "tables/positions.csv", e);
     if (status) return status;
     fprintf(f.stream, "x_m,y_m,height_m,topex_deg,wind_factor\n");
     while (wf_csv_next(&csv)) {
         double x, y;
-        if (!wf_csv_number(&csv, cx, -1e9, 1e9, &x) || !wf_csv_number(&csv, cy, -1e9, 1e9, &y)) continue;
+        if (!wf_column_number(&csv, cx, fx, -1e9, 1e9, &x) || !wf_column_number(&csv, cy, fy, -1e9, 1e9, &y))
+            continue;
         double z = wf_terrain_height(t, x, y);
         if (isnan(z)) {
             wf_csv_mistake(&csv, cx, "%.9g, %.9g lies outside the map or where it has no data", x, y);

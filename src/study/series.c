@@ -49,7 +49,7 @@ static enum wf_status specify(const struct wf_series *s, struct wf_gust_spec *ou
     if (!isnan(q->period) && wf_gust_set(out, "period", q->period, e)) return e->code;
     if ((status = wf_gust_set_words(out, q->gust_set, a, e))) return status;
     if (strcmp(model->name, "record") == 0)
-        status = wf_gust_record_words(out, q->gust_file, q->gust_columns, a, d, e);
+        status = wf_gust_record_words(out, q->gust_file, &q->record, a, d, e);
     else if (q->gust_file)
         status = wf_fail(e, WF_EUSAGE, "%s: a file is for the gust model 'record', not '%s'", q->gust_file,
                          model->name);
@@ -102,7 +102,7 @@ void wf_series_default(struct wf_series_spec *s)
                                   .speed = 10,
                                   .intensity = NAN,
                                   .period = NAN,
-                                  .gust_columns = WF_RECORD_COLUMNS,
+                                  .record = { .columns = WF_RECORD_COLUMNS, .rate = NAN },
                                   .seed = 1,
                                   .step = 0.1,
                                   .frames = 600,

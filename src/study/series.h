@@ -60,11 +60,12 @@ struct wf_series_spec {
     struct wf_solve_options solve;
     struct wf_scenario scenario;
     struct wf_profile_words profile; /* written to the scenario when the run begins */
-    double speed;             /* mean wind at the reference height [m/s]                              */
-    const char *gust;         /* row of wf_gust_models; NULL: steady                                  */
-    double intensity, period; /* of the gust [-], [s]; NAN: the model's own                           */
-    const char *gust_set;     /* its other parameters, "name=number,..."; NULL: the model's own       */
-    const char *gust_file, *gust_columns; /* of the model `record`, see wind/gust_words.h              */
+    double speed;                  /* mean wind at the reference height [m/s]                              */
+    const char *gust;              /* row of wf_gust_models; NULL: steady                                  */
+    double intensity, period;      /* of the gust [-], [s]; NAN: the model's own                           */
+    const char *gust_set;          /* its other parameters, "name=number,..."; NULL: the model's own       */
+    const char *gust_file;         /* of the model `record` */
+    struct wf_record_words record; /* how it is read        */
     unsigned components; /* of the gust used: 1 or 3; 0: 3 where the model has them and the wind direction
                             can change */
     uint64_t seed;

@@ -34,8 +34,28 @@ static const struct wf_yaml_row run_rows[] = {
     WORD(set, "Other parameters of the gust model, name=number,... as 'windfirm wind list' names them.",
          .absent = "the gust model's", .example = "length=65,share-up=0.5"),
     WORD(file, "Anemometer CSV of the gust model record.", .absent = "none", .example = "sonic.csv"),
-    WORD(columns, "Its columns: time in s, one or two horizontal components and the vertical one in m/s.",
-         .initial = WF_RECORD_COLUMNS, .example = "t_s,u_ms,v_ms,w_ms"),
+    { .key = "columns",
+      .kind = WF_YAML_TEXT,
+      AT(record.columns),
+      .doc = "Its columns: time, one or two horizontal components and the vertical one, with units in their "
+             "names or "
+             "in the logger's head; '-' in place of the time: there is none.",
+      .initial = WF_RECORD_COLUMNS,
+      .example = "t_s,u_ms,v_ms,w_ms" },
+    QUANTITY("rate", record.rate, WF_DIM_FREQUENCY, "Hz", 1e-3, 1e4, "Rows a second, where there is no time.",
+             .absent = "not known", .example = "20 Hz"),
+    { .key = "missing",
+      .kind = WF_YAML_TEXT,
+      AT(record.missing),
+      .doc = "Numbers of the file that mean 'no reading', separated by commas; none: every number is a wind.",
+      .absent = "negative speeds, and impossible numbers that are repeated",
+      .example = "99.9,-99.9" },
+    { .key = "dates",
+      .kind = WF_YAML_TEXT,
+      AT(record.dates),
+      .doc = "day-first or month-first, for dates such as 05/01/2024.",
+      .absent = "seen from a number above 12",
+      .example = "day-first" },
     { .key = "components",
       .kind = WF_YAML_INTEGER,
       .low = 1,
@@ -129,8 +149,9 @@ static bool unused_if(bool unused, char *why, size_t size, const char *with, con
 static bool gust_unused(const struct wf_series_plan_run *r, const struct wf_gust_model *m, size_t member,
                         char *why, size_t size)
 {
+    const size_t record = offsetof(struct wf_series_plan_run, record);
     bool of_record = member == offsetof(struct wf_series_plan_run, file) ||
-                     member == offsetof(struct wf_series_plan_run, columns);
+                     (member >= record && member < record + sizeof r->record);
     bool period = false, unused = false;
     for (const struct wf_gust_par *p = m ? m->par : NULL; p && p->name; p++)
         period |= strcmp(p->name, "period") == 0;
@@ -175,7 +196,10 @@ bool wf_series_plan_unused(const struct wf_series_plan_run *r, size_t member, ch
     case offsetof(struct wf_series_plan_run, period):
     case offsetof(struct wf_series_plan_run, set):
     case offsetof(struct wf_series_plan_run, file):
-    case offsetof(struct wf_series_plan_run, columns):
+    case offsetof(struct wf_series_plan_run, record.columns):
+    case offsetof(struct wf_series_plan_run, record.rate):
+    case offsetof(struct wf_series_plan_run, record.missing):
+    case offsetof(struct wf_series_plan_run, record.dates):
     case offsetof(struct wf_series_plan_run, components):
         return gust_unused(r, m, member, why, size);
     case offsetof(struct wf_series_plan_run, seed):
@@ -315,7 +339,8 @@ enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const str
     if (given(r->shelter, "none") && !(s->shelter = wf_shelter_law_named(r->shelter)))
         return wf_fail(e, WF_EUSAGE, "run '%s': unknown shelter law '%s'", r->name, r->shelter);
     s->gust_set = r->set, s->gust_file = r->file;
-    if (r->columns) s->gust_columns = r->columns;
+    s->record = r->record;
+    if (!s->record.columns) s->record.columns = WF_RECORD_COLUMNS;
     if (r->components == 2) return wf_fail(e, WF_EUSAGE, "run '%s': components: 1 or 3, not 2", r->name);
     s->components = (unsigned)r->components;
     s->speed = r->wind, s->intensity = r->intensity, s->period = r->period, s->youngs = r->youngs;

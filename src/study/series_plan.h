@@ -4,10 +4,12 @@
 /* Runs in time as text: a file of runs (models/papers/ *.yaml), and the conversion of a run to the input of
  * wf_series_run. */
 #include "study/series.h"
+#include "wind/gust.h"
 
 struct wf_series_plan_run { /* NULL, NAN: the default */
     const char *name, *species, *model, *preset, *solver, *gust, *shelter, *leaf_motion, *explain;
-    const char *set, *file, *columns; /* of the gust model, see wind/gust_words.h */
+    const char *set, *file;        /* of the gust model */
+    struct wf_record_words record; /* how its file is read; columns NULL: the usual ones */
     struct wf_profile_words profile;
     double wind, intensity, period, duration, step, youngs, restoring, damping, transmission, leaf_amplitude,
         leaf_follow, leaf_period;

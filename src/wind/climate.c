@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/climate.h"
+#include "base/column.h"
 #include "base/csv.h"
 #include "base/num.h"
 #include "base/text.h"
@@ -183,12 +184,18 @@ enum wf_status wf_rose_read(const char *path, struct wf_arena *a, struct wf_diag
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
     static const char *const name[4] = { "direction_deg", "frequency", "weibull_scale_ms", "weibull_shape" };
     static const double low[4] = { 0.0, 0.0, 0.1, 1.0 }, high[4] = { 360.0, 1e9, 40.0, 4.0 };
+    static const enum wf_dimension dimension[4] = { WF_DIM_NONE, WF_DIM_NONE, WF_DIM_SPEED, WF_DIM_NONE };
     size_t column[4];
-    for (int k = 0; k < 4; k++) column[k] = wf_csv_need(&csv, name[k]);
+    double factor[4];
+    struct wf_units *units;
+    if (wf_units_open(&units, e)) return e ? e->code : WF_EMISSING;
+    for (int k = 0; k < 4; k++) column[k] = wf_column_need(&csv, units, name[k], dimension[k], &factor[k], e);
+    wf_units_close(units);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a wind rose", path);
     for (; wf_csv_next(&csv); n++) {
         if (n == SECTORS_MAX) return wf_fail(e, WF_EINPUT, "%s: more than %d directions", path, SECTORS_MAX);
-        for (int k = 0; k < 4; k++) wf_csv_number(&csv, column[k], low[k], high[k], &row[n][k]);
+        for (int k = 0; k < 4; k++) wf_column_number(&csv, column[k], factor[k], low[k], high[k], &row[n][k]);
         line[n] = csv.row_line;
     }
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: the wind rose cannot be used", path);

@@ -183,23 +183,32 @@ static enum wf_status record_fill(struct wf_gust *g, size_t first, size_t steps,
     return WF_OK;
 }
 
-enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const char *columns,
-                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file,
+                                    const struct wf_record_words *how, struct wf_arena *a, struct wf_diag *d,
+                                    struct wf_err *e)
 {
     struct wf_record_request q;
     struct wf_record *r = WF_TAKE(a, 1, struct wf_record);
-    char *rest = wf_arena_text(a, columns);
+    char *rest = wf_arena_text(a, how->columns);
     if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs the file of an anemometer");
     if (!r || !rest) return wf_fail(e, WF_ENOMEM, "not enough memory for a record");
     wf_record_request_default(&q);
+    q.missing = how->missing;
+    q.step = how->rate > 0.0 ? 1.0 / how->rate : NAN;
+    if (!wf_dates_named(how->dates, &q.dates))
+        return wf_fail(e, WF_EUSAGE, "dates '%s'; there are: day-first, month-first", how->dates);
     q.time = wf_list_item(&rest);
     bool empty = !*q.time;
     for (int k = 0; k < 3; k++) empty |= (q.part[k] = wf_list_item(&rest)) && !*q.part[k];
     if (empty || !q.part[0] || wf_list_item(&rest))
-        return wf_fail(
-            e, WF_EUSAGE,
-            "columns '%s': a time column and one to three components are needed, separated by commas",
-            columns);
+        return wf_fail(e, WF_EUSAGE,
+                       "columns '%s': a time column ('-': none) and one to three components are needed, "
+                       "separated by commas",
+                       how->columns);
+    if (!strcmp(q.time, "-")) q.time = NULL;
+    if (q.time && how->rate > 0.0)
+        return wf_fail(e, WF_EUSAGE, "a rate is for records without a time column; '%s' is one, '-' is none",
+                       q.time);
     s->record = r;
     return wf_record_read(file, &q, a, d, r, e);
 }

@@ -327,14 +327,19 @@ static void check_spectrum(struct wf_gust_report *o)
                      0.1);
 }
 
+enum {
+    STEPS_MIN = 32
+}; /* half a minute at 1 Hz; below it the lowest bands of the spectrum hold one line each */
+
 enum wf_status wf_gust_report_make(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
                                    struct wf_gust_report *o, struct wf_err *e)
 {
     memset(o, 0, sizeof *o);
     o->spec = *s;
     enum wf_status status = run_model(s, a, d, o, e);
-    if (!status && s->steps < 64)
-        status = wf_fail(e, WF_EUSAGE, "%zu steps: at least 64 are needed to look at", s->steps);
+    if (!status && s->steps < STEPS_MIN)
+        status =
+            wf_fail(e, WF_EUSAGE, "%zu steps: at least %d are needed to look at", s->steps, (int)STEPS_MIN);
     for (unsigned c = 0; c < s->components && !status; c++)
         status =
             wf_gust_stats(o->x + c * s->points * s->steps, s->steps, s->step, 3.0, 600.0, a, &o->stats[c], e);

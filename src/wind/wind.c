@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/wind.h"
+#include "base/column.h"
 #include "base/csv.h"
 #include "base/num.h"
 #include <math.h>
@@ -139,12 +140,19 @@ enum wf_status wf_measured_read(const char *path, struct wf_arena *a, struct wf_
     if (!out->z || !out->u || !out->slope)
         return wf_fail(e, WF_ENOMEM, "%s: not enough memory for a profile", path);
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
-    size_t height = wf_csv_need(&csv, "height_m"), speed = wf_csv_need(&csv, "speed_ms");
+    struct wf_units *units;
+    double metres, speeds;
+    if (wf_units_open(&units, e)) return e ? e->code : WF_EMISSING;
+    size_t height = wf_column_need(&csv, units, "height_m", WF_DIM_LENGTH, &metres, e);
+    size_t speed = wf_column_need(&csv, units, "speed_ms", WF_DIM_SPEED, &speeds, e);
+    wf_units_close(units);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a wind profile", path);
     out->n = 1; /* the ground */
     while (wf_csv_next(&csv)) {
         double z, u;
-        if (!wf_csv_number(&csv, height, 0.0, 1000.0, &z) || !wf_csv_number(&csv, speed, 0.0, 120.0, &u))
+        if (!wf_column_number(&csv, height, metres, 0.0, 1000.0, &z) ||
+            !wf_column_number(&csv, speed, speeds, 0.0, 120.0, &u))
             continue;
         if (out->n > HEIGHTS_MAX) return wf_fail(e, WF_EINPUT, "%s: more than %d heights", path, HEIGHTS_MAX);
         if (!(z > out->z[out->n - 1]))
@@ -309,14 +317,21 @@ enum wf_status wf_points_read(const char *path, size_t most, struct wf_arena *a,
     *out = (struct wf_points){ .place = WF_TAKE(a, 3 * most, double), .mean = WF_TAKE(a, most, double) };
     if (!out->place || !out->mean) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for points", path);
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
-    const size_t column[3] = { wf_csv_need(&csv, "x_m"), wf_csv_need(&csv, "y_m"), wf_csv_need(&csv, "z_m") };
-    size_t mean = wf_csv_column(&csv, "mean_ms");
+    static const char *const name[3] = { "x_m", "y_m", "z_m" };
+    size_t column[3], mean = wf_csv_column(&csv, "mean_ms");
+    struct wf_units *units;
+    double metres[3];
+    if (wf_units_open(&units, e)) return e ? e->code : WF_EMISSING;
+    for (size_t k = 0; k < 3; k++)
+        column[k] = wf_column_need(&csv, units, name[k], WF_DIM_LENGTH, &metres[k], e);
+    wf_units_close(units);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a list of points", path);
     for (; wf_csv_next(&csv); n++) {
         if (n == most) return wf_fail(e, WF_EINPUT, "%s: more than %zu points", path, most);
         for (size_t k = 0; k < 3; k++)
-            wf_csv_number(&csv, column[k], k == 2 ? 0.0 : -1e5, k == 2 ? 1000.0 : 1e5,
-                          &out->place[3 * n + k]);
+            wf_column_number(&csv, column[k], metres[k], k == 2 ? 0.0 : -1e5, k == 2 ? 1000.0 : 1e5,
+                             &out->place[3 * n + k]);
         if (mean != WF_CSV_NONE) wf_csv_number(&csv, mean, 0.01, 120.0, &out->mean[n]);
     }
     if (d->errors == errors && !n) wf_diag_error(d, path, 0, 0, "no points");
