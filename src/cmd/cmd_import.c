@@ -25,7 +25,7 @@ static const struct wf_option options[] = {
          .letter = "-o"),
     CHOICE("--to", to, "FORM", "csv|txt|mtg|mat|vtk", NULL,
            "form to write, whatever the name's ending; in a folder it gives the ending [csv]"),
-    WF_IMPORT_ROWS(import),
+    WF_IMPORT_ROWS(import, NULL),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -79,9 +79,9 @@ static int import_file(const char *path, const struct import_options *import,
     if (!s && to) s = wf_qsm_write(&q, to, import->to, &e);
     if (!s && !quiet) {
         wf_qsm_measure(&q, &m);
-        printf("%s: %s, %zu cylinders, height %.2f m, dbh %.3f m, wood %.5g m3, %zu repairs%s%s\n", path,
-               q.format, m.cylinders, m.height, m.dbh, m.volume, count_repairs(&q), to ? " -> " : "",
-               to ? to : "");
+        wf_show(stdout, "%s: %s, %zu cylinders, height %.2f m, dbh %.3f m, wood %.5g m3, %zu repairs%s%s\n",
+                path, q.format, m.cylinders, m.height, m.dbh, m.volume, count_repairs(&q), to ? " -> " : "",
+                to ? to : "");
     }
     int code = s ? wf_complain(&e) : 0;
     wf_arena_free(&a);
@@ -95,11 +95,11 @@ static int import_all(const struct import_options *import)
     struct wf_import_options o = wf_import_asked_options(&import->import);
     int code = 0;
     if (!to && import->to) {
-        fprintf(stderr, "windfirm import: --to: nothing is written without --output\n");
+        wf_show(stderr, "windfirm import: --to: nothing is written without --output\n");
         return 2;
     }
     if (to && import->args.n > 1 && !is_folder(to)) {
-        fprintf(stderr,
+        wf_show(stderr,
                 "windfirm import: --output: '%s' is one file for %zu trees; name a folder, as in '%s/'\n", to,
                 import->args.n, to);
         return 2;

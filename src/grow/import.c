@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/import.h"
+#include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "grow/import_mat.h"
@@ -11,7 +12,10 @@
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 const struct wf_import_format wf_import_formats[] = {
     { "normalised", "normalised CSV", "radius, length, start, axis, parent" },
@@ -38,11 +42,26 @@ struct wf_import_options wf_import_default(void)
 
 enum { HEAD = 65536 };
 
+/* The beginning of a pipe, which is read whole: it cannot be opened again. */
+static enum wf_status read_piped(struct wf_import_head *h, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_bytes b;
+    enum wf_status s = wf_file_read(h->path, a, &b, e);
+    if (s) return s;
+    h->size = b.size < HEAD ? b.size : HEAD;
+    memcpy(h->text, b.data, h->size);
+    h->ends_open = b.size && b.data[b.size - 1] != '\n';
+    h->piped = true;
+    return h->size ? WF_OK : wf_fail(e, WF_EINPUT, "%s: the file is empty", h->path);
+}
+
 static enum wf_status read_head(const char *path, struct wf_import_head *h, struct wf_arena *a,
                                 struct wf_err *e)
 {
     *h = (struct wf_import_head){ .path = path, .text = WF_TAKE(a, HEAD + 1, char) };
     if (!h->text) return wf_fail(e, WF_ENOMEM, "%s: not enough memory to read it", path);
+    struct stat s;
+    if (!stat(path, &s) && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode)) return read_piped(h, a, e);
     FILE *f = fopen(path, "rb");
     if (!f) return wf_fail(e, WF_EINPUT, "%s: %s", path, strerror(errno));
     h->size = fread(h->text, 1, HEAD, f);
@@ -52,6 +71,40 @@ static enum wf_status read_head(const char *path, struct wf_import_head *h, stru
     (void)fclose(f);
     if (bad) return wf_fail(e, WF_EINPUT, "%s: %s", path, strerror(why));
     return h->size ? WF_OK : wf_fail(e, WF_EINPUT, "%s: the file is empty", path);
+}
+
+/* A copy of a pipe on a disk, which libmatio needs. Returned: its name, to be removed. */
+static enum wf_status copy_piped(const char *pipe, struct wf_arena *a, char **copy, struct wf_err *e)
+{
+    const char *folder = getenv("TMPDIR");
+    struct wf_bytes b;
+    *copy = wf_arena_print(a, "%s/windfirm-XXXXXX", folder && *folder ? folder : "/tmp");
+    if (!*copy) return wf_fail(e, WF_ENOMEM, "%s: not enough memory to read it", pipe);
+    enum wf_status s = wf_file_read(pipe, a, &b, e);
+    if (s) return s;
+    int fd = mkstemp(*copy);
+    if (fd < 0) return wf_fail(e, WF_EOUTPUT, "%s: cannot be made: %s", *copy, strerror(errno));
+    size_t done = 0;
+    for (ssize_t n = 1; done < b.size && n > 0; done += n > 0 ? (size_t)n : 0)
+        n = write(fd, b.data + done, b.size - done);
+    if (close(fd) == 0 && done == b.size) return WF_OK;
+    (void)unlink(*copy);
+    return wf_fail(e, WF_EOUTPUT, "%s: cannot be written", *copy);
+}
+
+/* Call a reader of MATLAB files on a copy of a pipe. */
+static enum wf_status read_copy(wf_import_reader *reader, const struct wf_import_head *h,
+                                const struct wf_import_options *o, struct wf_arena *a, struct wf_qsm *q,
+                                struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_import_head on_disk = *h;
+    char *copy;
+    enum wf_status s = copy_piped(h->path, a, &copy, e);
+    if (s) return s;
+    on_disk.path = copy;
+    s = reader(&on_disk, o, a, q, d, e);
+    (void)unlink(copy);
+    return s;
 }
 
 static wf_import_reader *reader_for(const struct wf_import_head *h, const char *format)
@@ -160,8 +213,10 @@ enum wf_status wf_import_read(const char *path, const struct wf_import_options *
         if (!strncmp(h.text, "\xEF\xBB\xBF", 3)) wf_qsm_count(out, WF_NOTE_BOM, 1, -1);
         if (strstr(h.text, "\r\n")) wf_qsm_count(out, WF_NOTE_CRLF, 1, -1);
     }
+    bool copied = reader == wf_import_mat && h.piped;
     if (reader == wf_import_mat && o->mat) reader = o->mat;
-    if ((s = reader(&h, o, a, out, d, e))) return s;
+    s = copied ? read_copy(reader, &h, o, a, out, d, e) : reader(&h, o, a, out, d, e);
+    if (s) return s;
     if (o->tree_id && !out->trees)
         return wf_fail(e, WF_EINPUT, "%s: error: --tree-id: a file of this format holds one tree (%s)", path,
                        out->format);

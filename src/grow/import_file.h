@@ -33,6 +33,7 @@ struct wf_import_head {
     char *text; /* NUL-terminated */
     size_t size;
     bool ends_open; /* the file's last line has no line end */
+    bool piped;     /* no file on a disk: only wf_file_read reads it */
 };
 
 enum wf_field {

@@ -178,7 +178,7 @@ static double ground_level(const struct wf_qsm *q, const double *wood)
     return low;
 }
 
-/* A number of every row, from that of its root: how much lower its branch order becomes. */
+/* Lower the branch order of every row by step[its root], to 0 at the least. */
 static void lower_orders(struct wf_qsm *q, const int32_t *root, const int32_t *step)
 {
     for (size_t i = 0; i < q->n; i++)
