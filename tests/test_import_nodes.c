@@ -111,7 +111,7 @@ static void one_tree_of_several_is_chosen(void **state)
     text_is_refused(two, o, "--tree-id: '2x'");
     o.tree_id = "2";
     text_is_tree(two, o, "raycloudtools trees");
-    text_is_refused("x0,y0,z0,x1,y1,z1,radius0,radius1,parent\n0,0,0,0,0,1,0.1,0.1,0\n", o, "holds one tree");
+    text_is_refused("x0,y0,z0,x1,y1,z1,radius0,radius1,parent\n0,0,0,0,0,1,0.1,0.1,0\n", o, "no column treeID");
     text_is_refused("x,y,z,radius\n0,0,0,0.2\n1,0,0,0.4\n", none, "no tree structure");
     text_is_refused("x,y,z,radius,parent_id\n0,0,0,0.12,-1, 0,0,1.5,0.11\n", none, "9 numbers");
     text_is_refused("x,y,z,radius,parent_id\n0,0,0,0.12,-1, 0,0,a?,0.11,0\n", none, "not a number");
