@@ -89,7 +89,7 @@ static void pictures_name_what_is_known(void **state)
         { "cp " QSM "normalised.csv $T/" LONG ".csv && $W tree draw $T/" LONG
           ".csv -o $T/a.svg -q; grep -ci beech $T/a.svg; grep -o '[^>]*</text>' $T/a.svg",
           0,
-          { "0\n", "A_SCANNED_OAK_from_<", "reprocessed<" } },
+          { "0\n", "A_SCANNED_OAK_<", "from_the_north_eastern_<", "reprocessed<" } },
         { "$W tree draw " QSM "normalised.csv -s beech -o $T/a.svg -q; grep -c 'European beech' $T/a.svg",
           0,
           { "1\n" } },
