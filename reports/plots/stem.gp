@@ -40,7 +40,7 @@ do for [i=1:trees] {
     do for [panel=0:1] {
         y1 = HEIGHT - b*(TITLE + 2*(h + UNDER)) - TITLE - panel*(h + UNDER)
         set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
-        if (panel) { unset title } else { set title NAME[i] offset 0,-0.5 }
+        if (panel) { unset title } else { set title short(NAME[i], trees == 1 ? 560 : w + GAP) offset 0,-0.5 }
         set xlabel (panel ? L('STRESS') : L('MOMENT')) offset 0,0.4
         A = panel ? "stress0_MPa" : "bending0_Nm"; B = panel ? "stress1_MPa" : "bending1_Nm"
         unit = panel ? 1.0 : 1e-3

@@ -180,8 +180,8 @@ enum wf_status wf_calibration_wind_scene(const struct wf_calibration_wind *w, st
     return status || w->profile.file ? status : wf_scenario_check(out, e);
 }
 
-/* False when a number was invalid: it is already reported, and further checks would report its consequences.
- */
+/* False when a number was invalid, or is of another profile, which is reported: further checks would report
+ * its consequences. */
 static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_calibration_wind *w)
 {
     const char *const key[] = { "reference_height", "exponent",    "roughness", "displacement",
@@ -199,6 +199,12 @@ static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_calibratio
                              w->air_density,
                              w->speed_up };
     bool right = true;
+    char why[160];
+    for (const struct wf_profile_number *n = wf_profile_numbers; n->key; n++)
+        if (wf_profile_unused(&w->profile, n->said, why, sizeof why)) {
+            wf_yaml_error(y, n->key, "has no effect %s", why);
+            right = false;
+        }
     for (size_t k = 0; k < WF_COUNT(key); k++) right = right && !(isnan(value[k]) && wf_yaml_has(y, key[k]));
     return right && (w->profile.name || !wf_yaml_has(y, "profile"));
 }
@@ -211,12 +217,15 @@ static void wind_finish(struct wf_yaml *y, void *wind)
     struct wf_err why = { 0 };
     double x, z;
     if (!w->given) return;
+    w->profile.ground = w->dem;
     w->profile_file_place = wf_yaml_where(y, "profile_file");
     w->dem_place = wf_yaml_where(y, "dem");
     if (wind_numbers_are_right(y, w) && wf_calibration_wind_scene(w, &scene, &why))
         wf_yaml_error(y, wf_yaml_has(y, "profile") ? "profile" : "", "%s", why.text);
     if (w->dem && !isnan(w->speed_up)) wf_yaml_error(y, "dem", "give one of 'speed_up' and 'dem', not both");
     if (w->dem && !w->at) wf_yaml_error(y, "dem", "needs 'at', where the tree stands on it");
+    if (!isnan(w->altitude) && !isnan(w->air_density))
+        wf_yaml_error(y, "altitude", "has no effect beside 'air_density'");
     if (!w->dem && w->at) wf_yaml_error(y, "at", "needs 'dem', the heights of the ground");
     if (!w->dem && wf_yaml_has(y, "north"))
         wf_yaml_error(y, "north", "applies only with 'dem', which is not given");

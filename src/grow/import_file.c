@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
 /* Rows that cannot be read. */
 
@@ -28,8 +29,9 @@ void wf_import_last_row_cut(struct wf_qsm *q, size_t line)
 /* What a column means. */
 
 static const struct wf_field_row field_rows[] = {
-    { WF_FIELD_ID, " id cylid cylinderid cylinder segid ", 1, WF_FIELD_PLAIN },
-    { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_ID, " id cylid cylinderid cylinder segid nodeid ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid parentnodeid parentnode ", 1,
+      WF_FIELD_PLAIN },
     { WF_FIELD_NEXT, " extension extensionid ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_ORDER, " branchorder branchingorder level order ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_ADDED, " added ", 1, WF_FIELD_PLAIN },
@@ -111,6 +113,18 @@ enum wf_field wf_field_of(const char *name, double length_unit, double diameter_
         return f->field;
     }
     return WF_FIELD_NONE;
+}
+
+/* Missing values. */
+
+bool wf_field_missing(const char *text, size_t n)
+{
+    static const char *const words[] = { "NA", "N/A", "NaN", "NULL", "None", "inf", "Infinity" };
+    if (!n || text[0] == '#') return true;
+    bool sign = text[0] == '-' || text[0] == '+';
+    for (size_t k = 0; k < WF_COUNT(words); k++)
+        if (n - sign == strlen(words[k]) && !strncasecmp(text + sign, words[k], n - sign)) return true;
+    return false;
 }
 
 /* Rows. */

@@ -8,7 +8,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-#include <strings.h>
 
 /* Coordinates of a hand-measured table of lengths, diameters and angles. */
 
@@ -201,17 +200,6 @@ static enum wf_status refuse_header(const struct csv_tree *t, const char *what, 
                    t->csv.file, t->csv.columns ? t->csv.name[0].line : 1, what, names);
 }
 
-/* Is text[0..n) the mark of a missing value? Spreadsheets write errors as #N/A, #DIV/0!, #WERT! and so on. */
-static bool is_missing(const char *text, size_t n)
-{
-    static const char *const words[] = { "NA", "N/A", "NaN", "NULL", "None", "inf", "Infinity" };
-    if (!n || text[0] == '#') return true;
-    bool sign = text[0] == '-' || text[0] == '+';
-    for (size_t k = 0; k < WF_COUNT(words); k++)
-        if (n - sign == strlen(words[k]) && !strncasecmp(text + sign, words[k], n - sign)) return true;
-    return false;
-}
-
 /* Convert the current row to SI. Returned: false after a mistake was reported. */
 static bool row_in_si(struct csv_tree *t, double *value)
 {
@@ -220,7 +208,7 @@ static bool row_in_si(struct csv_tree *t, double *value)
     for (size_t k = 0; k < t->columns; k++) {
         const struct csv_field *c = &t->column[k];
         const char *text = wf_csv_text(&t->csv, c->index);
-        if (is_missing(text, strlen(text))) continue;
+        if (wf_field_missing(text, strlen(text))) continue;
         double v;
         if (!wf_csv_number(&t->csv, c->index, -INFINITY, INFINITY, &v)) return false;
         value[c->field] = v * c->factor;
@@ -379,6 +367,7 @@ static enum wf_status read_table_rows(struct csv_tree *t, const struct wf_import
     }
     q->n = n;
     if (several && (s = one_tree(t, list, o->tree_id, taken, e))) return s;
+    if (several && o->tree_id) q->trees = list->n;
     count_from_zero(q, t);
     if (t->csv.point == ',') wf_qsm_count(q, WF_NOTE_DECIMAL_COMMA, 1, -1);
     pass_findings_on(t, h, o->strict, q, d);
@@ -474,7 +463,7 @@ static size_t next_numbers(struct lines *t, double *value, bool *whole)
             const char *after = wf_number_read(p, stop, t->point, &value[n]);
             size_t word = 0;
             while (!after && p + word < stop && !is_gap(p[word], t->point)) word++;
-            if (word && is_missing(p, word)) value[n] = (double)NAN, after = p + word;
+            if (word && wf_field_missing(p, word)) value[n] = (double)NAN, after = p + word;
             if (!after || (after < stop && !is_gap(*after, t->point))) {
                 *whole = false;
                 return n ? n : 1;

@@ -82,6 +82,8 @@ struct wf_qsm {
     uint8_t *added;          /* 1: a gap filler of the program that made the model           */
     size_t *line;            /* line of the file, 0 = not a text file                        */
     double base[3];          /* subtracted from the file's coordinates [m]                   */
+    size_t trees;            /* trees in the file, set by readers of files of several; else 0 */
+    size_t models;           /* models of the tree in the file, set by readers of files of several; else 0 */
     struct wf_repairs repairs;
     const char *detail[WF_REPAIR_COUNT]; /* worst case of a kind, in words; NULL: none */
 };
@@ -129,16 +131,4 @@ struct wf_children {
 /* Given: parent[n], -1 = a root. Errors: WF_ENOMEM. */
 enum wf_status wf_children_of(const int32_t *parent, size_t n, struct wf_arena *a, struct wf_children *out,
                               struct wf_err *e);
-
-/* Export of a measured tree. */
-
-struct wf_export_format {
-    const char *ending; /* of the file's name, ".csv"  */
-    const char *title;  /* in words                    */
-    void (*write)(const struct wf_qsm *q, FILE *to);
-};
-
-/* Write a table. Given: a table after wf_qsm_repair, and a path whose ending names the format. A failed
- * export leaves no file. Errors: WF_EUSAGE for another ending, WF_EOUTPUT. */
-enum wf_status wf_qsm_write(const struct wf_qsm *q, const char *path, struct wf_err *e);
 #endif

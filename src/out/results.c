@@ -489,7 +489,7 @@ enum wf_status wf_input_file_note(const char *role, const char *path, struct wf_
     out->role = wf_arena_text(a, role);
     out->path = wf_arena_text(a, path);
     if (!out->role || !out->path) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its name", path);
-    return wf_sha256_file(path, out->sha256, e);
+    return wf_sha256_file(path, a, out->sha256, e);
 }
 
 const char *wf_run_date(struct wf_arena *a)
