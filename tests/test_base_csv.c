@@ -325,6 +325,23 @@ static void a_quoted_cell_is_bounded(void **state)
     }
 }
 
+/* A spreadsheet's error in the first cell is a missing value, not a comment. */
+static void an_error_in_the_first_cell_is_a_row(void **state)
+{
+    struct table t;
+    double v;
+    (void)state;
+    open_text(&t, "a,b\n#N/A,1\n# a comment, 2\n#DIV/0!,3\n");
+    for (int k = 0; k < 2; k++) {
+        assert_true(wf_csv_next(&t.csv));
+        assert_int_equal(wf_csv_value(&t.csv, 0, &v), WF_CSV_MISSING);
+        assert_true(wf_csv_number(&t.csv, 1, 0, 10, &v));
+        assert_true(fabs(v - (k ? 3 : 1)) < 1e-12);
+    }
+    assert_false(wf_csv_next(&t.csv));
+    close_table(&t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -339,6 +356,7 @@ int main(void)
         cmocka_unit_test(a_long_table_is_quick),
         cmocka_unit_test(open_quotes_are_quick),
         cmocka_unit_test(a_quoted_cell_is_bounded),
+        cmocka_unit_test(an_error_in_the_first_cell_is_a_row),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

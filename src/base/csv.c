@@ -58,13 +58,29 @@ static void skip_line(struct wf_csv *c)
     if (c->at < c->end) skip_line_end(c);
 }
 
+/* Is the line a comment? One that begins with a cell of a spreadsheet's error, "#N/A,...", is a row. */
+static bool is_comment(const struct wf_csv *c)
+{
+    static const char *const errors[] = {
+        "#N/A", "#DIV/0!", "#NAME?", "#NULL!", "#NUM!", "#VALUE!", "#REF!"
+    };
+    if (*c->at != '#') return false;
+    for (size_t k = 0; k < WF_COUNT(errors); k++) {
+        size_t n = strlen(errors[k]);
+        if ((size_t)(c->end - c->at) < n || strncasecmp(c->at, errors[k], n) != 0) continue;
+        const char *after = c->at + n;
+        if (after == c->end || *after == c->separator || *after == '\n' || *after == '\r') return false;
+    }
+    return true;
+}
+
 /* Move to the next line that has cells; false at the end of the file. */
 static bool seek_row(struct wf_csv *c)
 {
     while (c->at < c->end) {
         const char *p = c->at;
         while (p < c->end && (*p == ' ' || (*p == '\t' && c->separator != '\t'))) p++;
-        if (p < c->end && *p != '\n' && *p != '\r' && *c->at != '#') return true;
+        if (p < c->end && *p != '\n' && *p != '\r' && !is_comment(c)) return true;
         skip_line(c);
     }
     return false;
