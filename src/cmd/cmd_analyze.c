@@ -7,6 +7,7 @@
 #include "cmd/commands.h"
 #include "cmd/option.h"
 #include "cmd/option_groups.h"
+#include "cmd/scan_models.h"
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"
@@ -390,91 +391,21 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
     return WF_OK;
 }
 
-/* ---- The models of a scan ----
- *
- * Programs that fit cylinders to a scan give another model at each run. How far the answers of the models
- * differ is part of how sure the answer is. */
-
-struct models_range {
-    size_t weak, first_weak;    /* models that fail without wind, and the first of them      */
-    size_t n, found, lowest;    /* models; with a critical speed; the model with the lowest, from 1 */
-    double speed[2], height[2]; /* least and most [m/s], [m] */
-};
-
-static void range_add(struct models_range *r, size_t number, double height, const struct wf_critical *c)
-{
-    r->height[0] = r->n ? fmin(r->height[0], height) : height;
-    r->height[1] = r->n ? fmax(r->height[1], height) : height;
-    r->n++;
-    if (c->outcome == WF_CRITICAL_SELF_WEIGHT && !r->weak++) r->first_weak = number;
-    if (c->outcome != WF_CRITICAL_FOUND) return;
-    if (!r->found || c->speed < r->speed[0]) r->speed[0] = c->speed, r->lowest = number;
-    r->speed[1] = r->found ? fmax(r->speed[1], c->speed) : c->speed;
-    r->found++;
-}
-
-/* Analyse model `number` with each species; model 1 has been. */
-static enum wf_status analyse_model(struct work *w, size_t number, struct models_range *range,
-                                    struct wf_err *e)
-{
-    struct wf_arena a = { 0 };
-    struct wf_diag d = { .arena = &a };
-    struct wf_tree_asked asked = w->options.tree;
-    struct wf_model model;
-    const char *path;
-    asked.scan.scan_model = wf_arena_print(&a, "%zu", number);
-    enum wf_status s = asked.scan.scan_model ? wf_tree_asked_read(&asked, NULL, &a, &model, &path, &d, e)
-                                             : wf_fail(e, WF_ENOMEM, "no memory for model %zu", number);
-    for (size_t k = 0; !s && k < w->options.args.n; k++) {
-        struct wf_analysis an;
-        wf_progress("%s: model %zu of %zu ...", w->species[k].name, number, w->model.measured_models);
-        s = wf_analyze(&w->species[k], &model, &w->request.scenario, &w->request.search, w->request.solver,
-                       &w->request.solve, w->options.wind.speed, w->options.wind.n, &a, &d, &an, e);
-        if (!s && !wf_interrupted())
-            range_add(&range[k], number, an.tallness, &an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
-    }
-    wf_progress(NULL);
-    wf_arena_free(&a);
-    return s;
-}
-
-/* The range becomes a warning of each species, so that terminal, results and pages have it. */
-static void warn_of_range(const struct models_range *r, size_t models, const char *species, struct wf_diag *d)
-{
-    char speeds[256], weak[96] = "", others[96] = "";
-    size_t none = r->n - r->found - r->weak;
-    if (r->weak)
-        (void)snprintf(weak, sizeof weak, "; %zu of them fail under their own weight, first model %zu",
-                       r->weak, r->first_weak);
-    if (none) (void)snprintf(others, sizeof others, "; for %zu of them none was found", none);
-    if (r->found)
-        (void)snprintf(speeds, sizeof speeds,
-                       "critical wind speed %.2f to %.2f m/s, lowest of model %zu (--scan-model %zu)",
-                       r->speed[0], r->speed[1], r->lowest, r->lowest);
-    else
-        (void)snprintf(speeds, sizeof speeds, "no critical wind speed found");
-    wf_diag_warn(
-        d, "scan-models",
-        "%s: over %zu of %zu models of the scan: %s%s%s, height %.2f to %.2f m; all other results are "
-        "those of model 1",
-        species, r->n, models, speeds, weak, others, r->height[0], r->height[1]);
-}
-
+/* With --scan-model all: the other models of the scan. */
 static enum wf_status analyse_models(struct work *w, size_t species, struct wf_err *e)
 {
-    if (!w->all_models) return WF_OK;
-    struct models_range *range = WF_TAKE(&w->arena, species, struct models_range);
-    if (!range) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", species);
-    for (size_t k = 0; k < species; k++)
-        range_add(&range[k], 1, w->analysis[k].tallness,
-                  &w->analysis[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
-    for (size_t m = 2; m <= w->model.measured_models && !wf_interrupted(); m++) {
-        enum wf_status s = analyse_model(w, m, range, e);
-        if (s) return s;
-    }
-    for (size_t k = 0; k < species; k++)
-        warn_of_range(&range[k], w->model.measured_models, w->species[k].name, &w->diag[k]);
-    return WF_OK;
+    const struct wf_scan_models all = { .tree = &w->options.tree,
+                                        .models = w->model.measured_models,
+                                        .n = species,
+                                        .species = w->species,
+                                        .first = w->analysis,
+                                        .diag = w->diag,
+                                        .scenario = &w->request.scenario,
+                                        .search = &w->request.search,
+                                        .solver = w->request.solver,
+                                        .solve = &w->request.solve,
+                                        .wind = &w->options.wind };
+    return w->all_models ? wf_scan_models_analyse(&all, &w->arena, e) : WF_OK;
 }
 
 /* With --scan-model all, model 1 is analysed first; then the others. */
