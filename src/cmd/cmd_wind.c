@@ -255,7 +255,7 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     if (!s) s = wf_wind_results_write(r, head, d, folder, e);
     bool plots = !o->no_plots && !s && r->stats[0].high > r->stats[0].low;
     if (!s && !o->no_plots && !plots)
-        wf_diag_warn(d, "no-figures", "the wind does not change: no spectrum and no gust to draw");
+        wf_diag_warn(d, "wind-constant", "the wind does not change: no spectrum and no gust to draw");
     if (plots) s = wf_pages_make(folder, o->lang, a, e);
     if (!s && !quiet) printf("\nTables%s: %s\n", plots ? ", plots and page" : "", folder);
     return s;
