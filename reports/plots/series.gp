@@ -35,6 +35,6 @@ if (level(TIP_min, TIP_max)) { set yrange [below(TIP_min):above(TIP_max)] } else
 plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time_s"))):(column("tip_deflection_m")) with lines lt c lw 1.2
 load HERE.'strip.gp'
 set key maxcols 2
-plot for [c=1:words(MOVING)] -1 with lines lt c title NAME[nth(MOVING, c)]
+plot for [c=1:words(MOVING)] -1 with lines lt c title short(NAME[nth(MOVING, c)], 230)
 unset multiplot
 set output

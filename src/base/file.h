@@ -75,4 +75,8 @@ void wf_sha256(const void *bytes, size_t size, char text[static WF_SHA256_TEXT])
  * with the path, when it cannot be read. */
 enum wf_status wf_sha256_file(const char *path, struct wf_arena *a, char text[static WF_SHA256_TEXT],
                               struct wf_err *e);
+/* Digest of what an open file holds from its present place to its end. Given: descriptor; descriptor of a
+ * file that what is read is copied to, -1 for none. Returned: digest, and bytes read in *size; or -1 and
+ * errno. */
+int wf_sha256_read(int fd, int copy, char text[static WF_SHA256_TEXT], size_t *size);
 #endif

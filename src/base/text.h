@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_TEXT_H
 #define WF_BASE_TEXT_H
-/* Text: validation of UTF-8, and suggestions for mistyped words. */
+/* Text: validation of UTF-8, text of users on terminals, in XML and in figures, suggestions for mistyped
+ * words. */
+#include "base/arena.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -13,6 +15,20 @@ struct wf_utf8_fault {
 /* Whether size bytes are UTF-8 text as in RFC 3629: no overlong forms, no surrogates, nothing beyond
  * U+10FFFF; NUL is refused too. Returned: true, or false and the first fault. */
 bool wf_utf8_valid(const char *text, size_t size, struct wf_utf8_fault *fault);
+
+/* Text that came from a user, made fit for where it goes. Given: any bytes up to a NUL. Returned: text in the
+ * arena, NULL without memory. */
+
+/* For a terminal: what could move the cursor, change colours or reorder what is read (C0 and C1 controls,
+ * DEL, marks of writing direction, line and paragraph separators) and bytes that are not UTF-8 are shown as
+ * escapes, \x1b or \u202e. Line ends stay; a tab too. */
+const char *wf_text_for_terminal(const char *text, struct wf_arena *a);
+/* For XML 1.0 and what is drawn into SVG: characters that are not allowed there, and bytes that are not
+ * UTF-8, are replaced by U+FFFD. */
+const char *wf_text_for_xml(const char *text, struct wf_arena *a);
+/* For a place of `columns` columns (at least 2; wide East Asian characters take two): a longer text is cut
+ * and ends in an ellipsis. */
+const char *wf_text_shortened(const char *text, size_t columns, struct wf_arena *a);
 
 /* Distance between two words, letter case ignored: the number of changes, insertions, deletions and swaps of
  * neighbouring letters (Damerau 1964, Levenshtein 1966; optimal string alignment). Returned: (size_t)-1 when

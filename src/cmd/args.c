@@ -18,13 +18,13 @@ static void print_paragraph(FILE *to, const char *text, int left)
     while (*text) {
         int word = (int)strcspn(text, " ");
         if (column > left && column + 1 + word > 80) {
-            fprintf(to, "\n%*s", left, "");
+            wf_show(to, "\n%*s", left, "");
             column = left;
         } else if (column > left) {
             fputc(' ', to);
             column++;
         }
-        fprintf(to, "%.*s", word, text);
+        wf_show(to, "%.*s", word, text);
         column += word;
         text += word;
         while (*text == ' ') text++;
@@ -39,10 +39,10 @@ static void print_option(FILE *to, const struct wf_option *o)
     if (!body) return;
     wf_option_text(o, body);
     fclose(body);
-    int shown = fprintf(to, "  %s%s%s%s%s", o->letter ? o->letter : "", o->letter ? ", " : "", o->name,
+    int shown = wf_show(to, "  %s%s%s%s%s", o->letter ? o->letter : "", o->letter ? ", " : "", o->name,
                         o->value ? " " : "", o->value ? o->value : "");
-    if (shown > 27) shown = fprintf(to, "\n") - 1;
-    fprintf(to, "%*s", 28 - shown, "");
+    if (shown > 27) shown = wf_show(to, "\n") - 1;
+    wf_show(to, "%*s", 28 - shown, "");
     print_paragraph(to, text, 28);
 }
 
@@ -54,7 +54,7 @@ static void print_about(FILE *to, const char *about)
         size_t length = strcspn(about, "\n");
         snprintf(line, sizeof line, "%.*s", (int)length, about);
         if (line[0] == ' ' || !line[0])
-            fprintf(to, "%s\n", line);
+            wf_show(to, "%s\n", line);
         else
             print_paragraph(to, line, 0);
         about += length + (about[length] == '\n');
@@ -66,13 +66,13 @@ static void print_usage(FILE *to, const char *command, const struct wf_option *o
 {
     const struct wf_command *c = wf_commands;
     while (c->name && strcmp(c->name, command) != 0) c++;
-    fprintf(to, "Usage: windfirm %s %s\n\n", command, c->name ? c->operands : "");
+    wf_show(to, "Usage: windfirm %s %s\n\n", command, c->name ? c->operands : "");
     if (c->name) print_paragraph(to, c->summary, 0);
     if (about) {
         fputc('\n', to);
         print_about(to, about);
     }
-    if (option && option->name) fprintf(to, "\nOptions (default in brackets):\n");
+    if (option && option->name) wf_show(to, "\nOptions (default in brackets):\n");
     for (const struct wf_option *o = option; o && o->name; o++) print_option(to, o);
 }
 
@@ -227,10 +227,10 @@ static const char *doc_of(const struct wf_option *o, struct wf_arena *a)
     FILE *to = fmemopen(text, sizeof text, "w");
     if (!to) return NULL;
     wf_option_text(o, to);
-    fputs(" -", to);
+    wf_show(to, " -");
     for (const struct taker *c = takers; c->command; c++)
         for (const struct wf_option *p = c->option; p && p->name; p++)
-            if (!strcmp(p->name, o->name)) fprintf(to, " %s", c->command);
+            if (!strcmp(p->name, o->name)) wf_show(to, " %s", c->command);
     fclose(to);
     return wf_arena_text(a, text);
 }
@@ -320,7 +320,7 @@ static void warn_of_unused(const struct study_keys *b)
     for (size_t k = 2; k < b->keys && all; k++)
         if (b->value[k] && !b->used[k])
             all = wf_arena_print(b->reading->arena, "%s%s%s", all, *all ? ", " : "", b->row[k].key);
-    if (all && *all) fprintf(stderr, "%s: not used by '%s': %s\n", b->file, b->reading->command, all);
+    if (all && *all) wf_show(stderr, "%s: not used by '%s': %s\n", b->file, b->reading->command, all);
 }
 
 static struct study_keys *open_study_keys(struct wf_reading *r, struct wf_arena *a)
@@ -428,9 +428,9 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     complete(&r);
     wf_units_close(r.units);
     if (!r.mistakes) {
-        if (out->winds_said && !out->quiet) fprintf(stderr, "%s\n", out->winds_said);
+        if (out->winds_said && !out->quiet) wf_show(stderr, "%s\n", out->winds_said);
         return -1;
     }
-    fprintf(stderr, "'windfirm %s --help' shows how it is used\n", argv[0]);
+    wf_show(stderr, "'windfirm %s --help' shows how it is used\n", argv[0]);
     return 2;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm analyze and windfirm compare: what a steady wind does to one or several species on one tree. */
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -8,7 +9,6 @@
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"
-#include "out/report.h"
 #include "out/results.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
@@ -259,16 +259,16 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
 static void print_cell(FILE *to, int width, int digits, double x)
 {
     if (isfinite(x))
-        fprintf(to, "%*.*f", width, digits, x);
+        wf_show(to, "%*.*f", width, digits, x);
     else
-        fprintf(to, "%*s", width, "-");
+        wf_show(to, "%*s", width, "-");
 }
 
 /* At the strongest specified wind. */
 static void print_direction(FILE *to, const struct wf_analysis *an, const struct wf_direction *d)
 {
     const struct wf_at_speed *at = &d->at[an->n - 1];
-    fprintf(to, "%8g", degrees(d->from));
+    wf_show(to, "%8g", degrees(d->from));
     print_cell(to, 13, 3, at->base_moment / 1e3);
     print_cell(to, 11, 3, at->tip_deflection);
     print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
@@ -287,16 +287,16 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
 static void print_climate(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_directions *x = an->directions;
-    fprintf(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
+    wf_show(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
-    fprintf(to,
+    wf_show(to,
             "\n  The critical wind is a sustained one, a 10-min mean at %.6g m. Hours a year: with an hourly "
             "mean above "
             "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
             an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
     if (x->above)
-        fprintf(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
+        wf_show(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
                 an->search.speed_max);
 }
 
@@ -306,33 +306,33 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
     const struct wf_directions *x = an->directions;
     if (!x) return;
     bool rose = x->request.rose, site = x->request.speed_up;
-    fprintf(to, "\n  Wind from all around, clockwise from north; north is ");
+    wf_show(to, "\n  Wind from all around, clockwise from north; north is ");
     if (x->request.north == 0.0)
-        fprintf(to, "+y, east +x of the model\n");
+        wf_show(to, "+y, east +x of the model\n");
     else
-        fprintf(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
-    fprintf(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
+        wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
+    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
             "breaks", "stem alone", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
-    fprintf(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
+    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
             site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
     if (rose) print_climate(to, an);
-    fprintf(to, "  Moment, movement and safety at %.6g m/s.\n", an->at[an->n - 1].speed);
+    wf_show(to, "  Moment, movement and safety at %.6g m/s.\n", an->at[an->n - 1].speed);
 }
 
 static void print_number(FILE *to, int width, int digits, double value)
 {
     if (isfinite(value))
-        fprintf(to, "%*.*f", width, digits, value);
+        wf_show(to, "%*.*f", width, digits, value);
     else
-        fprintf(to, "%*s", width, isinf(value) ? "inf" : "-");
+        wf_show(to, "%*s", width, isinf(value) ? "inf" : "-");
 }
 
 static void print_speed(FILE *to, const struct wf_at_speed *at)
 {
     print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
     if (at->status) {
-        fprintf(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
+        wf_show(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
                 100.0 * at->response.load_factor);
         return;
     }
@@ -345,19 +345,35 @@ static void print_speed(FILE *to, const struct wf_at_speed *at)
     fputc('\n', to);
 }
 
+/* The segment that fails: its id in the file of the tree, branching order, diameter. */
+static void print_failing(FILE *to, const struct wf_analysis *an, int32_t row)
+{
+    const struct wf_tree *t = &an->tree;
+    wf_show(to, " (id %lld, order %d, %.3g mm thick)", (long long)t->id[row], t->level[row],
+            2e3 * fmax(t->r0[row], t->r1[row]));
+}
+
 static void print_critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
 {
     const struct wf_critical *c = &b->critical;
     if (c->outcome != WF_CRITICAL_FOUND) {
-        fprintf(to, "  %s: none; %s\n", what, wf_critical_text(c->outcome));
+        wf_show(to, "  %s: none; %s", what, wf_critical_text(c->outcome));
+        if (b->row >= 0) {
+            wf_show(to, ": the %s", wf_model_level_name(an->model, an->species, an->tree.level[b->row]));
+            print_failing(to, an, b->row);
+            wf_show(to, " %.2f m above the ground", b->height);
+        }
+        fputc('\n', to);
         return;
     }
-    fprintf(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
+    wf_show(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
             an->scenario.reference_height);
-    if (b->row >= 0)
-        fprintf(to, "; the %s breaks%s %.2f m above the ground",
+    if (b->row >= 0) {
+        wf_show(to, "; the %s breaks%s %.2f m above the ground",
                 wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
                 b == &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE] ? " first" : "", b->height);
+        print_failing(to, an, b->row);
+    }
     fputc('\n', to);
 }
 
@@ -366,11 +382,11 @@ static void print_results(FILE *to, const struct wf_run *run)
 {
     const struct wf_analysis *first = &run->analysis[0];
     const struct wf_scenario *s = &first->scenario;
-    fprintf(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
+    wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
-    fprintf(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
+    wf_show(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
     if (s->speed_up != 1.0)
-        fprintf(to,
+        wf_show(to,
                 "The wind at the tree is %.4g times the wind named (exposure of the site); critical speeds "
                 "are of the "
                 "wind "
@@ -378,11 +394,11 @@ static void print_results(FILE *to, const struct wf_run *run)
                 s->speed_up);
     for (size_t k = 0; k < run->n; k++) {
         const struct wf_analysis *an = &run->analysis[k];
-        fprintf(to, "\n%s (%s)\n", an->species->name,
+        wf_show(to, "\n%s (%s)\n", an->species->name,
                 an->species->latin ? an->species->latin : an->species->key);
-        fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
+        wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
                 "stress", "safety");
-        fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
+        wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
         for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
         print_critical(to, an, "critical wind speed", &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE]);
         int32_t broken = an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row;
@@ -402,12 +418,15 @@ struct work {
     struct analyze_options options;
     struct request request;
     const char *folder;
+    struct wf_run_folder results;
     struct wf_model model;
     struct wf_species *species;
     struct wf_analysis *analysis;
     size_t inputs;
     struct wf_input_file *input;
     struct wf_diag *diag; /* one per species */
+    bool all_models;      /* of the scan: say how far they differ */
+    struct wf_diag tree;  /* warnings about the file of the tree */
 };
 
 static enum wf_status note_input(struct work *w, const char *role, const char *path, struct wf_err *e)
@@ -415,14 +434,34 @@ static enum wf_status note_input(struct work *w, const char *role, const char *p
     return wf_input_file_note(role, path, &w->arena, &w->input[w->inputs++], e);
 }
 
+static void take_warnings(struct wf_diag *to, const struct wf_diag *from)
+{
+    for (const struct wf_finding *f = from->first; f; f = f->next)
+        if (f->severity == WF_WARNING) wf_diag_warn(to, f->code, "%s", f->text);
+}
+
+/* The warnings of each species for its results: first those about the file of the tree, which have been
+ * printed. */
+static void put_tree_first(struct work *w)
+{
+    for (size_t k = 0; k < w->options.args.n; k++) {
+        struct wf_diag all = { .arena = &w->arena };
+        take_warnings(&all, &w->tree);
+        take_warnings(&all, &w->diag[k]);
+        w->diag[k] = all;
+    }
+}
+
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
     struct wf_diag d = { .arena = &w->arena };
+    w->tree.arena = &w->arena;
     const char *model = NULL;
     struct wf_err first = { 0 }, next = { 0 };
     enum wf_status worst =
         wf_tree_asked_read(&w->options.tree, NULL, &w->arena, &w->model, &model, &d, &first);
+    take_warnings(&w->tree, &d);
     size_t found = d.errors;
     enum wf_status asked = read_request(&w->options, &w->arena, &d, &w->request, &next);
     if (asked && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
@@ -459,13 +498,34 @@ static enum wf_status run_directions(struct work *w, struct wf_analysis *an, str
     struct wf_directions *out = WF_TAKE(&w->arena, 1, struct wf_directions);
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
     wf_progress("%s: %zu directions ...", an->species->name, q->n);
+    struct wf_err why = { 0 };
+    enum wf_status s = wf_directions_run(an, &w->request.solve, q, &w->arena, out, &why);
+    if (s == WF_EINTERRUPTED) {
+        wf_diag_warn(an->diag, "interrupted", "interrupted before all %zu directions were computed", q->n);
+        return WF_OK;
+    }
     an->directions = out;
-    return wf_directions_run(an, &w->request.solve, q, &w->arena, out, e);
+    return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
 }
 
-static enum wf_status analyse(struct work *w, struct wf_err *e)
+/* Was tree k interrupted? The first one is kept as far as it came; a later one has not what the first has and
+ * is left out. Returned: the trees of the results, 0 to go on. */
+static size_t end_early(struct work *w, size_t k)
 {
-    for (size_t k = 0; k < w->options.args.n; k++) {
+    bool cut = false;
+    if (!wf_interrupted()) return 0;
+    for (const struct wf_finding *f = w->diag[k].first; f; f = f->next)
+        cut = cut || (f->code && !strcmp(f->code, "interrupted"));
+    size_t whole = k && cut ? k : k + 1;
+    if (whole < w->options.args.n)
+        wf_diag_warn(&w->diag[0], "interrupted", "interrupted: %zu of %zu trees", whole, w->options.args.n);
+    return whole;
+}
+
+/* Analyse every species. Returned: *done, those that have results; after an interrupt fewer. */
+static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
+{
+    for (size_t k = *done = 0; k < w->options.args.n; k++) {
         const struct wf_preset *preset = w->request.preset;
         w->diag[k].arena = &w->arena;
         if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
@@ -479,26 +539,113 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);
         if (s) return s;
         wf_preset_warn(preset, &w->analysis[k], &w->diag[k]);
+        if ((*done = end_early(w, k))) return WF_OK;
     }
+    *done = w->options.args.n;
     return WF_OK;
 }
 
-/* Plots and pages. A drawing program that is not installed leaves the results complete; *whole: whether
- * everything was drawn. */
-static enum wf_status draw_report(struct work *w, bool *whole, struct wf_err *e)
+/* ---- The models of a scan ----
+ *
+ * Programs that fit cylinders to a scan give another model at each run. How far the answers of the models
+ * differ is part of how sure the answer is. */
+
+struct models_range {
+    size_t weak, first_weak;    /* models that fail without wind, and the first of them      */
+    size_t n, found, lowest;    /* models; with a critical speed; the model with the lowest, from 1 */
+    double speed[2], height[2]; /* least and most [m/s], [m] */
+};
+
+static void range_add(struct models_range *r, size_t number, double height, const struct wf_critical *c)
 {
-    struct wf_diag d = { .arena = &w->arena };
-    struct wf_err why = { 0 };
-    wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_report_make(w->folder, w->options.lang, &d, &why);
-    wf_progress(NULL);
-    wf_print_findings(&d, false);
-    *whole = s == WF_OK;
-    if (s == WF_OK || s == WF_EMISSING) return WF_OK;
-    return wf_fail(e, s, "%s", why.text);
+    r->height[0] = r->n ? fmin(r->height[0], height) : height;
+    r->height[1] = r->n ? fmax(r->height[1], height) : height;
+    r->n++;
+    if (c->outcome == WF_CRITICAL_SELF_WEIGHT && !r->weak++) r->first_weak = number;
+    if (c->outcome != WF_CRITICAL_FOUND) return;
+    if (!r->found || c->speed < r->speed[0]) r->speed[0] = c->speed, r->lowest = number;
+    r->speed[1] = r->found ? fmax(r->speed[1], c->speed) : c->speed;
+    r->found++;
 }
 
-/* Pages of an earlier run would be mistaken for pages of the new results. */
+/* Analyse model `number` with each species; model 1 has been. */
+static enum wf_status analyse_model(struct work *w, size_t number, struct models_range *range,
+                                    struct wf_err *e)
+{
+    struct wf_arena a = { 0 };
+    struct wf_diag d = { .arena = &a };
+    struct wf_tree_asked asked = w->options.tree;
+    struct wf_model model;
+    const char *path;
+    asked.scan.scan_model = wf_arena_print(&a, "%zu", number);
+    enum wf_status s = asked.scan.scan_model ? wf_tree_asked_read(&asked, NULL, &a, &model, &path, &d, e)
+                                             : wf_fail(e, WF_ENOMEM, "no memory for model %zu", number);
+    for (size_t k = 0; !s && k < w->options.args.n; k++) {
+        struct wf_analysis an;
+        wf_progress("%s: model %zu of %zu ...", w->species[k].name, number, w->model.measured_models);
+        s = wf_analyze(&w->species[k], &model, &w->request.scenario, &w->request.search, w->request.solver,
+                       &w->request.solve, w->options.wind.speed, w->options.wind.n, &a, &d, &an, e);
+        if (!s && !wf_interrupted())
+            range_add(&range[k], number, an.tallness, &an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
+    }
+    wf_progress(NULL);
+    wf_arena_free(&a);
+    return s;
+}
+
+/* The range becomes a warning of each species, so that terminal, results and pages have it. */
+static void warn_of_range(const struct models_range *r, size_t models, const char *species, struct wf_diag *d)
+{
+    char speeds[256], weak[96] = "", others[96] = "";
+    size_t none = r->n - r->found - r->weak;
+    if (r->weak)
+        (void)snprintf(weak, sizeof weak, "; %zu of them fail under their own weight, first model %zu",
+                       r->weak, r->first_weak);
+    if (none) (void)snprintf(others, sizeof others, "; for %zu of them none was found", none);
+    if (r->found)
+        (void)snprintf(speeds, sizeof speeds,
+                       "critical wind speed %.2f to %.2f m/s, lowest of model %zu (--scan-model %zu)",
+                       r->speed[0], r->speed[1], r->lowest, r->lowest);
+    else
+        (void)snprintf(speeds, sizeof speeds, "no critical wind speed found");
+    wf_diag_warn(
+        d, "scan-models",
+        "%s: over %zu of %zu models of the scan: %s%s%s, height %.2f to %.2f m; all other results are "
+        "those of model 1",
+        species, r->n, models, speeds, weak, others, r->height[0], r->height[1]);
+}
+
+static enum wf_status analyse_models(struct work *w, size_t species, struct wf_err *e)
+{
+    if (!w->all_models) return WF_OK;
+    struct models_range *range = WF_TAKE(&w->arena, species, struct models_range);
+    if (!range) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", species);
+    for (size_t k = 0; k < species; k++)
+        range_add(&range[k], 1, w->analysis[k].tallness,
+                  &w->analysis[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
+    for (size_t m = 2; m <= w->model.measured_models && !wf_interrupted(); m++) {
+        enum wf_status s = analyse_model(w, m, range, e);
+        if (s) return s;
+    }
+    for (size_t k = 0; k < species; k++)
+        warn_of_range(&range[k], w->model.measured_models, w->species[k].name, &w->diag[k]);
+    return WF_OK;
+}
+
+/* With --scan-model all, model 1 is analysed first; then the others. */
+static int take_all_models(struct work *w, const char *command)
+{
+    const char **asked = &w->options.tree.scan.scan_model;
+    w->all_models = *asked && !strcmp(*asked, "all");
+    if (!w->all_models) return -1;
+    *asked = "1";
+    if (!strcmp(w->options.preset, "corrected")) return -1;
+    wf_show(stderr, "windfirm %s: --scan-model all: not with --preset\n", command);
+    return 2;
+}
+
+/* Pages that no run listed, such as those of an earlier version, stay; they would be mistaken for pages of
+ * the new results. */
 static void warn_of_old_pages(struct work *w)
 {
     static const char *const page[] = { "report.html", "report.pdf" };
@@ -510,7 +657,7 @@ static void warn_of_old_pages(struct work *w)
         if (!path || stat(path, &old)) continue;
         if (old.st_mtim.tv_sec < results.st_mtim.tv_sec ||
             (old.st_mtim.tv_sec == results.st_mtim.tv_sec && old.st_mtim.tv_nsec < results.st_mtim.tv_nsec))
-            fprintf(stderr,
+            wf_show(stderr,
                     "warning: %s is the page of an earlier run; 'windfirm report %s' draws it again\n", path,
                     w->folder);
     }
@@ -534,19 +681,21 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", n);
     enum wf_status s = read_inputs(w, e);
     run.inputs = w->inputs;
-    if (s || (s = analyse(w, e))) return s;
+    bool pages = !w->options.no_report, whole = false;
+    if (!s) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);
+    if (s || (s = analyse(w, &run.n, e)) || (s = analyse_models(w, run.n, e))) return s;
     if (!w->options.args.quiet) print_results(stdout, &run);
     fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
-    for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
-    if ((s = wf_results_write(&run, w->folder, e))) return s;
-    bool pages = !w->options.no_report, whole = false;
-    if (pages) s = draw_report(w, &whole, e);
+    for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
+    put_tree_first(w);
+    if ((s = wf_results_write(&run, w->results.stage, e))) return s;
+    s = wf_results_end(&w->results, pages ? w->options.lang : NULL, &w->arena, &whole, e);
     if (!w->options.args.quiet)
-        printf("\nResults%s: %s\n",
-               whole   ? ", tables, plots and pages"
-               : pages ? " and tables (plots and pages not complete)"
-                       : " and tables",
-               w->folder);
+        wf_show(stdout, "\nResults%s: %s\n",
+                whole   ? ", tables, plots and pages"
+                : pages ? " and tables (plots and pages not complete)"
+                        : " and tables",
+                w->folder);
     fflush(stdout);
     if (!whole) warn_of_old_pages(w);
     return s;
@@ -560,14 +709,16 @@ static int analyze_or_compare(int argc, char **argv, const char *about, size_t l
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_analyze_options, about, low, high, &w.arena, &w.options.args);
     if (code < 0) code = wf_tree_asked_check(&w.options.tree, argv[0], NULL);
+    if (code < 0) code = take_all_models(&w, argv[0]);
     if (code < 0 && !w.options.wind.n) {
-        fprintf(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
+        wf_show(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
         code = 2;
     }
     if (code < 0) {
         const char *asked = w.options.output;
         w.folder = asked ? asked : wf_arena_print(&w.arena, "out/%s", argv[0]);
         code = w.folder && run_all(&w, argc, argv, &e) == WF_OK ? 0 : wf_complain(&e);
+        wf_run_abandon(&w.results);
     }
     wf_arena_free(&w.arena);
     return code;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm series and windfirm papers: trees in winds that change. */
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
@@ -51,8 +52,8 @@ static enum wf_status read_run(const struct wf_series_plan_run *r, const char *f
 
 static void print_runs(const struct wf_series_page *p)
 {
-    printf("%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s", "tip mean m",
-           "largest m");
+    wf_show(stdout, "%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s",
+            "tip mean m", "largest m");
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
         double sum = 0, most = 0, wind = 0, n = 0;
@@ -61,13 +62,13 @@ static void print_runs(const struct wf_series_page *p)
             if (isfinite(s->deflection[k])) sum += s->deflection[k], most = fmax(most, s->deflection[k]), n++;
         }
         if (n > 0)
-            printf("%4zu  %-34s%10zu%12.2f%12.4g%12.4g\n", r + 1, s->spec.name, s->frames, wind, sum / n,
-                   most);
+            wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12.4g%12.4g\n", r + 1, s->spec.name, s->frames, wind,
+                    sum / n, most);
         else
-            printf("%4zu  %-34s%10zu%12.2f%12s%12s  no frame has a result\n", r + 1, s->spec.name, s->frames,
-                   wind, "-", "-");
+            wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12s%12s  no frame has a result\n", r + 1, s->spec.name,
+                    s->frames, wind, "-", "-");
     }
-    printf("\n");
+    wf_show(stdout, "\n");
 }
 
 /* Findings of all runs, those that several have in common once. */
@@ -80,22 +81,30 @@ static void print_findings_once(const struct wf_diag *diag, size_t runs, bool qu
     wf_print_findings(&once, quiet);
 }
 
+/* Returned: *done, the runs that were made; after an interrupt fewer than planned. */
 static enum wf_status run_all(const struct series_job *j, struct wf_series *series, struct wf_diag *diag,
-                              struct wf_arena *a, struct wf_err *e)
+                              size_t *done, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_series_plan *plan = j->plan;
     struct wf_diag inputs = { .arena = a };
     struct wf_series_spec *spec = WF_TAKE(a, plan->runs, struct wf_series_spec);
-    enum wf_status s = spec ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
-    for (size_t r = 0; r < plan->runs && !s; r++)
+    enum wf_status s = spec ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for %zu runs", plan->runs);
+    for (size_t r = *done = 0; r < plan->runs && !s; r++)
         s = read_run(&plan->run[r], plan->file, a, &spec[r], &inputs, e);
     wf_print_findings(&inputs, j->quiet);
     for (size_t r = 0; r < plan->runs && !s; r++) {
+        if (r && wf_interrupted()) {
+            wf_diag_warn(&diag[r - 1], "interrupted", "interrupted: %zu of %zu runs", r, plan->runs);
+            return WF_OK;
+        }
         diag[r].arena = a;
         wf_progress("run %zu of %zu: %s ...", r + 1, plan->runs, spec[r].name);
         s = wf_series_run(&spec[r], a, &diag[r], &series[r], e);
         wf_progress(NULL);
-        if (s) wf_print_findings(&diag[r], j->quiet);
+        if (s)
+            wf_print_findings(&diag[r], j->quiet);
+        else
+            ++*done;
     }
     return s;
 }
@@ -109,7 +118,7 @@ static enum wf_status explain_runs(const struct wf_series_plan *plan, const stru
     struct wf_explain *made = WF_TAKE(a, plan->runs, struct wf_explain);
     enum wf_status s = of && made ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
     page->explain = of;
-    for (size_t r = 0; r < plan->runs && !s; r++) {
+    for (size_t r = 0; r < page->n && !s && !wf_interrupted(); r++) {
         const struct wf_series *x = &series[r];
         if (!plan->run[r].explain || strcmp(plan->run[r].explain, "yes") != 0) continue;
         wf_progress("every method on the tree of run %zu ...", r + 1);
@@ -122,7 +131,27 @@ static enum wf_status explain_runs(const struct wf_series_plan *plan, const stru
     return s;
 }
 
-/* Run a plan, write its files and draw its page. Returned: exit code. */
+/* Run a plan, write its files into the stage and draw its page. */
+static enum wf_status perform_runs(const struct series_job *j, struct wf_run_folder *f,
+                                   struct wf_series_page *page, struct wf_series *series,
+                                   struct wf_diag *diag, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_err why = { 0 };
+    enum wf_status s = run_all(j, series, diag, &page->n, a, e);
+    if (!s && (s = explain_runs(j->plan, series, diag, a, page, &why)) == WF_EINTERRUPTED)
+        page->explained--, s = WF_OK; /* the last one is not finished */
+    else if (s)
+        wf_fail(e, s, "%s", why.text);
+    if (s) return s;
+    if (!j->quiet) print_runs(page);
+    fflush(stdout);
+    print_findings_once(diag, page->n, j->quiet, a);
+    s = wf_series_tables(page, f->stage, e);
+    if (!s && j->vtk) s = wf_series_vtk(page, f->stage, e);
+    return s ? s : wf_results_end(f, j->page ? j->language : NULL, a, NULL, e);
+}
+
+/* Returned: exit code. */
 static int perform_plan(const struct series_job *j, struct wf_arena *a)
 {
     const struct wf_series_plan *plan = j->plan;
@@ -142,17 +171,13 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
         return wf_complain(&e);
     }
     for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_page_run){ &series[r], &diag[r] };
-    enum wf_status s = run_all(j, series, diag, a, &e);
-    if (!s) s = explain_runs(plan, series, diag, a, &page, &e);
+    struct wf_run_folder f;
+    enum wf_status s = wf_results_begin(&f, j->folder, j->page ? "series" : NULL, &e);
+    if (!s) s = perform_runs(j, &f, &page, series, diag, a, &e);
+    wf_run_abandon(&f);
     if (s) return wf_complain(&e);
-    if (!j->quiet) print_runs(&page);
-    fflush(stdout);
-    print_findings_once(diag, plan->runs, j->quiet, a);
-    s = wf_series_tables(&page, j->folder, &e);
-    if (!s && j->vtk) s = wf_series_vtk(&page, j->folder, &e);
-    if (!s && j->page) s = wf_pages_make(j->folder, j->language, a, &e);
-    if (s) return wf_complain(&e);
-    if (!j->quiet) printf("\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
+    if (!j->quiet)
+        wf_show(stdout, "\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
     return 0;
 }
 
@@ -239,7 +264,7 @@ int wf_cmd_series(int argc, char **argv)
     struct series_options o = { 0 };
     int code = wf_args_read(argc, argv, wf_series_options, series_about, 1, 1, &arena, &o.args);
     if (code < 0 && !o.run.model) {
-        fprintf(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
+        wf_show(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
         code = 2;
     }
     if (code < 0) {
@@ -312,15 +337,15 @@ static int list_papers(struct wf_arena *a)
     const char **names, *path;
     size_t n = wf_shipped_names(wf_share(), "models/papers", a, &names);
     if (!n) return wf_complain(&(struct wf_err){ WF_EINPUT, "no runs of papers are installed" });
-    printf("%-20s %5s  %s\n", "name", "runs", "title");
+    wf_show(stdout, "%-20s %5s  %s\n", "name", "runs", "title");
     for (size_t i = 0; i < n; i++) {
         struct wf_series_plan plan;
         if (wf_shipped_path(wf_share(), "models/papers", names[i], a, &path, NULL) ||
             !wf_begins_with_key(path, "runs_of:", a) || /* a model that the runs use */
             wf_series_plan_read(path, a, &plan, &d, NULL))
             continue;
-        printf("%-20s %5zu  %s\n", names[i], plan.runs, plan.title);
-        if (plan.source) printf("%-20s %5s  source: %s\n", "", "", plan.source);
+        wf_show(stdout, "%-20s %5zu  %s\n", names[i], plan.runs, plan.title);
+        if (plan.source) wf_show(stdout, "%-20s %5s  source: %s\n", "", "", plan.source);
     }
     wf_print_findings(&d, false);
     return d.errors ? 2 : 0;
@@ -336,7 +361,7 @@ int wf_cmd_papers(int argc, char **argv)
     if (code < 0 && !strcmp(o.args.operand[0], "list")) code = list_papers(&arena);
     if (code < 0 && !strcmp(o.args.operand[0], "schema")) {
         char *text = wf_series_plan_schema(&arena, &e);
-        if (text) fputs(text, stdout);
+        if (text) wf_show(stdout, "%s", text);
         code = text ? 0 : wf_complain(&e);
     }
     if (code < 0) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm wind: generate a gusty wind, analyse it, draw it. */
+#include "base/interrupt.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -110,12 +111,12 @@ static const char about[] =
 static int list_models(void)
 {
     for (const struct wf_gust_model *m = wf_gust_models; m->name; m++) {
-        printf("%s: %s\n  source: %s\n  valid:  %s\n", m->name, m->title, m->source, m->validity);
-        if (m->corrected) printf("  differs from the paper: %s\n", m->corrected);
+        wf_show(stdout, "%s: %s\n  source: %s\n  valid:  %s\n", m->name, m->title, m->source, m->validity);
+        if (m->corrected) wf_show(stdout, "  differs from the paper: %s\n", m->corrected);
         for (const struct wf_gust_par *p = m->par; p->name; p++)
-            printf("  --set %s=%.6g  (%.6g..%.6g%s%s) %s\n", p->name, p->fallback, p->low, p->high,
-                   p->unit[0] == '-' ? "" : " ", p->unit[0] == '-' ? "" : p->unit, p->help);
-        printf("\n");
+            wf_show(stdout, "  --set %s=%.6g  (%.6g..%.6g%s%s) %s\n", p->name, p->fallback, p->low, p->high,
+                    p->unit[0] == '-' ? "" : " ", p->unit[0] == '-' ? "" : p->unit, p->help);
+        wf_show(stdout, "\n");
     }
     return 0;
 }
@@ -134,11 +135,12 @@ static enum wf_status read_record(const struct wind_options *o, struct wf_gust_s
     if (!WF_GIVEN(o, components) && r->components == 3) s->components = 3;
     if (!WF_GIVEN(o, wind)) s->speed = r->mean;
     if (!o->args.quiet)
-        printf("%s: %zu rows, %zu steps of %g s; %zu rows with unreadable cells, %zu steps interpolated in "
-               "%zu gaps (longest %zu)\n"
-               "  mean %.3f m/s towards %.1f deg (first axis towards second), tilt %.1f deg\n",
-               file, r->rows, r->n, r->step, r->unreadable, r->missing, r->gaps, r->longest, r->mean,
-               r->azimuth * 180 / M_PI, r->tilt * 180 / M_PI);
+        wf_show(stdout,
+                "%s: %zu rows, %zu steps of %g s; %zu rows with unreadable cells, %zu steps interpolated in "
+                "%zu gaps (longest %zu)\n"
+                "  mean %.3f m/s towards %.1f deg (first axis towards second), tilt %.1f deg\n",
+                file, r->rows, r->n, r->step, r->unreadable, r->missing, r->gaps, r->longest, r->mean,
+                r->azimuth * 180 / M_PI, r->tilt * 180 / M_PI);
     return WF_OK;
 }
 
@@ -204,40 +206,41 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
 static void print_share(int width, double share)
 {
     if (isfinite(share))
-        printf("%*.2f%%", width, 100.0 * share);
+        wf_show(stdout, "%*.2f%%", width, 100.0 * share);
     else
-        printf("%*s", width, "-");
+        wf_show(stdout, "%*s", width, "-");
 }
 
 static void print_wind(const struct wf_gust_report *r)
 {
     const struct wf_gust_spec *s = &r->spec;
     const struct wf_gust_stats *t = &r->stats[0];
-    printf("%s: %s\n", s->model->name, s->model->title);
-    printf("%zu steps of %g s at %g m, seed %llu\n\n", s->steps, s->step, s->height,
-           (unsigned long long)s->seed);
-    printf("mean wind             %8.3f m/s  (Beaufort %s, %s, as a 10-min mean)\n", t->mean,
-           wf_wind_scale_grade(&wf_wind_scales[0], t->mean)->name,
-           wf_wind_scale_grade(&wf_wind_scales[0], t->mean)->text);
-    printf("turbulence intensity  %8.3f\n", t->intensity);
-    printf("lowest, highest       %8.3f, %.3f m/s\n", t->low, t->high);
-    printf("skewness, kurtosis    %8.3f, %.3f\n", t->skewness, t->kurtosis);
-    printf("integral scale        %8.3f s, %.1f m\n", t->time_scale, t->length_scale);
-    printf("gust factor           %8.3f  (largest %g-s mean over %g s, mean of %zu)\n", t->gust_factor,
-           t->gust_window, t->period, t->periods);
-    printf("peak factor           %8.3f  (codes take 2.5 to 3.5)\n", t->peak_factor);
+    wf_show(stdout, "%s: %s\n", s->model->name, s->model->title);
+    wf_show(stdout, "%zu steps of %g s at %g m, seed %llu\n\n", s->steps, s->step, s->height,
+            (unsigned long long)s->seed);
+    wf_show(stdout, "mean wind             %8.3f m/s  (Beaufort %s, %s, as a 10-min mean)\n", t->mean,
+            wf_wind_scale_grade(&wf_wind_scales[0], t->mean)->name,
+            wf_wind_scale_grade(&wf_wind_scales[0], t->mean)->text);
+    wf_show(stdout, "turbulence intensity  %8.3f\n", t->intensity);
+    wf_show(stdout, "lowest, highest       %8.3f, %.3f m/s\n", t->low, t->high);
+    wf_show(stdout, "skewness, kurtosis    %8.3f, %.3f\n", t->skewness, t->kurtosis);
+    wf_show(stdout, "integral scale        %8.3f s, %.1f m\n", t->time_scale, t->length_scale);
+    wf_show(stdout, "gust factor           %8.3f  (largest %g-s mean over %g s, mean of %zu)\n",
+            t->gust_factor, t->gust_window, t->period, t->periods);
+    wf_show(stdout, "peak factor           %8.3f  (codes take 2.5 to 3.5)\n", t->peak_factor);
     if (isfinite(r->joint))
-        printf("blocks meet within    %8.3f %% of the standard deviation\n", 100.0 * r->joint);
+        wf_show(stdout, "blocks meet within    %8.3f %% of the standard deviation\n", 100.0 * r->joint);
     if (!isnan(r->coherence_error))
-        printf("coherence within      %8.4f of the specified one\n", r->coherence_error);
-    if (r->findings) printf("\n%-36s %12s %12s %10s  scatter\n", "property", "specified", "obtained", "off");
+        wf_show(stdout, "coherence within      %8.4f of the specified one\n", r->coherence_error);
+    if (r->findings)
+        wf_show(stdout, "\n%-36s %12s %12s %10s  scatter\n", "property", "specified", "obtained", "off");
     for (size_t i = 0; i < r->findings; i++) {
         const struct wf_gust_finding *f = &r->finding[i];
-        printf("%-36s %12.5g %12.5g ", f->name, f->asked, f->got);
+        wf_show(stdout, "%-36s %12.5g %12.5g ", f->name, f->asked, f->got);
         print_share(9, f->got / f->asked - 1.0);
-        printf("  ");
+        wf_show(stdout, "  ");
         print_share(0, f->scatter / fabs(f->asked));
-        printf("  %s\n", f->within ? "as expected" : "NOT as expected");
+        wf_show(stdout, "  %s\n", f->within ? "as expected" : "NOT as expected");
     }
 }
 
@@ -247,17 +250,21 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
                                 struct wf_err *e)
 {
     struct wf_gust_report *r = WF_TAKE(a, 1, struct wf_gust_report);
+    struct wf_run_folder f;
     const char *folder = o->output;
     bool quiet = o->args.quiet;
     if (!r) return wf_fail(e, WF_ENOMEM, "not enough memory for a report");
-    enum wf_status s = wf_gust_report_make(spec, a, d, r, e);
+    enum wf_status s = wf_results_begin(&f, folder, o->no_plots ? NULL : "wind", e);
+    if (s) return s;
+    s = wf_gust_report_make(spec, a, d, r, e);
     if (!s && !quiet) print_wind(r);
-    if (!s) s = wf_wind_results_write(r, head, d, folder, e);
+    if (!s) s = wf_wind_results_write(r, head, d, f.stage, e);
     bool plots = !o->no_plots && !s && r->stats[0].high > r->stats[0].low;
     if (!s && !o->no_plots && !plots)
         wf_diag_warn(d, "wind-constant", "the wind does not change: no spectrum and no gust to draw");
-    if (plots) s = wf_pages_make(folder, o->lang, a, e);
-    if (!s && !quiet) printf("\nTables%s: %s\n", plots ? ", plots and page" : "", folder);
+    if (!s) s = wf_results_end(&f, plots ? o->lang : NULL, a, NULL, e);
+    wf_run_abandon(&f);
+    if (!s && !quiet) wf_show(stdout, "\nTables%s: %s\n", plots ? ", plots and page" : "", folder);
     return s;
 }
 
@@ -266,24 +273,24 @@ static void show_progress(size_t block, size_t blocks) { wf_progress("block %zu 
 static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_streamed *w, const char *path)
 {
     static const char *const name[WF_COMPONENTS] = { "along the wind", "across", "up" };
-    printf("%s: %zu points, %zu steps of %g s, %u component%s, seed %llu: %s\n", s->model->name, s->points,
-           s->steps, s->step, s->components, s->components == 1 ? "" : "s", (unsigned long long)s->seed,
-           path);
-    printf("%zu blocks of %zu steps, made and written in %.1f s of processor time\n", w->blocks, w->block,
-           w->seconds);
+    wf_show(stdout, "%s: %zu points, %zu steps of %g s, %u component%s, seed %llu: %s\n", s->model->name,
+            s->points, w->steps, s->step, s->components, s->components == 1 ? "" : "s",
+            (unsigned long long)s->seed, path);
+    wf_show(stdout, "%zu blocks of %zu steps, made and written in %.1f s of processor time\n", w->blocks,
+            w->block, w->seconds);
     for (unsigned c = 0; c < s->components; c++) {
-        printf("first point, %-15s mean %8.3f m/s, standard deviation %7.3f m/s", name[c], w->mean[c],
-               w->deviation[c]);
+        wf_show(stdout, "first point, %-15s mean %8.3f m/s, standard deviation %7.3f m/s", name[c],
+                w->mean[c], w->deviation[c]);
         if (isnan(w->asked[c]))
-            printf("\n");
+            wf_show(stdout, "\n");
         else
-            printf(" (specified %.3f)\n", w->asked[c]);
+            wf_show(stdout, " (specified %.3f)\n", w->asked[c]);
     }
     if (s->model->spectrum && isfinite(w->joint))
-        printf("blocks meet within %.3f %% of the standard deviation\n", 100.0 * w->joint);
+        wf_show(stdout, "blocks meet within %.3f %% of the standard deviation\n", 100.0 * w->joint);
     else if (s->model->spectrum)
-        printf("blocks meet within - of the standard deviation, which is 0\n");
-    if (!isnan(w->coherence)) printf("coherence within %.4f of the specified one\n", w->coherence);
+        wf_show(stdout, "blocks meet within - of the standard deviation, which is 0\n");
+    if (!isnan(w->coherence)) wf_show(stdout, "coherence within %.4f of the specified one\n", w->coherence);
 }
 
 static enum wf_status write_stream(const struct wind_options *o, const struct wf_gust_spec *spec,
@@ -291,6 +298,7 @@ static enum wf_status write_stream(const struct wind_options *o, const struct wf
 {
     struct wf_wind_streamed w;
     const char *path = o->stream;
+    wf_interrupt_catch();
     enum wf_status s = wf_wind_stream(spec, path, show_progress, a, d, &w, e);
     wf_progress(NULL);
     if (!s && !o->args.quiet) print_streamed(spec, &w, path);
@@ -316,25 +324,26 @@ static double degrees(double rad) { return rad * 57.295779513082321; }
 
 static void print_rose(const char *file, const struct wf_rose *r)
 {
-    printf("%s: %zu directions, frequencies sum to %g in the file\n\n", file, r->sectors, r->typed_sum);
-    printf("%-8s %10s %10s %7s  above", "from", "frequency", "mean m/s", "shape");
-    for (int k = 0; k < WF_ROSE_CLASSES; k++) printf(" %6.0f", wf_rose_classes[k]);
-    printf(" m/s (hours a year)\n");
+    wf_show(stdout, "%s: %zu directions, frequencies sum to %g in the file\n\n", file, r->sectors,
+            r->typed_sum);
+    wf_show(stdout, "%-8s %10s %10s %7s  above", "from", "frequency", "mean m/s", "shape");
+    for (int k = 0; k < WF_ROSE_CLASSES; k++) wf_show(stdout, " %6.0f", wf_rose_classes[k]);
+    wf_show(stdout, " m/s (hours a year)\n");
     for (size_t s = 0; s <= r->sectors; s++) {
         bool all = s == r->sectors;
         if (all)
-            printf("%-8s %10.4f %10.3f %7s       ", "all", 1.0, wf_rose_mean(r), "");
+            wf_show(stdout, "%-8s %10.4f %10.3f %7s       ", "all", 1.0, wf_rose_mean(r), "");
         else
-            printf("%5.1f    %10.4f %10.3f %7.3f       ", degrees(r->from[s]), r->frequency[s],
-                   r->scale[s] * tgamma(1.0 + 1.0 / r->shape[s]), r->shape[s]);
+            wf_show(stdout, "%5.1f    %10.4f %10.3f %7.3f       ", degrees(r->from[s]), r->frequency[s],
+                    r->scale[s] * tgamma(1.0 + 1.0 / r->shape[s]), r->shape[s]);
         for (int k = 0; k < WF_ROSE_CLASSES; k++)
-            printf(" %6.1f",
-                   8766.0 * (all ? wf_rose_above(r, wf_rose_classes[k])
-                                 : r->frequency[s] * wf_rose_sector_above(r, s, wf_rose_classes[k])));
-        printf("\n");
+            wf_show(stdout, " %6.1f",
+                    8766.0 * (all ? wf_rose_above(r, wf_rose_classes[k])
+                                  : r->frequency[s] * wf_rose_sector_above(r, s, wf_rose_classes[k])));
+        wf_show(stdout, "\n");
     }
-    printf("\nhourly mean exceeded 1 %% of the time: %.2f m/s; 0.1 %%: %.2f m/s\n", wf_rose_speed(r, 0.01),
-           wf_rose_speed(r, 0.001));
+    wf_show(stdout, "\nhourly mean exceeded 1 %% of the time: %.2f m/s; 0.1 %%: %.2f m/s\n",
+            wf_rose_speed(r, 0.01), wf_rose_speed(r, 0.001));
 }
 
 /* A wind climate: read, printed unless quiet, written to FOLDER/tables/rose.csv, drawn. */
@@ -342,13 +351,17 @@ static enum wf_status show_rose(const struct wind_options *o, const struct wf_do
                                 struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     const char *file = o->gust.file, *folder = o->output;
+    struct wf_run_folder f;
     struct wf_rose r;
     if (!file) return wf_fail(e, WF_EUSAGE, "the wind rose needs --file");
     enum wf_status status = wf_rose_read(file, a, d, &r, e);
     if (status) return status;
     if (!o->args.quiet) print_rose(file, &r);
-    status = wf_rose_results_write(&r, file, head, d, folder, e);
-    if (!status && !o->no_plots) status = wf_pages_make(folder, o->lang, a, e);
+    status = wf_results_begin(&f, folder, o->no_plots ? NULL : "rose", e);
+    if (status) return status;
+    status = wf_rose_results_write(&r, file, head, d, f.stage, e);
+    if (!status) status = wf_results_end(&f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    wf_run_abandon(&f);
     return status;
 }
 

@@ -69,8 +69,30 @@ bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *wh
              "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s", \
              .unused = f)
 
+/* What of a scan is taken. The rows end with designators of when they have no effect. */
+struct wf_scan_asked {
+    const char *tree_id, *scan_model; /* NULL: not given */
+    bool force, cap_children;
+};
+#define WF_SCAN_ROWS(in, ...)                                                                                \
+    TEXT("--tree-id", in.tree_id, "ID", NULL,                                                                \
+         "which tree of a file of several: a value of its column treeID, or the number of the line of the "  \
+         "tree, from 1",                                                                                     \
+         __VA_ARGS__),                                                                                       \
+        TEXT("--scan-model", in.scan_model, "N|all", NULL,                                                   \
+             "which model of a MATLAB file with several models of one tree, from 1 [the first]; all: the "   \
+             "range over the models (tree info, analyze)",                                                   \
+             __VA_ARGS__),                                                                                   \
+        FLAG("--force", in.force,                                                                            \
+             "take a measured tree whose stems stand more than 2 m apart, or of whose wood more than 25 % "  \
+             "was not scanned",                                                                              \
+             __VA_ARGS__),                                                                                   \
+        FLAG("--cap-children", in.cap_children,                                                              \
+             "thin measured branches that are thicker than what they grow on", __VA_ARGS__)
+
 /* How tree files are read. */
 struct wf_import_asked {
+    struct wf_scan_asked scan;
     const char *format, *length_unit, *diameter_unit; /* NULL: not given */
     bool strict;
 };
@@ -82,7 +104,8 @@ struct wf_import_asked {
         CHOICE("--length-unit", in.length_unit, "UNIT", "m|cm|mm", NULL,                                     \
                "of coordinates and lengths whose column names no unit (m; MTG: cm)", .unused = f),           \
         CHOICE("--diameter-unit", in.diameter_unit, "UNIT", "m|cm|mm", NULL,                                 \
-               "of radii and diameters whose column names no unit (as lengths; MTG: by size)", .unused = f)
+               "of radii and diameters whose column names no unit (as lengths; MTG: by size)", .unused = f), \
+        WF_SCAN_ROWS(in.scan, .unused = f)
 /* The same as the library takes it. */
 struct wf_import_options wf_import_asked_options(const struct wf_import_asked *asked);
 
@@ -93,6 +116,7 @@ struct wf_tree_asked {
     double leaf_area;         /* in place of the model's [m2]; NAN: the model's */
     const char *season;       /* "leaf_on" or "leaf_off"; NULL: the model's      */
     bool unload;
+    struct wf_scan_asked scan;
 };
 #define WF_TREE_ROWS(in)                                                                                     \
     PATH("--model", in.model, "MODEL", NULL,                                                                 \
@@ -110,7 +134,8 @@ struct wf_tree_asked {
                WF_UNUSED(in, wf_tree_row_unused)),                                                           \
         FLAG("--unload", in.unload,                                                                          \
              "the tree was measured or drawn standing under its own weight: find its stress-free shape "     \
-             "first")
+             "first"),                                                                                       \
+        WF_SCAN_ROWS(in.scan, WF_UNUSED(in, wf_tree_row_unused))
 
 /* The joint of a measured tree that a word of --joint means. */
 enum wf_joint wf_joint_named(const char *word);

@@ -28,6 +28,9 @@ static enum wf_status measured(const struct wf_calibration_tree *s, const char *
 {
     struct wf_import_options o = wf_import_default();
     o.mat = mat;
+    o.tree_id = s->tree_id;
+    o.force = s->force == 1;
+    o.cap_children = s->cap_children == 1;
     struct wf_qsm q;
     struct wf_qsm_model m;
     enum wf_status status = wf_import_read(path, &o, a, &q, d, e);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/analysis.h"
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "base/parallel.h"
 #include "base/vec3.h"
@@ -409,6 +410,7 @@ static enum wf_status search_totals(const struct search *q, double speed, struct
     const struct wf_at_speed *known = recall(q, speed);
     if (known) *at = *known;
     if (known) return WF_OK;
+    if (wf_interrupted()) return wf_fail(e, WF_EINTERRUPTED, "interrupted");
     enum wf_status s = wf_speed_totals(q->an, q->o, speed, at, e);
     if (!s) keep(q->known, q->o->mesh_tolerance, at);
     return s;
@@ -632,6 +634,29 @@ static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_s
     return s;
 }
 
+/* An interrupt: the speeds that were solved stay and make the curves; the critical speeds only where all were
+ * found. */
+static enum wf_status keep_finished(struct wf_analysis *an, size_t speeds, bool searched, struct wf_arena *a,
+                                    struct wf_diag *d, struct wf_err *e)
+{
+    wf_diag_warn(d, "interrupted", "interrupted: %zu of %zu wind speeds%s", speeds, an->n,
+                 searched ? "; curves at these alone" : ", no critical wind speed");
+    an->n = an->sweep_n = speeds;
+    if (!(an->sweep = WF_TAKE(a, speeds, struct wf_at_speed)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", speeds);
+    for (size_t k = 0; k < speeds; k++) an->sweep[k] = an->at[k];
+    for (int c = 0; c < WF_CRITERIA && !searched; c++)
+        for (int scope = 0; scope < WF_SCOPES; scope++) {
+            struct wf_break *b = &an->breaks[c][scope];
+            *b = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
+            b->critical = (struct wf_critical){ .outcome = WF_CRITICAL_INTERRUPTED,
+                                                .speed = NAN,
+                                                .speed_high = an->search.speed_max,
+                                                .gradient = NAN };
+        }
+    return WF_OK;
+}
+
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
                           const struct wf_search *search, const struct wf_solver *solver,
                           const struct wf_solve_options *o, const double *speeds, size_t n,
@@ -648,10 +673,16 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     if ((s = wf_analysis_set_up(out, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
-    for (size_t k = 0; k < n; k++)
-        if ((s = speed_solve(out, o, speeds[k], a, d, &out->at[k], e))) return s;
-    if ((s = wf_analysis_breaks(out, o, out->breaks, e))) return s;
-    if ((s = sweep(out, o, a, e))) return s;
+    struct wf_err why = { 0 };
+    size_t k = 0;
+    bool searched = false;
+    while (k < n && !(k && wf_interrupted()) && !s)
+        if (!(s = speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++;
+    if (!s) s = k < n ? WF_EINTERRUPTED : wf_analysis_breaks(out, o, out->breaks, &why);
+    searched = !s;
+    if (!s) s = sweep(out, o, a, &why);
+    if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
+    if (s) return wf_fail(e, s, "%s", why.text);
     wf_limits_check(out, d);
     return WF_OK;
 }
