@@ -172,7 +172,7 @@ static void test_gusts(void **state)
         { "$W series oak $M " QUIET "--gust record", CODE_INPUT, { "needs the file of an anemometer" } },
         { "$W series oak $M " QUIET "--gust cosine --file x.csv",
           CODE_INPUT,
-          { "is for the gust model 'record'" } },
+          { "--file: has no effect with the gust model 'cosine'" } },
         { "{ echo t_s,u_ms; i=0; while [ $i -lt 60 ]; do echo $i,$((i % 7 + 1)); i=$((i + 1)); done; } "
           ">$T/a.csv\n"
           "$W series oak $M " QUIET

@@ -270,7 +270,7 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     if (!s) s = wf_wind_results_write(r, head, d, f.stage, e);
     bool plots = !o->no_plots && !s && r->stats[0].high > r->stats[0].low;
     if (!s && !o->no_plots && !plots)
-        wf_diag_warn(d, "no-figures", "the wind does not change: no spectrum and no gust to draw");
+        wf_diag_warn(d, "wind-constant", "the wind does not change: no spectrum and no gust to draw");
     if (!s) s = wf_results_end(&f, plots ? o->lang : NULL, a, NULL, e);
     wf_run_abandon(&f);
     if (!s && !quiet) wf_show(stdout, "\nTables%s: %s\n", plots ? ", plots and page" : "", folder);

@@ -176,10 +176,10 @@ static void read_list(struct winds *w, char *text, const char *unit, const char 
     const struct wf_wind_scale *scale = NULL;
     size_t before = w->r->mistakes;
     double last = 0.0;
-    bool falls = false;
+    bool falls = false, empty = false;
     for (char *rest = text, *item; w->n <= SPEEDS_MAX && (item = wf_list_item(&rest));) {
         if (!*item) {
-            winds_mistake(w, "'%.100s': an item of the list is empty", whole);
+            empty = true;
         } else if (wf_wind_scale_is(item)) {
             scale = read_grade(w, item);
         } else if (follows_grade(w, scale, item, unit)) {
@@ -193,6 +193,10 @@ static void read_list(struct winds *w, char *text, const char *unit, const char 
         }
     }
     if (w->n > SPEEDS_MAX) winds_mistake(w, "more than %d wind speeds", SPEEDS_MAX);
+    if (w->n == 0 && w->r->mistakes == before)
+        winds_mistake(w, "no wind speed is given");
+    else if (empty)
+        winds_mistake(w, "'%.100s': an item of the list is empty", whole);
     if (falls && w->r->mistakes == before) question_order(w, whole);
     qsort(w->speed, w->n, sizeof *w->speed, ascending);
 }
