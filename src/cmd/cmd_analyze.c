@@ -34,7 +34,7 @@ struct analyze_options {
     double azimuth, north;           /* [rad]                                     */
     double temperature, altitude;    /* [K], [m]                                  */
     double air_density;              /* [kg m-3]; NAN: from the two above         */
-    double search_to;                /* [m/s]                                     */
+    double search_to, search_time;   /* [m/s], [s]                                */
     double mesh_tolerance;           /* [-]                                       */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     bool no_report;
@@ -81,6 +81,8 @@ const struct wf_option wf_analyze_options[] = {
            "in place of the one from temperature and altitude"),
     NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, "100",
            "highest wind at which the critical speed is looked for"),
+    NUMBER("--search-time", search_time, "TIME", TIME, "s", 1, 1e6, "120",
+           "processor time for the search of a critical speed, and again for the curves; what it leaves out is said"),
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
            "relative error accepted from the mesh; 0 takes one element a segment"),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
@@ -178,7 +180,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     s->altitude = o->altitude;
     s->air_density = o->air_density;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
-    out->search = (struct wf_search){ .speed_max = o->search_to };
+    out->search = (struct wf_search){ .speed_max = o->search_to, .seconds = o->search_time };
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;
@@ -284,6 +286,11 @@ static void print_speed(FILE *to, const struct wf_at_speed *at)
 static void print_critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
 {
     const struct wf_critical *c = &b->critical;
+    if (c->outcome == WF_CRITICAL_UNSEARCHED) {
+        fprintf(to, "  %s: not found in the time for the search; above %.4g m/s, %s %.4g m/s\n", what,
+                c->speed_low, c->speed_high < an->search.speed_max ? "below" : "not searched to", c->speed_high);
+        return;
+    }
     if (c->outcome != WF_CRITICAL_FOUND) {
         fprintf(to, "  %s: none; %s\n", what, wf_critical_text(c->outcome));
         return;
@@ -297,10 +304,10 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
     fputc('\n', to);
 }
 
-/* The results in a forester's units. */
-static void print_results(FILE *to, const struct wf_run *run)
+/* ---- Printed as soon as it is known: what the wind named does, then the results of the searches ---- */
+
+static void print_head(FILE *to, const struct wf_analysis *first)
 {
-    const struct wf_analysis *first = &run->analysis[0];
     const struct wf_scenario *s = &first->scenario;
     fprintf(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
@@ -312,20 +319,30 @@ static void print_results(FILE *to, const struct wf_run *run)
                 "wind "
                 "named\n",
                 s->speed_up);
-    for (size_t k = 0; k < run->n; k++) {
-        const struct wf_analysis *an = &run->analysis[k];
-        fprintf(to, "\n%s (%s)\n", an->species->name,
-                an->species->latin ? an->species->latin : an->species->key);
-        fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
-                "stress", "safety");
-        fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
-        for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
-        print_critical(to, an, "critical wind speed", &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE]);
-        int32_t broken = an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row;
-        if (broken >= 0 && an->tree.level[broken] > 0)
-            print_critical(to, an, "of the stem alone", &an->breaks[WF_BREAKAGE][WF_SCOPE_STEM]);
-        print_directions(to, an);
-    }
+}
+
+static void print_speeds(FILE *to, const struct wf_analysis *an)
+{
+    fprintf(to, "\n%s (%s)\n", an->species->name, an->species->latin ? an->species->latin : an->species->key);
+    fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment", "stress",
+            "safety");
+    fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
+    for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
+}
+
+/* Below the table of its speeds. */
+static void print_searched(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_break *b = an->breaks[WF_BREAKAGE];
+    bool beyond = false;
+    for (size_t i = 0; i < an->n; i++)
+        beyond = beyond || (!an->at[i].status && an->at[i].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety <= 1.0);
+    if (beyond)
+        fprintf(to, "  safety of 1 or less: broken before; the row shows what a tree that cannot break would do\n");
+    print_critical(to, an, "critical wind speed", &b[WF_SCOPE_TREE]);
+    if (b[WF_SCOPE_TREE].row >= 0 && an->tree.level[b[WF_SCOPE_TREE].row] > 0)
+        print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]);
+    print_directions(to, an);
 }
 
 /* ---- The run ---- */
@@ -344,7 +361,20 @@ struct work {
     size_t inputs;
     struct wf_input_file *input;
     struct wf_diag *diag; /* one per species */
+    size_t solved;        /* trees whose given speeds were printed */
 };
+
+/* The speeds named are solved: they are printed before the searches, which take most of the time. */
+static void speeds_solved(const struct wf_analysis *an, void *work)
+{
+    struct work *w = work;
+    if (w->options.args.quiet) return;
+    wf_progress(NULL);
+    if (!w->solved++) print_head(stdout, an);
+    print_speeds(stdout, an);
+    fflush(stdout);
+    wf_progress("%s: critical speed, curves ...", an->species->name);
+}
 
 static enum wf_status note_input(struct work *w, const char *role, const char *path, struct wf_err *e)
 {
@@ -405,7 +435,8 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
         w->diag[k].arena = &w->arena;
         if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
             return e->code;
-        wf_progress("%s: %zu wind speeds, critical speed, curves ...", w->species[k].name, w->options.wind.n);
+        w->request.search.solved = speeds_solved, w->request.search.context = w;
+        wf_progress("%s: %zu wind speeds ...", w->species[k].name, w->options.wind.n);
         enum wf_status s = wf_analyze(&w->species[k], &w->model, &w->request.scenario, &w->request.search,
                                       w->request.solver, &w->request.solve, w->options.wind.speed,
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
@@ -413,6 +444,7 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
         wf_progress(NULL);
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);
         if (s) return s;
+        if (!w->options.args.quiet) print_searched(stdout, &w->analysis[k]);
         wf_preset_warn(preset, &w->analysis[k], &w->diag[k]);
     }
     return WF_OK;
@@ -470,7 +502,6 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     enum wf_status s = read_inputs(w, e);
     run.inputs = w->inputs;
     if (s || (s = analyse(w, e))) return s;
-    if (!w->options.args.quiet) print_results(stdout, &run);
     fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
     for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
     if ((s = wf_results_write(&run, w->folder, e))) return s;

@@ -12,6 +12,7 @@
 #include "wind/shelter_laws.h"
 #include <math.h>
 #include <string.h>
+#include <time.h>
 
 /* ---- Loads and displacements of rows and totals of the tree at one wind speed ---- */
 
@@ -349,6 +350,8 @@ bool wf_analysis_grown(const struct wf_analysis *an, size_t level)
 /* Results at speeds already solved: all searches use the same speeds at first. */
 enum { KNOWN_MAX = 200 };
 struct known {
+    double deadline; /* of the process's time [s] */
+    bool over;       /* the deadline ended a search */
     int n;
     double tolerance[KNOWN_MAX]; /* of the mesh */
     struct wf_at_speed at[KNOWN_MAX];
@@ -360,7 +363,14 @@ struct search {
     enum wf_criterion_id criterion;
     enum wf_scope scope;
     struct known *known;
+    double speed_max; /* [m/s] */
 };
+
+static double processor_seconds(void)
+{
+    struct timespec t;
+    return clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t) ? 0.0 : (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 static const struct wf_at_speed *recall(const struct search *q, double speed)
 {
@@ -383,6 +393,9 @@ static enum wf_status search_totals(const struct search *q, double speed, struct
     const struct wf_at_speed *known = recall(q, speed);
     if (known) *at = *known;
     if (known) return WF_OK;
+    q->known->over = q->known->over || processor_seconds() > q->known->deadline;
+    /* any status that is no answer about the tree ends the search; find_break then looks at `over` */
+    if (q->known->over) return wf_fail(e, WF_EINTERNAL, "the time of the search is used up");
     enum wf_status s = wf_speed_totals(q->an, q->o, speed, at, e);
     if (!s) keep(q->known, q->o->mesh_tolerance, at);
     return s;
@@ -438,6 +451,8 @@ struct batch {
 static enum wf_status rung(void *context, size_t k, struct wf_err *e)
 {
     struct batch *b = context;
+    b->kept[k] = false;
+    if (processor_seconds() > b->search->known->deadline) return WF_OK;
     b->kept[k] = !wf_speed_totals(b->search->an, b->search->o, b->speed[k], &b->at[k], e);
     return WF_OK;
 }
@@ -457,7 +472,7 @@ static enum wf_status climb(const struct search *q, struct wf_err *e)
     for (int k = 0; k <= WF_CRITICAL_RUNGS && !fell;) {
         size_t n = 0;
         for (; k <= WF_CRITICAL_RUNGS && n < threads; k++) {
-            double speed = wf_critical_rung(q->an->search.speed_max, k);
+            double speed = wf_critical_rung(q->speed_max, k);
             const struct wf_at_speed *at = recall(q, speed);
             if (at)
                 fell = fell || falls(q, at);
@@ -484,29 +499,71 @@ static void place_at(const struct wf_tree *t, const struct wf_worst *w, struct w
     out->height = t->z0[w->row] + w->place * (t->z1[w->row] - t->z0[w->row]);
 }
 
-static enum wf_status find_break(struct search search, struct wf_break *out, struct wf_err *e)
+/* The highest speed to be searched: the range given, or the lowest given speed above it at which this part of the
+ * tree failed. */
+static double search_top(const struct search *q)
 {
-    const struct wf_analysis *an = search.an;
-    const struct wf_solve_options *o = search.o;
-    struct wf_solve_options quick = *o;
-    if (o->mesh_tolerance > 0.0) quick.mesh_tolerance = fmax(o->mesh_tolerance, 1e-4);
-    search.o = &quick;
+    double top = INFINITY;
+    for (size_t k = 0; q->an->at && k < q->an->n; k++) {
+        const struct wf_at_speed *at = &q->an->at[k];
+        if (at->speed <= q->an->search.speed_max && falls(q, at)) return q->an->search.speed_max;
+        if (falls(q, at)) top = fmin(top, at->speed);
+    }
+    return isfinite(top) ? top : q->an->search.speed_max;
+}
+
+/* What is known of a search that was ended: between which speeds the tree fails. */
+static void bracket(const struct search *q, struct wf_critical *c)
+{
+    *c = (struct wf_critical){ .outcome = WF_CRITICAL_UNSEARCHED,
+                               .speed = NAN,
+                               .speed_high = q->speed_max,
+                               .gradient = NAN };
+    for (int i = 0; i < q->known->n; i++)
+        if (falls(q, &q->known->at[i])) c->speed_high = fmin(c->speed_high, q->known->at[i].speed);
+    for (int i = 0; i < q->known->n; i++) {
+        double speed = q->known->at[i].speed;
+        if (speed < c->speed_high && !falls(q, &q->known->at[i])) c->speed_low = fmax(c->speed_low, speed);
+    }
+}
+
+/* The search itself, and the result at its end. */
+static enum wf_status search_break(struct search *search, const struct wf_solve_options *quick,
+                                   const struct wf_solve_options *fine, struct wf_break *out, struct wf_err *e)
+{
     struct wf_critical *c = &out->critical;
     struct wf_at_speed at;
-    *out = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
-    if (!wf_criterion_known(&wf_criteria[search.criterion], &an->tree, search.scope)) {
-        *c = (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
-        return WF_OK;
-    }
-    enum wf_status s = climb(&search, e);
-    if (!s) s = wf_critical_search(utilisation, &search, an->search.speed_max, 1e-4, c, e);
+    search->o = quick;
+    enum wf_status s = climb(search, e);
+    if (!s) s = wf_critical_search(utilisation, search, search->speed_max, 1e-4, c, e);
     if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
-    search.o = o;
-    s = c->outcome == WF_CRITICAL_FOUND ? polish(&search, c, &at, e) : search_totals(&search, 0.0, &at, e);
-    const struct wf_worst *worst = &at.worst[search.criterion][search.scope];
+    search->o = fine;
+    s = c->outcome == WF_CRITICAL_FOUND ? polish(search, c, &at, e) : search_totals(search, 0.0, &at, e);
+    const struct wf_worst *worst = &at.worst[search->criterion][search->scope];
     if (s || at.status || worst->row < 0) return s;
     if (c->outcome == WF_CRITICAL_FOUND) out->at = at;
-    place_at(&an->tree, worst, out);
+    place_at(&search->an->tree, worst, out);
+    return WF_OK;
+}
+
+static enum wf_status find_break(struct search search, struct wf_break *out, struct wf_err *e)
+{
+    const struct wf_solve_options *fine = search.o;
+    struct wf_solve_options quick = *fine;
+    struct wf_err why = { 0 };
+    if (fine->mesh_tolerance > 0.0) quick.mesh_tolerance = fmax(fine->mesh_tolerance, 1e-4);
+    const struct wf_break nothing = { .at = { .speed = NAN }, .row = -1, .height = NAN };
+    *out = nothing;
+    if (!wf_criterion_known(&wf_criteria[search.criterion], &search.an->tree, search.scope)) {
+        out->critical = (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
+        return WF_OK;
+    }
+    search.speed_max = search_top(&search);
+    enum wf_status s = search_break(&search, &quick, fine, out, &why);
+    if (!s) return WF_OK;
+    if (!search.known->over) return wf_fail(e, s, "%s", why.text);
+    *out = nothing;
+    bracket(&search, &out->critical);
     return WF_OK;
 }
 
@@ -533,8 +590,9 @@ enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_
     struct known *known = WF_TAKE(&scratch, 1, struct known);
     enum wf_status s = WF_OK;
     if (!known) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
+    known->deadline = processor_seconds() + an->search.seconds;
     for (int c = 0; c < WF_CRITERIA && !s; c++) {
-        struct search search = { an, o, (enum wf_criterion_id)c, WF_SCOPE_TREE, known };
+        struct search search = { an, o, (enum wf_criterion_id)c, WF_SCOPE_TREE, known, NAN };
         s = find_break(search, &out[c][WF_SCOPE_TREE], e);
         if (s) break;
         out[c][WF_SCOPE_STEM] = out[c][WF_SCOPE_TREE];
@@ -554,18 +612,22 @@ struct sweep_points {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
     struct wf_at_speed *at;
+    double deadline; /* of the process's time [s] */
+    bool *skipped;   /* the deadline came before this point */
 };
 
 static enum wf_status sweep_point(void *context, size_t k, struct wf_err *e)
 {
     const struct sweep_points *c = context;
+    c->skipped[k] = processor_seconds() > c->deadline;
+    if (c->skipped[k]) return WF_OK;
     return wf_speed_totals(c->an, c->o, c->at[k].speed, &c->at[k], e);
 }
 
 /* Totals at speeds from 0 beyond the given and the critical speeds, at a round step; a quarter of it for the
  * first steps, where the deflection of a slender tree grows fastest. */
 static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
-                            struct wf_err *e)
+                            struct wf_diag *d, struct wf_err *e)
 {
     enum { QUARTERED = 5, STEPS = 40 };
     static const double steps[] = { 0.1, 0.2, 0.25, 0.5, 1.0, 2.0, 5.0 };
@@ -582,11 +644,26 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
         return wf_fail(e, WF_ENOMEM, "not enough memory for a sweep of %zu speeds", an->sweep_n);
     for (size_t k = 0; k < an->sweep_n; k++)
         an->sweep[k].speed = step * (k < 4 * QUARTERED ? 0.25 * (double)k : (double)k - 3 * QUARTERED);
-    struct sweep_points c = { an, &curve, an->sweep };
-    return wf_parallel(an->sweep_n, o->threads, sweep_point, &c, e);
+    struct sweep_points c = { an, &curve, an->sweep, processor_seconds() + an->search.seconds,
+                              WF_TAKE(a, an->sweep_n, bool) };
+    if (!c.skipped) return wf_fail(e, WF_ENOMEM, "not enough memory for a sweep of %zu speeds", an->sweep_n);
+    if (an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome == WF_CRITICAL_UNSEARCHED) c.deadline = 0.0;
+    enum wf_status s = wf_parallel(an->sweep_n, o->threads, sweep_point, &c, e);
+    bool whole = true;
+    for (size_t k = 0; k < an->sweep_n; k++) whole = whole && !c.skipped[k];
+    if (s || whole) return s;
+    an->sweep_n = an->n; /* no more than the speeds given */
+    for (size_t k = 0; k < an->n; k++) an->sweep[k] = an->at[k];
+    wf_diag_warn(d, "search-ended",
+                 "%s: the time for the curves (%.4g s) is used up: curves join the given wind speeds alone",
+                 an->species->name, an->search.seconds);
+    return WF_OK;
 }
 
-void wf_search_default(struct wf_search *s) { *s = (struct wf_search){ .speed_max = 100.0 }; }
+void wf_search_default(struct wf_search *s)
+{
+    *s = (struct wf_search){ .speed_max = 100.0, .seconds = INFINITY };
+}
 
 static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_search *q,
                                  const double *speeds, size_t n, struct wf_err *e)
@@ -598,6 +675,7 @@ static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_s
     enum wf_status s = wf_scenario_check(sc, e);
     if (!s && !(q->speed_max >= 1.0 && q->speed_max <= 200.0))
         s = wf_fail(e, WF_EUSAGE, "highest speed searched %.6g m/s is outside 1..200", q->speed_max);
+    if (!s && !(q->seconds > 0.0)) s = wf_fail(e, WF_EUSAGE, "the time of the search must be above 0 s");
     return s;
 }
 
@@ -619,8 +697,9 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
     for (size_t k = 0; k < n; k++)
         if ((s = speed_solve(out, o, speeds[k], a, d, &out->at[k], e))) return s;
+    if (q.solved) q.solved(out, q.context);
     if ((s = wf_analysis_breaks(out, o, out->breaks, e))) return s;
-    if ((s = sweep(out, o, a, e))) return s;
+    if ((s = sweep(out, o, a, d, e))) return s;
     wf_limits_check(out, d);
     return WF_OK;
 }
