@@ -54,16 +54,21 @@ static enum wf_status read_run(const struct wf_series_plan_run *r, const char *f
 
 static void print_runs(const struct wf_series_page *p)
 {
-    printf("%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s", "tip mean m",
-           "largest m");
+    printf("%s\n\n%4s  %-34s%10s%12s%12s%12s%10s\n", p->title, "run", "", "frames", "wind m/s", "tip mean m",
+           "largest m", "safety");
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
-        double sum = 0, most = 0, wind = 0, n = 0;
+        double sum = 0, most = 0, wind = 0, n = 0, safety = NAN;
         for (size_t k = 0; k < s->frames; k++) {
             wind += s->wind[k] / (double)s->frames;
+            safety = fmin(safety, s->safety[k]);
             if (isfinite(s->deflection[k])) sum += s->deflection[k], most = fmax(most, s->deflection[k]), n++;
         }
-        printf("%4zu  %-34s%10zu%12.2f%12.4g%12.4g\n", r + 1, s->spec.name, s->frames, wind, sum / n, most);
+        printf("%4zu  %-34s%10zu%12.2f%12.4g%12.4g", r + 1, s->spec.name, s->frames, wind, sum / n, most);
+        if (isfinite(safety))
+            printf("%10.2f\n", safety);
+        else
+            printf("%10s\n", "-");
     }
     printf("\n");
 }
@@ -173,7 +178,8 @@ const struct wf_option wf_series_options[] = {
     PATH("--model", run.model, "MODEL", NULL, "tree model: a file, or the name of a shipped one",
          .letter = "-m"),
     WF_WIND_ROWS(run.wind, averaging, 0, 100, "mean wind at the reference height"),
-    WORD("--gust", run.gust, "NAME", gust_word, "steady", "how the wind changes"),
+    WORD("--gust", run.gust, "NAME", gust_word, "steady",
+         "how the wind changes; steady: it does not, and all frames of a balance are equal"),
     WORD("--preset", run.preset, "NAME", wf_preset_word, "corrected", "a published method, as printed"),
     WORD("--solver", run.solver, "NAME", wf_solver_word, NULL,
          "how the bent shape is computed [the preset's, else beam]"),

@@ -97,29 +97,23 @@ static void check_equilibrium(const struct wf_analysis *an, struct wf_diag *d)
         an->species->name, speeds, share);
 }
 
-/* Lowest bent end of a part that stands above the ground without load [m]; 0: none is below the ground. */
-static double lowest_end(const struct wf_tree *t, const double *end, bool moved, size_t *row)
+double wf_limits_ground(const struct wf_tree *t, const double *end, bool moved, const char *who,
+                        const char *when, struct wf_diag *d)
 {
+    size_t row = 0;
     double lowest = 0.0;
     for (size_t i = 0; i < t->n; i++) {
         double z = end[3 * i + 2] + (moved ? t->z1[i] : 0.0);
-        if (t->z1[i] < 0.0 || !(z < lowest - 1e-3)) continue;
-        lowest = z, *row = i;
+        if (t->z1[i] < 0.0 || !(z < -1e-3) || !(z < lowest)) continue;
+        lowest = z, row = i;
     }
-    return lowest;
-}
-
-void wf_limits_ground(const struct wf_tree *t, const double *end, bool moved, const char *who, const char *when,
-                      struct wf_diag *d)
-{
-    size_t row = 0;
-    double lowest = lowest_end(t, end, moved, &row);
-    if (lowest < 0.0)
+    if (lowest < 0.0 && d)
         wf_diag_warn(d, "through-ground",
                      "%s: %s parts of the tree hang through the ground, segment %lld by %.3g m; the ground does "
                      "not hold them here, so their deflection, and what they load, is not that of a tree that "
                      "touches it",
                      who, when, (long long)t->id[row], -lowest);
+    return lowest;
 }
 
 static void check_ground(const struct wf_analysis *an, struct wf_diag *d)
@@ -127,12 +121,9 @@ static void check_ground(const struct wf_analysis *an, struct wf_diag *d)
     char when[60];
     for (size_t k = 0; k < an->n; k++) {
         const struct wf_at_speed *at = &an->at[k];
-        size_t row;
         if (!solved(at) || at->response.n != an->tree.n) continue;
-        if (!(lowest_end(&an->tree, at->response.end, true, &row) < 0.0)) continue;
         (void)snprintf(when, sizeof when, "at %.6g m/s", at->speed);
-        wf_limits_ground(&an->tree, at->response.end, true, an->species->name, when, d);
-        return;
+        if (wf_limits_ground(&an->tree, at->response.end, true, an->species->name, when, d) < 0.0) return;
     }
 }
 

@@ -23,8 +23,9 @@ struct wf_site;     /* wind/terrain.h */
 bool wf_limits_small_passed(const struct wf_at_speed *at);
 
 /* The through-ground warning alone. Given: 3 numbers for each row, its bent end, or (moved) how far it moved [m];
- * for the message who and when, "at 20 m/s". Only rows that stand above the ground without load are looked at. */
-void wf_limits_ground(const struct wf_tree *t, const double *end, bool moved, const char *who, const char *when,
+ * for the message who and when, "at 20 m/s"; d NULL: no warning. Only rows that stand above the ground without load
+ * are looked at. Returned: height of the lowest end [m]; 0 where none is below the ground. */
+double wf_limits_ground(const struct wf_tree *t, const double *end, bool moved, const char *who, const char *when,
                       struct wf_diag *d);
 /* The profile-range warnings alone, for a tree of that height [m]. */
 void wf_limits_profile(const struct wf_scenario *s, double tallness, const char *tree, struct wf_diag *d);

@@ -104,6 +104,9 @@ struct wf_series {
     double *place;          /* frames x 3n: ends of the rows [m]                 */
     double *deflection;     /* frames: of the tip, from the unloaded shape [m]   */
     double *moment;         /* frames: overturning moment at the base [N m]      */
+    double *safety;         /* frames: least strength over stress [-]; NAN: not known, as with the deflect scheme */
+    size_t broken;          /* first frame in which it is 1 or less; `frames`: none. From there on the frames are
+                               those of a tree that cannot break */
     size_t tip;             /* row                                               */
     size_t *key;            /* spec.keys frames                                  */
     size_t levels;
@@ -112,7 +115,8 @@ struct wf_series {
     struct wf_diag *diag;
 };
 
-/* Run. Gusts scale the whole profile: speed and direction change at all heights together and are those of the
+/* Run. In a steady wind the quasi-static frames are equal: one is solved, and spec.keys of *s is 1 (warning
+ * steady-wind). Further warnings: broken, through-ground, no-equilibrium. Gusts scale the whole profile: speed and direction change at all heights together and are those of the
  * gust's components at the reference height. The deflect scheme and shelter inside the crown are made for one
  * direction and use only the component along the wind (warning along-wind-only). Errors:
  * WF_EUSAGE (frames, k >= 1, unknown gust model), WF_ENOMEM, and where no frame has a result the status
