@@ -82,7 +82,8 @@ const struct wf_option wf_analyze_options[] = {
     NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, "100",
            "highest wind at which the critical speed is looked for"),
     NUMBER("--search-time", search_time, "TIME", TIME, "s", 1, 1e6, "120",
-           "processor time for the search of a critical speed, and again for the curves; what it leaves out is said"),
+           "processor time for the search of a critical speed, and again for the curves; what it leaves out "
+           "is said"),
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
            "relative error accepted from the mesh; 0 takes one element a segment"),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
@@ -288,7 +289,8 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
     const struct wf_critical *c = &b->critical;
     if (c->outcome == WF_CRITICAL_UNSEARCHED) {
         fprintf(to, "  %s: not found in the time for the search; above %.4g m/s, %s %.4g m/s\n", what,
-                c->speed_low, c->speed_high < an->search.speed_max ? "below" : "not searched to", c->speed_high);
+                c->speed_low, c->speed_high < an->search.speed_max ? "below" : "not searched to",
+                c->speed_high);
         return;
     }
     if (c->outcome != WF_CRITICAL_FOUND) {
@@ -324,8 +326,8 @@ static void print_head(FILE *to, const struct wf_analysis *first)
 static void print_speeds(FILE *to, const struct wf_analysis *an)
 {
     fprintf(to, "\n%s (%s)\n", an->species->name, an->species->latin ? an->species->latin : an->species->key);
-    fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment", "stress",
-            "safety");
+    fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
+            "stress", "safety");
     fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
     for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
 }
@@ -338,7 +340,9 @@ static void print_searched(FILE *to, const struct wf_analysis *an)
     for (size_t i = 0; i < an->n; i++)
         beyond = beyond || (!an->at[i].status && an->at[i].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety <= 1.0);
     if (beyond)
-        fprintf(to, "  safety of 1 or less: broken before; the row shows what a tree that cannot break would do\n");
+        fprintf(
+            to,
+            "  safety of 1 or less: broken before; the row shows what a tree that cannot break would do\n");
     print_critical(to, an, "critical wind speed", &b[WF_SCOPE_TREE]);
     if (b[WF_SCOPE_TREE].row >= 0 && an->tree.level[b[WF_SCOPE_TREE].row] > 0)
         print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]);

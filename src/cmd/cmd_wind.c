@@ -344,7 +344,8 @@ static enum wf_status take_rose(const struct wind_options *o, struct wf_arena *a
     const char *file = o->gust.file;
     *record = NULL;
     if (!file == !o->record)
-        return wf_fail(e, WF_EUSAGE, "the wind rose needs --file, a wind climate, or --record, a station's record%s",
+        return wf_fail(e, WF_EUSAGE,
+                       "the wind rose needs --file, a wind climate, or --record, a station's record%s",
                        file ? "; not both" : "");
     if (file && o->sectors)
         return wf_fail(e, WF_EUSAGE, "--sectors is for --record; the rose of --file has those of the file");

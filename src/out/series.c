@@ -83,14 +83,14 @@ static void frames(const struct wf_series_page *p, FILE *f)
 static void levels(const struct wf_series_page *p, FILE *f)
 {
     fputs("run,level,axes,amplitude_mean_m,amplitude_largest_m,amplitude_own_mean_m,amplitude_windward_m,"
-          "amplitude_leeward_m\n",
+          "amplitude_leeward_m,amplitude_own_windward_m,amplitude_own_leeward_m\n",
           f);
     for (size_t r = 0; r < p->n; r++)
         for (size_t k = 0; k < p->run[r].series->levels; k++) {
             const struct wf_series_level *l = &p->run[r].series->level[k];
             fprintf(f, "%zu,%zu,%zu", r + 1, k, l->axes);
             cell(f, l->swing_mean), cell(f, l->swing_most), cell(f, l->own_mean);
-            cell(f, l->windward), cell(f, l->leeward);
+            cell(f, l->windward), cell(f, l->leeward), cell(f, l->own_windward), cell(f, l->own_leeward);
             fputc('\n', f);
         }
 }
@@ -391,6 +391,8 @@ static json_t *run_part(struct wf_doc *d, const struct wf_series *s)
         wf_doc_number(d, q, "own_m", l->own_mean);
         wf_doc_number(d, q, "windward_m", l->windward);
         wf_doc_number(d, q, "leeward_m", l->leeward);
+        wf_doc_number(d, q, "own_windward_m", l->own_windward);
+        wf_doc_number(d, q, "own_leeward_m", l->own_leeward);
     }
     return o;
 }

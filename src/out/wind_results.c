@@ -237,18 +237,18 @@ static void record_part(struct wf_doc *d, json_t *to, const struct wf_rose_recor
     wf_doc_count(d, o, "without_speed", r->missing + r->unreadable);
     PUT(d, o, x);
     double counted[WF_ROSE_CLASSES];
-    for (int k = 0; k < WF_ROSE_CLASSES; k++) counted[k] = 8766.0 * wf_rose_record_above(r, wf_rose_classes[k]);
+    for (int k = 0; k < WF_ROSE_CLASSES; k++)
+        counted[k] = 8766.0 * wf_rose_record_above(r, wf_rose_classes[k]);
     wf_doc_numbers(d, o, "hours_a_year_above", counted, WF_ROSE_CLASSES);
     json_t *list = wf_doc_put(d, o, "fits", wf_doc_array(d));
     for (size_t s = 0; s <= r->rose.sectors; s++) {
         const struct wf_rose_fit *f = &r->fit[s];
-        const struct keyed y[] = {
-            { "from_deg", s < r->rose.sectors ? 57.295779513082321 * r->rose.from[s] : NAN },
-            { "scale_m_s", f->scale },
-            { "scale_error_m_s", f->scale_error },
-            { "shape", f->shape },
-            { "shape_error", f->shape_error }
-        };
+        const struct keyed y[] = { { "from_deg",
+                                     s < r->rose.sectors ? 57.295779513082321 * r->rose.from[s] : NAN },
+                                   { "scale_m_s", f->scale },
+                                   { "scale_error_m_s", f->scale_error },
+                                   { "shape", f->shape },
+                                   { "shape_error", f->shape_error } };
         json_t *q = wf_doc_add(d, list, wf_doc_object(d));
         wf_doc_count(d, q, "hours", f->hours);
         PUT(d, q, y);

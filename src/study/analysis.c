@@ -499,8 +499,8 @@ static void place_at(const struct wf_tree *t, const struct wf_worst *w, struct w
     out->height = t->z0[w->row] + w->place * (t->z1[w->row] - t->z0[w->row]);
 }
 
-/* The highest speed to be searched: the range given, or the lowest given speed above it at which this part of the
- * tree failed. */
+/* The highest speed to be searched: the range given, or the lowest given speed above it at which this part of
+ * the tree failed. */
 static double search_top(const struct search *q)
 {
     double top = INFINITY;
@@ -515,10 +515,9 @@ static double search_top(const struct search *q)
 /* What is known of a search that was ended: between which speeds the tree fails. */
 static void bracket(const struct search *q, struct wf_critical *c)
 {
-    *c = (struct wf_critical){ .outcome = WF_CRITICAL_UNSEARCHED,
-                               .speed = NAN,
-                               .speed_high = q->speed_max,
-                               .gradient = NAN };
+    *c = (struct wf_critical){
+        .outcome = WF_CRITICAL_UNSEARCHED, .speed = NAN, .speed_high = q->speed_max, .gradient = NAN
+    };
     for (int i = 0; i < q->known->n; i++)
         if (falls(q, &q->known->at[i])) c->speed_high = fmin(c->speed_high, q->known->at[i].speed);
     for (int i = 0; i < q->known->n; i++) {
@@ -529,7 +528,8 @@ static void bracket(const struct search *q, struct wf_critical *c)
 
 /* The search itself, and the result at its end. */
 static enum wf_status search_break(struct search *search, const struct wf_solve_options *quick,
-                                   const struct wf_solve_options *fine, struct wf_break *out, struct wf_err *e)
+                                   const struct wf_solve_options *fine, struct wf_break *out,
+                                   struct wf_err *e)
 {
     struct wf_critical *c = &out->critical;
     struct wf_at_speed at;
@@ -555,7 +555,8 @@ static enum wf_status find_break(struct search search, struct wf_break *out, str
     const struct wf_break nothing = { .at = { .speed = NAN }, .row = -1, .height = NAN };
     *out = nothing;
     if (!wf_criterion_known(&wf_criteria[search.criterion], &search.an->tree, search.scope)) {
-        out->critical = (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
+        out->critical =
+            (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
         return WF_OK;
     }
     search.speed_max = search_top(&search);

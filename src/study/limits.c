@@ -108,11 +108,12 @@ double wf_limits_ground(const struct wf_tree *t, const double *end, bool moved, 
         lowest = z, row = i;
     }
     if (lowest < 0.0 && d)
-        wf_diag_warn(d, "through-ground",
-                     "%s: %s parts of the tree hang through the ground, segment %lld by %.3g m; the ground does "
-                     "not hold them here, so their deflection, and what they load, is not that of a tree that "
-                     "touches it",
-                     who, when, (long long)t->id[row], -lowest);
+        wf_diag_warn(
+            d, "through-ground",
+            "%s: %s parts of the tree hang through the ground, segment %lld by %.3g m; the ground does "
+            "not hold them here, so their deflection, and what they load, is not that of a tree that "
+            "touches it",
+            who, when, (long long)t->id[row], -lowest);
     return lowest;
 }
 
@@ -137,16 +138,18 @@ static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
                      "critical wind speed",
                      who);
     if (c->outcome == WF_CRITICAL_FOUND && c->speed > an->search.speed_max)
-        wf_diag_warn(d, "searched-further",
-                     "%s: the tree fails at a given wind speed above %.6g m/s, the highest speed to be searched; "
-                     "the search went on to that wind speed",
-                     who, an->search.speed_max);
+        wf_diag_warn(
+            d, "searched-further",
+            "%s: the tree fails at a given wind speed above %.6g m/s, the highest speed to be searched; "
+            "the search went on to that wind speed",
+            who, an->search.speed_max);
     if (c->outcome == WF_CRITICAL_UNSEARCHED)
-        wf_diag_warn(d, "search-ended",
-                     "%s: the search for the critical wind speed ended after %.4g s of processor time: it stands "
-                     "up to %.4g m/s%s; wind speeds from there to %.4g m/s were not searched",
-                     who, an->search.seconds, c->speed_low,
-                     c->speed_high < an->search.speed_max ? " and fails above" : "", c->speed_high);
+        wf_diag_warn(
+            d, "search-ended",
+            "%s: the search for the critical wind speed ended after %.4g s of processor time: it stands "
+            "up to %.4g m/s%s; wind speeds from there to %.4g m/s were not searched",
+            who, an->search.seconds, c->speed_low,
+            c->speed_high < an->search.speed_max ? " and fails above" : "", c->speed_high);
     if (c->outcome == WF_CRITICAL_ABOVE)
         wf_diag_warn(d, "critical-above-range",
                      "%s: no section reaches its strength up to %.6g m/s, the highest speed searched", who,

@@ -229,8 +229,8 @@ static void repeat_frame(struct wf_series *s, size_t k)
 }
 
 /* Keep the equilibrium of frame k and compare its stresses with the strength. */
-static enum wf_status keep_balance(struct wf_series *s, size_t k, struct wf_response *r, struct wf_arena *scratch,
-                                   struct wf_err *e)
+static enum wf_status keep_balance(struct wf_series *s, size_t k, struct wf_response *r,
+                                   struct wf_arena *scratch, struct wf_err *e)
 {
     const struct wf_tree *t = &s->an.tree;
     struct wf_breakage stresses;
@@ -289,10 +289,11 @@ static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struc
                      "%s: %zu of %zu frames have no result (%s); they show the frame before", s->spec.name,
                      s->failed, s->frames, first.text);
     if (s->spec.gust || s->frames < 2) return WF_OK;
-    wf_diag_warn(d, "steady-wind",
-                 "%s: the wind does not change, so neither does the tree: one frame is drawn; --gust (key: gust) "
-                 "makes it change, 'windfirm wind list' shows how",
-                 s->spec.name);
+    wf_diag_warn(
+        d, "steady-wind",
+        "%s: the wind does not change, so neither does the tree: one frame is drawn; --gust (key: gust) "
+        "makes it change, 'windfirm wind list' shows how",
+        s->spec.name);
     s->spec.keys = 1;
     return WF_OK;
 }
@@ -303,10 +304,11 @@ static void check_broken(struct wf_series *s, struct wf_diag *d)
 {
     for (s->broken = 0; s->broken < s->frames && !(s->safety[s->broken] <= 1.0);) s->broken++;
     if (s->broken == s->frames) return;
-    wf_diag_warn(d, "broken",
-                 "%s: the stress reaches the strength at %.4g s in a wind of %.4g m/s; from there on (grey) the "
-                 "frames are those of a tree that cannot break",
-                 s->spec.name, (double)s->broken * s->spec.step, s->wind[s->broken]);
+    wf_diag_warn(
+        d, "broken",
+        "%s: the stress reaches the strength at %.4g s in a wind of %.4g m/s; from there on (grey) the "
+        "frames are those of a tree that cannot break",
+        s->spec.name, (double)s->broken * s->spec.step, s->wind[s->broken]);
 }
 
 /* The frame that is deepest below the ground. */
@@ -366,16 +368,20 @@ static enum wf_status measure_levels(struct wf_series *s, struct wf_err *e)
         l->axes++;
         l->swing_mean += far;
         l->swing_most = fmax(l->swing_most, far);
-        l->own_mean += swing(s, i, foot[i]);
+        double own = swing(s, i, foot[i]);
+        l->own_mean += own;
         *(lee ? &l->leeward : &l->windward) += far;
+        *(lee ? &l->own_leeward : &l->own_windward) += own;
         side[2 * (size_t)t->level[i] + lee]++;
     }
     for (size_t k = 0; k < s->levels; k++) {
         struct wf_series_level *l = &s->level[k];
         if (!l->axes) continue;
         l->swing_mean /= (double)l->axes, l->own_mean /= (double)l->axes;
-        l->windward = side[2 * k] ? l->windward / (double)side[2 * k] : NAN;
-        l->leeward = side[2 * k + 1] ? l->leeward / (double)side[2 * k + 1] : NAN;
+        double of[2] = { side[2 * k] ? (double)side[2 * k] : NAN,
+                         side[2 * k + 1] ? (double)side[2 * k + 1] : NAN };
+        l->windward /= of[0], l->own_windward /= of[0];
+        l->leeward /= of[1], l->own_leeward /= of[1];
     }
     wf_arena_free(&scratch);
     return WF_OK;

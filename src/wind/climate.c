@@ -216,10 +216,12 @@ bool wf_rose_direction(const char *text, double *degrees, bool *named)
 static const struct {
     const char *name;
     double factor;
-} speed_units[] = { { "m_s", 1.0 },        { "ms", 1.0 },          { "m/s", 1.0 },        { "mps", 1.0 },
-                    { "km_h", 1 / 3.6 },   { "kmh", 1 / 3.6 },     { "km/h", 1 / 3.6 },   { "kph", 1 / 3.6 },
-                    { "kn", 1852 / 3600.0 }, { "kt", 1852 / 3600.0 }, { "kts", 1852 / 3600.0 },
-                    { "knots", 1852 / 3600.0 }, { "mph", 0.44704 } };
+} speed_units[] = {
+    { "m_s", 1.0 },          { "ms", 1.0 },           { "m/s", 1.0 },           { "mps", 1.0 },
+    { "km_h", 1 / 3.6 },     { "kmh", 1 / 3.6 },      { "km/h", 1 / 3.6 },      { "kph", 1 / 3.6 },
+    { "kn", 1852 / 3600.0 }, { "kt", 1852 / 3600.0 }, { "kts", 1852 / 3600.0 }, { "knots", 1852 / 3600.0 },
+    { "mph", 0.44704 }
+};
 
 /* Size of a name without its unit, and the unit's factor; 0 where it ends in no unit of speed. */
 static size_t speed_stem(const char *name, double *factor)
@@ -365,8 +367,11 @@ enum wf_status wf_rose_take(size_t sectors, const char *path, struct wf_arena *a
         return wf_fail(e, WF_EINPUT, "%s: %zu directions; a rose has 8, 12 or 16", path, sectors);
     double *all = WF_TAKE(a, 5 * sectors, double);
     if (!all) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", path);
-    *out = (struct wf_rose){ .sectors = sectors, .from = all, .frequency = all + sectors,
-                             .scale = all + 2 * sectors, .shape = all + 3 * sectors,
+    *out = (struct wf_rose){ .sectors = sectors,
+                             .from = all,
+                             .frequency = all + sectors,
+                             .scale = all + 2 * sectors,
+                             .shape = all + 3 * sectors,
                              .calm = all + 4 * sectors };
     for (size_t s = 0; s < sectors; s++) {
         out->from[s] = 2.0 * WF_PI * (double)s / (double)sectors;

@@ -8,13 +8,13 @@
 #include <string.h>
 #include <strings.h>
 
-enum { FEW = 100, LEAST = 10 }; /* hours: uncertain below FEW, not fitted below LEAST */
+enum { FEW = 100, LEAST = 10 };         /* hours: uncertain below FEW, not fitted below LEAST */
 static const double speed_most = 100.0; /* above it a number is no hourly mean [m/s] */
 
 /* ---- Weibull by maximum likelihood ---- */
 
-/* sum(x^k ln x)/sum(x^k) - 1/k - mean(ln x), which grows with k; x is divided by its largest value, so that no
- * power overflows. */
+/* sum(x^k ln x)/sum(x^k) - 1/k - mean(ln x), which grows with k; x is divided by its largest value, so that
+ * no power overflows. */
 static double likelihood_slope(const double *x, size_t n, double largest, double k)
 {
     double power = 0.0, weighted = 0.0, logs = 0.0;
@@ -51,9 +51,9 @@ static void fit_weibull(const double *x, size_t n, struct wf_rose_fit *out)
 
 struct rows {
     size_t n, room;
-    double *speed;     /* [m/s]                                        */
-    double *direction; /* [deg]; NAN: none                             */
-    bool names;        /* directions are names of sixteen              */
+    double *speed;                   /* [m/s]                                        */
+    double *direction;               /* [deg]; NAN: none                             */
+    bool names;                      /* directions are names of sixteen              */
     size_t first_line, first_column; /* first speed that is no number  */
     char first_text[40];
 };
@@ -82,7 +82,8 @@ static bool one_of(const char *text, const char *const *words)
 
 static bool no_reading(const char *text)
 {
-    static const char *const words[] = { "", "NA", "N/A", "NaN", "NULL", "M", "-", "--", "/", "//", "///", NULL };
+    static const char *const words[] = { "",  "NA", "N/A", "NaN", "NULL", "M",
+                                         "-", "--", "/",   "//",  "///",  NULL };
     return one_of(text, words);
 }
 
@@ -157,11 +158,11 @@ static enum wf_status read_rows(const char *path, const struct wf_rose_request *
     }
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: the record cannot be used", path);
     if (20 * out->unreadable > out->rows)
-        return wf_fail(e, WF_EINPUT,
-                       "%s: %zu of %zu speeds are not numbers from 0 to %g m/s, first at line %zu, column %zu: "
-                       "'%s'",
-                       path, out->unreadable, out->rows, speed_most, r->first_line, r->first_column,
-                       r->first_text);
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s: %zu of %zu speeds are not numbers from 0 to %g m/s, first at line %zu, column %zu: "
+            "'%s'",
+            path, out->unreadable, out->rows, speed_most, r->first_line, r->first_column, r->first_text);
     return WF_OK;
 }
 
@@ -200,7 +201,8 @@ static void count_rows(const struct rows *r, struct wf_rose_record *out)
     }
 }
 
-/* Fit every sector; x: room for all speeds of one. A sector that cannot be fitted has A and k of all directions. */
+/* Fit every sector; x: room for all speeds of one. A sector that cannot be fitted has A and k of all
+ * directions. */
 static void fit_sectors(const struct rows *r, double *x, struct wf_rose_record *out)
 {
     struct wf_rose *rose = &out->rose;
@@ -230,19 +232,21 @@ static double per_cent(size_t part, size_t whole) { return 100.0 * (double)part 
 static void say_calms(const struct wf_rose_record *r, struct wf_diag *d)
 {
     size_t valid = r->n + r->calm;
-    wf_diag_warn(d, "rose-record",
-                 "%s: %zu of %zu rows have a speed: %zu with wind and direction, %zu calm (%.2f %%), %zu with wind "
-                 "but no direction (%.2f %%, up to %.4g m/s); calms and winds without direction are given to "
-                 "the sectors in proportion to their frequency. Every row counts as an hourly mean at the "
-                 "reference height",
-                 r->file, valid, r->rows, r->directed, r->calm, per_cent(r->calm, valid), r->undirected,
-                 per_cent(r->undirected, valid), r->undirected_most);
+    wf_diag_warn(
+        d, "rose-record",
+        "%s: %zu of %zu rows have a speed: %zu with wind and direction, %zu calm (%.2f %%), %zu with wind "
+        "but no direction (%.2f %%, up to %.4g m/s); calms and winds without direction are given to "
+        "the sectors in proportion to their frequency. Every row counts as an hourly mean at the "
+        "reference height",
+        r->file, valid, r->rows, r->directed, r->calm, per_cent(r->calm, valid), r->undirected,
+        per_cent(r->undirected, valid), r->undirected_most);
     size_t lost = r->missing + r->unreadable;
     if (10 * lost > r->rows)
-        wf_diag_warn(d, "rose-missing",
-                     "%s: %zu of %zu rows (%.1f %%) have no speed; if strong winds are missing more often, the "
-                     "rose is too calm",
-                     r->file, lost, r->rows, per_cent(lost, r->rows));
+        wf_diag_warn(
+            d, "rose-missing",
+            "%s: %zu of %zu rows (%.1f %%) have no speed; if strong winds are missing more often, the "
+            "rose is too calm",
+            r->file, lost, r->rows, per_cent(lost, r->rows));
 }
 
 /* Sectors with few hours, as "90 (0), 120 (12)". */
@@ -254,14 +258,18 @@ static void say_few(const struct wf_rose_record *r, struct wf_diag *d)
         const struct wf_rose_fit *f = &r->fit[s];
         double from = 360.0 * (double)s / (double)r->rose.sectors;
         if (f->hours < FEW && used < sizeof few)
-            used += (size_t)snprintf(few + used, sizeof few - used, "%s%g (%zu)", used ? ", " : "", from, f->hours);
+            used += (size_t)snprintf(few + used, sizeof few - used, "%s%g (%zu)", used ? ", " : "", from,
+                                     f->hours);
         if (f->hours && isnan(f->scale) && borrowed < sizeof none)
-            borrowed += (size_t)snprintf(none + borrowed, sizeof none - borrowed, "%s%g", borrowed ? ", " : "", from);
+            borrowed +=
+                (size_t)snprintf(none + borrowed, sizeof none - borrowed, "%s%g", borrowed ? ", " : "", from);
     }
     if (used)
-        wf_diag_warn(d, "rose-few", "%s: sectors with fewer than %d hours (their number): %s; their A and k are "
+        wf_diag_warn(d, "rose-few",
+                     "%s: sectors with fewer than %d hours (their number): %s; their A and k are "
                      "uncertain%s%s",
-                     r->file, FEW, few, borrowed ? "; with A and k of all directions, for want of data: " : "", none);
+                     r->file, FEW, few,
+                     borrowed ? "; with A and k of all directions, for want of data: " : "", none);
 }
 
 static void say_steps(const struct wf_rose_record *r, struct wf_diag *d)
@@ -269,11 +277,11 @@ static void say_steps(const struct wf_rose_record *r, struct wf_diag *d)
     double width = 360.0 / (double)r->rose.sectors, parts = r->step > 0.0 ? width / r->step : 1.0;
     bool whole = fabs(parts - round(parts)) < 1e-6, odd = whole && llround(parts) % 2 == 1;
     if (!(r->step > 0.0) || odd) return;
-    wf_diag_warn(d, "rose-steps",
-                 "%s: directions are given in steps of %g degrees, sectors are %g degrees wide: %s",
-                 r->file, r->step, width,
-                 whole ? "directions on a border go to the next sector clockwise, which turns the rose by half a step"
-                       : "some sectors hold more steps than others and look more frequent");
+    wf_diag_warn(
+        d, "rose-steps", "%s: directions are given in steps of %g degrees, sectors are %g degrees wide: %s",
+        r->file, r->step, width,
+        whole ? "directions on a border go to the next sector clockwise, which turns the rose by half a step"
+              : "some sectors hold more steps than others and look more frequent");
 }
 
 /* A and k outside what is usual for winds. */
@@ -282,15 +290,16 @@ static void say_range(const struct wf_rose_record *r, struct wf_diag *d)
     for (size_t s = 0; s < r->rose.sectors; s++) {
         double scale = r->rose.scale[s], shape = r->rose.shape[s];
         if (isnan(scale) || (scale >= 0.1 && scale <= 40.0 && shape >= 1.0 && shape <= 4.0)) continue;
-        wf_diag_warn(d, "rose-range",
-                     "%s: from %g degrees: Weibull A %.4g m/s, k %.4g are outside 0.1 to 40 m/s and 1 to 4, which "
-                     "hourly winds have; look at the record",
-                     r->file, 360.0 * (double)s / (double)r->rose.sectors, scale, shape);
+        wf_diag_warn(
+            d, "rose-range",
+            "%s: from %g degrees: Weibull A %.4g m/s, k %.4g are outside 0.1 to 40 m/s and 1 to 4, which "
+            "hourly winds have; look at the record",
+            r->file, 360.0 * (double)s / (double)r->rose.sectors, scale, shape);
     }
 }
 
-static enum wf_status make_rose(struct rows *r, size_t sectors, struct wf_arena *a, struct wf_rose_record *out,
-                                struct wf_err *e)
+static enum wf_status make_rose(struct rows *r, size_t sectors, struct wf_arena *a,
+                                struct wf_rose_record *out, struct wf_err *e)
 {
     out->step = direction_step(r);
     bool sixteen = r->names || out->step == 22.5 || out->step == 45.0;
@@ -305,10 +314,11 @@ static enum wf_status make_rose(struct rows *r, size_t sectors, struct wf_arena 
     qsort(out->speed, out->n, sizeof *out->speed, wf_ascending);
     fit_sectors(r, x, out);
     if (!isnan(out->fit[out->rose.sectors].scale) && out->directed) return WF_OK;
-    return wf_fail(e, WF_EINPUT,
-                   "%s: %zu rows with wind, %zu of them with a direction: too few, or all of one speed, for a "
-                   "rose",
-                   out->file, out->n, out->directed);
+    return wf_fail(
+        e, WF_EINPUT,
+        "%s: %zu rows with wind, %zu of them with a direction: too few, or all of one speed, for a "
+        "rose",
+        out->file, out->n, out->directed);
 }
 
 enum wf_status wf_rose_from_record(const char *path, const struct wf_rose_request *q, struct wf_arena *a,
