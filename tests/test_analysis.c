@@ -430,11 +430,11 @@ static void test_searched_further(void **state)
     (void)state;
     struct bench whole, narrow, above;
     set_up(&whole), set_up(&narrow), set_up(&above);
-    assert_int_equal(run(&whole, "beam", (const double[]){ 10, 60 }, 2), WF_OK);
+    assert_int_equal(run(&whole, "beam", (const double[]){ 10, 90 }, 2), WF_OK);
     double critical = whole.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed;
-    assert_true(critical > 20 && critical < 60);
+    assert_true(critical > 60 && critical < 90);
     narrow.search.speed_max = 15;
-    assert_int_equal(run(&narrow, "beam", (const double[]){ 10, 60 }, 2), WF_OK);
+    assert_int_equal(run(&narrow, "beam", (const double[]){ 10, 90 }, 2), WF_OK);
     const struct wf_critical *c = &narrow.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
     assert_int_equal(c->outcome, WF_CRITICAL_FOUND);
     assert_close(c->speed, critical, 1e-5);

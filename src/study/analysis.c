@@ -515,9 +515,7 @@ static double search_top(const struct search *q)
 /* What is known of a search that was ended: between which speeds the tree fails. */
 static void bracket(const struct search *q, struct wf_critical *c)
 {
-    *c = (struct wf_critical){
-        .outcome = WF_CRITICAL_UNSEARCHED, .speed = NAN, .speed_high = q->speed_max, .gradient = NAN
-    };
+    *c = (struct wf_critical){ WF_CRITICAL_UNSEARCHED, NAN, 0.0, q->speed_max, NAN, 0 };
     for (int i = 0; i < q->known->n; i++)
         if (falls(q, &q->known->at[i])) c->speed_high = fmin(c->speed_high, q->known->at[i].speed);
     for (int i = 0; i < q->known->n; i++) {
@@ -653,18 +651,14 @@ static enum wf_status sweep(struct wf_analysis *an, const struct wf_solve_option
     bool whole = true;
     for (size_t k = 0; k < an->sweep_n; k++) whole = whole && !c.skipped[k];
     if (s || whole) return s;
-    an->sweep_n = an->n; /* no more than the speeds given */
-    for (size_t k = 0; k < an->n; k++) an->sweep[k] = an->at[k];
+    an->sweep_n = an->n, an->sweep = an->at; /* no more than the speeds given */
     wf_diag_warn(d, "search-ended",
                  "%s: the time for the curves (%.4g s) is used up: curves join the given wind speeds alone",
                  an->species->name, an->search.seconds);
     return WF_OK;
 }
 
-void wf_search_default(struct wf_search *s)
-{
-    *s = (struct wf_search){ .speed_max = 100.0, .seconds = INFINITY };
-}
+void wf_search_default(struct wf_search *s) { *s = (struct wf_search){ 100.0, INFINITY, NULL, NULL }; }
 
 static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_search *q,
                                  const double *speeds, size_t n, struct wf_err *e)
