@@ -1,10 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/file.h"
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
+#include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { COMMANDS_MAX = 64 };
 
@@ -31,7 +36,33 @@ static int unknown(const char *word)
     return 2;
 }
 
-int main(int argc, char **argv)
+/* A descriptor of 0, 1, 2 that is closed would be given to the next file opened: what is printed would go
+ * into a results file. Each is therefore occupied by something that cannot be read, or not be written. A
+ * folder, because /dev/null could be opened again for writing by the name /dev/stdout. */
+static void occupy_closed(void)
+{
+    for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && errno == EBADF)
+            (void)!open(fd == STDIN_FILENO ? "/dev/null" : "/", fd == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
+
+/* Output that could not be written, because of a full disk or a closed descriptor, is a failed run. Returned:
+ * the exit code. */
+static int finish(int code)
+{
+    bool bad = ferror(stdout) || fflush(stdout);
+    int reason = bad ? wf_stream_reason(stdout) : 0;
+    errno = 0;
+    if (fclose(stdout) && !bad) bad = true, reason = errno;
+    if (!bad) return code;
+    fprintf(stderr, "windfirm: standard output: %s\n",
+            reason == EBADF ? "is closed"
+            : reason        ? strerror(reason)
+                            : "write error");
+    return code ? code : 1;
+}
+
+static int run(int argc, char **argv)
 {
     if (argc < 2) return help(stderr);
     const char *word = argv[1];
@@ -45,8 +76,13 @@ int main(int argc, char **argv)
         if (strcmp(word, c->name) != 0) continue;
         char page[] = "--help", *only_help[] = { argv[detail ? 2 : 1], page, NULL };
         int code = detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
-        /* output that could not be written, because of a full disk or a closed pipe, is a failed run */
-        return fflush(stdout) || ferror(stdout) ? (code ? code : 1) : code;
+        return wf_interrupted() ? 128 + wf_interrupted() : code;
     }
     return unknown(word);
+}
+
+int main(int argc, char **argv)
+{
+    occupy_closed();
+    return finish(run(argc, argv));
 }

@@ -152,7 +152,7 @@ static void measure(struct beam_case *c, const char *name, double speed, int whi
     for (int k = 0; k < runs; k++) {
         wf_arena_free(&a);
         double start = now();
-        wf_beam_init(&b, &c->tree, &c->loads, &c->options, NULL, &a, &c->err);
+        wf_beam_init(&b, &c->tree, &c->loads, &c->options, NULL, &a, &a, &c->err);
         if (wf_beam_settle(&b, &a, &out, &c->err)) printf("%s: %s\n", name, c->err.text);
         rest = fmin(rest, now() - start);
         bytes = a.used;

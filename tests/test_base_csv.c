@@ -278,6 +278,48 @@ static void a_long_table_is_quick(void **state)
     close_table(&t);
 }
 
+/* Each row opens a quote that is never closed: the time must not grow with the square of the size. */
+static void open_quotes_are_quick(void **state)
+{
+    (void)state;
+    enum { ROWS = 200000 };
+    char *text = malloc(16 * ROWS);
+    size_t n = (size_t)sprintf(text, "id,x\n");
+    for (int i = 0; i < ROWS; i++) n += (size_t)sprintf(text + n, "\"%06d,1\n5,6\n", i);
+    struct table t;
+    open_bytes(&t, text, n);
+    free(text);
+    clock_t start = clock();
+    while (wf_csv_next(&t.csv)) continue;
+    assert_true((double)(clock() - start) / CLOCKS_PER_SEC < 5);
+    assert_true(t.diag.errors > 0);
+    close_table(&t);
+}
+
+static void a_quoted_cell_is_bounded(void **state)
+{
+    (void)state;
+    static const char head[] = "a,b\n1,\"", tail[] = "\"\n2,3\n";
+    for (int over = 0; over < 2; over++) {
+        size_t long_cell = WF_CSV_QUOTED - 2 + (size_t)over;
+        char *text = malloc(WF_CSV_QUOTED + 64);
+        memcpy(text, head, sizeof head - 1);
+        memset(text + sizeof head - 1, 'x', long_cell);
+        memcpy(text + sizeof head - 1 + long_cell, tail, sizeof tail - 1);
+        struct table t;
+        open_bytes(&t, text, sizeof head - 1 + long_cell + sizeof tail - 1);
+        free(text);
+        assert_true(wf_csv_next(&t.csv));
+        assert_string_equal(wf_csv_text(&t.csv, 0), over ? "2" : "1");
+        assert_int_equal(t.diag.errors, over);
+        if (over) {
+            assert_string_equal(t.diag.first->text, "a quote is opened here and not closed within 64 kB");
+            assert_int_equal(t.diag.first->line, 2);
+        }
+        close_table(&t);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -290,6 +332,8 @@ int main(void)
         cmocka_unit_test(many_mistakes_are_counted_not_listed),
         cmocka_unit_test(junk_is_survived),
         cmocka_unit_test(a_long_table_is_quick),
+        cmocka_unit_test(open_quotes_are_quick),
+        cmocka_unit_test(a_quoted_cell_is_bounded),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -65,6 +65,15 @@ static void quantities_become_si(void **state)
         { "1.5e-5 m2/s", WF_DIM_VISCOSITY, 1.5e-5 },
         { "9.81 m/s2", WF_DIM_ACCELERATION, 9.81 },
         { "12 kN", WF_DIM_FORCE, 12e3 },
+        { "9 N/((((m))))", WF_DIM_FORCE_PER_LENGTH, 9 },
+        { "3 kg\xC2\xB7m^-3", WF_DIM_DENSITY, 3 },
+        { "4 cm\xC2\xB2", WF_DIM_AREA, 4e-4 },
+        { "90 \xC2\xB0", WF_DIM_ANGLE, 1.5707963267948966 },
+        { "5 \xC2\xB5m", WF_DIM_LENGTH, 5e-6 },
+        { "5 \xCE\xBCm", WF_DIM_LENGTH, 5e-6 },
+        { "15 \xC2\xB0"
+          "C",
+          WF_DIM_TEMPERATURE, 288.15 },
     };
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
         struct wf_err e = { 0 };
@@ -103,24 +112,45 @@ static void mistakes_are_explained(void **state)
         { "inf m", WF_DIM_LENGTH, "'inf m' is not a length; write for example '1.5 m'" },
         { "tall", WF_DIM_LENGTH, "'tall' is not a length; write for example '1.5 m'" },
         { "0x10 m", WF_DIM_LENGTH,
-          "'0x10 m': 'x10 m' is not a known unit for a length; use one of: m, cm, mm" },
+          "'0x10 m': 'x10 m' is not a known unit for a length ('1' is not allowed there); use one of: m, cm, "
+          "mm" },
         { "1e999 m", WF_DIM_LENGTH, "'1e999 m' is beyond the range of numbers" },
         { "1e306 km", WF_DIM_LENGTH, "'1e306 km' is beyond the range of numbers" },
         { "6,1 GPa", WF_DIM_PRESSURE, "'6,1 GPa' has a comma; write the decimals after a point" },
         { "10 000 kg/m3", WF_DIM_DENSITY,
-          "'10 000 kg/m3': '000 kg/m3' is not a known unit for a density; use one of: kg/m3, g/cm3" },
+          "'10 000 kg/m3': '000 kg/m3' is not a known unit for a density ('0' is not allowed there); use one "
+          "of: kg/m3, g/cm3" },
         { "10 2GPa", WF_DIM_PRESSURE,
-          "'10 2GPa': '2GPa' is not a known unit for a pressure (stress, modulus); use one of: GPa, MPa, Pa, "
+          "'10 2GPa': '2GPa' is not a known unit for a pressure (stress, modulus) ('2' is not allowed "
+          "there); use one of: GPa, MPa, Pa, "
           "N/mm2" },
         { "9 m @ 3", WF_DIM_LENGTH,
-          "'9 m @ 3': 'm @ 3' is not a known unit for a length; use one of: m, cm, mm" },
+          "'9 m @ 3': 'm @ 3' is not a known unit for a length ('@' is not allowed there); use one of: m, "
+          "cm, mm" },
         { "9 lg(re 1 m)", WF_DIM_LENGTH,
-          "'9 lg(re 1 m)': 'lg(re 1 m)' is not a known unit for a length; use one of: m, cm, mm" },
+          "'9 lg(re 1 m)': 'lg(re 1 m)' is not a known unit for a length ('(' is not allowed there); use one "
+          "of: m, cm, mm" },
+        { "9 m/", WF_DIM_LENGTH,
+          "'9 m/': 'm/' is not a known unit for a length (it is not complete); use one of: m, cm, mm" },
+        { "9 N/(((((m)))))", WF_DIM_FORCE_PER_LENGTH,
+          "'9 N/(((((m)))))': 'N/(((((m)))))' is not a known unit for a force per length ('(' is not allowed "
+          "there); use "
+          "one of: N/m, kN/m" },
+        { "9 \xE2\x82\xAC", WF_DIM_LENGTH,
+          "'9 \xE2\x82\xAC': '\xE2\x82\xAC' is not a known unit for a length ('\xE2\x82\xAC' is not allowed "
+          "there); use "
+          "one of: m, cm, mm" },
+        { "9 m m m m m m m m m m m m m m m m m m m m m m m m m m m m m m m m", WF_DIM_LENGTH,
+          "'9 m m m m m m m m m m m m m m m m m m m m m m m m m m m m m m m m': 'm m m m m m m m m m m m m m "
+          "m m m m m m "
+          "m m m m m m m m m m m m' is not a known unit for a length (it is longer than 60 bytes); use one "
+          "of: m, cm, mm" },
         { "9 m m", WF_DIM_LENGTH, "'9 m m': 'm m' is not a unit of a length; use one of: m, cm, mm" },
         { "9 mm extra", WF_DIM_LENGTH,
           "'9 mm extra': 'mm extra' is not a known unit for a length; use one of: m, cm, mm" },
         { "1.2.3 m", WF_DIM_LENGTH,
-          "'1.2.3 m': '.3 m' is not a known unit for a length; use one of: m, cm, mm" },
+          "'1.2.3 m': '.3 m' is not a known unit for a length ('.' is not allowed there); use one of: m, cm, "
+          "mm" },
         { "12345678901234567890123456789012345678901234567890123456789012345678901234567890123456789012345678"
           " m",
           WF_DIM_LENGTH, "'1234567890123456789012345678901234567890...' is too long for a quantity" },

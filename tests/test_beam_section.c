@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Sections that are not round: two bending stiffnesses that turn with the section, torsion, weight to one
  * side. */
-#include "solve/solve.h"
 #include "base/vec3.h"
 #include "beam_cases.h"
 #include "data/section.h"
 #include "solve/modes.h"
+#include "solve/solve.h"
 
 /* All rows of one shape; the height is measured along `up` made square to the row. */
 static void section(struct beam_case *c, enum wf_section_shape shape, double width, double height,
@@ -138,7 +138,8 @@ static size_t unstable(double share)
     c.options.mesh_tolerance = 0, c.options.inextensible = true;
     double load = share * 4.0126 * sqrt(9e9 * s.lying * 9e9 / 2.6 * s.torsion) / (length * length);
     beam_push(&c, 39, WF_POINT_DEAD, 0, 0, -load);
-    assert_int_equal(wf_beam_init(&b, &c.tree, &c.loads, &c.options, NULL, &c.arena, &c.err), WF_OK);
+    assert_int_equal(wf_beam_init(&b, &c.tree, &c.loads, &c.options, NULL, &c.arena, &c.arena, &c.err),
+                     WF_OK);
     assert_int_equal(wf_beam_newton(&b), WF_OK); /* along the plane, stable or not */
     assert_true(wf_beam_sweep_down(&b, true, &count));
     beam_free(&c);

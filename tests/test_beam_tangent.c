@@ -75,7 +75,8 @@ static void check(struct beam_case *c)
     struct wf_beam b;
     struct wf_beam_outcome out;
     c->options.mesh_tolerance = 0, c->options.tolerance = 1e-12;
-    assert_int_equal(wf_beam_init(&b, &c->tree, &c->loads, &c->options, NULL, &c->arena, &c->err), WF_OK);
+    assert_int_equal(wf_beam_init(&b, &c->tree, &c->loads, &c->options, NULL, &c->arena, &c->arena, &c->err),
+                     WF_OK);
     if (wf_beam_settle(&b, &c->arena, &out, &c->err)) fail_msg("%s", c->err.text);
     assert_true(out.load_factor == 1 && !out.beyond_limit);
     for (uint64_t seed = 1; seed < 4; seed++) {
@@ -145,7 +146,8 @@ static void of_a_flexible_stem(void **state)
     struct wf_beam b;
     struct wf_beam_outcome out;
     c.options.tolerance = 1e-12;
-    assert_int_equal(wf_beam_init(&b, &c.tree, &c.loads, &c.options, NULL, &c.arena, &c.err), WF_OK);
+    assert_int_equal(wf_beam_init(&b, &c.tree, &c.loads, &c.options, NULL, &c.arena, &c.arena, &c.err),
+                     WF_OK);
     assert_int_equal(wf_beam_settle(&b, &c.arena, &out, &c.err), WF_OK);
     assert_true(b.misfit.strain < 1e-13 && b.misfit.turn > 1e-3);
     assert_true(miss(&b, 1e-6, 1) < 3e-9);
@@ -164,7 +166,8 @@ static void newton(void **state)
     double miss_at[3];
     for (int k = 0; k < 3; k++) {
         c.options.iterations_max = (size_t)(1 + k), c.options.tolerance = 1e-15;
-        assert_int_equal(wf_beam_init(&b, &c.tree, &c.loads, &c.options, NULL, &c.arena, &c.err), WF_OK);
+        assert_int_equal(wf_beam_init(&b, &c.tree, &c.loads, &c.options, NULL, &c.arena, &c.arena, &c.err),
+                         WF_OK);
         assert_int_equal(wf_beam_newton(&b), WF_ENOCONV);
         miss_at[k] = sqrt(b.misfit.bending / b.misfit.energy);
     }

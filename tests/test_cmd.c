@@ -36,7 +36,22 @@ static void test_usage(void **state)
           CODE_INPUT,
           { "--altitude: ", "--exponent: 2 is outside 0..1" } },
         { "$W species lst", CODE_INPUT, { "did you mean 'list'?" } },
-        { "$W species list >/dev/full", CODE_RUN, { "" } },
+        { "$W species list >/dev/full", CODE_RUN, { "standard output: No space left on device" } },
+        { "$W --version >/dev/full", CODE_RUN, { "standard output: No space left on device" } },
+        { "$W --help >/dev/full", CODE_RUN, { "standard output: No space left on device" } },
+        { "$W --version >&-", CODE_RUN, { "standard output: is closed" } },
+        /* the results file must not become what is printed to */
+        { "$W analyze oak $RUN >&-; echo $?; head -c 1 $T/out/results.json",
+          CODE_OK,
+          { "standard output: is closed\n1\n{" } },
+        { "$W analyze oak $RUN <&- >&- 2>&-; echo $?; head -c 1 $T/out/results.json; grep -c 'windfirm:' "
+          "$T/out/results.json $T/out/tables/*.csv",
+          CODE_RUN,
+          { "1\n{", "results.json:0" } },
+        { "UDUNITS2_XML_PATH=/nowhere $W species show oak", CODE_RUN, { "UDUNITS2_XML_PATH is '/nowhere'" } },
+        { "echo '<a>' >$T/u.xml; UDUNITS2_XML_PATH=$T/u.xml $W species show oak",
+          CODE_RUN,
+          { "is damaged" } },
     };
     CHECK(rows);
 }
@@ -277,10 +292,10 @@ static void test_output(void **state)
         { "$W analyze moso_bamboo $RUN --quiet", CODE_OK, { "" } },
         { "$W analyze moso_bamboo $RUN --solver linear", CODE_OK, { "warning", "small-deflection" } },
         { "$W analyze willow_feng1999 $RUN", CODE_OK, { "as-printed" } },
-        /* the answer is still shown when it cannot be written */
+        /* a folder that cannot be written is found before anything is computed */
         { "$W analyze moso_bamboo $M --wind 10 --no-report -o /dev/null/out",
           CODE_RUN,
-          { "critical wind speed", "/dev/null: is a file" } },
+          { "/dev/null: is a file" } },
         { ": >$T/taken; $W analyze moso_bamboo $M --wind 10 --no-report -o $T/taken", CODE_RUN, { "taken" } },
         /* without the drawing programs the numbers are complete, and the packages are named */
         { "mkdir $T/empty; PATH=$T/empty $W analyze moso_bamboo $M --wind 10 -o $T/out\ncode=$?\nls $T/out\n"

@@ -137,7 +137,7 @@ static const struct edit mistakes[] = {
       "6:42: stem.taper.share: 1 value, but 'at' has 2" },
     { "law: linear, tip_share: 0.2", "law: table, at: [0, 1], share: [1, 0]",
       "6:46: stem.taper.share[1]: 0 is outside 0.001 to 1.5" },
-    { "segments: 10", "segments: 0", "7:13: stem.segments: 0 is outside 1 to 100000" },
+    { "segments: 10", "segments: 0", "7:13: stem.segments: 0 is outside 1 to 20000" },
     { "segments: 10", "segments: ten",
       "7:13: stem.segments: 'ten' is not a whole number; write for example '40'" },
     { "30 deg", "120 deg", "8:9: stem.lean: 120 deg is outside 0 deg to 90 deg" },

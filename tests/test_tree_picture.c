@@ -39,10 +39,9 @@ static int tear_down(void **state)
 {
     (void)state;
     char path[128];
-    static const char *const names[] = { "plots/tree.dat", "plots/tree.csv",
-                                         "plots/tree.svg", "plots/tree.png",
-                                         "plots",
-                                         "a.svg",          "a.png" };
+    static const char *const names[] = { "plots/tree.dat", "plots/tree.csv", "plots/tree.svg",
+                                         "plots/tree.png", "plots",          "a.svg",
+                                         "a.png" };
     wf_arena_free(&g.arena);
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         snprintf(path, sizeof path, "%s/%s", folder, names[k]);
@@ -127,7 +126,7 @@ static void drawn_as_lines_and_as_points(void **state)
     grown_make(&g, plain);
     p = picture();
     snprintf(path, sizeof path, "%s/a.svg", folder);
-    if (wf_tree_picture_draw(&p, path, &e)) fail_msg("%s", e.text);
+    if (wf_tree_picture_draw(&p, path, NULL, &e)) fail_msg("%s", e.text);
     FILE *f = fopen(path, "r");
     assert_non_null(f);
     static char text[1 << 20];
@@ -137,7 +136,7 @@ static void drawn_as_lines_and_as_points(void **state)
     assert_non_null(strstr(text, "limb"));
     assert_null(strstr(text, "nan"));
     snprintf(path, sizeof path, "%s/a.png", folder);
-    if (wf_tree_picture_draw(&p, path, &e)) fail_msg("%s", e.text);
+    if (wf_tree_picture_draw(&p, path, NULL, &e)) fail_msg("%s", e.text);
     f = fopen(path, "rb");
     assert_non_null(f);
     assert_int_equal(fread(head, 1, 8, f), 8);
@@ -152,7 +151,7 @@ static void another_ending_is_refused(void **state)
     struct wf_tree_picture p;
     grown_make(&g, plain);
     p = picture();
-    assert_int_equal(wf_tree_picture_draw(&p, "tree.bmp", &e), WF_EUSAGE);
+    assert_int_equal(wf_tree_picture_draw(&p, "tree.bmp", NULL, &e), WF_EUSAGE);
     assert_string_equal(e.text, "tree.bmp: a picture ends in .svg, .png or .pdf");
 }
 
@@ -174,7 +173,7 @@ static void a_page_gets_points_for_many_segments(void **state)
         snprintf(path, sizeof path, "%s/plots", folder);
         (void)mkdir(path, 0700);
         if (wf_tree_picture_write(&p, folder, &e)) fail_msg("%s", e.text);
-        if (wf_tree_picture_report(folder, "en", &svg, &e)) fail_msg("%s", e.text);
+        if (wf_tree_picture_report(folder, "en", &svg, NULL, &e)) fail_msg("%s", e.text);
         const xmlNode *root = xmlDocGetRootElement(svg), *image = NULL;
         for (const xmlNode *n = root->children; n; n = n->next)
             if (!strcmp((const char *)n->name, "image")) image = n;

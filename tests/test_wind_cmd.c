@@ -67,7 +67,7 @@ static void test_profile(void **state)
           { "wind profile measured", "the measured profile ends at 10 m", "p.csv",
             "\"role\": \"profile\"" } },
         { PROFILE
-          "for c in 'series --no-vtk --no-report --duration 1' 'explain --no-report' ; do set -- $c; c=$1; "
+          "for c in 'explain --no-report' 'series --no-vtk --no-report --duration 1'; do set -- $c; c=$1; "
           "shift\n"
           "$W $c oak $M -o $T/out $* --profile-file $T/p.csv || exit; done; cat $T/out/tables/runs.csv",
           CODE_OK,

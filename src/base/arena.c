@@ -76,6 +76,16 @@ char *wf_arena_print(struct wf_arena *a, const char *fmt, ...)
     return p;
 }
 
+void wf_arena_join(struct wf_arena *a, struct wf_arena *from)
+{
+    struct wf_arena_block **oldest = &a->block;
+    while (*oldest) oldest = &(*oldest)->older;
+    *oldest = from->block;
+    a->used += from->used;
+    from->block = NULL;
+    from->used = 0;
+}
+
 void wf_arena_free(struct wf_arena *a)
 {
     for (struct wf_arena_block *b = a->block, *older; b; b = older) {

@@ -23,6 +23,8 @@ void *wf_arena_take(struct wf_arena *a, size_t n, size_t size);
 char *wf_arena_text(struct wf_arena *a, const char *text);
 /* printf into the arena. Returned: the text; NULL when memory or the limit is exhausted. */
 char *wf_arena_print(struct wf_arena *a, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* Move everything that `from` holds to `a`; addresses do not change. `from` is then empty. */
+void wf_arena_join(struct wf_arena *a, struct wf_arena *from);
 /* Free all memory of the arena; it is then empty and can be used again. */
 void wf_arena_free(struct wf_arena *a);
 

@@ -72,12 +72,14 @@ static bool seek_row(struct wf_csv *c)
 
 /* Read a quoted cell from its opening quote and resolve doubled quotes in place. Returned: NULL, or what is
  * wrong. Nothing is written before the closing quote is found, so that reading can continue after a line with
- * unbalanced quotes. */
+ * unbalanced quotes; the search is bounded, because otherwise each line with an open quote would be searched
+ * to the end of the file. */
 static const char *quoted_cell(struct wf_csv *c, struct wf_cell *cell)
 {
-    char *close = c->at + 1;
-    while (close < c->end && (*close != '"' || (close + 1 < c->end && close[1] == '"')))
+    char *close = c->at + 1, *end = c->end - c->at > WF_CSV_QUOTED ? c->at + WF_CSV_QUOTED : c->end;
+    while (close < end && (*close != '"' || (close + 1 < c->end && close[1] == '"')))
         close += *close == '"' ? 2 : 1;
+    if (close >= end && end < c->end) return "a quote is opened here and not closed within 64 kB";
     if (close >= c->end) return "a quote is opened here and never closed";
     char *after = close + 1;
     while (after < c->end && *after == ' ') after++;

@@ -3,15 +3,15 @@
 #define WF_BASE_CSV_H
 /* Reader for tables from spreadsheets: text with a header row whose cells are separated by commas, semicolons
  * or tabs; the separator is detected from the header. The text is parsed in place. Accepted: quotes as in
- * RFC 4180, any line end, a byte order mark, blank lines and lines that start with '#'. Blanks around a cell
- * are removed. Mistakes become errors in the list of findings, with line and column; those beyond
- * WF_CSV_LISTED of one file are only counted. */
+ * RFC 4180 around at most WF_CSV_QUOTED bytes, any line end, a byte order mark, blank lines and lines that
+ * start with '#'. Blanks around a cell are removed. Mistakes become errors in the list of findings, with line
+ * and column; those beyond WF_CSV_LISTED of one file are only counted. */
 #include "base/arena.h"
 #include "base/err.h"
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { WF_CSV_LISTED = 100, WF_CSV_COLUMNS = 4096 };
+enum { WF_CSV_LISTED = 100, WF_CSV_COLUMNS = 4096, WF_CSV_QUOTED = 65536 /* bytes of a quoted cell */ };
 
 struct wf_cell {
     char *text; /* NUL-terminated, quotes resolved */

@@ -61,16 +61,24 @@ void wf_file_abandon(struct wf_file *f)
     f->temporary[0] = '\0';
 }
 
+int wf_stream_reason(FILE *f)
+{
+    errno = 0;
+    (void)!write(fileno(f), "\n", 1);
+    return errno;
+}
+
 enum wf_status wf_file_commit(struct wf_file *f, struct wf_err *e)
 {
     if (!f->stream) return wf_fail(e, WF_EINTERNAL, "commit of a file that is not open");
-    errno = 0;
     bool bad = ferror(f->stream) || fflush(f->stream);
+    int reason = bad ? wf_stream_reason(f->stream) : 0;
+    errno = 0;
     bad = fclose(f->stream) || bad;
     f->stream = NULL;
     if (!bad && f->temporary[0]) bad = rename(f->temporary, f->path) != 0;
     if (!bad) return f->temporary[0] = '\0', WF_OK;
-    int reason = errno;
+    if (!reason) reason = errno;
     wf_file_abandon(f);
     return wf_fail(e, WF_EOUTPUT, "%s: cannot be written: %s", f->path,
                    reason ? strerror(reason) : "write error");
@@ -258,17 +266,41 @@ void wf_sha256(const void *bytes, size_t size, char text[static WF_SHA256_TEXT])
     sha256_finish(&s, text);
 }
 
-enum wf_status wf_sha256_file(const char *path, char text[static WF_SHA256_TEXT], struct wf_err *e)
+static int write_whole(int fd, const unsigned char *bytes, size_t size)
+{
+    while (size > 0) {
+        ssize_t put = write(fd, bytes, size);
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) return -1;
+        bytes += put;
+        size -= (size_t)put;
+    }
+    return 0;
+}
+
+int wf_sha256_read(int fd, int copy, char text[static WF_SHA256_TEXT], size_t *size)
 {
     unsigned char piece[16384];
     struct sha256 s;
-    FILE *f = fopen(path, "rb");
-    if (!f) return wf_fail(e, WF_EINPUT, "%s: cannot be read: %s", path, strerror(errno));
     sha256_begin(&s);
-    for (size_t n; (n = fread(piece, 1, sizeof piece, f)) > 0;) sha256_take(&s, piece, n);
-    int error = ferror(f) ? errno : 0;
-    fclose(f);
-    if (error) return wf_fail(e, WF_EINPUT, "%s: cannot be read: %s", path, strerror(error));
+    for (*size = 0;;) {
+        ssize_t got = read(fd, piece, sizeof piece);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return -1;
+        if (got == 0) break;
+        sha256_take(&s, piece, (size_t)got);
+        *size += (size_t)got;
+        if (copy >= 0 && write_whole(copy, piece, (size_t)got)) return -1;
+    }
     sha256_finish(&s, text);
-    return WF_OK;
+    return 0;
+}
+
+enum wf_status wf_sha256_file(const char *path, char text[static WF_SHA256_TEXT], struct wf_err *e)
+{
+    size_t size;
+    int fd = open(path, O_RDONLY | O_CLOEXEC), failed = fd < 0 || wf_sha256_read(fd, -1, text, &size);
+    int reason = errno;
+    if (fd >= 0) (void)close(fd);
+    return failed ? wf_fail(e, WF_EINPUT, "%s: cannot be read: %s", path, strerror(reason)) : WF_OK;
 }

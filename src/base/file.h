@@ -26,6 +26,10 @@ enum wf_status wf_file_begin(struct wf_file *f, const char *path, struct wf_err 
 enum wf_status wf_file_commit(struct wf_file *f, struct wf_err *e);
 /* Give up a file: close and remove the temporary one. Does nothing after a commit or an earlier call. */
 void wf_file_abandon(struct wf_file *f);
+/* Why writing to a stream failed, after ferror(f) or a failed call: an errno, for which the stream's
+ * descriptor is tried once more, because a stream does not keep the reason. The output is lost already; the
+ * trial may add one line end to it. Returned: 0 when the trial succeeds. */
+int wf_stream_reason(FILE *f);
 
 /* Create a folder and every missing folder above it; a folder that exists is not an error. Errors:
  * WF_EOUTPUT. */
@@ -56,4 +60,8 @@ void wf_sha256(const void *bytes, size_t size, char text[static WF_SHA256_TEXT])
 
 /* Digest of a file, read in pieces. Errors: WF_EINPUT, with the path, when it cannot be read. */
 enum wf_status wf_sha256_file(const char *path, char text[static WF_SHA256_TEXT], struct wf_err *e);
+/* Digest of what an open file holds from its present place to its end. Given: descriptor; descriptor of a
+ * file that what is read is copied to, -1 for none. Returned: digest, and bytes read in *size; or -1 and
+ * errno. */
+int wf_sha256_read(int fd, int copy, char text[static WF_SHA256_TEXT], size_t *size);
 #endif

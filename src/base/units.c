@@ -2,6 +2,7 @@
 #include "base/units.h"
 #include "base/num.h"
 #include <ctype.h>
+#include <errno.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -61,38 +62,125 @@ void wf_units_close(struct wf_units *u)
     free(u);
 }
 
+/* What UDUNITS takes at most, with a margin, to read its database and to read a unit [bytes]. */
+enum { DATABASE_BYTES = 8 << 20, UNIT_READING_BYTES = 256 << 10 };
+
+/* Whether that much memory can be had. UDUNITS 2.2 crashes, or ends the program, when an allocation of its
+ * own fails; it is therefore called only where there is room. */
+static bool room(size_t bytes)
+{
+    void *volatile p = malloc(bytes); /* volatile: the compiler may otherwise leave out the pair of calls */
+    bool any = p != NULL;
+    free(p);
+    return any;
+}
+
+/* Why UDUNITS could not read its database. */
+static enum wf_status database_fails(ut_status why, struct wf_err *e)
+{
+    const char *named = getenv("UDUNITS2_XML_PATH");
+    bool absent = why == UT_OPEN_ARG || why == UT_OPEN_ENV || why == UT_OPEN_DEFAULT;
+    if (why == UT_OS) return wf_fail(e, WF_ENOMEM, "not enough memory for the units database of UDUNITS-2");
+    if (absent && named)
+        return wf_fail(e, WF_EMISSING,
+                       "the units database of UDUNITS-2 cannot be opened: UDUNITS2_XML_PATH is '%.200s'",
+                       named);
+    if (absent)
+        return wf_fail(e, WF_EMISSING,
+                       "the units database of UDUNITS-2 cannot be opened (package libudunits2-data)");
+    return wf_fail(e, WF_EMISSING,
+                   "the units database of UDUNITS-2 is damaged or is that of another version%s%.200s",
+                   named ? ": " : " (package libudunits2-data)", named ? named : "");
+}
+
 enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e)
 {
     (void)ut_set_error_message_handler(ut_ignore); /* by default UDUNITS writes to stderr */
     struct wf_units *u = calloc(1, sizeof *u);
     *out = u;
     if (!u) return wf_fail(e, WF_ENOMEM, "no memory for the units table");
+    if (!room(DATABASE_BYTES)) {
+        free(u);
+        *out = NULL;
+        return database_fails(UT_OS, e);
+    }
+    errno = 0;
     u->system = ut_read_xml(NULL);
     bool ok = u->system != NULL;
     for (size_t i = 0; ok && i < WF_DIM_COUNT; i++)
         ok = (u->si[i] = ut_parse(u->system, dimension_rows[i].si, UT_UTF8)) != NULL;
     if (ok) return WF_OK;
+    enum wf_status s = database_fails(errno == ENOMEM ? UT_OS : ut_get_status(), e);
     wf_units_close(u);
     *out = NULL;
-    return wf_fail(e, WF_EMISSING,
-                   "the units database of UDUNITS-2 cannot be read (package libudunits2-data)");
+    return s;
 }
 
-/* Whether a text is a unit as it is normally written: letters, products, quotients and small powers. UDUNITS
- * also accepts factors, origins and logarithms ("2 GPa", "m @ 3", "lg(re 1 mW)"), which in a quantity are
- * mistakes. */
-static bool plain_unit(const char *s)
+/* ---- Units as they are normally written ----
+ *
+ * unit:   factor, then any number of: one of blank . * / or the raised dot, factor
+ * factor: word or (unit), then perhaps an exponent
+ * word:   letters, the degree sign, the micro sign, or one percent sign
+ * exponent: perhaps ^ or **, perhaps a minus, one digit; or a raised digit 2 or 3
+ *
+ * UDUNITS also accepts factors, origins and logarithms ("2 GPa", "m @ 3", "lg(re 1 mW)"), which in a quantity
+ * are mistakes; and it is handed nothing else, because its own reader is not made for hostile texts. */
+
+enum { UNIT_BYTES = 60, UNIT_DEPTH = 4 };
+
+/* Bytes of one of the texts at the start of s; 0 when it begins with none. */
+static size_t begins_with(const char *s, const char *const *one)
 {
-    if (strlen(s) > 60) return false;
-    for (size_t i = 0; s[i]; i++) {
-        unsigned char c = (unsigned char)s[i];
-        char before = i ? s[i - 1] : '\0';
-        bool power = before == '^' || before == '-' || isalpha((unsigned char)before);
-        if (isdigit(c) ? !power || isdigit((unsigned char)s[i + 1])
-                       : !(isalpha(c) || c >= 0x80 || strchr(" ./*^-%", c)))
-            return false;
+    for (; *one; one++)
+        if (!strncmp(s, *one, strlen(*one))) return strlen(*one);
+    return 0;
+}
+
+static size_t word_bytes(const char *s)
+{
+    static const char *const sign[] = { "\xC2\xB0", "\xC2\xB5", "\xCE\xBC", NULL }; /* degree, micro, mu */
+    size_t n = 0;
+    if (*s == '%') return 1;
+    for (size_t k; (k = isalpha((unsigned char)s[n]) ? 1 : begins_with(s + n, sign)) > 0;) n += k;
+    return n;
+}
+
+static size_t exponent_bytes(const char *s)
+{
+    static const char *const raised[] = { "\xC2\xB2", "\xC2\xB3", NULL };
+    size_t n = begins_with(s, raised);
+    if (n) return n;
+    n = !strncmp(s, "**", 2) ? 2 : *s == '^';
+    n += s[n] == '-';
+    return isdigit((unsigned char)s[n]) && !isdigit((unsigned char)s[n + 1]) ? n + 1 : 0;
+}
+
+static size_t between_bytes(const char *s)
+{
+    static const char *const raised_dot[] = { "\xC2\xB7", NULL };
+    size_t blank = strspn(s, " "), n = begins_with(s + blank, raised_dot);
+    if (!n) n = s[blank] && strchr(".*/", s[blank]);
+    return blank + (n ? n + strspn(s + blank + n, " ") : 0);
+}
+
+/* The first place at which a text is not a unit by the grammar above; NULL when it is one. */
+static const char *unit_fault(const char *s)
+{
+    int depth = 0;
+    if (strlen(s) > UNIT_BYTES) return s + UNIT_BYTES;
+    for (;;) {
+        for (; *s == '('; s++)
+            if (++depth > UNIT_DEPTH) return s;
+        size_t n = word_bytes(s);
+        if (!n) return s;
+        s += n;
+        s += exponent_bytes(s);
+        for (; *s == ')'; s += 1 + exponent_bytes(s + 1))
+            if (--depth < 0) return s;
+        if (!*s) return depth ? s : NULL;
+        if (!(n = between_bytes(s))) return s;
+        s += n;
     }
-    return true;
 }
 
 /* Whether a text names an angle. UDUNITS gives angles and plain numbers the same dimension, so they are told
@@ -105,43 +193,83 @@ static bool angle_spelling(const char *s)
     return false;
 }
 
-/* The unit named by `text`; NULL when it is not a unit of dimension d. The caller frees it. */
-static ut_unit *unit_of(const struct wf_units *u, const char *text, enum wf_dimension d)
+/* Read a text that passed the grammar. Returned: WF_OK and *out, NULL when UDUNITS does not know the unit;
+ * WF_ENOMEM. */
+static enum wf_status parse_unit(const struct wf_units *u, const char *text, ut_unit **out, struct wf_err *e)
 {
-    if (!plain_unit(text)) return NULL;
-    if (d == WF_DIM_NONE && strcmp(text, "%") != 0 && strcmp(text, "percent") != 0) return NULL;
-    if (d == WF_DIM_ANGLE && !angle_spelling(text)) return NULL;
-    for (size_t i = 0; i < WF_COUNT(aliases); i++)
-        if (!strcmp(text, aliases[i].spelling)) text = aliases[i].meaning;
-    ut_unit *unit = ut_parse(u->system, text, UT_UTF8);
-    if (!unit) return NULL;
-    /* UDUNITS also converts to reciprocals (m3/kg to kg/m3): therefore require a dimensionless quotient */
-    ut_unit *ratio = ut_divide(unit, u->si[d]);
-    bool fits = ratio && ut_is_dimensionless(ratio) && ut_are_convertible(unit, u->si[d]);
-    if (ratio) ut_free(ratio);
-    if (fits) return unit;
-    ut_free(unit);
-    return NULL;
+    errno = 0;
+    *out = room(UNIT_READING_BYTES) ? ut_parse(u->system, text, UT_UTF8) : NULL;
+    if (*out || (errno != ENOMEM && ut_get_status() != UT_OS)) return WF_OK;
+    return wf_fail(e, WF_ENOMEM, "not enough memory for the unit '%s'", text);
 }
 
-static double converted(ut_unit *from, ut_unit *to, double v)
+/* Whether a unit is of dimension d. UDUNITS also converts to reciprocals (m3/kg to kg/m3): therefore a
+ * dimensionless quotient is required. */
+static enum wf_status fits(const struct wf_units *u, ut_unit *unit, enum wf_dimension d, bool *out,
+                           struct wf_err *e)
+{
+    errno = 0;
+    ut_unit *ratio = ut_divide(unit, u->si[d]);
+    bool short_of_memory = !ratio && (errno == ENOMEM || ut_get_status() == UT_OS);
+    *out = ratio && ut_is_dimensionless(ratio) && ut_are_convertible(unit, u->si[d]);
+    if (ratio) ut_free(ratio);
+    return short_of_memory ? wf_fail(e, WF_ENOMEM, "not enough memory for a unit") : WF_OK;
+}
+
+/* The unit named by `text`, which the caller frees. Returned: WF_OK and *out, NULL when it is not a unit of
+ * dimension d; WF_ENOMEM. */
+static enum wf_status unit_of(const struct wf_units *u, const char *text, enum wf_dimension d, ut_unit **out,
+                              struct wf_err *e)
+{
+    bool right = false;
+    *out = NULL;
+    if (unit_fault(text)) return WF_OK;
+    if (d == WF_DIM_NONE && strcmp(text, "%") != 0 && strcmp(text, "percent") != 0) return WF_OK;
+    if (d == WF_DIM_ANGLE && !angle_spelling(text)) return WF_OK;
+    for (size_t i = 0; i < WF_COUNT(aliases); i++)
+        if (!strcmp(text, aliases[i].spelling)) text = aliases[i].meaning;
+    enum wf_status s = parse_unit(u, text, out, e);
+    if (s || !*out) return s;
+    s = fits(u, *out, d, &right, e);
+    if (!s && right) return WF_OK;
+    ut_free(*out);
+    *out = NULL;
+    return s;
+}
+
+static enum wf_status convert(ut_unit *from, ut_unit *to, double *v, struct wf_err *e)
 {
     cv_converter *c = ut_get_converter(from, to);
-    if (!c) return NAN;
-    v = cv_convert_double(c, v);
+    if (!c) return wf_fail(e, WF_ENOMEM, "not enough memory to convert a unit");
+    *v = cv_convert_double(c, *v);
     cv_free(c);
-    return v;
+    return WF_OK;
 }
 
 static enum wf_status refuse_unit(const struct wf_units *u, const char *text, const char *unit,
                                   enum wf_dimension d, struct wf_err *e)
 {
+    const struct wf_dimension_row *row = &dimension_rows[d];
     if (d == WF_DIM_NONE)
         return wf_fail(e, WF_EINPUT, "'%s': a plain number is expected, without '%s'", text, unit);
-    ut_unit *other = plain_unit(unit) ? ut_parse(u->system, unit, UT_UTF8) : NULL;
+    const char *fault = unit_fault(unit);
+    if (fault) {
+        char why[48] = "it is not complete";
+        size_t one = *fault ? 1 : 0;
+        while (((unsigned char)fault[one] & 0xC0) == 0x80) one++;
+        if (strlen(unit) > UNIT_BYTES)
+            (void)snprintf(why, sizeof why, "it is longer than %d bytes", UNIT_BYTES);
+        else if (one)
+            (void)snprintf(why, sizeof why, "'%.*s' is not allowed there", (int)(one > 8 ? 8 : one), fault);
+        return wf_fail(e, WF_EINPUT, "'%s': '%s' is not a known unit for %s (%s); use one of: %s", text, unit,
+                       row->name, why, row->units);
+    }
+    ut_unit *other = NULL;
+    enum wf_status s = parse_unit(u, unit, &other, e);
+    if (s) return s;
     if (other) ut_free(other);
     return wf_fail(e, WF_EINPUT, "'%s': '%s' is not %s %s; use one of: %s", text, unit,
-                   other ? "a unit of" : "a known unit for", dimension_rows[d].name, dimension_rows[d].units);
+                   other ? "a unit of" : "a known unit for", row->name, row->units);
 }
 
 static enum wf_status refuse_number(const char *text, enum wf_dimension d, const char *unit, struct wf_err *e)
@@ -174,10 +302,13 @@ enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf
     if (!*p && d != WF_DIM_NONE)
         return wf_fail(e, WF_EINPUT, "'%s' has no unit; write for example '%s %s'", t, t, usual);
     if (*p) {
-        ut_unit *unit = unit_of(u, p, d);
+        ut_unit *unit;
+        enum wf_status s = unit_of(u, p, d, &unit, e);
+        if (s) return s;
         if (!unit) return refuse_unit(u, t, p, d, e);
-        v = converted(unit, u->si[d], v);
+        s = convert(unit, u->si[d], &v, e);
         ut_free(unit);
+        if (s) return s;
     }
     if (!isfinite(v)) return wf_fail(e, WF_EINPUT, "'%s' is beyond the range of numbers", t);
     *si = v;
@@ -193,25 +324,31 @@ enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_di
     return wf_quantity_read_as(u, text, d, first, si, e);
 }
 
-/* Value in a unit; *unit becomes the one it is in, "" for a plain number. */
-static double in_unit(struct wf_units *u, double si, enum wf_dimension d, const char **unit)
+/* Convert *v from SI to a unit. Returned: WF_OK and *unit, the unit it is in ("" for a plain number);
+ * WF_ENOMEM, and *v is unchanged. */
+static enum wf_status in_unit(struct wf_units *u, double *v, enum wf_dimension d, const char **unit)
 {
-    ut_unit *to = **unit ? unit_of(u, *unit, d) : NULL;
-    double v = to ? converted(u->si[d], to, si) : si;
-    if (!to) *unit = d == WF_DIM_NONE ? "" : dimension_rows[d].si;
-    if (to) ut_free(to);
-    return v;
+    ut_unit *to = NULL;
+    struct wf_err why = { 0 };
+    enum wf_status s = **unit ? unit_of(u, *unit, d, &to, &why) : WF_OK;
+    if (to) {
+        s = convert(u->si[d], to, v, &why);
+        ut_free(to);
+        if (!s) return WF_OK;
+    }
+    *unit = d == WF_DIM_NONE ? "" : dimension_rows[d].si;
+    return s;
 }
 
 double wf_quantity_in(struct wf_units *u, double si, enum wf_dimension d, const char *unit)
 {
-    return in_unit(u, si, d, &unit);
+    return in_unit(u, &si, d, &unit) ? (double)NAN : si;
 }
 
 char *wf_quantity_print(struct wf_units *u, double si, enum wf_dimension d, const char *unit, char *buf,
                         size_t size)
 {
-    double v = in_unit(u, si, d, &unit);
-    (void)snprintf(buf, size, "%.6g%s%s", v, *unit ? " " : "", unit);
+    (void)in_unit(u, &si, d, &unit);
+    (void)snprintf(buf, size, "%.6g%s%s", si, *unit ? " " : "", unit);
     return buf;
 }

@@ -41,7 +41,7 @@ struct wf_units; /* a table of units; must not be used by two threads at once */
 
 /* Read the units database; takes about 3 ms. UDUNITS 2.2 never frees the prefixes of a database it has read
  * (7 kB each time), so a caller with many quantities should open one table for all of them. Errors:
- * WF_EMISSING when UDUNITS' database is not installed, WF_ENOMEM. */
+ * WF_EMISSING when UDUNITS' database is not installed or damaged, WF_ENOMEM. */
 enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e);
 /* Free a table; NULL is allowed. */
 void wf_units_close(struct wf_units *u);
@@ -49,16 +49,20 @@ void wf_units_close(struct wf_units *u);
 /* Read a quantity. Given: text such as "10 GPa", "36 km/h", "0.35", "12 %", "15 degC", and the dimension
  * wanted. Returned: *si, the value in the SI unit of the dimension. Errors: WF_EINPUT with a message that
  * shows the text, says what is wrong and what would be right. Only a dimensionless value may lack a unit, and
- * only an angle may be in degrees or radians; a unit of the reciprocal dimension is refused. */
+ * only an angle may be in degrees or radians; a unit of the reciprocal dimension is refused. A unit is words
+ * with exponents of one digit, products, quotients and brackets, at most 60 bytes: UDUNITS reads nothing
+ * else. WF_ENOMEM. */
 enum wf_status wf_quantity_read(struct wf_units *u, const char *text, enum wf_dimension d, double *si,
                                 struct wf_err *e);
 /* The same; messages give their examples in `usual`, the customary unit of the value. */
 enum wf_status wf_quantity_read_as(struct wf_units *u, const char *text, enum wf_dimension d,
                                    const char *usual, double *si, struct wf_err *e);
-/* SI value in `unit`: 1e10, "GPa" gives 10. A unit that does not fit the dimension, or "": the SI value. */
+/* SI value in `unit`: 1e10, "GPa" gives 10. A unit that does not fit the dimension, or "": the SI value. NAN
+ * without memory. */
 double wf_quantity_in(struct wf_units *u, double si, enum wf_dimension d, const char *unit);
 /* Write an SI value to buf[size] in `unit` ("" for dimensionless values) with six significant digits: 1e10
- * and "GPa" give "10 GPa". Returned: buf. If the unit does not fit the dimension, the SI unit is used. */
+ * and "GPa" give "10 GPa". Returned: buf. If the unit does not fit the dimension, or without memory, the SI
+ * unit is used. */
 char *wf_quantity_print(struct wf_units *u, double si, enum wf_dimension d, const char *unit, char *buf,
                         size_t size);
 #endif

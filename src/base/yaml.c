@@ -195,7 +195,10 @@ static double yaml_quantity(struct wf_yaml *y, const yaml_node_t *n, const char 
     double v;
     const char *unit = r->unit ? r->unit : "";
     if (wf_quantity_read_as(y->units, text, r->dimension, unit, &v, &why)) {
-        yaml_at(y, n, "%s", why.text);
+        if (why.code == WF_ENOMEM)
+            y->no_memory = true;
+        else
+            yaml_at(y, n, "%s", why.text);
         return NAN;
     }
     /* a bound converted from its own unit may differ from the SI value in the last digit */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm analyze and windfirm compare: what a steady wind does to one or several species on one tree. */
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -8,7 +9,6 @@
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"
-#include "out/report.h"
 #include "out/results.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
@@ -359,6 +359,7 @@ struct work {
     struct analyze_options options;
     struct request request;
     const char *folder;
+    struct wf_run_folder results;
     struct wf_model model;
     struct wf_species *species;
     struct wf_analysis *analysis;
@@ -372,9 +373,10 @@ struct work {
 static void speeds_solved(const struct wf_analysis *an, void *work)
 {
     struct work *w = work;
+    size_t before = w->solved++;
     if (w->options.args.quiet) return;
     wf_progress(NULL);
-    if (!w->solved++) print_head(stdout, an);
+    if (!before) print_head(stdout, an);
     print_speeds(stdout, an);
     fflush(stdout);
     wf_progress("%s: critical speed, curves ...", an->species->name);
@@ -428,13 +430,34 @@ static enum wf_status run_directions(struct work *w, struct wf_analysis *an, str
     struct wf_directions *out = WF_TAKE(&w->arena, 1, struct wf_directions);
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
     wf_progress("%s: %zu directions ...", an->species->name, q->n);
+    struct wf_err why = { 0 };
+    enum wf_status s = wf_directions_run(an, &w->request.solve, q, &w->arena, out, &why);
+    if (s == WF_EINTERRUPTED) {
+        wf_diag_warn(an->diag, "interrupted", "interrupted before all %zu directions were computed", q->n);
+        return WF_OK;
+    }
     an->directions = out;
-    return wf_directions_run(an, &w->request.solve, q, &w->arena, out, e);
+    return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
 }
 
-static enum wf_status analyse(struct work *w, struct wf_err *e)
+/* Was tree k interrupted? The first one is kept as far as it came; a later one has not what the first has and
+ * is left out. Returned: the trees of the results, 0 to go on. */
+static size_t end_early(struct work *w, size_t k)
 {
-    for (size_t k = 0; k < w->options.args.n; k++) {
+    bool cut = false;
+    if (!wf_interrupted()) return 0;
+    for (const struct wf_finding *f = w->diag[k].first; f; f = f->next)
+        cut = cut || (f->code && !strcmp(f->code, "interrupted"));
+    size_t whole = k && cut ? k : k + 1;
+    if (whole < w->options.args.n)
+        wf_diag_warn(&w->diag[0], "interrupted", "interrupted: %zu of %zu trees", whole, w->options.args.n);
+    return whole;
+}
+
+/* Analyse every species. Returned: *done, those that have results; after an interrupt fewer. */
+static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
+{
+    for (size_t k = *done = 0; k < w->options.args.n; k++) {
         const struct wf_preset *preset = w->request.preset;
         w->diag[k].arena = &w->arena;
         if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
@@ -445,31 +468,20 @@ static enum wf_status analyse(struct work *w, struct wf_err *e)
                                       w->request.solver, &w->request.solve, w->options.wind.speed,
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
+        if (!s && w->solved == k) speeds_solved(&w->analysis[k], w); /* interrupted before */
         wf_progress(NULL);
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);
         if (s) return s;
         if (!w->options.args.quiet) print_searched(stdout, &w->analysis[k]);
         wf_preset_warn(preset, &w->analysis[k], &w->diag[k]);
+        if ((*done = end_early(w, k))) return WF_OK;
     }
+    *done = w->options.args.n;
     return WF_OK;
 }
 
-/* Plots and pages. A drawing program that is not installed leaves the results complete; *whole: whether
- * everything was drawn. */
-static enum wf_status draw_report(struct work *w, bool *whole, struct wf_err *e)
-{
-    struct wf_diag d = { .arena = &w->arena };
-    struct wf_err why = { 0 };
-    wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_report_make(w->folder, w->options.lang, &d, &why);
-    wf_progress(NULL);
-    wf_print_findings(&d, false);
-    *whole = s == WF_OK;
-    if (s == WF_OK || s == WF_EMISSING) return WF_OK;
-    return wf_fail(e, s, "%s", why.text);
-}
-
-/* Pages of an earlier run would be mistaken for pages of the new results. */
+/* Pages that no run listed, such as those of an earlier version, stay; they would be mistaken for pages of
+ * the new results. */
 static void warn_of_old_pages(struct work *w)
 {
     static const char *const page[] = { "report.html", "report.pdf" };
@@ -505,12 +517,13 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", n);
     enum wf_status s = read_inputs(w, e);
     run.inputs = w->inputs;
-    if (s || (s = analyse(w, e))) return s;
-    fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
-    for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
-    if ((s = wf_results_write(&run, w->folder, e))) return s;
     bool pages = !w->options.no_report, whole = false;
-    if (pages) s = draw_report(w, &whole, e);
+    if (!s) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);
+    if (s || (s = analyse(w, &run.n, e))) return s;
+    fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
+    for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
+    if ((s = wf_results_write(&run, w->results.stage, e))) return s;
+    s = wf_results_end(&w->results, pages ? w->options.lang : NULL, &w->arena, &whole, e);
     if (!w->options.args.quiet)
         printf("\nResults%s: %s\n",
                whole   ? ", tables, plots and pages"
@@ -538,6 +551,7 @@ static int analyze_or_compare(int argc, char **argv, const char *about, size_t l
         const char *asked = w.options.output;
         w.folder = asked ? asked : wf_arena_print(&w.arena, "out/%s", argv[0]);
         code = w.folder && run_all(&w, argc, argv, &e) == WF_OK ? 0 : wf_complain(&e);
+        wf_run_abandon(&w.results);
     }
     wf_arena_free(&w.arena);
     return code;

@@ -96,11 +96,16 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
     if (!s) s = wf_scenario_check(&an.scenario, e);
     if (!s) s = wf_analysis_set_up(&an, a, &d, e);
     if (!s) wf_limits_profile(&an.scenario, an.tallness, m.name, &d);
+    struct wf_run_folder f = { 0 };
+    if (!s) s = wf_results_begin(&f, o->output, o->no_report ? NULL : "explain", e);
     if (!s) s = wf_explain_run(&an, &solve, o->wind, a, &d, &x, e);
     if (!s && !quiet) print_methods(&x, o->wind, an.scenario.reference_height);
     fflush(stdout);
     wf_print_findings(&d, quiet);
-    if (s) return s;
+    if (s) {
+        wf_run_abandon(&f);
+        return s;
+    }
     warn_of_departures(&an, &leaves);
     const struct wf_explained of = { .run = 1,
                                      .name = wf_arena_print(a, "%s, %s", sp.key, m.key),
@@ -108,8 +113,9 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
                                      .tree = &an.tree,
                                      .speed = o->wind,
                                      .findings = &leaves };
-    s = of.name ? wf_explain_write(&of, head, o->output, e) : wf_fail(e, WF_ENOMEM, "no memory");
-    if (!s && !o->no_report) s = wf_pages_make(o->output, o->lang, a, e);
+    s = of.name ? wf_explain_write(&of, head, f.stage, e) : wf_fail(e, WF_ENOMEM, "no memory");
+    if (!s) s = wf_results_end(&f, o->no_report ? NULL : o->lang, a, NULL, e);
+    wf_run_abandon(&f);
     if (!s && !quiet) printf("\nTable%s: %s\n", o->no_report ? "" : ", plot, page", o->output);
     return s;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm fit: calibrate a tree to what was measured on it. */
+#include "base/interrupt.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
@@ -174,18 +175,11 @@ struct fit_job {
     struct wf_fit_results r;
 };
 
-static volatile sig_atomic_t interrupted;
-static void note_interrupt(int number)
-{
-    (void)number;
-    interrupted = 1;
-}
-
 static bool show_progress(void *ctx, size_t iteration, double cost)
 {
     (void)ctx;
     wf_progress("iteration %zu, misfit %.6g ...", iteration, 2 * cost);
-    return interrupted;
+    return wf_interrupted() != 0;
 }
 
 static struct wf_fit_options library_options(const struct fit_options *asked)
@@ -246,9 +240,9 @@ static enum wf_status build_experiment(struct fit_job *j, struct wf_err *e)
                              &j->r.params, e);
 }
 
-/* Second fit with the opposite root: clamped if the first was elastic, and vice versa. If it fails, it is
- * omitted; the requested fit is unaffected. */
-static void fit_rival(struct fit_job *j, struct wf_fit_options o)
+/* Second fit with the opposite root: clamped if the first was elastic, and vice versa. If the data do not
+ * allow it, it is omitted; the requested fit is unaffected. Errors: WF_ENOMEM. */
+static enum wf_status fit_rival(struct fit_job *j, struct wf_fit_options o, struct wf_err *why)
 {
     struct wf_fit_param *p = WF_TAKE(&j->arena, j->r.params + j->r.x.trees + 1, struct wf_fit_param);
     struct wf_diag d = { .arena = &j->arena };
@@ -258,7 +252,8 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     for (size_t k = 0; k < j->r.x.tests; k++)
         for (size_t s = 0; s < j->r.x.test[k].sensors; s++)
             tested |= j->r.x.test[k].sensor[s].kind != WF_SENSOR_DAMPING;
-    if (!p || !tested) return;
+    if (!p) return wf_fail(why, WF_ENOMEM, "not enough memory for the second fit");
+    if (!tested) return WF_OK;
     for (size_t k = 0; k < j->r.params; k++) had |= j->r.param[k].quantity == WF_FIT_ROOT;
     for (size_t k = 0; k < j->r.params; k++) {
         if (wf_param_nuisance(&j->r.param[k]))
@@ -268,14 +263,14 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     }
     if (!had && wf_param_add(&j->r.x, j->r.x.trees > 1 ? "each:root.stiffness" : "root.stiffness", &j->arena,
                              p, &n, &e))
-        return;
-    if (!n) return;
+        return e.code == WF_ENOMEM ? wf_fail(why, e.code, "%s", e.text) : WF_OK;
+    if (!n) return WF_OK;
     for (size_t k = j->r.params - nuisance; k < j->r.params; k++) p[n++] = j->r.param[k];
     o.profile = false, o.resamples = 0, o.starts = 1;
     struct wf_fit_rival *r = &j->r.rival;
     r->text = had ? "clamped root" : "flexible root plate";
     double *stiffness = WF_TAKE(&j->arena, j->r.x.trees, double);
-    if (!stiffness) return;
+    if (!stiffness) return wf_fail(why, WF_ENOMEM, "not enough memory for the second fit");
     for (size_t k = 0; k < j->r.x.trees; k++) {
         double *of = j->r.x.tree[k].options.root_stiffness;
         stiffness[k] = of[0];
@@ -284,45 +279,55 @@ static void fit_rival(struct fit_job *j, struct wf_fit_options o)
     enum wf_status s = wf_fit_run(&j->r.x, p, n, &o, &j->arena, &d, &r->fit, &e);
     for (size_t k = 0; k < j->r.x.trees; k++)
         j->r.x.tree[k].options.root_stiffness[0] = j->r.x.tree[k].options.root_stiffness[1] = stiffness[k];
-    if (s || r->fit.stopped) return;
+    if (s == WF_ENOMEM) return wf_fail(why, s, "%s", e.text);
+    if (s || r->fit.stopped) return WF_OK;
     const struct wf_fit *rich = had ? &j->r.fit : &r->fit;
     r->aicc = wf_fit_aicc(&r->fit, rich);
     r->own = wf_fit_aicc(&j->r.fit, rich);
     r->made = true;
+    return WF_OK;
 }
 
 /* Fit the tree, and unless --no-rival the second model too. */
 static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
 {
     struct wf_fit_options o = library_options(j->options);
-    struct sigaction act = { .sa_handler = note_interrupt }, before;
-    sigaction(SIGINT, &act, &before);
     enum wf_status s = wf_fit_run(&j->r.x, j->r.param, j->r.params, &o, &j->arena, &j->r.diag, &j->r.fit, e);
-    if (!s && !interrupted && !j->options->no_rival) fit_rival(j, o);
-    sigaction(SIGINT, &before, NULL);
+    if (!s && !wf_interrupted() && !j->options->no_rival) s = fit_rival(j, o, e);
     wf_progress(NULL);
+    return s;
+}
+
+/* Results, figures and pages; unless interrupted also the fitted species table. */
+static enum wf_status write_results(struct fit_job *j, struct wf_run_folder *f, bool quiet, struct wf_err *e)
+{
+    /* the species table of an interrupted fit would be mistaken for a completed one's */
+    const char *write = wf_interrupted() ? NULL : j->options->write;
+    bool report = !j->options->no_report;
+    enum wf_status s = wf_fit_results_write(&j->r, f->stage, e);
+    if (!s && write) s = wf_fit_species_write(&j->r, write, e);
+    if (!s) s = wf_results_end(f, report ? j->options->lang : NULL, &j->arena, NULL, e);
+    if (!s && !quiet) printf("\nResults, tables%s: %s\n", report ? ", plots and pages" : "", j->folder);
+    if (!s && !quiet && write) printf("Species table: %s\n", write);
     return s;
 }
 
 static enum wf_status calibrate(struct fit_job *j, bool quiet, struct wf_err *e)
 {
     const char *write = j->options->write;
+    struct wf_run_folder f = { 0 };
     enum wf_status s = build_experiment(j, e);
+    if (!s) s = wf_results_begin(&f, j->folder, j->options->no_report ? NULL : "calibration", e);
     if (!s) s = fit_tree(j, e);
-    if (!s && interrupted && !j->r.fit.stopped)
+    if (!s && wf_interrupted() && !j->r.fit.stopped)
         wf_diag_warn(&j->r.diag, "stopped", "interrupted before the comparison with the root the other way");
-    if (!s && interrupted && write)
+    if (!s && wf_interrupted() && write)
         wf_diag_warn(&j->r.diag, "stopped", "interrupted: %s is not written", write);
     if (!s && !quiet) print_fit(stdout, &j->r);
     fflush(stdout);
     wf_print_findings(&j->r.diag, quiet);
-    if (!s) s = wf_fit_results_write(&j->r, j->folder, e);
-    if (interrupted) write = NULL; /* the species table would be mistaken for a completed fit's */
-    if (!s && write) s = wf_fit_species_write(&j->r, write, e);
-    bool report = !j->options->no_report;
-    if (!s && report) s = wf_pages_make(j->folder, j->options->lang, &j->arena, e);
-    if (!s && !quiet) printf("\nResults, tables%s: %s\n", report ? ", plots and pages" : "", j->folder);
-    if (!s && !quiet && write) printf("Species table: %s\n", write);
+    if (!s) s = write_results(j, &f, quiet, e);
+    wf_run_abandon(&f);
     return s;
 }
 
@@ -341,7 +346,7 @@ int wf_cmd_fit(int argc, char **argv)
         enum wf_status s = j.r.command && j.r.date
                                ? calibrate(&j, o.args.quiet, &e)
                                : wf_fail(&e, WF_ENOMEM, "not enough memory for the command line");
-        code = s ? wf_complain(&e) : interrupted ? 1 : 0;
+        code = s ? wf_complain(&e) : 0;
     }
     wf_arena_free(&j.arena);
     return code;

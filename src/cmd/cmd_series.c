@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm series and windfirm papers: trees in winds that change. */
+#include "base/interrupt.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -83,12 +84,17 @@ static void print_findings_once(const struct wf_diag *diag, size_t runs, bool qu
     wf_print_findings(&once, quiet);
 }
 
+/* Returned: *done, the runs that were made; after an interrupt fewer than planned. */
 static enum wf_status run_all(const struct series_job *j, struct wf_series *series, struct wf_diag *diag,
-                              struct wf_arena *a, struct wf_err *e)
+                              size_t *done, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_series_plan *plan = j->plan;
-    for (size_t r = 0; r < plan->runs; r++) {
+    for (size_t r = *done = 0; r < plan->runs; r++, ++*done) {
         struct wf_series_spec spec;
+        if (r && wf_interrupted()) {
+            wf_diag_warn(&diag[r - 1], "interrupted", "interrupted: %zu of %zu runs", r, plan->runs);
+            return WF_OK;
+        }
         diag[r].arena = a;
         enum wf_status s = read_run(&plan->run[r], plan->file, a, &spec, e);
         if (s) return s;
@@ -110,7 +116,7 @@ static enum wf_status explain_runs(const struct wf_series_plan *plan, const stru
     struct wf_explain *made = WF_TAKE(a, plan->runs, struct wf_explain);
     enum wf_status s = of && made ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
     page->explain = of;
-    for (size_t r = 0; r < plan->runs && !s; r++) {
+    for (size_t r = 0; r < page->n && !s && !wf_interrupted(); r++) {
         const struct wf_series *x = &series[r];
         if (!plan->run[r].explain || strcmp(plan->run[r].explain, "yes") != 0) continue;
         wf_progress("every method on the tree of run %zu ...", r + 1);
@@ -123,7 +129,27 @@ static enum wf_status explain_runs(const struct wf_series_plan *plan, const stru
     return s;
 }
 
-/* Run a plan, write its files and draw its page. Returned: exit code. */
+/* Run a plan, write its files into the stage and draw its page. */
+static enum wf_status perform_runs(const struct series_job *j, struct wf_run_folder *f,
+                                   struct wf_series_page *page, struct wf_series *series,
+                                   struct wf_diag *diag, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_err why = { 0 };
+    enum wf_status s = run_all(j, series, diag, &page->n, a, e);
+    if (!s && (s = explain_runs(j->plan, series, diag, a, page, &why)) == WF_EINTERRUPTED)
+        page->explained--, s = WF_OK; /* the last one is not finished */
+    else if (s)
+        wf_fail(e, s, "%s", why.text);
+    if (s) return s;
+    if (!j->quiet) print_runs(page);
+    fflush(stdout);
+    print_findings_once(diag, page->n, j->quiet, a);
+    s = wf_series_tables(page, f->stage, e);
+    if (!s && j->vtk) s = wf_series_vtk(page, f->stage, e);
+    return s ? s : wf_results_end(f, j->page ? j->language : NULL, a, NULL, e);
+}
+
+/* Returned: exit code. */
 static int perform_plan(const struct series_job *j, struct wf_arena *a)
 {
     const struct wf_series_plan *plan = j->plan;
@@ -143,15 +169,10 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
         return wf_complain(&e);
     }
     for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_page_run){ &series[r], &diag[r] };
-    enum wf_status s = run_all(j, series, diag, a, &e);
-    if (!s) s = explain_runs(plan, series, diag, a, &page, &e);
-    if (s) return wf_complain(&e);
-    if (!j->quiet) print_runs(&page);
-    fflush(stdout);
-    print_findings_once(diag, plan->runs, j->quiet, a);
-    s = wf_series_tables(&page, j->folder, &e);
-    if (!s && j->vtk) s = wf_series_vtk(&page, j->folder, &e);
-    if (!s && j->page) s = wf_pages_make(j->folder, j->language, a, &e);
+    struct wf_run_folder f;
+    enum wf_status s = wf_results_begin(&f, j->folder, j->page ? "series" : NULL, &e);
+    if (!s) s = perform_runs(j, &f, &page, series, diag, a, &e);
+    wf_run_abandon(&f);
     if (s) return wf_complain(&e);
     if (!j->quiet) printf("\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
     return 0;

@@ -217,7 +217,23 @@ static enum wf_status bend_tree(struct work *w, struct wf_arena *a, struct wf_di
     return s ? s : wf_shelter_tips(&w->run, &w->loads, a, e);
 }
 
-static enum wf_status shelter(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+/* The wind inside the tree and, unless left out or interrupted, the bent tree in it. */
+static enum wf_status compute(struct work *w, bool motion, struct wf_arena *a, struct wf_diag *d,
+                              struct wf_err *e)
+{
+    struct wf_err why = { 0 };
+    wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");
+    enum wf_status s = wf_shelter_make(&w->tree, &w->wind, &w->request, a, &w->run.still, e);
+    if (!s && motion && w->run.speed > 0.0 && (s = bend_tree(w, a, d, &why)) && s != WF_EINTERRUPTED)
+        wf_fail(e, s, "%s", why.text);
+    wf_progress(NULL);
+    if (s == WF_EINTERRUPTED)
+        wf_diag_warn(d, "interrupted", "interrupted before the tree was bent in this wind");
+    return s == WF_EINTERRUPTED ? WF_OK : s;
+}
+
+static enum wf_status shelter(struct work *w, struct wf_run_folder *f, struct wf_arena *a, struct wf_diag *d,
+                              struct wf_err *e)
 {
     const struct shelter_options *o = &w->options;
     bool motion = !o->no_motion, quiet = o->args.quiet;
@@ -228,19 +244,16 @@ static enum wf_status shelter(struct work *w, struct wf_arena *a, struct wf_diag
     if ((s = wf_scenario_loads(&w->scenario, &w->species, &w->wind, &w->loads, e))) return s;
     w->wind.speed = w->run.speed;
     wf_limits_profile(&w->scenario, wf_tree_height(&w->tree), w->model.key ? o->model : o->tree, d);
-    w->run.folder = o->output;
+    if ((s = wf_results_begin(f, o->output, o->no_plots ? NULL : "shelter", e))) return s;
+    w->run.folder = f->stage;
     w->run.tree = &w->tree;
     w->run.species = w->species.name;
     w->run.tree_name = w->model.key ? w->model.name : o->tree;
-    wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");
-    s = wf_shelter_make(&w->tree, &w->wind, &w->request, a, &w->run.still, e);
-    if (!s && motion && w->run.speed > 0.0) s = bend_tree(w, a, d, e);
-    wf_progress(NULL);
-    if (s) return s;
+    if ((s = compute(w, motion, a, d, e))) return s;
     if (!quiet) print_shelter(stdout, &w->run);
     s = wf_shelter_results_write(&w->run, &w->head, d, e);
-    if (!s && !o->no_plots) s = wf_pages_make(w->run.folder, o->lang, a, e);
-    if (!s && !quiet) printf("\nTables%s: %s\n", o->no_plots ? "" : ", plots and page", w->run.folder);
+    if (!s) s = wf_results_end(f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    if (!s && !quiet) printf("\nTables%s: %s\n", o->no_plots ? "" : ", plots and page", o->output);
     return s;
 }
 
@@ -253,7 +266,9 @@ int wf_cmd_shelter(int argc, char **argv)
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
         enum wf_status s = wf_pages_head(argc, argv, &arena, &w.head, &e);
-        if (!s) s = shelter(&w, &arena, &d, &e);
+        struct wf_run_folder f = { 0 };
+        if (!s) s = shelter(&w, &f, &arena, &d, &e);
+        wf_run_abandon(&f);
         fflush(stdout);
         wf_print_findings(&d, w.options.args.quiet);
         code = s ? wf_complain(&e) : 0;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm terrain: generated or measured ground, its sheltered places and where it speeds the wind up. */
+#include "base/interrupt.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
@@ -67,6 +68,7 @@ static enum wf_status expose_points(const struct terrain_options *o, struct wf_t
         status = wf_fail(e, WF_ENOMEM, "not enough memory for a map of %zu points", n);
     for (size_t i = 0; i < n && !status; i++) {
         double seen;
+        if (wf_interrupted()) return wf_fail(e, WF_EINTERRUPTED, "interrupted before the map was computed");
         s->topex[i] = wf_terrain_topex(t, i % t->columns, i / t->columns, o->distance, &seen) * 180 / M_PI;
         s->unseen += seen < 1.0;
         s->factor[i] = 1.0 + s->speedup.ds[i];
@@ -118,11 +120,14 @@ static enum wf_status survey(const struct terrain_options *o, const struct wf_do
                                                      o->seed, a, &s->ground, e);
     s->file = o->dem;
     s->from = o->from, s->height = o->height, s->roughness = o->roughness, s->distance = o->distance;
+    struct wf_run_folder f = { 0 };
+    if (!status) status = wf_results_begin(&f, o->output, o->no_plots ? NULL : "terrain", e);
     if (!status) status = expose_points(o, s, a, e);
     if (!status) warn_of_limits(s, d);
-    if (!status) status = wf_terrain_results_write(s, head, d, o->output, e);
-    if (!status && o->positions) status = wf_terrain_positions_write(s, o->positions, o->output, a, d, e);
-    if (!status && !o->no_plots) status = wf_pages_make(o->output, o->lang, a, e);
+    if (!status) status = wf_terrain_results_write(s, head, d, f.stage, e);
+    if (!status && o->positions) status = wf_terrain_positions_write(s, o->positions, f.stage, a, d, e);
+    if (!status) status = wf_results_end(&f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    wf_run_abandon(&f);
     return status;
 }
 

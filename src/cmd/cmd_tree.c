@@ -213,7 +213,7 @@ static enum wf_status draw_picture(const struct draw_options *o, struct wf_arena
     if (!s) s = wf_tree_check(&tree, d, e);
     if (s) return s;
     const struct wf_tree_picture picture = { &tree, &model, &species };
-    if ((s = wf_tree_picture_draw(&picture, to, e))) return s;
+    if ((s = wf_tree_picture_draw(&picture, to, d, e))) return s;
     if (!o->args.quiet) printf("%s: %zu segments -> %s\n", model.name, tree.n, to);
     return WF_OK;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm wind: generate a gusty wind, analyse it, draw it. */
+#include "base/interrupt.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -211,13 +212,17 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
                                 struct wf_err *e)
 {
     struct wf_gust_report *r = WF_TAKE(a, 1, struct wf_gust_report);
+    struct wf_run_folder f;
     const char *folder = o->output;
     bool quiet = o->args.quiet;
     if (!r) return wf_fail(e, WF_ENOMEM, "not enough memory for a report");
-    enum wf_status s = wf_gust_report_make(spec, a, d, r, e);
+    enum wf_status s = wf_results_begin(&f, folder, o->no_plots ? NULL : "wind", e);
+    if (s) return s;
+    s = wf_gust_report_make(spec, a, d, r, e);
     if (!s && !quiet) print_wind(r);
-    if (!s) s = wf_wind_results_write(r, head, d, folder, e);
-    if (!s && !o->no_plots) s = wf_pages_make(folder, o->lang, a, e);
+    if (!s) s = wf_wind_results_write(r, head, d, f.stage, e);
+    if (!s) s = wf_results_end(&f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    wf_run_abandon(&f);
     if (!s && !quiet) printf("\nTables%s: %s\n", o->no_plots ? "" : ", plots and page", folder);
     return s;
 }
@@ -228,7 +233,7 @@ static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_st
 {
     static const char *const name[WF_COMPONENTS] = { "along the wind", "across", "up" };
     printf("%s: %zu points, %zu steps of %g s, %u component%s, seed %llu: %s\n", s->model->name, s->points,
-           s->steps, s->step, s->components, s->components == 1 ? "" : "s", (unsigned long long)s->seed,
+           w->steps, s->step, s->components, s->components == 1 ? "" : "s", (unsigned long long)s->seed,
            path);
     printf("%zu blocks of %zu steps, made and written in %.1f s of processor time\n", w->blocks, w->block,
            w->seconds);
@@ -250,6 +255,7 @@ static enum wf_status write_stream(const struct wind_options *o, const struct wf
 {
     struct wf_wind_streamed w;
     const char *path = o->stream;
+    wf_interrupt_catch();
     enum wf_status s = wf_wind_stream(spec, path, show_progress, a, d, &w, e);
     wf_progress(NULL);
     if (!s && !o->args.quiet) print_streamed(spec, &w, path);
@@ -364,14 +370,18 @@ static enum wf_status show_rose(const struct wind_options *o, const struct wf_do
 {
     const char *file = o->record ? o->record : o->gust.file, *folder = o->output;
     struct wf_rose_record *record;
+    struct wf_run_folder f;
     struct wf_rose r;
     enum wf_status status = take_rose(o, a, d, &r, &record, e);
     if (status) return status;
     if (!o->args.quiet) print_rose(file, &r, record);
     if (!o->args.quiet && record) print_fits(record);
     fflush(stdout);
-    status = wf_rose_results_write(&r, file, record, head, d, folder, e);
-    if (!status && !o->no_plots) status = wf_pages_make(folder, o->lang, a, e);
+    status = wf_results_begin(&f, folder, o->no_plots ? NULL : "rose", e);
+    if (status) return status;
+    status = wf_rose_results_write(&r, file, record, head, d, f.stage, e);
+    if (!status) status = wf_results_end(&f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    wf_run_abandon(&f);
     return status;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/commands.h"
+#include "base/interrupt.h"
 #include "out/report.h"
 #include "out/results.h"
 #include <stdarg.h>
@@ -118,15 +119,43 @@ void wf_progress(const char *fmt, ...)
     fflush(stderr);
 }
 
-enum wf_status wf_pages_make(const char *folder, const char *language, struct wf_arena *a, struct wf_err *e)
+enum wf_status wf_results_begin(struct wf_run_folder *r, const char *folder, const char *page,
+                                struct wf_err *e)
+{
+    wf_interrupt_catch();
+    return wf_run_begin(r, folder, page, e);
+}
+
+enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *language, struct wf_diag *d,
+                               struct wf_err *e)
+{
+    struct wf_diag found = { .arena = d->arena };
+    wf_progress("drawing plots and pages ...");
+    enum wf_status s = wf_report_make(r->stage, language, &found, e);
+    wf_progress(NULL);
+    wf_run_plain(r, e->text);
+    for (const struct wf_finding *f = found.first; f; f = f->next) {
+        char *text = wf_arena_text(d->arena, f->text);
+        if (text) wf_run_plain(r, text);
+        wf_diag_warn(d, f->code, "%s", text ? text : f->text);
+    }
+    return s;
+}
+
+enum wf_status wf_results_end(struct wf_run_folder *r, const char *language, struct wf_arena *a, bool *whole,
+                              struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
     struct wf_err why = { 0 };
-    wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_report_make(folder, language, &d, &why);
-    wf_progress(NULL);
+    enum wf_status drawn = WF_OK;
+    enum wf_status s = wf_interrupted() ? wf_run_mark(r, "interrupted", e) : WF_OK;
+    if (!s && language) drawn = wf_results_draw(r, language, &d, &why);
     wf_print_findings(&d, false);
-    return s == WF_OK || s == WF_EMISSING ? WF_OK : wf_fail(e, s, "%s", why.text);
+    if (whole) *whole = language && !drawn;
+    if (!s) s = wf_run_commit(r, e);
+    wf_run_abandon(r);
+    if (s || drawn == WF_OK || drawn == WF_EMISSING) return s;
+    return wf_fail(e, drawn, "%s", why.text);
 }
 
 /* A word as a shell takes it: in quotes where it is empty or has characters that a shell would interpret.

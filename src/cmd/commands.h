@@ -7,6 +7,7 @@
 #include "base/err.h"
 #include "cmd/option.h"
 #include "out/doc.h"
+#include "out/run_folder.h"
 
 struct wf_command {
     const char *name, *operands, *summary;
@@ -54,9 +55,21 @@ void wf_print_findings(const struct wf_diag *d, bool quiet);
 
 /* Pages of a results folder, and what a document says about its command. */
 
-/* Draw figures and pages of a folder and print what is missing. A drawing program that is not installed is no
- * error. Errors: those of wf_report_make. */
-enum wf_status wf_pages_make(const char *folder, const char *language, struct wf_arena *a, struct wf_err *e);
+/* Take the folder for the results of a run, before anything is computed; signals are caught from now on
+ * (base/interrupt.h). page: the page that is to be drawn, NULL: none. Errors: those of wf_run_begin. */
+enum wf_status wf_results_begin(struct wf_run_folder *r, const char *folder, const char *page,
+                                struct wf_err *e);
+/* The results are written into the stage: draw figures and pages, print what is missing, put all of it into
+ * the folder. language: of the pages, NULL: none are drawn. A run that was interrupted before this is marked
+ * so. A drawing program that is not installed is no error, another part that cannot be drawn is, after the
+ * rest is in place. *whole, unless NULL: whether everything was drawn. Errors: those of wf_report_make and
+ * wf_run_commit. */
+enum wf_status wf_results_end(struct wf_run_folder *r, const char *language, struct wf_arena *a, bool *whole,
+                              struct wf_err *e);
+/* Draw the pages of the stage. Findings and error name the folder's files, not the stage's. Returned: as
+ * wf_report_make. */
+enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *language, struct wf_diag *d,
+                               struct wf_err *e);
 /* The command line as typed, "windfirm ...", with quotes where a shell needs them: it can be pasted and run
  * again. Every command records this text. NULL: no memory. */
 char *wf_command_line(int argc, char **argv, struct wf_arena *a);

@@ -133,9 +133,11 @@ static const struct wf_yaml_row model_stem_rows[] = {
     WF_KEY_LIST("masses", mass, masses, stem_mass_table,
                 "Masses of the stem and of what hangs to its sides, piece by piece; with sections.",
                 .absent = "by the species' density, no hanging masses"),
-    WF_KEY_INTEGER("segments", segments, 1, 100000,
-                   "Equal rows the stem is cut into; a row also ends at every kink of shape, wall and crown.",
-                   .initial = "40", .example = "40"),
+    WF_KEY_INTEGER(
+        "segments", segments, 1, 20000,
+        "Equal rows the stem is cut into; a row also ends at every kink of shape, wall and crown. An "
+        "analysis needs about 5 kB each.",
+        .initial = "40", .example = "40"),
     WF_KEY_ANGLE("lean", lean, 0, 0.25, "Angle of the straight stem from the vertical.", .initial = "0 deg",
                  .example = "10 deg"),
     WF_KEY_ANGLE("lean_azimuth", lean_azimuth, -1, 1,

@@ -98,13 +98,13 @@ static enum wf_status sensor(struct wf_units *u, const struct wf_calibration *ca
     out->estimated = !s->sigma && !(out->sigma_share > 0);
     *value = NAN;
     if (s->sigma && wf_quantity_read_as(u, s->sigma, r->dimension, r->unit, &out->sigma, &why))
-        return wf_fail(e, WF_EINPUT, "%s: test %s: %s: sigma: %s", calibration->file, t->name, s->name,
+        return wf_fail(e, why.code, "%s: test %s: %s: sigma: %s", calibration->file, t->name, s->name,
                        why.text);
     if (s->sigma && !(out->sigma > 0))
         return wf_fail(e, WF_EINPUT, "%s: test %s: %s: sigma must be above zero", calibration->file, t->name,
                        s->name);
     if (s->value && wf_quantity_read_as(u, s->value, r->dimension, r->unit, value, &why))
-        return wf_fail(e, WF_EINPUT, "%s: test %s: %s: value: %s", calibration->file, t->name, s->name,
+        return wf_fail(e, why.code, "%s: test %s: %s: value: %s", calibration->file, t->name, s->name,
                        why.text);
     return WF_OK;
 }
@@ -548,7 +548,7 @@ static enum wf_status bound(struct wf_units *u, const struct wf_calibration *s, 
     struct wf_err why = { 0 };
     const struct wf_fit_quantity_row *r = &wf_fit_quantities[p->quantity];
     if (!text || !wf_quantity_read_as(u, text, r->dimension, r->unit, value, &why)) return WF_OK;
-    return wf_fail(e, WF_EINPUT, "%s: free: %s: %s: %s", s->file, p->name, key, why.text);
+    return wf_fail(e, why.code, "%s: free: %s: %s: %s", s->file, p->name, key, why.text);
 }
 
 enum wf_status wf_fit_params(const struct wf_calibration *s, const char *names, const struct wf_experiment *x,

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <glog/logging.h>
 #include <mutex>
+#include <new>
 #include <vector>
 
 namespace {
@@ -166,6 +167,8 @@ try {
         ~Listen() { google::RemoveLogSink(s); }
     } listen(&sink);
     return solve(q, p, out, e);
+} catch (const std::bad_alloc &) {
+    return wf_fail(e, WF_ENOMEM, "not enough memory for least squares");
 } catch (const std::exception &x) {
     return wf_fail(e, WF_EINTERNAL, "least squares: %s", x.what());
 } catch (...) {

@@ -174,6 +174,7 @@ enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p,
     if (!status && !out->lsq.stopped && o->profile) status = wf_fit_profiles(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->resamples) status = wf_fit_resample(&s, out, a, e);
     if (!status) status = wf_fit_loose(out, a, e);
+    if (!status && s.fatal.code) status = wf_fail(e, s.fatal.code, "%s", s.fatal.text);
     wf_session_close(&s);
     out->stopped = s.stopped;
     if (!status) out->aicc = wf_fit_aicc(out, out);

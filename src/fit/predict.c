@@ -416,7 +416,7 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
             k.frame = wf_param_value(&w->p[p], internal[p]);
     if (t->load == WF_FIT_WIND) blow(t, &loads, &k.wind);
     if (t->load == WF_FIT_PULL) loads.point = &k.pull, loads.points = 1;
-    enum wf_status status = wf_beam_init(&k.beam, tree, &loads, &options, NULL, &w->scratch, e);
+    enum wf_status status = wf_beam_init(&k.beam, tree, &loads, &options, NULL, &w->scratch, &w->scratch, e);
     size_t n = tree->n, m = w->params;
     k.ends = wf_arena_take(&w->scratch, n, sizeof *k.ends),
     k.moved = wf_arena_take(&w->scratch, n, sizeof *k.ends);

@@ -59,15 +59,27 @@ static double internal_of(const struct wf_session *s, size_t k, double packed, d
     return fmin(fmax(x, s->low[k]), s->high[k]);
 }
 
+/* A tree without an equilibrium, or a value out of range, is an answer for these parameters: the step is
+ * rejected. Any other failure says nothing about them, so that a fit which went on without this prediction
+ * would end elsewhere. */
+static void note_fatal(struct wf_session *s, const struct wf_err *why)
+{
+    bool about_the_values = why->code == WF_EUNSTABLE || why->code == WF_ENOCONV || why->code == WF_EINPUT;
+    if (!about_the_values) wf_fail(&s->fatal, why->code, "%s", why->text);
+}
+
 static bool model(void *ctx, const double *packed, double *residual, double *jacobian)
 {
     struct wf_session *s = ctx;
     size_t m = s->x->data, row = m, column = 0, wide = 0;
     for (size_t k = 0; k < s->n; k++)
         if (!s->held[k]) s->internal[k] = internal_of(s, k, packed[wide], &s->chain[k]), wide++;
+    if (s->fatal.code) return false;
     s->model = (struct wf_err){ 0 };
-    if (wf_predict(s->predictor, s->internal, s->reading, jacobian ? s->slope : NULL, &s->model))
+    if (wf_predict(s->predictor, s->internal, s->reading, jacobian ? s->slope : NULL, &s->model)) {
+        note_fatal(s, &s->model);
         return false;
+    }
     for (size_t i = 0; i < m; i++) {
         double w = sqrt(s->x->datum[i].weight) / s->sigma[i];
         residual[i] = w * (s->reading[i] - s->x->datum[i].value);
@@ -100,7 +112,11 @@ static bool progress(void *ctx, size_t iteration, double cost)
 static enum wf_status evaluate(struct wf_session *s, struct wf_lsq_result *out, struct wf_err *e)
 {
     *out = (struct wf_lsq_result){ .converged = true };
-    if (wf_predict(s->predictor, s->internal, s->reading, NULL, e)) return e->code;
+    struct wf_err why = { 0 };
+    if (wf_predict(s->predictor, s->internal, s->reading, NULL, &why)) {
+        note_fatal(s, &why);
+        return wf_fail(e, why.code, "%s", why.text);
+    }
     for (size_t i = 0; i < s->x->data; i++) {
         double r = (s->reading[i] - s->x->datum[i].value) / s->sigma[i] * sqrt(s->x->datum[i].weight);
         out->cost += 0.5 * wf_losses[s->o->loss].rho(s->scale, r);
@@ -132,9 +148,14 @@ static enum wf_status search(struct wf_session *s, struct wf_lsq_result *out, st
         s->free_low[q.params] = fmin(low, high), s->free_high[q.params++] = fmax(low, high);
     }
     if (!q.params) return evaluate(s, out, e);
-    enum wf_status status = wf_lsq_solve(&q, s->start, out, e);
-    if (status == WF_EINPUT && s->model.code && e)
-        snprintf(e->text, sizeof e->text, "at the start values: %.900s", s->model.text);
+    struct wf_err why = { 0 };
+    enum wf_status status = wf_lsq_solve(&q, s->start, out, &why);
+    if (status == WF_ENOMEM) wf_fail(&s->fatal, status, "%s", why.text);
+    if (s->fatal.code) return wf_fail(e, s->fatal.code, "%s", s->fatal.text);
+    if (status == WF_EINPUT && s->model.code)
+        (void)wf_fail(e, status, "at the start values: %.900s", s->model.text);
+    else if (status)
+        (void)wf_fail(e, status, "%s", why.text);
     for (size_t k = 0, c = 0; k < s->n; k++)
         if (!s->held[k]) s->internal[k] = internal_of(s, k, s->start[c], &s->chain[k]), c++;
     return status;
@@ -171,7 +192,7 @@ enum wf_status wf_session_solve(struct wf_session *s, struct wf_lsq_result *out,
         if (out->stopped) break;
         status = search(s, out, e);
     }
-    return status;
+    return !status && s->fatal.code ? wf_fail(e, s->fatal.code, "%s", s->fatal.text) : status;
 }
 
 double wf_robust_sd(const double *x, size_t n, double *scratch)

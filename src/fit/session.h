@@ -36,6 +36,8 @@ struct wf_session {
     double scale;                         /* of the loss, in sigma                                    */
     bool stopped;                         /* by progress                                              */
     struct wf_err model;                  /* reason of the model's last failure                       */
+    struct wf_err fatal; /* a failure for which the whole fit must end: no memory, a fault; later predictions
+                          * are not tried */
 };
 
 enum wf_status wf_session_open(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,

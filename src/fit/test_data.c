@@ -45,7 +45,7 @@ enum wf_status wf_column_unit(struct wf_units *u, const struct wf_test_column *c
     if (c->unit) {
         snprintf(text, sizeof text, "1 %.60s", c->unit);
         if (!wf_quantity_read(u, text, c->dimension, factor, &why)) return WF_OK;
-        return wf_fail(e, WF_EINPUT, "column '%s': the unit '%s': %s", c->name, c->unit, why.text);
+        return wf_fail(e, why.code, "column '%s': the unit '%s': %s", c->name, c->unit, why.text);
     }
     /* the longest suffix that is a unit: m_s is m/s, kN_m is kN m */
     static const char joint[] = { '/', ' ' };
@@ -55,8 +55,10 @@ enum wf_status wf_column_unit(struct wf_units *u, const struct wf_test_column *c
             snprintf(text, sizeof text, "1 %.60s", tail + 1);
             for (char *p = text + 2; *p; p++)
                 if (*p == '_') *p = joint[k];
-            if (tail[1] && !wf_quantity_read(u, text, c->dimension, factor, &(struct wf_err){ 0 }))
-                return WF_OK;
+            if (!tail[1]) continue;
+            why = (struct wf_err){ 0 };
+            if (!wf_quantity_read(u, text, c->dimension, factor, &why)) return WF_OK;
+            if (why.code == WF_ENOMEM) return wf_fail(e, WF_ENOMEM, "column '%s': %s", c->name, why.text);
         }
     tail = strrchr(c->name, '_');
     bool mass = c->dimension == WF_DIM_FORCE && tail && !strcasecmp(tail + 1, "kg");
@@ -121,16 +123,21 @@ static enum wf_status prepare(struct wf_csv *c, const struct wf_test_column *col
     p->time = time ? wf_csv_need(c, time) : WF_CSV_NONE;
     p->time_factor = 1;
     struct wf_test_column clock = { time, NULL, WF_DIM_TIME };
-    if (time) (void)wf_column_unit(u, &clock, &p->time_factor, &(struct wf_err){ 0 });
-    for (size_t k = 0; k < n; k++) {
+    struct wf_err clockless = { 0 };
+    if (time && wf_column_unit(u, &clock, &p->time_factor, &clockless) == WF_ENOMEM)
+        status = wf_fail(e, WF_ENOMEM, "%s", clockless.text);
+    for (size_t k = 0; k < n && !status; k++) {
         struct wf_err why = { 0 };
         p->at[k] = wf_csv_need(c, column[k].name);
         if (p->at[k] == WF_CSV_NONE) continue;
-        if (wf_column_unit(u, &column[k], &p->factor[k], &why))
+        if (wf_column_unit(u, &column[k], &p->factor[k], &why) == WF_ENOMEM)
+            status = wf_fail(e, WF_ENOMEM, "%s", why.text);
+        else if (why.code)
             wf_csv_report(c, c->name[p->at[k]].line, c->name[p->at[k]].column, why.text);
     }
     for (size_t k = 0; k < onlys; k++) p->only[k] = wf_csv_need(c, only[k].key);
     wf_units_close(u);
+    if (status) return status;
     return c->mistakes ? wf_fail(e, WF_EINPUT, "%s: its columns do not fit the study", c->file) : WF_OK;
 }
 

@@ -114,8 +114,8 @@ static enum wf_status apply(xsltStylesheet *style, xmlDoc *document, const char 
         *out = xsltApplyStylesheetUser(style, document, parameters, NULL, NULL, run);
         if (!*out || run->state != XSLT_STATE_OK)
             code = wf_fail(e, WF_EOUTPUT, "%s: cannot be applied: %s", path, c->text);
-        else if (f && xsltSaveResultToFile(f, *out, style) < 0)
-            code = wf_fail(e, WF_EOUTPUT, "%s: its result cannot be written", path);
+        else if (f && xsltSaveResultToFile(f, *out, style) < 0 && !ferror(f))
+            code = wf_fail(e, WF_ENOMEM, "%s: not enough memory to write its result", path);
     }
     if (run) xsltFreeTransformContext(run);
     if (rule) xsltFreeSecurityPrefs(rule);
@@ -285,33 +285,6 @@ enum wf_status wf_doc_end(struct wf_doc *d, json_t *document, const char *folder
     }
     wf_file_abandon(&f);
     json_decref(document);
-    return s;
-}
-
-enum wf_status wf_folder_path(const char *folder, const char *name, char path[static WF_PATH_MAX],
-                              struct wf_err *e)
-{
-    int n = snprintf(path, WF_PATH_MAX, "%s/%s", folder, name);
-    if (n >= 0 && n < WF_PATH_MAX) return WF_OK;
-    return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
-}
-
-enum wf_status wf_folder_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e)
-{
-    char path[WF_PATH_MAX];
-    enum wf_status s = wf_folder_path(folder, name, path, e);
-    return s ? s : wf_file_begin(f, path, e);
-}
-
-enum wf_status wf_folder_make(const char *folder, struct wf_err *e)
-{
-    static const char *const sub[] = { "tables", "plots" };
-    enum wf_status s = WF_OK;
-    for (int i = 0; i < 2 && !s; i++) {
-        char path[WF_PATH_MAX];
-        s = wf_folder_path(folder, sub[i], path, e);
-        if (!s) s = wf_mkdirs(path, e);
-    }
     return s;
 }
 

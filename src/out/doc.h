@@ -5,6 +5,7 @@
  * builder, later calls are harmless, and the writer checks once at the end. */
 #include "base/err.h"
 #include "base/file.h"
+#include "out/folder.h"
 #include <jansson.h>
 #include <libxml/tree.h>
 #include <stdbool.h>
@@ -57,24 +58,14 @@ xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value
 
 /* Apply the stylesheet at `path` to a document. Given: pairs of parameter name and XPath expression, ending
  * at NULL, or NULL. The stylesheet may neither use the network nor write files. Returned: the new document in
- * *out (free with xmlFreeDoc) and, if f is not NULL, also its serialised form on f. Errors: WF_EINPUT with
+ * *out (free with xmlFreeDoc) and, if f is not NULL, also its serialised form on f; a write that fails is no
+ * error here, it shows in ferror(f), and wf_file_commit names file and reason. Errors: WF_EINPUT with
  * the place when the stylesheet is wrong, WF_EOUTPUT when it fails or f does. */
 enum wf_status wf_xml_transform(const char *path, xmlDoc *document, const char **parameters, FILE *f,
                                 xmlDoc **out, struct wf_err *e);
 
 /* Read an XML file. Errors: WF_EINPUT with line and reason. */
 enum wf_status wf_xml_read(const char *path, xmlDoc **out, struct wf_err *e);
-
-/* A results folder: results.json, tables/, plots/, pages. */
-
-/* FOLDER/NAME. Errors: WF_EOUTPUT for a name that is too long. */
-enum wf_status wf_folder_path(const char *folder, const char *name, char path[static WF_PATH_MAX],
-                              struct wf_err *e);
-/* Make FOLDER/tables and FOLDER/plots. Errors: WF_EOUTPUT. */
-enum wf_status wf_folder_make(const char *folder, struct wf_err *e);
-/* Begin FOLDER/NAME for writing, to be committed or abandoned by the caller. Errors: as wf_file_begin, and
- * WF_EOUTPUT for a name that is too long. */
-enum wf_status wf_folder_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e);
 
 /* Values that the figure scripts need in addition to the tables: FOLDER/plots/run.csv, rows
  * "key,index,value". It is data, never a script: reports/plots/facts.gp reads it with gnuplot's column

@@ -294,7 +294,8 @@ const char *wf_part_outcome(enum wf_critical_outcome o)
                                          [WF_CRITICAL_SELF_WEIGHT] = "self-weight",
                                          [WF_CRITICAL_NO_STRENGTH] = "no-strength",
                                          [WF_CRITICAL_UNSOLVED] = "unsolved",
-                                         [WF_CRITICAL_UNSEARCHED] = "unsearched" };
+                                         [WF_CRITICAL_UNSEARCHED] = "unsearched",
+                                         [WF_CRITICAL_INTERRUPTED] = "interrupted" };
     return names[o];
 }
 

@@ -346,7 +346,7 @@ static const char *ending(const char *path)
 
 /* Draw the picture in a temporary folder, which the caller removes. */
 static enum wf_status draw_in(const struct wf_tree_picture *p, const char *folder, const char *path,
-                              struct wf_arena *a, struct wf_err *e)
+                              struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     char picture[WF_PATH_MAX], name[16], plots[WF_PATH_MAX];
     struct wf_bytes bytes;
@@ -355,7 +355,7 @@ static enum wf_status draw_in(const struct wf_tree_picture *p, const char *folde
     if (!s) s = wf_mkdirs(plots, e);
     if (!s) s = wf_tree_picture_write(p, folder, e);
     if (!s) s = wf_folder_path(folder, name, picture, e);
-    if (!s) s = wf_figures_run(folder, &tree_figure, picture, "en", e);
+    if (!s) s = wf_figures_run(folder, &tree_figure, name, "en", d, e);
     if (!s) s = read_picture(picture, a, &bytes, e);
     if (!s) s = write_picture(path, &bytes, e);
     (void)unlink(picture);
@@ -364,7 +364,8 @@ static enum wf_status draw_in(const struct wf_tree_picture *p, const char *folde
     return s;
 }
 
-enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char *path, struct wf_err *e)
+enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char *path, struct wf_diag *d,
+                                    struct wf_err *e)
 {
     const char *base = getenv("TMPDIR");
     char folder[WF_PATH_MAX];
@@ -373,7 +374,7 @@ enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char 
     int n = snprintf(folder, sizeof folder, "%s/windfirm-XXXXXX", base && *base ? base : "/tmp");
     if (n < 0 || (size_t)n >= sizeof folder || !mkdtemp(folder))
         return wf_fail(e, WF_EOUTPUT, "%s: no temporary folder can be made there", base ? base : "/tmp");
-    enum wf_status s = draw_in(p, folder, path, &a, e);
+    enum wf_status s = draw_in(p, folder, path, &a, d, e);
     (void)rmdir(folder);
     wf_arena_free(&a);
     return s;
@@ -438,20 +439,21 @@ static size_t segments(const char *folder, struct wf_arena *a)
 }
 
 enum wf_status wf_tree_picture_report(const char *folder, const char *language, xmlDoc **svg,
-                                      struct wf_err *e)
+                                      struct wf_diag *d, struct wf_err *e)
 {
     struct wf_arena a = { 0 };
     struct wf_bytes png;
+    static const char drawn[] = "plots/tree.part.png";
     char path[WF_PATH_MAX], part[WF_PATH_MAX];
     enum wf_status s;
     *svg = NULL;
     if (segments(folder, &a) <= WF_PICTURE_LINES_MAX) {
         wf_arena_free(&a);
-        return wf_figures_draw(folder, &tree_figure, language, svg, e);
+        return wf_figures_draw(folder, &tree_figure, language, svg, d, e);
     }
     s = wf_folder_path(folder, "plots/tree.png", path, e);
-    if (!s) s = wf_folder_path(folder, "plots/tree.part.png", part, e);
-    if (!s) s = wf_figures_run(folder, &tree_figure, part, language, e);
+    if (!s) s = wf_folder_path(folder, drawn, part, e);
+    if (!s) s = wf_figures_run(folder, &tree_figure, drawn, language, d, e);
     if (!s) s = read_picture(part, &a, &png, e);
     if (!s) s = write_picture(path, &png, e);
     (void)unlink(part);

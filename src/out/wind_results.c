@@ -2,6 +2,7 @@
 #include "out/wind_results.h"
 #include "base/csv.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "out/doc.h"
 #include "wind/climate.h"
 #include "wind/gust_spectral.h"
@@ -340,10 +341,11 @@ struct stream {
     FILE *to;
     bool text;
     float *row;                                       /* TILE * points * components             */
+    size_t done;                                      /* steps written                          */
     double sum[WF_COMPONENTS], square[WF_COMPONENTS]; /* of the first point, about its specified mean */
 };
 
-static void stream_head(const struct stream *w)
+static void stream_head(const struct stream *w, size_t steps)
 {
     static const char *const name[WF_COMPONENTS] = { "u", "v", "w" };
     const struct wf_gust_spec *s = w->spec;
@@ -358,7 +360,7 @@ static void stream_head(const struct stream *w)
     char words[118]; /* with the ten bytes before it a multiple of 64 */
     int n =
         snprintf(words, sizeof words, "{'descr': '%cf4', 'fortran_order': False, 'shape': (%zu, %zu, %u), }",
-                 *(const char *)&one ? '<' : '>', s->steps, s->points, s->components);
+                 *(const char *)&one ? '<' : '>', steps, s->points, s->components);
     memset(words + n, ' ', sizeof words - (size_t)n);
     words[sizeof words - 1] = '\n';
     fwrite("\x93NUMPY\x01\x00\x76\x00", 1, 10, w->to); /* 0x76: length of the words */
@@ -389,13 +391,16 @@ static enum wf_status stream_blocks(struct stream *w, struct wf_gust *g, double 
 {
     const struct wf_gust_spec *s = w->spec;
     double mean = s->mean ? s->mean[0] : s->speed;
-    for (size_t b = 0; b < g->blocks; b++) {
+    for (size_t b = 0; b < g->blocks && !wf_interrupted(); b++) {
         if (progress) progress(b + 1, g->blocks);
         enum wf_status status = wf_gust_block(g, b, block, e);
         if (status) return status;
         size_t first = b * g->block, n = s->steps - first < g->block ? s->steps - first : g->block;
-        for (size_t i = 0; i < n; i += TILE)
+        for (size_t i = 0; i < n && !wf_interrupted(); i += TILE) {
             stream_tile(w, block, g->block, i, n - i < TILE ? n - i : TILE, first + i);
+            w->done = first + (n - i < TILE ? n : i + TILE);
+        }
+        n = w->done - first;
         for (unsigned c = 0; c < s->components; c++)
             for (size_t i = 0; i < n; i++) {
                 double x = block[c * s->points * g->block + i] - (c ? 0.0 : mean);
@@ -406,12 +411,25 @@ static enum wf_status stream_blocks(struct stream *w, struct wf_gust *g, double 
     return WF_OK;
 }
 
+/* After an interrupt: the steps that were written become the file; a NumPy array says in its head how many.
+ */
+static enum wf_status stream_ends(struct stream *w, struct wf_diag *d, struct wf_err *e)
+{
+    if (w->done == w->spec->steps || ferror(w->to)) return WF_OK;
+    if (!w->done || (!w->text && fseek(w->to, 0, SEEK_SET)))
+        return wf_fail(e, WF_EINTERRUPTED, "interrupted; no wind was written");
+    if (!w->text) stream_head(w, w->done);
+    wf_diag_warn(d, "interrupted", "interrupted: %zu of %zu steps are written", w->done, w->spec->steps);
+    return WF_OK;
+}
+
 static struct wf_wind_streamed streamed(const struct stream *w, const struct wf_gust *g, double seconds,
                                         struct wf_arena *a)
 {
     const struct wf_gust_spec *s = w->spec;
-    double n = (double)s->steps;
-    struct wf_wind_streamed out = { .blocks = g->blocks,
+    double n = (double)w->done;
+    struct wf_wind_streamed out = { .steps = w->done,
+                                    .blocks = g->blocks,
                                     .block = g->block,
                                     .seconds = seconds,
                                     .joint = g->joint,
@@ -443,8 +461,9 @@ enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path,
         status = wf_fail(e, WF_ENOMEM, "not enough memory for a block of %zu points", s->points);
     else if (!(status = wf_file_begin(&f, path, e))) {
         w.to = f.stream;
-        stream_head(&w);
+        stream_head(&w, s->steps);
         status = stream_blocks(&w, &g, block, progress, e);
+        if (!status) status = stream_ends(&w, d, e);
     }
     if (!status) status = wf_file_commit(&f, e);
     wf_file_abandon(&f);

@@ -24,6 +24,7 @@ enum wf_status wf_rose_results_write(const struct wf_rose *r, const char *file,
 
 /* Statistics of the wind that was written, and the specified ones. */
 struct wf_wind_streamed {
+    size_t steps;                    /* written: all, or those before an interrupt                      */
     size_t blocks, block;            /* blocks written, and steps in each                               */
     double seconds;                  /* processor time [s]                                              */
     double mean[WF_COMPONENTS];      /* of the first point, along, across, up [m/s]                     */
@@ -35,8 +36,9 @@ struct wf_wind_streamed {
 
 /* Make the wind and write it to `path`: a name that ends in .csv as text, columns as in tables/series.csv;
  * any other as a NumPy array (.npy, format 1.0) of 32-bit floats, steps x points x components.
- * progress: called before each block; may be NULL. Returned: *out. Errors: WF_EOUTPUT, WF_ENOMEM, and those
- * of wf_gust_open. */
+ * progress: called before each block; may be NULL. After an interrupt the file ends with the steps made so
+ * far, which is a warning. Returned: *out. Errors: WF_EOUTPUT, WF_ENOMEM, WF_EINTERRUPTED before the first
+ * step, and those of wf_gust_open. */
 enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path,
                               void (*progress)(size_t block, size_t blocks), struct wf_arena *a,
                               struct wf_diag *d, struct wf_wind_streamed *out, struct wf_err *e);

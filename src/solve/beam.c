@@ -277,9 +277,15 @@ static void choose_pieces(const struct wf_beam *b, const double *share, double t
     }
 }
 
-enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
-                             const struct wf_solve_options *o, struct wf_arena *work, struct wf_beam *b,
-                             struct wf_beam_outcome *out, struct wf_err *e)
+/* Memory of two meshes: of the newer, and of the shape of the one before, with which it is compared. */
+struct two_meshes {
+    struct wf_arena before, shape, newton;
+};
+
+static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_loads *l,
+                                      const struct wf_solve_options *o, struct wf_arena *work,
+                                      struct two_meshes *m, struct wf_beam *b, struct wf_beam_outcome *out,
+                                      struct wf_err *e)
 {
     enum { MESHES = 6 };
     const double safety = 0.25;
@@ -294,8 +300,8 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
     int32_t start = wf_beam_first_pieces(t, o);
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
 
-    enum wf_status status = wf_beam_init(b, t, l, o, pieces, work, e);
-    if (!status) status = wf_beam_settle(b, work, out, e);
+    enum wf_status status = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
+    if (!status) status = wf_beam_settle(b, &m->newton, out, e);
     if (status || !(o->mesh_tolerance > 0)) return status;
 
     double depth = longest_row_chain(t, share);
@@ -305,10 +311,14 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
     for (int mesh = 1; mesh < MESHES; mesh++) {
         struct wf_beam fine;
         struct wf_beam_outcome again;
-        status = wf_beam_init(&fine, t, l, o, pieces, work, e);
+        wf_arena_free(&m->newton);
+        wf_arena_free(&m->before);
+        m->before = m->shape;
+        m->shape = (struct wf_arena){ 0 };
+        status = wf_beam_init(&fine, t, l, o, pieces, &m->shape, &m->newton, e);
         if (status) return status;
         wf_beam_carry(b, &fine);
-        status = wf_beam_settle(&fine, work, &again, e);
+        status = wf_beam_settle(&fine, &m->newton, &again, e);
         if (status || again.beyond_limit) *out = again;
         if (status) return status;
         fine.iterations += b->iterations, fine.steps += b->steps;
@@ -323,6 +333,18 @@ enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
         choose_pieces(b, share, target / depth, bear, reactions / allowed, pieces);
     }
     return WF_OK;
+}
+
+enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
+                             const struct wf_solve_options *o, struct wf_arena *work, struct wf_beam *b,
+                             struct wf_beam_outcome *out, struct wf_err *e)
+{
+    struct two_meshes m = { 0 };
+    enum wf_status status = solve_on_meshes(t, l, o, work, &m, b, out, e);
+    wf_arena_free(&m.before);
+    wf_arena_join(work, &m.shape);
+    wf_arena_join(work, &m.newton);
+    return status;
 }
 
 void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, struct wf_diag *d)
@@ -423,7 +445,7 @@ static enum wf_status linear_answer_on(const struct wf_tree *t, const struct wf_
                                        struct wf_arena *work, struct linear_answer *x, struct wf_err *e)
 {
     for (size_t i = 0; i < t->n; i++) pieces[i] = pieces_each;
-    enum wf_status status = wf_beam_init(&x->beam, t, l, o, pieces, work, e);
+    enum wf_status status = wf_beam_init(&x->beam, t, l, o, pieces, work, work, e);
     if (status) return status;
     x->u = wf_arena_take(work, x->beam.mesh.n, sizeof *x->u);
     x->q = wf_arena_take(work, x->beam.mesh.n, sizeof *x->q);

@@ -190,7 +190,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
 
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
-                            struct wf_err *e)
+                            struct wf_arena *newton, struct wf_err *e)
 {
     *b = (struct wf_beam){ .loads = *l, .options = o };
     enum wf_status status = wf_beam_mesh_build(t, l, o, pieces, a, &b->mesh, e);
@@ -203,13 +203,13 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     b->root_hold = wf_arena_take(a, t->n, sizeof *b->root_hold);
     b->shape = WF_TAKE(a, n, struct wf_beam_shape);
     b->pose = WF_TAKE(a, n, struct wf_beam_pose);
-    b->stage = WF_TAKE(a, n, struct wf_beam_stage);
+    b->stage = WF_TAKE(newton, n, struct wf_beam_stage);
     if (b->mesh.flat) b->flat = WF_TAKE(a, n, struct wf_beam_flat);
-    b->wrench = WF_TAKE(a, n, struct wf_beam_wrench);
-    b->node = WF_TAKE(a, n, struct wf_beam_reaction);
-    b->answer = WF_TAKE(a, n, struct wf_beam_answer);
-    b->change = wf_arena_take(a, n, sizeof *b->change);
-    b->dv = wf_arena_take(a, n, sizeof *b->dv);
+    b->wrench = WF_TAKE(newton, n, struct wf_beam_wrench);
+    b->node = WF_TAKE(newton, n, struct wf_beam_reaction);
+    b->answer = WF_TAKE(newton, n, struct wf_beam_answer);
+    b->change = wf_arena_take(newton, n, sizeof *b->change);
+    b->dv = wf_arena_take(newton, n, sizeof *b->dv);
     if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->root_hold || !b->shape ||
         !b->pose || !b->stage || !b->wrench || !b->node || !b->answer || !b->change || !b->dv ||
         (b->mesh.flat && !b->flat))

@@ -35,11 +35,12 @@ struct wf_beam {
     size_t iterations, steps;
 };
 
-/* Build the mesh and the state, both in the arena, with the unloaded shape. Errors: WF_ENOMEM, WF_EINPUT
- * (rows not connected). */
+/* Build the mesh and the state with the unloaded shape. Mesh and shape (shape, pose, tilt, base) are in `a`;
+ * what Newton's method works with (stage, wrench, node, answer, change, dv), two thirds of the memory, in
+ * `newton`, which may be `a`. Errors: WF_ENOMEM, WF_EINPUT (rows not connected). */
 enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, const int32_t *pieces, struct wf_arena *a,
-                            struct wf_err *e);
+                            struct wf_arena *newton, struct wf_err *e);
 
 /* Base to tips: position and rotation of every element from the unknowns. */
 void wf_beam_sweep_up(struct wf_beam *b);

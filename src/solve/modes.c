@@ -347,7 +347,7 @@ enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
     int32_t start = wf_beam_first_pieces(t, o);
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
     for (int mesh = 0; mesh < MESHES && !status; mesh++) {
-        status = wf_beam_init(&b, t, l, o, pieces, &work, e);
+        status = wf_beam_init(&b, t, l, o, pieces, &work, &work, e);
         if (!status && mesh > 0) wf_beam_carry(&last, &b);
         if (!status) status = find_equilibrium(&b, &work, e);
         if (!status && kept) status = keep_equilibrium(&b, pieces, count, a, kept, e);
@@ -381,7 +381,7 @@ enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
     const double *u = kept->motion + k * kept->size;
     double *mass = WF_TAKE(&work, kept->size, double), *answer = WF_TAKE(&work, kept->size, double), up = 0,
            down = 0;
-    enum wf_status status = wf_beam_init(&b, t, l, o, kept->pieces, &work, e);
+    enum wf_status status = wf_beam_init(&b, t, l, o, kept->pieces, &work, &work, e);
     double(*node)[6] = status ? NULL : wf_arena_take(&work, b.mesh.n, sizeof *node);
     double(*ends)[6] = status ? NULL : wf_arena_take(&work, b.mesh.n, sizeof *ends);
     if (!status && (!mass || !answer || !node || !ends))
@@ -450,7 +450,7 @@ enum wf_status wf_buckling(const struct wf_tree *t, const struct wf_loads *l,
     double before = NAN;
     for (int mesh = 0; mesh < MESHES; mesh++) {
         struct wf_beam b;
-        status = wf_beam_init(&b, t, &weight, o, pieces, &work, e);
+        status = wf_beam_init(&b, t, &weight, o, pieces, &work, &work, e);
         if (status) break;
         wf_beam_sweep_up(&b);
         *factor = smallest_factor(&b);

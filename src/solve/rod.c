@@ -462,7 +462,7 @@ static enum wf_status beam_of_rod(const struct wf_rod *r, const struct wf_solve_
     int32_t *cut = WF_TAKE(a, r->tree->n, int32_t);
     if (!cut) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", r->tree->n);
     for (size_t i = 0; i < r->n; i++) cut[r->piece[i].row]++;
-    return wf_beam_init(b, r->tree, &r->loads, o, cut, a, e);
+    return wf_beam_init(b, r->tree, &r->loads, o, cut, a, a, e);
 }
 
 /* Set the beam to the shape of the rod: along each piece the quadratic of rotation that matches its

@@ -79,7 +79,7 @@ static enum wf_status straighten_all(const struct wf_tree *t, const struct wf_lo
     struct wf_beam b;
     double(*L)[9] = wf_arena_take(work, t->n, sizeof *L);
     if (!L) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
-    enum wf_status status = wf_beam_init(&b, t, l, o, NULL, work, e);
+    enum wf_status status = wf_beam_init(&b, t, l, o, NULL, work, work, e);
     if (status) return status;
     wf_beam_sweep_up(&b);
     wf_beam_sweep_down(&b, false, NULL);

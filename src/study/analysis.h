@@ -49,6 +49,10 @@ struct wf_break {
     double height;         /* its height above ground on the unbent tree [m]              */
 };
 
+/* Measured: memory of one solution for a row of the tree (two meshes of the beam solver, the finer of about two
+ * elements a row). */
+enum { WF_SOLUTION_BYTES = 4500 };
+
 struct wf_analysis;
 /* Range and bound of the searches for critical wind speeds and of the curves. */
 struct wf_search {
@@ -105,6 +109,11 @@ size_t wf_tip_row(const struct wf_tree *t);
  * is also the outcome of a search that its bound ended. All searches share their solutions. */
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_break (*out)[WF_SCOPES], struct wf_err *e);
+
+/* Totals for curves: an->sweep, at speeds from 0 beyond the given and the critical speeds, after
+ * wf_analysis_breaks. Where their time is used up, the given speeds alone, with a warning search-ended. */
+enum wf_status wf_analysis_sweep(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                                 struct wf_diag *d, struct wf_err *e);
 
 /* Does the tree have a row with the wood of that level? Given: an analysis after wf_analysis_set_up. */
 bool wf_analysis_grown(const struct wf_analysis *an, size_t level);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/series.h"
+#include "base/interrupt.h"
 #include "base/vec3.h"
 #include "solve/solve.h"
 #include "study/limits.h"
@@ -153,6 +154,11 @@ static enum wf_status set_up(struct wf_series *s, struct wf_shelter *shelter, st
                : wf_leaves_place(q->model, &s->an.tree, a, &s->leaves, e);
 }
 
+static void place_keys(struct wf_series *s)
+{
+    for (size_t k = 0; k < s->spec.keys; k++) s->key[k] = k * s->frames / s->spec.keys;
+}
+
 static enum wf_status take(struct wf_series *s, struct wf_arena *a, struct wf_err *e)
 {
     size_t n = s->an.tree.n, f = s->frames;
@@ -168,7 +174,7 @@ static enum wf_status take(struct wf_series *s, struct wf_arena *a, struct wf_er
     s->level = WF_TAKE(a, s->levels, struct wf_series_level);
     if (!s->status || !s->place || !s->deflection || !s->moment || !s->safety || !s->key || !s->level)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu frames of %zu segments", f, n);
-    for (size_t k = 0; k < s->spec.keys; k++) s->key[k] = k * f / s->spec.keys;
+    place_keys(s);
     for (size_t k = 0; k < f; k++) s->safety[k] = NAN;
     s->tip = wf_tip_row(&s->an.tree);
     return WF_OK;
@@ -185,15 +191,28 @@ static void keep(struct wf_series *s, size_t frame, const double *end, size_t st
         hypot(tip[0] - t->x1[s->tip], hypot(tip[1] - t->y1[s->tip], tip[2] - t->z1[s->tip]));
 }
 
+/* An interrupt in a run: the first k frames, which are finished, stay. Returned: whether the run ends here.
+ */
+static bool ends_early(struct wf_series *s, size_t k, struct wf_diag *d)
+{
+    if (!k || !wf_interrupted()) return false;
+    wf_diag_warn(d, "interrupted", "%s: interrupted: %zu of %zu frames", s->spec.name, k, s->frames);
+    s->frames = s->spec.frames = k;
+    if (s->spec.keys > k) s->spec.keys = k;
+    place_keys(s);
+    return true;
+}
+
 /* The deflect scheme: each frame depends on the one before. */
-static enum wf_status run_frames(struct wf_series *s, bool printed, struct wf_arena *a, struct wf_err *e)
+static enum wf_status run_frames(struct wf_series *s, bool printed, struct wf_arena *a, struct wf_diag *found,
+                                 struct wf_err *e)
 {
     const struct wf_series_spec *q = &s->spec;
     const struct wf_deflect_scheme scheme = { printed, q->restoring, q->damping };
     const struct wf_tree *t = &s->an.tree;
     struct wf_deflect d;
     if (wf_deflect_open(t, &s->an.loads, &scheme, a, &d, e)) return e->code;
-    for (size_t k = 0; k < s->frames; k++) {
+    for (size_t k = 0; k < s->frames && !ends_early(s, k, found); k++) {
         double moment[3] = { 0 };
         wf_deflect_frame(&d, q->speed > 0 ? s->wind[k] / q->speed : 0, k ? q->step : 0);
         keep(s, k, d.end[0], 3);
@@ -273,7 +292,7 @@ static enum wf_status solve_frame(struct wf_series *s, size_t k, struct wf_diag 
 static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_err first = { 0 };
-    for (size_t k = 0; k < s->frames; k++) {
+    for (size_t k = 0; k < s->frames && !ends_early(s, k, d); k++) {
         struct wf_err why = { 0 };
         if (k && !s->spec.gust) {
             repeat_frame(s, k);
@@ -410,7 +429,7 @@ enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena 
                        "restoring and damping factors belong to the solvers deflect and "
                        "deflect-as-printed, not to '%s'",
                        spec->solver->name);
-    if (!status) status = frames ? run_frames(s, printed, a, e) : run_balances(s, d, e);
+    if (!status) status = frames ? run_frames(s, printed, a, d, e) : run_balances(s, d, e);
     if (!status) status = measure_levels(s, e);
     if (status) return status;
     check_broken(s, d);
