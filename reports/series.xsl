@@ -83,7 +83,8 @@
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">c.run;c.level;c.axes:;c.mean:m;c.largest:m;c.own:m;c.windward:m;c.leeward:m;c.own.windward:m;c.own.leeward:m</xsl:with-param>
+          <xsl:with-param name="of">c.run;c.level;c.axes:;c.mean:m;c.largest:m;c.own:m;c.windward:m;c.leeward:m;
+        c.own.windward:m;c.own.leeward:m</xsl:with-param>
         </xsl:call-template>
       </tr>
     </thead>

@@ -387,6 +387,15 @@ static enum wf_status note_input(struct work *w, const char *role, const char *p
     return wf_input_file_note(role, path, &w->arena, &w->input[w->inputs++], e);
 }
 
+/* What is wrong with a climate that can be used also belongs to the results. */
+static void keep_climate_warnings(struct work *w, const struct wf_diag *d)
+{
+    w->diag[0].arena = &w->arena;
+    for (const struct wf_finding *f = d->first; f; f = f->next)
+        if (f->code && !strcmp(f->code, "frequency-sum"))
+            wf_diag_warn(&w->diag[0], f->code, "%s", f->text);
+}
+
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
@@ -413,6 +422,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     if (worst)
         return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
                        d.errors == 1 ? "" : "s");
+    keep_climate_warnings(w, &d);
     const char *const profile = w->request.scenario.profile_file, *const study = w->options.args.study,
                       *const climate = w->request.directions.climate_file;
     enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
