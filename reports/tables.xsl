@@ -205,6 +205,11 @@
       </xsl:call-template>
       <xsl:if test="$at/governing_section/level &gt; 0"> (<xsl:call-template name="part">
         <xsl:with-param name="level" select="$at/governing_section/part"/></xsl:call-template>)</xsl:if>
+      <xsl:if test="$at/governing_section/diameter/value != ''">
+        <span class="why">
+          <xsl:call-template name="segment"><xsl:with-param name="section" select="$at/governing_section"/></xsl:call-template>
+        </span>
+      </xsl:if>
     </td>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/speed/value"/></xsl:call-template>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/governing_section/height/value"/></xsl:call-template>

@@ -66,7 +66,7 @@ do for [p=1:PANELS] {
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - TALL)/HEIGHT
     set xrange [low:high]; set yrange [0:top]
     r = RUN_OF(p); k = KEY_OF(p)
-    set title (SHOWN > 0 ? sprintf('%.3g s, %.3g m/s', number(sprintf('KEY_TIME_%d', r), k), number(sprintf('KEY_WIND_%d', r), k)) : NAME[r]) font ",9" offset 0,-0.9
+    set title (SHOWN > 0 ? sprintf('%.3g s, %.3g m/s', number(sprintf('KEY_TIME_%d', r), k), number(sprintf('KEY_WIND_%d', r), k)) : short(NAME[r], 1.2*((WIDTH - 50)/COLUMNS - 10))) font ",9" offset 0,-0.9
     if (c == 0) { set border 3; set ytics nomirror scale 0.4 font ",8" autofreq } else { set border 1; unset ytics }
     set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead front dt (4,4) lc rgb '#606060' lw 0.9
     BEYOND = broken(r, k) ? 3 : 0

@@ -36,6 +36,6 @@ plot for [c=1:words(MOVING)] SERIES using (pick(of(nth(MOVING, c)), column("time
      SERIES using (pick(column("beyond_breakage") == 1, column("time_s"))):(column("tip_deflection_m")) with points pt 7 ps 0.25 lc rgb '#b0b0b0'
 load HERE.'strip.gp'
 set key maxcols 2
-plot for [c=1:words(MOVING)] -1 with lines lt c title NAME[nth(MOVING, c)]
+plot for [c=1:words(MOVING)] -1 with lines lt c title short(NAME[nth(MOVING, c)], 230)
 unset multiplot
 set output

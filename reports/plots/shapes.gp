@@ -63,7 +63,7 @@ do for [i=1:trees] {
     x0 = side + LEFT + c*(w + GAP); y1 = HEIGHT - r*(h + TITLE + UNDER) - TITLE
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
-    set title NAME[i] offset 0,-0.5
+    set title short(NAME[i], trees == 1 ? 560 : (640.0 - LEFT)/columns - 12) offset 0,-0.5
     set xlabel L('ALONG') offset 0,0.4
     if (c == 0) { set ylabel L('HEIGHT') offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
     plot for [n=1:branched(i)*words(SOLVED[i])] SHAPE using (from(at(i, WIND[nth(SOLVED[i], n)]), bent(i), column("loaded_z_m"))):(oy):(px - ox):(py - oy) with vectors nohead lt nth(SOLVED[i], n) lc rgb shade(i, nth(SOLVED[i], n)) lw 0.35 dt 1, \

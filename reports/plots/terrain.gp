@@ -11,6 +11,8 @@ stats TERRAIN using (column("x_m")):(column("y_m")) nooutput
 XLOW = STATS_min_x; XHIGH = STATS_max_x; YLOW = STATS_min_y; YHIGH = STATS_max_y
 stats TERRAIN using (column("wind_factor")) nooutput
 POINTS = STATS_records; FLOW = STATS_min; FHIGH = STATS_max
+stats TERRAIN using (column("height_m")) nooutput
+ZLOW = STATS_min; ZHIGH = STATS_max
 stats TERRAIN using (column("topex_deg")) nooutput
 TLOW = STATS_min; THIGH = STATS_max; TMEAN = STATS_mean; TWIDE = 2.5*STATS_stddev
 WIDTH = 640.0
@@ -46,6 +48,10 @@ do for [i=1:3] {
     if (i == 1) { set palette defined (0 '#1f4e3d', 1 '#6f9f6e', 2 '#d3cb9a', 3 '#f7f3e8') }
     if (i == 2) { set palette defined (0 '#f7fbff', 1 '#6baed6', 2 '#08306b'); set cbrange [TMEAN-TWIDE:TMEAN+TWIDE] }
     if (i == 3) { set palette defined (0 '#fff7ec', 1 '#fdbb84', 2 '#7f0000') }
+    # level ground has one colour: a range around its value
+    if (i == 1 && ZLOW == ZHIGH) { set cbrange [ZLOW-1:ZHIGH+1] }
+    if (i == 2 && TWIDE == 0) { set cbrange [TMEAN-1:TMEAN+1] }
+    if (i == 3 && FLOW == FHIGH) { set cbrange [FLOW-0.1:FHIGH+0.1] }
     plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(column(NAMES[i])) every SIDE:SIDE with image
 }
 set lmargin at screen 384.0/WIDTH; set rmargin at screen 618.0/WIDTH
@@ -53,7 +59,7 @@ set border 3; set grid lw 0.5 lt 1 lc rgb '#e3e3e3' dt 1
 set title L('EACH_PLACE')
 set xtics autofreq; set ytics autofreq
 set xlabel L('TOPEX'); set ylabel L('WIND_LEVEL') offset 1,0
-set xrange [TLOW:THIGH]; set yrange [FLOW:FHIGH]
+set xrange [TLOW-(TLOW == THIGH):THIGH+(TLOW == THIGH)]; set yrange [FLOW-0.1*(FLOW == FHIGH):FHIGH+0.1*(FLOW == FHIGH)]
 EVERY = 1 + int(POINTS/500)
 plot TERRAIN using (int(column(0)) % EVERY ? NaN : column("topex_deg")):(column("wind_factor")) with points lt 1 pt 7 ps 0.2
 unset multiplot

@@ -56,6 +56,81 @@ bool wf_utf8_valid(const char *text, size_t size, struct wf_utf8_fault *fault)
     return false;
 }
 
+/* Text of users. */
+
+enum { BAD_BYTE = 0xFFFD };
+
+/* The character at s and its length in bytes; a byte that begins none is one character, BAD_BYTE. */
+static uint32_t character(const char *s, size_t *length)
+{
+    const unsigned char *b = (const unsigned char *)s;
+    size_t n = utf8_sequence(b, strnlen(s, 4));
+    *length = n ? n : 1;
+    if (n < 2) return n ? b[0] : BAD_BYTE;
+    uint32_t c = b[0] & (0x7Fu >> n);
+    for (size_t i = 1; i < n; i++) c = c << 6 | (b[i] & 0x3Fu);
+    return c;
+}
+
+/* Does it act on a terminal instead of being shown? */
+static bool acts(uint32_t c)
+{
+    return (c < 0x20 && c != '\n' && c != '\t') || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E ||
+           c == 0x200F || (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF;
+}
+
+const char *wf_text_for_terminal(const char *text, struct wf_arena *a)
+{
+    enum { ESCAPE_MAX = 6 }; /* bytes of \u202e; of a byte that acts at most \x1b */
+    size_t n, size = strlen(text);
+    char *out = WF_TAKE(a, ESCAPE_MAX * size + 1, char), *to = out;
+    for (const char *s = text; out && *s; s += n) {
+        uint32_t c = character(s, &n);
+        if (n == 1 && (c == BAD_BYTE || acts(c)))
+            to += snprintf(to, ESCAPE_MAX + 1, "\\x%02x", (unsigned)(unsigned char)*s);
+        else if (acts(c))
+            to += snprintf(to, ESCAPE_MAX + 1, "\\u%04x", (unsigned)c);
+        else
+            to = (char *)memcpy(to, s, n) + n;
+    }
+    if (out) *to = '\0';
+    return out;
+}
+
+const char *wf_text_for_xml(const char *text, struct wf_arena *a)
+{
+    static const char replacement[] = "\xEF\xBF\xBD";
+    size_t n;
+    char *out = WF_TAKE(a, 3 * strlen(text) + 1, char), *to = out;
+    for (const char *s = text; out && *s; s += n) {
+        uint32_t c = character(s, &n);
+        bool allowed = c >= 0x20 ? c < BAD_BYTE || c > 0xFFFF : c == '\t' || c == '\n' || c == '\r';
+        to = (char *)memcpy(to, allowed ? s : replacement, allowed ? n : 3) + (allowed ? n : 3);
+    }
+    if (out) *to = '\0';
+    return out;
+}
+
+/* Columns a character takes: 2 for wide East Asian ones, by their blocks (Unicode Standard Annex 11). */
+static size_t columns_of(uint32_t c)
+{
+    bool wide = (c >= 0x1100 && c < 0x1160) || (c >= 0x2E80 && c < 0xA4D0) || (c >= 0xAC00 && c < 0xD7A4) ||
+                (c >= 0xF900 && c < 0xFB00) || (c >= 0xFE30 && c < 0xFE70) || (c >= 0xFF00 && c < 0xFF61) ||
+                (c >= 0x1F300 && c < 0x1FB00) || (c >= 0x20000 && c < 0x40000);
+    return wide ? 2 : 1;
+}
+
+const char *wf_text_shortened(const char *text, size_t columns, struct wf_arena *a)
+{
+    size_t n, used = 0, end = 0, at = 0;
+    for (; text[at] && used <= columns; at += n) {
+        used += columns_of(character(text + at, &n));
+        if (used + 1 <= columns) end = at + n; /* the ellipsis takes a column */
+    }
+    if (used <= columns) return wf_arena_text(a, text);
+    return wf_arena_print(a, "%.*s\xE2\x80\xA6", (int)end, text);
+}
+
 /* Suggestions. */
 
 enum { WORD_MAX = 63 };
@@ -114,6 +189,17 @@ const char *wf_nearest(const char *word, const char *const *known, size_t n)
     for (size_t i = 0; i < n && !best; i++)
         if (is_short_form(word, known[i])) best = known[i];
     return best;
+}
+
+char *wf_list_item(char **rest)
+{
+    char *item = *rest, *comma = item ? strchr(item, ',') : NULL;
+    if (!item) return NULL;
+    *rest = comma ? comma + 1 : NULL;
+    if (comma) *comma = '\0';
+    item += strspn(item, " \t");
+    for (size_t n = strlen(item); n && (item[n - 1] == ' ' || item[n - 1] == '\t'); n--) item[n - 1] = '\0';
+    return item;
 }
 
 struct wf_hint wf_did_you_mean(const char *word, const char *const *known, size_t n)

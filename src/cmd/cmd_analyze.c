@@ -25,11 +25,10 @@ struct analyze_options {
     struct wf_args args;
     struct wf_tree_asked tree;
     struct wf_speeds wind;
-    struct wf_averaging averaging;
-    struct wf_profile_words profile;
+    struct wf_averaging averaging;   /* with the climate */
+    struct wf_profile_words profile; /* with the map of the ground */
     const char *output, *solver, *preset, *shelter, *lang;
-    const char *directions, *climate; /* NULL: not given                           */
-    const char *dem, *at;
+    const char *directions, *at; /* NULL: not given                                */
     size_t threads;
     double azimuth, north;           /* [rad]                                     */
     double temperature, altitude;    /* [K], [m]                                  */
@@ -39,6 +38,69 @@ struct analyze_options {
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     bool no_report;
 };
+
+/* The solver that is used: a preset's own comes first. NULL: a name is wrong. */
+static const struct wf_solver *solver_used(const struct analyze_options *o)
+{
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    return p ? wf_solver_named(p->solver ? p->solver : o->solver) : NULL;
+}
+
+static bool solver_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    (void)row;
+    return wf_option_unused(p && p->solver, why, "with the preset '%s', which has its own", o->preset);
+}
+
+static bool mesh_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    return s && wf_option_unused(s->unmeshed, why,
+                                 "with the solver '%s', which takes the segments as they are", s->name);
+}
+
+static bool root_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    return s && wf_option_unused(s->clamped, why, "with the solver '%s', which clamps the base", s->name);
+}
+
+static bool north_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    (void)row;
+    return wf_option_unused(!o->directions && !o->averaging.climate && !o->profile.ground, why,
+                            "without directions (--directions, --climate) or a map (--dem)");
+}
+
+static bool place_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    (void)row;
+    return wf_option_unused(!o->profile.ground, why, "without the ground, --dem");
+}
+
+/* The temperature sets the viscosity of the air too, so it has an effect beside a density. */
+static bool altitude_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    (void)row;
+    if (p && !isnan(p->air_density)) return wf_option_unused(true, why, "with the preset '%s'", p->name);
+    return wf_option_unused(!isnan(o->air_density), why, "beside --air-density");
+}
+
+static bool density_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_preset *p = wf_preset_named(((const struct analyze_options *)options)->preset);
+    (void)row;
+    return wf_option_unused(p && !isnan(p->air_density), why, "with the preset '%s', which has its own",
+                            p ? p->name : "");
+}
 
 #define OPTIONS struct analyze_options
 const struct wf_option wf_analyze_options[] = {
@@ -51,43 +113,45 @@ const struct wf_option wf_analyze_options[] = {
     WF_AVERAGING_ROWS(averaging),
     TEXT("--output", output, "FOLDER", NULL,
          "where results, tables, plots and pages go [out/analyze or out/compare]", .letter = "-o"),
-    WORD("--solver", solver, "NAME", wf_solver_word, "beam", "how the bent shape is computed",
-         .letter = "-s"),
+    WORD("--solver", solver, "NAME", wf_solver_word, "beam", "how the bent shape is computed", .letter = "-s",
+         .unused = solver_unused),
     WORD("--preset", preset, "NAME", wf_preset_word, "corrected",
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
-    PATH("--climate", climate, "FILE", NULL,
+    PATH("--climate", averaging.climate, "FILE", NULL,
          "wind climate, for hours a year above the critical wind: frequency and strength by direction, a CSV "
          "as for 'windfirm wind rose', hourly means at the reference height; its directions are taken"),
     NUMBER("--north", north, "ANGLE", ANGLE, "deg", -360, 360, "0",
-           "where north is in the model: clockwise from +y as seen from above; 0: north is +y, east +x"),
+           "where north is in the model: clockwise from +y as seen from above; 0: north is +y, east +x",
+           .unused = north_unused),
     WHOLE("--threads", threads, 0, 64, "0", "processors to use, 0: all; the results are the same"),
     WORD("--shelter", shelter, "LAW", wf_shelter_word, "none",
          "the wind inside the crown: none: as outside; wake: reduced by the drag of the windward parts; "
          "feng1999: potential flows as printed"),
     NUMBER("--speed-up", speed_up, "NUMBER", NONE, NULL, 0.1, 5, NULL,
            "exposure of the site: wind at the tree over the wind named [1]"),
-    PATH("--dem", dem, "FILE", NULL,
+    PATH("--dem", profile.ground, "FILE", NULL,
          "or found, for each direction, on heights of the ground, an ESRI ASCII grid, as 'windfirm terrain' "
          "finds it at the reference height"),
-    TEXT("--at", at, "X,Y", NULL, "where the tree stands on it [m]"),
-    NUMBER("--temperature", temperature, "TEMPERATURE", TEMPERATURE, "degC", -60, 60, "15", "of the air"),
+    TEXT("--at", at, "X,Y", NULL, "where the tree stands on it [m]", .unused = place_unused),
+    NUMBER("--temperature", temperature, "TEMPERATURE", TEMPERATURE, "degC", -60, 60, "15",
+           "of the air, for its density and viscosity"),
     NUMBER("--altitude", altitude, "LENGTH", LENGTH, "m", -500, 9000, "0",
-           "of the site above the sea, for the density of the air"),
+           "of the site above the sea, for the density of the air", .unused = altitude_unused),
     NUMBER("--air-density", air_density, "DENSITY", DENSITY, "kg/m3", 0.1, 2, NULL,
-           "in place of the one from temperature and altitude"),
+           "in place of the one from temperature and altitude", .unused = density_unused),
     NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, "100",
            "highest wind at which the critical speed is looked for"),
     NUMBER("--search-time", search_time, "TIME", TIME, "s", 1, 1e6, "120",
            "processor time for the search of a critical speed, and again for the curves; what it leaves out "
            "is said"),
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
-           "relative error accepted from the mesh; 0 takes one element a segment"),
+           "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
-           "rotational stiffness of the root plate; without it the stem is clamped"),
+           "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
     WF_PAGE_ROWS("--no-report", no_report, lang, "write results and tables only"),
     WF_QUIET_ROW,
     { 0 },
@@ -112,7 +176,7 @@ static double degrees(double rad) { return rad * 180.0 / M_PI; }
 static enum wf_status read_directions(const struct analyze_options *o, struct wf_arena *a, struct wf_diag *d,
                                       struct wf_directions_request *out, struct wf_err *e)
 {
-    const char *n = o->directions, *climate = o->climate, *law = o->averaging.law;
+    const char *n = o->directions, *climate = o->averaging.climate, *law = o->averaging.law;
     *out = (struct wf_directions_request){
         .n = n ? (size_t)atoi(n) : 0, .north = o->north, .climate_file = climate, .law = law ? law : "durst"
     };
@@ -158,12 +222,12 @@ static enum wf_status read_exposure(const struct analyze_options *o, struct wf_a
 {
     bool given = !isnan(o->speed_up);
     if (given) s->speed_up = o->speed_up;
-    if (!o->dem && o->at) return wf_fail(e, WF_EUSAGE, "--at: needs --dem, the heights of the ground");
-    if (o->dem && given) return wf_fail(e, WF_EUSAGE, "give one of --speed-up and --dem, not both");
-    if (!o->dem) return WF_OK;
+    const char *dem = o->profile.ground;
+    if (dem && given) return wf_fail(e, WF_EUSAGE, "give one of --speed-up and --dem, not both");
+    if (!dem) return WF_OK;
     struct wf_site *site = WF_TAKE(a, 1, struct wf_site);
     if (!site) return wf_fail(e, WF_ENOMEM, "not enough memory for a map");
-    site->file = o->dem;
+    site->file = dem;
     return expose_site(site, o->at, a, s, q, e);
 }
 
@@ -198,16 +262,16 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
 static void print_cell(FILE *to, int width, int digits, double x)
 {
     if (isfinite(x))
-        fprintf(to, "%*.*f", width, digits, x);
+        wf_show(to, "%*.*f", width, digits, x);
     else
-        fprintf(to, "%*s", width, "-");
+        wf_show(to, "%*s", width, "-");
 }
 
 /* At the strongest specified wind. */
 static void print_direction(FILE *to, const struct wf_analysis *an, const struct wf_direction *d)
 {
     const struct wf_at_speed *at = &d->at[an->n - 1];
-    fprintf(to, "%8g", degrees(d->from));
+    wf_show(to, "%8g", degrees(d->from));
     print_cell(to, 13, 3, at->base_moment / 1e3);
     print_cell(to, 11, 3, at->tip_deflection);
     print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
@@ -226,16 +290,16 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
 static void print_climate(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_directions *x = an->directions;
-    fprintf(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
+    wf_show(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
-    fprintf(to,
+    wf_show(to,
             "\n  The critical wind is a sustained one, a 10-min mean at %.6g m. Hours a year: with an hourly "
             "mean above "
             "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
             an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
     if (x->above)
-        fprintf(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
+        wf_show(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
                 an->search.speed_max);
 }
 
@@ -245,33 +309,33 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
     const struct wf_directions *x = an->directions;
     if (!x) return;
     bool rose = x->request.rose, site = x->request.speed_up;
-    fprintf(to, "\n  Wind from all around, clockwise from north; north is ");
+    wf_show(to, "\n  Wind from all around, clockwise from north; north is ");
     if (x->request.north == 0.0)
-        fprintf(to, "+y, east +x of the model\n");
+        wf_show(to, "+y, east +x of the model\n");
     else
-        fprintf(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
-    fprintf(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
+        wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
+    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
             "breaks", "stem alone", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
-    fprintf(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
+    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
             site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
     if (rose) print_climate(to, an);
-    fprintf(to, "  Moment, movement and safety at %.6g m/s.\n", an->at[an->n - 1].speed);
+    wf_show(to, "  Moment, movement and safety at %.6g m/s.\n", an->at[an->n - 1].speed);
 }
 
 static void print_number(FILE *to, int width, int digits, double value)
 {
     if (isfinite(value))
-        fprintf(to, "%*.*f", width, digits, value);
+        wf_show(to, "%*.*f", width, digits, value);
     else
-        fprintf(to, "%*s", width, isinf(value) ? "inf" : "-");
+        wf_show(to, "%*s", width, isinf(value) ? "inf" : "-");
 }
 
 static void print_speed(FILE *to, const struct wf_at_speed *at)
 {
     print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
     if (at->status) {
-        fprintf(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
+        wf_show(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
                 100.0 * at->response.load_factor);
         return;
     }
@@ -284,6 +348,14 @@ static void print_speed(FILE *to, const struct wf_at_speed *at)
     fputc('\n', to);
 }
 
+/* The segment that fails: its id in the file of the tree, branching order, diameter. */
+static void print_failing(FILE *to, const struct wf_analysis *an, int32_t row)
+{
+    const struct wf_tree *t = &an->tree;
+    wf_show(to, " (id %lld, order %d, %.3g mm thick)", (long long)t->id[row], t->level[row],
+            2e3 * fmax(t->r0[row], t->r1[row]));
+}
+
 static void print_critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
 {
     const struct wf_critical *c = &b->critical;
@@ -294,15 +366,23 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
         return;
     }
     if (c->outcome != WF_CRITICAL_FOUND) {
-        fprintf(to, "  %s: none; %s\n", what, wf_critical_text(c->outcome));
+        wf_show(to, "  %s: none; %s", what, wf_critical_text(c->outcome));
+        if (b->row >= 0) {
+            wf_show(to, ": the %s", wf_model_level_name(an->model, an->species, an->tree.level[b->row]));
+            print_failing(to, an, b->row);
+            wf_show(to, " %.2f m above the ground", b->height);
+        }
+        fputc('\n', to);
         return;
     }
-    fprintf(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
+    wf_show(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
             an->scenario.reference_height);
-    if (b->row >= 0)
-        fprintf(to, "; the %s breaks%s %.2f m above the ground",
+    if (b->row >= 0) {
+        wf_show(to, "; the %s breaks%s %.2f m above the ground",
                 wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
                 b == &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE] ? " first" : "", b->height);
+        print_failing(to, an, b->row);
+    }
     fputc('\n', to);
 }
 
@@ -311,11 +391,11 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
 static void print_head(FILE *to, const struct wf_analysis *first)
 {
     const struct wf_scenario *s = &first->scenario;
-    fprintf(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
+    wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
-    fprintf(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
+    wf_show(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
     if (s->speed_up != 1.0)
-        fprintf(to,
+        wf_show(to,
                 "The wind at the tree is %.4g times the wind named (exposure of the site); critical speeds "
                 "are of the "
                 "wind "
@@ -325,10 +405,10 @@ static void print_head(FILE *to, const struct wf_analysis *first)
 
 static void print_speeds(FILE *to, const struct wf_analysis *an)
 {
-    fprintf(to, "\n%s (%s)\n", an->species->name, an->species->latin ? an->species->latin : an->species->key);
-    fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
+    wf_show(to, "\n%s (%s)\n", an->species->name, an->species->latin ? an->species->latin : an->species->key);
+    wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
             "stress", "safety");
-    fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
+    wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
     for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
 }
 
@@ -340,7 +420,7 @@ static void print_searched(FILE *to, const struct wf_analysis *an)
     for (size_t i = 0; i < an->n; i++)
         beyond = beyond || (!an->at[i].status && an->at[i].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety <= 1.0);
     if (beyond)
-        fprintf(
+        wf_show(
             to,
             "  safety of 1 or less: broken before; the row shows what a tree that cannot break would do\n");
     print_critical(to, an, "critical wind speed", &b[WF_SCOPE_TREE]);
@@ -367,6 +447,8 @@ struct work {
     struct wf_input_file *input;
     struct wf_diag *diag; /* one per species */
     size_t solved;        /* trees whose given speeds were printed */
+    bool all_models;      /* of the scan: say how far they differ */
+    struct wf_diag tree;  /* warnings about the file of the tree */
 };
 
 /* The speeds named are solved: they are printed before the searches, which take most of the time. */
@@ -387,32 +469,52 @@ static enum wf_status note_input(struct work *w, const char *role, const char *p
     return wf_input_file_note(role, path, &w->arena, &w->input[w->inputs++], e);
 }
 
+static void take_warnings(struct wf_diag *to, const struct wf_diag *from)
+{
+    for (const struct wf_finding *f = from->first; f; f = f->next)
+        if (f->severity == WF_WARNING) wf_diag_warn(to, f->code, "%s", f->text);
+}
+
+/* The warnings of each species for its results: first those about the file of the tree, which have been
+ * printed. */
+static void put_tree_first(struct work *w)
+{
+    for (size_t k = 0; k < w->options.args.n; k++) {
+        struct wf_diag all = { .arena = &w->arena };
+        take_warnings(&all, &w->tree);
+        take_warnings(&all, &w->diag[k]);
+        w->diag[k] = all;
+    }
+}
+
 /* What is wrong with a climate that can be used also belongs to the results. */
 static void keep_climate_warnings(struct work *w, const struct wf_diag *d)
 {
-    w->diag[0].arena = &w->arena;
+    w->tree.arena = &w->arena;
     for (const struct wf_finding *f = d->first; f; f = f->next)
-        if (f->code && !strcmp(f->code, "frequency-sum"))
-            wf_diag_warn(&w->diag[0], f->code, "%s", f->text);
+        if (f->code && !strcmp(f->code, "frequency-sum")) wf_diag_warn(&w->tree, f->code, "%s", f->text);
 }
 
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
     struct wf_diag d = { .arena = &w->arena };
+    w->tree.arena = &w->arena;
     const char *model = NULL;
     struct wf_err first = { 0 }, next = { 0 };
     enum wf_status worst =
         wf_tree_asked_read(&w->options.tree, NULL, &w->arena, &w->model, &model, &d, &first);
+    take_warnings(&w->tree, &d);
     size_t found = d.errors;
     enum wf_status asked = read_request(&w->options, &w->arena, &d, &w->request, &next);
     if (asked && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
     if (asked && !worst) worst = asked;
     for (size_t k = 0; k < w->options.args.n; k++) {
-        const char *path = wf_shipped("species", w->options.args.operand[k], &w->arena);
+        const char *path;
         size_t before = d.errors;
         next = (struct wf_err){ 0 };
-        enum wf_status s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
+        enum wf_status s = wf_shipped("species", w->options.args.operand[k], &w->arena, &path, &d, &next);
+        if (!s) s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
         if (s && d.errors == before) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
         if (s && !worst) worst = s;
         if (!s && (s = note_input(w, "species", path, e))) return s;
@@ -490,6 +592,106 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
     return WF_OK;
 }
 
+/* ---- The models of a scan ----
+ *
+ * Programs that fit cylinders to a scan give another model at each run. How far the answers of the models
+ * differ is part of how sure the answer is. */
+
+struct models_range {
+    size_t weak, first_weak;    /* models that fail without wind, and the first of them      */
+    size_t n, found, lowest;    /* models; with a critical speed; the model with the lowest, from 1 */
+    double speed[2], height[2]; /* least and most [m/s], [m] */
+};
+
+static void range_add(struct models_range *r, size_t number, double height, const struct wf_critical *c)
+{
+    r->height[0] = r->n ? fmin(r->height[0], height) : height;
+    r->height[1] = r->n ? fmax(r->height[1], height) : height;
+    r->n++;
+    if (c->outcome == WF_CRITICAL_SELF_WEIGHT && !r->weak++) r->first_weak = number;
+    if (c->outcome != WF_CRITICAL_FOUND) return;
+    if (!r->found || c->speed < r->speed[0]) r->speed[0] = c->speed, r->lowest = number;
+    r->speed[1] = r->found ? fmax(r->speed[1], c->speed) : c->speed;
+    r->found++;
+}
+
+/* Analyse model `number` with each species; model 1 has been. */
+static enum wf_status analyse_model(struct work *w, size_t number, struct models_range *range,
+                                    struct wf_err *e)
+{
+    struct wf_arena a = { 0 };
+    struct wf_diag d = { .arena = &a };
+    struct wf_tree_asked asked = w->options.tree;
+    struct wf_model model;
+    const char *path;
+    asked.scan.scan_model = wf_arena_print(&a, "%zu", number);
+    enum wf_status s = asked.scan.scan_model ? wf_tree_asked_read(&asked, NULL, &a, &model, &path, &d, e)
+                                             : wf_fail(e, WF_ENOMEM, "no memory for model %zu", number);
+    for (size_t k = 0; !s && k < w->options.args.n; k++) {
+        struct wf_analysis an;
+        wf_progress("%s: model %zu of %zu ...", w->species[k].name, number, w->model.measured_models);
+        w->request.search.solved = NULL; /* printed for the first model alone */
+        s = wf_analyze(&w->species[k], &model, &w->request.scenario, &w->request.search, w->request.solver,
+                       &w->request.solve, w->options.wind.speed, w->options.wind.n, &a, &d, &an, e);
+        if (!s && !wf_interrupted())
+            range_add(&range[k], number, an.tallness, &an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
+    }
+    wf_progress(NULL);
+    wf_arena_free(&a);
+    return s;
+}
+
+/* The range becomes a warning of each species, so that terminal, results and pages have it. */
+static void warn_of_range(const struct models_range *r, size_t models, const char *species, struct wf_diag *d)
+{
+    char speeds[256], weak[96] = "", others[96] = "";
+    size_t none = r->n - r->found - r->weak;
+    if (r->weak)
+        (void)snprintf(weak, sizeof weak, "; %zu of them fail under their own weight, first model %zu",
+                       r->weak, r->first_weak);
+    if (none) (void)snprintf(others, sizeof others, "; for %zu of them none was found", none);
+    if (r->found)
+        (void)snprintf(speeds, sizeof speeds,
+                       "critical wind speed %.2f to %.2f m/s, lowest of model %zu (--scan-model %zu)",
+                       r->speed[0], r->speed[1], r->lowest, r->lowest);
+    else
+        (void)snprintf(speeds, sizeof speeds, "no critical wind speed found");
+    wf_diag_warn(
+        d, "scan-models",
+        "%s: over %zu of %zu models of the scan: %s%s%s, height %.2f to %.2f m; all other results are "
+        "those of model 1",
+        species, r->n, models, speeds, weak, others, r->height[0], r->height[1]);
+}
+
+static enum wf_status analyse_models(struct work *w, size_t species, struct wf_err *e)
+{
+    if (!w->all_models) return WF_OK;
+    struct models_range *range = WF_TAKE(&w->arena, species, struct models_range);
+    if (!range) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", species);
+    for (size_t k = 0; k < species; k++)
+        range_add(&range[k], 1, w->analysis[k].tallness,
+                  &w->analysis[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
+    for (size_t m = 2; m <= w->model.measured_models && !wf_interrupted(); m++) {
+        enum wf_status s = analyse_model(w, m, range, e);
+        if (s) return s;
+    }
+    for (size_t k = 0; k < species; k++)
+        warn_of_range(&range[k], w->model.measured_models, w->species[k].name, &w->diag[k]);
+    return WF_OK;
+}
+
+/* With --scan-model all, model 1 is analysed first; then the others. */
+static int take_all_models(struct work *w, const char *command)
+{
+    const char **asked = &w->options.tree.scan.scan_model;
+    w->all_models = *asked && !strcmp(*asked, "all");
+    if (!w->all_models) return -1;
+    *asked = "1";
+    if (!strcmp(w->options.preset, "corrected")) return -1;
+    wf_show(stderr, "windfirm %s: --scan-model all: not with --preset\n", command);
+    return 2;
+}
+
 /* Pages that no run listed, such as those of an earlier version, stay; they would be mistaken for pages of
  * the new results. */
 static void warn_of_old_pages(struct work *w)
@@ -503,7 +705,7 @@ static void warn_of_old_pages(struct work *w)
         if (!path || stat(path, &old)) continue;
         if (old.st_mtim.tv_sec < results.st_mtim.tv_sec ||
             (old.st_mtim.tv_sec == results.st_mtim.tv_sec && old.st_mtim.tv_nsec < results.st_mtim.tv_nsec))
-            fprintf(stderr,
+            wf_show(stderr,
                     "warning: %s is the page of an earlier run; 'windfirm report %s' draws it again\n", path,
                     w->folder);
     }
@@ -529,17 +731,18 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     run.inputs = w->inputs;
     bool pages = !w->options.no_report, whole = false;
     if (!s) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);
-    if (s || (s = analyse(w, &run.n, e))) return s;
+    if (s || (s = analyse(w, &run.n, e)) || (s = analyse_models(w, run.n, e))) return s;
     fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
     for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
+    put_tree_first(w);
     if ((s = wf_results_write(&run, w->results.stage, e))) return s;
     s = wf_results_end(&w->results, pages ? w->options.lang : NULL, &w->arena, &whole, e);
     if (!w->options.args.quiet)
-        printf("\nResults%s: %s\n",
-               whole   ? ", tables, plots and pages"
-               : pages ? " and tables (plots and pages not complete)"
-                       : " and tables",
-               w->folder);
+        wf_show(stdout, "\nResults%s: %s\n",
+                whole   ? ", tables, plots and pages"
+                : pages ? " and tables (plots and pages not complete)"
+                        : " and tables",
+                w->folder);
     fflush(stdout);
     if (!whole) warn_of_old_pages(w);
     return s;
@@ -553,8 +756,9 @@ static int analyze_or_compare(int argc, char **argv, const char *about, size_t l
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_analyze_options, about, low, high, &w.arena, &w.options.args);
     if (code < 0) code = wf_tree_asked_check(&w.options.tree, argv[0], NULL);
+    if (code < 0) code = take_all_models(&w, argv[0]);
     if (code < 0 && !w.options.wind.n) {
-        fprintf(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
+        wf_show(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
         code = 2;
     }
     if (code < 0) {

@@ -59,7 +59,7 @@ int wf_cmd_report(int argc, char **argv)
         enum wf_status s = wf_run_reopen(&r, o.args.operand[0], &d, &e);
         if (!s) s = draw_again(&r, o.lang, &d, &e);
         wf_print_findings(&d, quiet);
-        if (!s && !quiet) printf("Plots and pages: %s\n", o.args.operand[0]);
+        if (!s && !quiet) wf_show(stdout, "Plots and pages: %s\n", o.args.operand[0]);
         code = !s ? 0 : is_printed(&d, &e, quiet) ? wf_exit_code(s) : wf_complain(&e);
     }
     wf_arena_free(&arena);

@@ -20,18 +20,27 @@ struct terrain_options {
     const char *lang;
 };
 
+/* Options of made ground. */
+static bool made_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(((const struct terrain_options *)options)->dem, why,
+                            "with ground that is read, --dem");
+}
+
 #define OPTIONS struct terrain_options
 static const struct wf_option options[] = {
     PATH("--dem", dem, "FILE", NULL, "heights as an ESRI ASCII grid; without it the ground is generated"),
-    WHOLE("--size", size, 1, 12, "8", "of generated ground: 2^NUMBER + 1 points a side"),
+    WHOLE("--size", size, 1, 12, "8", "of generated ground: 2^NUMBER + 1 points a side",
+          .unused = made_unused),
     NUMBER("--cell", cell, "LENGTH", LENGTH, "m", 0.1, 10000, "25",
-           "of generated ground: distance of neighbouring points"),
+           "of generated ground: distance of neighbouring points", .unused = made_unused),
     NUMBER("--smoothness", smoothness, "NUMBER", NONE, NULL, 0, 1, "1",
-           "of generated ground: exponent H, 0 rough to 1 smooth"),
+           "of generated ground: exponent H, 0 rough to 1 smooth", .unused = made_unused),
     NUMBER("--relief", relief, "LENGTH", LENGTH, "m", 0.01, 5000, "40",
-           "of generated ground: standard deviation of the heights"),
+           "of generated ground: standard deviation of the heights", .unused = made_unused),
     WHOLE("--seed", seed, 0, 9007199254740992.0, "1",
-          "of generated ground: whole number; the same seed gives the same ground"),
+          "of generated ground: whole number; the same seed gives the same ground", .unused = made_unused),
     NUMBER("--from", from, "ANGLE", ANGLE, "deg", -360, 360, "270",
            "direction the wind comes from, clockwise from north"),
     NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 500, "10", "above the ground, for the speed-up"),
@@ -80,20 +89,20 @@ static void print_range(const char *name, const char *unit, const double *v, siz
 {
     double low, mean, high;
     wf_terrain_range(v, n, &low, &mean, &high);
-    printf("%-24s %10.3f %10.3f %10.3f  %s\n", name, low, mean, high, unit);
+    wf_show(stdout, "%-24s %10.3f %10.3f %10.3f  %s\n", name, low, mean, high, unit);
 }
 
 static void print_site(const struct wf_terrain_site *s)
 {
     const struct wf_terrain *t = &s->ground;
     size_t n = t->rows * t->columns;
-    printf("%zu x %zu points, %g m apart; wind from %.0f deg\n\n%-24s %10s %10s %10s\n", t->columns, t->rows,
-           t->cell, s->from * 180 / M_PI, "", "lowest", "mean", "highest");
+    wf_show(stdout, "%zu x %zu points, %g m apart; wind from %.0f deg\n\n%-24s %10s %10s %10s\n", t->columns,
+            t->rows, t->cell, s->from * 180 / M_PI, "", "lowest", "mean", "highest");
     print_range("height", "m", t->z, n);
     print_range("topex-to-distance", "deg (high: sheltered)", s->topex, n);
     print_range("wind / level ground", "", s->factor, n);
-    printf("\nhills of half-width %.0f m, inner layer %.1f m, gain %.2f, steepest slope %.2f\n",
-           s->speedup.length, s->speedup.inner, s->speedup.gain, s->speedup.steepest);
+    wf_show(stdout, "\nhills of half-width %.0f m, inner layer %.1f m, gain %.2f, steepest slope %.2f\n",
+            s->speedup.length, s->speedup.inner, s->speedup.gain, s->speedup.steepest);
 }
 
 static void warn_of_limits(const struct wf_terrain_site *s, struct wf_diag *d)
@@ -147,7 +156,7 @@ int wf_cmd_terrain(int argc, char **argv)
         wf_print_findings(&d, quiet);
         if (!status && !quiet) {
             print_site(&s);
-            printf("Tables, grids and map: %s\n", o.output);
+            wf_show(stdout, "Tables, grids and map: %s\n", o.output);
         }
         code = status ? wf_complain(&e) : 0;
     }

@@ -9,6 +9,9 @@
 #include "out/doc.h"
 #include "out/run_folder.h"
 
+struct wf_model;
+struct wf_species;
+
 struct wf_command {
     const char *name, *operands, *summary;
     int (*run)(int argc, char **argv); /* argv[0] is the subcommand's own name; returned: exit code */
@@ -42,9 +45,19 @@ int wf_exit_code(enum wf_status s);
 int wf_complain(const struct wf_err *e);
 /* Folder with the shipped species/, models/ and validation/: $WINDFIRM_SHARE, else where it was installed. */
 const char *wf_share(void);
-/* The file a user means: the path itself when it exists or looks like a path, else the shipped
- * SHARE/room/NAME.yaml. Returned: text in the arena, or `name` without memory. */
-const char *wf_shipped(const char *room, const char *name, struct wf_arena *a);
+/* The file a user means: the path itself when it is a file or looks like a path, else the shipped
+ * SHARE/room/NAME.yaml. A folder of that name is no such file; a warning in `d` says that it was passed over.
+ * Returned: *path in the arena. Errors: those of wf_shipped_path. */
+enum wf_status wf_shipped(const char *room, const char *name, struct wf_arena *a, const char **path,
+                          struct wf_diag *d, struct wf_err *e);
+/* Read the species table or the tree model that a user means, as wf_shipped finds it. Errors: its errors, and
+ * those of wf_species_read and wf_model_read. */
+enum wf_status wf_species_named(const char *name, struct wf_arena *a, struct wf_species *out,
+                                struct wf_diag *d, struct wf_err *e);
+enum wf_status wf_model_named(const char *name, struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
+                              struct wf_err *e);
+/* Whether the first line of a YAML file that is not a comment begins with `key`, colon included. */
+bool wf_begins_with_key(const char *path, const char *key, struct wf_arena *a);
 /* A file that `file` names: beside it when it is there, else relative to the current folder. Returned: text
  * in the arena, or `name`. */
 const char *wf_beside(const char *file, const char *name, struct wf_arena *a);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/build.h"
+#include "base/file.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "grow/clothe.h"
@@ -18,8 +19,7 @@ static enum wf_status find(const struct wf_fit_build *b, const char *room, const
                            struct wf_arena *a, const char **path, struct wf_err *e)
 {
     if (strpbrk(name, "/.")) return wf_calibration_path(b->calibration, name, a, path, e);
-    *path = wf_arena_print(a, "%s/%s/%s.yaml", b->share, room, name);
-    return *path ? WF_OK : wf_fail(e, WF_ENOMEM, "%s: no memory", name);
+    return wf_shipped_path(b->share, room, name, a, path, e);
 }
 
 static enum wf_status measured(const struct wf_calibration_tree *s, const char *path, wf_import_reader *mat,
@@ -28,6 +28,9 @@ static enum wf_status measured(const struct wf_calibration_tree *s, const char *
 {
     struct wf_import_options o = wf_import_default();
     o.mat = mat;
+    o.tree_id = s->tree_id;
+    o.force = s->force == 1;
+    o.cap_children = s->cap_children == 1;
     struct wf_qsm q;
     struct wf_qsm_model m;
     enum wf_status status = wf_import_read(path, &o, a, &q, d, e);
@@ -52,10 +55,17 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
     enum wf_status status = find(b, "species", s->species, a, &path, e);
     if (!status) status = wf_species_read(path, &wf_laws, a, sp, d, e);
     *out = (struct wf_fit_tree){ .name = s->name, .species = sp };
-    if (!status) status = find(b, "models", s->qsm ? s->qsm : s->model, a, &path, e);
+    if (!status && s->qsm) status = wf_calibration_path(b->calibration, s->qsm, a, &path, e);
+    if (!status && !s->qsm) status = find(b, "models", s->model, a, &path, e);
     if (!status) out->file = path;
     if (!status && s->qsm) status = measured(s, path, b->mat, sp, a, d, &out->tree, e);
     if (!status && !s->qsm) status = wf_model_read(path, a, &m, d, e);
+    if (!status && !s->qsm && m.shape == WF_SHAPE_UNDER_WEIGHT)
+        status = wf_fail(
+            e, WF_EINPUT,
+            "%s: tree %s: %s has 'shape: under_weight', whose stress-free shape would change with the "
+            "fitted stiffness; a fit takes a stress-free shape only",
+            b->calibration->file, s->name, path);
     if (!status && !s->qsm) status = wf_grow_stem(&m, sp, a, &out->tree, e);
     if (status) return status;
     out->height = wf_tree_height(&out->tree);
@@ -329,6 +339,15 @@ static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_
     return t->states ? WF_OK : wf_fail(e, WF_EINPUT, "test %s: no row beyond the base", s->name);
 }
 
+/* Sample that is furthest from the mean. */
+static size_t largest_swing(const double *y, size_t n, double mean)
+{
+    size_t most = 0;
+    for (size_t i = 1; i < n; i++)
+        if (fabs(y[i] - mean) > fabs(y[most] - mean)) most = i;
+    return most;
+}
+
 /* Fit frequency and damping to measured free sway; they become two readings. */
 static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_calibration_test *s,
                                 const char *path, struct wf_arena *a, struct wf_diag *d,
@@ -371,9 +390,14 @@ static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_ca
     for (size_t k = 0; k < 2; k++)
         (*data)[(*n)++] =
             (struct wf_fit_datum){ .sensor = k, .value = value[k], .sigma = t->sensor[k].sigma, .weight = 1 };
-    if (in->sway.explained < 0.8)
-        wf_diag_warn(d, "poor-sway", "test %s: one damped sway explains only %.0f %% of the record", s->name,
-                     100 * in->sway.explained);
+    if (in->sway.explained < 0.8) {
+        double at = time[largest_swing(y, m, in->sway.mean)];
+        wf_diag_warn(
+            d, "poor-sway",
+            "test %s: one damped sway explains only %.0f %% of the record; its largest swing is at %.6g s "
+            "('after: %.6g s' leaves out what was before)",
+            s->name, 100 * in->sway.explained, at, at);
+    }
     return WF_OK;
 }
 

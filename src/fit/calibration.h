@@ -9,6 +9,8 @@
 
 struct wf_calibration_tree {
     const char *name, *species, *model, *qsm, *joint;
+    const char *tree_id;                       /* of a table of several trees; NULL: not given */
+    size_t force, cap_children;                /* index in no, yes: as the options of an import */
     double leaf_area, root_stiffness, gravity; /* [m2], [N m/rad]: NAN clamped, [m s-2] */
 };
 struct wf_calibration_sensor {

@@ -4,6 +4,7 @@
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
 /* Rows that cannot be read. */
 
@@ -28,8 +29,9 @@ void wf_import_last_row_cut(struct wf_qsm *q, size_t line)
 /* What a column means. */
 
 static const struct wf_field_row field_rows[] = {
-    { WF_FIELD_ID, " id cylid cylinderid cylinder segid ", 1, WF_FIELD_PLAIN },
-    { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_ID, " id cylid cylinderid cylinder segid nodeid ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid parentnodeid parentnode ", 1,
+      WF_FIELD_PLAIN },
     { WF_FIELD_NEXT, " extension extensionid ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_ORDER, " branchorder branchingorder level order ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_ADDED, " added ", 1, WF_FIELD_PLAIN },
@@ -54,6 +56,7 @@ static const struct wf_field_row field_rows[] = {
     { WF_FIELD_AZIMUTH, " azimuth ", 1, WF_FIELD_RADIANS },
     { WF_FIELD_DISTANCE, " distance offset ", 1, WF_FIELD_METRES },
     { WF_FIELD_SHARE, " share position relativeposition ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_TREE, " tree treeid treename treenumber treeno treenr ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_NONE, "", 1, WF_FIELD_PLAIN },
 };
 
@@ -112,6 +115,18 @@ enum wf_field wf_field_of(const char *name, double length_unit, double diameter_
     return WF_FIELD_NONE;
 }
 
+/* Missing values. */
+
+bool wf_field_missing(const char *text, size_t n)
+{
+    static const char *const words[] = { "NA", "N/A", "NaN", "NULL", "None", "inf", "Infinity" };
+    if (!n || text[0] == '#') return true;
+    bool sign = text[0] == '-' || text[0] == '+';
+    for (size_t k = 0; k < WF_COUNT(words); k++)
+        if (n - sign == strlen(words[k]) && !strncasecmp(text + sign, words[k], n - sign)) return true;
+    return false;
+}
+
 /* Rows. */
 
 /* Larger values cannot be a tree in metres; the thickest trees known have a radius of 5.8 m. */
@@ -152,8 +167,10 @@ static const char *cylinder_numbers(struct wf_qsm *q, size_t i, const double *v)
     return NULL;
 }
 
-const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double v[WF_FIELD_COUNT])
+const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double given[WF_FIELD_COUNT])
 {
+    double v[WF_FIELD_COUNT];
+    for (int f = 0; f < WF_FIELD_COUNT; f++) v[f] = isfinite(given[f]) ? given[f] : (double)NAN;
     const char *wrong = cylinder_numbers(q, i, v);
     if (wrong) return wrong;
     double r = v[WF_FIELD_RADIUS], r0 = v[WF_FIELD_R0], r1 = v[WF_FIELD_R1], length = v[WF_FIELD_LENGTH];

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/figures.h"
 #include "out/doc.h"
+#include "out/xml.h"
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -9,6 +10,7 @@
 #ifdef __linux__
 #include <sys/prctl.h>
 #endif
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -53,6 +55,10 @@ static _Noreturn void become(const struct program *p, char **surroundings, pid_t
 #else
     (void)parent;
 #endif
+    /* what a stranger's numbers can make it do has an end */
+    const struct rlimit seconds = { 600, 600 }, bytes = { (rlim_t)8 << 30, (rlim_t)8 << 30 };
+    (void)setrlimit(RLIMIT_CPU, &seconds);
+    (void)setrlimit(RLIMIT_AS, &bytes);
     int empty = open("/dev/null", O_RDONLY);
     if (empty >= 0 && dup2(empty, STDIN_FILENO) >= 0 && dup2(fd, STDOUT_FILENO) >= 0 &&
         dup2(fd, STDERR_FILENO) >= 0 && !chdir(p->folder))
@@ -248,7 +254,7 @@ enum wf_status wf_figures_draw(const char *folder, const struct wf_figure *g, co
     if (!code) code = wf_file_commit(&f, e);
     wf_file_abandon(&f);
     if (code || (code = wf_xml_read(f.path, &drawn, e))) return code;
-    code = wf_xml_transform(style, drawn, NULL, NULL, svg, e);
+    code = wf_xml_transform(style, drawn, NULL, svg, e);
     xmlFreeDoc(drawn);
     return code;
 }

@@ -4,8 +4,10 @@
 #include "base/interrupt.h"
 #include "out/doc.h"
 #include "out/figures.h"
+#include "out/reader.h"
 #include "out/results.h"
 #include "out/tree_picture.h"
+#include "out/xml.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -77,14 +79,11 @@ static enum wf_status check_report(struct job *j)
 static enum wf_status read_results(struct job *j)
 {
     char path[WF_PATH_MAX];
-    json_error_t why;
     enum wf_status code = wf_folder_path(j->folder, "results.json", path, j->e);
     if (code) return code;
     if (access(path, R_OK))
         return wf_fail(j->e, WF_EINPUT, "%s: cannot be read; is '%s' a results folder?", path, j->folder);
-    j->results = json_load_file(path, JSON_REJECT_DUPLICATES, &why);
-    if (!j->results)
-        return wf_fail(j->e, WF_EINPUT, "%s:%d:%d: error: %s", path, why.line, why.column, why.text);
+    if ((code = wf_document_read(path, &j->results, j->d, j->e))) return code;
     const json_t *schema = json_object_get(j->results, "schema");
     const char *name = json_string_value(json_object_get(schema, "name"));
     json_int_t version = json_integer_value(json_object_get(schema, "version"));
@@ -95,7 +94,8 @@ static enum wf_status read_results(struct job *j)
         return wf_fail(j->e, WF_EINPUT, "%s: results of version %lld; this program reads version %d%s", path,
                        (long long)version, j->kind->version,
                        j->kind->version > 1 ? " and the one before" : "");
-    return j->kind->figure == report_figures ? check_report(j) : WF_OK;
+    if (j->kind->figure == report_figures) code = check_report(j);
+    return code ? code : wf_tables_check(j->folder, j->e);
 }
 
 static enum wf_status make_document(struct job *j)
@@ -152,7 +152,7 @@ static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawe
     return WF_OK;
 }
 
-/* <row key index [text="yes"]>value</row> to the plot data. */
+/* <row key index [text="yes"|"words"]>value</row> to the plot data. */
 static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_err *e)
 {
     xmlChar *key = xmlGetProp(row, BAD_CAST "key"), *index = xmlGetProp(row, BAD_CAST "index"),
@@ -160,6 +160,8 @@ static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_e
     enum wf_status s = WF_OK;
     if (!key || !index || !value)
         s = wf_fail(e, WF_EINPUT, "figures.xsl: a row without key, index or value");
+    else if (text && !strcmp((char *)text, "words"))
+        wf_plot_data_words(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value);
     else if (text)
         wf_plot_data_text(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value);
     else
@@ -176,7 +178,7 @@ static enum wf_status write_plot_data(const char *folder, xmlDoc *report, struct
     xmlDoc *rows = NULL;
     enum wf_status code = wf_folder_make(folder, e);
     if (!code) code = wf_report_asset("figures.xsl", style, sizeof style, e);
-    if (!code) code = wf_xml_transform(style, report, NULL, NULL, &rows, e);
+    if (!code) code = wf_xml_transform(style, report, NULL, &rows, e);
     if (!code) code = wf_plot_data_begin(&p, folder, "run", e);
     if (!code) {
         for (xmlNode *n = xmlDocGetRootElement(rows)->children; n && !code; n = n->next)
@@ -242,7 +244,7 @@ static enum wf_status write_html(struct job *j, const char *html)
     enum wf_status code = wf_report_asset(name, style, sizeof style, j->e);
     if (!code) code = wf_file_begin(&f, html, j->e);
     if (code) return code;
-    code = wf_xml_transform(style, j->document, NULL, f.stream, &page, j->e);
+    code = wf_xml_transform(style, j->document, f.stream, &page, j->e);
     if (!code) {
         xmlFreeDoc(page);
         code = wf_file_commit(&f, j->e);

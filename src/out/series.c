@@ -106,13 +106,13 @@ static void text(FILE *f, const char *words)
 }
 
 /* Two cells: a file that was read, and the hash of its bytes. */
-static void file(FILE *f, const char *path)
+static void file(FILE *f, const char *path, struct wf_arena *a)
 {
     char hash[WF_SHA256_TEXT] = "";
     struct wf_err unread = { 0 };
     fputc(',', f);
     text(f, path ? path : "");
-    if (path && wf_sha256_file(path, hash, &unread)) hash[0] = '\0';
+    if (path && wf_sha256_file(path, a, hash, &unread)) hash[0] = '\0';
     fprintf(f, ",%s", hash);
 }
 
@@ -141,9 +141,9 @@ static void runs(const struct wf_series_page *p, FILE *f)
         cell(f, sum / n), cell(f, most), cell(f, low), cell(f, high), cell(f, wind);
         fprintf(f, ",%d,", s->across ? 3 : 1);
         text(f, s->gust_words ? s->gust_words : "");
-        file(f, s->spec.gust_file);
+        file(f, s->spec.gust_file, p->run[r].diag->arena);
         fprintf(f, ",%s", s->an.scenario.profile);
-        file(f, s->an.scenario.profile_file);
+        file(f, s->an.scenario.profile_file, p->run[r].diag->arena);
         fputc('\n', f);
     }
 }

@@ -28,8 +28,10 @@ struct wf_tree_summary {
     double low[3], high[3];                /* extent of all ends [m] */
 };
 
-/* An axis is a run of rows of one level joined end to end. WF_ENOMEM without memory for scratch. */
-enum wf_status wf_tree_summarise(const struct wf_tree *t, struct wf_tree_summary *out, struct wf_err *e);
+/* An axis is a run of rows of one level joined end to end. Given: enum wf_segment_kind of each row, NULL: all
+ * wood. Links are inside the wood of other rows and not counted. WF_ENOMEM without memory for scratch. */
+enum wf_status wf_tree_summarise(const struct wf_tree *t, const uint8_t *kind, struct wf_tree_summary *out,
+                                 struct wf_err *e);
 
 /* Properties that the user gives in addition to the geometry. */
 struct wf_tree_wear {
@@ -58,6 +60,7 @@ struct wf_tree_picture {
     const struct wf_tree *tree;
     const struct wf_model *model;
     const struct wf_species *species;
+    bool unspecified; /* the user named no species: `species` only makes the model drawable */
 };
 
 /* Write what reports/plots/tree.gp draws: FOLDER/plots/tree.dat (outlines of the segments by level, seen

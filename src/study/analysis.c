@@ -366,9 +366,14 @@ bool wf_analysis_grown(const struct wf_analysis *an, size_t level)
 /* ---- The whole analysis ---- */
 
 static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_search *q,
+                                 const struct wf_solver *solver, const struct wf_solve_options *o,
                                  const double *speeds, size_t n, struct wf_err *e)
 {
     if (n == 0) return wf_fail(e, WF_EUSAGE, "no wind speed is given");
+    if (solver->clamped && (o->root_stiffness[0] > 0.0 || o->root_stiffness[1] > 0.0))
+        return wf_fail(e, WF_EUSAGE,
+                       "root stiffness has no effect with the solver '%s', which clamps the base",
+                       solver->name);
     for (size_t k = 0; k < n; k++)
         if (!(speeds[k] >= 0.0 && speeds[k] <= 200.0))
             return wf_fail(e, WF_EUSAGE, "wind speed %.6g m/s is outside 0..200 m/s", speeds[k]);
@@ -410,7 +415,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     struct wf_search q;
     wf_search_default(&q);
     if (search) q = *search;
-    enum wf_status s = check_call(sc, &q, speeds, n, e);
+    enum wf_status s = check_call(sc, &q, solver, o, speeds, n, e);
     if (s) return s;
     *out = (struct wf_analysis){
         .species = sp, .model = m, .solver = solver, .scenario = *sc, .search = q, .n = n, .diag = d

@@ -22,6 +22,9 @@ struct wf_series_plan {
 /* Read a file of runs. Errors: WF_EINPUT with every mistake in `d`. */
 enum wf_status wf_series_plan_read(const char *path, struct wf_arena *a, struct wf_series_plan *out,
                                    struct wf_diag *d, struct wf_err *e);
+/* Whether a value that is given has no effect beside the others of its run. Given: offset of its member in
+ * struct wf_series_plan_run; `size` bytes for the words behind "has no effect". */
+bool wf_series_plan_unused(const struct wf_series_plan_run *r, size_t member, char *why, size_t size);
 /* Its schema as text. NULL: out of memory. */
 char *wf_series_plan_schema(struct wf_arena *a, struct wf_err *e);
 

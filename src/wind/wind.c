@@ -208,18 +208,18 @@ enum wf_status wf_measured_blow(const struct wf_measured_profile *p, struct wf_w
 
 const struct wf_profile wf_profiles[] = {
     { "uniform", "the same speed at every height", "wind tunnels, comparisons; not the wind over ground",
-      uniform },
+      uniform, "" },
     { "log",
       "Tennekes H. 1973. The logarithmic wind profile. J. Atmos. Sci. 30:234-238; zero-plane displacement: "
       "Thom A.S. "
       "1971. Momentum absorption by vegetation. Q. J. R. Meteorol. Soc. 97:414-428",
       "neutral or strong wind over level ground, from about d + 20 z0 up to 100 m; calm below d + z0",
-      logarithmic },
+      logarithmic, "roughness displacement" },
     { "power",
       "Davenport A.G. 1960. Rationale for determining design wind velocities. J. Struct. Div. ASCE "
       "86(5):39-68",
       "strong wind over level ground, 1 m to 300 m; exponent 0.10 (water) to 0.40 (town), 0.16 open country",
-      power },
+      power, "exponent" },
     { "canopy",
       "Cionco R.M. 1965. A mathematical model for air flow in a vegetative canopy. J. Appl. Meteorol. "
       "4:517-522; above: "
@@ -227,15 +227,15 @@ const struct wf_profile wf_profiles[] = {
       "closed level stands of even height, neutral or strong wind; attenuation 0.3 (open) to 4 (dense); not "
       "the "
       "second maximum among bare trunks below about 0.3 of the height",
-      wf_canopy_sample },
+      wf_canopy_sample, "roughness displacement canopy_height attenuation" },
     { "measured",
       "the heights and speeds of the file named; between them a monotone cubic: Steffen M. 1990. Astron. "
       "Astrophys. "
       "239:443-450",
       "between the lowest and the highest height measured; below them the speed falls to 0 at the ground, "
       "above them it is constant",
-      wf_measured_sample },
-    { NULL, NULL, NULL, NULL }
+      wf_measured_sample, "" },
+    { 0 }
 };
 
 const char *const wf_profile_names[] = { "uniform", "log", "power", "canopy", "measured", NULL };
