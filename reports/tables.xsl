@@ -48,6 +48,10 @@
           <xsl:value-of select="$gap"/>
           <xsl:call-template name="say"><xsl:with-param name="id">t.void</xsl:with-param></xsl:call-template>
         </xsl:if>
+        <xsl:if test="$trees/winds/item[status = 'ok' and least_safety/value &lt;= 1]">
+          <xsl:value-of select="$gap"/>
+          <xsl:call-template name="say"><xsl:with-param name="id">t.broken</xsl:with-param></xsl:call-template>
+        </xsl:if>
       </xsl:with-param>
     </xsl:call-template>
     <thead>
@@ -91,7 +95,9 @@
         <tbody class="long">
           <xsl:for-each select="$trees/winds/item">
             <tr>
-              <xsl:if test="within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
+              <xsl:if test="within_limits = 'false' or (status = 'ok' and least_safety/value &lt;= 1)">
+                <xsl:attribute name="class">void</xsl:attribute>
+              </xsl:if>
               <td class="r">
                 <xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
               </td>
@@ -106,7 +112,9 @@
           <tbody>
             <xsl:for-each select="$trees">
               <tr>
-                <xsl:if test="winds/item[$p]/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
+                <xsl:if test="winds/item[$p][within_limits = 'false' or (status = 'ok' and least_safety/value &lt;= 1)]">
+                  <xsl:attribute name="class">void</xsl:attribute>
+                </xsl:if>
                 <td class="r">
                   <xsl:if test="position() = 1">
                     <xsl:call-template name="given">

@@ -112,6 +112,12 @@ static void print_failing(FILE *to, const struct wf_analysis *an, int32_t row)
 static void print_critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
 {
     const struct wf_critical *c = &b->critical;
+    if (c->outcome == WF_CRITICAL_UNSEARCHED) {
+        wf_show(to, "  %s: not found in the time for the search; above %.4g m/s, %s %.4g m/s\n", what,
+                c->speed_low, c->speed_high < an->search.speed_max ? "below" : "not searched to",
+                c->speed_high);
+        return;
+    }
     if (c->outcome != WF_CRITICAL_FOUND) {
         wf_show(to, "  %s: none; %s", what, wf_critical_text(c->outcome));
         if (b->row >= 0) {
@@ -133,9 +139,8 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
     fputc('\n', to);
 }
 
-void wf_analysis_print(FILE *to, const struct wf_run *run)
+void wf_print_head(FILE *to, const struct wf_analysis *first)
 {
-    const struct wf_analysis *first = &run->analysis[0];
     const struct wf_scenario *s = &first->scenario;
     wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
@@ -147,18 +152,29 @@ void wf_analysis_print(FILE *to, const struct wf_run *run)
                 "wind "
                 "named\n",
                 s->speed_up);
-    for (size_t k = 0; k < run->n; k++) {
-        const struct wf_analysis *an = &run->analysis[k];
-        wf_show(to, "\n%s (%s)\n", an->species->name,
-                an->species->latin ? an->species->latin : an->species->key);
-        wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
-                "stress", "safety");
-        wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
-        for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
-        print_critical(to, an, "critical wind speed", &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE]);
-        int32_t broken = an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row;
-        if (broken >= 0 && an->tree.level[broken] > 0)
-            print_critical(to, an, "of the stem alone", &an->breaks[WF_BREAKAGE][WF_SCOPE_STEM]);
-        print_directions(to, an);
-    }
+}
+
+void wf_print_speeds(FILE *to, const struct wf_analysis *an)
+{
+    wf_show(to, "\n%s (%s)\n", an->species->name, an->species->latin ? an->species->latin : an->species->key);
+    wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
+            "stress", "safety");
+    wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
+    for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
+}
+
+void wf_print_searched(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_break *b = an->breaks[WF_BREAKAGE];
+    bool beyond = false;
+    for (size_t i = 0; i < an->n; i++)
+        beyond = beyond || (!an->at[i].status && an->at[i].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety <= 1.0);
+    if (beyond)
+        wf_show(
+            to,
+            "  safety of 1 or less: broken before; the row shows what a tree that cannot break would do\n");
+    print_critical(to, an, "critical wind speed", &b[WF_SCOPE_TREE]);
+    if (b[WF_SCOPE_TREE].row >= 0 && an->tree.level[b[WF_SCOPE_TREE].row] > 0)
+        print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]);
+    print_directions(to, an);
 }

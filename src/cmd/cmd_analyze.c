@@ -35,7 +35,7 @@ struct analyze_options {
     double azimuth, north;           /* [rad]                                     */
     double temperature, altitude;    /* [K], [m]                                  */
     double air_density;              /* [kg m-3]; NAN: from the two above         */
-    double search_to;                /* [m/s]                                     */
+    double search_to, search_time;   /* [m/s], [s]                                */
     double mesh_tolerance;           /* [-]                                       */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     bool no_report;
@@ -147,6 +147,9 @@ const struct wf_option wf_analyze_options[] = {
            "in place of the one from temperature and altitude", .unused = density_unused),
     NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, "100",
            "highest wind at which the critical speed is looked for"),
+    NUMBER("--search-time", search_time, "TIME", TIME, "s", 1, 1e6, "120",
+           "processor time for the search of a critical speed, and again for the curves; what it leaves out "
+           "is said"),
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
@@ -242,7 +245,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     s->altitude = o->altitude;
     s->air_density = o->air_density;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
-    out->search = (struct wf_search){ .speed_max = o->search_to };
+    out->search = (struct wf_search){ .speed_max = o->search_to, .seconds = o->search_time };
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;
@@ -271,9 +274,23 @@ struct work {
     size_t inputs;
     struct wf_input_file *input;
     struct wf_diag *diag; /* one per species */
+    size_t solved;        /* trees whose given speeds were printed */
     bool all_models;      /* of the scan: say how far they differ */
     struct wf_diag tree;  /* warnings about the file of the tree */
 };
+
+/* The speeds named are solved: they are printed before the searches, which take most of the time. */
+static void speeds_solved(const struct wf_analysis *an, void *work)
+{
+    struct work *w = work;
+    size_t before = w->solved++;
+    if (w->options.args.quiet) return;
+    wf_progress(NULL);
+    if (!before) wf_print_head(stdout, an);
+    wf_print_speeds(stdout, an);
+    fflush(stdout);
+    wf_progress("%s: critical speed, curves ...", an->species->name);
+}
 
 static enum wf_status note_input(struct work *w, const char *role, const char *path, struct wf_err *e)
 {
@@ -296,6 +313,14 @@ static void put_tree_first(struct work *w)
         take_warnings(&all, &w->diag[k]);
         w->diag[k] = all;
     }
+}
+
+/* What is wrong with a climate that can be used also belongs to the results. */
+static void keep_climate_warnings(struct work *w, const struct wf_diag *d)
+{
+    w->tree.arena = &w->arena;
+    for (const struct wf_finding *f = d->first; f; f = f->next)
+        if (f->code && !strcmp(f->code, "frequency-sum")) wf_diag_warn(&w->tree, f->code, "%s", f->text);
 }
 
 /* Model and species files; every mistake of every file is printed before the run is refused. */
@@ -327,6 +352,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     if (worst)
         return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
                        d.errors == 1 ? "" : "s");
+    keep_climate_warnings(w, &d);
     const char *const profile = w->request.scenario.profile_file, *const study = w->options.args.study,
                       *const climate = w->request.directions.climate_file;
     enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
@@ -376,14 +402,17 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
         w->diag[k].arena = &w->arena;
         if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
             return e->code;
-        wf_progress("%s: %zu wind speeds, critical speed, curves ...", w->species[k].name, w->options.wind.n);
+        w->request.search.solved = speeds_solved, w->request.search.context = w;
+        wf_progress("%s: %zu wind speeds ...", w->species[k].name, w->options.wind.n);
         enum wf_status s = wf_analyze(&w->species[k], &w->model, &w->request.scenario, &w->request.search,
                                       w->request.solver, &w->request.solve, w->options.wind.speed,
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
+        if (!s && w->solved == k) speeds_solved(&w->analysis[k], w); /* interrupted before */
         wf_progress(NULL);
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);
         if (s) return s;
+        if (!w->options.args.quiet) wf_print_searched(stdout, &w->analysis[k]);
         wf_preset_warn(preset, &w->analysis[k], &w->diag[k]);
         if ((*done = end_early(w, k))) return WF_OK;
     }
@@ -460,7 +489,6 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
     bool pages = !w->options.no_report, whole = false;
     if (!s) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);
     if (s || (s = analyse(w, &run.n, e)) || (s = analyse_models(w, run.n, e))) return s;
-    if (!w->options.args.quiet) wf_analysis_print(stdout, &run);
     fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
     for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
     put_tree_first(w);

@@ -52,21 +52,26 @@ static enum wf_status read_run(const struct wf_series_plan_run *r, const char *f
 
 static void print_runs(const struct wf_series_page *p)
 {
-    wf_show(stdout, "%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s",
-            "tip mean m", "largest m");
+    wf_show(stdout, "%s\n\n%4s  %-34s%10s%12s%12s%12s%10s\n", p->title, "run", "", "frames", "wind m/s",
+            "tip mean m", "largest m", "safety");
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
-        double sum = 0, most = 0, wind = 0, n = 0;
+        double sum = 0, most = 0, wind = 0, n = 0, safety = NAN;
         for (size_t k = 0; k < s->frames; k++) {
             wind += s->wind[k] / (double)s->frames;
+            safety = fmin(safety, s->safety[k]);
             if (isfinite(s->deflection[k])) sum += s->deflection[k], most = fmax(most, s->deflection[k]), n++;
         }
         if (n > 0)
-            wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12.4g%12.4g\n", r + 1, s->spec.name, s->frames, wind,
+            wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12.4g%12.4g", r + 1, s->spec.name, s->frames, wind,
                     sum / n, most);
         else
-            wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12s%12s  no frame has a result\n", r + 1, s->spec.name,
+            wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12s%12s  no frame has a result", r + 1, s->spec.name,
                     s->frames, wind, "-", "-");
+        if (isfinite(safety))
+            wf_show(stdout, "%10.2f\n", safety);
+        else
+            wf_show(stdout, "%10s\n", n > 0 ? "-" : "");
     }
     wf_show(stdout, "\n");
 }
@@ -210,7 +215,8 @@ const struct wf_option wf_series_options[] = {
     PATH("--model", run.model, "MODEL", NULL, "tree model: a file, or the name of a shipped one",
          .letter = "-m"),
     WF_WIND_ROWS(run.wind, averaging, 0, 100, "mean wind at the reference height", .unused = run_unused),
-    WORD("--gust", run.gust, "NAME", gust_word, "steady", "how the wind changes"),
+    WORD("--gust", run.gust, "NAME", gust_word, "steady",
+         "how the wind changes; steady: it does not, and all frames of a balance are equal"),
     WORD("--preset", run.preset, "NAME", wf_preset_word, "corrected", "a published method, as printed"),
     WORD("--solver", run.solver, "NAME", wf_solver_word, NULL,
          "how the bent shape is computed [the preset's, else beam]"),

@@ -9,6 +9,7 @@
 #include "cmd/wind_speed.h"
 #include "out/wind_results.h"
 #include "wind/climate.h"
+#include "wind/rose_record.h"
 #include "wind/wind.h"
 #include <math.h>
 #include <stdio.h>
@@ -29,6 +30,7 @@ struct wind_options {
         const char *set, *file;
         struct wf_record_words record;
     } gust;
+    const char *record, *sectors; /* of the rose; NULL: not given */
     const char *output;
     bool no_plots;
     const char *lang;
@@ -54,9 +56,12 @@ static bool wind_unused(const void *options, const struct wf_option *row, char *
     const struct wind_options *o = options;
     const void *at = (const char *)options + row->member;
     const char *what = o->args.n ? o->args.operand[0] : "";
-    bool of_rose = at == &o->gust.file || at == &o->output || at == &o->no_plots || at == &o->lang;
+    bool of_record = at == &o->record || at == &o->sectors;
+    bool of_rose = of_record || (at == &o->gust.record.columns && o->record) || at == &o->gust.file ||
+                   at == &o->output || at == &o->no_plots || at == &o->lang;
     if (!strcmp(what, "list")) return wf_option_unused(true, why, "with 'list'");
     if (!strcmp(what, "rose")) return wf_option_unused(!of_rose, why, "with 'rose'");
+    if (wf_option_unused(of_record, why, "with a gust model; it is for 'rose'")) return true;
     if (at == &o->height || at == &o->spacing)
         if (wf_option_unused(o->points_file, why, "with --points-file")) return true;
     if (at == &o->spacing && wf_option_unused(o->points < 2, why, "with one point")) return true;
@@ -94,6 +99,13 @@ const struct wf_option wf_wind_options[] = {
          "NAME.csv as a table, NAME.npy as 32-bit numbers, steps x points x components",
          .unused = wind_unused),
     WF_GUST_ROWS(gust, wind_unused),
+    PATH("--record", record, "FILE", NULL,
+         "of `windfirm wind rose`: make the rose from a station's record, a CSV with hourly mean speeds and "
+         "directions; --columns names the two [speed_ms,direction_deg]",
+         .unused = wind_unused),
+    CHOICE("--sectors", sectors, "8|12|16", "8|12|16", NULL,
+           "of the rose made from --record [16 where directions are names or steps of 22.5 deg, else 12]",
+           .unused = wind_unused),
     TEXT("--output", output, "FOLDER", "out/wind", "where tables and plots go", .letter = "-o",
          .unused = wind_unused),
     WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
@@ -105,10 +117,12 @@ static const char about[] =
     "  Make a wind that changes with time, compare it with what was specified, write and draw it.\n"
     "  MODEL is a name from `windfirm wind list`; `windfirm wind rose` reads a wind climate (direction_deg, "
     "frequency,\n"
-    "  weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) and draws it.\n"
+    "  weibull_scale_ms, weibull_shape for 8, 12 or 16 directions) or makes it from a station's record, and "
+    "draws it.\n"
     "\n"
     "  windfirm wind kaimal --wind beaufort:8 --components 3 --points 5 --spacing 2 -o out/gale\n"
     "  windfirm wind record --file sonic.csv --columns t_s,u_ms,v_ms,w_ms\n"
+    "  windfirm wind rose --record station.csv --columns wind_kmh,wind_from\n"
     "  windfirm wind kaimal --points-file crown.csv --duration 3600 --stream crown.npy";
 
 static int list_models(void)
@@ -331,44 +345,109 @@ static enum wf_status make_wind(const struct wind_options *o, const struct wf_do
 
 static double degrees(double rad) { return rad * 57.295779513082321; }
 
-static void print_rose(const char *file, const struct wf_rose *r)
+static void print_number(int width, int digits, double x)
 {
-    wf_show(stdout, "%s: %zu directions, frequencies sum to %g in the file\n\n", file, r->sectors,
-            r->typed_sum);
+    if (isfinite(x))
+        wf_show(stdout, " %*.*f", width, digits, x);
+    else
+        wf_show(stdout, " %*s", width, "-");
+}
+
+static void print_hours(const struct wf_rose *r, size_t sector)
+{
+    for (int k = 0; k < WF_ROSE_CLASSES; k++) {
+        double u = wf_rose_classes[k];
+        bool all = sector == r->sectors;
+        wf_show(stdout, " %6.1f",
+                8766.0 *
+                    (all ? wf_rose_above(r, u) : r->frequency[sector] * wf_rose_sector_above(r, sector, u)));
+    }
+    wf_show(stdout, "\n");
+}
+
+static void print_rose(const char *file, const struct wf_rose *r, const struct wf_rose_record *record)
+{
+    if (record)
+        wf_show(stdout, "%s: %zu directions from %zu rows\n\n", file, r->sectors, record->rows);
+    else
+        wf_show(stdout, "%s: %zu directions, frequencies sum to %g in the file\n\n", file, r->sectors,
+                r->typed_sum);
     wf_show(stdout, "%-8s %10s %10s %7s  above", "from", "frequency", "mean m/s", "shape");
     for (int k = 0; k < WF_ROSE_CLASSES; k++) wf_show(stdout, " %6.0f", wf_rose_classes[k]);
     wf_show(stdout, " m/s (hours a year)\n");
-    for (size_t s = 0; s <= r->sectors; s++) {
-        bool all = s == r->sectors;
-        if (all)
-            wf_show(stdout, "%-8s %10.4f %10.3f %7s       ", "all", 1.0, wf_rose_mean(r), "");
-        else
-            wf_show(stdout, "%5.1f    %10.4f %10.3f %7.3f       ", degrees(r->from[s]), r->frequency[s],
-                    r->scale[s] * tgamma(1.0 + 1.0 / r->shape[s]), r->shape[s]);
-        for (int k = 0; k < WF_ROSE_CLASSES; k++)
-            wf_show(stdout, " %6.1f",
-                    8766.0 * (all ? wf_rose_above(r, wf_rose_classes[k])
-                                  : r->frequency[s] * wf_rose_sector_above(r, s, wf_rose_classes[k])));
-        wf_show(stdout, "\n");
+    for (size_t s = 0; s < r->sectors; s++) {
+        wf_show(stdout, "%5.1f    %10.4f", degrees(r->from[s]), r->frequency[s]);
+        print_number(10, 3, wf_rose_sector_mean(r, s));
+        print_number(7, 3, r->shape[s]);
+        wf_show(stdout, "       ");
+        print_hours(r, s);
     }
+    wf_show(stdout, "%-8s %10.4f %10.3f %7s       ", "all", 1.0, wf_rose_mean(r), "");
+    print_hours(r, r->sectors);
     wf_show(stdout, "\nhourly mean exceeded 1 %% of the time: %.2f m/s; 0.1 %%: %.2f m/s\n",
             wf_rose_speed(r, 0.01), wf_rose_speed(r, 0.001));
 }
 
-/* A wind climate: read, printed unless quiet, written to FOLDER/tables/rose.csv, drawn. */
+/* What was fitted to the record, and how well it counts the hours of the record. */
+static void print_fits(const struct wf_rose_record *r)
+{
+    size_t sectors = r->rose.sectors;
+    wf_show(stdout, "\nWeibull fits by maximum likelihood, with standard errors for independent hours\n");
+    wf_show(stdout, "%-8s %8s %10s %10s %8s %8s\n", "from", "hours", "A m/s", "+-", "k", "+-");
+    for (size_t s = 0; s <= sectors; s++) {
+        const struct wf_rose_fit *f = &r->fit[s];
+        if (s < sectors)
+            wf_show(stdout, "%5.1f    %8zu", 360.0 * (double)s / (double)sectors, f->hours);
+        else
+            wf_show(stdout, "%-8s %8zu", "all", f->hours);
+        print_number(10, 3, f->scale), print_number(10, 3, f->scale_error);
+        print_number(8, 3, f->shape), print_number(8, 3, f->shape_error);
+        wf_show(stdout, "\n");
+    }
+    wf_show(stdout, "\nhours a year above %14s %12s\n", "in the record", "by the fits");
+    for (int k = 0; k < WF_ROSE_CLASSES; k++)
+        wf_show(stdout, "%10.0f m/s %19.1f %12.1f\n", wf_rose_classes[k],
+                8766.0 * wf_rose_record_above(r, wf_rose_classes[k]),
+                8766.0 * wf_rose_above(&r->rose, wf_rose_classes[k]));
+}
+
+/* The rose of the options: read, or made from a record. Returned: *record is NULL for one that was read. */
+static enum wf_status take_rose(const struct wind_options *o, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_rose *rose, struct wf_rose_record **record, struct wf_err *e)
+{
+    const char *file = o->gust.file;
+    *record = NULL;
+    if (!file == !o->record)
+        return wf_fail(e, WF_EUSAGE,
+                       "the wind rose needs --file, a wind climate, or --record, a station's record%s",
+                       file ? "; not both" : "");
+    if (file && o->sectors)
+        return wf_fail(e, WF_EUSAGE, "--sectors is for --record; the rose of --file has those of the file");
+    if (file) return wf_rose_read(file, a, d, rose, e);
+    const struct wf_rose_request q = { .columns = WF_GIVEN(o, gust.columns) ? o->gust.record.columns : NULL,
+                                       .sectors = o->sectors ? (size_t)atoi(o->sectors) : 0 };
+    if (!(*record = WF_TAKE(a, 1, struct wf_rose_record))) return wf_fail(e, WF_ENOMEM, "not enough memory");
+    enum wf_status s = wf_rose_from_record(o->record, &q, a, d, *record, e);
+    *rose = (*record)->rose;
+    return s;
+}
+
+/* A wind climate: read or made, printed unless quiet, written to FOLDER/tables/rose.csv, drawn. */
 static enum wf_status show_rose(const struct wind_options *o, const struct wf_doc_head *head,
                                 struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
-    const char *file = o->gust.file, *folder = o->output;
+    const char *file = o->record ? o->record : o->gust.file, *folder = o->output;
+    struct wf_rose_record *record;
     struct wf_run_folder f;
     struct wf_rose r;
-    if (!file) return wf_fail(e, WF_EUSAGE, "the wind rose needs --file");
-    enum wf_status status = wf_rose_read(file, a, d, &r, e);
+    enum wf_status status = take_rose(o, a, d, &r, &record, e);
     if (status) return status;
-    if (!o->args.quiet) print_rose(file, &r);
+    if (!o->args.quiet) print_rose(file, &r, record);
+    if (!o->args.quiet && record) print_fits(record);
+    fflush(stdout);
     status = wf_results_begin(&f, folder, o->no_plots ? NULL : "rose", e);
     if (status) return status;
-    status = wf_rose_results_write(&r, file, head, d, f.stage, e);
+    status = wf_rose_results_write(&r, file, record, head, d, f.stage, e);
     if (!status) status = wf_results_end(&f, o->no_plots ? NULL : o->lang, a, NULL, e);
     wf_run_abandon(&f);
     return status;

@@ -6,6 +6,7 @@
 #include "out/doc.h"
 #include "wind/climate.h"
 #include "wind/gust_report.h"
+#include "wind/rose_record.h"
 #include "wind/terrain.h"
 
 /* Write FOLDER/tables/{series,spectrum,histogram,coherence}.csv, plots/run.csv and results.json; the folder
@@ -15,11 +16,11 @@ enum wf_status wf_wind_results_write(const struct wf_gust_report *r, const struc
 /* Speeds for which a rose gives the share of time with a stronger wind [m/s]. */
 enum { WF_ROSE_CLASSES = 4 };
 extern const double wf_rose_classes[WF_ROSE_CLASSES];
-/* Write FOLDER/tables/rose.csv, plots/run.csv and results.json of a rose read from `file`; the folder is
- * made. Errors: WF_EOUTPUT, WF_ENOMEM. */
+/* Write FOLDER/tables/rose.csv, plots/run.csv and results.json of a rose read from `file`, or made from a
+ * record (else NULL); then tables/exceedance.csv too. The folder is made. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_rose_results_write(const struct wf_rose *r, const char *file,
-                                     const struct wf_doc_head *head, const struct wf_diag *diag,
-                                     const char *folder, struct wf_err *e);
+                                     const struct wf_rose_record *record, const struct wf_doc_head *head,
+                                     const struct wf_diag *diag, const char *folder, struct wf_err *e);
 
 /* Statistics of the wind that was written, and the specified ones. */
 struct wf_wind_streamed {

@@ -37,6 +37,8 @@ static enum wf_status one(void *context, size_t at, struct wf_err *e)
         enum wf_status s = wf_speed_totals(&an, w->o, w->an->at[k].speed, &d->at[k], e);
         if (s) return s;
     }
+    an.at = d->at; /* of this direction: where the tree fails above the range of the search */
+    an.search.seconds *= (double)w->out->request.n; /* the process's time is shared by the directions */
     return wf_analysis_breaks(&an, w->o, d->breaks, e);
 }
 
