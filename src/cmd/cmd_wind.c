@@ -424,7 +424,7 @@ static enum wf_status take_rose(const struct wind_options *o, struct wf_arena *a
     if (file && o->sectors)
         return wf_fail(e, WF_EUSAGE, "--sectors is for --record; the rose of --file has those of the file");
     if (file) return wf_rose_read(file, a, d, rose, e);
-    const struct wf_rose_request q = { .columns = WF_GIVEN(o, gust.columns) ? o->gust.record.columns : NULL,
+    const struct wf_rose_request q = { .columns = WF_GIVEN(o, gust.record.columns) ? o->gust.record.columns : NULL,
                                        .sectors = o->sectors ? (size_t)atoi(o->sectors) : 0 };
     if (!(*record = WF_TAKE(a, 1, struct wf_rose_record))) return wf_fail(e, WF_ENOMEM, "not enough memory");
     enum wf_status s = wf_rose_from_record(o->record, &q, a, d, *record, e);
