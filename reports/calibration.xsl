@@ -175,6 +175,9 @@
           <xsl:text> </xsl:text><xsl:value-of select="text"/>.</p>
         </xsl:for-each>
       </xsl:when>
+      <xsl:when test="$f/freedom = 0">
+        <p><xsl:call-template name="say"><xsl:with-param name="id">ft.determined.none</xsl:with-param></xsl:call-template></p>
+      </xsl:when>
       <xsl:when test="$f/parameters/item[nuisance = 'false' and bound != '']">
         <p><xsl:call-template name="say"><xsl:with-param name="id">ft.determined.rest</xsl:with-param></xsl:call-template></p>
       </xsl:when>
@@ -290,11 +293,14 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:choose>
+            <xsl:when test="$f/freedom = 0">ft.chi.none</xsl:when>
             <xsl:when test="$f/sigma_estimated = 'true'">ft.chi.estimated</xsl:when><xsl:otherwise>ft.chi</xsl:otherwise>
           </xsl:choose>
         </xsl:with-param>
         <xsl:with-param name="a">
-          <xsl:call-template name="four"><xsl:with-param name="x" select="$f/reduced_chi_square"/></xsl:call-template>
+          <xsl:if test="$f/freedom != 0">
+            <xsl:call-template name="four"><xsl:with-param name="x" select="$f/reduced_chi_square"/></xsl:call-template>
+          </xsl:if>
         </xsl:with-param>
         <xsl:with-param name="b" select="$f/freedom"/>
       </xsl:call-template>

@@ -15,7 +15,8 @@
 </xsl:template>
 <xsl:template name="text-row">
   <xsl:param name="key"/><xsl:param name="index" select="0"/><xsl:param name="text"/>
-  <row key="{$key}" index="{$index}" text="yes"><xsl:value-of select="normalize-space($text)"/></row>
+  <xsl:param name="kind">yes</xsl:param>
+  <row key="{$key}" index="{$index}" text="{$kind}"><xsl:value-of select="normalize-space($text)"/></row>
 </xsl:template>
 
 <!-- name, height [m], direction of the wind [rad], segments, wind speed of breakage [m/s]; which of the wind speeds
@@ -44,6 +45,7 @@
   </xsl:call-template>
   <xsl:call-template name="text-row">
     <xsl:with-param name="key">SOLVED</xsl:with-param><xsl:with-param name="index" select="$i"/>
+    <xsl:with-param name="kind">words</xsl:with-param>
     <xsl:with-param name="text">
       <xsl:for-each select="winds/item[contains($shown, concat(' ', count(preceding-sibling::item) + 1, ' '))]">
         <xsl:if test="status = 'ok'"><xsl:value-of select="concat(position(), ' ')"/></xsl:if>
@@ -93,6 +95,7 @@
     </xsl:call-template>
     <xsl:call-template name="text-row">
       <xsl:with-param name="key">STRONG</xsl:with-param>
+      <xsl:with-param name="kind">words</xsl:with-param>
       <xsl:with-param name="text">
         <xsl:for-each select="$trees">
           <xsl:if test="winds/item[least_safety/value != '']"><xsl:value-of select="concat(position(), ' ')"/></xsl:if>

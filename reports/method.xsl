@@ -137,9 +137,8 @@
 </xsl:template>
 
 <xsl:template name="warnings">
-  <xsl:variable name="all" select="$r/warnings/item | $trees/warnings/item"/>
   <xsl:choose>
-    <xsl:when test="not($all)">
+    <xsl:when test="not($warned)">
       <p><xsl:call-template name="say"><xsl:with-param name="id">w.none</xsl:with-param></xsl:call-template></p>
     </xsl:when>
     <xsl:otherwise>
@@ -151,7 +150,7 @@
           </tr>
         </thead>
         <tbody class="long">
-          <xsl:for-each select="$all">
+          <xsl:for-each select="$warned">
             <tr>
               <td style="width: 34mm">
                 <xsl:call-template name="term">

@@ -170,6 +170,15 @@
   </xsl:if>
 </xsl:template>
 
+<!-- Results that are not all that was ordered, or that nobody can check: said on top of the page. -->
+<xsl:template name="status">
+  <xsl:if test="$r/status = 'interrupted' or $r/status = 'unverified'">
+    <p class="status">
+      <xsl:call-template name="say"><xsl:with-param name="id" select="concat('status.', $r/status)"/></xsl:call-template>
+    </p>
+  </xsl:if>
+</xsl:template>
+
 <!-- Warnings of the run, each with its kind. -->
 <xsl:template name="findings">
   <xsl:param name="id">h.warnings</xsl:param>
@@ -229,6 +238,7 @@
         <p class="sub"><xsl:apply-templates select="." mode="sub"/></p>
         <p class="note"><span class="program"><xsl:value-of select="concat('windfirm ', $p/version)"/></span>,
           <xsl:value-of select="translate($p/date, 'TZ', '  ')"/>UTC</p>
+        <xsl:call-template name="status"/>
       </header>
       <xsl:apply-templates select="." mode="body"/>
       <xsl:call-template name="made"/>

@@ -141,6 +141,7 @@
         </xsl:with-param>
       </xsl:call-template>
     </table>
+    <xsl:call-template name="status"/>
   </header>
 </xsl:template>
 

@@ -53,7 +53,7 @@
   </xsl:call-template>
   <table class="data">
     <xsl:call-template name="caption">
-      <xsl:with-param name="id">rs.table</xsl:with-param>
+      <xsl:with-param name="id">rs.table<xsl:if test="$r/record">.record</xsl:if></xsl:with-param>
       <xsl:with-param name="a">
         <xsl:call-template name="given"><xsl:with-param name="x" select="$r/typed_sum"/></xsl:call-template>
       </xsl:with-param>
@@ -93,6 +93,73 @@
       </tr>
     </tbody>
   </table>
+  <xsl:if test="$r/record"><xsl:call-template name="record"/></xsl:if>
   <xsl:call-template name="findings"/>
+</xsl:template>
+
+<!-- A rose from a record: what the record has, what was fitted. -->
+<xsl:template name="record">
+  <xsl:variable name="of" select="$r/record"/>
+  <xsl:call-template name="h2"><xsl:with-param name="id">rs.h.record</xsl:with-param></xsl:call-template>
+  <p>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">rs.record</xsl:with-param>
+      <xsl:with-param name="a" select="$of/rows"/>
+      <xsl:with-param name="b" select="$of/directed"/>
+      <xsl:with-param name="c" select="concat($of/calm, ' (', format-number(100 * $of/calm_share, '0.0'), ' %)')"/>
+      <xsl:with-param name="d"
+        select="concat($of/undirected, ' (', format-number(100 * $of/undirected_share, '0.0'), ' %)')"/>
+    </xsl:call-template>
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">rs.record.lost</xsl:with-param>
+      <xsl:with-param name="a" select="$of/without_speed"/>
+    </xsl:call-template>
+  </p>
+  <xsl:call-template name="figure">
+    <xsl:with-param name="name">rose_record</xsl:with-param>
+    <xsl:with-param name="width">76%</xsl:with-param>
+  </xsl:call-template>
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">rs.fits</xsl:with-param></xsl:call-template>
+    <thead>
+      <tr>
+        <xsl:call-template name="heads">
+          <xsl:with-param name="of">c.from:°;c.record.hours:;c.weibull.a:m/s;c.error:m/s;c.shape:–;c.error:–</xsl:with-param>
+        </xsl:call-template>
+      </tr>
+    </thead>
+    <tbody class="long">
+      <xsl:for-each select="$of/fits/item">
+        <tr>
+          <xsl:choose>
+            <xsl:when test="position() = last()">
+              <td class="r">
+                <b><xsl:call-template name="say"><xsl:with-param name="id">rs.all</xsl:with-param></xsl:call-template></b>
+              </td>
+            </xsl:when>
+            <xsl:otherwise>
+              <xsl:call-template name="cell">
+                <xsl:with-param name="x" select="from_deg"/><xsl:with-param name="pattern">0.#</xsl:with-param>
+              </xsl:call-template>
+            </xsl:otherwise>
+          </xsl:choose>
+          <td class="r"><xsl:value-of select="hours"/></td>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="scale_m_s"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="scale_error_m_s"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="shape"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="shape_error"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+        </tr>
+      </xsl:for-each>
+    </tbody>
+  </table>
 </xsl:template>
 </xsl:stylesheet>

@@ -83,7 +83,8 @@
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">c.run;c.level;c.axes:;c.mean:m;c.largest:m;c.own:m;c.windward:m;c.leeward:m</xsl:with-param>
+          <xsl:with-param name="of">c.run;c.level;c.axes:;c.mean:m;c.largest:m;c.own:m;c.windward:m;c.leeward:m;
+        c.own.windward:m;c.own.leeward:m</xsl:with-param>
         </xsl:call-template>
       </tr>
     </thead>
@@ -102,6 +103,8 @@
             <xsl:call-template name="n"><xsl:with-param name="x" select="own_m"/></xsl:call-template>
             <xsl:call-template name="n"><xsl:with-param name="x" select="windward_m"/></xsl:call-template>
             <xsl:call-template name="n"><xsl:with-param name="x" select="leeward_m"/></xsl:call-template>
+            <xsl:call-template name="n"><xsl:with-param name="x" select="own_windward_m"/></xsl:call-template>
+            <xsl:call-template name="n"><xsl:with-param name="x" select="own_leeward_m"/></xsl:call-template>
           </tr>
         </xsl:for-each>
       </tbody>

@@ -26,6 +26,23 @@
   </xsl:choose>
 </xsl:template>
 
+<!-- Every warning once: those about the file of the tree are with each species. -->
+<xsl:variable name="warned" select="$r/warnings/item | $trees/warnings/item[not(text =
+  ../../preceding-sibling::item/warnings/item/text)]"/>
+
+<!-- A segment by its id in the file of the tree, its branching order and its thickness. -->
+<xsl:template name="segment">
+  <xsl:param name="section"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">segment.named</xsl:with-param>
+    <xsl:with-param name="a" select="$section/id"/>
+    <xsl:with-param name="b" select="$section/level"/>
+    <xsl:with-param name="c">
+      <xsl:call-template name="number"><xsl:with-param name="x" select="1000 * $section/diameter/value"/></xsl:call-template>
+    </xsl:with-param>
+  </xsl:call-template>
+</xsl:template>
+
 <!-- Wind speeds whose answers the method itself does not vouch for. -->
 <xsl:template name="small">
   <xsl:variable name="beyond" select="winds/item[within_limits = 'false']"/>
@@ -197,6 +214,19 @@
       </xsl:choose>
     </xsl:with-param>
   </xsl:call-template>
+  <xsl:if test="critical/outcome = 'self-weight' and critical/governing_section/diameter/value != ''">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.segment</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="part"><xsl:with-param name="level" select="critical/governing_section/part"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="segment"><xsl:with-param name="section" select="critical/governing_section"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c" select="format-number(critical/governing_section/height/value, '0.0')"/>
+    </xsl:call-template>
+  </xsl:if>
   <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'found' and critical_stem/within_limits =
     'true'">
     <xsl:value-of select="$gap"/>
@@ -351,6 +381,15 @@
         </xsl:call-template>
       </xsl:if>
     </p>
+    <xsl:for-each select="$warned[code = 'unseen-wood' or code = 'stems-apart']">
+      <p class="care">
+        <xsl:call-template name="term">
+          <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
+        </xsl:call-template>
+        <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
+        <xsl:value-of select="text"/>
+      </p>
+    </xsl:for-each>
     <!-- no ranking out of answers that are not valid -->
     <xsl:variable name="void">
       <xsl:for-each select="$trees">
@@ -377,20 +416,19 @@
       </p>
     </xsl:for-each>
   </div>
-  <xsl:variable name="warned" select="count($trees/warnings/item | $r/warnings/item)"/>
   <p>
     <xsl:call-template name="say">
       <xsl:with-param name="id">sum.wind</xsl:with-param><xsl:with-param name="a" select="$reference"/>
     </xsl:call-template>
-    <xsl:if test="$warned &gt; 0">
+    <xsl:if test="$warned">
       <xsl:value-of select="$gap"/>
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:choose>
-            <xsl:when test="$warned = 1">sum.warning</xsl:when><xsl:otherwise>sum.warnings</xsl:otherwise>
+            <xsl:when test="count($warned) = 1">sum.warning</xsl:when><xsl:otherwise>sum.warnings</xsl:otherwise>
           </xsl:choose>
         </xsl:with-param>
-        <xsl:with-param name="a" select="$warned"/><xsl:with-param name="b" select="6"/>
+        <xsl:with-param name="a" select="count($warned)"/><xsl:with-param name="b" select="6"/>
       </xsl:call-template>
     </xsl:if>
   </p>

@@ -48,6 +48,10 @@
           <xsl:value-of select="$gap"/>
           <xsl:call-template name="say"><xsl:with-param name="id">t.void</xsl:with-param></xsl:call-template>
         </xsl:if>
+        <xsl:if test="$trees/winds/item[status = 'ok' and least_safety/value &lt;= 1]">
+          <xsl:value-of select="$gap"/>
+          <xsl:call-template name="say"><xsl:with-param name="id">t.broken</xsl:with-param></xsl:call-template>
+        </xsl:if>
       </xsl:with-param>
     </xsl:call-template>
     <thead>
@@ -91,7 +95,9 @@
         <tbody class="long">
           <xsl:for-each select="$trees/winds/item">
             <tr>
-              <xsl:if test="within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
+              <xsl:if test="within_limits = 'false' or (status = 'ok' and least_safety/value &lt;= 1)">
+                <xsl:attribute name="class">void</xsl:attribute>
+              </xsl:if>
               <td class="r">
                 <xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
               </td>
@@ -106,7 +112,9 @@
           <tbody>
             <xsl:for-each select="$trees">
               <tr>
-                <xsl:if test="winds/item[$p]/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
+                <xsl:if test="winds/item[$p][within_limits = 'false' or (status = 'ok' and least_safety/value &lt;= 1)]">
+                  <xsl:attribute name="class">void</xsl:attribute>
+                </xsl:if>
                 <td class="r">
                   <xsl:if test="position() = 1">
                     <xsl:call-template name="given">
@@ -197,6 +205,11 @@
       </xsl:call-template>
       <xsl:if test="$at/governing_section/level &gt; 0"> (<xsl:call-template name="part">
         <xsl:with-param name="level" select="$at/governing_section/part"/></xsl:call-template>)</xsl:if>
+      <xsl:if test="$at/governing_section/diameter/value != ''">
+        <span class="why">
+          <xsl:call-template name="segment"><xsl:with-param name="section" select="$at/governing_section"/></xsl:call-template>
+        </span>
+      </xsl:if>
     </td>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/speed/value"/></xsl:call-template>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/governing_section/height/value"/></xsl:call-template>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/commands.h"
@@ -14,12 +15,12 @@ enum { COMMANDS_MAX = 64 };
 
 static int help(FILE *to)
 {
-    fprintf(to,
+    wf_show(to,
             "windfirm %s: what wind does to a tree\n\nUsage: windfirm COMMAND [argument...]\n\nCommands:\n",
             WF_VERSION);
     for (const struct wf_command *c = wf_commands; c->name; c++)
-        fprintf(to, "  %-10s %s\n", c->name, c->summary);
-    fprintf(to, "\n'windfirm COMMAND --help' lists a command's arguments, options, units and defaults.\n"
+        wf_show(to, "  %-10s %s\n", c->name, c->summary);
+    wf_show(to, "\n'windfirm COMMAND --help' lists a command's arguments, options, units and defaults.\n"
                 "'windfirm --version' prints the version.\n");
     return to == stdout ? 0 : 2;
 }
@@ -30,7 +31,7 @@ static int unknown(const char *word)
     size_t n = 0;
     for (; n < COMMANDS_MAX && wf_commands[n].name; n++) known[n] = wf_commands[n].name;
     struct wf_hint hint = wf_did_you_mean(word, known, n);
-    fprintf(stderr, "windfirm: unknown command '%s'%s\n", word,
+    wf_show(stderr, "windfirm: unknown command '%s'%s\n", word,
             *hint.text ? hint.text : "; 'windfirm --help' lists them");
     return 2;
 }
@@ -54,7 +55,7 @@ static int finish(int code)
     errno = 0;
     if (fclose(stdout) && !bad) bad = true, reason = errno;
     if (!bad) return code;
-    fprintf(stderr, "windfirm: standard output: %s\n",
+    wf_show(stderr, "windfirm: standard output: %s\n",
             reason == EBADF ? "is closed"
             : reason        ? strerror(reason)
                             : "write error");
@@ -68,13 +69,14 @@ static int run(int argc, char **argv)
     bool detail = strcmp(word, "help") == 0;
     if (strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0 || (detail && argc < 3)) return help(stdout);
     if (strcmp(word, "--version") == 0 || strcmp(word, "version") == 0)
-        return printf("windfirm %s\n", WF_VERSION) < 0;
+        return wf_show(stdout, "windfirm %s\n", WF_VERSION) < 0;
     if (strcmp(word, WF_READ_MAT_WORD) == 0) return wf_read_mat_apart(argc, argv);
     if (detail) word = argv[2];
     for (const struct wf_command *c = wf_commands; c->name; c++) {
         if (strcmp(word, c->name) != 0) continue;
         char page[] = "--help", *only_help[] = { argv[detail ? 2 : 1], page, NULL };
-        return detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
+        int code = detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
+        return wf_interrupted() ? 128 + wf_interrupted() : code;
     }
     return unknown(word);
 }

@@ -1,6 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Run the checks of layers, symbols and installed headers, every test program and the validation cases of a build; the last line is
+# Run the checks of layers, symbols and installed headers, every test program, the commands of the documentation and the
+# validation cases of a build; the last line is
 # "N passed, N failed" (", N skipped" when there are any). Given: the build folder.
 build=$1
 log=$build/tests/log
@@ -46,6 +47,13 @@ for source in tests/fuzz/read_*.c; do # every stored input through every reader
     name=$(basename "$source" .c | sed 's/^read_//')
     program "fuzz/$name" "$build/tests/fuzz/$name" "$name" tests/fuzz/corpus/*/* tests/fuzz/crashes/*/*
 done
+
+sh tests/docs.sh "$WINDFIRM" >"$log" 2>&1 </dev/null
+p=$(number '.*[^0-9]*\b\([0-9][0-9]*\) passed.*') f=$(number '.*\b\([0-9][0-9]*\) failed.*') s=$(number '.*\b\([0-9][0-9]*\) skipped.*')
+if [ $((p + f + s)) -eq 0 ]; then f=1; fi
+if [ "$f" -ne 0 ]; then cat "$log"; else grep '^skipped:' "$log"; fi
+echo "commands of the documentation: $p passed, $f failed, $s skipped"
+passed=$((passed + p)) failed=$((failed + f)) skipped=$((skipped + s))
 
 "$WINDFIRM" validate >"$log" 2>&1 </dev/null
 code=$?

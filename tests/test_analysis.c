@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* wf_analyze on stems whose answers are known: closed forms, balance of forces, invariance, limits. */
+#include "close.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "solve/solve.h"
-#include "close.h"
 #include "study/analysis.h"
 #include "study/limits.h"
 #include <string.h>
@@ -128,9 +128,11 @@ static void test_critical_speed(void **state)
     set_up(&b);
     assert_int_equal(run(&b, "linear", (const double[]){ 20 }, 1), WF_OK);
     assert_int_equal(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_FOUND);
-    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 20 * sqrt(b.out.at[0].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety), 2e-6);
+    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed,
+                 20 * sqrt(b.out.at[0].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety), 2e-6);
     double inertia = M_PI / 4 * pow(RADIUS, 4), moment = STRENGTH * inertia / RADIUS;
-    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, sqrt(moment * 2 / (HEIGHT * HEIGHT) / (0.5 * 1.2 * 2 * RADIUS)), 2e-6);
+    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed,
+                 sqrt(moment * 2 / (HEIGHT * HEIGHT) / (0.5 * 1.2 * 2 * RADIUS)), 2e-6);
     assert_int_equal(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].row, 0);
     assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].height, 0, 1e-9);
     double before = b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed;
@@ -144,14 +146,16 @@ static void test_critical_speed(void **state)
                      1e-9);
     assert_true(b.out.sweep[b.out.sweep_n - 1].speed >= before);
     for (size_t k = 1; k < b.out.sweep_n; k++) /* safety times U^2 stays the same */
-        assert_close(b.out.sweep[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety * pow(b.out.sweep[k].speed / 20, 2),
+        assert_close(b.out.sweep[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety *
+                         pow(b.out.sweep[k].speed / 20, 2),
                      b.out.at[0].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety, 1e-6);
     wf_arena_free(&b.arena);
     /* a thicker stem stands more, a taller one less */
     set_up(&b);
     b.model.radius = 1.2 * RADIUS;
     assert_int_equal(run(&b, "linear", (const double[]){ 20 }, 1), WF_OK);
-    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, before * 1.2, 2e-6); /* moment ~ r^3, drag ~ r */
+    assert_close(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, before * 1.2,
+                 2e-6); /* moment ~ r^3, drag ~ r */
     wf_arena_free(&b.arena);
     set_up(&b);
     b.model.height = 2 * HEIGHT;
@@ -209,7 +213,8 @@ static void test_balance(void **state)
         assert_true(at->tip_deflection_share > 0.3);
         assert_close(at->base_shear, at->drag, 1e-9);
         assert_close(fabs(at->response.base_force[2]), at->weight + at->lift, 1e-4);
-        double now[4] = { at->tip_deflection, at->tip_angle, at->base_moment, b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed };
+        double now[4] = { at->tip_deflection, at->tip_angle, at->base_moment,
+                          b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed };
         for (int i = 0; k && i < 4; i++) assert_close(now[i], before[i], 1e-6);
         memcpy(before, now, sizeof now);
         wf_arena_free(&b.arena);
@@ -235,7 +240,8 @@ static void test_agreement(void **state)
         assert_int_equal(run(&b, solver[k], (const double[]){ 7 }, 1), WF_OK);
         assert_close(b.out.at[0].base_shear, b.out.at[0].drag, 1e-9);
         assert_int_equal(b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_FOUND);
-        double critical = b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, height = b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].height;
+        double critical = b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed,
+               height = b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].height;
         wf_arena_free(&b.arena);
         set_up(&b);
         b.model.radius = 0.04;
@@ -246,8 +252,7 @@ static void test_agreement(void **state)
         const struct wf_worst *at = &b.out.at[0].worst[WF_BREAKAGE][WF_SCOPE_TREE];
         assert_close(at->safety, 1, 1e-5);
         const struct wf_tree *t = &b.out.tree;
-        assert_close(t->z0[at->row] + at->place * (t->z1[at->row] - t->z0[at->row]),
-                     height, 1e-3);
+        assert_close(t->z0[at->row] + at->place * (t->z1[at->row] - t->z0[at->row]), height, 1e-3);
         wf_arena_free(&b.arena);
     }
 }
@@ -276,7 +281,8 @@ static void test_limits(void **state)
     wf_arena_free(&b.arena);
     set_up(&b); /* ... but for a small-deflection method's breakage, where the post is far bent */
     assert_int_equal(run(&b, "linear", (const double[]){ 5 }, 1), WF_OK);
-    assert_true(!wf_limits_small_passed(&b.out.at[0]) && wf_limits_small_passed(&b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].at));
+    assert_true(!wf_limits_small_passed(&b.out.at[0]) &&
+                wf_limits_small_passed(&b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].at));
     assert_int_equal(b.diag.warnings, 1);
     assert_non_null(strstr(warning(&b, "small-deflection"), "the critical wind speed of "));
     wf_arena_free(&b.arena);
@@ -418,6 +424,79 @@ static void test_search(void **state)
     wf_arena_free(&b.arena);
 }
 
+/* A given speed at which the tree fails widens the search; one at which it stands does not. */
+static void test_searched_further(void **state)
+{
+    (void)state;
+    struct bench whole, narrow, above;
+    set_up(&whole), set_up(&narrow), set_up(&above);
+    assert_int_equal(run(&whole, "beam", (const double[]){ 10, 90 }, 2), WF_OK);
+    double critical = whole.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed;
+    assert_true(critical > 60 && critical < 90);
+    narrow.search.speed_max = 15;
+    assert_int_equal(run(&narrow, "beam", (const double[]){ 10, 90 }, 2), WF_OK);
+    const struct wf_critical *c = &narrow.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
+    assert_int_equal(c->outcome, WF_CRITICAL_FOUND);
+    assert_close(c->speed, critical, 1e-5);
+    assert_non_null(warning(&narrow, "searched-further"));
+    assert_null(warning(&narrow, "critical-above-range"));
+    above.search.speed_max = 15;
+    assert_int_equal(run(&above, "beam", (const double[]){ 10, 18 }, 2), WF_OK);
+    assert_int_equal(above.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome, WF_CRITICAL_ABOVE);
+    assert_null(warning(&above, "searched-further"));
+    wf_arena_free(&whole.arena), wf_arena_free(&narrow.arena), wf_arena_free(&above.arena);
+}
+
+static void count_solved(const struct wf_analysis *an, void *context)
+{
+    assert_true(an->n == 2 && an->at[1].tip_deflection > 0 && an->sweep == NULL);
+    ++*(int *)context;
+}
+
+/* The given speeds come first; a search without time says what it did not search. */
+static void test_search_ended(void **state)
+{
+    (void)state;
+    struct bench b;
+    int called = 0;
+    set_up(&b);
+    b.search.seconds = 1e-9, b.search.solved = count_solved, b.search.context = &called;
+    assert_int_equal(run(&b, "rod", (const double[]){ 10, 60 }, 2), WF_OK);
+    assert_int_equal(called, 1);
+    const struct wf_critical *c = &b.out.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
+    assert_int_equal(c->outcome, WF_CRITICAL_UNSEARCHED);
+    assert_true(isnan(c->speed) && c->speed_low == 0 && c->speed_high <= 100);
+    assert_int_equal(b.out.sweep_n, 2);
+    assert_close(b.out.sweep[1].tip_deflection, b.out.at[1].tip_deflection, 0);
+    assert_non_null(strstr(warning(&b, "search-ended"), "curves"));
+    wf_arena_free(&b.arena);
+    set_up(&b);
+    b.search.seconds = 0;
+    assert_int_equal(run(&b, "rod", (const double[]){ 10 }, 1), WF_EUSAGE);
+    wf_arena_free(&b.arena);
+}
+
+/* A limp pole in a storm lies down, and its tip comes below the ground. */
+static void test_through_ground(void **state)
+{
+    (void)state;
+    struct bench b;
+    set_up(&b);
+    b.level.youngs_modulus = measured(YOUNGS / 2000), b.level.shear_modulus = measured(YOUNGS / 32000);
+    b.scenario.gravity = 9.81;
+    assert_int_equal(run(&b, "beam", (const double[]){ 1, 3 }, 2), WF_OK);
+    double lowest = 0;
+    for (size_t i = 0; i < b.out.tree.n; i++)
+        lowest = fmin(lowest, b.out.tree.z1[i] + b.out.at[1].response.end[3 * i + 2]);
+    assert_true((lowest < -1e-3) == (warning(&b, "through-ground") != NULL));
+    assert_true(lowest < -1e-3);
+    wf_arena_free(&b.arena);
+    set_up(&b);
+    assert_int_equal(run(&b, "beam", (const double[]){ 10 }, 1), WF_OK);
+    assert_null(warning(&b, "through-ground"));
+    wf_arena_free(&b.arena);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -426,7 +505,8 @@ int main(void)
         cmocka_unit_test(test_agreement),    cmocka_unit_test(test_still_air),
         cmocka_unit_test(test_limits),       cmocka_unit_test(test_cannot_stand),
         cmocka_unit_test(test_refused),      cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_search),
+        cmocka_unit_test(test_search),       cmocka_unit_test(test_searched_further),
+        cmocka_unit_test(test_search_ended), cmocka_unit_test(test_through_ground),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

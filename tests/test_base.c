@@ -264,6 +264,47 @@ static void utf8_faults_are_placed(void **state)
     assert_true(wf_utf8_valid("", 0, &fault));
 }
 
+/* Text of users: nothing acts on a terminal, nothing is refused by XML, nothing overflows its place. */
+static void text_of_users(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *given, *terminal, *xml;
+    } rows[] = {
+        { "plain \xe6\x9f\xb3 \xc2\xb0 '\"`$\\", "plain \xe6\x9f\xb3 \xc2\xb0 '\"`$\\",
+          "plain \xe6\x9f\xb3 \xc2\xb0 '\"`$\\" },
+        { "two\nlines\t", "two\nlines\t", "two\nlines\t" },
+        { "\x1b[31mred\r\x7f", "\\x1b[31mred\\x0d\\x7f", "\xef\xbf\xbd[31mred\r\x7f" },
+        { "\xc2\x9b"
+          "31m",
+          "\\u009b31m",
+          "\xc2\x9b"
+          "31m" },
+        { "a\xe2\x80\xae"
+          "b\xe2\x81\xa6",
+          "a\\u202eb\\u2066",
+          "a\xe2\x80\xae"
+          "b\xe2\x81\xa6" },
+        { "a\xff\xc3", "a\\xff\\xc3", "a\xef\xbf\xbd\xef\xbf\xbd" },
+        { "\xef\xbf\xbe\xef\xbf\xbd", "\xef\xbf\xbe\xef\xbf\xbd", "\xef\xbf\xbd\xef\xbf\xbd" },
+        { "\xf0\x9f\x8c\xb3", "\xf0\x9f\x8c\xb3", "\xf0\x9f\x8c\xb3" },
+        { "", "", "" },
+    };
+    struct wf_arena a = { 0 };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        assert_string_equal(wf_text_for_terminal(rows[i].given, &a), rows[i].terminal);
+        assert_string_equal(wf_text_for_xml(rows[i].given, &a), rows[i].xml);
+    }
+    assert_string_equal(wf_text_shortened("abcdef", 6, &a), "abcdef");
+    assert_string_equal(wf_text_shortened("abcdefg", 6, &a), "abcde\xe2\x80\xa6");
+    assert_string_equal(wf_text_shortened("\xe6\x9f\xb3\xe6\x9f\xb3", 4, &a), "\xe6\x9f\xb3\xe6\x9f\xb3");
+    assert_string_equal(wf_text_shortened("\xe6\x9f\xb3\xe6\x9f\xb3"
+                                          "b",
+                                          4, &a),
+                        "\xe6\x9f\xb3\xe2\x80\xa6");
+    wf_arena_free(&a);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -276,6 +317,7 @@ int main(void)
         cmocka_unit_test(numbers_are_read_exactly),
         cmocka_unit_test(what_is_no_number),
         cmocka_unit_test(near_words),
+        cmocka_unit_test(text_of_users),
         cmocka_unit_test(utf8_faults_are_placed),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -122,11 +122,16 @@ static void headers_that_cannot_be_used(void **state)
         { "# only\n\n", 8, "the table is empty: a header row is expected", "" },
         { "a,b,A\n", 6, "the header row is not usable", "1:5: column 'A' occurs twice" },
         { "a,\"b\n", 5, "the header row is not usable", "1:3: a quote is opened here and never closed" },
-        { "a,b\n\xFF\n", 6, ":2:1: byte 0xFF is not UTF-8 text; save the file as UTF-8", "" },
+        { "a,b\n\x81\n", 6, ":2:1: byte 0x81 is not UTF-8 text; save the file as UTF-8", "" },
+        { "a,\xC3\xA9\n\xFF,1\n", 10, ":2:1: byte 0xFF is not UTF-8 text; save the file as UTF-8", "" },
         { "a,b\n1,\0\n", 8, ":2:3: byte 0x00 is not UTF-8 text; save the file as UTF-8", "" },
         { "\xFF\xFE"
-          "a\0",
-          4, ":1:1: the file is UTF-16 text; save it as UTF-8", "" },
+          "a\0\0\xD8",
+          6, ":1:1: the file is broken UTF-16 text; save it as UTF-8", "" },
+        { "\xFE\xFF\0a\n", 5, ":1:1: the file is broken UTF-16 text", "" },
+        { "# missing: none\na,b\n", 20, ":1: error: missing marks are numbers", "" },
+        { "\"TOB1\",\"a\",\"b\"\n", 15, "its rows are binary", "" },
+        { "[project]\na\n", 12, "sections without [data]", "" },
     };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         struct table t;
@@ -320,6 +325,23 @@ static void a_quoted_cell_is_bounded(void **state)
     }
 }
 
+/* A spreadsheet's error in the first cell is a missing value, not a comment. */
+static void an_error_in_the_first_cell_is_a_row(void **state)
+{
+    struct table t;
+    double v;
+    (void)state;
+    open_text(&t, "a,b\n#N/A,1\n# a comment, 2\n#DIV/0!,3\n");
+    for (int k = 0; k < 2; k++) {
+        assert_true(wf_csv_next(&t.csv));
+        assert_int_equal(wf_csv_value(&t.csv, 0, &v), WF_CSV_MISSING);
+        assert_true(wf_csv_number(&t.csv, 1, 0, 10, &v));
+        assert_true(fabs(v - (k ? 3 : 1)) < 1e-12);
+    }
+    assert_false(wf_csv_next(&t.csv));
+    close_table(&t);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -334,6 +356,7 @@ int main(void)
         cmocka_unit_test(a_long_table_is_quick),
         cmocka_unit_test(open_quotes_are_quick),
         cmocka_unit_test(a_quoted_cell_is_bounded),
+        cmocka_unit_test(an_error_in_the_first_cell_is_a_row),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Winds from all around: where they come from, symmetry, the same bytes on any number of threads, climate. */
+#include "close.h"
 #include "data/model.h"
 #include "data/species.h"
-#include "solve/solve.h"
 #include "load/drag.h"
-#include "close.h"
-#include "study/directions.h"
 #include "load/scene.h"
+#include "solve/solve.h"
+#include "study/directions.h"
 #include "wind/climate.h"
 #include <string.h>
 
@@ -81,7 +81,8 @@ static void each_direction_is_an_analysis(void **state)
     for (size_t k = 0; k < N; k++) {
         assert_close(straight.direction[k].at[1].base_moment, m.an.at[1].base_moment,
                      1e-7 * m.an.at[1].base_moment);
-        assert_close(straight.direction[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, m.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 1e-4);
+        assert_close(straight.direction[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed,
+                     m.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 1e-4);
     }
     wf_arena_free(&m.arena);
     start(&m, 0.2, 0.7);
@@ -95,8 +96,10 @@ static void each_direction_is_an_analysis(void **state)
             assert_close(leaning.direction[k].at[w].base_moment, one.an.at[w].base_moment, 0);
             assert_close(leaning.direction[k].at[w].tip_deflection, one.an.at[w].tip_deflection, 0);
         }
-        assert_close(leaning.direction[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, one.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 0);
-        least = fmin(least, one.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed), most = fmax(most, one.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
+        assert_close(leaning.direction[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed,
+                     one.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 0);
+        least = fmin(least, one.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed),
+        most = fmax(most, one.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
         wf_arena_free(&one.arena);
     }
     assert_true(most > 1.05 * least); /* a leaning tree is weaker to the wind in its back */
@@ -116,7 +119,8 @@ static void the_tree_turned(void **state)
     for (size_t k = 0; k < N; k++) {
         const struct wf_direction *x = &east.direction[(k + N / 4) % N], *y = &north.direction[k];
         assert_close(y->at[1].base_moment, x->at[1].base_moment, 1e-6 * x->at[1].base_moment);
-        assert_close(y->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, x->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 1e-3);
+        assert_close(y->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed,
+                     x->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, 1e-3);
     }
     wf_arena_free(&a.arena), wf_arena_free(&b.arena);
 }
@@ -145,7 +149,7 @@ static void hours_of_a_climate(void **state)
 {
     (void)state;
     double column[4][N];
-    struct wf_rose r = { N, column[0], column[1], column[2], column[3], 1 };
+    struct wf_rose r = { N, column[0], column[1], column[2], column[3], 1, NULL };
     struct made m;
     struct wf_directions out;
     double factor;

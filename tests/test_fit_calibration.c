@@ -14,15 +14,16 @@ struct job {
     struct wf_test_data data;
 };
 
-static enum wf_status read_text(struct job *j, const char *text, const struct wf_test_column *c, size_t n,
+static enum wf_status read_text(struct job *j, const char *text, const struct wf_column *c, size_t n,
                                 const char *time)
 {
     struct scratch s;
     memset(j, 0, sizeof *j);
     j->diag.arena = &j->arena;
     scratch_write(&s, text, strlen(text));
-    enum wf_status status = wf_test_data_read(wf_arena_text(&j->arena, s.path), c, n, time, NULL, 0,
-                                              &j->arena, &j->data, &j->diag, &j->err);
+    struct wf_test_rows how = { .time = time, .rate = NAN };
+    enum wf_status status = wf_test_data_read(wf_arena_text(&j->arena, s.path), c, n, &how, &j->arena,
+                                              &j->data, &j->diag, &j->err);
     scratch_remove(&s);
     return status;
 }
@@ -34,8 +35,8 @@ static bool found(const struct job *j, const char *words)
     return strstr(all, words) || strstr(j->err.text, words);
 }
 
-static const struct wf_test_column force_and_tilt[] = { { "F_kN", NULL, WF_DIM_FORCE },
-                                                        { "tilt_deg", NULL, WF_DIM_ANGLE } };
+static const struct wf_column force_and_tilt[] = { { "F_kN", NULL, WF_DIM_FORCE },
+                                                   { "tilt_deg", NULL, WF_DIM_ANGLE } };
 
 static void units_come_from_the_names(void **unused)
 {
@@ -63,7 +64,7 @@ static void units_come_from_the_names(void **unused)
     assert_int_equal(wf_units_open(&u, NULL), WF_OK);
     for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
         struct wf_err e = { 0 };
-        struct wf_test_column c = { name[i].name, name[i].unit, name[i].dimension };
+        struct wf_column c = { name[i].name, name[i].unit, name[i].dimension };
         double factor = 0;
         enum wf_status status = wf_column_unit(u, &c, &factor, &e);
         if (name[i].factor > 0) {

@@ -22,6 +22,16 @@ static void answers(void **unused)
         "$W analyze $T/mine.yaml --model models/culm.yaml --wind 10 --no-report -o $T/a && $W species show "
         "$T/mine.yaml",
         0, "measured  fit_sample_pull");
+    /* text that means something in YAML comes back as it was */
+    prints("sed 's/^name:.*/name: \"a: b # c \\\\\"q\\\\\" {x}, [y] | > % @ `z` - yes\"/; s/^latin:.*/latin: "
+           "\"no\"/' "
+           "species/scots_pine.yaml > $T/np.yaml; sed \"s|species: scots_pine|species: $T/np.yaml|; "
+           "s|sample_pine.yaml|$PWD/models/field/sample_pine.yaml|; "
+           "s|data/sample|$PWD/models/field/data/sample|\" "
+           "models/field/sample_pull.yaml > $T/ns.yaml; $W fit $T/ns.yaml --no-report --no-profile "
+           "--no-rival -q "
+           "--write \"$T/a: b.yaml\" -o $T/o && $W species show \"$T/a: b.yaml\"",
+           0, "a__b, a: b # c \"q\" {x}, [y] | > % @ `z` - yes");
     prints("$W fit $S --loss cauchy --no-report --no-profile --no-rival -o $T/o", 0, "root.stiffness");
     prints("sed \"/^    data:/d; s|sample_pine|$PWD/models/field/sample_pine|; "
            "s|sample_small_pine|$PWD/models/field/sample_small_pine|\" "

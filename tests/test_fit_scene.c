@@ -86,7 +86,9 @@ static void make_up(struct job *j, const struct wf_scenario *scene)
     struct wf_model m;
     struct wf_analysis an;
     struct wf_solve_options o;
-    struct wf_search search = { 60 };
+    struct wf_search search;
+    wf_search_default(&search);
+    search.speed_max = 60;
     wf_solve_options_default(&o);
     if (wf_species_read("species/moso_bamboo.yaml", &wf_laws, &j->arena, &sp, &j->diag, &j->err) ||
         wf_model_read("models/moso_culm.yaml", &j->arena, &m, &j->diag, &j->err) ||

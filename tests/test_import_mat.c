@@ -4,6 +4,7 @@
 #include "data/species.h"
 #include "grow/import_mat.h"
 #include "grow/import_pack.h"
+#include "grow/qsm_write.h"
 #include "imported.h"
 #include "shell.h"
 #include <dirent.h>
@@ -273,6 +274,81 @@ static void the_program_reads_in_a_process_of_its_own(void **state)
     assert_int_equal(shell(command), 0);
 }
 
+/* Models of the tree whose radii grow by a tenth from one to the next, as a structure array or as cells. */
+static void models_write(const char *path, size_t models, bool cells)
+{
+    float as_is[3];
+    memcpy(as_is, radius, sizeof as_is);
+    mat_t *mat = Mat_CreateVer(path, NULL, MAT_FT_MAT5);
+    assert_non_null(mat);
+    matvar_t *all =
+        cells ? Mat_VarCreate("QSMs", MAT_C_CELL, MAT_T_CELL, 2, (size_t[]){ 1, models }, NULL, 0)
+              : Mat_VarCreateStruct("QSM", 2, (size_t[]){ 1, models }, (const char *[]){ "cylinder" }, 1);
+    for (size_t k = 0; k < models; k++) {
+        for (int i = 0; i < 3; i++) radius[i] = as_is[i] * (float)(1 + 0.1 * (double)k);
+        matvar_t *one =
+            cells ? Mat_VarCreateStruct(NULL, 2, (size_t[]){ 1, 1 }, (const char *[]){ "cylinder" }, 1) : all;
+        Mat_VarSetStructFieldByName(one, "cylinder", cells ? 0 : k, cylinder(NULL));
+        if (cells) Mat_VarSetCell(all, (int)k, one);
+    }
+    assert_int_equal(Mat_VarWrite(mat, all, MAT_COMPRESSION_NONE), 0);
+    Mat_VarFree(all);
+    assert_int_equal(Mat_Close(mat), 0);
+    memcpy(radius, as_is, sizeof as_is);
+}
+
+static void one_model_of_several_is_chosen(void **state)
+{
+    (void)state;
+    static const char *const number[] = { NULL, "1", "2", "3" };
+    char path[] = "/tmp/windfirm-test-XXXXXX";
+    close(mkstemp(path));
+    for (int cells = 0; cells < 2; cells++) {
+        models_write(path, 3, cells);
+        for (size_t k = 0; k < 4; k++) {
+            struct imported t;
+            struct wf_import_options o = wf_import_default();
+            o.scan_model = number[k];
+            import_with(&t, path, o);
+            if (t.status) fail_msg("%s", t.err.text);
+            assert_int_equal(t.qsm.models, 3);
+            assert_int_equal(t.qsm.repairs.count[WF_NOTE_MODELS], k ? 0 : 2);
+            assert_close(t.qsm.r0[0], 0.05 * (1 + 0.1 * (double)(k > 1 ? k - 1 : 0)), 1e-7);
+            wf_arena_free(&t.arena);
+        }
+        struct imported t;
+        struct wf_import_options o = wf_import_default();
+        o.scan_model = "4";
+        import_with(&t, path, o);
+        assert_int_equal(t.status, WF_EINPUT);
+        assert_non_null(strstr(t.err.text, "--scan-model 4: the file has 3 models"));
+        wf_arena_free(&t.arena);
+    }
+    setenv("MODELS", path, 1);
+    static const struct row rows[] = {
+        { "$W tree info $MODELS", 0, { "2 further tree models" } },
+        { "$W tree info $MODELS --scan-model 3", 0, { "base diameter       0.1200 m", "repairs " } },
+        { "$W tree info $MODELS --scan-model all",
+          0,
+          { "3 models of one tree", "range over 3 models: height 1.500 to 1.500 m, dbh 0.0800 to 0.0960 m",
+            "wood 0.0109956 to 0.0158336 m3" } },
+        { "$W tree info $MODELS --csv --scan-model all | cut -d, -f1", 0, { "#1\"", "#2\"", "#3\"" } },
+        { "$W tree info $MODELS --scan-model 0", 2, { "'0': not the number of a model" } },
+        { "$W import $MODELS --scan-model all", 2, { "by its number" } },
+        { "$W import $D/plain.csv --scan-model 1", 2, { "only a MATLAB file" } },
+        { "$W analyze oak --tree $MODELS --scan-model all --wind 10 --leaf-area 200 --no-report -o $T/o; "
+          "grep "
+          "-c scan-models "
+          "$T/o/results.json",
+          0,
+          { "scan-models", "over 3 of 3 models of the scan: critical wind speed ",
+            "lowest of model 1 (--scan-model 1)", "height 1.50 to 1.50 m" } },
+        { "$W analyze oak --model models/culm.yaml --scan-model all --wind 10", 2, { "--tree" } },
+    };
+    CHECK(rows);
+    unlink(path);
+}
+
 static void the_program_survives_damaged_files(void **state)
 {
     (void)state;
@@ -285,7 +361,7 @@ static void the_program_survives_damaged_files(void **state)
         { "ulimit -t 1; $W import tests/data/mat/hang_v73.mat $D/plain.csv; c=$?; [ $c -le 2 ]; exit",
           0,
           { "hang_v73.mat", "plain.csv: plain CSV" } },
-        { "$W --read-mat; $W --read-mat 1 tests/data/mat/crash_v73.mat", 2, { NULL } },
+        { "$W --read-mat; $W --read-mat 1 tests/data/mat/crash_v73.mat ''", 2, { NULL } },
     };
     CHECK(rows);
     assert_int_equal(shell("$W import tests/data/mat/crash_v73.mat 2>&1 | grep -c 'HDF5-DIAG'; true"), 0);
@@ -340,7 +416,7 @@ static void real_files_both_ways(void **state)
         snprintf(name, sizeof name, "%s/trees/qsm/%s", reference, f->d_name);
         import_path(&t, name);
         if (t.status) fail_msg("%s", t.err.text);
-        assert_int_equal(wf_qsm_write(&t.qsm, "/tmp/windfirm-test-real.csv", &t.err), WF_OK);
+        assert_int_equal(wf_qsm_write(&t.qsm, "/tmp/windfirm-test-real.csv", NULL, &t.err), WF_OK);
         wf_arena_free(&t.arena);
         snprintf(command, sizeof command,
                  "$W import -q %s -o $T/t.csv && cmp $T/t.csv /tmp/windfirm-test-real.csv", name);
@@ -383,7 +459,7 @@ static struct bytes some_answer(enum wf_status code, const char *message)
     struct wf_arena a = { 0 };
     struct wf_diag d = { .arena = &a };
     struct wf_err e = { 0 };
-    struct wf_qsm q = { .file = "t.mat", .format = "MATLAB file" };
+    struct wf_qsm q = { .file = "t.mat", .format = "MATLAB file", .models = 2 };
     struct bytes b = { NULL, 0 };
     assert_int_equal(wf_qsm_alloc(&q, 3, &a, &e), WF_OK);
     for (size_t i = 0; i < 3; i++) {
@@ -419,6 +495,7 @@ static void an_answer_comes_back(void **state)
     unpack(&t, b.text, b.size, false);
     assert_int_equal(t.status, WF_OK);
     assert_int_equal(t.qsm.n, 3);
+    assert_int_equal(t.qsm.models, 2);
     assert_int_equal(t.qsm.id[2], 3);
     assert_int_equal(t.qsm.parent_id[2], 2);
     assert_close(t.qsm.z1[2], 3, 1e-15);
@@ -512,6 +589,7 @@ int main(void)
         cmocka_unit_test(damaged_variants_of_version_5),
         cmocka_unit_test(damaged_variants_of_version_73),
         cmocka_unit_test(the_program_reads_in_a_process_of_its_own),
+        cmocka_unit_test(one_model_of_several_is_chosen),
         cmocka_unit_test(the_program_survives_damaged_files),
         cmocka_unit_test(the_program_says_the_same_twice),
         cmocka_unit_test(real_files_both_ways),

@@ -105,7 +105,7 @@ static void what_is_no_tree_is_refused(void **state)
     REFUSE("\x7f"
            "ELF\0\1\2\3\0\0\0",
            "neither text nor a MATLAB file");
-    REFUSE("a,b\n\xff\xfe,2\n", "UTF-8");
+    REFUSE("a,b\n\x81\xfe,2\n", "UTF-8");
     REFUSE("dbh,height\n30,20\n", "lacks a parent column");
     REFUSE("id,parent,x0,y0,z0,radius\n1,0,0,0,0,0.1\n", "lacks the end point");
     REFUSE("id,parent,x0,y0,z0,x1,y1,z1\n1,0,0,0,0,0,0,1\n", "lacks a radius");

@@ -48,10 +48,10 @@ static void file(void **state)
     assert_true(fd >= 0);
     assert_int_equal(write(fd, "abc", 3), 3);
     close(fd);
-    assert_int_equal(wf_sha256_file(path, text, &e), WF_OK);
+    assert_int_equal(wf_sha256_file(path, &(struct wf_arena){ 0 }, text, &e), WF_OK);
     assert_string_equal(text, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
     unlink(path);
-    assert_int_equal(wf_sha256_file(path, text, &e), WF_EINPUT);
+    assert_int_equal(wf_sha256_file(path, &(struct wf_arena){ 0 }, text, &e), WF_EINPUT);
     assert_non_null(strstr(e.text, path));
 }
 
@@ -60,7 +60,7 @@ static void folder(void **state)
     (void)state;
     char text[WF_SHA256_TEXT];
     struct wf_err e = { 0 };
-    assert_int_equal(wf_sha256_file("/tmp", text, &e), WF_EINPUT);
+    assert_int_equal(wf_sha256_file("/tmp", &(struct wf_arena){ 0 }, text, &e), WF_EINPUT);
     assert_non_null(strstr(e.text, "/tmp: cannot be read"));
 }
 

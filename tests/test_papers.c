@@ -31,6 +31,31 @@ static void shelter_calms_the_leeward_side(void **state)
     assert_true(level[1].leeward / level[1].windward < level[0].leeward / level[0].windward);
 }
 
+/* The same on a tree whose shoots do not stream: on every level the windward side moves more, of the whole
+ * and of its own part, and shelter takes more of the leeward side. */
+static void stiff_shoots_show_the_sides(void **state)
+{
+    (void)state;
+    struct wf_series_level level[2][4];
+    for (int k = 0; k < 2; k++) {
+        struct made m;
+        start(&m, "species/oak.yaml", "models/papers/broadleaf_few_shoots.yaml");
+        m.run.wind = 12, m.run.shelter = k ? "wake" : "none";
+        m.run.gust = "cosine", m.run.intensity = 0.25, m.run.period = 10, m.run.duration = 10;
+        m.run.step = 2.5;
+        if (try(&m)) fail_msg("%s", m.err.text);
+        assert_true(m.series.levels == 4 && m.series.failed == 0 && m.series.broken == m.series.frames);
+        memcpy(level[k], m.series.level, sizeof level[k]);
+        wf_arena_free(&m.arena);
+    }
+    for (int l = 1; l < 4; l++) {
+        const struct wf_series_level *open = &level[0][l], *in = &level[1][l];
+        assert_true(in->windward > 1.35 * in->leeward && in->own_windward > 1.35 * in->own_leeward);
+        assert_true(in->windward < 0.85 * open->windward && in->leeward < 0.8 * open->leeward);
+        assert_true(in->leeward / open->leeward < in->windward / open->windward);
+    }
+}
+
 static double tip(const char *model, const char *preset)
 {
     struct made m;
@@ -165,6 +190,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(shelter_calms_the_leeward_side),
+        cmocka_unit_test(stiff_shoots_show_the_sides),
         cmocka_unit_test(printed_chain_shrinks),
         cmocka_unit_test(strong_wind_sways_more),
         cmocka_unit_test(leaves_by_noise),

@@ -44,7 +44,9 @@ static void strange_texts_and_numbers_come_back(void **state)
                                          "# {/Bold enhanced} %g %s ~a",
                                          "\xe6\x9f\xb3 \xe2\x80\x93 \xc2\xb0",
                                          "",
-                                         "1e-5 NaN" };
+                                         "1e-5 NaN",
+                                         "'Lombardy' poplar",
+                                         "''" };
     static const double numbers[] = { 0, -1.5e-7, 1e-5, 1e300, 123456789, 0.1, -3 };
     enum { TEXTS = sizeof texts / sizeof *texts, NUMBERS = sizeof numbers / sizeof *numbers };
     struct wf_err e = { 0 };
@@ -56,6 +58,12 @@ static void strange_texts_and_numbers_come_back(void **state)
     for (size_t i = 0; i < TEXTS; i++) wf_plot_data_text(&p, "TEXT", i + 1, texts[i]);
     for (size_t i = 0; i < NUMBERS; i++) wf_plot_data_number(&p, "NUMBER", i + 1, numbers[i]);
     wf_plot_data_number(&p, "NONE", 0, NAN);
+    char many[3501];
+    memset(many, '\'', sizeof many - 1);
+    many[sizeof many - 1] = '\0';
+    wf_plot_data_text(&p, "MANY", 0, many);
+    wf_plot_data_words(&p, "WORDS", 0, "1 2 3 ");
+    wf_plot_data_text(&p, "XML", 0, "]]> &#x41; \xef\xbf\xbe");
     wf_plot_data_text(&p, "LINES", 0, "two\nlines");
     assert_int_equal(wf_plot_data_end(&p, &e), WF_OK);
     snprintf(command, sizeof command,
@@ -66,6 +74,8 @@ static void strange_texts_and_numbers_come_back(void **state)
              "do for [i=1:%d] { print sprintf('%%.17g', number('NUMBER', i)) }\n"
              "print number('NONE', 0), ' ', number('NOWHERE', 3), '<'.text_of('LINES', 0).'>', L('TIME'), "
              "L('no such')\n"
+             "print strlen(text_of('MANY', 0)), text_of('MANY', 0)[160:160], words(text_of('WORDS', 0)), "
+             "text_of('XML', 0)\n"
              "END\ngnuplot -c %s/t.gp %s",
              folder, (int)TEXTS, (int)NUMBERS, folder, folder);
     if (shell(command)) fail_msg("%s", output);
@@ -82,7 +92,8 @@ static void strange_texts_and_numbers_come_back(void **state)
         if (fabs(x - numbers[i]) > 1e-14 * fabs(numbers[i])) fail_msg("want %g but: %s", numbers[i], at);
         at = end + 1;
     }
-    assert_string_equal(at, "NaN   NaN <two lines> time (s) no such\n");
+    assert_string_equal(at, "NaN   NaN <two lines> time (s) no such\n160 \xe2\x80\xa6 3 "
+                            "]]\xe2\x81\xa0> &\xe2\x81\xa0#x41; \xef\xbf\xbd\n");
     assert_int_not_equal(access("/tmp/windfirm-was-here", F_OK), 0);
 }
 

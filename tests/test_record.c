@@ -40,10 +40,11 @@ static struct wf_arena arena;
 static struct wf_err err;
 static struct wf_diag diag;
 
-static enum wf_status read_rows(void (*spoil)(int, char *))
+static enum wf_status read_rows_gap(void (*spoil)(int, char *), double gap)
 {
     struct wf_record_request q;
     wf_record_request_default(&q);
+    q.gap = gap;
     char *text = rows(spoil);
     write_file(text);
     free(text);
@@ -54,6 +55,8 @@ static enum wf_status read_rows(void (*spoil)(int, char *))
     unlink(path);
     return s;
 }
+
+static enum wf_status read_rows(void (*spoil)(int, char *)) { return read_rows_gap(spoil, 5.0); }
 
 static void turned_into_the_wind(void **state)
 {
@@ -75,7 +78,7 @@ static void holes(int i, char *row)
     if (i == 50) strcpy(row, "5.0,NA,4.0,1.0\n");
     if (i == 51) strcpy(row, "5.1,,4.0,1.0\n");
     if (i == 120) strcpy(row, "12.0,3.0,sensor fault,1.0\n");
-    if (i == 150) strcpy(row, "15.0,999,4.0,1.0\n");
+    if (i == 150 || i == 152) sprintf(row, "%.1f,999,4.0,1.0\n", i / 10.0);
     if (i >= 170 && i < 173) row[0] = '\0'; /* rows that are not there */
 }
 
@@ -85,9 +88,9 @@ static void gaps_are_bridged_and_counted(void **state)
     assert_int_equal(read_rows(holes), WF_OK);
     assert_int_equal(record.n, 200);
     assert_int_equal(record.rows, 197);
-    assert_int_equal(record.unreadable, 4);
-    assert_int_equal(record.missing, 7);
-    assert_int_equal(record.gaps, 4);
+    assert_int_equal(record.unreadable, 5);
+    assert_int_equal(record.missing, 8);
+    assert_int_equal(record.gaps, 5);
     assert_int_equal(record.longest, 3);
     for (size_t i = 0; i < record.n; i++) assert_true(isfinite(record.u[i]));
     /* a straight line: the middle of three is the mean of its neighbours */
@@ -95,13 +98,17 @@ static void gaps_are_bridged_and_counted(void **state)
     assert_int_equal(diag.errors, 0);
 }
 
+static void lone_peak(int i, char *row)
+{
+    if (i == 150) strcpy(row, "15.0,999,4.0,1.0\n");
+}
 static void many_words(int i, char *row)
 {
     if (i % 10 == 7) sprintf(row, "%.1f,error,4.0,1.0\n", i / 10.0);
 }
 static void long_gap(int i, char *row)
 {
-    if (i >= 100 && i < 121) row[0] = '\0';
+    if (i >= 100 && i < 109) row[0] = '\0';
 }
 static void backwards(int i, char *row)
 {
@@ -119,8 +126,13 @@ static void refusals(void **state)
     assert_non_null(strstr(err.text, "20 of 200 rows"));
     assert_non_null(strstr(err.text, ":9:5: error:")); /* first bad cell: row 7, line 9, second column */
     assert_non_null(strstr(err.text, "'error'"));
-    assert_int_equal(read_rows(long_gap), WF_EINPUT);
-    assert_true(strstr(err.text, "steps") || strstr(err.text, "no reading from"));
+    assert_int_equal(read_rows(long_gap), WF_OK);
+    assert_int_equal(read_rows_gap(long_gap, 0.5), WF_EINPUT);
+    assert_non_null(strstr(err.text, "no reading from"));
+    assert_int_equal(read_rows(lone_peak), WF_EINPUT);
+    assert_non_null(strstr(err.text, ":152: error: column 'u_ms': 999 "));
+    assert_non_null(strstr(err.text, "--missing 999"));
+    assert_non_null(strstr(err.text, "--missing none"));
     assert_int_equal(read_rows(backwards), WF_EINPUT);
     assert_non_null(strstr(err.text, ":32: error: time 1 s is not after"));
     assert_int_equal(read_rows(dense), WF_EINPUT);

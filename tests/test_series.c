@@ -38,6 +38,55 @@ static void trends_of_tang(void **state)
     }
 }
 
+static const char *found(const struct made *m, const char *code)
+{
+    for (const struct wf_finding *f = m->diag.first; f; f = f->next)
+        if (f->code && !strcmp(f->code, code)) return f->text;
+    return NULL;
+}
+
+/* A steady wind is one balance, drawn once and said; the deflect scheme settles, so its frames stay. */
+static void steady_is_one_frame(void **state)
+{
+    (void)state;
+    struct made m;
+    start(&m, "species/moso_bamboo.yaml", "models/moso_culm.yaml");
+    double alone = deflection(&m);
+    m.run.duration = 10, m.run.keys = 8;
+    assert_null(found(&m, "steady-wind"));
+    assert_close(deflection(&m), alone, 0);
+    assert_true(m.series.frames == 20 && m.series.spec.keys == 1);
+    for (size_t k = 0; k < 20; k++) {
+        assert_close(m.series.deflection[k], alone, 0);
+        assert_close(m.series.safety[k], m.series.safety[0], 0);
+    }
+    assert_non_null(found(&m, "steady-wind"));
+    m.run.solver = "deflect", m.run.damping = 0.1;
+    if (try(&m)) fail_msg("%s", m.err.text);
+    assert_true(m.series.spec.keys == 8 && isnan(m.series.safety[0]));
+    wf_arena_free(&m.arena);
+}
+
+/* From the first frame whose stress reaches the strength on, frames are beyond breakage; a gust before is
+ * not. */
+static void beyond_breakage(void **state)
+{
+    (void)state;
+    struct made m;
+    start(&m, "species/moso_bamboo.yaml", "models/moso_culm.yaml");
+    m.run.gust = "cosine", m.run.intensity = 0.5, m.run.period = 10, m.run.duration = 10, m.run.keys = 4;
+    if (try(&m)) fail_msg("%s", m.err.text);
+    assert_true(m.series.broken == m.series.frames && m.series.safety[0] > 1);
+    assert_null(found(&m, "broken"));
+    m.run.wind = 45;
+    if (try(&m)) fail_msg("%s", m.err.text);
+    const struct wf_series *s = &m.series;
+    assert_true(s->broken > 0 && s->broken < s->frames);
+    assert_true(s->safety[s->broken] <= 1 && s->safety[s->broken - 1] > 1);
+    assert_non_null(found(&m, "broken"));
+    wf_arena_free(&m.arena);
+}
+
 static void wind_and_tip(void **state)
 {
     (void)state;
@@ -242,6 +291,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(trends_of_tang),
+        cmocka_unit_test(steady_is_one_frame),
+        cmocka_unit_test(beyond_breakage),
         cmocka_unit_test(wind_and_tip),
         cmocka_unit_test(deflect_keeps_its_memory),
         cmocka_unit_test(presets_tell_their_departures),

@@ -4,6 +4,7 @@
 #include "shell.h"
 
 #define QSM "tests/data/qsm/"
+#define PUBLIC "tests/data/public/"
 #define QUICK "--wind 10 --no-report --mesh-tolerance 1e-2 -o $T/out "
 
 static void one_tree_is_meant(void **state)
@@ -42,6 +43,65 @@ static void branched_and_measured_trees_are_analysed(void **state)
     check(rows, sizeof rows / sizeof *rows);
 }
 
+/* The same options where a scan is read, and the part that fails by id, order and diameter. */
+static void scans_that_are_doubtful(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W tree info " PUBLIC "two_trees.csv", 2, { "'1' (2 rows", "'2' (2 rows", "--tree-id" } },
+        { "$W tree info " PUBLIC "two_trees.csv --tree-id 2", 0, { "0.187459 m3", "1 stem\n" } },
+        { "$W import " PUBLIC "two_trees.csv --tree-id 1", 0, { "2 cylinders, height 3.00 m" } },
+        { "$W tree info " PUBLIC "radius_na.csv", 0, { "0.221168 m3", "0 lateral branches" } },
+        { "$W tree info " PUBLIC "stem_removed.csv --force | head -n 2",
+          0,
+          { "WARNING", "0.0118 m3 of wood was not scanned, 82.4 % of" } },
+        { "$W tree info " PUBLIC "stem_removed.csv", 2, { "82.4 %", "--force" } },
+        { "$W analyze oak --tree " PUBLIC "stem_removed.csv " QUICK, 2, { "82.4 %", "--force" } },
+        { "$W compare oak beech --tree " PUBLIC "stem_removed.csv --force " QUICK
+          "&& grep -c '\"code\": \"unseen-wood\"' $T/out/results.json",
+          0,
+          { "[unseen-wood]", "\n2\n" } },
+        { "$W shelter --species oak --wind 10 --tree " PUBLIC "stem_removed.csv -o $T/out",
+          2,
+          { "--force" } },
+        { "$W shelter --species oak --wind 10 --no-plots --no-motion --slabs 2 --cells 8 --tree " PUBLIC
+          "stem_removed.csv --force -o $T/out",
+          0,
+          { "[unseen-wood]" } },
+        { "$W analyze oak --tree " PUBLIC "thick_child.csv " QUICK
+          "&& grep -A3 '\"part\": \"branch of order 1\"' $T/out/results.json",
+          0,
+          { "id 4, 66 mm on 5 mm", "(id 3, order 1, 5 mm thick) 6.00 m above the ground", "\"id\": 3" } },
+        { "$W analyze oak --tree " PUBLIC "thick_child.csv --cap-children " QUICK,
+          0,
+          { "[children-capped]", "id 4, 66 mm on 5 mm" } },
+    };
+    check(rows, sizeof rows / sizeof *rows);
+}
+
+/* Nothing of a long name is lost beside the picture, and no species is named that nobody specified. */
+static void pictures_name_what_is_known(void **state)
+{
+    (void)state;
+    if (system("gnuplot --version >/dev/null 2>&1")) skip();
+#define LONG "A_SCANNED_OAK_from_the_north_eastern_plot_2016_final_version_reprocessed"
+    static const struct row rows[] = {
+        { "cp " QSM "normalised.csv $T/" LONG ".csv && $W tree draw $T/" LONG
+          ".csv -o $T/a.svg -q; grep -ci beech $T/a.svg; grep -o '[^>]*</text>' $T/a.svg",
+          0,
+          { "0\n", "A_SCANNED_OAK_<", "from_the_north_eastern_<", "reprocessed<" } },
+        { "$W tree draw " QSM "normalised.csv -s beech -o $T/a.svg -q; grep -c 'European beech' $T/a.svg",
+          0,
+          { "1\n" } },
+        { "$W tree draw --model culm -o $T/a.svg -q && ! grep -i beech $T/a.svg", 0, { "" } },
+        { "grep -v base_radius models/culm.yaml > $T/m.yaml; $W tree draw --model $T/m.yaml -o $T/a.svg -q; "
+          "grep -c 'none; stem as thick' $T/a.svg",
+          0,
+          { "1\n" } },
+    };
+    check(rows, sizeof rows / sizeof *rows);
+}
+
 static void pictures(void **state)
 {
     (void)state;
@@ -62,6 +122,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(one_tree_is_meant),
         cmocka_unit_test(branched_and_measured_trees_are_analysed),
+        cmocka_unit_test(scans_that_are_doubtful),
+        cmocka_unit_test(pictures_name_what_is_known),
         cmocka_unit_test(pictures),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

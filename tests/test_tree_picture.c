@@ -5,6 +5,7 @@
 #include "branched.h"
 #include "data/model.h"
 #include "edited.h"
+#include "imported.h"
 #include "out/tree_picture.h"
 #include <sys/stat.h>
 
@@ -39,10 +40,9 @@ static int tear_down(void **state)
 {
     (void)state;
     char path[128];
-    static const char *const names[] = { "plots/tree.dat", "plots/tree.csv",
-                                         "plots/tree.svg", "plots/tree.png",
-                                         "plots",
-                                         "a.svg",          "a.png" };
+    static const char *const names[] = { "plots/tree.dat", "plots/tree.csv", "plots/tree.svg",
+                                         "plots/tree.png", "plots",          "a.svg",
+                                         "a.png" };
     wf_arena_free(&g.arena);
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         snprintf(path, sizeof path, "%s/%s", folder, names[k]);
@@ -53,7 +53,7 @@ static int tear_down(void **state)
 
 static struct wf_tree_picture picture(void)
 {
-    return (struct wf_tree_picture){ &g.tree, &g.model, &g.species };
+    return (struct wf_tree_picture){ &g.tree, &g.model, &g.species, false };
 }
 
 static void summary_counts_axes_and_wood(void **state)
@@ -62,7 +62,7 @@ static void summary_counts_axes_and_wood(void **state)
     struct wf_tree_summary s;
     struct wf_err e = { 0 };
     grown_make(&g, plain);
-    assert_int_equal(wf_tree_summarise(&g.tree, &s, &e), WF_OK);
+    assert_int_equal(wf_tree_summarise(&g.tree, NULL, &s, &e), WF_OK);
     assert_int_equal(s.levels, 2);
     assert_int_equal(s.level[0].axes, 1);
     assert_int_equal(s.level[0].segments, 10);
@@ -74,6 +74,24 @@ static void summary_counts_axes_and_wood(void **state)
     assert_close(s.high[0], 3, 1e-12);
     assert_close(s.high[1] - s.low[1], 0, 1e-12);
     assert_close(s.height, 10, 1e-12);
+}
+
+/* Links lie inside the wood of the parent: they add no wood, no length, and not their thickness. */
+static void links_are_not_counted(void **state)
+{
+    (void)state;
+    struct imported t;
+    struct wf_qsm_model m;
+    struct wf_tree_summary s;
+    import_path(&t, "tests/data/qsm/normalised.csv");
+    assert_joined(&t, WF_JOINT_AXIS, &m);
+    assert_int_equal(m.links, 2);
+    assert_int_equal(wf_tree_summarise(&m.tree, m.kind, &s, &t.err), WF_OK);
+    assert_close(s.wood_volume, m.volume, 1e-12);
+    assert_int_equal(s.level[1].axes, 2);
+    assert_int_equal(s.level[0].segments + s.level[1].segments, m.tree.n - m.links);
+    assert_close(s.level[1].diameter_mean, 0.04, 1e-12); /* of the branches; of their links: 0.12 */
+    wf_arena_free(&t.arena);
 }
 
 /* Blocks: thick and thin outlines by view and level; a thick one is as wide as the stem. */
@@ -127,7 +145,7 @@ static void drawn_as_lines_and_as_points(void **state)
     grown_make(&g, plain);
     p = picture();
     snprintf(path, sizeof path, "%s/a.svg", folder);
-    if (wf_tree_picture_draw(&p, path, &e)) fail_msg("%s", e.text);
+    if (wf_tree_picture_draw(&p, path, NULL, &e)) fail_msg("%s", e.text);
     FILE *f = fopen(path, "r");
     assert_non_null(f);
     static char text[1 << 20];
@@ -137,7 +155,7 @@ static void drawn_as_lines_and_as_points(void **state)
     assert_non_null(strstr(text, "limb"));
     assert_null(strstr(text, "nan"));
     snprintf(path, sizeof path, "%s/a.png", folder);
-    if (wf_tree_picture_draw(&p, path, &e)) fail_msg("%s", e.text);
+    if (wf_tree_picture_draw(&p, path, NULL, &e)) fail_msg("%s", e.text);
     f = fopen(path, "rb");
     assert_non_null(f);
     assert_int_equal(fread(head, 1, 8, f), 8);
@@ -152,7 +170,7 @@ static void another_ending_is_refused(void **state)
     struct wf_tree_picture p;
     grown_make(&g, plain);
     p = picture();
-    assert_int_equal(wf_tree_picture_draw(&p, "tree.bmp", &e), WF_EUSAGE);
+    assert_int_equal(wf_tree_picture_draw(&p, "tree.bmp", NULL, &e), WF_EUSAGE);
     assert_string_equal(e.text, "tree.bmp: a picture ends in .svg, .png or .pdf");
 }
 
@@ -174,7 +192,7 @@ static void a_page_gets_points_for_many_segments(void **state)
         snprintf(path, sizeof path, "%s/plots", folder);
         (void)mkdir(path, 0700);
         if (wf_tree_picture_write(&p, folder, &e)) fail_msg("%s", e.text);
-        if (wf_tree_picture_report(folder, "en", &svg, &e)) fail_msg("%s", e.text);
+        if (wf_tree_picture_report(folder, "en", &svg, NULL, &e)) fail_msg("%s", e.text);
         const xmlNode *root = xmlDocGetRootElement(svg), *image = NULL;
         for (const xmlNode *n = root->children; n; n = n->next)
             if (!strcmp((const char *)n->name, "image")) image = n;
@@ -196,7 +214,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         T(summary_counts_axes_and_wood),         T(outlines_are_true_to_scale),
         T(drawn_as_lines_and_as_points),         T(another_ending_is_refused),
-        T(a_page_gets_points_for_many_segments),
+        T(a_page_gets_points_for_many_segments), T(links_are_not_counted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

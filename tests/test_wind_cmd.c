@@ -67,7 +67,7 @@ static void test_profile(void **state)
           { "wind profile measured", "the measured profile ends at 10 m", "p.csv",
             "\"role\": \"profile\"" } },
         { PROFILE
-          "for c in 'series --no-vtk --no-report --duration 1' 'explain --no-report' ; do set -- $c; c=$1; "
+          "for c in 'explain --no-report' 'series --no-vtk --no-report --duration 1'; do set -- $c; c=$1; "
           "shift\n"
           "$W $c oak $M -o $T/out $* --profile-file $T/p.csv || exit; done; cat $T/out/tables/runs.csv",
           CODE_OK,
@@ -172,7 +172,7 @@ static void test_gusts(void **state)
         { "$W series oak $M " QUIET "--gust record", CODE_INPUT, { "needs the file of an anemometer" } },
         { "$W series oak $M " QUIET "--gust cosine --file x.csv",
           CODE_INPUT,
-          { "is for the gust model 'record'" } },
+          { "--file: has no effect with the gust model 'cosine'" } },
         { "{ echo t_s,u_ms; i=0; while [ $i -lt 60 ]; do echo $i,$((i % 7 + 1)); i=$((i + 1)); done; } "
           ">$T/a.csv\n"
           "$W series oak $M " QUIET

@@ -7,7 +7,7 @@ HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:
 load HERE.'style.gp'
 load HERE.'report_facts.gp'
 AROUND = DIR.'/tables/directions.csv'
-KEY = 12.0 + 18*(trees == 1 ? 1 : (trees + 2)/3)
+KEY = 12.0 + 18*(trees == 1 ? 1 : KEY_ROWS)
 WIDTH = 640.0; HEIGHT = 340.0 + KEY
 U = number('WIND_LAST', 0)
 load HERE.'start.gp'
@@ -64,12 +64,12 @@ do for [p=1:2] {
 }
 load HERE.'strip.gp'
 set size noratio
-set key maxcols 3
+set key maxcols (trees == 1 ? 3 : KEY_COLUMNS)
 if (trees == 1) {
     plot 2 with lines, keyentry with linespoints lt 1 title L('AROUND_FIRST'), \
          for [n=1:(S_max > 0)] keyentry with linespoints lt 2 title L('AROUND_STEM')
 } else {
-    plot 2 with lines, for [i=1:trees] keyentry with linespoints lt i title NAME[i]
+    plot 2 with lines, for [i=1:trees] keyentry with linespoints lt i title key_name(i)
 }
 unset multiplot
 set output

@@ -25,7 +25,7 @@ do for [k=1:SHOWN] {
     i = k - 1; x0 = (i%2) ? 392.0 : 68.0; y1 = HEIGHT - 16.0 - STEP*(i/2)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + SPAN)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 150)/HEIGHT
-    set xlabel text_of('PARAM', k); set ylabel L('RISE') offset 1,0
+    set xlabel short(text_of('PARAM', k), SPAN + 60); set ylabel L('RISE') offset 1,0
     set yrange [*:*]; set xrange [*:*]
     stats PROFILES using (pick(of_param(k) && column("rise") < 4*LIMIT, column("value"))) nooutput
     WIDE = (STATS_max - STATS_min)/(SHOWN == 1 ? 6.0 : 3.0); WIDE = WIDE > 0 ? WIDE : 1; TEN = 10.0**floor(log10(WIDE))

@@ -20,11 +20,11 @@ do for [k=1:SHOWN] {
     i = k - 1; x0 = (i%2) ? 392.0 : 68.0; y1 = HEIGHT - 28.0 - 220.0*(i/2)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + SPAN)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - 140)/HEIGHT
-    set title text_of('TEST', k) offset 0,-0.6
+    set title short(text_of('TEST', k), SPAN + 60) offset 0,-0.6
     set xlabel L('TIME'); set ylabel with_unit(L(text_of('TEST_LOAD', k)), text_of('TEST_UNIT', k)) offset 1,0
     set xrange [*:*]; set yrange [*:*]
     if (number('SWAY', k) == 1) {
-        unset ylabel; set title text_of('TEST', k).': '.with_unit(L(text_of('TEST_LOAD', k)), text_of('TEST_UNIT', k))
+        unset ylabel; set title short(text_of('TEST', k), 0.6*SPAN).': '.with_unit(L(text_of('TEST_LOAD', k)), text_of('TEST_UNIT', k))
         plot RECORDS using (pick(of_test(k), column("time_s"))):"load" with points lt 1 pt 7 ps 0.3, '' using (pick(of_test(k), column("time_s"))):"fitted" with lines lt 2 dt 1
     } else {
         plot RECORDS using (pick(of_test(k), column("time_s"))):"load" with lines lt 1 lc rgb '#999999' lw 0.8, \

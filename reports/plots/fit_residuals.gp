@@ -21,7 +21,7 @@ set ylabel L('RESIDUAL') offset 1,0
 set format x ''
 if (KEYS) { set key at screen 0.5, screen 1.0 center top horizontal } else { unset key }
 set object 1 rectangle from graph 0, first -1.96 to graph 1, first 1.96 fs solid 0.12 noborder fc rgb '#0072B2' behind
-plot for [g=1:GROUPS] READINGS using ($0 + 1):(pick(in(g), column("residual"))) with points lt ((g - 1)%6 + 1) lw 1 title text_of('GROUP', g), 0 with lines lt 1 lc rgb '#404040' lw 0.7 notitle
+plot for [g=1:GROUPS] READINGS using ($0 + 1):(pick(in(g), column("residual"))) with points lt ((g - 1)%6 + 1) lw 1 title short(text_of('GROUP', g), 250), 0 with lines lt 1 lc rgb '#404040' lw 0.7 notitle
 unset object 1; unset key
 set format x '%g'
 set tmargin at screen 164.0/HEIGHT; set bmargin at screen 52.0/HEIGHT

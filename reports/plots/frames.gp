@@ -35,6 +35,11 @@ of(r, k) = $1 == r && $2 == k
 set style arrow 1 nohead lc rgb '#14324a' lw 2.2
 set style arrow 2 nohead lc rgb '#14324a' lw 1.1
 set style arrow 3 nohead lc rgb '#14324a' lw 0.6
+# beyond breakage: that of a tree that cannot break
+set style arrow 4 nohead lc rgb '#b0b0b0' lw 2.2
+set style arrow 5 nohead lc rgb '#b0b0b0' lw 1.1
+set style arrow 6 nohead lc rgb '#b0b0b0' lw 0.6
+broken(r, k) = number(sprintf('KEY_BROKEN_%d', r), k) == 1
 margin = 0.04*top; low = low - margin; high = high + margin; top = 1.04*top
 if (high - low < 0.3*top) { middle = 0.5*(low + high); low = middle - 0.15*top; high = middle + 0.15*top }
 COLUMNS = PANELS < 4 ? PANELS : 4
@@ -61,16 +66,17 @@ do for [p=1:PANELS] {
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - TALL)/HEIGHT
     set xrange [low:high]; set yrange [0:top]
     r = RUN_OF(p); k = KEY_OF(p)
-    set title (SHOWN > 0 ? sprintf('%.3g s, %.3g m/s', number(sprintf('KEY_TIME_%d', r), k), number(sprintf('KEY_WIND_%d', r), k)) : NAME[r]) font ",9" offset 0,-0.9
+    set title (SHOWN > 0 ? sprintf('%.3g s, %.3g m/s', number(sprintf('KEY_TIME_%d', r), k), number(sprintf('KEY_WIND_%d', r), k)) : short(NAME[r], 1.2*((WIDTH - 50)/COLUMNS - 10))) font ",9" offset 0,-0.9
     if (c == 0) { set border 3; set ytics nomirror scale 0.4 font ",8" autofreq } else { set border 1; unset ytics }
     set arrow 1 from 0,0 to 0,HEIGHT_M[r] nohead front dt (4,4) lc rgb '#606060' lw 0.9
+    BEYOND = broken(r, k) ? 3 : 0
     if (LEAVES[r] > 0) {
         plot $WOOD using (pick(of(r, 0), $4)):5:6:7 with vectors nohead lc rgb '#c8c8c8' lw 0.8 dt 1, \
-            $LEAF using (pick(of(r, k), $4)):5:6:7 with vectors nohead lc rgb '#7fbf9f' lw 0.5 dt 1, \
-            $WOOD using (pick(of(r, k), $4)):5:6:7:($3 < 2 ? $3 + 1 : 3) with vectors arrowstyle variable
+            $LEAF using (pick(of(r, k), $4)):5:6:7 with vectors nohead lc rgb (BEYOND ? '#d0d0d0' : '#7fbf9f') lw 0.5 dt 1, \
+            $WOOD using (pick(of(r, k), $4)):5:6:7:(($3 < 2 ? $3 + 1 : 3) + BEYOND) with vectors arrowstyle variable
     } else {
         plot $WOOD using (pick(of(r, 0), $4)):5:6:7 with vectors nohead lc rgb '#c8c8c8' lw 0.8 dt 1, \
-            $WOOD using (pick(of(r, k), $4)):5:6:7:($3 < 2 ? $3 + 1 : 3) with vectors arrowstyle variable
+            $WOOD using (pick(of(r, k), $4)):5:6:7:(($3 < 2 ? $3 + 1 : 3) + BEYOND) with vectors arrowstyle variable
     }
 }
 unset multiplot

@@ -26,7 +26,7 @@ set ylabel L('DEGREES') font ",8"
 do for [p=1:PANELS] {
     r = nth(SHOWS, p); y1 = HEIGHT - 8 - (p - 1)*(ROW + 12)
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - ROW)/HEIGHT
-    set label 1 NAME[r] at graph 0.995, graph 0.88 right font ",9"
+    set label 1 short(NAME[r], 440) at graph 0.995, graph 0.88 right font ",9"
     if (p == PANELS) { set format x "%g"; set xlabel L('TIME') font ",9" }
     set xrange [0:FRAMES[r]*STEP[r]]
     first = MOTION[r] eq 'noise' ? 3 : 1

@@ -6,7 +6,7 @@ LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
 load HERE.'report_facts.gp'
-KEY = 12.0 + 18*((trees + 2)/3)
+KEY = 12.0 + 18*KEY_ROWS
 WIDTH = 640.0; HEIGHT = 326.0 + KEY
 load HERE.'start.gp'
 set multiplot
@@ -49,7 +49,7 @@ if (words(STRONG) == 0) {
          for [n=1:words(STRONG)] SUMMARY using (pick(of(nth(STRONG, n)), column("wind_m_s"))):"least_safety" with points lt nth(STRONG, n) lw 1
 }
 load HERE.'strip.gp'
-set key maxcols 3
-plot 2 with lines, for [n=1:words(STRONG)] keyentry with linespoints lt nth(STRONG, n) title NAME[nth(STRONG, n)]
+set key maxcols KEY_COLUMNS
+plot 2 with lines, for [n=1:words(STRONG)] keyentry with linespoints lt nth(STRONG, n) title key_name(nth(STRONG, n))
 unset multiplot
 set output

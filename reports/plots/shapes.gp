@@ -17,6 +17,9 @@ branched(i) = ROWS[i] <= 5000
 px = 0.0; py = 0.0; ox = 0.0; oy = 0.0
 from(is, x, y) = (ox = px, oy = py, px = x, py = y, is && column("axis") > 1 && column("segment") > 0 ? ox : NaN)
 
+# A shape beyond breakage is grey: that of a tree that cannot break.
+shade(i, n) = WIND[n] > CRITICAL[i] ? '#b8b8b8' : word('#0072B2 #D55E00 #009E73 #CC79A7 #E69F00 #56B4E9', (n - 1)%6 + 1)
+
 low = 0.0; high = 0.0; top = 0.0; floor = 0.0
 do for [i=1:trees] {
     top = HEIGHT_M[i] > top ? HEIGHT_M[i] : top
@@ -60,12 +63,12 @@ do for [i=1:trees] {
     x0 = side + LEFT + c*(w + GAP); y1 = HEIGHT - r*(h + TITLE + UNDER) - TITLE
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + w)/WIDTH
     set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
-    set title NAME[i] offset 0,-0.5
+    set title short(NAME[i], trees == 1 ? 560 : (640.0 - LEFT)/columns - 12) offset 0,-0.5
     set xlabel L('ALONG') offset 0,0.4
     if (c == 0) { set ylabel L('HEIGHT') offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
-    plot for [n=1:branched(i)*words(SOLVED[i])] SHAPE using (from(at(i, WIND[nth(SOLVED[i], n)]), bent(i), column("loaded_z_m"))):(oy):(px - ox):(py - oy) with vectors nohead lt nth(SOLVED[i], n) lw 0.35 dt 1, \
+    plot for [n=1:branched(i)*words(SOLVED[i])] SHAPE using (from(at(i, WIND[nth(SOLVED[i], n)]), bent(i), column("loaded_z_m"))):(oy):(px - ox):(py - oy) with vectors nohead lt nth(SOLVED[i], n) lc rgb shade(i, nth(SOLVED[i], n)) lw 0.35 dt 1, \
          for [n=1:(words(SOLVED[i]) > 0)] SHAPE using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, still(i))):"z_m" with lines lw 1.2 dt (3,4) lc rgb '#707070', \
-         for [n=1:words(SOLVED[i])] SHAPE using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, bent(i))):"loaded_z_m" with lines lt nth(SOLVED[i], n), \
+         for [n=1:words(SOLVED[i])] SHAPE using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, bent(i))):"loaded_z_m" with lines lt nth(SOLVED[i], n) lc rgb shade(i, nth(SOLVED[i], n)), \
          2*top with lines notitle   # above the picture: a tree without answers still gets its axes
 }
 load HERE.'strip.gp'

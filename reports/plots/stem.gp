@@ -20,9 +20,10 @@ do for [i=1:trees] {
     top = HEIGHT_M[i] > top ? HEIGHT_M[i] : top
     do for [n=1:words(SOLVED[i])] {
         k = nth(SOLVED[i], n)
-        stats SEGMENTS using (pick(stem(i, k), column("bending0_Nm")/1e3)):(pick(stem(i, k), column("stress0_MPa"))) name 'S' nooutput
-        moment = S_max_x > moment ? S_max_x : moment
-        stress = S_max_y > stress ? S_max_y : stress
+        stats SEGMENTS using (pick(stem(i, k), column("bending0_Nm")/1e3)) name 'S' nooutput
+        moment = S_max > moment ? S_max : moment
+        stats SEGMENTS using (pick(stem(i, k), column("stress0_MPa"))) name 'S' nooutput
+        stress = S_max > stress ? S_max : stress
         stats SEGMENTS using (pick(stem(i, k), column("segment"))) name 'S' nooutput
         LAST[i] = S_max
     }
@@ -39,7 +40,7 @@ do for [i=1:trees] {
     do for [panel=0:1] {
         y1 = HEIGHT - b*(TITLE + 2*(h + UNDER)) - TITLE - panel*(h + UNDER)
         set tmargin at screen y1/HEIGHT; set bmargin at screen (y1 - h)/HEIGHT
-        if (panel) { unset title } else { set title NAME[i] offset 0,-0.5 }
+        if (panel) { unset title } else { set title short(NAME[i], trees == 1 ? 560 : w + GAP) offset 0,-0.5 }
         set xlabel (panel ? L('STRESS') : L('MOMENT')) offset 0,0.4
         A = panel ? "stress0_MPa" : "bending0_Nm"; B = panel ? "stress1_MPa" : "bending1_Nm"
         unit = panel ? 1.0 : 1e-3

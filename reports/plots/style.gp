@@ -33,5 +33,8 @@ ends(name, tail) = strlen(name) >= strlen(tail) && name[strlen(name)-strlen(tail
 of(i) = column("tree") == i
 at(i, u) = of(i) && abs(column("wind_m_s") - u) <= 1e-9*(1 + u)
 pick(is, y) = is ? y : NaN
+# A text of a user's, cut with an ellipsis to a place of so many pixels; Chinese characters are taken as wide.
+short(text, pixels) = (SHORT_N = int(pixels/(LANGUAGE eq 'zh' ? 12.0 : 7.0)), SHORT_N = SHORT_N < 4 ? 4 : SHORT_N, \
+    strlen(text) > SHORT_N ? text[1:SHORT_N - 1].'…' : text)
 # The n-th number of a list; gnuplot evaluates a loop's body once even where the list is empty.
 nth(list, n) = words(list) < n ? 1 : int(word(list, n))

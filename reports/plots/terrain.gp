@@ -11,6 +11,8 @@ stats TERRAIN using (column("x_m")):(column("y_m")) nooutput
 XLOW = STATS_min_x; XHIGH = STATS_max_x; YLOW = STATS_min_y; YHIGH = STATS_max_y
 stats TERRAIN using (column("wind_factor")) nooutput
 POINTS = STATS_records; FLOW = STATS_min; FHIGH = STATS_max
+stats TERRAIN using (column("height_m")) nooutput
+ZLOW = STATS_min; ZHIGH = STATS_max
 stats TERRAIN using (column("topex_deg")) nooutput
 TLOW = STATS_min; THIGH = STATS_max; TMEAN = STATS_mean; TWIDE = 2.5*STATS_stddev
 WIDTH = 640.0
@@ -22,6 +24,9 @@ set multiplot
 unset grid; unset key
 set border 15 lw 0.6
 set format xy "%g"
+# the maps are pictures inside the file: about 130 points a side and 32 colours keep it small
+set palette maxcolors 32
+SIDE = 1 + int((sqrt(POINTS) - 1)/130)
 km(v) = v/1000.0
 # four or five ticks a side; palettes run from light to dark, so that a copy in black and white can be read
 SPAN = km(XHIGH - XLOW)/4.0; TEN = 10.0**floor(log10(SPAN))
@@ -43,15 +48,19 @@ do for [i=1:3] {
     if (i == 1) { set palette defined (0 '#1f4e3d', 1 '#6f9f6e', 2 '#d3cb9a', 3 '#f7f3e8') }
     if (i == 2) { set palette defined (0 '#f7fbff', 1 '#6baed6', 2 '#08306b'); set cbrange [TMEAN-TWIDE:TMEAN+TWIDE] }
     if (i == 3) { set palette defined (0 '#fff7ec', 1 '#fdbb84', 2 '#7f0000') }
-    plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(column(NAMES[i])) with image pixels
+    # level ground has one colour: a range around its value
+    if (i == 1 && ZLOW == ZHIGH) { set cbrange [ZLOW-1:ZHIGH+1] }
+    if (i == 2 && TWIDE == 0) { set cbrange [TMEAN-1:TMEAN+1] }
+    if (i == 3 && FLOW == FHIGH) { set cbrange [FLOW-0.1:FHIGH+0.1] }
+    plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(column(NAMES[i])) every SIDE:SIDE with image
 }
 set lmargin at screen 384.0/WIDTH; set rmargin at screen 618.0/WIDTH
 set border 3; set grid lw 0.5 lt 1 lc rgb '#e3e3e3' dt 1
 set title L('EACH_PLACE')
 set xtics autofreq; set ytics autofreq
 set xlabel L('TOPEX'); set ylabel L('WIND_LEVEL') offset 1,0
-set xrange [TLOW:THIGH]; set yrange [FLOW:FHIGH]
-EVERY = 1 + int(POINTS/6000)
+set xrange [TLOW-(TLOW == THIGH):THIGH+(TLOW == THIGH)]; set yrange [FLOW-0.1*(FLOW == FHIGH):FHIGH+0.1*(FLOW == FHIGH)]
+EVERY = 1 + int(POINTS/500)
 plot TERRAIN using (int(column(0)) % EVERY ? NaN : column("topex_deg")):(column("wind_factor")) with points lt 1 pt 7 ps 0.2
 unset multiplot
 set output

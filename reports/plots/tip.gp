@@ -6,7 +6,7 @@ LANGUAGE = ARGC > 2 ? ARG3 : 'en'
 HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
 load HERE.'style.gp'
 load HERE.'report_facts.gp'
-KEY = 12.0 + 18*((trees + 2)/3)
+KEY = 12.0 + 18*KEY_ROWS
 WIDTH = 640.0; HEIGHT = 250.0 + KEY
 load HERE.'start.gp'
 set multiplot
@@ -23,7 +23,7 @@ do for [panel=0:1] {
          for [i=1:trees] SUMMARY using (pick(of(i) && strlen(SOLVED[i]) > 0, column("wind_m_s"))):NAME_Y with points lt i lw 1
 }
 load HERE.'strip.gp'
-set key maxcols 3
-plot 2 with lines, for [i=1:trees] keyentry with linespoints lt i title NAME[i]
+set key maxcols KEY_COLUMNS
+plot 2 with lines, for [i=1:trees] keyentry with linespoints lt i title key_name(i)
 unset multiplot
 set output

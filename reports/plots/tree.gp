@@ -61,7 +61,7 @@ left = WIDTH - TABLE + 12
 do for [k=1:P_ROWS] {
     y = top - LINE*(k - 0.5)
     name = L(text_of('P_NAME', k)); said = text_of('P_WORD', k)
-    said = strlen(said) ? L(said) : text_of('P_VALUE', k)
+    said = strlen(said) ? L(said) : short(text_of('P_VALUE', k), 180)
     set label k name at left, y font ',9' textcolor rgb '#606060'
     set label 100 + k said at left + 94, y font ',9'
 }
@@ -72,7 +72,7 @@ set label 202 L('TREE_LENGTH') at left + 186, y right font ',9' textcolor rgb '#
 set label 203 L('TREE_DIAMETER') at left + 236, y right font ',9' textcolor rgb '#606060'
 do for [l=1:LEVELS] {
     y = top - LINE*(P_ROWS + 1 + l)
-    name = text_of('LEVEL', l); axes = text_of('L_COUNT', l); long = text_of('L_LENGTH', l); wide = text_of('L_DIAMETER', l)
+    name = short(text_of('LEVEL', l), 130); axes = text_of('L_COUNT', l); long = text_of('L_LENGTH', l); wide = text_of('L_DIAMETER', l)
     set label 300 + l name at left, y font ',7.5' textcolor rgb colour(l)
     set label 400 + l axes at left + 116, y right font ',7.5'
     set label 500 + l long at left + 186, y right font ',7.5'

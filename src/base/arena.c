@@ -93,5 +93,6 @@ void wf_arena_free(struct wf_arena *a)
         free(b);
     }
     a->block = NULL;
+    a->piped = NULL;
     a->used = 0;
 }

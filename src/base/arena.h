@@ -10,10 +10,12 @@ extern "C" {
 #endif
 
 struct wf_arena_block;
+struct wf_piped;
 struct wf_arena {
     struct wf_arena_block *block; /* newest block */
     size_t used;                  /* bytes handed out so far */
     size_t limit;                 /* refuse beyond this many bytes; 0 = no limit */
+    struct wf_piped *piped;       /* pipes that were read into it (base/file.c) */
 };
 
 /* Allocate n elements of `size` bytes, zeroed. Returned: a pointer, or NULL when memory or the limit is

@@ -58,13 +58,29 @@ static void skip_line(struct wf_csv *c)
     if (c->at < c->end) skip_line_end(c);
 }
 
+/* Is the line a comment? One that begins with a cell of a spreadsheet's error, "#N/A,...", is a row. */
+static bool is_comment(const struct wf_csv *c)
+{
+    static const char *const errors[] = {
+        "#N/A", "#DIV/0!", "#NAME?", "#NULL!", "#NUM!", "#VALUE!", "#REF!"
+    };
+    if (*c->at != '#') return false;
+    for (size_t k = 0; k < WF_COUNT(errors); k++) {
+        size_t n = strlen(errors[k]);
+        if ((size_t)(c->end - c->at) < n || strncasecmp(c->at, errors[k], n) != 0) continue;
+        const char *after = c->at + n;
+        if (after == c->end || *after == c->separator || *after == '\n' || *after == '\r') return false;
+    }
+    return true;
+}
+
 /* Move to the next line that has cells; false at the end of the file. */
 static bool seek_row(struct wf_csv *c)
 {
     while (c->at < c->end) {
         const char *p = c->at;
         while (p < c->end && (*p == ' ' || (*p == '\t' && c->separator != '\t'))) p++;
-        if (p < c->end && *p != '\n' && *p != '\r' && *c->at != '#') return true;
+        if (p < c->end && *p != '\n' && *p != '\r' && !is_comment(c)) return true;
         skip_line(c);
     }
     return false;
@@ -169,16 +185,164 @@ static void report_double_names(struct wf_csv *c)
             }
 }
 
+/* Heads of loggers. */
+
+static bool is_toa5(const struct wf_csv *c)
+{
+    const char *p = c->at < c->end && *c->at == '"' ? c->at + 1 : c->at;
+    return c->end - p > 5 && !memcmp(p, "TOA5", 4) && (p[4] == '"' || p[4] == ',');
+}
+
+static bool is_tob(const struct wf_csv *c)
+{
+    return c->end - c->at > 7 && !memcmp(c->at, "\"TOB", 4) && c->at[4] >= '1' && c->at[4] <= '3' &&
+           c->at[5] == '"';
+}
+
+/* Whether the first line is "[word]". */
+static bool is_sections(const struct wf_csv *c)
+{
+    size_t n = 0;
+    while (c->at + n < c->end && c->at[n] != '\n' && c->at[n] != '\r') n++;
+    while (n && (c->at[n - 1] == ' ' || c->at[n - 1] == '\t')) n--;
+    return n > 2 && *c->at == '[' && c->at[n - 1] == ']' && !memchr(c->at, ',', n);
+}
+
+/* Whether the first 13 lines are one cell each, the 4th to the last of them KEY=VALUE. */
+static bool is_linescale(const struct wf_csv *c)
+{
+    const char *p = c->at;
+    for (int line = 1; line <= 13; line++) {
+        const char *end = memchr(p, '\n', (size_t)(c->end - p));
+        if (!end || memchr(p, ',', (size_t)(end - p)) || memchr(p, ';', (size_t)(end - p))) return false;
+        if (line > 3 && !memchr(p, '=', (size_t)(end - p))) return false;
+        p = end + 1;
+    }
+    return true;
+}
+
+const struct wf_csv_head wf_csv_heads[] = {
+    { .name = "Campbell Scientific TOA5",
+      .source = "Campbell Scientific, LoggerNet manual, appendix B.1.4",
+      .is = is_toa5,
+      .before = 1,
+      .after = 2,
+      .units = 1 },
+    { .name = "Campbell Scientific TOB1, TOB2 or TOB3",
+      .source = "Campbell Scientific, LoggerNet manual, appendix B.1.5",
+      .is = is_tob,
+      .refused = "its rows are binary; convert it to TOA5 with the logger's own program" },
+    { .name = "sections as of PiCUS TreeQinetic",
+      .source = "Jensen K. (2023), treeqinetic 1.0.0, a reader of these files",
+      .is = is_sections,
+      .section = "data" },
+    { .name = "LineScale 3",
+      .source = "Jensen K. (2023), linescale3, a reader of these files",
+      .is = is_linescale,
+      .refused =
+          "its rows have no names and no times; replace its 13 lines by one with the column's name and unit "
+          "as in line 5, for example force_kN, and give the rate" },
+    { 0 },
+};
+
+/* Move to the line after "[section]"; false: there is none. */
+static bool seek_section(struct wf_csv *c, const char *section)
+{
+    size_t n = strlen(section);
+    while (c->at < c->end) {
+        const char *p = c->at;
+        bool found =
+            (size_t)(c->end - p) > n + 2 && *p == '[' && !strncasecmp(p + 1, section, n) && p[n + 1] == ']';
+        skip_line(c);
+        if (found) return true;
+    }
+    return false;
+}
+
+/* Recognise the head of a logger and move to its header row. */
+static enum wf_status skip_head(struct wf_csv *c, struct wf_err *e)
+{
+    for (const struct wf_csv_head *h = wf_csv_heads; h->name && !c->head; h++)
+        if (h->is(c)) c->head = h;
+    if (!c->head) return WF_OK;
+    if (c->head->refused)
+        return wf_fail(e, WF_EINPUT, "%s:%zu: error: a file of %s is not read: %s", c->file, c->line,
+                       c->head->name, c->head->refused);
+    for (size_t i = 0; i < c->head->before; i++) skip_line(c);
+    if (c->head->section && !seek_section(c, c->head->section))
+        return wf_fail(e, WF_EINPUT, "%s:1: error: sections without [%s]", c->file, c->head->section);
+    return seek_row(c) ? WF_OK : wf_fail(e, WF_EINPUT, "%s: no header row follows the head", c->file);
+}
+
+/* Read the lines between the header row and the data. */
+static enum wf_status read_units(struct wf_csv *c, struct wf_arena *a, struct wf_err *e)
+{
+    for (size_t i = 1; c->head && i <= c->head->after; i++) {
+        if (i != c->head->units) {
+            skip_line(c);
+            continue;
+        }
+        size_t n = split_line(c, c->cell, c->columns);
+        c->unit = WF_TAKE(a, c->columns, const char *);
+        if (!c->unit) return wf_fail(e, WF_ENOMEM, "%s: no memory for %zu columns", c->file, c->columns);
+        if (n != c->columns)
+            return wf_fail(e, WF_EINPUT, "%s:%zu: error: %zu units for %zu columns", c->file, c->row_line, n,
+                           c->columns);
+        for (size_t k = 0; k < n; k++) c->unit[k] = c->cell[k].text;
+    }
+    return WF_OK;
+}
+
+/* Missing marks. */
+
+bool wf_csv_declare(struct wf_csv *c, const char *list)
+{
+    const char *p = list + strspn(list, " \t"), *end = p + strcspn(p, "\r\n");
+    while (p < end) {
+        double v;
+        const char *stop = wf_number_read(p, end, '.', &v);
+        if (!stop || c->marks == WF_CSV_MARKS) return false;
+        p = stop + strspn(stop, " \t");
+        if (p < end && *p != ',' && *p != ';') return false;
+        c->mark[c->marks++] = v;
+        p += p < end;
+        p += strspn(p, " \t");
+    }
+    return true;
+}
+
+/* Take marks from comment lines before the header, "# missing: -99.9" or "# missing value = -99.9". */
+static enum wf_status declared_marks(struct wf_csv *c, struct wf_err *e)
+{
+    size_t line = c->line;
+    for (const char *p = c->at; p < c->end && *p == '#'; line++) {
+        const char *end = memchr(p, '\n', (size_t)(c->end - p)), *word = p + 1 + strspn(p + 1, "# \t");
+        if (!strncasecmp(word, "missing", 7)) {
+            word += strcspn(word, ":=\n");
+            if (*word == ':' || *word == '=')
+                if (!wf_csv_declare(c, word + 1))
+                    return wf_fail(e, WF_EINPUT,
+                                   "%s:%zu: error: missing marks are numbers separated by commas, at "
+                                   "most %d, as in '# missing: -99.9, 999'",
+                                   c->file, line, (int)WF_CSV_MARKS);
+        }
+        p = end ? end + 1 : c->end;
+    }
+    return WF_OK;
+}
+
 enum wf_status wf_csv_open(struct wf_csv *c, const char *file, struct wf_arena *a, struct wf_diag *d,
                            struct wf_err *e)
 {
     struct wf_bytes b;
     *c = (struct wf_csv){ .file = file, .line = 1, .separator = ',', .diag = d };
-    enum wf_status code = wf_file_read_text(file, a, &b, e);
+    enum wf_status code = wf_file_read_table(file, a, &b, d, e);
     if (code) return code;
     c->at = b.data;
     c->end = b.data + b.size;
+    if ((code = declared_marks(c, e))) return code;
     if (!seek_row(c)) return wf_fail(e, WF_EINPUT, "%s: the table is empty: a header row is expected", file);
+    if ((code = skip_head(c, e))) return code;
     c->separator = detect_separator(c);
     struct wf_cell *wide = WF_TAKE(a, WF_CSV_COLUMNS, struct wf_cell);
     if (!wide) return wf_fail(e, WF_ENOMEM, "%s: no memory for the header", file);
@@ -192,7 +356,7 @@ enum wf_status wf_csv_open(struct wf_csv *c, const char *file, struct wf_arena *
     if (!c->cell) return wf_fail(e, WF_ENOMEM, "%s: no memory for %zu columns", file, c->columns);
     report_double_names(c);
     if (c->mistakes > before) return wf_fail(e, WF_EINPUT, "%s: the header row is not usable", file);
-    return WF_OK;
+    return read_units(c, a, e);
 }
 
 bool wf_csv_next(struct wf_csv *c)
@@ -249,41 +413,64 @@ const char *wf_csv_text(const struct wf_csv *c, size_t column)
 }
 
 /* The decimal sign of a cell: a point, or a comma where cells are not separated by commas. The first number
- * with decimals decides for the whole file. Returned: 0 after a mistake was reported. */
-static char csv_decimal_sign(struct wf_csv *c, size_t column, const struct wf_cell *k)
+ * with decimals decides for the whole file. Returned: 0 when the cell has the other sign. */
+static char csv_decimal_sign(const struct wf_csv *c, const struct wf_cell *k)
 {
     bool comma = c->separator != ',' && memchr(k->text, ',', k->size) != NULL;
     bool point = memchr(k->text, '.', k->size) != NULL;
     if (!comma && !point) return '.';
     char sign = comma ? ',' : '.';
-    if (!c->point) c->point = sign;
-    if (c->point == sign && !(comma && point)) return sign;
-    wf_csv_mistake(c, column, "'%.40s': decimal comma and decimal point are mixed in this file", k->text);
-    return 0;
+    return (!c->point || c->point == sign) && !(comma && point) ? sign : 0;
+}
+
+static bool is_missing_word(const char *text)
+{
+    static const char *const words[] = { "",      "NA",      "N/A",   "NaN", "-NaN", "null", "none",
+                                         "nil",   "-",       "--",    "---", "#N/A", "#NV",  "#DIV/0!",
+                                         "#NUM!", "#VALUE!", "#REF!", "inf", "+inf", "-inf", "missing" };
+    for (size_t i = 0; i < WF_COUNT(words); i++)
+        if (!strcasecmp(text, words[i])) return true;
+    return false;
+}
+
+enum wf_csv_kind wf_csv_value(struct wf_csv *c, size_t column, double *value)
+{
+    const struct wf_cell *k = &c->cell[column];
+    if (is_missing_word(k->text)) return WF_CSV_MISSING;
+    char sign = csv_decimal_sign(c, k);
+    const char *end = k->text + k->size, *stop = wf_number_read(k->text, end, sign ? sign : ',', value);
+    if (stop != end && !sign) stop = wf_number_read(k->text, end, '.', value);
+    if (stop != end) return sign || !stop ? WF_CSV_WORD : WF_CSV_MIXED;
+    if (!sign) return WF_CSV_MIXED;
+    if (!c->point && memchr(k->text, sign, k->size)) c->point = sign;
+    return WF_CSV_NUMBER;
+}
+
+enum wf_csv_kind wf_csv_reading(struct wf_csv *c, size_t column, double *value)
+{
+    enum wf_csv_kind kind = wf_csv_value(c, column, value);
+    for (size_t i = 0; kind == WF_CSV_NUMBER && i < c->marks; i++)
+        if (*value == c->mark[i]) kind = WF_CSV_MISSING;
+    return kind;
 }
 
 bool wf_csv_number(struct wf_csv *c, size_t column, double low, double high, double *value)
 {
     if (column >= c->columns) return false;
     const struct wf_cell *k = &c->cell[column];
-    if (!k->size) {
-        wf_csv_mistake(c, column, "is empty, a number is expected");
-        return false;
-    }
-    char sign = csv_decimal_sign(c, column, k);
-    if (!sign) return false;
     double v = 0.0;
-    const char *end = k->text + k->size, *stop = wf_number_read(k->text, end, sign, &v);
-    if (stop != end) {
+    enum wf_csv_kind kind = wf_csv_value(c, column, &v);
+    if (!k->size)
+        wf_csv_mistake(c, column, "is empty, a number is expected");
+    else if (kind == WF_CSV_MIXED)
+        wf_csv_mistake(c, column, "'%.40s': decimal comma and decimal point are mixed in this file", k->text);
+    else if (kind != WF_CSV_NUMBER)
         wf_csv_mistake(c, column, "'%.40s' is not a number", k->text);
-        return false;
-    }
-    if (!(v >= low && v <= high)) {
+    else if (!(v >= low && v <= high))
         wf_csv_mistake(c, column, "%.40s is outside %g to %g", k->text, low, high);
-        return false;
-    }
-    *value = v;
-    return true;
+    else
+        return *value = v, true;
+    return false;
 }
 
 bool wf_csv_integer(struct wf_csv *c, size_t column, long long low, long long high, long long *value)

@@ -27,6 +27,7 @@ const char *wf_status_text(enum wf_status code)
         [WF_EUNSTABLE] = "no equilibrium",
         [WF_EMISSING] = "a program or part is not installed",
         [WF_EINTERNAL] = "internal error in windfirm",
+        [WF_EINTERRUPTED] = "interrupted",
     };
     return (unsigned)code < WF_STATUS_COUNT ? words[code] : "unknown status";
 }

@@ -13,14 +13,15 @@ extern "C" {
 
 enum wf_status {
     WF_OK = 0,
-    WF_EUSAGE,    /* a wrong call or command line                         -> exit 2 */
-    WF_EINPUT,    /* an input file or value is missing, unreadable, wrong -> exit 2 */
-    WF_EOUTPUT,   /* a result could not be written                        -> exit 1 */
-    WF_ENOMEM,    /* no memory, or an arena's limit reached               -> exit 1 */
-    WF_ENOCONV,   /* an iteration did not converge                        -> exit 1 */
-    WF_EUNSTABLE, /* no equilibrium of the tree under its loads was found -> exit 1 */
-    WF_EMISSING,  /* an outside program or optional part is not installed -> exit 1 */
-    WF_EINTERNAL, /* a fault of this library                              -> exit 1 */
+    WF_EUSAGE,       /* a wrong call or command line                         -> exit 2 */
+    WF_EINPUT,       /* an input file or value is missing, unreadable, wrong -> exit 2 */
+    WF_EOUTPUT,      /* a result could not be written                        -> exit 1 */
+    WF_ENOMEM,       /* no memory, or an arena's limit reached               -> exit 1 */
+    WF_ENOCONV,      /* an iteration did not converge                        -> exit 1 */
+    WF_EUNSTABLE,    /* no equilibrium of the tree under its loads was found -> exit 1 */
+    WF_EMISSING,     /* an outside program or optional part is not installed -> exit 1 */
+    WF_EINTERNAL,    /* a fault of this library                              -> exit 1 */
+    WF_EINTERRUPTED, /* ended early by a signal                            -> exit 128 + its number */
     WF_STATUS_COUNT
 };
 

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/file.h"
 #include "base/text.h"
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -138,8 +140,46 @@ static enum wf_status read_all(int fd, const char *path, size_t guess, struct wf
     return wf_fail(e, WF_ENOMEM, "%s: no memory for its %zu bytes", path, room);
 }
 
+/* A pipe that was read into an arena. */
+struct wf_piped {
+    struct wf_piped *older;
+    const char *path;
+    struct wf_bytes bytes;
+};
+
+static const struct wf_piped *piped_named(const struct wf_arena *a, const char *path)
+{
+    const struct wf_piped *p = a->piped;
+    while (p && strcmp(p->path, path) != 0) p = p->older;
+    return p;
+}
+
+/* A copy, because readers write to what they read. */
+static enum wf_status copy_bytes(const struct wf_bytes *b, const char *path, struct wf_arena *a,
+                                 struct wf_bytes *out, struct wf_err *e)
+{
+    *out = (struct wf_bytes){ wf_arena_take(a, b->size + 1, 1), b->size };
+    if (!out->data) return wf_fail(e, WF_ENOMEM, "%s: no memory for its %zu bytes", path, b->size);
+    memcpy(out->data, b->data, b->size);
+    return WF_OK;
+}
+
+static enum wf_status keep_piped(const char *path, const struct wf_bytes *b, struct wf_arena *a,
+                                 struct wf_err *e)
+{
+    struct wf_piped *p = WF_TAKE(a, 1, struct wf_piped);
+    const char *name = wf_arena_text(a, path);
+    if (!p || !name) return wf_fail(e, WF_ENOMEM, "%s: no memory to keep it", path);
+    *p = (struct wf_piped){ .older = a->piped, .path = name };
+    if (copy_bytes(b, path, a, &p->bytes, e)) return e ? e->code : WF_ENOMEM;
+    a->piped = p;
+    return WF_OK;
+}
+
 enum wf_status wf_file_read(const char *path, struct wf_arena *a, struct wf_bytes *out, struct wf_err *e)
 {
+    const struct wf_piped *piped = piped_named(a, path);
+    if (piped) return copy_bytes(&piped->bytes, path, a, out, e);
     int fd = open(path, O_RDONLY | O_CLOEXEC);
     if (fd < 0) {
         const char *why = errno == ENOENT ? "there is no such file" : strerror(errno);
@@ -155,25 +195,107 @@ enum wf_status wf_file_read(const char *path, struct wf_arena *a, struct wf_byte
         code = wf_fail(e, WF_EINPUT, "%s: is larger than 256 MB", path);
     else
         code = read_all(fd, path, s.st_size > 0 ? (size_t)s.st_size : 0, a, out, e);
+    if (!code && !S_ISREG(s.st_mode)) code = keep_piped(path, out, a, e);
     (void)close(fd);
     return code;
 }
 
-enum wf_status wf_file_read_text(const char *path, struct wf_arena *a, struct wf_bytes *out, struct wf_err *e)
+static enum wf_status keep_converted(char *to, size_t size, struct wf_bytes *out)
+{
+    to[size] = '\0';
+    *out = (struct wf_bytes){ to, size };
+    return WF_OK;
+}
+
+static enum wf_status text_from_utf16(const char *path, enum wf_utf16 order, struct wf_arena *a,
+                                      struct wf_bytes *out, struct wf_err *e)
+{
+    char *to = wf_arena_take(a, out->size / 2 * 3 + 1, 1);
+    if (!to) return wf_fail(e, WF_ENOMEM, "%s: no memory for its text", path);
+    size_t n = wf_utf16_to_utf8(out->data, out->size, order, to);
+    if (n != (size_t)-1) return keep_converted(to, n, out);
+    return wf_fail(e, WF_EINPUT, "%s:1:1: the file is broken UTF-16 text; save it as UTF-8", path);
+}
+
+static enum wf_status read_text(const char *path, struct wf_arena *a, struct wf_bytes *out,
+                                struct wf_diag *table, struct wf_err *e)
 {
     enum wf_status code = wf_file_read(path, a, out, e);
     if (code) return code;
     const unsigned char *b = (const unsigned char *)out->data;
-    if (out->size >= 2 && ((b[0] == 0xFF && b[1] == 0xFE) || (b[0] == 0xFE && b[1] == 0xFF)))
-        return wf_fail(e, WF_EINPUT, "%s:1:1: the file is UTF-16 text; save it as UTF-8", path);
+    enum wf_utf16 order = wf_utf16_order(out->data, out->size);
+    if (order != WF_UTF16_NOT) return text_from_utf16(path, order, a, out, e);
     if (out->size >= 3 && b[0] == 0xEF && b[1] == 0xBB && b[2] == 0xBF) {
         out->data += 3;
         out->size -= 3;
     }
     struct wf_utf8_fault fault;
     if (wf_utf8_valid(out->data, out->size, &fault)) return WF_OK;
-    return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: byte 0x%02X is not UTF-8 text; save the file as UTF-8", path,
-                   fault.line, fault.column, fault.byte);
+    char *to = table ? wf_arena_take(a, 3 * out->size + 1, 1) : NULL;
+    size_t n = to ? wf_cp1252_to_utf8(out->data, out->size, to) : (size_t)-1;
+    if (n == (size_t)-1)
+        return wf_fail(e, WF_EINPUT, "%s:%zu:%zu: byte 0x%02X is not UTF-8 text; save the file as UTF-8",
+                       path, fault.line, fault.column, fault.byte);
+    wf_diag_warn(table, "not-utf8",
+                 "%s:%zu:%zu: byte 0x%02X is not UTF-8; the file is read as Windows-1252 (Latin-1)", path,
+                 fault.line, fault.column, fault.byte);
+    return keep_converted(to, n, out);
+}
+
+enum wf_status wf_file_read_text(const char *path, struct wf_arena *a, struct wf_bytes *out, struct wf_err *e)
+{
+    return read_text(path, a, out, NULL, e);
+}
+
+enum wf_status wf_file_read_table(const char *path, struct wf_arena *a, struct wf_bytes *out,
+                                  struct wf_diag *d, struct wf_err *e)
+{
+    return read_text(path, a, out, d, e);
+}
+
+/* Files that are shipped. */
+
+bool wf_file_is_there(const char *path)
+{
+    struct stat s;
+    return !stat(path, &s) && !S_ISDIR(s.st_mode);
+}
+
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+size_t wf_shipped_names(const char *share, const char *room, struct wf_arena *a, const char ***names)
+{
+    enum { NAMES_MAX = 512 };
+    static const char ending[] = ".yaml";
+    const char *folder = wf_arena_print(a, "%s/%s", share, room);
+    DIR *d = folder ? opendir(folder) : NULL;
+    size_t n = 0;
+    *names = d ? WF_TAKE(a, NAMES_MAX, const char *) : NULL;
+    for (const struct dirent *f; *names && n < NAMES_MAX && (f = readdir(d));) {
+        size_t size = strlen(f->d_name), stem = size - (sizeof ending - 1);
+        if (size < sizeof ending || f->d_name[0] == '.' || strcmp(f->d_name + stem, ending) != 0) continue;
+        if (((*names)[n] = wf_arena_print(a, "%.*s", (int)stem, f->d_name))) n++;
+    }
+    if (d) (void)closedir(d);
+    if (n) qsort((void *)*names, n, sizeof **names, by_name);
+    return n;
+}
+
+enum wf_status wf_shipped_path(const char *share, const char *room, const char *name, struct wf_arena *a,
+                               const char **path, struct wf_err *e)
+{
+    const char **known, *what = strcmp(room, "species") == 0  ? "species table"
+                                : strcmp(room, "models") == 0 ? "tree model"
+                                                              : "paper";
+    *path = wf_arena_print(a, "%s/%s/%s.yaml", share, room, name);
+    if (!*path) return wf_fail(e, WF_ENOMEM, "%s: no memory", name);
+    if (!strchr(name, '/') && wf_file_is_there(*path)) return WF_OK;
+    size_t n = wf_shipped_names(share, room, a, &known);
+    return wf_fail(e, WF_EINPUT, "%s: there is no such file, and no shipped %s of that name%s", name, what,
+                   wf_did_you_mean_or(name, known, n, "there are: ").text);
 }
 
 /* Fingerprints. */
@@ -266,17 +388,44 @@ void wf_sha256(const void *bytes, size_t size, char text[static WF_SHA256_TEXT])
     sha256_finish(&s, text);
 }
 
-enum wf_status wf_sha256_file(const char *path, char text[static WF_SHA256_TEXT], struct wf_err *e)
+static int write_whole(int fd, const unsigned char *bytes, size_t size)
+{
+    while (size > 0) {
+        ssize_t put = write(fd, bytes, size);
+        if (put < 0 && errno == EINTR) continue;
+        if (put < 0) return -1;
+        bytes += put;
+        size -= (size_t)put;
+    }
+    return 0;
+}
+
+int wf_sha256_read(int fd, int copy, char text[static WF_SHA256_TEXT], size_t *size)
 {
     unsigned char piece[16384];
     struct sha256 s;
-    FILE *f = fopen(path, "rb");
-    if (!f) return wf_fail(e, WF_EINPUT, "%s: cannot be read: %s", path, strerror(errno));
     sha256_begin(&s);
-    for (size_t n; (n = fread(piece, 1, sizeof piece, f)) > 0;) sha256_take(&s, piece, n);
-    int error = ferror(f) ? errno : 0;
-    fclose(f);
-    if (error) return wf_fail(e, WF_EINPUT, "%s: cannot be read: %s", path, strerror(error));
+    for (*size = 0;;) {
+        ssize_t got = read(fd, piece, sizeof piece);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return -1;
+        if (got == 0) break;
+        sha256_take(&s, piece, (size_t)got);
+        *size += (size_t)got;
+        if (copy >= 0 && write_whole(copy, piece, (size_t)got)) return -1;
+    }
     sha256_finish(&s, text);
-    return WF_OK;
+    return 0;
+}
+
+enum wf_status wf_sha256_file(const char *path, struct wf_arena *a, char text[static WF_SHA256_TEXT],
+                              struct wf_err *e)
+{
+    const struct wf_piped *piped = piped_named(a, path);
+    if (piped) return wf_sha256(piped->bytes.data, piped->bytes.size, text), WF_OK;
+    size_t size;
+    int fd = open(path, O_RDONLY | O_CLOEXEC), failed = fd < 0 || wf_sha256_read(fd, -1, text, &size);
+    int reason = errno;
+    if (fd >= 0) (void)close(fd);
+    return failed ? wf_fail(e, WF_EINPUT, "%s: cannot be read: %s", path, strerror(reason)) : WF_OK;
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/parallel.h"
 #include "base/arena.h"
+#include "base/interrupt.h"
 #include <pthread.h>
 #include <stdatomic.h>
 #include <unistd.h>
@@ -24,7 +25,7 @@ size_t wf_parallel_threads(size_t asked)
 static void *parallel_worker(void *parallel_job)
 {
     struct parallel_job *c = parallel_job;
-    for (size_t k; (k = atomic_fetch_add(&c->next, 1)) < c->n;) {
+    for (size_t k; !wf_interrupted() && (k = atomic_fetch_add(&c->next, 1)) < c->n;) {
         enum wf_status s = c->one(c->context, k, &c->why[k]);
         c->why[k].code = s;
     }
@@ -56,6 +57,7 @@ enum wf_status wf_parallel(size_t n, size_t threads,
     enum wf_status s = WF_OK;
     for (size_t k = 0; k < n && !s; k++)
         if (c.why[k].code) s = wf_fail(e, c.why[k].code, "%s", c.why[k].text);
+    if (!s && c.next < n) s = wf_fail(e, WF_EINTERRUPTED, "interrupted");
     wf_arena_free(&scratch);
     return s;
 }

@@ -9,8 +9,9 @@
 size_t wf_parallel_threads(size_t asked);
 /* Call one(context, k, e) for k = 0..n-1, in any order, on wf_parallel_threads(threads) threads, of which the
  * caller's is one. `one` must write only what belongs to k; the result then does not depend on the number of
- * threads. If a thread cannot be started, the others do its work. Returned: WF_OK, or status and message of
- * the lowest k that failed; WF_ENOMEM. */
+ * threads. If a thread cannot be started, the others do its work. After an interrupt (base/interrupt.h) no
+ * further k is begun. Returned: WF_OK, or status and message of the lowest k that failed; WF_EINTERRUPTED
+ * when some were not begun; WF_ENOMEM. */
 enum wf_status wf_parallel(size_t n, size_t threads,
                            enum wf_status (*one)(void *context, size_t k, struct wf_err *e), void *context,
                            struct wf_err *e);

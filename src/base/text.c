@@ -56,6 +56,154 @@ bool wf_utf8_valid(const char *text, size_t size, struct wf_utf8_fault *fault)
     return false;
 }
 
+/* Text of users. */
+
+enum { BAD_BYTE = 0xFFFD };
+
+/* The character at s and its length in bytes; a byte that begins none is one character, BAD_BYTE. */
+static uint32_t character(const char *s, size_t *length)
+{
+    const unsigned char *b = (const unsigned char *)s;
+    size_t n = utf8_sequence(b, strnlen(s, 4));
+    *length = n ? n : 1;
+    if (n < 2) return n ? b[0] : BAD_BYTE;
+    uint32_t c = b[0] & (0x7Fu >> n);
+    for (size_t i = 1; i < n; i++) c = c << 6 | (b[i] & 0x3Fu);
+    return c;
+}
+
+/* Does it act on a terminal instead of being shown? */
+static bool acts(uint32_t c)
+{
+    return (c < 0x20 && c != '\n' && c != '\t') || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E ||
+           c == 0x200F || (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF;
+}
+
+const char *wf_text_for_terminal(const char *text, struct wf_arena *a)
+{
+    enum { ESCAPE_MAX = 6 }; /* bytes of \u202e; of a byte that acts at most \x1b */
+    size_t n, size = strlen(text);
+    char *out = WF_TAKE(a, ESCAPE_MAX * size + 1, char), *to = out;
+    for (const char *s = text; out && *s; s += n) {
+        uint32_t c = character(s, &n);
+        if (n == 1 && (c == BAD_BYTE || acts(c)))
+            to += snprintf(to, ESCAPE_MAX + 1, "\\x%02x", (unsigned)(unsigned char)*s);
+        else if (acts(c))
+            to += snprintf(to, ESCAPE_MAX + 1, "\\u%04x", (unsigned)c);
+        else
+            to = (char *)memcpy(to, s, n) + n;
+    }
+    if (out) *to = '\0';
+    return out;
+}
+
+const char *wf_text_for_xml(const char *text, struct wf_arena *a)
+{
+    static const char replacement[] = "\xEF\xBF\xBD";
+    size_t n;
+    char *out = WF_TAKE(a, 3 * strlen(text) + 1, char), *to = out;
+    for (const char *s = text; out && *s; s += n) {
+        uint32_t c = character(s, &n);
+        bool allowed = c >= 0x20 ? c < BAD_BYTE || c > 0xFFFF : c == '\t' || c == '\n' || c == '\r';
+        to = (char *)memcpy(to, allowed ? s : replacement, allowed ? n : 3) + (allowed ? n : 3);
+    }
+    if (out) *to = '\0';
+    return out;
+}
+
+/* Columns a character takes: 2 for wide East Asian ones, by their blocks (Unicode Standard Annex 11). */
+static size_t columns_of(uint32_t c)
+{
+    bool wide = (c >= 0x1100 && c < 0x1160) || (c >= 0x2E80 && c < 0xA4D0) || (c >= 0xAC00 && c < 0xD7A4) ||
+                (c >= 0xF900 && c < 0xFB00) || (c >= 0xFE30 && c < 0xFE70) || (c >= 0xFF00 && c < 0xFF61) ||
+                (c >= 0x1F300 && c < 0x1FB00) || (c >= 0x20000 && c < 0x40000);
+    return wide ? 2 : 1;
+}
+
+const char *wf_text_shortened(const char *text, size_t columns, struct wf_arena *a)
+{
+    size_t n, used = 0, end = 0, at = 0;
+    for (; text[at] && used <= columns; at += n) {
+        used += columns_of(character(text + at, &n));
+        if (used + 1 <= columns) end = at + n; /* the ellipsis takes a column */
+    }
+    if (used <= columns) return wf_arena_text(a, text);
+    return wf_arena_print(a, "%.*s\xE2\x80\xA6", (int)end, text);
+}
+
+/* Other encodings. */
+
+static size_t utf8_put(char *to, unsigned c)
+{
+    if (c < 0x80) {
+        to[0] = (char)c;
+        return 1;
+    }
+    if (c < 0x800) {
+        to[0] = (char)(0xC0 | c >> 6), to[1] = (char)(0x80 | (c & 0x3F));
+        return 2;
+    }
+    if (c < 0x10000) {
+        to[0] = (char)(0xE0 | c >> 12), to[1] = (char)(0x80 | (c >> 6 & 0x3F)),
+        to[2] = (char)(0x80 | (c & 0x3F));
+        return 3;
+    }
+    to[0] = (char)(0xF0 | c >> 18), to[1] = (char)(0x80 | (c >> 12 & 0x3F));
+    to[2] = (char)(0x80 | (c >> 6 & 0x3F)), to[3] = (char)(0x80 | (c & 0x3F));
+    return 4;
+}
+
+enum wf_utf16 wf_utf16_order(const char *text, size_t size)
+{
+    const unsigned char *s = (const unsigned char *)text;
+    if (size < 2) return WF_UTF16_NOT;
+    if (s[0] == 0xFF && s[1] == 0xFE) return WF_UTF16_LITTLE;
+    if (s[0] == 0xFE && s[1] == 0xFF) return WF_UTF16_BIG;
+    if (size < 4) return WF_UTF16_NOT;
+    if (s[0] && !s[1] && s[2] && !s[3]) return WF_UTF16_LITTLE;
+    return !s[0] && s[1] && !s[2] && s[3] ? WF_UTF16_BIG : WF_UTF16_NOT;
+}
+
+size_t wf_utf16_to_utf8(const char *text, size_t size, enum wf_utf16 order, char *to)
+{
+    const unsigned char *s = (const unsigned char *)text;
+    size_t n = 0, high = order == WF_UTF16_BIG ? 0 : 1;
+    if (size % 2) return (size_t)-1;
+    for (size_t i = 0; i < size; i += 2) {
+        unsigned c = (unsigned)s[i + high] << 8 | s[i + 1 - high];
+        if (c == 0xFEFF && !i) continue;
+        if (!c || (c >= 0xDC00 && c <= 0xDFFF)) return (size_t)-1;
+        if (c >= 0xD800 && c <= 0xDBFF) {
+            i += 2;
+            unsigned low = i < size ? (unsigned)s[i + high] << 8 | s[i + 1 - high] : 0;
+            if (low < 0xDC00 || low > 0xDFFF) return (size_t)-1;
+            c = 0x10000 + ((c - 0xD800) << 10) + (low - 0xDC00);
+        }
+        n += utf8_put(to + n, c);
+    }
+    return n;
+}
+
+size_t wf_cp1252_to_utf8(const char *text, size_t size, char *to)
+{
+    /* 0x80 to 0x9F; the others are their own code points. 0: not in the code page. */
+    static const unsigned short upper[32] = {
+        0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+        0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+        0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178
+    };
+    const unsigned char *s = (const unsigned char *)text;
+    size_t n = 0;
+    for (size_t i = 0; i < size; i++) {
+        unsigned c = s[i];
+        if (c >= 0x80 && c < 0xA0) c = upper[c - 0x80];
+        bool control = c < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
+        if (!c || control || c == 0x7F || utf8_sequence(s + i, size - i) > 1) return (size_t)-1;
+        n += utf8_put(to + n, c);
+    }
+    return n;
+}
+
 /* Suggestions. */
 
 enum { WORD_MAX = 63 };
@@ -114,6 +262,17 @@ const char *wf_nearest(const char *word, const char *const *known, size_t n)
     for (size_t i = 0; i < n && !best; i++)
         if (is_short_form(word, known[i])) best = known[i];
     return best;
+}
+
+char *wf_list_item(char **rest)
+{
+    char *item = *rest, *comma = item ? strchr(item, ',') : NULL;
+    if (!item) return NULL;
+    *rest = comma ? comma + 1 : NULL;
+    if (comma) *comma = '\0';
+    item += strspn(item, " \t");
+    for (size_t n = strlen(item); n && (item[n - 1] == ' ' || item[n - 1] == '\t'); n--) item[n - 1] = '\0';
+    return item;
 }
 
 struct wf_hint wf_did_you_mean(const char *word, const char *const *known, size_t n)

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_BASE_TEXT_H
 #define WF_BASE_TEXT_H
-/* Text: validation of UTF-8, and suggestions for mistyped words. */
+/* Text: validation of UTF-8, conversion of other encodings to it, text of users on terminals, in XML and in
+ * figures, suggestions for mistyped words. */
+#include "base/arena.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -14,6 +16,32 @@ struct wf_utf8_fault {
  * U+10FFFF; NUL is refused too. Returned: true, or false and the first fault. */
 bool wf_utf8_valid(const char *text, size_t size, struct wf_utf8_fault *fault);
 
+/* Text that came from a user, made fit for where it goes. Given: any bytes up to a NUL. Returned: text in the
+ * arena, NULL without memory. */
+
+/* For a terminal: what could move the cursor, change colours or reorder what is read (C0 and C1 controls,
+ * DEL, marks of writing direction, line and paragraph separators) and bytes that are not UTF-8 are shown as
+ * escapes, \x1b or \u202e. Line ends stay; a tab too. */
+const char *wf_text_for_terminal(const char *text, struct wf_arena *a);
+/* For XML 1.0 and what is drawn into SVG: characters that are not allowed there, and bytes that are not
+ * UTF-8, are replaced by U+FFFD. */
+const char *wf_text_for_xml(const char *text, struct wf_arena *a);
+/* For a place of `columns` columns (at least 2; wide East Asian characters take two): a longer text is cut
+ * and ends in an ellipsis. */
+const char *wf_text_shortened(const char *text, size_t columns, struct wf_arena *a);
+
+/* Byte order of UTF-16 text, by its byte order mark or by the zero bytes of its first two characters. */
+enum wf_utf16 { WF_UTF16_NOT, WF_UTF16_LITTLE, WF_UTF16_BIG };
+enum wf_utf16 wf_utf16_order(const char *text, size_t size);
+/* Convert UTF-16 to UTF-8; a byte order mark is left out. Given: `to`, room for 3 bytes for each 2 of the
+ * text. Returned: bytes written; (size_t)-1 when the text has an odd number of bytes, a NUL or half a
+ * surrogate pair. */
+size_t wf_utf16_to_utf8(const char *text, size_t size, enum wf_utf16 order, char *to);
+/* Convert Windows-1252, of which ISO 8859-1 (Latin-1) is the printable part, to UTF-8. Given: `to`, room for
+ * 3 times the size. Returned: bytes written; (size_t)-1 when a byte is a control character other than a tab
+ * or a line end, is not in the code page, or when the text also has characters in UTF-8. */
+size_t wf_cp1252_to_utf8(const char *text, size_t size, char *to);
+
 /* Distance between two words, letter case ignored: the number of changes, insertions, deletions and swaps of
  * neighbouring letters (Damerau 1964, Levenshtein 1966; optimal string alignment). Returned: (size_t)-1 when
  * a word is longer than 63 bytes. */
@@ -24,6 +52,9 @@ int wf_word_is_near(const char *word, size_t distance);
 /* The most similar of n known words; when none is similar enough, the first that begins with the word or that
  * the word begins with (at least three letters); otherwise NULL. */
 const char *wf_nearest(const char *word, const char *const *known, size_t n);
+/* Next item of a list with commas, blanks around it cut off; an item may be empty. Given: what is left of the
+ * list, which is written to; at the start the whole list. Returned: NULL after the last item. */
+char *wf_list_item(char **rest);
 /* The end of a message about an unknown word: "; did you mean 'NEAREST'?", or "" when no known word is
  * similar. For use as an argument: wf_did_you_mean(word, known, n).text. */
 struct wf_hint {

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <udunits2.h>
 
 static const struct wf_dimension_row dimension_rows[WF_DIM_COUNT] = {
@@ -33,14 +34,23 @@ static const struct wf_dimension_row dimension_rows[WF_DIM_COUNT] = {
     [WF_DIM_MASS_PER_LENGTH] = { "a mass per length", "kg/m", "kg/m, g/m" },
 };
 
-/* Customary spellings that the database lacks or interprets differently (mph: milliphot). */
+/* Customary spellings that the database lacks or interprets differently (mph: milliphot, ms: milliseconds, c:
+ * the speed of light), each for one dimension. Those of speeds are read in either case. */
 static const struct {
-    const char *spelling, *meaning;
+    enum wf_dimension dimension;
+    const char *spelling, *meaning; /* meaning NULL: not a unit */
 } aliases[] = {
-    { "deg", "degree" },
-    { "mph", "mile/hour" },
-    { "kph", "km/hour" },
-    { "kmh", "km/hour" },
+    { WF_DIM_ANGLE, "deg", "degree" },   { WF_DIM_SPEED, "mph", "mile/hour" },
+    { WF_DIM_SPEED, "kph", "km/hour" },  { WF_DIM_SPEED, "kmh", "km/hour" },
+    { WF_DIM_SPEED, "kmph", "km/hour" }, { WF_DIM_SPEED, "km/h", "km/hour" },
+    { WF_DIM_SPEED, "ms", "m/s" },       { WF_DIM_SPEED, "mps", "m/s" },
+    { WF_DIM_SPEED, "m/s", "m/s" },      { WF_DIM_SPEED, "ms-1", "m/s" },
+    { WF_DIM_SPEED, "cms", "cm/s" },     { WF_DIM_SPEED, "fps", "ft/s" },
+    { WF_DIM_SPEED, "kn", "knot" },      { WF_DIM_SPEED, "kt", "knot" },
+    { WF_DIM_SPEED, "kts", "knot" },     { WF_DIM_SPEED, "kns", "knot" },
+    { WF_DIM_SPEED, "knot", "knot" },    { WF_DIM_SPEED, "knots", "knot" },
+    { WF_DIM_SPEED, "c", NULL },         { WF_DIM_FORCE, "kp", "kgf" },
+    { WF_DIM_FREQUENCY, "hz", "Hz" },
 };
 
 struct wf_units {
@@ -227,7 +237,12 @@ static enum wf_status unit_of(const struct wf_units *u, const char *text, enum w
     if (d == WF_DIM_NONE && strcmp(text, "%") != 0 && strcmp(text, "percent") != 0) return WF_OK;
     if (d == WF_DIM_ANGLE && !angle_spelling(text)) return WF_OK;
     for (size_t i = 0; i < WF_COUNT(aliases); i++)
-        if (!strcmp(text, aliases[i].spelling)) text = aliases[i].meaning;
+        if (aliases[i].dimension == d &&
+            !(d == WF_DIM_SPEED ? strcasecmp : strcmp)(text, aliases[i].spelling)) {
+            text = aliases[i].meaning;
+            break;
+        }
+    if (!text) return WF_OK;
     enum wf_status s = parse_unit(u, text, out, e);
     if (s || !*out) return s;
     s = fits(u, *out, d, &right, e);
@@ -244,6 +259,14 @@ static enum wf_status convert(ut_unit *from, ut_unit *to, double *v, struct wf_e
     *v = cv_convert_double(c, *v);
     cv_free(c);
     return WF_OK;
+}
+
+bool wf_unit_known(const struct wf_units *u, const char *text)
+{
+    ut_unit *unit = NULL;
+    if (unit_fault(text) || parse_unit(u, text, &unit, NULL)) return false;
+    if (unit) ut_free(unit);
+    return unit != NULL;
 }
 
 static enum wf_status refuse_unit(const struct wf_units *u, const char *text, const char *unit,

@@ -3,6 +3,7 @@
 #define WF_BASE_UNITS_H
 /* Quantities as text: "10 GPa" to SI and back, with UDUNITS-2. */
 #include "base/err.h"
+#include <stdbool.h>
 #include <stddef.h>
 
 enum wf_dimension {
@@ -45,6 +46,9 @@ struct wf_units; /* a table of units; must not be used by two threads at once */
 enum wf_status wf_units_open(struct wf_units **out, struct wf_err *e);
 /* Free a table; NULL is allowed. */
 void wf_units_close(struct wf_units *u);
+
+/* Whether a text is a unit of any dimension; false also without memory. */
+bool wf_unit_known(const struct wf_units *u, const char *text);
 
 /* Read a quantity. Given: text such as "10 GPa", "36 km/h", "0.35", "12 %", "15 degC", and the dimension
  * wanted. Returned: *si, the value in the SI unit of the dimension. Errors: WF_EINPUT with a message that

@@ -134,6 +134,12 @@ static void check_wants(struct case_checking *k)
         check_place(k, &w[i].at, w[i].line);
     }
     if (by_solver && !c->solvers) c->solver[c->solvers++] = wf_solvers[0];
+    for (size_t i = 0; i < c->solvers; i++)
+        if (c->solver[i]->clamped && (c->spring[0] > 0.0 || c->spring[1] > 0.0))
+            case_wrong(
+                k, c->line,
+                "a spring at the base ('support') has no effect with the solver '%s', which clamps the base",
+                c->solver[i]->name);
     if (!by_solver && c->given[wf_case_key_index("solver")] > c->line)
         case_wrong(k, c->line, "'solver' is given, but no wanted value needs one");
     if (!by_solver) c->solvers = 0;

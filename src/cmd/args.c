@@ -18,13 +18,13 @@ static void print_paragraph(FILE *to, const char *text, int left)
     while (*text) {
         int word = (int)strcspn(text, " ");
         if (column > left && column + 1 + word > 80) {
-            fprintf(to, "\n%*s", left, "");
+            wf_show(to, "\n%*s", left, "");
             column = left;
         } else if (column > left) {
             fputc(' ', to);
             column++;
         }
-        fprintf(to, "%.*s", word, text);
+        wf_show(to, "%.*s", word, text);
         column += word;
         text += word;
         while (*text == ' ') text++;
@@ -39,10 +39,10 @@ static void print_option(FILE *to, const struct wf_option *o)
     if (!body) return;
     wf_option_text(o, body);
     fclose(body);
-    int shown = fprintf(to, "  %s%s%s%s%s", o->letter ? o->letter : "", o->letter ? ", " : "", o->name,
+    int shown = wf_show(to, "  %s%s%s%s%s", o->letter ? o->letter : "", o->letter ? ", " : "", o->name,
                         o->value ? " " : "", o->value ? o->value : "");
-    if (shown > 27) shown = fprintf(to, "\n") - 1;
-    fprintf(to, "%*s", 28 - shown, "");
+    if (shown > 27) shown = wf_show(to, "\n") - 1;
+    wf_show(to, "%*s", 28 - shown, "");
     print_paragraph(to, text, 28);
 }
 
@@ -54,7 +54,7 @@ static void print_about(FILE *to, const char *about)
         size_t length = strcspn(about, "\n");
         snprintf(line, sizeof line, "%.*s", (int)length, about);
         if (line[0] == ' ' || !line[0])
-            fprintf(to, "%s\n", line);
+            wf_show(to, "%s\n", line);
         else
             print_paragraph(to, line, 0);
         about += length + (about[length] == '\n');
@@ -66,13 +66,13 @@ static void print_usage(FILE *to, const char *command, const struct wf_option *o
 {
     const struct wf_command *c = wf_commands;
     while (c->name && strcmp(c->name, command) != 0) c++;
-    fprintf(to, "Usage: windfirm %s %s\n\n", command, c->name ? c->operands : "");
+    wf_show(to, "Usage: windfirm %s %s\n\n", command, c->name ? c->operands : "");
     if (c->name) print_paragraph(to, c->summary, 0);
     if (about) {
         fputc('\n', to);
         print_about(to, about);
     }
-    if (option && option->name) fprintf(to, "\nOptions (default in brackets):\n");
+    if (option && option->name) wf_show(to, "\nOptions (default in brackets):\n");
     for (const struct wf_option *o = option; o && o->name; o++) print_option(to, o);
 }
 
@@ -138,6 +138,17 @@ static void check_operands(struct wf_reading *r, size_t low, size_t high)
                           high == 1 ? " is" : "s are", r->args->operand[high]);
 }
 
+/* Refuse options that have no effect beside the others: whoever gives one believes that it has. */
+static void refuse_unused(struct wf_reading *r)
+{
+    char why[WF_WHY];
+    for (size_t k = 0; k < r->options; k++) {
+        const struct wf_option *o = &r->args->option[k];
+        if (r->args->given[k] && o->unused && o->unused(r->args, o, why))
+            wf_option_mistake(r, r->key[k], o->name, "has no effect %s", why);
+    }
+}
+
 /* Defaults of what was not given, then the winds, which depend on other options. Called by the study file's
  * reader while mistakes about keys still know their line, else at the end; a second call does nothing. */
 static void complete(struct wf_reading *r)
@@ -148,6 +159,7 @@ static void complete(struct wf_reading *r)
     for (size_t k = 0; k < r->options; k++)
         if (!out->given[k] && out->option[k].initial) wf_option_take(r, k, out->option[k].initial);
     wf_winds_read(r);
+    if (!r->mistakes) refuse_unused(r);
 }
 
 /* ---- Study files ----
@@ -215,10 +227,10 @@ static const char *doc_of(const struct wf_option *o, struct wf_arena *a)
     FILE *to = fmemopen(text, sizeof text, "w");
     if (!to) return NULL;
     wf_option_text(o, to);
-    fputs(" -", to);
+    wf_show(to, " -");
     for (const struct taker *c = takers; c->command; c++)
         for (const struct wf_option *p = c->option; p && p->name; p++)
-            if (!strcmp(p->name, o->name)) fprintf(to, " %s", c->command);
+            if (!strcmp(p->name, o->name)) wf_show(to, " %s", c->command);
     fclose(to);
     return wf_arena_text(a, text);
 }
@@ -255,14 +267,14 @@ static bool fill_keys(struct study_keys *b, struct wf_arena *a)
 static void take_operands(struct study_keys *b, const char *list)
 {
     struct wf_args *out = b->reading->args;
-    char *rest = NULL, *text = wf_arena_text(b->reading->arena, list);
+    char *rest = wf_arena_text(b->reading->arena, list);
     const char **operand = WF_TAKE(b->reading->arena, strlen(list) + 1, const char *);
-    if (!text || !operand) {
+    if (!rest || !operand) {
         wf_option_mistake(b->reading, b->taker->subject, "", "out of memory");
         return;
     }
-    for (char *w = strtok_r(text, ",", &rest); w; w = strtok_r(NULL, ",", &rest)) {
-        w += strspn(w, " ");
+    for (char *w; (w = wf_list_item(&rest));) {
+        if (!*w) wf_option_mistake(b->reading, b->taker->subject, "", "an item of the list is empty");
         operand[out->n++] = b->taker->files ? wf_beside(b->file, w, b->reading->arena) : w;
     }
     out->operand = operand;
@@ -308,7 +320,7 @@ static void warn_of_unused(const struct study_keys *b)
     for (size_t k = 2; k < b->keys && all; k++)
         if (b->value[k] && !b->used[k])
             all = wf_arena_print(b->reading->arena, "%s%s%s", all, *all ? ", " : "", b->row[k].key);
-    if (all && *all) fprintf(stderr, "%s: not used by '%s': %s\n", b->file, b->reading->command, all);
+    if (all && *all) wf_show(stderr, "%s: not used by '%s': %s\n", b->file, b->reading->command, all);
 }
 
 static struct study_keys *open_study_keys(struct wf_reading *r, struct wf_arena *a)
@@ -333,17 +345,6 @@ static const struct wf_yaml_table study_table = {
     .finish = apply_keys,
 };
 
-/* Whether a file begins with the key of a study. */
-static bool is_study(const char *path, struct wf_arena *a)
-{
-    struct wf_bytes text;
-    struct wf_err e = { 0 };
-    if (access(path, R_OK) || wf_file_read_text(path, a, &text, &e)) return false;
-    for (const char *p = text.data; p && *p; p = strchr(p, '\n') ? strchr(p, '\n') + 1 : NULL)
-        if (*p != '#' && *p != '\n' && *p != '\r') return strncmp(p, "study:", 6) == 0;
-    return false;
-}
-
 /* The study file: that of --study, or the only operand when that is one. NULL: none. */
 static const char *study_named(struct wf_reading *r)
 {
@@ -351,7 +352,7 @@ static const char *study_named(struct wf_reading *r)
     size_t k = 0;
     while (k < r->options && out->option[k].kind != WF_OPTION_STUDY) k++;
     if (k == r->options) return NULL;
-    if (!out->study && out->n == 1 && is_study(out->operand[0], r->arena)) {
+    if (!out->study && out->n == 1 && wf_begins_with_key(out->operand[0], "study:", r->arena)) {
         out->study = out->operand[0];
         out->given[k] = true;
         out->n = 0;
@@ -427,9 +428,9 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     complete(&r);
     wf_units_close(r.units);
     if (!r.mistakes) {
-        if (out->winds_said && !out->quiet) fprintf(stderr, "%s\n", out->winds_said);
+        if (out->winds_said && !out->quiet) wf_show(stderr, "%s\n", out->winds_said);
         return -1;
     }
-    fprintf(stderr, "'windfirm %s --help' shows how it is used\n", argv[0]);
+    wf_show(stderr, "'windfirm %s --help' shows how it is used\n", argv[0]);
     return 2;
 }

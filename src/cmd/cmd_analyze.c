@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm analyze and windfirm compare: what a steady wind does to one or several species on one tree. */
+#include "base/interrupt.h"
 #include "base/num.h"
+#include "cmd/analyze_print.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
 #include "cmd/option_groups.h"
+#include "cmd/scan_models.h"
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"
-#include "out/report.h"
 #include "out/results.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
@@ -25,20 +27,82 @@ struct analyze_options {
     struct wf_args args;
     struct wf_tree_asked tree;
     struct wf_speeds wind;
-    struct wf_averaging averaging;
-    struct wf_profile_words profile;
+    struct wf_averaging averaging;   /* with the climate */
+    struct wf_profile_words profile; /* with the map of the ground */
     const char *output, *solver, *preset, *shelter, *lang;
-    const char *directions, *climate; /* NULL: not given                           */
-    const char *dem, *at;
+    const char *directions, *at; /* NULL: not given                                */
     size_t threads;
     double azimuth, north;           /* [rad]                                     */
     double temperature, altitude;    /* [K], [m]                                  */
     double air_density;              /* [kg m-3]; NAN: from the two above         */
-    double search_to;                /* [m/s]; NAN: the default of the library    */
+    double search_to, search_time;   /* [m/s], NAN: the library's default; [s]    */
     double mesh_tolerance;           /* [-]                                       */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     bool no_report;
 };
+
+/* The solver that is used: a preset's own comes first. NULL: a name is wrong. */
+static const struct wf_solver *solver_used(const struct analyze_options *o)
+{
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    return p ? wf_solver_named(p->solver ? p->solver : o->solver) : NULL;
+}
+
+static bool solver_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    (void)row;
+    return wf_option_unused(p && p->solver, why, "with the preset '%s', which has its own", o->preset);
+}
+
+static bool mesh_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    return s && wf_option_unused(s->unmeshed, why,
+                                 "with the solver '%s', which takes the segments as they are", s->name);
+}
+
+static bool root_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    return s && wf_option_unused(s->clamped, why, "with the solver '%s', which clamps the base", s->name);
+}
+
+static bool north_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    (void)row;
+    return wf_option_unused(!o->directions && !o->averaging.climate && !o->profile.ground, why,
+                            "without directions (--directions, --climate) or a map (--dem)");
+}
+
+static bool place_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    (void)row;
+    return wf_option_unused(!o->profile.ground, why, "without the ground, --dem");
+}
+
+/* The temperature sets the viscosity of the air too, so it has an effect beside a density. */
+static bool altitude_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    const struct wf_preset *p = wf_preset_named(o->preset);
+    (void)row;
+    if (p && !isnan(p->air_density)) return wf_option_unused(true, why, "with the preset '%s'", p->name);
+    return wf_option_unused(!isnan(o->air_density), why, "beside --air-density");
+}
+
+static bool density_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct wf_preset *p = wf_preset_named(((const struct analyze_options *)options)->preset);
+    (void)row;
+    return wf_option_unused(p && !isnan(p->air_density), why, "with the preset '%s', which has its own",
+                            p ? p->name : "");
+}
 
 #define OPTIONS struct analyze_options
 const struct wf_option wf_analyze_options[] = {
@@ -51,41 +115,46 @@ const struct wf_option wf_analyze_options[] = {
     WF_AVERAGING_ROWS(averaging),
     TEXT("--output", output, "FOLDER", NULL,
          "where results, tables, plots and pages go [out/analyze or out/compare]", .letter = "-o"),
-    WORD("--solver", solver, "NAME", wf_solver_word, "beam", "how the bent shape is computed",
-         .letter = "-s"),
+    WORD("--solver", solver, "NAME", wf_solver_word, "beam", "how the bent shape is computed", .letter = "-s",
+         .unused = solver_unused),
     WORD("--preset", preset, "NAME", wf_preset_word, "corrected",
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
-    PATH("--climate", climate, "FILE", NULL,
+    PATH("--climate", averaging.climate, "FILE", NULL,
          "wind climate, for hours a year above the critical wind: frequency and strength by direction, a CSV "
          "as for 'windfirm wind rose', hourly means at the reference height; its directions are taken"),
     NUMBER("--north", north, "ANGLE", ANGLE, "deg", -360, 360, "0",
-           "where north is in the model: clockwise from +y as seen from above; 0: north is +y, east +x"),
+           "where north is in the model: clockwise from +y as seen from above; 0: north is +y, east +x",
+           .unused = north_unused),
     WHOLE("--threads", threads, 0, 64, "0", "processors to use, 0: all; the results are the same"),
     WORD("--shelter", shelter, "LAW", wf_shelter_word, "none",
          "the wind inside the crown: none: as outside; wake: reduced by the drag of the windward parts; "
          "feng1999: potential flows as printed"),
     NUMBER("--speed-up", speed_up, "NUMBER", NONE, NULL, 0.1, 5, NULL,
            "exposure of the site: wind at the tree over the wind named [1]"),
-    PATH("--dem", dem, "FILE", NULL,
+    PATH("--dem", profile.ground, "FILE", NULL,
          "or found, for each direction, on heights of the ground, an ESRI ASCII grid, as 'windfirm terrain' "
          "finds it at the reference height"),
-    TEXT("--at", at, "X,Y", NULL, "where the tree stands on it [m]"),
-    NUMBER("--temperature", temperature, "TEMPERATURE", TEMPERATURE, "degC", -60, 60, "15", "of the air"),
+    TEXT("--at", at, "X,Y", NULL, "where the tree stands on it [m]", .unused = place_unused),
+    NUMBER("--temperature", temperature, "TEMPERATURE", TEMPERATURE, "degC", -60, 60, "15",
+           "of the air, for its density and viscosity"),
     NUMBER("--altitude", altitude, "LENGTH", LENGTH, "m", -500, 9000, "0",
-           "of the site above the sea, for the density of the air"),
+           "of the site above the sea, for the density of the air", .unused = altitude_unused),
     NUMBER("--air-density", air_density, "DENSITY", DENSITY, "kg/m3", 0.1, 2, NULL,
-           "in place of the one from temperature and altitude"),
+           "in place of the one from temperature and altitude", .unused = density_unused),
     NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, NULL,
            "highest wind at which the critical speed is looked for [60 m/s, or 1.2 times the highest wind "
            "specified where that is more]"),
+    NUMBER("--search-time", search_time, "TIME", TIME, "s", 1, 1e6, "120",
+           "processor time for the search of a critical speed, and again for the curves; what it leaves out "
+           "is said"),
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
-           "relative error accepted from the mesh; 0 takes one element a segment"),
+           "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
-           "rotational stiffness of the root plate; without it the stem is clamped"),
+           "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
     WF_PAGE_ROWS("--no-report", no_report, lang, "write results and tables only"),
     WF_QUIET_ROW,
     { 0 },
@@ -101,8 +170,6 @@ struct request {
     struct wf_directions_request directions; /* n = 0: none */
 };
 
-static double degrees(double rad) { return rad * 180.0 / M_PI; }
-
 /* ---- From options to a request ---- */
 
 /* The wind directions of the options; a climate is read, its mistakes are in `d`. Returned: *out, n = 0 when
@@ -110,7 +177,7 @@ static double degrees(double rad) { return rad * 180.0 / M_PI; }
 static enum wf_status read_directions(const struct analyze_options *o, struct wf_arena *a, struct wf_diag *d,
                                       struct wf_directions_request *out, struct wf_err *e)
 {
-    const char *n = o->directions, *climate = o->climate, *law = o->averaging.law;
+    const char *n = o->directions, *climate = o->averaging.climate, *law = o->averaging.law;
     *out = (struct wf_directions_request){
         .n = n ? (size_t)atoi(n) : 0, .north = o->north, .climate_file = climate, .law = law ? law : "durst"
     };
@@ -156,12 +223,12 @@ static enum wf_status read_exposure(const struct analyze_options *o, struct wf_a
 {
     bool given = !isnan(o->speed_up);
     if (given) s->speed_up = o->speed_up;
-    if (!o->dem && o->at) return wf_fail(e, WF_EUSAGE, "--at: needs --dem, the heights of the ground");
-    if (o->dem && given) return wf_fail(e, WF_EUSAGE, "give one of --speed-up and --dem, not both");
-    if (!o->dem) return WF_OK;
+    const char *dem = o->profile.ground;
+    if (dem && given) return wf_fail(e, WF_EUSAGE, "give one of --speed-up and --dem, not both");
+    if (!dem) return WF_OK;
     struct wf_site *site = WF_TAKE(a, 1, struct wf_site);
     if (!site) return wf_fail(e, WF_ENOMEM, "not enough memory for a map");
-    site->file = o->dem;
+    site->file = dem;
     return expose_site(site, o->at, a, s, q, e);
 }
 
@@ -180,7 +247,8 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     s->air_density = o->air_density;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
     wf_search_default(&out->search);
-    if (!isnan(o->search_to)) out->search = (struct wf_search){ .speed_max = o->search_to };
+    if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
+    out->search.seconds = o->search_time;
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;
@@ -190,148 +258,6 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     out->preset = wf_preset_named(o->preset);
     status = read_directions(o, a, d, &out->directions, e);
     return status ? status : read_exposure(o, a, s, &out->directions, e);
-}
-
-/* ---- Tables for a terminal ---- */
-
-static void print_cell(FILE *to, int width, int digits, double x)
-{
-    if (isfinite(x))
-        fprintf(to, "%*.*f", width, digits, x);
-    else
-        fprintf(to, "%*s", width, "-");
-}
-
-/* At the strongest specified wind. */
-static void print_direction(FILE *to, const struct wf_analysis *an, const struct wf_direction *d)
-{
-    const struct wf_at_speed *at = &d->at[an->n - 1];
-    fprintf(to, "%8g", degrees(d->from));
-    print_cell(to, 13, 3, at->base_moment / 1e3);
-    print_cell(to, 11, 3, at->tip_deflection);
-    print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
-    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
-    print_cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
-    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed);
-    const struct wf_directions_request *q = &an->directions->request;
-    if (q->speed_up) print_cell(to, 10, 3, q->speed_up[d - an->directions->direction]);
-    if (q->rose) {
-        print_cell(to, 12, 3, WF_HOURS_A_YEAR * d->hourly);
-        print_cell(to, 12, 3, WF_HOURS_A_YEAR * d->strongest);
-    }
-    fputc('\n', to);
-}
-
-static void print_climate(FILE *to, const struct wf_analysis *an)
-{
-    const struct wf_directions *x = an->directions;
-    fprintf(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
-    print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
-    print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
-    fprintf(to,
-            "\n  The critical wind is a sustained one, a 10-min mean at %.6g m. Hours a year: with an hourly "
-            "mean above "
-            "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
-            an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
-    if (x->above)
-        fprintf(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
-                an->search.speed_max);
-}
-
-/* The table of one analysis; nothing where it has no directions. */
-static void print_directions(FILE *to, const struct wf_analysis *an)
-{
-    const struct wf_directions *x = an->directions;
-    if (!x) return;
-    bool rose = x->request.rose, site = x->request.speed_up;
-    fprintf(to, "\n  Wind from all around, clockwise from north; north is ");
-    if (x->request.north == 0.0)
-        fprintf(to, "+y, east +x of the model\n");
-    else
-        fprintf(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
-    fprintf(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
-            "breaks", "stem alone", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
-    fprintf(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
-            site ? "          " : "", rose ? "  above: mean      10 min" : "");
-    for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
-    if (rose) print_climate(to, an);
-    fprintf(to, "  Moment, movement and safety at %.6g m/s.\n", an->at[an->n - 1].speed);
-}
-
-static void print_number(FILE *to, int width, int digits, double value)
-{
-    if (isfinite(value))
-        fprintf(to, "%*.*f", width, digits, value);
-    else
-        fprintf(to, "%*s", width, isinf(value) ? "inf" : "-");
-}
-
-static void print_speed(FILE *to, const struct wf_at_speed *at)
-{
-    print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
-    if (at->status) {
-        fprintf(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
-                100.0 * at->response.load_factor);
-        return;
-    }
-    print_number(to, 12, 3, at->tip_deflection);
-    print_number(to, 10, 1, 100.0 * at->tip_deflection_share);
-    print_number(to, 10, 1, at->tip_angle * 180.0 / M_PI);
-    print_number(to, 13, 3, at->base_moment / 1e3);
-    print_number(to, 12, 2, at->breakage.largest_stress / 1e6);
-    print_number(to, 10, 2, at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
-    fputc('\n', to);
-}
-
-static void print_critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
-{
-    const struct wf_critical *c = &b->critical;
-    if (c->outcome == WF_CRITICAL_ABOVE) {
-        fprintf(to, "  %s > %.4g m/s, the highest searched\n", what, an->search.speed_max);
-        return;
-    }
-    if (c->outcome != WF_CRITICAL_FOUND) {
-        fprintf(to, "  %s: none; %s\n", what, wf_critical_text(c->outcome));
-        return;
-    }
-    fprintf(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
-            an->scenario.reference_height);
-    if (b->row >= 0)
-        fprintf(to, "; the %s breaks%s %.2f m above the ground",
-                wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
-                b == &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE] ? " first" : "", b->height);
-    fputc('\n', to);
-}
-
-/* The results in a forester's units. */
-static void print_results(FILE *to, const struct wf_run *run)
-{
-    const struct wf_analysis *first = &run->analysis[0];
-    const struct wf_scenario *s = &first->scenario;
-    fprintf(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
-            first->tallness, s->profile, first->loads.air_density, first->solver->name);
-    fprintf(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
-    if (s->speed_up != 1.0)
-        fprintf(to,
-                "The wind at the tree is %.4g times the wind named (exposure of the site); critical speeds "
-                "are of the "
-                "wind "
-                "named\n",
-                s->speed_up);
-    for (size_t k = 0; k < run->n; k++) {
-        const struct wf_analysis *an = &run->analysis[k];
-        fprintf(to, "\n%s (%s)\n", an->species->name,
-                an->species->latin ? an->species->latin : an->species->key);
-        fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
-                "stress", "safety");
-        fprintf(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
-        for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
-        print_critical(to, an, "critical wind speed", &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE]);
-        int32_t broken = an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row;
-        if (broken >= 0 && an->tree.level[broken] > 0)
-            print_critical(to, an, "of the stem alone", &an->breaks[WF_BREAKAGE][WF_SCOPE_STEM]);
-        print_directions(to, an);
-    }
 }
 
 /* ---- The run ---- */
@@ -344,36 +270,82 @@ struct work {
     struct analyze_options options;
     struct request request;
     const char *folder;
+    struct wf_run_folder results;
     struct wf_model model;
     struct wf_species *species;
     struct wf_analysis *analysis;
     size_t inputs;
     struct wf_input_file *input;
     struct wf_diag *diag; /* one per species */
+    size_t solved;        /* trees whose given speeds were printed */
+    bool all_models;      /* of the scan: say how far they differ */
+    struct wf_diag tree;  /* warnings about the file of the tree */
 };
+
+/* The speeds named are solved: they are printed before the searches, which take most of the time. */
+static void speeds_solved(const struct wf_analysis *an, void *work)
+{
+    struct work *w = work;
+    size_t before = w->solved++;
+    if (w->options.args.quiet) return;
+    wf_progress(NULL);
+    if (!before) wf_print_head(stdout, an);
+    wf_print_speeds(stdout, an);
+    fflush(stdout);
+    wf_progress("%s: critical speed, curves ...", an->species->name);
+}
 
 static enum wf_status note_input(struct work *w, const char *role, const char *path, struct wf_err *e)
 {
     return wf_input_file_note(role, path, &w->arena, &w->input[w->inputs++], e);
 }
 
+static void take_warnings(struct wf_diag *to, const struct wf_diag *from)
+{
+    for (const struct wf_finding *f = from->first; f; f = f->next)
+        if (f->severity == WF_WARNING) wf_diag_warn(to, f->code, "%s", f->text);
+}
+
+/* The warnings of each species for its results: first those about the file of the tree, which have been
+ * printed. */
+static void put_tree_first(struct work *w)
+{
+    for (size_t k = 0; k < w->options.args.n; k++) {
+        struct wf_diag all = { .arena = &w->arena };
+        take_warnings(&all, &w->tree);
+        take_warnings(&all, &w->diag[k]);
+        w->diag[k] = all;
+    }
+}
+
+/* What is wrong with a climate that can be used also belongs to the results. */
+static void keep_climate_warnings(struct work *w, const struct wf_diag *d)
+{
+    w->tree.arena = &w->arena;
+    for (const struct wf_finding *f = d->first; f; f = f->next)
+        if (f->code && !strcmp(f->code, "frequency-sum")) wf_diag_warn(&w->tree, f->code, "%s", f->text);
+}
+
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
     struct wf_diag d = { .arena = &w->arena };
+    w->tree.arena = &w->arena;
     const char *model = NULL;
     struct wf_err first = { 0 }, next = { 0 };
     enum wf_status worst =
         wf_tree_asked_read(&w->options.tree, NULL, &w->arena, &w->model, &model, &d, &first);
+    take_warnings(&w->tree, &d);
     size_t found = d.errors;
     enum wf_status asked = read_request(&w->options, &w->arena, &d, &w->request, &next);
     if (asked && d.errors == found) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
     if (asked && !worst) worst = asked;
     for (size_t k = 0; k < w->options.args.n; k++) {
-        const char *path = wf_shipped("species", w->options.args.operand[k], &w->arena);
+        const char *path;
         size_t before = d.errors;
         next = (struct wf_err){ 0 };
-        enum wf_status s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
+        enum wf_status s = wf_shipped("species", w->options.args.operand[k], &w->arena, &path, &d, &next);
+        if (!s) s = wf_species_read(path, &wf_laws, &w->arena, &w->species[k], &d, &next);
         if (s && d.errors == before) wf_diag_error(&d, NULL, 0, 0, "%s", next.text);
         if (s && !worst) worst = s;
         if (!s && (s = note_input(w, "species", path, e))) return s;
@@ -383,6 +355,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     if (worst)
         return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
                        d.errors == 1 ? "" : "s");
+    keep_climate_warnings(w, &d);
     const char *const profile = w->request.scenario.profile_file, *const study = w->options.args.study,
                       *const climate = w->request.directions.climate_file;
     enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
@@ -400,46 +373,87 @@ static enum wf_status run_directions(struct work *w, struct wf_analysis *an, str
     struct wf_directions *out = WF_TAKE(&w->arena, 1, struct wf_directions);
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
     wf_progress("%s: %zu directions ...", an->species->name, q->n);
+    struct wf_err why = { 0 };
+    enum wf_status s = wf_directions_run(an, &w->request.solve, q, &w->arena, out, &why);
+    if (s == WF_EINTERRUPTED) {
+        wf_diag_warn(an->diag, "interrupted", "interrupted before all %zu directions were computed", q->n);
+        return WF_OK;
+    }
     an->directions = out;
-    return wf_directions_run(an, &w->request.solve, q, &w->arena, out, e);
+    return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
 }
 
-static enum wf_status analyse(struct work *w, struct wf_err *e)
+/* Was tree k interrupted? The first one is kept as far as it came; a later one has not what the first has and
+ * is left out. Returned: the trees of the results, 0 to go on. */
+static size_t end_early(struct work *w, size_t k)
 {
-    for (size_t k = 0; k < w->options.args.n; k++) {
+    bool cut = false;
+    if (!wf_interrupted()) return 0;
+    for (const struct wf_finding *f = w->diag[k].first; f; f = f->next)
+        cut = cut || (f->code && !strcmp(f->code, "interrupted"));
+    size_t whole = k && cut ? k : k + 1;
+    if (whole < w->options.args.n)
+        wf_diag_warn(&w->diag[0], "interrupted", "interrupted: %zu of %zu trees", whole, w->options.args.n);
+    return whole;
+}
+
+/* Analyse every species. Returned: *done, those that have results; after an interrupt fewer. */
+static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
+{
+    for (size_t k = *done = 0; k < w->options.args.n; k++) {
         const struct wf_preset *preset = w->request.preset;
         w->diag[k].arena = &w->arena;
         if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
             return e->code;
-        wf_progress("%s: %zu wind speeds, critical speed, curves ...", w->species[k].name, w->options.wind.n);
+        w->request.search.solved = speeds_solved, w->request.search.context = w;
+        wf_progress("%s: %zu wind speeds ...", w->species[k].name, w->options.wind.n);
         enum wf_status s = wf_analyze(&w->species[k], &w->model, &w->request.scenario, &w->request.search,
                                       w->request.solver, &w->request.solve, w->options.wind.speed,
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
+        if (!s && w->solved == k) speeds_solved(&w->analysis[k], w); /* interrupted before */
         wf_progress(NULL);
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);
         if (s) return s;
+        if (!w->options.args.quiet) wf_print_searched(stdout, &w->analysis[k]);
         wf_preset_warn(preset, &w->analysis[k], &w->diag[k]);
+        if ((*done = end_early(w, k))) return WF_OK;
     }
+    *done = w->options.args.n;
     return WF_OK;
 }
 
-/* Plots and pages. A drawing program that is not installed leaves the results complete; *whole: whether
- * everything was drawn. */
-static enum wf_status draw_report(struct work *w, bool *whole, struct wf_err *e)
+/* With --scan-model all: the other models of the scan. */
+static enum wf_status analyse_models(struct work *w, size_t species, struct wf_err *e)
 {
-    struct wf_diag d = { .arena = &w->arena };
-    struct wf_err why = { 0 };
-    wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_report_make(w->folder, w->options.lang, &d, &why);
-    wf_progress(NULL);
-    wf_print_findings(&d, false);
-    *whole = s == WF_OK;
-    if (s == WF_OK || s == WF_EMISSING) return WF_OK;
-    return wf_fail(e, s, "%s", why.text);
+    const struct wf_scan_models all = { .tree = &w->options.tree,
+                                        .models = w->model.measured_models,
+                                        .n = species,
+                                        .species = w->species,
+                                        .first = w->analysis,
+                                        .diag = w->diag,
+                                        .scenario = &w->request.scenario,
+                                        .search = &w->request.search,
+                                        .solver = w->request.solver,
+                                        .solve = &w->request.solve,
+                                        .wind = &w->options.wind };
+    return w->all_models ? wf_scan_models_analyse(&all, &w->arena, e) : WF_OK;
 }
 
-/* Pages of an earlier run would be mistaken for pages of the new results. */
+/* With --scan-model all, model 1 is analysed first; then the others. */
+static int take_all_models(struct work *w, const char *command)
+{
+    const char **asked = &w->options.tree.scan.scan_model;
+    w->all_models = *asked && !strcmp(*asked, "all");
+    if (!w->all_models) return -1;
+    *asked = "1";
+    if (!strcmp(w->options.preset, "corrected")) return -1;
+    wf_show(stderr, "windfirm %s: --scan-model all: not with --preset\n", command);
+    return 2;
+}
+
+/* Pages that no run listed, such as those of an earlier version, stay; they would be mistaken for pages of
+ * the new results. */
 static void warn_of_old_pages(struct work *w)
 {
     static const char *const page[] = { "report.html", "report.pdf" };
@@ -451,7 +465,7 @@ static void warn_of_old_pages(struct work *w)
         if (!path || stat(path, &old)) continue;
         if (old.st_mtim.tv_sec < results.st_mtim.tv_sec ||
             (old.st_mtim.tv_sec == results.st_mtim.tv_sec && old.st_mtim.tv_nsec < results.st_mtim.tv_nsec))
-            fprintf(stderr,
+            wf_show(stderr,
                     "warning: %s is the page of an earlier run; 'windfirm report %s' draws it again\n", path,
                     w->folder);
     }
@@ -475,19 +489,20 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", n);
     enum wf_status s = read_inputs(w, e);
     run.inputs = w->inputs;
-    if (s || (s = analyse(w, e))) return s;
-    if (!w->options.args.quiet) print_results(stdout, &run);
-    fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
-    for (size_t k = 0; k < n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
-    if ((s = wf_results_write(&run, w->folder, e))) return s;
     bool pages = !w->options.no_report, whole = false;
-    if (pages) s = draw_report(w, &whole, e);
+    if (!s) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);
+    if (s || (s = analyse(w, &run.n, e)) || (s = analyse_models(w, run.n, e))) return s;
+    fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
+    for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
+    put_tree_first(w);
+    if ((s = wf_results_write(&run, w->results.stage, e))) return s;
+    s = wf_results_end(&w->results, pages ? w->options.lang : NULL, &w->arena, &whole, e);
     if (!w->options.args.quiet)
-        printf("\nResults%s: %s\n",
-               whole   ? ", tables, plots and pages"
-               : pages ? " and tables (plots and pages not complete)"
-                       : " and tables",
-               w->folder);
+        wf_show(stdout, "\nResults%s: %s\n",
+                whole   ? ", tables, plots and pages"
+                : pages ? " and tables (plots and pages not complete)"
+                        : " and tables",
+                w->folder);
     fflush(stdout);
     if (!whole) warn_of_old_pages(w);
     return s;
@@ -501,14 +516,16 @@ static int analyze_or_compare(int argc, char **argv, const char *about, size_t l
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_analyze_options, about, low, high, &w.arena, &w.options.args);
     if (code < 0) code = wf_tree_asked_check(&w.options.tree, argv[0], NULL);
+    if (code < 0) code = take_all_models(&w, argv[0]);
     if (code < 0 && !w.options.wind.n) {
-        fprintf(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
+        wf_show(stderr, "windfirm %s: --wind is needed, for example --wind 10,15,25\n", argv[0]);
         code = 2;
     }
     if (code < 0) {
         const char *asked = w.options.output;
         w.folder = asked ? asked : wf_arena_print(&w.arena, "out/%s", argv[0]);
         code = w.folder && run_all(&w, argc, argv, &e) == WF_OK ? 0 : wf_complain(&e);
+        wf_run_abandon(&w.results);
     }
     wf_arena_free(&w.arena);
     return code;

@@ -48,23 +48,38 @@ static const char about[] =
     "\n"
     "  windfirm explain poplar --model zhao2013_ifs --wind 10";
 
+/* Returned: whether there is none, and "-" was printed. */
+static bool print_ratio(double ratio)
+{
+    if (isfinite(ratio))
+        wf_show(stdout, "%10.4g", ratio);
+    else
+        wf_show(stdout, "%10s", "-");
+    return !isfinite(ratio);
+}
+
 static void print_methods(const struct wf_explain *x, double speed, double height)
 {
-    printf("Wind %.4g m/s, a 10-min mean at %.6g m\n", speed, height);
-    printf("Own bending of the branches over that by beam theory, middle of each level\n\n%-18s%10s%10s",
-           "method", "tip", "within 5%");
-    for (int32_t l = 0; l <= wf_explain_top(x); l++) printf("   level %d", (int)l);
-    printf("\n");
+    bool missing = false;
+    wf_show(stdout, "Wind %.4g m/s, a 10-min mean at %.6g m\n", speed, height);
+    wf_show(stdout,
+            "Own bending of the branches over that by beam theory, middle of each level\n\n%-18s%10s%10s",
+            "method", "tip", "within 5%");
+    for (int32_t l = 0; l <= wf_explain_top(x); l++) wf_show(stdout, "   level %d", (int)l);
+    wf_show(stdout, "\n");
     for (size_t m = 0; m < x->methods; m++) {
-        printf("%-18s%10.4g%9.0f%%", x->method[m]->name, x->tip[m], 100 * wf_explain_share(x, m, 0.05));
+        wf_show(stdout, "%-18s", x->method[m]->name);
+        missing |= print_ratio(x->tip[m]);
+        wf_show(stdout, "%9.0f%%", 100 * wf_explain_share(x, m, 0.05));
         for (int32_t l = 0; l <= wf_explain_top(x); l++) {
             struct wf_explain_spread s;
             wf_explain_spread(x, m, l, &s);
-            printf("%10.4g", s.middle);
+            missing |= print_ratio(s.middle);
         }
-        printf("\n");
+        wf_show(stdout, "\n");
     }
-    printf("\n");
+    if (missing) wf_show(stdout, "-: the method has no answer there, or no branch bends by beam theory\n");
+    wf_show(stdout, "\n");
 }
 
 /* What the printed methods leave out on this tree. */
@@ -90,17 +105,22 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
     wf_scenario_default(&an.scenario);
     an.scenario.azimuth = o->azimuth;
     wf_solve_options_default(&solve);
-    enum wf_status s = wf_species_read(wf_shipped("species", o->args.operand[0], a), &wf_laws, a, &sp, &d, e);
-    if (!s) s = wf_model_read(wf_shipped("models", o->model, a), a, &m, &d, e);
+    enum wf_status s = wf_species_named(o->args.operand[0], a, &sp, &d, e);
+    if (!s) s = wf_model_named(o->model, a, &m, &d, e);
     if (!s) s = wf_scenario_profile(&an.scenario, &o->profile, a, &d, e);
     if (!s) s = wf_scenario_check(&an.scenario, e);
     if (!s) s = wf_analysis_set_up(&an, a, &d, e);
     if (!s) wf_limits_profile(&an.scenario, an.tallness, m.name, &d);
+    struct wf_run_folder f = { 0 };
+    if (!s) s = wf_results_begin(&f, o->output, o->no_report ? NULL : "explain", e);
     if (!s) s = wf_explain_run(&an, &solve, o->wind, a, &d, &x, e);
     if (!s && !quiet) print_methods(&x, o->wind, an.scenario.reference_height);
     fflush(stdout);
     wf_print_findings(&d, quiet);
-    if (s) return s;
+    if (s) {
+        wf_run_abandon(&f);
+        return s;
+    }
     warn_of_departures(&an, &leaves);
     const struct wf_explained of = { .run = 1,
                                      .name = wf_arena_print(a, "%s, %s", sp.key, m.key),
@@ -108,20 +128,21 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
                                      .tree = &an.tree,
                                      .speed = o->wind,
                                      .findings = &leaves };
-    s = of.name ? wf_explain_write(&of, head, o->output, e) : wf_fail(e, WF_ENOMEM, "no memory");
-    if (!s && !o->no_report) s = wf_pages_make(o->output, o->lang, a, e);
-    if (!s && !quiet) printf("\nTable%s: %s\n", o->no_report ? "" : ", plot, page", o->output);
+    s = of.name ? wf_explain_write(&of, head, f.stage, e) : wf_fail(e, WF_ENOMEM, "no memory");
+    if (!s) s = wf_results_end(&f, o->no_report ? NULL : o->lang, a, NULL, e);
+    wf_run_abandon(&f);
+    if (!s && !quiet) wf_show(stdout, "\nTable%s: %s\n", o->no_report ? "" : ", plot, page", o->output);
     return s;
 }
 
 int wf_cmd_explain(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
-    struct explain_options o;
+    struct explain_options o = { 0 };
     struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_explain_options, about, 1, 1, &arena, &o.args);
     if (code < 0 && !o.model) {
-        fprintf(stderr, "windfirm explain: --model is needed, for example --model models/culm.yaml\n");
+        wf_show(stderr, "windfirm explain: --model is needed, for example --model models/culm.yaml\n");
         code = 2;
     }
     if (code < 0) {

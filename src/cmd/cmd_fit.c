@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm fit: calibrate a tree to what was measured on it. */
+#include "base/interrupt.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
 #include "cmd/read_mat.h"
 #include "data/species.h"
 #include "out/fit_results.h"
+#include "out/fitted_species.h"
 #include <math.h>
 #include <signal.h>
 #include <stdlib.h>
@@ -22,6 +24,20 @@ struct fit_options {
     const char *write, *output; /* NULL: nothing is written; folder */
 };
 
+static bool scale_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(!strcmp(((const struct fit_options *)options)->loss, "none"), why,
+                            "with the loss 'none'");
+}
+
+static bool seed_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct fit_options *o = options;
+    (void)row;
+    return wf_option_unused(o->starts < 2 && !o->bootstrap, why, "without --starts above 1 or --bootstrap");
+}
+
 #define OPTIONS struct fit_options
 static const struct wf_option options[] = {
     TEXTS("--data", data, "FILE[,FILE]", "CSV files of the tests that name none, in their order",
@@ -34,11 +50,12 @@ static const struct wf_option options[] = {
            "weight of outliers: none = plain least squares, or a robust loss"),
     NUMBER("--loss-scale", loss_scale, "NUMBER", NONE, NULL, 0.1, 100, NULL,
            "where the loss departs from squares, in standard deviations [1.345 huber, 2.385 cauchy, 4.685 "
-           "tukey]"),
+           "tukey]",
+           .unused = scale_unused),
     FLAG("--priors", priors, "the species table's ranges take part as normal distributions"),
     WHOLE("--starts", starts, 1, 1000, "1", "starting points tried, within a factor of 3 of the start"),
     WHOLE("--bootstrap", bootstrap, 0, 10000, "0", "resampled data sets for intervals by the bootstrap"),
-    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of starts and bootstrap"),
+    WHOLE("--seed", seed, 0, 9007199254740992.0, "1", "of starts and bootstrap", .unused = seed_unused),
     FLAG("--no-profile", no_profile, "no intervals by profile likelihood"),
     FLAG("--no-rival", no_rival, "no second fit with the root the other way"),
     TEXT("--write", write, "FILE", NULL, "write the species table with the fitted values"),
@@ -63,56 +80,56 @@ static const char about[] =
 static void print_range(FILE *to, double low, double high, double factor, const char *none)
 {
     if (isnan(low) && isnan(high))
-        fprintf(to, "  %-21s", none);
+        wf_show(to, "  %-21s", none);
     else if (isnan(low))
-        fprintf(to, "  below %-15.4g", high * factor);
+        wf_show(to, "  below %-15.4g", high * factor);
     else if (isnan(high))
-        fprintf(to, "  above %-15.4g", low * factor);
+        wf_show(to, "  above %-15.4g", low * factor);
     else {
         char text[48];
         snprintf(text, sizeof text, "%.4g to %.4g", low * factor, high * factor);
-        fprintf(to, "  %-21s", text);
+        wf_show(to, "  %-21s", text);
     }
 }
 
 static void print_parameters(FILE *to, const struct wf_fit *f)
 {
     bool resampled = f->resampled >= 20;
-    fprintf(to, "%-34s %12s %-9s  %-21s  %-21s%s\n", "parameter", "estimate", "", "95 % by covariance",
+    wf_show(to, "%-34s %12s %-9s  %-21s  %-21s%s\n", "parameter", "estimate", "", "95 % by covariance",
             "95 % by profile", resampled ? "  95 % by bootstrap" : "");
     for (size_t k = 0; k < f->params; k++) {
         const struct wf_estimate *q = &f->estimate[k];
         double factor;
         const char *unit = wf_param_unit(f->x, &f->param[k], &factor);
-        fprintf(to, "%-34s %12.5g %-9s", f->param[k].name, q->value * factor, unit);
+        wf_show(to, "%-34s %12.5g %-9s", f->param[k].name, q->value * factor, unit);
         print_range(to, q->low, q->high, factor, "-");
         print_range(to, q->profile_low, q->profile_high, factor, q->profiled ? "no limit" : "-");
         if (resampled) print_range(to, q->resampled_low, q->resampled_high, factor, "-");
-        fputs(q->at_low ? "  AT LOWER BOUND\n" : q->at_high ? "  AT UPPER BOUND\n" : "\n", to);
+        wf_show(to, "%s", q->at_low ? "  AT LOWER BOUND\n" : q->at_high ? "  AT UPPER BOUND\n" : "\n");
     }
 }
 
 static void print_correlations(FILE *to, const struct wf_fit *f)
 {
     if (f->free < 2) return;
-    fprintf(to, "\ncorrelation of the estimates\n");
+    wf_show(to, "\ncorrelation of the estimates\n");
     for (size_t i = 0; i < f->free; i++) {
-        fprintf(to, "%-34s", f->param[i].name);
-        for (size_t k = 0; k <= i; k++) fprintf(to, " %6.3f", f->correlation[i * f->params + k]);
+        wf_show(to, "%-34s", f->param[i].name);
+        for (size_t k = 0; k <= i; k++) wf_show(to, " %6.3f", f->correlation[i * f->params + k]);
         fputc('\n', to);
     }
 }
 
 static void print_sensors(FILE *to, const struct wf_fit *f)
 {
-    fprintf(to, "\n%-30s %8s %12s %12s  neighbours\n", "sensor", "readings", "sigma", "rms residual");
+    wf_show(to, "\n%-30s %8s %12s %12s  neighbours\n", "sensor", "readings", "sigma", "rms residual");
     for (size_t i = 0; i < f->groups; i++) {
         const struct wf_fit_group *g = &f->group[i];
         const struct wf_fit_test *t = &f->x->test[g->test];
         const struct wf_sensor_row *r = &wf_sensor_rows[t->sensor[g->sensor].kind];
         char name[64];
         snprintf(name, sizeof name, "%.30s %.30s", t->name, t->sensor[g->sensor].name);
-        fprintf(to, "%-30s %8zu %12.4g %12.4g  %5.2f  [%s]%s\n", name, g->n, g->sigma * r->factor,
+        wf_show(to, "%-30s %8zu %12.4g %12.4g  %5.2f  [%s]%s\n", name, g->n, g->sigma * r->factor,
                 g->rms * r->factor, g->correlation, r->unit,
                 t->sensor[g->sensor].estimated ? ", sigma from the scatter" : "");
     }
@@ -122,47 +139,54 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
 {
     const struct wf_fit *f = &of->fit;
     bool bound = false;
-    fprintf(to, "%s\n%zu readings in %zu test%s, %zu parameters%s\n\n", of->calibration.name, f->x->data,
-            f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
-            f->params > f->free ? " (offsets and drifts included)" : "");
+    wf_show(to, "%s\n%zu reading%s in %zu test%s, %zu parameter%s%s\n\n", of->calibration.name, f->x->data,
+            f->x->data == 1 ? "" : "s", f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
+            f->params == 1 ? "" : "s", f->params > f->free ? " (offsets and drifts included)" : "");
     print_parameters(to, f);
     for (size_t k = 0; k < of->x.tests; k++)
         if (of->input[k].swung) {
             const struct wf_ring_down *s = &of->input[k].sway;
-            fprintf(to, "\n%s: %.4f +- %.4f Hz, damping %.2f +- %.2f %%, %.1f %% of the variance explained",
+            wf_show(to, "\n%s: %.4f +- %.4f Hz, damping %.2f +- %.2f %%, %.1f %% of the variance explained",
                     of->x.test[k].name, s->frequency, 1.96 * s->frequency_sd, 100 * s->damping,
                     196 * s->damping_sd, 100 * s->explained);
         }
     if (of->x.tests && of->input[0].swung) fputc('\n', to);
     print_correlations(to, f);
     print_sensors(to, f);
-    fprintf(to, "\nreduced chi-square %.4g with %zu degrees of freedom%s\n", f->reduced, f->freedom,
-            f->sigma_estimated ? " (1 by construction where sigmas are estimated)" : "");
     for (size_t k = 0; k < f->free; k++) bound |= f->estimate[k].at_low || f->estimate[k].at_high;
-    if (f->loose_n == 0)
-        fprintf(to, "the data determine every parameter%s\n", bound ? " that did not end on a bound" : "");
-    for (size_t i = 0; i < f->loose_n; i++) fprintf(to, "NOT DETERMINED: %s\n", f->loose[i].text);
+    if (f->freedom)
+        wf_show(to, "\nreduced chi-square %.4g with %zu degree%s of freedom%s\n", f->reduced, f->freedom,
+                f->freedom == 1 ? "" : "s",
+                f->sigma_estimated ? " (1 by construction where sigmas are estimated)" : "");
+    else
+        wf_show(
+            to,
+            "\nreduced chi-square - with 0 degrees of freedom: as many parameters as readings, so nothing "
+            "tests the fit\n");
+    if (f->loose_n == 0 && f->freedom)
+        wf_show(to, "the data determine every parameter%s\n", bound ? " that did not end on a bound" : "");
+    for (size_t i = 0; i < f->loose_n; i++) wf_show(to, "NOT DETERMINED: %s\n", f->loose[i].text);
     if (of->rival.made) {
         const struct wf_fit *r = &of->rival.fit;
-        fprintf(to, "\nthe same with a %s:", of->rival.text);
+        wf_show(to, "\nthe same with a %s:", of->rival.text);
         for (size_t k = 0; k < r->free; k++) {
             double factor;
             const char *unit = wf_param_unit(r->x, &r->param[k], &factor);
-            fprintf(to, "%s %s %.5g%s%s%s", k ? "," : "", r->param[k].name, r->estimate[k].value * factor,
+            wf_show(to, "%s %s %.5g%s%s%s", k ? "," : "", r->param[k].name, r->estimate[k].value * factor,
                     *unit ? " " : "", unit,
                     r->estimate[k].at_high || r->estimate[k].at_low ? " (at its bound)"
                     : isnan(r->estimate[k].low)                     ? " (not determined)"
                                                                     : "");
         }
         if (!isnan(of->rival.aicc) && !isnan(of->rival.own))
-            fprintf(to, "\nAICc %.2f here, %.2f there: the data %s\n", of->rival.own, of->rival.aicc,
+            wf_show(to, "\nAICc %.2f here, %.2f there: the data %s\n", of->rival.own, of->rival.aicc,
                     fabs(of->rival.own - of->rival.aicc) < 2 ? "do not decide between them"
                     : of->rival.own < of->rival.aicc         ? "prefer this fit"
                                                              : "prefer the other");
         else
-            fprintf(to, "\ntoo few readings to compare the two\n");
+            wf_show(to, "\ntoo few readings to compare the two\n");
     }
-    if (of->calibration.reference) fprintf(to, "\nfor comparison: %s\n", of->calibration.reference);
+    if (of->calibration.reference) wf_show(to, "\nfor comparison: %s\n", of->calibration.reference);
 }
 
 /* ---- The fit ---- */
@@ -174,18 +198,11 @@ struct fit_job {
     struct wf_fit_results r;
 };
 
-static volatile sig_atomic_t interrupted;
-static void note_interrupt(int number)
-{
-    (void)number;
-    interrupted = 1;
-}
-
 static bool show_progress(void *ctx, size_t iteration, double cost)
 {
     (void)ctx;
     wf_progress("iteration %zu, misfit %.6g ...", iteration, 2 * cost);
-    return interrupted;
+    return wf_interrupted() != 0;
 }
 
 static struct wf_fit_options library_options(const struct fit_options *asked)
@@ -298,34 +315,43 @@ static enum wf_status fit_rival(struct fit_job *j, struct wf_fit_options o, stru
 static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
 {
     struct wf_fit_options o = library_options(j->options);
-    struct sigaction act = { .sa_handler = note_interrupt }, before;
-    sigaction(SIGINT, &act, &before);
     enum wf_status s = wf_fit_run(&j->r.x, j->r.param, j->r.params, &o, &j->arena, &j->r.diag, &j->r.fit, e);
-    if (!s && !interrupted && !j->options->no_rival) s = fit_rival(j, o, e);
-    sigaction(SIGINT, &before, NULL);
+    if (!s && !wf_interrupted() && !j->options->no_rival) s = fit_rival(j, o, e);
     wf_progress(NULL);
+    return s;
+}
+
+/* Results, figures and pages; unless interrupted also the fitted species table. */
+static enum wf_status write_results(struct fit_job *j, struct wf_run_folder *f, bool quiet, struct wf_err *e)
+{
+    /* the species table of an interrupted fit would be mistaken for a completed one's */
+    const char *write = wf_interrupted() ? NULL : j->options->write;
+    bool report = !j->options->no_report;
+    enum wf_status s = wf_fit_results_write(&j->r, f->stage, e);
+    if (!s && write) s = wf_fit_species_write(&j->r, write, e);
+    if (!s) s = wf_results_end(f, report ? j->options->lang : NULL, &j->arena, NULL, e);
+    if (!s && !quiet)
+        wf_show(stdout, "\nResults, tables%s: %s\n", report ? ", plots and pages" : "", j->folder);
+    if (!s && !quiet && write) wf_show(stdout, "Species table: %s\n", write);
     return s;
 }
 
 static enum wf_status calibrate(struct fit_job *j, bool quiet, struct wf_err *e)
 {
     const char *write = j->options->write;
+    struct wf_run_folder f = { 0 };
     enum wf_status s = build_experiment(j, e);
+    if (!s) s = wf_results_begin(&f, j->folder, j->options->no_report ? NULL : "calibration", e);
     if (!s) s = fit_tree(j, e);
-    if (!s && interrupted && !j->r.fit.stopped)
+    if (!s && wf_interrupted() && !j->r.fit.stopped)
         wf_diag_warn(&j->r.diag, "stopped", "interrupted before the comparison with the root the other way");
-    if (!s && interrupted && write)
+    if (!s && wf_interrupted() && write)
         wf_diag_warn(&j->r.diag, "stopped", "interrupted: %s is not written", write);
     if (!s && !quiet) print_fit(stdout, &j->r);
     fflush(stdout);
     wf_print_findings(&j->r.diag, quiet);
-    if (!s) s = wf_fit_results_write(&j->r, j->folder, e);
-    if (interrupted) write = NULL; /* the species table would be mistaken for a completed fit's */
-    if (!s && write) s = wf_fit_species_write(&j->r, write, e);
-    bool report = !j->options->no_report;
-    if (!s && report) s = wf_pages_make(j->folder, j->options->lang, &j->arena, e);
-    if (!s && !quiet) printf("\nResults, tables%s: %s\n", report ? ", plots and pages" : "", j->folder);
-    if (!s && !quiet && write) printf("Species table: %s\n", write);
+    if (!s) s = write_results(j, &f, quiet, e);
+    wf_run_abandon(&f);
     return s;
 }
 
@@ -344,7 +370,7 @@ int wf_cmd_fit(int argc, char **argv)
         enum wf_status s = j.r.command && j.r.date
                                ? calibrate(&j, o.args.quiet, &e)
                                : wf_fail(&e, WF_ENOMEM, "not enough memory for the command line");
-        code = s ? wf_complain(&e) : interrupted ? 1 : 0;
+        code = s ? wf_complain(&e) : 0;
     }
     wf_arena_free(&j.arena);
     return code;

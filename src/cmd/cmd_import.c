@@ -4,7 +4,7 @@
 #include "cmd/commands.h"
 #include "cmd/option.h"
 #include "cmd/option_groups.h"
-#include "grow/qsm.h"
+#include "grow/qsm_write.h"
 #include "load/qsm_metrics.h"
 #include <stdio.h>
 #include <string.h>
@@ -12,23 +12,28 @@
 
 struct import_options {
     struct wf_args args;
-    const char *output; /* NULL: nothing is written */
+    const char *output; /* NULL: nothing is written                   */
+    const char *to;     /* form to write; NULL: by the name of `output` */
     struct wf_import_asked import;
 };
 
 #define OPTIONS struct import_options
 static const struct wf_option options[] = {
     TEXT("--output", output, "FILE", NULL,
-         "write the tree: name.csv, name.txt (TreeQSM columns), name.vtk (ParaView); a folder for several",
+         "write the tree: name.csv, name.txt (TreeQSM columns), name.mtg, name.mat (TreeQSM structure), "
+         "name.vtk (ParaView); a folder for several",
          .letter = "-o"),
-    WF_IMPORT_ROWS(import),
+    CHOICE("--to", to, "FORM", "csv|txt|mtg|mat|vtk", NULL,
+           "form to write, whatever the name's ending; in a folder it gives the ending [csv]"),
+    WF_IMPORT_ROWS(import, NULL),
     WF_QUIET_ROW,
     { 0 },
 };
 
 static const char about[] =
-    "  Read measured trees (TreeQSM text and .mat, SimpleForest, aRchi, rTwig, OpenAlea MTG, hand-measured\n"
-    "  and plain tables), repair and count what needs repair, and write them in one form.\n"
+    "  Read measured trees (TreeQSM text and .mat, SimpleForest, aRchi, rTwig, OpenAlea MTG, raycloudtools,\n"
+    "  PypeTree, SWC, treegraph, hand-measured and plain tables), repair and count what needs repair, and "
+    "write them in one form.\n"
     "  A file that cannot be read does not stop the others; the exit code is then 2.";
 
 static bool is_folder(const char *path)
@@ -38,13 +43,13 @@ static bool is_folder(const char *path)
     return (n && path[n - 1] == '/') || (stat(path, &s) == 0 && S_ISDIR(s.st_mode));
 }
 
-/* FOLDER/name.csv for a tree file. */
-static const char *in_folder(const char *to, const char *path, struct wf_arena *a)
+/* FOLDER/name.csv (or another ending) for a tree file. */
+static const char *in_folder(const char *to, const char *path, const char *form, struct wf_arena *a)
 {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
     int n = dot && dot > name ? (int)(dot - name) : (int)strlen(name);
     bool slashed = to[strlen(to) - 1] == '/';
-    return wf_arena_print(a, "%s%s%.*s.csv", to, slashed ? "" : "/", n, name);
+    return wf_arena_print(a, "%s%s%.*s.%s", to, slashed ? "" : "/", n, name, form ? form : "csv");
 }
 
 static size_t count_repairs(const struct wf_qsm *q)
@@ -54,8 +59,11 @@ static size_t count_repairs(const struct wf_qsm *q)
     return n;
 }
 
-static int import_file(const char *path, const char *to, const struct wf_import_options *o, bool quiet)
+static int import_file(const char *path, const struct import_options *import,
+                       const struct wf_import_options *o)
 {
+    const char *to = import->output;
+    bool quiet = import->args.quiet;
     struct wf_arena a = { 0 };
     struct wf_diag d = { .arena = &a };
     struct wf_err e = { 0 };
@@ -65,15 +73,15 @@ static int import_file(const char *path, const char *to, const struct wf_import_
     wf_print_findings(&d, quiet);
     if (!s && to && is_folder(to)) {
         s = wf_mkdirs(to, &e);
-        to = in_folder(to, path, &a);
+        to = in_folder(to, path, import->to, &a);
         if (!s && !to) s = wf_fail(&e, WF_ENOMEM, "no memory for a file name");
     }
-    if (!s && to) s = wf_qsm_write(&q, to, &e);
+    if (!s && to) s = wf_qsm_write(&q, to, import->to, &e);
     if (!s && !quiet) {
         wf_qsm_measure(&q, &m);
-        printf("%s: %s, %zu cylinders, height %.2f m, dbh %.3f m, wood %.5g m3, %zu repairs%s%s\n", path,
-               q.format, m.cylinders, m.height, m.dbh, m.volume, count_repairs(&q), to ? " -> " : "",
-               to ? to : "");
+        wf_show(stdout, "%s: %s, %zu cylinders, height %.2f m, dbh %.3f m, wood %.5g m3, %zu repairs%s%s\n",
+                path, q.format, m.cylinders, m.height, m.dbh, m.volume, count_repairs(&q), to ? " -> " : "",
+                to ? to : "");
     }
     int code = s ? wf_complain(&e) : 0;
     wf_arena_free(&a);
@@ -86,14 +94,18 @@ static int import_all(const struct import_options *import)
     const char *to = import->output;
     struct wf_import_options o = wf_import_asked_options(&import->import);
     int code = 0;
+    if (!to && import->to) {
+        wf_show(stderr, "windfirm import: --to: nothing is written without --output\n");
+        return 2;
+    }
     if (to && import->args.n > 1 && !is_folder(to)) {
-        fprintf(stderr,
+        wf_show(stderr,
                 "windfirm import: --output: '%s' is one file for %zu trees; name a folder, as in '%s/'\n", to,
                 import->args.n, to);
         return 2;
     }
     for (size_t k = 0; k < import->args.n; k++) {
-        int c = import_file(import->args.operand[k], to, &o, import->args.quiet);
+        int c = import_file(import->args.operand[k], import, &o);
         code = c > code ? c : code;
     }
     return code;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/interrupt.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
-#include "out/report.h"
+#include "out/run_folder.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -26,6 +27,20 @@ static bool is_printed(const struct wf_diag *d, const struct wf_err *e, bool qui
     return false;
 }
 
+/* Draw into the stage and put all that could be drawn into the folder; nothing is changed there when
+ * results.json is wrong or after an interrupt. */
+static enum wf_status draw_again(struct wf_run_folder *r, const char *language, struct wf_diag *d,
+                                 struct wf_err *e)
+{
+    struct wf_err other = { 0 };
+    enum wf_status s = wf_results_draw(r, language, d, e);
+    bool made = s == WF_OK || s == WF_EMISSING || s == WF_EOUTPUT, drawn = false;
+    for (const struct wf_finding *f = d->first; f; f = f->next) drawn |= f->text && !strcmp(f->text, e->text);
+    enum wf_status put = made && (!s || drawn) ? wf_run_commit(r, s ? &other : e) : WF_OK;
+    wf_run_abandon(r);
+    return s ? s : put;
+}
+
 int wf_cmd_report(int argc, char **argv)
 {
     static const char about[] =
@@ -38,12 +53,13 @@ int wf_cmd_report(int argc, char **argv)
     int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &o.args);
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
+        struct wf_run_folder r;
         bool quiet = o.args.quiet;
-        wf_progress("drawing plots and pages ...");
-        enum wf_status s = wf_report_make(o.args.operand[0], o.lang, &d, &e);
-        wf_progress(NULL);
+        wf_interrupt_catch();
+        enum wf_status s = wf_run_reopen(&r, o.args.operand[0], &d, &e);
+        if (!s) s = draw_again(&r, o.lang, &d, &e);
         wf_print_findings(&d, quiet);
-        if (!s && !quiet) printf("Plots and pages: %s\n", o.args.operand[0]);
+        if (!s && !quiet) wf_show(stdout, "Plots and pages: %s\n", o.args.operand[0]);
         code = !s ? 0 : is_printed(&d, &e, quiet) ? wf_exit_code(s) : wf_complain(&e);
     }
     wf_arena_free(&arena);

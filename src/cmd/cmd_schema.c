@@ -27,14 +27,14 @@ int wf_cmd_schema(int argc, char **argv)
         size_t k = 0;
         while (k < WORDS && strcmp(args.operand[0], word[k]) != 0) k++;
         if (k == WORDS) {
-            fprintf(stderr, "windfirm schema: '%s' is none of species, model, fit, study%s\n",
+            wf_show(stderr, "windfirm schema: '%s' is none of species, model, fit, study%s\n",
                     args.operand[0], wf_did_you_mean(args.operand[0], word, WORDS).text);
             code = 2;
         } else {
             const char *text = table[k] ? wf_yaml_schema(table[k], &arena, &e)
                                : k == 0 ? wf_species_schema(&wf_laws, &arena, &e)
                                         : wf_args_study_schema(&arena, &e);
-            code = text ? (fputs(text, stdout), 0) : wf_complain(&e);
+            code = text ? (wf_show(stdout, "%s", text), 0) : wf_complain(&e);
         }
     }
     wf_arena_free(&arena);

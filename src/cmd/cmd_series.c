@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm series and windfirm papers: trees in winds that change. */
+#include "base/file.h"
+#include "base/interrupt.h"
+#include "base/num.h"
+#include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -29,43 +33,47 @@ struct series_job {
     bool quiet, page, vtk;
 };
 
-/* A file a run names, or a shipped one. `file`: that of the runs; NULL: they were typed. */
-static const char *input_file(const char *room, const char *name, const char *file, struct wf_arena *a)
-{
-    return wf_shipped(room, file ? wf_beside(file, name, a) : name, a);
-}
-
-/* Species and model of a run. Every mistake is printed. */
+/* Species and model of a run. */
 static enum wf_status read_run(const struct wf_series_plan_run *r, const char *file, struct wf_arena *a,
-                               struct wf_series_spec *out, struct wf_err *e)
+                               struct wf_series_spec *out, struct wf_diag *d, struct wf_err *e)
 {
-    struct wf_diag d = { .arena = a };
     struct wf_species *sp = WF_TAKE(a, 1, struct wf_species);
     struct wf_model *m = WF_TAKE(a, 1, struct wf_model);
     struct wf_err why[2] = { { 0 }, { 0 } };
     if (!sp || !m) return wf_fail(e, WF_ENOMEM, "no memory");
+    /* file: that of the runs; NULL: they were typed */
     enum wf_status s =
-        wf_species_read(input_file("species", r->species, file, a), &wf_laws, a, sp, &d, &why[0]);
-    enum wf_status t = wf_model_read(input_file("models", r->model, file, a), a, m, &d, &why[1]);
-    wf_print_findings(&d, false);
+        wf_species_named(file ? wf_beside(file, r->species, a) : r->species, a, sp, d, &why[0]);
+    enum wf_status t = wf_model_named(file ? wf_beside(file, r->model, a) : r->model, a, m, d, &why[1]);
+    if (s && t) return wf_fail(e, s, "run '%s': %s; %s", r->name, why[0].text, why[1].text);
     if (s || t) return wf_fail(e, s ? s : t, "run '%s': %s", r->name, s ? why[0].text : why[1].text);
     return wf_series_plan_spec(r, sp, m, a, out, e);
 }
 
 static void print_runs(const struct wf_series_page *p)
 {
-    printf("%s\n\n%4s  %-34s%10s%12s%12s%12s\n", p->title, "run", "", "frames", "wind m/s", "tip mean m",
-           "largest m");
+    wf_show(stdout, "%s\n\n%4s  %-34s%10s%12s%12s%12s%10s\n", p->title, "run", "", "frames", "wind m/s",
+            "tip mean m", "largest m", "safety");
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
-        double sum = 0, most = 0, wind = 0, n = 0;
+        double sum = 0, most = 0, wind = 0, n = 0, safety = NAN;
         for (size_t k = 0; k < s->frames; k++) {
             wind += s->wind[k] / (double)s->frames;
+            safety = fmin(safety, s->safety[k]);
             if (isfinite(s->deflection[k])) sum += s->deflection[k], most = fmax(most, s->deflection[k]), n++;
         }
-        printf("%4zu  %-34s%10zu%12.2f%12.4g%12.4g\n", r + 1, s->spec.name, s->frames, wind, sum / n, most);
+        if (n > 0)
+            wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12.4g%12.4g", r + 1, s->spec.name, s->frames, wind,
+                    sum / n, most);
+        else
+            wf_show(stdout, "%4zu  %-34s%10zu%12.2f%12s%12s  no frame has a result", r + 1, s->spec.name,
+                    s->frames, wind, "-", "-");
+        if (isfinite(safety))
+            wf_show(stdout, "%10.2f\n", safety);
+        else
+            wf_show(stdout, "%10s\n", n > 0 ? "-" : "");
     }
-    printf("\n");
+    wf_show(stdout, "\n");
 }
 
 /* Findings of all runs, those that several have in common once. */
@@ -78,22 +86,32 @@ static void print_findings_once(const struct wf_diag *diag, size_t runs, bool qu
     wf_print_findings(&once, quiet);
 }
 
+/* Returned: *done, the runs that were made; after an interrupt fewer than planned. */
 static enum wf_status run_all(const struct series_job *j, struct wf_series *series, struct wf_diag *diag,
-                              struct wf_arena *a, struct wf_err *e)
+                              size_t *done, struct wf_arena *a, struct wf_err *e)
 {
     const struct wf_series_plan *plan = j->plan;
-    for (size_t r = 0; r < plan->runs; r++) {
-        struct wf_series_spec spec;
+    struct wf_diag inputs = { .arena = a };
+    struct wf_series_spec *spec = WF_TAKE(a, plan->runs, struct wf_series_spec);
+    enum wf_status s = spec ? WF_OK : wf_fail(e, WF_ENOMEM, "not enough memory for %zu runs", plan->runs);
+    for (size_t r = *done = 0; r < plan->runs && !s; r++)
+        s = read_run(&plan->run[r], plan->file, a, &spec[r], &inputs, e);
+    wf_print_findings(&inputs, j->quiet);
+    for (size_t r = 0; r < plan->runs && !s; r++) {
+        if (r && wf_interrupted()) {
+            wf_diag_warn(&diag[r - 1], "interrupted", "interrupted: %zu of %zu runs", r, plan->runs);
+            return WF_OK;
+        }
         diag[r].arena = a;
-        enum wf_status s = read_run(&plan->run[r], plan->file, a, &spec, e);
-        if (s) return s;
-        wf_progress("run %zu of %zu: %s ...", r + 1, plan->runs, spec.name);
-        s = wf_series_run(&spec, a, &diag[r], &series[r], e);
+        wf_progress("run %zu of %zu: %s ...", r + 1, plan->runs, spec[r].name);
+        s = wf_series_run(&spec[r], a, &diag[r], &series[r], e);
         wf_progress(NULL);
-        if (s) wf_print_findings(&diag[r], j->quiet);
-        if (s) return s;
+        if (s)
+            wf_print_findings(&diag[r], j->quiet);
+        else
+            ++*done;
     }
-    return WF_OK;
+    return s;
 }
 
 /* Apply every method to the trees of the runs that request it. Its warnings are added to those of the run. */
@@ -105,7 +123,7 @@ static enum wf_status explain_runs(const struct wf_series_plan *plan, const stru
     struct wf_explain *made = WF_TAKE(a, plan->runs, struct wf_explain);
     enum wf_status s = of && made ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
     page->explain = of;
-    for (size_t r = 0; r < plan->runs && !s; r++) {
+    for (size_t r = 0; r < page->n && !s && !wf_interrupted(); r++) {
         const struct wf_series *x = &series[r];
         if (!plan->run[r].explain || strcmp(plan->run[r].explain, "yes") != 0) continue;
         wf_progress("every method on the tree of run %zu ...", r + 1);
@@ -118,7 +136,27 @@ static enum wf_status explain_runs(const struct wf_series_plan *plan, const stru
     return s;
 }
 
-/* Run a plan, write its files and draw its page. Returned: exit code. */
+/* Run a plan, write its files into the stage and draw its page. */
+static enum wf_status perform_runs(const struct series_job *j, struct wf_run_folder *f,
+                                   struct wf_series_page *page, struct wf_series *series,
+                                   struct wf_diag *diag, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_err why = { 0 };
+    enum wf_status s = run_all(j, series, diag, &page->n, a, e);
+    if (!s && (s = explain_runs(j->plan, series, diag, a, page, &why)) == WF_EINTERRUPTED)
+        page->explained--, s = WF_OK; /* the last one is not finished */
+    else if (s)
+        wf_fail(e, s, "%s", why.text);
+    if (s) return s;
+    if (!j->quiet) print_runs(page);
+    fflush(stdout);
+    print_findings_once(diag, page->n, j->quiet, a);
+    s = wf_series_tables(page, f->stage, e);
+    if (!s && j->vtk) s = wf_series_vtk(page, f->stage, e);
+    return s ? s : wf_results_end(f, j->page ? j->language : NULL, a, NULL, e);
+}
+
+/* Returned: exit code. */
 static int perform_plan(const struct series_job *j, struct wf_arena *a)
 {
     const struct wf_series_plan *plan = j->plan;
@@ -138,17 +176,13 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
         return wf_complain(&e);
     }
     for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_page_run){ &series[r], &diag[r] };
-    enum wf_status s = run_all(j, series, diag, a, &e);
-    if (!s) s = explain_runs(plan, series, diag, a, &page, &e);
+    struct wf_run_folder f;
+    enum wf_status s = wf_results_begin(&f, j->folder, j->page ? "series" : NULL, &e);
+    if (!s) s = perform_runs(j, &f, &page, series, diag, a, &e);
+    wf_run_abandon(&f);
     if (s) return wf_complain(&e);
-    if (!j->quiet) print_runs(&page);
-    fflush(stdout);
-    print_findings_once(diag, plan->runs, j->quiet, a);
-    s = wf_series_tables(&page, j->folder, &e);
-    if (!s && j->vtk) s = wf_series_vtk(&page, j->folder, &e);
-    if (!s && j->page) s = wf_pages_make(j->folder, j->language, a, &e);
-    if (s) return wf_complain(&e);
-    if (!j->quiet) printf("\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
+    if (!j->quiet)
+        wf_show(stdout, "\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
     return 0;
 }
 
@@ -167,39 +201,51 @@ struct series_options {
     const char *lang;
 };
 
+static bool run_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct series_options *o = options;
+    if (row->member == offsetof(struct series_options, components))
+        return wf_series_plan_unused(&o->run, offsetof(struct wf_series_plan_run, components), why, WF_WHY);
+    return wf_series_plan_unused(&o->run, row->member - offsetof(struct series_options, run), why, WF_WHY);
+}
+
 #define OPTIONS struct series_options
 const struct wf_option wf_series_options[] = {
     STUDY,
     PATH("--model", run.model, "MODEL", NULL, "tree model: a file, or the name of a shipped one",
          .letter = "-m"),
-    WF_WIND_ROWS(run.wind, averaging, 0, 100, "mean wind at the reference height"),
-    WORD("--gust", run.gust, "NAME", gust_word, "steady", "how the wind changes"),
+    WF_WIND_ROWS(run.wind, averaging, 0, 100, "mean wind at the reference height", .unused = run_unused),
+    WORD("--gust", run.gust, "NAME", gust_word, "steady",
+         "how the wind changes; steady: it does not, and all frames of a balance are equal"),
     WORD("--preset", run.preset, "NAME", wf_preset_word, "corrected", "a published method, as printed"),
     WORD("--solver", run.solver, "NAME", wf_solver_word, NULL,
          "how the bent shape is computed [the preset's, else beam]"),
     WF_PROFILE_ROWS(run.profile),
     WORD("--shelter", run.shelter, "NAME", wf_shelter_word, "none", "wind inside the crown"),
     NUMBER("--intensity", run.intensity, "NUMBER", NONE, NULL, 0, 1, NULL,
-           "turbulence intensity of the gust model"),
-    NUMBER("--period", run.period, "TIME", TIME, "s", 0.1, 3600, NULL, "of the gust model"),
-    WF_GUST_ROWS(run),
+           "turbulence intensity of the gust model", .unused = run_unused),
+    NUMBER("--period", run.period, "TIME", TIME, "s", 0.1, 3600, NULL, "of the gust model",
+           .unused = run_unused),
+    WF_GUST_ROWS(run, run_unused),
     CHOICE("--components", components, "1|3", "1|3", NULL,
-           "of the gust: along the wind only, or along, across and up [3 where the model has them]"),
+           "of the gust: along the wind only, or along, across and up [3 where the model has them]",
+           .unused = run_unused),
     NUMBER("--duration", run.duration, "TIME", TIME, "s", 1e-3, 86400, "60", "time that is run"),
     NUMBER("--step", run.step, "TIME", TIME, "s", 1e-4, 3600, "0.1", "between frames"),
     WHOLE("--keys", run.keys, 1, 64, "8", "key frames drawn as panels"),
-    WHOLE("--seed", run.seed, 0, 1e9, "1", "of the random numbers"),
+    WHOLE("--seed", run.seed, 0, 1e9, "1", "of the random numbers", .unused = run_unused),
     NUMBER("--restoring", run.restoring, "NUMBER", NONE, NULL, 0, 100, "0",
-           "k of the deflect scheme, below 1"),
-    NUMBER("--damping", run.damping, "NUMBER", NONE, NULL, 0, 1e9, "0", "c of the deflect scheme, N s2"),
+           "k of the deflect scheme, below 1", .unused = run_unused),
+    NUMBER("--damping", run.damping, "NUMBER", NONE, NULL, 0, 1e9, "0", "c of the deflect scheme, N s2",
+           .unused = run_unused),
     WORD("--leaf-motion", run.leaf_motion, "NAME", leaf_word, NULL,
          "how leaves turn; affects the picture only, not the loads [the preset's, else eq13]"),
     NUMBER("--leaf-amplitude", run.leaf_amplitude, "ANGLE", ANGLE, "deg", 0, 180, "30",
-           "largest turn by one of the three noises"),
+           "largest turn by one of the three noises", .unused = run_unused),
     NUMBER("--leaf-follow", run.leaf_follow, "NUMBER", NONE, NULL, -10, 10, "0.5",
-           "lambda: share of theta_x added to theta_z"),
+           "lambda: share of theta_x added to theta_z", .unused = run_unused),
     NUMBER("--leaf-period", run.leaf_period, "TIME", TIME, "s", 1e-3, 3600, "1",
-           "of the noise's first octave"),
+           "of the noise's first octave", .unused = run_unused),
     NUMBER("--youngs-modulus", run.youngs, "MODULUS", PRESSURE, "Pa", 1e5, 1e12, NULL,
            "in place of the species'"),
     TEXT("--output", output, "FOLDER", "out/series", "where tables, frames and the page go", .letter = "-o"),
@@ -224,7 +270,7 @@ int wf_cmd_series(int argc, char **argv)
     struct series_options o = { 0 };
     int code = wf_args_read(argc, argv, wf_series_options, series_about, 1, 1, &arena, &o.args);
     if (code < 0 && !o.run.model) {
-        fprintf(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
+        wf_show(stderr, "windfirm series: --model is needed, for example --model models/culm.yaml\n");
         code = 2;
     }
     if (code < 0) {
@@ -271,9 +317,45 @@ static const struct wf_option papers_options[] = {
 static const char papers_about[] =
     "NAME is tang2012, feng1999, zhao2013 or a file of runs like models/papers/tang2012.yaml: species, "
     "model, "
-    "wind, method of every run, in as many runs as wanted. 'windfirm papers schema' lists the keys.\n"
+    "wind, method of every run, in as many runs as wanted. 'windfirm papers list' lists the shipped ones, "
+    "'windfirm papers schema' the keys.\n"
     "\n"
     "  windfirm papers tang2012 -o out/tang";
+
+/* The file of runs that a user means. Errors: as wf_shipped, with the words of the command among the names.
+ */
+static enum wf_status find_runs(const char *name, struct wf_arena *a, const char **path, struct wf_diag *d,
+                                struct wf_err *e)
+{
+    static const char *const words[] = { "list", "schema" };
+    struct wf_err why = { 0 };
+    enum wf_status s = wf_shipped("models/papers", name, a, path, d, &why);
+    if (!s) return WF_OK;
+    const char *word = wf_nearest(name, words, WF_COUNT(words));
+    return word ? wf_fail(e, s, "papers: no paper is called '%s'; did you mean '%s'?", name, word)
+                : wf_fail(e, s, "%s", why.text);
+}
+
+/* Names and titles of the runs that are shipped. Returned: exit code. */
+static int list_papers(struct wf_arena *a)
+{
+    struct wf_diag d = { .arena = a };
+    const char **names, *path;
+    size_t n = wf_shipped_names(wf_share(), "models/papers", a, &names);
+    if (!n) return wf_complain(&(struct wf_err){ WF_EINPUT, "no runs of papers are installed" });
+    wf_show(stdout, "%-20s %5s  %s\n", "name", "runs", "title");
+    for (size_t i = 0; i < n; i++) {
+        struct wf_series_plan plan;
+        if (wf_shipped_path(wf_share(), "models/papers", names[i], a, &path, NULL) ||
+            !wf_begins_with_key(path, "runs_of:", a) || /* a model that the runs use */
+            wf_series_plan_read(path, a, &plan, &d, NULL))
+            continue;
+        wf_show(stdout, "%-20s %5zu  %s\n", names[i], plan.runs, plan.title);
+        if (plan.source) wf_show(stdout, "%-20s %5s  source: %s\n", "", "", plan.source);
+    }
+    wf_print_findings(&d, false);
+    return d.errors ? 2 : 0;
+}
 
 int wf_cmd_papers(int argc, char **argv)
 {
@@ -282,15 +364,17 @@ int wf_cmd_papers(int argc, char **argv)
     struct wf_err e = { 0 };
     struct wf_series_plan plan;
     int code = wf_args_read(argc, argv, papers_options, papers_about, 1, 1, &arena, &o.args);
+    if (code < 0 && !strcmp(o.args.operand[0], "list")) code = list_papers(&arena);
     if (code < 0 && !strcmp(o.args.operand[0], "schema")) {
         char *text = wf_series_plan_schema(&arena, &e);
-        if (text) fputs(text, stdout);
+        if (text) wf_show(stdout, "%s", text);
         code = text ? 0 : wf_complain(&e);
     }
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
-        const char *path = wf_shipped("models/papers", o.args.operand[0], &arena);
-        enum wf_status s = wf_series_plan_read(path, &arena, &plan, &d, &e);
+        const char *path;
+        enum wf_status s = find_runs(o.args.operand[0], &arena, &path, &d, &e);
+        if (!s) s = wf_series_plan_read(path, &arena, &plan, &d, &e);
         wf_print_findings(&d, false);
         if (s) code = wf_complain(&e);
     }

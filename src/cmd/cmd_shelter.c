@@ -39,6 +39,22 @@ struct shelter_options {
     const char *lang;
 };
 
+/* Options of a measured tree. */
+static bool tree_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(!((const struct shelter_options *)options)->tree, why,
+                            "without a measured tree, --tree");
+}
+
+static bool growth_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct shelter_options *o = options;
+    const struct wf_shelter_law *law = wf_shelter_law_named(o->law);
+    (void)row;
+    return wf_option_unused(law && !law->wakes, why, "with the law '%s'", o->law);
+}
+
 #define OPTIONS struct shelter_options
 const struct wf_option wf_shelter_options[] = {
     STUDY,
@@ -47,7 +63,7 @@ const struct wf_option wf_shelter_options[] = {
     PATH("--species", species, "SPECIES", NULL,
          "wood and leaves: a species table, a file or the name of a shipped one", .letter = "-s"),
     NUMBER("--leaf-area", leaf_area, "AREA", AREA, "m2", 0, 1e5, "0",
-           "one-sided leaf area of a measured tree"),
+           "one-sided leaf area of a measured tree", .unused = tree_unused),
     WF_WIND_ROWS(wind, averaging, 0, 200, "mean wind at the reference height"),
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
@@ -61,8 +77,8 @@ const struct wf_option wf_shelter_options[] = {
     NUMBER("--leaf-reach", leaf_reach, "LENGTH", LENGTH, "m", 1e-3, 100, "0.25",
            "greatest distance of leaves from their segment"),
     NUMBER("--wake-growth", wake_growth, "NUMBER", NONE, NULL, 0, 1, "0.08",
-           "standard deviation of a wake per distance (law wake)"),
-    WF_IMPORT_ROWS(import),
+           "standard deviation of a wake per distance (law wake)", .unused = growth_unused),
+    WF_IMPORT_ROWS(import, tree_unused),
     TEXT("--output", output, "FOLDER", "out/shelter", "where tables and plots go", .letter = "-o"),
     FLAG("--no-motion", no_motion, "only the wind; the tree is not bent"),
     WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
@@ -112,9 +128,8 @@ static enum wf_status read_tree(struct work *w, struct wf_arena *a, struct wf_di
     if (!model == !file) return wf_fail(e, WF_EUSAGE, "give a tree by either --model or --tree");
     if (!species) return wf_fail(e, WF_EUSAGE, "--species is needed, for example --species oak");
     struct wf_err other = { 0 };
-    enum wf_status s = wf_species_read(wf_shipped("species", species, a), &wf_laws, a, &w->species, d, e),
-                   t = WF_OK;
-    if (model) t = wf_model_read(wf_shipped("models", model, a), a, &w->model, d, &other);
+    enum wf_status s = wf_species_named(species, a, &w->species, d, e), t = WF_OK;
+    if (model) t = wf_model_named(model, a, &w->model, d, &other);
     if (s || t) return s ? s : wf_fail(e, t, "%s", other.text);
     s = model ? wf_grow(&w->model, &w->species, a, &w->tree, d, e) : read_measured(w, file, a, d, e);
     return s ? s : wf_tree_check(&w->tree, d, e);
@@ -144,19 +159,19 @@ static enum wf_status make_request(struct work *w, struct wf_arena *a, struct wf
 
 static void print_slabs(FILE *to, const struct wf_shelter *s)
 {
-    fprintf(to,
+    wf_show(to,
             "slab  from the front   wood     leaves   covered  cells: cylinder hole slit transmitting (full)"
             "   arriving wind  volume flux  passes beside\n");
-    fprintf(to, "                 m      m2         m2        m2\n");
+    wf_show(to, "                 m      m2         m2        m2\n");
     for (size_t k = 0; k <= s->slabs; k++) {
         const struct wf_shelter_slab *b = &s->slab[k];
         if (k == s->slabs)
-            fprintf(to, "behind      %6.2f  %72s", (double)k * s->step[0], "");
+            wf_show(to, "behind      %6.2f  %72s", (double)k * s->step[0], "");
         else
-            fprintf(to, "%4zu        %6.2f  %8.4f  %8.4f  %8.4f         %8zu %4zu %4zu %12zu %6zu", k + 1,
+            wf_show(to, "%4zu        %6.2f  %8.4f  %8.4f  %8.4f         %8zu %4zu %4zu %12zu %6zu", k + 1,
                     (double)k * s->step[0], b->wood, b->leaf, b->covered, b->cells[WF_CELL_CYLINDER],
                     b->cells[WF_CELL_HOLE], b->cells[WF_CELL_SLIT], b->cells[WF_CELL_TRANSMITTING], b->full);
-        fprintf(to, "   %12.4f %12.4f %13.4f\n", b->speed, b->flux, 1.0 - b->flux);
+        wf_show(to, "   %12.4f %12.4f %13.4f\n", b->speed, b->flux, 1.0 - b->flux);
     }
 }
 
@@ -165,16 +180,16 @@ static void print_thirds(FILE *to, const struct wf_shelter_run *r)
     static const char *const name[] = { "windward", "middle", "leeward" };
     struct wf_shelter_third third[3];
     wf_shelter_thirds(r, third);
-    fprintf(to, "\n%-10s %6s   %-22s %-24s %s\n", "branch", "", "wind at tips m/s", "tips move m",
+    wf_show(to, "\n%-10s %6s   %-22s %-24s %s\n", "branch", "", "wind at tips m/s", "tips move m",
             "relative to the branch's base m");
-    fprintf(to, "%-10s %6s   %-10s %-11s %-11s %-12s %-10s %s\n", "ends", "number", "open", "sheltered",
+    wf_show(to, "%-10s %6s   %-10s %-11s %-11s %-12s %-10s %s\n", "ends", "number", "open", "sheltered",
             "open", "sheltered", "open", "sheltered");
     for (int k = 0; k < 3; k++)
         if (third[k].n > 0)
-            fprintf(to, "%-10s %6zu   %-10.3f %-11.3f %-11.4f %-12.4f %-10.4f %.4f\n", name[k], third[k].n,
+            wf_show(to, "%-10s %6zu   %-10.3f %-11.3f %-11.4f %-12.4f %-10.4f %.4f\n", name[k], third[k].n,
                     third[k].wind[0], third[k].wind[1], third[k].move[0], third[k].move[1], third[k].swing[0],
                     third[k].swing[1]);
-    fprintf(
+    wf_show(
         to,
         "base moment %.6g N m in the open, %.6g N m sheltered; shape and shelter agree after %zu passes\n",
         hypot(r->open.base_moment[0], r->open.base_moment[1]),
@@ -186,14 +201,14 @@ static void print_shelter(FILE *to, const struct wf_shelter_run *r)
 {
     const struct wf_shelter *s = &r->still;
     const struct wf_shelter_request *q = &s->request;
-    fprintf(to, "wind %.4g m/s, a 10-min mean at %.6g m\n", r->speed, s->base.reference_height);
-    fprintf(to, "law %s: %s\n", q->law->name, q->law->title);
-    fprintf(to, "a covered cell lets %.0f %% of the %s through: %.3f of the speed\n", 100.0 * q->transmission,
+    wf_show(to, "wind %.4g m/s, a 10-min mean at %.6g m\n", r->speed, s->base.reference_height);
+    wf_show(to, "law %s: %s\n", q->law->name, q->law->title);
+    wf_show(to, "a covered cell lets %.0f %% of the %s through: %.3f of the speed\n", 100.0 * q->transmission,
             q->energy ? "energy" : "speed", wf_shelter_speed_share(q));
-    fprintf(to, "%zu slabs of %.3f m, %zu x %zu cells of %.3f x %.3f m\n\n", s->slabs, s->step[0], s->across,
+    wf_show(to, "%zu slabs of %.3f m, %zu x %zu cells of %.3f x %.3f m\n\n", s->slabs, s->step[0], s->across,
             s->up, s->step[1], s->step[2]);
     print_slabs(to, s);
-    fprintf(
+    wf_show(
         to,
         "The air that no longer passes the grid's cross-section (%.1f x %.1f m) must pass beside or above "
         "it.\n",
@@ -217,7 +232,23 @@ static enum wf_status bend_tree(struct work *w, struct wf_arena *a, struct wf_di
     return s ? s : wf_shelter_tips(&w->run, &w->loads, a, e);
 }
 
-static enum wf_status shelter(struct work *w, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+/* The wind inside the tree and, unless left out or interrupted, the bent tree in it. */
+static enum wf_status compute(struct work *w, bool motion, struct wf_arena *a, struct wf_diag *d,
+                              struct wf_err *e)
+{
+    struct wf_err why = { 0 };
+    wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");
+    enum wf_status s = wf_shelter_make(&w->tree, &w->wind, &w->request, a, &w->run.still, e);
+    if (!s && motion && w->run.speed > 0.0 && (s = bend_tree(w, a, d, &why)) && s != WF_EINTERRUPTED)
+        wf_fail(e, s, "%s", why.text);
+    wf_progress(NULL);
+    if (s == WF_EINTERRUPTED)
+        wf_diag_warn(d, "interrupted", "interrupted before the tree was bent in this wind");
+    return s == WF_EINTERRUPTED ? WF_OK : s;
+}
+
+static enum wf_status shelter(struct work *w, struct wf_run_folder *f, struct wf_arena *a, struct wf_diag *d,
+                              struct wf_err *e)
 {
     const struct shelter_options *o = &w->options;
     bool motion = !o->no_motion, quiet = o->args.quiet;
@@ -228,19 +259,16 @@ static enum wf_status shelter(struct work *w, struct wf_arena *a, struct wf_diag
     if ((s = wf_scenario_loads(&w->scenario, &w->species, &w->wind, &w->loads, e))) return s;
     w->wind.speed = w->run.speed;
     wf_limits_profile(&w->scenario, wf_tree_height(&w->tree), w->model.key ? o->model : o->tree, d);
-    w->run.folder = o->output;
+    if ((s = wf_results_begin(f, o->output, o->no_plots ? NULL : "shelter", e))) return s;
+    w->run.folder = f->stage;
     w->run.tree = &w->tree;
     w->run.species = w->species.name;
     w->run.tree_name = w->model.key ? w->model.name : o->tree;
-    wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");
-    s = wf_shelter_make(&w->tree, &w->wind, &w->request, a, &w->run.still, e);
-    if (!s && motion && w->run.speed > 0.0) s = bend_tree(w, a, d, e);
-    wf_progress(NULL);
-    if (s) return s;
+    if ((s = compute(w, motion, a, d, e))) return s;
     if (!quiet) print_shelter(stdout, &w->run);
     s = wf_shelter_results_write(&w->run, &w->head, d, e);
-    if (!s && !o->no_plots) s = wf_pages_make(w->run.folder, o->lang, a, e);
-    if (!s && !quiet) printf("\nTables%s: %s\n", o->no_plots ? "" : ", plots and page", w->run.folder);
+    if (!s) s = wf_results_end(f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    if (!s && !quiet) wf_show(stdout, "\nTables%s: %s\n", o->no_plots ? "" : ", plots and page", o->output);
     return s;
 }
 
@@ -253,7 +281,9 @@ int wf_cmd_shelter(int argc, char **argv)
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
         enum wf_status s = wf_pages_head(argc, argv, &arena, &w.head, &e);
-        if (!s) s = shelter(&w, &arena, &d, &e);
+        struct wf_run_folder f = { 0 };
+        if (!s) s = shelter(&w, &f, &arena, &d, &e);
+        wf_run_abandon(&f);
         fflush(stdout);
         wf_print_findings(&d, w.options.args.quiet);
         code = s ? wf_complain(&e) : 0;

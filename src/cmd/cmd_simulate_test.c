@@ -88,18 +88,18 @@ static enum wf_status expect_widths(const struct plan *p, const bool *with, doub
 
 static void print_widths(const struct plan *p, const char *name, const double *half)
 {
-    printf("%-44s", name);
+    wf_show(stdout, "%-44s", name);
     for (size_t k = 0; k < p->free; k++) {
         const struct wf_fit_quantity_row *q = &wf_fit_quantities[p->param[k].quantity];
         double share = q->log ? expm1(half[k]) : half[k];
         if (share < 10 && !q->log && *q->unit)
-            printf("  %+8.1f %-3s", share * q->factor, q->unit);
+            wf_show(stdout, "  %+8.1f %-3s", share * q->factor, q->unit);
         else if (share < 10)
-            printf("  %+10.1f %%", 100 * share);
+            wf_show(stdout, "  %+10.1f %%", 100 * share);
         else
-            printf("  %12s", "-");
+            wf_show(stdout, "  %12s", "-");
     }
-    printf("\n");
+    wf_show(stdout, "\n");
 }
 
 static enum wf_status print_layouts(const struct plan *p, struct wf_err *e)
@@ -111,9 +111,9 @@ static enum wf_status print_layouts(const struct plan *p, struct wf_err *e)
     for (size_t t = 0; t < p->x.tests; t++) sensors += p->x.test[t].sensors;
     if (sensors > 256 || p->params > 64)
         return wf_fail(e, WF_EUSAGE, "more than 256 sensors or 64 parameters in one plan");
-    printf("%-44s", "sensors: upper half of the 95 % interval");
-    for (size_t k = 0; k < p->free; k++) printf("  %12.24s", p->param[k].name);
-    printf("\n");
+    wf_show(stdout, "%-44s", "sensors: upper half of the 95 % interval");
+    for (size_t k = 0; k < p->free; k++) wf_show(stdout, "  %12.24s", p->param[k].name);
+    wf_show(stdout, "\n");
     for (size_t i = 0; i < sensors; i++) with[i] = true;
     enum wf_status s = expect_widths(p, with, half, e);
     if (!s) print_widths(p, "all", half);
@@ -186,7 +186,7 @@ static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, st
     if (!s && !quiet) s = print_layouts(p, e);
     if (!s) s = wf_mkdirs(folder, e);
     for (size_t t = 0; t < p->x.tests && !s; t++) s = write_test(p, t, folder, e);
-    if (!s && !quiet) printf("\nSimulated readings: %s\n", folder);
+    if (!s && !quiet) wf_show(stdout, "\nSimulated readings: %s\n", folder);
     return s;
 }
 

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
 #include "cmd/args.h"
@@ -6,25 +7,23 @@
 #include "data/species.h"
 #include "load/drag.h"
 #include "load/load.h"
-#include <glob.h>
 #include <stdio.h>
 #include <string.h>
 
 static int list_species(struct wf_arena *a)
 {
     struct wf_diag d = { .arena = a };
-    glob_t found;
-    const char *pattern = wf_arena_print(a, "%s/species/*.yaml", wf_share());
-    if (!pattern || glob(pattern, 0, NULL, &found))
-        return wf_complain(&(struct wf_err){ WF_EINPUT, "no species tables are installed" });
-    printf("%-18s %-8s %-28s %s\n", "name", "preset", "species", "latin");
-    for (size_t i = 0; i < found.gl_pathc; i++) {
+    const char **names, *path;
+    size_t n = wf_shipped_names(wf_share(), "species", a, &names);
+    if (!n) return wf_complain(&(struct wf_err){ WF_EINPUT, "no species tables are installed" });
+    wf_show(stdout, "%-18s %-8s %-28s %s\n", "name", "preset", "species", "latin");
+    for (size_t i = 0; i < n; i++) {
         struct wf_species sp;
-        if (wf_species_read(found.gl_pathv[i], &wf_laws, a, &sp, &d, NULL)) continue;
-        printf("%-18s %-8s %-28s %s\n", sp.key, strcmp(sp.preset, "corrected") ? "printed" : "", sp.name,
-               sp.latin ? sp.latin : "");
+        if (wf_shipped_path(wf_share(), "species", names[i], a, &path, NULL)) continue;
+        if (wf_species_read(path, &wf_laws, a, &sp, &d, NULL)) continue;
+        wf_show(stdout, "%-18s %-8s %-28s %s\n", sp.key, strcmp(sp.preset, "corrected") ? "printed" : "",
+                sp.name, sp.latin ? sp.latin : "");
     }
-    globfree(&found);
     wf_print_findings(&d, false);
     return d.errors ? 2 : 0;
 }
@@ -44,8 +43,8 @@ static void show_value(struct wf_units *u, const char *table, const struct wf_pr
         snprintf(range, sizeof range, "%s..%s", low, high);
     }
     snprintf(key, sizeof key, "%s%s", table, p->key);
-    printf("  %-22s %-14s %-14s %-9s %s\n", key, value, range, wf_standing_text(v->standing),
-           v->source ? v->source : "");
+    wf_show(stdout, "  %-22s %-14s %-14s %-9s %s\n", key, value, range, wf_standing_text(v->standing),
+            v->source ? v->source : "");
 }
 
 static void show_level(struct wf_units *u, const struct wf_level *l)
@@ -53,8 +52,8 @@ static void show_level(struct wf_units *u, const struct wf_level *l)
     struct wf_property p;
     for (size_t i = 0; wf_level_property(l, i, &p); i++) show_value(u, "", &p);
     for (size_t k = 0; k < l->wall.n; k++)
-        printf("  %-22s %.4g of the radius at %.4g of the length%s%s\n", k ? "" : "wall", l->wall.v[k],
-               l->wall.s[k], k ? "" : ", ", k ? "" : wf_standing_text(l->wall_note.standing));
+        wf_show(stdout, "  %-22s %.4g of the radius at %.4g of the length%s%s\n", k ? "" : "wall",
+                l->wall.v[k], l->wall.s[k], k ? "" : ", ", k ? "" : wf_standing_text(l->wall_note.standing));
 }
 
 static void show_crown(struct wf_units *u, const struct wf_species *sp)
@@ -72,19 +71,18 @@ static int show_species(const char *name, struct wf_arena *a)
     struct wf_err e = { 0 };
     struct wf_species sp;
     struct wf_units *u;
-    if (wf_species_read(wf_shipped("species", name, a), &wf_laws, a, &sp, &d, &e)) {
-        wf_print_findings(&d, false);
-        return d.errors ? 2 : wf_complain(&e);
-    }
+    enum wf_status s = wf_species_named(name, a, &sp, &d, &e);
+    wf_print_findings(&d, false);
+    if (s) return d.errors ? 2 : wf_complain(&e);
     if (wf_units_open(&u, &e)) return wf_complain(&e);
-    printf("%s, %s%s%s%s%s\nfile: %s; preset: %s\n", sp.key, sp.name, sp.name_zh ? " " : "",
-           sp.name_zh ? sp.name_zh : "", sp.latin ? ", " : "", sp.latin ? sp.latin : "", sp.file, sp.preset);
-    if (sp.note) printf("%s\n", sp.note);
+    wf_show(stdout, "%s, %s%s%s%s%s\nfile: %s; preset: %s\n", sp.key, sp.name, sp.name_zh ? " " : "",
+            sp.name_zh ? sp.name_zh : "", sp.latin ? ", " : "", sp.latin ? sp.latin : "", sp.file, sp.preset);
+    if (sp.note) wf_show(stdout, "%s\n", sp.note);
     for (size_t i = 0; i < sp.levels; i++) {
-        printf("\nlevel %zu: %s\n", i, sp.level[i].name);
+        wf_show(stdout, "\nlevel %zu: %s\n", i, sp.level[i].name);
         show_level(u, &sp.level[i]);
     }
-    printf("\ncrown\n");
+    wf_show(stdout, "\ncrown\n");
     show_crown(u, &sp);
     wf_units_close(u);
     return 0;
@@ -105,7 +103,7 @@ int wf_cmd_species(int argc, char **argv)
         else if (strcmp(what, "show") == 0 && args.n == 2)
             code = show_species(args.operand[1], &arena);
         else {
-            fprintf(stderr, "windfirm species: '%s' is neither 'list' nor 'show NAME'%s\n", what,
+            wf_show(stderr, "windfirm species: '%s' is neither 'list' nor 'show NAME'%s\n", what,
                     wf_did_you_mean(what, words, WF_COUNT(words)).text);
             code = 2;
         }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm terrain: generated or measured ground, its sheltered places and where it speeds the wind up. */
+#include "base/interrupt.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
@@ -19,18 +20,27 @@ struct terrain_options {
     const char *lang;
 };
 
+/* Options of made ground. */
+static bool made_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(((const struct terrain_options *)options)->dem, why,
+                            "with ground that is read, --dem");
+}
+
 #define OPTIONS struct terrain_options
 static const struct wf_option options[] = {
     PATH("--dem", dem, "FILE", NULL, "heights as an ESRI ASCII grid; without it the ground is generated"),
-    WHOLE("--size", size, 1, 12, "8", "of generated ground: 2^NUMBER + 1 points a side"),
+    WHOLE("--size", size, 1, 12, "8", "of generated ground: 2^NUMBER + 1 points a side",
+          .unused = made_unused),
     NUMBER("--cell", cell, "LENGTH", LENGTH, "m", 0.1, 10000, "25",
-           "of generated ground: distance of neighbouring points"),
+           "of generated ground: distance of neighbouring points", .unused = made_unused),
     NUMBER("--smoothness", smoothness, "NUMBER", NONE, NULL, 0, 1, "1",
-           "of generated ground: exponent H, 0 rough to 1 smooth"),
+           "of generated ground: exponent H, 0 rough to 1 smooth", .unused = made_unused),
     NUMBER("--relief", relief, "LENGTH", LENGTH, "m", 0.01, 5000, "40",
-           "of generated ground: standard deviation of the heights"),
+           "of generated ground: standard deviation of the heights", .unused = made_unused),
     WHOLE("--seed", seed, 0, 9007199254740992.0, "1",
-          "of generated ground: whole number; the same seed gives the same ground"),
+          "of generated ground: whole number; the same seed gives the same ground", .unused = made_unused),
     NUMBER("--from", from, "ANGLE", ANGLE, "deg", -360, 360, "270",
            "direction the wind comes from, clockwise from north"),
     NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 500, "10", "above the ground, for the speed-up"),
@@ -67,6 +77,7 @@ static enum wf_status expose_points(const struct terrain_options *o, struct wf_t
         status = wf_fail(e, WF_ENOMEM, "not enough memory for a map of %zu points", n);
     for (size_t i = 0; i < n && !status; i++) {
         double seen;
+        if (wf_interrupted()) return wf_fail(e, WF_EINTERRUPTED, "interrupted before the map was computed");
         s->topex[i] = wf_terrain_topex(t, i % t->columns, i / t->columns, o->distance, &seen) * 180 / M_PI;
         s->unseen += seen < 1.0;
         s->factor[i] = 1.0 + s->speedup.ds[i];
@@ -78,20 +89,20 @@ static void print_range(const char *name, const char *unit, const double *v, siz
 {
     double low, mean, high;
     wf_terrain_range(v, n, &low, &mean, &high);
-    printf("%-24s %10.3f %10.3f %10.3f  %s\n", name, low, mean, high, unit);
+    wf_show(stdout, "%-24s %10.3f %10.3f %10.3f  %s\n", name, low, mean, high, unit);
 }
 
 static void print_site(const struct wf_terrain_site *s)
 {
     const struct wf_terrain *t = &s->ground;
     size_t n = t->rows * t->columns;
-    printf("%zu x %zu points, %g m apart; wind from %.0f deg\n\n%-24s %10s %10s %10s\n", t->columns, t->rows,
-           t->cell, s->from * 180 / M_PI, "", "lowest", "mean", "highest");
+    wf_show(stdout, "%zu x %zu points, %g m apart; wind from %.0f deg\n\n%-24s %10s %10s %10s\n", t->columns,
+            t->rows, t->cell, s->from * 180 / M_PI, "", "lowest", "mean", "highest");
     print_range("height", "m", t->z, n);
     print_range("topex-to-distance", "deg (high: sheltered)", s->topex, n);
     print_range("wind / level ground", "", s->factor, n);
-    printf("\nhills of half-width %.0f m, inner layer %.1f m, gain %.2f, steepest slope %.2f\n",
-           s->speedup.length, s->speedup.inner, s->speedup.gain, s->speedup.steepest);
+    wf_show(stdout, "\nhills of half-width %.0f m, inner layer %.1f m, gain %.2f, steepest slope %.2f\n",
+            s->speedup.length, s->speedup.inner, s->speedup.gain, s->speedup.steepest);
 }
 
 static void warn_of_limits(const struct wf_terrain_site *s, struct wf_diag *d)
@@ -118,11 +129,14 @@ static enum wf_status survey(const struct terrain_options *o, const struct wf_do
                                                      o->seed, a, &s->ground, e);
     s->file = o->dem;
     s->from = o->from, s->height = o->height, s->roughness = o->roughness, s->distance = o->distance;
+    struct wf_run_folder f = { 0 };
+    if (!status) status = wf_results_begin(&f, o->output, o->no_plots ? NULL : "terrain", e);
     if (!status) status = expose_points(o, s, a, e);
     if (!status) warn_of_limits(s, d);
-    if (!status) status = wf_terrain_results_write(s, head, d, o->output, e);
-    if (!status && o->positions) status = wf_terrain_positions_write(s, o->positions, o->output, a, d, e);
-    if (!status && !o->no_plots) status = wf_pages_make(o->output, o->lang, a, e);
+    if (!status) status = wf_terrain_results_write(s, head, d, f.stage, e);
+    if (!status && o->positions) status = wf_terrain_positions_write(s, o->positions, f.stage, a, d, e);
+    if (!status) status = wf_results_end(&f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    wf_run_abandon(&f);
     return status;
 }
 
@@ -142,7 +156,7 @@ int wf_cmd_terrain(int argc, char **argv)
         wf_print_findings(&d, quiet);
         if (!status && !quiet) {
             print_site(&s);
-            printf("Tables, grids and map: %s\n", o.output);
+            wf_show(stdout, "Tables, grids and map: %s\n", o.output);
         }
         code = status ? wf_complain(&e) : 0;
     }

@@ -29,9 +29,9 @@ static void count_verdict(struct tally *t, const struct wf_verdict *v)
 /* Heading of a file: its title and source, from its first case. */
 static void print_file(const struct wf_case *first)
 {
-    printf("\n%s\n", first->file);
-    if (first->title) printf("  %s\n", first->title);
-    printf("  source: %s\n", first->source);
+    wf_show(stdout, "\n%s\n", first->file);
+    if (first->title) wf_show(stdout, "  %s\n", first->title);
+    wf_show(stdout, "  source: %s\n", first->source);
 }
 
 static double used(const struct wf_check *c) { return isnan(c->error) ? HUGE_VAL : c->error / c->allowed; }
@@ -54,8 +54,8 @@ static void print_check(const struct wf_check *c)
     if (c->error > 0.0) (void)snprintf(margin, sizeof margin, "%.2g", c->allowed / c->error);
     if (isnan(c->error)) (void)snprintf(margin, sizeof margin, "none");
     if (!isnan(c->relative)) (void)snprintf(relative, sizeof relative, "%.1e", c->relative);
-    printf("    %-30s %20.12g %20.12g %-6s %9s %9s%s\n", what, c->wanted / f, c->got / f, c->want->unit,
-           relative, margin, c->passed ? "" : "  FAILED");
+    wf_show(stdout, "    %-30s %20.12g %20.12g %-6s %9s %9s%s\n", what, c->wanted / f, c->got / f,
+            c->want->unit, relative, margin, c->passed ? "" : "  FAILED");
 }
 
 /* Outcome and one line per wanted value: wanted, got, error, margin (allowed error / error). Of a long list
@@ -64,26 +64,29 @@ static void print_case(const struct wf_verdict *v, bool all)
 {
     const struct wf_case *c = v->of;
     size_t shown = 0;
-    printf("  %s [%s, %s]: %s", c->name, v->solver, wf_case_kind_name((enum wf_case_kind)c->kind),
-           outcome_word[v->outcome]);
+    wf_show(stdout, "  %s [%s, %s]: %s", c->name, v->solver, wf_case_kind_name((enum wf_case_kind)c->kind),
+            outcome_word[v->outcome]);
     if (v->n)
-        printf(", %zu value%s, the worst uses %.2g of its tolerance", v->n, v->n == 1 ? "" : "s", v->worst);
-    printf("\n");
-    if (v->why) printf("    %s\n", v->why);
-    if (all && c->note) printf("    %s\n", c->note);
+        wf_show(stdout, ", %zu value%s, the worst uses %.2g of its tolerance", v->n, v->n == 1 ? "" : "s",
+                v->worst);
+    wf_show(stdout, "\n");
+    if (v->why) wf_show(stdout, "    %s\n", v->why);
+    if (all && c->note) wf_show(stdout, "    %s\n", c->note);
     if (!v->n) return;
-    printf("    %-30s %20s %20s %-6s %9s %9s\n", "quantity", "wanted", "got", "unit", "rel.error", "margin");
+    wf_show(stdout, "    %-30s %20s %20s %-6s %9s %9s\n", "quantity", "wanted", "got", "unit", "rel.error",
+            "margin");
     bool full = all || v->n <= SHORT_LIST;
     for (size_t i = 0; i < v->n; i++)
         if (full || !v->check[i].passed || among_worst(v, i)) print_check(&v->check[i]), shown++;
-    if (shown < v->n) printf("    and %zu more within tolerance (--verbose lists them)\n", v->n - shown);
+    if (shown < v->n)
+        wf_show(stdout, "    and %zu more within tolerance (--verbose lists them)\n", v->n - shown);
 }
 
 static bool all_ran(const struct wf_case *c, const struct wf_verdict *mesh)
 {
     for (size_t i = 0; i < c->pieces; i++) {
         if (!mesh[i].why) continue;
-        printf("    order of convergence: %zu parts a row: %s\n", c->piece[i], mesh[i].why);
+        wf_show(stdout, "    order of convergence: %zu parts a row: %s\n", c->piece[i], mesh[i].why);
         return false;
     }
     return true;
@@ -94,16 +97,17 @@ static void print_order(const struct wf_case *c, const struct wf_verdict *mesh, 
 {
     if (!all_ran(c, mesh)) return;
     size_t lines = all || mesh[0].n <= SHORT_LIST ? mesh[0].n : SHORT_LIST;
-    printf(
+    wf_show(
+        stdout,
         "    order of convergence: error with every row in so many elements; in brackets the order observed\n"
         "    %-30s",
         "parts");
-    for (size_t i = 0; i < c->pieces; i++) printf(" %15zu", c->piece[i]);
-    printf("\n");
+    for (size_t i = 0; i < c->pieces; i++) wf_show(stdout, " %15zu", c->piece[i]);
+    wf_show(stdout, "\n");
     for (size_t k = 0; k < lines; k++) {
         char what[160];
         wf_want_print(mesh[0].check[k].want, mesh[0].check[k].component, what, sizeof what);
-        printf("    %-30s", what);
+        wf_show(stdout, "    %-30s", what);
         for (size_t i = 0; i < c->pieces; i++) {
             double now = mesh[i].check[k].error / mesh[i].check[k].want->unit_factor;
             double before = i ? mesh[i - 1].check[k].error / mesh[i - 1].check[k].want->unit_factor : 0.0;
@@ -111,26 +115,26 @@ static void print_order(const struct wf_case *c, const struct wf_verdict *mesh, 
             if (now > 0.0 && before > 0.0)
                 (void)snprintf(order, sizeof order, "(%.2f)",
                                log(before / now) / log((double)c->piece[i] / (double)c->piece[i - 1]));
-            printf(" %8.1e%7s", now, order);
+            wf_show(stdout, " %8.1e%7s", now, order);
         }
-        printf("\n");
+        wf_show(stdout, "\n");
     }
 }
 
 /* Counts by kind, and the last line "N passed, N failed, N skipped". */
 static void print_tally(const struct tally *t)
 {
-    printf("\n%-34s %8s %8s %8s\n", "kind", "passed", "failed", "skipped");
+    wf_show(stdout, "\n%-34s %8s %8s %8s\n", "kind", "passed", "failed", "skipped");
     for (int k = 0; k < WF_CASE_KIND_COUNT; k++) {
         const size_t *n = t->of_kind[k];
         if (n[WF_PASSED] + n[WF_FAILED] + n[WF_SKIPPED] == 0) continue;
         char kind[64];
         (void)snprintf(kind, sizeof kind, "%s%s", wf_case_kind_name((enum wf_case_kind)k),
                        k == WF_CASE_REGRESSION ? " (no evidence)" : "");
-        printf("%-34s %8zu %8zu %8zu\n", kind, n[WF_PASSED], n[WF_FAILED], n[WF_SKIPPED]);
+        wf_show(stdout, "%-34s %8zu %8zu %8zu\n", kind, n[WF_PASSED], n[WF_FAILED], n[WF_SKIPPED]);
     }
-    printf("%zu values compared\n%zu passed, %zu failed, %zu skipped\n", t->checks, t->outcome[WF_PASSED],
-           t->outcome[WF_FAILED], t->outcome[WF_SKIPPED]);
+    wf_show(stdout, "%zu values compared\n%zu passed, %zu failed, %zu skipped\n", t->checks,
+            t->outcome[WF_PASSED], t->outcome[WF_FAILED], t->outcome[WF_SKIPPED]);
 }
 
 struct run {
@@ -204,7 +208,8 @@ static size_t run_path(struct run *r, const char *path)
     for (FTSENT *f; (f = fts_read(walk));) {
         size_t n = f->fts_namelen;
         bool named = f->fts_level == FTS_ROOTLEVEL || (n > 5 && !strcmp(f->fts_name + n - 5, ".case"));
-        if (f->fts_info != FTS_F || !named) continue;
+        bool piped = f->fts_info == FTS_DEFAULT && f->fts_level == FTS_ROOTLEVEL;
+        if ((f->fts_info != FTS_F && !piped) || !named) continue;
         run_file(r, f->fts_path);
         files++;
     }
@@ -245,7 +250,7 @@ int wf_cmd_validate(int argc, char **argv)
         const char *path = o.args.n ? o.args.operand[i] : shipped;
         if (run_path(&r, path)) continue;
         struct stat s;
-        fprintf(stderr, "windfirm validate: %s: %s\n", path,
+        wf_show(stderr, "windfirm validate: %s: %s\n", path,
                 stat(path, &s) ? "no such file or folder" : "no *.case file in it");
         worse(&r, 2);
     }

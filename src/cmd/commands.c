@@ -1,5 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/commands.h"
+#include "base/file.h"
+#include "base/interrupt.h"
+#include "data/model.h"
+#include "data/species.h"
+#include "load/drag.h"
 #include "out/report.h"
 #include "out/results.h"
 #include <stdarg.h>
@@ -24,7 +29,7 @@ const struct wf_command wf_commands[] = {
     { "import", "FILE... [-o FILE] [option...]",
       "Read measured trees from the files other programs write, repair them, write them in one form.",
       wf_cmd_import },
-    { "papers", "NAME | FILE | schema [option...]",
+    { "papers", "NAME | FILE | list | schema [option...]",
       "The runs of a published paper, by its method as printed and corrected, with key frames on a page.",
       wf_cmd_papers },
     { "report", "FOLDER [option...]",
@@ -72,7 +77,7 @@ int wf_exit_code(enum wf_status s)
 
 int wf_complain(const struct wf_err *e)
 {
-    fprintf(stderr, "windfirm: %s\n", e->text[0] ? e->text : wf_status_text(e->code));
+    wf_show(stderr, "windfirm: %s\n", e->text[0] ? e->text : wf_status_text(e->code));
     return wf_exit_code(e->code);
 }
 
@@ -81,7 +86,7 @@ void wf_print_findings(const struct wf_diag *d, bool quiet)
     char line[2048];
     for (const struct wf_finding *f = d->first; f; f = f->next)
         if (f->severity == WF_ERROR || !quiet)
-            fprintf(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
+            wf_show(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
 }
 
 const char *wf_share(void)
@@ -90,11 +95,42 @@ const char *wf_share(void)
     return named && *named ? named : WF_SHARE;
 }
 
-const char *wf_shipped(const char *room, const char *name, struct wf_arena *a)
+enum wf_status wf_shipped(const char *room, const char *name, struct wf_arena *a, const char **path,
+                          struct wf_diag *d, struct wf_err *e)
 {
-    if (strpbrk(name, "/.") || access(name, F_OK) == 0) return name;
-    const char *shipped = wf_arena_print(a, "%s/%s/%s.yaml", wf_share(), room, name);
-    return shipped && access(shipped, F_OK) == 0 ? shipped : name;
+    *path = name;
+    if (strpbrk(name, "/.") || wf_file_is_there(name)) return WF_OK;
+    enum wf_status s = wf_shipped_path(wf_share(), room, name, a, path, e);
+    if (!s && access(name, F_OK) == 0)
+        wf_diag_warn(d, "folder-passed-over",
+                     "%s is a folder here; the shipped file of that name is taken: %s", name, *path);
+    return s;
+}
+
+enum wf_status wf_species_named(const char *name, struct wf_arena *a, struct wf_species *out,
+                                struct wf_diag *d, struct wf_err *e)
+{
+    const char *path;
+    enum wf_status s = wf_shipped("species", name, a, &path, d, e);
+    return s ? s : wf_species_read(path, &wf_laws, a, out, d, e);
+}
+
+enum wf_status wf_model_named(const char *name, struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
+                              struct wf_err *e)
+{
+    const char *path;
+    enum wf_status s = wf_shipped("models", name, a, &path, d, e);
+    return s ? s : wf_model_read(path, a, out, d, e);
+}
+
+bool wf_begins_with_key(const char *path, const char *key, struct wf_arena *a)
+{
+    struct wf_bytes text;
+    struct wf_err e = { 0 };
+    if (access(path, R_OK) || wf_file_read_text(path, a, &text, &e)) return false;
+    for (const char *p = text.data; p && *p; p = strchr(p, '\n') ? strchr(p, '\n') + 1 : NULL)
+        if (*p != '#' && *p != '\n' && *p != '\r') return strncmp(p, key, strlen(key)) == 0;
+    return false;
 }
 
 const char *wf_beside(const char *file, const char *name, struct wf_arena *a)
@@ -102,7 +138,7 @@ const char *wf_beside(const char *file, const char *name, struct wf_arena *a)
     const char *slash = strrchr(file, '/');
     if (!slash || name[0] == '/') return name;
     const char *path = wf_arena_print(a, "%.*s/%s", (int)(slash - file), file, name);
-    return path && access(path, F_OK) == 0 ? path : name;
+    return path && wf_file_is_there(path) ? path : name;
 }
 
 void wf_progress(const char *fmt, ...)
@@ -112,21 +148,50 @@ void wf_progress(const char *fmt, ...)
     if (fmt) {
         va_list list;
         va_start(list, fmt);
-        vfprintf(stderr, fmt, list);
+        char *text = NULL;
+        if (vasprintf(&text, fmt, list) >= 0) wf_show(stderr, "%s", text), free(text);
         va_end(list);
     }
     fflush(stderr);
 }
 
-enum wf_status wf_pages_make(const char *folder, const char *language, struct wf_arena *a, struct wf_err *e)
+enum wf_status wf_results_begin(struct wf_run_folder *r, const char *folder, const char *page,
+                                struct wf_err *e)
+{
+    wf_interrupt_catch();
+    return wf_run_begin(r, folder, page, e);
+}
+
+enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *language, struct wf_diag *d,
+                               struct wf_err *e)
+{
+    struct wf_diag found = { .arena = d->arena };
+    wf_progress("drawing plots and pages ...");
+    enum wf_status s = wf_report_make(r->stage, language, &found, e);
+    wf_progress(NULL);
+    wf_run_plain(r, e->text);
+    for (const struct wf_finding *f = found.first; f; f = f->next) {
+        char *text = wf_arena_text(d->arena, f->text);
+        if (text) wf_run_plain(r, text);
+        wf_diag_warn(d, f->code, "%s", text ? text : f->text);
+    }
+    return s;
+}
+
+enum wf_status wf_results_end(struct wf_run_folder *r, const char *language, struct wf_arena *a, bool *whole,
+                              struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
     struct wf_err why = { 0 };
-    wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_report_make(folder, language, &d, &why);
-    wf_progress(NULL);
+    enum wf_status drawn = WF_OK;
+    enum wf_status s = wf_interrupted() ? wf_run_mark(r, "interrupted", e) : WF_OK;
+    if (!s && language) drawn = wf_results_draw(r, language, &d, &why);
     wf_print_findings(&d, false);
-    return s == WF_OK || s == WF_EMISSING ? WF_OK : wf_fail(e, s, "%s", why.text);
+    if (whole) *whole = language && !drawn;
+    if (!s) s = wf_run_commit(r, e);
+    wf_run_abandon(r);
+    if (s || drawn == WF_OK || drawn == WF_EMISSING) return s;
+    return wf_fail(e, drawn, "%s", why.text);
 }
 
 /* A word as a shell takes it: in quotes where it is empty or has characters that a shell would interpret.

@@ -7,6 +7,10 @@
 #include "base/err.h"
 #include "cmd/option.h"
 #include "out/doc.h"
+#include "out/run_folder.h"
+
+struct wf_model;
+struct wf_species;
 
 struct wf_command {
     const char *name, *operands, *summary;
@@ -41,9 +45,19 @@ int wf_exit_code(enum wf_status s);
 int wf_complain(const struct wf_err *e);
 /* Folder with the shipped species/, models/ and validation/: $WINDFIRM_SHARE, else where it was installed. */
 const char *wf_share(void);
-/* The file a user means: the path itself when it exists or looks like a path, else the shipped
- * SHARE/room/NAME.yaml. Returned: text in the arena, or `name` without memory. */
-const char *wf_shipped(const char *room, const char *name, struct wf_arena *a);
+/* The file a user means: the path itself when it is a file or looks like a path, else the shipped
+ * SHARE/room/NAME.yaml. A folder of that name is no such file; a warning in `d` says that it was passed over.
+ * Returned: *path in the arena. Errors: those of wf_shipped_path. */
+enum wf_status wf_shipped(const char *room, const char *name, struct wf_arena *a, const char **path,
+                          struct wf_diag *d, struct wf_err *e);
+/* Read the species table or the tree model that a user means, as wf_shipped finds it. Errors: its errors, and
+ * those of wf_species_read and wf_model_read. */
+enum wf_status wf_species_named(const char *name, struct wf_arena *a, struct wf_species *out,
+                                struct wf_diag *d, struct wf_err *e);
+enum wf_status wf_model_named(const char *name, struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
+                              struct wf_err *e);
+/* Whether the first line of a YAML file that is not a comment begins with `key`, colon included. */
+bool wf_begins_with_key(const char *path, const char *key, struct wf_arena *a);
 /* A file that `file` names: beside it when it is there, else relative to the current folder. Returned: text
  * in the arena, or `name`. */
 const char *wf_beside(const char *file, const char *name, struct wf_arena *a);
@@ -54,9 +68,21 @@ void wf_print_findings(const struct wf_diag *d, bool quiet);
 
 /* Pages of a results folder, and what a document says about its command. */
 
-/* Draw figures and pages of a folder and print what is missing. A drawing program that is not installed is no
- * error. Errors: those of wf_report_make. */
-enum wf_status wf_pages_make(const char *folder, const char *language, struct wf_arena *a, struct wf_err *e);
+/* Take the folder for the results of a run, before anything is computed; signals are caught from now on
+ * (base/interrupt.h). page: the page that is to be drawn, NULL: none. Errors: those of wf_run_begin. */
+enum wf_status wf_results_begin(struct wf_run_folder *r, const char *folder, const char *page,
+                                struct wf_err *e);
+/* The results are written into the stage: draw figures and pages, print what is missing, put all of it into
+ * the folder. language: of the pages, NULL: none are drawn. A run that was interrupted before this is marked
+ * so. A drawing program that is not installed is no error, another part that cannot be drawn is, after the
+ * rest is in place. *whole, unless NULL: whether everything was drawn. Errors: those of wf_report_make and
+ * wf_run_commit. */
+enum wf_status wf_results_end(struct wf_run_folder *r, const char *language, struct wf_arena *a, bool *whole,
+                              struct wf_err *e);
+/* Draw the pages of the stage. Findings and error name the folder's files, not the stage's. Returned: as
+ * wf_report_make. */
+enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *language, struct wf_diag *d,
+                               struct wf_err *e);
 /* The command line as typed, "windfirm ...", with quotes where a shell needs them: it can be pasted and run
  * again. Every command records this text. NULL: no memory. */
 char *wf_command_line(int argc, char **argv, struct wf_arena *a);

@@ -7,7 +7,25 @@
 #include <assert.h>
 #include <math.h>
 #include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+
+int wf_show(FILE *to, const char *fmt, ...)
+{
+    char *text = NULL;
+    struct wf_arena a = { 0 };
+    va_list list;
+    va_start(list, fmt);
+    int n = vasprintf(&text, fmt, list);
+    va_end(list);
+    if (n < 0) return -1;
+    const char *safe = wf_text_for_terminal(text, &a);
+    n = safe && fputs(safe, to) >= 0 ? (int)strlen(safe) : -1;
+    free(text);
+    wf_arena_free(&a);
+    return n;
+}
 
 enum { CHOICES_MAX = 32 };
 
@@ -17,6 +35,16 @@ bool wf_option_given(const struct wf_args *args, size_t member)
     while (args->option[k].name && args->option[k].member != member) k++;
     assert(args->option[k].name); /* a member that no row fills */
     return args->given[k];
+}
+
+bool wf_option_unused(bool unused, char why[static WF_WHY], const char *fmt, ...)
+{
+    va_list list;
+    if (!unused) return false;
+    va_start(list, fmt);
+    vsnprintf(why, WF_WHY, fmt, list);
+    va_end(list);
+    return true;
 }
 
 void wf_option_mistake(struct wf_reading *r, const char *key, const char *name, const char *fmt, ...)
@@ -29,7 +57,7 @@ void wf_option_mistake(struct wf_reading *r, const char *key, const char *name, 
     if (key && r->yaml)
         wf_yaml_error(r->yaml, key, "%s", text);
     else
-        fprintf(stderr, "windfirm %s: %s%s%s\n", r->command, name, *name ? ": " : "", text);
+        wf_show(stderr, "windfirm %s: %s%s%s\n", r->command, name, *name ? ": " : "", text);
     r->mistakes++;
 }
 
@@ -148,11 +176,23 @@ static void take_flag(struct wf_reading *r, size_t k, const char *text)
     r->args->given[k] = *(bool *)wf_option_member(r, k) = i < 2;
 }
 
+static bool has_empty_item(const char *list)
+{
+    bool empty = true;
+    for (const char *p = list; *p; p++) {
+        if (*p == ',' && empty) return true;
+        empty = *p == ',' || (empty && *p == ' ');
+    }
+    return empty;
+}
+
 static void take_text(struct wf_reading *r, size_t k, const char *text)
 {
     const struct wf_option *o = &r->args->option[k];
     const char **member = wf_option_member(r, k);
-    bool adds = o->kind == WF_OPTION_TEXTS && *member;
+    bool list = o->kind == WF_OPTION_TEXTS, adds = list && *member;
+    if (list && has_empty_item(text))
+        wf_option_mistake(r, r->key[k], o->name, "'%.100s': an item of the list is empty", text);
     *member = adds ? wf_arena_print(r->arena, "%s,%s", *member, text) : text;
     if (!*member) wf_option_mistake(r, r->key[k], o->name, "out of memory");
 }
@@ -200,16 +240,16 @@ void wf_option_text(const struct wf_option *o, FILE *to)
 {
     const char *unit = o->unit ? o->unit : "", *word[CHOICES_MAX];
     char list[512];
-    fputs(o->help, to);
+    wf_show(to, "%s", o->help);
     if (o->kind == WF_OPTION_CHOICE) {
         size_t n = choice_words(o, word, list, sizeof list);
-        for (size_t i = 0; i < n; i++) fprintf(to, "%s%s", i ? ", " : ": ", word[i]);
+        for (size_t i = 0; i < n; i++) wf_show(to, "%s%s", i ? ", " : ": ", word[i]);
     }
     bool wind = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
     if (o->kind == WF_OPTION_NUMBER || o->kind == WF_OPTION_WHOLE || wind)
-        fprintf(to, " (%.6g..%.6g%s%s)", o->low, o->high, *unit ? " " : "", unit);
-    if (wind) fputs("; or a grade: beaufort:8, cma:typhoon, hko:typhoon", to);
+        wf_show(to, " (%.6g..%.6g%s%s)", o->low, o->high, *unit ? " " : "", unit);
+    if (wind) wf_show(to, "; or a grade: beaufort:8, cma:typhoon, hko:typhoon");
     if (o->initial)
-        fprintf(to, " [%s%s%s]", o->initial, o->kind != WF_OPTION_CHOICE && *unit ? " " : "",
+        wf_show(to, " [%s%s%s]", o->initial, o->kind != WF_OPTION_CHOICE && *unit ? " " : "",
                 o->kind != WF_OPTION_CHOICE ? unit : "");
 }

@@ -47,10 +47,18 @@ struct wf_option {
     const char *choices;           /* words separated by '|'                                               */
     const char *(*word)(size_t i); /* or the i-th word of a list of rows, NULL after the last              */
     size_t averaging;              /* of a speed: offset of its struct wf_averaging (cmd/wind_speed.h)     */
+    size_t group; /* offset of the struct of shared options that the member is in (cmd/option_groups.h)    */
+    /* Whether the option has no effect with the others as they are; asked when it is given and all are read.
+     * Returned in `why`: the words behind "has no effect". NULL: it always has one. */
+    bool (*unused)(const void *options, const struct wf_option *o, char *why);
     const char *help;
 };
 
-enum { WF_OPTIONS_MAX = 64 };
+enum { WF_OPTIONS_MAX = 64, WF_WHY = 256 };
+
+/* For `unused`: whether, and why: the text is made when `unused` is true. */
+bool wf_option_unused(bool unused, char why[static WF_WHY], const char *fmt, ...)
+    __attribute__((format(printf, 3, 4)));
 
 /* Head of every options struct: what does not depend on the command. */
 struct wf_args {
@@ -146,4 +154,8 @@ bool wf_option_quantity(struct wf_reading *r, size_t k, const char *text, const 
                         double *si);
 /* The unit behind the number at the start of `text`, blanks skipped; "" for none. NULL: no number there. */
 const char *wf_option_unit(const char *text);
+/* Print to the terminal, to stdout or stderr: all text that this room prints goes through here. A name or a
+ * path may hold anything; what would act on a terminal is shown escaped (base/text.h). Returned: bytes
+ * written, -1 on failure. */
+int wf_show(FILE *to, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 #endif

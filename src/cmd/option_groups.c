@@ -16,16 +16,43 @@ const char *wf_shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name :
 const char *wf_profile_word(size_t i) { return wf_profiles[i].name; }
 const char *wf_import_word(size_t i) { return wf_import_formats[i].name; }
 
+bool wf_profile_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_profile_words *w = (const void *)((const char *)options + o->group);
+    return wf_profile_unused(w, o->member - o->group, why, WF_WHY);
+}
+
+bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_tree_asked *t = (const void *)((const char *)options + o->group);
+    size_t member = o->member - o->group;
+    if (member == offsetof(struct wf_tree_asked, joint) || member >= offsetof(struct wf_tree_asked, scan))
+        return wf_option_unused(t->model && !t->file, why, "with --model; it is of a measured tree (--tree)");
+    return wf_option_unused(t->file && isnan(t->leaf_area), why,
+                            "with a measured tree (--tree) that has no leaves (--leaf-area)");
+}
+
 static double metres(const char *unit)
 {
     if (!unit) return (double)NAN;
     return unit[0] == 'c' ? 0.01 : unit[1] == 'm' ? 0.001 : 1;
 }
 
-struct wf_import_options wf_import_asked_options(const struct wf_import_asked *asked)
+/* Options of an import by the program: MATLAB files are read in another process. */
+static struct wf_import_options scan_options(const struct wf_scan_asked *scan)
 {
     struct wf_import_options o = wf_import_default();
     o.mat = wf_read_mat;
+    o.tree_id = scan->tree_id;
+    o.scan_model = scan->scan_model;
+    o.force = scan->force;
+    o.cap_children = scan->cap_children;
+    return o;
+}
+
+struct wf_import_options wf_import_asked_options(const struct wf_import_asked *asked)
+{
+    struct wf_import_options o = scan_options(&asked->scan);
     o.format = asked->format;
     o.strict = asked->strict;
     o.length_unit = metres(asked->length_unit);
@@ -44,7 +71,7 @@ int wf_tree_asked_check(const struct wf_tree_asked *t, const char *command, cons
     int given = (t->model != NULL) + (t->file != NULL) + (file != NULL);
     if (!given) wrong = "--model is needed, for example --model models/culm.yaml";
     if (given > 1) wrong = "more than one tree is given (--model, --tree); one is taken";
-    if (wrong) fprintf(stderr, "windfirm %s: %s\n", command, wrong);
+    if (wrong) wf_show(stderr, "windfirm %s: %s\n", command, wrong);
     return wrong ? 2 : -1;
 }
 
@@ -57,12 +84,11 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
     if (tree) {
         *path = tree;
         struct wf_model *scan = NULL;
-        struct wf_import_options o = wf_import_default();
-        o.mat = wf_read_mat;
+        struct wf_import_options o = scan_options(&t->scan);
         if (!(s = wf_model_imported(tree, t->joint, &o, a, &scan, d, e))) *out = *scan;
     } else {
-        *path = wf_shipped("models", t->model, a);
-        s = wf_model_read(*path, a, out, d, e);
+        s = wf_shipped("models", t->model, a, path, d, e);
+        if (!s) s = wf_model_read(*path, a, out, d, e);
     }
     if (s) return s;
     double area = t->leaf_area;
@@ -73,6 +99,9 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
         out->leaf_area_on = area;
     }
     bool off = t->season ? !strcmp(t->season, "leaf_off") : out->season == WF_LEAF_OFF;
+    if (off && area > 0)
+        return wf_fail(e, WF_EUSAGE,
+                       "--leaf-area: has no effect when the leaves have fallen (season leaf_off)");
     wf_model_set_season(out, off ? WF_LEAF_OFF : WF_LEAF_ON);
     if (t->unload) out->shape = WF_SHAPE_UNDER_WEIGHT;
     return WF_OK;

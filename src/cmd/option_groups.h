@@ -27,7 +27,13 @@ const char *wf_import_word(size_t i);
     NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \
            "direction the wind blows towards, from +x towards +y")
 
+/* For the rows of a group: its struct, and when a row has no effect. */
+#define WF_UNUSED(in, f) .group = offsetof(OPTIONS, in), .unused = f
+bool wf_profile_row_unused(const void *options, const struct wf_option *o, char *why);
+bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *why);
+
 /* How the mean wind grows with height; into a struct wf_profile_words. */
+#define WF_OF_PROFILE(in) WF_UNUSED(in, wf_profile_row_unused)
 #define WF_PROFILE_ROWS(in)                                                                                  \
     WORD("--profile", in.name, "NAME", wf_profile_word, NULL,                                                \
          "how the wind grows with height [power; measured with --profile-file]"),                            \
@@ -36,39 +42,79 @@ const char *wf_import_word(size_t i);
              "--wind gives the speed at the reference height"),                                              \
         NUMBER("--reference-height", in.reference_height, "LENGTH", LENGTH, "m", 0.01, 1000, "10",           \
                "height at which the wind has the speed named"),                                              \
-        NUMBER("--exponent", in.exponent, "NUMBER", NONE, NULL, 0, 1, NULL, "of the power profile [0.16]"),  \
+        NUMBER("--exponent", in.exponent, "NUMBER", NONE, NULL, 0, 1, NULL, "of the power profile [0.16]",   \
+               WF_OF_PROFILE(in)),                                                                           \
         NUMBER("--roughness", in.roughness, "LENGTH", LENGTH, "m", 1e-6, 10, NULL,                           \
-               "roughness length of the log and canopy profiles [0.03 m; with canopy 0.1 of its height]"),   \
+               "roughness length of the log and canopy profiles [0.03 m; with canopy 0.1 of its height]",    \
+               WF_OF_PROFILE(in)),                                                                           \
         NUMBER("--displacement", in.displacement, "LENGTH", LENGTH, "m", 0, 100, NULL,                       \
                "zero-plane displacement: height the log profile is lifted by, above and in a stand [0 m; "   \
-               "with canopy 0.7 of its height]"),                                                            \
+               "with canopy 0.7 of its height]",                                                             \
+               WF_OF_PROFILE(in)),                                                                           \
         NUMBER("--canopy-height", in.canopy_height, "LENGTH", LENGTH, "m", 0, 100, NULL,                     \
-               "of the stand around the tree, for the canopy profile [displacement / 0.7]"),                 \
+               "of the stand around the tree, for the canopy profile [displacement / 0.7]",                  \
+               WF_OF_PROFILE(in)),                                                                           \
         NUMBER("--attenuation", in.attenuation, "NUMBER", NONE, NULL, 0, 10, NULL,                           \
-               "of the wind inside the canopy [0: joins the log law smoothly]")
+               "of the wind inside the canopy [0: joins the log law smoothly]", WF_OF_PROFILE(in))
 
-/* A gust model's parameters and file; into any struct with texts set, file (NULL: not given) and columns. */
-#define WF_GUST_ROWS(in)                                                                                     \
+/* A gust model's parameters and file; into any struct with texts set, file (NULL: not given) and a struct
+ * wf_record_words record. `f`: when they have no effect. */
+#define WF_GUST_ROWS(in, f)                                                                                  \
     TEXT("--set", in.set, "NAME=NUMBER,...", NULL,                                                           \
-         "parameters of the gust model; `windfirm wind list` shows them"),                                   \
+         "parameters of the gust model; `windfirm wind list` shows them", .unused = f),                      \
         PATH("--file", in.file, "FILE", NULL,                                                                \
-             "anemometer CSV of the gust model record (of `windfirm wind rose`: a wind climate)"),           \
-        TEXT("--columns", in.columns, "T,U[,V[,W]]", WF_RECORD_COLUMNS,                                      \
-             "its columns: time in s, two horizontal components (or one speed) and the vertical one in m/s")
+             "anemometer CSV of the gust model record (of `windfirm wind rose`: a wind climate)",            \
+             .unused = f),                                                                                   \
+        TEXT("--columns", in.record.columns, "T,U[,V[,W]]", WF_RECORD_COLUMNS,                               \
+             "its columns: time, two horizontal components (or one speed) and the vertical one; units are "  \
+             "read from the names (t_s, u_kmh, v_kn) or the logger's head, T - means that there is no time", \
+             .unused = f),                                                                                   \
+        NUMBER("--rate", in.record.rate, "FREQUENCY", FREQUENCY, "Hz", 1e-3, 1e4, NULL,                      \
+               "rows a second of a record without a time column", .unused = f),                              \
+        TEXT("--missing", in.record.missing, "NUMBER,...|none", NULL,                                        \
+             "numbers that mean 'no reading' in the file's own unit; none: every number is a wind [found: "  \
+             "negative speeds, and impossible numbers that are repeated]",                                   \
+             .unused = f),                                                                                   \
+        CHOICE("--dates", in.record.dates, "ORDER", "day-first|month-first", NULL,                           \
+               "of dates such as 05/01/2024 [found by a number above 12]", .unused = f)
+
+/* What of a scan is taken. The rows end with designators of when they have no effect. */
+struct wf_scan_asked {
+    const char *tree_id, *scan_model; /* NULL: not given */
+    bool force, cap_children;
+};
+#define WF_SCAN_ROWS(in, ...)                                                                                \
+    TEXT("--tree-id", in.tree_id, "ID", NULL,                                                                \
+         "which tree of a file of several: a value of its column treeID, or the number of the line of the "  \
+         "tree, from 1",                                                                                     \
+         __VA_ARGS__),                                                                                       \
+        TEXT("--scan-model", in.scan_model, "N|all", NULL,                                                   \
+             "which model of a MATLAB file with several models of one tree, from 1 [the first]; all: the "   \
+             "range over the models (tree info, analyze)",                                                   \
+             __VA_ARGS__),                                                                                   \
+        FLAG("--force", in.force,                                                                            \
+             "take a measured tree whose stems stand more than 2 m apart, or of whose wood more than 25 % "  \
+             "was not scanned",                                                                              \
+             __VA_ARGS__),                                                                                   \
+        FLAG("--cap-children", in.cap_children,                                                              \
+             "thin measured branches that are thicker than what they grow on", __VA_ARGS__)
 
 /* How tree files are read. */
 struct wf_import_asked {
+    struct wf_scan_asked scan;
     const char *format, *length_unit, *diameter_unit; /* NULL: not given */
     bool strict;
 };
-#define WF_IMPORT_ROWS(in)                                                                                   \
+/* `f`: when they have no effect; NULL: never. */
+#define WF_IMPORT_ROWS(in, f)                                                                                \
     WORD("--format", in.format, "FORMAT", wf_import_word, NULL,                                              \
-         "of the files; by default recognised by their content", .letter = "-f"),                            \
-        FLAG("--strict", in.strict, "refuse a file that needs a repair"),                                    \
+         "of the files; by default recognised by their content", .letter = "-f", .unused = f),               \
+        FLAG("--strict", in.strict, "refuse a file that needs a repair", .unused = f),                       \
         CHOICE("--length-unit", in.length_unit, "UNIT", "m|cm|mm", NULL,                                     \
-               "of coordinates and lengths whose column names no unit (m; MTG: cm)"),                        \
+               "of coordinates and lengths whose column names no unit (m; MTG: cm)", .unused = f),           \
         CHOICE("--diameter-unit", in.diameter_unit, "UNIT", "m|cm|mm", NULL,                                 \
-               "of radii and diameters whose column names no unit (as lengths; MTG: by size)")
+               "of radii and diameters whose column names no unit (as lengths; MTG: by size)", .unused = f), \
+        WF_SCAN_ROWS(in.scan, .unused = f)
 /* The same as the library takes it. */
 struct wf_import_options wf_import_asked_options(const struct wf_import_asked *asked);
 
@@ -79,6 +125,7 @@ struct wf_tree_asked {
     double leaf_area;         /* in place of the model's [m2]; NAN: the model's */
     const char *season;       /* "leaf_on" or "leaf_off"; NULL: the model's      */
     bool unload;
+    struct wf_scan_asked scan;
 };
 #define WF_TREE_ROWS(in)                                                                                     \
     PATH("--model", in.model, "MODEL", NULL,                                                                 \
@@ -87,14 +134,17 @@ struct wf_tree_asked {
              "a measured tree in place of a model, any format of 'windfirm import'", .letter = "-t"),        \
         CHOICE("--joint", in.joint, "HOW", "axis|bridge", "axis",                                            \
                "how branches of a measured tree are held: where they leave the parent's axis, or at its "    \
-               "end"),                                                                                       \
+               "end",                                                                                        \
+               WF_UNUSED(in, wf_tree_row_unused)),                                                           \
         NUMBER("--leaf-area", in.leaf_area, "AREA", AREA, "m2", 0, 1e5, NULL,                                \
                "one-sided leaf area of the whole tree, in place of the model's; a measured tree has none"),  \
         CHOICE("--season", in.season, "SEASON", "leaf_on|leaf_off", NULL,                                    \
-               "in place of the model's: with its leaves, or when they have fallen"),                        \
+               "in place of the model's: with its leaves, or when they have fallen",                         \
+               WF_UNUSED(in, wf_tree_row_unused)),                                                           \
         FLAG("--unload", in.unload,                                                                          \
              "the tree was measured or drawn standing under its own weight: find its stress-free shape "     \
-             "first")
+             "first"),                                                                                       \
+        WF_SCAN_ROWS(in.scan, WF_UNUSED(in, wf_tree_row_unused))
 
 /* The joint of a measured tree that a word of --joint means. */
 enum wf_joint wf_joint_named(const char *word);

@@ -67,8 +67,8 @@ struct answer {
     size_t size;
 };
 
-/* Read the file. Given: a byte that fresh memory is filled with. */
-static bool answer_make(const char *path, int fill, struct answer *out)
+/* Read the file. Given: the model of several, "": not chosen; a byte that fresh memory is filled with. */
+static bool answer_make(const char *path, const char *model, int fill, struct answer *out)
 {
     struct wf_arena a = { 0 };
     struct wf_diag d = { .arena = &a };
@@ -77,6 +77,7 @@ static bool answer_make(const char *path, int fill, struct answer *out)
     struct wf_import_head h = { .path = path };
     struct wf_import_options o = wf_import_default();
     o.strict = true; /* rows that cannot be read then are errors in `d`, which wf_import_pack writes */
+    o.scan_model = *model ? model : NULL;
     (void)mallopt(M_PERTURB, fill);
     (void)wf_import_mat_apart(&h, &o, &a, &q, &d, &e);
     FILE *to = open_memstream(&out->bytes, &out->size);
@@ -112,13 +113,13 @@ static bool answer_send(const struct answer *x, int to)
 int wf_read_mat_apart(int argc, char **argv)
 {
     struct answer first = { 0 }, second = { 0 };
-    if (prctl(PR_SET_PDEATHSIG, SIGKILL) || argc != 4 || getppid() != (pid_t)strtol(argv[2], NULL, 10))
+    if (prctl(PR_SET_PDEATHSIG, SIGKILL) || argc != 5 || getppid() != (pid_t)strtol(argv[2], NULL, 10))
         return 2;
-    const char *path = argv[3];
+    const char *path = argv[3], *model = argv[4];
     int to = dup(STDOUT_FILENO), nowhere = open("/dev/null", O_WRONLY);
     if (to < 0 || nowhere < 0 || dup2(nowhere, STDOUT_FILENO) < 0 || !limits(path)) return 1;
     (void)setenv("HDF5_PLUGIN_PRELOAD", "::", 1); /* no code named by a file is loaded */
-    bool good = answer_make(path, 0x55, &first) && answer_make(path, 0xAA, &second);
+    bool good = answer_make(path, model, 0x55, &first) && answer_make(path, model, 0xAA, &second);
     if (good && (first.size != second.size || memcmp(first.bytes, second.bytes, first.size) != 0))
         good = answer_refuse(path, &first);
     _exit(good && answer_send(&first, to) ? 0 : 1);
@@ -126,11 +127,12 @@ int wf_read_mat_apart(int argc, char **argv)
 
 /* ---- The process that asks ---- */
 
-static int reader_start(const char *path, pid_t *child, int *from)
+static int reader_start(const char *path, const char *model, pid_t *child, int *from)
 {
     char parent[32], self[] = "/proc/self/exe", name[] = "windfirm", word[] = WF_READ_MAT_WORD;
-    char *copy = strdup(path), *argv[] = { name, word, parent, copy, NULL };
-    int ends[2], failed = copy ? 0 : ENOMEM;
+    char *copy = strdup(path), *which = strdup(model ? model : ""),
+         *argv[] = { name, word, parent, copy, which, NULL };
+    int ends[2], failed = copy && which ? 0 : ENOMEM;
     posix_spawn_file_actions_t act;
     (void)snprintf(parent, sizeof parent, "%ld", (long)getpid());
     if (!failed && pipe2(ends, O_CLOEXEC)) failed = errno;
@@ -147,6 +149,7 @@ static int reader_start(const char *path, pid_t *child, int *from)
         if (failed) (void)close(ends[0]);
     }
     free(copy);
+    free(which);
     return failed;
 }
 
@@ -197,7 +200,7 @@ enum wf_status wf_read_mat(const struct wf_import_head *h, const struct wf_impor
 {
     struct answer x = { 0 };
     pid_t child = 0;
-    int from = -1, failed = reader_start(h->path, &child, &from);
+    int from = -1, failed = reader_start(h->path, o->scan_model, &child, &from);
     if (failed)
         return wf_fail(e, WF_EMISSING, "%s: the process that reads MATLAB files could not be started: %s",
                        h->path, strerror(failed));

@@ -12,6 +12,6 @@
  * limit or gives an impossible answer; WF_EMISSING when the process cannot be started. */
 wf_import_reader wf_read_mat;
 
-/* The other side: `windfirm --read-mat PARENT PATH`, not for users. Returned: exit code. */
+/* The other side: `windfirm --read-mat PARENT PATH MODEL`, not for users. Returned: exit code. */
 int wf_read_mat_apart(int argc, char **argv);
 #endif

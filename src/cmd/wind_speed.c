@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/wind_speed.h"
 #include "base/num.h"
+#include "base/text.h"
 #include "wind/climate.h"
 #include <math.h>
 #include <stdarg.h>
@@ -11,11 +12,20 @@ enum { SPEEDS_MAX = 1000 };
 
 const char *wf_averaging_word(size_t i) { return wf_averaging_laws[i].name; }
 
+bool wf_averaging_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_averaging *g = (const void *)((const char *)options + o->group);
+    if (o->member - o->group == offsetof(struct wf_averaging, time))
+        return wf_option_unused(!g->time_used, why, "on grades of a scale, which have their own");
+    return wf_option_unused(!g->law_used && !g->climate, why, "where the winds are 10-min means already");
+}
+
 /* The winds of one option. */
 struct winds {
     struct wf_reading *r;
     size_t k; /* row */
     const struct wf_option *o;
+    struct wf_averaging *beside;
     const char *law; /* specified; NULL: durst, or that of a scale    */
     double share;    /* 10-min mean over a plain speed as typed       */
     size_t n;
@@ -43,8 +53,8 @@ static const char *source_of(const char *law)
     return l->source;
 }
 
-/* "beaufort:8", "cma:typhoon". */
-static void read_grade(struct winds *w, const char *text)
+/* "beaufort:8", "cma:typhoon". Returned: its scale; NULL after a mistake. */
+static const struct wf_wind_scale *read_grade(struct winds *w, const char *text)
 {
     struct wf_scale_wind g;
     struct wf_err e = { 0 };
@@ -52,14 +62,15 @@ static void read_grade(struct winds *w, const char *text)
     char range[48];
     if (wf_wind_scale_parse(text, &g, &e)) {
         winds_mistake(w, "%s", e.text);
-        return;
+        return NULL;
     }
     const char *law = w->law ? w->law : g.scale->law;
     bool other = g.scale->averaging != WF_MEAN_TIME;
     *speed = g.speed;
+    w->beside->law_used |= other;
     if (other && wf_wind_average(law, g.speed, g.scale->averaging, WF_MEAN_TIME, speed, &e)) {
         winds_mistake(w, "%s: %s", text, e.text);
-        return;
+        return NULL;
     }
     snprintf(range, sizeof range, isfinite(g.grade->high) ? "%.1f to %.1f m/s" : "from %.1f m/s",
              g.grade->low, g.grade->high);
@@ -70,6 +81,7 @@ static void read_grade(struct winds *w, const char *text)
             source_of(law));
     else
         say(w, "taken as %.1f m/s", *speed);
+    return g.scale;
 }
 
 /* "5:40:1": from, to, step. */
@@ -119,21 +131,73 @@ static int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void read_list(struct winds *w, char *text, const char *unit)
+/* Whether an item behind a grade is a grade of the same scale: any word, and a number without a unit that is
+ * a grade ("beaufort:8,9"; in "beaufort:8,30" the second is a speed). */
+static bool follows_grade(const struct winds *w, const struct wf_wind_scale *scale, const char *item,
+                          const char *unit)
 {
-    char *rest = NULL;
+    if (!scale || strchr(item, ':')) return false;
+    if (!wf_option_unit(item)) return true;
+    const struct wf_wind_grade *g = scale->grade;
+    while (g->name && strcmp(g->name, item) != 0) g++;
+    return g->name && unit == w->o->unit;
+}
+
+/* One item that is no grade. Returned: its first speed; NAN after a mistake. */
+static double read_speed(struct winds *w, char *item, const char *unit)
+{
+    size_t from = w->n;
+    if (strchr(item, ':'))
+        read_range(w, item, unit);
+    else if (wf_option_quantity(w->r, w->k, item, unit, w->o->low, &w->speed[w->n]))
+        w->speed[w->n++] *= w->share;
+    w->beside->time_used = true;
+    w->beside->law_used |= w->beside->time != WF_MEAN_TIME;
+    return w->n > from ? w->speed[from] : (double)NAN;
+}
+
+/* "10,5" is two speeds, or 10.5 with a decimal comma: ask. */
+static void question_order(struct winds *w, const char *whole)
+{
+    const char *comma = strchr(whole, ',');
+    int first = (int)(comma - whole);
+    if (strchr(comma + 1, ',') || strchr(whole, ':'))
+        winds_mistake(w, "'%.100s': speeds are written in rising order; a decimal number has a point", whole);
+    else
+        winds_mistake(
+            w,
+            "'%.100s': speeds are written in rising order; did you mean the one speed '%.*s.%.40s' or "
+            "the two speeds '%.40s,%.*s'?",
+            whole, first, whole, comma + 1, comma + 1, first, whole);
+}
+
+static void read_list(struct winds *w, char *text, const char *unit, const char *whole)
+{
+    const struct wf_wind_scale *scale = NULL;
     size_t before = w->r->mistakes;
-    for (char *item = strtok_r(text, ",", &rest); item && w->n <= SPEEDS_MAX;
-         item = strtok_r(NULL, ",", &rest)) {
-        if (wf_wind_scale_is(item))
-            read_grade(w, item);
-        else if (strchr(item, ':'))
-            read_range(w, item, unit);
-        else if (wf_option_quantity(w->r, w->k, item, unit, w->o->low, &w->speed[w->n]))
-            w->speed[w->n++] *= w->share;
+    double last = 0.0;
+    bool falls = false, empty = false;
+    for (char *rest = text, *item; w->n <= SPEEDS_MAX && (item = wf_list_item(&rest));) {
+        if (!*item) {
+            empty = true;
+        } else if (wf_wind_scale_is(item)) {
+            scale = read_grade(w, item);
+        } else if (follows_grade(w, scale, item, unit)) {
+            char *grade = wf_arena_print(w->r->arena, "%s:%s", scale->name, item);
+            scale = read_grade(w, grade ? grade : item);
+        } else {
+            double speed = read_speed(w, item, unit);
+            falls |= speed < last;
+            last = fmax(last, w->n ? w->speed[w->n - 1] : 0.0);
+            scale = NULL;
+        }
     }
     if (w->n > SPEEDS_MAX) winds_mistake(w, "more than %d wind speeds", SPEEDS_MAX);
-    if (w->n == 0 && w->r->mistakes == before) winds_mistake(w, "no wind speed is given");
+    if (w->n == 0 && w->r->mistakes == before)
+        winds_mistake(w, "no wind speed is given");
+    else if (empty)
+        winds_mistake(w, "'%.100s': an item of the list is empty", whole);
+    if (falls && w->r->mistakes == before) question_order(w, whole);
     qsort(w->speed, w->n, sizeof *w->speed, ascending);
 }
 
@@ -158,7 +222,7 @@ static void read_wind(struct winds *w, const char *text)
     } else if (!shared_unit(w->o, text, &unit)) {
         winds_mistake(w, "'%.100s': write the unit behind the last number; it then holds for all", text);
     } else {
-        read_list(w, copy, unit);
+        read_list(w, copy, unit, text);
         if (w->o->kind == WF_OPTION_SPEEDS)
             keep_list(w, member);
         else if (w->n > 1)
@@ -194,8 +258,9 @@ void wf_winds_read(struct wf_reading *r)
         const struct wf_option *o = &r->args->option[k];
         bool wind = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
         if (!wind || !r->text[k]) continue;
-        const struct wf_averaging *beside = (const void *)((const char *)r->args + o->averaging);
-        struct winds w = { .r = r, .k = k, .o = o, .law = beside->law };
+        struct wf_averaging *beside = (void *)((char *)r->args + o->averaging);
+        struct winds w = { .r = r, .k = k, .o = o, .beside = beside, .law = beside->law };
+        beside->time_used = beside->law_used = false;
         w.share = share_of(&w, beside->time);
         read_wind(&w, r->text[k]);
     }

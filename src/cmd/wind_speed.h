@@ -7,23 +7,31 @@
 
 /* What the speeds of a wind are averaged over, and the law that converts them to 10-min means. */
 struct wf_averaging {
-    double time;     /* [s]                                                               */
-    const char *law; /* a row of wf_averaging_laws; NULL: durst, or that of a scale      */
+    double time;              /* [s]                                                               */
+    const char *law;          /* a row of wf_averaging_laws; NULL: durst, or that of a scale      */
+    const char *climate;      /* whose hourly means the law converts too; NULL: none             */
+    bool time_used, law_used; /* set when the winds are read */
 };
 /* The averaging laws by number, for a row of choices. */
 const char *wf_averaging_word(size_t i);
 
+/* When the rows below have no effect. */
+bool wf_averaging_row_unused(const void *options, const struct wf_option *o, char *why);
 /* Rows that stand beside a wind; `in`: the member of type struct wf_averaging. */
 #define WF_AVERAGING_ROWS(in)                                                                                \
     NUMBER("--averaging-time", in.time, "TIME", TIME, "s", 1, 3600, "600",                                   \
            "time the speeds of --wind are averaged over: 3 s for gusts, 1 h for hourly means; they are "     \
-           "brought to 10 min. Grades have their own"),                                                      \
+           "brought to 10 min. Grades have their own",                                                       \
+           .group = offsetof(OPTIONS, in), .unused = wf_averaging_row_unused),                               \
         WORD("--averaging", in.law, "LAW", wf_averaging_word, NULL,                                          \
              "law that brings a wind averaged over another time to 10 min [grades of cma: in-land, else "    \
-             "durst]")
-/* One wind, 10 m/s unless given, and the rows above. */
-#define WF_WIND_ROWS(m, in, least, most, help)                                                               \
-    SPEED("--wind", m, in, least, most, "10", help, .letter = "-w"), WF_AVERAGING_ROWS(in)
+             "durst]",                                                                                       \
+             .group = offsetof(OPTIONS, in), .unused = wf_averaging_row_unused)
+/* One wind, 10 m/s unless given, and the rows above. The help is the last argument but for members of the
+ * row.
+ */
+#define WF_WIND_ROWS(m, in, least, most, ...)                                                                \
+    SPEED("--wind", m, in, least, most, "10", __VA_ARGS__, .letter = "-w"), WF_AVERAGING_ROWS(in)
 
 /* Read every wind of a command line. This is the last pass over the options, because a speed depends on the
  * averaging time and law beside it. Given: a reading whose other options are read and have their defaults.

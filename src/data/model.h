@@ -59,6 +59,7 @@ struct wf_model {
     struct wf_ifs ifs;              /* generator ifs                                      */
     struct wf_foliage foliage;      /* generators levels and ifs                          */
     const struct wf_tree *measured; /* generator measured: segments and levels, without materials     */
+    size_t measured_models;         /* models of the tree in its file; 0: not a file of several         */
     const uint8_t *measured_kind;   /* of its segments, see grow/clothe.h; NULL: all wood              */
     size_t sections, masses;        /* generator stem; sections 0: round, by radius and taper             */
     struct wf_stem_section *section;

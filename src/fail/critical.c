@@ -169,7 +169,9 @@ const char *wf_critical_text(enum wf_critical_outcome o)
     case WF_CRITICAL_UNSOLVED:
         return "no equilibrium found above the speed given";
     case WF_CRITICAL_UNSEARCHED:
-        return "not computed: another part of the tree fails first";
+        return "not found: the search ended before, or another part of the tree fails first";
+    case WF_CRITICAL_INTERRUPTED:
+        return "not computed: the run was interrupted";
     }
     return "unknown";
 }

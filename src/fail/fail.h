@@ -94,7 +94,8 @@ enum wf_critical_outcome {
     WF_CRITICAL_SELF_WEIGHT, /* fails without wind */
     WF_CRITICAL_NO_STRENGTH, /* no row has a modulus of rupture */
     WF_CRITICAL_UNSOLVED,    /* no equilibrium was found above `speed_low`: the bracket is reported */
-    WF_CRITICAL_UNSEARCHED   /* not searched for; it is not below `speed_low` */
+    WF_CRITICAL_UNSEARCHED,  /* not searched for; it is not below `speed_low` */
+    WF_CRITICAL_INTERRUPTED  /* not searched for, or not to the end: the run was interrupted */
 };
 struct wf_critical {
     enum wf_critical_outcome outcome;

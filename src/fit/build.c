@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/build.h"
+#include "base/file.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "grow/clothe.h"
@@ -18,8 +19,7 @@ static enum wf_status find(const struct wf_fit_build *b, const char *room, const
                            struct wf_arena *a, const char **path, struct wf_err *e)
 {
     if (strpbrk(name, "/.")) return wf_calibration_path(b->calibration, name, a, path, e);
-    *path = wf_arena_print(a, "%s/%s/%s.yaml", b->share, room, name);
-    return *path ? WF_OK : wf_fail(e, WF_ENOMEM, "%s: no memory", name);
+    return wf_shipped_path(b->share, room, name, a, path, e);
 }
 
 static enum wf_status measured(const struct wf_calibration_tree *s, const char *path, wf_import_reader *mat,
@@ -28,6 +28,9 @@ static enum wf_status measured(const struct wf_calibration_tree *s, const char *
 {
     struct wf_import_options o = wf_import_default();
     o.mat = mat;
+    o.tree_id = s->tree_id;
+    o.force = s->force == 1;
+    o.cap_children = s->cap_children == 1;
     struct wf_qsm q;
     struct wf_qsm_model m;
     enum wf_status status = wf_import_read(path, &o, a, &q, d, e);
@@ -52,10 +55,17 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
     enum wf_status status = find(b, "species", s->species, a, &path, e);
     if (!status) status = wf_species_read(path, &wf_laws, a, sp, d, e);
     *out = (struct wf_fit_tree){ .name = s->name, .species = sp };
-    if (!status) status = find(b, "models", s->qsm ? s->qsm : s->model, a, &path, e);
+    if (!status && s->qsm) status = wf_calibration_path(b->calibration, s->qsm, a, &path, e);
+    if (!status && !s->qsm) status = find(b, "models", s->model, a, &path, e);
     if (!status) out->file = path;
     if (!status && s->qsm) status = measured(s, path, b->mat, sp, a, d, &out->tree, e);
     if (!status && !s->qsm) status = wf_model_read(path, a, &m, d, e);
+    if (!status && !s->qsm && m.shape == WF_SHAPE_UNDER_WEIGHT)
+        status = wf_fail(
+            e, WF_EINPUT,
+            "%s: tree %s: %s has 'shape: under_weight', whose stress-free shape would change with the "
+            "fitted stiffness; a fit takes a stress-free shape only",
+            b->calibration->file, s->name, path);
     if (!status && !s->qsm) status = wf_grow_stem(&m, sp, a, &out->tree, e);
     if (status) return status;
     out->height = wf_tree_height(&out->tree);
@@ -249,15 +259,38 @@ static enum wf_status windows(const struct wf_calibration_test *s, struct wf_tes
 }
 
 static enum wf_status sensor_columns(const struct wf_fit_build *b, const struct wf_calibration_test *s,
-                                     struct wf_test_column *column, struct wf_err *e)
+                                     struct wf_column *column, struct wf_err *e)
 {
     for (size_t k = 0; k < s->sensors; k++) {
         const struct wf_calibration_sensor *q = &s->sensor[k];
-        column[k] = (struct wf_test_column){ q->column, q->unit, wf_sensor_rows[q->kind].dimension };
+        column[k] = (struct wf_column){ q->column, q->unit, wf_sensor_rows[q->kind].dimension };
         if (!q->column)
             return wf_fail(e, WF_EINPUT, "%s: test %s: sensor %s names no column", b->calibration->file,
                            s->name, q->name);
     }
+    return WF_OK;
+}
+
+/* How the rows of a test's file are read. Errors: WF_EINPUT where time counts and is not known: free sway, a
+ * limit in time, a drift. */
+static enum wf_status test_rows(const struct wf_fit_build *b, const struct wf_calibration_test *s,
+                                struct wf_test_rows *how, struct wf_err *e)
+{
+    const char *use = s->sway.given                          ? "the frequency of free sway"
+                      : !isnan(s->after) || !isnan(s->until) ? "'after' and 'until'"
+                                                             : NULL;
+    for (size_t k = 0; k < s->sensors && !use; k++)
+        if (s->sensor[k].drift) use = "a drift";
+    *how = (struct wf_test_rows){ s->time, s->rate, s->missing, WF_DATES_UNSAID, s->rows, s->rows_n };
+    if (!wf_dates_named(s->dates, &how->dates))
+        return wf_fail(e, WF_EINPUT, "%s: test %s: dates: '%s'; there are: day-first, month-first",
+                       b->calibration->file, s->name, s->dates);
+    if (use && !s->time && !(s->rate > 0))
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s: test %s: %s needs the time of the rows; name its column with 'time', or give the rate of "
+            "the rows, for example 'rate: 20 Hz'",
+            b->calibration->file, s->name, use);
     return WF_OK;
 }
 
@@ -266,20 +299,19 @@ static enum wf_status from_file(const struct wf_fit_build *b, const struct wf_ca
                                 struct wf_fit_test *t, struct wf_fit_input *in, struct wf_fit_datum **data,
                                 size_t *n, struct wf_err *e)
 {
-    struct wf_test_column *column = WF_TAKE(a, s->sensors + 1, struct wf_test_column);
+    struct wf_column *column = WF_TAKE(a, s->sensors + 1, struct wf_column);
     if (!column) return wf_fail(e, WF_ENOMEM, "not enough memory for the columns of %s", path);
     bool wind = s->wind.given;
-    column[0] =
-        (struct wf_test_column){ wind ? s->wind.column : s->pull.column, wind ? s->wind.unit : s->pull.unit,
-                                 wind ? WF_DIM_SPEED : WF_DIM_FORCE };
+    column[0] = (struct wf_column){ wind ? s->wind.column : s->pull.column,
+                                    wind ? s->wind.unit : s->pull.unit, wind ? WF_DIM_SPEED : WF_DIM_FORCE };
     if (!column[0].name)
         return wf_fail(e, WF_EINPUT, "%s: test %s: the %s names no column", b->calibration->file, s->name,
                        in->load_name);
+    struct wf_test_rows how;
     enum wf_status status = sensor_columns(b, s, column + 1, e);
+    if (!status) status = test_rows(b, s, &how, e);
     if (!status) status = wf_calibration_path(b->calibration, path, a, &in->path, e);
-    if (!status)
-        status = wf_test_data_read(in->path, column, s->sensors + 1, s->time, s->rows, s->rows_n, a,
-                                   &in->data, d, e);
+    if (!status) status = wf_test_data_read(in->path, column, s->sensors + 1, &how, a, &in->data, d, e);
     if (!status) status = windows(s, &in->data, e);
     if (!status && !wind) status = wf_loading_branch(&in->data, 0, s->pull.from, s->pull.to, s->name, e);
     if (status) return status;
@@ -299,14 +331,16 @@ static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_
                                   struct wf_fit_test *t, struct wf_fit_input *in, struct wf_fit_datum **data,
                                   size_t *n, struct wf_err *e)
 {
-    struct wf_test_column *column = WF_TAKE(a, s->sensors + 1, struct wf_test_column);
+    struct wf_column *column = WF_TAKE(a, s->sensors + 1, struct wf_column);
     struct wf_test_data r;
     if (!column) return wf_fail(e, WF_ENOMEM, "not enough memory for the columns of %s", path);
-    column[0] = (struct wf_test_column){ s->along, NULL, WF_DIM_LENGTH };
+    column[0] = (struct wf_column){ s->along, NULL, WF_DIM_LENGTH };
+    struct wf_test_rows how;
     enum wf_status status = sensor_columns(b, s, column + 1, e);
+    if (!status) status = test_rows(b, s, &how, e);
+    how.time = NULL;
     if (!status) status = wf_calibration_path(b->calibration, path, a, &in->path, e);
-    if (!status)
-        status = wf_test_data_read(in->path, column, s->sensors + 1, NULL, s->rows, s->rows_n, a, &r, d, e);
+    if (!status) status = wf_test_data_read(in->path, column, s->sensors + 1, &how, a, &r, d, e);
     if (status) return status;
     t->state = WF_TAKE(a, r.n, struct wf_fit_state);
     *data = WF_TAKE(a, r.n * t->sensors, struct wf_fit_datum);
@@ -329,17 +363,27 @@ static enum wf_status from_places(const struct wf_fit_build *b, const struct wf_
     return t->states ? WF_OK : wf_fail(e, WF_EINPUT, "test %s: no row beyond the base", s->name);
 }
 
+/* Sample that is furthest from the mean. */
+static size_t largest_swing(const double *y, size_t n, double mean)
+{
+    size_t most = 0;
+    for (size_t i = 1; i < n; i++)
+        if (fabs(y[i] - mean) > fabs(y[most] - mean)) most = i;
+    return most;
+}
+
 /* Fit frequency and damping to measured free sway; they become two readings. */
 static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_calibration_test *s,
                                 const char *path, struct wf_arena *a, struct wf_diag *d,
                                 struct wf_fit_test *t, struct wf_fit_input *in, struct wf_fit_datum **data,
                                 size_t *n, struct wf_err *e)
 {
-    struct wf_test_column column = { s->sway.column, NULL, WF_DIM_NONE };
+    struct wf_column column = { s->sway.column, NULL, WF_DIM_NONE };
     struct wf_err why = { 0 };
-    enum wf_status status = wf_calibration_path(b->calibration, path, a, &in->path, e);
-    if (!status)
-        status = wf_test_data_read(in->path, &column, 1, s->time, s->rows, s->rows_n, a, &in->data, d, e);
+    struct wf_test_rows how;
+    enum wf_status status = test_rows(b, s, &how, e);
+    if (!status) status = wf_calibration_path(b->calibration, path, a, &in->path, e);
+    if (!status) status = wf_test_data_read(in->path, &column, 1, &how, a, &in->data, d, e);
     if (!status) status = windows(s, &in->data, e);
     if (status) return status;
     struct wf_test_data *r = &in->data;
@@ -371,9 +415,14 @@ static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_ca
     for (size_t k = 0; k < 2; k++)
         (*data)[(*n)++] =
             (struct wf_fit_datum){ .sensor = k, .value = value[k], .sigma = t->sensor[k].sigma, .weight = 1 };
-    if (in->sway.explained < 0.8)
-        wf_diag_warn(d, "poor-sway", "test %s: one damped sway explains only %.0f %% of the record", s->name,
-                     100 * in->sway.explained);
+    if (in->sway.explained < 0.8) {
+        double at = time[largest_swing(y, m, in->sway.mean)];
+        wf_diag_warn(
+            d, "poor-sway",
+            "test %s: one damped sway explains only %.0f %% of the record; its largest swing is at %.6g s "
+            "('after: %.6g s' leaves out what was before)",
+            s->name, 100 * in->sway.explained, at, at);
+    }
     return WF_OK;
 }
 

@@ -35,6 +35,12 @@ static const struct wf_yaml_row tree_rows[] = {
       .doc = "Measured tree, any form that import reads." },
     { ROW(T, "joint", WF_YAML_CHOICE, joint), .choices = joints, .initial = "axis",
       .doc = "How branches of a measured tree are held." },
+    { ROW(T, "tree_id", WF_YAML_TEXT, tree_id), .absent = "the file holds one tree",
+      .doc = "Which tree of a table of several: a value of its column treeID.", .example = "12" },
+    { ROW(T, "force", WF_YAML_ENUM, force), .choices = no_yes, .initial = "no",
+      .doc = "Take a measured tree with stems more than 2 m apart or more than 25 % of unseen wood." },
+    { ROW(T, "cap_children", WF_YAML_ENUM, cap_children), .choices = no_yes, .initial = "no",
+      .doc = "Thin measured branches that are thicker than what they grow on." },
     { QUANTITY(T, "leaf_area", leaf_area, WF_DIM_AREA, "m2", 0, 1e4), .initial = "0 m2",
       .doc = "One-sided leaf area of a measured tree; a model has its own." },
     { QUANTITY(T, "root_stiffness", root_stiffness, WF_DIM_ROTATIONAL_STIFFNESS, "kN m/rad", 1, 1e12),
@@ -174,8 +180,8 @@ enum wf_status wf_calibration_wind_scene(const struct wf_calibration_wind *w, st
     return status || w->profile.file ? status : wf_scenario_check(out, e);
 }
 
-/* False when a number was invalid: it is already reported, and further checks would report its consequences.
- */
+/* False when a number was invalid, or is of another profile, which is reported: further checks would report
+ * its consequences. */
 static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_calibration_wind *w)
 {
     const char *const key[] = { "reference_height", "exponent",    "roughness", "displacement",
@@ -193,6 +199,12 @@ static bool wind_numbers_are_right(struct wf_yaml *y, const struct wf_calibratio
                              w->air_density,
                              w->speed_up };
     bool right = true;
+    char why[160];
+    for (const struct wf_profile_number *n = wf_profile_numbers; n->key; n++)
+        if (wf_profile_unused(&w->profile, n->said, why, sizeof why)) {
+            wf_yaml_error(y, n->key, "has no effect %s", why);
+            right = false;
+        }
     for (size_t k = 0; k < WF_COUNT(key); k++) right = right && !(isnan(value[k]) && wf_yaml_has(y, key[k]));
     return right && (w->profile.name || !wf_yaml_has(y, "profile"));
 }
@@ -205,12 +217,15 @@ static void wind_finish(struct wf_yaml *y, void *wind)
     struct wf_err why = { 0 };
     double x, z;
     if (!w->given) return;
+    w->profile.ground = w->dem;
     w->profile_file_place = wf_yaml_where(y, "profile_file");
     w->dem_place = wf_yaml_where(y, "dem");
     if (wind_numbers_are_right(y, w) && wf_calibration_wind_scene(w, &scene, &why))
         wf_yaml_error(y, wf_yaml_has(y, "profile") ? "profile" : "", "%s", why.text);
     if (w->dem && !isnan(w->speed_up)) wf_yaml_error(y, "dem", "give one of 'speed_up' and 'dem', not both");
     if (w->dem && !w->at) wf_yaml_error(y, "dem", "needs 'at', where the tree stands on it");
+    if (!isnan(w->altitude) && !isnan(w->air_density))
+        wf_yaml_error(y, "altitude", "has no effect beside 'air_density'");
     if (!w->dem && w->at) wf_yaml_error(y, "at", "needs 'dem', the heights of the ground");
     if (!w->dem && wf_yaml_has(y, "north"))
         wf_yaml_error(y, "north", "applies only with 'dem', which is not given");
@@ -242,8 +257,20 @@ static const struct wf_yaml_row test_rows[] = {
       .doc = "CSV file; ${WINDFIRM_REFERENCE}/... is looked for in the folder that variable names." },
     { ROW(T, "rows", WF_YAML_TEXTS, rows), .count = offsetof(T, rows_n), .absent = "all rows",
       .doc = "Only rows with these texts in these columns.", .example = "{tree: T3, pull: P1}" },
-    { ROW(T, "time", WF_YAML_TEXT, time), .absent = "rows are a second apart",
-      .doc = "Column of the time: seconds (t_s), or dates and times (2020-07-29T16:31:52Z)." },
+    { ROW(T, "time", WF_YAML_TEXT, time), .absent = "rows have no time",
+      .doc = "Column of the time: a number with its unit (t_s), dates and times (2020-07-29T16:31:52Z, "
+             "29.07.2020 "
+             "16:31:52) or times of day (16:31:52). Free sway, a drift, 'after' and 'until' need it, or "
+             "'rate'." },
+    { QUANTITY(T, "rate", rate, WF_DIM_FREQUENCY, "Hz", 1e-6, 1e6), .absent = "not known",
+      .doc = "Rows a second, where there is no column of the time.", .example = "20 Hz" },
+    { ROW(T, "dates", WF_YAML_TEXT, dates), .absent = "seen from a number above 12",
+      .doc = "day-first or month-first, for dates such as 05/01/2024.", .example = "day-first" },
+    { ROW(T, "missing", WF_YAML_TEXT, missing),
+      .absent = "cells that are empty or NA; of a wind also numbers that "
+                "are found to be marks",
+      .doc = "Numbers that mean 'no reading' in the file, separated by commas; none: every wind is one.",
+      .example = "-99.9,999" },
     { QUANTITY(T, "after", after, WF_DIM_TIME, "s", 0, 1e9), .absent = "from the first row",
       .doc = "Earlier rows are ignored." },
     { QUANTITY(T, "until", until, WF_DIM_TIME, "s", 0, 1e9), .absent = "to the last row",

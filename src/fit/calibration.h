@@ -9,6 +9,8 @@
 
 struct wf_calibration_tree {
     const char *name, *species, *model, *qsm, *joint;
+    const char *tree_id;                       /* of a table of several trees; NULL: not given */
+    size_t force, cap_children;                /* index in no, yes: as the options of an import */
     double leaf_area, root_stiffness, gravity; /* [m2], [N m/rad]: NAN clamped, [m s-2] */
 };
 struct wf_calibration_sensor {
@@ -52,7 +54,9 @@ struct wf_calibration_test {
     struct wf_calibration_sway sway;
     size_t zero; /* index in rest, unloaded */
     size_t points;
-    double after, until; /* [s] from the first row */
+    double rate;                 /* of rows without a time column [1/s]; NAN: not known */
+    const char *missing, *dates; /* missing marks, order of dates; NULL: not said */
+    double after, until;         /* [s] from the first row */
     size_t sensors;
     struct wf_calibration_sensor *sensor;
 };

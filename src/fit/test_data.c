@@ -1,155 +1,145 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/test_data.h"
-#include "base/num.h"
 #include "base/yaml.h"
-#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-#include <strings.h>
-
-/* Dimensionless units that UDUNITS does not convert to a plain number. */
-static bool part_of_one(const char *unit, double *factor)
-{
-    static const struct {
-        const char *name;
-        double factor;
-    } known[] = { { "um_m", 1e-6 },    { "um/m", 1e-6 }, { "microstrain", 1e-6 }, { "ustrain", 1e-6 },
-                  { "ppm", 1e-6 },     { "mm_m", 1e-3 }, { "mm/m", 1e-3 },        { "permille", 1e-3 },
-                  { "percent", 1e-2 }, { "%", 1e-2 } };
-    for (size_t i = 0; i < WF_COUNT(known); i++)
-        if (!strcmp(unit, known[i].name)) {
-            *factor = known[i].factor;
-            return true;
-        }
-    return false;
-}
-
-enum wf_status wf_column_unit(struct wf_units *u, const struct wf_test_column *c, double *factor,
-                              struct wf_err *e)
-{
-    char text[80];
-    struct wf_err why = { 0 };
-    const struct wf_dimension_row *row = wf_dimension_row(c->dimension);
-    if (c->dimension == WF_DIM_NONE) {
-        *factor = 1;
-        if (c->unit && !part_of_one(c->unit, factor))
-            return wf_fail(e, WF_EINPUT,
-                           "column '%s': the unit '%s' is not a part of one; known are um/m, mm/m, ppm, %%",
-                           c->name, c->unit);
-        for (const char *t = strchr(c->name, '_'); t && !c->unit; t = strchr(t + 1, '_'))
-            if (part_of_one(t + 1, factor)) break;
-        return WF_OK;
-    }
-    if (c->unit) {
-        snprintf(text, sizeof text, "1 %.60s", c->unit);
-        if (!wf_quantity_read(u, text, c->dimension, factor, &why)) return WF_OK;
-        return wf_fail(e, why.code, "column '%s': the unit '%s': %s", c->name, c->unit, why.text);
-    }
-    /* the longest suffix that is a unit: m_s is m/s, kN_m is kN m */
-    static const char joint[] = { '/', ' ' };
-    const char *tail = strchr(c->name, '_');
-    for (; tail; tail = strchr(tail + 1, '_'))
-        for (int k = 0; k < 2; k++) {
-            snprintf(text, sizeof text, "1 %.60s", tail + 1);
-            for (char *p = text + 2; *p; p++)
-                if (*p == '_') *p = joint[k];
-            if (!tail[1]) continue;
-            why = (struct wf_err){ 0 };
-            if (!wf_quantity_read(u, text, c->dimension, factor, &why)) return WF_OK;
-            if (why.code == WF_ENOMEM) return wf_fail(e, WF_ENOMEM, "column '%s': %s", c->name, why.text);
-        }
-    tail = strrchr(c->name, '_');
-    bool mass = c->dimension == WF_DIM_FORCE && tail && !strcasecmp(tail + 1, "kg");
-    int stem = mass ? (int)(tail - c->name) : (int)strlen(c->name);
-    return wf_fail(
-        e, WF_EINPUT,
-        "column '%s' does not end in a unit of %s%s; name it for example '%.*s_%s', or give 'unit'", c->name,
-        row->name + (!strncmp(row->name, "a ", 2)    ? 2
-                     : !strncmp(row->name, "an ", 3) ? 3
-                                                     : 0),
-        mass ? " (kg is a mass; a force read off a scale in kg is kgf)" : "", stem > 40 ? 40 : stem, c->name,
-        mass ? "kgf" : row->si);
-}
-
-static bool missing(const char *t)
-{
-    static const char *const words[] = { "", "NA", "NaN", "null", "-", "#N/A", "n/a" };
-    for (size_t i = 0; i < WF_COUNT(words); i++)
-        if (!strcasecmp(t, words[i])) return true;
-    return false;
-}
-
-/* Days since 1970-01-01 of the Gregorian calendar (Fliegel and Van Flandern 1968). */
-static double day(int y, int m, int d)
-{
-    int shift = (m - 14) / 12;
-    long j = d - 32075L + 1461L * (y + 4800 + shift) / 4 + 367L * (m - 2 - shift * 12) / 12 -
-             3L * ((y + 4900 + shift) / 100) / 4;
-    return (double)(j - 2440588L);
-}
-
-static bool time_of(struct wf_csv *c, size_t column, double factor, double *t)
-{
-    int y, mo, d, h, mi, used = 0;
-    double s;
-    const char *text = wf_csv_text(c, column);
-    if (sscanf(text, "%4d-%2d-%2d%*1[T ]%2d:%2d:%lf%n", &y, &mo, &d, &h, &mi, &s, &used) == 6 && used > 15) {
-        *t = 86400 * day(y, mo, d) + 3600.0 * h + 60.0 * mi + s;
-        return true;
-    }
-    if (!wf_csv_number(c, column, -1e12, 1e12, t)) return false;
-    *t *= factor;
-    return true;
-}
 
 /* Indices of the columns, and their factors. */
 struct plan {
     size_t time, *at, *only;
-    double time_factor, *factor;
+    struct wf_clock clock;
+    double *factor;
 };
 
-static enum wf_status prepare(struct wf_csv *c, const struct wf_test_column *column, size_t n,
-                              const char *time, const struct wf_yaml_pair *only, size_t onlys, struct plan *p,
-                              struct wf_arena *a, struct wf_err *e)
+static enum wf_status prepare(struct wf_csv *c, const struct wf_column *column, size_t n,
+                              const struct wf_test_rows *how, struct plan *p, struct wf_arena *a,
+                              struct wf_err *e)
 {
     struct wf_units *u;
-    p->at = WF_TAKE(a, n, size_t), p->only = WF_TAKE(a, onlys, size_t), p->factor = WF_TAKE(a, n, double);
+    struct wf_err timeless = { 0 };
+    size_t stem;
+    p->at = WF_TAKE(a, n, size_t), p->only = WF_TAKE(a, how->onlys, size_t),
+    p->factor = WF_TAKE(a, n, double);
     if (!p->at || !p->only || !p->factor)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu columns", n);
     enum wf_status status = wf_units_open(&u, e);
     if (status) return status;
-    p->time = time ? wf_csv_need(c, time) : WF_CSV_NONE;
-    p->time_factor = 1;
-    struct wf_test_column clock = { time, NULL, WF_DIM_TIME };
-    struct wf_err clockless = { 0 };
-    if (time && wf_column_unit(u, &clock, &p->time_factor, &clockless) == WF_ENOMEM)
-        status = wf_fail(e, WF_ENOMEM, "%s", clockless.text);
+    p->time = how->time ? wf_csv_need(c, how->time) : WF_CSV_NONE;
+    p->clock = (struct wf_clock){ .dates = how->dates };
+    if (how->time && !wf_name_unit(u, how->time, WF_DIM_TIME, &p->clock.factor, &stem, &timeless))
+        p->clock.factor = 0.0;
+    if (timeless.code) status = wf_fail(e, timeless.code, "%s", timeless.text);
     for (size_t k = 0; k < n && !status; k++) {
         struct wf_err why = { 0 };
+        struct wf_column own = column[k];
         p->at[k] = wf_csv_need(c, column[k].name);
         if (p->at[k] == WF_CSV_NONE) continue;
-        if (wf_column_unit(u, &column[k], &p->factor[k], &why) == WF_ENOMEM)
+        if (!own.unit && c->unit && *c->unit[p->at[k]]) own.unit = c->unit[p->at[k]];
+        if (wf_column_unit(u, &own, &p->factor[k], &why) == WF_ENOMEM)
             status = wf_fail(e, WF_ENOMEM, "%s", why.text);
         else if (why.code)
             wf_csv_report(c, c->name[p->at[k]].line, c->name[p->at[k]].column, why.text);
     }
-    for (size_t k = 0; k < onlys; k++) p->only[k] = wf_csv_need(c, only[k].key);
+    for (size_t k = 0; k < how->onlys; k++) p->only[k] = wf_csv_need(c, how->only[k].key);
     wf_units_close(u);
     if (status) return status;
     return c->mistakes ? wf_fail(e, WF_EINPUT, "%s: its columns do not fit the study", c->file) : WF_OK;
 }
 
-enum wf_status wf_test_data_read(const char *path, const struct wf_test_column *column, size_t columns,
-                                 const char *time, const struct wf_yaml_pair *only, size_t onlys,
-                                 struct wf_arena *a, struct wf_test_data *out, struct wf_diag *d,
-                                 struct wf_err *e)
+static bool wanted_row(const struct wf_csv *c, const struct wf_test_rows *how, const struct plan *p)
+{
+    for (size_t k = 0; k < how->onlys; k++)
+        if (strcmp(wf_csv_text(c, p->only[k]), how->only[k].text) != 0) return false;
+    return true;
+}
+
+/* Read the numbers of the current row in the file's units. Returned: false when one is missing or a mistake
+ * was reported. */
+static bool read_numbers(struct wf_csv *c, const struct wf_test_rows *how, struct plan *p, size_t columns,
+                         double *t, double *v, size_t *missing)
+{
+    double spare;
+    bool empty = how->time && wf_csv_value(c, p->time, &spare) == WF_CSV_MISSING, good = true;
+    for (size_t k = 0; k < columns; k++) empty |= wf_csv_reading(c, p->at[k], &v[k]) == WF_CSV_MISSING;
+    *missing += empty;
+    if (empty) return false;
+    if (how->time) good = wf_clock_read(&p->clock, c, p->time, t);
+    for (size_t k = 0; k < columns; k++) good &= wf_csv_number(c, p->at[k], -1e15, 1e15, &v[k]);
+    return good;
+}
+
+/* Find the missing marks of a wind, column k. */
+static enum wf_status strike_marks(struct wf_csv *c, const char *name, size_t k, double factor,
+                                   const struct wf_test_rows *how, struct wf_test_data *r, struct wf_arena *a,
+                                   struct wf_err *e)
+{
+    const double fastest = 90.0; /* [m/s] */
+    struct wf_marks m = { .impossible = fastest / factor,
+                          .unsigned_ = true,
+                          .none = how->missing && !strcmp(how->missing, "none") };
+    double *value = WF_TAKE(a, r->n, double);
+    for (size_t i = 0; value && i < r->n; i++) value[i] = r->value[i * r->columns + k];
+    if (!value || !wf_marks_find(&m, value, r->n))
+        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", c->file);
+    if (m.doubtful < r->n)
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s:%zu: error: column '%s': %.10g is a missing mark or a peak; the next largest is %.10g. Give "
+            "the test 'missing: \"%.10g\"' if it means that there is no reading, or 'missing: none'",
+            c->file, r->line[m.doubtful], name, value[m.doubtful], m.next, value[m.doubtful]);
+    size_t kept = 0;
+    for (size_t i = 0; i < r->n; i++) {
+        if (isnan(value[i])) continue;
+        r->time[kept] = r->time[i], r->line[kept] = r->line[i];
+        memmove(r->value + kept++ * r->columns, r->value + i * r->columns, r->columns * sizeof *r->value);
+    }
+    r->missing += r->n - kept;
+    r->n = kept;
+    return WF_OK;
+}
+
+/* Settle the order of day and month, strike missing marks, convert to SI. */
+static enum wf_status finish_rows(struct wf_csv *c, const struct wf_column *column,
+                                  const struct wf_test_rows *how, struct plan *p, struct wf_test_data *r,
+                                  struct wf_arena *a, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    if (how->time) {
+        wf_clock_say_unit(&p->clock, c, p->time);
+        s = wf_clock_settle(&p->clock, c->file, "'dates: day-first' or 'dates: month-first' in the test",
+                            r->time, r->n, e);
+    }
+    for (size_t k = 0; k < r->columns && !s; k++)
+        if (column[k].dimension == WF_DIM_SPEED)
+            s = strike_marks(c, column[k].name, k, p->factor[k], how, r, a, e);
+    double first = r->n ? r->time[0] : 0;
+    for (size_t i = 0; i < r->n && !s; i++) {
+        r->time[i] -= first;
+        r->used[i] = true;
+        if (i && r->time[i] < r->time[i - 1]) {
+            char text[128];
+            (void)snprintf(text, sizeof text, "%.60s: time goes backwards: %.6g s after %.6g s", how->time,
+                           r->time[i], r->time[i - 1]);
+            wf_csv_report(c, r->line[i], 0, text);
+        }
+        for (size_t k = 0; k < r->columns; k++) r->value[i * r->columns + k] *= p->factor[k];
+    }
+    return s;
+}
+
+enum wf_status wf_test_data_read(const char *path, const struct wf_column *column, size_t columns,
+                                 const struct wf_test_rows *how, struct wf_arena *a, struct wf_test_data *out,
+                                 struct wf_diag *d, struct wf_err *e)
 {
     struct wf_csv c;
     struct plan p;
     enum wf_status status = wf_csv_open(&c, path, a, d, e);
-    if (status || (status = prepare(&c, column, columns, time, only, onlys, &p, a, e))) return status;
+    if (status) return status;
+    if (how->missing && strcmp(how->missing, "none") != 0 && !wf_csv_declare(&c, how->missing))
+        return wf_fail(e, WF_EINPUT, "%s: missing: '%s': 'none' or at most %d numbers, separated by commas",
+                       path, how->missing, (int)WF_CSV_MARKS);
+    if ((status = prepare(&c, column, columns, how, &p, a, e))) return status;
     size_t most = 1;
     for (const char *q = c.at; q < c.end; q++) most += *q == '\n' || *q == '\r';
     *out = (struct wf_test_data){ .columns = columns,
@@ -159,36 +149,24 @@ enum wf_status wf_test_data_read(const char *path, const struct wf_test_column *
                                   .used = WF_TAKE(a, most, bool) };
     if (!out->time || !out->line || !out->value || !out->used)
         return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", path);
-    double first = NAN;
-    while (wf_csv_next(&c)) {
-        bool wanted = true, empty = time && missing(wf_csv_text(&c, p.time)), good = true;
-        for (size_t k = 0; k < onlys; k++) wanted &= !strcmp(wf_csv_text(&c, p.only[k]), only[k].text);
-        for (size_t k = 0; k < columns; k++) empty |= missing(wf_csv_text(&c, p.at[k]));
-        if (wanted && empty) out->missing++;
-        if (!wanted || empty) continue;
-        double *v = out->value + out->n * columns, t = (double)out->n;
-        if (time) good = time_of(&c, p.time, p.time_factor, &t);
-        for (size_t k = 0; k < columns; k++) {
-            good &= wf_csv_number(&c, p.at[k], -1e15, 1e15, &v[k]);
-            v[k] *= p.factor[k];
-        }
-        if (!good) continue;
-        if (isnan(first)) first = t;
-        t -= first;
-        if (out->n && t < out->time[out->n - 1])
-            wf_csv_mistake(&c, p.time, "time goes backwards: %.6g s after %.6g s", t, out->time[out->n - 1]);
+    for (size_t row = 0; wf_csv_next(&c);) {
+        double t = (double)row / (how->rate > 0 ? how->rate : 1.0);
+        if (!wanted_row(&c, how, &p)) continue;
+        row++;
+        if (!read_numbers(&c, how, &p, columns, &t, out->value + out->n * columns, &out->missing)) continue;
         out->time[out->n] = t;
-        out->line[out->n] = c.row_line;
-        out->used[out->n++] = true;
+        out->line[out->n++] = c.row_line;
     }
+    if (!c.mistakes && (status = finish_rows(&c, column, how, &p, out, a, e))) return status;
     if (c.mistakes)
         return wf_fail(e, WF_EINPUT, "%s: %zu mistake%s", path, c.mistakes, c.mistakes == 1 ? "" : "s");
     if (!out->n && !out->missing)
-        return wf_fail(e, WF_EINPUT, "%s: no row %s", path, onlys ? "matches 'rows'" : "follows the header");
+        return wf_fail(e, WF_EINPUT, "%s: no row %s", path,
+                       how->onlys ? "matches 'rows'" : "follows the header");
     if (!out->n)
         return wf_fail(e, WF_EINPUT,
                        "%s: no row%s has numbers in every column; %zu rows had an empty or NA cell", path,
-                       onlys ? " that matches 'rows'" : "", out->missing);
+                       how->onlys ? " that matches 'rows'" : "", out->missing);
     return WF_OK;
 }
 

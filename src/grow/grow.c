@@ -61,6 +61,7 @@ enum wf_status wf_model_imported(const char *path, const char *joint, const stru
         .crown_top = NAN,
         .segments = m->tree.n,
         .measured = &m->tree,
+        .measured_models = q->models,
         .measured_kind = m->kind,
     };
     made->name = made->key;

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/import_file.h"
+#include "base/column.h"
 #include "base/num.h"
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
+#include <strings.h>
 
 /* Rows that cannot be read. */
 
@@ -28,8 +30,9 @@ void wf_import_last_row_cut(struct wf_qsm *q, size_t line)
 /* What a column means. */
 
 static const struct wf_field_row field_rows[] = {
-    { WF_FIELD_ID, " id cylid cylinderid cylinder segid ", 1, WF_FIELD_PLAIN },
-    { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_ID, " id cylid cylinderid cylinder segid nodeid ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_PARENT, " parent parentid parentcylinder parentcylid parentnodeid parentnode ", 1,
+      WF_FIELD_PLAIN },
     { WF_FIELD_NEXT, " extension extensionid ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_ORDER, " branchorder branchingorder level order ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_ADDED, " added ", 1, WF_FIELD_PLAIN },
@@ -48,68 +51,72 @@ static const struct wf_field_row field_rows[] = {
     { WF_FIELD_RADIUS, " diameter diam dia d ", 0.5, WF_FIELD_METRES },
     { WF_FIELD_R0, " diameter0 basediameter diameterbase dbase d0 ", 0.5, WF_FIELD_METRES },
     { WF_FIELD_R1, " diameter1 tipdiameter diametertip dtip d1 ", 0.5, WF_FIELD_METRES },
+    { WF_FIELD_RADIUS, " girth circumference circ cbh gbh perimeter ", 0.5 / WF_PI, WF_FIELD_METRES },
+    { WF_FIELD_R0, " girth0 basegirth girthbase ", 0.5 / WF_PI, WF_FIELD_METRES },
+    { WF_FIELD_R1, " girth1 tipgirth girthtip ", 0.5 / WF_PI, WF_FIELD_METRES },
     { WF_FIELD_LENGTH, " length len ", 1, WF_FIELD_METRES },
     { WF_FIELD_ANGLE, " angle insertionangle branchangle ", 1, WF_FIELD_RADIANS },
     { WF_FIELD_ZENITH, " zenith inclination tilt ", 1, WF_FIELD_RADIANS },
     { WF_FIELD_AZIMUTH, " azimuth ", 1, WF_FIELD_RADIANS },
     { WF_FIELD_DISTANCE, " distance offset ", 1, WF_FIELD_METRES },
     { WF_FIELD_SHARE, " share position relativeposition ", 1, WF_FIELD_PLAIN },
+    { WF_FIELD_TREE, " tree treeid treename treenumber treeno treenr ", 1, WF_FIELD_PLAIN },
     { WF_FIELD_NONE, "", 1, WF_FIELD_PLAIN },
 };
 
-static const struct {
-    const char *name;
-    enum wf_field_unit unit;
-    double factor;
-} name_units[] = {
-    { "m", WF_FIELD_METRES, 1 },      { "cm", WF_FIELD_METRES, 0.01 },
-    { "mm", WF_FIELD_METRES, 0.001 }, { "deg", WF_FIELD_RADIANS, WF_PI / 180 },
-    { "rad", WF_FIELD_RADIANS, 1 },
-};
-
-/* Letters and digits of a name in lower case, between blanks, to be searched for in field_rows. A last word
- * that is a unit is removed. Returned: row of name_units; -1 when the name does not end in a unit. */
-static int plain_word(const char *name, char *out, size_t size)
+/* Letters and digits of a name's first `size` bytes in lower case, between blanks, to be searched for in
+ * field_rows. */
+static void plain_word(const char *name, size_t size, char *out, size_t room)
 {
-    size_t n = 0, word = 0; /* where the last word starts */
-    bool gap = false;
+    size_t n = 0;
     out[n++] = ' ';
-    for (const char *p = name; *p && n + 2 < size; p++) {
-        if (!isalnum((unsigned char)*p)) {
-            gap = true;
-            continue;
-        }
-        if (gap && n > 1) word = n;
-        gap = false;
-        out[n++] = (char)tolower((unsigned char)*p);
-    }
-    out[n] = '\0';
-    int unit = -1;
-    for (size_t k = 0; word && k < WF_COUNT(name_units); k++)
-        if (!strcmp(out + word, name_units[k].name)) unit = (int)k;
-    if (unit >= 0) n = word;
+    for (size_t i = 0; i < size && n + 2 < room; i++)
+        if (isalnum((unsigned char)name[i])) out[n++] = (char)tolower((unsigned char)name[i]);
     out[n++] = ' ';
     out[n] = '\0';
-    return unit;
 }
 
-enum wf_field wf_field_of(const char *name, double length_unit, double diameter_unit, double *factor)
+static const struct wf_field_row *field_named(const char *name, size_t size)
 {
     char word[64];
-    int unit = plain_word(name, word, sizeof word);
-    for (const struct wf_field_row *f = field_rows; f->field != WF_FIELD_NONE; f++) {
-        if (!strstr(f->names, word)) continue;
-        bool thick = f->field == WF_FIELD_RADIUS || f->field == WF_FIELD_R0 || f->field == WF_FIELD_R1;
-        *factor = f->factor;
-        if (unit >= 0 && name_units[unit].unit == f->unit)
-            *factor *= name_units[unit].factor;
-        else if (f->unit == WF_FIELD_METRES)
-            *factor *= thick ? diameter_unit : length_unit;
-        else if (f->unit == WF_FIELD_RADIANS)
-            *factor *= WF_PI / 180;
+    plain_word(name, size, word, sizeof word);
+    const struct wf_field_row *f = field_rows;
+    while (f->field != WF_FIELD_NONE && !strstr(f->names, word)) f++;
+    return f;
+}
+
+enum wf_field wf_field_of(struct wf_units *u, const char *name, double length_unit, double diameter_unit,
+                          double *factor, struct wf_err *e)
+{
+    static const enum wf_dimension dimension[] = {
+        [WF_FIELD_METRES] = WF_DIM_LENGTH, [WF_FIELD_RADIANS] = WF_DIM_ANGLE
+    };
+    for (enum wf_field_unit k = WF_FIELD_METRES; k <= WF_FIELD_RADIANS; k++) {
+        size_t stem;
+        if (!wf_name_unit(u, name, dimension[k], factor, &stem, e)) continue;
+        const struct wf_field_row *f = field_named(name, stem);
+        if (f->field == WF_FIELD_NONE || f->unit != k) continue;
+        *factor *= f->factor;
         return f->field;
     }
-    return WF_FIELD_NONE;
+    const struct wf_field_row *f = field_named(name, strlen(name));
+    bool thick = f->field == WF_FIELD_RADIUS || f->field == WF_FIELD_R0 || f->field == WF_FIELD_R1;
+    *factor = f->factor;
+    if (f->unit == WF_FIELD_METRES) *factor *= thick ? diameter_unit : length_unit;
+    if (f->unit == WF_FIELD_RADIANS) *factor *= WF_PI / 180;
+    return f->field;
+}
+
+/* Missing values. */
+
+bool wf_field_missing(const char *text, size_t n)
+{
+    static const char *const words[] = { "NA", "N/A", "NaN", "NULL", "None", "inf", "Infinity" };
+    if (!n || text[0] == '#') return true;
+    bool sign = text[0] == '-' || text[0] == '+';
+    for (size_t k = 0; k < WF_COUNT(words); k++)
+        if (n - sign == strlen(words[k]) && !strncasecmp(text + sign, words[k], n - sign)) return true;
+    return false;
 }
 
 /* Rows. */
@@ -152,8 +159,10 @@ static const char *cylinder_numbers(struct wf_qsm *q, size_t i, const double *v)
     return NULL;
 }
 
-const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double v[WF_FIELD_COUNT])
+const char *wf_field_cylinder(struct wf_qsm *q, size_t i, const double given[WF_FIELD_COUNT])
 {
+    double v[WF_FIELD_COUNT];
+    for (int f = 0; f < WF_FIELD_COUNT; f++) v[f] = isfinite(given[f]) ? given[f] : (double)NAN;
     const char *wrong = cylinder_numbers(q, i, v);
     if (wrong) return wrong;
     double r = v[WF_FIELD_RADIUS], r0 = v[WF_FIELD_R0], r1 = v[WF_FIELD_R1], length = v[WF_FIELD_LENGTH];

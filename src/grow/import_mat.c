@@ -286,6 +286,7 @@ struct mat_source {
 struct mat_sources {
     struct mat_source of[WF_FIELD_COUNT];
     size_t n;          /* cylinders                                       */
+    size_t model;      /* of several, from 0                              */
     bool uneven;       /* arrays of different height                      */
     const char *field; /* the first part that cannot be used; NULL: none  */
     const char *wrong; /* what is wrong with it                           */
@@ -336,14 +337,15 @@ static const char *table_wrong(const matvar_t *v)
     return NULL;
 }
 
-/* Field of a structure (its first, of several) by name; NULL: none. libmatio may give a field no name. */
-static matvar_t *field_named(matvar_t *v, const char *name)
+/* Field of a structure, the `at`-th of several, by name; NULL: none. libmatio may give a field no name. */
+static matvar_t *field_named(matvar_t *v, const char *name, size_t at)
 {
     char *const *names = Mat_VarGetStructFieldnames(v);
     size_t fields = Mat_VarGetNumberOfFields(v);
-    if (!names || !v->data || !element_count(v) || v->nbytes / sizeof(matvar_t *) < fields) return NULL;
+    if (!names || !v->data || at >= element_count(v)) return NULL;
+    if (fields && v->nbytes / sizeof(matvar_t *) / fields <= at) return NULL;
     for (size_t k = 0; k < fields; k++)
-        if (names[k] && !strcmp(names[k], name)) return Mat_VarGetStructFieldByIndex(v, k, 0);
+        if (names[k] && !strcmp(names[k], name)) return Mat_VarGetStructFieldByIndex(v, k, at);
     return NULL;
 }
 
@@ -395,32 +397,46 @@ static void take_array(struct mat_sources *s, size_t part, const matvar_t *v)
 }
 
 /* A structure with radius and start is a tree; whatever else is wrong with it is an error then. */
-static bool sources_of_struct(struct mat_sources *s, matvar_t *v)
+static bool sources_of_struct(struct mat_sources *s, matvar_t *v, size_t at)
 {
-    if (!field_named(v, mat_parts[PART_RADIUS].name) || !field_named(v, mat_parts[PART_START].name))
+    if (!field_named(v, mat_parts[PART_RADIUS].name, at) || !field_named(v, mat_parts[PART_START].name, at))
         return false;
-    for (size_t p = 0; p < PARTS; p++) take_array(s, p, field_named(v, mat_parts[p].name));
+    for (size_t p = 0; p < PARTS; p++) take_array(s, p, field_named(v, mat_parts[p].name, at));
     return true;
 }
 
-/* The cylinders of a variable: a QSM structure (the first model of several), its cylinder structure, or a
- * matrix. */
+static bool sources_of_variable(struct mat_sources *s, matvar_t *v, int depth, size_t *models);
+
+/* The cylinders in a cell array: several cells are several models, a single one is what is in it. */
+static bool sources_of_cells(struct mat_sources *s, matvar_t *v, int depth, size_t *models)
+{
+    size_t cells = element_count(v), at = cells > 1 ? s->model : 0, inner = 0;
+    if (depth >= DEEPEST || !cells || !v->data || v->nbytes / sizeof(matvar_t *) < cells) return false;
+    matvar_t *cell = Mat_VarGetCell(v, (int)(at < cells ? at : 0));
+    if (cells > 1) s->model = 0;
+    if (!cell || !sources_of_variable(s, cell, depth + 1, &inner)) return false;
+    *models = cells > 1 ? cells : inner;
+    if (at >= cells) s->model = at;
+    return true;
+}
+
+/* The cylinders of a variable: a QSM structure (one of several models), its cylinder structure, or a matrix.
+ * Of a model that is not there the first is taken; s->model stays, and the caller compares it with *models.
+ */
 static bool sources_of_variable(struct mat_sources *s, matvar_t *v, int depth, size_t *models)
 {
-    if (v->class_type == MAT_C_CELL) {
-        bool filled = depth < DEEPEST && v->data && element_count(v) && v->nbytes >= sizeof(matvar_t *);
-        matvar_t *first = filled ? Mat_VarGetCell(v, 0) : NULL;
-        return first && sources_of_variable(s, first, depth + 1, models);
-    }
+    if (v->class_type == MAT_C_CELL) return sources_of_cells(s, v, depth, models);
     if (v->class_type == MAT_C_STRUCT) {
-        if (!element_count(v)) return false;
-        matvar_t *cylinder = field_named(v, "cylinder");
+        size_t n = element_count(v), at = s->model < n ? s->model : 0;
+        if (!n) return false;
+        matvar_t *cylinder = field_named(v, "cylinder", at);
         if (cylinder && cylinder->class_type != MAT_C_STRUCT) cylinder = NULL;
-        if (!sources_of_struct(s, cylinder ? cylinder : v)) return false;
-        *models = element_count(v);
+        if (!sources_of_struct(s, cylinder ? cylinder : v, cylinder ? 0 : at)) return false;
+        *models = n;
         return true;
     }
     if (table_wrong(v) || v->dims[1] != MATRIX) return false;
+    *models = 1;
     s->n = v->dims[0];
     for (size_t p = 0; p < PARTS; p++)
         for (size_t k = 0; k < mat_parts[p].width; k++)
@@ -442,11 +458,12 @@ static bool sources_of_early(struct mat_sources *s, matvar_t **var, size_t n)
 
 static bool find_sources(struct mat_sources *s, matvar_t **var, size_t n, size_t *models)
 {
+    const size_t model = s->model;
     for (size_t k = 0; k < n; k++) {
-        *s = (struct mat_sources){ 0 };
+        *s = (struct mat_sources){ .model = model };
         if (sources_of_variable(s, var[k], 0, models)) return true;
     }
-    *s = (struct mat_sources){ 0 };
+    *s = (struct mat_sources){ .model = model };
     *models = 1;
     return sources_of_early(s, var, n);
 }
@@ -477,10 +494,10 @@ static enum wf_status read_cylinders(const struct mat_sources *s, const struct w
 
 /* The tree among variables that were read, of a file with `expected` variables (0: not known). */
 static enum wf_status read_variables(const char *path, matvar_t **var, size_t n, size_t expected,
-                                     const struct wf_import_options *o, struct wf_arena *a, struct wf_qsm *q,
-                                     struct wf_diag *d, struct wf_err *e)
+                                     size_t model, const struct wf_import_options *o, struct wf_arena *a,
+                                     struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
-    struct mat_sources s = { 0 };
+    struct mat_sources s = { .model = model };
     size_t models = 1;
     if (n < expected && n < VARIABLES)
         return wf_fail(e, WF_EINPUT, "%s: the MATLAB file is damaged: its variable %zu of %zu cannot be read",
@@ -497,9 +514,25 @@ static enum wf_status read_variables(const char *path, matvar_t **var, size_t n,
     if (s.n > WF_MAT_CYLINDERS_MAX)
         return wf_fail(e, WF_EINPUT, "%s: %zu cylinders; at most %d are read from a MATLAB file", path, s.n,
                        WF_MAT_CYLINDERS_MAX);
-    wf_qsm_count(q, WF_NOTE_MODELS, models - 1, -1);
+    if (model >= models)
+        return wf_fail(e, WF_EINPUT, "%s: --scan-model %zu: the file has %zu model%s", path, model + 1,
+                       models, models == 1 ? "" : "s");
+    q->models = models;
+    if (!o->scan_model) wf_qsm_count(q, WF_NOTE_MODELS, models - 1, -1);
     q->format = "MATLAB file";
     return read_cylinders(&s, o, a, q, d, e);
+}
+
+/* The number of the model, from 0. */
+static bool model_number(const char *text, size_t *out)
+{
+    size_t n = 0;
+    for (const char *p = text ? text : "1"; *p; p++) {
+        if (*p < '0' || *p > '9' || n > 1000000) return false;
+        n = 10 * n + (size_t)(*p - '0');
+    }
+    *out = n - 1;
+    return n > 0;
 }
 
 /* Given: whether this process does nothing else, so that libhdf5 may crash in it. */
@@ -507,8 +540,11 @@ static enum wf_status read_mat(const struct wf_import_head *h, bool apart, const
                                struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
     matvar_t *var[VARIABLES];
-    size_t n = 0, expected = 0;
+    size_t n = 0, expected = 0, model;
     enum mat_kind kind = kind_of(h->path);
+    if (!model_number(o->scan_model, &model))
+        return wf_fail(e, WF_EINPUT, "%s: --scan-model '%.40s': not the number of a model, from 1", h->path,
+                       o->scan_model);
     if (kind == MAT_KIND_CUT) return wf_fail(e, WF_EINPUT, "%s: the MATLAB file is cut off", h->path);
     if (kind == MAT_KIND_OTHER)
         return wf_fail(e, WF_EINPUT, "%s: not a MATLAB file of version 5 or 7.3", h->path);
@@ -522,7 +558,7 @@ static enum wf_status read_mat(const struct wf_import_head *h, bool apart, const
     mat_t *mat = Mat_Open(h->path, MAT_ACC_RDONLY);
     if (!mat) return wf_fail(e, WF_EINPUT, "%s: not a MATLAB file that libmatio can read", h->path);
     while (n < VARIABLES && (var[n] = Mat_VarReadNext(mat))) n++;
-    status = read_variables(h->path, var, n, expected, o, a, q, d, e);
+    status = read_variables(h->path, var, n, expected, model, o, a, q, d, e);
     for (size_t k = 0; k < n; k++) Mat_VarFree(var[k]);
     (void)Mat_Close(mat);
     return status;

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { PACK_VERSION = 1, PACK_ROWS_LISTED = 100, PACK_TEXT_MAX = 1024 };
+enum { PACK_VERSION = 2, PACK_ROWS_LISTED = 100, PACK_TEXT_MAX = 1024 };
 static const char pack_magic[8] = { 'W', 'F', 'T', 'R', 'E', 'E', '\r', '\n' };
 
 /* Order: this head, message, format, repairs, unreadable rows, columns. */
@@ -14,6 +14,7 @@ struct pack_head {
     uint32_t version, status;
     uint64_t size; /* of everything, with this head */
     uint64_t n;    /* cylinders                     */
+    uint64_t models;
     uint32_t message, format, listed, repairs;
 };
 /* An unreadable row; its text follows. */
@@ -77,6 +78,7 @@ enum wf_status wf_import_pack(const struct wf_qsm *q, const struct wf_diag *d, c
     struct pack_head h = { .version = PACK_VERSION,
                            .status = (uint32_t)e->code,
                            .n = e->code ? 0 : q->n,
+                           .models = q->models,
                            .message = (uint32_t)strlen(e->text),
                            .format = (uint32_t)strlen(format),
                            .repairs = WF_REPAIR_COUNT };
@@ -189,6 +191,8 @@ static const char *unpack_body(struct unpack *u, const struct pack_head *h, cons
     }
     if (!(q->format = unpack_text(format, h->format, a))) return "there is no memory for it";
     if (!unpack_rows(u, h, o, a, q, d)) return "its findings are not possible";
+    if (h->models < 1 || h->models > WF_MAT_CYLINDERS_MAX) return "its number of models is not possible";
+    q->models = h->models;
     if (h->n > WF_MAT_CYLINDERS_MAX || u->left != h->n * pack_cylinder_size())
         return "its size does not fit its number of cylinders";
     if (wf_qsm_alloc(q, h->n, a, e)) return NULL;

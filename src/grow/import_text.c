@@ -131,6 +131,7 @@ struct csv_tree {
     size_t columns;
     bool has[WF_FIELD_COUNT];
     bool placed; /* the file has coordinates */
+    size_t tree; /* index of the column of trees; WF_CSV_NONE: there is none */
 };
 
 /* Formats are recognised by a column that only one program writes. */
@@ -151,17 +152,26 @@ static const char *table_format(const struct csv_tree *t)
     return "CSV of cylinders";
 }
 
-static void map_columns(struct csv_tree *t, const struct wf_import_options *o)
+static enum wf_status map_columns(struct csv_tree *t, const struct wf_import_options *o, struct wf_err *e)
 {
+    struct wf_units *u;
+    enum wf_status s = wf_units_open(&u, e);
+    if (s) return s;
     double length_unit = isnan(o->length_unit) ? 1 : o->length_unit;
     double diameter_unit = isnan(o->diameter_unit) ? length_unit : o->diameter_unit;
     for (size_t k = 0; k < t->csv.columns; k++) {
         struct csv_field c = { .index = k };
-        c.field = wf_field_of(t->csv.name[k].text, length_unit, diameter_unit, &c.factor);
+        c.field = wf_field_of(u, t->csv.name[k].text, length_unit, diameter_unit, &c.factor, e);
         if (c.field == WF_FIELD_NONE || t->has[c.field]) continue;
         t->has[c.field] = true;
+        if (c.field == WF_FIELD_TREE) {
+            t->tree = k;
+            continue;
+        }
         t->column[t->columns++] = c;
     }
+    wf_units_close(u);
+    return e && e->code ? e->code : WF_OK;
 }
 
 static bool has_three(const struct csv_tree *t, enum wf_field first)
@@ -195,11 +205,6 @@ static enum wf_status refuse_header(const struct csv_tree *t, const char *what, 
                    t->csv.file, t->csv.columns ? t->csv.name[0].line : 1, what, names);
 }
 
-static bool is_blank_cell(const char *s)
-{
-    return !*s || !strcmp(s, "NA") || !strcmp(s, "NaN") || !strcmp(s, "nan") || !strcmp(s, "NULL");
-}
-
 /* Convert the current row to SI. Returned: false after a mistake was reported. */
 static bool row_in_si(struct csv_tree *t, double *value)
 {
@@ -207,14 +212,90 @@ static bool row_in_si(struct csv_tree *t, double *value)
     if (!t->has[WF_FIELD_ID]) value[WF_FIELD_ID] = (double)t->csv.row;
     for (size_t k = 0; k < t->columns; k++) {
         const struct csv_field *c = &t->column[k];
-        if (is_blank_cell(wf_csv_text(&t->csv, c->index))) continue;
+        const char *text = wf_csv_text(&t->csv, c->index);
+        if (wf_field_missing(text, strlen(text))) continue;
         double v;
+        if (wf_csv_value(&t->csv, c->index, &v) == WF_CSV_MISSING) continue;
         if (!wf_csv_number(&t->csv, c->index, -INFINITY, INFINITY, &v)) return false;
         value[c->field] = v * c->factor;
     }
     if (!t->placed || !isnan(value[WF_FIELD_X0])) return true;
     wf_csv_mistake(&t->csv, WF_CSV_NONE, "no start point");
     return false;
+}
+
+/* The trees of a table, by the text in its column of trees. */
+
+enum { TREES_LISTED = 1000 }; /* more are not told apart */
+struct table_trees {
+    size_t n, last;
+    struct table_tree {
+        const char *id;
+        size_t rows;
+        double low[3]; /* lowest start in the units of the file; z NAN: the table has no coordinates */
+    } tree[TREES_LISTED];
+};
+
+static double plain_number(const struct csv_tree *t, enum wf_field field)
+{
+    double v = (double)NAN;
+    for (size_t k = 0; k < t->columns; k++) {
+        const char *text = wf_csv_text(&t->csv, t->column[k].index);
+        char point = t->csv.separator != ',' && strchr(text, ',') ? ',' : '.';
+        if (t->column[k].field == field) (void)wf_number_read(text, text + strlen(text), point, &v);
+    }
+    return v;
+}
+
+/* Note the tree of the current row. Errors: WF_ENOMEM. */
+static enum wf_status note_tree(const struct csv_tree *t, struct table_trees *list, struct wf_arena *a,
+                                struct wf_err *e)
+{
+    const char *id = wf_csv_text(&t->csv, t->tree);
+    size_t k = list->last;
+    if (k >= list->n || strcmp(list->tree[k].id, id) != 0)
+        for (k = 0; k < list->n && strcmp(list->tree[k].id, id) != 0; k++) {
+        }
+    if (k == TREES_LISTED) return WF_OK;
+    struct table_tree *tree = &list->tree[list->last = k];
+    if (k == list->n) {
+        *tree = (struct table_tree){ .id = wf_arena_text(a, id), .low = { 0, 0, (double)NAN } };
+        if (!tree->id) return wf_fail(e, WF_ENOMEM, "%s: no memory for a name", t->csv.file);
+        list->n++;
+    }
+    double z = plain_number(t, WF_FIELD_Z0);
+    tree->rows++;
+    if (!isnan(z) && !(tree->low[2] <= z)) {
+        tree->low[0] = plain_number(t, WF_FIELD_X0), tree->low[1] = plain_number(t, WF_FIELD_Y0);
+        tree->low[2] = z;
+    }
+    return WF_OK;
+}
+
+/* Refuse a table of several trees of which none is chosen, and one without the tree that is chosen. */
+static enum wf_status one_tree(const struct csv_tree *t, const struct table_trees *list, const char *chosen,
+                               size_t taken, struct wf_err *e)
+{
+    char text[640] = "";
+    if (chosen ? taken > 0 : list->n < 2) return WF_OK;
+    for (size_t k = 0; k < list->n && k < 6; k++) {
+        const struct table_tree *v = &list->tree[k];
+        size_t n = strlen(text);
+        (void)snprintf(text + n, sizeof text - n, "%s'%.24s' (%zu rows", k ? ", " : "", v->id, v->rows);
+        n = strlen(text);
+        if (isnan(v->low[2]))
+            (void)snprintf(text + n, sizeof text - n, ")");
+        else
+            (void)snprintf(text + n, sizeof text - n, ", base at %.8g, %.8g, %.8g)", v->low[0], v->low[1],
+                           v->low[2]);
+    }
+    const char *column = t->csv.name[t->tree].text, *more = list->n > 6 ? " and others" : "";
+    if (chosen)
+        return wf_fail(e, WF_EINPUT, "%s: error: --tree-id: no row has '%.40s' in column %.40s; it has %s%s",
+                       t->csv.file, chosen, column, text, more);
+    return wf_fail(e, WF_EINPUT,
+                   "%s: error: column %.40s: %s%zu trees in one table: %s%s; choose one by --tree-id ID",
+                   t->csv.file, column, list->n == TREES_LISTED ? "at least " : "", list->n, text, more);
 }
 
 static size_t lines_left(const struct wf_csv *c)
@@ -268,7 +349,14 @@ static enum wf_status read_table_rows(struct csv_tree *t, const struct wf_import
     if (!s && !t->placed) s = take_hand_angles(&hand, room, a, e);
     if (s) return s;
     double v[WF_FIELD_COUNT];
+    bool several = t->tree != WF_CSV_NONE;
+    size_t taken = 0;
+    struct table_trees *list = several ? WF_TAKE(a, 1, struct table_trees) : NULL;
+    if (several && !list) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", t->csv.file);
     while (wf_csv_next(&t->csv)) {
+        if (several && (s = note_tree(t, list, a, e))) return s;
+        if (several && o->tree_id && strcmp(wf_csv_text(&t->csv, t->tree), o->tree_id) != 0) continue;
+        taken++;
         if (!row_in_si(t, v)) continue;
         const char *wrong = wf_field_cylinder(q, n, v);
         if (wrong) {
@@ -284,6 +372,8 @@ static enum wf_status read_table_rows(struct csv_tree *t, const struct wf_import
         n++;
     }
     q->n = n;
+    if (several && (s = one_tree(t, list, o->tree_id, taken, e))) return s;
+    if (several && o->tree_id) q->trees = list->n;
     count_from_zero(q, t);
     if (t->csv.point == ',') wf_qsm_count(q, WF_NOTE_DECIMAL_COMMA, 1, -1);
     pass_findings_on(t, h, o->strict, q, d);
@@ -294,16 +384,19 @@ enum wf_status wf_import_table(const struct wf_import_head *h, const struct wf_i
                                struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_diag own = { .arena = a };
-    struct csv_tree t = { 0 };
+    struct csv_tree t = { .tree = WF_CSV_NONE };
     enum wf_status s = wf_csv_open(&t.csv, h->path, a, &own, e);
     if (s) {
         for (const struct wf_finding *f = own.first; f; f = f->next)
-            wf_diag_error(d, f->file, f->line, f->column, "%s", f->text);
+            if (f->severity == WF_ERROR) wf_diag_error(d, f->file, f->line, f->column, "%s", f->text);
         return s;
     }
-    map_columns(&t, o);
+    own = (struct wf_diag){ .arena = a }; /* warnings about the encoding are given by wf_import_read */
+    if ((s = map_columns(&t, o, e))) return s;
     const char *what = header_lacks(&t);
     if (what) return refuse_header(&t, what, e);
+    if (o->tree_id && t.tree == WF_CSV_NONE)
+        return wf_fail(e, WF_EINPUT, "%s: error: --tree-id: the table has no column treeID", h->path);
     q->format = table_format(&t);
     size_t blanks = 0;
     for (const char *p = h->text; *p && *p != '\n'; p++)
@@ -349,6 +442,17 @@ static bool is_gap(char c, char point)
     return c == ' ' || c == '\t' || c == '\r' || c == ';' || (c == ',' && point != ',');
 }
 
+/* Does a line start with '#' that is not the mark of a missing value, as in #N/A, #NV, #DIV/0!, #NAME? */
+static bool is_comment(const char *p, const char *stop, char point)
+{
+    const char *end = p;
+    if (*p != '#') return false;
+    while (end < stop && !is_gap(*end, point)) end++;
+    size_t n = (size_t)(end - p);
+    return !(end[-1] == '!' || end[-1] == '?' || (n == 4 && !strncmp(p, "#N/A", n)) ||
+             (n == 3 && !strncmp(p, "#NV", n)));
+}
+
 /* Read the numbers of the next line that is not blank or a comment. Returned: how many; 0 at the end of the
  * file. *whole is false when the line contains something that is not a number. */
 static size_t next_numbers(struct lines *t, double *value, bool *whole)
@@ -361,10 +465,12 @@ static size_t next_numbers(struct lines *t, double *value, bool *whole)
         size_t n = 0;
         *whole = true;
         while (p < stop && is_gap(*p, t->point)) p++;
-        if (p == stop || *p == '#') continue;
+        if (p == stop || is_comment(p, stop, t->point)) continue;
         while (p < stop && n < WIDEST) {
             const char *after = wf_number_read(p, stop, t->point, &value[n]);
-            if (!after && stop - p >= 3 && !strncmp(p, "NaN", 3)) value[n] = (double)NAN, after = p + 3;
+            size_t word = 0;
+            while (!after && p + word < stop && !is_gap(p[word], t->point)) word++;
+            if (word && wf_field_missing(p, word)) value[n] = (double)NAN, after = p + word;
             if (!after || (after < stop && !is_gap(*after, t->point))) {
                 *whole = false;
                 return n ? n : 1;
@@ -465,7 +571,7 @@ enum wf_status wf_import_bare(const struct wf_import_head *h, const struct wf_im
                               struct wf_arena *a, struct wf_qsm *q, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_bytes b;
-    enum wf_status s = wf_file_read_text(h->path, a, &b, e);
+    enum wf_status s = wf_file_read_table(h->path, a, &b, d, e);
     if (s) return s;
     struct lines t = { .at = b.data, .end = b.data + b.size };
     if (has_header(first_line(h))) {

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/qsm.h"
-#include "base/file.h"
 #include "base/num.h"
 #include <math.h>
 #include <stdio.h>
@@ -82,6 +81,9 @@ const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
     [WF_NOTE_UNITS] = { "unit-inferred",
                         "the file does not state its unit of diameters: taken from the sizes", true, true },
     [WF_NOTE_MODELS] = { "further-models", "further tree models in the file ignored", true, false },
+    [WF_NOTE_APART] = { "stems-apart", "further stems that stand metres from the main one", true, false },
+    [WF_NOTE_THICK_CHILD] = { "thick-child", "branches thicker by more than a tenth than what they grow on",
+                              true, false },
     [WF_REPAIR_BAD_ROW] = { "bad-row", "rows that cannot be read: left out", false, false },
     [WF_REPAIR_TRUNCATED] = { "truncated", "the last row is cut off: left out", false, true },
     [WF_REPAIR_AXIS] = { "axis-not-unit", "axis vectors not of unit length: normalised", false, false },
@@ -100,6 +102,10 @@ const struct wf_repair_row wf_repair_rows[WF_REPAIR_COUNT] = {
     [WF_REPAIR_CYCLE] = { "cycle", "cycles of parents: cut at the lowest row", false, false },
     [WF_REPAIR_LOOSE] = { "loose-part", "parts not connected to the ground: joined to the nearest axis",
                           false, false },
+    [WF_REPAIR_ROOT_ORDER] = { "root-order", "stems with a branch's order in the file: order 0 taken", false,
+                               false },
+    [WF_REPAIR_CAPPED] = { "children-capped", "rows thinned to the thickness of what they grow on", false,
+                           false },
     [WF_REPAIR_AZIMUTH] = { "azimuth-assumed",
                             "azimuths not measured: each 137.5 degrees after the one before", false, false },
 };
@@ -190,7 +196,9 @@ void wf_qsm_report(const struct wf_qsm *q, struct wf_diag *d)
             (void)snprintf(first, sizeof first, " (%s%s %lld)",
                            row->once ? "" : "first: ", by_line ? "line" : "id",
                            (long long)q->repairs.first[k]);
-        wf_diag_warn(d, row->code, "%s: %s%s%s", q->name, count, row->text, first);
+        const char *detail = q->detail[k];
+        wf_diag_warn(d, row->code, "%s: %s%s%s%s%s", q->name, count, row->text, first, detail ? "; " : "",
+                     detail ? detail : "");
     }
 }
 
@@ -204,101 +212,4 @@ double wf_qsm_volume(const struct wf_qsm *q, size_t i)
 {
     double r0 = q->r0[i], r1 = q->r1[i];
     return acos(-1.0) / 3.0 * q->length[i] * (r0 * r0 + r0 * r1 + r1 * r1);
-}
-
-/* Files for other programs. */
-
-/* Radius of the cylinder that has the volume of row i. */
-static double radius_of_volume(const struct wf_qsm *q, size_t i)
-{
-    double r0 = q->r0[i], r1 = q->r1[i];
-    return r0 == r1 ? r0 : sqrt((r0 * r0 + r0 * r1 + r1 * r1) / 3);
-}
-
-static void axis_of_row(const struct wf_qsm *q, size_t i, double out[3])
-{
-    double d = wf_qsm_distance(q, i);
-    out[0] = (q->x1[i] - q->x0[i]) / d, out[1] = (q->y1[i] - q->y0[i]) / d,
-    out[2] = (q->z1[i] - q->z0[i]) / d;
-}
-
-static void write_normalised(const struct wf_qsm *q, FILE *to)
-{
-    bool tapered = false;
-    for (size_t i = 0; i < q->n; i++) tapered = tapered || q->r0[i] != q->r1[i];
-    fprintf(to,
-            "id,radius_m,length_m,start_x,start_y,start_z,axis_x,axis_y,axis_z,parent,extension,branch,"
-            "branch_order,pos_in_branch,added%s\n",
-            tapered ? ",radius0_m,radius1_m" : "");
-    for (size_t i = 0; i < q->n; i++) {
-        double a[3];
-        axis_of_row(q, i, a);
-        fprintf(to, "%zu,%.10g,%.10g,%.10g,%.10g,%.10g,%.12g,%.12g,%.12g,%d,%d,%d,%d,%d,%d", i + 1,
-                radius_of_volume(q, i), q->length[i], q->x0[i], q->y0[i], q->z0[i], a[0], a[1], a[2],
-                q->parent[i] + 1, q->next[i] + 1, q->branch[i], q->order[i], q->place[i], q->added[i]);
-        if (tapered) fprintf(to, ",%.10g,%.10g", q->r0[i], q->r1[i]);
-        fputc('\n', to);
-    }
-}
-
-static void write_treeqsm(const struct wf_qsm *q, FILE *to)
-{
-    for (size_t i = 0; i < q->n; i++) {
-        double a[3], r = radius_of_volume(q, i);
-        axis_of_row(q, i, a);
-        fprintf(to, "%.10g\t%.10g\t%.10g\t%.10g\t%.10g\t%.12g\t%.12g\t%.12g\t%d\t%d\t%d\t%d\t%d\t%d\t%.10g\n",
-                r, q->length[i], q->x0[i], q->y0[i], q->z0[i], a[0], a[1], a[2], q->parent[i] + 1,
-                q->next[i] + 1, q->branch[i], q->order[i], q->place[i], q->added[i], r);
-    }
-}
-
-static void write_vtk(const struct wf_qsm *q, FILE *to)
-{
-    fprintf(to, "# vtk DataFile Version 3.0\ntree\nASCII\nDATASET POLYDATA\nPOINTS %zu double\n", 2 * q->n);
-    for (size_t i = 0; i < q->n; i++)
-        fprintf(to, "%.9g %.9g %.9g\n%.9g %.9g %.9g\n", q->x0[i], q->y0[i], q->z0[i], q->x1[i], q->y1[i],
-                q->z1[i]);
-    fprintf(to, "LINES %zu %zu\n", q->n, 3 * q->n);
-    for (size_t i = 0; i < q->n; i++) fprintf(to, "2 %zu %zu\n", 2 * i, 2 * i + 1);
-    fprintf(to, "POINT_DATA %zu\nSCALARS radius double 1\nLOOKUP_TABLE default\n", 2 * q->n);
-    for (size_t i = 0; i < q->n; i++) fprintf(to, "%.9g\n%.9g\n", q->r0[i], q->r1[i]);
-    fprintf(to, "CELL_DATA %zu\n", q->n);
-    const struct {
-        const char *name;
-        const int32_t *value;
-    } column[] = { { "level", q->order }, { "branch", q->branch } };
-    for (size_t k = 0; k < 2; k++) {
-        fprintf(to, "SCALARS %s int 1\nLOOKUP_TABLE default\n", column[k].name);
-        for (size_t i = 0; i < q->n; i++) fprintf(to, "%d\n", column[k].value[i]);
-    }
-    fprintf(to, "SCALARS id long 1\nLOOKUP_TABLE default\n");
-    for (size_t i = 0; i < q->n; i++) fprintf(to, "%lld\n", (long long)q->id[i]);
-}
-
-/* The formats of an export; ends at ending == NULL.
- * .csv: id, radius, length, start, axis, parent (0 = root), extension (0 = none), branch, branch order,
- * position in branch, added; for tapered rows also the radii at both ends. Read back it gives the same tree.
- * .txt: the same without ids and header, separated by tabs, in the column order of TreeQSM 2.3's cylinder
- * text. .vtk: VTK legacy PolyData, one line for each row; radius at the points, level, id and branch at the
- * cells (ParaView: filter Tube, vary radius by scalar). */
-static const struct wf_export_format export_formats[] = {
-    { ".csv", "normalised CSV", write_normalised },
-    { ".txt", "TreeQSM columns", write_treeqsm },
-    { ".vtk", "VTK PolyData", write_vtk },
-    { NULL, NULL, NULL },
-};
-
-enum wf_status wf_qsm_write(const struct wf_qsm *q, const char *path, struct wf_err *e)
-{
-    const char *dot = strrchr(path, '.');
-    const struct wf_export_format *f = export_formats;
-    while (f->ending && (!dot || strcmp(dot, f->ending))) f++;
-    if (!f->ending)
-        return wf_fail(e, WF_EUSAGE,
-                       "%s: the name must end in .csv (normalised), .txt (TreeQSM) or .vtk (ParaView)", path);
-    struct wf_file file;
-    enum wf_status s = wf_file_begin(&file, path, e);
-    if (s) return s;
-    f->write(q, file.stream);
-    return wf_file_commit(&file, e);
 }

@@ -29,6 +29,8 @@ enum wf_repair {
     WF_NOTE_THICKENING,    /* radius more than a tenth larger than the row below in its branch  */
     WF_NOTE_UNITS,         /* a unit that the file does not state was taken from the sizes      */
     WF_NOTE_MODELS,        /* further tree models of the same file were ignored                 */
+    WF_NOTE_APART,         /* further stems whose bases are metres from the main one's          */
+    WF_NOTE_THICK_CHILD,   /* a branch that is thicker by a tenth than what it grows on         */
     /* repairs */
     WF_REPAIR_BAD_ROW,     /* rows that cannot be read: left out                                */
     WF_REPAIR_TRUNCATED,   /* the last row is cut off: left out                                 */
@@ -41,6 +43,8 @@ enum wf_repair {
     WF_REPAIR_NO_PARENT,   /* the named parent is not in the file                               */
     WF_REPAIR_CYCLE,       /* rows that are their own ancestor: cut at the lowest               */
     WF_REPAIR_LOOSE,       /* parts that hang in the air: joined to the nearest axis            */
+    WF_REPAIR_ROOT_ORDER,  /* stems with a branch's order in the file: taken as order 0         */
+    WF_REPAIR_CAPPED,      /* rows thinned, as specified, to the thickness of what they grow on */
     WF_REPAIR_AZIMUTH, /* azimuths that were not measured: taken at 137.5 degrees after the branch before */
     WF_REPAIR_COUNT
 };
@@ -78,7 +82,10 @@ struct wf_qsm {
     uint8_t *added;          /* 1: a gap filler of the program that made the model           */
     size_t *line;            /* line of the file, 0 = not a text file                        */
     double base[3];          /* subtracted from the file's coordinates [m]                   */
+    size_t trees;            /* trees in the file, set by readers of files of several; else 0 */
+    size_t models;           /* models of the tree in the file, set by readers of files of several; else 0 */
     struct wf_repairs repairs;
+    const char *detail[WF_REPAIR_COUNT]; /* worst case of a kind, in words; NULL: none */
 };
 
 /* Allocate columns for n cylinders: zeroed, except radii and length NAN, order, parent and next -1. Errors:
@@ -94,7 +101,8 @@ void wf_qsm_count(struct wf_qsm *q, enum wf_repair what, size_t how_many, int64_
 enum wf_status wf_qsm_pick(struct wf_qsm *q, const int32_t *pick, size_t n, struct wf_arena *a,
                            struct wf_err *e);
 
-/* Add a warning for each kind of note and repair that occurred: code, number of cases, place of the first. */
+/* Add a warning for each kind of note and repair that occurred: code, number of cases, place of the first,
+ * worst case. */
 void wf_qsm_report(const struct wf_qsm *q, struct wf_diag *d);
 
 double wf_qsm_distance(const struct wf_qsm *q, size_t i); /* from start to end of row i [m] */
@@ -123,16 +131,4 @@ struct wf_children {
 /* Given: parent[n], -1 = a root. Errors: WF_ENOMEM. */
 enum wf_status wf_children_of(const int32_t *parent, size_t n, struct wf_arena *a, struct wf_children *out,
                               struct wf_err *e);
-
-/* Export of a measured tree. */
-
-struct wf_export_format {
-    const char *ending; /* of the file's name, ".csv"  */
-    const char *title;  /* in words                    */
-    void (*write)(const struct wf_qsm *q, FILE *to);
-};
-
-/* Write a table. Given: a table after wf_qsm_repair, and a path whose ending names the format. A failed
- * export leaves no file. Errors: WF_EUSAGE for another ending, WF_EOUTPUT. */
-enum wf_status wf_qsm_write(const struct wf_qsm *q, const char *path, struct wf_err *e);
 #endif

@@ -236,7 +236,8 @@ static void model_row(struct joining *b, size_t i)
     if (h->at == HOLD_END) b->held[i] = b->tail[p];
     if (h->at == HOLD_BASE) b->held[i] = b->head[p];
     if (p >= 0 && b->q->next[p] != (int32_t)i) b->m->laterals++;
-    if (p >= 0) b->m->widest_gap = fmax(b->m->widest_gap, h->gap - (h->straight ? 0 : h->radius));
+    double gap = h->gap - (h->straight ? 0 : h->radius);
+    if (p >= 0 && gap > b->m->widest_gap) b->m->widest_gap = gap, b->m->widest_row = (int32_t)i;
     b->head[i] = link_to_row(b, i);
     add_wood(b, i);
 }
@@ -266,7 +267,7 @@ static enum wf_status take_joining(struct joining *b, struct wf_arena *a, struct
 enum wf_status wf_qsm_to_tree(const struct wf_qsm *q, enum wf_joint joint, struct wf_arena *a,
                               struct wf_qsm_model *out, struct wf_err *e)
 {
-    *out = (struct wf_qsm_model){ 0 };
+    *out = (struct wf_qsm_model){ .widest_row = -1 };
     struct hold_row *hold = WF_TAKE(a, q->n, struct hold_row);
     if (!hold) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu rows", q->name, q->n);
     find_holds(q, joint, hold);

@@ -40,7 +40,8 @@ struct wf_qsm_model {
     size_t gaps;           /* continuations that do not start at the end below  */
     double
         widest_gap; /* largest distance between a row's start and the surface or end it was joined to [m] */
-    double volume;  /* of the modelled wood, without links [m3]          */
+    int32_t widest_row;   /* its row of the table; -1 = none           */
+    double volume;        /* of the modelled wood, without links [m3]          */
     double bridge_volume; /* part of it in bridges [m3]                        */
 };
 

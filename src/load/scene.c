@@ -5,14 +5,17 @@
 #include "wind/shelter_laws.h"
 #include "wind/terrain.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+
+static const char usual[] = "power", measured[] = "measured"; /* rows of wf_profiles */
 
 static double scenario_air_density(const struct wf_scenario *s);
 
 void wf_scenario_default(struct wf_scenario *s)
 {
     *s = (struct wf_scenario){
-        .profile = "power",
+        .profile = usual,
         .reference_height = 10.0,
         .speed_up = 1.0,
         .roughness = 0.03, /* open grassland (Davenport class 3); the log profile only */
@@ -74,26 +77,66 @@ static void complete_canopy(struct wf_scenario *s, const struct wf_profile_words
     if (isnan(w->roughness) && height > 0.0) s->roughness = 0.1 * height;
 }
 
-static void set_profile_numbers(struct wf_scenario *s, const struct wf_profile_words *w)
+#define NUMBER(k)                                                                                            \
+    {                                                                                                        \
+#k, offsetof(struct wf_profile_words, k), offsetof(struct wf_scenario, k)                            \
+    }
+const struct wf_profile_number wf_profile_numbers[] = {
+    NUMBER(exponent),      NUMBER(roughness),   NUMBER(displacement),
+    NUMBER(canopy_height), NUMBER(attenuation), { 0 },
+};
+
+static double number_said(const struct wf_profile_words *w, size_t member)
 {
-    const struct {
-        double *to, said;
-    } all[] = { { &s->reference_height, w->reference_height },
-                { &s->exponent, w->exponent },
-                { &s->roughness, w->roughness },
-                { &s->displacement, w->displacement },
-                { &s->canopy_height, w->canopy_height },
-                { &s->attenuation, w->attenuation } };
-    for (size_t i = 0; i < WF_COUNT(all); i++)
-        if (!isnan(all[i].said)) *all[i].to = all[i].said;
+    return *(const double *)(const void *)((const char *)w + member);
+}
+
+/* Name of the profile that is meant. */
+static const char *profile_meant(const struct wf_profile_words *w)
+{
+    return w->name ? w->name : w->file ? measured : usual;
+}
+
+/* Whether a list of words with blanks between holds a word. */
+static bool lists(const char *list, const char *word)
+{
+    size_t n = strlen(word);
+    for (const char *at = list; (at = strstr(at, word)); at += n)
+        if ((at == list || at[-1] == ' ') && (at[n] == '\0' || at[n] == ' ')) return true;
+    return false;
+}
+
+bool wf_profile_unused(const struct wf_profile_words *w, size_t member, char *why, size_t size)
+{
+    const struct wf_profile *p = wf_profile_named(profile_meant(w));
+    const struct wf_profile_number *n = wf_profile_numbers;
+    while (n->key && n->said != member) n++;
+    if (!p || !n->key || isnan(number_said(w, member)) || lists(p->takes, n->key)) return false;
+    if (w->ground && strcmp(n->key, "roughness") == 0) return false;
+    (void)snprintf(why, size, "with the profile '%s', which takes %s", p->name,
+                   *p->takes ? p->takes : "the reference height only");
+    return true;
+}
+
+static enum wf_status set_profile_numbers(struct wf_scenario *s, const struct wf_profile_words *w,
+                                          struct wf_err *e)
+{
+    char why[160];
+    if (!isnan(w->reference_height)) s->reference_height = w->reference_height;
+    for (const struct wf_profile_number *n = wf_profile_numbers; n->key; n++) {
+        double said = number_said(w, n->said);
+        if (wf_profile_unused(w, n->said, why, sizeof why))
+            return wf_fail(e, WF_EUSAGE, "%s has no effect %s", n->key, why);
+        if (!isnan(said)) *(double *)(void *)((char *)s + n->value) = said;
+    }
     if (strcmp(s->profile, "canopy") == 0) complete_canopy(s, w);
+    return WF_OK;
 }
 
 enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_words *w, struct wf_err *e)
 {
-    static const char measured[] = "measured";
-    s->profile = w->name ? w->name : w->file ? measured : s->profile;
-    set_profile_numbers(s, w);
+    s->profile = profile_meant(w);
+    enum wf_status status = set_profile_numbers(s, w, e);
     bool asked = strcmp(s->profile, measured) == 0;
     if (asked && !w->file)
         return wf_fail(e, WF_EUSAGE, "the profile '%s' needs a file of heights and speeds (profile file)",
@@ -101,7 +144,7 @@ enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_
     if (!asked && w->file)
         return wf_fail(e, WF_EUSAGE, "%s: a profile file is for the profile '%s', not '%s'", w->file,
                        measured, s->profile);
-    return WF_OK;
+    return status;
 }
 
 enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,

@@ -44,10 +44,17 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e);
 struct wf_profile_words {
     const char *name, *file; /* row of wf_profiles; heights and speeds of the measured one */
     double reference_height, exponent, roughness, displacement, canopy_height, attenuation;
+    const char *ground; /* map of the ground, whose speed-up takes the roughness too; NULL: none */
 };
+/* Numbers that belong to some profiles only. */
+struct wf_profile_number {
+    const char *key;
+    size_t said, value; /* offsets in struct wf_profile_words and struct wf_scenario */
+};
+extern const struct wf_profile_number wf_profile_numbers[]; /* end at key == NULL */
 #define WF_PROFILE_UNSAID                                                                                    \
     {                                                                                                        \
-        NULL, NULL, NAN, NAN, NAN, NAN, NAN, NAN                                                             \
+        NULL, NULL, NAN, NAN, NAN, NAN, NAN, NAN, NULL                                                       \
     }
 /* Numbers of a struct wf_profile_words as keys of a YAML table of a struct T, which has it as member `in`. */
 #define WF_PROFILE_KEY(T, k, in, dim, u, from, to, text, ...)                                                \
@@ -67,13 +74,16 @@ struct wf_profile_words {
                        .absent = "displacement / 0.7", .example = "12 m"),                                   \
         WF_PROFILE_KEY(T, attenuation, in, WF_DIM_NONE, NULL, 0, 10, "Of the wind inside the canopy.",       \
                        .absent = "joins the log law smoothly", .example = "2.5")
+/* Whether a number is given but the profile does not take it. Given: its member's offset in struct
+ * wf_profile_words; `size` bytes for the reason in words, "with the profile 'log', which takes ...". */
+bool wf_profile_unused(const struct wf_profile_words *w, size_t member, char *why, size_t size);
 /* Set the scenario's profile, without reading a file. Errors: WF_EUSAGE where name and file do not go
- * together. */
+ * together, or a number is given that the profile does not take. */
 enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_words *w, struct wf_err *e);
 /* Set the scenario's profile and, for a measured profile, read its file. Defaults of what is not given: the
  * power law, or "measured" where a file is given; for the canopy profile, d = 0.7 h and z0 = 0.1 h from the
  * canopy height h (Garratt 1992, The Atmospheric Boundary Layer, Cambridge University Press, sec. 4.3).
- * Errors: WF_EUSAGE where name and file do not agree; WF_EINPUT with every mistake of the file in `d`;
+ * Errors: those of wf_scenario_words; WF_EINPUT with every mistake of the file in `d`;
  * WF_ENOMEM. */
 enum wf_status wf_scenario_profile(struct wf_scenario *s, const struct wf_profile_words *w,
                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e);

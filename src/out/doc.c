@@ -1,159 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/doc.h"
 #include "base/text.h"
-#include <libxml/parser.h>
-#include <libxml/tree.h>
-#include <libxslt/security.h>
-#include <libxslt/transform.h>
-#include <libxslt/xsltutils.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* XML 1.0 allows no control characters except tab and line ends: the others are replaced by spaces. */
-static xmlNode *text_element(xmlNode *parent, const char *name, const char *text)
-{
-    char *copy = strdup(text);
-    if (!copy) return NULL;
-    for (char *c = copy; *c; c++)
-        if ((unsigned char)*c < 0x20 && !strchr("\t\n\r", *c)) *c = ' ';
-    xmlNode *node = xmlNewTextChild(parent, NULL, BAD_CAST name, BAD_CAST copy);
-    free(copy);
-    return node;
-}
-
-static xmlNode *scalar(xmlNode *parent, const char *name, const json_t *value)
-{
-    char digits[40];
-    switch (json_typeof(value)) {
-    case JSON_STRING:
-        return text_element(parent, name, json_string_value(value));
-    case JSON_TRUE:
-        return text_element(parent, name, "true");
-    case JSON_FALSE:
-        return text_element(parent, name, "false");
-    case JSON_INTEGER:
-        snprintf(digits, sizeof digits, "%" JSON_INTEGER_FORMAT, json_integer_value(value));
-        break;
-    case JSON_REAL:
-        snprintf(digits, sizeof digits, "%.17g", json_real_value(value));
-        break;
-    default: {
-        xmlNode *node = xmlNewChild(parent, NULL, BAD_CAST name, NULL);
-        if (node) xmlNewProp(node, BAD_CAST "null", BAD_CAST "yes");
-        return node;
-    }
-    }
-    return text_element(parent, name, digits);
-}
-
-xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value)
-{
-    if (!json_is_object(value) && !json_is_array(value)) return scalar(parent, name, value);
-    xmlNode *node = xmlNewChild(parent, NULL, BAD_CAST name, NULL);
-    if (!node) return NULL;
-    for (size_t i = 0; i < json_array_size(value); i++)
-        if (!wf_xml_from_json(node, "item", json_array_get(value, i))) return NULL;
-    if (!json_is_object(value)) return node;
-    /* jansson's iterator needs an object that is not const, although it does not change it. */
-    union {
-        const json_t *given;
-        json_t *wanted;
-    } object = { .given = value };
-    for (void *at = json_object_iter(object.wanted); at; at = json_object_iter_next(object.wanted, at)) {
-        const char *key = json_object_iter_key(at);
-        if (xmlValidateNCName(BAD_CAST key, 0)) continue;
-        if (!wf_xml_from_json(node, key, json_object_iter_value(at))) return NULL;
-    }
-    return node;
-}
-
-/* Collects what libxml2 and libxslt would otherwise print. */
-struct complaint {
-    char text[400];
-};
-
-__attribute__((format(printf, 2, 3))) static void keep(void *context, const char *fmt, ...)
-{
-    struct complaint *c = context;
-    size_t used = strlen(c->text);
-    va_list args;
-    va_start(args, fmt);
-    (void)vsnprintf(c->text + used, sizeof c->text - used, fmt, args);
-    va_end(args);
-    for (char *p = c->text; *p; p++)
-        if (*p == '\n') *p = ' ';
-}
-
-enum wf_status wf_xml_read(const char *path, xmlDoc **out, struct wf_err *e)
-{
-    *out = xmlReadFile(path, "UTF-8", XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
-    if (*out) return WF_OK;
-    const xmlError *why = xmlGetLastError();
-    return wf_fail(e, WF_EINPUT, "%s:%d: %s", path, why ? why->line : 0,
-                   why && why->message ? why->message : "cannot be read");
-}
-
-static enum wf_status apply(xsltStylesheet *style, xmlDoc *document, const char **parameters, FILE *f,
-                            struct complaint *c, xmlDoc **out, const char *path, struct wf_err *e)
-{
-    xsltTransformContext *run = xsltNewTransformContext(style, document);
-    xsltSecurityPrefs *rule = xsltNewSecurityPrefs();
-    enum wf_status code = WF_OK;
-    if (!run || !rule) {
-        code = wf_fail(e, WF_ENOMEM, "%s: no memory to apply it", path);
-    } else {
-        xsltSetSecurityPrefs(rule, XSLT_SECPREF_WRITE_FILE, xsltSecurityForbid);
-        xsltSetSecurityPrefs(rule, XSLT_SECPREF_CREATE_DIRECTORY, xsltSecurityForbid);
-        xsltSetSecurityPrefs(rule, XSLT_SECPREF_READ_NETWORK, xsltSecurityForbid);
-        xsltSetSecurityPrefs(rule, XSLT_SECPREF_WRITE_NETWORK, xsltSecurityForbid);
-        xsltSetCtxtSecurityPrefs(rule, run);
-        xsltSetTransformErrorFunc(run, c, keep);
-        *out = xsltApplyStylesheetUser(style, document, parameters, NULL, NULL, run);
-        if (!*out || run->state != XSLT_STATE_OK)
-            code = wf_fail(e, WF_EOUTPUT, "%s: cannot be applied: %s", path, c->text);
-        else if (f && xsltSaveResultToFile(f, *out, style) < 0 && !ferror(f))
-            code = wf_fail(e, WF_ENOMEM, "%s: not enough memory to write its result", path);
-    }
-    if (run) xsltFreeTransformContext(run);
-    if (rule) xsltFreeSecurityPrefs(rule);
-    return code;
-}
-
-enum wf_status wf_xml_transform(const char *path, xmlDoc *document, const char **parameters, FILE *f,
-                                xmlDoc **out, struct wf_err *e)
-{
-    struct complaint c = { "" };
-    xmlDoc *source;
-    *out = NULL;
-    enum wf_status code = wf_xml_read(path, &source, e);
-    if (code) return code;
-    /* libxml2 and libxslt report a faulty stylesheet or a full disk to process-wide handlers; they are
-     * replaced during this call only. */
-    xmlGenericErrorFunc before = xsltGenericError, before_xml = xmlGenericError;
-    void *context = xsltGenericErrorContext, *context_xml = xmlGenericErrorContext;
-    xsltSetGenericErrorFunc(&c, keep);
-    xmlSetGenericErrorFunc(&c, keep);
-    xsltStylesheet *style = xsltParseStylesheetDoc(source);
-    if (!style) {
-        xmlFreeDoc(source);
-        code = wf_fail(e, WF_EINPUT, "%s: is not a stylesheet: %s", path, c.text);
-    } else if (style->errors) {
-        code = wf_fail(e, WF_EINPUT, "%s: %s", path, c.text);
-    } else {
-        code = apply(style, document, parameters, f, &c, out, path, e);
-    }
-    xsltSetGenericErrorFunc(context, before);
-    xmlSetGenericErrorFunc(context_xml, before_xml);
-    if (style) xsltFreeStylesheet(style);
-    if (code && *out) {
-        xmlFreeDoc(*out);
-        *out = NULL;
-    }
-    return code;
-}
 
 static json_t *made(struct wf_doc *d, json_t *value)
 {
@@ -288,34 +140,8 @@ enum wf_status wf_doc_end(struct wf_doc *d, json_t *document, const char *folder
     return s;
 }
 
-enum wf_status wf_folder_path(const char *folder, const char *name, char path[static WF_PATH_MAX],
-                              struct wf_err *e)
-{
-    int n = snprintf(path, WF_PATH_MAX, "%s/%s", folder, name);
-    if (n >= 0 && n < WF_PATH_MAX) return WF_OK;
-    return wf_fail(e, WF_EOUTPUT, "%.200s...: the name is too long", folder);
-}
-
-enum wf_status wf_folder_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e)
-{
-    char path[WF_PATH_MAX];
-    enum wf_status s = wf_folder_path(folder, name, path, e);
-    return s ? s : wf_file_begin(f, path, e);
-}
-
-enum wf_status wf_folder_make(const char *folder, struct wf_err *e)
-{
-    static const char *const sub[] = { "tables", "plots" };
-    enum wf_status s = WF_OK;
-    for (int i = 0; i < 2 && !s; i++) {
-        char path[WF_PATH_MAX];
-        s = wf_folder_path(folder, sub[i], path, e);
-        if (!s) s = wf_mkdirs(path, e);
-    }
-    return s;
-}
-
-enum { TEXT_MAX = 1024 }; /* a title or a label; longer ones are cut [bytes] */
+/* A title or a label; what is longer is cut. gnuplot reads lines of some thousand bytes at most. */
+enum { TEXT_COLUMNS = 160, TEXT_MAX = 1024 };
 
 enum wf_status wf_plot_data_begin(struct wf_plot_data *p, const char *folder, const char *name,
                                   struct wf_err *e)
@@ -346,26 +172,36 @@ void wf_plot_data_count(struct wf_plot_data *p, const char *key, size_t index, s
     fprintf(p->f.stream, "%s,%zu,%zu\n", key, index, n);
 }
 
-void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, const char *text)
+/* A quoted cell. gnuplot's reader ends a text at quotes, also single ones, commas and backslashes: they are
+ * written as an octal escape. Its SVG keeps "&#" and "]]>" as they are: a word joiner, which takes no room,
+ * goes between. */
+static void quoted(struct wf_plot_data *p, const char *key, size_t index, const char *text)
 {
+    static const char joiner[] = "\xE2\x81\xA0";
     FILE *f = p->f.stream;
     fprintf(f, "%s,%zu,\"", key, index);
-    for (const char *c = text ? text : ""; *c; c++)
-        if (*c == '"' || *c == ',' || *c == '\\')
+    for (const char *c = text; *c; c++) {
+        if (strchr("\"',\\", *c))
             fprintf(f, "\\%03o", (unsigned)*c);
         else
             fputc((unsigned char)*c < 0x20 ? ' ' : *c, f);
+        if (!strncmp(c, "&#", 2) || !strncmp(c, "]>", 2)) fputs(joiner, f);
+    }
     fputs("\"\n", f);
 }
 
-/* Shorten a text that fills its buffer to end with a complete UTF-8 character. */
-static void cut(char *text)
+void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, const char *text)
 {
-    size_t n = strlen(text);
-    if (n < TEXT_MAX - 1) return;
-    while (n > 0 && ((unsigned char)text[n - 1] & 0xc0) == 0x80) n--;
-    if (n > 0 && (unsigned char)text[n - 1] >= 0xc0) n--;
-    text[n] = '\0';
+    struct wf_arena a = { 0 };
+    const char *allowed = wf_text_for_xml(text ? text : "", &a);
+    const char *cut = allowed ? wf_text_shortened(allowed, TEXT_COLUMNS, &a) : NULL;
+    quoted(p, key, index, cut ? cut : "");
+    wf_arena_free(&a);
+}
+
+void wf_plot_data_words(struct wf_plot_data *p, const char *key, size_t index, const char *words)
+{
+    quoted(p, key, index, words);
 }
 
 void wf_plot_data_print(struct wf_plot_data *p, const char *key, size_t index, const char *fmt, ...)
@@ -375,7 +211,6 @@ void wf_plot_data_print(struct wf_plot_data *p, const char *key, size_t index, c
     va_start(args, fmt);
     (void)vsnprintf(text, sizeof text, fmt, args);
     va_end(args);
-    cut(text);
     wf_plot_data_text(p, key, index, text);
 }
 

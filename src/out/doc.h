@@ -5,8 +5,8 @@
  * builder, later calls are harmless, and the writer checks once at the end. */
 #include "base/err.h"
 #include "base/file.h"
+#include "out/folder.h"
 #include <jansson.h>
-#include <libxml/tree.h>
 #include <stdbool.h>
 #include <stdio.h>
 
@@ -48,35 +48,6 @@ void wf_doc_warnings(struct wf_doc *d, json_t *list, const struct wf_diag *diag)
 /* Write FOLDER/results.json and free the document. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_doc_end(struct wf_doc *d, json_t *document, const char *folder, struct wf_err *e);
 
-/* Documents for the stylesheets, and the stylesheets themselves. */
-
-/* Append `value` to `parent` as an element of that name: an object's members become child elements by key, an
- * array's elements become <item>, null an element with the attribute null="yes". Keys that are not valid XML
- * names are left out. Returned: the element, or NULL without memory. */
-xmlNode *wf_xml_from_json(xmlNode *parent, const char *name, const json_t *value);
-
-/* Apply the stylesheet at `path` to a document. Given: pairs of parameter name and XPath expression, ending
- * at NULL, or NULL. The stylesheet may neither use the network nor write files. Returned: the new document in
- * *out (free with xmlFreeDoc) and, if f is not NULL, also its serialised form on f; a write that fails is no
- * error here, it shows in ferror(f), and wf_file_commit names file and reason. Errors: WF_EINPUT with
- * the place when the stylesheet is wrong, WF_EOUTPUT when it fails or f does. */
-enum wf_status wf_xml_transform(const char *path, xmlDoc *document, const char **parameters, FILE *f,
-                                xmlDoc **out, struct wf_err *e);
-
-/* Read an XML file. Errors: WF_EINPUT with line and reason. */
-enum wf_status wf_xml_read(const char *path, xmlDoc **out, struct wf_err *e);
-
-/* A results folder: results.json, tables/, plots/, pages. */
-
-/* FOLDER/NAME. Errors: WF_EOUTPUT for a name that is too long. */
-enum wf_status wf_folder_path(const char *folder, const char *name, char path[static WF_PATH_MAX],
-                              struct wf_err *e);
-/* Make FOLDER/tables and FOLDER/plots. Errors: WF_EOUTPUT. */
-enum wf_status wf_folder_make(const char *folder, struct wf_err *e);
-/* Begin FOLDER/NAME for writing, to be committed or abandoned by the caller. Errors: as wf_file_begin, and
- * WF_EOUTPUT for a name that is too long. */
-enum wf_status wf_folder_begin(struct wf_file *f, const char *folder, const char *name, struct wf_err *e);
-
 /* Values that the figure scripts need in addition to the tables: FOLDER/plots/run.csv, rows
  * "key,index,value". It is data, never a script: reports/plots/facts.gp reads it with gnuplot's column
  * functions. */
@@ -91,9 +62,11 @@ enum wf_status wf_plot_data_begin(struct wf_plot_data *p, const char *folder, co
  */
 void wf_plot_data_number(struct wf_plot_data *p, const char *key, size_t index, double x);
 void wf_plot_data_count(struct wf_plot_data *p, const char *key, size_t index, size_t n);
-/* A row with a text, NULL as an empty one: quoted; characters at which gnuplot's reader could end the text
- * (quotes, commas, backslashes) are written as an octal escape, control characters as spaces. */
+/* A row with a text of a user, NULL as an empty one: quoted, with what gnuplot or its SVG would take for more
+ * than text escaped, control characters as spaces, and cut with an ellipsis at 160 columns. */
 void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, const char *text);
+/* A row with a list of words or numbers of windfirm's own, which is not cut. */
+void wf_plot_data_words(struct wf_plot_data *p, const char *key, size_t index, const char *words);
 void wf_plot_data_print(struct wf_plot_data *p, const char *key, size_t index, const char *fmt, ...)
     __attribute__((format(printf, 4, 5)));
 /* A row with a number given as text, as a document holds it. Errors: WF_EINPUT when it is not one number and

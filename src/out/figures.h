@@ -1,20 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_FIGURES_H
 #define WF_OUT_FIGURES_H
-/* External programs: found on PATH, run without a shell, with their output read. */
+/* Figures and printed pages, made by external programs. A program is found on PATH and run without a shell,
+ * in the results folder: it gets names inside that folder, which windfirm chose, and none that a user chose.
+ * It dies with windfirm. */
 #include "base/err.h"
 #include <libxml/tree.h>
 
-enum { WF_SAID_MAX = 512 };
-
-/* Given: argv, ending at NULL, argv[0] the program's name; the Debian package that contains it. Its input is
- * empty; what it prints is kept, the first WF_SAID_MAX - 1 bytes of it, in `said`. Returned: WF_OK when it
- * ended with status 0; WF_EMISSING naming the package when it is not installed; WF_EOUTPUT with its output
- * when it failed. */
-enum wf_status wf_program_run(const char *const *argv, const char *package, char said[static WF_SAID_MAX],
-                              struct wf_err *e);
-
-/* The figures of a results folder, drawn by gnuplot from its tables. */
+enum { WF_SAID_MAX = 2048 }; /* what is kept of what a program prints [bytes] */
 
 /* Path of a file of the report: $WINDFIRM_SHARE/reports/NAME, else where it was installed. Returned: WF_OK
  * and `path`, or WF_EINPUT when there is no such file. */
@@ -26,13 +19,19 @@ struct wf_figure {
     size_t run; /* number of the run it shows, from 1; 0: all, or there is only one */
 };
 
-/* Draw a figure with gnuplot to the file `picture`, with labels in a language ("en", "zh"). Errors:
- * WF_EMISSING without gnuplot, WF_EOUTPUT with gnuplot's output, also when gnuplot ends with status 0 after
- * an error. */
+/* Draw a figure with gnuplot to the file FOLDER/PICTURE, with labels in a language ("en", "zh"). The picture
+ * is an SVG unless its name ends in .png or .pdf. Warnings of gnuplot become one warning `figure-warning` of
+ * `d` (may be NULL), and the picture stands. Errors: WF_EMISSING without gnuplot, WF_EOUTPUT with gnuplot's
+ * output, also when gnuplot ends with status 0 after an error. */
 enum wf_status wf_figures_run(const char *folder, const struct wf_figure *g, const char *picture,
-                              const char *language, struct wf_err *e);
+                              const char *language, struct wf_diag *d, struct wf_err *e);
 /* Draw FOLDER/plots/NAME.svg. An earlier figure is replaced only by a complete new one. Returned in *svg: the
- * figure as a document to be put into a page. Errors: as wf_figures_run. */
+ * figure as a document to be put into a page. Warnings and errors: as wf_figures_run. */
 enum wf_status wf_figures_draw(const char *folder, const struct wf_figure *g, const char *language,
-                               xmlDoc **svg, struct wf_err *e);
+                               xmlDoc **svg, struct wf_diag *d, struct wf_err *e);
+
+/* Print FOLDER/PAGE.html to FOLDER/PAGE.pdf with WeasyPrint, which may fetch nothing that the page names
+ * (reports/pdf.py). An earlier file is replaced only by a complete new one. Errors: WF_EMISSING without
+ * WeasyPrint, WF_EOUTPUT with its output where it failed. */
+enum wf_status wf_page_print(const char *folder, const char *page, struct wf_err *e);
 #endif

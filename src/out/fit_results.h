@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_FIT_RESULTS_H
 #define WF_OUT_FIT_RESULTS_H
-/* The results of a calibration: results.json, tables, figures and pages of its folder, and a species table
- * with the fitted values. Nothing here depends on the command line. */
+/* The results of a calibration: results.json, tables, figures and pages of its folder. Nothing here depends
+ * on the command line. */
 #include "fit/build.h"
 #include "fit/fit.h"
 #include "out/results.h"
@@ -34,10 +34,4 @@ struct wf_fit_results {
 /* Write FOLDER/results.json, tables/{parameters,readings,profiles,records}.csv and plots/run.csv; the folder
  * is made. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_fit_results_write(const struct wf_fit_results *of, const char *folder, struct wf_err *e);
-
-/* A species table with fitted values in place of the old ones, ready for analyze. */
-
-/* Write the species table of the first tree to `path` with the fitted values in place. Errors: WF_EOUTPUT,
- * WF_ENOMEM, WF_EMISSING without the units database. */
-enum wf_status wf_fit_species_write(const struct wf_fit_results *of, const char *path, struct wf_err *e);
 #endif

@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/report.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "out/doc.h"
 #include "out/figures.h"
+#include "out/reader.h"
 #include "out/results.h"
 #include "out/tree_picture.h"
+#include "out/xml.h"
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -39,7 +42,16 @@ struct job {
     struct wf_diag *d;
     struct wf_err *e;
     enum wf_status first; /* of the parts that could not be made */
+    int interrupted;      /* before the drawing began: the pages of what is finished are drawn */
 };
+
+/* Was the drawing interrupted? */
+static enum wf_status check_interrupt(struct job *j)
+{
+    if (wf_interrupted() == j->interrupted) return WF_OK;
+    return wf_fail(j->e, WF_EINTERRUPTED,
+                   "interrupted while figures and pages were drawn; they are not complete");
+}
 
 /* A part that cannot be made is a warning; the other parts are still made. */
 static void miss(struct job *j, const char *part, const struct wf_err *why)
@@ -67,14 +79,11 @@ static enum wf_status check_report(struct job *j)
 static enum wf_status read_results(struct job *j)
 {
     char path[WF_PATH_MAX];
-    json_error_t why;
     enum wf_status code = wf_folder_path(j->folder, "results.json", path, j->e);
     if (code) return code;
     if (access(path, R_OK))
         return wf_fail(j->e, WF_EINPUT, "%s: cannot be read; is '%s' a results folder?", path, j->folder);
-    j->results = json_load_file(path, JSON_REJECT_DUPLICATES, &why);
-    if (!j->results)
-        return wf_fail(j->e, WF_EINPUT, "%s:%d:%d: error: %s", path, why.line, why.column, why.text);
+    if ((code = wf_document_read(path, &j->results, j->d, j->e))) return code;
     const json_t *schema = json_object_get(j->results, "schema");
     const char *name = json_string_value(json_object_get(schema, "name"));
     json_int_t version = json_integer_value(json_object_get(schema, "version"));
@@ -85,7 +94,8 @@ static enum wf_status read_results(struct job *j)
         return wf_fail(j->e, WF_EINPUT, "%s: results of version %lld; this program reads version %d%s", path,
                        (long long)version, j->kind->version,
                        j->kind->version > 1 ? " and the one before" : "");
-    return j->kind->figure == report_figures ? check_report(j) : WF_OK;
+    if (j->kind->figure == report_figures) code = check_report(j);
+    return code ? code : wf_tables_check(j->folder, j->e);
 }
 
 static enum wf_status make_document(struct job *j)
@@ -109,7 +119,8 @@ static enum wf_status make_document(struct job *j)
     return code;
 }
 
-typedef enum wf_status drawer(const char *folder, const char *language, xmlDoc **svg, struct wf_err *e);
+typedef enum wf_status drawer(const char *folder, const char *language, xmlDoc **svg, struct wf_diag *d,
+                              struct wf_err *e);
 
 /* Draw one figure, with its own drawer or the common one, and add it to the document: <figure
  * name="tip"><svg/></figure>, or the attribute missing="why". `unready`: why none can be drawn, NULL when
@@ -119,6 +130,7 @@ static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawe
 {
     struct wf_err why = { 0 };
     xmlDoc *svg = NULL;
+    if (check_interrupt(j)) return WF_EINTERRUPTED;
     xmlNode *node = xmlNewChild(j->figures, NULL, BAD_CAST "figure", NULL);
     if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST g->name))
         return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
@@ -126,8 +138,9 @@ static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawe
         xmlNewProp(node, BAD_CAST "missing", BAD_CAST unready->text);
         return WF_OK;
     }
-    if (own ? own(j->folder, j->language, &svg, &why)
-            : wf_figures_draw(j->folder, g, j->language, &svg, &why)) {
+    if (own ? own(j->folder, j->language, &svg, j->d, &why)
+            : wf_figures_draw(j->folder, g, j->language, &svg, j->d, &why)) {
+        if (check_interrupt(j)) return WF_EINTERRUPTED;
         xmlNewProp(node, BAD_CAST "missing", BAD_CAST why.text);
         miss(j, "no-figure", &why);
         return WF_OK;
@@ -139,7 +152,7 @@ static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawe
     return WF_OK;
 }
 
-/* <row key index [text="yes"]>value</row> to the plot data. */
+/* <row key index [text="yes"|"words"]>value</row> to the plot data. */
 static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_err *e)
 {
     xmlChar *key = xmlGetProp(row, BAD_CAST "key"), *index = xmlGetProp(row, BAD_CAST "index"),
@@ -147,6 +160,8 @@ static enum wf_status plot_row(struct wf_plot_data *p, xmlNode *row, struct wf_e
     enum wf_status s = WF_OK;
     if (!key || !index || !value)
         s = wf_fail(e, WF_EINPUT, "figures.xsl: a row without key, index or value");
+    else if (text && !strcmp((char *)text, "words"))
+        wf_plot_data_words(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value);
     else if (text)
         wf_plot_data_text(p, (char *)key, strtoul((char *)index, NULL, 10), (char *)value);
     else
@@ -163,7 +178,7 @@ static enum wf_status write_plot_data(const char *folder, xmlDoc *report, struct
     xmlDoc *rows = NULL;
     enum wf_status code = wf_folder_make(folder, e);
     if (!code) code = wf_report_asset("figures.xsl", style, sizeof style, e);
-    if (!code) code = wf_xml_transform(style, report, NULL, NULL, &rows, e);
+    if (!code) code = wf_xml_transform(style, report, NULL, &rows, e);
     if (!code) code = wf_plot_data_begin(&p, folder, "run", e);
     if (!code) {
         for (xmlNode *n = xmlDocGetRootElement(rows)->children; n && !code; n = n->next)
@@ -229,7 +244,7 @@ static enum wf_status write_html(struct job *j, const char *html)
     enum wf_status code = wf_report_asset(name, style, sizeof style, j->e);
     if (!code) code = wf_file_begin(&f, html, j->e);
     if (code) return code;
-    code = wf_xml_transform(style, j->document, NULL, f.stream, &page, j->e);
+    code = wf_xml_transform(style, j->document, f.stream, &page, j->e);
     if (!code) {
         xmlFreeDoc(page);
         code = wf_file_commit(&f, j->e);
@@ -238,49 +253,29 @@ static enum wf_status write_html(struct job *j, const char *html)
     return code;
 }
 
-/* WeasyPrint continues after an error and still ends with status 0: look for the error in its output, and
- * check that the file is complete. */
-static enum wf_status print_pdf(const char *html, const char *path, struct wf_err *e)
-{
-    char said[WF_SAID_MAX], head[5] = "", tail[8] = "";
-    struct wf_file f = { 0 };
-    enum wf_status code = wf_file_begin(&f, path, e);
-    if (code) return code;
-    const char *const argv[] = { "weasyprint", "--encoding", "utf-8", html, f.temporary, NULL };
-    code = wf_program_run(argv, "weasyprint", said, e);
-    if (!code && strstr(said, "ERROR")) code = wf_fail(e, WF_EOUTPUT, "%s: WeasyPrint says: %s", path, said);
-    FILE *pdf = code ? NULL : fopen(f.temporary, "rb");
-    if (pdf) {
-        size_t n = fread(head, 1, 4, pdf);
-        head[n] = '\0';
-        n = fseek(pdf, -7, SEEK_END) ? 0 : fread(tail, 1, 7, pdf);
-        tail[n] = '\0';
-        fclose(pdf);
-    }
-    if (!code && (strcmp(head, "%PDF") != 0 || !strstr(tail, "%%EOF")))
-        code = wf_fail(e, WF_EOUTPUT, "%s: the file is not complete (is the disk full?)", path);
-    if (!code) code = wf_file_commit(&f, e);
-    wf_file_abandon(&f);
-    return code;
-}
-
 /* FOLDER/PAGE.html, and from it PAGE.pdf. */
 static enum wf_status write_page(struct job *j)
 {
-    char html[WF_PATH_MAX], pdf[WF_PATH_MAX], name[64];
+    char html[WF_PATH_MAX], name[64];
     struct wf_err why = { 0 };
     snprintf(name, sizeof name, "%s.html", j->kind->page);
     enum wf_status code = wf_folder_path(j->folder, name, html, j->e);
-    snprintf(name, sizeof name, "%s.pdf", j->kind->page);
-    if (!code) code = wf_folder_path(j->folder, name, pdf, j->e);
     if (!code) code = write_html(j, html);
-    if (!code && print_pdf(html, pdf, &why)) miss(j, "no-pdf", &why);
-    return code;
+    if (code || (code = check_interrupt(j))) return code;
+    if (wf_page_print(j->folder, j->kind->page, &why)) {
+        if (check_interrupt(j)) return WF_EINTERRUPTED;
+        miss(j, "no-pdf", &why);
+    }
+    return WF_OK;
 }
 
 enum wf_status wf_report_make(const char *folder, const char *language, struct wf_diag *d, struct wf_err *e)
 {
-    struct job j = { .folder = folder, .language = language ? language : "en", .d = d, .e = e };
+    struct job j = { .folder = folder,
+                     .language = language ? language : "en",
+                     .d = d,
+                     .e = e,
+                     .interrupted = wf_interrupted() };
     if (strcmp(j.language, "en") != 0 && strcmp(j.language, "zh") != 0)
         return wf_fail(e, WF_EUSAGE, "'%s' is not a language of the report; allowed: en, zh", language);
     enum wf_status code = read_results(&j);

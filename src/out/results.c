@@ -294,7 +294,8 @@ const char *wf_part_outcome(enum wf_critical_outcome o)
                                          [WF_CRITICAL_SELF_WEIGHT] = "self-weight",
                                          [WF_CRITICAL_NO_STRENGTH] = "no-strength",
                                          [WF_CRITICAL_UNSOLVED] = "unsolved",
-                                         [WF_CRITICAL_UNSEARCHED] = "unsearched" };
+                                         [WF_CRITICAL_UNSEARCHED] = "unsearched",
+                                         [WF_CRITICAL_INTERRUPTED] = "interrupted" };
     return names[o];
 }
 
@@ -304,7 +305,8 @@ double wf_part_height(const struct wf_tree *t, int32_t row, double s)
     return t->z0[row] + s * (t->z1[row] - t->z0[row]);
 }
 
-/* A section of the tree: its segment's number as in segments.csv, and its place. */
+/* A section of the tree: its segment's number as in segments.csv, that of the row in the tree's file (a
+ * model: the same), its thickness at its thicker end, and its place. */
 static json_t *section(struct wf_doc *d, const struct wf_analysis *a, int32_t row, double s, double height)
 {
     const struct wf_tree *t = &a->tree;
@@ -313,6 +315,8 @@ static json_t *section(struct wf_doc *d, const struct wf_analysis *a, int32_t ro
     wf_doc_count(d, o, "segment", (size_t)row + 1);
     wf_doc_count(d, o, "level", t->level[row] > 0 ? (size_t)t->level[row] : 0);
     wf_doc_text(d, o, "part", wf_model_level_name(a->model, a->species, t->level[row]));
+    wf_doc_count(d, o, "id", t->id[row] > 0 ? (size_t)t->id[row] : 0);
+    wf_doc_quantity(d, o, "diameter", 2 * fmax(t->r0[row], t->r1[row]), "m", NULL);
     wf_doc_quantity(d, o, "position", s, "1", "the segment as a whole is named");
     wf_doc_quantity(d, o, "height", height, "m", NULL);
     return o;
@@ -485,7 +489,7 @@ enum wf_status wf_input_file_note(const char *role, const char *path, struct wf_
     out->role = wf_arena_text(a, role);
     out->path = wf_arena_text(a, path);
     if (!out->role || !out->path) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its name", path);
-    return wf_sha256_file(path, out->sha256, e);
+    return wf_sha256_file(path, a, out->sha256, e);
 }
 
 const char *wf_run_date(struct wf_arena *a)
@@ -642,7 +646,7 @@ static enum wf_status write_all(const struct wf_run *run, const char *folder, st
 static enum wf_status picture(const struct wf_run *run, const char *folder, struct wf_err *e)
 {
     const struct wf_analysis *a = &run->analysis[0];
-    const struct wf_tree_picture p = { &a->tree, a->model, a->species };
+    const struct wf_tree_picture p = { &a->tree, a->model, a->species, false };
     char plots[WF_PATH_MAX];
     if (a->model->generator == WF_GENERATOR_STEM) {
         wf_tree_picture_remove(folder);

@@ -45,7 +45,7 @@ static void cell(FILE *f, double x)
 static void series(const struct wf_series_page *p, FILE *f)
 {
     fputs("run,frame,time_s,wind_m_s,tip_deflection_m,tip_along_m,tip_z_m,base_moment_N_m,wind_across_m_s,"
-          "wind_up_m_s,tip_across_m\n",
+          "wind_up_m_s,tip_across_m,safety,beyond_breakage\n",
           f);
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
@@ -55,8 +55,8 @@ static void series(const struct wf_series_page *p, FILE *f)
             fprintf(f, "%zu,%zu,%.7g", r + 1, k, (double)k * s->spec.step);
             cell(f, s->wind[k]), cell(f, s->deflection[k]), cell(f, along(s, x)), cell(f, x[2]);
             cell(f, s->moment[k]), cell(f, s->across ? s->across[k] : 0);
-            cell(f, s->up ? s->up[k] : 0), cell(f, across(s, x));
-            fputc('\n', f);
+            cell(f, s->up ? s->up[k] : 0), cell(f, across(s, x)), cell(f, s->safety[k]);
+            fprintf(f, ",%d\n", k >= s->broken);
         }
     }
 }
@@ -83,14 +83,14 @@ static void frames(const struct wf_series_page *p, FILE *f)
 static void levels(const struct wf_series_page *p, FILE *f)
 {
     fputs("run,level,axes,amplitude_mean_m,amplitude_largest_m,amplitude_own_mean_m,amplitude_windward_m,"
-          "amplitude_leeward_m\n",
+          "amplitude_leeward_m,amplitude_own_windward_m,amplitude_own_leeward_m\n",
           f);
     for (size_t r = 0; r < p->n; r++)
         for (size_t k = 0; k < p->run[r].series->levels; k++) {
             const struct wf_series_level *l = &p->run[r].series->level[k];
             fprintf(f, "%zu,%zu,%zu", r + 1, k, l->axes);
             cell(f, l->swing_mean), cell(f, l->swing_most), cell(f, l->own_mean);
-            cell(f, l->windward), cell(f, l->leeward);
+            cell(f, l->windward), cell(f, l->leeward), cell(f, l->own_windward), cell(f, l->own_leeward);
             fputc('\n', f);
         }
 }
@@ -106,13 +106,13 @@ static void text(FILE *f, const char *words)
 }
 
 /* Two cells: a file that was read, and the hash of its bytes. */
-static void file(FILE *f, const char *path)
+static void file(FILE *f, const char *path, struct wf_arena *a)
 {
     char hash[WF_SHA256_TEXT] = "";
     struct wf_err unread = { 0 };
     fputc(',', f);
     text(f, path ? path : "");
-    if (path && wf_sha256_file(path, hash, &unread)) hash[0] = '\0';
+    if (path && wf_sha256_file(path, a, hash, &unread)) hash[0] = '\0';
     fprintf(f, ",%s", hash);
 }
 
@@ -141,9 +141,9 @@ static void runs(const struct wf_series_page *p, FILE *f)
         cell(f, sum / n), cell(f, most), cell(f, low), cell(f, high), cell(f, wind);
         fprintf(f, ",%d,", s->across ? 3 : 1);
         text(f, s->gust_words ? s->gust_words : "");
-        file(f, s->spec.gust_file);
+        file(f, s->spec.gust_file, p->run[r].diag->arena);
         fprintf(f, ",%s", s->an.scenario.profile);
-        file(f, s->an.scenario.profile_file);
+        file(f, s->an.scenario.profile_file, p->run[r].diag->arena);
         fputc('\n', f);
     }
 }
@@ -320,6 +320,8 @@ static void plot_run(struct wf_plot_data *p, const struct wf_series *s, size_t r
         wf_plot_data_number(p, key, k + 1, (double)s->key[k] * s->spec.step);
         snprintf(key, sizeof key, "KEY_WIND_%zu", run);
         wf_plot_data_number(p, key, k + 1, s->wind[s->key[k]]);
+        snprintf(key, sizeof key, "KEY_BROKEN_%zu", run);
+        wf_plot_data_number(p, key, k + 1, s->key[k] >= s->broken ? 1.0 : 0.0);
     }
 }
 
@@ -347,6 +349,14 @@ static void deflections(const struct wf_series *s, double *wind, double *mean, d
     *mean = sum / n;
 }
 
+/* Of all frames; NAN: not known. */
+static double least_safety(const struct wf_series *s)
+{
+    double least = NAN;
+    for (size_t k = 0; k < s->frames; k++) least = fmin(least, s->safety[k]);
+    return least;
+}
+
 static json_t *run_part(struct wf_doc *d, const struct wf_series *s)
 {
     double wind, mean, most;
@@ -369,6 +379,8 @@ static json_t *run_part(struct wf_doc *d, const struct wf_series *s)
     wf_doc_number(d, o, "tip_deflection_mean_m", mean);
     wf_doc_number(d, o, "tip_deflection_largest_m", most);
     wf_doc_number(d, o, "height_m", s->an.tallness);
+    wf_doc_number(d, o, "safety_least", least_safety(s));
+    wf_doc_number(d, o, "breaks_at_s", s->broken < s->frames ? (double)s->broken * s->spec.step : NAN);
     json_t *list = wf_doc_put(d, o, "levels", wf_doc_array(d));
     for (size_t k = 0; k < s->levels; k++) {
         const struct wf_series_level *l = &s->level[k];
@@ -379,6 +391,8 @@ static json_t *run_part(struct wf_doc *d, const struct wf_series *s)
         wf_doc_number(d, q, "own_m", l->own_mean);
         wf_doc_number(d, q, "windward_m", l->windward);
         wf_doc_number(d, q, "leeward_m", l->leeward);
+        wf_doc_number(d, q, "own_windward_m", l->own_windward);
+        wf_doc_number(d, q, "own_leeward_m", l->own_leeward);
     }
     return o;
 }

@@ -32,11 +32,15 @@ static double wood(const struct wf_tree *t, size_t i)
     return M_PI / 3 * (outer - inner) * wf_tree_length(t, i);
 }
 
-/* Length of every axis, kept at its first row. */
-static void axis_lengths(const struct wf_tree *t, int32_t *first, double *length)
+static bool is_link(const uint8_t *kind, size_t i) { return kind && kind[i] == WF_SEGMENT_LINK; }
+
+/* Length of every axis, kept at its first row of wood; first[i] is -1 for a link that leads to an axis. */
+static void axis_lengths(const struct wf_tree *t, const uint8_t *kind, int32_t *first, double *length)
 {
     for (size_t i = 0; i < t->n; i++) {
-        first[i] = goes_on(t, i) ? first[t->parent[i]] : (int32_t)i;
+        first[i] = goes_on(t, i) ? first[t->parent[i]] : -1;
+        if (is_link(kind, i)) continue;
+        if (first[i] < 0) first[i] = (int32_t)i;
         length[first[i]] += wf_tree_length(t, i);
     }
 }
@@ -50,7 +54,8 @@ static void stretch(struct wf_tree_summary *s, double x, double y, double z)
     }
 }
 
-enum wf_status wf_tree_summarise(const struct wf_tree *t, struct wf_tree_summary *out, struct wf_err *e)
+enum wf_status wf_tree_summarise(const struct wf_tree *t, const uint8_t *kind, struct wf_tree_summary *out,
+                                 struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     int32_t *first = WF_TAKE(&scratch, t->n, int32_t);
@@ -62,15 +67,16 @@ enum wf_status wf_tree_summarise(const struct wf_tree *t, struct wf_tree_summary
         wf_arena_free(&scratch);
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     }
-    axis_lengths(t, first, length);
+    axis_lengths(t, kind, first, length);
     for (size_t i = 0; i < t->n; i++) {
         struct wf_level_summary *l = &out->level[level_of(t, i)];
         if (level_of(t, i) + 1 > out->levels) out->levels = level_of(t, i) + 1;
+        stretch(out, t->x0[i], t->y0[i], t->z0[i]);
+        stretch(out, t->x1[i], t->y1[i], t->z1[i]);
+        if (is_link(kind, i)) continue;
         l->segments++;
         out->wood_volume += wood(t, i);
         out->leaf_area += 0.5 * (t->leaf0[i] + t->leaf1[i]) * wf_tree_length(t, i);
-        stretch(out, t->x0[i], t->y0[i], t->z0[i]);
-        stretch(out, t->x1[i], t->y1[i], t->z1[i]);
         if (first[i] != (int32_t)i) continue;
         l->length_least = l->axes ? fmin(l->length_least, length[i]) : length[i];
         l->length_most = fmax(l->length_most, length[i]);
@@ -186,7 +192,7 @@ static void outline(FILE *f, const struct wf_tree *t, size_t i, bool side, bool 
 
 /* Blocks by level, view and thickness, in the order the script counts them; every block begins with an empty
  * outline at the base, so that one without segments still counts as a block. */
-static void outlines(FILE *f, const struct wf_tree *t, size_t levels, double thin)
+static void outlines(FILE *f, const struct wf_tree *t, const uint8_t *kinds, size_t levels, double thin)
 {
     for (size_t l = 0; l < levels; l++)
         for (int kind = 0; kind < 4; kind++) {
@@ -195,6 +201,7 @@ static void outlines(FILE *f, const struct wf_tree *t, size_t levels, double thi
             for (int corner = 0; corner < (thick ? 5 : 2); corner++) fprintf(f, "%.5g %.5g\n", x, t->z0[0]);
             fputc('\n', f);
             for (size_t i = 0; i < t->n; i++) {
+                if (is_link(kinds, i)) continue;
                 size_t level = t->level[i] > 0 ? (size_t)t->level[i] : 0;
                 if (level >= levels) level = levels - 1;
                 if (level == l && (fmax(t->r0[i], t->r1[i]) > 0.5 * thin) == thick)
@@ -209,6 +216,45 @@ struct side_table {
     struct wf_plot_data *p;
     size_t rows;
 };
+
+/* Width of the character that begins with this byte, in halves of a small letter's. */
+static size_t letter_width(char first)
+{
+    unsigned char c = (unsigned char)first;
+    if (c >= 0xE1 || strchr("mMW@%", first)) return 4; /* from 0xE1 on: Chinese and other wide scripts */
+    return (c >= 'A' && c <= 'Z') || c == 'w' ? 3 : 2;
+}
+
+/* Length of the start of a UTF-8 text that is at most as wide as `letters` small letters. */
+static size_t bytes_that_fit(const char *text, size_t letters)
+{
+    size_t n = 0, wide = 0;
+    while (text[n]) {
+        size_t size = 1;
+        while (((unsigned char)text[n + size] & 0xC0) == 0x80) size++;
+        if ((wide += letter_width(text[n])) > 2 * letters) break;
+        n += size;
+    }
+    return n;
+}
+
+/* A name over as many rows of the table as it needs, broken behind a blank or a sign where there is one. */
+static void entry_name(struct side_table *t, const char *name, const char *value)
+{
+    enum { LETTERS = 24, LONGEST = 4 * LETTERS + 1 };
+    char part[LONGEST];
+    if (!value) value = "";
+    do {
+        size_t n = bytes_that_fit(value, LETTERS), end = n;
+        while (value[n] && end > n / 2 && !strchr(" _-.,/", value[end - 1])) end--;
+        if (value[n] && end > n / 2) n = end;
+        (void)snprintf(part, sizeof part, "%.*s", (int)n, value);
+        wf_plot_data_text(t->p, "P_NAME", ++t->rows, name);
+        wf_plot_data_text(t->p, "P_VALUE", t->rows, part);
+        name = "", value += n;
+    } while (*value);
+}
+
 static void entry(struct side_table *t, const char *name, const char *fmt, ...)
     __attribute__((format(printf, 3, 4)));
 static void entry(struct side_table *t, const char *name, const char *fmt, ...)
@@ -232,8 +278,13 @@ static void entry_word(struct side_table *t, const char *name, const char *word)
 static void parameters(struct side_table *t, const struct wf_tree_picture *p, const struct wf_tree_summary *s)
 {
     const struct wf_model *m = p->model;
-    entry(t, "model", "%s", m->key);
-    entry(t, "species", "%s", p->species->name);
+    entry_name(t, "model", m->key);
+    if (!p->unspecified) entry_name(t, "species", p->species->name);
+    if (p->unspecified && isnan(m->radius)) {
+        char text[256];
+        (void)snprintf(text, sizeof text, "none; stem as thick as %s", p->species->name);
+        entry_name(t, "species", text);
+    }
     entry_word(t, "generator",
                m->generator == WF_GENERATOR_MEASURED ? "measured" : wf_generator_words[m->generator]);
     entry(t, "height", "%.4g m", s->height);
@@ -264,6 +315,8 @@ static void level_row(struct wf_plot_data *p, const struct wf_level_summary *v, 
     wf_plot_data_print(p, "L_DIAMETER", level, "%.3g", 1e3 * v->diameter_mean);
 }
 
+enum { LEVEL_LETTERS = 19 }; /* room for a level's name beside its numbers */
+
 static enum wf_status plot_data(const char *folder, const struct wf_tree_picture *p,
                                 const struct wf_tree_summary *s, struct wf_err *e)
 {
@@ -281,7 +334,11 @@ static enum wf_status plot_data(const char *folder, const struct wf_tree_picture
         wf_plot_data_number(&to, high[k], 0, s->high[k]);
     }
     for (size_t l = 0; l < s->levels; l++) {
-        wf_plot_data_text(&to, "LEVEL", l + 1, wf_model_level_name(p->model, p->species, (int32_t)l));
+        const char *name = wf_model_level_name(p->model, p->species, (int32_t)l);
+        size_t fits = bytes_that_fit(name, LEVEL_LETTERS);
+        bool whole = !name[fits];
+        if (!whole) fits = bytes_that_fit(name, LEVEL_LETTERS - 1);
+        wf_plot_data_print(&to, "LEVEL", l + 1, "%.*s%s", (int)fits, name, whole ? "" : "…");
         level_row(&to, &s->level[l], l + 1);
     }
     parameters(&t, p, s);
@@ -294,14 +351,14 @@ enum wf_status wf_tree_picture_write(const struct wf_tree_picture *p, const char
     const double pixels = 420; /* height of a view; segments thinner than one pixel become lines */
     char path[WF_PATH_MAX];
     struct wf_tree_summary s;
-    enum wf_status code = wf_tree_summarise(p->tree, &s, e);
+    enum wf_status code = wf_tree_summarise(p->tree, p->model->measured_kind, &s, e);
     if (code) return code;
     double size = fmax(s.high[2] - s.low[2], fmax(s.high[0] - s.low[0], s.high[1] - s.low[1]));
     struct wf_file f = { 0 };
     if (!code) code = wf_folder_path(folder, "plots/tree.dat", path, e);
     if (!code) code = wf_file_begin(&f, path, e);
     if (code) return code;
-    outlines(f.stream, p->tree, s.levels, size / pixels);
+    outlines(f.stream, p->tree, p->model->measured_kind, s.levels, size / pixels);
     code = wf_file_commit(&f, e);
     return code ? code : plot_data(folder, p, &s, e);
 }
@@ -346,7 +403,7 @@ static const char *ending(const char *path)
 
 /* Draw the picture in a temporary folder, which the caller removes. */
 static enum wf_status draw_in(const struct wf_tree_picture *p, const char *folder, const char *path,
-                              struct wf_arena *a, struct wf_err *e)
+                              struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     char picture[WF_PATH_MAX], name[16], plots[WF_PATH_MAX];
     struct wf_bytes bytes;
@@ -355,7 +412,7 @@ static enum wf_status draw_in(const struct wf_tree_picture *p, const char *folde
     if (!s) s = wf_mkdirs(plots, e);
     if (!s) s = wf_tree_picture_write(p, folder, e);
     if (!s) s = wf_folder_path(folder, name, picture, e);
-    if (!s) s = wf_figures_run(folder, &tree_figure, picture, "en", e);
+    if (!s) s = wf_figures_run(folder, &tree_figure, name, "en", d, e);
     if (!s) s = read_picture(picture, a, &bytes, e);
     if (!s) s = write_picture(path, &bytes, e);
     (void)unlink(picture);
@@ -364,7 +421,8 @@ static enum wf_status draw_in(const struct wf_tree_picture *p, const char *folde
     return s;
 }
 
-enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char *path, struct wf_err *e)
+enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char *path, struct wf_diag *d,
+                                    struct wf_err *e)
 {
     const char *base = getenv("TMPDIR");
     char folder[WF_PATH_MAX];
@@ -373,7 +431,7 @@ enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char 
     int n = snprintf(folder, sizeof folder, "%s/windfirm-XXXXXX", base && *base ? base : "/tmp");
     if (n < 0 || (size_t)n >= sizeof folder || !mkdtemp(folder))
         return wf_fail(e, WF_EOUTPUT, "%s: no temporary folder can be made there", base ? base : "/tmp");
-    enum wf_status s = draw_in(p, folder, path, &a, e);
+    enum wf_status s = draw_in(p, folder, path, &a, d, e);
     (void)rmdir(folder);
     wf_arena_free(&a);
     return s;
@@ -438,20 +496,21 @@ static size_t segments(const char *folder, struct wf_arena *a)
 }
 
 enum wf_status wf_tree_picture_report(const char *folder, const char *language, xmlDoc **svg,
-                                      struct wf_err *e)
+                                      struct wf_diag *d, struct wf_err *e)
 {
     struct wf_arena a = { 0 };
     struct wf_bytes png;
+    static const char drawn[] = "plots/tree.part.png";
     char path[WF_PATH_MAX], part[WF_PATH_MAX];
     enum wf_status s;
     *svg = NULL;
     if (segments(folder, &a) <= WF_PICTURE_LINES_MAX) {
         wf_arena_free(&a);
-        return wf_figures_draw(folder, &tree_figure, language, svg, e);
+        return wf_figures_draw(folder, &tree_figure, language, svg, d, e);
     }
     s = wf_folder_path(folder, "plots/tree.png", path, e);
-    if (!s) s = wf_folder_path(folder, "plots/tree.part.png", part, e);
-    if (!s) s = wf_figures_run(folder, &tree_figure, part, language, e);
+    if (!s) s = wf_folder_path(folder, drawn, part, e);
+    if (!s) s = wf_figures_run(folder, &tree_figure, drawn, language, d, e);
     if (!s) s = read_picture(part, &a, &png, e);
     if (!s) s = write_picture(path, &png, e);
     (void)unlink(part);

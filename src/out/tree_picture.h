@@ -28,8 +28,10 @@ struct wf_tree_summary {
     double low[3], high[3];                /* extent of all ends [m] */
 };
 
-/* An axis is a run of rows of one level joined end to end. WF_ENOMEM without memory for scratch. */
-enum wf_status wf_tree_summarise(const struct wf_tree *t, struct wf_tree_summary *out, struct wf_err *e);
+/* An axis is a run of rows of one level joined end to end. Given: enum wf_segment_kind of each row, NULL: all
+ * wood. Links are inside the wood of other rows and not counted. WF_ENOMEM without memory for scratch. */
+enum wf_status wf_tree_summarise(const struct wf_tree *t, const uint8_t *kind, struct wf_tree_summary *out,
+                                 struct wf_err *e);
 
 /* Properties that the user gives in addition to the geometry. */
 struct wf_tree_wear {
@@ -58,6 +60,7 @@ struct wf_tree_picture {
     const struct wf_tree *tree;
     const struct wf_model *model;
     const struct wf_species *species;
+    bool unspecified; /* the user named no species: `species` only makes the model drawable */
 };
 
 /* Write what reports/plots/tree.gp draws: FOLDER/plots/tree.dat (outlines of the segments by level, seen
@@ -67,15 +70,16 @@ enum wf_status wf_tree_picture_write(const struct wf_tree_picture *p, const char
 /* Remove both, so that a picture of an earlier run is not taken for this one's. */
 void wf_tree_picture_remove(const char *folder);
 
-/* Draw a tree to `path`, which ends in .svg, .png or .pdf. Errors: WF_EMISSING without gnuplot, WF_EUSAGE for
- * another ending. */
-enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char *path, struct wf_err *e);
+/* Draw a tree to `path`, which ends in .svg, .png or .pdf. Warnings of gnuplot are added to `d` (may be
+ * NULL). Errors: WF_EMISSING without gnuplot, WF_EUSAGE for another ending. */
+enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char *path, struct wf_diag *d,
+                                    struct wf_err *e);
 
 /* Is there a picture to draw in a results folder? */
 bool wf_tree_picture_there(const char *folder);
 /* Draw FOLDER/plots/tree.svg, or tree.png for a tree of many segments, from the files of
  * wf_tree_picture_write. Labels in a language ("en", "zh"). Returned: the picture as an SVG document to be
- * put into a page. */
+ * put into a page. Warnings of gnuplot are added to `d` (may be NULL). */
 enum wf_status wf_tree_picture_report(const char *folder, const char *language, xmlDoc **svg,
-                                      struct wf_err *e);
+                                      struct wf_diag *d, struct wf_err *e);
 #endif

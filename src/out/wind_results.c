@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/wind_results.h"
+#include "base/column.h"
 #include "base/csv.h"
 #include "base/file.h"
+#include "base/interrupt.h"
 #include "out/doc.h"
 #include "wind/climate.h"
 #include "wind/gust_spectral.h"
@@ -208,8 +210,7 @@ static json_t *rose_row(struct wf_doc *d, const struct wf_rose *r, size_t s)
     bool all = s == r->sectors;
     const struct keyed x[] = { { "from_deg", all ? NAN : 57.295779513082321 * r->from[s] },
                                { "frequency", all ? 1.0 : r->frequency[s] },
-                               { "mean_m_s",
-                                 all ? wf_rose_mean(r) : r->scale[s] * tgamma(1.0 + 1.0 / r->shape[s]) },
+                               { "mean_m_s", all ? wf_rose_mean(r) : wf_rose_sector_mean(r, s) },
                                { "shape", all ? NAN : r->shape[s] } };
     double hours[WF_ROSE_CLASSES];
     for (int k = 0; k < WF_ROSE_CLASSES; k++)
@@ -221,7 +222,43 @@ static json_t *rose_row(struct wf_doc *d, const struct wf_rose *r, size_t s)
     return o;
 }
 
-static enum wf_status rose_document(const struct wf_rose *r, const char *file, const struct wf_doc_head *head,
+/* What a record has, and what was fitted to it; the last fit is that of all directions. */
+static void record_part(struct wf_doc *d, json_t *to, const struct wf_rose_record *r)
+{
+    const double valid = (double)(r->n + r->calm);
+    const struct keyed x[] = { { "calm_share", (double)r->calm / valid },
+                               { "undirected_share", (double)r->undirected / valid },
+                               { "undirected_most_m_s", r->undirected_most },
+                               { "largest_m_s", r->speed[r->n - 1] },
+                               { "direction_step_deg", r->step } };
+    json_t *o = wf_doc_put(d, to, "record", wf_doc_object(d));
+    wf_doc_count(d, o, "rows", r->rows);
+    wf_doc_count(d, o, "directed", r->directed);
+    wf_doc_count(d, o, "calm", r->calm);
+    wf_doc_count(d, o, "undirected", r->undirected);
+    wf_doc_count(d, o, "without_speed", r->missing + r->unreadable);
+    PUT(d, o, x);
+    double counted[WF_ROSE_CLASSES];
+    for (int k = 0; k < WF_ROSE_CLASSES; k++)
+        counted[k] = 8766.0 * wf_rose_record_above(r, wf_rose_classes[k]);
+    wf_doc_numbers(d, o, "hours_a_year_above", counted, WF_ROSE_CLASSES);
+    json_t *list = wf_doc_put(d, o, "fits", wf_doc_array(d));
+    for (size_t s = 0; s <= r->rose.sectors; s++) {
+        const struct wf_rose_fit *f = &r->fit[s];
+        const struct keyed y[] = { { "from_deg",
+                                     s < r->rose.sectors ? 57.295779513082321 * r->rose.from[s] : NAN },
+                                   { "scale_m_s", f->scale },
+                                   { "scale_error_m_s", f->scale_error },
+                                   { "shape", f->shape },
+                                   { "shape_error", f->shape_error } };
+        json_t *q = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_count(d, q, "hours", f->hours);
+        PUT(d, q, y);
+    }
+}
+
+static enum wf_status rose_document(const struct wf_rose *r, const char *file,
+                                    const struct wf_rose_record *record, const struct wf_doc_head *head,
                                     const struct wf_diag *diag, const char *folder, struct wf_err *e)
 {
     const struct keyed x[] = { { "typed_sum", r->typed_sum },
@@ -235,35 +272,67 @@ static enum wf_status rose_document(const struct wf_rose *r, const char *file, c
     json_t *list = wf_doc_put(&d, o, "sectors", wf_doc_array(&d));
     for (size_t s = 0; s < r->sectors; s++) wf_doc_add(&d, list, rose_row(&d, r, s));
     wf_doc_put(&d, o, "all", rose_row(&d, r, r->sectors));
+    if (record) record_part(&d, o, record);
     wf_doc_warnings(&d, wf_doc_put(&d, o, "warnings", wf_doc_array(&d)), diag);
-    wf_doc_figure(&d, wf_doc_put(&d, o, "figures", wf_doc_array(&d)), "wind_rose", "wind_rose", 0);
+    json_t *figures = wf_doc_put(&d, o, "figures", wf_doc_array(&d));
+    wf_doc_figure(&d, figures, "wind_rose", "wind_rose", 0);
+    if (record) wf_doc_figure(&d, figures, "rose_record", "rose_record", 0);
     return wf_doc_end(&d, o, folder, e);
 }
 
+/* It can be read as a rose again. */
+static void rose_table(FILE *f, const struct wf_rose *r)
+{
+    fputs("from_deg,frequency,weibull_scale_m_s,weibull_shape", f);
+    for (int k = 0; k < WF_ROSE_CLASSES; k++) fprintf(f, ",share_above_%g_m_s", wf_rose_classes[k]);
+    fputs(",calm", f);
+    for (size_t s = 0; s < r->sectors; s++) {
+        fprintf(f, "\n%.6g,%.6g", 57.295779513082321 * r->from[s], r->frequency[s]);
+        cell(f, r->scale[s], "%.6g");
+        cell(f, r->shape[s], "%.6g");
+        for (int k = 0; k < WF_ROSE_CLASSES; k++)
+            fprintf(f, ",%.6g", r->frequency[s] * wf_rose_sector_above(r, s, wf_rose_classes[k]));
+        fprintf(f, ",%.6g", r->calm ? r->calm[s] : 0.0);
+    }
+    fputc('\n', f);
+}
+
+/* Share of hours above a speed, counted and by the fits, up to the highest speed of the record. */
+static void exceedance_table(FILE *f, const struct wf_rose_record *r)
+{
+    enum { STEPS = 120 };
+    fputs("speed_m_s,share_counted,share_fitted", f);
+    for (int k = 0; k <= STEPS; k++) {
+        double u = 1.05 * r->speed[r->n - 1] * k / STEPS, counted = wf_rose_record_above(r, u);
+        fprintf(f, "\n%.6g", u);
+        cell(f, counted > 0.0 ? counted : NAN, "%.6g");
+        cell(f, wf_rose_above(&r->rose, u > 0.0 ? u : 1e-9), "%.6g");
+    }
+    fputc('\n', f);
+}
+
 enum wf_status wf_rose_results_write(const struct wf_rose *r, const char *file,
-                                     const struct wf_doc_head *head, const struct wf_diag *diag,
-                                     const char *folder, struct wf_err *e)
+                                     const struct wf_rose_record *record, const struct wf_doc_head *head,
+                                     const struct wf_diag *diag, const char *folder, struct wf_err *e)
 {
     struct wf_file f = { 0 };
     enum wf_status status = wf_folder_make(folder, e);
     if (!status) status = wf_folder_begin(&f, folder, "tables/rose.csv", e);
     if (status) return status;
-    fprintf(f.stream, "from_deg,frequency,weibull_scale_m_s,weibull_shape");
-    for (int k = 0; k < WF_ROSE_CLASSES; k++) fprintf(f.stream, ",share_above_%g_m_s", wf_rose_classes[k]);
-    for (size_t s = 0; s < r->sectors; s++) {
-        fprintf(f.stream, "\n%.6g,%.6g,%.6g,%.6g", 57.295779513082321 * r->from[s], r->frequency[s],
-                r->scale[s], r->shape[s]);
-        for (int k = 0; k < WF_ROSE_CLASSES; k++)
-            fprintf(f.stream, ",%.6g", r->frequency[s] * wf_rose_sector_above(r, s, wf_rose_classes[k]));
-    }
-    fputc('\n', f.stream);
+    rose_table(f.stream, r);
     status = wf_file_commit(&f, e);
+    if (!status && record) {
+        status = wf_folder_begin(&f, folder, "tables/exceedance.csv", e);
+        if (status) return status;
+        exceedance_table(f.stream, record);
+        status = wf_file_commit(&f, e);
+    }
     struct wf_plot_data p;
     if (!status) status = wf_plot_data_begin(&p, folder, "run", e);
     if (status) return status;
     wf_plot_data_count(&p, "SECTORS", 0, r->sectors);
     status = wf_plot_data_end(&p, e);
-    return status ? status : rose_document(r, file, head, diag, folder, e);
+    return status ? status : rose_document(r, file, record, head, diag, folder, e);
 }
 
 enum { TILE = 32 };
@@ -273,10 +342,11 @@ struct stream {
     FILE *to;
     bool text;
     float *row;                                       /* TILE * points * components             */
+    size_t done;                                      /* steps written                          */
     double sum[WF_COMPONENTS], square[WF_COMPONENTS]; /* of the first point, about its specified mean */
 };
 
-static void stream_head(const struct stream *w)
+static void stream_head(const struct stream *w, size_t steps)
 {
     static const char *const name[WF_COMPONENTS] = { "u", "v", "w" };
     const struct wf_gust_spec *s = w->spec;
@@ -291,7 +361,7 @@ static void stream_head(const struct stream *w)
     char words[118]; /* with the ten bytes before it a multiple of 64 */
     int n =
         snprintf(words, sizeof words, "{'descr': '%cf4', 'fortran_order': False, 'shape': (%zu, %zu, %u), }",
-                 *(const char *)&one ? '<' : '>', s->steps, s->points, s->components);
+                 *(const char *)&one ? '<' : '>', steps, s->points, s->components);
     memset(words + n, ' ', sizeof words - (size_t)n);
     words[sizeof words - 1] = '\n';
     fwrite("\x93NUMPY\x01\x00\x76\x00", 1, 10, w->to); /* 0x76: length of the words */
@@ -322,13 +392,16 @@ static enum wf_status stream_blocks(struct stream *w, struct wf_gust *g, double 
 {
     const struct wf_gust_spec *s = w->spec;
     double mean = s->mean ? s->mean[0] : s->speed;
-    for (size_t b = 0; b < g->blocks; b++) {
+    for (size_t b = 0; b < g->blocks && !wf_interrupted(); b++) {
         if (progress) progress(b + 1, g->blocks);
         enum wf_status status = wf_gust_block(g, b, block, e);
         if (status) return status;
         size_t first = b * g->block, n = s->steps - first < g->block ? s->steps - first : g->block;
-        for (size_t i = 0; i < n; i += TILE)
+        for (size_t i = 0; i < n && !wf_interrupted(); i += TILE) {
             stream_tile(w, block, g->block, i, n - i < TILE ? n - i : TILE, first + i);
+            w->done = first + (n - i < TILE ? n : i + TILE);
+        }
+        n = w->done - first;
         for (unsigned c = 0; c < s->components; c++)
             for (size_t i = 0; i < n; i++) {
                 double x = block[c * s->points * g->block + i] - (c ? 0.0 : mean);
@@ -339,12 +412,25 @@ static enum wf_status stream_blocks(struct stream *w, struct wf_gust *g, double 
     return WF_OK;
 }
 
+/* After an interrupt: the steps that were written become the file; a NumPy array says in its head how many.
+ */
+static enum wf_status stream_ends(struct stream *w, struct wf_diag *d, struct wf_err *e)
+{
+    if (w->done == w->spec->steps || ferror(w->to)) return WF_OK;
+    if (!w->done || (!w->text && fseek(w->to, 0, SEEK_SET)))
+        return wf_fail(e, WF_EINTERRUPTED, "interrupted; no wind was written");
+    if (!w->text) stream_head(w, w->done);
+    wf_diag_warn(d, "interrupted", "interrupted: %zu of %zu steps are written", w->done, w->spec->steps);
+    return WF_OK;
+}
+
 static struct wf_wind_streamed streamed(const struct stream *w, const struct wf_gust *g, double seconds,
                                         struct wf_arena *a)
 {
     const struct wf_gust_spec *s = w->spec;
-    double n = (double)s->steps;
-    struct wf_wind_streamed out = { .blocks = g->blocks,
+    double n = (double)w->done;
+    struct wf_wind_streamed out = { .steps = w->done,
+                                    .blocks = g->blocks,
                                     .block = g->block,
                                     .seconds = seconds,
                                     .joint = g->joint,
@@ -376,8 +462,9 @@ enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path,
         status = wf_fail(e, WF_ENOMEM, "not enough memory for a block of %zu points", s->points);
     else if (!(status = wf_file_begin(&f, path, e))) {
         w.to = f.stream;
-        stream_head(&w);
+        stream_head(&w, s->steps);
         status = stream_blocks(&w, &g, block, progress, e);
+        if (!status) status = stream_ends(&w, d, e);
     }
     if (!status) status = wf_file_commit(&f, e);
     wf_file_abandon(&f);
@@ -435,14 +522,21 @@ enum wf_status wf_terrain_positions_write(const struct wf_terrain_site *s, const
     size_t errors = d->errors;
     enum wf_status status = wf_csv_open(&csv, file, a, d, e);
     if (status) return status;
-    size_t cx = wf_csv_need(&csv, "x_m"), cy = wf_csv_need(&csv, "y_m");
+    struct wf_units *units;
+    double fx, fy;
+    if ((status = wf_units_open(&units, e))) return status;
+    size_t cx = wf_column_need(&csv, units, "x_m", WF_DIM_LENGTH, &fx, e);
+    size_t cy = wf_column_need(&csv, units, "y_m", WF_DIM_LENGTH, &fy, e);
+    wf_units_close(units);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a list of positions", file);
     status = wf_folder_begin(&f, folder, "tables/positions.csv", e);
     if (status) return status;
     fprintf(f.stream, "x_m,y_m,height_m,topex_deg,wind_factor\n");
     while (wf_csv_next(&csv)) {
         double x, y;
-        if (!wf_csv_number(&csv, cx, -1e9, 1e9, &x) || !wf_csv_number(&csv, cy, -1e9, 1e9, &y)) continue;
+        if (!wf_column_number(&csv, cx, fx, -1e9, 1e9, &x) || !wf_column_number(&csv, cy, fy, -1e9, 1e9, &y))
+            continue;
         double z = wf_terrain_height(t, x, y);
         if (isnan(z)) {
             wf_csv_mistake(&csv, cx, "%.9g, %.9g lies outside the map or where it has no data", x, y);

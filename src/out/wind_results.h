@@ -6,6 +6,7 @@
 #include "out/doc.h"
 #include "wind/climate.h"
 #include "wind/gust_report.h"
+#include "wind/rose_record.h"
 #include "wind/terrain.h"
 
 /* Write FOLDER/tables/{series,spectrum,histogram,coherence}.csv, plots/run.csv and results.json; the folder
@@ -15,14 +16,15 @@ enum wf_status wf_wind_results_write(const struct wf_gust_report *r, const struc
 /* Speeds for which a rose gives the share of time with a stronger wind [m/s]. */
 enum { WF_ROSE_CLASSES = 4 };
 extern const double wf_rose_classes[WF_ROSE_CLASSES];
-/* Write FOLDER/tables/rose.csv, plots/run.csv and results.json of a rose read from `file`; the folder is
- * made. Errors: WF_EOUTPUT, WF_ENOMEM. */
+/* Write FOLDER/tables/rose.csv, plots/run.csv and results.json of a rose read from `file`, or made from a
+ * record (else NULL); then tables/exceedance.csv too. The folder is made. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_rose_results_write(const struct wf_rose *r, const char *file,
-                                     const struct wf_doc_head *head, const struct wf_diag *diag,
-                                     const char *folder, struct wf_err *e);
+                                     const struct wf_rose_record *record, const struct wf_doc_head *head,
+                                     const struct wf_diag *diag, const char *folder, struct wf_err *e);
 
 /* Statistics of the wind that was written, and the specified ones. */
 struct wf_wind_streamed {
+    size_t steps;                    /* written: all, or those before an interrupt                      */
     size_t blocks, block;            /* blocks written, and steps in each                               */
     double seconds;                  /* processor time [s]                                              */
     double mean[WF_COMPONENTS];      /* of the first point, along, across, up [m/s]                     */
@@ -34,8 +36,9 @@ struct wf_wind_streamed {
 
 /* Make the wind and write it to `path`: a name that ends in .csv as text, columns as in tables/series.csv;
  * any other as a NumPy array (.npy, format 1.0) of 32-bit floats, steps x points x components.
- * progress: called before each block; may be NULL. Returned: *out. Errors: WF_EOUTPUT, WF_ENOMEM, and those
- * of wf_gust_open. */
+ * progress: called before each block; may be NULL. After an interrupt the file ends with the steps made so
+ * far, which is a warning. Returned: *out. Errors: WF_EOUTPUT, WF_ENOMEM, WF_EINTERRUPTED before the first
+ * step, and those of wf_gust_open. */
 enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path,
                               void (*progress)(size_t block, size_t blocks), struct wf_arena *a,
                               struct wf_diag *d, struct wf_wind_streamed *out, struct wf_err *e);

@@ -349,6 +349,7 @@ const struct wf_solver wf_solver_chain = {
         "small deflection: below about 10 % of the height and 15 degrees; loads and weight act on the unbent "
         "tree, so weight does not add to the bending",
     .small_deflection = true,
+    .unmeshed = true,
     .solve = chain_solve_corrected
 };
 const struct wf_solver wf_solver_chain_as_printed = {
@@ -360,6 +361,8 @@ const struct wf_solver wf_solver_chain_as_printed = {
                 "they are refined; no weight; right for a single uniform segment only",
     .small_deflection = true,
     .as_printed = true,
+    .unmeshed = true,
+    .clamped = true,
     .solve = chain_solve_printed
 };
 

@@ -350,6 +350,8 @@ const struct wf_solver wf_solver_deflect = {
         "small deflection: below about 10 % of the height and 15 degrees; loads and weight act on the "
         "unbent tree; converges as segments are refined",
     .small_deflection = true,
+    .unmeshed = true,
+    .clamped = true,
     .solve = deflect_solve_corrected,
 };
 const struct wf_solver wf_solver_deflect_as_printed = {
@@ -360,5 +362,7 @@ const struct wf_solver wf_solver_deflect_as_printed = {
                 "weight; the deflection depends on the number of segments",
     .small_deflection = true,
     .as_printed = true,
+    .unmeshed = true,
+    .clamped = true,
     .solve = deflect_solve_printed,
 };

@@ -53,6 +53,8 @@ struct wf_solver {
     const char *source, *validity;
     bool small_deflection; /* not valid beyond 10 % of height or 15 deg */
     bool as_printed;       /* reproduces a paper's formula, not physics */
+    bool unmeshed;         /* takes the segments as they are: mesh_tolerance has no effect */
+    bool clamped;          /* holds the base: root_stiffness has no effect */
     enum wf_status (*solve)(const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,
                             struct wf_diag *d, struct wf_err *e);

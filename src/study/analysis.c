@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/analysis.h"
+#include "base/interrupt.h"
 #include "base/num.h"
+#include "base/parallel.h"
 #include "base/vec3.h"
 #include "data/model.h"
 #include "data/species.h"
@@ -8,7 +10,6 @@
 #include "load/drag.h"
 #include "solve/unload.h"
 #include "study/sheltered.h"
-#include "study/winds.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
 #include <string.h>
@@ -338,7 +339,8 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
     return !s && an->model->shape == WF_SHAPE_UNDER_WEIGHT ? unload(an, a, d, e) : s;
 }
 
-enum { ROW_BYTES = 1000 }; /* measured: memory of an analysis for a row of the tree, beside its solutions */
+/* Measured: memory of an analysis beside one solution, for a row of the tree. */
+enum { ROW_BYTES = 1000 };
 
 /* Refuse a tree for which this machine has not enough memory, instead of being killed by the system hours
  * later. */
@@ -363,12 +365,15 @@ bool wf_analysis_grown(const struct wf_analysis *an, size_t level)
 
 /* ---- The whole analysis ---- */
 
-void wf_search_default(struct wf_search *s) { *s = (struct wf_search){ .speed_max = 60.0, .beyond = 1.2 }; }
-
 static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_search *q,
+                                 const struct wf_solver *solver, const struct wf_solve_options *o,
                                  const double *speeds, size_t n, struct wf_err *e)
 {
     if (n == 0) return wf_fail(e, WF_EUSAGE, "no wind speed is given");
+    if (solver->clamped && (o->root_stiffness[0] > 0.0 || o->root_stiffness[1] > 0.0))
+        return wf_fail(e, WF_EUSAGE,
+                       "root stiffness has no effect with the solver '%s', which clamps the base",
+                       solver->name);
     for (size_t k = 0; k < n; k++)
         if (!(speeds[k] >= 0.0 && speeds[k] <= 200.0))
             return wf_fail(e, WF_EUSAGE, "wind speed %.6g m/s is outside 0..200 m/s", speeds[k]);
@@ -377,21 +382,31 @@ static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_s
         s = wf_fail(e, WF_EUSAGE, "highest speed searched %.6g m/s is outside 1..200", q->speed_max);
     if (!s && !(q->beyond >= 0.0 && q->beyond <= 2.0))
         s = wf_fail(e, WF_EUSAGE, "search beyond the highest wind: %.6g times it is outside 0..2", q->beyond);
+    if (!s && !(q->seconds > 0.0)) s = wf_fail(e, WF_EUSAGE, "the time of the search must be above 0 s");
     return s;
 }
 
-/* Critical speeds and curves. */
-static enum wf_status range(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
-                            struct wf_err *e)
+/* An interrupt: the speeds that were solved stay and make the curves; the critical speeds only where all were
+ * found. */
+static enum wf_status keep_finished(struct wf_analysis *an, size_t speeds, bool searched, struct wf_arena *a,
+                                    struct wf_diag *d, struct wf_err *e)
 {
-    struct wf_arena scratch = { 0 };
-    struct wf_known *known = WF_TAKE(&scratch, 1, struct wf_known);
-    enum wf_status s = known
-                           ? wf_known_breaks(an, o, known, an->breaks, e)
-                           : wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
-    if (!s) s = wf_known_curve(an, o, known, a, e);
-    wf_arena_free(&scratch);
-    return s;
+    wf_diag_warn(d, "interrupted", "interrupted: %zu of %zu wind speeds%s", speeds, an->n,
+                 searched ? "; curves at these alone" : ", no critical wind speed");
+    an->n = an->sweep_n = speeds;
+    if (!(an->sweep = WF_TAKE(a, speeds, struct wf_at_speed)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", speeds);
+    for (size_t k = 0; k < speeds; k++) an->sweep[k] = an->at[k];
+    for (int c = 0; c < WF_CRITERIA && !searched; c++)
+        for (int scope = 0; scope < WF_SCOPES; scope++) {
+            struct wf_break *b = &an->breaks[c][scope];
+            *b = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
+            b->critical = (struct wf_critical){ .outcome = WF_CRITICAL_INTERRUPTED,
+                                                .speed = NAN,
+                                                .speed_high = an->search.speed_max,
+                                                .gradient = NAN };
+        }
+    return WF_OK;
 }
 
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
@@ -402,7 +417,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     struct wf_search q;
     wf_search_default(&q);
     if (search) q = *search;
-    enum wf_status s = check_call(sc, &q, speeds, n, e);
+    enum wf_status s = check_call(sc, &q, solver, o, speeds, n, e);
     if (s) return s;
     for (size_t k = 0; k < n; k++) q.speed_max = fmax(q.speed_max, q.beyond * speeds[k]);
     *out = (struct wf_analysis){
@@ -411,9 +426,21 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     if ((s = wf_analysis_set_up(out, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
-    for (size_t k = 0; k < n; k++)
-        if ((s = speed_solve(out, o, speeds[k], a, d, &out->at[k], e))) return s;
-    if ((s = range(out, o, a, e))) return s;
+    struct wf_err why = { 0 };
+    struct wf_arena scratch = { 0 };
+    struct wf_known *known = wf_known_take(&scratch);
+    size_t k = 0;
+    bool searched = false;
+    if (!known) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
+    while (k < n && !(k && wf_interrupted()) && !s)
+        if (!(s = speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++;
+    if (!s && k == n && q.solved) q.solved(out, q.context);
+    if (!s) s = k < n ? WF_EINTERRUPTED : wf_analysis_breaks(out, o, known, out->breaks, &why);
+    searched = !s;
+    if (!s) s = wf_analysis_sweep(out, o, known, a, d, &why);
+    wf_arena_free(&scratch);
+    if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
+    if (s) return wf_fail(e, s, "%s", why.text);
     wf_limits_check(out, d);
     return WF_OK;
 }

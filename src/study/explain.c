@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/explain.h"
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "base/vec3.h"
 #include "solve/solve.h"
@@ -68,6 +69,8 @@ enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solv
     const size_t tip = 3 * wf_tip_row(t);
     for (size_t s = 1; wf_solvers[s] && out->methods < WF_EXPLAIN_METHODS; s++) {
         struct wf_err why = { 0 };
+        if (wf_interrupted())
+            return wf_fail(e, WF_EINTERRUPTED, "interrupted before every method was applied");
         size_t m = out->methods++;
         out->method[m] = wf_solvers[s];
         out->status[m] = wf_solvers[s]->solve(t, &loads, o, a, &r, d, &why);

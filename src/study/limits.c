@@ -97,6 +97,37 @@ static void check_equilibrium(const struct wf_analysis *an, struct wf_diag *d)
         an->species->name, speeds, share);
 }
 
+double wf_limits_ground(const struct wf_tree *t, const double *end, bool moved, const char *who,
+                        const char *when, struct wf_diag *d)
+{
+    size_t row = 0;
+    double lowest = 0.0;
+    for (size_t i = 0; i < t->n; i++) {
+        double z = end[3 * i + 2] + (moved ? t->z1[i] : 0.0);
+        if (t->z1[i] < 0.0 || !(z < -1e-3) || !(z < lowest)) continue;
+        lowest = z, row = i;
+    }
+    if (lowest < 0.0 && d)
+        wf_diag_warn(
+            d, "through-ground",
+            "%s: %s parts of the tree hang through the ground, segment %lld by %.3g m; the ground does "
+            "not hold them here, so their deflection, and what they load, is not that of a tree that "
+            "touches it",
+            who, when, (long long)t->id[row], -lowest);
+    return lowest;
+}
+
+static void check_ground(const struct wf_analysis *an, struct wf_diag *d)
+{
+    char when[60];
+    for (size_t k = 0; k < an->n; k++) {
+        const struct wf_at_speed *at = &an->at[k];
+        if (!solved(at) || at->response.n != an->tree.n) continue;
+        (void)snprintf(when, sizeof when, "at %.6g m/s", at->speed);
+        if (wf_limits_ground(&an->tree, at->response.end, true, an->species->name, when, d) < 0.0) return;
+    }
+}
+
 static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_critical *c = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
@@ -106,6 +137,19 @@ static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
                      "%s: the species table gives no modulus of rupture, so there is no safety factor and no "
                      "critical wind speed",
                      who);
+    if (c->outcome == WF_CRITICAL_FOUND && c->speed > an->search.speed_max)
+        wf_diag_warn(
+            d, "searched-further",
+            "%s: the tree fails at a given wind speed above %.6g m/s, the highest speed to be searched; "
+            "the search went on to that wind speed",
+            who, an->search.speed_max);
+    if (c->outcome == WF_CRITICAL_UNSEARCHED)
+        wf_diag_warn(
+            d, "search-ended",
+            "%s: the search for the critical wind speed ended after %.4g s of processor time: it stands "
+            "up to %.4g m/s%s; wind speeds from there to %.4g m/s were not searched",
+            who, an->search.seconds, c->speed_low,
+            c->speed_high < an->search.speed_max ? " and fails above" : "", c->speed_high);
     if (c->outcome == WF_CRITICAL_ABOVE)
         wf_diag_warn(d, "critical-above-range",
                      "%s: no section reaches its strength up to %.6g m/s, the highest speed searched", who,
@@ -200,6 +244,7 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
     check_equilibrium(an, d);
     check_small_deflection(an, d);
     check_small_critical(an, d);
+    check_ground(an, d);
     limits_wind(an, d);
     check_critical(an, d);
     check_as_printed(an, d);

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/series.h"
+#include "base/interrupt.h"
 #include "base/vec3.h"
 #include "solve/solve.h"
 #include "study/limits.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 /* ---- The changing wind ---- */
@@ -48,7 +50,7 @@ static enum wf_status specify(const struct wf_series *s, struct wf_gust_spec *ou
     if (!isnan(q->period) && wf_gust_set(out, "period", q->period, e)) return e->code;
     if ((status = wf_gust_set_words(out, q->gust_set, a, e))) return status;
     if (strcmp(model->name, "record") == 0)
-        status = wf_gust_record_words(out, q->gust_file, q->gust_columns, a, d, e);
+        status = wf_gust_record_words(out, q->gust_file, &q->record, a, d, e);
     else if (q->gust_file)
         status = wf_fail(e, WF_EUSAGE, "%s: a file is for the gust model 'record', not '%s'", q->gust_file,
                          model->name);
@@ -101,7 +103,7 @@ void wf_series_default(struct wf_series_spec *s)
                                   .speed = 10,
                                   .intensity = NAN,
                                   .period = NAN,
-                                  .gust_columns = WF_RECORD_COLUMNS,
+                                  .record = { .columns = WF_RECORD_COLUMNS, .rate = NAN },
                                   .seed = 1,
                                   .step = 0.1,
                                   .frames = 600,
@@ -152,6 +154,11 @@ static enum wf_status set_up(struct wf_series *s, struct wf_shelter *shelter, st
                : wf_leaves_place(q->model, &s->an.tree, a, &s->leaves, e);
 }
 
+static void place_keys(struct wf_series *s)
+{
+    for (size_t k = 0; k < s->spec.keys; k++) s->key[k] = k * s->frames / s->spec.keys;
+}
+
 static enum wf_status take(struct wf_series *s, struct wf_arena *a, struct wf_err *e)
 {
     size_t n = s->an.tree.n, f = s->frames;
@@ -159,13 +166,16 @@ static enum wf_status take(struct wf_series *s, struct wf_arena *a, struct wf_er
     s->place = WF_TAKE(a, 3 * n * f, double);
     s->deflection = WF_TAKE(a, f, double);
     s->moment = WF_TAKE(a, f, double);
+    s->safety = WF_TAKE(a, f, double);
+    s->broken = f;
     s->key = WF_TAKE(a, s->spec.keys, size_t);
     for (size_t i = 0; i < n; i++)
         if ((size_t)s->an.tree.level[i] >= s->levels) s->levels = (size_t)s->an.tree.level[i] + 1;
     s->level = WF_TAKE(a, s->levels, struct wf_series_level);
-    if (!s->status || !s->place || !s->deflection || !s->moment || !s->key || !s->level)
+    if (!s->status || !s->place || !s->deflection || !s->moment || !s->safety || !s->key || !s->level)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu frames of %zu segments", f, n);
-    for (size_t k = 0; k < s->spec.keys; k++) s->key[k] = k * f / s->spec.keys;
+    place_keys(s);
+    for (size_t k = 0; k < f; k++) s->safety[k] = NAN;
     s->tip = wf_tip_row(&s->an.tree);
     return WF_OK;
 }
@@ -181,15 +191,28 @@ static void keep(struct wf_series *s, size_t frame, const double *end, size_t st
         hypot(tip[0] - t->x1[s->tip], hypot(tip[1] - t->y1[s->tip], tip[2] - t->z1[s->tip]));
 }
 
+/* An interrupt in a run: the first k frames, which are finished, stay. Returned: whether the run ends here.
+ */
+static bool ends_early(struct wf_series *s, size_t k, struct wf_diag *d)
+{
+    if (!k || !wf_interrupted()) return false;
+    wf_diag_warn(d, "interrupted", "%s: interrupted: %zu of %zu frames", s->spec.name, k, s->frames);
+    s->frames = s->spec.frames = k;
+    if (s->spec.keys > k) s->spec.keys = k;
+    place_keys(s);
+    return true;
+}
+
 /* The deflect scheme: each frame depends on the one before. */
-static enum wf_status run_frames(struct wf_series *s, bool printed, struct wf_arena *a, struct wf_err *e)
+static enum wf_status run_frames(struct wf_series *s, bool printed, struct wf_arena *a, struct wf_diag *found,
+                                 struct wf_err *e)
 {
     const struct wf_series_spec *q = &s->spec;
     const struct wf_deflect_scheme scheme = { printed, q->restoring, q->damping };
     const struct wf_tree *t = &s->an.tree;
     struct wf_deflect d;
     if (wf_deflect_open(t, &s->an.loads, &scheme, a, &d, e)) return e->code;
-    for (size_t k = 0; k < s->frames; k++) {
+    for (size_t k = 0; k < s->frames && !ends_early(s, k, found); k++) {
         double moment[3] = { 0 };
         wf_deflect_frame(&d, q->speed > 0 ? s->wind[k] / q->speed : 0, k ? q->step : 0);
         keep(s, k, d.end[0], 3);
@@ -215,44 +238,112 @@ static void show_last(struct wf_series *s, size_t k)
         to[3 * i] = t->x1[i], to[3 * i + 1] = t->y1[i], to[3 * i + 2] = t->z1[i];
 }
 
-/* Quasi-static: one static equilibrium for each frame. */
-static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struct wf_err *e)
+/* A frame of the same wind as the one before it. */
+static void repeat_frame(struct wf_series *s, size_t k)
+{
+    show_last(s, k);
+    s->status[k] = s->status[k - 1];
+    s->failed += s->status[k] != WF_OK;
+    s->deflection[k] = s->deflection[k - 1], s->moment[k] = s->moment[k - 1], s->safety[k] = s->safety[k - 1];
+}
+
+/* Keep the equilibrium of frame k and compare its stresses with the strength. */
+static enum wf_status keep_balance(struct wf_series *s, size_t k, struct wf_response *r,
+                                   struct wf_arena *scratch, struct wf_err *e)
 {
     const struct wf_tree *t = &s->an.tree;
+    struct wf_breakage stresses;
+    struct wf_worst worst[WF_CRITERIA][WF_SCOPES];
+    enum wf_status status = wf_breakage_check(t, r, scratch, &stresses, e);
+    if (status) return status;
+    wf_criteria_check(t, r, &stresses, worst);
+    if (worst[WF_BREAKAGE][WF_SCOPE_TREE].row >= 0) s->safety[k] = worst[WF_BREAKAGE][WF_SCOPE_TREE].safety;
+    for (size_t i = 0; i < t->n; i++)
+        r->end[3 * i] += t->x1[i], r->end[3 * i + 1] += t->y1[i], r->end[3 * i + 2] += t->z1[i];
+    keep(s, k, r->end, 3);
+    s->moment[k] = hypot(r->base_moment[0], r->base_moment[1]);
+    return WF_OK;
+}
+
+/* Solve frame k. Returned: a status that ends the run, else WF_OK; why: what a frame without result says. */
+static enum wf_status solve_frame(struct wf_series *s, size_t k, struct wf_diag *d, struct wf_err *why)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_diag quiet = { .arena = &scratch };
+    struct wf_wind wind = s->an.wind;
+    struct wf_loads loads = s->an.loads;
+    struct wf_response r;
+    series_blow(s, k, &wind);
+    loads.wind = wind.speed > 0 ? &wind : NULL;
+    enum wf_status status =
+        s->an.solver->solve(&s->an.tree, &loads, &s->spec.solve, &scratch, &r, k ? &quiet : d, why);
+    if (!status) status = keep_balance(s, k, &r, &scratch, why);
+    s->status[k] = status;
+    if (status) {
+        s->failed++;
+        s->deflection[k] = s->moment[k] = NAN;
+        show_last(s, k);
+    }
+    wf_arena_free(&scratch);
+    return status == WF_ENOMEM || status == WF_EINPUT || status == WF_EUSAGE ? status : WF_OK;
+}
+
+/* Quasi-static: one static equilibrium for each frame; in a steady wind one for all. */
+static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struct wf_err *e)
+{
     struct wf_err first = { 0 };
-    for (size_t k = 0; k < s->frames; k++) {
-        struct wf_arena scratch = { 0 };
-        struct wf_diag quiet = { .arena = &scratch };
+    for (size_t k = 0; k < s->frames && !ends_early(s, k, d); k++) {
         struct wf_err why = { 0 };
-        struct wf_wind wind = s->an.wind;
-        struct wf_loads loads = s->an.loads;
-        struct wf_response r;
-        series_blow(s, k, &wind);
-        loads.wind = wind.speed > 0 ? &wind : NULL;
-        enum wf_status status =
-            s->an.solver->solve(t, &loads, &s->spec.solve, &scratch, &r, k ? &quiet : d, &why);
-        s->status[k] = status;
-        if (status == WF_OK) {
-            for (size_t i = 0; i < t->n; i++)
-                r.end[3 * i] += t->x1[i], r.end[3 * i + 1] += t->y1[i], r.end[3 * i + 2] += t->z1[i];
-            keep(s, k, r.end, 3);
-            s->moment[k] = hypot(r.base_moment[0], r.base_moment[1]);
-        } else {
-            if (!first.code) first = why;
-            s->failed++;
-            s->deflection[k] = s->moment[k] = NAN;
-            show_last(s, k);
+        if (k && !s->spec.gust) {
+            repeat_frame(s, k);
+            continue;
         }
-        wf_arena_free(&scratch);
-        if (status == WF_ENOMEM || status == WF_EINPUT || status == WF_EUSAGE)
-            return wf_fail(e, status, "%s", first.text);
+        enum wf_status status = solve_frame(s, k, d, &why);
+        if (why.code && !first.code) first = why;
+        if (status) return wf_fail(e, status, "%s", first.text);
     }
     if (s->failed == s->frames) return wf_fail(e, first.code, "%s", first.text);
     if (s->failed)
         wf_diag_warn(d, "no-equilibrium",
                      "%s: %zu of %zu frames have no result (%s); they show the frame before", s->spec.name,
                      s->failed, s->frames, first.text);
+    if (s->spec.gust || s->frames < 2) return WF_OK;
+    wf_diag_warn(
+        d, "steady-wind",
+        "%s: the wind does not change, so neither does the tree: one frame is drawn; --gust (key: gust) "
+        "makes it change, 'windfirm wind list' shows how",
+        s->spec.name);
+    s->spec.keys = 1;
     return WF_OK;
+}
+
+/* ---- What the frames must be read with ---- */
+
+static void check_broken(struct wf_series *s, struct wf_diag *d)
+{
+    for (s->broken = 0; s->broken < s->frames && !(s->safety[s->broken] <= 1.0);) s->broken++;
+    if (s->broken == s->frames) return;
+    wf_diag_warn(
+        d, "broken",
+        "%s: the stress reaches the strength at %.4g s in a wind of %.4g m/s; from there on (grey) the "
+        "frames are those of a tree that cannot break",
+        s->spec.name, (double)s->broken * s->spec.step, s->wind[s->broken]);
+}
+
+/* The frame that is deepest below the ground. */
+static void check_ground(const struct wf_series *s, struct wf_diag *d)
+{
+    const struct wf_tree *t = &s->an.tree;
+    size_t worst = 0;
+    double lowest = 0.0;
+    char when[60];
+    for (size_t k = 0; k < s->frames; k++) {
+        double z = wf_limits_ground(t, s->place + k * 3 * t->n, false, "", "", NULL);
+        if (z < lowest) lowest = z, worst = k;
+    }
+    if (!(lowest < 0.0)) return;
+    (void)snprintf(when, sizeof when, "at %.4g s (%.4g m/s)", (double)worst * s->spec.step, s->wind[worst]);
+    wf_limits_ground(t, s->place + worst * 3 * t->n, false, s->spec.name, when, d);
 }
 
 /* Half the range along the wind of a row's end; with a foot, relative to that row's end [m]. */
@@ -296,16 +387,20 @@ static enum wf_status measure_levels(struct wf_series *s, struct wf_err *e)
         l->axes++;
         l->swing_mean += far;
         l->swing_most = fmax(l->swing_most, far);
-        l->own_mean += swing(s, i, foot[i]);
+        double own = swing(s, i, foot[i]);
+        l->own_mean += own;
         *(lee ? &l->leeward : &l->windward) += far;
+        *(lee ? &l->own_leeward : &l->own_windward) += own;
         side[2 * (size_t)t->level[i] + lee]++;
     }
     for (size_t k = 0; k < s->levels; k++) {
         struct wf_series_level *l = &s->level[k];
         if (!l->axes) continue;
         l->swing_mean /= (double)l->axes, l->own_mean /= (double)l->axes;
-        l->windward = side[2 * k] ? l->windward / (double)side[2 * k] : NAN;
-        l->leeward = side[2 * k + 1] ? l->leeward / (double)side[2 * k + 1] : NAN;
+        double of[2] = { side[2 * k] ? (double)side[2 * k] : NAN,
+                         side[2 * k + 1] ? (double)side[2 * k + 1] : NAN };
+        l->windward /= of[0], l->own_windward /= of[0];
+        l->leeward /= of[1], l->own_leeward /= of[1];
     }
     wf_arena_free(&scratch);
     return WF_OK;
@@ -334,9 +429,11 @@ enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena 
                        "restoring and damping factors belong to the solvers deflect and "
                        "deflect-as-printed, not to '%s'",
                        spec->solver->name);
-    if (!status) status = frames ? run_frames(s, printed, a, e) : run_balances(s, d, e);
+    if (!status) status = frames ? run_frames(s, printed, a, d, e) : run_balances(s, d, e);
     if (!status) status = measure_levels(s, e);
     if (status) return status;
+    check_broken(s, d);
+    check_ground(s, d);
     if (s->clamped)
         wf_diag_warn(d, "asin-clamped",
                      "%s: in %zu of %zu frames a segment would deflect by more than its length; "

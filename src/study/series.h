@@ -60,11 +60,12 @@ struct wf_series_spec {
     struct wf_solve_options solve;
     struct wf_scenario scenario;
     struct wf_profile_words profile; /* written to the scenario when the run begins */
-    double speed;             /* mean wind at the reference height [m/s]                              */
-    const char *gust;         /* row of wf_gust_models; NULL: steady                                  */
-    double intensity, period; /* of the gust [-], [s]; NAN: the model's own                           */
-    const char *gust_set;     /* its other parameters, "name=number,..."; NULL: the model's own       */
-    const char *gust_file, *gust_columns; /* of the model `record`, see wind/gust_words.h              */
+    double speed;                  /* mean wind at the reference height [m/s]                              */
+    const char *gust;              /* row of wf_gust_models; NULL: steady                                  */
+    double intensity, period;      /* of the gust [-], [s]; NAN: the model's own                           */
+    const char *gust_set;          /* its other parameters, "name=number,..."; NULL: the model's own       */
+    const char *gust_file;         /* of the model `record` */
+    struct wf_record_words record; /* how it is read        */
     unsigned components; /* of the gust used: 1 or 3; 0: 3 where the model has them and the wind direction
                             can change */
     uint64_t seed;
@@ -90,6 +91,7 @@ struct wf_series_level {
     double swing_mean, swing_most; /* half the range of positions along the wind, over axes [m] */
     double own_mean;               /* the same relative to the foot of the axis [m]                         */
     double windward, leeward;      /* swing_mean of axes whose end lies windward or leeward of the stem [m] */
+    double own_windward, own_leeward; /* own_mean of these [m]                             */
 };
 
 struct wf_series {
@@ -104,19 +106,23 @@ struct wf_series {
     double *place;          /* frames x 3n: ends of the rows [m]                 */
     double *deflection;     /* frames: of the tip, from the unloaded shape [m]   */
     double *moment;         /* frames: overturning moment at the base [N m]      */
-    size_t tip;             /* row                                               */
-    size_t *key;            /* spec.keys frames                                  */
+    double *safety; /* frames: least strength over stress [-]; NAN: not known, as with the deflect scheme */
+    size_t broken;  /* first frame in which it is 1 or less; `frames`: none. From there on the frames are
+                       those of a tree that cannot break */
+    size_t tip;     /* row                                               */
+    size_t *key;    /* spec.keys frames                                  */
     size_t levels;
     struct wf_series_level *level;
     size_t clamped; /* frames in which asin was clamped                  */
     struct wf_diag *diag;
 };
 
-/* Run. Gusts scale the whole profile: speed and direction change at all heights together and are those of the
- * gust's components at the reference height. The deflect scheme and shelter inside the crown are made for one
- * direction and use only the component along the wind (warning along-wind-only). Errors:
- * WF_EUSAGE (frames, k >= 1, unknown gust model), WF_ENOMEM, and where no frame has a result the status
- * of the first. */
+/* Run. In a steady wind the quasi-static frames are equal: one is solved, and spec.keys of *s is 1 (warning
+ * steady-wind). Further warnings: broken, through-ground, no-equilibrium. Gusts scale the whole profile:
+ * speed and direction change at all heights together and are those of the gust's components at the reference
+ * height. The deflect scheme and shelter inside the crown are made for one direction and use only the
+ * component along the wind (warning along-wind-only). Errors: WF_EUSAGE (frames, k >= 1, unknown gust model),
+ * WF_ENOMEM, and where no frame has a result the status of the first. */
 enum wf_status wf_series_run(const struct wf_series_spec *spec, struct wf_arena *a, struct wf_diag *d,
                              struct wf_series *out, struct wf_err *e);
 

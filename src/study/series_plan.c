@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/series_plan.h"
+#include "base/num.h"
+#include "base/text.h"
 #include "base/yaml.h"
 #include "data/species.h"
 #include "solve/solve.h"
 #include "wind/gust.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #define AT(member) .offset = offsetof(struct wf_series_plan_run, member)
@@ -31,8 +34,28 @@ static const struct wf_yaml_row run_rows[] = {
     WORD(set, "Other parameters of the gust model, name=number,... as 'windfirm wind list' names them.",
          .absent = "the gust model's", .example = "length=65,share-up=0.5"),
     WORD(file, "Anemometer CSV of the gust model record.", .absent = "none", .example = "sonic.csv"),
-    WORD(columns, "Its columns: time in s, one or two horizontal components and the vertical one in m/s.",
-         .initial = WF_RECORD_COLUMNS, .example = "t_s,u_ms,v_ms,w_ms"),
+    { .key = "columns",
+      .kind = WF_YAML_TEXT,
+      AT(record.columns),
+      .doc = "Its columns: time, one or two horizontal components and the vertical one, with units in their "
+             "names or "
+             "in the logger's head; '-' in place of the time: there is none.",
+      .initial = WF_RECORD_COLUMNS,
+      .example = "t_s,u_ms,v_ms,w_ms" },
+    QUANTITY("rate", record.rate, WF_DIM_FREQUENCY, "Hz", 1e-3, 1e4, "Rows a second, where there is no time.",
+             .absent = "not known", .example = "20 Hz"),
+    { .key = "missing",
+      .kind = WF_YAML_TEXT,
+      AT(record.missing),
+      .doc = "Numbers of the file that mean 'no reading', separated by commas; none: every number is a wind.",
+      .absent = "negative speeds, and impossible numbers that are repeated",
+      .example = "99.9,-99.9" },
+    { .key = "dates",
+      .kind = WF_YAML_TEXT,
+      AT(record.dates),
+      .doc = "day-first or month-first, for dates such as 05/01/2024.",
+      .absent = "seen from a number above 12",
+      .example = "day-first" },
     { .key = "components",
       .kind = WF_YAML_INTEGER,
       .low = 1,
@@ -113,9 +136,132 @@ static const struct wf_yaml_row run_rows[] = {
       .example = "1" },
     { .key = NULL },
 };
-static const struct wf_yaml_table run_table = {
-    .title = "a run", .row = run_rows, .size = sizeof(struct wf_series_plan_run), .doc = ""
-};
+
+static bool given(const char *word, const char *none) { return word && *word && strcmp(word, none) != 0; }
+
+static bool unused_if(bool unused, char *why, size_t size, const char *with, const char *name)
+{
+    if (unused) (void)snprintf(why, size, "with %s '%s'", with, name);
+    return unused;
+}
+
+/* Values of the gust model; NULL: a steady wind. */
+static bool gust_unused(const struct wf_series_plan_run *r, const struct wf_gust_model *m, size_t member,
+                        char *why, size_t size)
+{
+    const size_t record = offsetof(struct wf_series_plan_run, record);
+    bool of_record = member == offsetof(struct wf_series_plan_run, file) ||
+                     (member >= record && member < record + sizeof r->record);
+    bool period = false, unused = false;
+    for (const struct wf_gust_par *p = m ? m->par : NULL; p && p->name; p++)
+        period |= strcmp(p->name, "period") == 0;
+    if (member == offsetof(struct wf_series_plan_run, wind))
+        unused = m && !wf_gust_takes_speed(m, r->set) && !given(r->explain, "no");
+    else if (of_record)
+        unused = !m || strcmp(m->name, "record") != 0;
+    else if (member == offsetof(struct wf_series_plan_run, intensity))
+        unused = !m || m->own_intensity;
+    else if (member == offsetof(struct wf_series_plan_run, period))
+        unused = !m || !period;
+    else
+        unused = !m;
+    return unused_if(unused, why, size, "the gust model", m ? m->name : "steady");
+}
+
+/* Values of leaves that turn by noise. */
+static bool leaves_unused(const struct wf_series_plan_run *r, char *why, size_t size)
+{
+    const struct wf_preset *p = wf_preset_named(r->preset ? r->preset : "corrected");
+    const char *motion = given(r->leaf_motion, "") ? r->leaf_motion : p && p->leaves ? p->leaves : "eq13";
+    return unused_if(wf_leaf_motion_named(motion) && strcmp(motion, "noise") != 0, why, size,
+                     "the motion of leaves", motion);
+}
+
+/* Values of the scheme that goes from frame to frame. */
+static bool scheme_unused(const struct wf_series_plan_run *r, char *why, size_t size)
+{
+    const struct wf_preset *p = wf_preset_named(r->preset ? r->preset : "corrected");
+    const char *name = given(r->solver, "") ? r->solver : p && p->solver ? p->solver : wf_solvers[0]->name;
+    return unused_if(wf_solver_named(name) && strncmp(name, "deflect", 7) != 0, why, size, "the solver",
+                     name);
+}
+
+bool wf_series_plan_unused(const struct wf_series_plan_run *r, size_t member, char *why, size_t size)
+{
+    const struct wf_gust_model *m = wf_gust_named(r->gust ? r->gust : "steady");
+    if (given(r->gust, "steady") && !m) return false; /* the name is wrong */
+    switch (member) {
+    case offsetof(struct wf_series_plan_run, wind):
+    case offsetof(struct wf_series_plan_run, intensity):
+    case offsetof(struct wf_series_plan_run, period):
+    case offsetof(struct wf_series_plan_run, set):
+    case offsetof(struct wf_series_plan_run, file):
+    case offsetof(struct wf_series_plan_run, record.columns):
+    case offsetof(struct wf_series_plan_run, record.rate):
+    case offsetof(struct wf_series_plan_run, record.missing):
+    case offsetof(struct wf_series_plan_run, record.dates):
+    case offsetof(struct wf_series_plan_run, components):
+        return gust_unused(r, m, member, why, size);
+    case offsetof(struct wf_series_plan_run, seed):
+        return leaves_unused(r, why, size) &&
+               unused_if(!m || m->fixed, why, size, "the gust model", m ? m->name : "steady");
+    case offsetof(struct wf_series_plan_run, restoring):
+    case offsetof(struct wf_series_plan_run, damping):
+        return scheme_unused(r, why, size);
+    case offsetof(struct wf_series_plan_run, transmission):
+        return unused_if(!given(r->shelter, "none"), why, size, "shelter", "none");
+    case offsetof(struct wf_series_plan_run, leaf_amplitude):
+    case offsetof(struct wf_series_plan_run, leaf_follow):
+    case offsetof(struct wf_series_plan_run, leaf_period):
+        return leaves_unused(r, why, size);
+    default:
+        return member >= offsetof(struct wf_series_plan_run, profile) &&
+               wf_profile_unused(&r->profile, member - offsetof(struct wf_series_plan_run, profile), why,
+                                 size);
+    }
+}
+
+static const char *preset_word(size_t i) { return wf_presets[i].name; }
+static const char *solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
+static const char *gust_word(size_t i) { return i ? wf_gust_models[i - 1].name : "steady"; }
+static const char *shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
+static const char *profile_word(size_t i) { return wf_profiles[i].name; }
+static const char *leaf_word(size_t i) { return wf_leaf_motions[i].name; }
+
+/* Report a word that is none of a list of rows. */
+static void check_word(struct wf_yaml *y, const char *key, const char *said, const char *(*word)(size_t i))
+{
+    const char *known[40];
+    size_t n = 0;
+    for (; said && n < WF_COUNT(known) && (known[n] = word(n)); n++)
+        if (strcmp(known[n], said) == 0) return;
+    if (said)
+        wf_yaml_error(y, key, "'%.60s' is not known%s", said,
+                      wf_did_you_mean_or(said, known, n, "there are: ").text);
+}
+
+/* Report values of a run that have no effect. The wind is required, also where a record has its own. */
+static void run_finish(struct wf_yaml *y, void *run)
+{
+    const struct wf_series_plan_run *r = run;
+    char why[200];
+    check_word(y, "preset", r->preset, preset_word);
+    check_word(y, "solver", r->solver, solver_word);
+    check_word(y, "gust", r->gust, gust_word);
+    check_word(y, "shelter", r->shelter, shelter_word);
+    check_word(y, "profile", r->profile.name, profile_word);
+    check_word(y, "leaf_motion", r->leaf_motion, leaf_word);
+    for (const struct wf_yaml_row *row = run_rows; row->key; row++)
+        if (!row->required && wf_yaml_has(y, row->key) &&
+            wf_series_plan_unused(run, row->offset, why, sizeof why))
+            wf_yaml_error(y, row->key, "has no effect %s", why);
+}
+
+static const struct wf_yaml_table run_table = { .title = "a run",
+                                                .row = run_rows,
+                                                .size = sizeof(struct wf_series_plan_run),
+                                                .finish = run_finish,
+                                                .doc = "" };
 
 static const struct wf_yaml_row plan_rows[] = {
     { .key = "runs_of",
@@ -170,8 +316,6 @@ char *wf_series_plan_schema(struct wf_arena *a, struct wf_err *e)
     return wf_yaml_schema(&plan_table, a, e);
 }
 
-static bool given(const char *word, const char *none) { return word && *word && strcmp(word, none) != 0; }
-
 enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const struct wf_species *sp,
                                    const struct wf_model *m, struct wf_arena *a, struct wf_series_spec *s,
                                    struct wf_err *e)
@@ -195,7 +339,8 @@ enum wf_status wf_series_plan_spec(const struct wf_series_plan_run *r, const str
     if (given(r->shelter, "none") && !(s->shelter = wf_shelter_law_named(r->shelter)))
         return wf_fail(e, WF_EUSAGE, "run '%s': unknown shelter law '%s'", r->name, r->shelter);
     s->gust_set = r->set, s->gust_file = r->file;
-    if (r->columns) s->gust_columns = r->columns;
+    s->record = r->record;
+    if (!s->record.columns) s->record.columns = WF_RECORD_COLUMNS;
     if (r->components == 2) return wf_fail(e, WF_EUSAGE, "run '%s': components: 1 or 3, not 2", r->name);
     s->components = (unsigned)r->components;
     s->speed = r->wind, s->intensity = r->intensity, s->period = r->period, s->youngs = r->youngs;

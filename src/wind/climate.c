@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/climate.h"
+#include "base/column.h"
 #include "base/csv.h"
 #include "base/num.h"
 #include "base/text.h"
@@ -166,6 +167,99 @@ enum wf_status wf_wind_average(const char *law, double speed, double from, doubl
 
 enum { SECTORS_MAX = 16 };
 
+/* Sixteen names from north clockwise, and what they are called in Chinese. */
+static const char *const direction_names[16][5] = {
+    { "N", "北" },
+    { "NNE", "北东北", "北北东", "东北偏北" },
+    { "NE", "东北", "北东" },
+    { "ENE", "东东北", "东北东", "东北偏东" },
+    { "E", "东" },
+    { "ESE", "东东南", "东南东", "东南偏东" },
+    { "SE", "东南", "南东" },
+    { "SSE", "南东南", "南南东", "东南偏南" },
+    { "S", "南" },
+    { "SSW", "南西南", "南南西", "西南偏南" },
+    { "SW", "西南", "南西" },
+    { "WSW", "西西南", "西南西", "西南偏西" },
+    { "W", "西" },
+    { "WNW", "西西北", "西北西", "西北偏西" },
+    { "NW", "西北", "北西" },
+    { "NNW", "北西北", "北北西", "西北偏北" },
+};
+
+/* With or without the Chinese word for wind behind it. */
+static bool is_direction_name(const char *text, const char *name)
+{
+    size_t n = strlen(name);
+    return !strcasecmp(text, name) || (!strncmp(text, name, n) && !strcmp(text + n, "风"));
+}
+
+bool wf_rose_direction(const char *text, double *degrees, bool *named)
+{
+    double value;
+    const char *end = text + strlen(text);
+    if (named) *named = false;
+    if (*text && wf_number_read(text, end, strchr(text, ',') ? ',' : '.', &value) == end) {
+        *degrees = value;
+        return true;
+    }
+    for (int i = 0; i < 16; i++)
+        for (int k = 0; k < 5 && direction_names[i][k]; k++) {
+            if (!is_direction_name(text, direction_names[i][k])) continue;
+            *degrees = 22.5 * i;
+            if (named) *named = true;
+            return true;
+        }
+    return false;
+}
+
+/* Units of speed at the end of a column's name, after "_" or a blank, or in brackets. */
+static const struct {
+    const char *name;
+    double factor;
+} speed_units[] = {
+    { "m_s", 1.0 },          { "ms", 1.0 },           { "m/s", 1.0 },           { "mps", 1.0 },
+    { "km_h", 1 / 3.6 },     { "kmh", 1 / 3.6 },      { "km/h", 1 / 3.6 },      { "kph", 1 / 3.6 },
+    { "kn", 1852 / 3600.0 }, { "kt", 1852 / 3600.0 }, { "kts", 1852 / 3600.0 }, { "knots", 1852 / 3600.0 },
+    { "mph", 0.44704 }
+};
+
+/* Size of a name without its unit, and the unit's factor; 0 where it ends in no unit of speed. */
+static size_t speed_stem(const char *name, double *factor)
+{
+    size_t size = strlen(name);
+    bool bracket = size && strchr(")]", name[size - 1]);
+    if (bracket) size--;
+    for (size_t i = 0; i < WF_COUNT(speed_units); i++) {
+        size_t n = strlen(speed_units[i].name);
+        if (size <= n + 1 || strncasecmp(name + size - n, speed_units[i].name, n) != 0) continue;
+        size_t stem = size - n;
+        if (!strchr(bracket ? "([" : "_ ", name[stem - 1])) continue;
+        while (stem && strchr("([_ ", name[stem - 1])) stem--;
+        *factor = speed_units[i].factor;
+        return stem;
+    }
+    return 0;
+}
+
+size_t wf_speed_column(struct wf_csv *c, const char *name, double *factor)
+{
+    double wanted, other;
+    size_t stem = speed_stem(name, &wanted), at = wf_csv_column(c, name);
+    *factor = 1.0;
+    for (size_t i = 0; at == WF_CSV_NONE && stem && i < c->columns; i++)
+        if (speed_stem(c->name[i].text, &other) == stem && !strncasecmp(c->name[i].text, name, stem)) at = i;
+    if (at == WF_CSV_NONE) return wf_csv_need(c, name);
+    if (speed_stem(c->name[at].text, factor)) return at;
+    char text[400];
+    (void)snprintf(text, sizeof text,
+                   "the column '%.60s' does not say its unit; name it %.60s_ms, %.60s_kmh, %.60s_kn or "
+                   "%.60s_mph",
+                   name, name, name, name, name);
+    wf_csv_report(c, c->name[at].line, c->name[at].column, text);
+    return WF_CSV_NONE;
+}
+
 /* The sector whose middle a direction is; SECTORS_MAX: none. */
 static size_t sector_of(double degrees, size_t sectors)
 {
@@ -173,51 +267,132 @@ static size_t sector_of(double degrees, size_t sectors)
     return fabs(place - round(place)) < 0.05 ? (size_t)llround(place) % sectors : SECTORS_MAX;
 }
 
+/* Columns of a rose. */
+struct rose_columns {
+    size_t from, frequency, scale, shape, calm;
+    double factor; /* of the scale, to m/s */
+};
+struct rose_line {
+    double from, frequency, scale, shape, calm;
+    size_t line;
+};
+
+static void find_rose_columns(struct wf_csv *c, struct rose_columns *k)
+{
+    static const char *const from[] = { "direction_deg", "from_deg", "direction", "sector" };
+    k->from = WF_CSV_NONE;
+    for (size_t i = 0; i < WF_COUNT(from) && k->from == WF_CSV_NONE; i++) k->from = wf_csv_column(c, from[i]);
+    if (k->from == WF_CSV_NONE) k->from = wf_csv_need(c, from[0]);
+    k->frequency = wf_csv_need(c, "frequency");
+    k->scale = wf_speed_column(c, "weibull_scale_ms", &k->factor);
+    k->shape = wf_csv_need(c, "weibull_shape");
+    k->calm = wf_csv_column(c, "calm");
+}
+
+static void read_rose_line(struct wf_csv *c, const struct rose_columns *k, struct rose_line *r)
+{
+    *r = (struct rose_line){ .scale = NAN, .shape = NAN, .line = c->row_line };
+    if (!wf_rose_direction(wf_csv_text(c, k->from), &r->from, NULL))
+        wf_csv_mistake(c, k->from, "'%.40s' is neither a number of degrees nor a name N, NNE, NE, ... NNW",
+                       wf_csv_text(c, k->from));
+    else if (!(r->from >= 0.0 && r->from <= 360.0))
+        wf_csv_mistake(c, k->from, "%.40s is outside 0 to 360", wf_csv_text(c, k->from));
+    if (!wf_csv_number(c, k->frequency, 0.0, 1e9, &r->frequency) || r->frequency == 0.0) return;
+    if (wf_csv_number(c, k->scale, 0.1 / k->factor, 40.0 / k->factor, &r->scale)) r->scale *= k->factor;
+    wf_csv_number(c, k->shape, 1.0, 4.0, &r->shape);
+    if (k->calm != WF_CSV_NONE) wf_csv_number(c, k->calm, 0.0, 1.0, &r->calm);
+}
+
+/* Put the lines of a file into the sectors; mistakes become findings. */
+static void place_rose_lines(const struct rose_line *row, const char *path, struct wf_diag *d,
+                             struct wf_rose *out)
+{
+    bool seen[SECTORS_MAX] = { false };
+    for (size_t i = 0; i < out->sectors; i++) {
+        size_t s = sector_of(row[i].from, out->sectors);
+        if (s == SECTORS_MAX) {
+            wf_diag_error(d, path, row[i].line, 0, "direction_deg: %g is not a multiple of %g", row[i].from,
+                          360.0 / (double)out->sectors);
+            continue;
+        }
+        if (seen[s]) wf_diag_error(d, path, row[i].line, 0, "direction_deg: %g is given twice", row[i].from);
+        seen[s] = true;
+        out->from[s] = 2.0 * WF_PI * (double)s / (double)out->sectors;
+        out->frequency[s] = row[i].frequency, out->scale[s] = row[i].scale, out->shape[s] = row[i].shape;
+        out->calm[s] = row[i].calm, out->typed_sum += row[i].frequency;
+    }
+}
+
+/* Frequencies that are neither shares nor per cent: counts, or a sector is wrong or missing. */
+static void check_frequency_sum(const struct wf_rose *r, const char *path, struct wf_diag *d)
+{
+    double sum = r->typed_sum;
+    if (fabs(sum - 1.0) <= 0.01 || fabs(sum - 100.0) <= 1.0) return;
+    wf_diag_warn(d, "frequency-sum",
+                 "%s: the frequencies sum to %.6g, neither 1 nor 100; they are taken as counts of hours and "
+                 "divided by their sum. If they are shares or per cent, a sector is wrong",
+                 path, sum);
+}
+
 enum wf_status wf_rose_read(const char *path, struct wf_arena *a, struct wf_diag *d, struct wf_rose *out,
                             struct wf_err *e)
 {
     struct wf_csv csv = { 0 };
-    double row[SECTORS_MAX][4];
-    size_t errors = d->errors, n = 0, line[SECTORS_MAX];
+    struct rose_columns column;
+    struct rose_line row[SECTORS_MAX];
+    size_t errors = d->errors, n = 0;
     *out = (struct wf_rose){ 0 };
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
-    static const char *const name[4] = { "direction_deg", "frequency", "weibull_scale_ms", "weibull_shape" };
-    static const double low[4] = { 0.0, 0.0, 0.1, 1.0 }, high[4] = { 360.0, 1e9, 40.0, 4.0 };
-    size_t column[4];
-    for (int k = 0; k < 4; k++) column[k] = wf_csv_need(&csv, name[k]);
+    find_rose_columns(&csv, &column);
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a wind rose", path);
     for (; wf_csv_next(&csv); n++) {
         if (n == SECTORS_MAX) return wf_fail(e, WF_EINPUT, "%s: more than %d directions", path, SECTORS_MAX);
-        for (int k = 0; k < 4; k++) wf_csv_number(&csv, column[k], low[k], high[k], &row[n][k]);
-        line[n] = csv.row_line;
+        read_rose_line(&csv, &column, &row[n]);
     }
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: the wind rose cannot be used", path);
-    if (n != 8 && n != 12 && n != 16)
-        return wf_fail(e, WF_EINPUT, "%s: %zu directions; a rose has 8, 12 or 16", path, n);
-    double *all = WF_TAKE(a, 4 * n, double);
-    if (!all) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", path);
-    *out = (struct wf_rose){ n, all, all + n, all + 2 * n, all + 3 * n, 0.0 };
-    for (size_t i = 0; i < n; i++) {
-        size_t s = sector_of(row[i][0], n);
-        if (s == SECTORS_MAX)
-            wf_diag_error(d, path, line[i], 0, "direction_deg: %g is not a multiple of %g", row[i][0],
-                          360.0 / (double)n);
-        else if (out->scale[s] > 0.0)
-            wf_diag_error(d, path, line[i], 0, "direction_deg: %g is given twice", row[i][0]);
-        else
-            out->from[s] = 2.0 * WF_PI * (double)s / (double)n, out->frequency[s] = row[i][1],
-            out->scale[s] = row[i][2], out->shape[s] = row[i][3], out->typed_sum += row[i][1];
-    }
+    enum wf_status status = wf_rose_take(n, path, a, out, e);
+    if (status) return status;
+    place_rose_lines(row, path, d, out);
     if (d->errors == errors && !(out->typed_sum > 0.0))
         wf_diag_error(d, path, 0, 0, "frequency: all are zero");
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: the wind rose cannot be used", path);
     for (size_t s = 0; s < n; s++) out->frequency[s] /= out->typed_sum;
+    check_frequency_sum(out, path, d);
     return WF_OK;
 }
 
+enum wf_status wf_rose_take(size_t sectors, const char *path, struct wf_arena *a, struct wf_rose *out,
+                            struct wf_err *e)
+{
+    if (sectors != 8 && sectors != 12 && sectors != 16)
+        return wf_fail(e, WF_EINPUT, "%s: %zu directions; a rose has 8, 12 or 16", path, sectors);
+    double *all = WF_TAKE(a, 5 * sectors, double);
+    if (!all) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", path);
+    *out = (struct wf_rose){ .sectors = sectors,
+                             .from = all,
+                             .frequency = all + sectors,
+                             .scale = all + 2 * sectors,
+                             .shape = all + 3 * sectors,
+                             .calm = all + 4 * sectors };
+    for (size_t s = 0; s < sectors; s++) {
+        out->from[s] = 2.0 * WF_PI * (double)s / (double)sectors;
+        out->scale[s] = out->shape[s] = NAN;
+    }
+    return WF_OK;
+}
+
+static double windy(const struct wf_rose *r, size_t sector) { return r->calm ? 1.0 - r->calm[sector] : 1.0; }
+
 double wf_rose_sector_above(const struct wf_rose *r, size_t sector, double u)
 {
-    return u > 0.0 ? exp(-pow(u / r->scale[sector], r->shape[sector])) : 1.0;
+    if (!(r->frequency[sector] > 0.0)) return 0.0;
+    return u > 0.0 ? windy(r, sector) * exp(-pow(u / r->scale[sector], r->shape[sector])) : 1.0;
+}
+
+double wf_rose_sector_mean(const struct wf_rose *r, size_t sector)
+{
+    if (!(r->frequency[sector] > 0.0)) return NAN;
+    return windy(r, sector) * r->scale[sector] * tgamma(1.0 + 1.0 / r->shape[sector]);
 }
 
 double wf_rose_above(const struct wf_rose *r, double u)
@@ -231,7 +406,7 @@ double wf_rose_mean(const struct wf_rose *r)
 {
     double sum = 0.0;
     for (size_t s = 0; s < r->sectors; s++)
-        sum += r->frequency[s] * r->scale[s] * tgamma(1.0 + 1.0 / r->shape[s]);
+        if (r->frequency[s] > 0.0) sum += r->frequency[s] * wf_rose_sector_mean(r, s);
     return sum;
 }
 

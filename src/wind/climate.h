@@ -63,23 +63,42 @@ enum wf_status wf_wind_average(const char *law, double speed, double from, doubl
 struct wf_rose {
     size_t sectors;    /* 8, 12 or 16                                           */
     double *from;      /* middle of the sector, clockwise from north [rad]      */
-    double *frequency; /* share of all hours, sum 1                             */
-    double *scale;     /* Weibull A of hourly mean winds [m/s]                  */
-    double *shape;     /* Weibull k [-]                                         */
+    double *frequency; /* share of all hours, sum 1; 0: an empty sector         */
+    double *scale;     /* Weibull A of hourly mean winds [m/s]; NAN: empty sector */
+    double *shape;     /* Weibull k [-]; NAN: empty sector                      */
     double typed_sum;  /* sum of the frequencies in the file                    */
+    double *calm;      /* share of the sector's hours without wind; A and k are of the others; NULL: none */
 };
 
-/* Read a wind rose from a CSV with columns direction_deg, frequency, weibull_scale_ms, weibull_shape: 8, 12
- * or 16 rows, one for each sector from north, in any order. Frequencies may be shares, per cent or counts;
- * they are divided by their sum. Shape 1.0..4.0, scale 0.1..40 m/s. Errors: WF_EINPUT with all mistakes in
- * `d`. */
+/* A direction the wind comes from. Given: a number [deg], or a name N, NNE, ... NNW in either case or its
+ * Chinese name. Returned: true and *degrees; *named (may be NULL): whether it is a name. */
+bool wf_rose_direction(const char *text, double *degrees, bool *named);
+/* Find a required column of speeds that is called, for example, "speed_ms": that one, or one that differs in
+ * its unit alone (speed_kmh, speed_kn, "speed [km/h]"). Returned: its index, and the factor to m/s;
+ * WF_CSV_NONE after a mistake of the table. */
+struct wf_csv;
+size_t wf_speed_column(struct wf_csv *c, const char *name, double *factor);
+
+/* Read a wind rose from a CSV with columns direction_deg (or from_deg, direction, sector; degrees or names),
+ * frequency, weibull_scale_ms (or in another unit of speed), weibull_shape and, if wanted, calm: 8, 12 or 16
+ * rows, one for each sector from north, in any order. Frequencies may be shares, per cent or counts; they are
+ * divided by their sum, with a warning `frequency-sum` where it is not within 1 % of 1 or 100.
+ * Shape 1.0..4.0, scale 0.1..40 m/s; both are ignored where the frequency is 0. Errors: WF_EINPUT with all
+ * mistakes in `d`. */
 enum wf_status wf_rose_read(const char *path, struct wf_arena *a, struct wf_diag *d, struct wf_rose *out,
                             struct wf_err *e);
-/* Share of the hours of a sector in which the wind exceeds u [m/s]: exp(-(u/A)^k). */
+/* Make an empty rose of 8, 12 or 16 sectors; *out has room for all columns. Given: path, for messages.
+ * Errors: WF_EINPUT for another number of sectors, WF_ENOMEM. */
+enum wf_status wf_rose_take(size_t sectors, const char *path, struct wf_arena *a, struct wf_rose *out,
+                            struct wf_err *e);
+/* Share of the hours of a sector in which the wind exceeds u [m/s]: (1 - calm) exp(-(u/A)^k); 0 for an empty
+ * sector. */
 double wf_rose_sector_above(const struct wf_rose *r, size_t sector, double u);
 /* Share of all hours in which the wind exceeds u [m/s], from any direction. */
 double wf_rose_above(const struct wf_rose *r, double u);
-/* Mean wind speed of all hours [m/s]: sum f A Gamma(1 + 1/k). */
+/* Mean wind speed of the hours of a sector [m/s]: (1 - calm) A Gamma(1 + 1/k); NAN for an empty sector. */
+double wf_rose_sector_mean(const struct wf_rose *r, size_t sector);
+/* Mean wind speed of all hours [m/s]. */
 double wf_rose_mean(const struct wf_rose *r);
 /* Wind speed that is exceeded in a share of all hours [m/s], 0 < share < 1; by bisection to 1e-9 m/s. */
 double wf_rose_speed(const struct wf_rose *r, double share);

@@ -2,6 +2,7 @@
 #include "wind/gust.h"
 #include "base/num.h"
 #include "base/random.h"
+#include "base/text.h"
 #include "wind/gust_spectral.h"
 #include "wind/noise.h"
 #include <math.h>
@@ -182,22 +183,32 @@ static enum wf_status record_fill(struct wf_gust *g, size_t first, size_t steps,
     return WF_OK;
 }
 
-enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const char *columns,
-                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file,
+                                    const struct wf_record_words *how, struct wf_arena *a, struct wf_diag *d,
+                                    struct wf_err *e)
 {
     struct wf_record_request q;
     struct wf_record *r = WF_TAKE(a, 1, struct wf_record);
-    char *rest = NULL, *words = wf_arena_text(a, columns);
+    char *rest = wf_arena_text(a, how->columns);
     if (!file) return wf_fail(e, WF_EUSAGE, "the model record needs the file of an anemometer");
-    if (!r || !words) return wf_fail(e, WF_ENOMEM, "not enough memory for a record");
+    if (!r || !rest) return wf_fail(e, WF_ENOMEM, "not enough memory for a record");
     wf_record_request_default(&q);
-    q.time = strtok_r(words, ",", &rest);
-    for (int k = 0; k < 3; k++) q.part[k] = strtok_r(NULL, ",", &rest);
-    if (!q.time || !q.part[0] || strtok_r(NULL, ",", &rest))
-        return wf_fail(
-            e, WF_EUSAGE,
-            "columns '%s': a time column and one to three components are needed, separated by commas",
-            columns);
+    q.missing = how->missing;
+    q.step = how->rate > 0.0 ? 1.0 / how->rate : NAN;
+    if (!wf_dates_named(how->dates, &q.dates))
+        return wf_fail(e, WF_EUSAGE, "dates '%s'; there are: day-first, month-first", how->dates);
+    q.time = wf_list_item(&rest);
+    bool empty = !*q.time;
+    for (int k = 0; k < 3; k++) empty |= (q.part[k] = wf_list_item(&rest)) && !*q.part[k];
+    if (empty || !q.part[0] || wf_list_item(&rest))
+        return wf_fail(e, WF_EUSAGE,
+                       "columns '%s': a time column ('-': none) and one to three components are needed, "
+                       "separated by commas",
+                       how->columns);
+    if (!strcmp(q.time, "-")) q.time = NULL;
+    if (q.time && how->rate > 0.0)
+        return wf_fail(e, WF_EUSAGE, "a rate is for records without a time column; '%s' is one, '-' is none",
+                       q.time);
     s->record = r;
     return wf_record_read(file, &q, a, d, r, e);
 }
@@ -282,7 +293,7 @@ static const struct wf_gust_par eog_pars[] = {
     { 0 }
 };
 
-#define SPECTRAL wf_gust_spectral_open, wf_gust_spectral_fill, wf_gust_spectral_close
+#define SPECTRAL wf_gust_spectral_open, wf_gust_spectral_fill, wf_gust_spectral_close, false, false
 
 const struct wf_gust_model wf_gust_models[] = {
     { "kaimal", "turbulence with Kaimal spectra",
@@ -308,7 +319,7 @@ const struct wf_gust_model wf_gust_models[] = {
       "the "
       "phase is "
       "drawn once a run (drawn at each step it would be white noise)",
-      1, NULL, cosine_pars, direct_open, cosine_fill, NULL },
+      1, NULL, cosine_pars, direct_open, cosine_fill, NULL, false, false },
     { "sine-perlin", "a sine and gradient noise",
       "Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163; noise: Perlin K. (2002), ACM Trans. "
       "Graph. 21(3):681-682",
@@ -316,21 +327,21 @@ const struct wf_gust_model wf_gust_models[] = {
       "the printed sine swings from 0 to twice the mean (intensity 0.71) and the printed noise shifts the "
       "mean; here "
       "sine and zero-mean noise share the specified variance",
-      1, NULL, sine_perlin_pars, direct_open, sine_perlin_fill, NULL },
+      1, NULL, sine_perlin_pars, direct_open, sine_perlin_fill, NULL, false, false },
     { "sine-perlin-as-printed", "a sine and value noise, as printed",
       "Zhao P., Zhang Z. (2013), Comput. Eng. Appl. 49(14):160-163",
       "reproduces the paper; intensity about 0.7 and a mean above the specified one: not a physical wind",
-      NULL, 1, NULL, zhao_pars, direct_open, zhao_fill, NULL },
+      NULL, 1, NULL, zhao_pars, direct_open, zhao_fill, NULL, true, false },
     { "perlin", "octaves of gradient noise", "Perlin K. (2002), ACM Trans. Graph. 21(3):681-682",
       "synthetic wind within a fixed range; slope -(1+2H), H = -ln(persistence)/ln(lacunarity), in the band "
       "of the octaves",
-      NULL, 1, NULL, perlin_pars, direct_open, perlin_fill, NULL },
+      NULL, 1, NULL, perlin_pars, direct_open, perlin_fill, NULL, false, false },
     { "record", "a measured wind", "the user's anemometer file",
       "one point's record at all points, delayed along the wind at its mean speed", NULL, 3, NULL,
-      record_pars, record_open, record_fill, NULL },
+      record_pars, record_open, record_fill, NULL, true, true },
     { "eog", "one extreme operating gust", "IEC 61400-1:2005, 6.3.2.2",
       "a designed single gust: a dip, a rise and a dip; intensity taken as the standard's sigma1/U", NULL, 1,
-      NULL, eog_pars, direct_open, eog_fill, NULL },
+      NULL, eog_pars, direct_open, eog_fill, NULL, false, true },
     { 0 }
 };
 

@@ -45,9 +45,16 @@ double wf_gust_eog_amplitude(const struct wf_gust_spec *s);
 
 /* The columns of wf_record_request_default as a text. */
 #define WF_RECORD_COLUMNS "t_s,u_ms,v_ms,w_ms"
-/* Read an anemometer file for the model `record` and set s->record. Given: the file, its columns as a text
- * "time,u[,v[,w]]". Errors: WF_EUSAGE without a file or for a text of another form; those of wf_record_read.
- */
-enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file, const char *columns,
-                                    struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
+/* How an anemometer file is read, as users say it. */
+struct wf_record_words {
+    const char *columns; /* "time,u[,v[,w]]"; the time "-" or empty: there is none, rows have a rate */
+    const char *missing; /* see wf_record_request; NULL: not said                                    */
+    const char *dates;   /* "day-first", "month-first"; NULL: not said                               */
+    double rate;         /* of rows without a time [1/s]; NAN: not said                              */
+};
+/* Read an anemometer file for the model `record` and set s->record. Errors: WF_EUSAGE without a file or for
+ * words of another form; those of wf_record_read. */
+enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file,
+                                    const struct wf_record_words *how, struct wf_arena *a, struct wf_diag *d,
+                                    struct wf_err *e);
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/gust_report.h"
+#include "base/interrupt.h"
 #include "wind/gust_spectral.h"
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
@@ -131,7 +132,8 @@ static enum wf_status run_model(const struct wf_gust_spec *s, struct wf_arena *a
     if (!block || !o->x)
         status = wf_fail(e, WF_ENOMEM, "not enough memory for %zu series of %zu steps", rows, s->steps);
     for (size_t b = 0; b < g.blocks && !status; b++) {
-        status = wf_gust_block(&g, b, block, e);
+        if (wf_interrupted()) status = wf_fail(e, WF_EINTERRUPTED, "interrupted before the wind was made");
+        if (!status) status = wf_gust_block(&g, b, block, e);
         size_t first = b * g.block, steps = s->steps - first < g.block ? s->steps - first : g.block;
         for (size_t row = 0; row < rows; row++)
             memcpy(o->x + row * s->steps + first, block + row * g.block, steps * sizeof *block);
@@ -325,14 +327,19 @@ static void check_spectrum(struct wf_gust_report *o)
                      0.1);
 }
 
+enum {
+    STEPS_MIN = 32
+}; /* half a minute at 1 Hz; below it the lowest bands of the spectrum hold one line each */
+
 enum wf_status wf_gust_report_make(const struct wf_gust_spec *s, struct wf_arena *a, struct wf_diag *d,
                                    struct wf_gust_report *o, struct wf_err *e)
 {
     memset(o, 0, sizeof *o);
     o->spec = *s;
     enum wf_status status = run_model(s, a, d, o, e);
-    if (!status && s->steps < 64)
-        status = wf_fail(e, WF_EUSAGE, "%zu steps: at least 64 are needed to look at", s->steps);
+    if (!status && s->steps < STEPS_MIN)
+        status =
+            wf_fail(e, WF_EUSAGE, "%zu steps: at least %d are needed to look at", s->steps, (int)STEPS_MIN);
     for (unsigned c = 0; c < s->components && !status; c++)
         status =
             wf_gust_stats(o->x + c * s->points * s->steps, s->steps, s->step, 3.0, 600.0, a, &o->stats[c], e);

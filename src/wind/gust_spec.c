@@ -77,22 +77,38 @@ struct wf_spectrum_par wf_gust_spectrum_par(const struct wf_gust_spec *s, size_t
 enum wf_status wf_gust_set_words(struct wf_gust_spec *s, const char *words, struct wf_arena *a,
                                  struct wf_err *e)
 {
-    char *rest = NULL, *copy = words ? wf_arena_text(a, words) : NULL;
-    if (words && !copy) return wf_fail(e, WF_ENOMEM, "not enough memory for the parameters of a gust model");
-    for (char *item = copy ? strtok_r(copy, ",", &rest) : NULL; item; item = strtok_r(NULL, ",", &rest)) {
+    char *rest = words ? wf_arena_text(a, words) : NULL;
+    bool set[WF_GUST_PARS] = { false };
+    if (words && !rest) return wf_fail(e, WF_ENOMEM, "not enough memory for the parameters of a gust model");
+    for (char *item; (item = wf_list_item(&rest));) {
         char *equals = strchr(item, '=');
         double value;
         const char *number = equals ? equals + 1 : "",
                    *end = wf_number_read(number, number + strlen(number), '.', &value);
-        while (*item == ' ') item++;
         if (!end || *end)
             return wf_fail(e, WF_EUSAGE, "parameters of %s: '%s': expected name=number", s->model->name,
                            item);
         *equals = '\0';
         enum wf_status status = wf_gust_set(s, item, value, e);
         if (status) return status;
+        size_t k = 0;
+        while (strcmp(s->model->par[k].name, item) != 0) k++;
+        if (set[k]) return wf_fail(e, WF_EUSAGE, "parameters of %s: %s is given twice", s->model->name, item);
+        set[k] = true;
     }
     return WF_OK;
+}
+
+bool wf_gust_takes_speed(const struct wf_gust_model *m, const char *words)
+{
+    struct wf_arena a = { 0 };
+    struct wf_gust_spec s;
+    struct wf_err e = { 0 };
+    if (strcmp(m->name, "record") != 0) return true;
+    wf_gust_spec_default(m, &s);
+    enum wf_status status = wf_gust_set_words(&s, words, &a, &e);
+    wf_arena_free(&a);
+    return status || wf_gust_get(&s, "rescale") > 0.0;
 }
 
 char *wf_gust_words(const struct wf_gust_spec *s, struct wf_arena *a)

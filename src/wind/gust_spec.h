@@ -6,6 +6,7 @@
 #include "base/err.h"
 #include "wind/record.h"
 #include "wind/spectrum.h"
+#include <stdbool.h>
 #include <stdint.h>
 
 enum { WF_GUST_PARS = 8, WF_GUST_POINTS_MAX = 20000 };
@@ -28,6 +29,8 @@ struct wf_gust_model {
     enum wf_status (*open)(struct wf_gust *g, struct wf_arena *a, struct wf_err *e);
     enum wf_status (*fill)(struct wf_gust *g, size_t first, size_t steps, double *out, struct wf_err *e);
     void (*close)(struct wf_gust *g); /* NULL: all memory is in the arena */
+    bool own_intensity;               /* the intensity of the specification has no effect */
+    bool fixed;                       /* nothing is drawn: the seed has no effect */
 };
 struct wf_gust_spec {
     const struct wf_gust_model *model;
@@ -71,6 +74,9 @@ double wf_gust_mean(const struct wf_gust_spec *s, size_t point);
  * wf_gust_set; WF_EUSAGE for a text of another form; WF_ENOMEM. */
 enum wf_status wf_gust_set_words(struct wf_gust_spec *s, const char *words, struct wf_arena *a,
                                  struct wf_err *e);
+/* Whether a model makes a wind of the specified mean: a record has its own unless it is rescaled. Given:
+ * `words` as in wf_gust_set_words; with mistakes in them, true. */
+bool wf_gust_takes_speed(const struct wf_gust_model *m, const char *words);
 /* Intensity and all parameters with their values as a text "name=number;..."; NULL without memory. */
 char *wf_gust_words(const struct wf_gust_spec *s, struct wf_arena *a);
 #endif

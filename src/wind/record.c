@@ -1,15 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/record.h"
+#include "base/column.h"
 #include "base/csv.h"
 #include "base/num.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+/* No anemometer has measured more near the ground than 113 m/s (Barrow Island 1996, WMO); the fastest wind
+ * that a user can vouch for, and the fastest one taken as a wind without being vouched for [m/s]. */
+static const double VOUCHED_MAX = 120.0, SPEED_MAX = 90.0;
+
 void wf_record_request_default(struct wf_record_request *q)
 {
     *q = (struct wf_record_request){
-        .time = "t_s", .part = { "u_ms", "v_ms", "w_ms" }, .bad_share = 0.05, .gap = 2.0, .speed_max = 100.0
+        .time = "t_s", .part = { "u_ms", "v_ms", "w_ms" }, .step = NAN, .bad_share = 0.05, .gap = 5.0
     };
 }
 
@@ -21,6 +26,8 @@ struct record_rows {
     size_t *line;
     size_t first_line, first_column; /* first unreadable cell */
     char first_text[40];
+    size_t column[3];
+    double factor[3]; /* of the columns, to m/s */
 };
 
 static void free_rows(struct record_rows *r)
@@ -47,22 +54,123 @@ static bool grow_rows(struct record_rows *r)
     return good;
 }
 
-/* Read a number. Returned: NAN for an unreadable cell; the place of the first one is kept for messages. */
-static double read_reading(struct record_rows *r, struct wf_csv *c, size_t column, double limit)
+/* Keep the place and text of the first unreadable cell for messages. */
+static void note_unreadable(struct record_rows *r, const struct wf_cell *cell)
 {
-    double value = NAN;
-    const struct wf_cell *cell = &c->cell[column];
-    const char *end = wf_number_read(cell->text, cell->text + cell->size,
-                                     c->separator == ',' ? '.'
-                                     : c->point          ? c->point
-                                                         : '.',
-                                     &value);
-    if (end && end == cell->text + cell->size && cell->size && fabs(value) <= limit) return value;
-    if (!r->first_line) {
-        r->first_line = cell->line, r->first_column = cell->column;
-        strncpy(r->first_text, cell->size ? cell->text : "(empty)", sizeof r->first_text - 1);
-    }
+    if (r->first_line) return;
+    r->first_line = cell->line, r->first_column = cell->column;
+    strncpy(r->first_text, cell->size ? cell->text : "(empty)", sizeof r->first_text - 1);
+}
+
+/* A number with another decimal sign than those before it is a mistake of the file, not a gap. */
+static void report_mixed(struct wf_csv *c, size_t column, enum wf_csv_kind kind)
+{
+    if (kind == WF_CSV_MIXED)
+        wf_csv_mistake(c, column, "'%.40s': decimal comma and decimal point are mixed in this file",
+                       wf_csv_text(c, column));
+}
+
+/* Read a wind in the column's own unit. Returned: NAN for an unreadable cell. */
+static double read_reading(struct record_rows *r, struct wf_csv *c, size_t column)
+{
+    double value;
+    enum wf_csv_kind kind = wf_csv_reading(c, column, &value);
+    if (kind == WF_CSV_NUMBER) return value;
+    report_mixed(c, column, kind);
+    note_unreadable(r, &c->cell[column]);
     return NAN;
+}
+
+/* Find the columns and their units. */
+static enum wf_status find_columns(const struct wf_record_request *q, struct wf_csv *c, struct record_rows *r,
+                                   struct wf_clock *clock, size_t *time, struct wf_err *e)
+{
+    struct wf_units *u = NULL;
+    enum wf_status s = wf_units_open(&u, e);
+    if (s) return s;
+    *time = q->time ? wf_csv_need(c, q->time) : WF_CSV_NONE;
+    for (int k = 0; k < 3; k++) {
+        r->column[k] = q->part[k] ? wf_csv_need(c, q->part[k]) : WF_CSV_NONE;
+        r->factor[k] = 1.0;
+        if (r->column[k] != WF_CSV_NONE)
+            (void)wf_column_factor(c, u, r->column[k], WF_DIM_SPEED, "m/s", &r->factor[k], e);
+    }
+    size_t stem;
+    if (*time != WF_CSV_NONE && !wf_name_unit(u, c->name[*time].text, WF_DIM_TIME, &clock->factor, &stem, e))
+        clock->factor = 0.0; /* dates have none; of numbers it is said when they are read */
+    wf_units_close(u);
+    if (e && e->code) return e->code;
+    return c->mistakes ? wf_fail(e, WF_EINPUT, "%s: a specified column cannot be used", c->file) : WF_OK;
+}
+
+/* Read a row's time. A cell that is no time is unreadable like any other; the mistakes that the clock reports
+ * are kept out of the list until it is known whether the rows are too many. */
+static double read_time(struct record_rows *r, struct wf_csv *c, struct wf_clock *clock, size_t column)
+{
+    double t;
+    struct wf_diag *shown = c->diag, own = { .arena = shown->arena };
+    size_t mistakes = c->mistakes;
+    c->diag = &own;
+    bool good = wf_clock_read(clock, c, column, &t);
+    c->diag = shown;
+    c->mistakes = mistakes;
+    if (good) return t;
+    report_mixed(c, column, wf_csv_value(c, column, &t));
+    note_unreadable(r, &c->cell[column]);
+    return NAN;
+}
+
+static enum wf_status read_cells(const struct wf_record_request *q, struct wf_csv *c, struct record_rows *r,
+                                 struct wf_err *e)
+{
+    struct wf_clock clock = { .dates = q->dates };
+    size_t time;
+    enum wf_status s = find_columns(q, c, r, &clock, &time, e);
+    if (s) return s;
+    while (wf_csv_next(c)) {
+        if (r->n == r->room && !grow_rows(r))
+            return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", c->file);
+        r->time[r->n] = q->time ? read_time(r, c, &clock, time) : (double)r->n * q->step;
+        for (int k = 0; k < 3; k++) r->part[k][r->n] = q->part[k] ? read_reading(r, c, r->column[k]) : 0.0;
+        r->line[r->n++] = c->row_line;
+    }
+    if (c->mistakes) return wf_fail(e, WF_EINPUT, "%s: unusable rows", c->file);
+    if (r->n < 2) return wf_fail(e, WF_EINPUT, "%s: %zu rows; a record needs at least 2", c->file, r->n);
+    wf_clock_say_unit(&clock, c, time);
+    return wf_clock_settle(&clock, c->file, "--dates day-first or --dates month-first (key dates)", r->time,
+                           r->n, e);
+}
+
+/* Find the missing marks of component k and convert it to m/s. */
+static enum wf_status strike_marks(const struct wf_record_request *q, struct wf_csv *c, struct record_rows *r,
+                                   int k, bool alone, struct wf_err *e)
+{
+    const char *name = c->name[r->column[k]].text;
+    struct wf_marks m = { .impossible = SPEED_MAX / r->factor[k],
+                          .unsigned_ = alone,
+                          .none = q->missing && !strcmp(q->missing, "none") };
+    if (!wf_marks_find(&m, r->part[k], r->n))
+        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", c->file);
+    if (m.doubtful < r->n)
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s:%zu: error: column '%s': %.10g (%.4g m/s) is a missing mark or a peak; the next largest is "
+            "%.10g. Say --missing %.10g if it means that there is no reading, or --missing none if "
+            "every number is a wind (in a study the key missing)",
+            c->file, r->line[m.doubtful], name, r->part[k][m.doubtful], r->part[k][m.doubtful] * r->factor[k],
+            m.next, r->part[k][m.doubtful]);
+    if (m.missing)
+        wf_diag_warn(c->diag, "missing-marks",
+                     "%s: column '%s': %zu numbers are taken as missing marks, such as %.10g", c->file, name,
+                     m.missing, m.mark);
+    for (size_t i = 0; i < r->n; i++) {
+        r->part[k][i] *= r->factor[k];
+        if (fabs(r->part[k][i]) > VOUCHED_MAX)
+            return wf_fail(e, WF_EINPUT,
+                           "%s:%zu: error: column '%s': %.4g m/s is not a wind; the limit is %g m/s", c->file,
+                           r->line[i], name, r->part[k][i], VOUCHED_MAX);
+    }
+    return WF_OK;
 }
 
 static enum wf_status read_rows(const char *path, const struct wf_record_request *q, struct wf_arena *a,
@@ -70,34 +178,27 @@ static enum wf_status read_rows(const char *path, const struct wf_record_request
                                 struct wf_err *e)
 {
     struct wf_csv csv = { 0 };
-    size_t errors = d->errors, column[3], time = WF_CSV_NONE;
-    if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
-    if (q->time) time = wf_csv_need(&csv, q->time);
-    for (int k = 0; k < 3; k++) column[k] = q->part[k] ? wf_csv_need(&csv, q->part[k]) : WF_CSV_NONE;
-    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: a specified column is missing", path);
-    while (wf_csv_next(&csv)) {
-        if (r->n == r->room && !grow_rows(r))
-            return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", path);
-        bool bad = false;
-        r->time[r->n] = q->time ? read_reading(r, &csv, time, 1e15) : (double)r->n * q->step;
-        bad = isnan(r->time[r->n]);
-        for (int k = 0; k < 3; k++) {
-            r->part[k][r->n] = q->part[k] ? read_reading(r, &csv, column[k], q->speed_max) : 0.0;
-            bad = bad || isnan(r->part[k][r->n]);
-        }
-        r->line[r->n++] = csv.row_line;
+    enum wf_status s = wf_csv_open(&csv, path, a, d, e);
+    if (s) return s;
+    if (q->missing && strcmp(q->missing, "none") != 0 && !wf_csv_declare(&csv, q->missing))
+        return wf_fail(e, WF_EUSAGE, "missing marks '%s': 'none' or at most %d numbers, separated by commas",
+                       q->missing, (int)WF_CSV_MARKS);
+    if ((s = read_cells(q, &csv, r, e))) return s;
+    for (int k = 0; k < 3 && !s; k++)
+        if (q->part[k]) s = strike_marks(q, &csv, r, k, out->components == 1, e);
+    if (s) return s;
+    out->rows = r->n;
+    for (size_t i = 0; i < r->n; i++) {
+        bool bad = isnan(r->time[i]) || isnan(r->part[0][i]) || isnan(r->part[1][i]) || isnan(r->part[2][i]);
+        if (bad && !r->first_line) r->first_line = r->line[i], strcpy(r->first_text, "missing mark");
         out->unreadable += bad;
     }
-    out->rows = r->n;
-    if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: unusable rows", path);
-    if (r->n < 2) return wf_fail(e, WF_EINPUT, "%s: %zu rows; a record needs at least 2", path, r->n);
     if ((double)out->unreadable > q->bad_share * (double)r->n)
         return wf_fail(
             e, WF_EINPUT,
-            "%s:%zu:%zu: error: %zu of %zu rows have a cell that is empty, not a number or beyond %g "
-            "m/s (first: '%s'); at most %g %% are interpolated",
-            path, r->first_line, r->first_column, out->unreadable, r->n, q->speed_max, r->first_text,
-            100.0 * q->bad_share);
+            "%s:%zu:%zu: error: %zu of %zu rows have a cell that is empty, not a number or a missing mark "
+            "(first: '%s'); at most %g %% are interpolated",
+            path, r->first_line, r->first_column, out->unreadable, r->n, r->first_text, 100.0 * q->bad_share);
     return WF_OK;
 }
 
@@ -209,7 +310,10 @@ enum wf_status wf_record_read(const char *path, const struct wf_record_request *
     out->file = path;
     out->components = q->part[2] ? 3 : q->part[1] ? 2 : 1;
     if (!q->time && !(q->step > 0.0))
-        return wf_fail(e, WF_EUSAGE, "%s: a record without a time column needs its step", path);
+        return wf_fail(e, WF_EUSAGE,
+                       "%s: a record without a time column needs its rate: --rate (key rate), for "
+                       "example 20 Hz",
+                       path);
     enum wf_status s = read_rows(path, q, a, d, &r, out, e);
     if (!s) s = find_step(path, &r, out, e);
     if (!s) {

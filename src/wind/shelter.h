@@ -49,6 +49,7 @@ struct wf_shelter_law {
     size_t parts;    /* components of the ratio that it changes: 1 along the wind, 3 all */
     /* Compute s->part from coverage and classes. Errors: WF_ENOMEM. */
     enum wf_status (*fill)(struct wf_shelter *s, struct wf_arena *scratch, struct wf_err *e);
+    bool wakes; /* takes wake_growth */
 };
 
 enum { WF_SHELTER_CELLS_MAX = 40000000 }; /* slabs x cells x cells: about 2 GB */

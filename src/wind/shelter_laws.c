@@ -491,13 +491,13 @@ const struct wf_shelter_law wf_shelter_laws[] = {
       "2016, Analytical modeling of wind farms, Energies 9:741",
       "inside a crown and behind it up to some crown widths; no speed-up beside it, no eddies behind dense "
       "walls; the growth of wakes is borrowed from turbines (0.03 to 0.08 for turbulence of 7 to 20 %)",
-      false, 1, shelter_wake },
+      false, 1, shelter_wake, true },
     { "feng1999", "classes and potential flows as printed",
       "Feng J., Yan T., Chen Y., Wu E. 1999, Research on whole tree's movement and tree's inner wind field, "
       "section 3",
       "for comparison: potential flow has no wake (behind a cylinder 96 % of the wind are back at 5 radii; a "
       "real wake takes tens of diameters), and behind covered cells the wind never recovers",
-      true, 3, shelter_feng },
+      true, 3, shelter_feng, false },
     { .name = NULL },
 };
 

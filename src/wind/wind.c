@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/wind.h"
+#include "base/column.h"
 #include "base/csv.h"
 #include "base/num.h"
 #include <math.h>
@@ -139,12 +140,19 @@ enum wf_status wf_measured_read(const char *path, struct wf_arena *a, struct wf_
     if (!out->z || !out->u || !out->slope)
         return wf_fail(e, WF_ENOMEM, "%s: not enough memory for a profile", path);
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
-    size_t height = wf_csv_need(&csv, "height_m"), speed = wf_csv_need(&csv, "speed_ms");
+    struct wf_units *units;
+    double metres, speeds;
+    if (wf_units_open(&units, e)) return e ? e->code : WF_EMISSING;
+    size_t height = wf_column_need(&csv, units, "height_m", WF_DIM_LENGTH, &metres, e);
+    size_t speed = wf_column_need(&csv, units, "speed_ms", WF_DIM_SPEED, &speeds, e);
+    wf_units_close(units);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a wind profile", path);
     out->n = 1; /* the ground */
     while (wf_csv_next(&csv)) {
         double z, u;
-        if (!wf_csv_number(&csv, height, 0.0, 1000.0, &z) || !wf_csv_number(&csv, speed, 0.0, 120.0, &u))
+        if (!wf_column_number(&csv, height, metres, 0.0, 1000.0, &z) ||
+            !wf_column_number(&csv, speed, speeds, 0.0, 120.0, &u))
             continue;
         if (out->n > HEIGHTS_MAX) return wf_fail(e, WF_EINPUT, "%s: more than %d heights", path, HEIGHTS_MAX);
         if (!(z > out->z[out->n - 1]))
@@ -208,18 +216,18 @@ enum wf_status wf_measured_blow(const struct wf_measured_profile *p, struct wf_w
 
 const struct wf_profile wf_profiles[] = {
     { "uniform", "the same speed at every height", "wind tunnels, comparisons; not the wind over ground",
-      uniform },
+      uniform, "" },
     { "log",
       "Tennekes H. 1973. The logarithmic wind profile. J. Atmos. Sci. 30:234-238; zero-plane displacement: "
       "Thom A.S. "
       "1971. Momentum absorption by vegetation. Q. J. R. Meteorol. Soc. 97:414-428",
       "neutral or strong wind over level ground, from about d + 20 z0 up to 100 m; calm below d + z0",
-      logarithmic },
+      logarithmic, "roughness displacement" },
     { "power",
       "Davenport A.G. 1960. Rationale for determining design wind velocities. J. Struct. Div. ASCE "
       "86(5):39-68",
       "strong wind over level ground, 1 m to 300 m; exponent 0.10 (water) to 0.40 (town), 0.16 open country",
-      power },
+      power, "exponent" },
     { "canopy",
       "Cionco R.M. 1965. A mathematical model for air flow in a vegetative canopy. J. Appl. Meteorol. "
       "4:517-522; above: "
@@ -227,15 +235,15 @@ const struct wf_profile wf_profiles[] = {
       "closed level stands of even height, neutral or strong wind; attenuation 0.3 (open) to 4 (dense); not "
       "the "
       "second maximum among bare trunks below about 0.3 of the height",
-      wf_canopy_sample },
+      wf_canopy_sample, "roughness displacement canopy_height attenuation" },
     { "measured",
       "the heights and speeds of the file named; between them a monotone cubic: Steffen M. 1990. Astron. "
       "Astrophys. "
       "239:443-450",
       "between the lowest and the highest height measured; below them the speed falls to 0 at the ground, "
       "above them it is constant",
-      wf_measured_sample },
-    { NULL, NULL, NULL, NULL }
+      wf_measured_sample, "" },
+    { 0 }
 };
 
 const char *const wf_profile_names[] = { "uniform", "log", "power", "canopy", "measured", NULL };
@@ -309,14 +317,21 @@ enum wf_status wf_points_read(const char *path, size_t most, struct wf_arena *a,
     *out = (struct wf_points){ .place = WF_TAKE(a, 3 * most, double), .mean = WF_TAKE(a, most, double) };
     if (!out->place || !out->mean) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for points", path);
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
-    const size_t column[3] = { wf_csv_need(&csv, "x_m"), wf_csv_need(&csv, "y_m"), wf_csv_need(&csv, "z_m") };
-    size_t mean = wf_csv_column(&csv, "mean_ms");
+    static const char *const name[3] = { "x_m", "y_m", "z_m" };
+    size_t column[3], mean = wf_csv_column(&csv, "mean_ms");
+    struct wf_units *units;
+    double metres[3];
+    if (wf_units_open(&units, e)) return e ? e->code : WF_EMISSING;
+    for (size_t k = 0; k < 3; k++)
+        column[k] = wf_column_need(&csv, units, name[k], WF_DIM_LENGTH, &metres[k], e);
+    wf_units_close(units);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a list of points", path);
     for (; wf_csv_next(&csv); n++) {
         if (n == most) return wf_fail(e, WF_EINPUT, "%s: more than %zu points", path, most);
         for (size_t k = 0; k < 3; k++)
-            wf_csv_number(&csv, column[k], k == 2 ? 0.0 : -1e5, k == 2 ? 1000.0 : 1e5,
-                          &out->place[3 * n + k]);
+            wf_column_number(&csv, column[k], metres[k], k == 2 ? 0.0 : -1e5, k == 2 ? 1000.0 : 1e5,
+                             &out->place[3 * n + k]);
         if (mean != WF_CSV_NONE) wf_csv_number(&csv, mean, 0.01, 120.0, &out->mean[n]);
     }
     if (d->errors == errors && !n) wf_diag_error(d, path, 0, 0, "no points");

@@ -34,6 +34,8 @@ struct wf_wind {
 struct wf_profile {
     const char *name, *source, *validity;
     wf_wind_sample *sample;
+    const char
+        *takes; /* its numbers beside the reference height, members of struct wf_wind, with blanks between */
 };
 /* Canopy profile: height of the canopy top [m] and attenuation [-], as given or derived (see struct wf_wind).
  */

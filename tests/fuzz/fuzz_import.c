@@ -6,8 +6,17 @@
 #include "grow/import.h"
 #include "grow/import_file.h"
 #include "grow/qsm_model.h"
+#include <string.h>
 
 static const char *format_asked;
+
+static struct wf_import_options options(void)
+{
+    struct wf_import_options o = wf_import_default();
+    o.format = format_asked;
+    if (format_asked && !strcmp(format_asked, "nodes")) o.length_unit = 1; /* SWC needs one */
+    return o;
+}
 
 static void must_be_table(const struct wf_qsm *q)
 {
@@ -57,11 +66,10 @@ static void grow(struct fuzz *f, const char *joint)
 
 static enum wf_status read_strict(struct fuzz *f)
 {
-    struct wf_import_options o = wf_import_default();
+    struct wf_import_options o = options();
     struct wf_diag d = { .arena = &f->arena };
     struct wf_err e = { 0 };
     struct wf_qsm strict, q;
-    o.format = format_asked;
     o.strict = true;
     enum wf_status s = wf_import_read(f->path, &o, &f->arena, &strict, &f->diag, &f->err);
     if (s) return s;
@@ -74,9 +82,8 @@ static enum wf_status read_strict(struct fuzz *f)
 
 static enum wf_status read_tree(struct fuzz *f)
 {
-    struct wf_import_options o = wf_import_default();
+    struct wf_import_options o = options();
     struct wf_qsm q;
-    o.format = format_asked;
     enum wf_status s = wf_import_read(f->path, &o, &f->arena, &q, &f->diag, &f->err);
     if (s) return s;
     must_be_table(&q);

@@ -19,10 +19,11 @@ static void check(const struct wf_test_data *r)
     }
 }
 
-/* The first columns of the file, each as force, angle and length. */
-static size_t columns_of(struct fuzz *f, struct wf_test_column *out, const char **time)
+/* The first columns of the file, each as force or speed, angle and length. */
+static size_t columns_of(struct fuzz *f, struct wf_column *out, const char **time)
 {
-    static const enum wf_dimension wanted[] = { WF_DIM_FORCE, WF_DIM_ANGLE, WF_DIM_LENGTH };
+    const enum wf_dimension wanted[] = { f->size % 3 ? WF_DIM_FORCE : WF_DIM_SPEED, WF_DIM_ANGLE,
+                                         WF_DIM_LENGTH };
     struct wf_csv c;
     struct wf_diag d = { .arena = &f->arena };
     struct wf_err e = { 0 };
@@ -30,22 +31,29 @@ static size_t columns_of(struct fuzz *f, struct wf_test_column *out, const char 
     if (wf_csv_open(&c, f->path, &f->arena, &d, &e)) return 0;
     *time = c.name[0].text;
     for (size_t i = 1; i < c.columns && n < COLUMNS; i++, n++)
-        out[n] = (struct wf_test_column){ c.name[i].text, NULL, wanted[n] };
-    if (n == 1) out[0].unit = "kN";
+        out[n] = (struct wf_column){ c.name[i].text, NULL, wanted[n] };
+    if (n == 1) out[0].unit = f->size % 3 ? "kN" : "km/h";
     return n;
 }
 
 static enum wf_status reading(struct fuzz *f, bool timed)
 {
-    struct wf_test_column column[COLUMNS];
+    struct wf_column column[COLUMNS];
     const char *time = NULL;
     struct wf_test_data r = { 0 };
     const struct wf_yaml_pair only = { "tree", "A" };
+    const struct wf_test_rows how = { .time = timed ? time : NULL,
+                                      .rate = timed ? 0 : 20,
+                                      .missing = timed         ? NULL
+                                                 : f->size % 5 ? "-99.9,7"
+                                                               : "none",
+                                      .dates = f->size % 7 ? WF_DATES_UNSAID : WF_DATES_MONTH_FIRST,
+                                      .only = &only,
+                                      .onlys = timed ? 0 : f->size % 2 };
     struct wf_err e = { 0 };
     size_t n = columns_of(f, column, &time);
     if (!n) return wf_fail(&f->err, WF_EINPUT, "no columns");
-    enum wf_status s = wf_test_data_read(f->path, column, n, timed ? time : NULL, &only,
-                                         timed ? 0 : f->size % 2, &f->arena, &r, &f->diag, &f->err);
+    enum wf_status s = wf_test_data_read(f->path, column, n, &how, &f->arena, &r, &f->diag, &f->err);
     if (s) return s;
     check(&r);
     if (fuzz_done(wf_loading_branch(&r, 0, 0.1, 0.9, "pull", &e), &e)) {

@@ -103,11 +103,13 @@ static inline void mock_tree(struct wf_analysis *an, const struct mock_kind *kin
     t->n = n;
     t->parent = WF_TAKE(a, n, int32_t);
     t->level = WF_TAKE(a, n, int32_t);
+    t->id = WF_TAKE(a, n, int64_t);
     double **column[] = { &t->x0, &t->y0, &t->z0, &t->x1, &t->y1, &t->z1, &t->r0, &t->r1, &t->i0, &t->i1 };
     for (size_t c = 0; c < sizeof column / sizeof *column; c++) *column[c] = mock_column(a, n);
     for (size_t i = 0; i < n; i++) {
         double s0 = (double)i / (double)n, s1 = (double)(i + 1) / (double)n;
         t->parent[i] = (int32_t)i - 1;
+        t->id[i] = (int64_t)i + 1;
         t->z0[i] = height * s0, t->z1[i] = height * s1;
         t->r0[i] = kind->radius * (1 - 0.81 * s0), t->r1[i] = kind->radius * (1 - 0.81 * s1);
         t->i0[i] = kind->wall > 0 ? t->r0[i] * (1 - kind->wall) : 0;

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/analyze_print.h"
+#include "base/num.h"
+#include "cmd/option.h"
+#include "data/model.h"
+#include "data/species.h"
+#include "solve/solve.h"
+#include "study/analysis.h"
+#include "study/directions.h"
+#include "wind/climate.h"
+#include <math.h>
+
+static double degrees(double rad) { return rad * 180.0 / M_PI; }
+
+static void print_cell(FILE *to, int width, int digits, double x)
+{
+    if (isfinite(x))
+        wf_show(to, "%*.*f", width, digits, x);
+    else
+        wf_show(to, "%*s", width, "-");
+}
+
+/* At the strongest specified wind. */
+static void print_direction(FILE *to, const struct wf_analysis *an, const struct wf_direction *d)
+{
+    const struct wf_at_speed *at = &d->at[an->n - 1];
+    wf_show(to, "%8g", degrees(d->from));
+    print_cell(to, 13, 3, at->base_moment / 1e3);
+    print_cell(to, 11, 3, at->tip_deflection);
+    print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
+    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
+    print_cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
+    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed);
+    const struct wf_directions_request *q = &an->directions->request;
+    if (q->speed_up) print_cell(to, 10, 3, q->speed_up[d - an->directions->direction]);
+    if (q->rose) {
+        print_cell(to, 12, 3, WF_HOURS_A_YEAR * d->hourly);
+        print_cell(to, 12, 3, WF_HOURS_A_YEAR * d->strongest);
+    }
+    fputc('\n', to);
+}
+
+static void print_climate(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_directions *x = an->directions;
+    wf_show(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
+    print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
+    print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
+    wf_show(to,
+            "\n  The critical wind is a sustained one, a 10-min mean at %.6g m. Hours a year: with an hourly "
+            "mean above "
+            "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
+            an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
+    if (x->above)
+        wf_show(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
+                an->search.speed_max);
+}
+
+/* The table of one analysis; nothing where it has no directions. */
+static void print_directions(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_directions *x = an->directions;
+    if (!x) return;
+    bool rose = x->request.rose, site = x->request.speed_up;
+    wf_show(to, "\n  Wind from all around, clockwise from north; north is ");
+    if (x->request.north == 0.0)
+        wf_show(to, "+y, east +x of the model\n");
+    else
+        wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
+    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
+            "breaks", "stem alone", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
+    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
+            site ? "          " : "", rose ? "  above: mean      10 min" : "");
+    for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
+    if (rose) print_climate(to, an);
+    wf_show(to, "  Moment, movement and safety at %.6g m/s.\n", an->at[an->n - 1].speed);
+}
+
+static void print_number(FILE *to, int width, int digits, double value)
+{
+    if (isfinite(value))
+        wf_show(to, "%*.*f", width, digits, value);
+    else
+        wf_show(to, "%*s", width, isinf(value) ? "inf" : "-");
+}
+
+static void print_speed(FILE *to, const struct wf_at_speed *at)
+{
+    print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
+    if (at->status) {
+        wf_show(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
+                100.0 * at->response.load_factor);
+        return;
+    }
+    print_number(to, 12, 3, at->tip_deflection);
+    print_number(to, 10, 1, 100.0 * at->tip_deflection_share);
+    print_number(to, 10, 1, at->tip_angle * 180.0 / M_PI);
+    print_number(to, 13, 3, at->base_moment / 1e3);
+    print_number(to, 12, 2, at->breakage.largest_stress / 1e6);
+    print_number(to, 10, 2, at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
+    fputc('\n', to);
+}
+
+/* The segment that fails: its id in the file of the tree, branching order, diameter. */
+static void print_failing(FILE *to, const struct wf_analysis *an, int32_t row)
+{
+    const struct wf_tree *t = &an->tree;
+    wf_show(to, " (id %lld, order %d, %.3g mm thick)", (long long)t->id[row], t->level[row],
+            2e3 * fmax(t->r0[row], t->r1[row]));
+}
+
+static void print_critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
+{
+    const struct wf_critical *c = &b->critical;
+    if (c->outcome == WF_CRITICAL_UNSEARCHED) {
+        wf_show(to, "  %s: not found in the time for the search; above %.4g m/s, %s %.4g m/s\n", what,
+                c->speed_low, c->speed_high < an->search.speed_max ? "below" : "not searched to",
+                c->speed_high);
+        return;
+    }
+    if (c->outcome == WF_CRITICAL_ABOVE) {
+        wf_show(to, "  %s > %.4g m/s, the highest searched\n", what, an->search.speed_max);
+        return;
+    }
+    if (c->outcome != WF_CRITICAL_FOUND) {
+        wf_show(to, "  %s: none; %s", what, wf_critical_text(c->outcome));
+        if (b->row >= 0) {
+            wf_show(to, ": the %s", wf_model_level_name(an->model, an->species, an->tree.level[b->row]));
+            print_failing(to, an, b->row);
+            wf_show(to, " %.2f m above the ground", b->height);
+        }
+        fputc('\n', to);
+        return;
+    }
+    wf_show(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
+            an->scenario.reference_height);
+    if (b->row >= 0) {
+        wf_show(to, "; the %s breaks%s %.2f m above the ground",
+                wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
+                b == &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE] ? " first" : "", b->height);
+        print_failing(to, an, b->row);
+    }
+    fputc('\n', to);
+}
+
+void wf_print_head(FILE *to, const struct wf_analysis *first)
+{
+    const struct wf_scenario *s = &first->scenario;
+    wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
+            first->tallness, s->profile, first->loads.air_density, first->solver->name);
+    wf_show(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
+    if (s->speed_up != 1.0)
+        wf_show(to,
+                "The wind at the tree is %.4g times the wind named (exposure of the site); critical speeds "
+                "are of the "
+                "wind "
+                "named\n",
+                s->speed_up);
+}
+
+void wf_print_speeds(FILE *to, const struct wf_analysis *an)
+{
+    wf_show(to, "\n%s (%s)\n", an->species->name, an->species->latin ? an->species->latin : an->species->key);
+    wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
+            "stress", "safety");
+    wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
+    for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
+}
+
+void wf_print_searched(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_break *b = an->breaks[WF_BREAKAGE];
+    bool beyond = false;
+    for (size_t i = 0; i < an->n; i++)
+        beyond = beyond || (!an->at[i].status && an->at[i].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety <= 1.0);
+    if (beyond)
+        wf_show(
+            to,
+            "  safety of 1 or less: broken before; the row shows what a tree that cannot break would do\n");
+    print_critical(to, an, "critical wind speed", &b[WF_SCOPE_TREE]);
+    if (b[WF_SCOPE_TREE].row >= 0 && an->tree.level[b[WF_SCOPE_TREE].row] > 0)
+        print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]);
+    print_directions(to, an);
+}

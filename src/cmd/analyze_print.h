@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_CMD_ANALYZE_PRINT_H
+#define WF_CMD_ANALYZE_PRINT_H
+/* What analyze and compare print on a terminal, in a forester's units, as soon as it is known: what the
+ * specified winds do, then the results of the searches. */
+#include "study/analysis.h"
+#include <stdio.h>
+
+/* Model, wind profile, air and solver of a run. */
+void wf_print_head(FILE *to, const struct wf_analysis *first);
+/* The table of the specified wind speeds of a species. */
+void wf_print_speeds(FILE *to, const struct wf_analysis *an);
+/* Below it: critical wind speeds and the segments that fail; directions and hours a year where there are
+ * some. */
+void wf_print_searched(FILE *to, const struct wf_analysis *an);
+#endif

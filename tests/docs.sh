@@ -1,0 +1,72 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Run every windfirm command in the fenced blocks of README.md and docs/*.md, from a scratch folder with the shipped files beside
+# it, as a reader would in the source folder. Each must end with 0. Figures and pages are left out (--no-report, --no-plots) except
+# where a later command draws them again. Given: the windfirm to run. The last line is "N passed, N failed, N skipped".
+windfirm=$(realpath "$1")
+top=$(pwd)
+here=$(mktemp -d) || exit 1
+trap 'rm -rf "$here"' EXIT
+passed=0 failed=0 skipped=0
+
+mkdir "$here/build" "$here/bin"
+for name in models species validation docs reports; do ln -s "$top/$name" "$here/$name"; done
+ln -s "$windfirm" "$here/build/windfirm"
+ln -s "$windfirm" "$here/bin/windfirm"
+WINDFIRM_SHARE=$top
+PATH=$here/bin:$PATH
+export WINDFIRM_SHARE PATH
+
+# Commands, one a line: joined where they go on after a backslash, remarks cut off.
+commands() {
+    awk '/^```/ { inside = !inside; next }
+         inside { if (more != "") { sub(/^ +/, ""); $0 = more " " $0; more = "" }
+                  if (sub(/ *\\$/, "")) { more = $0; next }
+                  sub(/ +# .*/, ""); print }' "$@" | grep -E '^(build/)?windfirm '
+}
+
+# What is not run, and why.
+reason_to_skip() {
+    case "$1" in
+    *" analyze "*"--model weeping_willow_tree"*) echo "takes a minute" ;;
+    *"--bootstrap 200"*) echo "takes minutes; tests/test_fit_cmd.c has a smaller one" ;;
+    "windfirm validate") echo "the whole validation is run by tests/run.sh itself" ;;
+    esac
+}
+
+# The option that leaves the pages out; nothing where a report is drawn from the folder.
+without_pages() {
+    case "$1" in
+    *"-o out/mine"* | *" report "*) return ;;
+    esac
+    "$windfirm" "$(echo "$1" | cut -d' ' -f2)" --help 2>/dev/null | grep -oE -m1 -e '--no-(report|plots)'
+}
+
+commands README.md docs/*.md | sort -u >"$here/list"
+# those that read what another writes come last
+{ grep -vE ' report |tree info tree.csv' "$here/list"; grep -E ' report |tree info tree.csv' "$here/list"; } >"$here/order"
+cd "$here" || exit 1
+while read -r line; do
+    why=$(reason_to_skip "$line")
+    if [ -n "$why" ]; then
+        echo "skipped: $line ($why)"
+        skipped=$((skipped + 1))
+        continue
+    fi
+    pages=$(without_pages "$line")
+    command=$line
+    [ -n "$pages" ] && command=$(echo "$line" | sed "s/ >.*//; s/\$/ $pages/")
+    if timeout 100 sh -c "$command" >log 2>&1 </dev/null; then
+        passed=$((passed + 1))
+    else
+        echo "FAILED: $command (exit code $?)"
+        tail -n 5 log
+        failed=$((failed + 1))
+    fi
+done <order
+if [ $((passed + failed)) -lt 20 ]; then # the blocks were not found
+    echo "FAILED: only $((passed + failed)) commands were found"
+    failed=$((failed + 1))
+fi
+echo "$passed passed, $failed failed, $skipped skipped"
+[ $failed -eq 0 ]
