@@ -76,7 +76,7 @@ static void twigs_do_not_stop_a_tree(void **state)
         struct wf_beam parts, whole;
         bush(&c, seed);
         enum wf_status s = settle(&c, false, &a, &parts);
-        if (!s && parts.snapped) {
+        if (!s && parts.parted) {
             found++;
             if (settle(&c, true, &a, &whole) == WF_OK) {
                 if (apart(&c, &parts, &whole) > 1e-8)

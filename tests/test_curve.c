@@ -114,7 +114,7 @@ static void range_of_the_search(void **state)
     analyse(&m, "species/weeping_willow.yaml", "tests/data/limbs.yaml", NULL, 55, 1);
     assert_close(m.an.search.speed_max, 66, 1e-12);
     wf_arena_free(&m.arena);
-    const struct wf_search near = { .speed_max = 0.5 * ceil(2 * c.speed) + 1 };
+    const struct wf_search near = { .speed_max = 0.5 * ceil(2 * c.speed) + 1, .seconds = 1e6 };
     analyse(&m, "species/weeping_willow.yaml", "tests/data/limbs.yaml", &near, 10, 1);
     assert_close(m.an.search.speed_max, near.speed_max, 0);
     assert_close(m.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed, c.speed, 1e-6);

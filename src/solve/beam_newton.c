@@ -379,6 +379,32 @@ bool wf_beam_stable(struct wf_beam *b)
 
 static bool comes_to_rest(struct wf_beam *b) { return newton(b, true) == WF_OK && wf_beam_stable(b); }
 
+/* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share of
+ * the load reached. */
+static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct saved_shape *last)
+{
+    double share = 0, size = 0.25;
+    for (size_t i = 0; i < b->mesh.n; i++)
+        if (!held(b, i)) b->shape[i] = (struct wf_beam_shape){ 0 };
+    if (!b->held) memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
+    save_shape(b, last);
+    size_t most = b->iterations + EFFORT;
+    while (share < 1 && size > 2e-4 && b->iterations < most) {
+        double next = fmin(1, share + size);
+        scale_loads(b, full, next);
+        if (comes_to_rest(b)) {
+            share = next;
+            size *= 2;
+            b->steps++;
+            save_shape(b, last);
+        } else {
+            restore_shape(b, last);
+            size *= 0.5;
+        }
+    }
+    return share;
+}
+
 /* Perturb the shape by a small sideways bow, so that it can leave an unstable equilibrium. */
 static void perturb_shape(struct wf_beam *b)
 {
@@ -426,7 +452,7 @@ static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
 
 /* What the fallbacks need beside the beam. */
 struct fallback {
-    struct saved_shape last, part; /* of the whole tree, and while parts are settled */
+    struct saved_shape last;
     double *off;
     bool *held;
 };
@@ -436,11 +462,9 @@ static bool take_fallback(struct wf_beam *b, struct wf_arena *a, struct fallback
     f->last.shape = WF_TAKE(a, b->mesh.n, struct wf_beam_shape);
     f->last.tilt = wf_arena_take(a, b->mesh.tree->n, sizeof *f->last.tilt);
     b->k0 = wf_arena_take(a, b->mesh.n, sizeof *b->k0);
-    f->part.shape = WF_TAKE(a, b->mesh.n, struct wf_beam_shape);
-    f->part.tilt = wf_arena_take(a, b->mesh.tree->n, sizeof *f->part.tilt);
     f->off = WF_TAKE(a, b->mesh.n, double);
     f->held = WF_TAKE(a, b->mesh.n, bool);
-    return f->last.shape && f->last.tilt && f->part.shape && f->part.tilt && b->k0 && f->off && f->held;
+    return f->last.shape && f->last.tilt && b->k0 && f->off && f->held;
 }
 
 /* Hold all but the small parts in which Newton's residual is: each from the lowest element that carries less
@@ -472,50 +496,17 @@ static bool hold_the_rest(struct wf_beam *b, struct fallback *f)
     return true;
 }
 
-static bool settle_parts(struct wf_beam *b, struct fallback *f);
-
-/* Load steps from the unloaded tree, halved down to `least` where Newton stalls or the state is unstable.
- * Returned: share of the load reached. */
-static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct fallback *f,
-                         struct saved_shape *last, double least)
-{
-    double share = 0, size = 0.25;
-    for (size_t i = 0; i < b->mesh.n; i++)
-        if (!held(b, i)) b->shape[i] = (struct wf_beam_shape){ 0 };
-    if (!b->held) memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
-    save_shape(b, last);
-    size_t most = b->iterations + EFFORT;
-    while (share < 1 && size > least && b->iterations < most) {
-        double next = fmin(1, share + size);
-        scale_loads(b, full, next);
-        size_t before = b->iterations;
-        bool rests = comes_to_rest(b) || settle_parts(b, f);
-        if (rests) most += b->iterations - before;
-        if (rests) {
-            share = next;
-            size *= 2;
-            b->steps++;
-            save_shape(b, last);
-        } else {
-            restore_shape(b, last);
-            size *= 0.5;
-        }
-    }
-    return share;
-}
-
 /* Load steps, then creep, of what is not held. */
 static bool step_and_creep(struct wf_beam *b, const struct wf_loads *full, struct fallback *f,
                            struct wf_beam_outcome *out)
 {
-    struct saved_shape *last = b->held ? &f->part : &f->last;
-    out->load_factor = load_steps(b, full, f, last, 2e-4);
+    out->load_factor = load_steps(b, full, &f->last);
     if (out->load_factor >= 1) return true;
-    restore_shape(b, last);
+    restore_shape(b, &f->last);
     scale_loads(b, full, 1);
     perturb_shape(b);
     out->beyond_limit = true;
-    return creep_to_rest(b, last);
+    return creep_to_rest(b, &f->last);
 }
 
 /* Where Newton stalls because of a few twigs: load steps and creep of these alone, the motion of their bases
@@ -524,8 +515,7 @@ static bool settle_parts(struct wf_beam *b, struct fallback *f)
 {
     enum { ROUNDS = 4 };
     const struct wf_loads now = b->loads;
-    struct wf_beam_outcome part;
-    if (b->whole || b->held) return false;
+    struct wf_beam_outcome part = { 0 };
     for (int round = 0; round < ROUNDS && hold_the_rest(b, f); round++) {
         b->held = f->held;
         bool moved = comes_to_rest(b) || step_and_creep(b, &now, f, &part);
@@ -533,7 +523,8 @@ static bool settle_parts(struct wf_beam *b, struct fallback *f)
         b->loads = now;
         if (!moved) return false;
         if (!comes_to_rest(b)) continue;
-        b->snapped++;
+        b->parted = true;
+        b->snapped = part.beyond_limit;
         return true;
     }
     return false;
@@ -547,13 +538,8 @@ enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_b
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
     if (comes_to_rest(b)) return WF_OK;
     if (!take_fallback(b, a, &f)) return wf_fail(e, WF_ENOMEM, "not enough memory for load steps");
-    if (!b->whole && (settle_parts(b, &f) || load_steps(b, &full, &f, &f.last, 0.05) >= 1)) return WF_OK;
-    const bool whole = b->whole;
-    b->whole = true; /* the path from zero load as if no part had been settled */
-    bool rests = step_and_creep(b, &full, &f, out);
-    b->whole = whole;
-    b->snapped = 0;
-    if (rests) return WF_OK;
+    if (!b->whole && settle_parts(b, &f)) return WF_OK;
+    if (step_and_creep(b, &full, &f, out)) return WF_OK;
     return wf_fail(e, WF_EUNSTABLE,
                    "no stable equilibrium found at full load; the last one is at %.4g of the load",
                    out->load_factor);
