@@ -322,7 +322,6 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
         if (status || again.beyond_limit) *out = again;
         if (status) return status;
         fine.iterations += b->iterations, fine.steps += b->steps;
-        fine.snapped = fine.snapped || b->snapped;
         double allowed = o->mesh_tolerance * safety;
         double target = fmax(allowed * largest_displacement(&fine), rounding * tree_size(t));
         double error = beam_mesh_error(b, &fine, reach, share);
@@ -357,10 +356,6 @@ void wf_beam_warn(const struct wf_beam *b, const struct wf_beam_outcome *out, st
                      "equilibrium: they may "
                      "snap to another shape",
                      b->loose);
-    if (b->snapped)
-        wf_diag_warn(d, "snapped-parts",
-                     "small parts, each carrying less than 1 %% of the load, snapped to another shape under "
-                     "the load; theirs is one of several");
     if (out->beyond_limit)
         wf_diag_warn(
             d, "limit-point",

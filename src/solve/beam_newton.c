@@ -496,7 +496,7 @@ static bool hold_the_rest(struct wf_beam *b, struct fallback *f)
     return true;
 }
 
-/* Load steps, then creep, of what is not held. */
+/* Load steps, then creep. */
 static bool step_and_creep(struct wf_beam *b, const struct wf_loads *full, struct fallback *f,
                            struct wf_beam_outcome *out)
 {
@@ -509,22 +509,21 @@ static bool step_and_creep(struct wf_beam *b, const struct wf_loads *full, struc
     return creep_to_rest(b, &f->last);
 }
 
-/* Where Newton stalls because of a few twigs: load steps and creep of these alone, the motion of their bases
- * given; then Newton of the whole tree. false: it does not come to rest so. */
+/* Where Newton stalls because of a few twigs: load steps of these alone, the motion of their bases given;
+ * then Newton of the whole tree. A part without a continuous path to the full load may fall to one of several
+ * shapes: it is left to the path of the whole tree. false: the tree does not come to rest so. */
 static bool settle_parts(struct wf_beam *b, struct fallback *f)
 {
     enum { ROUNDS = 4 };
     const struct wf_loads now = b->loads;
-    struct wf_beam_outcome part = { 0 };
     for (int round = 0; round < ROUNDS && hold_the_rest(b, f); round++) {
         b->held = f->held;
-        bool moved = comes_to_rest(b) || step_and_creep(b, &now, f, &part);
+        bool moved = load_steps(b, &now, &f->last) >= 1;
         b->held = NULL;
         b->loads = now;
         if (!moved) return false;
         if (!comes_to_rest(b)) continue;
         b->parted = true;
-        b->snapped = part.beyond_limit;
         return true;
     }
     return false;
