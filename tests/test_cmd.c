@@ -52,6 +52,12 @@ static void test_usage(void **state)
         { "echo '<a>' >$T/u.xml; UDUNITS2_XML_PATH=$T/u.xml $W species show oak",
           CODE_RUN,
           { "is damaged" } },
+#ifndef __SANITIZE_ADDRESS__ /* its own memory is above any limit */
+        { "sed 's/segments: 40/segments: 20000/' models/culm.yaml >$T/long.yaml; ulimit -d 150000; "
+          "$W analyze oak --model $T/long.yaml --wind 10 --no-report -q -o $T/long",
+          CODE_RUN,
+          { "20001 segments at 1 wind speed need about 0.15 GB of memory" } },
+#endif
     };
     CHECK(rows);
 }
