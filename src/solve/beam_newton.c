@@ -16,25 +16,13 @@ const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struc
     return ground;
 }
 
-static bool held(const struct wf_beam *b, size_t i) { return b->held && b->held[i]; }
-
-/* Does the element stand on one that is held? */
-static bool on_held(const struct wf_beam *b, size_t i)
-{
-    int32_t below = b->mesh.part[i].parent;
-    return b->held && below >= 0 && b->held[below];
-}
-
 void wf_beam_sweep_up(struct wf_beam *b)
 {
     struct wf_beam_pose ground;
     b->counted = false;
     for (size_t i = 0; i < b->mesh.n; i++)
-        if (!held(b, i))
-            wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i],
-                          &b->pose[i]);
+        wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i], &b->pose[i]);
     for (size_t i = 0; b->flat && i < b->mesh.n; i++) {
-        if (held(b, i)) continue;
         b->flat[i] = b->mesh.flat[i];
         wf_beam_turn(&b->shape[i], wf_beam_base(b, i, &ground)->L, &b->flat[i]);
     }
@@ -157,13 +145,12 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     b->misfit = (struct wf_beam_misfit){ 0 };
     b->counted = false;
     if (count) count->negative = 0, count->bears = 0;
-    if (!b->held) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
+    b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     load_nodes(b);
     set_side_weight(b);
     if (tangent) react_nodes(b);
     memcpy(first, wf_beam_base(b, 0, &ground)->r, sizeof first);
     for (size_t i = b->mesh.n; i-- > 0;) {
-        if (held(b, i)) continue;
         const struct wf_beam_part *p = &b->mesh.part[i];
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
         const struct wf_beam_flat *flat = wf_beam_flat_of(b, i);
@@ -171,8 +158,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         struct wf_line_load load[2];
         struct wf_beam_wrench at[2], down;
         struct wf_beam_reaction root = { { { 0 } }, { 0 } };
-        bool grounded = p->parent < 0, cut = on_held(b, i);
-        double before = b->misfit.bending;
+        bool grounded = p->parent < 0;
         wf_beam_load(p, &b->loads, &b->stage[i], load);
         for (int j = 0; j < 2 && b->frozen; j++)
             memset(load[j].by_place, 0, sizeof load[j].by_place),
@@ -181,12 +167,10 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         wf_beam_misfit_add(p, &b->shape[i], base->L, &creep, &b->stage[i], flat, at, &b->misfit);
         size_t unstable = count ? count->negative : 0;
         if (tangent && !eliminate_element(b, i, base->L, &creep, load, at,
-                                          grounded || cut ? &root : &b->node[p->parent], guard, count))
+                                          grounded ? &root : &b->node[p->parent], guard, count))
             return false;
         if (count && count->negative > unstable)
             count->bears = fmax(count->bears, sqrt(wf_dot(down.n, down.n)));
-        if (b->off) b->off[i] = b->misfit.bending - before;
-        if (cut) continue;
         if (!grounded) {
             v3_add(b->wrench[p->parent].n, 1, down.n);
             v3_add(b->wrench[p->parent].m, 1, down.m);
@@ -258,15 +242,12 @@ static void limit_turn(const struct wf_beam_pose *at_base, const struct wf_beam_
 /* Newton corrections of all unknowns, from the base up. Returned: largest rotation of a node [rad]. */
 static double newton_corrections(struct wf_beam *b)
 {
-    static const double still[6];
     double most = 0;
     for (size_t i = 0; i < b->mesh.n; i++) {
-        if (held(b, i)) continue;
         const struct wf_beam_part *p = &b->mesh.part[i];
         struct wf_beam_pose ground;
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
         const double *below = p->parent >= 0 ? b->change[p->parent] : b->root_change[p->row];
-        if (on_held(b, i)) below = still;
         wf_beam_correct(&b->shape[i], base->L, &b->answer[i], &b->node[i], below, b->dv[i], b->change[i]);
         limit_turn(base, &b->pose[i], below, b->dv[i], b->change[i]);
         most = fmax(most, wf_dot(b->change[i] + 3, b->change[i] + 3));
@@ -277,8 +258,8 @@ static double newton_corrections(struct wf_beam *b)
 static void apply_correction(struct wf_beam *b, double share)
 {
     for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2 && !held(b, i); j++) v3_add(b->shape[i].v[j], share, b->dv[i][j]);
-    for (size_t i = 0; i < b->mesh.tree->n && !b->held; i++)
+        for (int j = 0; j < 2; j++) v3_add(b->shape[i].v[j], share, b->dv[i][j]);
+    for (size_t i = 0; i < b->mesh.tree->n; i++)
         if (b->mesh.tree->parent[i] < 0) v3_add(b->tilt[i], share, b->root_step[i]);
     wf_beam_sweep_up(b);
 }
@@ -289,8 +270,7 @@ static double stability_margin(const struct wf_beam *b)
 {
     double turn = 0;
     for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2 && !held(b, i); j++)
-            turn = fmax(turn, wf_dot(b->shape[i].v[j], b->shape[i].v[j]));
+        for (int j = 0; j < 2; j++) turn = fmax(turn, wf_dot(b->shape[i].v[j], b->shape[i].v[j]));
     return 1e-6 + 0.5 * turn;
 }
 
@@ -384,9 +364,8 @@ static bool comes_to_rest(struct wf_beam *b) { return newton(b, true) == WF_OK &
 static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct saved_shape *last)
 {
     double share = 0, size = 0.25;
-    for (size_t i = 0; i < b->mesh.n; i++)
-        if (!held(b, i)) b->shape[i] = (struct wf_beam_shape){ 0 };
-    if (!b->held) memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
+    memset(b->shape, 0, b->mesh.n * sizeof *b->shape);
+    memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
     save_shape(b, last);
     size_t most = b->iterations + EFFORT;
     while (share < 1 && size > 2e-4 && b->iterations < most) {
@@ -408,11 +387,11 @@ static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct 
 /* Perturb the shape by a small sideways bow, so that it can leave an unstable equilibrium. */
 static void perturb_shape(struct wf_beam *b)
 {
-    for (size_t i = 0; i < b->mesh.tree->n && !b->held; i++)
+    for (size_t i = 0; i < b->mesh.tree->n; i++)
         for (int j = 0; j < 2; j++)
             if (b->options->root_stiffness[j] > 0) b->tilt[i][j] += j ? 2e-4 : 6e-5;
     for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2 && !held(b, i); j++)
+        for (int j = 0; j < 2; j++)
             b->shape[i].v[j][1] += 1e-4 * (j + 1), b->shape[i].v[j][0] += 3e-5 * (j + 1);
 }
 
@@ -450,95 +429,25 @@ static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
     return false;
 }
 
-/* What the fallbacks need beside the beam. */
-struct fallback {
-    struct saved_shape last;
-    double *off;
-    bool *held;
-};
-
-static bool take_fallback(struct wf_beam *b, struct wf_arena *a, struct fallback *f)
-{
-    f->last.shape = WF_TAKE(a, b->mesh.n, struct wf_beam_shape);
-    f->last.tilt = wf_arena_take(a, b->mesh.tree->n, sizeof *f->last.tilt);
-    b->k0 = wf_arena_take(a, b->mesh.n, sizeof *b->k0);
-    f->off = WF_TAKE(a, b->mesh.n, double);
-    f->held = WF_TAKE(a, b->mesh.n, bool);
-    return f->last.shape && f->last.tilt && b->k0 && f->off && f->held;
-}
-
-/* Hold all but the small parts in which Newton's residual is: each from the lowest element that carries less
- * than a hundredth of the force on the ground. false: the residual is not in small parts. */
-static bool hold_the_rest(struct wf_beam *b, struct fallback *f)
-{
-    const double small = 0.01, slight = 1e-3;
-    double most = 0;
-    b->off = f->off;
-    b->held = NULL;
-    wf_beam_sweep_up(b);
-    bool swept = wf_beam_sweep_down(b, true, NULL);
-    b->off = NULL;
-    if (!swept || b->misfit.bending > 1e-3 * b->misfit.energy) return false;
-    const double limit = small * sqrt(wf_dot(b->base.n, b->base.n));
-    for (size_t i = 0; i < b->mesh.n; i++) most = fmax(most, f->off[i]), f->held[i] = true;
-    for (size_t i = 0; i < b->mesh.n; i++) {
-        if (!(f->off[i] >= slight * most)) continue;
-        int32_t root = (int32_t)i, below;
-        if (!(sqrt(wf_dot(b->wrench[i].n, b->wrench[i].n)) <= limit)) return false;
-        while ((below = b->mesh.part[root].parent) >= 0 &&
-               sqrt(wf_dot(b->wrench[below].n, b->wrench[below].n)) <= limit)
-            root = below;
-        if (below < 0) return false;
-        f->held[root] = false;
-    }
-    for (size_t i = 0; i < b->mesh.n; i++) /* and all above them */
-        if (b->mesh.part[i].parent >= 0 && !f->held[b->mesh.part[i].parent]) f->held[i] = false;
-    return true;
-}
-
-/* Load steps, then creep. */
-static bool step_and_creep(struct wf_beam *b, const struct wf_loads *full, struct fallback *f,
-                           struct wf_beam_outcome *out)
-{
-    out->load_factor = load_steps(b, full, &f->last);
-    if (out->load_factor >= 1) return true;
-    restore_shape(b, &f->last);
-    scale_loads(b, full, 1);
-    perturb_shape(b);
-    out->beyond_limit = true;
-    return creep_to_rest(b, &f->last);
-}
-
-/* Where Newton stalls because of a few twigs: load steps of these alone, the motion of their bases given;
- * then Newton of the whole tree. A part without a continuous path to the full load may fall to one of several
- * shapes: it is left to the path of the whole tree. false: the tree does not come to rest so. */
-static bool settle_parts(struct wf_beam *b, struct fallback *f)
-{
-    enum { ROUNDS = 4 };
-    const struct wf_loads now = b->loads;
-    for (int round = 0; round < ROUNDS && hold_the_rest(b, f); round++) {
-        b->held = f->held;
-        bool moved = load_steps(b, &now, &f->last) >= 1;
-        b->held = NULL;
-        b->loads = now;
-        if (!moved) return false;
-        if (!comes_to_rest(b)) continue;
-        b->parted = true;
-        return true;
-    }
-    return false;
-}
-
 enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
                               struct wf_err *e)
 {
     const struct wf_loads full = b->loads;
-    struct fallback f = { 0 };
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
     if (comes_to_rest(b)) return WF_OK;
-    if (!take_fallback(b, a, &f)) return wf_fail(e, WF_ENOMEM, "not enough memory for load steps");
-    if (!b->whole && settle_parts(b, &f)) return WF_OK;
-    if (step_and_creep(b, &full, &f, out)) return WF_OK;
+
+    struct saved_shape last = { WF_TAKE(a, b->mesh.n, struct wf_beam_shape),
+                                wf_arena_take(a, b->mesh.tree->n, sizeof *last.tilt) };
+    b->k0 = wf_arena_take(a, b->mesh.n, sizeof *b->k0);
+    if (!last.shape || !last.tilt || !b->k0) return wf_fail(e, WF_ENOMEM, "not enough memory for load steps");
+    out->load_factor = load_steps(b, &full, &last);
+    if (out->load_factor >= 1) return WF_OK;
+
+    restore_shape(b, &last);
+    scale_loads(b, &full, 1);
+    perturb_shape(b);
+    out->beyond_limit = true;
+    if (creep_to_rest(b, &last)) return WF_OK;
     return wf_fail(e, WF_EUNSTABLE,
                    "no stable equilibrium found at full load; the last one is at %.4g of the load",
                    out->load_factor);

@@ -33,11 +33,7 @@ struct wf_beam {
     struct wf_beam_misfit misfit;       /* of the present shape */
     struct wf_beam_stability stability; /* of the present shape, where `counted` */
     bool counted;
-    const bool *held; /* per element: it keeps its place, with all below it; NULL: none does */
-    double *off;      /* per element: gains its part of misfit.bending; NULL: not wanted */
-    bool whole;       /* no twig is settled by itself: for comparison */
-    bool parted;      /* small parts were settled by themselves */
-    size_t loose;     /* small parts of the last solution that are in equilibrium but not stable */
+    size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
     size_t iterations, steps;
 };
 
