@@ -173,6 +173,16 @@ static void links(void **unused)
               "report d",
           2,
           { "run_files: names a file that is not below the folder" } },
+        { RUN
+          "run 10 d; sed -i 's|tables/sweep.csv\", \"size|tables/shape.csv\", \"size|' d/results.json; $W "
+          "report d",
+          2,
+          { "d/results.json: run_files: names a file that is not below the folder, or one twice" } },
+        /* a file without blocks would fill the disk when it is copied */
+        { RUN "run 10 d; sed -i '/\"run_files\"/,$d; s/\"status\": \"complete\",/\"status\": \"complete\"}/' "
+              "d/results.json; truncate -s 3G d/tables/sweep.csv; $W report d",
+          2,
+          { "d/tables/sweep.csv: is larger than 2 GB" } },
     };
     CHECK(rows);
 }
@@ -285,7 +295,7 @@ static void interrupted(void **unused)
           { "code 130\ng.npy\n", "shape" } },
         { RUN "$W analyze oak --model culm --wind 10 -q -o d & p=$!; for i in 1 2 3 4 5 6 7 8 9; do sleep "
               "0.2; pgrep -P $p >/dev/null && break; done; c=$(pgrep -P $p); kill -9 $p; wait $p; sleep 0.5; "
-              "for k in $c; do kill -0 $k 2>/dev/null && echo ORPHAN; done; echo end",
+              "for k in $c; do ps -o stat= -p $k | grep -qv Z && echo ORPHAN; done; echo end",
           0,
           { "end" } },
     };
