@@ -75,7 +75,8 @@
 
 /* ---- Analysis: all of it for one tree ----
  *
- * wf_search_default(&search): critical wind speeds are searched for up to 100 m/s.
+ * wf_search_default(&search): critical wind speeds are searched for up to 60 m/s, or 1.2 times the
+ * highest of the n speeds where that is more.
  * wf_analyze(&species, model, &scenario, &search, wf_solver_named("beam"), &options, speeds, n, &memory,
  *            &findings, &analysis, &why)
  * grows the tree, bends it at n wind speeds at the scenario's reference height, searches the critical wind

@@ -68,6 +68,7 @@ static void set_up(struct bench *b)
                                   .crown_top = HEIGHT };
     wf_scenario_default(&b->scenario);
     wf_search_default(&b->search);
+    b->search.speed_max = 100, b->search.beyond = 0; /* the post stands in any wind that occurs */
     b->scenario.profile = "uniform";
     b->scenario.air_density = 1.2;
     b->scenario.gravity = 0;

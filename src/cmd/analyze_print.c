@@ -118,6 +118,10 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
                 c->speed_high);
         return;
     }
+    if (c->outcome == WF_CRITICAL_ABOVE) {
+        wf_show(to, "  %s > %.4g m/s, the highest searched\n", what, an->search.speed_max);
+        return;
+    }
     if (c->outcome != WF_CRITICAL_FOUND) {
         wf_show(to, "  %s: none; %s", what, wf_critical_text(c->outcome));
         if (b->row >= 0) {

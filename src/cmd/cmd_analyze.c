@@ -35,7 +35,7 @@ struct analyze_options {
     double azimuth, north;           /* [rad]                                     */
     double temperature, altitude;    /* [K], [m]                                  */
     double air_density;              /* [kg m-3]; NAN: from the two above         */
-    double search_to, search_time;   /* [m/s], [s]                                */
+    double search_to, search_time;   /* [m/s], NAN: the library's default; [s]    */
     double mesh_tolerance;           /* [-]                                       */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     bool no_report;
@@ -145,8 +145,9 @@ const struct wf_option wf_analyze_options[] = {
            "of the site above the sea, for the density of the air", .unused = altitude_unused),
     NUMBER("--air-density", air_density, "DENSITY", DENSITY, "kg/m3", 0.1, 2, NULL,
            "in place of the one from temperature and altitude", .unused = density_unused),
-    NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, "100",
-           "highest wind at which the critical speed is looked for"),
+    NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, NULL,
+           "highest wind at which the critical speed is looked for [60 m/s, or 1.2 times the highest wind "
+           "specified where that is more]"),
     NUMBER("--search-time", search_time, "TIME", TIME, "s", 1, 1e6, "120",
            "processor time for the search of a critical speed, and again for the curves; what it leaves out "
            "is said"),
@@ -245,7 +246,9 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     s->altitude = o->altitude;
     s->air_density = o->air_density;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
-    out->search = (struct wf_search){ .speed_max = o->search_to, .seconds = o->search_time };
+    wf_search_default(&out->search);
+    if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
+    out->search.seconds = o->search_time;
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;

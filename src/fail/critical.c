@@ -108,7 +108,15 @@ static double slope_at_crossing(struct speed_search *s, double root)
     return s->lost <= above ? -low / (root - below) : (high - low) / (above - below);
 }
 
-double wf_critical_rung(double speed_max, int k) { return speed_max * k / WF_CRITICAL_RUNGS; }
+static double rung_step(double speed_max)
+{
+    const double step = 3.125; /* [m/s] */
+    return fmax(step, speed_max / WF_CRITICAL_RUNGS_MAX);
+}
+
+int wf_critical_rungs(double speed_max) { return (int)ceil(speed_max / rung_step(speed_max)); }
+
+double wf_critical_rung(double speed_max, int k) { return fmin(k * rung_step(speed_max), speed_max); }
 
 enum wf_status wf_critical_search(criterion_fn *criterion, void *ctx, double speed_max, double tolerance,
                                   struct wf_critical *out, struct wf_err *e)
@@ -130,7 +138,8 @@ enum wf_status wf_critical_search(criterion_fn *criterion, void *ctx, double spe
         return WF_OK;
     }
 
-    for (int k = 1; k <= WF_CRITICAL_RUNGS && !s.fault && isinf(s.falls) && isinf(s.lost); k++)
+    for (int k = 1, n = wf_critical_rungs(speed_max); k <= n && !s.fault && isinf(s.falls) && isinf(s.lost);
+         k++)
         excess(wf_critical_rung(speed_max, k), &s);
     if (isinf(s.falls) && isinf(s.lost))
         out->outcome = WF_CRITICAL_ABOVE;

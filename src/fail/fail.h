@@ -108,17 +108,18 @@ struct wf_critical {
  * or WF_EUNSTABLE where no equilibrium exists, or another error, which ends the search and is returned;
  * highest speed [m/s]; relative tolerance on the speed. A value that is not a number at speed 0 means that
  * no strength is known. Returned: WF_OK and *out, whatever the outcome; WF_EUSAGE, WF_ENOMEM, WF_EINTERNAL
- * (not a number in wind). Method: 32 even steps from 0 to speed_max until the criterion reaches 1 or no
- * equilibrium is found, so that the lowest crossing is found where crossings are more than a step apart;
- * then Brent's method (GSL) until evaluations on both sides confirm a bracket within the tolerance. Where no
- * equilibrium is found, bisection towards the highest speed that has one; a crossing found on the way takes
- * precedence. */
+ * (not a number in wind). Method: steps of 3.125 m/s from 0 to speed_max (longer above 250 m/s) until the
+ * criterion reaches 1 or no equilibrium is found, so that the lowest crossing is found where crossings are
+ * more than a step apart; then Brent's method (GSL) until evaluations on both sides confirm a bracket within
+ * the tolerance. Where no equilibrium is found, bisection towards the highest speed that has one; a crossing
+ * found on the way takes precedence. */
 enum wf_status
 wf_critical_search(enum wf_status (*criterion)(void *ctx, double speed, double *value, struct wf_err *e),
                    void *ctx, double speed_max, double tolerance, struct wf_critical *out, struct wf_err *e);
-/* Speed of the k-th of these steps, k = 0..WF_CRITICAL_RUNGS [m/s]. A caller with several processors may
- * evaluate some of them in parallel before the search. */
-enum { WF_CRITICAL_RUNGS = 32 };
+/* Number of these steps, at most WF_CRITICAL_RUNGS_MAX, and speed of the k-th, k = 0 .. the number [m/s]. A
+ * caller with several processors may evaluate some of them in parallel before the search. */
+enum { WF_CRITICAL_RUNGS_MAX = 80 };
+int wf_critical_rungs(double speed_max);
 double wf_critical_rung(double speed_max, int k);
 /* The outcome in words, for reports. */
 const char *wf_critical_text(enum wf_critical_outcome o);

@@ -204,7 +204,7 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
 {
     size_t rows = 0;
     fputs("tree,species,wind_m_s,status,tip_deflection_m,tip_deflection_percent,tip_angle_deg,drag_N,"
-          "base_shear_N,base_moment_Nm,largest_stress_MPa,least_safety\n",
+          "base_shear_N,base_moment_Nm,largest_stress_MPa,least_safety,source\n",
           f);
     for (size_t i = 0; i < run->n; i++) {
         const struct wf_analysis *a = &run->analysis[i];
@@ -212,7 +212,7 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
             const struct wf_at_speed *at = &a->sweep[k];
             lead(f, run, i, at->speed);
             total_cells(f, at, true);
-            putc('\n', f);
+            fputs(at->interpolated ? ",interpolated\n" : ",solved\n", f);
         }
         rows += a->sweep_n;
     }

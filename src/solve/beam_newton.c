@@ -19,6 +19,7 @@ const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struc
 void wf_beam_sweep_up(struct wf_beam *b)
 {
     struct wf_beam_pose ground;
+    b->counted = false;
     for (size_t i = 0; i < b->mesh.n; i++)
         wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i], &b->pose[i]);
     for (size_t i = 0; b->flat && i < b->mesh.n; i++) {
@@ -142,6 +143,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
     bool guard = !count && b->misfit.bending > 1e-3 * b->misfit.energy;
     b->misfit = (struct wf_beam_misfit){ 0 };
+    b->counted = false;
     if (count) count->negative = 0, count->bears = 0;
     b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     load_nodes(b);
@@ -183,6 +185,8 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         tilt_root(b, (size_t)p->row, &down, tangent ? &root : NULL, count);
         if (count && count->negative > unstable) count->bears = INFINITY;
     }
+    if (count) b->stability = *count;
+    b->counted = count && isfinite(b->misfit.bending);
     return isfinite(b->misfit.bending);
 }
 
@@ -260,17 +264,33 @@ static void apply_correction(struct wf_beam *b, double share)
     wf_beam_sweep_up(b);
 }
 
-/* One Newton step, halved until the residual falls. false: no step length reduces it. */
-static bool newton_step(struct wf_beam *b)
+/* The margin allows for neutral directions (a fallen stem may rotate about the vertical without any work)
+ * and for the tangent, which is symmetric only to second order in an element's own rotation. */
+static double stability_margin(const struct wf_beam *b)
+{
+    double turn = 0;
+    for (size_t i = 0; i < b->mesh.n; i++)
+        for (int j = 0; j < 2; j++) turn = fmax(turn, wf_dot(b->shape[i].v[j], b->shape[i].v[j]));
+    return 1e-6 + 0.5 * turn;
+}
+
+/* One Newton step, halved until the residual falls. With `watch`, unstable directions are counted in
+ * what is probably the last step, which saves wf_beam_stable a sweep. false: no step length reduces the
+ * residual. */
+static bool newton_step(struct wf_beam *b, bool watch)
 {
     const double turn_limit = 3; /* [rad] rotation of a node in one step */
+    const double near = 1e-4;    /* relative residual before the last step: convergence is quadratic */
     double turn = newton_corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
     struct wf_beam_misfit before = b->misfit;
+    struct wf_beam_stability count;
+    bool last = watch && before.bending <= near * near * before.energy;
     if (!isfinite(turn)) return false;
     for (int halvings = 0; halvings < 8; halvings++, share *= 0.5) {
         apply_correction(b, share - done);
         done = share;
-        if (!wf_beam_sweep_down(b, true, NULL)) continue;
+        if (last) count.margin = stability_margin(b);
+        if (!wf_beam_sweep_down(b, true, last ? &count : NULL)) continue;
         if (b->misfit.bending <= before.bending * (1 - 1e-4 * share)) return true;
         if (b->misfit.bending <= 1e-24 * b->misfit.energy) return true; /* at rounding */
     }
@@ -284,17 +304,19 @@ static bool newton_converged(const struct wf_beam *b)
     return b->misfit.bending <= t * t * b->misfit.energy && b->misfit.strain <= t * b->misfit.turn + rounding;
 }
 
-enum wf_status wf_beam_newton(struct wf_beam *b)
+static enum wf_status newton(struct wf_beam *b, bool watch)
 {
     b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     wf_beam_sweep_up(b);
     if (!wf_beam_sweep_down(b, true, NULL)) return WF_ENOCONV;
     for (size_t i = 0; i < b->options->iterations_max && !newton_converged(b); i++) {
         b->iterations++;
-        if (!newton_step(b)) return WF_ENOCONV;
+        if (!newton_step(b, watch)) return WF_ENOCONV;
     }
     return newton_converged(b) ? WF_OK : WF_ENOCONV;
 }
+
+enum wf_status wf_beam_newton(struct wf_beam *b) { return newton(b, false); }
 
 /* Fallbacks that reach equilibrium at full load, or report that there is none; they always terminate. */
 
@@ -324,21 +346,18 @@ static void scale_loads(struct wf_beam *b, const struct wf_loads *full, double s
     b->loads.point_scale = share * full->point_scale;
 }
 
-/* The margin allows for neutral directions (a fallen stem may rotate about the vertical without any work)
- * and for the tangent, which is symmetric only to second order in an element's own rotation. A twig that may
- * snap to another shape does not bring down the tree: parts that carry less than a hundredth of the force on
- * the ground are counted (loose), not refused. */
+/* A twig that may snap to another shape does not bring down the tree: parts that carry less than a hundredth
+ * of the force on the ground are counted (loose), not refused. */
 bool wf_beam_stable(struct wf_beam *b)
 {
     const double small = 0.01;
-    double turn = 0;
-    for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2; j++) turn = fmax(turn, wf_dot(b->shape[i].v[j], b->shape[i].v[j]));
-    struct wf_beam_stability count = { .margin = 1e-6 + 0.5 * turn };
-    if (!wf_beam_sweep_down(b, true, &count)) return false;
-    b->loose = count.negative;
-    return count.bears <= small * sqrt(wf_dot(b->base.n, b->base.n));
+    struct wf_beam_stability count = { .margin = stability_margin(b) };
+    if (!b->counted && !wf_beam_sweep_down(b, true, &count)) return false;
+    b->loose = b->stability.negative;
+    return b->stability.bears <= small * sqrt(wf_dot(b->base.n, b->base.n));
 }
+
+static bool comes_to_rest(struct wf_beam *b) { return newton(b, true) == WF_OK && wf_beam_stable(b); }
 
 /* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share of
  * the load reached. */
@@ -352,7 +371,7 @@ static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct 
     while (share < 1 && size > 2e-4 && b->iterations < most) {
         double next = fmin(1, share + size);
         scale_loads(b, full, next);
-        if (wf_beam_newton(b) == WF_OK && wf_beam_stable(b)) {
+        if (comes_to_rest(b)) {
             share = next;
             size *= 2;
             b->steps++;
@@ -390,7 +409,7 @@ static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
         save_shape(b, last);
         for (size_t i = 0; i < b->mesh.n; i++) wf_beam_curvature(&b->mesh.part[i], &b->shape[i], b->k0[i]);
         b->creep = rate;
-        bool moved = wf_beam_newton(b) == WF_OK && wf_beam_stable(b);
+        bool moved = comes_to_rest(b);
         b->creep = 0;
         b->steps++;
         if (!moved) {
@@ -402,7 +421,7 @@ static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
         rate *= 0.6;
         if (rate > 0.02) continue;
         save_shape(b, last);
-        if (wf_beam_newton(b) == WF_OK && wf_beam_stable(b)) return true;
+        if (comes_to_rest(b)) return true;
         restore_shape(b, last);
         if (rate < 1e-8)
             rate = 1; /* ever slower creep has not left an unstable shape: start again with a fast step */
@@ -415,7 +434,7 @@ enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_b
 {
     const struct wf_loads full = b->loads;
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (wf_beam_newton(b) == WF_OK && wf_beam_stable(b)) return WF_OK;
+    if (comes_to_rest(b)) return WF_OK;
 
     struct saved_shape last = { WF_TAKE(a, b->mesh.n, struct wf_beam_shape),
                                 wf_arena_take(a, b->mesh.tree->n, sizeof *last.tilt) };

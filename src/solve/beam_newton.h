@@ -28,9 +28,11 @@ struct wf_beam {
     struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it */
     double (*push)[6];           /* wrench on element ends while solving for small loads */
     double creep;
-    bool frozen;                  /* wind acts as a dead load: its derivatives are omitted */
-    struct wf_beam_wrench base;   /* exerted on the ground, moment about the first root */
-    struct wf_beam_misfit misfit; /* of the present shape */
+    bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
+    struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */
+    struct wf_beam_misfit misfit;       /* of the present shape */
+    struct wf_beam_stability stability; /* of the present shape, where `counted` */
+    bool counted;
     size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
     size_t iterations, steps;
 };

@@ -394,6 +394,8 @@ static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_s
     enum wf_status s = wf_scenario_check(sc, e);
     if (!s && !(q->speed_max >= 1.0 && q->speed_max <= 200.0))
         s = wf_fail(e, WF_EUSAGE, "highest speed searched %.6g m/s is outside 1..200", q->speed_max);
+    if (!s && !(q->beyond >= 0.0 && q->beyond <= 2.0))
+        s = wf_fail(e, WF_EUSAGE, "search beyond the highest wind: %.6g times it is outside 0..2", q->beyond);
     if (!s && !(q->seconds > 0.0)) s = wf_fail(e, WF_EUSAGE, "the time of the search must be above 0 s");
     return s;
 }
@@ -431,6 +433,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     if (search) q = *search;
     enum wf_status s = check_call(sc, &q, solver, o, speeds, n, e);
     if (s) return s;
+    for (size_t k = 0; k < n; k++) q.speed_max = fmax(q.speed_max, q.beyond * speeds[k]);
     *out = (struct wf_analysis){
         .species = sp, .model = m, .solver = solver, .scenario = *sc, .search = q, .n = n, .diag = d
     };
@@ -438,14 +441,18 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
     struct wf_err why = { 0 };
+    struct wf_arena scratch = { 0 };
+    struct wf_known *known = wf_known_take(&scratch);
     size_t k = 0;
     bool searched = false;
+    if (!known) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
     while (k < n && !(k && wf_interrupted()) && !s)
         if (!(s = speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++;
     if (!s && k == n && q.solved) q.solved(out, q.context);
-    if (!s) s = k < n ? WF_EINTERRUPTED : wf_analysis_breaks(out, o, out->breaks, &why);
+    if (!s) s = k < n ? WF_EINTERRUPTED : wf_analysis_breaks(out, o, known, out->breaks, &why);
     searched = !s;
-    if (!s) s = wf_analysis_sweep(out, o, a, d, &why);
+    if (!s) s = wf_analysis_sweep(out, o, known, a, d, &why);
+    wf_arena_free(&scratch);
     if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
     if (s) return wf_fail(e, s, "%s", why.text);
     wf_limits_check(out, d);

@@ -29,6 +29,7 @@ struct wf_figures {
 
 struct wf_at_speed {
     double speed;          /* at reference height [m/s] */
+    bool interpolated;     /* in curves: between the speeds that were solved; sections (rows) are then -1 */
     enum wf_status status; /* WF_OK, or why there is no result (response.load_factor: load reached) */
     struct wf_response response;
     struct wf_breakage breakage;
@@ -49,8 +50,8 @@ struct wf_break {
     double height;         /* its height above ground on the unbent tree [m]              */
 };
 
-/* Measured: memory of one solution for a row of the tree (two meshes of the beam solver, the finer of about two
- * elements a row). */
+/* Measured: memory of one solution for a row of the tree (two meshes of the beam solver, the finer of about
+ * two elements a row). */
 enum { WF_SOLUTION_BYTES = 4500 };
 
 struct wf_analysis;
@@ -58,13 +59,15 @@ struct wf_analysis;
 struct wf_search {
     double speed_max; /* highest speed searched [m/s]; where the tree fails at a given speed above it, the
                          search goes on to the lowest such speed */
+    double beyond; /* at least this many times the highest given speed is searched; 0: speed_max alone [-] */
     double
         seconds; /* processor time after which the search, and again the curves, end [s]; INFINITY: no end */
     /* Called when the given speeds are solved and the searches have not begun; NULL: not called. */
     void (*solved)(const struct wf_analysis *an, void *context);
     void *context;
 };
-/* Up to 100 m/s, without a bound. */
+/* Up to 60 m/s, no lower than any 10-min mean on record, or 1.2 times the highest given speed where that is
+ * more; without a bound. */
 void wf_search_default(struct wf_search *s);
 
 struct wf_directions;
@@ -102,18 +105,27 @@ enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_sol
 /* The row that ends highest on level 0. */
 size_t wf_tip_row(const struct wf_tree *t);
 
+/* Solutions at single speeds, none at first. NULL: not enough memory. */
+struct wf_known;
+struct wf_known *wf_known_take(struct wf_arena *a);
+
 /* Wind speed at which each part of the tree fails by each criterion. Given: an analysis after
  * wf_analysis_set_up with its search, in the direction of its wind. The whole tree and the stem alone are
  * searched; where no branch has a known resistance, the stem's result is that of the whole tree. The
  * branches' result is the tree's where they fail first or nothing fails, else WF_CRITICAL_UNSEARCHED, which
- * is also the outcome of a search that its bound ended. All searches share their solutions. */
+ * is also the outcome of a search that its bound ended. All searches share their solutions, which *known
+ * gains. */
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  struct wf_break (*out)[WF_SCOPES], struct wf_err *e);
+                                  struct wf_known *known, struct wf_break (*out)[WF_SCOPES],
+                                  struct wf_err *e);
 
 /* Totals for curves: an->sweep, at speeds from 0 beyond the given and the critical speeds, after
- * wf_analysis_breaks. Where their time is used up, the given speeds alone, with a warning search-ended. */
-enum wf_status wf_analysis_sweep(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
-                                 struct wf_diag *d, struct wf_err *e);
+ * wf_analysis_breaks with *known. The solutions at hand are nodes; further rows are solved until the nodes
+ * predict each other; the other rows are interpolated by cubics of logarithms. Where their time is used up,
+ * the given speeds alone, with a warning search-ended. */
+enum wf_status wf_analysis_sweep(struct wf_analysis *an, const struct wf_solve_options *o,
+                                 const struct wf_known *known, struct wf_arena *a, struct wf_diag *d,
+                                 struct wf_err *e);
 
 /* Does the tree have a row with the wood of that level? Given: an analysis after wf_analysis_set_up. */
 bool wf_analysis_grown(const struct wf_analysis *an, size_t level);

@@ -39,7 +39,13 @@ static enum wf_status one(void *context, size_t at, struct wf_err *e)
     }
     an.at = d->at; /* of this direction: where the tree fails above the range of the search */
     an.search.seconds *= (double)w->out->request.n; /* the process's time is shared by the directions */
-    return wf_analysis_breaks(&an, w->o, d->breaks, e);
+    struct wf_arena scratch = { 0 };
+    struct wf_known *known = wf_known_take(&scratch);
+    enum wf_status s = known
+                           ? wf_analysis_breaks(&an, w->o, known, d->breaks, e)
+                           : wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
+    wf_arena_free(&scratch);
+    return s;
 }
 
 /* Share of all hours with wind from this direction whose mean times `gust` exceeds the critical speed [-]. */
