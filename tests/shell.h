@@ -5,11 +5,28 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 enum { CODE_OK = 0, CODE_RUN = 1, CODE_INPUT = 2 };
 
 static char output[1 << 16];
 static const char *program;
+static char scratch[200]; /* $T: a folder of this process, so that test programs can run at the same time */
+
+static inline void remove_scratch(void)
+{
+    char command[300];
+    snprintf(command, sizeof command, "rm -rf '%s'", scratch);
+    if (system(command)) fprintf(stderr, "%s: stays\n", scratch);
+}
+
+static inline void begin_shell(void)
+{
+    program = getenv("WINDFIRM");
+    if (!program) program = "build/windfirm";
+    snprintf(scratch, sizeof scratch, "%.150s.%ld.scratch", program, (long)getpid());
+    atexit(remove_scratch);
+}
 
 /* Run a shell command with $W the program (of the environment's WINDFIRM), $T a scratch folder, $D the
  * measured trees of the tests, $S the shipped sample of a fit, $RUN the rest of a quick analysis; stdout and
@@ -17,14 +34,13 @@ static const char *program;
 static inline int shell(const char *command)
 {
     char all[8192];
-    if (!program) program = getenv("WINDFIRM");
-    if (!program) program = "build/windfirm";
+    if (!program) begin_shell();
     snprintf(all, sizeof all,
-             "{ T=%s.scratch; W=%s; D=tests/data/qsm; S=models/field/sample_pull.yaml; M='--model "
+             "{ T=%s; W=%s; D=tests/data/qsm; S=models/field/sample_pull.yaml; M='--model "
              "models/culm.yaml'; RUN=\"$M --wind 10 "
              "--no-report -o $T/out\"\n"
              "rm -rf $T; mkdir -p $T\n%s\n} 2>&1 </dev/null",
-             program, program, command);
+             scratch, program, command);
     FILE *pipe = popen(all, "r");
     assert_non_null(pipe);
     size_t got = fread(output, 1, sizeof output - 1, pipe);

@@ -173,6 +173,16 @@ static void links(void **unused)
               "report d",
           2,
           { "run_files: names a file that is not below the folder" } },
+        { RUN
+          "run 10 d; sed -i 's|tables/sweep.csv\", \"size|tables/shape.csv\", \"size|' d/results.json; $W "
+          "report d",
+          2,
+          { "d/results.json: run_files: names a file that is not below the folder, or one twice" } },
+        /* a file without blocks would fill the disk when it is copied */
+        { RUN "run 10 d; sed -i '/\"run_files\"/,$d; s/\"status\": \"complete\",/\"status\": \"complete\"}/' "
+              "d/results.json; truncate -s 3G d/tables/sweep.csv; $W report d",
+          2,
+          { "d/tables/sweep.csv: is larger than 2 GB" } },
     };
     CHECK(rows);
 }

@@ -18,6 +18,39 @@ static bool tools(void)
     return system("command -v gnuplot >/dev/null && command -v weasyprint >/dev/null") == 0;
 }
 
+/* $PRINTER, for the front of PATH: a printer of pages that notes its arguments and writes a PDF without
+ * content. WeasyPrint needs seconds for a page, so the true one prints a few pages of each kind only. */
+static char printer[] = "/tmp/windfirm-test-XXXXXX";
+
+static int make_printer(void **state)
+{
+    (void)state;
+    char command[1024];
+    if (!mkdtemp(printer) || setenv("PRINTER", printer, 1)) return -1;
+    snprintf(command, sizeof command,
+             "cd %s && echo '#!%s/python3' >weasyprint && cat >python3 <<'END' && chmod +x *\n"
+             "#!/bin/sh\n"
+             "echo \"$*\" >>%s/printed\n"
+             "printf '%%%%PDF-1\\n%%%%%%%%EOF\\n' >\"$4\"\n"
+             "END\n",
+             printer, printer, printer);
+    return system(command);
+}
+
+/* Did the printer get names of this program only? */
+static void check_printed(void)
+{
+    int code = system("test -s $PRINTER/printed && ! grep -vxE -e "
+                      "'-E [^ ]*/reports/pdf.py [a-z]+.html [.][a-z]+.pdf[.0-9]+' $PRINTER/printed");
+    if (code) fail_msg("the printer of pages was not started, or with other arguments");
+}
+
+static int remove_printer(void **state)
+{
+    (void)state;
+    return system("rm -r \"$PRINTER\"");
+}
+
 /* A document of each kind, small. */
 static const struct {
     const char *folder, *command;
@@ -67,7 +100,7 @@ enum { VALUES = 5 };
 
 struct fuzz {
     char folder[256], file[300];
-    json_t *document;
+    json_t *document, *seen; /* keys that were changed: a key means the same at every place of a document */
     size_t tried, refused;
 };
 
@@ -86,34 +119,45 @@ static void try(struct fuzz *z)
     wf_arena_free(&arena);
 }
 
-static void change(struct fuzz *z, json_t *at);
+static void change(struct fuzz *z, json_t *at, const char *key);
 
-/* Every other value in the place of a member or an item, which is put back; then what is inside it. */
+/* Was the key met before in this document? */
+static bool met(struct fuzz *z, const char *key, bool item)
+{
+    char name[120];
+    snprintf(name, sizeof name, "%s%s", key, item ? "[0]" : "");
+    if (json_object_get(z->seen, name)) return true;
+    json_object_set_new(z->seen, name, json_true());
+    return false;
+}
+
+/* Every other value in the place of a member, or of the first item of a list, which is put back; then what is
+ * inside it. */
 static void change_part(struct fuzz *z, json_t *holder, const char *key, json_t *v)
 {
+    bool item = json_is_array(holder);
+    size_t values = met(z, key, item) ? 0 : VALUES;
     json_incref(v);
-    for (size_t k = 0; k < VALUES; k++) {
-        if (key)
-            json_object_set_new(holder, key, other_value(k));
-        else
+    for (size_t k = 0; k < values; k++) {
+        if (item)
             json_array_set_new(holder, 0, other_value(k));
+        else
+            json_object_set_new(holder, key, other_value(k));
         try(z);
     }
-    if (key)
-        json_object_set(holder, key, v);
-    else
+    if (item)
         json_array_set(holder, 0, v);
-    change(z, v);
+    else
+        json_object_set(holder, key, v);
+    change(z, v, key);
     json_decref(v);
 }
 
-/* The first item of each list stands for the others; of quantities, one in twelve. */
-static void change(struct fuzz *z, json_t *at)
+/* The first item of each list stands for the others. */
+static void change(struct fuzz *z, json_t *at, const char *key)
 {
-    static size_t quantities;
-    if (json_is_array(at) && json_array_size(at)) change_part(z, at, NULL, json_array_get(at, 0));
+    if (json_is_array(at) && json_array_size(at)) change_part(z, at, key, json_array_get(at, 0));
     if (!json_is_object(at)) return;
-    if (json_object_get(at, "value") && json_object_get(at, "unit") && ++quantities % 12) return;
     const char *keys[100];
     size_t n = 0;
     for (void *i = json_object_iter(at); i && n < 100; i = json_object_iter_next(at, i))
@@ -129,14 +173,15 @@ static void every_leaf_of_every_document(void **state)
     char *path = strdup(given ? given : "");
     for (size_t i = 0; i < KINDS; i++) {
         struct fuzz z = { .tried = 0 };
-        snprintf(z.folder, sizeof z.folder, "%s.scratch/%s", program, kinds[i].folder);
+        snprintf(z.folder, sizeof z.folder, "%s/%s", scratch, kinds[i].folder);
         snprintf(z.file, sizeof z.file, "%s/results.json", z.folder);
         z.document = json_load_file(z.file, 0, NULL);
         assert_non_null(z.document);
         setenv("PATH", "/nowhere", 1);
-        change(&z, z.document);
+        z.seen = json_object();
+        change(&z, z.document, "");
         setenv("PATH", path, 1);
-        json_decref(z.document);
+        json_decref(z.document), json_decref(z.seen);
         print_message("%s: %zu documents, %zu refused\n", kinds[i].folder, z.tried, z.refused);
         assert_true(z.tried > 50);
         assert_true(z.refused > z.tried / 3);
@@ -174,12 +219,15 @@ static void words_are_never_run(void **state)
     (void)state;
     if (!tools()) skip();
     make_folders();
+    char *path = strdup(getenv("PATH")), before[4096];
+    snprintf(before, sizeof before, "%s:%s", printer, path);
+    setenv("PATH", before, 1);
     for (size_t i = 0; i < KINDS; i++) {
         char folder[256], file[300];
         struct wf_arena arena = { 0 };
         struct wf_diag d = { .arena = &arena };
         struct wf_err e = { 0 };
-        snprintf(folder, sizeof folder, "%s.scratch/%s", program, kinds[i].folder);
+        snprintf(folder, sizeof folder, "%s/%s", scratch, kinds[i].folder);
         snprintf(file, sizeof file, "%s/results.json", folder);
         json_t *document = json_load_file(file, 0, NULL);
         replace_words(document);
@@ -191,6 +239,9 @@ static void words_are_never_run(void **state)
         wf_arena_free(&arena);
         assert_int_not_equal(access("pwned", F_OK), 0);
     }
+    setenv("PATH", path, 1);
+    free(path);
+    check_printed();
     if (!shell("find $T . -maxdepth 3 -name 'pwned*' | grep .")) fail_msg("%s", output);
 }
 
@@ -212,13 +263,13 @@ static void tables_are_data(void **state)
     };
     char folder[256], path[400];
     make_folders();
-    snprintf(folder, sizeof folder, "%s.scratch/report", program);
-    char keep[700];
-    snprintf(keep, sizeof keep, "cp -r %s %s.scratch/kept", folder, program);
+    snprintf(folder, sizeof folder, "%s/report", scratch);
+    char keep[1000];
+    snprintf(keep, sizeof keep, "cp -r %s %s/kept", folder, scratch);
     assert_int_equal(system(keep), 0);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct wf_err e = { 0 };
-        char command[700];
+        char command[1000];
         assert_int_equal(wf_tables_check(folder, &e), WF_OK);
         snprintf(command, sizeof command, "mkdir -p %s/plots", folder);
         assert_int_equal(system(command), 0);
@@ -229,7 +280,7 @@ static void tables_are_data(void **state)
         fclose(f);
         assert_int_equal(wf_tables_check(folder, &e), WF_EINPUT);
         if (!strstr(e.text, rows[i].said)) fail_msg("%s", e.text);
-        snprintf(command, sizeof command, "rm -r %s; cp -r %s.scratch/kept %s", folder, program, folder);
+        snprintf(command, sizeof command, "rm -r %s; cp -r %s/kept %s", folder, scratch, folder);
         assert_int_equal(system(command), 0);
     }
 }
@@ -267,15 +318,17 @@ static void nasty_names(void **state)
             "awk -v n=\"$(sed 's/\\\\/\\\\\\\\/g' ../name)\" '/^name:/ { print \"name: \\\"\" n \"\\\"\"; "
             "next } "
             "{ print }' $root/models/culm.yaml >\"./$n m.yaml\"\n"
-            "$W analyze \"./$n s.yaml\" --model \"./$n m.yaml\" --wind 10 -q --no-report \"--output=$n\" || "
+            "%s\n$W analyze \"./$n s.yaml\" --model \"./$n m.yaml\" --wind 10 -q --no-report \"--output=$n\" "
+            "|| "
             "echo FAILED\n"
-            "$W report \"./$n\" --lang zh -q || echo FAILED\n"
+            "PATH=$PRINTER:$PATH; $W report \"./$n\" --lang zh -q || echo FAILED\n"
             "ls \"./$n\"/plots/*.svg \"./$n\"/report.pdf | wc -l\n"
             "find .. $root -maxdepth 2 -name 'pwned*'; true",
-            names[i]);
+            names[i], i % 11 ? "PATH=$PRINTER:$PATH" : "");
         int code = shell(command);
         if (code || strcmp(output, "5\n")) fail_msg("%s: code %d: %s", names[i], code, output);
     }
+    check_printed();
 }
 
 /* Every wrong value is named, with its place. */
@@ -291,7 +344,7 @@ static void wrong_values_are_named(void **state)
     struct wf_err e = { 0 };
     json_t *out;
     if (shell("true")) fail_msg("%s", output);
-    snprintf(path, sizeof path, "%s.scratch/results.json", program);
+    snprintf(path, sizeof path, "%s/results.json", scratch);
     FILE *f = fopen(path, "w");
     assert_non_null(f);
     fputs(text, f);
@@ -302,6 +355,20 @@ static void wrong_values_are_named(void **state)
     assert_string_equal(d.first->text, "trees[0].segments: \"`x`43\" is not a count");
     assert_string_equal(d.first->next->text, "trees[0].height.value: 1.5e200 is not a number up to 1e100");
     wf_arena_free(&arena);
+}
+
+/* A wrong value in a folder is an error with its file, also where warnings are not printed. */
+static void wrong_values_are_errors(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W analyze oak $RUN -q >/dev/null; sed -i '0,/\"segments\": [0-9]*/s//\"segments\": \"`x`43\"/' "
+          "$T/out/results.json; $W report $T/out -q",
+          CODE_INPUT,
+          { ".scratch/out/results.json: error: trees[0].model.segments: \"`x`43\" is not a count",
+            "results.json: 1 value is not of the form that windfirm writes" } },
+    };
+    CHECK(rows);
 }
 
 /* What acts on a terminal is shown. */
@@ -378,9 +445,10 @@ int main(void)
         cmocka_unit_test(words_are_never_run),
         cmocka_unit_test(tables_are_data),
         cmocka_unit_test(wrong_values_are_named),
+        cmocka_unit_test(wrong_values_are_errors),
         cmocka_unit_test(nasty_names),
         cmocka_unit_test(nasty_names_of_other_commands),
         cmocka_unit_test(nothing_acts_on_a_terminal),
     };
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    return cmocka_run_group_tests(tests, make_printer, remove_printer);
 }

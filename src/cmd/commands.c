@@ -162,6 +162,18 @@ enum wf_status wf_results_begin(struct wf_run_folder *r, const char *folder, con
     return wf_run_begin(r, folder, page, e);
 }
 
+/* A finding about the stage, as one about the folder; an error stays an error with its file. */
+static void add_plain(const struct wf_run_folder *r, const struct wf_finding *f, struct wf_diag *d)
+{
+    char *text = wf_arena_text(d->arena, f->text), *file = f->file ? wf_arena_text(d->arena, f->file) : NULL;
+    if (text) wf_run_plain(r, text);
+    if (file) wf_run_plain(r, file);
+    if (f->severity == WF_ERROR)
+        wf_diag_error(d, file, f->line, f->column, "%s", text ? text : f->text);
+    else
+        wf_diag_warn(d, f->code, "%s", text ? text : f->text);
+}
+
 enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *language, struct wf_diag *d,
                                struct wf_err *e)
 {
@@ -170,11 +182,7 @@ enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *langua
     enum wf_status s = wf_report_make(r->stage, language, &found, e);
     wf_progress(NULL);
     wf_run_plain(r, e->text);
-    for (const struct wf_finding *f = found.first; f; f = f->next) {
-        char *text = wf_arena_text(d->arena, f->text);
-        if (text) wf_run_plain(r, text);
-        wf_diag_warn(d, f->code, "%s", text ? text : f->text);
-    }
+    for (const struct wf_finding *f = found.first; f; f = f->next) add_plain(r, f, d);
     return s;
 }
 

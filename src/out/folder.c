@@ -192,12 +192,25 @@ char *wf_folder_document(int dir, json_t **root)
     return text;
 }
 
-/* The files a document lists; NULL: it has no list. A name that leads out of the folder makes it no list. */
+/* Has every entry a name of its own that stays below the folder? Without memory: no. */
+static bool names_files(const json_t *list)
+{
+    json_t *seen = json_object();
+    bool good = seen;
+    for (size_t i = 0; good && i < json_array_size(list); i++) {
+        const char *name = wf_folder_entry(json_array_get(list, i));
+        good = wf_folder_names(name) && !json_object_get(seen, name) &&
+               !json_object_set_new(seen, name, json_true());
+    }
+    json_decref(seen);
+    return good;
+}
+
+/* The files a document lists; NULL: it has no list. A name that leads out of the folder, or stands twice,
+ * makes it no list. */
 json_t *wf_folder_list(const json_t *root)
 {
     json_t *list = json_object_get(root, "run_files");
     if (!json_is_array(list) || json_array_size(list) > LISTED_MAX) return NULL;
-    for (size_t i = 0; i < json_array_size(list); i++)
-        if (!wf_folder_names(wf_folder_entry(json_array_get(list, i)))) return NULL;
-    return list;
+    return names_files(list) ? list : NULL;
 }

@@ -48,7 +48,7 @@ const json_t *wf_folder_listed(const json_t *list, const char *name);
 const char *wf_folder_mismatch(int dir, const json_t *x, int copy);
 /* Read results.json. Returned: its text, to be freed, and *root, NULL when it is not JSON; NULL and errno. */
 char *wf_folder_document(int dir, json_t **root);
-/* The list "run_files" of a document; NULL when it has none, or one with a name that wf_folder_names refuses.
- */
+/* The list "run_files" of a document; NULL when it has none, or one with a name that wf_folder_names refuses
+ * or that stands twice. */
 json_t *wf_folder_list(const json_t *root);
 #endif

@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 static const char lock_name[] = ".windfirm.lock", stage_lead[] = ".windfirm-";
+static const size_t file_max = (size_t)2 << 30; /* of a folder that is drawn again [bytes] */
 
 /* ---- Taking a folder ---- */
 
@@ -136,8 +137,8 @@ static enum wf_status read_before(struct wf_run_folder *r, struct wf_err *e)
     if (r->again && (!ours || !known || r->before))
         return WF_OK; /* the page maker says what is wrong with it */
     if (known && !r->before)
-        return wf_fail(e, code, "%s/%s: run_files: names a file that is not below the folder", r->path,
-                       WF_DOCUMENT);
+        return wf_fail(e, code, "%s/%s: run_files: names a file that is not below the folder, or one twice",
+                       r->path, WF_DOCUMENT);
     if (ours) return WF_OK;
     return wf_fail(e, code, "%s/%s: is not of windfirm; move it, or give another folder", r->path,
                    WF_DOCUMENT);
@@ -307,6 +308,10 @@ static enum wf_status note_file(const struct wf_run_folder *r, int dir, const ch
     char sha256[WF_SHA256_TEXT];
     size_t size;
     int fd = wf_folder_open(dir, name, &size);
+    if (fd >= 0 && dir == r->dir && size > file_max) {
+        (void)close(fd);
+        return wf_fail(e, WF_EINPUT, "%s/%s: is larger than 2 GB", r->path, name);
+    }
     bool failed = fd < 0 || wf_sha256_read(fd, -1, sha256, &size) || (fsync(fd) && errno != EINVAL);
     int reason = errno;
     if (fd >= 0) (void)close(fd);
@@ -512,6 +517,8 @@ static enum wf_status copy_listed(struct wf_run_folder *r, struct wf_diag *d, st
     for (size_t i = 0; i < json_array_size(r->before); i++) {
         json_t *x = json_array_get(r->before, i);
         const char *name = wf_folder_entry(x);
+        if (json_integer_value(json_object_get(x, "size")) > (json_int_t)file_max)
+            return wf_fail(e, WF_EINPUT, "%s/%s: is larger than 2 GB", r->path, name);
         int copy = is_read(name) ? open_copy(r, name) : -1;
         if (is_read(name) && copy < 0)
             return wf_fail(e, WF_EOUTPUT, "%s: cannot be written: %s", r->path, strerror(errno));
