@@ -22,6 +22,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <time.h>
 
 struct analyze_options {
     struct wf_args args;
@@ -280,6 +281,7 @@ struct work {
     size_t solved;        /* trees whose given speeds were printed */
     bool all_models;      /* of the scan: say how far they differ */
     struct wf_diag tree;  /* warnings about the file of the tree */
+    struct timespec started;
 };
 
 /* The speeds named are solved: they are printed before the searches, which take most of the time. */
@@ -457,14 +459,12 @@ static int take_all_models(struct work *w, const char *command)
 static void warn_of_old_pages(struct work *w)
 {
     static const char *const page[] = { "report.html", "report.pdf" };
-    struct stat results, old;
-    const char *path = wf_arena_print(&w->arena, "%s/results.json", w->folder);
-    if (!path || stat(path, &results)) return;
-    for (size_t i = 0; i < sizeof page / sizeof *page; i++) {
-        path = wf_arena_print(&w->arena, "%s/%s", w->folder, page[i]);
+    struct stat old;
+    for (size_t i = 0; i < WF_COUNT(page); i++) {
+        const char *path = wf_arena_print(&w->arena, "%s/%s", w->folder, page[i]);
         if (!path || stat(path, &old)) continue;
-        if (old.st_mtim.tv_sec < results.st_mtim.tv_sec ||
-            (old.st_mtim.tv_sec == results.st_mtim.tv_sec && old.st_mtim.tv_nsec < results.st_mtim.tv_nsec))
+        if (old.st_mtim.tv_sec < w->started.tv_sec ||
+            (old.st_mtim.tv_sec == w->started.tv_sec && old.st_mtim.tv_nsec < w->started.tv_nsec))
             wf_show(stderr,
                     "warning: %s is the page of an earlier run; 'windfirm report %s' draws it again\n", path,
                     w->folder);
@@ -514,6 +514,7 @@ static int analyze_or_compare(int argc, char **argv, const char *about, size_t l
 {
     struct work w = { 0 };
     struct wf_err e = { 0 };
+    (void)clock_gettime(CLOCK_REALTIME, &w.started);
     int code = wf_args_read(argc, argv, wf_analyze_options, about, low, high, &w.arena, &w.options.args);
     if (code < 0) code = wf_tree_asked_check(&w.options.tree, argv[0], NULL);
     if (code < 0) code = take_all_models(&w, argv[0]);
