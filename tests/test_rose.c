@@ -280,6 +280,40 @@ static void few_and_steps(void **state)
     wf_arena_free(&r.arena);
 }
 
+/* The head of a Campbell logger gives the unit; a number that is impossible and repeated is a missing mark,
+ * in the file's own unit; one that the file declares is one too. */
+static void logger_and_marks(void **state)
+{
+    (void)state;
+    static const char *const heads[] = {
+        "\"TOA5\",\"st\",\"CR1000\",\"1\",\"2\",\"3\",\"4\",\"W\"\n\"TIMESTAMP\",\"WS\",\"WD\"\n"
+        "\"TS\",\"kilometers/hour\",\"Deg\"\n\"\",\"Avg\",\"Avg\"\n",
+        "# missing: 99.9\nt;WS_kmh;WD\n",
+    };
+    for (int form = 0; form < 2; form++) {
+        char text[8000];
+        struct reading r;
+        strcpy(text, heads[form]);
+        for (int i = 0; i < 122; i++) {
+            double kmh = i % 61 == 60 ? (form ? 99.9 : 999.9) : 3.6 * (1 + i % 9);
+            size_t n = strlen(text);
+            if (form)
+                snprintf(text + n, sizeof text - n, "%d;%.1f;%d\n", i, kmh, 45 * (i % 8));
+            else
+                snprintf(text + n, sizeof text - n, "\"2024-01-0%d %02d:00:00\",%.1f,%d\n", 1 + i / 24,
+                         i % 24, kmh, 45 * (i % 8));
+        }
+        if (read_record(&r, text, form ? "WS_kmh,WD" : "WS,WD", 8)) fail_msg("%s", r.err.text);
+        assert_int_equal(r.record.missing, 2);
+        assert_int_equal(r.record.n, 120);
+        double most = 0;
+        for (size_t k = 0; k < r.record.n; k++) most = fmax(most, r.record.speed[k]);
+        assert_close(most, 9, 1e-12);
+        assert_true(form || found(&r, "missing-marks"));
+        wf_arena_free(&r.arena);
+    }
+}
+
 static void bad_records(void **state)
 {
     (void)state;
@@ -290,7 +324,7 @@ static void bad_records(void **state)
         { "speed_ms,direction_deg\n", NULL, "0 rows with wind" },
         { "speed_ms,direction_deg\n3,10\n3,20\n", NULL, "2 rows with wind" },
         { "speed_ms,direction_deg\nfast,10\n3,20\n", NULL, "line 2, column 1: 'fast'" },
-        { "speed_ms,direction_deg\n130,10\n3,20\n", NULL, "'130'" },
+        { "speed_ms,direction_deg\n130,10\n3,20\n", NULL, "130 (130 m/s) is a missing mark or a peak" },
         { "speed_ms,direction_deg\n3,10\n", "speed_ms", "a rose needs two" },
         { "speed_ms,direction_deg\n3,10\n", "speed_ms,direction_deg,t", "a rose needs two" },
         { "speed,direction_deg\n3,10\n", "speed,direction_deg", "does not say its unit" },
@@ -310,7 +344,7 @@ int main(void)
         cmocka_unit_test(empty_sectors),       cmocka_unit_test(names),
         cmocka_unit_test(frequency_sums),      cmocka_unit_test(mistakes),
         cmocka_unit_test(known_distributions), cmocka_unit_test(few_and_steps),
-        cmocka_unit_test(bad_records)
+        cmocka_unit_test(logger_and_marks),    cmocka_unit_test(bad_records)
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

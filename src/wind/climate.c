@@ -242,7 +242,17 @@ static size_t speed_stem(const char *name, double *factor)
     return 0;
 }
 
-size_t wf_speed_column(struct wf_csv *c, const char *name, double *factor)
+/* The unit that the head of a logger gives for a column. */
+static bool unit_of_head(struct wf_csv *c, size_t at, double *factor, struct wf_err *e)
+{
+    struct wf_units *u;
+    if (!c->unit || !*c->unit[at] || wf_units_open(&u, e)) return false;
+    bool found = wf_column_factor(c, u, at, WF_DIM_SPEED, "m/s", factor, e);
+    wf_units_close(u);
+    return found;
+}
+
+size_t wf_speed_column(struct wf_csv *c, const char *name, double *factor, struct wf_err *e)
 {
     double wanted, other;
     size_t stem = speed_stem(name, &wanted), at = wf_csv_column(c, name);
@@ -250,7 +260,8 @@ size_t wf_speed_column(struct wf_csv *c, const char *name, double *factor)
     for (size_t i = 0; at == WF_CSV_NONE && stem && i < c->columns; i++)
         if (speed_stem(c->name[i].text, &other) == stem && !strncasecmp(c->name[i].text, name, stem)) at = i;
     if (at == WF_CSV_NONE) return wf_csv_need(c, name);
-    if (speed_stem(c->name[at].text, factor)) return at;
+    if (unit_of_head(c, at, factor, e) || speed_stem(c->name[at].text, factor)) return at;
+    if (c->mistakes || (e && e->code)) return WF_CSV_NONE;
     char text[400];
     (void)snprintf(text, sizeof text,
                    "the column '%.60s' does not say its unit; name it %.60s_ms, %.60s_kmh, %.60s_kn or "
@@ -277,14 +288,14 @@ struct rose_line {
     size_t line;
 };
 
-static void find_rose_columns(struct wf_csv *c, struct rose_columns *k)
+static void find_rose_columns(struct wf_csv *c, struct rose_columns *k, struct wf_err *e)
 {
     static const char *const from[] = { "direction_deg", "from_deg", "direction", "sector" };
     k->from = WF_CSV_NONE;
     for (size_t i = 0; i < WF_COUNT(from) && k->from == WF_CSV_NONE; i++) k->from = wf_csv_column(c, from[i]);
     if (k->from == WF_CSV_NONE) k->from = wf_csv_need(c, from[0]);
     k->frequency = wf_csv_need(c, "frequency");
-    k->scale = wf_speed_column(c, "weibull_scale_ms", &k->factor);
+    k->scale = wf_speed_column(c, "weibull_scale_ms", &k->factor, e);
     k->shape = wf_csv_need(c, "weibull_shape");
     k->calm = wf_csv_column(c, "calm");
 }
@@ -343,7 +354,8 @@ enum wf_status wf_rose_read(const char *path, struct wf_arena *a, struct wf_diag
     size_t errors = d->errors, n = 0;
     *out = (struct wf_rose){ 0 };
     if (wf_csv_open(&csv, path, a, d, e)) return e ? e->code : WF_EINPUT;
-    find_rose_columns(&csv, &column);
+    find_rose_columns(&csv, &column, e);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a wind rose", path);
     for (; wf_csv_next(&csv); n++) {
         if (n == SECTORS_MAX) return wf_fail(e, WF_EINPUT, "%s: more than %d directions", path, SECTORS_MAX);

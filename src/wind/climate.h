@@ -74,10 +74,10 @@ struct wf_rose {
  * Chinese name. Returned: true and *degrees; *named (may be NULL): whether it is a name. */
 bool wf_rose_direction(const char *text, double *degrees, bool *named);
 /* Find a required column of speeds that is called, for example, "speed_ms": that one, or one that differs in
- * its unit alone (speed_kmh, speed_kn, "speed [km/h]"). Returned: its index, and the factor to m/s;
- * WF_CSV_NONE after a mistake of the table. */
+ * its unit alone (speed_kmh, speed_kn, "speed [km/h]"); the unit may also stand in a logger's head. Returned:
+ * its index, and the factor to m/s; WF_CSV_NONE after a mistake of the table or an error in *e. */
 struct wf_csv;
-size_t wf_speed_column(struct wf_csv *c, const char *name, double *factor);
+size_t wf_speed_column(struct wf_csv *c, const char *name, double *factor, struct wf_err *e);
 
 /* Read a wind rose from a CSV with columns direction_deg (or from_deg, direction, sector; degrees or names),
  * frequency, weibull_scale_ms (or in another unit of speed), weibull_shape and, if wanted, calm: 8, 12 or 16

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/rose_record.h"
+#include "base/column.h"
 #include "base/csv.h"
 #include "base/num.h"
 #include <math.h>
@@ -8,8 +9,8 @@
 #include <string.h>
 #include <strings.h>
 
-enum { FEW = 100, LEAST = 10 };         /* hours: uncertain below FEW, not fitted below LEAST */
-static const double speed_most = 100.0; /* above it a number is no hourly mean [m/s] */
+enum { FEW = 100, LEAST = 10 };        /* hours: uncertain below FEW, not fitted below LEAST */
+static const double IMPOSSIBLE = 90.0; /* above it a number is no wind [m/s] */
 
 /* ---- Weibull by maximum likelihood ---- */
 
@@ -51,14 +52,15 @@ static void fit_weibull(const double *x, size_t n, struct wf_rose_fit *out)
 
 struct rows {
     size_t n, room;
-    double *speed;                   /* [m/s]                                        */
+    double *speed; /* in the column's unit, then [m/s]; NAN: a missing mark */
+    size_t *line;
     double *direction;               /* [deg]; NAN: none                             */
     bool names;                      /* directions are names of sixteen              */
     size_t first_line, first_column; /* first speed that is no number  */
     char first_text[40];
 };
 
-static bool add_row(struct rows *r, double speed, double direction)
+static bool add_row(struct rows *r, double speed, double direction, size_t line)
 {
     if (r->n == r->room) {
         size_t room = r->room ? 2 * r->room : 4096;
@@ -66,9 +68,12 @@ static bool add_row(struct rows *r, double speed, double direction)
         if (u) r->speed = u;
         double *v = realloc(r->direction, room * sizeof *v);
         if (v) r->direction = v;
-        if (!u || !v) return false;
+        size_t *l = realloc(r->line, room * sizeof *l);
+        if (l) r->line = l;
+        if (!u || !v || !l) return false;
         r->room = room;
     }
+    r->line[r->n] = line;
     r->speed[r->n] = speed, r->direction[r->n++] = direction;
     return true;
 }
@@ -87,27 +92,53 @@ static bool no_reading(const char *text)
     return one_of(text, words);
 }
 
-/* A speed [m/s]. Returned: false where there is none; it is then counted. */
-static bool read_speed(struct wf_csv *c, size_t column, double factor, struct rows *r,
-                       struct wf_rose_record *out, double *speed)
+/* A speed in the column's own unit. Returned: false where there is none; it is then counted. */
+static bool read_speed(struct wf_csv *c, size_t column, struct rows *r, struct wf_rose_record *out,
+                       double *speed)
 {
     static const char *const calm[] = { "calm", "C", "静风", NULL };
     const struct wf_cell *cell = &c->cell[column];
-    const char *end = cell->text + cell->size;
-    double value = 0.0;
-    if (no_reading(cell->text)) {
+    enum wf_csv_kind kind = wf_csv_reading(c, column, speed);
+    if (kind == WF_CSV_MISSING || no_reading(cell->text)) {
         out->missing++;
         return false;
     }
-    char point = c->separator != ',' && memchr(cell->text, ',', cell->size) ? ',' : '.';
-    bool number = wf_number_read(cell->text, end, point, &value) == end && value >= 0.0;
-    *speed = value * factor;
-    if ((number && *speed <= speed_most) || one_of(cell->text, calm)) return true;
+    if (kind == WF_CSV_NUMBER) return true;
+    *speed = 0.0;
+    if (one_of(cell->text, calm)) return true;
     if (!out->unreadable++) {
         r->first_line = cell->line, r->first_column = cell->column;
         (void)snprintf(r->first_text, sizeof r->first_text, "%s", cell->text);
     }
     return false;
+}
+
+/* Strike out the missing marks and convert to m/s. */
+static enum wf_status strike_marks(const struct wf_csv *c, const char *name, double factor, struct rows *r,
+                                   struct wf_rose_record *out, struct wf_err *e)
+{
+    struct wf_marks m = { .impossible = IMPOSSIBLE / factor, .unsigned_ = true };
+    size_t kept = 0;
+    if (!wf_marks_find(&m, r->speed, r->n))
+        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu rows", c->file, r->n);
+    if (m.doubtful < r->n)
+        return wf_fail(
+            e, WF_EINPUT,
+            "%s:%zu: error: column '%s': %.10g (%.4g m/s) is a missing mark or a peak; the next "
+            "largest is %.10g. If it means that there is no reading, write '# missing: %.10g' above "
+            "the header",
+            c->file, r->line[m.doubtful], name, r->speed[m.doubtful], r->speed[m.doubtful] * factor, m.next,
+            r->speed[m.doubtful]);
+    if (m.missing)
+        wf_diag_warn(c->diag, "missing-marks",
+                     "%s: column '%s': %zu numbers are taken as missing marks, such as %.10g", c->file, name,
+                     m.missing, m.mark);
+    out->missing += m.missing;
+    for (size_t i = 0; i < r->n; i++)
+        if (!isnan(r->speed[i]))
+            r->speed[kept] = r->speed[i] * factor, r->direction[kept++] = r->direction[i];
+    r->n = kept;
+    return WF_OK;
 }
 
 /* A direction [deg]; NAN for an empty cell, a variable wind, a word or a number that is no direction. */
@@ -148,22 +179,22 @@ static enum wf_status read_rows(const char *path, const struct wf_rose_request *
     enum wf_status status = split_columns(q->columns, a, name, e);
     if (!status) status = wf_csv_open(&csv, path, a, d, e);
     if (status) return status;
-    size_t of_speed = wf_speed_column(&csv, name[0], &factor), of_direction = wf_csv_need(&csv, name[1]);
+    size_t of_speed = wf_speed_column(&csv, name[0], &factor, e), of_direction = wf_csv_need(&csv, name[1]);
+    if (e && e->code) return e->code;
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: not a record of wind", path);
     while (wf_csv_next(&csv)) {
         out->rows++;
-        if (!read_speed(&csv, of_speed, factor, r, out, &speed)) continue;
-        if (!add_row(r, speed, read_direction(&csv, of_direction, r)))
+        if (!read_speed(&csv, of_speed, r, out, &speed)) continue;
+        if (!add_row(r, speed, read_direction(&csv, of_direction, r), csv.row_line))
             return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu rows", path, out->rows);
     }
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: the record cannot be used", path);
     if (20 * out->unreadable > out->rows)
-        return wf_fail(
-            e, WF_EINPUT,
-            "%s: %zu of %zu speeds are not numbers from 0 to %g m/s, first at line %zu, column %zu: "
-            "'%s'",
-            path, out->unreadable, out->rows, speed_most, r->first_line, r->first_column, r->first_text);
-    return WF_OK;
+        return wf_fail(e, WF_EINPUT,
+                       "%s: %zu of %zu speeds are not numbers, first at line %zu, column %zu: "
+                       "'%s'",
+                       path, out->unreadable, out->rows, r->first_line, r->first_column, r->first_text);
+    return strike_marks(&csv, csv.name[of_speed].text, factor, r, out, e);
 }
 
 /* The coarsest step of which all directions are multiples [deg]; 0: none. */
@@ -330,6 +361,7 @@ enum wf_status wf_rose_from_record(const char *path, const struct wf_rose_reques
     if (!status) status = make_rose(&r, q->sectors, a, out, e);
     free(r.speed);
     free(r.direction);
+    free(r.line);
     if (status) return status;
     say_calms(out, d);
     say_few(out, d);
