@@ -348,13 +348,11 @@ enum { ROW_BYTES = 2700 };
  * unknown. */
 static double memory_there(void)
 {
-    static const int kinds[] = { RLIMIT_AS, RLIMIT_DATA };
     double pages = (double)sysconf(_SC_PHYS_PAGES), page = (double)sysconf(_SC_PAGESIZE);
     double there = pages > 0 && page > 0 ? pages * page : INFINITY;
-    for (size_t k = 0; k < WF_COUNT(kinds); k++) {
-        struct rlimit r;
-        if (!getrlimit(kinds[k], &r) && r.rlim_cur != RLIM_INFINITY) there = fmin(there, (double)r.rlim_cur);
-    }
+    struct rlimit r;
+    if (!getrlimit(RLIMIT_AS, &r) && r.rlim_cur != RLIM_INFINITY) there = fmin(there, (double)r.rlim_cur);
+    if (!getrlimit(RLIMIT_DATA, &r) && r.rlim_cur != RLIM_INFINITY) there = fmin(there, (double)r.rlim_cur);
     return there;
 }
 
