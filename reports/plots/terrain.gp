@@ -24,9 +24,9 @@ set multiplot
 unset grid; unset key
 set border 15 lw 0.6
 set format xy "%g"
-# the maps are pictures inside the file: about 130 points a side and 32 colours keep it small
-set palette maxcolors 32
-SIDE = 1 + int((sqrt(POINTS) - 1)/130)
+# the maps are pictures inside the file: about 100 points a side and 16 colours keep it small
+set palette maxcolors 16
+SIDE = 1 + int((sqrt(POINTS) - 1)/100)
 km(v) = v/1000.0
 # four or five ticks a side; palettes run from light to dark, so that a copy in black and white can be read
 SPAN = km(XHIGH - XLOW)/4.0; TEN = 10.0**floor(log10(SPAN))
@@ -60,7 +60,7 @@ set title L('EACH_PLACE')
 set xtics autofreq; set ytics autofreq
 set xlabel L('TOPEX'); set ylabel L('WIND_LEVEL') offset 1,0
 set xrange [TLOW-(TLOW == THIGH):THIGH+(TLOW == THIGH)]; set yrange [FLOW-0.1*(FLOW == FHIGH):FHIGH+0.1*(FLOW == FHIGH)]
-EVERY = 1 + int(POINTS/500)
+EVERY = 1 + int(POINTS/300)
 plot TERRAIN using (int(column(0)) % EVERY ? NaN : column("topex_deg")):(column("wind_factor")) with points lt 1 pt 7 ps 0.2
 unset multiplot
 set output
