@@ -428,6 +428,8 @@ static bool is_missing_word(const char *text)
     static const char *const words[] = { "",      "NA",      "N/A",   "NaN", "-NaN", "null", "none",
                                          "nil",   "-",       "--",    "---", "#N/A", "#NV",  "#DIV/0!",
                                          "#NUM!", "#VALUE!", "#REF!", "inf", "+inf", "-inf", "missing" };
+    size_t sign = *text == '-' || *text == '+';
+    if (text[sign] >= '0' && text[sign] <= '9') return false; /* most cells: a number */
     for (size_t i = 0; i < WF_COUNT(words); i++)
         if (!strcasecmp(text, words[i])) return true;
     return false;

@@ -212,11 +212,13 @@ static bool row_in_si(struct csv_tree *t, double *value)
     if (!t->has[WF_FIELD_ID]) value[WF_FIELD_ID] = (double)t->csv.row;
     for (size_t k = 0; k < t->columns; k++) {
         const struct csv_field *c = &t->column[k];
-        const char *text = wf_csv_text(&t->csv, c->index);
-        if (wf_field_missing(text, strlen(text))) continue;
         double v;
-        if (wf_csv_value(&t->csv, c->index, &v) == WF_CSV_MISSING) continue;
-        if (!wf_csv_number(&t->csv, c->index, -INFINITY, INFINITY, &v)) return false;
+        enum wf_csv_kind kind = wf_csv_value(&t->csv, c->index, &v);
+        if (kind != WF_CSV_NUMBER) {
+            const char *text = wf_csv_text(&t->csv, c->index);
+            if (kind == WF_CSV_MISSING || wf_field_missing(text, strlen(text))) continue;
+            if (!wf_csv_number(&t->csv, c->index, -INFINITY, INFINITY, &v)) return false;
+        }
         value[c->field] = v * c->factor;
     }
     if (!t->placed || !isnan(value[WF_FIELD_X0])) return true;

@@ -198,14 +198,15 @@ enum wf_status wf_gust_record_words(struct wf_gust_spec *s, const char *file,
     if (!wf_dates_named(how->dates, &q.dates))
         return wf_fail(e, WF_EUSAGE, "dates '%s'; there are: day-first, month-first", how->dates);
     q.time = wf_list_item(&rest);
-    bool empty = !*q.time;
+    bool empty = false;
     for (int k = 0; k < 3; k++) empty |= (q.part[k] = wf_list_item(&rest)) && !*q.part[k];
     if (empty || !q.part[0] || wf_list_item(&rest))
-        return wf_fail(e, WF_EUSAGE,
-                       "columns '%s': a time column ('-': none) and one to three components are needed, "
-                       "separated by commas",
-                       how->columns);
-    if (!strcmp(q.time, "-")) q.time = NULL;
+        return wf_fail(
+            e, WF_EUSAGE,
+            "columns '%s': a time column ('-' or nothing: none) and one to three components are needed, "
+            "separated by commas",
+            how->columns);
+    if (!*q.time || !strcmp(q.time, "-")) q.time = NULL;
     if (q.time && how->rate > 0.0)
         return wf_fail(e, WF_EUSAGE, "a rate is for records without a time column; '%s' is one, '-' is none",
                        q.time);
