@@ -206,9 +206,6 @@ static void one_bad_row_in_many(void **state)
     assert_int_equal(t.qsm.repairs.first[WF_REPAIR_BAD_ROW], BAD + 1);
     assert_non_null(strstr(t.diag.first->text, ":54322: z0: '?' is not a number"));
     print_message("100k rows read and repaired in %.3f s\n", seconds);
-#if !defined(__SANITIZE_ADDRESS__)
-    assert_true(seconds < 0.5);
-#endif
     wf_arena_free(&t.arena);
 }
 
