@@ -137,6 +137,7 @@ static void a_graph_that_is_too_deep_is_refused(void **state)
     folder_make(&f, "tree.mtg");
     import_text(&t, text, n);
     assert_int_equal(t.status, WF_OK);
+    t.qsm.file = t.qsm.name = "deep"; /* the name that import_text read from is gone */
     assert_int_equal(wf_qsm_write(&t.qsm, f.path, NULL, &t.err), WF_EOUTPUT);
     assert_non_null(strstr(t.err.text, "299 times"));
     wf_arena_free(&t.arena);
