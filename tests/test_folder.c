@@ -279,16 +279,19 @@ static void interrupted(void **unused)
 {
     (void)unused;
     static const struct row rows[] = {
-        { RUN "timeout --preserve-status -s INT 3 $W compare oak beech ash poplar birch --model broadleaf "
+        { RUN "timeout --foreground --preserve-status -s INT 3 $W compare oak beech ash poplar birch --model "
+              "broadleaf "
               "--wind 5:40:5 -q --no-report -o d; echo code $?; grep '\"status\": \"int' d/results.json; ls "
               "-A d; PATH=/none $W report d >/dev/null 2>&1; grep -c 'class=\"status\"' d/report.html",
           0,
           { "code 130", "\"status\": \"interrupted\"", "plots\nresults.json\ntables\n1\n" } },
-        { RUN "timeout --preserve-status -s TERM 3 $W series oak --model broadleaf --wind 10 --gust cosine "
+        { RUN "timeout --foreground --preserve-status -s TERM 3 $W series oak --model broadleaf --wind 10 "
+              "--gust cosine "
               "-q --no-report -o d; echo code $?; grep '\"status\": \"int' d/results.json; ls -A d",
           0,
           { "code 143", "interrupted", "plots\nresults.json\ntables\nvtk\n" } },
-        { RUN "timeout --preserve-status -s INT 3 $W wind von-karman --points 30 --duration 1000000 --stream "
+        { RUN "timeout --foreground --preserve-status -s INT 3 $W wind von-karman --points 30 --duration "
+              "1000000 --stream "
               "g.npy >/dev/null; echo code $?; ls -A | grep npy; head -c 100 g.npy | grep -a -o 'shape.*,'; "
               "stat -c %s g.npy",
           0,

@@ -35,7 +35,7 @@ static void write_file(const char *name, const uint8_t *data, size_t size)
     char path[256];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE *f = fopen(path, "wb");
-    must(f && fwrite(data, 1, size, f) == size && fclose(f) == 0, "a scratch file");
+    must(f && (!size || fwrite(data, 1, size, f) == size) && fclose(f) == 0, "a scratch file");
 }
 
 /* A results folder whose tables are empty. */
