@@ -213,55 +213,20 @@ bool wf_rose_direction(const char *text, double *degrees, bool *named)
     return false;
 }
 
-/* Units of speed at the end of a column's name, after "_" or a blank, or in brackets. */
-static const struct {
-    const char *name;
-    double factor;
-} speed_units[] = {
-    { "m_s", 1.0 },          { "ms", 1.0 },           { "m/s", 1.0 },           { "mps", 1.0 },
-    { "km_h", 1 / 3.6 },     { "kmh", 1 / 3.6 },      { "km/h", 1 / 3.6 },      { "kph", 1 / 3.6 },
-    { "kn", 1852 / 3600.0 }, { "kt", 1852 / 3600.0 }, { "kts", 1852 / 3600.0 }, { "knots", 1852 / 3600.0 },
-    { "mph", 0.44704 }
-};
-
-/* Size of a name without its unit, and the unit's factor; 0 where it ends in no unit of speed. */
-static size_t speed_stem(const char *name, double *factor)
-{
-    size_t size = strlen(name);
-    bool bracket = size && strchr(")]", name[size - 1]);
-    if (bracket) size--;
-    for (size_t i = 0; i < WF_COUNT(speed_units); i++) {
-        size_t n = strlen(speed_units[i].name);
-        if (size <= n + 1 || strncasecmp(name + size - n, speed_units[i].name, n) != 0) continue;
-        size_t stem = size - n;
-        if (!strchr(bracket ? "([" : "_ ", name[stem - 1])) continue;
-        while (stem && strchr("([_ ", name[stem - 1])) stem--;
-        *factor = speed_units[i].factor;
-        return stem;
-    }
-    return 0;
-}
-
-/* The unit that the head of a logger gives for a column. */
-static bool unit_of_head(struct wf_csv *c, size_t at, double *factor, struct wf_err *e)
-{
-    struct wf_units *u;
-    if (!c->unit || !*c->unit[at] || wf_units_open(&u, e)) return false;
-    bool found = wf_column_factor(c, u, at, WF_DIM_SPEED, "m/s", factor, e);
-    wf_units_close(u);
-    return found;
-}
-
 size_t wf_speed_column(struct wf_csv *c, const char *name, double *factor, struct wf_err *e)
 {
-    double wanted, other;
-    size_t stem = speed_stem(name, &wanted), at = wf_csv_column(c, name);
-    *factor = 1.0;
-    for (size_t i = 0; at == WF_CSV_NONE && stem && i < c->columns; i++)
-        if (speed_stem(c->name[i].text, &other) == stem && !strncasecmp(c->name[i].text, name, stem)) at = i;
-    if (at == WF_CSV_NONE) return wf_csv_need(c, name);
-    if (unit_of_head(c, at, factor, e) || speed_stem(c->name[at].text, factor)) return at;
-    if (c->mistakes || (e && e->code)) return WF_CSV_NONE;
+    struct wf_units *u;
+    size_t stem, mistakes = c->mistakes;
+    if (wf_units_open(&u, e)) return WF_CSV_NONE;
+    size_t at = wf_column_need(c, u, name, WF_DIM_SPEED, factor, e);
+    bool head = at != WF_CSV_NONE && c->unit && *c->unit[at], known = false;
+    if (head)
+        known = wf_column_factor(c, u, at, WF_DIM_SPEED, "m/s", factor, e);
+    else if (at != WF_CSV_NONE)
+        known = wf_name_unit(u, c->name[at].text, WF_DIM_SPEED, factor, &stem, e);
+    wf_units_close(u);
+    if (known) return at;
+    if (at == WF_CSV_NONE || c->mistakes > mistakes || (e && e->code)) return WF_CSV_NONE;
     char text[400];
     (void)snprintf(text, sizeof text,
                    "the column '%.60s' does not say its unit; name it %.60s_ms, %.60s_kmh, %.60s_kn or "
