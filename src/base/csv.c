@@ -58,20 +58,36 @@ static void skip_line(struct wf_csv *c)
     if (c->at < c->end) skip_line_end(c);
 }
 
+bool wf_csv_sheet_error(const char *text, size_t n)
+{
+    if (!n || *text != '#' || memchr(text, ' ', n)) return false;
+    return text[n - 1] == '!' || text[n - 1] == '?' || (n == 4 && !strncasecmp(text, "#N/A", n)) ||
+           (n == 3 && !strncasecmp(text, "#NV", n));
+}
+
+bool wf_csv_missing(const char *text, size_t n)
+{
+    static const char *const words[] = { "-",    "--",   "NA",  "N/A",      "NaN",    "nil",
+                                         "null", "none", "inf", "Infinity", "missing" };
+    if (!n || wf_csv_sheet_error(text, n)) return true;
+    size_t sign = n > 1 && (*text == '-' || *text == '+');
+    if (text[sign] >= '0' && text[sign] <= '9') return false; /* most cells: a number */
+    for (size_t i = 0; i < WF_COUNT(words); i++) {
+        size_t size = strlen(words[i]);
+        if ((size == n && !strncasecmp(text, words[i], n)) ||
+            (size == n - sign && !strncasecmp(text + sign, words[i], size)))
+            return true;
+    }
+    return false;
+}
+
 /* Is the line a comment? One that begins with a cell of a spreadsheet's error, "#N/A,...", is a row. */
 static bool is_comment(const struct wf_csv *c)
 {
-    static const char *const errors[] = {
-        "#N/A", "#DIV/0!", "#NAME?", "#NULL!", "#NUM!", "#VALUE!", "#REF!"
-    };
-    if (*c->at != '#') return false;
-    for (size_t k = 0; k < WF_COUNT(errors); k++) {
-        size_t n = strlen(errors[k]);
-        if ((size_t)(c->end - c->at) < n || strncasecmp(c->at, errors[k], n) != 0) continue;
-        const char *after = c->at + n;
-        if (after == c->end || *after == c->separator || *after == '\n' || *after == '\r') return false;
-    }
-    return true;
+    const char *end = c->at;
+    if (*end != '#') return false;
+    while (end < c->end && *end != c->separator && *end != '\n' && *end != '\r') end++;
+    return !wf_csv_sheet_error(c->at, (size_t)(end - c->at));
 }
 
 /* Move to the next line that has cells; false at the end of the file. */
@@ -423,22 +439,10 @@ static char csv_decimal_sign(const struct wf_csv *c, const struct wf_cell *k)
     return (!c->point || c->point == sign) && !(comma && point) ? sign : 0;
 }
 
-static bool is_missing_word(const char *text)
-{
-    static const char *const words[] = { "",      "NA",      "N/A",   "NaN", "-NaN", "null", "none",
-                                         "nil",   "-",       "--",    "---", "#N/A", "#NV",  "#DIV/0!",
-                                         "#NUM!", "#VALUE!", "#REF!", "inf", "+inf", "-inf", "missing" };
-    size_t sign = *text == '-' || *text == '+';
-    if (text[sign] >= '0' && text[sign] <= '9') return false; /* most cells: a number */
-    for (size_t i = 0; i < WF_COUNT(words); i++)
-        if (!strcasecmp(text, words[i])) return true;
-    return false;
-}
-
 enum wf_csv_kind wf_csv_value(struct wf_csv *c, size_t column, double *value)
 {
     const struct wf_cell *k = &c->cell[column];
-    if (is_missing_word(k->text)) return WF_CSV_MISSING;
+    if (wf_csv_missing(k->text, k->size)) return WF_CSV_MISSING;
     char sign = csv_decimal_sign(c, k);
     const char *end = k->text + k->size, *stop = wf_number_read(k->text, end, sign ? sign : ',', value);
     if (stop != end && !sign) stop = wf_number_read(k->text, end, '.', value);

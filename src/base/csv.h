@@ -78,10 +78,15 @@ bool wf_csv_next(struct wf_csv *c);
 
 /* Text of a cell of the current row; "" for WF_CSV_NONE. */
 const char *wf_csv_text(const struct wf_csv *c, size_t column);
+/* Is text[0..n) an error of a spreadsheet: #N/A, #NV, #DIV/0!, #WERT!, #NAME?...? */
+bool wf_csv_sheet_error(const char *text, size_t n);
+/* Does text[0..n) say that there is no value: nothing, an error of a spreadsheet, NA, NaN, null, none, nil,
+ * -, inf, missing and the like, in either case? */
+bool wf_csv_missing(const char *text, size_t n);
 /* What a cell is. */
 enum wf_csv_kind {
     WF_CSV_NUMBER,
-    WF_CSV_MISSING, /* empty, NA, NaN, NULL, -, n/a, #N/A, #DIV/0!, inf or the like, in either case */
+    WF_CSV_MISSING, /* see wf_csv_missing                              */
     WF_CSV_WORD,    /* any other text */
     WF_CSV_MIXED,   /* a number with another decimal sign than the numbers before it */
 };

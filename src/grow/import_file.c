@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "grow/import_file.h"
 #include "base/column.h"
+#include "base/csv.h"
 #include "base/num.h"
 #include <ctype.h>
 #include <math.h>
 #include <string.h>
-#include <strings.h>
 
 /* Rows that cannot be read. */
 
@@ -109,15 +109,7 @@ enum wf_field wf_field_of(struct wf_units *u, const char *name, double length_un
 
 /* Missing values. */
 
-bool wf_field_missing(const char *text, size_t n)
-{
-    static const char *const words[] = { "NA", "N/A", "NaN", "NULL", "None", "inf", "Infinity" };
-    if (!n || text[0] == '#') return true;
-    bool sign = text[0] == '-' || text[0] == '+';
-    for (size_t k = 0; k < WF_COUNT(words); k++)
-        if (n - sign == strlen(words[k]) && !strncasecmp(text + sign, words[k], n - sign)) return true;
-    return false;
-}
+bool wf_field_missing(const char *text, size_t n) { return (n && text[0] == '#') || wf_csv_missing(text, n); }
 
 /* Rows. */
 

@@ -450,9 +450,7 @@ static bool is_comment(const char *p, const char *stop, char point)
     const char *end = p;
     if (*p != '#') return false;
     while (end < stop && !is_gap(*end, point)) end++;
-    size_t n = (size_t)(end - p);
-    return !(end[-1] == '!' || end[-1] == '?' || (n == 4 && !strncmp(p, "#N/A", n)) ||
-             (n == 3 && !strncmp(p, "#NV", n)));
+    return !wf_csv_sheet_error(p, (size_t)(end - p));
 }
 
 /* Read the numbers of the next line that is not blank or a comment. Returned: how many; 0 at the end of the

@@ -85,21 +85,15 @@ static bool one_of(const char *text, const char *const *words)
     return false;
 }
 
-static bool no_reading(const char *text)
-{
-    static const char *const words[] = { "",  "NA", "N/A", "NaN", "NULL", "M",
-                                         "-", "--", "/",   "//",  "///",  NULL };
-    return one_of(text, words);
-}
-
 /* A speed in the column's own unit. Returned: false where there is none; it is then counted. */
 static bool read_speed(struct wf_csv *c, size_t column, struct rows *r, struct wf_rose_record *out,
                        double *speed)
 {
     static const char *const calm[] = { "calm", "C", "静风", NULL };
+    static const char *const silent[] = { "M", "/", "//", "///", NULL }; /* of weather services */
     const struct wf_cell *cell = &c->cell[column];
     enum wf_csv_kind kind = wf_csv_reading(c, column, speed);
-    if (kind == WF_CSV_MISSING || no_reading(cell->text)) {
+    if (kind == WF_CSV_MISSING || one_of(cell->text, silent)) {
         out->missing++;
         return false;
     }
