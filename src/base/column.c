@@ -240,3 +240,27 @@ bool wf_marks_find(struct wf_marks *m, double *value, size_t n)
     free(size);
     return true;
 }
+
+static const double FASTEST = 90.0; /* no wind is above it [m/s] */
+
+enum wf_status wf_marks_strike(struct wf_csv *c, size_t column, double factor, bool none, bool alone,
+                               double *value, const size_t *line, size_t n, const char *const how[2],
+                               size_t *struck, struct wf_err *e)
+{
+    const char *name = c->name[column].text;
+    struct wf_marks m = { .impossible = FASTEST / factor, .unsigned_ = alone, .none = none };
+    if (!wf_marks_find(&m, value, n))
+        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", c->file);
+    if (m.doubtful < n)
+        return wf_fail(e, WF_EINPUT,
+                       "%s:%zu: error: column '%s': %.10g (%.4g m/s) is a missing mark or a peak; the next "
+                       "largest is %.10g. %s%.10g%s",
+                       c->file, line[m.doubtful], name, value[m.doubtful], value[m.doubtful] * factor, m.next,
+                       how[0], value[m.doubtful], how[1]);
+    if (m.missing)
+        wf_diag_warn(c->diag, "missing-marks",
+                     "%s: column '%s': %zu numbers are taken as missing marks, such as %.10g", c->file, name,
+                     m.missing, m.mark);
+    *struck = m.missing;
+    return WF_OK;
+}

@@ -50,4 +50,12 @@ struct wf_marks {
  * twice the largest other. Doubtful is any other impossible number, and a single 99, 99.9, 999 or the like
  * above twice the largest other. Components are compared by size. Returned: false without memory. */
 bool wf_marks_find(struct wf_marks *m, double *value, size_t n);
+/* Strike out the missing marks of a column of speeds, and say so by the warning `missing-marks`. Given: the
+ * column and its factor to m/s; whether the user says that there are none; `alone` as unsigned_ above; n
+ * numbers in the column's unit, set to NAN where they are marks, and their lines; how a user says what a
+ * doubtful number is, the text before and behind it. Returned: WF_OK and *struck. Errors: WF_EINPUT with the
+ * line for a doubtful number, WF_ENOMEM. */
+enum wf_status wf_marks_strike(struct wf_csv *c, size_t column, double factor, bool none, bool alone,
+                               double *value, const size_t *line, size_t n, const char *const how[2],
+                               size_t *struck, struct wf_err *e);
 #endif

@@ -69,25 +69,21 @@ static bool read_numbers(struct wf_csv *c, const struct wf_test_rows *how, struc
     return good;
 }
 
-/* Find the missing marks of a wind, column k. */
-static enum wf_status strike_marks(struct wf_csv *c, const char *name, size_t k, double factor,
+/* Strike out the missing marks of a wind, column k. */
+static enum wf_status strike_marks(struct wf_csv *c, const struct plan *p, size_t k,
                                    const struct wf_test_rows *how, struct wf_test_data *r, struct wf_arena *a,
                                    struct wf_err *e)
 {
-    const double fastest = 90.0; /* [m/s] */
-    struct wf_marks m = { .impossible = fastest / factor,
-                          .unsigned_ = true,
-                          .none = how->missing && !strcmp(how->missing, "none") };
+    static const char *const say[] = { "Give the test 'missing: \"",
+                                       "\"' if it means that there is no reading, or 'missing: none'" };
+    size_t struck;
     double *value = WF_TAKE(a, r->n, double);
-    for (size_t i = 0; value && i < r->n; i++) value[i] = r->value[i * r->columns + k];
-    if (!value || !wf_marks_find(&m, value, r->n))
-        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", c->file);
-    if (m.doubtful < r->n)
-        return wf_fail(
-            e, WF_EINPUT,
-            "%s:%zu: error: column '%s': %.10g is a missing mark or a peak; the next largest is %.10g. Give "
-            "the test 'missing: \"%.10g\"' if it means that there is no reading, or 'missing: none'",
-            c->file, r->line[m.doubtful], name, value[m.doubtful], m.next, value[m.doubtful]);
+    if (!value) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", c->file);
+    for (size_t i = 0; i < r->n; i++) value[i] = r->value[i * r->columns + k];
+    enum wf_status s =
+        wf_marks_strike(c, p->at[k], p->factor[k], how->missing && !strcmp(how->missing, "none"), true, value,
+                        r->line, r->n, say, &struck, e);
+    if (s) return s;
     size_t kept = 0;
     for (size_t i = 0; i < r->n; i++) {
         if (isnan(value[i])) continue;
@@ -111,8 +107,7 @@ static enum wf_status finish_rows(struct wf_csv *c, const struct wf_column *colu
                             r->time, r->n, e);
     }
     for (size_t k = 0; k < r->columns && !s; k++)
-        if (column[k].dimension == WF_DIM_SPEED)
-            s = strike_marks(c, column[k].name, k, p->factor[k], how, r, a, e);
+        if (column[k].dimension == WF_DIM_SPEED) s = strike_marks(c, p, k, how, r, a, e);
     double first = r->n ? r->time[0] : 0;
     for (size_t i = 0; i < r->n && !s; i++) {
         r->time[i] -= first;

@@ -9,7 +9,7 @@
 
 /* No anemometer has measured more near the ground than 113 m/s (Barrow Island 1996, WMO); the fastest wind
  * that a user can vouch for, and the fastest one taken as a wind without being vouched for [m/s]. */
-static const double VOUCHED_MAX = 120.0, SPEED_MAX = 90.0;
+static const double VOUCHED_MAX = 120.0;
 
 void wf_record_request_default(struct wf_record_request *q)
 {
@@ -146,23 +146,14 @@ static enum wf_status strike_marks(const struct wf_record_request *q, struct wf_
                                    int k, bool alone, struct wf_err *e)
 {
     const char *name = c->name[r->column[k]].text;
-    struct wf_marks m = { .impossible = SPEED_MAX / r->factor[k],
-                          .unsigned_ = alone,
-                          .none = q->missing && !strcmp(q->missing, "none") };
-    if (!wf_marks_find(&m, r->part[k], r->n))
-        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for its rows", c->file);
-    if (m.doubtful < r->n)
-        return wf_fail(
-            e, WF_EINPUT,
-            "%s:%zu: error: column '%s': %.10g (%.4g m/s) is a missing mark or a peak; the next largest is "
-            "%.10g. Say --missing %.10g if it means that there is no reading, or --missing none if "
-            "every number is a wind (in a study the key missing)",
-            c->file, r->line[m.doubtful], name, r->part[k][m.doubtful], r->part[k][m.doubtful] * r->factor[k],
-            m.next, r->part[k][m.doubtful]);
-    if (m.missing)
-        wf_diag_warn(c->diag, "missing-marks",
-                     "%s: column '%s': %zu numbers are taken as missing marks, such as %.10g", c->file, name,
-                     m.missing, m.mark);
+    static const char *const how[] = { "Say --missing ",
+                                       " if it means that there is no reading, or --missing none if every "
+                                       "number is a wind (in a study the key missing)" };
+    size_t struck;
+    enum wf_status s =
+        wf_marks_strike(c, r->column[k], r->factor[k], q->missing && !strcmp(q->missing, "none"), alone,
+                        r->part[k], r->line, r->n, how, &struck, e);
+    if (s) return s;
     for (size_t i = 0; i < r->n; i++) {
         r->part[k][i] *= r->factor[k];
         if (fabs(r->part[k][i]) > VOUCHED_MAX)

@@ -9,8 +9,7 @@
 #include <string.h>
 #include <strings.h>
 
-enum { FEW = 100, LEAST = 10 };        /* hours: uncertain below FEW, not fitted below LEAST */
-static const double IMPOSSIBLE = 90.0; /* above it a number is no wind [m/s] */
+enum { FEW = 100, LEAST = 10 }; /* hours: uncertain below FEW, not fitted below LEAST */
 
 /* ---- Weibull by maximum likelihood ---- */
 
@@ -108,26 +107,16 @@ static bool read_speed(struct wf_csv *c, size_t column, struct rows *r, struct w
 }
 
 /* Strike out the missing marks and convert to m/s. */
-static enum wf_status strike_marks(const struct wf_csv *c, const char *name, double factor, struct rows *r,
+static enum wf_status strike_marks(struct wf_csv *c, size_t column, double factor, struct rows *r,
                                    struct wf_rose_record *out, struct wf_err *e)
 {
-    struct wf_marks m = { .impossible = IMPOSSIBLE / factor, .unsigned_ = true };
-    size_t kept = 0;
-    if (!wf_marks_find(&m, r->speed, r->n))
-        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu rows", c->file, r->n);
-    if (m.doubtful < r->n)
-        return wf_fail(
-            e, WF_EINPUT,
-            "%s:%zu: error: column '%s': %.10g (%.4g m/s) is a missing mark or a peak; the next "
-            "largest is %.10g. If it means that there is no reading, write '# missing: %.10g' above "
-            "the header",
-            c->file, r->line[m.doubtful], name, r->speed[m.doubtful], r->speed[m.doubtful] * factor, m.next,
-            r->speed[m.doubtful]);
-    if (m.missing)
-        wf_diag_warn(c->diag, "missing-marks",
-                     "%s: column '%s': %zu numbers are taken as missing marks, such as %.10g", c->file, name,
-                     m.missing, m.mark);
-    out->missing += m.missing;
+    static const char *const how[] = { "If it means that there is no reading, write '# missing: ",
+                                       "' above the header" };
+    size_t kept = 0, struck;
+    enum wf_status s =
+        wf_marks_strike(c, column, factor, false, true, r->speed, r->line, r->n, how, &struck, e);
+    if (s) return s;
+    out->missing += struck;
     for (size_t i = 0; i < r->n; i++)
         if (!isnan(r->speed[i]))
             r->speed[kept] = r->speed[i] * factor, r->direction[kept++] = r->direction[i];
@@ -188,7 +177,7 @@ static enum wf_status read_rows(const char *path, const struct wf_rose_request *
                        "%s: %zu of %zu speeds are not numbers, first at line %zu, column %zu: "
                        "'%s'",
                        path, out->unreadable, out->rows, r->first_line, r->first_column, r->first_text);
-    return strike_marks(&csv, csv.name[of_speed].text, factor, r, out, e);
+    return strike_marks(&csv, of_speed, factor, r, out, e);
 }
 
 /* The coarsest step of which all directions are multiples [deg]; 0: none. */
