@@ -296,10 +296,11 @@ static void interrupted(void **unused)
               "stat -c %s g.npy",
           0,
           { "code 130\ng.npy\n", "shape" } },
-        /* a child that has ended and that nobody has waited for (Z) is none */
+        /* the child is looked for as long as the run lives, and kept by the look that found it;
+           a child that has ended and that nobody has waited for (Z) is none */
         { RUN
-          "$W analyze oak --model culm --wind 10 -q -o d & p=$!; for i in 1 2 3 4 5 6 7 8 9; do sleep "
-          "0.2; pgrep -P $p >/dev/null && break; done; c=$(pgrep -P $p); kill -9 $p; wait $p; for i in 1 2 3 "
+          "$W analyze oak --model culm --wind 10 -q -o d & p=$!; c=; while [ -z \"$c\" ] && ! grep -q "
+          "'^State:.[ZX]' /proc/$p/status; do c=$(pgrep -P $p); done; kill -9 $p; wait $p; for i in 1 2 3 "
           "4 5 6; do sleep 0.5; left=; for k in $c; do grep -q '^State:.[^ZX]' /proc/$k/status 2>/dev/null "
           "&& left=$k; done; [ $left ] || break; done; [ $left ] && echo ORPHAN; [ \"$c\" ] && echo child; "
           "echo end",
