@@ -11,19 +11,40 @@
 #include <stdlib.h>
 #include <string.h>
 
+static int put(FILE *to, const char *text, char end)
+{
+    struct wf_arena a = { 0 };
+    const char *safe = text ? wf_text_for_terminal(text, end, &a) : NULL;
+    int n = safe && fputs(safe, to) >= 0 ? (int)strlen(safe) : -1;
+    wf_arena_free(&a);
+    return n;
+}
+
+int wf_show_text(FILE *to, const char *text) { return put(to, text, '\n'); }
+
+/* A control character that a text does not hold; NUL when it holds all of them. */
+static char unused_in(const char *text)
+{
+    char c = 1;
+    while (c == '\t' || c == '\n' || (c < ' ' && strchr(text, c))) c++;
+    return c < ' ' ? c : '\0';
+}
+
 int wf_show(FILE *to, const char *fmt, ...)
 {
-    char *text = NULL;
-    struct wf_arena a = { 0 };
-    va_list list;
+    char *text = NULL, *marked = strdup(fmt), end = '\0';
+    va_list list, again;
     va_start(list, fmt);
+    va_copy(again, list);
     int n = vasprintf(&text, fmt, list);
     va_end(list);
-    if (n < 0) return -1;
-    const char *safe = wf_text_for_terminal(text, &a);
-    n = safe && fputs(safe, to) >= 0 ? (int)strlen(safe) : -1;
+    if (n >= 0) end = unused_in(text), free(text), text = NULL;
+    for (char *s = marked; s && (s = strchr(s, '\n'));) *s = end ? end : ' ';
+    if (n >= 0 && (!marked || vasprintf(&text, marked, again) < 0)) text = NULL;
+    va_end(again);
+    n = put(to, text, end);
     free(text);
-    wf_arena_free(&a);
+    free(marked);
     return n;
 }
 

@@ -155,7 +155,9 @@ bool wf_option_quantity(struct wf_reading *r, size_t k, const char *text, const 
 /* The unit behind the number at the start of `text`, blanks skipped; "" for none. NULL: no number there. */
 const char *wf_option_unit(const char *text);
 /* Print to the terminal, to stdout or stderr: all text that this room prints goes through here. A name or a
- * path may hold anything; what would act on a terminal is shown escaped (base/text.h). Returned: bytes
- * written, -1 on failure. */
+ * path may hold anything; what would act on a terminal is shown escaped (base/text.h), and so is a line end
+ * that is not one of `fmt`. Returned: bytes written, -1 on failure. */
 int wf_show(FILE *to, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* Print a text of this program as it is, line ends included; it holds no names. */
+int wf_show_text(FILE *to, const char *text);
 #endif
