@@ -233,6 +233,38 @@ static void two_at_once(void **unused)
     CHECK(rows);
 }
 
+/* A folder that is a disk of its own, and one whose tables are on another disk. */
+static void mount_points(void **unused)
+{
+    (void)unused;
+    if (system("unshare -rm mount -t tmpfs none /mnt 2>/dev/null")) {
+        print_message("skipped: no disks can be mounted here (unshare -rm)\n");
+        skip();
+    }
+#define MOUNTED(commands)                                                                                    \
+    RUN "export W; mkdir -p d/tables; cat >inside <<'END'\n"                                                 \
+        "run() { v=$1; shift; $W analyze oak --model culm --wind $v -q --no-report -o \"$@\"; }\n" commands  \
+        "\nEND\nunshare -rm sh inside"
+    static const struct row rows[] = {
+        { MOUNTED(
+              "mount -t tmpfs none d && run 10 d && run 12 d && ls -A d; PATH=/none $W report -q d; echo $?; "
+              "grep -c run_files d/results.json; run 10 d --study none; ls -A d | wc -l"),
+          0,
+          { "results.json\ntables\n", "1\n1\n", "4\n" } },
+        { MOUNTED("mount -t tmpfs none d && run 10 d --study none; ls -A d; mountpoint -q d && echo mounted"),
+          0,
+          { "none", "mounted\n" } },
+        { MOUNTED("mount -t tmpfs none d/tables && run 10 d; echo $?; ls -A d d/tables"),
+          0,
+          { "d/tables/segments.csv: cannot be written: Invalid cross-device "
+            "link\n1\nd:\ntables\n\nd/tables:\n" } },
+        { MOUNTED("mount -t tmpfs -o size=20k none d && run 10 d; echo $?; ls -A d"),
+          0,
+          { "No space left on device\n1\n" } },
+    };
+    CHECK(rows);
+}
+
 /* Kill -9 at 20 moments of a run: the folder is of the run before or of this one, or `report` does not take
  * it; and the next run puts it right. */
 static void killed(void **unused)
@@ -327,9 +359,11 @@ static void interrupted(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(names),       cmocka_unit_test(plain_files), cmocka_unit_test(lists),
-        cmocka_unit_test(belongs),     cmocka_unit_test(links),       cmocka_unit_test(mixtures),
-        cmocka_unit_test(two_at_once), cmocka_unit_test(killed),      cmocka_unit_test(killed_between_moves),
+        cmocka_unit_test(names),       cmocka_unit_test(plain_files),
+        cmocka_unit_test(lists),       cmocka_unit_test(belongs),
+        cmocka_unit_test(links),       cmocka_unit_test(mixtures),
+        cmocka_unit_test(two_at_once), cmocka_unit_test(mount_points),
+        cmocka_unit_test(killed),      cmocka_unit_test(killed_between_moves),
         cmocka_unit_test(interrupted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -135,6 +135,7 @@ struct wf_reading {
     const char *text[WF_OPTIONS_MAX]; /* by row: as typed, else as in the study file, else the default     */
     const char *key[WF_OPTIONS_MAX];  /* by row: key of the study file that gave the text; NULL: no key    */
     bool complete;
+    bool no_memory; /* it ended while an option was read: no mistake of the user */
 };
 
 /* Report a mistake and count it. Given: the key of the study file it belongs to, where file, line and column
