@@ -2,6 +2,7 @@
 #include "study/directions.h"
 #include "base/num.h"
 #include "base/parallel.h"
+#include "study/node.h"
 #include "wind/climate.h"
 #include <math.h>
 
@@ -39,12 +40,11 @@ static enum wf_status one(void *context, size_t at, struct wf_err *e)
     }
     an.at = d->at; /* of this direction: where the tree fails above the range of the search */
     an.search.seconds *= (double)w->out->request.n; /* the process's time is shared by the directions */
-    struct wf_arena scratch = { 0 };
-    struct wf_known *known = wf_known_take(&scratch);
-    enum wf_status s = known
-                           ? wf_analysis_breaks(&an, w->o, known, d->breaks, e)
+    struct wf_nodes *nodes = wf_nodes_open(&an);
+    enum wf_status s = nodes
+                           ? wf_analysis_breaks(&an, w->o, nodes, d->breaks, e)
                            : wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
-    wf_arena_free(&scratch);
+    wf_nodes_close(nodes);
     return s;
 }
 
