@@ -88,7 +88,7 @@ static void breaks_of(struct beam_case *c, const struct wf_solver *solver, struc
 {
     struct wf_analysis an;
     analysis_of(c, solver, &an);
-    struct wf_nodes *nodes = wf_nodes_open(&an);
+    struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
     assert_non_null(nodes);
     if (wf_analysis_breaks(&an, &c->options, nodes, out, &c->err)) fail_msg("%s", c->err.text);
     wf_nodes_close(nodes);

@@ -63,7 +63,7 @@ static void same_answers_in_any_order(void **state)
     struct wf_tracked r;
     double from = NAN, size;
     young_tree(&c);
-    assert_int_equal(wf_track_open(&c.tree, &c.options, &k, &c.err), WF_OK);
+    assert_int_equal(wf_track_open(&c.tree, &c.options, NULL, &k, &c.err), WF_OK);
     for (size_t i = 0; i < sizeof speed / sizeof *speed; i++) {
         assert_int_equal(at_speed(&c, k, from, speed[i], 0, &r), WF_OK);
         from = speed[i];
@@ -89,7 +89,7 @@ static void slopes_are_derivatives(void **state)
     young_tree(&c);
     c.options.tolerance = 1e-12;
     c.options.mesh_tolerance = 1e-3;
-    assert_int_equal(wf_track_open(&c.tree, &c.options, &k, &c.err), WF_OK);
+    assert_int_equal(wf_track_open(&c.tree, &c.options, NULL, &k, &c.err), WF_OK);
     for (double speed = 4; speed < 45; speed *= 1.7) {
         const double step = 3e-7 * speed, apart = 2e-4 * speed;
         double size = 0, off = 0;

@@ -13,6 +13,7 @@ struct form {
 
 struct wf_track {
     const struct wf_tree *tree;
+    const struct wf_track *like; /* its mesh is taken; NULL: none */
     struct wf_solve_options options,
         follow; /* follow: Newton from a neighbour converges soon or not at all */
     struct wf_arena work;
@@ -24,13 +25,14 @@ struct wf_track {
     struct form last, lead, rest;
 };
 
-enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_options *o, struct wf_track **out,
-                             struct wf_err *e)
+enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_options *o,
+                             const struct wf_track *like, struct wf_track **out, struct wf_err *e)
 {
     enum { FOLLOW_ITERATIONS = 32 };
     struct wf_track *k = calloc(1, sizeof *k);
     if (!k) return wf_fail(e, WF_ENOMEM, "not enough memory for a sequence of solutions");
     k->tree = t;
+    k->like = like;
     k->options = k->follow = *o;
     k->follow.iterations_max = FOLLOW_ITERATIONS;
     *out = k;
@@ -76,32 +78,70 @@ static enum wf_status take_forms(struct wf_track *k, struct wf_err *e)
     return WF_OK;
 }
 
-/* On the first mesh of the beam solver. */
-static enum wf_status solve_coarse(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
+/* The beam, unloaded, on the mesh of another (NULL: the first mesh of the beam solver). */
+static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, const struct wf_beam_mesh *mesh,
+                                struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     int32_t *pieces = WF_TAKE(&scratch, k->tree->n, int32_t);
     int32_t first = wf_beam_first_pieces(k->tree, &k->options);
     if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
-    for (size_t i = 0; i < k->tree->n; i++) pieces[i] = first;
+    for (size_t i = 0; i < k->tree->n; i++) pieces[i] = mesh ? mesh->last[i] - mesh->first[i] + 1 : first;
+    wf_arena_free(&k->work);
+    k->rested = k->led = false;
+    k->solutions = 1;
     enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, &k->work, e);
     wf_arena_free(&scratch);
-    return s ? s : wf_beam_settle(&k->beam, &k->work, &k->outcome, e);
+    return s ? s : take_forms(k, e);
 }
 
-/* Given: a solution at the loads `l`, `from` (NULL: none). Returned: the same on a mesh of the tolerance. */
+/* Begin on the mesh of another track of the same tree, from its form at rest. */
+static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
+{
+    enum wf_status s = take_beam(k, l, &k->like->beam.mesh, e);
+    if (s) return s;
+    if (k->like->rested) {
+        memcpy(k->rest.shape, k->like->rest.shape, k->beam.mesh.n * sizeof *k->rest.shape);
+        memcpy(k->rest.tilt, k->like->rest.tilt, k->tree->n * sizeof *k->rest.tilt);
+        put_back(k, &k->rest);
+    }
+    k->rested = k->like->rested;
+    keep(k, &k->last);
+    k->speed = 0;
+    k->solved = true;
+    return WF_OK;
+}
+
+/* The form at rest on the mesh of `own`, for the present mesh, whose solution it leaves as it is. */
+static void carry_rest(struct wf_track *k, struct wf_beam *own, const struct form *rest)
+{
+    keep(k, &k->last);
+    memcpy(own->shape, rest->shape, own->mesh.n * sizeof *own->shape);
+    memcpy(own->tilt, rest->tilt, k->tree->n * sizeof *own->tilt);
+    wf_beam_sweep_up(own);
+    wf_beam_carry(own, &k->beam);
+    keep(k, &k->rest);
+    put_back(k, &k->last);
+    k->rested = true;
+}
+
+/* A solution at the loads `l` on a mesh of the tolerance, from the shape of `from` (NULL: unloaded). */
 static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const struct wf_beam *from,
                              struct wf_err *e)
 {
     struct wf_arena before = k->work;
     struct wf_beam own = k->beam;
+    const struct form rest = k->rest;
+    bool rested = k->rested;
     k->work = (struct wf_arena){ 0 };
     k->rested = k->led = k->solved = false;
     k->solutions = 1;
     enum wf_status s = wf_beam_solve(k->tree, l, &k->options, from == &k->beam ? &own : from, &k->work,
                                      &k->beam, &k->outcome, e);
+    if (!s) s = take_forms(k, e);
+    if (!s && rested) carry_rest(k, &own, &rest);
     wf_arena_free(&before);
-    return s ? s : take_forms(k, e);
+    return s;
 }
 
 static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
@@ -119,11 +159,8 @@ static enum wf_status begin(struct wf_track *k, const struct wf_loads *l, const 
                             struct wf_err *e)
 {
     if (!coarse(k)) return remesh(k, l, other && other->solved ? &other->beam : NULL, e);
-    wf_arena_free(&k->work);
-    k->rested = k->led = false;
-    k->solutions = 1;
-    enum wf_status s = solve_coarse(k, l, e);
-    if (!s) s = take_forms(k, e);
+    enum wf_status s = take_beam(k, l, NULL, e);
+    if (!s) s = wf_beam_settle(&k->beam, &k->work, &k->outcome, e);
     return s ? s : check_mesh(k, l, e);
 }
 
@@ -249,7 +286,9 @@ enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, cons
     *out = (struct wf_tracked){ 0 };
     enum wf_status s = wf_response_alloc(&out->at, k->tree->n, a, e);
     if (s) return s;
-    bool on = k->solved && (coarse(k) || start->near);
+    bool like = k->like && k->like->solved;
+    if (like && !k->solved && (s = adopt(k, l, e))) return s;
+    bool on = k->solved && (like || coarse(k) || start->near);
     s = on ? go_on(k, l, start, e) : begin(k, l, start->other, e);
     out->at.load_factor = k->outcome.load_factor;
     k->led = false;

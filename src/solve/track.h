@@ -7,10 +7,11 @@
 
 struct wf_track;
 
-/* Given: tree, options (mesh_tolerance as for one solution); both must outlive the track. Returned: *out.
- * Errors: WF_ENOMEM. */
-enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_options *o, struct wf_track **out,
-                             struct wf_err *e);
+/* Given: tree, options (mesh_tolerance as for one solution); `like`, a track of the same tree and tolerance
+ * whose mesh is taken, and its form in still air (NULL: none). All must outlive the track; tracks with the
+ * same `like` may be used at the same time, but not that one. Returned: *out. Errors: WF_ENOMEM. */
+enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_options *o,
+                             const struct wf_track *like, struct wf_track **out, struct wf_err *e);
 /* NULL is allowed. */
 void wf_track_close(struct wf_track *k);
 

@@ -150,7 +150,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
         if (!(s = wf_speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++;
     if (!s && k == n && q.solved) q.solved(out, q.context);
     if (!s && k < n) s = WF_EINTERRUPTED;
-    if (!s && !(nodes = wf_nodes_open(out)))
+    if (!s && !(nodes = wf_nodes_open(out, NULL)))
         s = wf_fail(&why, WF_ENOMEM, "not enough memory for the search of the critical speed");
     if (!s) s = wf_analysis_breaks(out, o, nodes, out->breaks, &why);
     searched = !s;

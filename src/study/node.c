@@ -62,6 +62,7 @@ struct sequence {
 
 struct wf_nodes {
     const struct wf_analysis *an;
+    const struct wf_nodes *like; /* of the same tree in another wind direction; NULL: none */
     struct wf_arena arena;
     double deadline; /* of the process's time [s] */
     bool late;
@@ -76,11 +77,20 @@ static double processor_seconds(void)
     return clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t) ? 0.0 : (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-struct wf_nodes *wf_nodes_open(const struct wf_analysis *an)
+/* Solutions in still air do not depend on the direction. */
+static void take_still(struct wf_nodes *k)
+{
+    for (size_t i = 0; i < k->like->n; i++)
+        if (k->like->node[i].at.speed == 0.0) k->node[k->n++] = k->like->node[i];
+}
+
+struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nodes *like)
 {
     struct wf_nodes *k = calloc(1, sizeof *k);
     if (!k) return NULL;
     k->an = an;
+    k->like = like;
+    if (like) take_still(k);
     wf_nodes_deadline(k, an->search.seconds);
     return k;
 }
@@ -144,7 +154,11 @@ static enum wf_status sequence_for(struct wf_nodes *k, const struct wf_solve_opt
         wf_track_close((*out)->track);
     }
     **out = (struct sequence){ .tolerance = o->mesh_tolerance, .speed = NAN, .options = *o };
-    return wf_track_open(&k->an->tree, &(*out)->options, &(*out)->track, e);
+    const struct wf_track *like = NULL;
+    for (int i = 0; k->like && i < TRACKS; i++)
+        if (k->like->sequence[i].tolerance == o->mesh_tolerance) like = k->like->sequence[i].track;
+    if (like) (*out)->speed = 0.0;
+    return wf_track_open(&k->an->tree, &(*out)->options, like, &(*out)->track, e);
 }
 
 static float single(double x) { return isfinite(x) ? (float)x : 0.0F; }

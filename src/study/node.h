@@ -46,8 +46,10 @@ struct wf_node {
 struct wf_nodes;
 enum { WF_NODES_MAX = 240 };
 /* None at first, for an analysis after wf_analysis_set_up. The processor time that solutions may take ends
- * after an->search.seconds from now. Errors: NULL, not enough memory. */
-struct wf_nodes *wf_nodes_open(const struct wf_analysis *an);
+ * after an->search.seconds from now. `like` (NULL: none), nodes of the same tree in another wind direction,
+ * which outlive these and are not used meanwhile: their solutions in still air and their meshes are taken.
+ * Errors: NULL, not enough memory. */
+struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nodes *like);
 void wf_nodes_close(struct wf_nodes *k);                    /* NULL is allowed */
 void wf_nodes_deadline(struct wf_nodes *k, double seconds); /* from now */
 bool wf_nodes_late(const struct wf_nodes *k); /* the deadline has passed: it stays so once said */
