@@ -437,6 +437,40 @@ static void plate_tilt(const struct wf_beam *b, const double moment[3], double q
         if (b->options->root_stiffness[j] > 0) q[j] = moment[j] / b->options->root_stiffness[j];
 }
 
+/* The loads of the undeformed tree do not change in this solution: as dead loads they are computed once. */
+static void linear_hold_loads(struct wf_beam *b)
+{
+    if (b->loads.point_scale != 1) return; /* dead loads would be scaled by it again */
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        struct wf_beam_part *p = &b->mesh.part[i];
+        struct wf_line_load load[2];
+        wf_beam_load(p, &b->loads, &b->stage[i], load);
+        for (int j = 0; j < 2; j++) {
+            memcpy(p->dead[j], load[j].force, sizeof p->dead[j]);
+            p->line[j].mass = 0;
+        }
+    }
+    b->loads.wind = NULL;
+}
+
+/* wf_beam_sweep_up for the undeformed tree. */
+static void linear_place(struct wf_beam *b)
+{
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        const struct wf_beam_part *p = &b->mesh.part[i];
+        struct wf_beam_stage *s = &b->stage[i];
+        struct wf_beam_pose ground;
+        const double *base = wf_beam_base(b, i, &ground)->r;
+        memcpy(s->t, p->t, sizeof s->t), memcpy(s->rp, p->t, sizeof s->rp);
+        for (int c = 0; c < 3; c++) {
+            for (int j = 0; j < 2; j++)
+                s->r[j][c] = base[c] + p->h * (gauss_up[j][0] * p->t[0][c] + gauss_up[j][1] * p->t[1][c]);
+            b->pose[i].r[c] = base[c] + 0.5 * p->h * (p->t[0][c] + p->t[1][c]);
+            b->pose[i].L[4 * c] = 1;
+        }
+    }
+}
+
 /* Rotation q and displacement u of the undeformed tree from its internal forces: q' = G m,  u' = q x t + H
  * n,  by the same collocation as the full element. */
 static void linear_displacements(struct wf_beam *b, double (*u)[3], double (*q)[3])
@@ -485,7 +519,8 @@ static enum wf_status linear_answer_on(const struct wf_tree *t, const struct wf_
     x->q = wf_arena_take(work, x->beam.mesh.n, sizeof *x->q);
     if (!x->u || !x->q)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu displacements", x->beam.mesh.n);
-    wf_beam_sweep_up(&x->beam);
+    linear_place(&x->beam);
+    linear_hold_loads(&x->beam);
     wf_beam_sweep_down(&x->beam, false, NULL);
     linear_displacements(&x->beam, x->u, x->q);
     return WF_OK;

@@ -26,7 +26,8 @@ struct wf_beam {
     double (*k0)[2][3];          /* curvature at the start of a creep step */
     double (*tilt0)[3];          /* per row, for roots: tilt at the start of a creep step */
     struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it */
-    double (*push)[6];           /* wrench on element ends while solving for small loads */
+    struct wf_beam_sides *sides; /* as `small`: work space of solutions for small loads */
+    wf_four (*root_moved)[6];  /* as `small`, per row, for roots: change of the base pose by small loads */
     double creep;
     bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
     struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */
