@@ -30,7 +30,7 @@ struct analyze_options {
     struct wf_speeds wind;
     struct wf_averaging averaging;   /* with the climate */
     struct wf_profile_words profile; /* with the map of the ground */
-    const char *output, *solver, *preset, *shelter, *lang;
+    const char *output, *solver, *preset, *shelter;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
     double azimuth, north;           /* [rad]                                     */
@@ -39,7 +39,7 @@ struct analyze_options {
     double search_to, search_time;   /* [m/s], NAN: the library's default; [s]    */
     double mesh_tolerance;           /* [-]                                       */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
-    bool no_report;
+    struct wf_pages pages;
 };
 
 /* The solver that is used: a preset's own comes first. NULL: a name is wrong. */
@@ -156,7 +156,7 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
-    WF_PAGE_ROWS("--no-report", no_report, lang, "write results and tables only"),
+    WF_PAGE_ROWS("--no-report", pages, "write results and tables only"),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -489,14 +489,14 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", n);
     enum wf_status s = read_inputs(w, e);
     run.inputs = w->inputs;
-    bool pages = !w->options.no_report, whole = false;
+    bool pages = !w->options.pages.none, whole = false;
     if (!s) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);
     if (s || (s = analyse(w, &run.n, e)) || (s = analyse_models(w, run.n, e))) return s;
     fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
     for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
     put_tree_first(w);
     if ((s = wf_results_write(&run, w->results.stage, e))) return s;
-    s = wf_results_end(&w->results, pages ? w->options.lang : NULL, &w->arena, &whole, e);
+    s = wf_results_end(&w->results, &w->options.pages, &w->arena, &whole, e);
     if (!w->options.args.quiet)
         wf_show(stdout, "\nResults%s: %s\n",
                 whole   ? ", tables, plots and pages"

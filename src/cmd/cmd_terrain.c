@@ -16,8 +16,7 @@ struct terrain_options {
     double cell, smoothness, relief, hill_length, distance; /* [m], [-], [m], [m], [m] */
     double from;                                            /* [rad]                   */
     double height, roughness;                               /* [m]                     */
-    bool no_plots;
-    const char *lang;
+    struct wf_pages pages;
 };
 
 /* Options of made ground. */
@@ -51,7 +50,7 @@ static const struct wf_option options[] = {
     NUMBER("--distance", distance, "LENGTH", LENGTH, "m", 1, 1e5, "1000", "distance to which topex searches"),
     PATH("--positions", positions, "FILE", NULL, "CSV with x_m and y_m: exposure at these places"),
     TEXT("--output", output, "FOLDER", "out/terrain", "where tables, grids and the map go", .letter = "-o"),
-    WF_PAGE_ROWS("--no-plots", no_plots, lang, "write tables and grids only"),
+    WF_PAGE_ROWS("--no-plots", pages, "write tables and grids only"),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -130,12 +129,12 @@ static enum wf_status survey(const struct terrain_options *o, const struct wf_do
     s->file = o->dem;
     s->from = o->from, s->height = o->height, s->roughness = o->roughness, s->distance = o->distance;
     struct wf_run_folder f = { 0 };
-    if (!status) status = wf_results_begin(&f, o->output, o->no_plots ? NULL : "terrain", e);
+    if (!status) status = wf_results_begin(&f, o->output, o->pages.none ? NULL : "terrain", e);
     if (!status) status = expose_points(o, s, a, e);
     if (!status) warn_of_limits(s, d);
     if (!status) status = wf_terrain_results_write(s, head, d, f.stage, e);
     if (!status && o->positions) status = wf_terrain_positions_write(s, o->positions, f.stage, a, d, e);
-    if (!status) status = wf_results_end(&f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    if (!status) status = wf_results_end(&f, &o->pages, a, NULL, e);
     wf_run_abandon(&f);
     return status;
 }

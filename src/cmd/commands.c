@@ -5,6 +5,7 @@
 #include "data/model.h"
 #include "data/species.h"
 #include "load/drag.h"
+#include "out/printer.h"
 #include "out/report.h"
 #include "out/results.h"
 #include <stdarg.h>
@@ -32,8 +33,8 @@ const struct wf_command wf_commands[] = {
     { "papers", "NAME | FILE | list | schema [option...]",
       "The runs of a published paper, by its method as printed and corrected, with key frames on a page.",
       wf_cmd_papers },
-    { "report", "FOLDER [option...]",
-      "Draw plots and pages again from the results.json and tables of an earlier run.", wf_cmd_report },
+    { "report", "FOLDER... [option...]",
+      "Draw plots and pages again from the results.json and tables of earlier runs.", wf_cmd_report },
     { "schema", "species|model|fit|study",
       "Every key of a species table, a tree model, a calibration study or a file of options, with range and "
       "default.",
@@ -174,28 +175,31 @@ static void add_plain(const struct wf_run_folder *r, const struct wf_finding *f,
         wf_diag_warn(d, f->code, "%s", text ? text : f->text);
 }
 
-enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *language, struct wf_diag *d,
-                               struct wf_err *e)
+enum wf_status wf_results_draw(const struct wf_run_folder *r, const struct wf_pages *pages,
+                               struct wf_printer *printer, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_diag found = { .arena = d->arena };
     wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_report_make(r->stage, language, &found, e);
+    enum wf_status s = wf_report_make(r->stage, pages->lang, pages->no_pdf ? NULL : printer, &found, e);
     wf_progress(NULL);
     wf_run_plain(r, e->text);
     for (const struct wf_finding *f = found.first; f; f = f->next) add_plain(r, f, d);
     return s;
 }
 
-enum wf_status wf_results_end(struct wf_run_folder *r, const char *language, struct wf_arena *a, bool *whole,
-                              struct wf_err *e)
+enum wf_status wf_results_end(struct wf_run_folder *r, const struct wf_pages *pages, struct wf_arena *a,
+                              bool *whole, struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
+    struct wf_printer printer = { 0 };
     struct wf_err why = { 0 };
+    bool drawing = pages && !pages->none;
     enum wf_status drawn = WF_OK;
     enum wf_status s = wf_interrupted() ? wf_run_mark(r, "interrupted", e) : WF_OK;
-    if (!s && language) drawn = wf_results_draw(r, language, &d, &why);
+    if (!s && drawing) drawn = wf_results_draw(r, pages, &printer, &d, &why);
+    wf_printer_close(&printer);
     wf_print_findings(&d, false);
-    if (whole) *whole = language && !drawn;
+    if (whole) *whole = drawing && !drawn;
     if (!s) s = wf_run_commit(r, e);
     wf_run_abandon(r);
     if (s || drawn == WF_OK || drawn == WF_EMISSING) return s;

@@ -10,6 +10,7 @@
 #include "out/run_folder.h"
 
 struct wf_model;
+struct wf_printer;
 struct wf_species;
 
 struct wf_command {
@@ -68,21 +69,28 @@ void wf_print_findings(const struct wf_diag *d, bool quiet);
 
 /* Pages of a results folder, and what a document says about its command. */
 
+/* Figures and pages of a results folder. */
+struct wf_pages {
+    const char *lang; /* "en" or "zh"                                                  */
+    bool none;        /* neither is made                                               */
+    bool no_pdf;      /* the page is made for the screen alone; it can be printed later */
+};
+
 /* Take the folder for the results of a run, before anything is computed; signals are caught from now on
  * (base/interrupt.h). page: the page that is to be drawn, NULL: none. Errors: those of wf_run_begin. */
 enum wf_status wf_results_begin(struct wf_run_folder *r, const char *folder, const char *page,
                                 struct wf_err *e);
 /* The results are written into the stage: draw figures and pages, print what is missing, put all of it into
- * the folder. language: of the pages, NULL: none are drawn. A run that was interrupted before this is marked
- * so. A drawing program that is not installed is no error, another part that cannot be drawn is, after the
- * rest is in place. *whole, unless NULL: whether everything was drawn. Errors: those of wf_report_make and
- * wf_run_commit. */
-enum wf_status wf_results_end(struct wf_run_folder *r, const char *language, struct wf_arena *a, bool *whole,
-                              struct wf_err *e);
-/* Draw the pages of the stage. Findings and error name the folder's files, not the stage's. Returned: as
- * wf_report_make. */
-enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *language, struct wf_diag *d,
-                               struct wf_err *e);
+ * the folder. pages: which; NULL: none. A run that was interrupted before this is
+ * marked so. A drawing program that is not installed is no error, another part that cannot be drawn is, after
+ * the rest is in place. *whole, unless NULL: whether everything was drawn. Errors: those of wf_report_make
+ * and wf_run_commit. */
+enum wf_status wf_results_end(struct wf_run_folder *r, const struct wf_pages *pages, struct wf_arena *a,
+                              bool *whole, struct wf_err *e);
+/* Draw the pages of the stage, the PDF by this printer. Findings and error name the folder's files, not the
+ * stage's. Returned: as wf_report_make. */
+enum wf_status wf_results_draw(const struct wf_run_folder *r, const struct wf_pages *pages,
+                               struct wf_printer *printer, struct wf_diag *d, struct wf_err *e);
 /* The command line as typed, "windfirm ...", with quotes where a shell needs them: it can be pasted and run
  * again. Every command records this text. NULL: no memory. */
 char *wf_command_line(int argc, char **argv, struct wf_arena *a);
