@@ -113,6 +113,7 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
     struct wf_run_folder f = { 0 };
     if (!s) s = wf_results_begin(&f, o->output, o->pages.none ? NULL : "explain", e);
     if (!s) s = wf_explain_run(&an, &solve, o->wind, a, &d, &x, e);
+    wf_progress_clear();
     if (!s && !quiet) print_methods(&x, o->wind, an.scenario.reference_height);
     fflush(stdout);
     wf_print_findings(&d, quiet);

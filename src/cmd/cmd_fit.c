@@ -198,10 +198,9 @@ struct fit_job {
     struct wf_fit_results r;
 };
 
-static bool show_progress(void *ctx, size_t iteration, double cost)
+static bool look_at_interrupt(void *ctx, size_t iteration, double cost)
 {
-    (void)ctx;
-    wf_progress("iteration %zu, misfit %.6g ...", iteration, 2 * cost);
+    (void)ctx, (void)iteration, (void)cost;
     return wf_interrupted() != 0;
 }
 
@@ -218,7 +217,7 @@ static struct wf_fit_options library_options(const struct fit_options *asked)
     o.starts = asked->starts;
     o.resamples = asked->bootstrap;
     o.seed = asked->seed;
-    o.progress = show_progress;
+    o.progress = look_at_interrupt;
     return o;
 }
 
@@ -317,7 +316,7 @@ static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
     struct wf_fit_options o = library_options(j->options);
     enum wf_status s = wf_fit_run(&j->r.x, j->r.param, j->r.params, &o, &j->arena, &j->r.diag, &j->r.fit, e);
     if (!s && !wf_interrupted() && !j->options->no_rival) s = fit_rival(j, o, e);
-    wf_progress(NULL);
+    wf_progress_clear();
     return s;
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
@@ -78,6 +79,7 @@ int wf_cmd_report(int argc, char **argv)
         code = 0;
         wf_interrupt_catch();
         for (size_t i = 0; i < o.args.n && !wf_interrupted(); i++) {
+            wf_stage_item(i + 1, o.args.n);
             int one = redraw(&o, o.args.operand[i], &printer);
             if (one > code) code = one;
             fflush(stdout);

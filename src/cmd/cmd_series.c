@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -104,9 +105,9 @@ static enum wf_status run_all(const struct series_job *j, struct wf_series *seri
             return WF_OK;
         }
         diag[r].arena = a;
-        wf_progress("run %zu of %zu: %s ...", r + 1, plan->runs, spec[r].name);
+        wf_stage_item(r + 1, plan->runs);
         s = wf_series_run(&spec[r], a, &diag[r], &series[r], e);
-        wf_progress(NULL);
+        wf_progress_clear();
         if (s)
             wf_print_findings(&diag[r], j->quiet);
         else
@@ -127,9 +128,9 @@ static enum wf_status explain_runs(const struct wf_series_plan *plan, const stru
     for (size_t r = 0; r < page->n && !s && !wf_interrupted(); r++) {
         const struct wf_series *x = &series[r];
         if (!plan->run[r].explain || strcmp(plan->run[r].explain, "yes") != 0) continue;
-        wf_progress("every method on the tree of run %zu ...", r + 1);
+        wf_stage_item(r + 1, page->n);
         s = wf_explain_run(&x->an, &x->spec.solve, x->spec.speed, a, &diag[r], &made[r], e);
-        wf_progress(NULL);
+        wf_progress_clear();
         of[page->explained++] = (struct wf_explained){
             .run = r + 1, .name = x->spec.name, .of = &made[r], .tree = &x->an.tree, .speed = x->spec.speed
         };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm shelter: the wind that remains inside and behind a tree. */
+#include "base/progress.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -237,11 +238,11 @@ static enum wf_status compute(struct work *w, bool motion, struct wf_arena *a, s
                               struct wf_err *e)
 {
     struct wf_err why = { 0 };
-    wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");
+    wf_stage_begin(0, false, "wind inside the tree");
     enum wf_status s = wf_shelter_make(&w->tree, &w->wind, &w->request, a, &w->run.still, e);
     if (!s && motion && w->run.speed > 0.0 && (s = bend_tree(w, a, d, &why)) && s != WF_EINTERRUPTED)
         wf_fail(e, s, "%s", why.text);
-    wf_progress(NULL);
+    wf_progress_clear();
     if (s == WF_EINTERRUPTED)
         wf_diag_warn(d, "interrupted", "interrupted before the tree was bent in this wind");
     return s == WF_EINTERRUPTED ? WF_OK : s;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm wind: generate a gusty wind, analyse it, draw it. */
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -279,6 +280,7 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     enum wf_status s = wf_results_begin(&f, folder, o->pages.none ? NULL : "wind", e);
     if (s) return s;
     s = wf_gust_report_make(spec, a, d, r, e);
+    wf_progress_clear();
     if (!s && !quiet) print_wind(r);
     if (!s) s = wf_wind_results_write(r, head, d, f.stage, e);
     bool plots = !o->pages.none && !s && r->stats[0].high > r->stats[0].low;
@@ -290,7 +292,11 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     return s;
 }
 
-static void show_progress(size_t block, size_t blocks) { wf_progress("block %zu of %zu ...", block, blocks); }
+static void show_progress(size_t block, size_t blocks)
+{
+    if (block == 1) wf_stage_begin(blocks, false, "blocks of wind");
+    wf_stage_step(block > 1);
+}
 
 static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_streamed *w, const char *path)
 {
@@ -322,7 +328,7 @@ static enum wf_status write_stream(const struct wind_options *o, const struct wf
     const char *path = o->stream;
     wf_interrupt_catch();
     enum wf_status s = wf_wind_stream(spec, path, show_progress, a, d, &w, e);
-    wf_progress(NULL);
+    wf_progress_clear();
     if (!s && !o->args.quiet) print_streamed(spec, &w, path);
     return s;
 }

@@ -62,8 +62,11 @@ bool wf_begins_with_key(const char *path, const char *key, struct wf_arena *a);
 /* A file that `file` names: beside it when it is there, else relative to the current folder. Returned: text
  * in the arena, or `name`. */
 const char *wf_beside(const char *file, const char *name, struct wf_arena *a);
-/* One line of progress on stderr when it is a terminal, in place of the last; NULL clears it. */
-void wf_progress(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
+/* Show on stderr how far a run is (base/progress.h), from 2 s on: one line, written over, when it is a
+ * terminal and the command is not quiet. */
+void wf_progress_start(bool quiet);
+/* Clear the line, before something else is printed. */
+void wf_progress_clear(void);
 /* Print findings to stderr: errors always, warnings unless quiet. */
 void wf_print_findings(const struct wf_diag *d, bool quiet);
 

@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/program.h"
+#include "base/progress.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -128,12 +130,20 @@ bool wf_program_tell(const struct wf_running *r, const void *bytes, size_t n)
     return true;
 }
 
+/* Until there is something to read, or the end. Progress is shown meanwhile. */
+static void wait_for(int fd)
+{
+    struct pollfd p = { .fd = fd, .events = POLLIN };
+    while (poll(&p, 1, 250) == 0) wf_stage_step(0);
+}
+
 bool wf_program_hear(const struct wf_running *r, char said[static WF_SAID_MAX])
 {
     char piece[512];
     size_t kept = strlen(said);
     bool whole = false;
     while (!whole) {
+        wait_for(r->out);
         ssize_t got = read(r->out, piece, sizeof piece);
         if (got < 0 && errno == EINTR) continue;
         if (got <= 0) break;

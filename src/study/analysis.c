@@ -3,6 +3,7 @@
 #include "base/interrupt.h"
 #include "base/num.h"
 #include "base/parallel.h"
+#include "base/progress.h"
 #include "base/vec3.h"
 #include "data/model.h"
 #include "data/species.h"
@@ -290,6 +291,7 @@ enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_sol
     struct wf_arena scratch = { 0 };
     struct wf_diag quiet = { .arena = &scratch };
     enum wf_status s = speed_solve(an, o, speed, &scratch, &quiet, out, e);
+    wf_stage_step(1);
     wf_arena_free(&scratch);
     struct wf_at_speed kept = *out;
     /* the columns are freed with the scratch arena: keep the scalars, clear the pointers */
@@ -398,6 +400,8 @@ static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_s
     return s;
 }
 
+enum { CURVE_SOLUTIONS = 24 }; /* that the curves take in most trees, beside those of the searches */
+
 /* An interrupt: the speeds that were solved stay and make the curves; the critical speeds only where all were
  * found. */
 static enum wf_status keep_finished(struct wf_analysis *an, size_t speeds, bool searched, struct wf_arena *a,
@@ -444,11 +448,14 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     size_t k = 0;
     bool searched = false;
     if (!known) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
+    wf_stage_begin(n, false, "%s: wind speeds", sp->name);
     while (k < n && !(k && wf_interrupted()) && !s)
-        if (!(s = speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++;
+        if (!(s = speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++, wf_stage_step(1);
     if (!s && k == n && q.solved) q.solved(out, q.context);
+    wf_stage_begin(WF_SEARCH_SOLUTIONS, true, "%s: critical wind speed", sp->name);
     if (!s) s = k < n ? WF_EINTERRUPTED : wf_analysis_breaks(out, o, known, out->breaks, &why);
     searched = !s;
+    wf_stage_begin(CURVE_SOLUTIONS, true, "%s: curves", sp->name);
     if (!s) s = wf_analysis_sweep(out, o, known, a, d, &why);
     wf_arena_free(&scratch);
     if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
