@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/analysis.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "grow/grow.h"
@@ -102,6 +103,8 @@ static enum wf_status check_call(const struct wf_scenario *sc, const struct wf_s
     return s;
 }
 
+enum { CURVE_SOLUTIONS = 12 }; /* that the curves take in most trees, beside those of the searches */
+
 /* An interrupt: the speeds that were solved stay and make the curves; the critical speeds only where all were
  * found. */
 static enum wf_status keep_finished(struct wf_analysis *an, size_t speeds, bool searched, struct wf_arena *a,
@@ -146,14 +149,17 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     struct wf_nodes *nodes = NULL;
     size_t k = 0;
     bool searched = false;
+    wf_stage_begin(n, false, "%s: wind speeds", sp->name);
     while (k < n && !(k && wf_interrupted()) && !s)
-        if (!(s = wf_speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++;
+        if (!(s = wf_speed_solve(out, o, speeds[k], a, d, &out->at[k], &why))) k++, wf_stage_step(1);
     if (!s && k == n && q.solved) q.solved(out, q.context);
     if (!s && k < n) s = WF_EINTERRUPTED;
     if (!s && !(nodes = wf_nodes_open(out, NULL)))
         s = wf_fail(&why, WF_ENOMEM, "not enough memory for the search of the critical speed");
+    wf_stage_begin(WF_SEARCH_SOLUTIONS, true, "%s: critical wind speed", sp->name);
     if (!s) s = wf_analysis_breaks(out, o, nodes, out->breaks, &why);
     searched = !s;
+    wf_stage_begin(CURVE_SOLUTIONS, true, "%s: curves", sp->name);
     if (!s) s = wf_analysis_sweep(out, o, nodes, a, d, &why);
     wf_nodes_close(nodes);
     if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);

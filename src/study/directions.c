@@ -2,6 +2,7 @@
 #include "study/directions.h"
 #include "base/num.h"
 #include "base/parallel.h"
+#include "base/progress.h"
 #include "study/node.h"
 #include "wind/climate.h"
 #include <math.h>
@@ -113,6 +114,7 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
         out->direction[k].from = WF_TURN * (double)k / (double)q->n;
         out->direction[k].at = at + k * an->n;
     }
+    wf_stage_begin(q->n * (an->n + WF_SEARCH_SOLUTIONS), true, "%zu directions", q->n);
     s = solve_direction(&w, 0, NULL, &w.like, e); /* the others take its meshes */
     if (!s) s = wf_parallel(q->n - 1, o->threads, one, &w, e);
     wf_nodes_close(w.like);

@@ -2,6 +2,7 @@
 #include "study/node.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
+#include "base/progress.h"
 #include "solve/track.h"
 #include <math.h>
 #include <stdlib.h>
@@ -234,6 +235,7 @@ static enum wf_status solve_node(struct wf_nodes *k, struct sequence *q, double 
     *out = (struct wf_node){ .tolerance = q->tolerance, .used = true };
     enum wf_status s =
         wf_speed_track(k->an, q->track, q->speed, speed, other_near(k, q, speed), &scratch, &r, e);
+    wf_stage_step(1);
     if (!s) {
         out->at = r.at;
         out->irregular = r.irregular;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/speed.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include "base/vec3.h"
 #include "data/species.h"
 #include "load/drag.h"
@@ -332,6 +333,7 @@ enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_sol
     struct wf_arena scratch = { 0 };
     struct wf_diag quiet = { .arena = &scratch };
     enum wf_status s = wf_speed_solve(an, o, speed, &scratch, &quiet, out, e);
+    wf_stage_step(1);
     wf_arena_free(&scratch);
     wf_speed_drop_columns(out);
     return s;

@@ -55,6 +55,8 @@ struct wf_break {
 enum { WF_SOLUTION_BYTES = 4500 };
 
 struct wf_analysis;
+/* Solutions that the searches for critical speeds take in most trees: for the share that progress shows. */
+enum { WF_SEARCH_SOLUTIONS = 12 };
 /* Range and bound of the searches for critical wind speeds and of the curves. */
 struct wf_search {
     double speed_max; /* highest speed searched [m/s]; where the tree fails at a given speed above it, the
