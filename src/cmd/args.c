@@ -431,6 +431,7 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     wf_units_close(r.units);
     if (!r.mistakes) {
         if (out->winds_said && !out->quiet) wf_show(stderr, "%s\n", out->winds_said);
+        wf_progress_start(out->quiet);
         return -1;
     }
     if (r.no_memory) return wf_exit_code(WF_ENOMEM);
