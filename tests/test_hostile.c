@@ -400,12 +400,54 @@ static void nothing_acts_on_a_terminal(void **state)
           { "a\\x1b[31mb\\u202ec" } },
         { "$W analyze oak $M --wind \"$(printf '\\033[2J')\"", CODE_INPUT, { "\\x1b[2J" } },
         { "$W report \"$(printf '/no\\033where')\"", CODE_INPUT, { "/no\\x1bwhere" } },
+        /* a line end in a name makes no line, whatever other control characters are in it */
+        { "$W analyze \"$(printf 'a\\nwindfirm: safe')\" $M --wind 10",
+          CODE_INPUT,
+          { "a\\x0awindfirm: safe" } },
+        { "$W oak\"$(printf '\\nb\\001\\002')\"", CODE_INPUT, { "oak\\x0ab\\x01\\x02'" } },
+        { "d=\"$(printf '%s/a\\nb' \"$T\")\"; $W analyze oak $M --wind 10 --no-report -o \"$d\"; echo mine "
+          ">\"$d/report.html\"; $W analyze oak $M --wind 10 -q -o \"$d\"",
+          CODE_RUN,
+          { "Results and tables: ", "/a\\x0ab\n", "a\\x0ab/report.html: no run of windfirm made it" } },
+        { "$W schema model", CODE_OK, { "\n\nKeys:\n" } },
     };
     CHECK(rows);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         shell(rows[i].command);
         assert_null(strpbrk(output, "\x1b\x07\x7f"));
     }
+}
+
+/* A pipe with a name is not waited for without end when no program has its other end open; one that comes
+ * late or is slow is waited for. */
+static void pipes_end(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "mkfifo $T/in $T/out.csv; timeout 60 $W tree info $T/in & timeout 60 $W import $D/plain.csv -q -o "
+          "$T/out.csv; "
+          "echo $?; wait $!; echo $?",
+          CODE_OK,
+          { "/in: is a pipe that no program writes to (waited 10 s)",
+            "/out.csv: is a pipe that no program reads (waited 10 s)", "1\n", "2\n" } },
+        { "mkfifo $T/m.yaml; { sleep 1; exec >$T/m.yaml; sleep 1; head -n 5 models/culm.yaml; sleep 1; tail "
+          "-n +6 models/culm.yaml; } & $W analyze oak --model $T/m.yaml --wind 10 -q --no-report -o $T/a && "
+          "$W "
+          "analyze oak --model models/culm.yaml --wind 10 -q --no-report -o $T/b && cmp "
+          "$T/a/tables/sweep.csv "
+          "$T/b/tables/sweep.csv && echo same",
+          CODE_OK,
+          { "same\n" } },
+        { "mkfifo $T/in; { sleep 1; : >$T/in; } & $W tree info $T/in",
+          CODE_INPUT,
+          { "in: the file is empty" } },
+        { "true | { sleep 1; $W tree info /dev/stdin; }", CODE_INPUT, { "the file is empty" } },
+        { "mkfifo $T/out.csv; { sleep 1; cat $T/out.csv | head -n 1; } & $W import $D/plain.csv -q -o "
+          "$T/out.csv; wait",
+          CODE_OK,
+          { "," } },
+    };
+    CHECK(rows);
 }
 
 /* The other commands: a nasty name for the run, the study or the test, and for the folder; all figures and a
@@ -463,6 +505,7 @@ int main(void)
         cmocka_unit_test(nasty_names),
         cmocka_unit_test(nasty_names_of_other_commands),
         cmocka_unit_test(nothing_acts_on_a_terminal),
+        cmocka_unit_test(pipes_end),
     };
     return cmocka_run_group_tests(tests, make_printer, remove_printer);
 }

@@ -98,6 +98,18 @@ static void a_command_speaks_the_language_it_is_asked_for(void **state)
           CODE_OK,
           { "<html lang=\"zh\">", "全部风速" } },
         { "$W wind kaimal --lang de", CODE_INPUT, { "--lang" } },
+        { "$W terrain -q --lang zh -o $T/out && find $T/out/plots -name terrain.svg -size -100000c", /* bytes
+                                                                                                      */
+          CODE_OK,
+          { "terrain.svg" } },
+        /* two species of one Chinese name are told apart */
+        { "sed 's/^name:.*/name: River oak/' species/oak.yaml >$T/b.yaml; PATH=/none $W compare oak "
+          "$T/b.yaml $M "
+          "--wind 10 -q --lang zh -o $T/out 2>/dev/null; f=$T/out/report.html; grep -q '欧洲栎（Oak）' $f && "
+          "grep "
+          "-q '欧洲栎（River oak）' $f && ! grep -q '欧洲栎[^（]' $f && echo apart",
+          CODE_OK,
+          { "apart\n" } },
         { "mkdir -p $T/out; echo '{\"schema\": {\"name\": \"windfirm-wind\", \"version\": 2}}' "
           ">$T/out/results.json; "
           "$W report $T/out",

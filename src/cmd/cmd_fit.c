@@ -105,7 +105,7 @@ static void print_parameters(FILE *to, const struct wf_fit *f)
         print_range(to, q->low, q->high, factor, "-");
         print_range(to, q->profile_low, q->profile_high, factor, q->profiled ? "no limit" : "-");
         if (resampled) print_range(to, q->resampled_low, q->resampled_high, factor, "-");
-        wf_show(to, "%s", q->at_low ? "  AT LOWER BOUND\n" : q->at_high ? "  AT UPPER BOUND\n" : "\n");
+        wf_show(to, "%s\n", q->at_low ? "  AT LOWER BOUND" : q->at_high ? "  AT UPPER BOUND" : "");
     }
 }
 

@@ -369,7 +369,7 @@ int wf_cmd_papers(int argc, char **argv)
     if (code < 0 && !strcmp(o.args.operand[0], "list")) code = list_papers(&arena);
     if (code < 0 && !strcmp(o.args.operand[0], "schema")) {
         char *text = wf_series_plan_schema(&arena, &e);
-        if (text) wf_show(stdout, "%s", text);
+        if (text) wf_show_text(stdout, text);
         code = text ? 0 : wf_complain(&e);
     }
     if (code < 0) {

@@ -212,8 +212,10 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
     s->speed = o->wind;
     enum wf_status status = wf_gust_set_words(s, o->gust.set, a, e);
     if (!status && strcmp(m->name, "record") == 0) status = read_record(o, s, a, d, e);
-    if (strcmp(m->name, "eog") == 0 && !WF_GIVEN(o, duration)) /* as much before as after the gust */
-        s->steps = (size_t)llround((2.0 * wf_gust_get(s, "start") + wf_gust_get(s, "duration")) / s->step);
+    if (!status && strcmp(m->name, "eog") == 0 && !WF_GIVEN(o, duration)) { /* as much before as after it */
+        double length = 2.0 * wf_gust_get(s, "start") + wf_gust_get(s, "duration");
+        s->steps = (size_t)llround(fmin(length / s->step, 1e12));
+    }
     if (!status) status = place_points(o, s, a, d, e);
     if (status || o->stream) return status;
     if (s->points > SHOWN_MAX || (double)s->points * s->components * (double)s->steps > 3e8)

@@ -206,12 +206,46 @@ static void draw(struct wf_session *s, const struct wf_fit *out, size_t *pool, u
     }
 }
 
+/* Is a parameter of the best fit on a bound? */
+static bool on_bound(const struct wf_session *s, const double *optimum, size_t k)
+{
+    double near = 1e-9 * (s->high[k] - s->low[k]);
+    return !(optimum[k] - s->low[k] > near && s->high[k] - optimum[k] > near);
+}
+
+/* Fit one data set from the best fit. A search that begins on a bound may stay there although a lower minimum
+ * lies inside, so where parameters of the best fit are on a bound it is repeated from their start values: the
+ * lower one counts. */
+static enum wf_status solve_resample(struct wf_session *s, const double *optimum, double *first,
+                                     struct wf_lsq_result *r, struct wf_err *e)
+{
+    struct wf_lsq_result again;
+    struct wf_err why = { 0 };
+    bool any = false;
+    memcpy(s->internal, optimum, s->n * sizeof *optimum);
+    enum wf_status status = wf_session_solve(s, r, e);
+    memcpy(first, s->internal, s->n * sizeof *first);
+    for (size_t k = 0; k < s->n; k++) {
+        bool bound = on_bound(s, optimum, k);
+        s->internal[k] = bound ? wf_param_internal(&s->p[k], s->p[k].start) : optimum[k];
+        any = any || bound;
+    }
+    if (any && !r->stopped && !wf_session_solve(s, &again, &why) && (status || again.cost < r->cost)) {
+        *r = again;
+        return WF_OK;
+    }
+    r->stopped = r->stopped || s->stopped;
+    memcpy(s->internal, first, s->n * sizeof *first);
+    return status;
+}
+
 enum wf_status wf_fit_resample(struct wf_session *s, struct wf_fit *out, struct wf_arena *a, struct wf_err *e)
 {
     size_t most = s->o->resamples;
-    double *value = WF_TAKE(a, out->free * most, double), *optimum = WF_TAKE(a, s->n, double);
+    double *value = WF_TAKE(a, out->free * most, double), *optimum = WF_TAKE(a, s->n, double),
+           *first = WF_TAKE(a, s->n, double);
     size_t *pool = WF_TAKE(a, s->x->data, size_t);
-    if (!value || !optimum || !pool)
+    if (!value || !optimum || !first || !pool)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu data sets", most);
     memcpy(optimum, s->internal, s->n * sizeof *optimum);
     wf_stage_begin(most, false, "data sets of the bootstrap");
@@ -220,8 +254,7 @@ enum wf_status wf_fit_resample(struct wf_session *s, struct wf_fit *out, struct 
         struct wf_lsq_result r;
         struct wf_err why = { 0 };
         draw(s, out, pool, b);
-        memcpy(s->internal, optimum, s->n * sizeof *optimum);
-        if (wf_session_solve(s, &r, &why)) continue;
+        if (solve_resample(s, optimum, first, &r, &why)) continue;
         if (r.stopped) break;
         for (size_t k = 0; k < out->free; k++)
             value[k * most + out->resampled] = wf_param_value(&s->p[k], s->internal[k]);

@@ -257,7 +257,7 @@ static enum wf_status keep_balance(struct wf_series *s, size_t k, struct wf_resp
     const struct wf_tree *t = &s->an.tree;
     struct wf_breakage stresses;
     struct wf_worst worst[WF_CRITERIA][WF_SCOPES];
-    enum wf_status status = wf_breakage_check(t, r, scratch, &stresses, e);
+    enum wf_status status = wf_breakage_check(t, r, NULL, scratch, &stresses, e);
     if (status) return status;
     wf_criteria_check(t, r, &stresses, worst);
     if (worst[WF_BREAKAGE][WF_SCOPE_TREE].row >= 0) s->safety[k] = worst[WF_BREAKAGE][WF_SCOPE_TREE].safety;
