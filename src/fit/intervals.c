@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/intervals.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include "base/random.h"
 #include "fit/session.h"
 #include <gsl/gsl_cdf.h>
@@ -119,7 +120,9 @@ enum wf_status wf_fit_spread(struct wf_session *s, struct wf_fit *out, struct wf
     double *r = WF_TAKE(a, s->x->data, double), *scratch = WF_TAKE(a, s->x->data, double);
     if (!r || !scratch) return wf_fail(e, WF_ENOMEM, "not enough memory for the residuals");
     enum wf_status status = groups_of(s->x, out, a, e);
+    wf_stage_begin(0, false, "rounds of the fit");
     for (int round = 0; !status && round < ROUNDS; round++) {
+        wf_stage_step(round > 0);
         status = wf_session_solve(s, &out->lsq, e);
         if (status) break;
         if ((status = wf_predict(s->predictor, s->internal, s->reading, NULL, e))) break;
@@ -147,7 +150,9 @@ enum wf_status wf_fit_restart(struct wf_session *s, struct wf_fit *out, struct w
     memcpy(best, s->internal, s->n * sizeof *best);
     double least = r.cost, first = r.cost;
     out->starts = out->starts_same = 1;
+    wf_stage_begin(s->o->starts - 1, false, "further starts");
     for (size_t i = 1; i < s->o->starts; i++) {
+        wf_stage_step(i > 1);
         struct wf_err why = { 0 };
         uint64_t stream = wf_random_stream(START, i, 0);
         for (size_t k = 0; k < s->n; k++) {
@@ -243,7 +248,9 @@ enum wf_status wf_fit_resample(struct wf_session *s, struct wf_fit *out, struct 
     if (!value || !optimum || !first || !pool)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu data sets", most);
     memcpy(optimum, s->internal, s->n * sizeof *optimum);
+    wf_stage_begin(most, false, "data sets of the bootstrap");
     for (size_t b = 0; b < most; b++) {
+        wf_stage_step(b > 0);
         struct wf_lsq_result r;
         struct wf_err why = { 0 };
         draw(s, out, pool, b);
@@ -622,6 +629,7 @@ enum wf_status wf_fit_profiles(struct wf_session *s, struct wf_fit *out, struct 
     enum wf_status status = wf_session_solve(s, &here, e);
     if (status || here.stopped) return status;
     memcpy(optimum, s->internal, s->n * sizeof *optimum);
+    wf_stage_begin(out->free, false, "profiles");
     for (size_t k = 0; k < out->free; k++) {
         struct wf_estimate *q = &out->estimate[k];
         struct walk w = { .s = s,
@@ -637,6 +645,7 @@ enum wf_status wf_fit_profiles(struct wf_session *s, struct wf_fit *out, struct 
         s->held[k] = true;
         double low = q->at_low ? NAN : side(&w, -0.7 * step), high = q->at_high ? NAN : side(&w, 0.7 * step);
         s->held[k] = false;
+        wf_stage_step(1);
         if (s->stopped) break;
         q->profiled = true;
         q->profile_low = isnan(low) ? NAN : wf_param_value(&s->p[k], low);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/session.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -103,6 +104,7 @@ static bool model(void *ctx, const double *packed, double *residual, double *jac
 static bool progress(void *ctx, size_t iteration, double cost)
 {
     struct wf_session *s = ctx;
+    wf_stage_step(0);
     s->stopped = s->stopped || (s->o->progress && s->o->progress(s->o->progress_ctx, iteration, cost));
     return s->stopped;
 }
