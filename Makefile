@@ -64,7 +64,7 @@ $(B)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(if $(FUZZ),,$(SANF)) $(CFLAGS) -c $< -o $@
 # the numeric kernels are small fixed-size loops: unroll and vectorise them
-KERNELS := $(wildcard src/solve/*.c src/load/*.c) src/wind/shelter_laws.c src/wind/gust_spectral.c
+KERNELS := $(wildcard src/solve/*.c src/load/*.c) src/wind/shelter_laws.c src/wind/gust_spectral.c src/wind/fourier.c
 $(call obj,$(KERNELS)): CFLAGS += -O3
 # a rule that names a file which is not there would be passed over in silence
 NAMED   := $(KERNELS) src/main.c src/fit/ceres.cpp
