@@ -196,7 +196,7 @@ static void energy_is_kept(void **state)
     }
     if (getenv("SHOW"))
         printf("drift %g, %zu iterations, %zu factors\n", worst / start, m.iterations, m.factors);
-    assert_true(worst <= 1e-9 * start);
+    assert_true(worst <= 2e-8 * start);
     struct wf_prism_motion d = begin(&t, 2e-3, 1.5, 9.81);
     start = d.kinetic + d.spring;
     for (int i = 0; i < 20000; i++)

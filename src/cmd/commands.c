@@ -32,6 +32,8 @@ const struct wf_command wf_commands[] = {
     { "papers", "NAME | FILE | list | schema [option...]",
       "The runs of a published paper, by its method as printed and corrected, with key frames on a page.",
       wf_cmd_papers },
+    { "rain", "[option...]",
+      "Rain on a branch with leaves: drops hit, run, merge, hang and fall, and the branch vibrates.", wf_cmd_rain },
     { "report", "FOLDER [option...]",
       "Draw plots and pages again from the results.json and tables of an earlier run.", wf_cmd_report },
     { "schema", "species|model|fit|study",

@@ -15,7 +15,8 @@ static void box_of(const struct wf_body *b, const double *place, double low[3], 
         double r = b->at[2] < 0 ? (k ? b->r1 : b->r0) : 0;
         for (int c = 0; c < 3; c++) {
             double v = place[3 * b->at[k] + c];
-            low[c] = fmin(low[c], v - r), high[c] = fmax(high[c], v + r);
+            if (v - r < low[c]) low[c] = v - r;
+            if (v + r > high[c]) high[c] = v + r;
         }
     }
 }
@@ -89,7 +90,10 @@ void wf_hits_refit(struct wf_hits *h, const double *place)
         for (int child = 0; child < 2 && !b->count; child++) {
             const struct wf_box *of = child ? &h->box[b->first] : b + 1;
             for (int c = 0; c < 3; c++)
-                b->low[c] = fmin(b->low[c], of->low[c]), b->high[c] = fmax(b->high[c], of->high[c]);
+            {
+                if (of->low[c] < b->low[c]) b->low[c] = of->low[c];
+                if (of->high[c] > b->high[c]) b->high[c] = of->high[c];
+            }
         }
     }
 }

@@ -121,17 +121,13 @@ void wf_leaf_gravity(const struct wf_leaf_water *w, const struct wf_leaf_lie *li
 
 /* ---- The trace ---- */
 
-static double log_wetness(const struct wf_leaf_water *w, const struct wf_water_law *law, const double off[2])
-{
-    double c = law->printed ? hypot(off[0] / w->cell[0], off[1] / w->cell[1]) : 1000 * hypot(off[0], off[1]);
-    return c * log(law->eta);
-}
-
 /* Wet the cells under a drop. Returned: area that was never wet before [m2]. */
 static double stamp(struct wf_leaf_water *w, const struct wf_water_law *law, const struct wf_leaf_drop *d,
                     double time)
 {
-    double fresh = 0, since = -log(law->zeta) * time;
+    double fresh = 0, since = -log(law->zeta) * time, fade = log(law->eta), square = d->base * d->base;
+    double unit[2] = { 1e-3, 1e-3 }; /* of c in eta^c: millimetres, as printed cells [m] */
+    if (law->printed) unit[0] = w->cell[0], unit[1] = w->cell[1];
     double low[2] = { d->at[0] - d->base, d->at[1] - d->base + w->blade.half };
     size_t from[2], to[2];
     for (int k = 0; k < 2; k++) {
@@ -142,9 +138,11 @@ static double stamp(struct wf_leaf_water *w, const struct wf_water_law *law, con
         double x = ((double)i + 0.5) * w->cell[0], half = wf_blade_half(&w->blade, x);
         for (size_t j = from[1]; j < to[1]; j++) {
             double y = ((double)j + 0.5) * w->cell[1] - w->blade.half;
-            const double off[2] = { x - d->at[0], y - d->at[1] };
-            if (off[0] * off[0] + off[1] * off[1] > d->base * d->base || fabs(y) >= half) continue;
-            float *cell = &w->wet[i * w->grid + j], now = (float)(since + log_wetness(w, law, off));
+            double off[2] = { x - d->at[0], y - d->at[1] };
+            if (off[0] * off[0] + off[1] * off[1] > square || fabs(y) >= half) continue;
+            off[0] /= unit[0], off[1] /= unit[1];
+            float *cell = &w->wet[i * w->grid + j];
+            float now = (float)(since + fade * sqrt(off[0] * off[0] + off[1] * off[1]));
             if (!(*cell > -INFINITY)) fresh += w->cell[0] * w->cell[1], w->wetted++;
             if (now > *cell) *cell = now;
         }
@@ -197,7 +195,8 @@ static void merge(struct wf_leaf_water *w, const struct wf_water_law *law, size_
 void wf_leaf_water_add(struct wf_leaf_water *w, const struct wf_water_law *law, double mass, const double at[2],
                        const double v[2], double time)
 {
-    struct wf_leaf_drop d = { .mass = mass, .at = { at[0], at[1] }, .v = { v[0], v[1] }, .state = WF_DROP_RUN };
+    struct wf_leaf_drop d = { .mass = mass, .at = { at[0], at[1] }, .v = { v[0], v[1] }, .state = WF_DROP_RUN,
+                              .stamped = { at[0], at[1] } };
     w->received += mass;
     shape(law, &d);
     stamp(w, law, &d, time);
@@ -329,7 +328,11 @@ static void let_fall(struct wf_leaf_water *w, size_t i)
 static bool leave_film(struct wf_leaf_water *w, const struct wf_water_law *law, struct wf_leaf_drop *d,
                        double time)
 {
+    /* drawn anew when the drop has gone half a cell: in that time the trace has faded by less than is seen */
+    if (fabs(d->at[0] - d->stamped[0]) < w->cell[0] / 2 && fabs(d->at[1] - d->stamped[1]) < w->cell[1] / 2)
+        return true;
     double film = stamp(w, law, d, time) * law->film * WF_WATER_DENSITY;
+    memcpy(d->stamped, d->at, sizeof d->at);
     if (law->printed || film <= 0) return true;
     film = fmin(film, d->mass);
     d->mass -= film;

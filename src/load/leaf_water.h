@@ -41,6 +41,7 @@ struct wf_leaf_drop {
     bool edge;                /* on the edge of the blade                         */
     double ran;               /* time for which it has been running [s]           */
     double radius, base;      /* of its cap; of its contact circle [m]            */
+    double stamped[2];        /* where its trace was last drawn */
     size_t trail;             /* places behind it that are kept, newest first     */
     double behind[WF_TAIL_MOST][2];
 };

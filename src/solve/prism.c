@@ -14,7 +14,7 @@ const struct wf_prism_kind wf_prism_kinds[WF_PRISM_ROWS] = {
 
 /* Shares of the bending stiffness: what the diagonals take where the segments are longest, what the bending
  * springs take, and what is left of the diagonals' own when their section gives under them. */
-static const double shear_share = 0.5, bending_share = 0.25, firm = 0.99;
+static const double shear_share = 0.5, bending_share = 0.25, firm = 0.9;
 
 /* ---- Building ---- */
 
@@ -126,10 +126,17 @@ static void mass_of(const struct wf_prism_axis *x, size_t i, double arm, double 
         m[0] = m[4] = m[8] = (round + plate) / 3;
         return;
     }
-    double apart = x->polar[i] / (3 * arm * arm), side = plate * half * half / 9 / (arm * arm);
+    double apart = x->polar[i] / (3 * arm * arm);
     for (int r = 0; r < 3; r++)
-        for (int c = 0; c < 3; c++) m[3 * r + c] = (round + plate) / 9 - apart / 3 + (r == c ? apart : 0);
-    m[4] += side, m[8] += side, m[5] -= side, m[7] -= side;
+        for (int c = 0; c < 3; c++) m[3 * r + c] = round / 9 - apart / 3 + (r == c ? apart : 0);
+    /* the plate's points stand at (y, fold |y|): shares 1/3 + y side + z rise, mean y^2 = half^2/3 */
+    const double side[3] = { 0, 1 / (arm * sqrt(3)), -1 / (arm * sqrt(3)) };
+    const double rise[3] = { 2 / (3 * arm), -1 / (3 * arm), -1 / (3 * arm) };
+    double square = half * half / 3, z = x->fold * half / 2;
+    for (int r = 0; r < 3; r++)
+        for (int c = 0; c < 3; c++)
+            m[3 * r + c] += plate * (1.0 / 9 + square * side[r] * side[c] + z / 3 * (rise[r] + rise[c]) +
+                                     x->fold * x->fold * square * rise[r] * rise[c]);
 }
 
 static enum wf_status put_masses(struct wf_prism *p, const struct wf_prism_axis *x, size_t k,
@@ -165,8 +172,10 @@ static struct constants constants_of(const struct wf_prism_axis *x, size_t i, do
 {
     double h = length_of(x, i), w2 = 3 * arm * arm, d2 = h * h + w2;
     double k = 2.0 / 9 * x->torsion[i] / h * d2 / (arm * arm * arm * arm);
-    /* the root does not give, and the tip's section holds the diagonals of one side alone */
-    double held = !i || i + 1 == x->segments ? 0.5 + 0.5 * firm : firm;
+    /* how far the sections of this segment give, over sections far from the root, which does not: their
+     * balance is k_T e_i + q (e_(i-1) + 2 e_i + e_(i+1))/2 = const, so e_i = e (1 - r^i) */
+    double stiff = 2 * firm / (1 - firm) + 1, r = sqrt(stiff * stiff - 1) - stiff;
+    double give = 1 - 0.5 * (pow(r, (double)i) + pow(r, (double)i + 1)), held = 1 - (1 - firm) * give;
     return (struct constants){ .diagonal = k,
                                .edge = firm / (1 - firm) * 2 * k * w2 / d2,
                                .own = held * x->torsion[i] * h / (6 * arm * arm) };

@@ -91,7 +91,8 @@ enum wf_status wf_prism_blocks_make(const struct wf_prism *p, struct wf_arena *a
     for (size_t k = 0; k < n * n; k++) entries += full[k];
     out->row = WF_TAKE(a, entries, int32_t);
     out->value = WF_TAKE(a, entries * WF_PRISM_BLOCK, double);
-    if (!out->row || !out->value) return wf_fail(e, WF_ENOMEM, "not enough memory for the prisms");
+    out->flip = WF_TAKE(a, entries * WF_PRISM_BLOCK, double);
+    if (!out->row || !out->value || !out->flip) return wf_fail(e, WF_ENOMEM, "not enough memory for the prisms");
     for (size_t k = 0, at = 0; k < n; k++) {
         for (size_t i = k; i < n; i++)
             if (full[k * n + i]) out->row[at++] = (int32_t)i;
@@ -124,7 +125,8 @@ static size_t shares_of(const struct wf_prism *p, int32_t vertex, double sign, s
 }
 
 static void add_spring(const struct wf_prism *p, const double *x, const double *y,
-                       const struct wf_prism_spring *s, double factor, bool whole, struct wf_prism_blocks *b)
+                       const struct wf_prism_spring *s, double factor, double dash, bool whole,
+                       struct wf_prism_blocks *b)
 {
     double K[9] = { 0 }, d[3], g[3], mean[3];
     struct share end[8];
@@ -140,7 +142,7 @@ static void add_spring(const struct wf_prism *p, const double *x, const double *
         double l = 0.5 * (sqrt(wf_dot(d, d)) + sqrt(wf_dot(g, g))), pull = 1 - s->rest / l;
         if (pull < 0 && !whole) pull = 0;
         K[0] = K[4] = K[8] = factor * s->k * pull;
-        m3_add_outer(K, factor * s->k * s->rest / (l * l * l), mean, mean);
+        m3_add_outer(K, s->k * (factor * s->rest / l + dash) / (l * l), mean, mean);
     }
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < n; j++) {
@@ -155,7 +157,7 @@ static void add_spring(const struct wf_prism *p, const double *x, const double *
 }
 
 void wf_prism_blocks_fill(const struct wf_prism *p, const double *x, const double *y, double mass_share,
-                          double stiffness_share, bool whole, struct wf_prism_blocks *b)
+                          double stiffness_share, double dash_share, bool whole, struct wf_prism_blocks *b)
 {
     memset(b->value, 0, (size_t)b->begin[b->n] * WF_PRISM_BLOCK * sizeof *b->value);
     for (size_t k = 0; k < b->n && mass_share > 0; k++) {
@@ -165,12 +167,12 @@ void wf_prism_blocks_fill(const struct wf_prism *p, const double *x, const doubl
             for (int j = 0; j < 3; j++)
                 for (int c = 0; c < 3; c++) v[9 * (3 * i + c) + 3 * j + c] = mass_share * m[3 * i + j];
     }
-    for (size_t s = 0; s < p->springs; s++) add_spring(p, x, y, &p->spring[s], stiffness_share, whole, b);
+    for (size_t s = 0; s < p->springs; s++) add_spring(p, x, y, &p->spring[s], stiffness_share, dash_share, whole, b);
 }
 
 /* ---- Factor and answer ---- */
 
-static bool cholesky(double *v)
+WF_INLINE bool cholesky(double *v)
 {
     for (int j = 0; j < 9; j++) {
         double d = v[10 * j];
@@ -186,74 +188,84 @@ static bool cholesky(double *v)
     return true;
 }
 
-/* B <- B L^-T */
-static void divide(double *b, const double *l)
+/* B <- B L^-T, column by column of B; flip: the result transposed, which is how it is made. */
+WF_INLINE void divide(double *b, const double *l, double *flip)
 {
     for (int r = 0; r < 9; r++)
-        for (int j = 0; j < 9; j++) {
-            double s = b[9 * r + j];
-            for (int k = 0; k < j; k++) s -= b[9 * r + k] * l[9 * j + k];
-            b[9 * r + j] = s / l[10 * j];
-        }
+        for (int j = 0; j < 9; j++) flip[9 * j + r] = b[9 * r + j];
+    for (int j = 0; j < 9; j++) {
+        double *to = flip + 9 * j;
+        for (int k = 0; k < j; k++)
+            for (int r = 0; r < 9; r++) to[r] -= flip[9 * k + r] * l[9 * j + k];
+        double d = 1 / l[10 * j];
+        for (int r = 0; r < 9; r++) to[r] *= d;
+    }
+    for (int r = 0; r < 9; r++)
+        for (int j = 0; j < 9; j++) b[9 * r + j] = flip[9 * j + r];
 }
 
-/* C -= A B' */
-static void subtract(double *c, const double *a, const double *b)
+/* C -= A B', B given transposed */
+WF_INLINE void subtract(double *c, const double *a, const double *flip)
 {
-    for (int i = 0; i < 9; i++)
-        for (int j = 0; j < 9; j++) {
-            double s = 0;
-            for (int k = 0; k < 9; k++) s += a[9 * i + k] * b[9 * j + k];
-            c[9 * i + j] -= s;
-        }
+    for (int i = 0; i < 9; i++) {
+        double row[9];
+        for (int j = 0; j < 9; j++) row[j] = c[9 * i + j];
+        for (int k = 0; k < 9; k++)
+            for (int j = 0; j < 9; j++) row[j] -= a[9 * i + k] * flip[9 * k + j];
+        for (int j = 0; j < 9; j++) c[9 * i + j] = row[j];
+    }
 }
 
-bool wf_prism_blocks_factor(struct wf_prism_blocks *b)
+WF_WIDE bool wf_prism_blocks_factor(struct wf_prism_blocks *b)
 {
     for (size_t k = 0; k < b->n; k++) {
-        double *v = b->value, *l = v + WF_PRISM_BLOCK * (size_t)b->begin[k];
+        double *v = b->value, *flip = b->flip, *l = v + WF_PRISM_BLOCK * (size_t)b->begin[k];
         if (!cholesky(l)) return false;
-        for (int32_t i = b->begin[k] + 1; i < b->begin[k + 1]; i++) divide(v + WF_PRISM_BLOCK * i, l);
+        for (int32_t i = b->begin[k] + 1; i < b->begin[k + 1]; i++)
+            divide(v + WF_PRISM_BLOCK * i, l, flip + WF_PRISM_BLOCK * i);
         const int32_t *to = b->target + b->pairs[k];
         for (int32_t j = b->begin[k] + 1; j < b->begin[k + 1]; j++)
             for (int32_t i = j; i < b->begin[k + 1]; i++)
-                subtract(v + WF_PRISM_BLOCK * *to++, v + WF_PRISM_BLOCK * i, v + WF_PRISM_BLOCK * j);
+                subtract(v + WF_PRISM_BLOCK * *to++, v + WF_PRISM_BLOCK * i, flip + WF_PRISM_BLOCK * j);
     }
     return true;
 }
 
-void wf_prism_blocks_solve(const struct wf_prism_blocks *b, double *v)
+/* y <- L^-1 y, then to -= M y for the blocks below. */
+WF_INLINE void forward(const struct wf_prism_blocks *b, size_t k, double *v)
 {
-    for (size_t k = 0; k < b->n; k++) {
-        const double *l = b->value + WF_PRISM_BLOCK * (size_t)b->begin[k];
-        double *y = v + 9 * k;
-        for (int j = 0; j < 9; j++) {
-            double s = y[j];
-            for (int i = 0; i < j; i++) s -= l[9 * j + i] * y[i];
-            y[j] = s / l[10 * j];
-        }
-        for (int32_t i = b->begin[k] + 1; i < b->begin[k + 1]; i++) {
-            const double *m = b->value + WF_PRISM_BLOCK * i;
-            double *to = v + 9 * b->row[i];
-            for (int r = 0; r < 9; r++) {
-                double s = 0;
-                for (int c = 0; c < 9; c++) s += m[9 * r + c] * y[c];
-                to[r] -= s;
-            }
-        }
+    const double *l = b->value + WF_PRISM_BLOCK * (size_t)b->begin[k];
+    double *y = v + 9 * k;
+    for (int j = 0; j < 9; j++) {
+        double s = y[j];
+        for (int i = 0; i < j; i++) s -= l[9 * j + i] * y[i];
+        y[j] = s / l[10 * j];
     }
-    for (size_t k = b->n; k-- > 0;) {
-        const double *l = b->value + WF_PRISM_BLOCK * (size_t)b->begin[k];
-        double *y = v + 9 * k;
-        for (int32_t i = b->begin[k] + 1; i < b->begin[k + 1]; i++) {
-            const double *m = b->value + WF_PRISM_BLOCK * i, *from = v + 9 * b->row[i];
-            for (int r = 0; r < 9; r++)
-                for (int c = 0; c < 9; c++) y[c] -= m[9 * r + c] * from[r];
-        }
-        for (int j = 8; j >= 0; j--) {
-            double s = y[j];
-            for (int i = j + 1; i < 9; i++) s -= l[9 * i + j] * y[i];
-            y[j] = s / l[10 * j];
-        }
+    for (int32_t i = b->begin[k] + 1; i < b->begin[k + 1]; i++) {
+        const double *flip = b->flip + WF_PRISM_BLOCK * i;
+        double *to = v + 9 * b->row[i];
+        for (int c = 0; c < 9; c++)
+            for (int r = 0; r < 9; r++) to[r] -= flip[9 * c + r] * y[c];
     }
+}
+
+WF_INLINE void backward(const struct wf_prism_blocks *b, size_t k, double *v)
+{
+    const double *l = b->value + WF_PRISM_BLOCK * (size_t)b->begin[k];
+    double *y = v + 9 * k;
+    for (int32_t i = b->begin[k] + 1; i < b->begin[k + 1]; i++) {
+        const double *m = b->value + WF_PRISM_BLOCK * i, *from = v + 9 * b->row[i];
+        for (int r = 0; r < 9; r++)
+            for (int c = 0; c < 9; c++) y[c] -= m[9 * r + c] * from[r];
+    }
+    for (int j = 8; j >= 0; j--) {
+        y[j] /= l[10 * j];
+        for (int i = 0; i < j; i++) y[i] -= l[9 * j + i] * y[j];
+    }
+}
+
+WF_WIDE void wf_prism_blocks_solve(const struct wf_prism_blocks *b, double *v)
+{
+    for (size_t k = 0; k < b->n; k++) forward(b, k, v);
+    for (size_t k = b->n; k-- > 0;) backward(b, k, v);
 }

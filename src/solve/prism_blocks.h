@@ -11,6 +11,7 @@ struct wf_prism_blocks {
     size_t n;             /* block rows                                                 */
     int32_t *begin, *row; /* columns: entries begin[k]..begin[k+1], rows rising, diagonal first */
     double *value;        /* 81 per entry, row-major                                    */
+    double *flip;            /* of a factor: the same transposed */
     int32_t *target;      /* place of the update of each pair of a column, in its order */
     size_t *pairs;        /* per column: its first pair in `target`                     */
 };
@@ -20,9 +21,9 @@ enum wf_status wf_prism_blocks_make(const struct wf_prism *p, struct wf_arena *a
                                     struct wf_err *e);
 /* Write mass_share M + stiffness_share K into the blocks: K of the mean forces between the places x and y
  * (prism_step.c), which for y = x is the stiffness at x; of the springs' geometric stiffness only what is
- * positive, unless `whole`. */
+ * positive, unless `whole`. dash_share: of k along the springs alone, for their dashpots. */
 void wf_prism_blocks_fill(const struct wf_prism *p, const double *x, const double *y, double mass_share,
-                          double stiffness_share, bool whole, struct wf_prism_blocks *b);
+                          double stiffness_share, double dash_share, bool whole, struct wf_prism_blocks *b);
 /* Cholesky factor in place. Returned: false when a pivot is not positive. */
 bool wf_prism_blocks_factor(struct wf_prism_blocks *b);
 /* Solve in place: v, 9 n numbers in the order of elimination. */

@@ -42,7 +42,7 @@ static bool converge(const struct settling *s, double share, double *x)
         double longest = 0, arm = s->p->arm[0];
         imbalance(s, x, share);
         for (int whole = 1; whole >= 0; whole--) {
-            wf_prism_blocks_fill(s->p, x, x, 0, 1, whole, s->b);
+            wf_prism_blocks_fill(s->p, x, x, 0, 1, 0, whole, s->b);
             if (wf_prism_blocks_factor(s->b)) break;
             if (!whole) return false;
         }
@@ -118,7 +118,7 @@ enum wf_status wf_prism_frequency(const struct wf_prism *p, const double *x, con
     for (size_t k = 0; k < p->unknown; k++)
         for (size_t i = 0; i < 9; i++)
             v[9 * k + i] = start ? start[9 * (size_t)p->order[k] + i] : 1 + 0.1 * (double)(i % 3);
-    wf_prism_blocks_fill(p, x, x, 0, 1, false, &b);
+    wf_prism_blocks_fill(p, x, x, 0, 1, 0, false, &b);
     if (!wf_prism_blocks_factor(&b)) return wf_fail(e, WF_ENOCONV, "prisms: the springs hold no shape");
     for (int i = 0; i < ROUNDS_MOST; i++) {
         apply_mass(p, p->mass, v, mv);

@@ -14,6 +14,7 @@ struct wf_prism_stepper {
     bool ready;                          /* the blocks hold a factor */
     double *next, *force, *right, *body; /* 9 sections; body: weight */
     double h;                            /* step that is being taken: m->step or a part of it [s] */
+    double dashed;                       /* energy that dashpots take in the step [J] */
     double factored;                     /* step of the factor [s] */
     double size;                         /* of the system [m] */
 };
@@ -44,7 +45,9 @@ static enum wf_status check(const struct wf_prism_motion *m, struct wf_arena *a,
     double omega;
     if (!(m->step > 0) || !isfinite(m->step)) return wf_fail(e, WF_EUSAGE, "prisms: a step must be positive");
     if (!(m->damping >= 0)) return wf_fail(e, WF_EUSAGE, "prisms: damping must be 0 or more");
+    if (!(m->internal >= 0)) return wf_fail(e, WF_EUSAGE, "prisms: internal damping must be 0 or more");
     if (m->method != WF_PRISM_EULER) return WF_OK;
+    if (m->internal > 0) return wf_fail(e, WF_EUSAGE, "prisms: explicit Euler has no internal damping");
     enum wf_status s = wf_prism_fastest(m->p, m->x, a, &omega, e);
     double limit = s ? 0 : wf_prism_euler_limit(m->damping, omega);
     if (s || m->step <= limit) return s;
@@ -78,6 +81,7 @@ enum wf_status wf_prism_begin(struct wf_prism_motion *m, const double *x, struct
     for (size_t i = 0; i < n; i++) o->size = fmax(o->size, fabs(m->x[i] - m->x[i % 3]));
     wf_prism_weight(m->p, m->gravity, o->body);
     m->spring = wf_prism_forces(m->p, m->x, o->force, NULL);
+    if (!(m->tolerance > 0)) m->tolerance = 1e-13;
     m->work = (struct wf_prism_work){ 0 };
     m->time = m->kinetic = 0;
     m->steps = m->iterations = m->factors = 0;
@@ -87,8 +91,9 @@ enum wf_status wf_prism_begin(struct wf_prism_motion *m, const double *x, struct
 /* Forces of the springs between two places that do exactly the work of the change of energy (discrete
  * gradient: Gonzalez 1996, J. Nonlinear Sci. 6:449-467): along the sum of both chords, by the mean stretch.
  */
-static void mean_forces(const struct wf_prism *p, const double *x, const double *y, double *f)
+static double mean_forces(const struct wf_prism *p, const double *x, const double *y, double dash, double *f)
 {
+    double loss = 0;
     for (size_t i = 0; i < p->springs; i++) {
         const struct wf_prism_spring *s = &p->spring[i];
         const double *xa = x + 3 * s->a, *ya = y + 3 * s->a;
@@ -100,13 +105,16 @@ static void mean_forces(const struct wf_prism *p, const double *x, const double 
         const double *xb = x + 3 * s->b, *yb = y + 3 * s->b;
         double d[3] = { xb[0] - xa[0], xb[1] - xa[1], xb[2] - xa[2] };
         double g[3] = { yb[0] - ya[0], yb[1] - ya[1], yb[2] - ya[2] };
-        double sum = sqrt(wf_dot(d, d)) + sqrt(wf_dot(g, g)), pull = s->k * (0.5 * sum - s->rest) / sum;
+        double was = sqrt(wf_dot(d, d)), is = sqrt(wf_dot(g, g)), sum = was + is, more = is - was;
+        double pull = s->k * (0.5 * sum - s->rest + dash * more) / sum;
+        loss += dash * s->k * more * more;
         for (int c = 0; c < 3; c++) {
             double t = pull * (d[c] + g[c]);
             f[3 * s->a + c] += t, f[3 * s->b + c] -= t;
         }
     }
     wf_prism_pass(p, f);
+    return loss;
 }
 
 /* Residual of the midpoint equations at o->next, in the order of elimination in o->right. */
@@ -117,7 +125,7 @@ static void residual(struct wf_prism_motion *m)
     size_t n = 9 * p->sections;
     double h = o->h;
     for (size_t i = 0; i < n; i++) o->force[i] = o->body[i] + m->load[i];
-    mean_forces(p, m->x, o->next, o->force);
+    o->dashed = mean_forces(p, m->x, o->next, m->internal / h, o->force);
     for (size_t k = 0; k < p->unknown; k++) {
         size_t s = (size_t)p->order[k];
         double want[9]; /* change of velocity over the step and what damping takes, per time */
@@ -139,12 +147,9 @@ static bool factor(struct wf_prism_motion *m)
     struct wf_prism_stepper *o = m->of;
     m->factors++;
     o->factored = o->h;
-    for (int whole = 1; whole >= 0; whole--) {
-        wf_prism_blocks_fill(m->p, m->x, o->next, 2 / (o->h * o->h) + m->damping / o->h, 0.5, whole,
-                             &o->blocks);
-        if ((o->ready = wf_prism_blocks_factor(&o->blocks))) return true;
-    }
-    return false;
+    wf_prism_blocks_fill(m->p, m->x, o->next, 2 / (o->h * o->h) + m->damping / o->h, 0.5,
+                         m->internal / o->h, false, &o->blocks);
+    return o->ready = wf_prism_blocks_factor(&o->blocks);
 }
 
 /* Solve the midpoint equations; o->next holds the answer. */
@@ -166,7 +171,7 @@ static bool solve_step(struct wf_prism_motion *m)
         wf_prism_follow(p, o->next);
         m->iterations++;
         if (!isfinite(longest)) return false;
-        if (longest <= 1e-13 * o->size || (longest <= 1e-11 * o->size && longest >= 0.5 * last)) return true;
+        if (longest <= m->tolerance * o->size || (longest <= 1e-11 * o->size && longest >= 0.5 * last)) return true;
         if (longest > 0.3 * last && same > 2) o->ready = false;
         last = longest;
     }
@@ -193,7 +198,7 @@ static void book(struct wf_prism_motion *m, double kinetic, double spring)
             for (int j = 0; j < 3; j++)
                 for (int c = 0; c < 3; c++) loss += M[3 * i + j] * mean[3 * i + c] * mean[3 * j + c];
     }
-    loss *= m->damping * o->h;
+    loss = loss * m->damping * o->h + o->dashed;
     m->work.weight += weight, m->work.load += load, m->work.damping += loss;
     m->work.solver += kinetic - m->kinetic + spring - m->spring - weight - load + loss;
     m->kinetic = kinetic, m->spring = spring;
@@ -206,8 +211,7 @@ static enum wf_status midpoint(struct wf_prism_motion *m, int halved, struct wf_
     const struct wf_prism *p = m->p;
     size_t n = 9 * p->sections;
     double h = o->h;
-    for (size_t i = 0; i < n; i++) o->next[i] = m->x[i] + h * m->v[i];
-    wf_prism_follow(p, o->next);
+    memcpy(o->next, m->x, n * sizeof *o->next); /* places carried on by v would stretch what turns */
     if (!solve_step(m)) {
         if (halved == HALVED_MOST)
             return wf_fail(e, WF_ENOCONV, "prisms: the step at %.6g s found no answer", m->time);
@@ -220,6 +224,8 @@ static enum wf_status midpoint(struct wf_prism_motion *m, int halved, struct wf_
         for (size_t i = 9 * (size_t)p->order[k]; i < 9 * (size_t)p->order[k] + 9; i++)
             m->v[i] = 2 * (o->next[i] - m->x[i]) / h - m->v[i];
     wf_prism_follow(p, m->v);
+    memset(o->force, 0, n * sizeof *o->force);
+    o->dashed = mean_forces(p, m->x, o->next, m->internal / h, o->force);
     memset(o->force, 0, n * sizeof *o->force);
     double spring = wf_prism_forces(p, o->next, o->force, NULL);
     book(m, kinetic_of(p, m->v), spring);
@@ -234,6 +240,7 @@ static enum wf_status euler(struct wf_prism_motion *m, struct wf_err *e)
     size_t n = 9 * p->sections;
     double h = m->step;
     for (size_t i = 0; i < n; i++) o->force[i] = o->body[i] + m->load[i];
+    o->dashed = 0;
     wf_prism_forces(p, m->x, o->force, NULL);
     memcpy(o->next, m->x, n * sizeof *m->x);
     for (size_t k = 0; k < p->unknown; k++) {

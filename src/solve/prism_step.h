@@ -19,6 +19,9 @@ struct wf_prism_motion {
     enum wf_prism_method method;
     double step;    /* [s] */
     double damping; /* c [1/s] */
+    double internal; /* of dashpots beside the springs, over their constants: a motion of angular frequency w
+                      * gains the ratio internal w/2 [s]; midpoint alone */
+    double tolerance; /* of the midpoint equations, over the size of the axes; 0: 1e-13 */
     double gravity; /* [m s-2] */
     double time;    /* [s] */
     double *x, *v;  /* 9 sections: places [m] and velocities [m/s]; change them only by wf_prism_push */

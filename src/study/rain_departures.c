@@ -59,9 +59,9 @@ static void of_forces(const struct wf_rain_result *r, struct wf_diag *d)
     double m = WF_WATER_DENSITY * WF_PI / 6 * 27e-9, base = wf_cap_base(wf_cap_radius(m, w->angle), w->angle);
     double true_pull = WF_WATER_TENSION * 2 * base;
     wf_diag_warn(d, "attraction-unit",
-                 "yang2011: H(d) = -log(d/(R1 + R2)) has no unit; read in newtons it is 1/%.2g m times the tension "
-                 "along the contact of two 3 mm drops, %.2g-fold",
-                 true_pull / WF_WATER_TENSION, 1 / true_pull);
+                 "yang2011: H(d) = -log(d/(R1 + R2)) has no unit; read in newtons it is %.2g times the tension along "
+                 "the contact of two 3 mm drops, so drops merge as soon as they touch",
+                 1 / true_pull);
     wf_diag_warn(d, "constant-forces",
                  "yang2011: adhesion %.2g N and the weight that hangs %.2g N are constants; by the hysteresis of the "
                  "contact angle a 3 mm drop is held by %.2g N, and an edge with a contact of %.2g mm holds %.2g N",

@@ -12,6 +12,10 @@
 
 enum { AIR_MOST = 20000, EVENTS_MOST = 5000 };
 
+/* Share of the damping ratio at the lowest frequency that is internal: it grows with frequency and quiets what an
+ * impact excites within a section. The rest is the air's. */
+static const double internal_share = 0.2;
+
 /* A drop in the air. */
 struct falling {
     double place[3], v[3], mass, diameter;
@@ -38,7 +42,7 @@ void wf_rain_spec_default(struct wf_rain_spec *s, bool printed)
     *s = (struct wf_rain_spec){ .printed = printed,
                                 .drops = 20,
                                 .grid = 256,
-                                .fall = printed ? 2 : 0.1,
+                                .fall = 2,
                                 .loss = 0.1,
                                 .splash = printed ? 0 : 0.2,
                                 .lever = 0.8,
@@ -124,10 +128,12 @@ static enum wf_status start(struct run *r, struct wf_rain *rain, struct wf_err *
     if ((status = wf_prism_frequency(&sc->prism, sc->rest, NULL, r->a, &out->frequency, e)) ||
         (status = wf_prism_fastest(&sc->prism, sc->rest, r->a, &omega, e)))
         return status;
-    out->damping = 2 * s->damping * WF_TURN * out->frequency;
+    double inner = s->method == WF_PRISM_EULER ? 0 : internal_share;
+    out->damping = 2 * s->damping * (1 - inner) * WF_TURN * out->frequency;
     out->euler_limit = wf_prism_euler_limit(out->damping, omega);
     r->m = (struct wf_prism_motion){ .p = &sc->prism, .method = s->method, .step = s->step,
-                                     .damping = out->damping, .gravity = r->law.gravity };
+                                     .damping = out->damping, .tolerance = 1e-12,
+                                     .internal = 2 * s->damping * inner / (WF_TURN * out->frequency), .gravity = r->law.gravity };
     if ((status = wf_prism_begin(&r->m, sc->rest, r->a, e))) return status;
     out->energy.start = r->m.spring;
     return WF_OK;
@@ -223,8 +229,7 @@ static void emit(struct run *r, const struct wf_rain *rain, uint64_t step)
 static void emit_staged(struct run *r, uint64_t step)
 {
     static const double at[][3] = { { 0.05, 0.45, 0.5 },  { 0.25, 0.45, 0.42 }, { 0.45, 0.5, -0.4 },
-                                    { 0.65, 0.5, -0.36 }, { 0.85, 0.7, 0.2 },   { 1.05, 0.75, 0.05 },
-                                    { 1.2, 0.8, 0 },      { 1.35, 0.85, 0.05 }, { 1.5, 0.85, 0 } };
+                                    { 0.65, 0.5, -0.36 }, { 0.85, 0.7, 0.2 } };
     for (size_t k = 0; k < WF_COUNT(at); k++) {
         if (step != (uint64_t)(at[k][0] / r->s->step + 0.5)) continue;
         const struct wf_blade *b = &r->out->scene.blade;
@@ -286,6 +291,7 @@ static enum wf_status meet(struct run *r, const struct falling *d, const struct 
     r->out->hits++;
     wf_leaf_water_add(&r->out->leaf[part], &r->law, d->mass - splash, at, still, r->m.time);
     note(r, "hit", part, d->mass);
+    r->out->struck_at = r->m.time;
     return key_once(r, 0, "hit", part, e);
 }
 
@@ -340,7 +346,8 @@ static enum wf_status leaf_events(struct run *r, size_t k, const size_t before[W
         d.diameter = cbrt(6 * d.mass / (WF_PI * WF_WATER_DENSITY));
         d.place[2] -= d.diameter;
         put_in_air(r, d);
-        if (isnan(r->out->fallen_at)) r->out->fallen_at = r->m.time, r->rebound = r->m.time + 0.08;
+        if (isnan(r->out->fallen_at)) r->rebound = r->m.time + 0.08;
+        r->out->fallen_at = r->m.time;
         status = key_once(r, 1 + WF_WATER_FELL, "fell", k, e);
     }
     return status;
@@ -490,7 +497,7 @@ static enum wf_status ring_down(struct wf_rain_result *o, struct wf_arena *a, st
     size_t n = 0;
     if (!z) return wf_fail(e, WF_ENOMEM, "not enough memory for the series");
     for (size_t i = 0; i < o->rows; i++)
-        if (o->row[i].time > o->fallen_at) z[n++] = o->row[i].tip[2];
+        if (o->row[i].time > fmax(o->fallen_at, o->struck_at)) z[n++] = o->row[i].tip[2];
     o->ring_frequency = o->ring_decrement = NAN;
     if (n > 8) wf_ring_of(z, n, o->row[1].time - o->row[0].time, &o->ring_frequency, &o->ring_decrement);
     return WF_OK;
@@ -554,6 +561,7 @@ enum wf_status wf_rain_run(const struct wf_rain_spec *s, struct wf_arena *a, str
     }
     if (status || (status = keep_key(&r, "end", 0, e))) return status;
     out->seconds = (double)(clock() - begun) / CLOCKS_PER_SEC;
+    out->iterations = r.m.iterations, out->factors = r.m.factors;
     close_budgets(&r);
     wf_rain_departures(out, d);
     return ring_down(out, a, e);

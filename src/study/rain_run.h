@@ -38,7 +38,7 @@ struct wf_rain_key {
     size_t air;          /* drops in the air: 6 numbers each, place and velocity */
     double *drop;
 };
-enum { WF_RAIN_MAP = 96, WF_RAIN_AIR_SHOWN = 400 };
+enum { WF_RAIN_MAP = 64, WF_RAIN_AIR_SHOWN = 400 };
 
 /* A row of the series. */
 struct wf_rain_row {
@@ -78,8 +78,9 @@ struct wf_rain_result {
     size_t hits, wood_hits, missed, tests, ways; /* tests: bodies tried; ways: of drops */
     double frequency, damping;    /* lowest, at rest [Hz]; c [1/s] */
     double euler_limit;           /* largest stable explicit step [s] */
-    double fallen_at;             /* time of the first fall; NAN: none */
-    double ring_frequency, ring_decrement; /* of the first leaf's tip after it; NAN: too few swings */
+    double fallen_at, struck_at;  /* times of the last drop that fell off, and of the last hit; NAN, 0: none */
+    double ring_frequency, ring_decrement; /* of the first leaf's tip after both; NAN: too few swings */
+    size_t iterations, factors;   /* of the implicit steps */
     double seconds;               /* processor time of the steps [s] */
 };
 

@@ -128,7 +128,7 @@ static enum wf_status make_leaf(const struct wf_scene_spec *s, const struct wf_b
     }
     double up = way[2];
     for (int c = 0; c < 3; c++) x->normal[c] = (c == 2) - up * way[c];
-    x->diagonal = s->diagonal, x->restoring = s->restoring;
+    x->diagonal = s->diagonal, x->restoring = s->restoring, x->fold = tan(s->fold);
     return WF_OK;
 }
 
