@@ -23,8 +23,8 @@ struct rain_options {
     struct wf_args args;
     const char *species, *form, *preset, *points, *storm, *method, *fall_law, *gust, *set;
     size_t leaves, drops, grid, prisms, clusters, seed, subdrops;
-    double leaf_length, petiole, branch, base_radius, tip_radius, height, rise, droop, fold;       /* [m], [rad] */
-    double intensity, drop_size, fall, duration, step, frame, jitter;                               /* [m/s], [m], [s] */
+    double leaf_length, petiole, branch, base_radius, tip_radius, height, rise, droop, fold; /* [m], [rad] */
+    double intensity, drop_size, fall, duration, step, frame, jitter; /* [m/s], [m], [s] */
     double angle, receding, advancing, friction, adhesion, hang, apex, beta, film, zeta, eta, omega, lambda;
     double loss, splash, lever, restoring, damping;
     double wind, azimuth;
@@ -48,16 +48,18 @@ static bool rain_unused(const void *options, const struct wf_option *row, char *
     if (at == &o->clusters) return wf_option_unused(!o->points, why, "without --points");
     if (at == &o->prisms || at == &o->branch || at == &o->rise)
         return wf_option_unused(o->points, why, "with --points, which give the branch its place");
-    if (at == &o->set) return wf_option_unused(!o->gust || !strcmp(o->gust, "steady"), why, "in a steady wind");
+    if (at == &o->set)
+        return wf_option_unused(!o->gust || !strcmp(o->gust, "steady"), why, "in a steady wind");
     return wf_option_unused(o->staged, why, "with --staged, whose drops have their places and times");
 }
 
 #define OPTIONS struct rain_options
 #define UNUSED .unused = rain_unused
 static const struct wf_option rain_options[] = {
-    TEXT("--species", species, "SPECIES", "poplar", "wood and leaves: a species table, a file or the name of a shipped one",
-         .letter = "-s"),
-    CHOICE("--preset", preset, "NAME", "corrected|yang2011", "corrected", "yang2011: formulas and constants as printed"),
+    TEXT("--species", species, "SPECIES", "poplar",
+         "wood and leaves: a species table, a file or the name of a shipped one", .letter = "-s"),
+    CHOICE("--preset", preset, "NAME", "corrected|yang2011", "corrected",
+           "yang2011: formulas and constants as printed"),
     WHOLE("--leaves", leaves, 1, 64, "5", "leaves on the branch"),
     WORD("--form", form, "NAME", form_word, "ovate", "outline of the leaves"),
     NUMBER("--leaf-length", leaf_length, "LENGTH", LENGTH, "m", 0.005, 1, "0.08", "of the main vein"),
@@ -67,22 +69,31 @@ static const struct wf_option rain_options[] = {
     NUMBER("--tip-radius", tip_radius, "LENGTH", LENGTH, "m", 1e-4, 0.2, "0.0015", "of the branch"),
     NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 150, "2", "of the branch's base above the ground"),
     NUMBER("--rise", rise, "ANGLE", ANGLE, "deg", -80, 80, "11.5", "of the branch above the level", UNUSED),
-    NUMBER("--droop", droop, "ANGLE", ANGLE, "deg", -60, 80, "28.6", "of the leaves below the level, before they sag"),
-    NUMBER("--fold", fold, "ANGLE", ANGLE, "deg", 0, 45, "8.6", "of each half of a blade above the level of its vein"),
+    NUMBER("--droop", droop, "ANGLE", ANGLE, "deg", -60, 80, "28.6",
+           "of the leaves below the level, before they sag"),
+    NUMBER("--fold", fold, "ANGLE", ANGLE, "deg", 0, 45, "8.6",
+           "of each half of a blade above the level of its vein"),
     WHOLE("--prisms", prisms, 2, 256, "16", "of the branch", UNUSED),
-    PATH("--points", points, "FILE", NULL, "points on the branch's surface, lines of x y z in m: its nodes by k-means"),
+    PATH("--points", points, "FILE", NULL,
+         "points on the branch's surface, lines of x y z in m: its nodes by k-means"),
     WHOLE("--clusters", clusters, 3, 256, "12", "nodes found from the points", UNUSED),
-    WHOLE("--drops", drops, 1, 5000, "20", "drops in the air at the peak of the rain, all of one size", UNUSED),
+    WHOLE("--drops", drops, 1, 5000, "20", "drops in the air at the peak of the rain, all of one size",
+          UNUSED),
     NUMBER("--intensity", intensity, "RATE", SPEED, "mm/h", 0, 3600, NULL,
            "rain at its peak by Marshall and Palmer's sizes, in place of --drops", UNUSED),
-    NUMBER("--drop-size", drop_size, "LENGTH", LENGTH, "mm", 0.2, 20, "3", "diameter of the drops of --drops", UNUSED),
+    NUMBER("--drop-size", drop_size, "LENGTH", LENGTH, "mm", 0.2, 20, "3", "diameter of the drops of --drops",
+           UNUSED),
     WORD("--fall-law", fall_law, "NAME", fall_word, "atlas", "terminal speed of drops", UNUSED),
-    NUMBER("--fall", fall, "LENGTH", LENGTH, "m", 0.05, 20, "2", "height above the branch from which drops are followed"),
-    CHOICE("--storm", storm, "HOW", "normal|steady", "normal", "number of drops over time: a normal curve, or even", UNUSED),
-    NUMBER("--variation", jitter, "NUMBER", NONE, NULL, 0, 2, "0.2", "standard deviation of the random factor on it", UNUSED),
+    NUMBER("--fall", fall, "LENGTH", LENGTH, "m", 0.05, 20, "2",
+           "height above the branch from which drops are followed"),
+    CHOICE("--storm", storm, "HOW", "normal|steady", "normal",
+           "number of drops over time: a normal curve, or even", UNUSED),
+    NUMBER("--variation", jitter, "NUMBER", NONE, NULL, 0, 2, "0.2",
+           "standard deviation of the random factor on it", UNUSED),
     WHOLE("--seed", seed, 0, 1e9, "1", "of the random numbers", UNUSED),
     FLAG("--staged", staged, "five drops on the first leaf by a plan: hit, run, merge, hang, fall, rebound"),
-    SPEED("--wind", wind, averaging, 0, 60, "0", "mean wind at the reference height; it slants the fall", .letter = "-w"),
+    SPEED("--wind", wind, averaging, 0, 60, "0", "mean wind at the reference height; it slants the fall",
+          .letter = "-w"),
     WF_AVERAGING_ROWS(averaging),
     WF_AZIMUTH_ROW(azimuth),
     WORD("--gust", gust, "NAME", gust_word, "steady", "how the wind changes"),
@@ -92,36 +103,45 @@ static const struct wf_option rain_options[] = {
     NUMBER("--step", step, "TIME", TIME, "s", 1e-7, 0.02, "0.001", "of time"),
     NUMBER("--frame", frame, "TIME", TIME, "s", 1e-4, 60, "0.01", "between rows of the series"),
     CHOICE("--method", method, "NAME", "midpoint|euler", "midpoint",
-           "step in time: implicit, which keeps energy, or explicit Euler as printed, which is stable below a limit"),
+           "step in time: implicit, which keeps energy, or explicit Euler as printed, which is stable below "
+           "a limit"),
     NUMBER("--damping-ratio", damping, "NUMBER", NONE, NULL, 0, 0.99, "0.05", "at the lowest frequency"),
-    NUMBER("--restoring", restoring, "NUMBER", NONE, NULL, 0, 1e6, NULL, "of each vertex to its rest place, N/m [0; yang2011: 1]"),
+    NUMBER("--restoring", restoring, "NUMBER", NONE, NULL, 0, 1e6, NULL,
+           "of each vertex to its rest place, N/m [0; yang2011: 1]"),
     WHOLE("--grid", grid, 1, 4096, "256", "cells of a leaf, along and across"),
     NUMBER("--contact-angle", angle, "ANGLE", ANGLE, "deg", 0, 180, "60", "of water on the leaf"),
-    NUMBER("--receding", receding, "ANGLE", ANGLE, "deg", 0, 180, "50", "contact angle at the back of a drop that runs", UNUSED),
-    NUMBER("--advancing", advancing, "ANGLE", ANGLE, "deg", 0, 180, "70", "contact angle at its front", UNUSED),
+    NUMBER("--receding", receding, "ANGLE", ANGLE, "deg", 0, 180, "50",
+           "contact angle at the back of a drop that runs", UNUSED),
+    NUMBER("--advancing", advancing, "ANGLE", ANGLE, "deg", 0, 180, "70", "contact angle at its front",
+           UNUSED),
     NUMBER("--friction", friction, "NUMBER", NONE, NULL, 0, 10, "0.1", "mu of a drop on the leaf"),
     NUMBER("--adhesion", adhesion, "FORCE", FORCE, "N", 0, 1, "5e-5", "H of a drop as printed", UNUSED),
-    NUMBER("--hang", hang, "FORCE", FORCE, "N", 0, 1, "5e-4", "largest weight that hangs at an edge, as printed", UNUSED),
-    NUMBER("--apex", apex, "LENGTH", LENGTH, "mm", 0.01, 50, "2", "contact of a drop that hangs at an edge", UNUSED),
-    NUMBER("--beta", beta, "NUMBER", NONE, NULL, 0.01, 1, "0.8", "radius of a subdrop over that of the one before"),
+    NUMBER("--hang", hang, "FORCE", FORCE, "N", 0, 1, "5e-4",
+           "largest weight that hangs at an edge, as printed", UNUSED),
+    NUMBER("--apex", apex, "LENGTH", LENGTH, "mm", 0.01, 50, "2", "contact of a drop that hangs at an edge",
+           UNUSED),
+    NUMBER("--beta", beta, "NUMBER", NONE, NULL, 0.01, 1, "0.8",
+           "radius of a subdrop over that of the one before"),
     WHOLE("--subdrops", subdrops, 1, 32, "8", "most subdrops of a running drop"),
     NUMBER("--film", film, "LENGTH", LENGTH, "mm", 0, 1, "0.01", "depth of water that a trace keeps", UNUSED),
-    NUMBER("--loss", loss, "SHARE", NONE, NULL, 0, 1, "0.1", "epsilon: energy lost on impact, as printed", UNUSED),
+    NUMBER("--loss", loss, "SHARE", NONE, NULL, 0, 1, "0.1", "epsilon: energy lost on impact, as printed",
+           UNUSED),
     NUMBER("--splash", splash, "SHARE", NONE, NULL, 0, 1, "0.2", "of a drop that splashes off", UNUSED),
-    NUMBER("--lever", lever, "SHARE", NONE, NULL, 0, 1, "0.8", "phi_t: cap of the lever d/L, as printed", UNUSED),
+    NUMBER("--lever", lever, "SHARE", NONE, NULL, 0, 1, "0.8", "phi_t: cap of the lever d/L, as printed",
+           UNUSED),
     TEXT("--output", output, "FOLDER", "out/rain", "where tables, figures and the page go", .letter = "-o"),
     WF_PAGE_ROWS("--no-report", no_report, lang, "write tables only"),
     WF_QUIET_ROW,
     { 0 },
 };
 
-static const char rain_about[] =
-    "Drops fall on a branch with leaves: they hit, run, merge, hang and fall, and the branch vibrates. By Yang and Wu "
-    "2011, corrected to physics or as printed.\n"
-    "\n"
-    "  windfirm rain --intensity 50mm/h --duration 5\n"
-    "  windfirm rain --preset yang2011 --drops 200 --grid 512\n"
-    "  windfirm rain --staged -o out/staged";
+static const char rain_about[] = "Drops fall on a branch with leaves: they hit, run, merge, hang and fall, "
+                                 "and the branch vibrates. By Yang and Wu "
+                                 "2011, corrected to physics or as printed.\n"
+                                 "\n"
+                                 "  windfirm rain --intensity 50mm/h --duration 5\n"
+                                 "  windfirm rain --preset yang2011 --drops 200 --grid 512\n"
+                                 "  windfirm rain --staged -o out/staged";
 
 /* ---- From options to a run ---- */
 
@@ -187,8 +207,10 @@ static enum wf_status take_wind(const struct rain_options *o, struct wf_rain_spe
         struct wf_gust_spec spec;
         struct wf_gust gust;
         wf_gust_spec_default(wf_gust_named(o->gust), &spec);
-        spec.speed = mean, spec.height = o->height, spec.step = s->step, spec.steps = steps, spec.seed = o->seed;
-        if ((status = wf_gust_set_words(&spec, o->set, a, e)) || (status = wf_gust_open(&spec, a, d, &gust, e)))
+        spec.speed = mean, spec.height = o->height, spec.step = s->step, spec.steps = steps,
+        spec.seed = o->seed;
+        if ((status = wf_gust_set_words(&spec, o->set, a, e)) ||
+            (status = wf_gust_open(&spec, a, d, &gust, e)))
             return status;
         double *block = WF_TAKE(a, spec.components * gust.block, double);
         status = block ? wf_gust_history(&gust, 0, 0, block, along, e) : wf_fail(e, WF_ENOMEM, "no memory");
@@ -235,33 +257,38 @@ static void print_run(const char *name, const struct wf_rain_result *r)
     wf_show(stdout, "%s\n", name);
     wf_show(stdout, "  %zu leaves, %zu vertices, %zu facets, grid %zu; lowest frequency %.3g Hz\n",
             r->spec->scene.leaves, r->scene.vertices, r->scene.facets, r->spec->grid, r->frequency);
-    wf_show(stdout, "  drops: %zu hit leaves, %zu wood, %zu passed by; %zu began to run, %zu merged, %zu hung, %zu fell\n",
-            r->hits, r->wood_hits, r->missed, count[WF_WATER_RAN], count[WF_WATER_MERGED], count[WF_WATER_HUNG],
-            count[WF_WATER_FELL]);
     wf_show(stdout,
-            "  water mg: rain %.4g = air %.4g + ground %.4g + splash %.4g + wood %.4g + on leaves %.4g + film %.4g; off by "
+            "  drops: %zu hit leaves, %zu wood, %zu passed by; %zu began to run, %zu merged, %zu hung, %zu "
+            "fell\n",
+            r->hits, r->wood_hits, r->missed, count[WF_WATER_RAN], count[WF_WATER_MERGED],
+            count[WF_WATER_HUNG], count[WF_WATER_FELL]);
+    wf_show(stdout,
+            "  water mg: rain %.4g = air %.4g + ground %.4g + splash %.4g + wood %.4g + on leaves %.4g + "
+            "film %.4g; off by "
             "%.1e\n",
             1e6 * w->rain, 1e6 * w->air, 1e6 * w->ground, 1e6 * w->splash, 1e6 * w->wood, 1e6 * w->held,
             1e6 * w->film, w->off);
     wf_show(stdout,
-            "  energy uJ: drops arrived with %.4g, gave %.4g; weight %.4g, water's weight %.4g, damping -%.4g, change %.4g; "
+            "  energy uJ: drops arrived with %.4g, gave %.4g; weight %.4g, water's weight %.4g, damping "
+            "-%.4g, change %.4g; "
             "off by %.1e\n",
-            1e6 * b->drops, 1e6 * b->push, 1e6 * b->weight, 1e6 * b->load, 1e6 * b->damping, 1e6 * (b->end - b->start),
-            b->off);
+            1e6 * b->drops, 1e6 * b->push, 1e6 * b->weight, 1e6 * b->load, 1e6 * b->damping,
+            1e6 * (b->end - b->start), b->off);
     if (isfinite(r->ring_frequency))
-        wf_show(stdout, "  rings down at %.3g Hz with a decrement of %.3g (set: %.3g at %.3g Hz)\n", r->ring_frequency,
-                r->ring_decrement, WF_TURN * r->spec->damping / sqrt(1 - r->spec->damping * r->spec->damping),
-                r->frequency);
-    wf_show(stdout, "  %zu steps, %.0f a second without drawing\n\n", r->steps, (double)r->steps / fmax(r->seconds, 1e-9));
+        wf_show(stdout, "  rings down at %.3g Hz with a decrement of %.3g (set: %.3g at %.3g Hz)\n",
+                r->ring_frequency, r->ring_decrement,
+                WF_TURN * r->spec->damping / sqrt(1 - r->spec->damping * r->spec->damping), r->frequency);
+    wf_show(stdout, "  %zu steps, %.0f a second without drawing\n\n", r->steps,
+            (double)r->steps / fmax(r->seconds, 1e-9));
 }
 
 /* The rod for the comparison with beam theory: the branch, as thick as at its base. */
-static enum wf_status compare_prisms(const struct wf_scene_spec *s, struct wf_arena *a, struct wf_rain_page *page,
-                                     struct wf_err *e)
+static enum wf_status compare_prisms(const struct wf_scene_spec *s, struct wf_arena *a,
+                                     struct wf_rain_page *page, struct wf_err *e)
 {
     const struct wf_level *wood = wf_species_level(s->species, (int32_t)s->species->levels - 1);
-    page->rod = (struct wf_prism_rod){ s->branch, s->radius[0], wood->youngs_modulus.value, wood->density.value,
-                                       s->restoring > 0 ? s->restoring : 1 };
+    page->rod = (struct wf_prism_rod){ s->branch, s->radius[0], wood->youngs_modulus.value,
+                                       wood->density.value, s->restoring > 0 ? s->restoring : 1 };
     return wf_prism_compare(&page->rod, a, page->check, e);
 }
 
@@ -290,7 +317,8 @@ static enum wf_status rain(const struct rain_options *o, struct wf_doc_head *hea
     if (!o->args.quiet) print_run(run.name, &result);
     s = wf_rain_results_write(&page, head, f->stage, e);
     if (!s) s = wf_results_end(f, o->no_report ? NULL : o->lang, a, NULL, e);
-    if (!s && !o->args.quiet) wf_show(stdout, "Tables%s: %s\n", o->no_report ? "" : ", figures and page", o->output);
+    if (!s && !o->args.quiet)
+        wf_show(stdout, "Tables%s: %s\n", o->no_report ? "" : ", figures and page", o->output);
     return s;
 }
 
@@ -342,21 +370,27 @@ static enum wf_status time_scene(const struct wf_species *sp, size_t i, size_t g
     spec.grid = (size_t)128 << g, spec.drops = dense ? 200 : 20, spec.duration = 0.6;
     enum wf_status s = wf_rain_run(&spec, &a, &d, &r, e);
     if (!s)
-        *out = (struct wf_rain_speed){ paper_scenes[i].scene, spec.scene.leaves,
-                                       r.scene.vertices,      r.scene.facets,
-                                       spec.grid,             spec.drops,
-                                       paper_scenes[i].frames[g][dense], (double)r.steps / fmax(r.seconds, 1e-9) };
+        *out = (struct wf_rain_speed){ paper_scenes[i].scene,
+                                       spec.scene.leaves,
+                                       r.scene.vertices,
+                                       r.scene.facets,
+                                       spec.grid,
+                                       spec.drops,
+                                       paper_scenes[i].frames[g][dense],
+                                       (double)r.steps / fmax(r.seconds, 1e-9) };
     wf_arena_free(&a);
     return s;
 }
 
-static enum wf_status time_scenes(const struct wf_species *sp, struct wf_rain_speed *out, size_t *n, struct wf_err *e)
+static enum wf_status time_scenes(const struct wf_species *sp, struct wf_rain_speed *out, size_t *n,
+                                  struct wf_err *e)
 {
     enum wf_status s = WF_OK;
     for (size_t i = 0; i < WF_COUNT(paper_scenes); i++)
         for (size_t g = 0; g < 3; g++)
             for (size_t dense = 0; dense < 2 && !s && !wf_interrupted(); dense++) {
-                wf_progress("table 1: scene %zu, grid %zu, %d drops ...", i + 1, (size_t)128 << g, dense ? 200 : 20);
+                wf_progress("table 1: scene %zu, grid %zu, %d drops ...", i + 1, (size_t)128 << g,
+                            dense ? 200 : 20);
                 s = time_scene(sp, i, g, dense, &out[*n], e);
                 *n += !s;
             }
@@ -373,7 +407,8 @@ struct paper_options {
 #undef OPTIONS
 #define OPTIONS struct paper_options
 static const struct wf_option paper_options[] = {
-    TEXT("--output", output, "FOLDER", "out/yang2011", "where tables, figures and the page go", .letter = "-o"),
+    TEXT("--output", output, "FOLDER", "out/yang2011", "where tables, figures and the page go",
+         .letter = "-o"),
     WF_PAGE_ROWS("--no-report", no_report, lang, "write tables only"),
     WF_QUIET_ROW,
     { 0 },
@@ -390,7 +425,8 @@ static enum wf_status paper_runs(const struct wf_species *sp, struct wf_rain_spe
         diag[r].arena = a;
         wf_rain_spec_default(&spec[r], r == 1);
         spec[r].scene.species = sp, spec[r].staged = r < 2;
-        if (r == 2) spec[r].drops = 200, spec[r].duration = 2, spec[r].rain.middle = 1, spec[r].rain.width = 0.4;
+        if (r == 2)
+            spec[r].drops = 200, spec[r].duration = 2, spec[r].rain.middle = 1, spec[r].rain.width = 0.4;
         wf_progress("run %zu of %d: %s ...", r + 1, PAPER_RUNS, page->run[r].name);
         s = wf_rain_run(&spec[r], a, &diag[r], &result[r], e);
         wf_progress(NULL);
@@ -409,19 +445,22 @@ static enum wf_status paper(const struct paper_options *o, struct wf_doc_head *h
     struct wf_rain_speed speed[PAPER_SPEEDS];
     const struct wf_rain_page_run run[PAPER_RUNS] = { { "staged drops, corrected", &result[0], &diag[0] },
                                                       { "staged drops, as printed", &result[1], &diag[1] },
-                                                      { "200 drops in the air, corrected", &result[2], &diag[2] } };
+                                                      { "200 drops in the air, corrected", &result[2],
+                                                        &diag[2] } };
     struct wf_rain_page page = { .run = run, .speed = speed };
     enum wf_status s = wf_species_named("poplar", a, &sp, d, e);
     if (s || (s = wf_results_begin(f, o->output, o->no_report ? NULL : "rain", e))) return s;
-    if ((s = paper_runs(&sp, spec, result, diag, &page, a, e)) || (s = compare_prisms(&spec[0].scene, a, &page, e)) ||
-        (s = time_scenes(&sp, speed, &page.speeds, e)))
+    if ((s = paper_runs(&sp, spec, result, diag, &page, a, e)) ||
+        (s = compare_prisms(&spec[0].scene, a, &page, e)) || (s = time_scenes(&sp, speed, &page.speeds, e)))
         return s;
     for (size_t r = 0; r < page.n && !o->args.quiet; r++) print_run(run[r].name, &result[r]);
     for (size_t r = 0; r < page.n; r++)
-        for (const struct wf_finding *w = diag[r].first; w; w = w->next) wf_diag_warn(d, w->code, "%s", w->text);
+        for (const struct wf_finding *w = diag[r].first; w; w = w->next)
+            wf_diag_warn(d, w->code, "%s", w->text);
     s = wf_rain_results_write(&page, head, f->stage, e);
     if (!s) s = wf_results_end(f, o->no_report ? NULL : o->lang, a, NULL, e);
-    if (!s && !o->args.quiet) wf_show(stdout, "Tables%s: %s\n", o->no_report ? "" : ", figures and page", o->output);
+    if (!s && !o->args.quiet)
+        wf_show(stdout, "Tables%s: %s\n", o->no_report ? "" : ", figures and page", o->output);
     return s;
 }
 
@@ -430,10 +469,11 @@ int wf_paper_yang2011(int argc, char **argv)
     struct wf_arena arena = { 0 };
     struct paper_options o = { 0 };
     struct wf_err e = { 0 };
-    int code = wf_args_read(argc, argv, paper_options,
-                            "The runs of Yang and Wu 2011: rain on a branch, staged and random, corrected and as printed, and "
-                            "the speed beside its Table 1.",
-                            1, 1, &arena, &o.args);
+    int code = wf_args_read(
+        argc, argv, paper_options,
+        "The runs of Yang and Wu 2011: rain on a branch, staged and random, corrected and as printed, and "
+        "the speed beside its Table 1.",
+        1, 1, &arena, &o.args);
     if (code < 0) {
         struct wf_diag d = { .arena = &arena };
         struct wf_doc_head head;

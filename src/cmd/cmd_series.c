@@ -315,7 +315,8 @@ static const struct wf_option papers_options[] = {
 };
 
 static const char papers_about[] =
-    "NAME is tang2012, feng1999, zhao2013, yang2011 or a file of runs like models/papers/tang2012.yaml: species, "
+    "NAME is tang2012, feng1999, zhao2013, yang2011 or a file of runs like models/papers/tang2012.yaml: "
+    "species, "
     "model, "
     "wind, method of every run, in as many runs as wanted. 'windfirm papers list' lists the shipped ones, "
     "'windfirm papers schema' the keys.\n"
@@ -356,8 +357,9 @@ static int list_papers(struct wf_arena *a)
         wf_show(stdout, "%-20s %5zu  %s\n", names[i], plan.runs, plan.title);
         if (plan.source) wf_show(stdout, "%-20s %5s  source: %s\n", "", "", plan.source);
     }
-    wf_show(stdout, "%-20s %5d  %s\n%-20s %5s  source: %s\n", rain_paper, 3, "Yang and Wu 2011: rain on branches and leaves", "",
-            "", "Yang M., Wu E. 2011. J. Software 22(8):1934-1947");
+    wf_show(stdout, "%-20s %5d  %s\n%-20s %5s  source: %s\n", rain_paper, 3,
+            "Yang and Wu 2011: rain on branches and leaves", "", "",
+            "Yang M., Wu E. 2011. J. Software 22(8):1934-1947");
     wf_print_findings(&d, false);
     return d.errors ? 2 : 0;
 }

@@ -24,7 +24,7 @@ static int read_line(const char *s, const char *end, double x[3])
 }
 
 enum wf_status wf_cloud_read(const char *path, struct wf_arena *a, struct wf_cloud *out, struct wf_diag *d,
-                              struct wf_err *e)
+                             struct wf_err *e)
 {
     struct wf_bytes b;
     enum wf_status s = wf_file_read_text(path, a, &b, e);
@@ -101,7 +101,8 @@ static void recentre(const struct wf_cloud *p, struct wf_clusters *c)
             c->centre[3 * (size_t)c->of[i] + k] += p->at[3 * i + k] / (double)c->count[c->of[i]];
 }
 
-/* Order along the branch: the end is the centre farthest from the one farthest from it that lies nearer to base. */
+/* Order along the branch: the end is the centre farthest from the one farthest from it that lies nearer to
+ * base. */
 static enum wf_status put_in_order(const struct wf_cloud *p, struct wf_clusters *c, const double base[3],
                                    struct wf_arena *a, struct wf_err *e)
 {
@@ -112,10 +113,12 @@ static enum wf_status put_in_order(const struct wf_cloud *p, struct wf_clusters 
     for (int k = 0; k < 2; k++) { /* the farthest from any, then the farthest from that */
         size_t from = end[0] = end[1];
         for (size_t i = 0; i < c->n; i++)
-            if (square(c->centre + 3 * i, c->centre + 3 * from) > square(c->centre + 3 * end[1], c->centre + 3 * from))
+            if (square(c->centre + 3 * i, c->centre + 3 * from) >
+                square(c->centre + 3 * end[1], c->centre + 3 * from))
                 end[1] = i;
     }
-    size_t at = square(c->centre + 3 * end[0], base) <= square(c->centre + 3 * end[1], base) ? end[0] : end[1];
+    size_t at =
+        square(c->centre + 3 * end[0], base) <= square(c->centre + 3 * end[1], base) ? end[0] : end[1];
     for (size_t i = 0; i < c->n; i++) place[i] = -1;
     for (size_t k = 0; k < c->n; k++) {
         place[at] = (int32_t)k;
@@ -137,9 +140,12 @@ enum wf_status wf_kmeans(const struct wf_cloud *p, size_t n, uint64_t seed, cons
                          struct wf_arena *a, struct wf_clusters *out, struct wf_err *e)
 {
     if (n < 2 || p->n < n)
-        return wf_fail(e, WF_EINPUT, "%zu clusters of %zu points: at least two clusters and a point for each are needed",
-                       n, p->n);
-    *out = (struct wf_clusters){ .n = n, .centre = WF_TAKE(a, 3 * n, double), .of = WF_TAKE(a, p->n, int32_t),
+        return wf_fail(e, WF_EINPUT,
+                       "%zu clusters of %zu points: at least two clusters and a point for each are needed", n,
+                       p->n);
+    *out = (struct wf_clusters){ .n = n,
+                                 .centre = WF_TAKE(a, 3 * n, double),
+                                 .of = WF_TAKE(a, p->n, int32_t),
                                  .count = WF_TAKE(a, n, size_t) };
     double *near = WF_TAKE(a, p->n, double);
     if (!out->centre || !out->of || !out->count || !near)
@@ -150,9 +156,10 @@ enum wf_status wf_kmeans(const struct wf_cloud *p, size_t n, uint64_t seed, cons
         size_t changed = assign(p, out);
         for (size_t k = 0; k < n; k++)
             if (!out->count[k])
-                return wf_fail(e, WF_EINPUT,
-                               "cluster %zu of %zu stays empty: points lie on top of one another; take fewer clusters",
-                               k + 1, n);
+                return wf_fail(
+                    e, WF_EINPUT,
+                    "cluster %zu of %zu stays empty: points lie on top of one another; take fewer clusters",
+                    k + 1, n);
         if (!changed) break;
         recentre(p, out);
     }

@@ -55,8 +55,8 @@ enum wf_status wf_blade_mesh_make(const struct wf_blade *b, size_t along, size_t
 {
     size_t wide = 2 * across + 1;
     if (!(b->length > 0) || !(b->half > 0) || along < 2 || !across)
-        return wf_fail(e, WF_EINPUT, "a leaf needs an area: its length is %g m and its half width %g m", b->length,
-                       b->half);
+        return wf_fail(e, WF_EINPUT, "a leaf needs an area: its length is %g m and its half width %g m",
+                       b->length, b->half);
     *out = (struct wf_blade_mesh){ .at = WF_TAKE(a, 2 * (along + 1) * wide, double),
                                    .corner = WF_TAKE(a, 3 * 4 * along * across, int32_t) };
     if (!out->at || !out->corner) return wf_fail(e, WF_ENOMEM, "not enough memory for a leaf");

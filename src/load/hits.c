@@ -66,7 +66,9 @@ enum wf_status wf_hits_build(const struct wf_body *body, size_t n, const double 
 {
     if (!n || n > INT32_MAX / 4) return wf_fail(e, WF_EINPUT, "nothing that drops could hit");
     struct sorted *s = WF_TAKE(a, n, struct sorted);
-    *out = (struct wf_hits){ .n = n, .body = WF_TAKE(a, n, struct wf_body), .box = WF_TAKE(a, 2 * n, struct wf_box) };
+    *out = (struct wf_hits){ .n = n,
+                             .body = WF_TAKE(a, n, struct wf_body),
+                             .box = WF_TAKE(a, 2 * n, struct wf_box) };
     if (!s || !out->body || !out->box) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu bodies", n);
     for (size_t i = 0; i < n; i++) {
         double low[3], high[3];
@@ -89,8 +91,7 @@ void wf_hits_refit(struct wf_hits *h, const double *place)
         for (int32_t i = b->first; i < b->first + b->count; i++) box_of(&h->body[i], place, b->low, b->high);
         for (int child = 0; child < 2 && !b->count; child++) {
             const struct wf_box *of = child ? &h->box[b->first] : b + 1;
-            for (int c = 0; c < 3; c++)
-            {
+            for (int c = 0; c < 3; c++) {
                 if (of->low[c] < b->low[c]) b->low[c] = of->low[c];
                 if (of->high[c] > b->high[c]) b->high[c] = of->high[c];
             }
@@ -105,7 +106,8 @@ struct way {
 };
 
 /* Segment and triangle (Moeller & Trumbore 1997). */
-static bool meet_triangle(const struct way *w, const struct wf_body *b, const double *place, struct wf_hit *out)
+static bool meet_triangle(const struct way *w, const struct wf_body *b, const double *place,
+                          struct wf_hit *out)
 {
     const double *p = place + 3 * b->at[0], *q = place + 3 * b->at[1], *r = place + 3 * b->at[2];
     double u[3], v[3], h[3], s[3], k[3];
@@ -124,7 +126,8 @@ static bool meet_triangle(const struct way *w, const struct wf_body *b, const do
 }
 
 /* Segment and the side of a frustum, grown by the drop's radius: |x - axis(s)| = r(s), s in 0..1. */
-static bool meet_frustum(const struct way *w, const struct wf_body *b, const double *place, struct wf_hit *out)
+static bool meet_frustum(const struct way *w, const struct wf_body *b, const double *place,
+                         struct wf_hit *out)
 {
     const double *p = place + 3 * b->at[0], *q = place + 3 * b->at[1];
     double d[3], m[3];

@@ -35,16 +35,19 @@ void wf_water_law_default(struct wf_water_law *w, bool printed)
 enum wf_status wf_water_law_check(const struct wf_water_law *w, struct wf_err *e)
 {
     if (!(w->angle > 0 && w->angle < WF_PI))
-        return wf_fail(e, WF_EUSAGE,
-                       "a contact angle lies between 0 and 180 degrees, not at %g: a drop at 0 is a film without "
-                       "edge, one at 180 touches in a point",
-                       w->angle * 180 / WF_PI);
+        return wf_fail(
+            e, WF_EUSAGE,
+            "a contact angle lies between 0 and 180 degrees, not at %g: a drop at 0 is a film without "
+            "edge, one at 180 touches in a point",
+            w->angle * 180 / WF_PI);
     if (!(w->receding > 0 && w->receding <= w->advancing && w->advancing < WF_PI))
-        return wf_fail(e, WF_EUSAGE, "the receding contact angle lies above 0 and not above the advancing one");
+        return wf_fail(e, WF_EUSAGE,
+                       "the receding contact angle lies above 0 and not above the advancing one");
     if (!(w->friction >= 0) || !(w->adhesion >= 0) || !(w->hang >= 0) || !(w->apex > 0) || !(w->film >= 0))
         return wf_fail(e, WF_EUSAGE, "friction, adhesion, film and what hangs at an edge are 0 or more");
     if (!(w->beta > 0 && w->beta <= 1) || !w->tail || w->tail > WF_TAIL_MOST || !(w->tail_step > 0))
-        return wf_fail(e, WF_EUSAGE, "subdrops: beta lies above 0 and up to 1, their number is 1 to %d", WF_TAIL_MOST);
+        return wf_fail(e, WF_EUSAGE, "subdrops: beta lies above 0 and up to 1, their number is 1 to %d",
+                       WF_TAIL_MOST);
     if (!(w->zeta > 0 && w->zeta <= 1) || !(w->eta > 0 && w->eta <= 1))
         return wf_fail(e, WF_EUSAGE, "zeta and eta of the wet trace lie above 0 and up to 1");
     return WF_OK;
@@ -58,8 +61,8 @@ enum wf_status wf_leaf_water_make(const struct wf_blade *b, double fold, size_t 
     if (!grid || grid > 4096)
         return wf_fail(e, WF_EUSAGE, "the grid of a leaf has 1 to 4096 cells a side, not %zu", grid);
     if (!(b->length > 0) || !(b->half > 0))
-        return wf_fail(e, WF_EINPUT, "a leaf needs an area: its length is %g m and its half width %g m", b->length,
-                       b->half);
+        return wf_fail(e, WF_EINPUT, "a leaf needs an area: its length is %g m and its half width %g m",
+                       b->length, b->half);
     memset(out, 0, sizeof *out);
     out->blade = *b, out->fold = fold, out->grid = grid;
     out->cell[0] = b->length / (double)grid, out->cell[1] = 2 * b->half / (double)grid;
@@ -86,7 +89,8 @@ static void shape(const struct wf_water_law *law, struct wf_leaf_drop *d)
 
 double wf_leaf_friction(const struct wf_water_law *law, const struct wf_leaf_drop *d, double press)
 {
-    double hold = law->printed ? law->adhesion : wf_drop_retention(2 * d->base, law->receding, law->advancing);
+    double hold =
+        law->printed ? law->adhesion : wf_drop_retention(2 * d->base, law->receding, law->advancing);
     return law->friction * d->mass * fmax(0, press) + hold;
 }
 
@@ -102,8 +106,8 @@ double wf_leaf_water_held(const struct wf_leaf_water *w)
     return sum;
 }
 
-void wf_leaf_gravity(const struct wf_leaf_water *w, const struct wf_leaf_lie *lie, double g, const double at[2],
-                     double along[2], double *press)
+void wf_leaf_gravity(const struct wf_leaf_water *w, const struct wf_leaf_lie *lie, double g,
+                     const double at[2], double along[2], double *press)
 {
     double u = fmin(fmax(at[0] / w->blade.length, 0), 1) * (double)(lie->n - 1);
     size_t i = u >= (double)(lie->n - 1) ? lie->n - 2 : (size_t)u;
@@ -157,7 +161,8 @@ double wf_leaf_wetness(const struct wf_leaf_water *w, const struct wf_water_law 
     return v > -INFINITY ? fmin(1, exp(v + log(law->zeta) * time)) : 0;
 }
 
-double wf_leaf_wetted(const struct wf_leaf_water *w, const struct wf_water_law *law, double least, double time)
+double wf_leaf_wetted(const struct wf_leaf_water *w, const struct wf_water_law *law, double least,
+                      double time)
 {
     double bound = log(least) - log(law->zeta) * time;
     size_t n = 0;
@@ -172,7 +177,8 @@ static void remove_drop(struct wf_leaf_water *w, size_t i)
     memmove(&w->drop[i], &w->drop[i + 1], (--w->drops - i) * sizeof *w->drop);
 }
 
-/* Drop j becomes part of drop i; momentum and centre of mass are kept; a hanging drop stays where it hangs. */
+/* Drop j becomes part of drop i; momentum and centre of mass are kept; a hanging drop stays where it hangs.
+ */
 static void merge(struct wf_leaf_water *w, const struct wf_water_law *law, size_t i, size_t j)
 {
     struct wf_leaf_drop *a = &w->drop[i], *b = &w->drop[j];
@@ -185,17 +191,22 @@ static void merge(struct wf_leaf_water *w, const struct wf_water_law *law, size_
     }
     both.mass = m;
     both.edge = still ? still->edge : a->edge && b->edge;
-    both.state = still ? WF_DROP_HANG : a->state == WF_DROP_RUN || b->state == WF_DROP_RUN ? WF_DROP_RUN : a->state;
+    both.state = still                                                ? WF_DROP_HANG
+                 : a->state == WF_DROP_RUN || b->state == WF_DROP_RUN ? WF_DROP_RUN
+                                                                      : a->state;
     shape(law, &both);
     *a = both;
     remove_drop(w, j);
     w->count[WF_WATER_MERGED]++;
 }
 
-void wf_leaf_water_add(struct wf_leaf_water *w, const struct wf_water_law *law, double mass, const double at[2],
-                       const double v[2], double time)
+void wf_leaf_water_add(struct wf_leaf_water *w, const struct wf_water_law *law, double mass,
+                       const double at[2], const double v[2], double time)
 {
-    struct wf_leaf_drop d = { .mass = mass, .at = { at[0], at[1] }, .v = { v[0], v[1] }, .state = WF_DROP_RUN,
+    struct wf_leaf_drop d = { .mass = mass,
+                              .at = { at[0], at[1] },
+                              .v = { v[0], v[1] },
+                              .state = WF_DROP_RUN,
                               .stamped = { at[0], at[1] } };
     w->received += mass;
     shape(law, &d);
@@ -215,8 +226,8 @@ void wf_leaf_water_add(struct wf_leaf_water *w, const struct wf_water_law *law, 
 }
 
 /* Whether two drops pull each other over the leaf (12): more than the friction of one of them. */
-static bool joins(const struct wf_leaf_water *w, const struct wf_water_law *law, const struct wf_leaf_lie *lie,
-                  const struct wf_leaf_drop *a, const struct wf_leaf_drop *b)
+static bool joins(const struct wf_leaf_water *w, const struct wf_water_law *law,
+                  const struct wf_leaf_lie *lie, const struct wf_leaf_drop *a, const struct wf_leaf_drop *b)
 {
     double x = a->at[0] - b->at[0], y = a->at[1] - b->at[1], reach = a->base + b->base;
     if (x * x + y * y > reach * reach) return false;
@@ -292,7 +303,8 @@ static void accelerate(const struct wf_water_law *law, struct wf_leaf_drop *d, c
 }
 
 /* As printed a drop goes to a cell of the ring r = v dt around it: the one nearest to its new direction. */
-static void go(const struct wf_leaf_water *w, const struct wf_water_law *law, struct wf_leaf_drop *d, double dt)
+static void go(const struct wf_leaf_water *w, const struct wf_water_law *law, struct wf_leaf_drop *d,
+               double dt)
 {
     double to[2] = { d->at[0] + dt * d->v[0], d->at[1] + dt * d->v[1] };
     if (law->printed) {
@@ -324,7 +336,8 @@ static void let_fall(struct wf_leaf_water *w, size_t i)
     remove_drop(w, i);
 }
 
-/* Water that a running drop leaves in a trace it has newly wetted. Returned: false when nothing is left of it. */
+/* Water that a running drop leaves in a trace it has newly wetted. Returned: false when nothing is left of
+ * it. */
 static bool leave_film(struct wf_leaf_water *w, const struct wf_water_law *law, struct wf_leaf_drop *d,
                        double time)
 {
@@ -376,8 +389,8 @@ static bool move_drop(struct wf_leaf_water *w, const struct wf_water_law *law, c
     return false;
 }
 
-void wf_leaf_water_step(struct wf_leaf_water *w, const struct wf_water_law *law, const struct wf_leaf_lie *lie,
-                        double time, double dt)
+void wf_leaf_water_step(struct wf_leaf_water *w, const struct wf_water_law *law,
+                        const struct wf_leaf_lie *lie, double time, double dt)
 {
     w->falls = 0;
     for (size_t i = 0; i < w->drops;) i += move_drop(w, law, lie, i, time, dt);
@@ -404,8 +417,8 @@ static double height_of(const struct wf_water_law *law, double r, double off, do
     return wf_cap_height(r, law->angle, off, omega, law->printed);
 }
 
-double wf_leaf_height(const struct wf_leaf_water *w, const struct wf_water_law *law, const struct wf_leaf_lie *lie,
-                      const double at[2])
+double wf_leaf_height(const struct wf_leaf_water *w, const struct wf_water_law *law,
+                      const struct wf_leaf_lie *lie, const double at[2])
 {
     double most = 0;
     for (size_t i = 0; i < w->drops; i++) {

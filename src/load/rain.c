@@ -31,12 +31,11 @@ static double lhermitte(double d)
 }
 
 const struct wf_fall_law wf_fall_laws[] = {
-    { "atlas", "Atlas et al. 1973: 9.65 - 10.3 exp(-0.6 D)", 0.11e-3, 8e-3,
-      atlas },
-    { "brandes", "Brandes et al. 2002: -0.1021 + 4.932 D - 0.9551 D^2 + 0.07934 D^3 - 0.002362 D^4", 0.1e-3, 8e-3, brandes },
+    { "atlas", "Atlas et al. 1973: 9.65 - 10.3 exp(-0.6 D)", 0.11e-3, 8e-3, atlas },
+    { "brandes", "Brandes et al. 2002: -0.1021 + 4.932 D - 0.9551 D^2 + 0.07934 D^3 - 0.002362 D^4", 0.1e-3,
+      8e-3, brandes },
     { "van-dijk", "van Dijk et al. 2002: -0.254 + 5.03 D - 0.912 D^2 + 0.0561 D^3", 0.1e-3, 7e-3, van_dijk },
-    { "uplinger", "Uplinger 1981: 4.874 D exp(-0.195 D)", 0.1e-3,
-      7e-3, uplinger },
+    { "uplinger", "Uplinger 1981: 4.874 D exp(-0.195 D)", 0.1e-3, 7e-3, uplinger },
     { "lhermitte", "Lhermitte 1988: 9.25 (1 - exp(-(0.068 D^2 + 0.488 D)))", 0.1e-3, 8e-3, lhermitte },
     { 0 },
 };
@@ -91,7 +90,8 @@ static void divide(struct wf_rain *r, double total)
 static enum wf_status check(const struct wf_rain *r, struct wf_err *e)
 {
     if (!(r->intensity >= 0) || r->intensity > 1e-3)
-        return wf_fail(e, WF_EUSAGE, "an intensity of rain is 0 to 3600 mm/h, not %g mm/h", r->intensity * 3.6e6);
+        return wf_fail(e, WF_EUSAGE, "an intensity of rain is 0 to 3600 mm/h, not %g mm/h",
+                       r->intensity * 3.6e6);
     double most = r->intensity > 0 ? r->largest : r->diameter;
     if (most > WF_DROP_LARGEST)
         return wf_fail(e, WF_EUSAGE, "drops of %g mm break up in air; at most %g mm", most * 1e3,

@@ -30,16 +30,16 @@ enum { WF_RAIN_CLASSES = 512 };
 struct wf_rain {
     /* given */
     const struct wf_fall_law *law;
-    double intensity;      /* at the peak [m/s]; 0: `rate` and `diameter` are given          */
-    double rate, diameter; /* arrivals a second at the peak; diameter of all drops [m]       */
-    double least, largest; /* of the spectrum [m]                                            */
+    double intensity;       /* at the peak [m/s]; 0: `rate` and `diameter` are given          */
+    double rate, diameter;  /* arrivals a second at the peak; diameter of all drops [m]       */
+    double least, largest;  /* of the spectrum [m]                                            */
     double low[2], high[2]; /* area that drops start over [m]                                */
-    double middle, width;  /* of the normal curve of their number [s]; width 0: steady        */
-    double jitter;         /* standard deviation of the random factor on it [-]               */
-    double slot;           /* time for which a random factor holds [s]                        */
+    double middle, width;   /* of the normal curve of their number [s]; width 0: steady        */
+    double jitter;          /* standard deviation of the random factor on it [-]               */
+    double slot;            /* time for which a random factor holds [s]                        */
     uint64_t seed;
     /* made by wf_rain_make */
-    double scale;          /* on the spectrum's number, so that its flux is the intensity     */
+    double scale;                     /* on the spectrum's number, so that its flux is the intensity     */
     double size[WF_RAIN_CLASSES + 1]; /* diameters that divide the arriving drops evenly [m]  */
 };
 struct wf_raindrop {

@@ -9,17 +9,21 @@
 
 static void series(FILE *f, const struct wf_rain_page *p)
 {
-    fputs("run,time_s,air,rest,run_drops,hang,held_mg,film_mg,fell_mg,ground_mg,tip_along_mm,tip_across_mm,tip_up_mm,"
+    fputs("run,time_s,air,rest,run_drops,hang,held_mg,film_mg,fell_mg,ground_mg,tip_along_mm,tip_across_mm,"
+          "tip_up_mm,"
           "branch_up_mm,twist_deg,petiole_force_mN,petiole_moment_mNm,branch_moment_mNm,energy_mJ,wetted\n",
           f);
     for (size_t r = 0; r < p->n; r++)
         for (size_t i = 0; i < p->run[r].of->rows; i++) {
             const struct wf_rain_row *w = &p->run[r].of->row[i];
-            fprintf(f, "%zu,%.6g,%zu,%zu,%zu,%zu,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.7g,%.5g\n",
-                    r + 1, w->time, w->air, w->state[WF_DROP_REST], w->state[WF_DROP_RUN], w->state[WF_DROP_HANG],
-                    1e6 * w->held, 1e6 * w->film, 1e6 * w->fell, 1e6 * w->ground, 1e3 * w->tip[0], 1e3 * w->tip[1],
-                    1e3 * w->tip[2], 1e3 * w->branch_tip[2], w->twist * 180 / WF_PI, 1e3 * w->petiole_force,
-                    1e3 * w->petiole_moment, 1e3 * w->branch_moment, 1e3 * w->energy, w->wetted);
+            fprintf(f,
+                    "%zu,%.6g,%zu,%zu,%zu,%zu,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%.6g,%."
+                    "7g,%.5g\n",
+                    r + 1, w->time, w->air, w->state[WF_DROP_REST], w->state[WF_DROP_RUN],
+                    w->state[WF_DROP_HANG], 1e6 * w->held, 1e6 * w->film, 1e6 * w->fell, 1e6 * w->ground,
+                    1e3 * w->tip[0], 1e3 * w->tip[1], 1e3 * w->tip[2], 1e3 * w->branch_tip[2],
+                    w->twist * 180 / WF_PI, 1e3 * w->petiole_force, 1e3 * w->petiole_moment,
+                    1e3 * w->branch_moment, 1e3 * w->energy, w->wetted);
         }
 }
 
@@ -29,11 +33,13 @@ static void keys(FILE *f, const struct wf_rain_page *p)
     for (size_t r = 0; r < p->n; r++)
         for (size_t k = 0; k < p->run[r].of->keys; k++) {
             const struct wf_rain_key *q = &p->run[r].of->key[k];
-            fprintf(f, "%zu,%zu,%s,%.6g,%zu,%zu\n", r + 1, k + 1, q->event, q->time, q->leaf + 1, q->water->drops);
+            fprintf(f, "%zu,%zu,%s,%.6g,%zu,%zu\n", r + 1, k + 1, q->event, q->time, q->leaf + 1,
+                    q->water->drops);
         }
 }
 
-static void line(FILE *f, size_t run, size_t key, size_t part, const char *kind, const double *place, size_t a, size_t b)
+static void line(FILE *f, size_t run, size_t key, size_t part, const char *kind, const double *place,
+                 size_t a, size_t b)
 {
     fprintf(f, "%zu,%zu,%zu,%s", run, key, part, kind);
     for (int c = 0; c < 3; c++) fprintf(f, ",%.6g", place[3 * a + (size_t)c]);
@@ -58,7 +64,8 @@ static void scene(FILE *f, const struct wf_rain_page *p)
                     line(f, r + 1, k + 1, l + 1, "vein", place, mid, mid + wide);
                 }
             for (size_t a = 0; a <= s->spec.leaves; a++) {
-                size_t from = axes + (size_t)s->prism.first[a], n = a ? s->spec.petiole_prisms + 1 : s->sections;
+                size_t from = axes + (size_t)s->prism.first[a],
+                       n = a ? s->spec.petiole_prisms + 1 : s->sections;
                 for (size_t i = 0; i + 1 < n; i++)
                     line(f, r + 1, k + 1, a, a ? "petiole" : "branch", place, from + i, from + i + 1);
             }
@@ -72,7 +79,8 @@ static void air(FILE *f, const struct wf_rain_page *p)
         for (size_t k = 0; k < p->run[r].of->keys; k++)
             for (size_t i = 0; i < p->run[r].of->key[k].air; i++) {
                 const double *d = p->run[r].of->key[k].drop + 6 * i;
-                fprintf(f, "%zu,%zu,%.6g,%.6g,%.6g,%.5g,%.5g,%.5g\n", r + 1, k + 1, d[0], d[1], d[2], d[3], d[4], d[5]);
+                fprintf(f, "%zu,%zu,%.6g,%.6g,%.6g,%.5g,%.5g,%.5g\n", r + 1, k + 1, d[0], d[1], d[2], d[3],
+                        d[4], d[5]);
             }
 }
 
@@ -90,32 +98,47 @@ static void drops(FILE *f, const struct wf_rain_page *p)
                 size_t n = wf_leaf_tail(law, d, radius);
                 for (size_t j = 0; j < n; j++) {
                     const double *at = j ? d->behind[j - 1] : d->at;
-                    fprintf(f, "%zu,%zu,%zu,%zu,%zu,%s,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g\n", r + 1, k + 1, q->leaf + 1,
-                            i + 1, j, wf_drop_states[d->state], 1e3 * at[0], 1e3 * at[1], 1e6 * d->mass,
-                            1e3 * radius[j], 1e3 * d->base * radius[j] / d->radius, 1e3 * hypot(d->v[0], d->v[1]));
+                    fprintf(f, "%zu,%zu,%zu,%zu,%zu,%s,%.5g,%.5g,%.5g,%.5g,%.5g,%.5g\n", r + 1, k + 1,
+                            q->leaf + 1, i + 1, j, wf_drop_states[d->state], 1e3 * at[0], 1e3 * at[1],
+                            1e6 * d->mass, 1e3 * radius[j], 1e3 * d->base * radius[j] / d->radius,
+                            1e3 * hypot(d->v[0], d->v[1]));
                 }
             }
         }
 }
 
-static void maps(FILE *f, const struct wf_rain_page *p)
+/* Wetness and depth on the leaf of a key frame, empty beside the blade. */
+static void map(FILE *f, const struct wf_rain_key *q)
 {
-    fputs("run,key,along_mm,across_mm,wetness,depth_mm\n", f);
-    for (size_t r = 0; r < p->n; r++)
-        for (size_t k = 0; k < p->run[r].of->keys; k++) {
-            const struct wf_rain_key *q = &p->run[r].of->key[k];
-            const struct wf_blade *b = &q->water->blade;
-            for (size_t i = 0; i < WF_RAIN_MAP; i++)
-                for (size_t j = 0; j < WF_RAIN_MAP; j++) {
-                    float wet = q->wetness[i * WF_RAIN_MAP + j], deep = q->height[i * WF_RAIN_MAP + j];
-                    fprintf(f, "%zu,%zu,%.5g,%.5g,", r + 1, k + 1, 1e3 * ((double)i + 0.5) / WF_RAIN_MAP * b->length,
-                            1e3 * (((double)j + 0.5) / WF_RAIN_MAP * 2 - 1) * b->half);
-                    if (isfinite(wet))
-                        fprintf(f, "%.4g,%.4g\n", (double)wet, 1e3 * (double)deep);
-                    else
-                        fputs(",\n", f);
-                }
+    const struct wf_blade *b = &q->water->blade;
+    fputs("along_mm,across_mm,wetness,depth_mm\n", f);
+    for (size_t i = 0; i < WF_RAIN_MAP; i++)
+        for (size_t j = 0; j < WF_RAIN_MAP; j++) {
+            double wet = (double)q->wetness[i * WF_RAIN_MAP + j],
+                   deep = (double)q->height[i * WF_RAIN_MAP + j];
+            fprintf(f, "%.4g,%.4g,", 1e3 * ((double)i + 0.5) / WF_RAIN_MAP * b->length,
+                    1e3 * (((double)j + 0.5) / WF_RAIN_MAP * 2 - 1) * b->half);
+            if (isfinite(wet))
+                fprintf(f, "%.3g,%.3g\n", wet, 1e3 * deep);
+            else
+                fputs(",\n", f);
         }
+}
+
+/* A file for each key frame of each run. */
+static enum wf_status write_maps(const struct wf_rain_page *p, const char *folder, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    for (size_t r = 0; r < p->n && !s; r++)
+        for (size_t k = 0; k < p->run[r].of->keys && !s; k++) {
+            struct wf_file f = { 0 };
+            char name[56];
+            snprintf(name, sizeof name, "tables/map_%zu_%zu.csv", r + 1, k + 1);
+            if ((s = wf_folder_begin(&f, folder, name, e))) break;
+            map(f.stream, &p->run[r].of->key[k]);
+            s = wf_file_commit(&f, e);
+        }
+    return s;
 }
 
 static void events(FILE *f, const struct wf_rain_page *p)
@@ -139,22 +162,16 @@ static void terms_of(const struct wf_rain_result *r, struct term t[TERMS])
 {
     const struct wf_water_budget *w = &r->water;
     const struct wf_energy_budget *b = &r->energy;
-    const struct term all[TERMS] = { { "water", "rain", 1e6 * w->rain },
-                                     { "water", "air", 1e6 * w->air },
-                                     { "water", "ground", 1e6 * w->ground },
-                                     { "water", "splash", 1e6 * w->splash },
-                                     { "water", "wood", 1e6 * w->wood },
-                                     { "water", "held", 1e6 * w->held },
-                                     { "water", "film", 1e6 * w->film },
-                                     { "energy", "drops", 1e6 * b->drops },
-                                     { "energy", "start", 1e6 * b->start },
-                                     { "energy", "weight", 1e6 * b->weight },
-                                     { "energy", "load", 1e6 * b->load },
-                                     { "energy", "push", 1e6 * b->push },
-                                     { "energy", "damping", -1e6 * b->damping },
-                                     { "energy", "solver", 1e6 * b->solver },
-                                     { "energy", "end", 1e6 * b->end },
-                                     { NULL, NULL, 0 } };
+    const struct term all[TERMS] = {
+        { "water", "rain", 1e6 * w->rain },         { "water", "air", 1e6 * w->air },
+        { "water", "ground", 1e6 * w->ground },     { "water", "splash", 1e6 * w->splash },
+        { "water", "wood", 1e6 * w->wood },         { "water", "held", 1e6 * w->held },
+        { "water", "film", 1e6 * w->film },         { "energy", "drops", 1e6 * b->drops },
+        { "energy", "start", 1e6 * b->start },      { "energy", "weight", 1e6 * b->weight },
+        { "energy", "load", 1e6 * b->load },        { "energy", "push", 1e6 * b->push },
+        { "energy", "damping", -1e6 * b->damping }, { "energy", "solver", 1e6 * b->solver },
+        { "energy", "end", 1e6 * b->end },          { NULL, NULL, 0 }
+    };
     memcpy(t, all, sizeof all);
 }
 
@@ -164,7 +181,8 @@ static void budget(FILE *f, const struct wf_rain_page *p)
     for (size_t r = 0; r < p->n; r++) {
         struct term t[TERMS];
         terms_of(p->run[r].of, t);
-        for (size_t i = 0; t[i].of; i++) fprintf(f, "%zu,%s,%s,%.9g\n", r + 1, t[i].of, t[i].name, t[i].value);
+        for (size_t i = 0; t[i].of; i++)
+            fprintf(f, "%zu,%s,%s,%.9g\n", r + 1, t[i].of, t[i].name, t[i].value);
     }
 }
 
@@ -187,7 +205,8 @@ static void falls(FILE *f, const struct wf_rain_page *p)
     fputs(",number_m3_mm\n", f);
     for (int i = 1; i <= 60; i++) {
         fprintf(f, "%.1f", i / 10.0);
-        for (const struct wf_fall_law *l = wf_fall_laws; l->name; l++) fprintf(f, ",%.5g", l->speed(i * 1e-4));
+        for (const struct wf_fall_law *l = wf_fall_laws; l->name; l++)
+            fprintf(f, ",%.5g", l->speed(i * 1e-4));
         fprintf(f, ",%.5g\n", 10 / 3.6e6 / sums.flux * 8000 * exp(-4.1 * pow(10, -0.21) * i / 10.0));
     }
 }
@@ -197,8 +216,8 @@ static void speeds(FILE *f, const struct wf_rain_page *p)
     fputs("scene,leaves,vertices,facets,grid,drops,paper_frames_s,steps_s\n", f);
     for (size_t i = 0; i < p->speeds; i++) {
         const struct wf_rain_speed *s = &p->speed[i];
-        fprintf(f, "%zu,%zu,%zu,%zu,%zu,%zu,%.4g,%.4g\n", s->scene, s->leaves, s->vertices, s->facets, s->grid, s->drops,
-                s->paper, s->steps);
+        fprintf(f, "%zu,%zu,%zu,%zu,%zu,%zu,%.4g,%.4g\n", s->scene, s->leaves, s->vertices, s->facets,
+                s->grid, s->drops, s->paper, s->steps);
     }
 }
 
@@ -217,8 +236,8 @@ static void points(FILE *f, const struct wf_rain_page *p)
     size_t every = p->points->n / SHOWN + 1;
     fputs("x_m,y_m,z_m,cluster\n", f);
     for (size_t i = 0; i < p->points->n; i += every)
-        fprintf(f, "%.6g,%.6g,%.6g,%d\n", p->points->at[3 * i], p->points->at[3 * i + 1], p->points->at[3 * i + 2],
-                (int)p->clusters->of[i] + 1);
+        fprintf(f, "%.6g,%.6g,%.6g,%d\n", p->points->at[3 * i], p->points->at[3 * i + 1],
+                p->points->at[3 * i + 2], (int)p->clusters->of[i] + 1);
 }
 
 /* ---- Data of the figures ---- */
@@ -230,7 +249,8 @@ static void plot_run(struct wf_plot_data *to, const struct wf_rain_page_run *run
     char key[32];
     for (size_t i = 0; i < r->scene.places; i++)
         for (size_t c = 0; c < 3; c++)
-            low[c] = fmin(low[c], r->scene.place[3 * i + c]), high[c] = fmax(high[c], r->scene.place[3 * i + c]);
+            low[c] = fmin(low[c], r->scene.place[3 * i + c]),
+            high[c] = fmax(high[c], r->scene.place[3 * i + c]);
     const struct {
         const char *key;
         double x;
@@ -284,7 +304,7 @@ static json_t *run_part(struct wf_doc *d, const struct wf_rain_page_run *run)
     wf_doc_text(d, o, "name", run->name);
     wf_doc_text(d, o, "preset", s->printed ? "yang2011" : "corrected");
     wf_doc_text(d, o, "species", s->scene.species->name), wf_doc_text(d, o, "form", s->scene.form->name);
-    wf_doc_text(d, o, "method", s->method == WF_PRISM_EULER ? "euler" : "midpoint");
+    wf_doc_text(d, o, "stepping", s->method == WF_PRISM_EULER ? "euler" : "midpoint");
     wf_doc_flag(d, o, "staged", s->staged);
     wf_doc_count(d, o, "leaves", s->scene.leaves), wf_doc_count(d, o, "grid", s->grid);
     wf_doc_count(d, o, "vertices", r->scene.vertices), wf_doc_count(d, o, "facets", r->scene.facets);
@@ -318,7 +338,8 @@ static json_t *run_part(struct wf_doc *d, const struct wf_rain_page_run *run)
     terms_of(r, t);
     for (size_t i = 0; t[i].of; i++) {
         json_t *q = wf_doc_add(d, list, wf_doc_object(d));
-        wf_doc_text(d, q, "of", t[i].of), wf_doc_text(d, q, "term", t[i].name), wf_doc_number(d, q, "value", t[i].value);
+        wf_doc_text(d, q, "of", t[i].of), wf_doc_text(d, q, "term", t[i].name),
+            wf_doc_number(d, q, "value", t[i].value);
     }
     return o;
 }
@@ -361,8 +382,8 @@ static void figures(struct wf_doc *d, json_t *list, const struct wf_rain_page *p
     if (p->clusters) wf_doc_figure(d, list, "rain_clusters", "rain_clusters", 0);
 }
 
-static enum wf_status document(const struct wf_rain_page *p, const struct wf_doc_head *head, const char *folder,
-                               struct wf_err *e)
+static enum wf_status document(const struct wf_rain_page *p, const struct wf_doc_head *head,
+                               const char *folder, struct wf_err *e)
 {
     struct wf_doc d = { 0 };
     json_t *o = wf_doc_begin(&d, "windfirm-rain", head);
@@ -387,12 +408,17 @@ enum wf_status wf_rain_results_write(const struct wf_rain_page *p, const struct 
         const char *name;
         void (*write)(FILE *f, const struct wf_rain_page *p);
         bool left_out;
-    } table[] = { { "tables/series.csv", series, false }, { "tables/keys.csv", keys, false },
-                  { "tables/scene.csv", scene, false },   { "tables/air.csv", air, false },
-                  { "tables/drops.csv", drops, false },   { "tables/maps.csv", maps, false },
-                  { "tables/events.csv", events, false }, { "tables/budget.csv", budget, false },
-                  { "tables/prisms.csv", prisms, false }, { "tables/falls.csv", falls, false },
-                  { "tables/speeds.csv", speeds, !p->speeds }, { "tables/clusters.csv", clusters, !p->clusters },
+    } table[] = { { "tables/series.csv", series, false },
+                  { "tables/keys.csv", keys, false },
+                  { "tables/scene.csv", scene, false },
+                  { "tables/air.csv", air, false },
+                  { "tables/drops.csv", drops, false },
+                  { "tables/events.csv", events, false },
+                  { "tables/budget.csv", budget, false },
+                  { "tables/prisms.csv", prisms, false },
+                  { "tables/falls.csv", falls, false },
+                  { "tables/speeds.csv", speeds, !p->speeds },
+                  { "tables/clusters.csv", clusters, !p->clusters },
                   { "tables/points.csv", points, !p->clusters } };
     enum wf_status s = wf_folder_make(folder, e);
     for (size_t i = 0; i < WF_COUNT(table) && !s; i++) {
@@ -402,6 +428,7 @@ enum wf_status wf_rain_results_write(const struct wf_rain_page *p, const struct 
         table[i].write(f.stream, p);
         s = wf_file_commit(&f, e);
     }
+    if (!s) s = write_maps(p, folder, e);
     if (!s) s = plot_data(p, folder, e);
     return s ? s : document(p, head, folder, e);
 }

@@ -15,8 +15,8 @@ struct wf_rain_page_run {
 /* A row of the paper's Table 1 with the steps a second of this run. */
 struct wf_rain_speed {
     size_t scene, leaves, vertices, facets, grid, drops;
-    double paper;  /* frames a second, drawing included */
-    double steps;  /* steps a second, without drawing   */
+    double paper; /* frames a second, drawing included */
+    double steps; /* steps a second, without drawing   */
 };
 struct wf_rain_page {
     size_t n;
@@ -28,9 +28,9 @@ struct wf_rain_page {
     const struct wf_cloud *points; /* nodes were found from them; NULL: none */
     const struct wf_clusters *clusters;
 };
-/* Write FOLDER/tables/{series,keys,scene,air,drops,maps,events,budget,prisms,falls,speeds,clusters,points,
- * warnings}.csv (the last four where there are any), plots/run.csv and results.json. Errors: WF_EOUTPUT,
- * WF_ENOMEM. */
+/* Write
+ * FOLDER/tables/{series,keys,scene,air,drops,map_RUN_KEY,events,budget,prisms,falls,speeds,clusters,points}.csv
+ * (the last three where there are any), plots/run.csv and results.json. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_rain_results_write(const struct wf_rain_page *p, const struct wf_doc_head *head,
                                      const char *folder, struct wf_err *e);
 #endif

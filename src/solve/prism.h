@@ -44,7 +44,7 @@ struct wf_prism_axis {
     const double *polar;        /* per node: polar moment of inertia of its round part [kg m2]         */
     const double *plate, *half; /* per node: mass of a flat plate across `normal` [kg], its half width
                                  * [m]; NULL: none                                                */
-    double fold;           /* slope of the plate's halves towards the normal [-]                   */
+    double fold;                /* slope of the plate's halves towards the normal [-]                   */
     double restoring;           /* [N/m] of each vertex to its rest place; 0: none                      */
     int32_t on;                 /* section of an earlier axis that carries the root; -1: clamped        */
     bool diagonal;              /* as printed: a third of the mass on each vertex, inertia is not matched */

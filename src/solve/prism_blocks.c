@@ -92,7 +92,8 @@ enum wf_status wf_prism_blocks_make(const struct wf_prism *p, struct wf_arena *a
     out->row = WF_TAKE(a, entries, int32_t);
     out->value = WF_TAKE(a, entries * WF_PRISM_BLOCK, double);
     out->flip = WF_TAKE(a, entries * WF_PRISM_BLOCK, double);
-    if (!out->row || !out->value || !out->flip) return wf_fail(e, WF_ENOMEM, "not enough memory for the prisms");
+    if (!out->row || !out->value || !out->flip)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the prisms");
     for (size_t k = 0, at = 0; k < n; k++) {
         for (size_t i = k; i < n; i++)
             if (full[k * n + i]) out->row[at++] = (int32_t)i;
@@ -167,7 +168,8 @@ void wf_prism_blocks_fill(const struct wf_prism *p, const double *x, const doubl
             for (int j = 0; j < 3; j++)
                 for (int c = 0; c < 3; c++) v[9 * (3 * i + c) + 3 * j + c] = mass_share * m[3 * i + j];
     }
-    for (size_t s = 0; s < p->springs; s++) add_spring(p, x, y, &p->spring[s], stiffness_share, dash_share, whole, b);
+    for (size_t s = 0; s < p->springs; s++)
+        add_spring(p, x, y, &p->spring[s], stiffness_share, dash_share, whole, b);
 }
 
 /* ---- Factor and answer ---- */

@@ -11,7 +11,7 @@ struct wf_prism_blocks {
     size_t n;             /* block rows                                                 */
     int32_t *begin, *row; /* columns: entries begin[k]..begin[k+1], rows rising, diagonal first */
     double *value;        /* 81 per entry, row-major                                    */
-    double *flip;            /* of a factor: the same transposed */
+    double *flip;         /* of a factor: the same transposed */
     int32_t *target;      /* place of the update of each pair of a column, in its order */
     size_t *pairs;        /* per column: its first pair in `target`                     */
 };

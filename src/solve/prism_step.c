@@ -147,8 +147,8 @@ static bool factor(struct wf_prism_motion *m)
     struct wf_prism_stepper *o = m->of;
     m->factors++;
     o->factored = o->h;
-    wf_prism_blocks_fill(m->p, m->x, o->next, 2 / (o->h * o->h) + m->damping / o->h, 0.5,
-                         m->internal / o->h, false, &o->blocks);
+    wf_prism_blocks_fill(m->p, m->x, o->next, 2 / (o->h * o->h) + m->damping / o->h, 0.5, m->internal / o->h,
+                         false, &o->blocks);
     return o->ready = wf_prism_blocks_factor(&o->blocks);
 }
 
@@ -171,7 +171,8 @@ static bool solve_step(struct wf_prism_motion *m)
         wf_prism_follow(p, o->next);
         m->iterations++;
         if (!isfinite(longest)) return false;
-        if (longest <= m->tolerance * o->size || (longest <= 1e-11 * o->size && longest >= 0.5 * last)) return true;
+        if (longest <= m->tolerance * o->size || (longest <= 1e-11 * o->size && longest >= 0.5 * last))
+            return true;
         if (longest > 0.3 * last && same > 2) o->ready = false;
         last = longest;
     }

@@ -17,15 +17,15 @@ struct wf_prism_work {
 struct wf_prism_motion {
     const struct wf_prism *p;
     enum wf_prism_method method;
-    double step;    /* [s] */
-    double damping; /* c [1/s] */
-    double internal; /* of dashpots beside the springs, over their constants: a motion of angular frequency w
-                      * gains the ratio internal w/2 [s]; midpoint alone */
+    double step;      /* [s] */
+    double damping;   /* c [1/s] */
+    double internal;  /* of dashpots beside the springs, over their constants: a motion of angular frequency w
+                       * gains the ratio internal w/2 [s]; midpoint alone */
     double tolerance; /* of the midpoint equations, over the size of the axes; 0: 1e-13 */
-    double gravity; /* [m s-2] */
-    double time;    /* [s] */
-    double *x, *v;  /* 9 sections: places [m] and velocities [m/s]; change them only by wf_prism_push */
-    double *load;   /* 9 sections: forces of the drops, set by the caller before a step [N] */
+    double gravity;   /* [m s-2] */
+    double time;      /* [s] */
+    double *x, *v;    /* 9 sections: places [m] and velocities [m/s]; change them only by wf_prism_push */
+    double *load;     /* 9 sections: forces of the drops, set by the caller before a step [N] */
     double kinetic, spring; /* energies now [J] */
     struct wf_prism_work work;
     size_t steps, iterations, factors; /* taken; of all steps */

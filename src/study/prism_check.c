@@ -18,7 +18,8 @@ static enum wf_status make(const struct wf_prism_rod *r, size_t n, double restor
     double *place = WF_TAKE(a, 3 * (n + 1), double), *ei = WF_TAKE(a, n, double), *gj = WF_TAKE(a, n, double);
     double *mass = WF_TAKE(a, n + 1, double), *polar = WF_TAKE(a, n + 1, double), h = r->length / (double)n;
     out->x = WF_TAKE(a, 9 * (n + 1), double), out->f = WF_TAKE(a, 9 * (n + 1), double);
-    if (!place || !ei || !gj || !mass || !polar || !out->x || !out->f) return wf_fail(e, WF_ENOMEM, "no memory");
+    if (!place || !ei || !gj || !mass || !polar || !out->x || !out->f)
+        return wf_fail(e, WF_ENOMEM, "no memory");
     out->inertia = WF_PI / 4 * pow(r->radius, 4);
     for (size_t i = 0; i <= n; i++) {
         double share = i && i < n ? h : h / 2;
@@ -27,8 +28,15 @@ static enum wf_status make(const struct wf_prism_rod *r, size_t n, double restor
         polar[i] = 2 * r->density * out->inertia * share;
         if (i < n) ei[i] = r->youngs * out->inertia, gj[i] = r->youngs / 8 * out->inertia;
     }
-    const struct wf_prism_axis axis = { .segments = n, .place = place, .normal = { 0, 0, 1 }, .bending = ei,
-                                        .torsion = gj, .mass = mass, .polar = polar, .restoring = restoring, .on = -1 };
+    const struct wf_prism_axis axis = { .segments = n,
+                                        .place = place,
+                                        .normal = { 0, 0, 1 },
+                                        .bending = ei,
+                                        .torsion = gj,
+                                        .mass = mass,
+                                        .polar = polar,
+                                        .restoring = restoring,
+                                        .on = -1 };
     enum wf_status s = wf_prism_make(&axis, 1, a, &out->p, e);
     if (!s) memcpy(out->x, out->p.rest, 9 * (n + 1) * sizeof *out->x);
     return s;
@@ -43,7 +51,8 @@ static enum wf_status deflect(const struct wf_prism_rod *r, size_t n, double res
     double small = 1e-4 * r->length, *tip;
     if (s) return s;
     for (size_t j = 0; j < 3; j++)
-        c.f[9 * n + 3 * j + 2] = small * r->youngs * c.inertia / pow(r->length, 3); /* a third of 3 E I w/L^3 */
+        c.f[9 * n + 3 * j + 2] =
+            small * r->youngs * c.inertia / pow(r->length, 3); /* a third of 3 E I w/L^3 */
     if ((s = wf_prism_settle(&c.p, c.f, c.x, a, e))) return s;
     tip = c.x + 9 * n;
     *ratio = (tip[2] + tip[5] + tip[8]) / 3 / small;

@@ -12,8 +12,8 @@
 
 enum { AIR_MOST = 20000, EVENTS_MOST = 5000 };
 
-/* Share of the damping ratio at the lowest frequency that is internal: it grows with frequency and quiets what an
- * impact excites within a section. The rest is the air's. */
+/* Share of the damping ratio at the lowest frequency that is internal: it grows with frequency and quiets
+ * what an impact excites within a section. The rest is the air's. */
 static const double internal_share = 0.2;
 
 /* A drop in the air. */
@@ -29,11 +29,11 @@ struct run {
     struct wf_water_law law;
     struct falling *air;
     size_t airs;
-    double floor, top;            /* heights at which drops end and start [m] */
-    double (*up)[3];              /* how a leaf lies */
+    double floor, top; /* heights at which drops end and start [m] */
+    double (*up)[3];   /* how a leaf lies */
     double wind[2];
-    bool seen[8];                 /* kinds of events that have a key */
-    double rebound;               /* time of the key after the first fall; INFINITY: not yet */
+    bool seen[8];   /* kinds of events that have a key */
+    double rebound; /* time of the key after the first fall; INFINITY: not yet */
     struct wf_arena *a;
 };
 
@@ -54,8 +54,13 @@ void wf_rain_spec_default(struct wf_rain_spec *s, bool printed)
     wf_water_law_default(&s->water, printed);
     s->scene.diagonal = printed;
     s->scene.restoring = printed ? 1 : 0;
-    s->rain = (struct wf_rain){ .law = &wf_fall_laws[0], .diameter = 3e-3, .least = 0.5e-3, .largest = 6e-3,
-                                .jitter = 0.2, .slot = 0.1, .seed = 1 };
+    s->rain = (struct wf_rain){ .law = &wf_fall_laws[0],
+                                .diameter = 3e-3,
+                                .least = 0.5e-3,
+                                .largest = 6e-3,
+                                .jitter = 0.2,
+                                .slot = 0.1,
+                                .seed = 1 };
 }
 
 /* ---- Start ---- */
@@ -65,12 +70,14 @@ static enum wf_status check(const struct wf_rain_spec *s, struct wf_err *e)
     enum wf_status status = wf_water_law_check(&s->water, e);
     if (status) return status;
     if (!(s->loss >= 0 && s->loss <= 1))
-        return wf_fail(e, WF_EUSAGE, "the share of energy lost on impact, epsilon, is 0 to 1, not %g", s->loss);
+        return wf_fail(e, WF_EUSAGE, "the share of energy lost on impact, epsilon, is 0 to 1, not %g",
+                       s->loss);
     if (!(s->splash >= 0 && s->splash <= 1) || !(s->lever >= 0 && s->lever <= 1))
         return wf_fail(e, WF_EUSAGE, "the splash share and the cap of the lever are 0 to 1");
     if (!(s->step > 0) || !(s->duration >= s->step) || s->duration / s->step > 1e8 || !(s->frame >= s->step))
-        return wf_fail(e, WF_EUSAGE, "a run needs a step above 0, a duration of one step or more, and frames no "
-                                     "shorter than a step");
+        return wf_fail(e, WF_EUSAGE,
+                       "a run needs a step above 0, a duration of one step or more, and frames no "
+                       "shorter than a step");
     if (!(s->damping >= 0 && s->damping < 1))
         return wf_fail(e, WF_EUSAGE, "a damping ratio is 0 or more and below 1, not %g", s->damping);
     if (!(s->fall > 0)) return wf_fail(e, WF_EUSAGE, "drops start above the scene");
@@ -92,13 +99,16 @@ static enum wf_status place_rain(struct run *r, struct wf_rain *rain, struct wf_
     size_t steps = (size_t)(r->s->duration / r->s->step);
     for (size_t i = 0; i < sc->places; i++)
         for (int c = 0; c < 3; c++)
-            low[c] = fmin(low[c], sc->place[3 * i + (size_t)c]), high[c] = fmax(high[c], sc->place[3 * i + (size_t)c]);
+            low[c] = fmin(low[c], sc->place[3 * i + (size_t)c]),
+            high[c] = fmax(high[c], sc->place[3 * i + (size_t)c]);
     for (size_t i = 0; i < steps && r->s->wind; i++)
         for (size_t c = 0; c < 2; c++)
             most[c] = fmax(most[c], r->s->wind[2 * i + c]), least[c] = fmin(least[c], r->s->wind[2 * i + c]);
     r->top = high[2] + r->s->fall, r->floor = low[2] - 0.05;
-    double slow = r->s->printed ? 0 : r->s->rain.law->speed(rain->intensity > 0 ? rain->least : rain->diameter);
-    double lasts = r->s->printed ? sqrt(2 * (r->top - r->floor) / r->law.gravity) : (r->top - r->floor) / slow;
+    double slow =
+        r->s->printed ? 0 : r->s->rain.law->speed(rain->intensity > 0 ? rain->least : rain->diameter);
+    double lasts =
+        r->s->printed ? sqrt(2 * (r->top - r->floor) / r->law.gravity) : (r->top - r->floor) / slow;
     if (!(lasts > 0) || !isfinite(lasts))
         return wf_fail(e, WF_EUSAGE, "drops of %g mm do not fall by the law '%s'",
                        1000 * (rain->intensity > 0 ? rain->least : rain->diameter), rain->law->name);
@@ -131,9 +141,13 @@ static enum wf_status start(struct run *r, struct wf_rain *rain, struct wf_err *
     double inner = s->method == WF_PRISM_EULER ? 0 : internal_share;
     out->damping = 2 * s->damping * (1 - inner) * WF_TURN * out->frequency;
     out->euler_limit = wf_prism_euler_limit(out->damping, omega);
-    r->m = (struct wf_prism_motion){ .p = &sc->prism, .method = s->method, .step = s->step,
-                                     .damping = out->damping, .tolerance = 1e-12,
-                                     .internal = 2 * s->damping * inner / (WF_TURN * out->frequency), .gravity = r->law.gravity };
+    r->m = (struct wf_prism_motion){ .p = &sc->prism,
+                                     .method = s->method,
+                                     .step = s->step,
+                                     .damping = out->damping,
+                                     .tolerance = 1e-12,
+                                     .internal = 2 * s->damping * inner / (WF_TURN * out->frequency),
+                                     .gravity = r->law.gravity };
     if ((status = wf_prism_begin(&r->m, sc->rest, r->a, e))) return status;
     out->energy.start = r->m.spring;
     return WF_OK;
@@ -146,7 +160,8 @@ static void note(struct run *r, const char *what, size_t leaf, double mass)
     struct wf_rain_result *o = r->out;
     o->events_all++;
     if (o->events < EVENTS_MOST)
-        o->event[o->events++] = (struct wf_rain_event){ .time = r->m.time, .mass = mass, .leaf = leaf, .what = what };
+        o->event[o->events++] =
+            (struct wf_rain_event){ .time = r->m.time, .mass = mass, .leaf = leaf, .what = what };
 }
 
 /* Maps of wetness and depth of a leaf. */
@@ -161,7 +176,8 @@ static void map_leaf(const struct run *r, size_t leaf, struct wf_rain_key *k)
                                    (((double)j + 0.5) / WF_RAIN_MAP * 2 - 1) * w->blade.half };
             size_t gi = i * w->grid / WF_RAIN_MAP, gj = j * w->grid / WF_RAIN_MAP;
             bool in = fabs(at[1]) < wf_blade_half(&w->blade, at[0]);
-            k->wetness[i * WF_RAIN_MAP + j] = in ? (float)wf_leaf_wetness(w, &r->law, gi, gj, r->m.time) : NAN;
+            k->wetness[i * WF_RAIN_MAP + j] =
+                in ? (float)wf_leaf_wetness(w, &r->law, gi, gj, r->m.time) : NAN;
             k->height[i * WF_RAIN_MAP + j] = in ? (float)wf_leaf_height(w, &r->law, &lie, at) : NAN;
         }
 }
@@ -171,7 +187,8 @@ static enum wf_status keep_key(struct run *r, const char *event, size_t leaf, st
     struct wf_rain_result *o = r->out;
     if (o->keys == WF_RAIN_KEYS) return WF_OK;
     struct wf_rain_key *k = &o->key[o->keys];
-    size_t cells = (size_t)WF_RAIN_MAP * WF_RAIN_MAP, shown = r->airs < WF_RAIN_AIR_SHOWN ? r->airs : WF_RAIN_AIR_SHOWN;
+    size_t cells = (size_t)WF_RAIN_MAP * WF_RAIN_MAP,
+           shown = r->airs < WF_RAIN_AIR_SHOWN ? r->airs : WF_RAIN_AIR_SHOWN;
     *k = (struct wf_rain_key){ .event = event, .time = r->m.time, .leaf = leaf, .air = shown };
     k->place = WF_TAKE(r->a, 3 * o->scene.places, double);
     k->water = WF_TAKE(r->a, 1, struct wf_leaf_water);
@@ -228,8 +245,11 @@ static void emit(struct run *r, const struct wf_rain *rain, uint64_t step)
  * falls. */
 static void emit_staged(struct run *r, uint64_t step)
 {
-    static const double at[][3] = { { 0.05, 0.45, 0.5 },  { 0.25, 0.45, 0.42 }, { 0.45, 0.5, -0.4 },
-                                    { 0.65, 0.5, -0.36 }, { 0.85, 0.7, 0.2 } };
+    static const double at[][3] = { { 0.05, 0.45, 0.5 },
+                                    { 0.25, 0.45, 0.42 },
+                                    { 0.45, 0.5, -0.4 },
+                                    { 0.65, 0.5, -0.36 },
+                                    { 0.85, 0.7, 0.2 } };
     for (size_t k = 0; k < WF_COUNT(at); k++) {
         if (step != (uint64_t)(at[k][0] / r->s->step + 0.5)) continue;
         const struct wf_blade *b = &r->out->scene.blade;
@@ -328,7 +348,8 @@ static enum wf_status fall(struct run *r, struct wf_err *e)
 
 /* ---- Water on the leaves ---- */
 
-static enum wf_status leaf_events(struct run *r, size_t k, const size_t before[WF_WATER_EVENTS], struct wf_err *e)
+static enum wf_status leaf_events(struct run *r, size_t k, const size_t before[WF_WATER_EVENTS],
+                                  struct wf_err *e)
 {
     struct wf_leaf_water *w = &r->out->leaf[k];
     enum wf_status status = WF_OK;
@@ -353,8 +374,8 @@ static enum wf_status leaf_events(struct run *r, size_t k, const size_t before[W
     return status;
 }
 
-/* Force of a drop on the leaf: its weight; while it runs, what presses and rubs. As printed the pressure G2 with
- * the lever phi at the vein's tip (14, 15). */
+/* Force of a drop on the leaf: its weight; while it runs, what presses and rubs. As printed the pressure G2
+ * with the lever phi at the vein's tip (14, 15). */
 static void load_by(struct run *r, size_t k, const struct wf_leaf_drop *d, const struct wf_leaf_lie *lie)
 {
     double g = r->law.gravity, force[3] = { 0, 0, -d->mass * g }, along[2], press, normal[3], at[2];
@@ -365,11 +386,11 @@ static void load_by(struct run *r, size_t k, const struct wf_leaf_drop *d, const
     if (r->s->printed) {
         double phi = fmin(d->at[0] / r->out->leaf[k].blade.length, r->s->lever);
         wf_scene_normal(&r->out->scene, r->m.x, k, d->at, normal);
-        for (int c = 0; c < 3; c++)
-            force[c] = phi * (hangs ? force[c] : -d->mass * press * normal[c]);
+        for (int c = 0; c < 3; c++) force[c] = phi * (hangs ? force[c] : -d->mass * press * normal[c]);
         at[0] = r->out->leaf[k].blade.length;
     } else if (d->state == WF_DROP_RUN) { /* the part of the weight along the leaf moves the drop */
-        double share = fmin(1, wf_leaf_friction(&r->law, d, press) / (d->mass * fmax(hypot(along[0], along[1]), 1e-9)));
+        double share =
+            fmin(1, wf_leaf_friction(&r->law, d, press) / (d->mass * fmax(hypot(along[0], along[1]), 1e-9)));
         wf_scene_normal(&r->out->scene, r->m.x, k, d->at, normal);
         for (int c = 0; c < 3; c++) {
             double down = -d->mass * press * normal[c];

@@ -31,7 +31,8 @@ void wf_scene_spec_default(struct wf_scene_spec *s)
 /* ---- Axes ---- */
 
 /* Columns of an axis, filled segment by segment. */
-static enum wf_status open_axis(struct wf_prism_axis *x, size_t segments, struct wf_arena *a, struct wf_err *e)
+static enum wf_status open_axis(struct wf_prism_axis *x, size_t segments, struct wf_arena *a,
+                                struct wf_err *e)
 {
     *x = (struct wf_prism_axis){ .segments = segments, .on = -1 };
     x->place = WF_TAKE(a, 3 * (segments + 1), double);
@@ -79,7 +80,8 @@ static enum wf_status make_branch(const struct wf_scene_spec *s, struct wf_arena
                 continue;
             }
             double r = wf_between(s->radius[0], s->radius[1], (done + h / 2) / length);
-            double shear = wood->shear_modulus.given ? wood->shear_modulus.value : wood->youngs_modulus.value / 16;
+            double shear =
+                wood->shear_modulus.given ? wood->shear_modulus.value : wood->youngs_modulus.value / 16;
             set_segment(x, i, r, h, wood->youngs_modulus.value, shear, wood->density.value);
             done += h;
         }
@@ -134,7 +136,8 @@ static enum wf_status make_leaf(const struct wf_scene_spec *s, const struct wf_b
 
 /* ---- Blades, wood, boxes ---- */
 
-void wf_scene_blade_point(const struct wf_rain_scene *s, size_t k, const double at[2], struct wf_prism_point *out)
+void wf_scene_blade_point(const struct wf_rain_scene *s, size_t k, const double at[2],
+                          struct wf_prism_point *out)
 {
     const struct wf_scene_leaf *l = &s->leaf[k];
     double u = fmin(fmax(at[0] / l->length, 0), 1) * (double)l->vein, share[3];
@@ -189,10 +192,11 @@ static enum wf_status make_bodies(struct wf_rain_scene *s, struct wf_arena *a, s
     for (size_t k = 0; k <= n; k++) {
         size_t from = (size_t)s->prism.first[k], nodes = k ? s->spec.petiole_prisms + 1 : s->sections;
         for (size_t i = 0; i + 1 < nodes; i++)
-            body[bodies++] = (struct wf_body){ .at = { axes + (int32_t)(from + i), axes + (int32_t)(from + i + 1), -1 },
-                                               .part = (int32_t)(n + 1 + from + i),
-                                               .r0 = wood_radius(s, k, i, nodes),
-                                               .r1 = wood_radius(s, k, i + 1, nodes) };
+            body[bodies++] =
+                (struct wf_body){ .at = { axes + (int32_t)(from + i), axes + (int32_t)(from + i + 1), -1 },
+                                  .part = (int32_t)(n + 1 + from + i),
+                                  .r0 = wood_radius(s, k, i, nodes),
+                                  .r1 = wood_radius(s, k, i + 1, nodes) };
     }
     s->vertices = n * s->mesh.points + s->prism.sections, s->facets = triangles + wood;
     for (size_t i = 0; i < s->places; i++) wf_prism_at(&s->point[i], s->rest, s->place + 3 * i);
@@ -201,7 +205,8 @@ static enum wf_status make_bodies(struct wf_rain_scene *s, struct wf_arena *a, s
 
 static enum wf_status check(const struct wf_scene_spec *s, struct wf_err *e)
 {
-    if (s->leaves < 1 || s->leaves > 64) return wf_fail(e, WF_EUSAGE, "a scene has 1 to 64 leaves, not %zu", s->leaves);
+    if (s->leaves < 1 || s->leaves > 64)
+        return wf_fail(e, WF_EUSAGE, "a scene has 1 to 64 leaves, not %zu", s->leaves);
     if (!(s->leaf_length > 0) || !(s->petiole > 0) || !(s->branch > 0) || !(s->radius[0] > 0) ||
         !(s->radius[1] > 0) || !(s->petiole_radius > 0))
         return wf_fail(e, WF_EINPUT, "leaf, petiole and branch need a length and a radius above 0");
@@ -230,7 +235,8 @@ enum wf_status wf_scene_make(const struct wf_scene_spec *spec, double gravity, s
     if (status) return status;
     *out = (struct wf_rain_scene){ .spec = *spec };
     struct wf_rain_scene *s = out;
-    s->blade = (struct wf_blade){ spec->form, spec->leaf_length, spec->leaf_length * spec->form->breadth / 2 };
+    s->blade =
+        (struct wf_blade){ spec->form, spec->leaf_length, spec->leaf_length * spec->form->breadth / 2 };
     if ((status = wf_blade_mesh_make(&s->blade, spec->mesh[0], spec->mesh[1], a, &s->mesh, e))) return status;
     struct wf_prism_axis *axis = WF_TAKE(a, spec->leaves + 1, struct wf_prism_axis);
     s->leaf = WF_TAKE(a, spec->leaves, struct wf_scene_leaf);
@@ -243,7 +249,8 @@ enum wf_status wf_scene_make(const struct wf_scene_spec *spec, double gravity, s
         double way[3];
         size_t on;
         leaf_way(spec, s->sections, k, &on, way);
-        if ((status = make_leaf(spec, &s->blade, axis[0].place + 3 * on, way, a, &axis[k + 1], e))) return status;
+        if ((status = make_leaf(spec, &s->blade, axis[0].place + 3 * on, way, a, &axis[k + 1], e)))
+            return status;
         axis[k + 1].on = (int32_t)on;
         s->leaf[k] = (struct wf_scene_leaf){ .first = section,
                                              .blade = section + spec->petiole_prisms,
@@ -274,7 +281,8 @@ void wf_scene_lie(const struct wf_rain_scene *s, const double *x, size_t k, doub
     }
 }
 
-void wf_scene_normal(const struct wf_rain_scene *s, const double *x, size_t k, const double at[2], double out[3])
+void wf_scene_normal(const struct wf_rain_scene *s, const double *x, size_t k, const double at[2],
+                     double out[3])
 {
     double u = fmin(fmax(at[0] / s->leaf[k].length, 0), 1) * (double)s->leaf[k].vein;
     double centre[3], along[3], left[3], normal[3], side = at[1] > 0 ? 1 : at[1] < 0 ? -1 : 0;

@@ -12,18 +12,18 @@ struct wf_scene_spec {
     const struct wf_species *species; /* its last level of wood; its leaf mass per area                  */
     const struct wf_leaf_form *form;
     size_t leaves;
-    double leaf_length, petiole;      /* of the main vein; of the petiole [m]                            */
-    double branch, radius[2];         /* its length; radius at base and tip [m]                          */
-    double height, rise;              /* of its base above the ground [m]; slope of the branch [rad]     */
-    double droop;                     /* slope of the leaves below the level [rad]                       */
-    double fold;                      /* of the blades' halves [rad]                                     */
+    double leaf_length, petiole; /* of the main vein; of the petiole [m]                            */
+    double branch, radius[2];    /* its length; radius at base and tip [m]                          */
+    double height, rise;         /* of its base above the ground [m]; slope of the branch [rad]     */
+    double droop;                /* slope of the leaves below the level [rad]                       */
+    double fold;                 /* of the blades' halves [rad]                                     */
     double petiole_radius, petiole_youngs, petiole_density; /* [m], [Pa], [kg m-3]                       */
-    double bend_over_twist;           /* EI/GJ of petioles [-]                                           */
+    double bend_over_twist; /* EI/GJ of petioles [-]                                           */
     size_t prisms, petiole_prisms, vein_prisms;
-    size_t mesh[2];                   /* rows along, points from the vein to the edge                    */
-    double restoring;                 /* [N/m]                                                           */
-    bool diagonal;                    /* mass as printed                                                 */
-    const double *nodes;              /* of the branch, 3 each, root first; NULL: straight               */
+    size_t mesh[2];      /* rows along, points from the vein to the edge                    */
+    double restoring;    /* [N/m]                                                           */
+    bool diagonal;       /* mass as printed                                                 */
+    const double *nodes; /* of the branch, 3 each, root first; NULL: straight               */
     size_t node_count;
 };
 /* Defaults: five ovate leaves of 8 cm on a branch of 40 cm; the assumed values are listed in docs/rain.md. */
@@ -48,7 +48,7 @@ struct wf_rain_scene {
     struct wf_prism_point *point; /* of each place                                            */
     struct wf_hits hits;          /* parts: leaf k; leaves + 1 + section: wood above a section */
     size_t vertices, facets;
-    double *rest;                 /* 9 sections: at rest under its weight [m]                 */
+    double *rest; /* 9 sections: at rest under its weight [m]                 */
 };
 
 /* Build the scene and let it sag under its weight. Errors: WF_EINPUT for sizes that make no scene, those of
@@ -58,11 +58,13 @@ enum wf_status wf_scene_make(const struct wf_scene_spec *s, double gravity, stru
 /* Move places and boxes with the prisms. */
 void wf_scene_follow(struct wf_rain_scene *s, const double *x);
 /* A point of the blade of leaf k, (along the vein, across). */
-void wf_scene_blade_point(const struct wf_rain_scene *s, size_t k, const double at[2], struct wf_prism_point *out);
+void wf_scene_blade_point(const struct wf_rain_scene *s, size_t k, const double at[2],
+                          struct wf_prism_point *out);
 /* A point of the axis of wood between a section and the next one. */
 void wf_scene_wood_point(size_t section, double share, struct wf_prism_point *out);
 /* How leaf k lies: vein prisms + 1 rows into `up`. */
 void wf_scene_lie(const struct wf_rain_scene *s, const double *x, size_t k, double (*up)[3]);
 /* Unit normal of the blade of leaf k at a place. */
-void wf_scene_normal(const struct wf_rain_scene *s, const double *x, size_t k, const double at[2], double out[3]);
+void wf_scene_normal(const struct wf_rain_scene *s, const double *x, size_t k, const double at[2],
+                     double out[3]);
 #endif
