@@ -69,22 +69,34 @@ void wf_marshall_palmer(double intensity, double low, double high, const struct 
     }
 }
 
-/* Diameters that divide the arriving drops into classes of equal number. */
+/* Share of the arriving drops below each of the evenly spaced diameters. */
 static void divide(struct wf_rain *r, double total)
 {
-    enum { PARTS = 20000 };
-    double slope = slope_of(r->intensity), step = (r->largest - r->least) / PARTS, sum = 0;
-    size_t k = 0;
-    r->size[k++] = r->least;
-    for (int i = 0; i < PARTS && k < WF_RAIN_CLASSES; i++) {
-        double d = r->least + (i + 0.5) * step, more = number_of(slope, d) * r->law->speed(d) * step / total;
-        while (k < WF_RAIN_CLASSES && sum + more >= (double)k / WF_RAIN_CLASSES) {
-            double part = ((double)k / WF_RAIN_CLASSES - sum) / more;
-            r->size[k++] = r->least + (i + part) * step;
+    enum { PARTS = 16 }; /* of a class */
+    double slope = slope_of(r->intensity), step = (r->largest - r->least) / (WF_RAIN_CLASSES * PARTS);
+    for (int k = 0; k < WF_RAIN_CLASSES; k++) {
+        r->below[k + 1] = r->below[k];
+        for (int i = 0; i < PARTS; i++) {
+            double d = r->least + (k * PARTS + i + 0.5) * step;
+            r->below[k + 1] += number_of(slope, d) * r->law->speed(d) * step / total;
         }
-        sum += more;
     }
-    while (k <= WF_RAIN_CLASSES) r->size[k++] = r->largest;
+}
+
+/* The diameter below which a share of the arriving drops is. */
+static double diameter_of(const struct wf_rain *r, double share)
+{
+    size_t low = 0, high = WF_RAIN_CLASSES;
+    share *= r->below[WF_RAIN_CLASSES];
+    while (high - low > 1) {
+        size_t mid = (low + high) / 2;
+        if (r->below[mid] <= share)
+            low = mid;
+        else
+            high = mid;
+    }
+    double part = (share - r->below[low]) / (r->below[high] - r->below[low]);
+    return wf_between(r->least, r->largest, ((double)low + part) / WF_RAIN_CLASSES);
 }
 
 static enum wf_status check(const struct wf_rain *r, struct wf_err *e)
@@ -108,7 +120,7 @@ static enum wf_status check(const struct wf_rain *r, struct wf_err *e)
 enum wf_status wf_rain_make(struct wf_rain *r, struct wf_err *e)
 {
     enum wf_status s = check(r, e);
-    r->scale = 1;
+    r->scale = 1, r->below[0] = 0;
     if (s || !(r->intensity > 0)) return s;
     struct wf_spectrum_sums sums;
     wf_marshall_palmer(r->intensity, r->least, r->largest, r->law, &sums);
@@ -152,9 +164,7 @@ size_t wf_rain_count(const struct wf_rain *r, uint64_t step, double time, double
 void wf_rain_drop(const struct wf_rain *r, uint64_t step, size_t k, struct wf_raindrop *out)
 {
     uint64_t stream = wf_random_stream(PURPOSE_DROP, step & 0xfffffff, step >> 28), at = 4 * (uint64_t)k;
-    double u = wf_random_uniform(r->seed, stream, at) * WF_RAIN_CLASSES;
-    size_t i = (size_t)u;
-    out->diameter = r->intensity > 0 ? wf_between(r->size[i], r->size[i + 1], u - (double)i) : r->diameter;
+    out->diameter = r->intensity > 0 ? diameter_of(r, wf_random_uniform(r->seed, stream, at)) : r->diameter;
     out->x = wf_between(r->low[0], r->high[0], wf_random_uniform(r->seed, stream, at + 1));
     out->y = wf_between(r->low[1], r->high[1], wf_random_uniform(r->seed, stream, at + 2));
     out->when = wf_random_uniform(r->seed, stream, at + 3);

@@ -39,8 +39,8 @@ struct wf_rain {
     double slot;            /* time for which a random factor holds [s]                        */
     uint64_t seed;
     /* made by wf_rain_make */
-    double scale;                     /* on the spectrum's number, so that its flux is the intensity     */
-    double size[WF_RAIN_CLASSES + 1]; /* diameters that divide the arriving drops evenly [m]  */
+    double scale;                      /* on the spectrum's number, so that its flux is the intensity     */
+    double below[WF_RAIN_CLASSES + 1]; /* share of the drops below evenly spaced diameters [-] */
 };
 struct wf_raindrop {
     double diameter, x, y; /* [m] */
