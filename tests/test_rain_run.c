@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "close.h"
 #include "load/load.h"
+#include "study/rain_departures.h"
 #include "study/rain_run.h"
 #include <stdlib.h>
 #include <string.h>
@@ -74,6 +75,7 @@ static void staged(void **state)
         assert_true(up > 1e-4 && side > 1e-4 && turn > 0.02);
         /* the load of what hung vanishes at once */
         assert_true(drop > 0.9 * 1.7e-5 * 9.8);
+        wf_rain_departures(&c.r, &c.d);
         assert_true(warned(&c.d, "assumed-values"));
         assert_int_equal(warned(&c.d, "impact-energy"), printed);
         assert_int_equal(warned(&c.d, "explicit-euler"), printed);

@@ -10,6 +10,7 @@
 #include "data/species.h"
 #include "load/drop_shape.h"
 #include "out/rain_results.h"
+#include "study/rain_departures.h"
 #include "wind/gust.h"
 #include <math.h>
 #include <stdio.h>
@@ -311,6 +312,7 @@ static enum wf_status rain(const struct rain_options *o, struct wf_doc_head *hea
     if ((s = wf_results_begin(f, o->output, o->no_report ? NULL : "rain", e))) return s;
     wf_progress("%.4g s of rain on %zu leaves ...", spec.duration, spec.scene.leaves);
     s = wf_rain_run(&spec, a, d, &result, e);
+    if (!s) wf_rain_departures(&result, d);
     if (!s) s = compare_prisms(&spec.scene, a, &page, e);
     wf_progress(NULL);
     if (s) return s;
@@ -429,6 +431,7 @@ static enum wf_status paper_runs(const struct wf_species *sp, struct wf_rain_spe
             spec[r].drops = 200, spec[r].duration = 2, spec[r].rain.middle = 1, spec[r].rain.width = 0.4;
         wf_progress("run %zu of %d: %s ...", r + 1, PAPER_RUNS, page->run[r].name);
         s = wf_rain_run(&spec[r], a, &diag[r], &result[r], e);
+        if (!s) wf_rain_departures(&result[r], &diag[r]);
         wf_progress(NULL);
         page->n += !s;
     }

@@ -161,15 +161,6 @@ double wf_leaf_wetness(const struct wf_leaf_water *w, const struct wf_water_law 
     return v > -INFINITY ? fmin(1, exp(v + log(law->zeta) * time)) : 0;
 }
 
-double wf_leaf_wetted(const struct wf_leaf_water *w, const struct wf_water_law *law, double least,
-                      double time)
-{
-    double bound = log(least) - log(law->zeta) * time;
-    size_t n = 0;
-    for (size_t k = 0; k < w->grid * w->grid; k++) n += (double)w->wet[k] > bound;
-    return w->cells ? (double)n / (double)w->cells : 0;
-}
-
 /* ---- Arriving and merging ---- */
 
 static void remove_drop(struct wf_leaf_water *w, size_t i)

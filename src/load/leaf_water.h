@@ -99,9 +99,6 @@ double wf_leaf_water_held(const struct wf_leaf_water *w);
 /* Wetness gamma of a cell at a time; 0 where it never was wet. */
 double wf_leaf_wetness(const struct wf_leaf_water *w, const struct wf_water_law *law, size_t i, size_t j,
                        double time);
-/* Share of the blade with a wetness above `least`. */
-double wf_leaf_wetted(const struct wf_leaf_water *w, const struct wf_water_law *law, double least,
-                      double time);
 /* Height of water above the leaf at a place: drops and subdrops [m]. */
 double wf_leaf_height(const struct wf_leaf_water *w, const struct wf_water_law *law,
                       const struct wf_leaf_lie *lie, const double at[2]);

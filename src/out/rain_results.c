@@ -186,6 +186,27 @@ static void budget(FILE *f, const struct wf_rain_page *p)
     }
 }
 
+/* The four kinds of springs with the range of their constants. */
+static void springs(FILE *f, const struct wf_rain_page *p)
+{
+    fputs("run,row,joins,springs,lowest_N_m,highest_N_m\n", f);
+    for (size_t r = 0; r < p->n; r++)
+        for (int32_t k = 0; k < WF_PRISM_ROWS; k++) {
+            const struct wf_prism *q = &p->run[r].of->scene.prism;
+            double low = INFINITY, high = 0;
+            size_t n = 0;
+            for (size_t i = 0; i < q->springs; i++) {
+                if (q->spring[i].row != k) continue;
+                low = fmin(low, q->spring[i].k), high = fmax(high, q->spring[i].k), n++;
+            }
+            fprintf(f, "%zu,%s,\"%s\",%zu,", r + 1, wf_prism_kinds[k].name, wf_prism_kinds[k].joins, n);
+            if (n)
+                fprintf(f, "%.5g,%.5g\n", low, high);
+            else
+                fputs(",\n", f);
+        }
+}
+
 static void prisms(FILE *f, const struct wf_rain_page *p)
 {
     fputs("prisms,tip_error,twist_error,frequency_error,tip_with_restoring\n", f);
@@ -408,18 +429,15 @@ enum wf_status wf_rain_results_write(const struct wf_rain_page *p, const struct 
         const char *name;
         void (*write)(FILE *f, const struct wf_rain_page *p);
         bool left_out;
-    } table[] = { { "tables/series.csv", series, false },
-                  { "tables/keys.csv", keys, false },
-                  { "tables/scene.csv", scene, false },
-                  { "tables/air.csv", air, false },
-                  { "tables/drops.csv", drops, false },
-                  { "tables/events.csv", events, false },
-                  { "tables/budget.csv", budget, false },
-                  { "tables/prisms.csv", prisms, false },
-                  { "tables/falls.csv", falls, false },
-                  { "tables/speeds.csv", speeds, !p->speeds },
-                  { "tables/clusters.csv", clusters, !p->clusters },
-                  { "tables/points.csv", points, !p->clusters } };
+    } table[] = {
+        { "tables/series.csv", series, false },       { "tables/keys.csv", keys, false },
+        { "tables/scene.csv", scene, false },         { "tables/air.csv", air, false },
+        { "tables/drops.csv", drops, false },         { "tables/events.csv", events, false },
+        { "tables/budget.csv", budget, false },       { "tables/prisms.csv", prisms, false },
+        { "tables/springs.csv", springs, false },     { "tables/falls.csv", falls, false },
+        { "tables/speeds.csv", speeds, !p->speeds },  { "tables/clusters.csv", clusters, !p->clusters },
+        { "tables/points.csv", points, !p->clusters }
+    };
     enum wf_status s = wf_folder_make(folder, e);
     for (size_t i = 0; i < WF_COUNT(table) && !s; i++) {
         struct wf_file f = { 0 };

@@ -29,7 +29,7 @@ struct wf_rain_page {
     const struct wf_clusters *clusters;
 };
 /* Write
- * FOLDER/tables/{series,keys,scene,air,drops,map_RUN_KEY,events,budget,prisms,falls,speeds,clusters,points}.csv
+ * FOLDER/tables/{series,keys,scene,air,drops,map_RUN_KEY,events,budget,springs,prisms,falls,speeds,clusters,points}.csv
  * (the last three where there are any), plots/run.csv and results.json. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_rain_results_write(const struct wf_rain_page *p, const struct wf_doc_head *head,
                                      const char *folder, struct wf_err *e);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/prism.h"
 #include "base/vec3.h"
-#include "solve/prism_blocks.h"
 #include <math.h>
 #include <string.h>
 

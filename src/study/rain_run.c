@@ -5,7 +5,6 @@
 #include "base/vec3.h"
 #include "load/drop_shape.h"
 #include "solve/prism_rest.h"
-#include "study/rain_departures.h"
 #include <math.h>
 #include <string.h>
 #include <time.h>
@@ -584,6 +583,5 @@ enum wf_status wf_rain_run(const struct wf_rain_spec *s, struct wf_arena *a, str
     out->seconds = (double)(clock() - begun) / CLOCKS_PER_SEC;
     out->iterations = r.m.iterations, out->factors = r.m.factors;
     close_budgets(&r);
-    wf_rain_departures(out, d);
     return ring_down(out, a, e);
 }

@@ -88,7 +88,7 @@ struct wf_rain_result {
 
 /* Defaults; printed: those of the paper. */
 void wf_rain_spec_default(struct wf_rain_spec *s, bool printed);
-/* Run. Warnings: departures of the printed formulas (with printed), `assumed-values`. Errors: WF_EUSAGE for a
+/* Run. What of it is not physics is said by study/rain_departures.h. Errors: WF_EUSAGE for a
  * value out of range; those of the scene, the rain and the prisms; WF_EINTERRUPTED after nothing was made. */
 enum wf_status wf_rain_run(const struct wf_rain_spec *s, struct wf_arena *a, struct wf_diag *d,
                            struct wf_rain_result *out, struct wf_err *e);
