@@ -27,11 +27,11 @@ static const struct {
     { COUNT | TEXT, "level seed version" },
     { FLAG, "staged as_printed converged energy estimated given nuisance priors searched_to_the_end "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
-    { LIST,
-      "at classes_m_s criteria figures files findings hours_a_year_above methods move_m "
-      "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
-      "budget speeds sways swing_m table_share table_speed_m_s tables taper_at taper_share thirds trees "
-      "values walls warnings wind_m_s winds" },
+    { LIST, "at classes_m_s criteria figures files findings hours_a_year_above methods move_m "
+            "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
+            "budget criticals_m_s deflections_m frequencies_Hz moments_N_m speeds sways swing_m table_share "
+            "table_speed_m_s tables taper_at taper_share thirds trees "
+            "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
     { NUMBER, "aicc arriving_ratio asked base_moment_open_N_m base_moment_own_N_m beam bootstrap_high "
               "bootstrap_low bound_high bound_low cell_m chi_square coherence_error components "
@@ -44,22 +44,24 @@ static const struct {
               "speed_exceeded_1_percent_m_s speed_m_s speed_share start steepest_slope step_s steps "
               "time_scale_s tip tip_deflection_largest_m tip_deflection_mean_m topex_distance_m "
               "transmission typed_sum value wind_mean_m_s windward_m within_5_percent wood_m2 "
-              "youngs_modulus_Pa decrement diameter_mm drops duration_s euler_limit_s fallen_at_s "
+              "youngs_modulus_Pa film_mm leaf_area_m2 mass_kg decrement diameter_mm drops duration_s "
+              "euler_limit_s fallen_at_s "
               "frequency_Hz frequency_percent hanging_mg intensity_mm_h paper restoring_N_m "
               "ring_decrement ring_frequency_Hz spread_mm steps_a_second tests_a_way tip_percent "
               "twist_percent water_off energy_off with_restoring damping_ratio" },
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
-    { OBJECT, "clusters air_density all altitude attenuation averaging_time axis_drag azimuth base_moment "
-              "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "
-              "crown_top displacement drag exponent fit from governing_section gradient gravity "
-              "hours_a_year hours_a_year_10_min imbalance largest_stress leaf_area lean lean_azimuth "
-              "least_safety lift load_factor main_from method moved north position provenance "
-              "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
-              "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
-              "strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
-              "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
-              "wind_profile" },
+    { OBJECT,
+      "clusters wetted air_density all altitude attenuation averaging_time axis_drag azimuth base_moment "
+      "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "
+      "crown_top displacement drag exponent fit from governing_section gradient gravity "
+      "hours_a_year hours_a_year_10_min imbalance largest_stress leaf_area lean lean_azimuth "
+      "least_safety lift load_factor main_from method moved north position provenance "
+      "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
+      "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
+      "strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
+      "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
+      "wind_profile" },
     { TEXT, "form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
             "code command "
             "criterion date differs file generator ground_file gust key kind latin loss meaning name "
