@@ -118,7 +118,7 @@
       <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$r/restoring_N_m"/></xsl:call-template></xsl:with-param>
     </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">c.rn.prisms:;c.rn.tip:%;c.rn.twist:%;c.rn.f1:%;c.rn.held:–</xsl:with-param>
+      <xsl:with-param name="of">c.rn.prisms:;c.rn.tip:%;c.rn.twist:%;c.rn.f1:%;c.rn.held:–;c.rn.quick:–</xsl:with-param>
     </xsl:call-template></tr></thead>
     <tbody>
       <xsl:for-each select="$r/prisms/item">
@@ -128,6 +128,7 @@
           <xsl:call-template name="cell"><xsl:with-param name="x" select="twist_percent"/><xsl:with-param name="pattern">0.000</xsl:with-param></xsl:call-template>
           <xsl:call-template name="cell"><xsl:with-param name="x" select="frequency_percent"/><xsl:with-param name="pattern">0.000</xsl:with-param></xsl:call-template>
           <xsl:call-template name="cell"><xsl:with-param name="x" select="with_restoring"/><xsl:with-param name="pattern">0.000</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="cell"><xsl:with-param name="x" select="frequency_with_restoring"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
         </tr>
       </xsl:for-each>
     </tbody>

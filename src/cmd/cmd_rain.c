@@ -7,7 +7,9 @@
 #include "cmd/option.h"
 #include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
+#include "data/model.h"
 #include "data/species.h"
+#include "grow/grow.h"
 #include "load/drop_shape.h"
 #include "out/rain_results.h"
 #include "study/rain_departures.h"
@@ -22,8 +24,8 @@ static const char *gust_word(size_t i) { return i ? wf_gust_models[i - 1].name :
 
 struct rain_options {
     struct wf_args args;
-    const char *species, *form, *preset, *points, *storm, *method, *fall_law, *gust, *set;
-    size_t leaves, drops, grid, prisms, clusters, seed, subdrops;
+    const char *species, *form, *preset, *points, *model, *storm, *method, *fall_law, *gust, *set;
+    size_t leaves, drops, grid, prisms, clusters, segment, seed, subdrops;
     double leaf_length, petiole, branch, base_radius, tip_radius, height, rise, droop, fold; /* [m], [rad] */
     double intensity, drop_size, fall, duration, step, frame, jitter; /* [m/s], [m], [s] */
     double angle, receding, advancing, friction, adhesion, hang, apex, beta, film, zeta, eta, omega, lambda;
@@ -47,6 +49,11 @@ static bool rain_unused(const void *options, const struct wf_option *row, char *
     if (of_printed) return wf_option_unused(!printed, why, "without the preset 'yang2011'");
     if (of_corrected) return wf_option_unused(printed, why, "with the preset 'yang2011'");
     if (at == &o->clusters) return wf_option_unused(!o->points, why, "without --points");
+    if (at == &o->segment) return wf_option_unused(!o->model, why, "without --model");
+    if (at == &o->base_radius || at == &o->tip_radius || at == &o->height)
+        return wf_option_unused(o->model, why, "with --model, whose axis has its own");
+    if (o->model && (at == &o->prisms || at == &o->branch || at == &o->rise))
+        return wf_option_unused(true, why, "with --model, whose axis has its own");
     if (at == &o->prisms || at == &o->branch || at == &o->rise)
         return wf_option_unused(o->points, why, "with --points, which give the branch its place");
     if (at == &o->set)
@@ -66,9 +73,10 @@ static const struct wf_option rain_options[] = {
     NUMBER("--leaf-length", leaf_length, "LENGTH", LENGTH, "m", 0.005, 1, "0.08", "of the main vein"),
     NUMBER("--petiole", petiole, "LENGTH", LENGTH, "m", 0.002, 0.5, "0.03", "of the petiole"),
     NUMBER("--branch", branch, "LENGTH", LENGTH, "m", 0.02, 5, "0.4", "of the branch", UNUSED),
-    NUMBER("--base-radius", base_radius, "LENGTH", LENGTH, "m", 2e-4, 0.2, "0.003", "of the branch"),
-    NUMBER("--tip-radius", tip_radius, "LENGTH", LENGTH, "m", 1e-4, 0.2, "0.0015", "of the branch"),
-    NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 150, "2", "of the branch's base above the ground"),
+    NUMBER("--base-radius", base_radius, "LENGTH", LENGTH, "m", 2e-4, 0.2, "0.003", "of the branch", UNUSED),
+    NUMBER("--tip-radius", tip_radius, "LENGTH", LENGTH, "m", 1e-4, 0.2, "0.0015", "of the branch", UNUSED),
+    NUMBER("--height", height, "LENGTH", LENGTH, "m", 0.1, 150, "2", "of the branch's base above the ground",
+           UNUSED),
     NUMBER("--rise", rise, "ANGLE", ANGLE, "deg", -80, 80, "11.5", "of the branch above the level", UNUSED),
     NUMBER("--droop", droop, "ANGLE", ANGLE, "deg", -60, 80, "28.6",
            "of the leaves below the level, before they sag"),
@@ -78,6 +86,10 @@ static const struct wf_option rain_options[] = {
     PATH("--points", points, "FILE", NULL,
          "points on the branch's surface, lines of x y z in m: its nodes by k-means"),
     WHOLE("--clusters", clusters, 3, 256, "12", "nodes found from the points", UNUSED),
+    PATH("--model", model, "MODEL", NULL,
+         "tree model, a file or the name of a shipped one, of which an axis is the branch", .letter = "-m"),
+    WHOLE("--segment", segment, 0, 1e9, "0",
+          "id of a segment on that axis [0: the longest of the highest level]", UNUSED),
     WHOLE("--drops", drops, 1, 5000, "20", "drops in the air at the peak of the rain, all of one size",
           UNUSED),
     NUMBER("--intensity", intensity, "RATE", SPEED, "mm/h", 0, 3600, NULL,
@@ -198,7 +210,7 @@ static enum wf_status take_wind(const struct rain_options *o, struct wf_rain_spe
     if (status || (status = wf_scenario_check(&sc, e))) return status;
     wf_scenario_wind(&sc, &wind);
     wind.speed = o->wind;
-    double at[3] = { 0, 0, o->height }, u[3], du[9], *out = WF_TAKE(a, 2 * steps, double);
+    double at[3] = { 0, 0, s->scene.height }, u[3], du[9], *out = WF_TAKE(a, 2 * steps, double);
     wind.sample(&wind, at, u, du);
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for the wind");
     double *along = WF_TAKE(a, steps, double), mean = sqrt(u[0] * u[0] + u[1] * u[1]);
@@ -208,7 +220,7 @@ static enum wf_status take_wind(const struct rain_options *o, struct wf_rain_spe
         struct wf_gust_spec spec;
         struct wf_gust gust;
         wf_gust_spec_default(wf_gust_named(o->gust), &spec);
-        spec.speed = mean, spec.height = o->height, spec.step = s->step, spec.steps = steps,
+        spec.speed = mean, spec.height = s->scene.height, spec.step = s->step, spec.steps = steps,
         spec.seed = o->seed;
         if ((status = wf_gust_set_words(&spec, o->set, a, e)) ||
             (status = wf_gust_open(&spec, a, d, &gust, e)))
@@ -244,6 +256,21 @@ static enum wf_status take_points(const struct rain_options *o, struct wf_rain_s
     s->scene.nodes = nodes, s->scene.node_count = c->n;
     page->points = p, page->clusters = c;
     return WF_OK;
+}
+
+/* An axis of a tree as the branch. */
+static enum wf_status take_axis(const struct rain_options *o, const struct wf_species *sp,
+                                struct wf_scene_spec *s, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_err *e)
+{
+    if (!o->model) return WF_OK;
+    if (o->points) return wf_fail(e, WF_EUSAGE, "give the branch by either --points or --model");
+    struct wf_model *m = WF_TAKE(a, 1, struct wf_model);
+    struct wf_tree t;
+    if (!m) return wf_fail(e, WF_ENOMEM, "no memory");
+    enum wf_status status = wf_model_named(o->model, a, m, d, e);
+    if (!status) status = wf_grow(m, sp, a, &t, d, e);
+    return status ? status : wf_scene_axis(&t, (int64_t)o->segment, s, a, e);
 }
 
 /* ---- Printing ---- */
@@ -306,8 +333,8 @@ static enum wf_status rain(const struct rain_options *o, struct wf_doc_head *hea
     wf_rain_spec_default(&spec, !strcmp(o->preset, "yang2011"));
     take_scene(o, &sp, &spec.scene);
     take_water(o, &spec);
-    if ((s = take_rain(o, &spec, e)) || (s = take_wind(o, &spec, a, d, e)) ||
-        (s = take_points(o, &spec, a, &page, d, e)))
+    if ((s = take_axis(o, &sp, &spec.scene, a, d, e)) || (s = take_rain(o, &spec, e)) ||
+        (s = take_wind(o, &spec, a, d, e)) || (s = take_points(o, &spec, a, &page, d, e)))
         return s;
     if ((s = wf_results_begin(f, o->output, o->no_report ? NULL : "rain", e))) return s;
     wf_progress("%.4g s of rain on %zu leaves ...", spec.duration, spec.scene.leaves);

@@ -84,7 +84,7 @@ static void shape(const struct wf_water_law *law, struct wf_leaf_drop *d)
 {
     d->radius = law->printed ? cbrt(8 * d->mass / (3 * WF_PI * WF_WATER_DENSITY)) /* V0 = 3 pi r^3/8 */
                              : wf_cap_radius(d->mass, law->angle);
-    d->base = law->angle < WF_PI / 2 ? wf_cap_base(d->radius, law->angle) : d->radius;
+    d->base = wf_cap_base(d->radius, law->angle);
 }
 
 double wf_leaf_friction(const struct wf_water_law *law, const struct wf_leaf_drop *d, double press)

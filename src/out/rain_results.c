@@ -209,10 +209,10 @@ static void springs(FILE *f, const struct wf_rain_page *p)
 
 static void prisms(FILE *f, const struct wf_rain_page *p)
 {
-    fputs("prisms,tip_error,twist_error,frequency_error,tip_with_restoring\n", f);
+    fputs("prisms,tip_error,twist_error,frequency_error,tip_with_restoring,frequency_with_restoring\n", f);
     for (size_t k = 0; k < WF_PRISM_CHECKS; k++)
-        fprintf(f, "%zu,%.5g,%.5g,%.5g,%.5g\n", p->check[k].prisms, p->check[k].bend, p->check[k].twist,
-                p->check[k].frequency, p->check[k].held);
+        fprintf(f, "%zu,%.5g,%.5g,%.5g,%.5g,%.5g\n", p->check[k].prisms, p->check[k].bend, p->check[k].twist,
+                p->check[k].frequency, p->check[k].held, p->check[k].quick);
 }
 
 /* Speeds of fall by every law, and the drops that arrive by Marshall and Palmer at 10 mm/h. */
@@ -375,6 +375,7 @@ static void check_part(struct wf_doc *d, json_t *o, const struct wf_rain_page *p
         wf_doc_number(d, q, "twist_percent", 100 * p->check[k].twist);
         wf_doc_number(d, q, "frequency_percent", 100 * p->check[k].frequency);
         wf_doc_number(d, q, "with_restoring", p->check[k].held);
+        wf_doc_number(d, q, "frequency_with_restoring", p->check[k].quick);
     }
     wf_doc_number(d, o, "restoring_N_m", p->rod.restoring);
     list = wf_doc_put(d, o, "speeds", wf_doc_array(d));

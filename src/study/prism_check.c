@@ -76,13 +76,13 @@ static enum wf_status twist(const struct wf_prism_rod *r, size_t n, struct wf_ar
     return WF_OK;
 }
 
-static enum wf_status sway(const struct wf_prism_rod *r, size_t n, struct wf_arena *a, double *ratio,
-                           struct wf_err *e)
+static enum wf_status sway(const struct wf_prism_rod *r, size_t n, double restoring, struct wf_arena *a,
+                           double *ratio, struct wf_err *e)
 {
     static const double root = 1.875104068711961; /* cos x cosh x = -1 */
     struct cut c;
     double f;
-    enum wf_status s = make(r, n, 0, a, &c, e);
+    enum wf_status s = make(r, n, restoring, a, &c, e);
     if (s || (s = wf_prism_frequency(&c.p, c.x, NULL, a, &f, e))) return s;
     double line = r->density * WF_PI * r->radius * r->radius;
     *ratio = f * WF_TURN * r->length * r->length / (root * root * sqrt(r->youngs * c.inertia / line));
@@ -98,7 +98,8 @@ enum wf_status wf_prism_compare(const struct wf_prism_rod *rod, struct wf_arena 
         c->prisms = (size_t)4 << k;
         s = deflect(rod, c->prisms, 0, a, &c->bend, e);
         if (!s) s = twist(rod, c->prisms, a, &c->twist, e);
-        if (!s) s = sway(rod, c->prisms, a, &c->frequency, e);
+        if (!s) s = sway(rod, c->prisms, 0, a, &c->frequency, e);
+        if (!s) s = sway(rod, c->prisms, rod->restoring, a, &c->quick, e);
         if (!s) s = deflect(rod, c->prisms, rod->restoring, a, &c->held, e);
         c->bend -= 1, c->twist -= 1, c->frequency -= 1;
     }

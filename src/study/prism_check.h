@@ -11,6 +11,7 @@ struct wf_prism_check {
     size_t prisms;
     double bend, twist, frequency; /* relative errors: tip deflection, twist, first frequency [-] */
     double held;                   /* tip deflection with the restoring springs, over theory [-]  */
+    double quick; /* first frequency with them, over theory: how much sooner it returns [-] */
 };
 struct wf_prism_rod {
     double length, radius, youngs, density; /* [m], [m], [Pa], [kg m-3]; G = E/16 */

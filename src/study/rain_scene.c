@@ -28,6 +28,72 @@ void wf_scene_spec_default(struct wf_scene_spec *s)
                                  .mesh = { 24, 10 } };
 }
 
+/* ---- An axis of a tree ---- */
+
+/* The row that goes on with the axis of row i; t->n: none. */
+static size_t row_after(const struct wf_tree *t, size_t i)
+{
+    for (size_t k = i + 1; k < t->n; k++)
+        if (t->parent[k] == (int32_t)i && t->level[k] == t->level[i]) return k;
+    return t->n;
+}
+
+static size_t axis_base(const struct wf_tree *t, size_t i)
+{
+    while (t->parent[i] >= 0 && t->level[t->parent[i]] == t->level[i]) i = (size_t)t->parent[i];
+    return i;
+}
+
+static double axis_length(const struct wf_tree *t, size_t i, size_t *rows)
+{
+    double length = 0;
+    for (*rows = 0; i < t->n; i = row_after(t, i)) length += wf_tree_length(t, i), ++*rows;
+    return length;
+}
+
+/* Base of the longest axis of the highest level, or of the axis with that segment; t->n: there is none. */
+static size_t find_axis(const struct wf_tree *t, int64_t id)
+{
+    size_t best = t->n, rows;
+    int32_t level = 0;
+    double longest = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        if (id && t->id[i] == id) return axis_base(t, i);
+        if (t->level[i] > level) level = t->level[i];
+    }
+    for (size_t i = 0; i < t->n && !id; i++) {
+        if (t->level[i] != level || axis_base(t, i) != i) continue;
+        double length = axis_length(t, i, &rows);
+        if (length > longest) longest = length, best = i;
+    }
+    return best;
+}
+
+enum wf_status wf_scene_axis(const struct wf_tree *t, int64_t id, struct wf_scene_spec *s, struct wf_arena *a,
+                             struct wf_err *e)
+{
+    enum { LEAST = 8, MOST = 256 };
+    size_t base = find_axis(t, id), rows, n = 0;
+    if (base == t->n) return wf_fail(e, WF_EINPUT, "the tree has no segment with the id %lld", (long long)id);
+    s->branch = axis_length(t, base, &rows);
+    size_t cuts = (LEAST + rows - 1) / rows;
+    if (rows * cuts > MOST)
+        return wf_fail(e, WF_EINPUT, "the axis has %zu segments; at most %d are taken", rows, MOST);
+    double *nodes = WF_TAKE(a, 3 * (rows * cuts + 1), double);
+    if (!nodes) return wf_fail(e, WF_ENOMEM, "not enough memory for the branch");
+    const double foot[3] = { t->x0[base], t->y0[base], 0 };
+    s->radius[0] = t->r0[base], s->height = t->z0[base];
+    for (size_t i = base; i < t->n; i = row_after(t, i)) {
+        const double low[3] = { t->x0[i], t->y0[i], t->z0[i] }, high[3] = { t->x1[i], t->y1[i], t->z1[i] };
+        for (size_t k = n ? 1 : 0; k <= cuts; k++, n++)
+            for (size_t c = 0; c < 3; c++)
+                nodes[3 * n + c] = wf_between(low[c], high[c], (double)k / (double)cuts) - foot[c];
+        s->radius[1] = t->r1[i];
+    }
+    s->nodes = nodes, s->node_count = n;
+    return WF_OK;
+}
+
 /* ---- Axes ---- */
 
 /* Columns of an axis, filled segment by segment. */
@@ -85,19 +151,29 @@ static enum wf_status make_branch(const struct wf_scene_spec *s, struct wf_arena
             set_segment(x, i, r, h, wood->youngs_modulus.value, shear, wood->density.value);
             done += h;
         }
-    x->normal[2] = 1;
+    /* up, or where the branch stands upright to the side */
+    double up = place[5] - place[2];
+    x->normal[hypot(place[3] - place[0], place[4] - place[1]) < 0.1 * fabs(up) ? 0 : 2] = 1;
     return WF_OK;
 }
 
 /* Where a leaf stands and points to: sides in turn, the last one straight on. */
-static void leaf_way(const struct wf_scene_spec *s, size_t sections, size_t k, size_t *on, double way[3])
+static void leaf_way(const struct wf_scene_spec *s, const double *place, size_t sections, size_t k,
+                     size_t *on, double way[3])
 {
     double share = s->leaves > 1 ? 0.35 + 0.65 * (double)k / (double)(s->leaves - 1) : 1;
     bool last = k + 1 == s->leaves;
     double azimuth = last ? 0 : (k % 2 ? -1 : 1) * 1.05;
     *on = (size_t)(share * (double)(sections - 1) + 0.5);
     if (*on < 1) *on = 1;
-    way[0] = cos(azimuth) * cos(s->droop), way[1] = sin(azimuth) * cos(s->droop), way[2] = -sin(s->droop);
+    /* forward along the branch as seen from above; an upright one has none of its own */
+    double forward[2] = { place[3 * *on] - place[3 * *on - 3], place[3 * *on + 1] - place[3 * *on - 2] };
+    double size = hypot(forward[0], forward[1]), up = place[3 * *on + 2] - place[3 * *on - 1];
+    if (size < 1e-6 * fabs(up)) forward[0] = size = 1, forward[1] = 0;
+    double c = cos(azimuth) / size, q = sin(azimuth) / size;
+    way[0] = (c * forward[0] - q * forward[1]) * cos(s->droop);
+    way[1] = (c * forward[1] + q * forward[0]) * cos(s->droop);
+    way[2] = -sin(s->droop);
 }
 
 static enum wf_status make_leaf(const struct wf_scene_spec *s, const struct wf_blade *b, const double from[3],
@@ -248,7 +324,7 @@ enum wf_status wf_scene_make(const struct wf_scene_spec *spec, double gravity, s
     for (size_t k = 0; k < spec->leaves; k++) {
         double way[3];
         size_t on;
-        leaf_way(spec, s->sections, k, &on, way);
+        leaf_way(spec, axis[0].place, s->sections, k, &on, way);
         if ((status = make_leaf(spec, &s->blade, axis[0].place + 3 * on, way, a, &axis[k + 1], e)))
             return status;
         axis[k + 1].on = (int32_t)on;

@@ -29,6 +29,13 @@ struct wf_scene_spec {
 /* Defaults: five ovate leaves of 8 cm on a branch of 40 cm; the assumed values are listed in docs/rain.md. */
 void wf_scene_spec_default(struct wf_scene_spec *s);
 
+/* Take an axis of a tree as the branch: its segments become prisms, cut so that there are at least eight;
+ * radii at base and tip, and the height of its base. id: of a segment on it; 0: the longest axis of the
+ * highest level. Returned: nodes, node_count, radius, height, branch of *s. Errors: WF_EINPUT for an id that
+ * is not there and an axis of more than 256 prisms, WF_ENOMEM. */
+enum wf_status wf_scene_axis(const struct wf_tree *t, int64_t id, struct wf_scene_spec *s, struct wf_arena *a,
+                             struct wf_err *e);
+
 struct wf_scene_leaf {
     size_t first;       /* its root's section       */
     size_t blade;       /* section where the blade begins */
