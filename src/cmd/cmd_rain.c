@@ -2,6 +2,7 @@
 /* windfirm rain, and windfirm papers yang2011: drops on a branch with leaves. */
 #include "base/interrupt.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -33,8 +34,9 @@ struct rain_options {
     double wind, azimuth;
     struct wf_averaging averaging;
     struct wf_profile_words profile;
-    bool staged, no_report;
-    const char *output, *lang;
+    bool staged;
+    struct wf_pages pages;
+    const char *output;
 };
 
 /* Options that one of the presets does not use; rain that a staged run does not have. */
@@ -143,7 +145,7 @@ static const struct wf_option rain_options[] = {
     NUMBER("--lever", lever, "SHARE", NONE, NULL, 0, 1, "0.8", "phi_t: cap of the lever d/L, as printed",
            UNUSED),
     TEXT("--output", output, "FOLDER", "out/rain", "where tables, figures and the page go", .letter = "-o"),
-    WF_PAGE_ROWS("--no-report", no_report, lang, "write tables only"),
+    WF_PAGE_ROWS("--no-report", pages, "write tables only"),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -336,18 +338,17 @@ static enum wf_status rain(const struct rain_options *o, struct wf_doc_head *hea
     if ((s = take_axis(o, &sp, &spec.scene, a, d, e)) || (s = take_rain(o, &spec, e)) ||
         (s = take_wind(o, &spec, a, d, e)) || (s = take_points(o, &spec, a, &page, d, e)))
         return s;
-    if ((s = wf_results_begin(f, o->output, o->no_report ? NULL : "rain", e))) return s;
-    wf_progress("%.4g s of rain on %zu leaves ...", spec.duration, spec.scene.leaves);
+    if ((s = wf_results_begin(f, o->output, o->pages.none ? NULL : "rain", e))) return s;
     s = wf_rain_run(&spec, a, d, &result, e);
     if (!s) wf_rain_departures(&result, d);
     if (!s) s = compare_prisms(&spec.scene, a, &page, e);
-    wf_progress(NULL);
+    wf_progress_clear();
     if (s) return s;
     if (!o->args.quiet) print_run(run.name, &result);
     s = wf_rain_results_write(&page, head, f->stage, e);
-    if (!s) s = wf_results_end(f, o->no_report ? NULL : o->lang, a, NULL, e);
+    if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
     if (!s && !o->args.quiet)
-        wf_show(stdout, "Tables%s: %s\n", o->no_report ? "" : ", figures and page", o->output);
+        wf_show(stdout, "Tables%s: %s\n", o->pages.none ? "" : ", figures and page", o->output);
     return s;
 }
 
@@ -418,27 +419,24 @@ static enum wf_status time_scenes(const struct wf_species *sp, struct wf_rain_sp
     for (size_t i = 0; i < WF_COUNT(paper_scenes); i++)
         for (size_t g = 0; g < 3; g++)
             for (size_t dense = 0; dense < 2 && !s && !wf_interrupted(); dense++) {
-                wf_progress("table 1: scene %zu, grid %zu, %d drops ...", i + 1, (size_t)128 << g,
-                            dense ? 200 : 20);
                 s = time_scene(sp, i, g, dense, &out[*n], e);
                 *n += !s;
             }
-    wf_progress(NULL);
+    wf_progress_clear();
     return s;
 }
 
 struct paper_options {
     struct wf_args args;
     const char *output;
-    bool no_report;
-    const char *lang;
+    struct wf_pages pages;
 };
 #undef OPTIONS
 #define OPTIONS struct paper_options
 static const struct wf_option paper_options[] = {
     TEXT("--output", output, "FOLDER", "out/yang2011", "where tables, figures and the page go",
          .letter = "-o"),
-    WF_PAGE_ROWS("--no-report", no_report, lang, "write tables only"),
+    WF_PAGE_ROWS("--no-report", pages, "write tables only"),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -456,10 +454,10 @@ static enum wf_status paper_runs(const struct wf_species *sp, struct wf_rain_spe
         spec[r].scene.species = sp, spec[r].staged = r < 2;
         if (r == 2)
             spec[r].drops = 200, spec[r].duration = 2, spec[r].rain.middle = 1, spec[r].rain.width = 0.4;
-        wf_progress("run %zu of %d: %s ...", r + 1, PAPER_RUNS, page->run[r].name);
+        wf_stage_item(r + 1, PAPER_RUNS);
         s = wf_rain_run(&spec[r], a, &diag[r], &result[r], e);
         if (!s) wf_rain_departures(&result[r], &diag[r]);
-        wf_progress(NULL);
+        wf_progress_clear();
         page->n += !s;
     }
     return s;
@@ -479,7 +477,7 @@ static enum wf_status paper(const struct paper_options *o, struct wf_doc_head *h
                                                         &diag[2] } };
     struct wf_rain_page page = { .run = run, .speed = speed };
     enum wf_status s = wf_species_named("poplar", a, &sp, d, e);
-    if (s || (s = wf_results_begin(f, o->output, o->no_report ? NULL : "rain", e))) return s;
+    if (s || (s = wf_results_begin(f, o->output, o->pages.none ? NULL : "rain", e))) return s;
     if ((s = paper_runs(&sp, spec, result, diag, &page, a, e)) ||
         (s = compare_prisms(&spec[0].scene, a, &page, e)) || (s = time_scenes(&sp, speed, &page.speeds, e)))
         return s;
@@ -488,9 +486,9 @@ static enum wf_status paper(const struct paper_options *o, struct wf_doc_head *h
         for (const struct wf_finding *w = diag[r].first; w; w = w->next)
             wf_diag_warn(d, w->code, "%s", w->text);
     s = wf_rain_results_write(&page, head, f->stage, e);
-    if (!s) s = wf_results_end(f, o->no_report ? NULL : o->lang, a, NULL, e);
+    if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
     if (!s && !o->args.quiet)
-        wf_show(stdout, "Tables%s: %s\n", o->no_report ? "" : ", figures and page", o->output);
+        wf_show(stdout, "Tables%s: %s\n", o->pages.none ? "" : ", figures and page", o->output);
     return s;
 }
 

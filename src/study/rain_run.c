@@ -2,6 +2,7 @@
 #include "study/rain_run.h"
 #include "base/interrupt.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include "base/vec3.h"
 #include "load/drop_shape.h"
 #include "solve/prism_rest.h"
@@ -569,6 +570,7 @@ enum wf_status wf_rain_run(const struct wf_rain_spec *s, struct wf_arena *a, str
     if (status) return status;
     size_t steps = (size_t)(s->duration / s->step + 0.5), every = (size_t)(s->frame / s->step + 0.5);
     clock_t begun = clock();
+    wf_stage_begin(steps, false, "rain on %zu leaves", s->scene.leaves);
     keep_row(&r);
     for (uint64_t i = 0; i < steps && !status; i++) {
         if (i % 64 == 0 && wf_interrupted()) {
@@ -577,6 +579,7 @@ enum wf_status wf_rain_run(const struct wf_rain_spec *s, struct wf_arena *a, str
         }
         status = one_step(&r, &rain, i, e);
         out->steps++;
+        if (i % 64 == 63) wf_stage_step(64);
         if ((i + 1) % every == 0) keep_row(&r);
     }
     if (status || (status = keep_key(&r, "end", 0, e))) return status;

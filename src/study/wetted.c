@@ -1,7 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/wetted.h"
+#include "base/progress.h"
+#include "data/species.h"
 #include "load/interception.h"
 #include "solve/modes.h"
+#include "study/node.h"
 #include <math.h>
 
 /* Lowest frequency about the equilibrium in still air. */
@@ -23,9 +26,8 @@ enum wf_status wf_wetted_compare(const struct wf_analysis *wet, const struct wf_
     struct wf_analysis dry = *wet;
     struct wf_diag unsaid = { .arena = a };
     struct wf_break(*breaks)[WF_SCOPES] = wf_arena_take(a, WF_CRITERIA, sizeof *breaks);
-    struct wf_known *known = wf_known_take(a);
     struct wf_at_speed at = { 0 };
-    if (!breaks || !known) return wf_fail(e, WF_ENOMEM, "not enough memory for the dry tree");
+    if (!breaks) return wf_fail(e, WF_ENOMEM, "not enough memory for the dry tree");
     dry.scenario.water = 0;
     dry.diag = &unsaid;
     dry.search.solved = NULL;
@@ -52,7 +54,12 @@ enum wf_status wf_wetted_compare(const struct wf_analysis *wet, const struct wf_
         if ((s = wf_speed_totals(&dry, o, out->speed, &at, e))) return s;
         if (!at.status) out->moment[WF_DRY] = at.base_moment, out->deflection[WF_DRY] = at.tip_deflection;
     }
-    if ((s = wf_analysis_breaks(&dry, o, known, breaks, e))) return s;
+    wf_stage_begin(WF_SEARCH_SOLUTIONS, true, "%s: the same tree dry", wet->species->name);
+    struct wf_nodes *nodes = wf_nodes_open(&dry, NULL);
+    if (!nodes) return wf_fail(e, WF_ENOMEM, "not enough memory for the dry tree");
+    s = wf_analysis_breaks(&dry, o, nodes, breaks, e);
+    wf_nodes_close(nodes);
+    if (s) return s;
     out->critical[WF_DRY] = breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
     out->critical[WF_WET] = wet->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
     return WF_OK;
