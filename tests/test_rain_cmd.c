@@ -34,7 +34,7 @@ static void runs(void **state)
           CODE_OK,
           { "2 leaves" } },
         { "$W papers list", CODE_OK, { "yang2011", "rain on branches and leaves" } },
-        { "$W papers yang2012", CODE_INPUT, { "did you mean 'yang2011'?" } },
+        { "$W papers yang201", CODE_INPUT, { "did you mean 'yang2011'?" } },
     };
     CHECK(rows);
 }

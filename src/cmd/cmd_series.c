@@ -333,11 +333,19 @@ static const char rain_paper[] = "yang2011";
 static enum wf_status find_runs(const char *name, struct wf_arena *a, const char **path, struct wf_diag *d,
                                 struct wf_err *e)
 {
-    static const char *const words[] = { "list", "schema", rain_paper };
+    static const char *const words[] = { "list", "schema" };
     struct wf_err why = { 0 };
     enum wf_status s = wf_shipped("models/papers", name, a, path, d, &why);
     if (!s) return WF_OK;
-    const char *word = wf_nearest(name, words, WF_COUNT(words));
+    const char **names, *word = wf_nearest(name, words, WF_COUNT(words));
+    size_t n = wf_shipped_names(wf_share(), "models/papers", a, &names);
+    const char **all = WF_TAKE(a, n + 1, const char *);
+    if (!word && all) { /* the paper that is no file, where no file's name is nearer */
+        for (size_t i = 0; i < n; i++) all[i] = names[i];
+        all[n] = rain_paper;
+        word = wf_nearest(name, all, n + 1);
+        if (word != rain_paper) word = NULL;
+    }
     return word ? wf_fail(e, s, "papers: no paper is called '%s'; did you mean '%s'?", name, word)
                 : wf_fail(e, s, "%s", why.text);
 }
