@@ -372,6 +372,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
     }
     if (worst && first.code && !d.errors) wf_diag_error(&d, NULL, 0, 0, "%s", first.text);
     wf_print_findings(&d, w->options.args.quiet);
+    if (worst && wf_exit_code(worst) != 2) return wf_fail(e, worst, "nothing was computed");
     if (worst)
         return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
                        d.errors == 1 ? "" : "s");
