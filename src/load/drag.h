@@ -8,6 +8,11 @@
 #include <math.h>
 #include <stddef.h>
 
+/* Formulas of load/drag_kernel.h, by which many states are computed at once. A law without one is evaluated
+ * for one state after the other. */
+enum wf_share_form { WF_SHARE_BY_CALL, WF_SHARE_NONE, WF_SHARE_VOGEL, WF_SHARE_TABLE };
+enum wf_drag_form { WF_DRAG_BY_CALL, WF_DRAG_BARK };
+
 /* Streamlining of a crown. law.low..law.high is the range of wind speeds [m/s] covered by measurements. */
 struct wf_streamline_law {
     struct wf_law law;
@@ -15,6 +20,7 @@ struct wf_streamline_law {
     /* Given: parameters, speed >= 0 [m/s]. Returned: share of still-air drag area [-], continuous with its
      * derivative *derivative [s/m]. */
     double (*share)(const struct wf_law_values *p, double speed, double *derivative);
+    enum wf_share_form form; /* the same by lanes */
 };
 extern const struct wf_streamline_law wf_streamline_laws[]; /* none, vogel, table; ends at law.name == NULL */
 /* The row of that name; NULL when there is none. */
@@ -34,6 +40,7 @@ struct wf_axis_drag_law {
      * Cd [-] and *derivative = dCd/dspeed [s/m]. Positive, with a continuous derivative. */
     double (*coefficient)(const struct wf_law_values *p, double speed, double diameter, double viscosity,
                           double *derivative);
+    enum wf_drag_form form; /* the same by lanes */
 };
 /* The first row is the default law.
  *
@@ -77,15 +84,5 @@ static inline double wf_smooth_slope(const double *x, const double *y, size_t n,
     if (s0 * s1 <= 0) return 0;
     double p = (s0 * h1 + s1 * h0) / (h0 + h1);
     return copysign(2 * fmin(fmin(fabs(s0), fabs(s1)), 0.5 * fabs(p)), s0);
-}
-
-/* The cubic over 0 <= u <= 1 with values y0, y1 and slopes d0, d1 (per x) across a width h; its slope dy/dx.
- */
-static inline double wf_smooth_piece(double y0, double y1, double d0, double d1, double h, double u,
-                                     double *slope)
-{
-    double a = h * d0, rise = y1 - y0, c = h * (d0 + d1) - 2 * rise, b = 3 * rise - h * (2 * d0 + d1);
-    *slope = (a + u * (2 * b + 3 * u * c)) / h;
-    return y0 + u * (a + u * (b + u * c));
 }
 #endif
