@@ -95,6 +95,16 @@ WF_INLINE void m3_add_cross_mul(real C[9], real s, const real a[3], const real B
     }
 }
 
+/* C = [a]x B */
+WF_INLINE void m3_cross_mul(const real a[3], const real B[9], real C[9])
+{
+    for (int j = 0; j < 3; j++) {
+        C[j] = a[1] * B[6 + j] - a[2] * B[3 + j];
+        C[3 + j] = a[2] * B[j] - a[0] * B[6 + j];
+        C[6 + j] = a[0] * B[3 + j] - a[1] * B[j];
+    }
+}
+
 /* C += p B + (q - p) t (t' B): the stiffness or compliance of an isotropic section, p across t and q along t,
  * applied to B */
 WF_INLINE void m3_add_section_mul(real C[9], real p, real q, const real t[3], const real B[9])
