@@ -260,16 +260,14 @@ WF_INLINE truth bend_apart(const struct wf_beam_part *p, const struct wf_beam_fl
 
 /* Motion of the end, end = Z (p_base, 1), and wrench on the base, B (p_base, 1), of an element that moves by
  * y. Given: Z, B at y = 0. */
-WF_INLINE void follow_answer(double half, const struct statics *q, const struct wf_beam_reaction *above,
+WF_INLINE void follow_answer(double half, const struct statics *q, struct wf_beam_reaction *above,
                              real P[6][6], real S[6][6], by_base y, by_base Z, by_base B)
 {
     by_base W;
     add_product(P, y, Z);
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < BY_BASE; c++) W[i][c] = c == 6 ? above->k[i] : real_of(0);
-    real K[6][6];
-    memcpy(K, above->K, sizeof K);
-    add_product(K, Z, W); /* dw_end = W (p, 1) */
+    add_product(above->K, Z, W); /* dw_end = W (p, 1) */
     add_product(S, y, B);
     for (int i = 0; i < 3; i++)
         for (int m = 0; m < 3; m++) {

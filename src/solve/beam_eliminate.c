@@ -64,13 +64,16 @@ WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_be
                                 struct wf_beam_answer *o, struct wf_beam_reaction *below, bool guard,
                                 struct wf_beam_stability *count, struct wf_beam_small *small)
 {
+    struct turns turns;
     struct kinematics k;
     struct statics q;
     double P[6][6], S[6][6];
     by_base y, Z, B;
     const double half = 0.5 * p->h;
     bool apart;
-    kinematics_of(p, flat, u, L, creep, s, at, &k);
+    turns_of(u, &turns);
+    kinematics_of(p, u, &turns, L, creep, &k);
+    stiffen_kinematics(&k, 1 + (creep ? creep->rate : 0) + element_damping(p, flat, &k, s, at));
     statics_of(p, flat, s, load, VARIES, at, &q);
     for (int j = 0; j < 2; j++) strain_of(p, L, s, at, j, u->g[j]);
     end_motion_of(half, &k, &q, P, Z);

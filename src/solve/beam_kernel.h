@@ -39,30 +39,88 @@ WF_INLINE void law_hold_mul(const struct wf_beam_part *p, const struct wf_beam_f
     m3_add_outer(C, flat->more[j], flat->across[j], row);
 }
 
-/* Position and rotation of the element from its unknowns. Given: base pose. Returned: state at the Gauss
- * points, pose of the end. */
+/* Coefficients of the element's three rotations: to its Gauss points and to its end. */
+struct turns {
+    real x[2], x_end; /* squares of the angles */
+    real end[3];      /* rotation vector of the end */
+    struct rotation at[2], to_end;
+};
+
+WF_INLINE void turns_of(const struct wf_beam_shape *u, struct turns *o)
+{
+    for (int j = 0; j < 2; j++) o->x[j] = wf_dot(u->v[j], u->v[j]), o->at[j] = rotation_of(o->x[j]);
+    for (int i = 0; i < 3; i++) o->end[i] = gauss_end[0] * u->v[0][i] + gauss_end[1] * u->v[1][i];
+    o->x_end = wf_dot(o->end, o->end);
+    o->to_end = rotation_of(o->x_end);
+}
+
+/* R(v) x for the rotation of a vector v of square length x2 */
+WF_INLINE void rotate(const struct rotation *o, const real v[3], real x2, const real x[3], real y[3])
+{
+    real across[3], s = 1 - x2 * o->b, d = 1 - x2 * o->a, along = o->a * wf_dot(v, x);
+    wf_cross(v, x, across);
+    for (int i = 0; i < 3; i++) y[i] = d * x[i] + s * across[i] + along * v[i];
+}
+
+/* Tangent and r' at Gauss point j of an element whose base is rotated by L. */
+WF_INLINE void axis_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct turns *o,
+                       const real L[9], int j, real t[3], real rp[3])
+{
+    real unloaded[3], local[3];
+    for (int i = 0; i < 3; i++) unloaded[i] = real_of(p->t[j][i]);
+    rotate(&o->at[j], u->v[j], o->x[j], unloaded, local);
+    m3_apply(L, local, t);
+    for (int i = 0; i < 3; i++) local[i] += u->g[j][i];
+    m3_apply(L, local, rp);
+}
+
+/* State at the Gauss points, from the unknowns and the pose of the base. */
+WF_INLINE void stage_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct turns *o,
+                        const struct wf_beam_pose *base, struct wf_beam_stage *s)
+{
+    for (int j = 0; j < 2; j++) axis_of(p, u, o, base->L, j, s->t[j], s->rp[j]);
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 2; j++)
+            s->r[j][i] =
+                base->r[i] + (p->h * gauss_up[j][0]) * s->rp[0][i] + (p->h * gauss_up[j][1]) * s->rp[1][i];
+}
+
+WF_INLINE void end_rotation(const struct turns *o, const real base_L[9], real L[9])
+{
+    real s = 1 - o->x_end * o->to_end.b, R[9];
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) R[3 * i + j] = (o->to_end.a * o->end[i]) * o->end[j];
+    for (int i = 0; i < 3; i++) R[4 * i] += 1 - o->x_end * o->to_end.a;
+    m3_add_cross(R, s, o->end);
+    m3_mul(base_L, R, L);
+}
+
+/* Pose of the end. */
+WF_INLINE void end_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct turns *o,
+                      const struct wf_beam_pose *base, struct wf_beam_pose *end)
+{
+    real sum[3], rise[3];
+    for (int j = 0; j < 2; j++) {
+        real unloaded[3], local[3];
+        for (int i = 0; i < 3; i++) unloaded[i] = real_of(p->t[j][i]);
+        rotate(&o->at[j], u->v[j], o->x[j], unloaded, local);
+        for (int i = 0; i < 3; i++) local[i] += u->g[j][i], sum[i] = j ? sum[i] + local[i] : local[i];
+    }
+    m3_apply(base->L, sum, rise);
+    for (int i = 0; i < 3; i++) end->r[i] = base->r[i] + 0.5 * p->h * rise[i];
+    end_rotation(o, base->L, end->L);
+}
+
+/* Both, from the base up. */
 WF_INLINE void place_element(const struct wf_beam_part *p, const struct wf_beam_shape *u,
                              const struct wf_beam_pose *base, struct wf_beam_stage *s,
                              struct wf_beam_pose *end)
 {
-    real last[3], R[9];
-    for (int j = 0; j < 2; j++) {
-        real t[3];
-        rotation_matrix(u->v[j], R);
-        for (int i = 0; i < 3; i++) t[i] = real_of(p->t[j][i]);
-        m3_apply(R, t, t);
-        m3_apply(base->L, t, s->t[j]);
-        for (int i = 0; i < 3; i++) t[i] += u->g[j][i];
-        m3_apply(base->L, t, s->rp[j]);
-    }
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 2; j++)
-            s->r[j][i] = base->r[i] + p->h * (gauss_up[j][0] * s->rp[0][i] + gauss_up[j][1] * s->rp[1][i]);
-        end->r[i] = base->r[i] + 0.5 * p->h * (s->rp[0][i] + s->rp[1][i]);
-        last[i] = gauss_end[0] * u->v[0][i] + gauss_end[1] * u->v[1][i];
-    }
-    rotation_matrix(last, R);
-    m3_mul(base->L, R, end->L);
+    struct turns o;
+    turns_of(u, &o);
+    stage_of(p, u, &o, base, s);
+    for (int i = 0; i < 3; i++) end->r[i] = base->r[i] + 0.5 * p->h * (s->rp[0][i] + s->rp[1][i]);
+    end_rotation(&o, base->L, end->L);
 }
 
 /* Moment of the off-axis weight about the axis, per length [N m/m]: side across x (0, 0, -weight). */
@@ -203,42 +261,33 @@ WF_INLINE void stiffen_kinematics(struct kinematics *c, real factor)
             for (int i = 0; i < 9; i++) c->QP[j][m][i] *= factor;
 }
 
-WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
-                             const struct wf_beam_shape *u, const real L[9],
-                             const struct wf_beam_creep *creep, const struct wf_beam_stage *s,
-                             const struct wf_beam_wrench at[2], struct kinematics *c)
+WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_shape *u,
+                             const struct turns *o, const real L[9], const struct wf_beam_creep *creep,
+                             struct kinematics *c)
 {
     const double per = 1 / p->h;
-    real v[2][3], T[2][9], Ti[2][9], D[9], end[3], Te[9], x;
+    real v[2][3], T[2][9], Ti[2][9], D[9], end[3], Te[9];
     for (int j = 0; j < 2; j++) m3_apply(L, u->v[j], v[j]);
-    for (int i = 0; i < 3; i++) end[i] = gauss_end[0] * v[0][i] + gauss_end[1] * v[1][i];
+    m3_apply(L, o->end, end);
     for (int j = 0; j < 2; j++) {
-        real slope[3], Tslope[3];
-        x = wf_dot(v[j], v[j]);
-        struct rotation o = rotation_of(x);
+        real slope[3];
         for (int i = 0; i < 3; i++)
-            slope[i] = (gauss_slope[j][0] * v[0][i] + gauss_slope[j][1] * v[1][i]) * per;
-        rotation_tangent(&o, v[j], x, T[j]);
-        rotation_tangent_inverse(&o, v[j], x, Ti[j]);
-        rotation_tangent_slope(&o, v[j], slope, D);
+            slope[i] = (gauss_slope[j][0] * per) * v[0][i] + (gauss_slope[j][1] * per) * v[1][i];
+        rotation_tangent(&o->at[j], v[j], o->x[j], T[j]);
+        rotation_tangent_inverse(&o->at[j], v[j], o->x[j], Ti[j]);
+        rotation_tangent_slope(&o->at[j], v[j], slope, D);
         m3_mul(D, Ti[j], c->QP[j][j]);
         for (int i = 0; i < 3; i++) c->QP[j][j][4 * i] += gauss_slope[j][j] * per;
-        m3_apply(T[j], slope, Tslope);
-        for (int i = 0; i < 3; i++) c->k[j][i] = Tslope[i];
+        m3_apply(T[j], slope, c->k[j]);
         if (creep) add_creep(L, creep, j, c->k[j]);
     }
-    x = wf_dot(end, end);
-    struct rotation o = rotation_of(x);
-    rotation_tangent(&o, end, x, Te);
+    rotation_tangent(&o->to_end, end, o->x_end, Te);
     for (int j = 0; j < 2; j++) {
         m3_mul(T[j], Ti[1 - j], c->QP[j][1 - j]);
         for (int i = 0; i < 9; i++) c->QP[j][1 - j][i] *= gauss_slope[j][1 - j] * per;
         m3_mul(Te, Ti[j], c->W[j]);
         for (int i = 0; i < 9; i++) c->W[j][i] *= gauss_end[j];
     }
-    real factor = 1 + element_damping(p, flat, c, s, at);
-    if (creep) factor += creep->rate;
-    stiffen_kinematics(c, factor);
 }
 
 /* Derivatives of the loads and of r' x n inside the element. */
