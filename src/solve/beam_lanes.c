@@ -42,7 +42,7 @@ struct work {
     real (*before)[2][3]; /* rotation vectors before the last step */
     union slot *slot;
     truth moving;  /* lanes whose last step is being computed; the others keep their state */
-    bool all_move; /* all of them, or the others are done with */
+    bool all_move; /* all of them do, or the others are done with: their poses and answers may change */
     truth guard;   /* lanes far from equilibrium */
     truth broken;  /* lanes whose tangent is singular */
     struct beam_misfit misfit;
@@ -303,8 +303,15 @@ WF_INLINE void place_end(struct work *w, size_t i)
     const struct wf_beam_part *p = &w->mesh->part[i];
     struct wf_beam_pose ground;
     struct turns o;
+    struct wf_beam_pose end;
     turns_of(&w->shape[i], &o);
-    end_of(p, &w->shape[i], &o, base_of(w, p, &ground), &w->pose[i]);
+    end_of(p, &w->shape[i], &o, base_of(w, p, &ground), &end);
+    if (!w->all_move) {
+        const struct wf_beam_pose *old = &w->pose[i];
+        for (int c = 0; c < 3; c++) end.r[c] = real_choose(w->moving, end.r[c], old->r[c]);
+        for (int c = 0; c < 9; c++) end.L[c] = real_choose(w->moving, end.L[c], old->L[c]);
+    }
+    w->pose[i] = end;
     w->bend = real_max(w->bend, real_max(o.x[0], o.x[1]));
 }
 
@@ -394,9 +401,11 @@ static truth newton_step(struct work *w, struct wf_lanes *x, truth live, truth *
     real share = real_of(1);
     w->moving = live & real_below(real_of(turn_limit * turn_limit), w->turn);
     if (real_any(w->moving)) {
+        w->all_move = false;
         share = real_choose(w->moving, turn_limit / real_sqrt(w->turn), share);
         step_back(w, share);
     }
+    w->all_move = true;
     w->margin = 1e-6 + 0.5 * w->bend;
     truth count = last & live;
     bool counting = real_any(count);
@@ -439,7 +448,7 @@ static void newton(struct wf_lanes *x)
     truth left = rest & ~counted;
     if (real_any(left)) {
         w.moving = (truth){ 0 };
-        w.all_move = false;
+        w.all_move = true; /* no answer is needed any more */
         w.guard = (truth){ 0 };
         sweep_up(&w);
         w.margin = 1e-6 + 0.5 * w.bend;
