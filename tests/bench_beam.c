@@ -340,7 +340,7 @@ static int beside_a_peer(const char *path)
 int main(int argc, char **argv)
 {
     static const char *const name[] = { "1k", "10k", "100k" };
-    static const double speed[] = { 20, 20, 15 }, real[] = { 10, 6, 4 };
+    static const double speed[] = { 20, 20, 15 }, mild[] = { 10, 6, 4 };
     const char *reference = getenv("WINDFIRM_REFERENCE");
     char path[3][1024] = { "validation/computed_reference/bench_tree_1k.csv",
                            "validation/computed_reference/bench_tree_10k.csv", "" };
@@ -356,8 +356,8 @@ int main(int argc, char **argv)
             grow_tree(&c, n);
         }
         measure(&c, name[k], speed[k], k);
-        lanes(&c, real[k], k);
-        if (k < 2) directions(&c, real[k]);
+        lanes(&c, mild[k], k);
+        if (k < 2) directions(&c, mild[k]);
         if (k == 1) frequencies(&c);
         beam_free(&c);
     }
