@@ -245,17 +245,18 @@ static void directions(struct beam_case *c, double speed)
     double one = INFINITY, all = INFINITY;
     size_t alone = 0;
     winds(c, speed, wind, loads, N);
-    c->options.mesh_tolerance = 1e-6;
+    struct wf_solve_options o = c->options;
+    o.mesh_tolerance = 1e-6;
     for (int k = 0; k < 3; k++) {
         struct wf_arena a = { 0 };
         struct wf_beam_state state[N] = { { 0 } };
         double start = now();
-        if (wf_solver_beam.solve(&c->tree, &loads[0], &c->options, &a, &c->out, &c->diag, &c->err))
+        if (wf_solver_beam.solve(&c->tree, &loads[0], &o, &a, &c->out, &c->diag, &c->err))
             printf("%s\n", c->err.text);
         one = fmin(one, now() - start);
         for (size_t s = 0; s < N; s++) state[s].loads = &loads[s];
         start = now();
-        if (wf_beam_many(&c->tree, state, N, &c->options, &a, NULL, &c->err)) printf("%s\n", c->err.text);
+        if (wf_beam_many(&c->tree, state, N, &o, &a, NULL, &c->err)) printf("%s\n", c->err.text);
         all = fmin(all, now() - start);
         alone = 0;
         for (size_t s = 0; s < N; s++) alone += state[s].alone;

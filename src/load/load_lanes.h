@@ -44,7 +44,9 @@ static inline void set_air(const struct wf_loads *const *loads, struct air *a)
             memcmp(l->streamline_par.list, a->table->list, sizeof a->table->list))
             a->crown = WF_SHARE_BY_CALL;
         if (l->axis_drag != first->axis_drag) a->axis = WF_DRAG_BY_CALL;
-        if (wf_wind_form(w) != a->profile) a->profile = WF_PROFILE_BY_CALL;
+        enum wf_profile_form form = wf_wind_form(w);
+        if (form == WF_PROFILE_OTHER || (form != a->profile && a->profile != WF_PROFILE_OTHER))
+            a->profile = form == WF_PROFILE_OTHER ? form : WF_PROFILE_BY_CALL;
         real_lane(a->vogel, k) = l->streamline_par.number[0],
                             real_lane(a->vogel_from, k) = l->streamline_par.number[1];
         real_lane(a->half, k) = l->wind ? 0.5 * l->air_density * l->wind_scale : 0;
@@ -74,7 +76,7 @@ static __attribute__((noinline, unused)) void sample_each(const struct air *a, c
 WF_INLINE void sample_lanes(const struct air *a, const real x[3], real u[3], real du[9])
 {
     real speed = a->speed, slope = { 0 };
-    if (a->profile == WF_PROFILE_BY_CALL) {
+    if (a->profile <= WF_PROFILE_BY_CALL) {
         sample_each(a, x, u, du);
         return;
     }

@@ -22,23 +22,28 @@
 enum { BY_BASE = WF_WIDTH == 1 ? 8 : 7 };
 typedef real by_base[6][BY_BASE];
 
+/* Where the loads vary with the height alone, a displacement along x or y changes nothing, and the columns of
+ * these two are left out: `from` is the first column that counts, 0 or 2. */
+WF_INLINE int first_column(enum variation kind) { return kind == VARIES ? 0 : 2; }
+
 WF_INLINE void put6(real A[6][6], int row, int col, const real B[9])
 {
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) A[row + i][col + j] = B[3 * i + j];
 }
 
-WF_INLINE void put_by_base(by_base A, int row, int col, const real B[9])
+WF_INLINE void put_by_base(by_base A, int from, int row, int col, const real B[9])
 {
     for (int i = 0; i < 3; i++)
-        for (int j = 0; j < 3; j++) A[row + i][col + j] = B[3 * i + j];
+        for (int j = 0; j < 3; j++)
+            if (col + j >= from) A[row + i][col + j] = B[3 * i + j];
 }
 
 /* S y + A (p_base, 1) = 0 for the element without the part above, whose reaction enters through Mn: dn_end
  * -> dm_j. */
 WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
                                  const struct kinematics *k, const struct statics *q,
-                                 const struct wf_beam_stage *s, const struct wf_beam_wrench at[2],
+                                 const struct wf_beam_stage *s, const struct wf_beam_wrench at[2], int from,
                                  real S[6][6], by_base A, real Mn[2][9])
 {
     for (int j = 0; j < 2; j++) {
@@ -53,7 +58,7 @@ WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_b
         m3_zero(C);
         m3_add_cross(C, real_of(-1), at[j].m);
         for (int i = 0; i < 9; i++) R[i] = C[i] - M[0][i] - M[1][i];
-        put_by_base(A, 3 * j, 3, R);
+        put_by_base(A, from, 3 * j, 3, R);
         m3_zero(G);
         m3_add_cross(G, real_of(1), bent);
         m3_add(G, real_of(1), k->QP[j][j]);
@@ -64,7 +69,7 @@ WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_b
         law_hold_mul(p, flat, s, j, k->QP[j][1 - j], C);
         put6(S, 3 * j, 3 - 3 * j, C);
         for (int i = 0; i < 9; i++) R[i] = -d0 * q->Vr[0][i] - d1 * q->Vr[1][i];
-        put_by_base(A, 3 * j, 0, R);
+        put_by_base(A, from, 3 * j, 0, R);
         for (int i = 0; i < 9; i++) Mn[j][i] = d0 * q->Vn[0][i] + d1 * q->Vn[1][i];
         for (int i = 0; i < 3; i++) {
             A[3 * j + i][6] = law[i] - at[j].m[i] - d0 * q->Vc[0][i] - d1 * q->Vc[1][i];
@@ -73,7 +78,7 @@ WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_b
 }
 
 /* Exchange row c with the row below it whose number in column c is `most`, in the lanes `here`. */
-WF_INLINE void exchange_rows(real S[6][6], by_base B, int c, truth here, real most)
+WF_INLINE void exchange_rows(real S[6][6], by_base B, int from, int c, truth here, real most)
 {
     for (int r = c + 1; r < 6; r++) {
         truth swap = here & real_not_above(most, real_abs(S[r][c]));
@@ -82,7 +87,7 @@ WF_INLINE void exchange_rows(real S[6][6], by_base B, int c, truth here, real mo
             real upper = S[c][k];
             S[c][k] = real_choose(swap, S[r][k], upper), S[r][k] = real_choose(swap, upper, S[r][k]);
         }
-        for (int k = 0; k < BY_BASE; k++) {
+        for (int k = from; k < BY_BASE; k++) {
             real upper = B[c][k];
             B[c][k] = real_choose(swap, B[r][k], upper), B[r][k] = real_choose(swap, upper, B[r][k]);
         }
@@ -91,25 +96,25 @@ WF_INLINE void exchange_rows(real S[6][6], by_base B, int c, truth here, real mo
 
 /* B := S^-1 B by elimination; S is used up. Rows are exchanged, in each lane by itself, where the pivot is
  * less than a tenth of a number below it. Returned: lanes whose S is singular. */
-WF_INLINE truth solve6(real S[6][6], by_base B)
+WF_INLINE truth solve6(real S[6][6], by_base B, int from)
 {
     truth singular = { 0 };
     for (int c = 0; c < 6; c++) {
         real most = { 0 }, pivot = real_abs(S[c][c]);
         for (int r = c + 1; r < 6; r++) most = real_max(real_abs(S[r][c]), most);
         truth small = real_below(pivot, 0.1 * most);
-        if (__builtin_expect(real_any(small), 0)) exchange_rows(S, B, c, small, most);
+        if (__builtin_expect(real_any(small), 0)) exchange_rows(S, B, from, c, small, most);
         singular |= ~real_below(real_of(0), real_max(pivot, most));
         real inverse = 1 / S[c][c];
         S[c][c] = inverse;
         for (int r = c + 1; r < 6; r++) {
             real f = S[r][c] * inverse;
             for (int k = c + 1; k < 6; k++) S[r][k] -= f * S[c][k];
-            for (int k = 0; k < BY_BASE; k++) B[r][k] -= f * B[c][k];
+            for (int k = from; k < BY_BASE; k++) B[r][k] -= f * B[c][k];
         }
     }
     for (int c = 6; c-- > 0;)
-        for (int k = 0; k < BY_BASE; k++) {
+        for (int k = from; k < BY_BASE; k++) {
             real sum = B[c][k];
             for (int r = c + 1; r < 6; r++) sum -= S[c][r] * B[r][k];
             B[c][k] = sum * S[c][c];
@@ -133,7 +138,7 @@ WF_INLINE real unstable_directions(const struct wf_beam_part *p, real S[6][6], c
                 for (int c = 0; c < 3; c++) B[3 * m + c][3 * j + i] = k->QP[j][m][3 * i + c];
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < BY_BASE; c++) X[i][c] = c < 6 ? S[c][i] : real_of(0);
-    truth singular = solve6(B, X);
+    truth singular = solve6(B, X, 0);
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) H[i][c] = X[c][i];
     for (int c = 0; c < 6; c++) {
@@ -147,24 +152,24 @@ WF_INLINE real unstable_directions(const struct wf_beam_part *p, real S[6][6], c
     return real_choose(singular, real_of(0), negative);
 }
 
-/* C += A B */
-WF_INLINE void add_product(real A[6][6], by_base B, by_base C)
+/* C += A B from that row of C and that column of A on */
+WF_INLINE void add_product(real A[6][6], by_base B, int from, int row, int column, by_base C)
 {
-    for (int i = 0; i < 6; i++) {
+    for (int i = row; i < 6; i++) {
         real sum[BY_BASE];
-        for (int c = 0; c < BY_BASE; c++) sum[c] = C[i][c];
-        for (int m = 0; m < 6; m++)
-            for (int c = 0; c < BY_BASE; c++) sum[c] += A[i][m] * B[m][c];
-        for (int c = 0; c < BY_BASE; c++) C[i][c] = sum[c];
+        for (int c = from; c < BY_BASE; c++) sum[c] = C[i][c];
+        for (int m = column; m < 6; m++)
+            for (int c = from; c < BY_BASE; c++) sum[c] += A[i][m] * B[m][c];
+        for (int c = from; c < BY_BASE; c++) C[i][c] = sum[c];
     }
 }
 
 /* end = P y + Z (p_base, 1):  dr = dr_0 + h/2 sum (Y q + gap), spin = q_0 + sum W y */
-WF_INLINE void end_motion_of(double half, const struct kinematics *k, const struct statics *q, real P[6][6],
-                             by_base Z)
+WF_INLINE void end_motion_of(double half, const struct kinematics *k, const struct statics *q, int from,
+                             real P[6][6], by_base Z)
 {
     for (int i = 0; i < 6; i++)
-        for (int c = 0; c < BY_BASE; c++) Z[i][c] = real_of(i == c);
+        for (int c = from; c < BY_BASE; c++) Z[i][c] = real_of(i == c);
     for (int i = 0; i < 3; i++) {
         for (int c = 0; c < 3; c++) {
             for (int m = 0; m < 2; m++) {
@@ -178,7 +183,7 @@ WF_INLINE void end_motion_of(double half, const struct kinematics *k, const stru
 }
 
 /* dw_base = dw_end + (0, Vn dn_end) + S y + B (p_base, 1): dn = h/2 sum df, dm = h/2 sum d(r' x n) */
-WF_INLINE void base_wrench_of(double half, const struct statics *q, const struct real_load load[2],
+WF_INLINE void base_wrench_of(double half, const struct statics *q, const struct real_load load[2], int from,
                               real S[6][6], by_base B)
 {
     for (int i = 0; i < 3; i++) {
@@ -187,8 +192,10 @@ WF_INLINE void base_wrench_of(double half, const struct statics *q, const struct
                 S[i][3 * m + c] = half * (q->F[0][m][3 * i + c] + q->F[1][m][3 * i + c]);
                 S[3 + i][3 * m + c] = half * (q->V[0][m][3 * i + c] + q->V[1][m][3 * i + c]);
             }
-            B[i][c] = half * (load[0].by_place[3 * i + c] + load[1].by_place[3 * i + c]);
-            B[3 + i][c] = half * (q->Vr[0][3 * i + c] + q->Vr[1][3 * i + c]);
+            if (c >= from) {
+                B[i][c] = half * (load[0].by_place[3 * i + c] + load[1].by_place[3 * i + c]);
+                B[3 + i][c] = half * (q->Vr[0][3 * i + c] + q->Vr[1][3 * i + c]);
+            }
             B[i][3 + c] = S[i][c] + S[i][3 + c];
             B[3 + i][3 + c] = S[3 + i][c] + S[3 + i][3 + c];
         }
@@ -197,31 +204,29 @@ WF_INLINE void base_wrench_of(double half, const struct statics *q, const struct
     }
 }
 
+/* Row i of K and k */
+WF_INLINE real above_of(const struct wf_beam_reaction *above, int i, int c)
+{
+    return c < 6 ? above->K[i][c] : above->k[i];
+}
+
 /* Add the reaction of the part above, dw_end = K end + k, end = P y + Z (p_base, 1), to the element's own
  * equations: dm_j gains Mn_j dn_end + dm_end. */
 WF_INLINE void attach_part_above(real Mn[2][9], const struct wf_beam_reaction *above, real P[6][6], by_base Z,
-                                 real S[6][6], by_base A)
+                                 int from, real S[6][6], by_base A)
 {
-    by_base answer, EK;
-    for (int i = 0; i < 6; i++) {
-        for (int c = 0; c < 6; c++) answer[i][c] = above->K[i][c];
-        for (int c = 6; c < BY_BASE; c++) answer[i][c] = c == 6 ? above->k[i] : real_of(0);
-    }
     for (int j = 0; j < 2; j++)
-        for (int i = 0; i < 3; i++)
-            for (int c = 0; c < BY_BASE; c++)
-                EK[3 * j + i][c] = -answer[3 + i][c] - Mn[j][3 * i] * answer[0][c] -
-                                   Mn[j][3 * i + 1] * answer[1][c] - Mn[j][3 * i + 2] * answer[2][c];
-    for (int i = 0; i < 6; i++) {
-        for (int m = 0; m < 6; m++)
-            for (int c = 0; c < 6; c++) S[i][c] += EK[i][m] * P[m][c];
-        A[i][6] += EK[i][6];
-    }
-    for (int i = 0; i < 6; i++) { /* Z = (1 X g; 0 1 0), X and g in columns 3 to 6 */
-        for (int c = 0; c < 6; c++) A[i][c] += EK[i][c];
-        for (int m = 0; m < 3; m++)
-            for (int c = 3; c < 7; c++) A[i][c] += EK[i][m] * Z[m][c];
-    }
+        for (int i = 0; i < 3; i++) {
+            real EK[7], *row = S[3 * j + i], *a = A[3 * j + i];
+            for (int c = from; c < 7; c++)
+                EK[c] = -above_of(above, 3 + i, c) - Mn[j][3 * i] * above_of(above, 0, c) -
+                        Mn[j][3 * i + 1] * above_of(above, 1, c) - Mn[j][3 * i + 2] * above_of(above, 2, c);
+            for (int m = from; m < 6; m++)
+                for (int c = 0; c < 6; c++) row[c] += EK[m] * P[m][c];
+            for (int c = from; c < 7; c++) a[c] += EK[c]; /* Z = (1 X g; 0 1 0), X and g in columns 3 to 6 */
+            for (int m = from; m < 3; m++)
+                for (int c = 3; c < 7; c++) a[c] += EK[m] * Z[m][c];
+        }
 }
 
 /* Would the linear step throw this element (and all above it) far beyond where linearisation holds? Either
@@ -248,33 +253,33 @@ WF_INLINE truth leaps(by_base A, real P[6][6])
  * disturbing what carries them. */
 WF_INLINE truth bend_apart(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
                            const struct kinematics *k, const struct wf_beam_stage *s,
-                           const struct wf_beam_wrench at[2], by_base A)
+                           const struct wf_beam_wrench at[2], int from, by_base A)
 {
     static const struct statics none;
     real S[6][6], Mn[2][9];
-    element_equations(p, flat, k, &none, s, at, S, A, Mn);
+    element_equations(p, flat, k, &none, s, at, from, S, A, Mn);
     for (int i = 0; i < 6; i++)
-        for (int c = 0; c < 6; c++) A[i][c] = real_of(0);
-    return solve6(S, A);
+        for (int c = from; c < 6; c++) A[i][c] = real_of(0);
+    return solve6(S, A, from);
 }
 
 /* Motion of the end, end = Z (p_base, 1), and wrench on the base, B (p_base, 1), of an element that moves by
  * y. Given: Z, B at y = 0. */
 WF_INLINE void follow_answer(double half, const struct statics *q, struct wf_beam_reaction *above,
-                             real P[6][6], real S[6][6], by_base y, by_base Z, by_base B)
+                             real P[6][6], real S[6][6], by_base y, int from, by_base Z, by_base B)
 {
     by_base W;
-    add_product(P, y, Z);
+    add_product(P, y, from, from, 0, Z); /* rows left out of Z are columns left out of K */
     for (int i = 0; i < 6; i++)
-        for (int c = 0; c < BY_BASE; c++) W[i][c] = c == 6 ? above->k[i] : real_of(0);
-    add_product(above->K, Z, W); /* dw_end = W (p, 1) */
-    add_product(S, y, B);
+        for (int c = from; c < BY_BASE; c++) W[i][c] = c == 6 ? above->k[i] : real_of(0);
+    add_product(above->K, Z, from, 0, from, W); /* dw_end = W (p, 1) */
+    add_product(S, y, from, 0, 0, B);
     for (int i = 0; i < 3; i++)
         for (int m = 0; m < 3; m++) {
             real f = half * (q->Vn[0][3 * i + m] + q->Vn[1][3 * i + m]);
-            for (int c = 0; c < BY_BASE; c++) B[3 + i][c] += f * W[m][c];
+            for (int c = from; c < BY_BASE; c++) B[3 + i][c] += f * W[m][c];
         }
     for (int i = 0; i < 6; i++)
-        for (int c = 0; c < BY_BASE; c++) B[i][c] += W[i][c];
+        for (int c = from; c < BY_BASE; c++) B[i][c] += W[i][c];
 }
 #endif

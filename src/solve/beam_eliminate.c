@@ -9,7 +9,7 @@ static void invert6(double S[6][6], double R[6][6])
     memcpy(copy, S, sizeof copy);
     by_base B = { { 0 } };
     for (int i = 0; i < 6; i++) B[i][i] = 1;
-    if (solve6(copy, B)) memset(B, 0, sizeof B);
+    if (solve6(copy, B, 0)) memset(B, 0, sizeof B);
     for (int i = 0; i < 6; i++) memcpy(R[i], B[i], sizeof R[i]);
 }
 
@@ -47,14 +47,14 @@ WF_INLINE bool solve_element(const struct wf_beam_part *p, const struct wf_beam_
 {
     double S[6][6], Mn[2][9];
     *apart = false;
-    element_equations(p, flat, k, q, s, at, S, A, Mn);
-    attach_part_above(Mn, above, P, Z, S, A);
+    element_equations(p, flat, k, q, s, at, 0, S, A, Mn);
+    attach_part_above(Mn, above, P, Z, 0, S, A);
     if (small) invert6(S, small->R);
     if (count) count->negative += (size_t)unstable_directions(p, S, k, count->margin);
-    bool solved = !solve6(S, A);
+    bool solved = !solve6(S, A, 0);
     if (!guard || (solved && !leaps(A, P))) return solved;
     *apart = true;
-    return !bend_apart(p, flat, k, s, at, A);
+    return !bend_apart(p, flat, k, s, at, 0, A);
 }
 
 WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
@@ -76,14 +76,14 @@ WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_be
     stiffen_kinematics(&k, 1 + (creep ? creep->rate : 0) + element_damping(p, flat, &k, s, at));
     statics_of(p, flat, s, load, VARIES, at, &q);
     for (int j = 0; j < 2; j++) strain_of(p, L, s, at, j, u->g[j]);
-    end_motion_of(half, &k, &q, P, Z);
-    base_wrench_of(half, &q, load, S, B);
+    end_motion_of(half, &k, &q, 0, P, Z);
+    base_wrench_of(half, &q, load, 0, S, B);
     if (!solve_element(p, flat, &k, &q, s, at, node, P, Z, y, guard, &apart, count, small)) return false;
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 8; c++) y[i][c] = -y[i][c];
 
     if (small) keep_small_loads(&q, at, node, half, P, S, small);
-    follow_answer(half, &q, node, P, S, y, Z, B);
+    follow_answer(half, &q, node, P, S, y, 0, Z, B);
     for (int i = 0; i < 6; i++) {
         for (int c = 0; c < 6; c++) o->X[i][c] = y[i][c], node->K[i][c] = Z[i][c];
         o->x[i] = y[i][6];

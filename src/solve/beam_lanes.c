@@ -36,6 +36,7 @@ struct work {
     const struct wf_beam_mesh *mesh;
     const struct wf_lanes_joints *joints;
     struct air air;
+    enum variation kind; /* of the loads, by the profile of the wind */
     struct wf_beam_shape *shape;
     struct wf_beam_pose *pose;
     struct wf_beam_answer *answer;
@@ -66,6 +67,12 @@ static struct work work_of(const struct wf_lanes *x)
                           .all_move = true };
 }
 
+static void set_loads(const struct wf_lanes *x, struct work *w)
+{
+    set_air(x->loads, &w->air);
+    w->kind = w->air.profile == WF_PROFILE_OTHER ? VARIES : VARIES_UPWARDS;
+}
+
 /* From the tips down. */
 
 static const struct wf_beam_pose *base_of(const struct work *w, const struct wf_beam_part *p,
@@ -91,7 +98,7 @@ static __attribute__((noinline)) void apart_answer(const struct wf_beam_part *p,
     for (int j = 0; j < 2; j++) axis_of(p, u, &o, L, j, s.t[j], s.rp[j]);
     kinematics_of(p, u, &o, L, NULL, &k);
     stiffen_kinematics(&k, 1 + element_damping(p, NULL, &k, &s, at));
-    bend_apart(p, NULL, &k, &s, at, A);
+    bend_apart(p, NULL, &k, &s, at, 0, A);
 }
 
 /* Reactions from above the end of element i, and the loads at its end. */
@@ -106,8 +113,8 @@ WF_INLINE void collect(const struct work *w, size_t i, struct above *out)
 }
 
 /* Pass the reaction on to the element below, the first of whose reactions it may be. */
-WF_INLINE void pass_down(struct work *w, size_t i, const struct wf_beam_part *p, by_base B, truth apart,
-                         const struct wf_beam_wrench *down)
+WF_INLINE void pass_down(struct work *w, size_t i, const struct wf_beam_part *p, int from, by_base B,
+                         truth apart, const struct wf_beam_wrench *down)
 {
     if (p->parent < 0) {
         for (int c = 0; c < 3; c++) w->base[c] += down->n[c];
@@ -116,27 +123,27 @@ WF_INLINE void pass_down(struct work *w, size_t i, const struct wf_beam_part *p,
     struct above *to = &w->slot[w->joints->slot[p->parent]].above;
     if (real_any(apart))
         for (int r = 0; r < 6; r++)
-            for (int c = 0; c < 7; c++) B[r][c] = real_choose(apart, real_of(0), B[r][c]);
+            for (int c = from; c < 7; c++) B[r][c] = real_choose(apart, real_of(0), B[r][c]);
     if (w->joints->opens[i]) {
         for (int r = 0; r < 6; r++) {
-            for (int c = 0; c < 6; c++) to->node.K[r][c] = B[r][c];
+            for (int c = from; c < 6; c++) to->node.K[r][c] = B[r][c];
             to->node.k[r] = B[r][6];
         }
         to->w = *down;
         return;
     }
     for (int r = 0; r < 6; r++) {
-        for (int c = 0; c < 6; c++) to->node.K[r][c] += B[r][c];
+        for (int c = from; c < 6; c++) to->node.K[r][c] += B[r][c];
         to->node.k[r] += B[r][6];
     }
     for (int c = 0; c < 3; c++) to->w.n[c] += down->n[c], to->w.m[c] += down->m[c];
 }
 
-WF_INLINE void keep_answer(const struct work *w, size_t i, by_base A)
+WF_INLINE void keep_answer(const struct work *w, size_t i, int from, by_base A)
 {
     struct wf_beam_answer *o = &w->answer[i];
     for (int r = 0; r < 6; r++)
-        for (int c = 0; c < 7; c++) {
+        for (int c = from; c < 7; c++) {
             real *to = c < 6 ? &o->X[r][c] : &o->x[r];
             *to = w->all_move ? A[r][c] : real_choose(w->moving, A[r][c], *to);
         }
@@ -157,6 +164,7 @@ WF_INLINE void down_element(struct work *w, size_t i, enum variation kind, bool 
 {
     const struct wf_beam_part *p = &w->mesh->part[i];
     const double half = 0.5 * p->h;
+    const int from = first_column(kind);
     struct wf_beam_pose ground;
     const struct wf_beam_pose *base = base_of(w, p, &ground);
     struct wf_beam_shape *u = &w->shape[i];
@@ -185,23 +193,23 @@ WF_INLINE void down_element(struct work *w, size_t i, enum variation kind, bool 
         strain_of(p, base->L, &s, at, j, g);
         for (int c = 0; c < 3; c++) u->g[j][c] = real_choose(w->moving, g[c], u->g[j][c]);
     }
-    end_motion_of(half, &k, &q, P, Z);
-    element_equations(p, NULL, &k, &q, &s, at, S, A, Mn);
-    attach_part_above(Mn, &above.node, P, Z, S, A);
+    end_motion_of(half, &k, &q, from, P, Z);
+    element_equations(p, NULL, &k, &q, &s, at, from, S, A, Mn);
+    attach_part_above(Mn, &above.node, P, Z, from, S, A);
     if (counting) count_unstable(w, p, S, &k, &down);
-    w->broken |= solve6(S, A);
+    w->broken |= solve6(S, A, from);
     if (real_any(w->guard) && real_any(apart = w->guard & leaps(A, P))) {
         by_base alone;
         apart_answer(p, u, base->L, at, alone);
         for (int r = 0; r < 6; r++)
-            for (int c = 0; c < 7; c++) A[r][c] = real_choose(apart, alone[r][c], A[r][c]);
+            for (int c = from; c < 7; c++) A[r][c] = real_choose(apart, alone[r][c], A[r][c]);
     }
     for (int r = 0; r < 6; r++)
-        for (int c = 0; c < 7; c++) A[r][c] = -A[r][c];
-    keep_answer(w, i, A);
-    base_wrench_of(half, &q, load, T, B);
-    follow_answer(half, &q, &above.node, P, T, A, Z, B);
-    pass_down(w, i, p, B, apart, &down);
+        for (int c = from; c < 7; c++) A[r][c] = -A[r][c];
+    keep_answer(w, i, from, A);
+    base_wrench_of(half, &q, load, from, T, B);
+    follow_answer(half, &q, &above.node, P, T, A, from, Z, B);
+    pass_down(w, i, p, from, B, apart, &down);
 }
 
 static __attribute__((noinline)) void down_upwards(struct work *w)
@@ -229,7 +237,7 @@ static void sweep_down(struct work *w, bool counting)
     w->broken = (truth){ 0 };
     w->negative = w->bears = real_of(0);
     for (int i = 0; i < 3; i++) w->base[i] = real_of(0);
-    if (w->air.profile == WF_PROFILE_BY_CALL)
+    if (w->kind == VARIES)
         (counting ? down_varies_counting : down_varies)(w);
     else
         (counting ? down_upwards_counting : down_upwards)(w);
@@ -243,7 +251,7 @@ static void sweep_down(struct work *w, bool counting)
 
 /* Newton correction of an element's rotation vectors, in the axes of its base. */
 WF_INLINE void correction(const struct wf_beam_answer *a, const struct wf_beam_shape *u,
-                          const struct turns *o, const struct change *base, real dv[2][3])
+                          const struct turns *o, const struct change *base, int from, real dv[2][3])
 {
     const double limit = 0.7; /* rad */
     for (int j = 0; j < 2; j++) {
@@ -251,7 +259,8 @@ WF_INLINE void correction(const struct wf_beam_answer *a, const struct wf_beam_s
         for (int i = 0; i < 3; i++) {
             const real *X = a->X[3 * j + i];
             y[i] = a->x[3 * j + i];
-            for (int c = 0; c < 3; c++) y[i] += X[c] * base->place[c] + X[3 + c] * base->spin[c];
+            for (int c = from; c < 3; c++) y[i] += X[c] * base->place[c];
+            for (int c = 0; c < 3; c++) y[i] += X[3 + c] * base->spin[c];
         }
         m3_apply_transposed(base->L, y, local);
         rotation_tangent_inverse(&o->at[j], u->v[j], o->x[j], Ti);
@@ -276,7 +285,7 @@ WF_INLINE void end_spin(const struct turns *o, const struct change *base, real d
     for (int i = 0; i < 3; i++) spin[i] += base->spin[i];
 }
 
-WF_INLINE void correct_element(struct work *w, size_t i, struct change *end)
+WF_INLINE void correct_element(struct work *w, size_t i, int from, struct change *end)
 {
     const struct wf_beam_part *p = &w->mesh->part[i];
     struct wf_beam_shape *u = &w->shape[i];
@@ -288,7 +297,7 @@ WF_INLINE void correct_element(struct work *w, size_t i, struct change *end)
     else
         for (int c = 0; c < 9; c++) still.L[c] = real_of(c % 4 == 0);
     turns_of(u, &o);
-    correction(&w->answer[i], u, &o, base, dv);
+    correction(&w->answer[i], u, &o, base, from, dv);
     end_spin(&o, base, dv, end->spin);
     w->turn = real_max(wf_dot(end->spin, end->spin), w->turn);
     for (int j = 0; j < 2; j++)
@@ -325,11 +334,12 @@ static __attribute__((noinline)) void sweep_up(struct work *w)
 /* Correct and place all elements of the lanes that move. */
 static __attribute__((noinline)) void step_up(struct work *w)
 {
+    const int from = first_column(w->kind);
     w->bend = w->turn = real_of(0);
     for (size_t i = 0; i < w->mesh->n; i++) {
         struct change end;
         struct wf_beam_pose old = w->pose[i];
-        correct_element(w, i, &end);
+        correct_element(w, i, from, &end);
         place_end(w, i);
         int32_t slot = w->joints->slot[i];
         if (slot < 0) continue;
@@ -372,7 +382,7 @@ static truth improved(const struct work *w, const struct beam_misfit *before, re
 static void start(const struct wf_lanes *x, struct work *w)
 {
     *w = work_of(x);
-    set_air(x->loads, &w->air);
+    set_loads(x, w);
     w->guard = ~(truth){ 0 };
     sweep_up(w);
     sweep_down(w, false);
@@ -463,7 +473,7 @@ static void newton(struct wf_lanes *x)
 static void iterate(struct wf_lanes *x)
 {
     struct work w = work_of(x);
-    set_air(x->loads, &w.air);
+    set_loads(x, &w);
     sweep_down(&w, false);
     step_up(&w);
 }
@@ -519,7 +529,7 @@ static void read_all(struct wf_lanes *x)
     struct real_row *rows = (void *)x->row;
     struct real_sums *sums = (void *)x->sums;
     const real first[3] = { real_of(t->x0[0]), real_of(t->y0[0]), real_of(t->z0[0]) };
-    set_air(x->loads, &w.air);
+    set_loads(x, &w);
     sweep_up(&w);
     memset(rows, 0, t->n * sizeof *rows);
     memset(sums, 0, sizeof *sums);

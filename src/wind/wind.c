@@ -245,7 +245,7 @@ enum wf_profile_form wf_wind_form(const struct wf_wind *w)
 {
     for (const struct wf_profile *p = wf_profiles; p->name; p++)
         if (p->sample == w->sample) return p->form;
-    return WF_PROFILE_BY_CALL;
+    return WF_PROFILE_OTHER;
 }
 
 const struct wf_profile *wf_profile_named(const char *name)

@@ -31,9 +31,15 @@ struct wf_wind {
     double (*clear)(const struct wf_wind *w, const double x[3], const double t[3]);
 };
 
-/* Formulas of wind/wind_kernel.h, by which many states are computed at once. A profile without one, and any
- * other field, is sampled for one state after the other. */
-enum wf_profile_form { WF_PROFILE_BY_CALL, WF_PROFILE_UNIFORM, WF_PROFILE_LOG, WF_PROFILE_POWER };
+/* How a field is computed for many states at once: by a formula of wind/wind_kernel.h, or sampled for one
+ * state after the other. A profile is a function of height. */
+enum wf_profile_form {
+    WF_PROFILE_OTHER, /* any field */
+    WF_PROFILE_BY_CALL,
+    WF_PROFILE_UNIFORM,
+    WF_PROFILE_LOG,
+    WF_PROFILE_POWER
+};
 
 struct wf_profile {
     const char *name, *source, *validity;
