@@ -56,7 +56,6 @@ $(B)/tests/fuzz/%: $(B)/tests/fuzz/read_%.o $(call obj,tests/fuzz/fuzz.c tests/f
                    $(if $(FUZZ),,$(B)/tests/fuzz/replay.o) $(B)/libwindfirm.a
 	$(CC) $(SANF) $(if $(FUZZ),-fsanitize=fuzzer) $(LDFLAGS) $(WRAP) $(filter %.o,$^) $(filter %.a,$^) $(LDLIBS) -o $@
 $(B)/tests/fuzz/%: WRAP = -Wl,--wrap=wf_units_open,--wrap=wf_units_close
-$(B)/tests/fuzz/results: WRAP += -Wl,--wrap=posix_spawnp
 $(B)/tests/fuzz/study: $(call obj,$(filter-out src/main.c,$(CMDSRC)))
 $(B)/%.o: %.c
 	@mkdir -p $(@D)

@@ -22,6 +22,15 @@
 </xsl:template>
 <!-- empty groups are most of gnuplot's file -->
 <xsl:template match="svg:g[not(.//svg:path|.//svg:text|.//svg:use|.//svg:polygon|.//svg:rect|.//svg:circle|.//svg:image)]"/>
+<!-- a group of one line or text is that alone: WeasyPrint needs as long for a group as for what is in it -->
+<xsl:template match="svg:g[count(*) = 1 and (svg:path or svg:text) and not(*/@transform)]">
+  <xsl:for-each select="*">
+    <xsl:element name="{local-name()}">
+      <xsl:apply-templates select="../@*"/>
+      <xsl:apply-templates select="@*|node()"/>
+    </xsl:element>
+  </xsl:for-each>
+</xsl:template>
 <!-- a map of points stands in the file itself -->
 <xsl:template match="svg:image">
   <image><xsl:copy-of select="@x|@y|@width|@height|@preserveAspectRatio"/>

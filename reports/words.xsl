@@ -135,6 +135,11 @@
     <xsl:when test="$tree/species/name != ''"><xsl:value-of select="normalize-space($tree/species/name)"/></xsl:when>
     <xsl:otherwise><xsl:value-of select="$tree/species/key"/></xsl:otherwise>
   </xsl:choose>
+  <!-- two species that Chinese calls by one name -->
+  <xsl:if test="$lang = 'zh' and $tree/species/name_zh != '' and
+                $trees[species/name_zh = $tree/species/name_zh and species/name != $tree/species/name]">
+    <xsl:value-of select="concat('（', normalize-space($tree/species/name), '）')"/>
+  </xsl:if>
   <!-- two tables of one species (another preset, or the user's own copy) must not look the same -->
   <xsl:if test="count($trees[species/name = $tree/species/name]) &gt; 1">
     <xsl:value-of select="concat(' (', $tree/species/key)"/>

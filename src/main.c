@@ -76,6 +76,7 @@ static int run(int argc, char **argv)
         if (strcmp(word, c->name) != 0) continue;
         char page[] = "--help", *only_help[] = { argv[detail ? 2 : 1], page, NULL };
         int code = detail ? c->run(2, only_help) : c->run(argc - 1, argv + 1);
+        wf_progress_clear();
         return wf_interrupted() ? 128 + wf_interrupted() : code;
     }
     return unknown(word);

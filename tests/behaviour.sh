@@ -16,7 +16,7 @@
 #   made        holds the input files made below;
 #   share       is the program's own source folder, its WINDFIRM_SHARE;
 #   reference   is WINDFIRM_REFERENCE.
-# PDF pages are not printed: a stand-in for weasyprint writes down what it was asked for.
+# PDF pages are not printed: a stand-in for WeasyPrint writes the size of the page.
 set -u
 
 fail() {
@@ -320,7 +320,7 @@ E
 }
 
 unset LINES WINDFIRM_REFERENCE
-export LC_ALL=C.UTF-8 SOURCE_DATE_EPOCH=1700000000 WINDFIRM_SHARE=share
+export PYTHONDONTWRITEBYTECODE=1 LC_ALL=C.UTF-8 SOURCE_DATE_EPOCH=1700000000 WINDFIRM_SHARE=share
 if [ -n "${KEEP:-}" ]; then
     mkdir -p "$KEEP" && work=$(cd "$KEEP" && pwd) || fail "KEEP: $KEEP cannot be made"
     [ -z "$(ls -A "$work")" ] || fail "KEEP: $KEEP is not empty"
@@ -337,13 +337,37 @@ cp -R "$old/species" "$old/models" "$old/validation" "$inputs" && cp -R "$old/te
 (cd "$inputs/made" && make_inputs)
 ln -s "$old/build/windfirm" "$work/bin/old/windfirm"
 ln -s "$new/build/windfirm" "$work/bin/new/windfirm"
-cat >"$work/bin/weasyprint" <<'E'
+# windfirm runs reports/pdf.py by the Python in the first line of the program weasyprint. Here that is the true Python with
+# a module weasyprint that prints a page without content; -E would hide it. Builds without pdf.py run the program itself.
+python=$(command -v python3) || fail "python3: not there"
+cat >"$work/bin/python3" <<E
 #!/bin/sh
-said=%PDF
-while [ $# -gt 1 ]; do said="$said $1" && shift; done
-printf '%s\n%%%%EOF\n' "$said" >"$1"
+[ "\$1" != -E ] || shift
+PYTHONPATH='$work/bin' exec '$python' "\$@"
 E
-chmod +x "$work/bin/weasyprint"
+cat >"$work/bin/weasyprint.py" <<'E'
+import logging
+
+LOGGER = logging.getLogger('weasyprint')
+
+
+class HTML:
+    def __init__(self, **page):
+        self.size = len(page['string'])
+
+    def write_pdf(self, name):
+        with open(name, 'w') as pdf:
+            pdf.write('%%PDF of a page of %d bytes\n%%%%EOF\n' % self.size)
+E
+cat >"$work/bin/weasyprint" <<E
+#!$work/bin/python3
+import sys
+import weasyprint
+
+with open(sys.argv[-2], 'rb') as page:
+    weasyprint.HTML(string=page.read()).write_pdf(sys.argv[-1])
+E
+chmod +x "$work/bin/weasyprint" "$work/bin/python3"
 
 # What differs of necessity, in what is printed: the source folder, where it is compiled in (the longer name first:
 # one may lie in the other); processor time of `wind --stream`.

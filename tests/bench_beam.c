@@ -281,6 +281,23 @@ static void frequencies(struct beam_case *c)
     printf("      first 10 frequencies: %.3f s (%.4f .. %.4f Hz)\n", best, f[0], f[9]);
 }
 
+/* One solution of the linear solver on one element a row. */
+static void linear(struct beam_case *c)
+{
+    double best = INFINITY;
+    beam_blow(c, 15, 0, 0);
+    c->loads.gravity = 9.81;
+    for (int k = 0; k < 5; k++) {
+        struct wf_arena a = { 0 };
+        double start = now();
+        if (wf_solver_linear.solve(&c->tree, &c->loads, &c->options, &a, &c->out, &c->diag, &c->err))
+            printf("%s\n", c->err.text);
+        best = fmin(best, now() - start);
+        wf_arena_free(&a);
+    }
+    printf("      linear solver: %.3f s, %.0f ns/element\n", best, best / (double)c->tree.n * 1e9);
+}
+
 static double children(void)
 {
     struct rusage u;
@@ -360,6 +377,7 @@ int main(int argc, char **argv)
         lanes(&c, mild[k], k);
         if (k < 2) directions(&c, mild[k]);
         if (k == 1) frequencies(&c);
+        if (k == 2) linear(&c);
         beam_free(&c);
     }
     printf("ns/element 10k : 1k = %.2f, 100k : 1k = %.2f\n", per_element[1] / per_element[0],

@@ -273,8 +273,8 @@ static void text_of_users(void **state)
     } rows[] = {
         { "plain \xe6\x9f\xb3 \xc2\xb0 '\"`$\\", "plain \xe6\x9f\xb3 \xc2\xb0 '\"`$\\",
           "plain \xe6\x9f\xb3 \xc2\xb0 '\"`$\\" },
-        { "two\nlines\t", "two\nlines\t", "two\nlines\t" },
-        { "\x1b[31mred\r\x7f", "\\x1b[31mred\\x0d\\x7f", "\xef\xbf\xbd[31mred\r\x7f" },
+        { "two\nlines\t", "two\\x0alines\t", "two\nlines\t" },
+        { "\x1b[31mred\r\x7f", "\\x1b[31mred\n\\x7f", "\xef\xbf\xbd[31mred\r\x7f" },
         { "\xc2\x9b"
           "31m",
           "\\u009b31m",
@@ -292,7 +292,7 @@ static void text_of_users(void **state)
     };
     struct wf_arena a = { 0 };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        assert_string_equal(wf_text_for_terminal(rows[i].given, &a), rows[i].terminal);
+        assert_string_equal(wf_text_for_terminal(rows[i].given, '\r', &a), rows[i].terminal);
         assert_string_equal(wf_text_for_xml(rows[i].given, &a), rows[i].xml);
     }
     assert_string_equal(wf_text_shortened("abcdef", 6, &a), "abcdef");

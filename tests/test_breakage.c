@@ -39,7 +39,7 @@ static void cantilever(struct fixture *f, size_t n, double tip, double inner, st
     p.segment = (int32_t)n - 1;
     l.gravity = gravity, l.point = &p, l.points = 1;
     assert_int_equal(wf_solver_chain.solve(&f->t, &l, &o, &f->arena, &f->r, NULL, &f->e), WF_OK);
-    assert_int_equal(wf_breakage_check(&f->t, &f->r, &f->arena, &f->b, &f->e), WF_OK);
+    assert_int_equal(wf_breakage_check(&f->t, &f->r, NULL, &f->arena, &f->b, &f->e), WF_OK);
     wf_criteria_check(&f->t, &f->r, &f->b, f->worst);
 }
 
@@ -121,14 +121,14 @@ static void strength_of_each_row_counts(void **state)
     cantilever(&f, 4, 1, 0, push, 0);
     double stress = 4 * P * L / (PI * R * R * R);
     f.t.strength[0] = 0, f.t.strength[2] = STRENGTH / 10;
-    assert_int_equal(wf_breakage_check(&f.t, &f.r, &f.arena, &f.b, &f.e), WF_OK);
+    assert_int_equal(wf_breakage_check(&f.t, &f.r, NULL, &f.arena, &f.b, &f.e), WF_OK);
     wf_criteria_check(&f.t, &f.r, &f.b, f.worst);
     assert_true(isnan(f.b.safety0[0]) && isnan(f.b.safety1[0]));
     assert_int_equal(f.worst[0][0].row, 2);
     assert_close(f.worst[0][0].safety, STRENGTH / 10 / (0.5 * stress), 1e-9);
     assert_int_equal(f.b.largest_stress_row, 0);
     for (size_t i = 0; i < 4; i++) f.t.strength[i] = 0;
-    assert_int_equal(wf_breakage_check(&f.t, &f.r, &f.arena, &f.b, &f.e), WF_OK);
+    assert_int_equal(wf_breakage_check(&f.t, &f.r, NULL, &f.arena, &f.b, &f.e), WF_OK);
     wf_criteria_check(&f.t, &f.r, &f.b, f.worst);
     assert_true(isnan(f.worst[0][0].safety) && f.worst[0][0].row == -1);
     wf_arena_free(&f.arena);
@@ -142,11 +142,11 @@ static void unstressed_and_refused(void **state)
     assert_true(isinf(f.worst[0][0].safety) && isinf(f.b.safety0[0]) && f.b.largest_stress == 0);
     for (size_t limit = 1; limit < 200; limit += 16) {
         struct wf_arena small = { .limit = limit };
-        assert_int_equal(wf_breakage_check(&f.t, &f.r, &small, &f.b, NULL), WF_ENOMEM);
+        assert_int_equal(wf_breakage_check(&f.t, &f.r, NULL, &small, &f.b, NULL), WF_ENOMEM);
         wf_arena_free(&small);
     }
     f.r.n = 2;
-    assert_int_equal(wf_breakage_check(&f.t, &f.r, &f.arena, &f.b, &f.e), WF_EINTERNAL);
+    assert_int_equal(wf_breakage_check(&f.t, &f.r, NULL, &f.arena, &f.b, &f.e), WF_EINTERNAL);
     wf_arena_free(&f.arena);
 }
 

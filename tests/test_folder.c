@@ -233,6 +233,38 @@ static void two_at_once(void **unused)
     CHECK(rows);
 }
 
+/* A folder that is a disk of its own, and one whose tables are on another disk. */
+static void mount_points(void **unused)
+{
+    (void)unused;
+    if (system("unshare -rm mount -t tmpfs none /mnt 2>/dev/null")) {
+        print_message("skipped: no disks can be mounted here (unshare -rm)\n");
+        skip();
+    }
+#define MOUNTED(commands)                                                                                    \
+    RUN "export W; mkdir -p d/tables; cat >inside <<'END'\n"                                                 \
+        "run() { v=$1; shift; $W analyze oak --model culm --wind $v -q --no-report -o \"$@\"; }\n" commands  \
+        "\nEND\nunshare -rm sh inside"
+    static const struct row rows[] = {
+        { MOUNTED(
+              "mount -t tmpfs none d && run 10 d && run 12 d && ls -A d; PATH=/none $W report -q d; echo $?; "
+              "grep -c run_files d/results.json; run 10 d --study none; ls -A d | wc -l"),
+          0,
+          { "results.json\ntables\n", "1\n1\n", "4\n" } },
+        { MOUNTED("mount -t tmpfs none d && run 10 d --study none; ls -A d; mountpoint -q d && echo mounted"),
+          0,
+          { "none", "mounted\n" } },
+        { MOUNTED("mount -t tmpfs none d/tables && run 10 d; echo $?; ls -A d d/tables"),
+          0,
+          { "d/tables/segments.csv: cannot be written: Invalid cross-device "
+            "link\n1\nd:\ntables\n\nd/tables:\n" } },
+        { MOUNTED("mount -t tmpfs -o size=20k none d && run 10 d; echo $?; ls -A d"),
+          0,
+          { "No space left on device\n1\n" } },
+    };
+    CHECK(rows);
+}
+
 /* Kill -9 at 20 moments of a run: the folder is of the run before or of this one, or `report` does not take
  * it; and the next run puts it right. */
 static void killed(void **unused)
@@ -274,26 +306,39 @@ static void killed_between_moves(void **unused)
     CHECK(rows);
 }
 
+/* `stop SIGNAL STATE COMMAND...`: run a command and send it a signal as soon as a state is there, however
+ * fast the machine is; a command that ends before gets none. The command is not the one in the background: a
+ * shell starts those with SIGINT ignored. */
+#define STOP                                                                                                 \
+    RUN "stop() { s=$1 state=$2; shift 2; rm -f pid; { until [ -s pid ]; do sleep 0.01; done; p=$(cat "      \
+        "pid); "                                                                                             \
+        "while kill -0 $p && ! eval \"$state\"; do sleep 0.01; done; kill -$s $p; } >/dev/null 2>&1 & sh "   \
+        "-c "                                                                                                \
+        "'echo $$ >pid; exec \"$@\"' sh \"$@\"; echo code $?; wait; }\n"
+
 /* Ctrl-C: what is finished is put in place and says so; no stage, no child is left. */
 static void interrupted(void **unused)
 {
     (void)unused;
     static const struct row rows[] = {
-        { RUN "timeout --foreground --preserve-status -s INT 3 $W compare oak beech ash poplar birch --model "
-              "broadleaf "
-              "--wind 5:40:5 -q --no-report -o d; echo code $?; grep '\"status\": \"int' d/results.json; ls "
-              "-A d; PATH=/none $W report d >/dev/null 2>&1; grep -c 'class=\"status\"' d/report.html",
+        /* the first tree's speeds are printed; its searches and four trees are to come */
+        { STOP
+          "stop INT 'grep -q ^Oak said' $W compare oak beech ash poplar birch --model broadleaf --wind "
+          "5:40:5 --no-report -o d >said; grep ^code said; grep '\"status\": \"int' d/results.json; ls -A d; "
+          "PATH=/none $W report d >/dev/null 2>&1; grep -c 'class=\"status\"' d/report.html",
           0,
           { "code 130", "\"status\": \"interrupted\"", "plots\nresults.json\ntables\n1\n" } },
-        { RUN "timeout --foreground --preserve-status -s TERM 3 $W series oak --model broadleaf --wind 10 "
-              "--gust cosine "
-              "-q --no-report -o d; echo code $?; grep '\"status\": \"int' d/results.json; ls -A d",
+        /* from the stage on signals are noted; 600 frames are to come, and one is always finished */
+        { STOP
+          "stop TERM 'test -d d/.windfirm-*/tables' $W series oak --model broadleaf --wind 10 --gust cosine "
+          "-q --no-report -o d; grep '\"status\": \"int' d/results.json; ls -A d",
           0,
           { "code 143", "interrupted", "plots\nresults.json\ntables\nvtk\n" } },
-        { RUN "timeout --foreground --preserve-status -s INT 3 $W wind von-karman --points 30 --duration "
-              "1000000 --stream "
-              "g.npy >/dev/null; echo code $?; ls -A | grep npy; head -c 100 g.npy | grep -a -o 'shape.*,'; "
-              "stat -c %s g.npy",
+        /* a part of the wind is written, of 8 GB */
+        { STOP
+          "stop INT 'find . -name \".g.npy*\" -size +0 | grep -q .' $W wind von-karman --points 30 "
+          "--duration 1000000 --stream g.npy >said; grep ^code said; ls -A | grep npy; head -c 100 g.npy | "
+          "grep -a -o 'shape.*,'; stat -c %s g.npy",
           0,
           { "code 130\ng.npy\n", "shape" } },
         /* the child is looked for as long as the run lives, and kept by the look that found it;
@@ -314,9 +359,11 @@ static void interrupted(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(names),       cmocka_unit_test(plain_files), cmocka_unit_test(lists),
-        cmocka_unit_test(belongs),     cmocka_unit_test(links),       cmocka_unit_test(mixtures),
-        cmocka_unit_test(two_at_once), cmocka_unit_test(killed),      cmocka_unit_test(killed_between_moves),
+        cmocka_unit_test(names),       cmocka_unit_test(plain_files),
+        cmocka_unit_test(lists),       cmocka_unit_test(belongs),
+        cmocka_unit_test(links),       cmocka_unit_test(mixtures),
+        cmocka_unit_test(two_at_once), cmocka_unit_test(mount_points),
+        cmocka_unit_test(killed),      cmocka_unit_test(killed_between_moves),
         cmocka_unit_test(interrupted),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "out/printer.h"
 #include "out/reader.h"
 #include "out/report.h"
 #include "shell.h"
@@ -18,8 +19,9 @@ static bool tools(void)
     return system("command -v gnuplot >/dev/null && command -v weasyprint >/dev/null") == 0;
 }
 
-/* $PRINTER, for the front of PATH: a printer of pages that notes its arguments and writes a PDF without
- * content. WeasyPrint needs seconds for a page, so the true one prints a few pages of each kind only. */
+/* $PRINTER, for the front of PATH: a WeasyPrint that notes the names it is given and writes a PDF without
+ * content, below the true reports/pdf.py. WeasyPrint needs a second for a page, so the true one prints a few
+ * pages of each kind only. */
 static char printer[] = "/tmp/windfirm-test-XXXXXX";
 
 static int make_printer(void **state)
@@ -27,21 +29,31 @@ static int make_printer(void **state)
     (void)state;
     char command[1024];
     if (!mkdtemp(printer) || setenv("PRINTER", printer, 1)) return -1;
-    snprintf(command, sizeof command,
-             "cd %s && echo '#!%s/python3' >weasyprint && cat >python3 <<'END' && chmod +x *\n"
-             "#!/bin/sh\n"
-             "echo \"$*\" >>%s/printed\n"
-             "printf '%%%%PDF-1\\n%%%%%%%%EOF\\n' >\"$4\"\n"
-             "END\n",
-             printer, printer, printer);
+    snprintf(
+        command, sizeof command, "%s",
+        "true=$(command -v python3); cd $PRINTER && echo \"#!$PRINTER/python3\" >weasyprint && cat >python3 "
+        "<<END && chmod +x * && cat >weasyprint.py <<'END'\n"
+        "#!/bin/sh\n"
+        "echo \"\\$*\" >>$PRINTER/printed\n"
+        "shift\n"
+        "PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$PRINTER exec $true \"\\$@\"\n"
+        "END\n"
+        "import logging, os\n"
+        "LOGGER = logging.getLogger()\n"
+        "class HTML:\n"
+        "    def __init__(self, string, encoding, url_fetcher): pass\n"
+        "    def write_pdf(self, name):\n"
+        "        with open(os.environ['PRINTER'] + '/printed', 'a') as f: f.write(ascii(name) + '\\n')\n"
+        "        with open(name, 'w') as f: f.write('%PDF-1\\n%%EOF\\n')\n"
+        "END\n");
     return system(command);
 }
 
 /* Did the printer get names of this program only? */
 static void check_printed(void)
 {
-    int code = system("test -s $PRINTER/printed && ! grep -vxE -e "
-                      "'-E [^ ]*/reports/pdf.py [a-z]+.html [.][a-z]+.pdf[.0-9]+' $PRINTER/printed");
+    int code = system("grep -q '^-E' $PRINTER/printed && grep -q pdf[.] $PRINTER/printed && ! grep -vxE "
+                      "-e '-E [^ ]*/reports/pdf.py' -e \"'[.][a-z]+.pdf[.0-9]+'\" $PRINTER/printed");
     if (code) fail_msg("the printer of pages was not started, or with other arguments");
 }
 
@@ -112,7 +124,7 @@ static void try(struct fuzz *z)
     struct wf_diag d = { .arena = &arena };
     struct wf_err e = { 0 };
     if (json_dump_file(z->document, z->file, 0)) fail_msg("%s: not written", z->file);
-    enum wf_status s = wf_report_make(z->folder, "en", &d, &e);
+    enum wf_status s = wf_report_make(z->folder, "en", &(struct wf_printer){ 0 }, &d, &e);
     if (s != WF_EMISSING && s != WF_EINPUT && s != WF_EOUTPUT) fail_msg("%s: %s", z->file, e.text);
     z->tried++;
     z->refused += s == WF_EINPUT;
@@ -233,7 +245,9 @@ static void words_are_never_run(void **state)
         replace_words(document);
         assert_int_equal(json_dump_file(document, file, 0), 0);
         json_decref(document);
-        enum wf_status s = wf_report_make(folder, "zh", &d, &e);
+        struct wf_printer pdf = { 0 };
+        enum wf_status s = wf_report_make(folder, "zh", &pdf, &d, &e);
+        wf_printer_close(&pdf);
         /* a word that stands for a sentence may be unknown */
         if (s && !(s == WF_EOUTPUT && strstr(e.text, "no string"))) fail_msg("%s: %s", file, e.text);
         wf_arena_free(&arena);
@@ -386,12 +400,54 @@ static void nothing_acts_on_a_terminal(void **state)
           { "a\\x1b[31mb\\u202ec" } },
         { "$W analyze oak $M --wind \"$(printf '\\033[2J')\"", CODE_INPUT, { "\\x1b[2J" } },
         { "$W report \"$(printf '/no\\033where')\"", CODE_INPUT, { "/no\\x1bwhere" } },
+        /* a line end in a name makes no line, whatever other control characters are in it */
+        { "$W analyze \"$(printf 'a\\nwindfirm: safe')\" $M --wind 10",
+          CODE_INPUT,
+          { "a\\x0awindfirm: safe" } },
+        { "$W oak\"$(printf '\\nb\\001\\002')\"", CODE_INPUT, { "oak\\x0ab\\x01\\x02'" } },
+        { "d=\"$(printf '%s/a\\nb' \"$T\")\"; $W analyze oak $M --wind 10 --no-report -o \"$d\"; echo mine "
+          ">\"$d/report.html\"; $W analyze oak $M --wind 10 -q -o \"$d\"",
+          CODE_RUN,
+          { "Results and tables: ", "/a\\x0ab\n", "a\\x0ab/report.html: no run of windfirm made it" } },
+        { "$W schema model", CODE_OK, { "\n\nKeys:\n" } },
     };
     CHECK(rows);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         shell(rows[i].command);
         assert_null(strpbrk(output, "\x1b\x07\x7f"));
     }
+}
+
+/* A pipe with a name is not waited for without end when no program has its other end open; one that comes
+ * late or is slow is waited for. */
+static void pipes_end(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "mkfifo $T/in $T/out.csv; timeout 60 $W tree info $T/in & timeout 60 $W import $D/plain.csv -q -o "
+          "$T/out.csv; "
+          "echo $?; wait $!; echo $?",
+          CODE_OK,
+          { "/in: is a pipe that no program writes to (waited 10 s)",
+            "/out.csv: is a pipe that no program reads (waited 10 s)", "1\n", "2\n" } },
+        { "mkfifo $T/m.yaml; { sleep 1; exec >$T/m.yaml; sleep 1; head -n 5 models/culm.yaml; sleep 1; tail "
+          "-n +6 models/culm.yaml; } & $W analyze oak --model $T/m.yaml --wind 10 -q --no-report -o $T/a && "
+          "$W "
+          "analyze oak --model models/culm.yaml --wind 10 -q --no-report -o $T/b && cmp "
+          "$T/a/tables/sweep.csv "
+          "$T/b/tables/sweep.csv && echo same",
+          CODE_OK,
+          { "same\n" } },
+        { "mkfifo $T/in; { sleep 1; : >$T/in; } & $W tree info $T/in",
+          CODE_INPUT,
+          { "in: the file is empty" } },
+        { "true | { sleep 1; $W tree info /dev/stdin; }", CODE_INPUT, { "the file is empty" } },
+        { "mkfifo $T/out.csv; { sleep 1; cat $T/out.csv | head -n 1; } & $W import $D/plain.csv -q -o "
+          "$T/out.csv; wait",
+          CODE_OK,
+          { "," } },
+    };
+    CHECK(rows);
 }
 
 /* The other commands: a nasty name for the run, the study or the test, and for the folder; all figures and a
@@ -449,6 +505,7 @@ int main(void)
         cmocka_unit_test(nasty_names),
         cmocka_unit_test(nasty_names_of_other_commands),
         cmocka_unit_test(nothing_acts_on_a_terminal),
+        cmocka_unit_test(pipes_end),
     };
     return cmocka_run_group_tests(tests, make_printer, remove_printer);
 }

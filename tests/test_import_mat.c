@@ -405,7 +405,9 @@ static void real_files_both_ways(void **state)
 {
     (void)state;
     const char *reference = getenv("WINDFIRM_REFERENCE");
-    char name[2048], command[4096];
+    char name[2048], command[4096], private[] = "/tmp/windfirm-test-XXXXXX", rows[64];
+    assert_non_null(mkdtemp(private));
+    snprintf(rows, sizeof rows, "%s/rows.csv", private);
     snprintf(name, sizeof name, "%s/trees/qsm", reference ? reference : "");
     DIR *folder = reference ? opendir(name) : NULL;
     size_t n = 0;
@@ -416,16 +418,16 @@ static void real_files_both_ways(void **state)
         snprintf(name, sizeof name, "%s/trees/qsm/%s", reference, f->d_name);
         import_path(&t, name);
         if (t.status) fail_msg("%s", t.err.text);
-        assert_int_equal(wf_qsm_write(&t.qsm, "/tmp/windfirm-test-real.csv", NULL, &t.err), WF_OK);
+        assert_int_equal(wf_qsm_write(&t.qsm, rows, NULL, &t.err), WF_OK);
         wf_arena_free(&t.arena);
-        snprintf(command, sizeof command,
-                 "$W import -q %s -o $T/t.csv && cmp $T/t.csv /tmp/windfirm-test-real.csv", name);
+        snprintf(command, sizeof command, "$W import -q %s -o $T/t.csv && cmp $T/t.csv %s", name, rows);
         int code = shell(command);
         if (code) fail_msg("%s: %s", name, output);
         n++;
     }
     if (folder) closedir(folder);
-    (void)unlink("/tmp/windfirm-test-real.csv");
+    (void)unlink(rows);
+    (void)rmdir(private);
     if (!n) {
         print_message("skipped: no .mat files; WINDFIRM_REFERENCE may name a folder with trees/qsm\n");
         skip();

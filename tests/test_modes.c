@@ -35,6 +35,60 @@ static void uniform(void **state)
     beam_free(&c);
 }
 
+/* Two uniform stems side by side sway alike in both directions each: every frequency four times. */
+static void four_alike(void **state)
+{
+    (void)state;
+    const double b[3] = { 1.8751040687119611665, 4.6940911329741745764, 7.8547574382376125649 };
+    struct beam_case c;
+    beam_unit(&c, 2, 1);
+    for (size_t i = 0; i < 2; i++) {
+        double x = 3 * (double)i, from[3] = { x, 0, 0 }, to[3] = { x, 0, 1 };
+        beam_row(&c, i, -1, from, to, 1e-3, 1e-3);
+    }
+    modes(&c, 12);
+    for (size_t i = 0; i < 12; i++) assert_close(f[i], b[i / 4] * b[i / 4], 1e-6);
+    for (size_t i = 0; i < 12; i++) assert_close(f[i], f[4 * (i / 4)], 1e-9);
+    beam_free(&c);
+}
+
+/* A stem with four equal branches crosswise, turned about the vertical by `angle`, each with two twigs in its
+ * upright plane. */
+static void cross(struct beam_case *c, double angle)
+{
+    const double fork[3] = { 0, 0, 2 }, ground[3] = { 0, 0, 0 };
+    beam_new(c, 13);
+    beam_row(c, 0, -1, ground, fork, 0.1, 0.08);
+    for (size_t k = 0; k < 4; k++) {
+        double a = angle + 0.5 * PI * (double)k, x = cos(a), y = sin(a);
+        double end[3] = { x, y, 3 }, low[3] = { 1.8 * x, 1.8 * y, 3.1 }, high[3] = { 1.2 * x, 1.2 * y, 3.9 };
+        int32_t branch = 1 + 3 * (int32_t)k;
+        beam_row(c, 1 + 3 * k, 0, fork, end, 0.05, 0.04);
+        beam_row(c, 2 + 3 * k, branch, end, low, 0.02, 0.01);
+        beam_row(c, 3 + 3 * k, branch, end, high, 0.02, 0.01);
+    }
+}
+
+/* Of the motions of a tree with fourfold symmetry those that sway to a side come in pairs. All are found: the
+ * frequencies do not depend on how the tree stands to the axes. */
+static void pairs_of_a_cross(void **state)
+{
+    (void)state;
+    double straight[MOST];
+    size_t pairs = 0;
+    for (int turned = 0; turned < 2; turned++) {
+        struct beam_case c;
+        cross(&c, turned ? 0.7 : 0);
+        c.options.mesh_tolerance = 0;
+        modes(&c, MOST);
+        for (size_t i = 0; turned && i < MOST; i++) assert_close(f[i], straight[i], 1e-9);
+        memcpy(straight, f, sizeof f);
+        beam_free(&c);
+    }
+    for (size_t i = 0; i + 1 < MOST; i++) pairs += fabs(f[i + 1] / f[i] - 1) < 1e-9;
+    assert_true(pairs >= 3);
+}
+
 /* Shapes: the displacement of the rows' ends, largest component 1; the first mode of a uniform stem. */
 static void shape(void **state)
 {
@@ -261,10 +315,13 @@ static void both_agree(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(uniform),     cmocka_unit_test(shape),       cmocka_unit_test(heavy),
-        cmocka_unit_test(stiff_ways),  cmocka_unit_test(trees),       cmocka_unit_test(fourth_order),
-        cmocka_unit_test(prestressed), cmocka_unit_test(few_motions), cmocka_unit_test(greenhill),
-        cmocka_unit_test(euler),       cmocka_unit_test(never),       cmocka_unit_test(both_agree),
+        cmocka_unit_test(four_alike),  cmocka_unit_test(pairs_of_a_cross),
+        cmocka_unit_test(uniform),     cmocka_unit_test(shape),
+        cmocka_unit_test(heavy),       cmocka_unit_test(stiff_ways),
+        cmocka_unit_test(trees),       cmocka_unit_test(fourth_order),
+        cmocka_unit_test(prestressed), cmocka_unit_test(few_motions),
+        cmocka_unit_test(greenhill),   cmocka_unit_test(euler),
+        cmocka_unit_test(never),       cmocka_unit_test(both_agree),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -41,6 +41,29 @@ static int tools(void)
     "tail -c 10 $f | grep -q '</html>' || echo cut short; head -c 4 $T/%s/%s.pdf | grep -q %%PDF || echo "   \
     "no pdf; "
 
+/* PDFs are left out and printed later, those of several folders by one call; a folder that is none does not
+ * stop it. */
+static void pdfs_are_made_later(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "for n in 1 2; do $W analyze oak $M --wind 1$n --no-pdf -o $T/p$n -q; ls $T/p$n | grep -c report; "
+          "done\n"
+          "$W report $T/p1 $T/none $T/p2; code=$?\n"
+          "for n in 1 2; do head -c 4 $T/p$n/report.pdf; grep -c '\"report.pdf\"' $T/p$n/results.json; done\n"
+          "$W report $T/p1 --no-pdf -q --lang zh; ls $T/p1; grep '\"report.pdf\"' $T/p1/results.json; exit "
+          "$code",
+          CODE_INPUT,
+          { "1\n1\n", "none/results.json: cannot be read", "%PDF1\n%PDF1\n",
+            "plots\nreport.html\nresults.json\ntables\n" } },
+        { "$W analyze oak $M --wind 10 --no-report --no-pdf",
+          CODE_INPUT,
+          { "--no-pdf: has no effect without a page" } },
+    };
+    if (!tools()) skip();
+    CHECK(rows);
+}
+
 static void every_page_in_both_languages(void **state)
 {
     (void)state;
@@ -75,6 +98,18 @@ static void a_command_speaks_the_language_it_is_asked_for(void **state)
           CODE_OK,
           { "<html lang=\"zh\">", "全部风速" } },
         { "$W wind kaimal --lang de", CODE_INPUT, { "--lang" } },
+        { "$W terrain -q --lang zh -o $T/out && find $T/out/plots -name terrain.svg -size -100000c", /* bytes
+                                                                                                      */
+          CODE_OK,
+          { "terrain.svg" } },
+        /* two species of one Chinese name are told apart */
+        { "sed 's/^name:.*/name: River oak/' species/oak.yaml >$T/b.yaml; PATH=/none $W compare oak "
+          "$T/b.yaml $M "
+          "--wind 10 -q --lang zh -o $T/out 2>/dev/null; f=$T/out/report.html; grep -q '欧洲栎（Oak）' $f && "
+          "grep "
+          "-q '欧洲栎（River oak）' $f && ! grep -q '欧洲栎[^（]' $f && echo apart",
+          CODE_OK,
+          { "apart\n" } },
         { "mkdir -p $T/out; echo '{\"schema\": {\"name\": \"windfirm-wind\", \"version\": 2}}' "
           ">$T/out/results.json; "
           "$W report $T/out",
@@ -129,6 +164,7 @@ static void strings_are_whole(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pdfs_are_made_later),
         cmocka_unit_test(every_page_in_both_languages),
         cmocka_unit_test(a_command_speaks_the_language_it_is_asked_for),
         cmocka_unit_test(every_warning_has_words),

@@ -2,7 +2,10 @@
 #include "close.h"
 #include "data/out/folder.h"
 #include "data/out/mock.h"
+#include "out/printer.h"
 #include "out/report.h"
+#include <signal.h>
+#include <sys/wait.h>
 
 static const double winds[] = { 10, 15, 25 };
 
@@ -11,6 +14,7 @@ struct fixture {
     struct folder folder;
     struct wf_diag diag;
     struct wf_err e;
+    struct wf_printer printer;
     char *path; /* PATH as it was */
 };
 
@@ -27,6 +31,7 @@ static int setup(void **state)
 static int teardown(void **state)
 {
     struct fixture *f = *state;
+    wf_printer_close(&f->printer);
     setenv("PATH", f->path, 1);
     unsetenv("WINDFIRM_SHARE");
     folder_remove(&f->folder);
@@ -104,7 +109,7 @@ static void whole_report(void **state)
     struct fixture *f = *state;
     if (skipped("gnuplot") || skipped("weasyprint")) return;
     results(f, mock_run(2, winds, 3, &f->arena));
-    if (wf_report_make(f->folder.path, NULL, &f->diag, &f->e)) fail_msg("%s", f->e.text);
+    if (wf_report_make(f->folder.path, NULL, &f->printer, &f->diag, &f->e)) fail_msg("%s", f->e.text);
     assert_int_equal(f->diag.warnings, 0);
     assert_false(folder_has_leftovers(&f->folder));
     char *html = folder_read(&f->folder, "report.html");
@@ -124,6 +129,46 @@ static void whole_report(void **state)
     free(text);
 }
 
+/* One WeasyPrint prints several pages; after one that ended another is started. */
+static void one_printer(void **state)
+{
+    struct fixture *f = *state;
+    if (skipped("gnuplot") || skipped("weasyprint")) return;
+    results(f, mock_run(1, winds, 1, &f->arena));
+    for (size_t page = 1; page <= 3; page++) {
+        if (wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e)) fail_msg("%s", f->e.text);
+        assert_int_equal(f->printer.pages, page < 3 ? page : 1);
+        char *pdf = folder_read(&f->folder, "report.pdf");
+        assert_non_null(pdf);
+        assert_memory_equal(pdf, "%PDF", 4);
+        free(pdf);
+        assert_int_equal(remove(folder_file(&f->folder, "report.pdf")), 0);
+        if (page == 2) assert_int_equal(kill(f->printer.running.child, SIGKILL), 0);
+    }
+    wf_printer_close(&f->printer);
+    assert_int_equal(f->printer.pages, 0);
+    assert_int_equal(waitpid(-1, NULL, WNOHANG), -1); /* nothing is left */
+    if (wf_report_make(f->folder.path, "en", NULL, &f->diag, &f->e)) fail_msg("%s", f->e.text);
+    assert_false(folder_has(&f->folder, "report.pdf"));
+}
+
+/* Fonts in a PDF have the outlines and widths of the fonts they are cut from. */
+static void fonts_are_cut_down(void **state)
+{
+    (void)state;
+    if (skipped("weasyprint")) return;
+    FILE *run = popen(
+        "fonts=$(find /usr/share/fonts -name 'Liberation*-Regular.ttf' -o -name wqy-microhei.ttc -o -name "
+        "DejaVuSans.ttf); $(sed -n '1s/^#!//p' $(command -v weasyprint)) tests/glyphs.py reports/pdf.py "
+        "$fonts 2>&1; echo $fonts | wc -w",
+        "r");
+    char said[2048] = "";
+    size_t n = run ? fread(said, 1, sizeof said - 1, run) : 0, fonts = 0, compared = 0;
+    said[n] = '\0';
+    assert_int_equal(pclose(run), 0);
+    if (sscanf(said, "%zu %zu", &compared, &fonts) != 2 || compared != fonts || !fonts) fail_msg("%s", said);
+}
+
 /* Chinese page, one tree, more wind speeds than are drawn. */
 static void chinese(void **state)
 {
@@ -133,7 +178,7 @@ static void chinese(void **state)
     for (int i = 0; i < 12; i++) speed[i] = 5 + 3 * i;
     results(f, mock_run(1, speed, 12, &f->arena));
     only(f, "gnuplot");
-    assert_int_equal(wf_report_make(f->folder.path, "zh", &f->diag, &f->e), WF_EMISSING);
+    assert_int_equal(wf_report_make(f->folder.path, "zh", &f->printer, &f->diag, &f->e), WF_EMISSING);
     char *html = folder_read(&f->folder, "report.html");
     assert_non_null(strstr(html, "毛竹的风荷载响应"));
     assert_non_null(strstr(html, "图中绘出 12 个风速中的 5 个"));
@@ -149,7 +194,7 @@ static void no_weasyprint(void **state)
     if (skipped("gnuplot")) return;
     results(f, mock_run(2, winds, 3, &f->arena));
     only(f, "gnuplot");
-    assert_int_equal(wf_report_make(f->folder.path, "en", &f->diag, &f->e), WF_EMISSING);
+    assert_int_equal(wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e), WF_EMISSING);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     assert_true(folder_has(&f->folder, "report.html"));
     assert_false(folder_has(&f->folder, "report.pdf"));
@@ -162,7 +207,7 @@ static void no_gnuplot(void **state)
     struct fixture *f = *state;
     results(f, mock_run(2, winds, 3, &f->arena));
     only(f, NULL);
-    assert_int_equal(wf_report_make(f->folder.path, "en", &f->diag, &f->e), WF_EMISSING);
+    assert_int_equal(wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e), WF_EMISSING);
     assert_string_equal(f->e.text, "gnuplot is not installed: install the package gnuplot-nox");
     assert_true(warned(f, "install the package weasyprint"));
     assert_int_equal(f->diag.warnings, 2);
@@ -195,7 +240,7 @@ static void missing_values(void **state)
     };
     results(f, run);
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, "en", &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     char *html = folder_read(&f->folder, "report.html");
     assert_int_equal(times(html, "<svg"), 4);
@@ -220,7 +265,7 @@ static void no_strength(void **state)
     };
     results(f, run);
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, "en", &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     char *html = folder_read(&f->folder, "report.html");
     assert_non_null(strstr(html, "No safety factors: no modulus of rupture is given."));
@@ -238,7 +283,7 @@ static void hostile_names(void **state)
     run.command = "windfirm compare '</style><script>alert(1)</script>'";
     results(f, run);
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, "en", &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e);
     assert_string_equal(f->e.text, "weasyprint is not installed: install the package weasyprint");
     char *html = folder_read(&f->folder, "report.html");
     assert_non_null(strstr(html, "O'Neil's &lt;b&gt;\"_^{x}\" `date` {9}� %d"));
@@ -254,7 +299,7 @@ static void scripts_by_hand(void **state)
     if (skipped("gnuplot")) return;
     results(f, mock_run(2, winds, 3, &f->arena));
     only(f, "gnuplot");
-    (void)wf_report_make(f->folder.path, "en", &f->diag, &f->e);
+    (void)wf_report_make(f->folder.path, "en", &f->printer, &f->diag, &f->e);
     snprintf(command, sizeof command, "cd reports/plots && gnuplot -c shapes.gp %s %s/mine.pdf",
              f->folder.path, f->folder.path);
     assert_int_equal(system(command), 0);
@@ -271,7 +316,7 @@ static void refuse(struct fixture *f, const char *json, const char *words)
     fputs(json, out);
     fclose(out);
     f->e = (struct wf_err){ 0 };
-    assert_int_equal(wf_report_make(f->folder.path, NULL, &f->diag, &f->e), WF_EINPUT);
+    assert_int_equal(wf_report_make(f->folder.path, NULL, &f->printer, &f->diag, &f->e), WF_EINPUT);
     if (!strstr(f->e.text, words)) fail_msg("%s: not said: %s", f->e.text, words);
     assert_false(folder_has(&f->folder, "report.html"));
 }
@@ -279,7 +324,7 @@ static void refuse(struct fixture *f, const char *json, const char *words)
 static void wrong_input(void **state)
 {
     struct fixture *f = *state;
-    assert_int_equal(wf_report_make(f->folder.path, NULL, &f->diag, &f->e), WF_EINPUT);
+    assert_int_equal(wf_report_make(f->folder.path, NULL, &f->printer, &f->diag, &f->e), WF_EINPUT);
     assert_non_null(strstr(f->e.text, "a results folder?"));
     refuse(f, "{ \"schema\": ", "results.json:1:");
     refuse(f, "{ \"schema\": 1 }", "is not a results document of windfirm");
@@ -289,7 +334,7 @@ static void wrong_input(void **state)
     refuse(f, "{ \"schema\": {\"name\": \"windfirm-results\", \"version\": 1}, \"trees\": [{}]}",
            "tables/summary.csv");
     f->e = (struct wf_err){ 0 };
-    assert_int_equal(wf_report_make(f->folder.path, "fr", &f->diag, &f->e), WF_EUSAGE);
+    assert_int_equal(wf_report_make(f->folder.path, "fr", &f->printer, &f->diag, &f->e), WF_EUSAGE);
     assert_non_null(strstr(f->e.text, "allowed: en, zh"));
 }
 
@@ -300,7 +345,7 @@ static void wrong_assets(void **state)
     char share[128];
     results(f, mock_run(1, winds, 1, &f->arena));
     setenv("WINDFIRM_SHARE", "/nowhere", 1);
-    assert_int_equal(wf_report_make(f->folder.path, NULL, &f->diag, &f->e), WF_EINPUT);
+    assert_int_equal(wf_report_make(f->folder.path, NULL, &f->printer, &f->diag, &f->e), WF_EINPUT);
     assert_non_null(strstr(f->e.text, "/nowhere/reports/report.css: cannot be read; set WINDFIRM_SHARE"));
     f->e = (struct wf_err){ 0 };
     snprintf(share, sizeof share, "%s", f->folder.path);
@@ -313,7 +358,7 @@ static void wrong_assets(void **state)
         fclose(out);
     }
     setenv("WINDFIRM_SHARE", share, 1);
-    assert_int_equal(wf_report_make(f->folder.path, NULL, &f->diag, &f->e), WF_EINPUT);
+    assert_int_equal(wf_report_make(f->folder.path, NULL, &f->printer, &f->diag, &f->e), WF_EINPUT);
     assert_non_null(strstr(f->e.text, ".xsl:1: "));
     assert_false(folder_has_leftovers(&f->folder));
 }
@@ -322,9 +367,9 @@ static void wrong_assets(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { T(whole_report),  T(chinese),         T(no_weasyprint),
-                                        T(no_gnuplot),    T(missing_values),  T(no_strength),
-                                        T(hostile_names), T(scripts_by_hand), T(wrong_input),
-                                        T(wrong_assets) };
+    const struct CMUnitTest tests[] = { T(whole_report),    T(one_printer),   T(fonts_are_cut_down),
+                                        T(chinese),         T(no_weasyprint), T(no_gnuplot),
+                                        T(missing_values),  T(no_strength),   T(hostile_names),
+                                        T(scripts_by_hand), T(wrong_input),   T(wrong_assets) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -171,7 +171,7 @@ static void pull_tests(void **unused)
     (void)unused;
 #define FIT(how)                                                                                             \
     "cp " P "pull_* " P "sample_pine.yaml $T; cd $T; chmod u+w *; W=$OLDPWD/$W\n" how                        \
-    "\n$W fit p.yaml -o out --no-report"
+    "\n$W fit p.yaml -o out --no-report --no-profile --no-rival"
 #define E "level0.youngs_modulus"
 #define RIGHT "7.238 to 7.31 "
 #define DATES "sed 's/pull_day_first.csv/d.csv/' pull_day_first.yaml >p.yaml; "

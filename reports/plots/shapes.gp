@@ -11,6 +11,9 @@ load HERE.'report_facts.gp'
 still(i) = column("x_m")*cos(AZIMUTH[i]) + column("y_m")*sin(AZIMUTH[i])
 bent(i) = column("loaded_x_m")*cos(AZIMUTH[i]) + column("loaded_y_m")*sin(AZIMUTH[i])
 
+TABLE = SHAPE
+eval find_rows
+
 # Branches, drawn row by row because the table does not lift the pen between axes: every row from the point
 # before it, but for the first of an axis. A tree of very many rows shows its stem alone.
 branched(i) = ROWS[i] <= 5000
@@ -66,9 +69,9 @@ do for [i=1:trees] {
     set title short(NAME[i], trees == 1 ? 560 : (640.0 - LEFT)/columns - 12) offset 0,-0.5
     set xlabel L('ALONG') offset 0,0.4
     if (c == 0) { set ylabel L('HEIGHT') offset 0.8,0; set format y '%g' } else { unset ylabel; set format y '' }
-    plot for [n=1:branched(i)*words(SOLVED[i])] SHAPE using (from(at(i, WIND[nth(SOLVED[i], n)]), bent(i), column("loaded_z_m"))):(oy):(px - ox):(py - oy) with vectors nohead lt nth(SOLVED[i], n) lc rgb shade(i, nth(SOLVED[i], n)) lw 0.35 dt 1, \
-         for [n=1:(words(SOLVED[i]) > 0)] SHAPE using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, still(i))):"z_m" with lines lw 1.2 dt (3,4) lc rgb '#707070', \
-         for [n=1:words(SOLVED[i])] SHAPE using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, bent(i))):"loaded_z_m" with lines lt nth(SOLVED[i], n) lc rgb shade(i, nth(SOLVED[i], n)), \
+    plot for [n=1:branched(i)*words(SOLVED[i])] SHAPE every ::row_first(i, n)::row_last(i, n) using (from(at(i, WIND[nth(SOLVED[i], n)]), bent(i), column("loaded_z_m"))):(oy):(px - ox):(py - oy) with vectors nohead lt nth(SOLVED[i], n) lc rgb shade(i, nth(SOLVED[i], n)) lw 0.35 dt 1, \
+         for [n=1:(words(SOLVED[i]) > 0)] SHAPE every ::row_first(i, n)::row_last(i, n) using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, still(i))):"z_m" with lines lw 1.2 dt (3,4) lc rgb '#707070', \
+         for [n=1:words(SOLVED[i])] SHAPE every ::row_first(i, n)::row_last(i, n) using (pick(at(i, WIND[nth(SOLVED[i], n)]) && column("axis") == 1, bent(i))):"loaded_z_m" with lines lt nth(SOLVED[i], n) lc rgb shade(i, nth(SOLVED[i], n)), \
          2*top with lines notitle   # above the picture: a tree without answers still gets its axes
 }
 load HERE.'strip.gp'

@@ -14,21 +14,22 @@ h = blocks == 1 ? 160.0 : 140.0
 WIDTH = 640.0; HEIGHT = blocks*(TITLE + 2*(h + UNDER)) + KEY
 
 moment = 0.0; stress = 0.0; top = 0.0
-array LAST[trees]
+array TIP[trees]
+TABLE = SEGMENTS
+eval find_rows
 stem(i, k) = at(i, WIND[k]) && column("level") == 0
+most_of(is) = is ? (tip_row = greater(column("segment"), tip_row), moment = greater(column("bending0_Nm")/1e3, moment), \
+    stress = greater(column("stress0_MPa"), stress)) : 0
 do for [i=1:trees] {
     top = HEIGHT_M[i] > top ? HEIGHT_M[i] : top
     do for [n=1:words(SOLVED[i])] {
         k = nth(SOLVED[i], n)
-        stats SEGMENTS using (pick(stem(i, k), column("bending0_Nm")/1e3)) name 'S' nooutput
-        moment = S_max > moment ? S_max : moment
-        stats SEGMENTS using (pick(stem(i, k), column("stress0_MPa"))) name 'S' nooutput
-        stress = S_max > stress ? S_max : stress
-        stats SEGMENTS using (pick(stem(i, k), column("segment"))) name 'S' nooutput
-        LAST[i] = S_max
+        tip_row = 0
+        stats SEGMENTS every ::row_first(i, n)::row_last(i, n) using (most_of(stem(i, k))) name 'S' nooutput
+        TIP[i] = tip_row
     }
 }
-last(i, k) = stem(i, k) && column("segment") == LAST[i]
+last(i, k) = stem(i, k) && column("segment") == TIP[i]
 load HERE.'start.gp'
 set multiplot
 set yrange [0:1.03*top]; set ytics autofreq
@@ -47,8 +48,8 @@ do for [i=1:trees] {
         most = panel ? stress : moment
         set xrange [0:(most > 0 ? 1.05*most : 1)]
         # base ends of all rows, then the last row to its tip
-        plot for [n=1:words(SOLVED[i])] SEGMENTS using (pick(stem(i, nth(SOLVED[i], n)), unit*column(A))):"height0_m" with lines lt nth(SOLVED[i], n), \
-             for [n=1:words(SOLVED[i])] SEGMENTS using (pick(last(i, nth(SOLVED[i], n)), unit*column(A))):"height0_m":(unit*(column(B)-column(A))):(column("height1_m")-column("height0_m")) with vectors nohead lt nth(SOLVED[i], n), \
+        plot for [n=1:words(SOLVED[i])] SEGMENTS every ::row_first(i, n)::row_last(i, n) using (pick(stem(i, nth(SOLVED[i], n)), unit*column(A))):"height0_m" with lines lt nth(SOLVED[i], n), \
+             for [n=1:words(SOLVED[i])] SEGMENTS every ::row_first(i, n)::row_last(i, n) using (pick(last(i, nth(SOLVED[i], n)), unit*column(A))):"height0_m":(unit*(column(B)-column(A))):(column("height1_m")-column("height0_m")) with vectors nohead lt nth(SOLVED[i], n), \
              -1 with lines   # below the picture: a tree without answers still gets its axes
     }
 }

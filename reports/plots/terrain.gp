@@ -24,16 +24,16 @@ set multiplot
 unset grid; unset key
 set border 15 lw 0.6
 set format xy "%g"
-# the maps are pictures inside the file: about 100 points a side and 16 colours keep it small
+# the maps are pictures inside the file: about 80 points a side, 16 colours and scales of 16 boxes (gnuplot's own
+# have 128) keep it below 100 KB
 set palette maxcolors 16
-SIDE = 1 + int((sqrt(POINTS) - 1)/100)
+unset colorbox
+SIDE = 1 + int((sqrt(POINTS) - 1)/80)
 km(v) = v/1000.0
 # four or five ticks a side; palettes run from light to dark, so that a copy in black and white can be read
-SPAN = km(XHIGH - XLOW)/4.0; TEN = 10.0**floor(log10(SPAN))
-TICK = SPAN/TEN > 5 ? 5*TEN : SPAN/TEN > 2 ? 2*TEN : TEN
-set xtics TICK; set ytics TICK
-set xrange [km(XLOW):km(XHIGH)]; set yrange [km(YLOW):km(YHIGH)]
-set xlabel L('EAST_KM') offset 0,0.3
+ten(span) = 10.0**floor(log10(span))
+step(span) = span/ten(span) > 5 ? 5*ten(span) : span/ten(span) > 2 ? 2*ten(span) : ten(span)
+TICK = step(km(XHIGH - XLOW)/4.0)
 array TITLE[3] = [L('TERRAIN_HEIGHT'), L('TERRAIN_TOPEX'), sprintf(L('TERRAIN_FACTOR'), sprintf('%g', FROM))]
 array NAMES[3] = ["height_m", "topex_deg", "wind_factor"]
 do for [i=1:3] {
@@ -41,7 +41,6 @@ do for [i=1:3] {
     x0 = 52.0 + col*306.0; y1 = 26.0 + row*(TALL*215/250 + 76.0)
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + 215)/WIDTH
     set tmargin at screen 1 - y1/HEIGHT; set bmargin at screen 1 - (y1 + TALL*215/250)/HEIGHT
-    set colorbox vertical user origin (x0 + 221)/WIDTH, 1 - (y1 + TALL*215/250)/HEIGHT size 9.0/WIDTH, TALL*215/250/HEIGHT
     set title TITLE[i] offset 0,-0.6
     if (col == 0) { set ylabel L('NORTH_KM') offset 1,0 } else { set ylabel "" }
     set cbrange [*:*]
@@ -52,15 +51,26 @@ do for [i=1:3] {
     if (i == 1 && ZLOW == ZHIGH) { set cbrange [ZLOW-1:ZHIGH+1] }
     if (i == 2 && TWIDE == 0) { set cbrange [TMEAN-1:TMEAN+1] }
     if (i == 3 && FLOW == FHIGH) { set cbrange [FLOW-0.1:FHIGH+0.1] }
+    set xrange [km(XLOW):km(XHIGH)]; set yrange [km(YLOW):km(YHIGH)]
+    set xtics border nomirror out scale 0.6 TICK; set ytics border nomirror out scale 0.6 TICK; set xlabel L('EAST_KM') offset 0,0.3
     plot TERRAIN using (km(column("x_m"))):(km(column("y_m"))):(column(NAMES[i])) every SIDE:SIDE with image
+    CLOW = GPVAL_CB_MIN; CHIGH = GPVAL_CB_MAX
+    set cbrange [CLOW:CHIGH]; set xrange [0:1]; set yrange [CLOW:CHIGH]
+    set lmargin at screen (x0 + 221)/WIDTH; set rmargin at screen (x0 + 230)/WIDTH
+    unset title; unset xtics; unset ytics; set xlabel ""; set ylabel ""; set y2range [CLOW:CHIGH]; set y2tics border nomirror out scale 0.6 step((CHIGH - CLOW)/2.5)
+    set print $SCALE; print 'value'
+    do for [k=0:15] { print CLOW + (k + 0.5)*(CHIGH - CLOW)/16 }
+    set print
+    plot $SCALE using (0.5):1:(0.5):((CHIGH - CLOW)/32):1 with boxxyerror lc palette fs solid noborder
+    unset y2tics
 }
 set lmargin at screen 384.0/WIDTH; set rmargin at screen 618.0/WIDTH
 set border 3; set grid lw 0.5 lt 1 lc rgb '#e3e3e3' dt 1
-set title L('EACH_PLACE')
-set xtics autofreq; set ytics autofreq
+set title L('EACH_PLACE') offset 0,-0.6
+set xtics border nomirror out scale 0.6 autofreq; set ytics border nomirror out scale 0.6 autofreq; set format xy '%g'
 set xlabel L('TOPEX'); set ylabel L('WIND_LEVEL') offset 1,0
 set xrange [TLOW-(TLOW == THIGH):THIGH+(TLOW == THIGH)]; set yrange [FLOW-0.1*(FLOW == FHIGH):FHIGH+0.1*(FLOW == FHIGH)]
-EVERY = 1 + int(POINTS/300)
-plot TERRAIN using (int(column(0)) % EVERY ? NaN : column("topex_deg")):(column("wind_factor")) with points lt 1 pt 7 ps 0.2
+EVERY = 1 + int(POINTS/150)
+plot TERRAIN using (int(column(0)) % EVERY ? NaN : column("topex_deg")):(column("wind_factor")) with dots lt 1
 unset multiplot
 set output

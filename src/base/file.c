@@ -4,12 +4,18 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <linux/magic.h>
+#include <poll.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
+#include <sys/vfs.h>
 #include <unistd.h>
+
+/* A pipe that no other program has open at its other end is waited for as long as this [ms]. */
+enum { PIPE_PATIENCE = 10000, PIPE_LOOK = 100 };
 
 /* Writing. */
 
@@ -32,6 +38,21 @@ static int open_beside(struct wf_file *f)
     return -1;
 }
 
+/* Open something that is no file: a device, or a pipe as soon as a program reads it. Returned: descriptor, -1
+ * on failure (errno; ENXIO: nothing reads the pipe). */
+static int open_other(const char *path)
+{
+    int fd = -1;
+    for (int waited = 0; waited < PIPE_PATIENCE; waited += PIPE_LOOK) {
+        fd = open(path, O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+        if (fd >= 0 || errno != ENXIO) break;
+        (void)poll(NULL, 0, PIPE_LOOK);
+        errno = ENXIO;
+    }
+    if (fd >= 0) (void)fcntl(fd, F_SETFL, O_WRONLY);
+    return fd;
+}
+
 enum wf_status wf_file_begin(struct wf_file *f, const char *path, struct wf_err *e)
 {
     f->stream = NULL;
@@ -44,7 +65,7 @@ enum wf_status wf_file_begin(struct wf_file *f, const char *path, struct wf_err 
     if (exists && S_ISDIR(s.st_mode))
         return wf_fail(e, WF_EOUTPUT, "%s: is a folder; a file is to be written there", path);
     bool direct = exists && !S_ISREG(s.st_mode);
-    int fd = direct ? open(path, O_WRONLY | O_CLOEXEC) : open_beside(f);
+    int fd = direct ? open_other(path) : open_beside(f);
     if (fd >= 0 && (f->stream = fdopen(fd, "wb"))) return WF_OK;
     int reason = errno;
     if (fd >= 0) {
@@ -52,6 +73,9 @@ enum wf_status wf_file_begin(struct wf_file *f, const char *path, struct wf_err 
         if (!direct) (void)unlink(f->temporary);
     }
     f->temporary[0] = '\0';
+    if (direct && reason == ENXIO)
+        return wf_fail(e, WF_EOUTPUT, "%s: is a pipe that no program reads (waited %d s)", path,
+                       PIPE_PATIENCE / 1000);
     return wf_fail(e, WF_EOUTPUT, "%s: cannot be written: %s", path, strerror(reason));
 }
 
@@ -117,16 +141,40 @@ enum wf_status wf_mkdirs(const char *path, struct wf_err *e)
 
 /* Reading. */
 
+/* As read(2), of a descriptor that does not wait. A pipe without a writer looks as if it had ended: its first
+ * piece is waited for `patience` [ms], which is 0 afterwards. A writer is waited for as long as it takes.
+ * Returned: -1 and ENXIO when no program writes to the pipe. */
+static ssize_t read_piece(int fd, char *to, size_t room, int *patience)
+{
+    for (;;) {
+        struct pollfd state = { .fd = fd, .events = POLLIN };
+        ssize_t got = read(fd, to, room);
+        if (got < 0 && errno == EAGAIN) {
+            *patience = 0;
+            (void)poll(&state, 1, -1);
+        } else if (got == 0 && *patience > 0) {
+            *patience -= PIPE_LOOK;
+            if (poll(&state, 1, PIPE_LOOK) > 0 && !(state.revents & POLLIN)) return 0; /* one came and went */
+            if (*patience <= 0) return errno = ENXIO, -1;
+        } else if (got >= 0 || errno != EINTR) {
+            *patience = 0;
+            return got;
+        }
+    }
+}
+
 /* Read fd to its end. `guess` is the size the system reports; it may be wrong (for pipes it is 0). */
-static enum wf_status read_all(int fd, const char *path, size_t guess, struct wf_arena *a,
+static enum wf_status read_all(int fd, const char *path, size_t guess, int patience, struct wf_arena *a,
                                struct wf_bytes *out, struct wf_err *e)
 {
     size_t room = guess + 1;
     out->size = 0;
     out->data = wf_arena_take(a, room + 1, 1);
     while (out->data) {
-        ssize_t got = read(fd, out->data + out->size, room - out->size);
-        if (got < 0 && errno == EINTR) continue;
+        ssize_t got = read_piece(fd, out->data + out->size, room - out->size, &patience);
+        if (got < 0 && errno == ENXIO)
+            return wf_fail(e, WF_EINPUT, "%s: is a pipe that no program writes to (waited %d s)", path,
+                           PIPE_PATIENCE / 1000);
         if (got < 0) return wf_fail(e, WF_EINPUT, "%s: cannot be read: %s", path, strerror(errno));
         if (got == 0) return WF_OK;
         out->size += (size_t)got;
@@ -138,6 +186,14 @@ static enum wf_status read_all(int fd, const char *path, size_t guess, struct wf
         out->data = wider;
     }
     return wf_fail(e, WF_ENOMEM, "%s: no memory for its %zu bytes", path, room);
+}
+
+/* How long the first writer of something that is read is waited for [ms]. A pipe without a name (`<(...)`)
+ * had one, and has ended when it has none. */
+static int patience_for(int fd, const struct stat *s)
+{
+    struct statfs f;
+    return S_ISFIFO(s->st_mode) && !fstatfs(fd, &f) && f.f_type != PIPEFS_MAGIC ? PIPE_PATIENCE : 0;
 }
 
 /* A pipe that was read into an arena. */
@@ -180,7 +236,7 @@ enum wf_status wf_file_read(const char *path, struct wf_arena *a, struct wf_byte
 {
     const struct wf_piped *piped = piped_named(a, path);
     if (piped) return copy_bytes(&piped->bytes, path, a, out, e);
-    int fd = open(path, O_RDONLY | O_CLOEXEC);
+    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (fd < 0) {
         const char *why = errno == ENOENT ? "there is no such file" : strerror(errno);
         return wf_fail(e, WF_EINPUT, "%s: cannot be read: %s", path, why);
@@ -194,7 +250,7 @@ enum wf_status wf_file_read(const char *path, struct wf_arena *a, struct wf_byte
     else if (s.st_size > WF_READ_MAX)
         code = wf_fail(e, WF_EINPUT, "%s: is larger than 256 MB", path);
     else
-        code = read_all(fd, path, s.st_size > 0 ? (size_t)s.st_size : 0, a, out, e);
+        code = read_all(fd, path, s.st_size > 0 ? (size_t)s.st_size : 0, patience_for(fd, &s), a, out, e);
     if (!code && !S_ISREG(s.st_mode)) code = keep_piped(path, out, a, e);
     (void)close(fd);
     return code;
@@ -423,8 +479,11 @@ enum wf_status wf_sha256_file(const char *path, struct wf_arena *a, char text[st
 {
     const struct wf_piped *piped = piped_named(a, path);
     if (piped) return wf_sha256(piped->bytes.data, piped->bytes.size, text), WF_OK;
+    struct stat s;
     size_t size;
-    int fd = open(path, O_RDONLY | O_CLOEXEC), failed = fd < 0 || wf_sha256_read(fd, -1, text, &size);
+    int fd = open(path, O_RDONLY | O_CLOEXEC | O_NONBLOCK), failed = fd < 0 || fstat(fd, &s);
+    if (!failed && S_ISFIFO(s.st_mode)) errno = ESPIPE, failed = 1; /* its bytes are gone */
+    if (!failed) failed = wf_sha256_read(fd, -1, text, &size);
     int reason = errno;
     if (fd >= 0) (void)close(fd);
     return failed ? wf_fail(e, WF_EINPUT, "%s: cannot be read: %s", path, strerror(reason)) : WF_OK;

@@ -17,7 +17,7 @@ WF_INLINE real real_log(real x)
 {
     const int64_t root = 0x3fe6a09e667f3bcd, one = 0x3ff0000000000000;       /* bits of sqrt(1/2) and 1 */
     const int64_t fraction = 0x000fffffffffffff, whole = 0x4330000000000000; /* of a mantissa; of 2^52 */
-    truth bits = real_bits(real_max(x, real_of(DBL_MIN))) + (one - root);
+    real_truth bits = real_bits(real_max(x, real_of(DBL_MIN))) + (one - root);
     real m = real_from_bits((bits & fraction) + root);
     real k = real_from_bits((bits >> 52) | whole) - (0x1p52 + 1023);
     real f = m - 1, s = f / (2 + f), z = s * s, half = 0.5 * f * f;

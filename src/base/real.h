@@ -15,31 +15,31 @@
 #endif
 #define WF_INLINE static inline __attribute__((always_inline))
 
-/* truth: per lane all bits set, or none. real_of: a double in all lanes. real_lane: one lane, to read or set.
- * real_choose: a where m is set, else b. */
+/* real_truth: per lane all bits set, or none. real_of: a double in all lanes. real_lane: one lane, to read or
+ * set. real_choose: a where m is set, else b. */
 #if WF_WIDTH == 1
 
 typedef double real;
-typedef int64_t truth;
+typedef int64_t real_truth;
 #define real_of(x) ((double)(x))
 #define real_lane(x, k) (*((void)(k), &(x)))
-#define real_below(a, b) (-(truth)((a) < (b)))
-#define real_not_above(a, b) (-(truth)((a) <= (b)))
+#define real_below(a, b) (-(real_truth)((a) < (b)))
+#define real_not_above(a, b) (-(real_truth)((a) <= (b)))
 
-WF_INLINE truth real_bits(real x)
+WF_INLINE real_truth real_bits(real x)
 {
-    truth m;
+    real_truth m;
     memcpy(&m, &x, sizeof m);
     return m;
 }
-WF_INLINE real real_from_bits(truth m)
+WF_INLINE real real_from_bits(real_truth m)
 {
     real x;
     memcpy(&x, &m, sizeof x);
     return x;
 }
-WF_INLINE real real_choose(truth m, real a, real b) { return m ? a : b; }
-WF_INLINE int real_any(truth m) { return m != 0; }
+WF_INLINE real real_choose(real_truth m, real a, real b) { return m ? a : b; }
+WF_INLINE int real_any(real_truth m) { return m != 0; }
 WF_INLINE real real_sqrt(real x) { return sqrt(x); }
 WF_INLINE real real_abs(real x) { return fabs(x); }
 
@@ -49,16 +49,19 @@ WF_INLINE real real_abs(real x) { return fabs(x); }
 #include <immintrin.h>
 #endif
 typedef double real __attribute__((vector_size(8 * WF_WIDTH)));
-typedef int64_t truth __attribute__((vector_size(8 * WF_WIDTH)));
+typedef int64_t real_truth __attribute__((vector_size(8 * WF_WIDTH)));
 #define real_of(x) ((x) - (real){ 0 })
 #define real_lane(x, k) ((x)[k])
-#define real_below(a, b) ((truth)((a) < (b)))
-#define real_not_above(a, b) ((truth)((a) <= (b)))
-WF_INLINE truth real_bits(real x) { return (truth)x; }
-WF_INLINE real real_from_bits(truth m) { return (real)m; }
-WF_INLINE real real_choose(truth m, real a, real b) { return (real)(((truth)a & m) | ((truth)b & ~m)); }
-WF_INLINE real real_abs(real x) { return (real)((truth)x & INT64_MAX); }
-WF_INLINE int real_any(truth m)
+#define real_below(a, b) ((real_truth)((a) < (b)))
+#define real_not_above(a, b) ((real_truth)((a) <= (b)))
+WF_INLINE real_truth real_bits(real x) { return (real_truth)x; }
+WF_INLINE real real_from_bits(real_truth m) { return (real)m; }
+WF_INLINE real real_choose(real_truth m, real a, real b)
+{
+    return (real)(((real_truth)a & m) | ((real_truth)b & ~m));
+}
+WF_INLINE real real_abs(real x) { return (real)((real_truth)x & INT64_MAX); }
+WF_INLINE int real_any(real_truth m)
 {
 #if WF_WIDTH == 8 && defined(__AVX512F__)
     return _mm512_test_epi64_mask((__m512i)m, (__m512i)m) != 0;

@@ -75,18 +75,20 @@ static uint32_t character(const char *s, size_t *length)
 /* Does it act on a terminal instead of being shown? */
 static bool acts(uint32_t c)
 {
-    return (c < 0x20 && c != '\n' && c != '\t') || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E ||
+    return (c < 0x20 && c != '\t') || (c >= 0x7F && c < 0xA0) || c == 0x061C || c == 0x200E ||
            c == 0x200F || (c >= 0x2028 && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069) || c == 0xFEFF;
 }
 
-const char *wf_text_for_terminal(const char *text, struct wf_arena *a)
+const char *wf_text_for_terminal(const char *text, char end, struct wf_arena *a)
 {
     enum { ESCAPE_MAX = 6 }; /* bytes of \u202e; of a byte that acts at most \x1b */
     size_t n, size = strlen(text);
     char *out = WF_TAKE(a, ESCAPE_MAX * size + 1, char), *to = out;
     for (const char *s = text; out && *s; s += n) {
         uint32_t c = character(s, &n);
-        if (n == 1 && (c == BAD_BYTE || acts(c)))
+        if (*s == end)
+            *to++ = '\n';
+        else if (n == 1 && (c == BAD_BYTE || acts(c)))
             to += snprintf(to, ESCAPE_MAX + 1, "\\x%02x", (unsigned)(unsigned char)*s);
         else if (acts(c))
             to += snprintf(to, ESCAPE_MAX + 1, "\\u%04x", (unsigned)c);

@@ -21,8 +21,9 @@ bool wf_utf8_valid(const char *text, size_t size, struct wf_utf8_fault *fault);
 
 /* For a terminal: what could move the cursor, change colours or reorder what is read (C0 and C1 controls,
  * DEL, marks of writing direction, line and paragraph separators) and bytes that are not UTF-8 are shown as
- * escapes, \x1b or \u202e. Line ends stay; a tab too. */
-const char *wf_text_for_terminal(const char *text, struct wf_arena *a);
+ * escapes, \x1b or \u202e. A tab stays. `end`: the character that stands for the end of a line, '\n' where the
+ * text has no names in it; every other line end is shown as \x0a. */
+const char *wf_text_for_terminal(const char *text, char end, struct wf_arena *a);
 /* For XML 1.0 and what is drawn into SVG: characters that are not allowed there, and bytes that are not
  * UTF-8, are replaced by U+FFFD. */
 const char *wf_text_for_xml(const char *text, struct wf_arena *a);

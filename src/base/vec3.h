@@ -248,6 +248,9 @@ static inline void rotation_vector(const double R[9], double v[3])
 
 #endif
 
+/* Four numbers in a vector register, each a lane of its own; may be stored wherever four doubles are. */
+typedef double wf_four __attribute__((vector_size(32), aligned(8), may_alias));
+
 /* WF_WIDE: compile a function twice, for AVX2 and for any x86-64 processor, and choose at run time. Because
  * fused multiply-add is not used, both give the same digits. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)

@@ -371,6 +371,7 @@ static void read_study(struct wf_reading *r)
     struct study_keys *b = open_study_keys(r, r->arena);
     if (!b) {
         wf_option_mistake(r, NULL, "--study", "out of memory");
+        r->no_memory = true;
         return;
     }
     b->file = path;
@@ -378,6 +379,7 @@ static void read_study(struct wf_reading *r)
     size_t before = r->mistakes;
     enum wf_status s = wf_yaml_read(path, &table, b, r->arena, &d, &e);
     wf_print_findings(&d, false);
+    r->no_memory = r->no_memory || s == WF_ENOMEM;
     if (s && !d.errors) wf_option_mistake(r, NULL, "--study", "%s", e.text);
     if (s && r->mistakes == before) r->mistakes += d.errors;
     if (!s && !r->args->quiet) warn_of_unused(b);
@@ -429,8 +431,10 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     wf_units_close(r.units);
     if (!r.mistakes) {
         if (out->winds_said && !out->quiet) wf_show(stderr, "%s\n", out->winds_said);
+        wf_progress_start(out->quiet);
         return -1;
     }
+    if (r.no_memory) return wf_exit_code(WF_ENOMEM);
     wf_show(stderr, "'windfirm %s --help' shows how it is used\n", argv[0]);
     return 2;
 }

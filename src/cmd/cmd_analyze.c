@@ -2,6 +2,7 @@
 /* windfirm analyze and windfirm compare: what a steady wind does to one or several species on one tree. */
 #include "base/interrupt.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include "cmd/analyze_print.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -30,7 +31,7 @@ struct analyze_options {
     struct wf_speeds wind;
     struct wf_averaging averaging;   /* with the climate */
     struct wf_profile_words profile; /* with the map of the ground */
-    const char *output, *solver, *preset, *shelter, *lang;
+    const char *output, *solver, *preset, *shelter;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
     double azimuth, north;           /* [rad]                                     */
@@ -39,7 +40,7 @@ struct analyze_options {
     double search_to, search_time;   /* [m/s], NAN: the library's default; [s]    */
     double mesh_tolerance;           /* [-]                                       */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
-    bool no_report;
+    struct wf_pages pages;
 };
 
 /* The solver that is used: a preset's own comes first. NULL: a name is wrong. */
@@ -156,7 +157,7 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
-    WF_PAGE_ROWS("--no-report", no_report, lang, "write results and tables only"),
+    WF_PAGE_ROWS("--no-report", pages, "write results and tables only"),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -290,11 +291,10 @@ static void speeds_solved(const struct wf_analysis *an, void *work)
     struct work *w = work;
     size_t before = w->solved++;
     if (w->options.args.quiet) return;
-    wf_progress(NULL);
+    wf_progress_clear();
     if (!before) wf_print_head(stdout, an);
     wf_print_speeds(stdout, an);
     fflush(stdout);
-    wf_progress("%s: critical speed, curves ...", an->species->name);
 }
 
 static enum wf_status note_input(struct work *w, const char *role, const char *path, struct wf_err *e)
@@ -374,7 +374,6 @@ static enum wf_status run_directions(struct work *w, struct wf_analysis *an, str
     if (!q->n) return WF_OK;
     struct wf_directions *out = WF_TAKE(&w->arena, 1, struct wf_directions);
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
-    wf_progress("%s: %zu directions ...", an->species->name, q->n);
     struct wf_err why = { 0 };
     enum wf_status s = wf_directions_run(an, &w->request.solve, q, &w->arena, out, &why);
     if (s == WF_EINTERRUPTED) {
@@ -408,13 +407,13 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
         if (wf_preset_apply(preset, &w->arena, &w->species[k], &w->request.scenario, &w->request.solver, e))
             return e->code;
         w->request.search.solved = speeds_solved, w->request.search.context = w;
-        wf_progress("%s: %zu wind speeds ...", w->species[k].name, w->options.wind.n);
+        wf_stage_item(k + 1, w->options.args.n);
         enum wf_status s = wf_analyze(&w->species[k], &w->model, &w->request.scenario, &w->request.search,
                                       w->request.solver, &w->request.solve, w->options.wind.speed,
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
         if (!s && w->solved == k) speeds_solved(&w->analysis[k], w); /* interrupted before */
-        wf_progress(NULL);
+        wf_progress_clear();
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);
         if (s) return s;
         if (!w->options.args.quiet) wf_print_searched(stdout, &w->analysis[k]);
@@ -489,14 +488,14 @@ static enum wf_status run_all(struct work *w, int argc, char **argv, struct wf_e
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", n);
     enum wf_status s = read_inputs(w, e);
     run.inputs = w->inputs;
-    bool pages = !w->options.no_report, whole = false;
+    bool pages = !w->options.pages.none, whole = false;
     if (!s) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);
     if (s || (s = analyse(w, &run.n, e)) || (s = analyse_models(w, run.n, e))) return s;
     fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
     for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
     put_tree_first(w);
     if ((s = wf_results_write(&run, w->results.stage, e))) return s;
-    s = wf_results_end(&w->results, pages ? w->options.lang : NULL, &w->arena, &whole, e);
+    s = wf_results_end(&w->results, &w->options.pages, &w->arena, &whole, e);
     if (!w->options.args.quiet)
         wf_show(stdout, "\nResults%s: %s\n",
                 whole   ? ", tables, plots and pages"

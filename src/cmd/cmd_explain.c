@@ -22,8 +22,7 @@ struct explain_options {
     struct wf_averaging averaging;
     struct wf_profile_words profile;
     double azimuth; /* [rad] */
-    bool no_report;
-    const char *lang;
+    struct wf_pages pages;
 };
 
 #define OPTIONS struct explain_options
@@ -34,7 +33,7 @@ const struct wf_option wf_explain_options[] = {
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
     TEXT("--output", output, "FOLDER", "out/explain", "where table, plot and page go", .letter = "-o"),
-    WF_PAGE_ROWS("--no-report", no_report, lang, "write the table only"),
+    WF_PAGE_ROWS("--no-report", pages, "write the table only"),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -112,8 +111,9 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
     if (!s) s = wf_analysis_set_up(&an, a, &d, e);
     if (!s) wf_limits_profile(&an.scenario, an.tallness, m.name, &d);
     struct wf_run_folder f = { 0 };
-    if (!s) s = wf_results_begin(&f, o->output, o->no_report ? NULL : "explain", e);
+    if (!s) s = wf_results_begin(&f, o->output, o->pages.none ? NULL : "explain", e);
     if (!s) s = wf_explain_run(&an, &solve, o->wind, a, &d, &x, e);
+    wf_progress_clear();
     if (!s && !quiet) print_methods(&x, o->wind, an.scenario.reference_height);
     fflush(stdout);
     wf_print_findings(&d, quiet);
@@ -129,9 +129,9 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
                                      .speed = o->wind,
                                      .findings = &leaves };
     s = of.name ? wf_explain_write(&of, head, f.stage, e) : wf_fail(e, WF_ENOMEM, "no memory");
-    if (!s) s = wf_results_end(&f, o->no_report ? NULL : o->lang, a, NULL, e);
+    if (!s) s = wf_results_end(&f, &o->pages, a, NULL, e);
     wf_run_abandon(&f);
-    if (!s && !quiet) wf_show(stdout, "\nTable%s: %s\n", o->no_report ? "" : ", plot, page", o->output);
+    if (!s && !quiet) wf_show(stdout, "\nTable%s: %s\n", o->pages.none ? "" : ", plot, page", o->output);
     return s;
 }
 

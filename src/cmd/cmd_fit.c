@@ -19,8 +19,8 @@ struct fit_options {
     const char *loss;
     double loss_scale; /* [standard deviations]; NAN: the loss's own */
     size_t starts, bootstrap, seed;
-    bool priors, no_profile, no_rival, no_report;
-    const char *lang;
+    bool priors, no_profile, no_rival;
+    struct wf_pages pages;
     const char *write, *output; /* NULL: nothing is written; folder */
 };
 
@@ -61,7 +61,7 @@ static const struct wf_option options[] = {
     TEXT("--write", write, "FILE", NULL, "write the species table with the fitted values"),
     TEXT("--output", output, "FOLDER", "out/fit", "where results, tables, plots and pages go",
          .letter = "-o"),
-    WF_PAGE_ROWS("--no-report", no_report, lang, "results and tables only"),
+    WF_PAGE_ROWS("--no-report", pages, "results and tables only"),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -105,7 +105,7 @@ static void print_parameters(FILE *to, const struct wf_fit *f)
         print_range(to, q->low, q->high, factor, "-");
         print_range(to, q->profile_low, q->profile_high, factor, q->profiled ? "no limit" : "-");
         if (resampled) print_range(to, q->resampled_low, q->resampled_high, factor, "-");
-        wf_show(to, "%s", q->at_low ? "  AT LOWER BOUND\n" : q->at_high ? "  AT UPPER BOUND\n" : "\n");
+        wf_show(to, "%s\n", q->at_low ? "  AT LOWER BOUND" : q->at_high ? "  AT UPPER BOUND" : "");
     }
 }
 
@@ -198,10 +198,9 @@ struct fit_job {
     struct wf_fit_results r;
 };
 
-static bool show_progress(void *ctx, size_t iteration, double cost)
+static bool look_at_interrupt(void *ctx, size_t iteration, double cost)
 {
-    (void)ctx;
-    wf_progress("iteration %zu, misfit %.6g ...", iteration, 2 * cost);
+    (void)ctx, (void)iteration, (void)cost;
     return wf_interrupted() != 0;
 }
 
@@ -218,7 +217,7 @@ static struct wf_fit_options library_options(const struct fit_options *asked)
     o.starts = asked->starts;
     o.resamples = asked->bootstrap;
     o.seed = asked->seed;
-    o.progress = show_progress;
+    o.progress = look_at_interrupt;
     return o;
 }
 
@@ -317,7 +316,7 @@ static enum wf_status fit_tree(struct fit_job *j, struct wf_err *e)
     struct wf_fit_options o = library_options(j->options);
     enum wf_status s = wf_fit_run(&j->r.x, j->r.param, j->r.params, &o, &j->arena, &j->r.diag, &j->r.fit, e);
     if (!s && !wf_interrupted() && !j->options->no_rival) s = fit_rival(j, o, e);
-    wf_progress(NULL);
+    wf_progress_clear();
     return s;
 }
 
@@ -326,10 +325,10 @@ static enum wf_status write_results(struct fit_job *j, struct wf_run_folder *f, 
 {
     /* the species table of an interrupted fit would be mistaken for a completed one's */
     const char *write = wf_interrupted() ? NULL : j->options->write;
-    bool report = !j->options->no_report;
+    bool report = !j->options->pages.none;
     enum wf_status s = wf_fit_results_write(&j->r, f->stage, e);
     if (!s && write) s = wf_fit_species_write(&j->r, write, e);
-    if (!s) s = wf_results_end(f, report ? j->options->lang : NULL, &j->arena, NULL, e);
+    if (!s) s = wf_results_end(f, &j->options->pages, &j->arena, NULL, e);
     if (!s && !quiet)
         wf_show(stdout, "\nResults, tables%s: %s\n", report ? ", plots and pages" : "", j->folder);
     if (!s && !quiet && write) wf_show(stdout, "Species table: %s\n", write);
@@ -341,7 +340,7 @@ static enum wf_status calibrate(struct fit_job *j, bool quiet, struct wf_err *e)
     const char *write = j->options->write;
     struct wf_run_folder f = { 0 };
     enum wf_status s = build_experiment(j, e);
-    if (!s) s = wf_results_begin(&f, j->folder, j->options->no_report ? NULL : "calibration", e);
+    if (!s) s = wf_results_begin(&f, j->folder, j->options->pages.none ? NULL : "calibration", e);
     if (!s) s = fit_tree(j, e);
     if (!s && wf_interrupted() && !j->r.fit.stopped)
         wf_diag_warn(&j->r.diag, "stopped", "interrupted before the comparison with the root the other way");

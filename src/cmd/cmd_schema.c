@@ -34,7 +34,7 @@ int wf_cmd_schema(int argc, char **argv)
             const char *text = table[k] ? wf_yaml_schema(table[k], &arena, &e)
                                : k == 0 ? wf_species_schema(&wf_laws, &arena, &e)
                                         : wf_args_study_schema(&arena, &e);
-            code = text ? (wf_show(stdout, "%s", text), 0) : wf_complain(&e);
+            code = text ? (wf_show_text(stdout, text), 0) : wf_complain(&e);
         }
     }
     wf_arena_free(&arena);

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/interrupt.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -20,17 +21,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Rows of both commands; into any struct with no_report, lang and no_vtk. */
+/* Rows of both commands; into any struct with struct wf_pages pages and no_vtk. */
 #define SERIES_PAGE_ROWS                                                                                     \
-    WF_PAGE_ROWS("--no-report", no_report, lang, "write tables only"),                                       \
+    WF_PAGE_ROWS("--no-report", pages, "write tables only"),                                                 \
         FLAG("--no-vtk", no_vtk, "leave out the frames for ParaView"), WF_QUIET_ROW
 
 /* ---- From a plan of runs to tables, frames and a page ---- */
 
 struct series_job {
     const struct wf_series_plan *plan;
-    const char *folder, *command, *language;
-    bool quiet, page, vtk;
+    const char *folder, *command;
+    struct wf_pages pages;
+    bool quiet, vtk;
 };
 
 /* Species and model of a run. */
@@ -103,9 +105,9 @@ static enum wf_status run_all(const struct series_job *j, struct wf_series *seri
             return WF_OK;
         }
         diag[r].arena = a;
-        wf_progress("run %zu of %zu: %s ...", r + 1, plan->runs, spec[r].name);
+        wf_stage_item(r + 1, plan->runs);
         s = wf_series_run(&spec[r], a, &diag[r], &series[r], e);
-        wf_progress(NULL);
+        wf_progress_clear();
         if (s)
             wf_print_findings(&diag[r], j->quiet);
         else
@@ -126,9 +128,9 @@ static enum wf_status explain_runs(const struct wf_series_plan *plan, const stru
     for (size_t r = 0; r < page->n && !s && !wf_interrupted(); r++) {
         const struct wf_series *x = &series[r];
         if (!plan->run[r].explain || strcmp(plan->run[r].explain, "yes") != 0) continue;
-        wf_progress("every method on the tree of run %zu ...", r + 1);
+        wf_stage_item(r + 1, page->n);
         s = wf_explain_run(&x->an, &x->spec.solve, x->spec.speed, a, &diag[r], &made[r], e);
-        wf_progress(NULL);
+        wf_progress_clear();
         of[page->explained++] = (struct wf_explained){
             .run = r + 1, .name = x->spec.name, .of = &made[r], .tree = &x->an.tree, .speed = x->spec.speed
         };
@@ -153,7 +155,7 @@ static enum wf_status perform_runs(const struct series_job *j, struct wf_run_fol
     print_findings_once(diag, page->n, j->quiet, a);
     s = wf_series_tables(page, f->stage, e);
     if (!s && j->vtk) s = wf_series_vtk(page, f->stage, e);
-    return s ? s : wf_results_end(f, j->page ? j->language : NULL, a, NULL, e);
+    return s ? s : wf_results_end(f, &j->pages, a, NULL, e);
 }
 
 /* Returned: exit code. */
@@ -177,12 +179,13 @@ static int perform_plan(const struct series_job *j, struct wf_arena *a)
     }
     for (size_t r = 0; r < plan->runs; r++) run[r] = (struct wf_series_page_run){ &series[r], &diag[r] };
     struct wf_run_folder f;
-    enum wf_status s = wf_results_begin(&f, j->folder, j->page ? "series" : NULL, &e);
+    enum wf_status s = wf_results_begin(&f, j->folder, j->pages.none ? NULL : "series", &e);
     if (!s) s = perform_runs(j, &f, &page, series, diag, a, &e);
     wf_run_abandon(&f);
     if (s) return wf_complain(&e);
     if (!j->quiet)
-        wf_show(stdout, "\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->page ? ", page" : "", j->folder);
+        wf_show(stdout, "\nTables%s%s: %s\n", j->vtk ? ", frames" : "", j->pages.none ? "" : ", page",
+                j->folder);
     return 0;
 }
 
@@ -197,8 +200,8 @@ struct series_options {
     struct wf_averaging averaging;
     const char *components; /* "1" or "3"; NULL: not given */
     const char *output;
-    bool explain, no_report, no_vtk;
-    const char *lang;
+    bool explain, no_vtk;
+    struct wf_pages pages;
 };
 
 static bool run_unused(const void *options, const struct wf_option *row, char *why)
@@ -286,9 +289,8 @@ int wf_cmd_series(int argc, char **argv)
         struct series_job job = { .plan = &plan,
                                   .folder = o.output,
                                   .command = wf_command_line(argc, argv, &arena),
-                                  .language = o.lang,
                                   .quiet = o.args.quiet,
-                                  .page = !o.no_report,
+                                  .pages = o.pages,
                                   .vtk = !o.no_vtk };
         code = perform_plan(&job, &arena);
     }
@@ -301,8 +303,8 @@ int wf_cmd_series(int argc, char **argv)
 struct papers_options {
     struct wf_args args;
     const char *output; /* NULL: out/NAME */
-    bool no_report, no_vtk;
-    const char *lang;
+    struct wf_pages pages;
+    bool no_vtk;
 };
 
 #undef OPTIONS
@@ -367,7 +369,7 @@ int wf_cmd_papers(int argc, char **argv)
     if (code < 0 && !strcmp(o.args.operand[0], "list")) code = list_papers(&arena);
     if (code < 0 && !strcmp(o.args.operand[0], "schema")) {
         char *text = wf_series_plan_schema(&arena, &e);
-        if (text) wf_show(stdout, "%s", text);
+        if (text) wf_show_text(stdout, text);
         code = text ? 0 : wf_complain(&e);
     }
     if (code < 0) {
@@ -382,9 +384,8 @@ int wf_cmd_papers(int argc, char **argv)
         struct series_job job = { .plan = &plan,
                                   .folder = o.output ? o.output : wf_arena_print(&arena, "out/%s", plan.key),
                                   .command = wf_command_line(argc, argv, &arena),
-                                  .language = o.lang,
                                   .quiet = o.args.quiet,
-                                  .page = !o.no_report,
+                                  .pages = o.pages,
                                   .vtk = !o.no_vtk };
         code = perform_plan(&job, &arena);
     }

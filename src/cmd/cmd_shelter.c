@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm shelter: the wind that remains inside and behind a tree. */
+#include "base/progress.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -35,8 +36,8 @@ struct shelter_options {
     double transmission, leaf_reach, wake_growth; /* [-], [m], [-] */
     struct wf_import_asked import;
     const char *output;
-    bool no_motion, no_plots;
-    const char *lang;
+    bool no_motion;
+    struct wf_pages pages;
 };
 
 /* Options of a measured tree. */
@@ -81,7 +82,7 @@ const struct wf_option wf_shelter_options[] = {
     WF_IMPORT_ROWS(import, tree_unused),
     TEXT("--output", output, "FOLDER", "out/shelter", "where tables and plots go", .letter = "-o"),
     FLAG("--no-motion", no_motion, "only the wind; the tree is not bent"),
-    WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
+    WF_PAGE_ROWS("--no-plots", pages, "write the tables only"),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -237,11 +238,11 @@ static enum wf_status compute(struct work *w, bool motion, struct wf_arena *a, s
                               struct wf_err *e)
 {
     struct wf_err why = { 0 };
-    wf_progress("%zu segments: coverage, wind%s ...", w->tree.n, motion ? ", bending" : "");
+    wf_stage_begin(0, false, "wind inside the tree");
     enum wf_status s = wf_shelter_make(&w->tree, &w->wind, &w->request, a, &w->run.still, e);
     if (!s && motion && w->run.speed > 0.0 && (s = bend_tree(w, a, d, &why)) && s != WF_EINTERRUPTED)
         wf_fail(e, s, "%s", why.text);
-    wf_progress(NULL);
+    wf_progress_clear();
     if (s == WF_EINTERRUPTED)
         wf_diag_warn(d, "interrupted", "interrupted before the tree was bent in this wind");
     return s == WF_EINTERRUPTED ? WF_OK : s;
@@ -259,7 +260,7 @@ static enum wf_status shelter(struct work *w, struct wf_run_folder *f, struct wf
     if ((s = wf_scenario_loads(&w->scenario, &w->species, &w->wind, &w->loads, e))) return s;
     w->wind.speed = w->run.speed;
     wf_limits_profile(&w->scenario, wf_tree_height(&w->tree), w->model.key ? o->model : o->tree, d);
-    if ((s = wf_results_begin(f, o->output, o->no_plots ? NULL : "shelter", e))) return s;
+    if ((s = wf_results_begin(f, o->output, o->pages.none ? NULL : "shelter", e))) return s;
     w->run.folder = f->stage;
     w->run.tree = &w->tree;
     w->run.species = w->species.name;
@@ -267,8 +268,8 @@ static enum wf_status shelter(struct work *w, struct wf_run_folder *f, struct wf
     if ((s = compute(w, motion, a, d, e))) return s;
     if (!quiet) print_shelter(stdout, &w->run);
     s = wf_shelter_results_write(&w->run, &w->head, d, e);
-    if (!s) s = wf_results_end(f, o->no_plots ? NULL : o->lang, a, NULL, e);
-    if (!s && !quiet) wf_show(stdout, "\nTables%s: %s\n", o->no_plots ? "" : ", plots and page", o->output);
+    if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
+    if (!s && !quiet) wf_show(stdout, "\nTables%s: %s\n", o->pages.none ? "" : ", plots and page", o->output);
     return s;
 }
 

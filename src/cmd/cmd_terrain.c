@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm terrain: generated or measured ground, its sheltered places and where it speeds the wind up. */
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option_groups.h"
@@ -16,8 +17,7 @@ struct terrain_options {
     double cell, smoothness, relief, hill_length, distance; /* [m], [-], [m], [m], [m] */
     double from;                                            /* [rad]                   */
     double height, roughness;                               /* [m]                     */
-    bool no_plots;
-    const char *lang;
+    struct wf_pages pages;
 };
 
 /* Options of made ground. */
@@ -51,7 +51,7 @@ static const struct wf_option options[] = {
     NUMBER("--distance", distance, "LENGTH", LENGTH, "m", 1, 1e5, "1000", "distance to which topex searches"),
     PATH("--positions", positions, "FILE", NULL, "CSV with x_m and y_m: exposure at these places"),
     TEXT("--output", output, "FOLDER", "out/terrain", "where tables, grids and the map go", .letter = "-o"),
-    WF_PAGE_ROWS("--no-plots", no_plots, lang, "write tables and grids only"),
+    WF_PAGE_ROWS("--no-plots", pages, "write tables and grids only"),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -75,8 +75,10 @@ static enum wf_status expose_points(const struct terrain_options *o, struct wf_t
     s->factor = WF_TAKE(a, n, double);
     if (!status && (!s->topex || !s->factor))
         status = wf_fail(e, WF_ENOMEM, "not enough memory for a map of %zu points", n);
+    wf_stage_begin(t->rows, false, "exposure, rows of the map");
     for (size_t i = 0; i < n && !status; i++) {
         double seen;
+        wf_stage_step(i && i % t->columns == 0);
         if (wf_interrupted()) return wf_fail(e, WF_EINTERRUPTED, "interrupted before the map was computed");
         s->topex[i] = wf_terrain_topex(t, i % t->columns, i / t->columns, o->distance, &seen) * 180 / M_PI;
         s->unseen += seen < 1.0;
@@ -130,12 +132,13 @@ static enum wf_status survey(const struct terrain_options *o, const struct wf_do
     s->file = o->dem;
     s->from = o->from, s->height = o->height, s->roughness = o->roughness, s->distance = o->distance;
     struct wf_run_folder f = { 0 };
-    if (!status) status = wf_results_begin(&f, o->output, o->no_plots ? NULL : "terrain", e);
+    if (!status) status = wf_results_begin(&f, o->output, o->pages.none ? NULL : "terrain", e);
     if (!status) status = expose_points(o, s, a, e);
+    wf_progress_clear();
     if (!status) warn_of_limits(s, d);
     if (!status) status = wf_terrain_results_write(s, head, d, f.stage, e);
     if (!status && o->positions) status = wf_terrain_positions_write(s, o->positions, f.stage, a, d, e);
-    if (!status) status = wf_results_end(&f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    if (!status) status = wf_results_end(&f, &o->pages, a, NULL, e);
     wf_run_abandon(&f);
     return status;
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm validate: cases compared with their sources. */
+#include "base/progress.h"
 #include "cases/measure.h"
 #include "cases/read.h"
 #include "cases/run.h"
@@ -153,10 +154,10 @@ static int run_solver(struct run *r, const struct wf_case *c, size_t k, struct w
 {
     struct wf_err e = { WF_OK, "" };
     struct wf_verdict v, mesh[WF_CASE_PIECES_MAX];
-    wf_progress("%s: %s", c->file, c->name);
+    wf_stage_begin(0, false, "%s: %s", c->file, c->name);
     enum wf_status status = c->shape == WF_SHAPE_FIT ? wf_case_fit(c, wf_share(), wf_read_mat, work, &v, &e)
                                                      : wf_case_run(c, k, 1, work, &v, &e);
-    wf_progress(NULL);
+    wf_progress_clear();
     if (status) return wf_complain(&e);
     count_verdict(&r->tally, &v);
     print_case(&v, r->verbose);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm wind: generate a gusty wind, analyse it, draw it. */
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "base/text.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
@@ -32,8 +33,7 @@ struct wind_options {
     } gust;
     const char *record, *sectors; /* of the rose; NULL: not given */
     const char *output;
-    bool no_plots;
-    const char *lang;
+    struct wf_pages pages;
 };
 
 static bool model_unused(const struct wind_options *o, const struct wf_gust_model *m, const void *at,
@@ -57,8 +57,8 @@ static bool wind_unused(const void *options, const struct wf_option *row, char *
     const void *at = (const char *)options + row->member;
     const char *what = o->args.n ? o->args.operand[0] : "";
     bool of_record = at == &o->record || at == &o->sectors;
-    bool of_rose = of_record || (at == &o->gust.record.columns && o->record) || at == &o->gust.file ||
-                   at == &o->output || at == &o->no_plots || at == &o->lang;
+    bool of_rose =
+        of_record || (at == &o->gust.record.columns && o->record) || at == &o->gust.file || at == &o->output;
     if (!strcmp(what, "list")) return wf_option_unused(true, why, "with 'list'");
     if (!strcmp(what, "rose")) return wf_option_unused(!of_rose, why, "with 'rose'");
     if (wf_option_unused(of_record, why, "with a gust model; it is for 'rose'")) return true;
@@ -108,7 +108,7 @@ const struct wf_option wf_wind_options[] = {
            .unused = wind_unused),
     TEXT("--output", output, "FOLDER", "out/wind", "where tables and plots go", .letter = "-o",
          .unused = wind_unused),
-    WF_PAGE_ROWS("--no-plots", no_plots, lang, "write the tables only"),
+    WF_PAGE_ROWS("--no-plots", pages, "write the tables only"),
     WF_QUIET_ROW,
     { 0 },
 };
@@ -212,8 +212,10 @@ static enum wf_status make_spec(const struct wind_options *o, struct wf_gust_spe
     s->speed = o->wind;
     enum wf_status status = wf_gust_set_words(s, o->gust.set, a, e);
     if (!status && strcmp(m->name, "record") == 0) status = read_record(o, s, a, d, e);
-    if (strcmp(m->name, "eog") == 0 && !WF_GIVEN(o, duration)) /* as much before as after the gust */
-        s->steps = (size_t)llround((2.0 * wf_gust_get(s, "start") + wf_gust_get(s, "duration")) / s->step);
+    if (!status && strcmp(m->name, "eog") == 0 && !WF_GIVEN(o, duration)) { /* as much before as after it */
+        double length = 2.0 * wf_gust_get(s, "start") + wf_gust_get(s, "duration");
+        s->steps = (size_t)llround(fmin(length / s->step, 1e12));
+    }
     if (!status) status = place_points(o, s, a, d, e);
     if (status || o->stream) return status;
     if (s->points > SHOWN_MAX || (double)s->points * s->components * (double)s->steps > 3e8)
@@ -277,21 +279,26 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     const char *folder = o->output;
     bool quiet = o->args.quiet;
     if (!r) return wf_fail(e, WF_ENOMEM, "not enough memory for a report");
-    enum wf_status s = wf_results_begin(&f, folder, o->no_plots ? NULL : "wind", e);
+    enum wf_status s = wf_results_begin(&f, folder, o->pages.none ? NULL : "wind", e);
     if (s) return s;
     s = wf_gust_report_make(spec, a, d, r, e);
+    wf_progress_clear();
     if (!s && !quiet) print_wind(r);
     if (!s) s = wf_wind_results_write(r, head, d, f.stage, e);
-    bool plots = !o->no_plots && !s && r->stats[0].high > r->stats[0].low;
-    if (!s && !o->no_plots && !plots)
+    bool plots = !o->pages.none && !s && r->stats[0].high > r->stats[0].low;
+    if (!s && !o->pages.none && !plots)
         wf_diag_warn(d, "wind-constant", "the wind does not change: no spectrum and no gust to draw");
-    if (!s) s = wf_results_end(&f, plots ? o->lang : NULL, a, NULL, e);
+    if (!s) s = wf_results_end(&f, plots ? &o->pages : NULL, a, NULL, e);
     wf_run_abandon(&f);
     if (!s && !quiet) wf_show(stdout, "\nTables%s: %s\n", plots ? ", plots and page" : "", folder);
     return s;
 }
 
-static void show_progress(size_t block, size_t blocks) { wf_progress("block %zu of %zu ...", block, blocks); }
+static void show_progress(size_t block, size_t blocks)
+{
+    if (block == 1) wf_stage_begin(blocks, false, "blocks of wind");
+    wf_stage_step(block > 1);
+}
 
 static void print_streamed(const struct wf_gust_spec *s, const struct wf_wind_streamed *w, const char *path)
 {
@@ -323,7 +330,7 @@ static enum wf_status write_stream(const struct wind_options *o, const struct wf
     const char *path = o->stream;
     wf_interrupt_catch();
     enum wf_status s = wf_wind_stream(spec, path, show_progress, a, d, &w, e);
-    wf_progress(NULL);
+    wf_progress_clear();
     if (!s && !o->args.quiet) print_streamed(spec, &w, path);
     return s;
 }
@@ -424,7 +431,8 @@ static enum wf_status take_rose(const struct wind_options *o, struct wf_arena *a
     if (file && o->sectors)
         return wf_fail(e, WF_EUSAGE, "--sectors is for --record; the rose of --file has those of the file");
     if (file) return wf_rose_read(file, a, d, rose, e);
-    const struct wf_rose_request q = { .columns = WF_GIVEN(o, gust.record.columns) ? o->gust.record.columns : NULL,
+    const struct wf_rose_request q = { .columns =
+                                           WF_GIVEN(o, gust.record.columns) ? o->gust.record.columns : NULL,
                                        .sectors = o->sectors ? (size_t)atoi(o->sectors) : 0 };
     if (!(*record = WF_TAKE(a, 1, struct wf_rose_record))) return wf_fail(e, WF_ENOMEM, "not enough memory");
     enum wf_status s = wf_rose_from_record(o->record, &q, a, d, *record, e);
@@ -445,10 +453,10 @@ static enum wf_status show_rose(const struct wind_options *o, const struct wf_do
     if (!o->args.quiet) print_rose(file, &r, record);
     if (!o->args.quiet && record) print_fits(record);
     fflush(stdout);
-    status = wf_results_begin(&f, folder, o->no_plots ? NULL : "rose", e);
+    status = wf_results_begin(&f, folder, o->pages.none ? NULL : "rose", e);
     if (status) return status;
     status = wf_rose_results_write(&r, file, record, head, d, f.stage, e);
-    if (!status) status = wf_results_end(&f, o->no_plots ? NULL : o->lang, a, NULL, e);
+    if (!status) status = wf_results_end(&f, &o->pages, a, NULL, e);
     wf_run_abandon(&f);
     return status;
 }

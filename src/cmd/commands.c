@@ -2,15 +2,17 @@
 #include "cmd/commands.h"
 #include "base/file.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "load/drag.h"
+#include "out/printer.h"
 #include "out/report.h"
 #include "out/results.h"
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 const struct wf_command wf_commands[] = {
@@ -32,8 +34,8 @@ const struct wf_command wf_commands[] = {
     { "papers", "NAME | FILE | list | schema [option...]",
       "The runs of a published paper, by its method as printed and corrected, with key frames on a page.",
       wf_cmd_papers },
-    { "report", "FOLDER [option...]",
-      "Draw plots and pages again from the results.json and tables of an earlier run.", wf_cmd_report },
+    { "report", "FOLDER... [option...]",
+      "Draw plots and pages again from the results.json and tables of earlier runs.", wf_cmd_report },
     { "schema", "species|model|fit|study",
       "Every key of a species table, a tree model, a calibration study or a file of options, with range and "
       "default.",
@@ -77,6 +79,7 @@ int wf_exit_code(enum wf_status s)
 
 int wf_complain(const struct wf_err *e)
 {
+    wf_progress_clear();
     wf_show(stderr, "windfirm: %s\n", e->text[0] ? e->text : wf_status_text(e->code));
     return wf_exit_code(e->code);
 }
@@ -84,6 +87,7 @@ int wf_complain(const struct wf_err *e)
 void wf_print_findings(const struct wf_diag *d, bool quiet)
 {
     char line[2048];
+    wf_progress_clear();
     for (const struct wf_finding *f = d->first; f; f = f->next)
         if (f->severity == WF_ERROR || !quiet)
             wf_show(stderr, "%s\n", wf_finding_print(f, line, sizeof line));
@@ -141,17 +145,70 @@ const char *wf_beside(const char *file, const char *name, struct wf_arena *a)
     return path && wf_file_is_there(path) ? path : name;
 }
 
-void wf_progress(const char *fmt, ...)
+static bool line_there;
+static const double patience = 2; /* a run that is shorter says nothing [s] */
+
+/* "4 s left" */
+static void add_time(double left, const char *of, char *text, size_t size)
 {
-    if (!isatty(STDERR_FILENO)) return;
+    size_t n = strlen(text);
+    bool minutes = left >= 90, hours = left >= 5400;
+    (void)snprintf(text + n, size - n, ", %.*f %s left%s", hours ? 1 : 0,
+                   left / (hours     ? 3600
+                           : minutes ? 60
+                                     : 1),
+                   hours     ? "h"
+                   : minutes ? "min"
+                             : "s",
+                   of);
+}
+
+/* How many steps, their share, their rate, and the time for the others where it can be told. */
+static void add_steps(const struct wf_stage *s, char *text, size_t size)
+{
+    size_t n = strlen(text);
+    bool share = s->of && s->done <= s->of;
+    if (share)
+        n += (size_t)snprintf(text + n, size - n, ": %zu of %s%zu, %.0f %%", s->done,
+                              s->about ? "about " : "", s->of, 100.0 * (double)s->done / (double)s->of);
+    else if (s->done)
+        n += (size_t)snprintf(text + n, size - n, ": %zu", s->done);
+    if (!s->done) return;
+    (void)snprintf(text + n, size - n, ", %.3g/s", (double)s->done / s->seconds);
+    if (share) add_time(s->seconds * (double)(s->of - s->done) / (double)s->done, "", text, size);
+}
+
+static void show_stage(const struct wf_stage *s)
+{
+    char text[400] = "", item[64] = "";
+    struct winsize w = { 0 };
+    if (s->run < patience || !s->what[0]) return;
+    if (s->items > 1) (void)snprintf(item, sizeof item, "%zu of %zu: ", s->item, s->items);
+    (void)snprintf(text, sizeof text, "%s%s", item, s->what);
+    add_steps(s, text, sizeof text);
+    if (s->items > 1 && s->item > 1)
+        add_time(s->run * (double)(s->items - s->item + 1) / (double)(s->item - 1), " for all", text,
+                 sizeof text);
+    size_t wide = ioctl(STDERR_FILENO, TIOCGWINSZ, &w) || !w.ws_col ? 80 : w.ws_col, n = strlen(text);
+    if (n >= wide)
+        for (n = wide - 1; n && ((unsigned char)text[n] & 0xc0) == 0x80;) n--;
+    line_there = true;
+    fputs("\r", stderr);
+    wf_show(stderr, "%.*s", (int)n, text);
+    fputs("\033[K", stderr);
+    fflush(stderr);
+}
+
+void wf_progress_start(bool quiet)
+{
+    if (!quiet && isatty(STDERR_FILENO)) wf_progress_watch(show_stage);
+}
+
+void wf_progress_clear(void)
+{
+    if (!line_there) return;
+    line_there = false;
     fputs("\r\033[K", stderr);
-    if (fmt) {
-        va_list list;
-        va_start(list, fmt);
-        char *text = NULL;
-        if (vasprintf(&text, fmt, list) >= 0) wf_show(stderr, "%s", text), free(text);
-        va_end(list);
-    }
     fflush(stderr);
 }
 
@@ -174,28 +231,31 @@ static void add_plain(const struct wf_run_folder *r, const struct wf_finding *f,
         wf_diag_warn(d, f->code, "%s", text ? text : f->text);
 }
 
-enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *language, struct wf_diag *d,
-                               struct wf_err *e)
+enum wf_status wf_results_draw(const struct wf_run_folder *r, const struct wf_pages *pages,
+                               struct wf_printer *printer, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_diag found = { .arena = d->arena };
-    wf_progress("drawing plots and pages ...");
-    enum wf_status s = wf_report_make(r->stage, language, &found, e);
-    wf_progress(NULL);
+    wf_stage_begin(0, false, "drawing plots and pages");
+    enum wf_status s = wf_report_make(r->stage, pages->lang, pages->no_pdf ? NULL : printer, &found, e);
+    wf_progress_clear();
     wf_run_plain(r, e->text);
     for (const struct wf_finding *f = found.first; f; f = f->next) add_plain(r, f, d);
     return s;
 }
 
-enum wf_status wf_results_end(struct wf_run_folder *r, const char *language, struct wf_arena *a, bool *whole,
-                              struct wf_err *e)
+enum wf_status wf_results_end(struct wf_run_folder *r, const struct wf_pages *pages, struct wf_arena *a,
+                              bool *whole, struct wf_err *e)
 {
     struct wf_diag d = { .arena = a };
+    struct wf_printer printer = { 0 };
     struct wf_err why = { 0 };
+    bool drawing = pages && !pages->none;
     enum wf_status drawn = WF_OK;
     enum wf_status s = wf_interrupted() ? wf_run_mark(r, "interrupted", e) : WF_OK;
-    if (!s && language) drawn = wf_results_draw(r, language, &d, &why);
+    if (!s && drawing) drawn = wf_results_draw(r, pages, &printer, &d, &why);
+    wf_printer_close(&printer);
     wf_print_findings(&d, false);
-    if (whole) *whole = language && !drawn;
+    if (whole) *whole = drawing && !drawn;
     if (!s) s = wf_run_commit(r, e);
     wf_run_abandon(r);
     if (s || drawn == WF_OK || drawn == WF_EMISSING) return s;

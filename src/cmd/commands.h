@@ -10,6 +10,7 @@
 #include "out/run_folder.h"
 
 struct wf_model;
+struct wf_printer;
 struct wf_species;
 
 struct wf_command {
@@ -61,28 +62,38 @@ bool wf_begins_with_key(const char *path, const char *key, struct wf_arena *a);
 /* A file that `file` names: beside it when it is there, else relative to the current folder. Returned: text
  * in the arena, or `name`. */
 const char *wf_beside(const char *file, const char *name, struct wf_arena *a);
-/* One line of progress on stderr when it is a terminal, in place of the last; NULL clears it. */
-void wf_progress(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
+/* Show on stderr how far a run is (base/progress.h), from 2 s on: one line, written over, when it is a
+ * terminal and the command is not quiet. */
+void wf_progress_start(bool quiet);
+/* Clear the line, before something else is printed. */
+void wf_progress_clear(void);
 /* Print findings to stderr: errors always, warnings unless quiet. */
 void wf_print_findings(const struct wf_diag *d, bool quiet);
 
 /* Pages of a results folder, and what a document says about its command. */
+
+/* Figures and pages of a results folder. */
+struct wf_pages {
+    const char *lang; /* "en" or "zh"                                                  */
+    bool none;        /* neither is made                                               */
+    bool no_pdf;      /* the page is made for the screen alone; it can be printed later */
+};
 
 /* Take the folder for the results of a run, before anything is computed; signals are caught from now on
  * (base/interrupt.h). page: the page that is to be drawn, NULL: none. Errors: those of wf_run_begin. */
 enum wf_status wf_results_begin(struct wf_run_folder *r, const char *folder, const char *page,
                                 struct wf_err *e);
 /* The results are written into the stage: draw figures and pages, print what is missing, put all of it into
- * the folder. language: of the pages, NULL: none are drawn. A run that was interrupted before this is marked
- * so. A drawing program that is not installed is no error, another part that cannot be drawn is, after the
- * rest is in place. *whole, unless NULL: whether everything was drawn. Errors: those of wf_report_make and
- * wf_run_commit. */
-enum wf_status wf_results_end(struct wf_run_folder *r, const char *language, struct wf_arena *a, bool *whole,
-                              struct wf_err *e);
-/* Draw the pages of the stage. Findings and error name the folder's files, not the stage's. Returned: as
- * wf_report_make. */
-enum wf_status wf_results_draw(const struct wf_run_folder *r, const char *language, struct wf_diag *d,
-                               struct wf_err *e);
+ * the folder. pages: which; NULL: none. A run that was interrupted before this is
+ * marked so. A drawing program that is not installed is no error, another part that cannot be drawn is, after
+ * the rest is in place. *whole, unless NULL: whether everything was drawn. Errors: those of wf_report_make
+ * and wf_run_commit. */
+enum wf_status wf_results_end(struct wf_run_folder *r, const struct wf_pages *pages, struct wf_arena *a,
+                              bool *whole, struct wf_err *e);
+/* Draw the pages of the stage, the PDF by this printer. Findings and error name the folder's files, not the
+ * stage's. Returned: as wf_report_make. */
+enum wf_status wf_results_draw(const struct wf_run_folder *r, const struct wf_pages *pages,
+                               struct wf_printer *printer, struct wf_diag *d, struct wf_err *e);
 /* The command line as typed, "windfirm ...", with quotes where a shell needs them: it can be pasted and run
  * again. Every command records this text. NULL: no memory. */
 char *wf_command_line(int argc, char **argv, struct wf_arena *a);

@@ -11,19 +11,63 @@
 #include <stdlib.h>
 #include <string.h>
 
+static int put(FILE *to, const char *text, char end)
+{
+    struct wf_arena a = { 0 };
+    const char *safe = text ? wf_text_for_terminal(text, end, &a) : NULL;
+    int n = safe && fputs(safe, to) >= 0 ? (int)strlen(safe) : -1;
+    wf_arena_free(&a);
+    return n;
+}
+
+int wf_show_text(FILE *to, const char *text) { return put(to, text, '\n'); }
+
+/* A control character that a text does not hold; NUL when it holds all of them. */
+static char unused_in(const char *text)
+{
+    char c = 1;
+    while (c == '\t' || c == '\n' || (c < ' ' && strchr(text, c))) c++;
+    return c < ' ' ? c : '\0';
+}
+
+/* Without memory: the beginning of the text, in one line of plain letters. */
+static int put_short(FILE *to, const char *fmt, va_list list)
+{
+    char text[512];
+    (void)vsnprintf(text, sizeof text - 1, fmt, list);
+    for (char *s = text; *s; s++)
+        if (*s < ' ' || *s > '~') *s = s[1] || *s != '\n' ? '?' : '\n';
+    return fputs(text, to) >= 0 ? (int)strlen(text) : -1;
+}
+
+/* The text of a message, with `end` in the place of the line ends of its format. Returned: to be freed; NULL
+ * without memory. */
+static char *message(const char *fmt, va_list list, char *end)
+{
+    va_list again;
+    va_copy(again, list);
+    char *text = NULL, *marked = strdup(fmt);
+    int n = marked ? vasprintf(&text, fmt, list) : -1;
+    if (n >= 0) *end = unused_in(text), free(text);
+    for (char *s = marked; s && (s = strchr(s, '\n'));) *s = *end ? *end : ' ';
+    if (n >= 0) n = vasprintf(&text, marked, again);
+    va_end(again);
+    free(marked);
+    return n >= 0 ? text : NULL;
+}
+
 int wf_show(FILE *to, const char *fmt, ...)
 {
-    char *text = NULL;
-    struct wf_arena a = { 0 };
-    va_list list;
+    char end = '\0';
+    va_list list, again;
     va_start(list, fmt);
-    int n = vasprintf(&text, fmt, list);
+    va_copy(again, list);
+    char *text = message(fmt, list, &end);
+    int n = put(to, text, end);
+    if (n < 0 && !ferror(to)) n = put_short(to, fmt, again);
     va_end(list);
-    if (n < 0) return -1;
-    const char *safe = wf_text_for_terminal(text, &a);
-    n = safe && fputs(safe, to) >= 0 ? (int)strlen(safe) : -1;
+    va_end(again);
     free(text);
-    wf_arena_free(&a);
     return n;
 }
 
@@ -128,6 +172,7 @@ bool wf_option_quantity(struct wf_reading *r, size_t k, const char *text, const 
     snprintf(high_text, sizeof high_text, "%.17g", o->high);
     if (to_si(r, o, text, unit, si, &e) || to_si(r, o, low_text, o->unit, &si_low, &e) ||
         to_si(r, o, high_text, o->unit, &si_high, &e)) {
+        r->no_memory = r->no_memory || e.code == WF_ENOMEM;
         wf_option_mistake(r, r->key[k], o->name, "%s", e.text);
         return false;
     }

@@ -135,6 +135,7 @@ struct wf_reading {
     const char *text[WF_OPTIONS_MAX]; /* by row: as typed, else as in the study file, else the default     */
     const char *key[WF_OPTIONS_MAX];  /* by row: key of the study file that gave the text; NULL: no key    */
     bool complete;
+    bool no_memory; /* it ended while an option was read: no mistake of the user */
 };
 
 /* Report a mistake and count it. Given: the key of the study file it belongs to, where file, line and column
@@ -155,7 +156,9 @@ bool wf_option_quantity(struct wf_reading *r, size_t k, const char *text, const 
 /* The unit behind the number at the start of `text`, blanks skipped; "" for none. NULL: no number there. */
 const char *wf_option_unit(const char *text);
 /* Print to the terminal, to stdout or stderr: all text that this room prints goes through here. A name or a
- * path may hold anything; what would act on a terminal is shown escaped (base/text.h). Returned: bytes
- * written, -1 on failure. */
+ * path may hold anything; what would act on a terminal is shown escaped (base/text.h), and so is a line end
+ * that is not one of `fmt`. Returned: bytes written, -1 on failure. */
 int wf_show(FILE *to, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* Print a text of this program as it is, line ends included; it holds no names. */
+int wf_show_text(FILE *to, const char *text);
 #endif

@@ -32,6 +32,12 @@ bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *wh
                             "with a measured tree (--tree) that has no leaves (--leaf-area)");
 }
 
+bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_pages *p = (const void *)((const char *)options + o->group);
+    return wf_option_unused(p->none, why, "without a page");
+}
+
 static double metres(const char *unit)
 {
     if (!unit) return (double)NAN;

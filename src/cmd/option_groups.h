@@ -18,10 +18,14 @@ const char *wf_profile_word(size_t i);
 const char *wf_import_word(size_t i);
 
 /* The last rows of most commands. `no`: the option that leaves out figures and pages, "--no-report" or
- * "--no-plots". */
+ * "--no-plots"; `in`: a struct wf_pages (cmd/commands.h). */
 #define WF_QUIET_ROW QUIET("print errors only")
 #define WF_LANGUAGE_ROW(m) CHOICE("--lang", m, "NAME", "en|zh", "en", "language of the report")
-#define WF_PAGE_ROWS(no, m, language, help) FLAG(no, m, help), WF_LANGUAGE_ROW(language)
+bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *why);
+#define WF_NO_PDF_ROW(in)                                                                                    \
+    FLAG("--no-pdf", in.no_pdf, "leave out the PDF of the page; 'windfirm report' prints it later",          \
+         .group = WF_MEMBER(in, struct wf_pages), .unused = wf_pages_row_unused)
+#define WF_PAGE_ROWS(no, in, help) FLAG(no, in.none, help), WF_NO_PDF_ROW(in), WF_LANGUAGE_ROW(in.lang)
 
 #define WF_AZIMUTH_ROW(m)                                                                                    \
     NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cmd/scan_models.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "cmd/commands.h"
 #include <math.h>
 #include <stdio.h>
@@ -37,13 +38,13 @@ static enum wf_status analyse_model(const struct wf_scan_models *w, size_t numbe
                                              : wf_fail(e, WF_ENOMEM, "no memory for model %zu", number);
     for (size_t k = 0; !s && k < w->n; k++) {
         struct wf_analysis an;
-        wf_progress("%s: model %zu of %zu ...", w->species[k].name, number, w->models);
+        wf_stage_item(number, w->models);
         s = wf_analyze(&w->species[k], &model, w->scenario, w->search, w->solver, w->solve, w->wind->speed,
                        w->wind->n, &a, &d, &an, e);
         if (!s && !wf_interrupted())
             range_add(&range[k], number, an.tallness, &an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
     }
-    wf_progress(NULL);
+    wf_progress_clear();
     wf_arena_free(&a);
     return s;
 }

@@ -82,8 +82,16 @@ static bool take_columns(struct wf_breakage *b, size_t n, struct wf_arena *a)
     return true;
 }
 
-enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, struct wf_arena *a,
-                                 struct wf_breakage *b, struct wf_err *e)
+/* Stress at a place of row i that is known. */
+static double stress_at(const struct wf_tree *t, const struct wf_response *r, size_t i, double stress0,
+                        double stress1, double place)
+{
+    if (place <= 0) return stress0;
+    return place >= 1 ? stress1 : stress_inside(t, r, i, place);
+}
+
+enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, const double *places,
+                                 struct wf_arena *a, struct wf_breakage *b, struct wf_err *e)
 {
     *b = (struct wf_breakage){ .largest_stress_row = -1 };
     if (r->n != t->n)
@@ -103,7 +111,10 @@ enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_respon
         b->safety0[i] = safety_factor(t->strength[i], s0.stress);
         b->safety1[i] = safety_factor(t->strength[i], s1.stress);
 
-        b->peak[i] = row_peak(t, r, i, s0.stress, s1.stress, &b->peak_place[i]);
+        if (places)
+            b->peak[i] = stress_at(t, r, i, s0.stress, s1.stress, b->peak_place[i] = places[i]);
+        else
+            b->peak[i] = row_peak(t, r, i, s0.stress, s1.stress, &b->peak_place[i]);
         if (b->largest_stress_row < 0 || b->peak[i] > b->largest_stress)
             b->largest_stress = b->peak[i], b->largest_stress_row = (int32_t)i;
     }
@@ -112,13 +123,10 @@ enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_respon
 
 bool wf_breakage_known(const struct wf_tree *t, size_t row) { return t->strength[row] > 0; }
 
-void wf_breakage_utilisation(const struct wf_tree *t, const struct wf_response *r,
-                             const struct wf_breakage *b, enum wf_scope scope, struct wf_worst *out)
+double wf_breakage_safety(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
+                          size_t row, double *place)
 {
     (void)r;
-    for (size_t i = 0; i < t->n; i++) {
-        double factor = safety_factor(t->strength[i], b->peak[i]);
-        if (!wf_scope_holds(scope, t, i) || isnan(factor) || out->safety <= factor) continue;
-        *out = (struct wf_worst){ .safety = factor, .row = (int32_t)i, .place = b->peak_place[i] };
-    }
+    *place = b->peak_place[row];
+    return safety_factor(t->strength[row], b->peak[row]);
 }

@@ -8,7 +8,7 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                       .validity =
                           "sound, round stems and branches; shear stress and torsion are not included",
                       .known = wf_breakage_known,
-                      .utilisation = wf_breakage_utilisation },
+                      .safety = wf_breakage_safety },
 };
 
 bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope)
@@ -18,12 +18,23 @@ bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, e
     return false;
 }
 
+/* The place nearest to failure in a scope. */
+static void find_worst(const struct wf_criterion *c, const struct wf_tree *t, const struct wf_response *r,
+                       const struct wf_breakage *b, enum wf_scope scope, struct wf_worst *out)
+{
+    for (size_t i = 0; i < t->n; i++) {
+        double place = 0, safety = wf_scope_holds(scope, t, i) ? c->safety(t, r, b, i, &place) : NAN;
+        if (isnan(safety) || out->safety <= safety) continue;
+        *out = (struct wf_worst){ .safety = safety, .row = (int32_t)i, .place = place };
+    }
+}
+
 void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
                        struct wf_worst (*worst)[WF_SCOPES])
 {
     for (int c = 0; c < WF_CRITERIA; c++)
         for (int s = 0; s < WF_SCOPES; s++) {
             worst[c][s] = (struct wf_worst){ .safety = NAN, .row = -1 };
-            if (r) wf_criteria[c].utilisation(t, r, b, (enum wf_scope)s, &worst[c][s]);
+            if (r) find_worst(&wf_criteria[c], t, r, b, (enum wf_scope)s, &worst[c][s]);
         }
 }

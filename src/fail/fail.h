@@ -31,15 +31,17 @@ struct wf_breakage {
     double largest_stress;       /* [Pa] */
     int32_t largest_stress_row;
 };
-/* Section forces, stresses and safety factors of a solved tree. Given: tree and its response. Returned: *out
+/* Section forces, stresses and safety factors of a solved tree. Given: tree and its response; places (n,
+ * NULL: searched), where in each row the largest stress is taken: those of a neighbouring response give its
+ * derivative without the steps of a search. Returned: *out
  * with arrays of n in the arena. peak, peak_place and largest_stress include the inside of each row;
  * safety0/1 are those of its two ends. Method: inside a row the moment is the cubic that fits moments and
  * forces at both ends (dM/ds = -t x F), force and radii are linear; where the stress rises inwards from both
  * ends its maximum is searched. Source: elementary bending, Timoshenko 1955, Strength of Materials I. Valid
  * for sound, round stems; shear stress and torsion are reported but do not enter the stress. Errors:
  * WF_ENOMEM, WF_EINTERNAL (response of another tree). */
-enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, struct wf_arena *a,
-                                 struct wf_breakage *out, struct wf_err *e);
+enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, const double *places,
+                                 struct wf_arena *a, struct wf_breakage *out, struct wf_err *e);
 
 /* ---- Criteria ---- */
 
@@ -63,10 +65,11 @@ struct wf_criterion {
     const char *name, *source, *validity;
     /* Is the resistance of a row known? */
     bool (*known)(const struct wf_tree *t, size_t row);
-    /* Given: tree, its response, its section forces and stresses, the scope (part of the tree). Returned:
-     * *out, the place of highest utilisation; unchanged where no resistance is known. */
-    void (*utilisation)(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
-                        enum wf_scope scope, struct wf_worst *out);
+    /* Given: tree, its response, its section forces and stresses, a row. Returned: resistance over load at
+     * the place of the row nearest to failure, and that place (0 = the row's base, 1 = its end); NAN: no
+     * resistance is known. A criterion of the whole tree belongs to the row of its root. */
+    double (*safety)(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
+                     size_t row, double *place);
 };
 extern const struct wf_criterion wf_criteria[WF_CRITERIA];
 
@@ -78,11 +81,11 @@ bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, e
 void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
                        struct wf_worst (*worst)[WF_SCOPES]);
 
-/* Functions of the criterion 'breakage' in wf_criteria: is the modulus of rupture of a row known; place of
- * the largest stress over modulus of rupture within a scope. */
+/* Functions of the criterion 'breakage' in wf_criteria: is the modulus of rupture of a row known; modulus of
+ * rupture over the largest stress of a row. */
 bool wf_breakage_known(const struct wf_tree *t, size_t row);
-void wf_breakage_utilisation(const struct wf_tree *t, const struct wf_response *r,
-                             const struct wf_breakage *b, enum wf_scope scope, struct wf_worst *out);
+double wf_breakage_safety(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
+                          size_t row, double *place);
 
 /* ---- Critical wind speed ---- */
 

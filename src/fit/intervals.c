@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/intervals.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include "base/random.h"
 #include "fit/session.h"
 #include <gsl/gsl_cdf.h>
@@ -119,7 +120,9 @@ enum wf_status wf_fit_spread(struct wf_session *s, struct wf_fit *out, struct wf
     double *r = WF_TAKE(a, s->x->data, double), *scratch = WF_TAKE(a, s->x->data, double);
     if (!r || !scratch) return wf_fail(e, WF_ENOMEM, "not enough memory for the residuals");
     enum wf_status status = groups_of(s->x, out, a, e);
+    wf_stage_begin(0, false, "rounds of the fit");
     for (int round = 0; !status && round < ROUNDS; round++) {
+        wf_stage_step(round > 0);
         status = wf_session_solve(s, &out->lsq, e);
         if (status) break;
         if ((status = wf_predict(s->predictor, s->internal, s->reading, NULL, e))) break;
@@ -147,7 +150,9 @@ enum wf_status wf_fit_restart(struct wf_session *s, struct wf_fit *out, struct w
     memcpy(best, s->internal, s->n * sizeof *best);
     double least = r.cost, first = r.cost;
     out->starts = out->starts_same = 1;
+    wf_stage_begin(s->o->starts - 1, false, "further starts");
     for (size_t i = 1; i < s->o->starts; i++) {
+        wf_stage_step(i > 1);
         struct wf_err why = { 0 };
         uint64_t stream = wf_random_stream(START, i, 0);
         for (size_t k = 0; k < s->n; k++) {
@@ -201,20 +206,55 @@ static void draw(struct wf_session *s, const struct wf_fit *out, size_t *pool, u
     }
 }
 
+/* Is a parameter of the best fit on a bound? */
+static bool on_bound(const struct wf_session *s, const double *optimum, size_t k)
+{
+    double near = 1e-9 * (s->high[k] - s->low[k]);
+    return !(optimum[k] - s->low[k] > near && s->high[k] - optimum[k] > near);
+}
+
+/* Fit one data set from the best fit. A search that begins on a bound may stay there although a lower minimum
+ * lies inside, so where parameters of the best fit are on a bound it is repeated from their start values: the
+ * lower one counts. */
+static enum wf_status solve_resample(struct wf_session *s, const double *optimum, double *first,
+                                     struct wf_lsq_result *r, struct wf_err *e)
+{
+    struct wf_lsq_result again;
+    struct wf_err why = { 0 };
+    bool any = false;
+    memcpy(s->internal, optimum, s->n * sizeof *optimum);
+    enum wf_status status = wf_session_solve(s, r, e);
+    memcpy(first, s->internal, s->n * sizeof *first);
+    for (size_t k = 0; k < s->n; k++) {
+        bool bound = on_bound(s, optimum, k);
+        s->internal[k] = bound ? wf_param_internal(&s->p[k], s->p[k].start) : optimum[k];
+        any = any || bound;
+    }
+    if (any && !r->stopped && !wf_session_solve(s, &again, &why) && (status || again.cost < r->cost)) {
+        *r = again;
+        return WF_OK;
+    }
+    r->stopped = r->stopped || s->stopped;
+    memcpy(s->internal, first, s->n * sizeof *first);
+    return status;
+}
+
 enum wf_status wf_fit_resample(struct wf_session *s, struct wf_fit *out, struct wf_arena *a, struct wf_err *e)
 {
     size_t most = s->o->resamples;
-    double *value = WF_TAKE(a, out->free * most, double), *optimum = WF_TAKE(a, s->n, double);
+    double *value = WF_TAKE(a, out->free * most, double), *optimum = WF_TAKE(a, s->n, double),
+           *first = WF_TAKE(a, s->n, double);
     size_t *pool = WF_TAKE(a, s->x->data, size_t);
-    if (!value || !optimum || !pool)
+    if (!value || !optimum || !first || !pool)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu data sets", most);
     memcpy(optimum, s->internal, s->n * sizeof *optimum);
+    wf_stage_begin(most, false, "data sets of the bootstrap");
     for (size_t b = 0; b < most; b++) {
+        wf_stage_step(b > 0);
         struct wf_lsq_result r;
         struct wf_err why = { 0 };
         draw(s, out, pool, b);
-        memcpy(s->internal, optimum, s->n * sizeof *optimum);
-        if (wf_session_solve(s, &r, &why)) continue;
+        if (solve_resample(s, optimum, first, &r, &why)) continue;
         if (r.stopped) break;
         for (size_t k = 0; k < out->free; k++)
             value[k * most + out->resampled] = wf_param_value(&s->p[k], s->internal[k]);
@@ -589,6 +629,7 @@ enum wf_status wf_fit_profiles(struct wf_session *s, struct wf_fit *out, struct 
     enum wf_status status = wf_session_solve(s, &here, e);
     if (status || here.stopped) return status;
     memcpy(optimum, s->internal, s->n * sizeof *optimum);
+    wf_stage_begin(out->free, false, "profiles");
     for (size_t k = 0; k < out->free; k++) {
         struct wf_estimate *q = &out->estimate[k];
         struct walk w = { .s = s,
@@ -604,6 +645,7 @@ enum wf_status wf_fit_profiles(struct wf_session *s, struct wf_fit *out, struct 
         s->held[k] = true;
         double low = q->at_low ? NAN : side(&w, -0.7 * step), high = q->at_high ? NAN : side(&w, 0.7 * step);
         s->held[k] = false;
+        wf_stage_step(1);
         if (s->stopped) break;
         q->profiled = true;
         q->profile_low = isnan(low) ? NAN : wf_param_value(&s->p[k], low);

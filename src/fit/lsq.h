@@ -57,8 +57,8 @@ struct wf_lsq_result {
 /* Minimise 1/2 sum loss(residual^2). Given: *q, p = start within its bounds. Returned: WF_OK and p, also when
  * the iterations were used up or progress stopped it (see *out); WF_EUSAGE for a start outside the bounds or
  * fewer residuals than parameters; WF_EINPUT where the model has no finite answer at the start; WF_ENOCONV.
- * Method: Levenberg-Marquardt on the trust region with dense QR (Agarwal, Mierle and others, Ceres Solver).
- */
+ * Method: Levenberg-Marquardt on the trust region with dense QR (Agarwal, Mierle and others, Ceres Solver);
+ * bounds by an active set, so that the result satisfies the conditions of Karush, Kuhn and Tucker. */
 enum wf_status wf_lsq_solve(const struct wf_lsq *q, double *p, struct wf_lsq_result *out, struct wf_err *e);
 
 #ifdef __cplusplus

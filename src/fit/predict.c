@@ -181,10 +181,12 @@ struct bench {
     struct wf_beam_small *small; /* kept here while the beam is being solved */
     struct wf_point_load pull;
     struct wf_wind wind;
-    double force;                   /* in the rope [N]                                   */
-    double frame;                   /* azimuth of measured coordinates                   */
-    const struct wf_fit_state *now; /* the current state; NULL: at rest                  */
-    double (*ends)[6], (*moved)[6], (*node)[6], (*root)[3];
+    double force;                    /* in the rope [N]                                   */
+    double frame;                    /* azimuth of measured coordinates                   */
+    const struct wf_fit_state *now;  /* the current state; NULL: at rest                  */
+    wf_four (*ends)[6], (*moved)[6]; /* motions of the ends */
+    wf_four (*node)[6], (*root)[3];  /* wrenches on ends and root plates */
+    double (*one)[6];                /* one side of `ends` */
 };
 
 /* A sensor with its row and azimuth in the current state. */
@@ -280,73 +282,114 @@ static void follow(const double C[9], const double K[9], const double moved[3], 
     for (int i = 0; i < 3; i++) force[i] = A[i][3] / A[i][i];
 }
 
-static void push_answer(struct bench *k, const double force[3], double (*ends)[6], double ground[6])
+/* Response to forces on the strap, one a side. */
+static void push_answer(struct bench *k, wf_four force[3], struct wf_beam_small_answer *x)
 {
     size_t at = (size_t)k->beam.mesh.last[k->test->pull_row];
-    struct wf_beam_small_answer x = { .ends = ends };
-    for (int i = 0; i < 3; i++) k->node[at][i] = force[i];
-    wf_beam_answer_small(&k->beam, NULL, NULL, (const double(*)[6])k->node, NULL, &x);
-    for (int i = 0; i < 3; i++) k->node[at][i] = 0;
-    memcpy(ground, x.ground, 6 * sizeof *ground);
+    memcpy(k->node[at], force, 3 * sizeof *force);
+    *x = (struct wf_beam_small_answer){ .ends = k->moved };
+    wf_beam_answer_small(&k->beam, NULL, NULL, (const wf_four(*)[6])k->node, NULL, x);
+    memset(k->node[at], 0, sizeof k->node[at]);
 }
 
 /* Stiffness of the rope's direction, K = dF/dx = -F/length (1 - u u'), and the strap's flexibility C. */
 static bool rope(struct bench *k, double C[9], double K[9])
 {
     const struct wf_fit_test *t = k->test;
-    double u[3], ground[6];
+    double u[3];
+    wf_four unit[3] = { { 1 }, { 0, 1 }, { 0, 0, 1 } };
     if (t->load != WF_FIT_PULL || !t->anchored || k->force == 0) return false;
     size_t at = (size_t)k->beam.mesh.last[t->pull_row];
     double length = aim(k, k->beam.pose[at].r, u);
-    for (int j = 0; j < 3; j++) {
-        double unit[3] = { j == 0, j == 1, j == 2 };
-        push_answer(k, unit, k->moved, ground);
+    struct wf_beam_small_answer x;
+    push_answer(k, unit, &x);
+    for (int j = 0; j < 3; j++)
         for (int i = 0; i < 3; i++) {
-            C[3 * i + j] = k->moved[at][i];
+            C[3 * i + j] = k->moved[at][i][j];
             K[3 * i + j] = -k->force / length * ((i == j) - u[i] * u[j]);
         }
-    }
     return true;
+}
+
+/* Derivatives of the horizontal coordinates by the azimuth that they are measured at. */
+static void frame_slopes(struct bench *k, size_t p, double *slope)
+{
+    const struct wf_fit_param *q = &k->w->p[p];
+    if (q->quantity != WF_FIT_FRAME || (q->tree >= 0 && (size_t)q->tree != k->test->tree)) return;
+    for (size_t s = 0; s < k->test->sensors; s++) {
+        struct wf_fit_sensor sensor = placed(k, s);
+        slope[s * k->w->params + p] = wf_sensor_by_azimuth(&sensor, &k->beam);
+    }
+}
+
+/* Add the motion that follows from the change of the rope's direction in the motions *x. */
+static void add_rope(struct bench *k, const double C[9], const double K[9], struct wf_beam_small_answer *x)
+{
+    const struct wf_beam *b = &k->beam;
+    size_t at = (size_t)b->mesh.last[k->test->pull_row];
+    wf_four force[3], spin[6];
+    struct wf_beam_small_answer more;
+    memcpy(spin, b->root_moved[0], sizeof spin);
+    for (int side = 0; side < WF_BEAM_SIDES; side++) {
+        double moved[3], direct[3];
+        for (int i = 0; i < 3; i++) moved[i] = x->ends[at][i][side];
+        follow(C, K, moved, direct);
+        for (int i = 0; i < 3; i++) force[i][side] = direct[i];
+    }
+    push_answer(k, force, &more);
+    for (int c = 0; c < 6; c++) {
+        for (size_t i = 0; i < b->mesh.n; i++) x->ends[i][c] += k->moved[i][c];
+        x->ground[c] += more.ground[c], b->root_moved[0][c] += spin[c];
+    }
+}
+
+/* Derivatives of the readings by parameter p, the given side of the motions *x. */
+static void read_slopes(struct bench *k, const struct wf_beam_small_answer *x, size_t side, size_t p,
+                        double *slope)
+{
+    struct wf_beam *b = &k->beam;
+    double ground[6];
+    for (size_t c = 0; c < 6; c++) {
+        ground[c] = x->ground[c][side], b->root_change[0][c] = b->root_moved[0][c][side];
+        for (size_t i = 0; i < b->mesh.n; i++) k->one[i][c] = x->ends[i][c][side];
+    }
+    for (size_t s = 0; s < k->test->sensors; s++) {
+        struct wf_fit_sensor sensor = placed(k, s);
+        double *to = &slope[s * k->w->params + p];
+        *to = wf_sensor_change(&sensor, b, (const double(*)[6])k->one, ground);
+        if (k->w->p[p].quantity == WF_FIT_RADIUS) *to += wf_sensor_by_radius(&sensor, b);
+    }
+}
+
+/* Moments on the root plates of the test's tree by a unit change of their stiffness, or none. */
+static void root_moments(struct bench *k, bool root, size_t side)
+{
+    const struct wf_beam *b = &k->beam;
+    for (size_t i = 0; i < b->mesh.tree->n; i++)
+        for (int c = 0; c < 2 && b->mesh.tree->parent[i] < 0; c++)
+            k->root[i][c][side] = root ? -b->options->root_stiffness[c] * b->tilt[i][c] : 0;
 }
 
 static void slopes(struct bench *k, const double *internal, double *slope)
 {
-    struct wf_predictor *w = k->w;
-    struct wf_beam *b = &k->beam;
+    const struct wf_predictor *w = k->w;
     double C[9], K[9];
     bool roped = rope(k, C, K);
-    for (size_t p = 0; p < w->params; p++) {
-        struct wf_disturber d = { &w->x->tree[k->test->tree], &w->p[p], internal[p] };
-        bool frame =
-            w->p[p].quantity == WF_FIT_FRAME && (w->p[p].tree < 0 || (size_t)w->p[p].tree == k->test->tree);
-        for (size_t s = 0; frame && s < k->test->sensors; s++) {
-            struct wf_fit_sensor sensor = placed(k, s);
-            slope[s * w->params + p] = wf_sensor_by_azimuth(&sensor, b);
-        }
-        if (!wf_disturbs(&w->p[p], k->test->tree)) continue;
+    for (size_t p = 0; p < w->params;) {
+        struct wf_disturbers d = { .count = 0 };
         struct wf_beam_small_answer x = { .ends = k->ends };
-        bool root = w->p[p].quantity == WF_FIT_ROOT;
-        for (size_t i = 0; root && i < b->mesh.tree->n; i++)
-            for (int c = 0; c < 2 && b->mesh.tree->parent[i] < 0; c++)
-                k->root[i][c] = -b->options->root_stiffness[c] * b->tilt[i][c];
-        wf_beam_answer_small(b, root ? NULL : wf_disturb, &d, NULL, root ? (const double(*)[3])k->root : NULL,
-                             &x);
-        double direct[3], spin[6];
-        memcpy(spin, b->root_change[0], sizeof spin);
-        if (roped) {
-            double more[6];
-            follow(C, K, k->ends[b->mesh.last[k->test->pull_row]], direct);
-            push_answer(k, direct, k->moved, more);
-            for (size_t i = 0; i < b->mesh.n; i++)
-                for (int c = 0; c < 6; c++) k->ends[i][c] += k->moved[i][c];
-            for (int c = 0; c < 6; c++) x.ground[c] += more[c], b->root_change[0][c] += spin[c];
+        size_t param[WF_BEAM_SIDES];
+        for (; p < w->params && d.count < WF_BEAM_SIDES; p++) {
+            frame_slopes(k, p, slope);
+            if (!wf_disturbs(&w->p[p], k->test->tree)) continue;
+            root_moments(k, w->p[p].quantity == WF_FIT_ROOT, d.count);
+            param[d.count] = p;
+            d.side[d.count++] = (struct wf_disturber){ &w->x->tree[k->test->tree], &w->p[p], internal[p] };
         }
-        for (size_t s = 0; s < k->test->sensors; s++) {
-            struct wf_fit_sensor sensor = placed(k, s);
-            slope[s * w->params + p] = wf_sensor_change(&sensor, b, (const double(*)[6])k->ends, x.ground);
-            if (w->p[p].quantity == WF_FIT_RADIUS)
-                slope[s * w->params + p] += wf_sensor_by_radius(&sensor, b);
-        }
+        if (!d.count) break;
+        wf_beam_answer_small(&k->beam, wf_disturb, &d, NULL, (const wf_four(*)[3])k->root, &x);
+        if (roped) add_rope(k, C, K, &x);
+        for (size_t side = 0; side < d.count; side++) read_slopes(k, &x, side, param[side], slope);
     }
 }
 
@@ -423,7 +466,8 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
     k.node = wf_arena_take(&w->scratch, n, sizeof *k.node),
     k.root = wf_arena_take(&w->scratch, n, sizeof *k.root);
     if (status) return status;
-    if (!k.ends || !k.moved || !k.node || !k.root)
+    k.one = wf_arena_take(&w->scratch, n, sizeof *k.one);
+    if (!k.ends || !k.moved || !k.node || !k.root || !k.one)
         return wf_fail(e, WF_ENOMEM, "not enough memory for a solution");
     bool rest = t->from_rest && loads.gravity > 0;
     memset(w->rest, 0, t->sensors * sizeof *w->rest);

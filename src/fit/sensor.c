@@ -176,7 +176,7 @@ bool wf_disturbs(const struct wf_fit_param *p, size_t tree)
 
 /* Derivative of the section moment by ln E (bending, and torsion where G is proportional to E) or ln G. */
 static void by_modulus(const struct wf_beam *b, size_t i, bool bending, bool torsion, double factor,
-                       struct wf_beam_disturbance *out)
+                       size_t side, struct wf_beam_disturbance *out)
 {
     double m[2][3];
     wf_beam_law_moment(b, i, m);
@@ -185,7 +185,7 @@ static void by_modulus(const struct wf_beam *b, size_t i, bool bending, bool tor
         double along = wf_dot(t, m[j]);
         for (int c = 0; c < 3; c++) {
             double twist = along * t[c], bend = m[j][c] - twist;
-            out->law[j][c] = factor * ((bending ? bend : 0) + (torsion ? twist : 0));
+            out->law[j][c][side] = factor * ((bending ? bend : 0) + (torsion ? twist : 0));
         }
     }
 }
@@ -201,7 +201,7 @@ static void load_at(const struct wf_loads *l, const struct wf_line_point *q, con
 
 /* Derivative of the load at the Gauss points, by central differences of scalar inputs only (mass, diameter,
  * coefficients, exponent); relative error below 1e-9. */
-static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_t i,
+static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_t i, size_t side,
                     struct wf_beam_disturbance *out)
 {
     const double step = 1e-4;
@@ -209,7 +209,7 @@ static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_
     const struct wf_tree *t = b->mesh.tree;
     size_t row = (size_t)part->row;
     for (int j = 0; j < 2; j++) {
-        double side[2][3], outer = t->r0[row] + (t->r1[row] - t->r0[row]) * gauss_place[j],
+        double load[2][3], outer = t->r0[row] + (t->r1[row] - t->r0[row]) * gauss_place[j],
                            inner = t->i0[row] + (t->i1[row] - t->i0[row]) * gauss_place[j];
         double wood = t->density[row] * WF_PI * (outer * outer - inner * inner);
         for (int k = 0; k < 2; k++) {
@@ -233,15 +233,15 @@ static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_
                 if ((number = wf_loads_streamline_number(&l, WF_FIT_CROWN_LAW)))
                     *number += up * x->param->unit;
             }
-            load_at(&l, &q, b, i, j, side[k]);
+            load_at(&l, &q, b, i, j, load[k]);
         }
-        for (int c = 0; c < 3; c++) out->force[j][c] = (side[1][c] - side[0][c]) / (2 * step);
+        for (int c = 0; c < 3; c++) out->force[j][c][side] = (load[1][c] - load[0][c]) / (2 * step);
     }
 }
 
-void wf_disturb(const void *ctx, const struct wf_beam *b, size_t i, struct wf_beam_disturbance *out)
+static void disturb_side(const struct wf_disturber *x, const struct wf_beam *b, size_t i, size_t side,
+                         struct wf_beam_disturbance *out)
 {
-    const struct wf_disturber *x = ctx;
     const struct wf_fit_tree *t = x->tree;
     size_t row = (size_t)b->mesh.part[i].row, level = (size_t)t->tree.level[row];
     if (level >= t->species->levels) level = t->species->levels - 1;
@@ -249,24 +249,30 @@ void wf_disturb(const void *ctx, const struct wf_beam *b, size_t i, struct wf_be
     bool follows = !t->species->level[level].shear_modulus.given;
     switch (x->param->quantity) {
     case WF_FIT_YOUNGS:
-        by_modulus(b, i, true, follows, 1, out);
+        by_modulus(b, i, true, follows, 1, side, out);
         return;
     case WF_FIT_YOUNGS_TIP: {
         double s = 0.5 * (t->tree.z0[row] + t->tree.z1[row] - 2 * t->tree.z0[0]) / t->height;
         double q = exp(x->internal);
-        by_modulus(b, i, true, follows, q * s / (1 + (q - 1) * s), out);
+        by_modulus(b, i, true, follows, q * s / (1 + (q - 1) * s), side, out);
         return;
     }
     case WF_FIT_SHEAR:
-        by_modulus(b, i, false, true, 1, out);
+        by_modulus(b, i, false, true, 1, side, out);
         return;
     case WF_FIT_ROOT:
         return;
     case WF_FIT_RADIUS:
-        by_modulus(b, i, true, true, 4, out);
-        by_load(x, b, i, out);
+        by_modulus(b, i, true, true, 4, side, out);
+        by_load(x, b, i, side, out);
         return;
     default:
-        by_load(x, b, i, out);
+        by_load(x, b, i, side, out);
     }
+}
+
+void wf_disturb(const void *ctx, const struct wf_beam *b, size_t i, struct wf_beam_disturbance *out)
+{
+    const struct wf_disturbers *x = ctx;
+    for (size_t side = 0; side < x->count; side++) disturb_side(&x->side[side], b, i, side, out);
 }

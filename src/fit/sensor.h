@@ -3,7 +3,7 @@
 #define WF_FIT_SENSOR_H
 /* Internal to the predictor: sensor readings from a solved beam, and the disturbance by a parameter. */
 #include "fit/param.h"
-#include "solve/beam_newton.h"
+#include "solve/beam_small.h"
 #include <stdbool.h>
 
 /* Reading of a sensor on the present shape, relative to the unloaded one [SI]. */
@@ -25,8 +25,12 @@ struct wf_disturber {
     const struct wf_fit_param *param;
     double internal;
 };
-struct wf_beam_disturbance;
-/* Callback of wf_beam_answer_small; ctx is a struct wf_disturber. */
+/* Parameters whose disturbances are solved together, one a side. */
+struct wf_disturbers {
+    struct wf_disturber side[WF_BEAM_SIDES];
+    size_t count;
+};
+/* Callback of wf_beam_answer_small; ctx is a struct wf_disturbers. */
 void wf_disturb(const void *ctx, const struct wf_beam *b, size_t i, struct wf_beam_disturbance *out);
 /* Does the parameter affect this tree's static equilibrium? */
 bool wf_disturbs(const struct wf_fit_param *p, size_t tree);

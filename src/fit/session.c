@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/session.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -14,13 +15,12 @@ enum wf_status wf_session_open(struct wf_experiment *x, const struct wf_fit_para
     for (size_t k = 0; k < n; k++) s->priors += o->priors && p[k].prior_sd > 0;
     size_t m = x->data;
     s->sigma = WF_TAKE(a, m, double), s->internal = WF_TAKE(a, n, double), s->held = WF_TAKE(a, n, bool);
-    s->pinned = WF_TAKE(a, n, bool);
     s->low = WF_TAKE(a, n, double), s->high = WF_TAKE(a, n, double);
     s->reading = WF_TAKE(a, m, double), s->slope = WF_TAKE(a, m * n, double);
     s->chain = WF_TAKE(a, n, double), s->start = WF_TAKE(a, n, double), s->free_low = WF_TAKE(a, n, double),
     s->free_high = WF_TAKE(a, n, double);
-    if (!s->sigma || !s->internal || !s->held || !s->pinned || !s->low || !s->high || !s->reading ||
-        !s->slope || !s->chain || !s->start || !s->free_low || !s->free_high)
+    if (!s->sigma || !s->internal || !s->held || !s->low || !s->high || !s->reading || !s->slope ||
+        !s->chain || !s->start || !s->free_low || !s->free_high)
         return wf_fail(e, WF_ENOMEM, "not enough memory for the fit of %zu readings", m);
     for (size_t k = 0; k < n; k++) {
         s->low[k] = wf_param_internal(&p[k], p[k].low);
@@ -104,6 +104,7 @@ static bool model(void *ctx, const double *packed, double *residual, double *jac
 static bool progress(void *ctx, size_t iteration, double cost)
 {
     struct wf_session *s = ctx;
+    wf_stage_step(0);
     s->stopped = s->stopped || (s->o->progress && s->o->progress(s->o->progress_ctx, iteration, cost));
     return s->stopped;
 }
@@ -161,37 +162,9 @@ static enum wf_status search(struct wf_session *s, struct wf_lsq_result *out, st
     return status;
 }
 
-/* Minimise with the parameters that are on a bound held there. Given: *out with the cost so far. Returned:
- * true, and *out, when the new cost is lower. */
-static bool along_bounds(struct wf_session *s, struct wf_lsq_result *out)
-{
-    struct wf_lsq_result r;
-    struct wf_err why = { 0 };
-    size_t count = 0;
-    for (size_t k = 0; k < s->n; k++) {
-        double near = 1e-9 * (s->high[k] - s->low[k]);
-        s->pinned[k] =
-            !s->held[k] && !(s->internal[k] - s->low[k] > near && s->high[k] - s->internal[k] > near);
-        count += s->pinned[k];
-    }
-    if (!count) return false;
-    for (size_t k = 0; k < s->n; k++) s->held[k] |= s->pinned[k];
-    bool done = !search(s, &r, &why) && r.cost < out->cost * (1 - 1e-9);
-    for (size_t k = 0; k < s->n; k++) s->held[k] &= !s->pinned[k];
-    if (done) *out = r;
-    return done;
-}
-
-/* A step truncated at a bound can end the search away from the minimum. The other parameters are then
- * minimised with those on a bound held, and all together again from there. */
 enum wf_status wf_session_solve(struct wf_session *s, struct wf_lsq_result *out, struct wf_err *e)
 {
-    enum { ROUNDS = 8 };
     enum wf_status status = search(s, out, e);
-    for (int round = 0; !status && !out->stopped && round < ROUNDS && along_bounds(s, out); round++) {
-        if (out->stopped) break;
-        status = search(s, out, e);
-    }
     return !status && s->fatal.code ? wf_fail(e, s->fatal.code, "%s", s->fatal.text) : status;
 }
 

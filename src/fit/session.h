@@ -28,7 +28,6 @@ struct wf_session {
     double *sigma;    /* per datum, as used in the fit                            */
     double *internal; /* all parameters                                           */
     bool *held;
-    bool *pinned;       /* scratch: parameters held because they are on a bound                */
     double *low, *high; /* internal bounds                                          */
     double *reading, *slope;
     double *chain;                        /* derivative of an internal value by the solver's variable */

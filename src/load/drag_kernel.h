@@ -12,12 +12,12 @@
 WF_INLINE real vogel_share(real exponent, real reference, real speed, real *derivative)
 {
     const double h = WF_VOGEL_ROUNDING;
-    truth fast = real_below(reference * (1 - h), speed);
+    real_truth fast = real_below(reference * (1 - h), speed);
     *derivative = real_of(0);
     if (!real_any(fast)) return real_of(1);
     real held = real_choose(fast, speed, reference * (1 - h)),
          x = real_max(real_log(held / reference), real_of(-h));
-    truth corner = real_below(x, real_of(h));
+    real_truth corner = real_below(x, real_of(h));
     real g = real_choose(corner, (x + h) * (x + h) * (1 / (4 * h)), x);
     real slope = real_choose(corner, (x + h) * (1 / (2 * h)), real_of(1));
     real share = real_exp(exponent * g);
@@ -43,14 +43,15 @@ WF_INLINE real table_share(const struct wf_law_values *p, real speed, real *deri
     if (n == 0) return real_of(1);
     real share = real_of(y[0]);
     for (size_t i = 1; i < n; i++) {
-        truth here = real_not_above(real_of(x[i - 1]), speed);
+        real_truth here = real_not_above(real_of(x[i - 1]), speed);
         if (!real_any(here)) break;
         double h = x[i] - x[i - 1], d0 = wf_smooth_slope(x, y, n, i - 1), d1 = wf_smooth_slope(x, y, n, i);
         real slope, at = smooth_piece(real_of(y[i - 1]), real_of(y[i]), real_of(d0), real_of(d1), real_of(h),
                                       (speed - x[i - 1]) / h, &slope);
         share = real_choose(here, at, share), *derivative = real_choose(here, slope, *derivative);
     }
-    truth beyond = real_not_above(real_of(x[n - 1]), speed), before = real_not_above(speed, real_of(x[0]));
+    real_truth beyond = real_not_above(real_of(x[n - 1]), speed),
+               before = real_not_above(speed, real_of(x[0]));
     *derivative = real_choose(beyond | before, real_of(0), *derivative);
     return real_choose(beyond, real_of(y[n - 1]), share);
 }
@@ -109,7 +110,7 @@ enum { BARK_POINTS = sizeof bark_drag / sizeof *bark_drag };
 WF_INLINE real bark_drag_law(real speed, double diameter, real viscosity, real *derivative)
 {
     real re = speed * diameter / viscosity, x = real_log(re) * (1 / M_LN10);
-    truth low = real_not_above(re, real_of(0.1)), high = real_not_above(real_of(1e7), re);
+    real_truth low = real_not_above(re, real_of(0.1)), high = real_not_above(real_of(1e7), re);
     real from, h, y0, y1, d0, d1, slope;
     for (int k = 0; k < WF_WIDTH; k++) {
         double at = fmin(fmax(real_lane(x, k), -1), 7), whole = floor(at), part = at - whole;

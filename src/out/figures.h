@@ -1,17 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #ifndef WF_OUT_FIGURES_H
 #define WF_OUT_FIGURES_H
-/* Figures and printed pages, made by external programs. A program is found on PATH and run without a shell,
- * in the results folder: it gets names inside that folder, which windfirm chose, and none that a user chose.
- * It dies with windfirm. */
+/* Figures, drawn by gnuplot in the results folder (out/program.h). It gets names inside that folder, which
+ * windfirm chose, and none that a user chose. */
 #include "base/err.h"
 #include <libxml/tree.h>
 
-enum { WF_SAID_MAX = 2048 }; /* what is kept of what a program prints [bytes] */
-
-/* Path of a file of the report: $WINDFIRM_SHARE/reports/NAME, else where it was installed. Returned: WF_OK
- * and `path`, or WF_EINPUT when there is no such file. */
-enum wf_status wf_report_asset(const char *name, char *path, size_t size, struct wf_err *e);
+enum { WF_FIGURES_MAX = 12 }; /* that are drawn by one gnuplot */
 
 /* A picture of a results folder: FOLDER/plots/NAME.svg, drawn by reports/plots/SCRIPT.gp. */
 struct wf_figure {
@@ -25,13 +20,9 @@ struct wf_figure {
  * output, also when gnuplot ends with status 0 after an error. */
 enum wf_status wf_figures_run(const char *folder, const struct wf_figure *g, const char *picture,
                               const char *language, struct wf_diag *d, struct wf_err *e);
-/* Draw FOLDER/plots/NAME.svg. An earlier figure is replaced only by a complete new one. Returned in *svg: the
- * figure as a document to be put into a page. Warnings and errors: as wf_figures_run. */
-enum wf_status wf_figures_draw(const char *folder, const struct wf_figure *g, const char *language,
-                               xmlDoc **svg, struct wf_diag *d, struct wf_err *e);
-
-/* Print FOLDER/PAGE.html to FOLDER/PAGE.pdf with WeasyPrint, which may fetch nothing that the page names
- * (reports/pdf.py). An earlier file is replaced only by a complete new one. Errors: WF_EMISSING without
- * WeasyPrint, WF_EOUTPUT with its output where it failed. */
-enum wf_status wf_page_print(const char *folder, const char *page, struct wf_err *e);
+/* Draw n <= WF_FIGURES_MAX figures, FOLDER/plots/NAME.svg of each. An earlier figure is replaced only by a
+ * complete new one. Returned, for each: in svg[k] the figure as a document to be put into a page, or NULL and
+ * in why[k] the error. Warnings and errors: as wf_figures_run. */
+void wf_figures_draw(const char *folder, const struct wf_figure *g, size_t n, const char *language,
+                     xmlDoc **svg, struct wf_diag *d, struct wf_err *why);
 #endif

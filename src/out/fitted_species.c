@@ -113,8 +113,10 @@ static const struct wf_estimate *fitted(const struct wf_fit_results *of, enum wf
 /* "low: 8 GPa" */
 static void quantity(struct sheet *t, const char *key, double si, const struct wf_property *p)
 {
+    double x = wf_quantity_in(t->units, si, p->dimension, p->unit);
+    t->failed = t->failed || isnan(x); /* no memory for the unit */
     word(t, key);
-    number(t, wf_quantity_in(t->units, si, p->dimension, p->unit), p->unit);
+    number(t, x, p->unit);
 }
 
 /* A value unchanged, or from its estimate q (NULL: not fitted). share: of the level's value in it. */

@@ -4,6 +4,7 @@
 #include "base/interrupt.h"
 #include "out/doc.h"
 #include "out/figures.h"
+#include "out/printer.h"
 #include "out/reader.h"
 #include "out/results.h"
 #include "out/tree_picture.h"
@@ -39,6 +40,7 @@ struct job {
     json_t *results;
     xmlDoc *document; /* <report lang="en"><results/><css/><figures/></report>, what every stylesheet reads */
     xmlNode *figures;
+    struct wf_printer *printer; /* NULL: no PDF */
     struct wf_diag *d;
     struct wf_err *e;
     enum wf_status first; /* of the parts that could not be made */
@@ -119,37 +121,45 @@ static enum wf_status make_document(struct job *j)
     return code;
 }
 
-typedef enum wf_status drawer(const char *folder, const char *language, xmlDoc **svg, struct wf_diag *d,
-                              struct wf_err *e);
-
-/* Draw one figure, with its own drawer or the common one, and add it to the document: <figure
- * name="tip"><svg/></figure>, or the attribute missing="why". `unready`: why none can be drawn, NULL when
- * they can. */
-static enum wf_status add_figure(struct job *j, const struct wf_figure *g, drawer *own,
-                                 const struct wf_err *unready)
+/* Add a figure to the document: <figure name="tip"><svg/></figure>, or the attribute missing="why". Takes the
+ * drawing. */
+static enum wf_status add_figure(struct job *j, const char *name, xmlDoc *svg, const struct wf_err *why)
 {
-    struct wf_err why = { 0 };
-    xmlDoc *svg = NULL;
-    if (check_interrupt(j)) return WF_EINTERRUPTED;
-    xmlNode *node = xmlNewChild(j->figures, NULL, BAD_CAST "figure", NULL);
-    if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST g->name))
-        return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
-    if (unready) {
-        xmlNewProp(node, BAD_CAST "missing", BAD_CAST unready->text);
-        return WF_OK;
-    }
-    if (own ? own(j->folder, j->language, &svg, j->d, &why)
-            : wf_figures_draw(j->folder, g, j->language, &svg, j->d, &why)) {
-        if (check_interrupt(j)) return WF_EINTERRUPTED;
-        xmlNewProp(node, BAD_CAST "missing", BAD_CAST why.text);
-        miss(j, "no-figure", &why);
-        return WF_OK;
-    }
-    xmlNode *picture = xmlDocCopyNode(xmlDocGetRootElement(svg), j->document, 1);
+    xmlNode *picture = svg ? xmlDocCopyNode(xmlDocGetRootElement(svg), j->document, 1) : NULL;
+    bool drawn = svg != NULL;
     xmlFreeDoc(svg);
-    if (!picture) return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
-    xmlAddChild(node, picture);
+    xmlNode *node = xmlNewChild(j->figures, NULL, BAD_CAST "figure", NULL);
+    if (!node || !xmlNewProp(node, BAD_CAST "name", BAD_CAST name) || (drawn && !picture)) {
+        xmlFreeNode(picture);
+        return wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
+    }
+    if (picture)
+        xmlAddChild(node, picture);
+    else
+        xmlNewProp(node, BAD_CAST "missing", BAD_CAST why->text);
     return WF_OK;
+}
+
+/* Draw figures and add them to the document, WF_FIGURES_MAX at once. */
+static enum wf_status draw_figures(struct job *j, const struct wf_figure *g, size_t n)
+{
+    enum wf_status code = WF_OK;
+    for (size_t first = 0, some; first < n && !code; first += some) {
+        xmlDoc *svg[WF_FIGURES_MAX];
+        struct wf_err why[WF_FIGURES_MAX];
+        if (check_interrupt(j)) return WF_EINTERRUPTED;
+        some = n - first < WF_FIGURES_MAX ? n - first : WF_FIGURES_MAX;
+        wf_figures_draw(j->folder, g + first, some, j->language, svg, j->d, why);
+        code = check_interrupt(j);
+        for (size_t k = 0; k < some; k++) {
+            if (why[k].code && !code) miss(j, "no-figure", &why[k]);
+            if (!code)
+                code = add_figure(j, g[first + k].name, svg[k], &why[k]);
+            else
+                xmlFreeDoc(svg[k]);
+        }
+    }
+    return code;
 }
 
 /* <row key index [text="yes"|"words"]>value</row> to the plot data. */
@@ -190,21 +200,39 @@ static enum wf_status write_plot_data(const char *folder, xmlDoc *report, struct
     return code;
 }
 
+/* The tree of a report; one of very many segments is a picture of points. */
+static enum wf_status draw_tree(struct job *j)
+{
+    struct wf_err why = { 0 };
+    xmlDoc *svg = NULL;
+    if (check_interrupt(j)) return WF_EINTERRUPTED;
+    enum wf_status code = wf_tree_picture_report(j->folder, j->language, &svg, j->d, &why);
+    if (check_interrupt(j)) return xmlFreeDoc(svg), WF_EINTERRUPTED;
+    if (code) miss(j, "no-figure", &why);
+    return add_figure(j, "tree", svg, &why);
+}
+
 /* The figures of a report: its plot data are made from the document, in its language. */
 static enum wf_status draw_report(struct job *j)
 {
-    const struct wf_figure tree = { "tree", "tree", 0 }, around = { "directions", "directions", 0 };
     const json_t *first = json_array_get(json_object_get(j->results, "trees"), 0);
+    struct wf_figure g[WF_FIGURES_MAX];
     struct wf_err why = { 0 };
     enum wf_status code = WF_OK;
-    bool ready = !write_plot_data(j->folder, j->document, &why);
-    if (!ready) miss(j, "no-figures", &why);
-    const struct wf_err *unready = ready ? NULL : &why;
-    if (wf_tree_picture_there(j->folder)) code = add_figure(j, &tree, wf_tree_picture_report, unready);
-    for (size_t i = 0; !code && j->kind->figure[i]; i++)
-        code = add_figure(j, &(struct wf_figure){ j->kind->figure[i], j->kind->figure[i], 0 }, NULL, unready);
-    if (!code && json_is_object(json_object_get(first, "directions")))
-        code = add_figure(j, &around, NULL, unready);
+    size_t n = 0;
+    bool tree = wf_tree_picture_there(j->folder), lines = tree && wf_tree_picture_lines(j->folder);
+    if (lines) g[n++] = (struct wf_figure){ "tree", "tree", 0 };
+    for (size_t i = 0; j->kind->figure[i]; i++)
+        g[n++] = (struct wf_figure){ j->kind->figure[i], j->kind->figure[i], 0 };
+    if (json_is_object(json_object_get(first, "directions")))
+        g[n++] = (struct wf_figure){ "directions", "directions", 0 };
+    if (!write_plot_data(j->folder, j->document, &why)) {
+        if (tree && !lines) code = draw_tree(j);
+        return code ? code : draw_figures(j, g, n);
+    }
+    miss(j, "no-figures", &why);
+    if (tree && !lines) code = add_figure(j, "tree", NULL, &why);
+    for (size_t k = 0; k < n && !code; k++) code = add_figure(j, g[k].name, NULL, &why);
     return code;
 }
 
@@ -215,24 +243,36 @@ static bool plain(const char *name)
     return name && *name && strlen(name) < 40 && name[strspn(name, allowed)] == '\0';
 }
 
-/* The figures a document lists, or those of its kind. */
+/* The figures that a document lists. */
 static enum wf_status draw_listed(struct job *j)
 {
     const json_t *list = json_object_get(j->results, "figures");
-    enum wf_status code = WF_OK;
-    for (size_t i = 0; !code && j->kind->figure && j->kind->figure[i]; i++)
-        code = add_figure(j, &(struct wf_figure){ j->kind->figure[i], j->kind->figure[i], 0 }, NULL, NULL);
-    for (size_t i = 0; !code && !j->kind->figure && i < json_array_size(list); i++) {
+    size_t n = json_array_size(list);
+    struct wf_figure *g = calloc(n + 1, sizeof *g);
+    enum wf_status code = g ? WF_OK : wf_fail(j->e, WF_ENOMEM, "%s: no memory for the page", j->folder);
+    for (size_t i = 0; i < n && !code; i++) {
         const json_t *f = json_array_get(list, i);
         json_int_t run = json_integer_value(json_object_get(f, "run"));
-        const struct wf_figure g = { json_string_value(json_object_get(f, "name")),
-                                     json_string_value(json_object_get(f, "script")),
-                                     run > 0 ? (size_t)run : 0 };
-        if (!plain(g.name) || !plain(g.script))
-            return wf_fail(j->e, WF_EINPUT, "%s/results.json: figures: not a name of a figure", j->folder);
-        code = add_figure(j, &g, NULL, NULL);
+        g[i] =
+            (struct wf_figure){ json_string_value(json_object_get(f, "name")),
+                                json_string_value(json_object_get(f, "script")), run > 0 ? (size_t)run : 0 };
+        if (!plain(g[i].name) || !plain(g[i].script))
+            code = wf_fail(j->e, WF_EINPUT, "%s/results.json: figures: not a name of a figure", j->folder);
     }
+    if (!code) code = draw_figures(j, g, n);
+    free(g);
     return code;
+}
+
+/* The figures of a kind of document. */
+static enum wf_status draw_kind(struct job *j)
+{
+    struct wf_figure g[WF_FIGURES_MAX];
+    size_t n = 0;
+    if (!j->kind->figure) return draw_listed(j);
+    if (j->kind->figure == report_figures) return draw_report(j);
+    for (; j->kind->figure[n]; n++) g[n] = (struct wf_figure){ j->kind->figure[n], j->kind->figure[n], 0 };
+    return draw_figures(j, g, n);
 }
 
 static enum wf_status write_html(struct job *j, const char *html)
@@ -253,7 +293,7 @@ static enum wf_status write_html(struct job *j, const char *html)
     return code;
 }
 
-/* FOLDER/PAGE.html, and from it PAGE.pdf. */
+/* FOLDER/PAGE.html, and from it, with a printer, PAGE.pdf. */
 static enum wf_status write_page(struct job *j)
 {
     char html[WF_PATH_MAX], name[64];
@@ -261,18 +301,20 @@ static enum wf_status write_page(struct job *j)
     snprintf(name, sizeof name, "%s.html", j->kind->page);
     enum wf_status code = wf_folder_path(j->folder, name, html, j->e);
     if (!code) code = write_html(j, html);
-    if (code || (code = check_interrupt(j))) return code;
-    if (wf_page_print(j->folder, j->kind->page, &why)) {
+    if (code || (code = check_interrupt(j)) || !j->printer) return code;
+    if (wf_page_print(j->printer, j->folder, j->kind->page, &why)) {
         if (check_interrupt(j)) return WF_EINTERRUPTED;
         miss(j, "no-pdf", &why);
     }
     return WF_OK;
 }
 
-enum wf_status wf_report_make(const char *folder, const char *language, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_report_make(const char *folder, const char *language, struct wf_printer *printer,
+                              struct wf_diag *d, struct wf_err *e)
 {
     struct job j = { .folder = folder,
                      .language = language ? language : "en",
+                     .printer = printer,
                      .d = d,
                      .e = e,
                      .interrupted = wf_interrupted() };
@@ -280,7 +322,7 @@ enum wf_status wf_report_make(const char *folder, const char *language, struct w
         return wf_fail(e, WF_EUSAGE, "'%s' is not a language of the report; allowed: en, zh", language);
     enum wf_status code = read_results(&j);
     if (!code) code = make_document(&j);
-    if (!code) code = j.kind->figure == report_figures ? draw_report(&j) : draw_listed(&j);
+    if (!code) code = draw_kind(&j);
     if (!code) code = write_page(&j);
     if (j.document) xmlFreeDoc(j.document);
     json_decref(j.results);

@@ -468,13 +468,18 @@ void wf_run_abandon(struct wf_run_folder *r)
 
 /* ---- Drawing again ---- */
 
+static bool ends_in(const char *name, const char *ending)
+{
+    const char *dot = strrchr(name, '.');
+    return dot && !strcmp(dot, ending);
+}
+
 /* Is a file drawn by the page maker, not read by it? */
 static bool is_drawn(const char *name)
 {
     static const char *const drawn[] = { ".html", ".pdf", ".svg", ".png" };
-    const char *dot = strrchr(name, '.');
-    for (size_t i = 0; dot && i < sizeof drawn / sizeof *drawn; i++)
-        if (!strcmp(dot, drawn[i])) return true;
+    for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
+        if (ends_in(name, drawn[i])) return true;
     return false;
 }
 
@@ -603,11 +608,14 @@ static enum wf_status copy_document(struct wf_run_folder *r, struct wf_err *e)
     return s;
 }
 
-enum wf_status wf_run_reopen(struct wf_run_folder *r, const char *folder, struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_run_reopen(struct wf_run_folder *r, const char *folder, bool no_pdf, struct wf_diag *d,
+                             struct wf_err *e)
 {
     *r = (struct wf_run_folder){ .again = true, .kept = json_array() };
     enum wf_status s = r->kept ? take(r, folder, NULL, e) : no_list(r, e);
     if (!s) s = r->before ? copy_listed(r, d, e) : r->unlisted ? copy_unlisted(r, d, e) : WF_OK;
+    for (size_t i = json_array_size(r->kept); i-- > 0 && no_pdf;)
+        if (ends_in(wf_folder_entry(json_array_get(r->kept, i)), ".pdf")) (void)json_array_remove(r->kept, i);
     if (!s) s = copy_document(r, e);
     if (s) wf_run_abandon(r);
     return s;

@@ -33,10 +33,11 @@ struct wf_run_folder {
  * way that no run made; the folder is then as it was. */
 enum wf_status wf_run_begin(struct wf_run_folder *r, const char *folder, const char *page, struct wf_err *e);
 /* Take a folder to draw its pages again: as wf_run_begin, but the folder must hold results, and those that
- * are to be drawn are copied into the stage, checked against the list of results.json. Figures and pages that
- * do not match are warnings (they are drawn again), as is a results.json without a list. Errors: WF_EINPUT
- * naming what is missing or is not of this run. */
-enum wf_status wf_run_reopen(struct wf_run_folder *r, const char *folder, struct wf_diag *d,
+ * are to be drawn are copied into the stage, checked against the list of results.json. no_pdf: a PDF of the
+ * run before is removed at the commit, because none is made in its place. Figures and pages that do not match
+ * are warnings (they are drawn again), as is a results.json without a list. Errors: WF_EINPUT naming what is
+ * missing or is not of this run. */
+enum wf_status wf_run_reopen(struct wf_run_folder *r, const char *folder, bool no_pdf, struct wf_diag *d,
                              struct wf_err *e);
 /* Write "status" into the stage's results.json: "complete" or "interrupted". The pages show it. */
 enum wf_status wf_run_mark(const struct wf_run_folder *r, const char *status, struct wf_err *e);

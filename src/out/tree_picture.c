@@ -485,14 +485,17 @@ static enum wf_status wrap_picture(const struct wf_bytes *png, xmlDoc **svg, str
     return WF_OK;
 }
 
-static size_t segments(const char *folder, struct wf_arena *a)
+bool wf_tree_picture_lines(const char *folder)
 {
     char path[WF_PATH_MAX];
+    struct wf_arena a = { 0 };
     struct wf_bytes b;
-    if (wf_folder_path(folder, "plots/tree.csv", path, NULL) || wf_file_read_text(path, a, &b, NULL))
-        return 0;
-    const char *at = strstr(b.data, "\nSEGMENTS,0,");
-    return at ? strtoul(at + strlen("\nSEGMENTS,0,"), NULL, 10) : 0;
+    const char *at = NULL;
+    if (!wf_folder_path(folder, "plots/tree.csv", path, NULL) && !wf_file_read_text(path, &a, &b, NULL))
+        at = strstr(b.data, "\nSEGMENTS,0,");
+    size_t segments = at ? strtoul(at + strlen("\nSEGMENTS,0,"), NULL, 10) : 0;
+    wf_arena_free(&a);
+    return segments <= WF_PICTURE_LINES_MAX;
 }
 
 enum wf_status wf_tree_picture_report(const char *folder, const char *language, xmlDoc **svg,
@@ -504,10 +507,6 @@ enum wf_status wf_tree_picture_report(const char *folder, const char *language, 
     char path[WF_PATH_MAX], part[WF_PATH_MAX];
     enum wf_status s;
     *svg = NULL;
-    if (segments(folder, &a) <= WF_PICTURE_LINES_MAX) {
-        wf_arena_free(&a);
-        return wf_figures_draw(folder, &tree_figure, language, svg, d, e);
-    }
     s = wf_folder_path(folder, "plots/tree.png", path, e);
     if (!s) s = wf_folder_path(folder, drawn, part, e);
     if (!s) s = wf_figures_run(folder, &tree_figure, drawn, language, d, e);

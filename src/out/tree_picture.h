@@ -77,9 +77,11 @@ enum wf_status wf_tree_picture_draw(const struct wf_tree_picture *p, const char 
 
 /* Is there a picture to draw in a results folder? */
 bool wf_tree_picture_there(const char *folder);
-/* Draw FOLDER/plots/tree.svg, or tree.png for a tree of many segments, from the files of
- * wf_tree_picture_write. Labels in a language ("en", "zh"). Returned: the picture as an SVG document to be
- * put into a page. Warnings of gnuplot are added to `d` (may be NULL). */
+/* Has it few enough segments to be drawn as lines, the figure "tree" (out/figures.h)? */
+bool wf_tree_picture_lines(const char *folder);
+/* Draw FOLDER/plots/tree.png, of a tree of many segments, from the files of wf_tree_picture_write. Labels in
+ * a language ("en", "zh"). Returned: the picture as an SVG document to be put into a page. Warnings of
+ * gnuplot are added to `d` (may be NULL). */
 enum wf_status wf_tree_picture_report(const char *folder, const char *language, xmlDoc **svg,
                                       struct wf_diag *d, struct wf_err *e);
 #endif

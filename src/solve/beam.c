@@ -327,9 +327,9 @@ struct two_meshes {
 };
 
 static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_loads *l,
-                                      const struct wf_solve_options *o, struct wf_arena *work,
-                                      struct two_meshes *m, struct wf_beam *b, struct wf_beam_outcome *out,
-                                      struct wf_err *e)
+                                      const struct wf_solve_options *o, const struct wf_beam *from,
+                                      struct wf_arena *work, struct two_meshes *m, struct wf_beam *b,
+                                      struct wf_beam_outcome *out, struct wf_err *e)
 {
     enum { MESHES = 6 };
     struct wf_beam_check check;
@@ -339,6 +339,7 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
 
     enum wf_status status = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
+    if (!status && from) wf_beam_carry(from, b);
     if (!status) status = wf_beam_settle(b, &m->newton, out, e);
     if (status || !(o->mesh_tolerance > 0)) return status;
 
@@ -368,12 +369,45 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     return WF_OK;
 }
 
+enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, bool *meets, struct wf_err *e)
+{
+    const struct wf_tree *t = b->mesh.tree;
+    struct wf_arena work = { 0 };
+    struct wf_beam fine;
+    int32_t *pieces = WF_TAKE(&work, t->n, int32_t);
+    double *reach = WF_TAKE(&work, t->n, double), *share = WF_TAKE(&work, t->n, double),
+           *load = WF_TAKE(&work, 6 * t->n, double);
+    enum wf_status s = pieces && reach && share && load
+                           ? WF_OK
+                           : wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
+    *meets = false;
+    for (size_t i = 0; i < t->n && !s; i++) pieces[i] = 2 * (b->mesh.last[i] - b->mesh.first[i] + 1);
+    if (!s) s = wf_beam_init(&fine, t, &b->loads, b->options, pieces, &work, &work, e);
+    if (!s) {
+        wf_beam_carry(b, &fine);
+        wf_beam_sweep_up(&fine);
+        fine.misfit = b->misfit; /* close to equilibrium: one step leaves the square of what is missing */
+        if (wf_beam_step(&fine)) {
+            tree_reach(t, reach);
+            row_loads(b, load);
+            row_loads(&fine, load + 3 * t->n);
+            /* of the coarse mesh: 2^4 and 2^1.3 times that of the fine one */
+            double error = 16 * beam_mesh_error(b, &fine, reach, share);
+            double reactions = pow(2, 1.3) * load_error(b, &fine, load, load + 3 * t->n, share);
+            *meets = error <= tolerance * largest_displacement(&fine) && reactions <= tolerance;
+        }
+    }
+    wf_arena_free(&work);
+    return s;
+}
+
 enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
-                             const struct wf_solve_options *o, struct wf_arena *work, struct wf_beam *b,
-                             struct wf_beam_outcome *out, struct wf_err *e)
+                             const struct wf_solve_options *o, const struct wf_beam *from,
+                             struct wf_arena *work, struct wf_beam *b, struct wf_beam_outcome *out,
+                             struct wf_err *e)
 {
     struct two_meshes m = { 0 };
-    enum wf_status status = solve_on_meshes(t, l, o, work, &m, b, out, e);
+    enum wf_status status = solve_on_meshes(t, l, o, from, work, &m, b, out, e);
     wf_arena_free(&m.before);
     wf_arena_join(work, &m.shape);
     wf_arena_join(work, &m.newton);
@@ -408,7 +442,7 @@ static enum wf_status beam_solve(const struct wf_tree *t, const struct wf_loads 
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
     if (status) return status;
     status = wf_solve_check(t, l, d, e);
-    if (!status) status = wf_beam_solve(t, l, o, &work, &b, &out, e);
+    if (!status) status = wf_beam_solve(t, l, o, NULL, &work, &b, &out, e);
     if (!status) wf_beam_read(&b, r);
     r->load_factor = out.load_factor;
     if (!status) wf_beam_warn(&b, &out, d);
@@ -423,6 +457,7 @@ const struct wf_solver wf_solver_beam = {
               "Elasticity, "
               "ch. 8; Gauss collocation: Hairer, Lubich & Wanner 2006, II.1.3",
     .validity = "Elastic wood, static mean wind; any deflection. Loads follow the bent shape.",
+    .tracked = true,
     .solve = beam_solve,
 };
 
@@ -434,6 +469,40 @@ static void plate_tilt(const struct wf_beam *b, const double moment[3], double q
 {
     for (int j = 0; j < 2; j++)
         if (b->options->root_stiffness[j] > 0) q[j] = moment[j] / b->options->root_stiffness[j];
+}
+
+/* The loads of the undeformed tree do not change in this solution: as dead loads they are computed once. */
+static void linear_hold_loads(struct wf_beam *b)
+{
+    if (b->loads.point_scale != 1) return; /* dead loads would be scaled by it again */
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        struct wf_beam_part *p = &b->mesh.part[i];
+        struct wf_line_load load[2];
+        wf_beam_load(p, &b->loads, &b->stage[i], load);
+        for (int j = 0; j < 2; j++) {
+            memcpy(p->dead[j], load[j].force, sizeof p->dead[j]);
+            p->line[j].mass = 0;
+        }
+    }
+    b->loads.wind = NULL;
+}
+
+/* wf_beam_sweep_up for the undeformed tree. */
+static void linear_place(struct wf_beam *b)
+{
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        const struct wf_beam_part *p = &b->mesh.part[i];
+        struct wf_beam_stage *s = &b->stage[i];
+        struct wf_beam_pose ground;
+        const double *base = wf_beam_base(b, i, &ground)->r;
+        memcpy(s->t, p->t, sizeof s->t), memcpy(s->rp, p->t, sizeof s->rp);
+        for (int c = 0; c < 3; c++) {
+            for (int j = 0; j < 2; j++)
+                s->r[j][c] = base[c] + p->h * (gauss_up[j][0] * p->t[0][c] + gauss_up[j][1] * p->t[1][c]);
+            b->pose[i].r[c] = base[c] + 0.5 * p->h * (p->t[0][c] + p->t[1][c]);
+            b->pose[i].L[4 * c] = 1;
+        }
+    }
 }
 
 /* Rotation q and displacement u of the undeformed tree from its internal forces: q' = G m,  u' = q x t + H
@@ -484,7 +553,8 @@ static enum wf_status linear_answer_on(const struct wf_tree *t, const struct wf_
     x->q = wf_arena_take(work, x->beam.mesh.n, sizeof *x->q);
     if (!x->u || !x->q)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu displacements", x->beam.mesh.n);
-    wf_beam_sweep_up(&x->beam);
+    linear_place(&x->beam);
+    linear_hold_loads(&x->beam);
     wf_beam_sweep_down(&x->beam, false, NULL);
     linear_displacements(&x->beam, x->u, x->q);
     return WF_OK;

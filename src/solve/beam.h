@@ -13,12 +13,19 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine);
 extern const struct wf_solver wf_solver_beam;   /* large deflections, loads on the deformed shape */
 extern const struct wf_solver wf_solver_linear; /* one linear step, loads on the undeformed shape */
 
-/* Equilibrium on a mesh that meets options->mesh_tolerance. Given: tree, loads, options; the memory of *b is
- * taken from `work`. Returned: as wf_beam_settle; *out tells how the full load was reached. Method: the
+/* Equilibrium on a mesh that meets options->mesh_tolerance. Given: tree, loads, options; `from`, a solved
+ * beam of the same tree whose shape the first mesh starts from (NULL: unloaded); the memory of *b is taken
+ * from `work`. Returned: as wf_beam_settle; *out tells how the full load was reached. Method: the
  * first meshes differ by a factor 2; each row is then refined by its own share of the estimated error. */
 enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
-                             const struct wf_solve_options *o, struct wf_arena *work, struct wf_beam *b,
-                             struct wf_beam_outcome *out, struct wf_err *e);
+                             const struct wf_solve_options *o, const struct wf_beam *from,
+                             struct wf_arena *work, struct wf_beam *b, struct wf_beam_outcome *out,
+                             struct wf_err *e);
+/* Does the mesh of a solved beam meet a tolerance? It is compared with a solution on a mesh twice as fine.
+ * Returned: *meets. Errors: WF_ENOMEM. */
+enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, bool *meets, struct wf_err *e);
+/* Fill the columns of the response, which is allocated for the tree's rows, from a solved beam. */
+void wf_beam_read(const struct wf_beam *b, struct wf_response *r);
 /* Comparison of solutions on a mesh and on a finer one, row by row. */
 struct wf_beam_check {
     double *reach;         /* per row: path length from its end to the farthest tip [m] */
@@ -33,9 +40,6 @@ enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, s
  * mesh; `before` is the load on the fine mesh. */
 bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c,
                          int32_t *pieces);
-
-/* Fill the columns of a response, which is allocated for the tree's rows, from a solved beam. */
-void wf_beam_read(const struct wf_beam *b, struct wf_response *r);
 /* Parts of a response: displacement, rotation and tangents of row i from the rotation of its base and the
  * pose of its end; force and moment on the ground, and their imbalance against the sums of all loads and of
  * their moments. */

@@ -78,10 +78,10 @@ WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_b
 }
 
 /* Exchange row c with the row below it whose number in column c is `most`, in the lanes `here`. */
-WF_INLINE void exchange_rows(real S[6][6], by_base B, int from, int c, truth here, real most)
+WF_INLINE void exchange_rows(real S[6][6], by_base B, int from, int c, real_truth here, real most)
 {
     for (int r = c + 1; r < 6; r++) {
-        truth swap = here & real_not_above(most, real_abs(S[r][c]));
+        real_truth swap = here & real_not_above(most, real_abs(S[r][c]));
         here &= ~swap;
         for (int k = c; k < 6; k++) {
             real upper = S[c][k];
@@ -96,13 +96,13 @@ WF_INLINE void exchange_rows(real S[6][6], by_base B, int from, int c, truth her
 
 /* B := S^-1 B by elimination; S is used up. Rows are exchanged, in each lane by itself, where the pivot is
  * less than a tenth of a number below it. Returned: lanes whose S is singular. */
-WF_INLINE truth solve6(real S[6][6], by_base B, int from)
+WF_INLINE real_truth solve6(real S[6][6], by_base B, int from)
 {
-    truth singular = { 0 };
+    real_truth singular = { 0 };
     for (int c = 0; c < 6; c++) {
         real most = { 0 }, pivot = real_abs(S[c][c]);
         for (int r = c + 1; r < 6; r++) most = real_max(real_abs(S[r][c]), most);
-        truth small = real_below(pivot, 0.1 * most);
+        real_truth small = real_below(pivot, 0.1 * most);
         if (__builtin_expect(real_any(small), 0)) exchange_rows(S, B, from, c, small, most);
         singular |= ~real_below(real_of(0), real_max(pivot, most));
         real inverse = 1 / S[c][c];
@@ -138,7 +138,7 @@ WF_INLINE real unstable_directions(const struct wf_beam_part *p, real S[6][6], c
                 for (int c = 0; c < 3; c++) B[3 * m + c][3 * j + i] = k->QP[j][m][3 * i + c];
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < BY_BASE; c++) X[i][c] = c < 6 ? S[c][i] : real_of(0);
-    truth singular = solve6(B, X, 0);
+    real_truth singular = solve6(B, X, 0);
     for (int i = 0; i < 6; i++)
         for (int c = 0; c < 6; c++) H[i][c] = X[c][i];
     for (int c = 0; c < 6; c++) {
@@ -233,10 +233,10 @@ WF_INLINE void attach_part_above(real Mn[2][9], const struct wf_beam_reaction *a
  * its own correction at a fixed base is large, or its end rotates against its base (below -1: it is beyond
  * its buckling load) or many times as far as its base (it is near its buckling load). Such a step would also
  * throw the parts below. P: spin of the end by y; A: solved. Returned: lanes in which it would. */
-WF_INLINE truth leaps(by_base A, real P[6][6])
+WF_INLINE real_truth leaps(by_base A, real P[6][6])
 {
     const double turn = 0.7, against = -1.1, along = 8; /* rad, -, - */
-    truth holds = ~(truth){ 0 };
+    real_truth holds = ~(real_truth){ 0 };
     for (int i = 0; i < 6; i++) holds &= real_not_above(real_abs(A[i][6]), real_of(turn));
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 3; j++) {
@@ -251,9 +251,9 @@ WF_INLINE truth leaps(by_base A, real P[6][6])
 /* An element whose step is too large is taken by itself: damped elastic bending towards its present moments,
  * rigidly following its base. Twigs beyond their buckling load thus fall over in a few iterations without
  * disturbing what carries them. */
-WF_INLINE truth bend_apart(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
-                           const struct kinematics *k, const struct wf_beam_stage *s,
-                           const struct wf_beam_wrench at[2], int from, by_base A)
+WF_INLINE real_truth bend_apart(const struct wf_beam_part *p, const struct wf_beam_flat *flat,
+                                const struct kinematics *k, const struct wf_beam_stage *s,
+                                const struct wf_beam_wrench at[2], int from, by_base A)
 {
     static const struct statics none;
     real S[6][6], Mn[2][9];

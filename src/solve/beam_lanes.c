@@ -42,10 +42,10 @@ struct work {
     struct wf_beam_answer *answer;
     real (*before)[2][3]; /* rotation vectors before the last step */
     union slot *slot;
-    truth moving;  /* lanes whose last step is being computed; the others keep their state */
-    bool all_move; /* all of them do, or the others are done with: their poses and answers may change */
-    truth guard;   /* lanes far from equilibrium */
-    truth broken;  /* lanes whose tangent is singular */
+    real_truth moving; /* lanes whose last step is being computed; the others keep their state */
+    bool all_move;     /* all of them do, or the others are done with: their poses and answers may change */
+    real_truth guard;  /* lanes far from equilibrium */
+    real_truth broken; /* lanes whose tangent is singular */
     struct beam_misfit misfit;
     real base[3];         /* force on the ground */
     real margin;          /* see struct wf_beam_stability */
@@ -63,7 +63,7 @@ static struct work work_of(const struct wf_lanes *x)
                           .answer = (void *)x->answer,
                           .before = (void *)x->step,
                           .slot = (void *)x->slot,
-                          .moving = ~(truth){ 0 },
+                          .moving = ~(real_truth){ 0 },
                           .all_move = true };
 }
 
@@ -114,7 +114,7 @@ WF_INLINE void collect(const struct work *w, size_t i, struct above *out)
 
 /* Pass the reaction on to the element below, the first of whose reactions it may be. */
 WF_INLINE void pass_down(struct work *w, size_t i, const struct wf_beam_part *p, int from, by_base B,
-                         truth apart, const struct wf_beam_wrench *down)
+                         real_truth apart, const struct wf_beam_wrench *down)
 {
     if (p->parent < 0) {
         for (int c = 0; c < 3; c++) w->base[c] += down->n[c];
@@ -153,7 +153,7 @@ WF_INLINE void count_unstable(struct work *w, const struct wf_beam_part *p, real
                               const struct kinematics *k, const struct wf_beam_wrench *down)
 {
     real found = unstable_directions(p, S, k, w->margin);
-    truth some = real_below(real_of(0), found);
+    real_truth some = real_below(real_of(0), found);
     w->negative += found;
     if (real_any(some))
         w->bears = real_choose(some, real_max(w->bears, real_sqrt(wf_dot(down->n, down->n))), w->bears);
@@ -177,7 +177,7 @@ WF_INLINE void down_element(struct work *w, size_t i, enum variation kind, bool 
     struct statics q;
     real P[6][6], S[6][6], T[6][6], Mn[2][9];
     by_base A, Z, B;
-    truth apart = { 0 };
+    real_truth apart = { 0 };
     turns_of(u, &o);
     stage_of(p, u, &o, base, &s);
     for (int j = 0; j < 2; j++)
@@ -234,7 +234,7 @@ static void sweep_down(struct work *w, bool counting)
 {
     struct beam_misfit kept = w->misfit;
     w->misfit = (struct beam_misfit){ 0 };
-    w->broken = (truth){ 0 };
+    w->broken = (real_truth){ 0 };
     w->negative = w->bears = real_of(0);
     for (int i = 0; i < 3; i++) w->base[i] = real_of(0);
     if (w->kind == VARIES)
@@ -267,7 +267,7 @@ WF_INLINE void correction(const struct wf_beam_answer *a, const struct wf_beam_s
         m3_apply(Ti, local, dv[j]);
     }
     real most = real_max(wf_dot(dv[0], dv[0]), wf_dot(dv[1], dv[1]));
-    truth far = real_below(real_of(limit * limit), most);
+    real_truth far = real_below(real_of(limit * limit), most);
     if (!real_any(far)) return;
     real share = real_choose(far, limit / real_sqrt(most), real_of(1));
     for (int j = 0; j < 2; j++)
@@ -363,7 +363,7 @@ static void step_back(struct work *w, real share)
 
 /* Newton's method; beam_newton.c says why its numbers are these. */
 
-static truth converged(const struct work *w, double t)
+static real_truth converged(const struct work *w, double t)
 {
     const double rounding = 8 * DBL_EPSILON;
     const struct beam_misfit *m = &w->misfit;
@@ -372,7 +372,7 @@ static truth converged(const struct work *w, double t)
 }
 
 /* Lanes whose last step, of that share of the whole, reduced the residual. */
-static truth improved(const struct work *w, const struct beam_misfit *before, real share)
+static real_truth improved(const struct work *w, const struct beam_misfit *before, real share)
 {
     return (real_not_above(w->misfit.bending, before->bending * (1 - 1e-4 * share)) |
             real_not_above(w->misfit.bending, 1e-24 * w->misfit.energy)) &
@@ -383,13 +383,13 @@ static void start(const struct wf_lanes *x, struct work *w)
 {
     *w = work_of(x);
     set_loads(x, w);
-    w->guard = ~(truth){ 0 };
+    w->guard = ~(real_truth){ 0 };
     sweep_up(w);
     sweep_down(w, false);
 }
 
 /* Stable lanes, by the last counting sweep; its numbers are kept in *x for the lanes `here`. */
-static truth stable(const struct work *w, truth here, struct wf_lanes *x)
+static real_truth stable(const struct work *w, real_truth here, struct wf_lanes *x)
 {
     const double small = 0.01; /* of the force on the ground: parts that may snap to another shape */
     for (int k = 0; k < WF_WIDTH; k++)
@@ -398,11 +398,12 @@ static truth stable(const struct work *w, truth here, struct wf_lanes *x)
 }
 
 /* One step of the lanes `live`. Returned: those whose residual fell. */
-static truth newton_step(struct work *w, struct wf_lanes *x, truth live, truth *counted, truth *steady)
+static real_truth newton_step(struct work *w, struct wf_lanes *x, real_truth live, real_truth *counted,
+                              real_truth *steady)
 {
     const double turn_limit = 3, near = 1e-4;
     struct beam_misfit before = w->misfit;
-    truth last = real_not_above(before.bending, near * near * before.energy);
+    real_truth last = real_not_above(before.bending, near * near * before.energy);
     w->moving = live;
     w->all_move = true;
     w->guard = real_below(1e-3 * before.energy, before.bending);
@@ -417,11 +418,11 @@ static truth newton_step(struct work *w, struct wf_lanes *x, truth live, truth *
     }
     w->all_move = true;
     w->margin = 1e-6 + 0.5 * w->bend;
-    truth count = last & live;
+    real_truth count = last & live;
     bool counting = real_any(count);
     w->moving = live;
     sweep_down(w, counting);
-    truth good = improved(w, &before, share), halve = live & ~good;
+    real_truth good = improved(w, &before, share), halve = live & ~good;
     if (counting) *counted = (*counted & ~live) | (count & good), *steady = stable(w, count & good, x);
     for (int halvings = 1; halvings < 8 && real_any(halve); halvings++) {
         share *= 0.5;
@@ -439,9 +440,9 @@ static void newton(struct wf_lanes *x)
 {
     enum { FEW = 20 };
     struct work w;
-    truth rest = { 0 }, counted = { 0 }, steady = { 0 }, still = { 0 };
+    real_truth rest = { 0 }, counted = { 0 }, steady = { 0 }, still = { 0 };
     start(x, &w);
-    truth live = real_below(w.misfit.bending, real_of(INFINITY)) & ~w.broken;
+    real_truth live = real_below(w.misfit.bending, real_of(INFINITY)) & ~w.broken;
     for (int k = 0; k < WF_WIDTH; k++) {
         x->iterations[k] = 0;
         if (!x->wanted[k]) real_lane(live, k) = 0;
@@ -451,15 +452,15 @@ static void newton(struct wf_lanes *x)
         live &= ~rest;
         if (!real_any(live) || i == FEW) break;
         for (int k = 0; k < WF_WIDTH; k++) x->iterations[k] += real_lane(live, k) != 0;
-        truth now = { 0 }, still_now = { 0 };
+        real_truth now = { 0 }, still_now = { 0 };
         live = newton_step(&w, x, live, &now, &still_now);
         counted |= now, steady |= now & still_now;
     }
-    truth left = rest & ~counted;
+    real_truth left = rest & ~counted;
     if (real_any(left)) {
-        w.moving = (truth){ 0 };
+        w.moving = (real_truth){ 0 };
         w.all_move = true; /* no answer is needed any more */
-        w.guard = (truth){ 0 };
+        w.guard = (real_truth){ 0 };
         sweep_up(&w);
         w.margin = 1e-6 + 0.5 * w.bend;
         sweep_down(&w, true);
@@ -567,7 +568,7 @@ WF_INLINE void small_rotation_vector(const real R[9], real v[3])
     real s2 = wf_dot(v, v), c = 0.5 * (R[0] + R[4] + R[8] - 1);
     /* asin(s) / s */
     real f = 1 + s2 * (1. / 6 + s2 * (3. / 40 + s2 * (5. / 112 + s2 * (35. / 1152 + s2 * (63. / 2816)))));
-    truth large = real_below(real_of(0.05), s2) | real_below(c, real_of(0));
+    real_truth large = real_below(real_of(0.05), s2) | real_below(c, real_of(0));
     for (int k = 0; k < WF_WIDTH && real_any(large); k++) {
         double s = sqrt(real_lane(s2, k));
         if (real_lane(large, k)) real_lane(f, k) = s > 0 ? atan2(s, real_lane(c, k)) / s : 1;

@@ -64,6 +64,20 @@ static struct row_stiffness flat_stiffness_at(const struct wf_tree *t, size_t i,
                                    .ga = (shear_factor > 0 ? shear_factor : 5. / 6) * t->shear[i] * c.area };
 }
 
+WF_INLINE struct row_stiffness round_stiffness(double youngs, double shear, double shear_factor, double s,
+                                               double r0, double r1, double i0, double i1)
+{
+    double a = wf_between(r0, r1, s), b = wf_between(i0, i1, s), m = b / a;
+    double area = wf_ring_area(a, b), inertia = wf_ring_inertia(a, b);
+    /* Cowper 1966, J. Appl. Mech. 33:335, hollow circle */
+    double nu = youngs / (2 * shear) - 1, q = (1 + m * m) * (1 + m * m), p = m * m;
+    double cowper = 6 * (1 + nu) * q / ((7 + 6 * nu) * q + (20 + 12 * nu) * p);
+    double k = shear_factor > 0 ? shear_factor : cowper;
+    return (struct row_stiffness){
+        .ea = youngs * area, .ga = k * shear * area, .ei = youngs * inertia, .gj = shear * 2 * inertia
+    };
+}
+
 static struct row_stiffness stiffness_at(const struct wf_tree *t, size_t i, double s, double shear_factor)
 {
     if (t->stiff) {
@@ -71,17 +85,8 @@ static struct row_stiffness stiffness_at(const struct wf_tree *t, size_t i, doub
         return (struct row_stiffness){ .ea = k[0], .ga = k[1], .ei = k[2], .gj = k[3] };
     }
     if (t->section) return flat_stiffness_at(t, i, s, shear_factor);
-    double a = wf_between(t->r0[i], t->r1[i], s), b = wf_between(t->i0[i], t->i1[i], s), m = b / a;
-    double area = wf_ring_area(a, b), inertia = wf_ring_inertia(a, b);
-    double nu = t->youngs[i] / (2 * t->shear[i]) - 1, k = shear_factor;
-    if (!(k > 0)) { /* Cowper 1966, J. Appl. Mech. 33:335, hollow circle */
-        double q = (1 + m * m) * (1 + m * m), p = m * m;
-        k = 6 * (1 + nu) * q / ((7 + 6 * nu) * q + (20 + 12 * nu) * p);
-    }
-    return (struct row_stiffness){ .ea = t->youngs[i] * area,
-                                   .ga = k * t->shear[i] * area,
-                                   .ei = t->youngs[i] * inertia,
-                                   .gj = t->shear[i] * 2 * inertia };
+    return round_stiffness(t->youngs[i], t->shear[i], shear_factor, s, t->r0[i], t->r1[i], t->i0[i],
+                           t->i1[i]);
 }
 
 /* Compliances at the two Gauss points that reproduce the integrals of c and s c over the piece s0..s1 of the
@@ -94,11 +99,27 @@ static void two_moments(const double *c8, double out[2])
     out[0] = 2 * i0 - out[1];
 }
 
+/* Compliances of a round row at the eight points, as stiffness_at has them, one a lane. */
+WF_WIDE static void round_compliances(const struct wf_tree *t, size_t i, double s0, double s1,
+                                      double shear_factor, double bend[8], double twist[8], double stretch[8],
+                                      double slide[8])
+{
+    const double youngs = t->youngs[i], shear = t->shear[i], r0 = t->r0[i], r1 = t->r1[i], i0 = t->i0[i],
+                 i1 = t->i1[i];
+    for (int k = 0; k < 8; k++) {
+        struct row_stiffness s =
+            round_stiffness(youngs, shear, shear_factor, wf_between(s0, s1, gauss8[k]), r0, r1, i0, i1);
+        bend[k] = 1 / s.ei, twist[k] = 1 / s.gj, stretch[k] = 1 / s.ea, slide[k] = 1 / s.ga;
+    }
+}
+
 static void set_stiffness(const struct wf_tree *t, size_t i, double s0, double s1,
                           const struct wf_solve_options *o, struct wf_beam_part *p)
 {
     double bend[8], twist[8], stretch[8], slide[8], c[2];
-    for (int k = 0; k < 8; k++) {
+    if (!t->stiff && !t->section)
+        round_compliances(t, i, s0, s1, o->shear_factor, bend, twist, stretch, slide);
+    for (int k = 0; k < 8 && (t->stiff || t->section); k++) {
         struct row_stiffness s = stiffness_at(t, i, wf_between(s0, s1, gauss8[k]), o->shear_factor);
         bend[k] = 1 / s.ei, twist[k] = 1 / s.gj, stretch[k] = 1 / s.ea, slide[k] = 1 / s.ga;
     }
@@ -171,6 +192,7 @@ static enum wf_status check_joined(const struct wf_tree *t, size_t i, struct wf_
     size_t p = (size_t)t->parent[i];
     double gap[3] = { t->x0[i] - t->x1[p], t->y0[i] - t->y1[p], t->z0[i] - t->z1[p] };
     double size = sqrt(wf_dot(gap, gap));
+    if (size <= 1e-6) return WF_OK;
     if (size <= 1e-6 * (1 + wf_tree_length(t, i))) return WF_OK;
     return wf_fail(e, WF_EINPUT, "segment %lld starts %.3g m away from the end of its parent %lld",
                    (long long)t->id[i], size, (long long)t->id[p]);

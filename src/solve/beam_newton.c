@@ -16,13 +16,25 @@ const struct wf_beam_pose *wf_beam_base(const struct wf_beam *b, size_t i, struc
     return ground;
 }
 
+static bool held(const struct wf_beam *b, size_t i) { return b->held && b->held[i]; }
+
+/* Does the element stand on one that is held? */
+static bool on_held(const struct wf_beam *b, size_t i)
+{
+    int32_t below = b->mesh.part[i].parent;
+    return b->held && below >= 0 && b->held[below];
+}
+
 void wf_beam_sweep_up(struct wf_beam *b)
 {
     struct wf_beam_pose ground;
     b->counted = false;
     for (size_t i = 0; i < b->mesh.n; i++)
-        wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i], &b->pose[i]);
+        if (!held(b, i))
+            wf_beam_place(&b->mesh.part[i], &b->shape[i], wf_beam_base(b, i, &ground), &b->stage[i],
+                          &b->pose[i]);
     for (size_t i = 0; b->flat && i < b->mesh.n; i++) {
+        if (held(b, i)) continue;
         b->flat[i] = b->mesh.flat[i];
         wf_beam_turn(&b->shape[i], wf_beam_base(b, i, &ground)->L, &b->flat[i]);
     }
@@ -144,12 +156,13 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
     b->misfit = (struct wf_beam_misfit){ 0 };
     b->counted = false;
     if (count) count->negative = 0, count->bears = 0;
-    b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
+    if (!b->held) b->base = (struct wf_beam_wrench){ { 0 }, { 0 } };
     load_nodes(b);
     set_side_weight(b);
     if (tangent) react_nodes(b);
     memcpy(first, wf_beam_base(b, 0, &ground)->r, sizeof first);
     for (size_t i = b->mesh.n; i-- > 0;) {
+        if (held(b, i)) continue;
         const struct wf_beam_part *p = &b->mesh.part[i];
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
         const struct wf_beam_flat *flat = wf_beam_flat_of(b, i);
@@ -158,7 +171,8 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         struct wf_line_load load[2];
         struct wf_beam_wrench at[2], down;
         struct wf_beam_reaction root = { { { 0 } }, { 0 } };
-        bool grounded = p->parent < 0;
+        bool grounded = p->parent < 0, cut = on_held(b, i);
+        double before = b->misfit.bending;
         wf_beam_load(p, &b->loads, &b->stage[i], load);
         for (int j = 0; j < 2 && b->frozen; j++)
             memset(load[j].by_place, 0, sizeof load[j].by_place),
@@ -167,10 +181,12 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         wf_beam_misfit_add(p, &b->shape[i], base->L, creep, &b->stage[i], flat, at, &b->misfit);
         size_t unstable = count ? count->negative : 0;
         if (tangent && !eliminate_element(b, i, base->L, creep, load, at,
-                                          grounded ? &root : &b->node[p->parent], guard, count))
+                                          grounded || cut ? &root : &b->node[p->parent], guard, count))
             return false;
         if (count && count->negative > unstable)
             count->bears = fmax(count->bears, sqrt(wf_dot(down.n, down.n)));
+        if (b->off) b->off[i] = b->misfit.bending - before;
+        if (cut) continue;
         if (!grounded) {
             v3_add(b->wrench[p->parent].n, 1, down.n);
             v3_add(b->wrench[p->parent].m, 1, down.m);
@@ -242,12 +258,15 @@ static void limit_turn(const struct wf_beam_pose *at_base, const struct wf_beam_
 /* Newton corrections of all unknowns, from the base up. Returned: largest rotation of a node [rad]. */
 static double newton_corrections(struct wf_beam *b)
 {
+    static const double still[6];
     double most = 0;
     for (size_t i = 0; i < b->mesh.n; i++) {
+        if (held(b, i)) continue;
         const struct wf_beam_part *p = &b->mesh.part[i];
         struct wf_beam_pose ground;
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
         const double *below = p->parent >= 0 ? b->change[p->parent] : b->root_change[p->row];
+        if (on_held(b, i)) below = still;
         wf_beam_correct(&b->shape[i], base->L, &b->answer[i], &b->node[i], below, b->dv[i], b->change[i]);
         limit_turn(base, &b->pose[i], below, b->dv[i], b->change[i]);
         most = fmax(most, wf_dot(b->change[i] + 3, b->change[i] + 3));
@@ -258,8 +277,8 @@ static double newton_corrections(struct wf_beam *b)
 static void apply_correction(struct wf_beam *b, double share)
 {
     for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2; j++) v3_add(b->shape[i].v[j], share, b->dv[i][j]);
-    for (size_t i = 0; i < b->mesh.tree->n; i++)
+        for (int j = 0; j < 2 && !held(b, i); j++) v3_add(b->shape[i].v[j], share, b->dv[i][j]);
+    for (size_t i = 0; i < b->mesh.tree->n && !b->held; i++)
         if (b->mesh.tree->parent[i] < 0) v3_add(b->tilt[i], share, b->root_step[i]);
     wf_beam_sweep_up(b);
 }
@@ -270,8 +289,15 @@ static double stability_margin(const struct wf_beam *b)
 {
     double turn = 0;
     for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2; j++) turn = fmax(turn, wf_dot(b->shape[i].v[j], b->shape[i].v[j]));
+        for (int j = 0; j < 2 && !held(b, i); j++)
+            turn = fmax(turn, wf_dot(b->shape[i].v[j], b->shape[i].v[j]));
     return 1e-6 + 0.5 * turn;
+}
+
+static bool step_reduces(const struct wf_beam *b, const struct wf_beam_misfit *before, double share)
+{
+    return b->misfit.bending <= before->bending * (1 - 1e-4 * share) ||
+           b->misfit.bending <= 1e-24 * b->misfit.energy; /* at rounding */
 }
 
 /* One Newton step, halved until the residual falls. With `watch`, unstable directions are counted in
@@ -280,19 +306,25 @@ static double stability_margin(const struct wf_beam *b)
 static bool newton_step(struct wf_beam *b, bool watch)
 {
     const double turn_limit = 3; /* [rad] rotation of a node in one step */
-    const double near = 1e-4;    /* relative residual before the last step: convergence is quadratic */
+    /* relative residual before the last step: convergence is quadratic */
+    const double near = fmin(fmax(1e-4, 3 * sqrt(b->options->tolerance)), 0.1);
     double turn = newton_corrections(b), share = turn > turn_limit ? turn_limit / turn : 1, done = 0;
     struct wf_beam_misfit before = b->misfit;
     struct wf_beam_stability count;
     bool last = watch && before.bending <= near * near * before.energy;
     if (!isfinite(turn)) return false;
     for (int halvings = 0; halvings < 8; halvings++, share *= 0.5) {
+        struct wf_beam_misfit tried = b->misfit;
+        bool whole =
+            halvings == 0; /* a shorter step is tried without the tangent first, at a quarter of the cost */
         apply_correction(b, share - done);
         done = share;
         if (last) count.margin = stability_margin(b);
-        if (!wf_beam_sweep_down(b, true, last ? &count : NULL)) continue;
-        if (b->misfit.bending <= before.bending * (1 - 1e-4 * share)) return true;
-        if (b->misfit.bending <= 1e-24 * b->misfit.energy) return true; /* at rounding */
+        if (!wf_beam_sweep_down(b, whole, whole && last ? &count : NULL)) continue;
+        if (!step_reduces(b, &before, share)) continue;
+        if (whole) return true;
+        b->misfit = tried; /* the guard of the sweep looks at it */
+        if (wf_beam_sweep_down(b, true, last ? &count : NULL)) return true;
     }
     return false;
 }
@@ -357,21 +389,31 @@ bool wf_beam_stable(struct wf_beam *b)
     return b->stability.bears <= small * sqrt(wf_dot(b->base.n, b->base.n));
 }
 
-static bool comes_to_rest(struct wf_beam *b) { return newton(b, true) == WF_OK && wf_beam_stable(b); }
+bool wf_beam_rests(struct wf_beam *b) { return newton(b, true) == WF_OK && wf_beam_stable(b); }
+
+bool wf_beam_finish(struct wf_beam *b)
+{
+    if (!isfinite(newton_corrections(b))) return false;
+    apply_correction(b, 1);
+    return wf_beam_sweep_down(b, false, NULL);
+}
+
+bool wf_beam_step(struct wf_beam *b) { return wf_beam_sweep_down(b, true, NULL) && wf_beam_finish(b); }
 
 /* Load steps from the unloaded tree, halved where Newton stalls or the state is unstable. Returned: share of
  * the load reached. */
 static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct saved_shape *last)
 {
     double share = 0, size = 0.25;
-    memset(b->shape, 0, b->mesh.n * sizeof *b->shape);
-    memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
+    for (size_t i = 0; i < b->mesh.n; i++)
+        if (!held(b, i)) b->shape[i] = (struct wf_beam_shape){ 0 };
+    if (!b->held) memset(b->tilt, 0, b->mesh.tree->n * sizeof *b->tilt);
     save_shape(b, last);
     size_t most = b->iterations + EFFORT;
     while (share < 1 && size > 2e-4 && b->iterations < most) {
         double next = fmin(1, share + size);
         scale_loads(b, full, next);
-        if (comes_to_rest(b)) {
+        if (wf_beam_rests(b)) {
             share = next;
             size *= 2;
             b->steps++;
@@ -387,11 +429,11 @@ static double load_steps(struct wf_beam *b, const struct wf_loads *full, struct 
 /* Perturb the shape by a small sideways bow, so that it can leave an unstable equilibrium. */
 static void perturb_shape(struct wf_beam *b)
 {
-    for (size_t i = 0; i < b->mesh.tree->n; i++)
+    for (size_t i = 0; i < b->mesh.tree->n && !b->held; i++)
         for (int j = 0; j < 2; j++)
             if (b->options->root_stiffness[j] > 0) b->tilt[i][j] += j ? 2e-4 : 6e-5;
     for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2; j++)
+        for (int j = 0; j < 2 && !held(b, i); j++)
             b->shape[i].v[j][1] += 1e-4 * (j + 1), b->shape[i].v[j][0] += 3e-5 * (j + 1);
 }
 
@@ -409,7 +451,7 @@ static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
         save_shape(b, last);
         for (size_t i = 0; i < b->mesh.n; i++) wf_beam_curvature(&b->mesh.part[i], &b->shape[i], b->k0[i]);
         b->creep = rate;
-        bool moved = comes_to_rest(b);
+        bool moved = wf_beam_rests(b);
         b->creep = 0;
         b->steps++;
         if (!moved) {
@@ -421,10 +463,107 @@ static bool creep_to_rest(struct wf_beam *b, struct saved_shape *last)
         rate *= 0.6;
         if (rate > 0.02) continue;
         save_shape(b, last);
-        if (comes_to_rest(b)) return true;
+        if (wf_beam_rests(b)) return true;
         restore_shape(b, last);
         if (rate < 1e-8)
             rate = 1; /* ever slower creep has not left an unstable shape: start again with a fast step */
+    }
+    return false;
+}
+
+/* What the fallbacks need beside the beam. */
+struct fallback {
+    struct saved_shape last;
+    double *off;
+    bool *held;
+};
+
+static bool take_fallback(struct wf_beam *b, struct wf_arena *a, struct fallback *f)
+{
+    f->last.shape = WF_TAKE(a, b->mesh.n, struct wf_beam_shape);
+    f->last.tilt = wf_arena_take(a, b->mesh.tree->n, sizeof *f->last.tilt);
+    b->k0 = wf_arena_take(a, b->mesh.n, sizeof *b->k0);
+    f->off = WF_TAKE(a, b->mesh.n, double);
+    f->held = WF_TAKE(a, b->mesh.n, bool);
+    return f->last.shape && f->last.tilt && b->k0 && f->off && f->held;
+}
+
+static double carried(const struct wf_beam *b, size_t i)
+{
+    return sqrt(wf_dot(b->wrench[i].n, b->wrench[i].n));
+}
+
+/* The lowest element of the part that is to be settled with element i: it carries less than a hundredth of
+ * the force on the ground or, where i itself carries more, hardly more than i. -1: the part would be a large
+ * one. */
+static int32_t part_of(const struct wf_beam *b, size_t i, double force)
+{
+    const double small = 0.01, large = 0.2, hardly = 1.2;
+    const double limit = fmax(small * force, hardly * carried(b, i));
+    int32_t root = (int32_t)i, below;
+    if (!(carried(b, i) <= large * force)) return -1;
+    while ((below = b->mesh.part[root].parent) >= 0 && carried(b, (size_t)below) <= limit) root = below;
+    return below < 0 ? -1 : root;
+}
+
+/* Hold all but the parts in which Newton's residual is. false: they would be large. */
+static bool hold_the_rest(struct wf_beam *b, struct fallback *f)
+{
+    const double slight = 1e-3;
+    double most = 0;
+    b->off = f->off;
+    b->held = NULL;
+    wf_beam_sweep_up(b);
+    bool swept = wf_beam_sweep_down(b, true, NULL);
+    b->off = NULL;
+    if (!swept || b->misfit.bending > 1e-3 * b->misfit.energy) return false;
+    const double force = sqrt(wf_dot(b->base.n, b->base.n));
+    for (size_t i = 0; i < b->mesh.n; i++) most = fmax(most, f->off[i]), f->held[i] = true;
+    for (size_t i = 0; i < b->mesh.n; i++) {
+        if (!(f->off[i] >= slight * most)) continue;
+        int32_t root = part_of(b, i, force);
+        if (root < 0) return false;
+        f->held[root] = false;
+    }
+    for (size_t i = 0; i < b->mesh.n; i++) /* and all above them */
+        if (b->mesh.part[i].parent >= 0 && !f->held[b->mesh.part[i].parent]) f->held[i] = false;
+    return true;
+}
+
+/* Load steps, then creep. */
+static bool step_and_creep(struct wf_beam *b, const struct wf_loads *full, struct fallback *f,
+                           struct wf_beam_outcome *out)
+{
+    out->load_factor = load_steps(b, full, &f->last);
+    if (out->load_factor >= 1) return true;
+    restore_shape(b, &f->last);
+    scale_loads(b, full, 1);
+    perturb_shape(b);
+    out->beyond_limit = true;
+    return creep_to_rest(b, &f->last);
+}
+
+/* Load steps of the parts that are not held, the motion of their bases given; where a part has no continuous
+ * path to the full load, it falls to the shape that creep leads to. */
+static bool settle_free_parts(struct wf_beam *b, struct fallback *f)
+{
+    const struct wf_loads now = b->loads;
+    struct wf_beam_outcome out;
+    b->held = f->held;
+    bool moved = step_and_creep(b, &now, f, &out);
+    b->held = NULL;
+    b->loads = now;
+    return moved;
+}
+
+bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a)
+{
+    enum { ROUNDS = 4 };
+    struct fallback f = { 0 };
+    if (!take_fallback(b, a, &f)) return false;
+    for (int round = 0; round < ROUNDS && hold_the_rest(b, &f); round++) {
+        if (!settle_free_parts(b, &f)) return false;
+        if (wf_beam_rests(b)) return true;
     }
     return false;
 }
@@ -433,21 +572,11 @@ enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_b
                               struct wf_err *e)
 {
     const struct wf_loads full = b->loads;
+    struct fallback f = { 0 };
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (comes_to_rest(b)) return WF_OK;
-
-    struct saved_shape last = { WF_TAKE(a, b->mesh.n, struct wf_beam_shape),
-                                wf_arena_take(a, b->mesh.tree->n, sizeof *last.tilt) };
-    b->k0 = wf_arena_take(a, b->mesh.n, sizeof *b->k0);
-    if (!last.shape || !last.tilt || !b->k0) return wf_fail(e, WF_ENOMEM, "not enough memory for load steps");
-    out->load_factor = load_steps(b, &full, &last);
-    if (out->load_factor >= 1) return WF_OK;
-
-    restore_shape(b, &last);
-    scale_loads(b, &full, 1);
-    perturb_shape(b);
-    out->beyond_limit = true;
-    if (creep_to_rest(b, &last)) return WF_OK;
+    if (wf_beam_rests(b)) return WF_OK;
+    if (!take_fallback(b, a, &f)) return wf_fail(e, WF_ENOMEM, "not enough memory for load steps");
+    if (step_and_creep(b, &full, &f, out)) return WF_OK;
     return wf_fail(e, WF_EUNSTABLE,
                    "no stable equilibrium found at full load; the last one is at %.4g of the load",
                    out->load_factor);

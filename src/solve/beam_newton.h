@@ -26,14 +26,17 @@ struct wf_beam {
     double (*k0)[2][3];          /* curvature at the start of a creep step */
     double (*tilt0)[3];          /* per row, for roots: tilt at the start of a creep step */
     struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it */
-    double (*push)[6];           /* wrench on element ends while solving for small loads */
+    struct wf_beam_sides *sides; /* as `small`: work space of solutions for small loads */
+    wf_four (*root_moved)[6];  /* as `small`, per row, for roots: change of the base pose by small loads */
     double creep;
     bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
     struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */
     struct wf_beam_misfit misfit;       /* of the present shape */
     struct wf_beam_stability stability; /* of the present shape, where `counted` */
     bool counted;
-    size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
+    const bool *held; /* per element: it keeps its place, with all below it; NULL: none does */
+    double *off;      /* per element: gains its part of misfit.bending; NULL: not wanted */
+    size_t loose;     /* small parts of the last solution that are in equilibrium but not stable */
     size_t iterations, steps;
 };
 
@@ -65,10 +68,27 @@ struct wf_beam_outcome {
 enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
                               struct wf_err *e);
 
+/* Where Newton's method (wf_beam_rests) stalls because of a few twigs: load steps, or creep, of these alone,
+ * the motion of their bases given; then Newton's method of the whole tree. Such a part carries at most a
+ * fifth of the force on the ground. Given: the shape where it stalled; memory from `a`. Of several equilibria
+ * of a twig it may find another than the path of the whole tree does. false: the tree does not come to rest
+ * so. */
+bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a);
+
 /* Is the present equilibrium stable (after wf_beam_sweep_up)? Used by every solver that relies on the beam
  * solver. Unstable directions make the tree unstable unless the parts that have them carry less than a
  * hundredth of the force on the ground; such parts are counted in b->loose. */
 bool wf_beam_stable(struct wf_beam *b);
+
+/* Newton's method at the present loads from the present shape: does it converge to a stable equilibrium? */
+bool wf_beam_rests(struct wf_beam *b);
+
+/* One Newton step from the present shape (after wf_beam_sweep_up) at the present loads, and the forces of the
+ * shape it leads to: from the equilibrium at loads that differ by d, the error is of order d^2.
+ * wf_beam_finish: the same with the tangent of the last sweep, after which neither shape nor loads have
+ * changed. false: the tangent is singular. */
+bool wf_beam_step(struct wf_beam *b);
+bool wf_beam_finish(struct wf_beam *b);
 
 /* Pose of the base of element i: the end of the element below, or the root plate (written to *ground).
  * Returned: a pointer to one of the two. */

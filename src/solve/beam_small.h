@@ -3,35 +3,49 @@
 #define WF_SOLVE_BEAM_SMALL_H
 /* First-order response of a solved tree to a disturbance of its equilibrium: sensitivities without finite
  * differences, and the flexibility that natural frequencies need. */
+#include "base/vec3.h"
 #include "solve/beam_newton.h"
+
+/* Right-hand sides that are solved together: each factor of the tangent is read once for all of them.
+ * Innermost index of the arrays below; a side that is not needed is zero. */
+enum { WF_BEAM_SIDES = 4 };
 
 /* A disturbance of one element at its two Gauss points, at fixed shape, per unit of its cause. */
 struct wf_beam_disturbance {
-    double force[2][3];  /* on the axis, per reference length [N/m] */
-    double couple[2][3]; /* on the axis, per reference length [N m/m] */
-    double law[2][3]; /* change of the material law's moment at the present curvature [N m]; for a change of
-                         ln E of the element this is the moment itself: wf_beam_law_moment */
+    wf_four force[2][3];  /* on the axis, per reference length [N/m] */
+    wf_four couple[2][3]; /* on the axis, per reference length [N m/m] */
+    wf_four law[2][3];    /* change of the material law's moment at the present curvature [N m];
+                                           for a    change of ln E of the element this is the moment itself:
+                                           wf_beam_law_moment */
 };
 
 /* Linearise about the present, solved state, which is not changed. frozen: wind acts as a dead load. Errors:
  * WF_ENOMEM; WF_EUNSTABLE when the tangent is singular. */
 enum wf_status wf_beam_linearise(struct wf_beam *b, bool frozen, struct wf_arena *a, struct wf_err *e);
 
-struct wf_beam_small_answer {
-    double (*ends)[6]; /* per element: displacement and spin of its end, global axes; may be NULL */
-    double *motion;    /* per element 8: displacement (3) and twist at each Gauss point; may be NULL */
-    double ground[6];  /* change of force and moment (about the first root) on the ground */
+/* Work space of one element. */
+struct wf_beam_sides {
+    wf_four push[6];       /* wrench on its end */
+    wf_four y[6];          /* spins of its Gauss points; then the change of its end */
+    wf_four stretch[2][3]; /* strains there at constant spin */
 };
 
-/* Response to a disturbance. source(ctx, b, i, out): disturbance of element i, *out is zero on entry (NULL:
- * none). node: force and moment at the element ends (6 per element, may be NULL). root: moment on the root
- * plate of a row (3 per row, may be NULL); a unit change of the stiffness of a plate tilted by v acts as the
- * moment -v about that axis. Returned: *out. Exact except for the effect of stretch on the load within one
- * element (relative size (radius/length)^2 and below). */
+struct wf_beam_small_answer {
+    wf_four (*ends)[6]; /* per element: displacement and spin of its end, global axes; may be NULL */
+    wf_four *motion;    /* per element 8: displacement (3) and twist at each Gauss point; may be NULL */
+    wf_four ground[6];  /* change of force and moment (about the first root) on the ground */
+};
+
+/* Response to disturbances, one a side. source(ctx, b, i, out): disturbances of element i, *out is zero on
+ * entry (NULL: none). node: force and moment at the element ends (per element, may be NULL). root: moment on
+ * the root plate of a row (per row, may be NULL); a unit change of the stiffness of a plate tilted by v acts
+ * as the moment -v about that axis. Returned: *out; the changes of the root plates in b->root_moved. Exact
+ * except for the effect of stretch on the load within one element (relative size (radius/length)^2 and
+ * below). */
 void wf_beam_answer_small(struct wf_beam *b,
                           void (*source)(const void *ctx, const struct wf_beam *b, size_t i,
                                          struct wf_beam_disturbance *out),
-                          const void *ctx, const double (*node)[6], const double (*root)[3],
+                          const void *ctx, const wf_four (*node)[6], const wf_four (*root)[3],
                           struct wf_beam_small_answer *out);
 
 /* Moment by the material law at the Gauss points of element i, global axes [N m]. */
@@ -44,10 +58,10 @@ void wf_beam_law_moment(const struct wf_beam *b, size_t i, double moment[2][3]);
  * and twist about the axis; then, where the tree has point masses, the displacement of each element's end. */
 size_t wf_beam_motion_size(const struct wf_beam *b);
 
-/* out = flexibility x mass x in: the motion under the inertia of `in`. node: work space, 6 per element; ends
- * (6 per element): displacement and spin of the element ends. */
-void wf_beam_inertia_answer(struct wf_beam *b, const double *in, double *out, double (*node)[6],
-                            double (*ends)[6]);
+/* The tree's response to inertia in symmetric form: out = sqrt(mass) flexibility sqrt(mass) in, for motions
+ * `in` times sqrt(mass). root: sqrt(mass) of each entry; out may be `in`. b->sides[].y: displacement and spin
+ * of the element ends. */
+void wf_beam_inertia_answer(struct wf_beam *b, const double *root, const wf_four *in, wf_four *out);
 
 /* Mass of each entry of a motion [kg], of twist [kg m2]; rotary inertia in bending is omitted. */
 void wf_beam_motion_mass(const struct wf_beam *b, double *mass);

@@ -10,102 +10,206 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Block Lanczos: the largest eigenvalues of a symmetric operator. */
+/* Block Lanczos: the largest eigenvalues of a symmetric operator. The vectors of a block are interleaved, so
+ * that each is a lane of a vector register; a column that is not admitted to the space is a lane of zeros. */
 
-enum { BLOCK = 3, PIECE = 2048 };
+enum { BLOCK = WF_LANCZOS_BLOCK, PIECE = 1024 };
+_Static_assert((int)WF_LANCZOS_BLOCK == (int)WF_BEAM_SIDES,
+               "the beam solves for one block of vectors at once");
 
 struct krylov {
     const struct wf_lanczos *l;
-    size_t most, used; /* columns: room, orthonormal so far */
-    double *V, *T;     /* most x size; most x most */
-    double *value, *Q; /* of T: eigenvalues, eigenvectors as columns */
+    struct wf_arena *arena;
+    size_t most, used, blocks; /* columns: room, orthonormal so far; blocks that hold them */
+    wf_four **V;               /* per block: size x BLOCK */
+    size_t *lane;              /* per column: its lane, counted through all blocks */
+    double *T, *value, *Q;     /* most x most; of T: eigenvalues, eigenvectors as columns */
+    wf_four *spare;            /* NULL or room for one more block */
+    bool due;                  /* the next block is to be orthogonalised to all columns */
+    double drift;              /* bound of the largest component of the newest block along other columns */
+    double drift_most; /* to be kept: eigenvalues then err by its square, eigenvectors by as much as it is */
+    double *C;         /* BLOCK x most: components of the newest products along the columns */
+    wf_four *part;     /* BLOCK for each lane: components of a new block's vectors */
 };
 
-static double *krylov_column(const struct krylov *k, size_t i) { return k->V + i * k->l->size; }
-
-/* Eight partial sums, so that the loop uses vector registers and the result does not depend on the
- * compiler. */
-WF_INLINE double dot_product(const double *u, const double *v, size_t n)
+/* G += V' W over n rows. Even and odd rows are summed apart, which makes the sums independent of each other.
+ */
+WF_INLINE void add_products(const wf_four *v, const wf_four *w, size_t n, wf_four G[BLOCK])
 {
-    double sum[8] = { 0 };
-    size_t i = 0;
-    for (; i + 8 <= n; i += 8)
-        for (size_t c = 0; c < 8; c++) sum[c] += u[i + c] * v[i + c];
-    for (; i < n; i++) sum[0] += u[i] * v[i];
-    return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + ((sum[4] + sum[5]) + (sum[6] + sum[7]));
+    wf_four even[BLOCK] = { 0 }, odd[BLOCK] = { 0 };
+    size_t j = 0;
+    for (; j + 2 <= n; j += 2)
+        for (int a = 0; a < BLOCK; a++) even[a] += v[j][a] * w[j], odd[a] += v[j + 1][a] * w[j + 1];
+    for (int a = 0; a < BLOCK && j < n; a++) even[a] += v[j][a] * w[j];
+    for (int a = 0; a < BLOCK; a++) G[a] += even[a] + odd[a];
 }
 
-static double vector_norm(const double *u, size_t n) { return sqrt(dot_product(u, u, n)); }
+/* W -= V P over n rows */
+WF_INLINE void take_products(const wf_four *v, const wf_four P[BLOCK], size_t n, wf_four *w)
+{
+    const wf_four p[BLOCK] = { P[0], P[1], P[2], P[3] };
+    for (size_t j = 0; j < n; j++)
+        w[j] = w[j] - v[j][0] * p[0] - v[j][1] * p[1] - v[j][2] * p[2] - v[j][3] * p[3];
+}
 
-/* Components of the block's vectors w (BLOCK x size) along the first `upto` columns, written to part (BLOCK
- * x upto) and subtracted. The vectors are processed in pieces that fit in the cache, so each column is
- * fetched twice per block. */
-WF_WIDE static void take_out_parts(const struct krylov *k, double *w, size_t upto, double *part)
+/* Components of the block w along the columns of the blocks from `first` on, written to k->part and
+ * subtracted. The rows are processed in pieces that fit in the cache, so each column is fetched twice per
+ * block. *square: of each column of w before; *product: of the first column with all, after. */
+WF_WIDE static void take_out_parts(struct krylov *k, size_t first, wf_four *w, wf_four *square,
+                                   wf_four *product)
 {
     const size_t size = k->l->size;
-    memset(part, 0, BLOCK * upto * sizeof *part);
+    wf_four before = { 0 }, after = { 0 };
+    memset(k->part, 0, BLOCK * k->blocks * sizeof *k->part);
     for (size_t from = 0; from < size; from += PIECE) {
         size_t n = size - from < PIECE ? size - from : PIECE;
-        for (size_t i = 0; i < upto; i++)
-            for (size_t b = 0; b < BLOCK; b++)
-                part[b * upto + i] += dot_product(krylov_column(k, i) + from, w + b * size + from, n);
+        for (size_t j = from; j < from + n; j++) before += w[j] * w[j];
+        for (size_t i = first; i < k->blocks; i++)
+            add_products(k->V[i] + from, w + from, n, k->part + BLOCK * i);
     }
     for (size_t from = 0; from < size; from += PIECE) {
         size_t n = size - from < PIECE ? size - from : PIECE;
-        for (size_t i = 0; i < upto; i++)
-            for (size_t b = 0; b < BLOCK; b++) {
-                const double *v = krylov_column(k, i) + from, p = part[b * upto + i];
-                double *x = w + b * size + from;
-                for (size_t j = 0; j < n; j++) x[j] -= p * v[j];
-            }
+        for (size_t i = first; i < k->blocks; i++)
+            take_products(k->V[i] + from, k->part + BLOCK * i, n, w + from);
+        for (size_t j = from; j < from + n; j++) after += w[j][0] * w[j];
     }
+    *square = before, *product = after;
 }
 
-/* Orthogonalise a block; a second time where little of a vector remains, so that the rest is orthogonal to
- * rounding. Components are added to c (BLOCK rows of `stride`). before[b]: norms on entry. */
-static void orthogonalise(const struct krylov *k, double *w, size_t upto, const double *before, double *part,
-                          double *c, size_t stride)
+/* Multiply each column b of the block by scale[b] and subtract column c times part[b]; in the same pass,
+ * products of column `next` with all. */
+WF_WIDE static void take_out_column(wf_four *w, size_t size, size_t c, const wf_four *scale,
+                                    const wf_four *part, size_t next, wf_four *product)
 {
-    bool clean = false;
-    for (int pass = 0; pass < 2 && !clean; pass++) {
-        take_out_parts(k, w, upto, part);
-        clean = true;
-        for (size_t b = 0; b < BLOCK; b++) {
-            for (size_t i = 0; i < upto; i++) c[b * stride + i] += part[b * upto + i];
-            clean = clean && vector_norm(w + b * k->l->size, k->l->size) >= 0.05 * before[b];
+    const wf_four f = *scale, p = *part;
+    wf_four even = { 0 }, odd = { 0 };
+    size_t j = 0;
+    for (; j + 2 <= size; j += 2) {
+        w[j] = w[j] * f - w[j][c] * p, w[j + 1] = w[j + 1] * f - w[j + 1][c] * p;
+        even += w[j][next] * w[j], odd += w[j + 1][next] * w[j + 1];
+    }
+    if (j < size) {
+        w[j] = w[j] * f - w[j][c] * p;
+        even += w[j][next] * w[j];
+    }
+    *product = even + odd;
+}
+
+/* Gram-Schmidt within a block: w = q R, q in place of w. A column whose rest is not above least[c] is zero in
+ * q and its row of R is zero. Returned: smallest ratio of the rest of a column to its norm before. */
+static double orthonormalise(wf_four *w, size_t size, wf_four *product, const double *before,
+                             const double *least, double R[BLOCK][BLOCK])
+{
+    double smallest = 1;
+    wf_four scale = { 1, 1, 1, 1 };
+    memset(R, 0, BLOCK * sizeof *R);
+    for (size_t c = 0; c < BLOCK; c++) {
+        double left = sqrt((*product)[c]);
+        wf_four part = { 0 };
+        bool keep = left > least[c];
+        for (size_t b = c; b < BLOCK && keep; b++) R[c][b] = (*product)[b] / left;
+        for (size_t b = c + 1; b < BLOCK && keep; b++) part[b] = R[c][b] / left;
+        if (keep) smallest = fmin(smallest, left / before[c]);
+        scale[c] = keep ? 1 / left : 0;
+        take_out_column(w, size, c, &scale, &part, c + 1 < BLOCK ? c + 1 : c, product);
+        scale[c] = 1;
+    }
+    return smallest;
+}
+
+/* B = A B */
+static void multiply_block(double A[BLOCK][BLOCK], double B[BLOCK][BLOCK])
+{
+    double C[BLOCK][BLOCK] = { 0 };
+    for (size_t i = 0; i < BLOCK; i++)
+        for (size_t j = 0; j < BLOCK; j++)
+            for (size_t m = 0; m < BLOCK; m++) C[i][j] += A[i][m] * B[m][j];
+    memcpy(B, C, sizeof C);
+}
+
+/* w R = (columns from block `first` on) C + q S with q orthonormal and orthogonal to them; q in place of w, S
+ * in place of R. Repeated where little of a vector remains, so that the rest is orthogonal to rounding. C is
+ * added to k->C. A column is zero in q when its rest is only rounding error. */
+static void take_out_space(struct krylov *k, size_t first, wf_four *w, double R[BLOCK][BLOCK])
+{
+    const size_t size = k->l->size;
+    double before[BLOCK], least[BLOCK], again[BLOCK][BLOCK], smallest = 0;
+    wf_four square, product;
+    for (int pass = 0; pass < 4 && smallest < 0.05; pass++) {
+        take_out_parts(k, first, w, &square, &product);
+        for (size_t b = 0; b < BLOCK && !pass; b++) before[b] = sqrt(square[b]), least[b] = 1e-12 * before[b];
+        for (size_t b = 0; b < BLOCK; b++)
+            for (size_t i = 0; i < k->used; i++)
+                for (size_t m = 0; m < BLOCK; m++) k->C[b * k->most + i] += k->part[k->lane[i]][m] * R[m][b];
+        smallest = orthonormalise(w, size, &product, before, least, again);
+        multiply_block(again, R);
+        for (size_t b = 0; b < BLOCK; b++) { /* the next pass begins with unit vectors */
+            least[b] = R[b][b] > 0 ? least[b] / again[b][b] : INFINITY;
+            before[b] = 1;
         }
     }
 }
 
-/* Add w as a column after subtracting its components along the columns from `first` on (added to c).
- * Returned: norm of the rest; no column is added when the rest is only rounding error of a vector of norm
- * `before`. */
-static double admit_column(struct krylov *k, double *w, size_t first, double *c, double before)
+/* Bound of the factor by which a block's components along old columns grow when it is multiplied by A and
+ * divided by R without subtracting them: the largest eigenvalue over the smallest rest. */
+static double drift_growth(const struct krylov *k, double R[BLOCK][BLOCK])
 {
-    const size_t size = k->l->size;
-    for (int twice = 0; twice < 2; twice++)
-        for (size_t i = first; i < k->used; i++) {
-            const double *v = krylov_column(k, i);
-            double part = dot_product(v, w, size);
-            for (size_t j = 0; j < size; j++) w[j] -= part * v[j];
-            c[i] += part;
-        }
-    double left = vector_norm(w, size);
-    if (k->used == k->most || !(left > 1e-12 * before)) return left;
-    double *v = krylov_column(k, k->used);
-    for (size_t j = 0; j < size; j++) v[j] = w[j] / left;
-    c[k->used++] += left;
-    return left;
+    double least = INFINITY;
+    for (size_t b = 0; b < BLOCK; b++) least = fmin(least, R[b][b]);
+    return least > 0 && k->value[0] != 0 ? 2 * fabs(k->value[0]) / least + 1 : INFINITY;
 }
 
-/* Pseudo-random start vector with a component along every motion; fixed, so that every run gives the same
+/* w = (columns so far) k->C + q R with q orthonormal and orthogonal to them, q in place of w. In exact
+ * arithmetic a product of A with the last block has no component along older blocks than the last two.
+ * Rounding errors along them grow from block to block; two blocks in succession are orthogonalised to all
+ * before they reach drift_most (Simon 1984, Linear Algebra Appl. 61:101), so the space stays orthogonal to
+ * that bound. That comes second: along columns that are themselves orthogonal only to that bound, the error
+ * left is the product of the component that is subtracted and the bound. */
+static void orthogonalise(struct krylov *k, wf_four *w, double R[BLOCK][BLOCK])
+{
+    const double rounding = 1e-15;
+    memset(k->C, 0, BLOCK * k->most * sizeof *k->C);
+    for (size_t a = 0; a < BLOCK; a++)
+        for (size_t b = 0; b < BLOCK; b++) R[a][b] = a == b;
+    take_out_space(k, k->blocks < 2 ? 0 : k->blocks - 2, w, R);
+    double drift = k->drift * drift_growth(k, R);
+    bool second = k->due;
+    k->due = !second && !(drift <= k->drift_most);
+    if (k->due || second) take_out_space(k, 0, w, R);
+    k->drift = second ? rounding : drift;
+}
+
+/* Room for a block that is to be added to the space. */
+static wf_four *spare_block(struct krylov *k)
+{
+    if (!k->spare) k->spare = WF_TAKE(k->arena, k->l->size, wf_four);
+    return k->spare;
+}
+
+/* Add the spare block to the space: those of its columns that are not zero, as far as there is room. */
+static void admit_block(struct krylov *k, double R[BLOCK][BLOCK])
+{
+    const size_t before = k->used;
+    for (size_t b = 0; b < BLOCK; b++)
+        if (R[b][b] > 0 && k->used < k->most)
+            k->lane[k->used++] = BLOCK * k->blocks + b;
+        else
+            for (size_t j = 0; j < k->l->size; j++) k->spare[j][b] = 0;
+    if (k->used == before) return;
+    k->V[k->blocks++] = k->spare;
+    k->spare = NULL;
+}
+
+/* Pseudo-random start block with a component along every motion; fixed, so that every run gives the same
  * result. */
-static void scatter(double *w, size_t size, uint64_t seed)
+static void scatter(wf_four *w, size_t size)
 {
-    uint64_t s = 0x9E3779B97F4A7C15u * (seed + 1);
-    for (size_t j = 0; j < size; j++) {
-        s ^= s << 13, s ^= s >> 7, s ^= s << 17;
-        w[j] = (double)(s >> 11) * 0x1p-53 - 0.5;
+    for (uint64_t b = 0; b < BLOCK; b++) {
+        uint64_t s = 0x9E3779B97F4A7C15u * (b + 1);
+        for (size_t j = 0; j < size; j++) {
+            s ^= s << 13, s ^= s >> 7, s ^= s << 17;
+            w[j][b] = (double)(s >> 11) * 0x1p-53 - 0.5;
+        }
     }
 }
 
@@ -135,79 +239,117 @@ static enum wf_status ritz_values(struct krylov *k, struct wf_err *e)
     return status;
 }
 
-/* Extend the space by A times its last block, the columns from `from` on. w: BLOCK x size; rest[j]: norm of
- * the part of A times column j outside the space so far. */
-static size_t extend_space(struct krylov *k, size_t from, double *w, double *part, double *rest)
+/* Take the memory of the space and fill its first block. */
+static enum wf_status open_space(struct krylov *k, struct wf_err *e)
 {
     const struct wf_lanczos *l = k->l;
-    size_t to = k->used;
-    double before[BLOCK] = { 0 };
-    memset(w, 0, BLOCK * l->size * sizeof *w);
+    const size_t most = k->most;
+    wf_four *w = WF_TAKE(k->arena, l->size, wf_four);
+    double R[BLOCK][BLOCK];
+    k->V = WF_TAKE(k->arena, most, wf_four *), k->lane = WF_TAKE(k->arena, most, size_t);
+    k->T = WF_TAKE(k->arena, most * most, double), k->Q = WF_TAKE(k->arena, most * most, double);
+    k->value = WF_TAKE(k->arena, most, double), k->C = WF_TAKE(k->arena, BLOCK * most, double);
+    k->part = WF_TAKE(k->arena, BLOCK * most, wf_four);
+    if (!w || !k->V || !k->lane || !k->T || !k->Q || !k->value || !k->C || !k->part || !spare_block(k))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", l->wanted);
+    scatter(w, l->size); /* apply the operator once: favours smooth motions */
+    l->apply(l->ctx, w, k->spare);
+    orthogonalise(k, k->spare, R);
+    admit_block(k, R);
+    return WF_OK;
+}
+
+/* Extend the space by A times its last block, the columns from `from` on. R: the part of the products outside
+ * the space so far, as orthogonalise returns it. */
+static enum wf_status extend_space(struct krylov *k, size_t from, double R[BLOCK][BLOCK], struct wf_err *e)
+{
+    const size_t to = k->used, last = k->blocks - 1;
+    if (!spare_block(k)) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", k->l->wanted);
+    k->l->apply(k->l->ctx, k->V[last], k->spare);
+    orthogonalise(k, k->spare, R);
+    admit_block(k, R);
     for (size_t j = from; j < to; j++) {
-        l->apply(l->ctx, krylov_column(k, j), w + (j - from) * l->size);
-        before[j - from] = vector_norm(w + (j - from) * l->size, l->size);
+        size_t b = k->lane[j] % BLOCK;
+        double *row = k->T + j * k->most;
+        memcpy(row, k->C + b * k->most, to * sizeof *row);
+        for (size_t i = to; i < k->used; i++) row[i] = R[k->lane[i] % BLOCK][b];
     }
-    orthogonalise(k, w, to, before, part, k->T + from * k->most, k->most);
-    for (size_t j = from; j < to; j++)
-        rest[j - from] = admit_column(k, w + (j - from) * l->size, to, k->T + j * k->most, before[j - from]);
-    return to;
+    return WF_OK;
+}
+
+/* Largest |A x - value x| / |value| of the wanted Ritz pairs of the first `to` columns. Their A x leaves the
+ * space only by the newest block, the columns from `from` on. */
+static double worst_residual(const struct krylov *k, size_t from, size_t to, double R[BLOCK][BLOCK])
+{
+    double worst = 0;
+    for (size_t i = 0; i < k->l->wanted && i < to; i++) {
+        double off = 0;
+        for (size_t a = 0; a < BLOCK; a++) {
+            double sum = 0;
+            for (size_t j = from; j < to; j++) sum += R[a][k->lane[j] % BLOCK] * k->Q[j * k->most + i];
+            off += sum * sum;
+        }
+        worst = fmax(worst, sqrt(off) / fabs(k->value[i]));
+    }
+    return worst;
+}
+
+/* Extend the space until the wanted Ritz pairs converge. Returned: WF_ENOCONV where its room does not
+ * suffice. */
+static enum wf_status search_space(struct krylov *k, struct wf_err *e)
+{
+    const struct wf_lanczos *l = k->l;
+    for (size_t from = 0; from < k->used;) {
+        double R[BLOCK][BLOCK];
+        size_t done = k->used, whole;
+        enum wf_status status = extend_space(k, from, R, e);
+        if (status) return status;
+        /* T holds the columns that A was applied to; the newest block is not among them yet */
+        whole = k->used, k->used = done;
+        if ((status = ritz_values(k, e))) return status;
+        double worst = worst_residual(k, from, done, R);
+        from = done;
+        if (whole > done && !(done >= l->wanted && worst <= l->tolerance)) {
+            k->used = whole;
+            continue;
+        }
+        /* converged; or no new column was found: the space is complete, unless it only reached its limit */
+        return worst <= l->tolerance || whole < k->most || k->most == l->size ? WF_OK : WF_ENOCONV;
+    }
+    return WF_OK; /* no motion at all */
+}
+
+/* x = combination of the columns for Ritz pair i */
+static void ritz_vector(const struct krylov *k, size_t i, double *x)
+{
+    const size_t size = k->l->size;
+    memset(x, 0, size * sizeof *x);
+    for (size_t j = 0; j < k->used; j++) {
+        const wf_four *v = k->V[k->lane[j] / BLOCK];
+        const size_t b = k->lane[j] % BLOCK;
+        for (size_t c = 0; c < size; c++) x[c] += k->Q[j * k->most + i] * v[c][b];
+    }
 }
 
 enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vector, struct wf_arena *a,
                           struct wf_err *e)
 {
-    struct krylov k = { .l = l, .most = 10 * l->wanted + 60 };
+    struct krylov k = {
+        .l = l, .arena = a, .most = 10 * l->wanted + 60, .due = true, .drift_most = vector ? 1e-12 : 1e-9
+    };
     if (k.most > l->size) k.most = l->size;
-    k.V = WF_TAKE(a, k.most * l->size, double);
-    k.T = WF_TAKE(a, (k.most + BLOCK) * k.most, double); /* the last block may be short */
-    k.Q = WF_TAKE(a, k.most * k.most, double);
-    k.value = WF_TAKE(a, k.most, double);
-    double *w = WF_TAKE(a, BLOCK * l->size, double), *start = WF_TAKE(a, k.most, double), rest[BLOCK];
-    double *part = WF_TAKE(a, BLOCK * k.most, double);
-    if (!k.V || !k.T || !k.Q || !k.value || !w || !start || !part)
-        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", l->wanted);
     wf_quiet_begin();
-
-    for (size_t j = 0; j < BLOCK && j < k.most; j++) {
-        scatter(w + l->size, l->size, j); /* apply the operator once: favours smooth motions */
-        l->apply(l->ctx, w + l->size, w);
-        admit_column(&k, w, 0, start, vector_norm(w, l->size));
-    }
-    enum wf_status status = WF_ENOCONV;
-    for (size_t from = 0; from < k.used;) {
-        size_t block = k.used - from, done = extend_space(&k, from, w, part, rest), whole = k.used;
-        /* T holds the columns that A was applied to; the newest block is not among them yet */
-        k.used = done;
-        enum wf_status small = ritz_values(&k, e);
-        k.used = whole;
-        if (small) {
-            status = small;
-            break;
-        }
-        double worst = 0;
-        for (size_t i = 0; i < l->wanted && i < done; i++) {
-            double off = 0;
-            for (size_t j = 0; j < block; j++) off += fabs(rest[j] * k.Q[(done - block + j) * k.most + i]);
-            worst = fmax(worst, off / fabs(k.value[i]));
-        }
-        k.used = whole;
-        from = done;
-        if (whole > done && !(done >= l->wanted && worst <= l->tolerance)) continue;
-        /* converged; or no new column was found: the space is complete, unless it only reached its limit */
-        if (worst <= l->tolerance || whole < k.most || k.most == l->size) status = WF_OK;
-        k.used = done;
-        break;
-    }
-    if (!k.used) status = WF_OK; /* no motion at all */
+    enum wf_status status = open_space(&k, e);
+    if (!status) status = search_space(&k, e);
     wf_quiet_end();
     if (status == WF_ENOMEM) return status;
     for (size_t i = 0; i < l->wanted; i++) {
         value[i] = i < k.used ? k.value[i] : NAN;
         if (!vector) continue;
-        double *x = vector + i * l->size;
-        memset(x, 0, l->size * sizeof *x);
-        for (size_t j = 0; j < k.used && i < k.used; j++)
-            for (size_t c = 0; c < l->size; c++) x[c] += k.Q[j * k.most + i] * krylov_column(&k, j)[c];
+        if (i < k.used)
+            ritz_vector(&k, i, vector + i * l->size);
+        else
+            memset(vector + i * l->size, 0, l->size * sizeof *vector);
     }
     if (status == WF_ENOCONV) return wf_fail(e, status, "natural frequencies did not converge");
     return status;
@@ -219,16 +361,14 @@ enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vec
 struct sway {
     struct wf_beam *beam;
     size_t size;
-    double *root, *u; /* square root of the mass; a motion */
-    double (*node)[6], (*ends)[6];
+    double *root; /* square root of the mass */
+    wf_four *x;   /* motions */
 };
 
-static void sway(void *ctx, const double *in, double *out)
+static void sway(void *ctx, const wf_four *in, wf_four *out)
 {
     struct sway *s = ctx;
-    for (size_t i = 0; i < s->size; i++) s->u[i] = s->root[i] > 0 ? in[i] / s->root[i] : 0;
-    wf_beam_inertia_answer(s->beam, s->u, out, s->node, s->ends);
-    for (size_t i = 0; i < s->size; i++) out[i] *= s->root[i];
+    wf_beam_inertia_answer(s->beam, s->root, in, out);
 }
 
 /* Equilibrium of the motions: Newton from the beam's present shape; only if that fails, wf_beam_settle. An
@@ -273,47 +413,64 @@ static enum wf_status keep_equilibrium(const struct wf_beam *b, const int32_t *p
     return WF_OK;
 }
 
-/* Frequencies on the beam's mesh; displacements of the ends by one more response to the mode's inertia. */
+static enum wf_status open_sway(struct sway *s, struct wf_beam *b, struct wf_arena *work, struct wf_err *e)
+{
+    size_t size = wf_beam_motion_size(b);
+    *s = (struct sway){
+        .beam = b, .size = size, .root = WF_TAKE(work, size, double), .x = WF_TAKE(work, size, wf_four)
+    };
+    if (!s->root || !s->x)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the motions of %zu elements", b->mesh.n);
+    wf_beam_motion_mass(b, s->root);
+    for (size_t i = 0; i < size; i++) s->root[i] = sqrt(s->root[i]);
+    return WF_OK;
+}
+
+/* Displacements of the rows' ends in the `many` modes whose motions are in s->x: the response to their
+ * inertia. */
+static void read_shapes(struct sway *s, size_t many, double *shape)
+{
+    const struct wf_beam *b = s->beam;
+    size_t n = b->mesh.tree->n;
+    wf_beam_inertia_answer(s->beam, s->root, s->x, s->x);
+    for (size_t i = 0; i < many; i++) {
+        double most = 0, *x = shape + 3 * n * i;
+        for (size_t r = 0; r < 3 * n; r++) {
+            x[r] = b->sides[b->mesh.last[r / 3]].y[r % 3][i];
+            if (fabs(x[r]) > fabs(most)) most = x[r];
+        }
+        for (size_t r = 0; r < 3 * n && most != 0; r++) x[r] /= most;
+    }
+}
+
+/* Frequencies on the beam's mesh, and what is wanted of their motions: shape and kept may be NULL. */
 static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena *work, double *frequency,
                                double *shape, struct wf_modes_kept *kept, struct wf_err *e)
 {
+    struct sway s;
     size_t size = wf_beam_motion_size(b), n = b->mesh.tree->n;
     enum wf_status status = wf_beam_linearise(b, true, work, e);
+    if (!status) status = open_sway(&s, b, work, e);
+    if (status) return status;
     double *value = WF_TAKE(work, count, double),
            *vector = shape || kept ? WF_TAKE(work, count * size, double) : NULL;
-    double *answer = WF_TAKE(work, size, double);
     size_t *order = WF_TAKE(work, count, size_t);
-    struct sway s = { .beam = b,
-                      .size = size,
-                      .root = WF_TAKE(work, size, double),
-                      .u = WF_TAKE(work, size, double),
-                      .node = wf_arena_take(work, b->mesh.n, sizeof *s.node),
-                      .ends = wf_arena_take(work, b->mesh.n, sizeof *s.ends) };
-    if (!value || ((shape || kept) && !vector) || !answer || !order || !s.root || !s.u || !s.node || !s.ends)
+    if (!value || ((shape || kept) && !vector) || !order)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
-    wf_beam_motion_mass(b, s.root);
-    for (size_t i = 0; i < size; i++) s.root[i] = sqrt(s.root[i]);
     struct wf_lanczos l = {
         .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = kept ? 1e-8 : 1e-5
     };
-    if (!status) status = wf_lanczos(&l, value, vector, work, e);
-    if (status) return status;
+    if ((status = wf_lanczos(&l, value, vector, work, e))) return status;
     order_by_frequency(value, order, count);
     for (size_t i = 0; i < count; i++) {
-        double most = 0;
+        size_t lane = i % BLOCK;
+        const double *x = vector ? vector + order[i] * size : NULL;
         frequency[i] = hertz(value[order[i]]);
-        for (size_t k = 0; vector && k < size; k++)
-            s.u[k] = s.root[k] > 0 ? vector[order[i] * size + k] / s.root[k] : 0;
-        if (kept) memcpy(kept->motion + i * size, s.u, size * sizeof *s.u);
-        if (!shape) continue;
-        wf_beam_inertia_answer(b, s.u, answer, s.node, s.ends);
-        for (size_t r = 0; r < n; r++)
-            for (size_t c = 0; c < 3; c++) {
-                double x = s.ends[b->mesh.last[r]][c];
-                shape[3 * n * i + 3 * r + c] = x;
-                if (fabs(x) > fabs(most)) most = x;
-            }
-        for (size_t r = 0; r < 3 * n && most != 0; r++) shape[3 * n * i + r] /= most;
+        for (size_t k = 0; kept && k < size; k++)
+            kept->motion[i * size + k] = s.root[k] > 0 ? x[k] / s.root[k] : 0;
+        for (size_t k = 0; shape && k < size; k++) s.x[k][lane] = x[k];
+        if (shape && (lane + 1 == BLOCK || i + 1 == count))
+            read_shapes(&s, lane + 1, shape + 3 * n * (i - lane));
     }
     return WF_OK;
 }
@@ -378,14 +535,10 @@ enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
 {
     struct wf_arena work = { 0 };
     struct wf_beam b;
-    const double *u = kept->motion + k * kept->size;
-    double *mass = WF_TAKE(&work, kept->size, double), *answer = WF_TAKE(&work, kept->size, double), up = 0,
-           down = 0;
+    struct sway s;
+    double up = 0, down = 0;
     enum wf_status status = wf_beam_init(&b, t, l, o, kept->pieces, &work, &work, e);
-    double(*node)[6] = status ? NULL : wf_arena_take(&work, b.mesh.n, sizeof *node);
-    double(*ends)[6] = status ? NULL : wf_arena_take(&work, b.mesh.n, sizeof *ends);
-    if (!status && (!mass || !answer || !node || !ends))
-        status = wf_fail(e, WF_ENOMEM, "not enough memory for a motion of %zu segments", t->n);
+    if (!status) status = open_sway(&s, &b, &work, e);
     if (!status) {
         memcpy(b.shape, kept->shape, b.mesh.n * sizeof *b.shape);
         memcpy(b.tilt, kept->tilt, t->n * sizeof *b.tilt);
@@ -393,12 +546,13 @@ enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
     }
     if (!status) status = wf_beam_linearise(&b, true, &work, e);
     if (!status) {
-        wf_beam_motion_mass(&b, mass);
-        wf_beam_inertia_answer(&b, u, answer, node, ends);
-        for (size_t i = 0; i < kept->size; i++) {
-            up += mass[i] * u[i] * answer[i];
-            down += mass[i] * u[i] * u[i];
+        const double *u = kept->motion + k * kept->size;
+        for (size_t i = 0; i < s.size; i++) {
+            s.x[i][0] = s.root[i] * u[i];
+            down += s.x[i][0] * s.x[i][0];
         }
+        wf_beam_inertia_answer(&b, s.root, s.x, s.x);
+        for (size_t i = 0; i < s.size; i++) up += s.root[i] * u[i] * s.x[i][0];
         *frequency = hertz(up / down);
     }
     wf_arena_free(&work);

@@ -54,6 +54,7 @@ struct wf_solver {
     bool small_deflection; /* not valid beyond 10 % of height or 15 deg */
     bool as_printed;       /* reproduces a paper's formula, not physics */
     bool unmeshed;         /* takes the segments as they are: mesh_tolerance has no effect */
+    bool tracked;          /* wf_track_solve gives its solutions */
     bool clamped;          /* holds the base: root_stiffness has no effect */
     enum wf_status (*solve)(const struct wf_tree *t, const struct wf_loads *l,
                             const struct wf_solve_options *o, struct wf_arena *a, struct wf_response *r,

@@ -2,6 +2,8 @@
 #include "study/directions.h"
 #include "base/num.h"
 #include "base/parallel.h"
+#include "base/progress.h"
+#include "study/node.h"
 #include "wind/climate.h"
 #include <math.h>
 
@@ -20,11 +22,13 @@ struct work {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
     struct wf_directions *out;
+    struct wf_nodes *like; /* of the first direction */
 };
 
-static enum wf_status one(void *context, size_t at, struct wf_err *e)
+/* One direction. Returned: *nodes, its solutions, to be closed by the caller. */
+static enum wf_status solve_direction(const struct work *w, size_t at, const struct wf_nodes *like,
+                                      struct wf_nodes **nodes, struct wf_err *e)
 {
-    const struct work *w = context;
     struct wf_direction *d = &w->out->direction[at];
     struct wf_analysis an = *w->an;
     double azimuth = wf_direction_azimuth(&w->out->request, d->from);
@@ -39,12 +43,17 @@ static enum wf_status one(void *context, size_t at, struct wf_err *e)
     }
     an.at = d->at; /* of this direction: where the tree fails above the range of the search */
     an.search.seconds *= (double)w->out->request.n; /* the process's time is shared by the directions */
-    struct wf_arena scratch = { 0 };
-    struct wf_known *known = wf_known_take(&scratch);
-    enum wf_status s = known
-                           ? wf_analysis_breaks(&an, w->o, known, d->breaks, e)
-                           : wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
-    wf_arena_free(&scratch);
+    *nodes = wf_nodes_open(&an, like);
+    return *nodes ? wf_analysis_breaks(&an, w->o, *nodes, d->breaks, e)
+                  : wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
+}
+
+static enum wf_status one(void *context, size_t k, struct wf_err *e)
+{
+    const struct work *w = context;
+    struct wf_nodes *nodes = NULL;
+    enum wf_status s = solve_direction(w, k + 1, w->like, &nodes, e);
+    wf_nodes_close(nodes);
     return s;
 }
 
@@ -97,7 +106,7 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
     if (s) return s;
     struct wf_solve_options alone = *o;
     alone.threads = 1; /* the parallel loop is over directions */
-    struct work w = { an, &alone, out };
+    struct work w = { an, &alone, out, NULL };
     struct wf_at_speed *at = WF_TAKE(a, q->n * an->n, struct wf_at_speed);
     out->direction = WF_TAKE(a, q->n, struct wf_direction);
     if (!out->direction || !at) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
@@ -105,7 +114,10 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
         out->direction[k].from = WF_TURN * (double)k / (double)q->n;
         out->direction[k].at = at + k * an->n;
     }
-    s = wf_parallel(q->n, o->threads, one, &w, e);
+    wf_stage_begin(q->n * (an->n + WF_SEARCH_SOLUTIONS), true, "%zu directions", q->n);
+    s = solve_direction(&w, 0, NULL, &w.like, e); /* the others take its meshes */
+    if (!s) s = wf_parallel(q->n - 1, o->threads, one, &w, e);
+    wf_nodes_close(w.like);
     if (!s) add_climate(out);
     return s;
 }

@@ -2,6 +2,7 @@
 #include "study/explain.h"
 #include "base/interrupt.h"
 #include "base/num.h"
+#include "base/progress.h"
 #include "base/vec3.h"
 #include "solve/solve.h"
 #include <stdlib.h>
@@ -48,6 +49,13 @@ static void find_axes(const struct wf_tree *t, struct wf_explain *out)
     }
 }
 
+static size_t number_of_solvers(void)
+{
+    size_t n = 0;
+    while (wf_solvers[n]) n++;
+    return n;
+}
+
 static double size_of(const double v[3]) { return sqrt(wf_dot(v, v)); }
 
 enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
@@ -63,12 +71,14 @@ enum wf_status wf_explain_run(const struct wf_analysis *an, const struct wf_solv
                                 .room = WF_TAKE(a, t->n, double) };
     if (!out->axis || !out->room) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     find_axes(t, out);
+    wf_stage_begin(number_of_solvers(), false, "methods");
     enum wf_status status = wf_solvers[0]->solve(t, &loads, o, a, &beam, d, e);
     if (status) return status;
     for (size_t b = 0; b < out->axes; b++) out->axis[b].beam = own(t, &beam, &out->axis[b]);
     const size_t tip = 3 * wf_tip_row(t);
     for (size_t s = 1; wf_solvers[s] && out->methods < WF_EXPLAIN_METHODS; s++) {
         struct wf_err why = { 0 };
+        wf_stage_step(1);
         if (wf_interrupted())
             return wf_fail(e, WF_EINTERRUPTED, "interrupted before every method was applied");
         size_t m = out->methods++;

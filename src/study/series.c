@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/series.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "base/vec3.h"
 #include "solve/solve.h"
 #include "study/limits.h"
@@ -212,7 +213,9 @@ static enum wf_status run_frames(struct wf_series *s, bool printed, struct wf_ar
     const struct wf_tree *t = &s->an.tree;
     struct wf_deflect d;
     if (wf_deflect_open(t, &s->an.loads, &scheme, a, &d, e)) return e->code;
+    wf_stage_begin(s->frames, false, "%s: frames", q->name);
     for (size_t k = 0; k < s->frames && !ends_early(s, k, found); k++) {
+        wf_stage_step(k > 0);
         double moment[3] = { 0 };
         wf_deflect_frame(&d, q->speed > 0 ? s->wind[k] / q->speed : 0, k ? q->step : 0);
         keep(s, k, d.end[0], 3);
@@ -254,7 +257,7 @@ static enum wf_status keep_balance(struct wf_series *s, size_t k, struct wf_resp
     const struct wf_tree *t = &s->an.tree;
     struct wf_breakage stresses;
     struct wf_worst worst[WF_CRITERIA][WF_SCOPES];
-    enum wf_status status = wf_breakage_check(t, r, scratch, &stresses, e);
+    enum wf_status status = wf_breakage_check(t, r, NULL, scratch, &stresses, e);
     if (status) return status;
     wf_criteria_check(t, r, &stresses, worst);
     if (worst[WF_BREAKAGE][WF_SCOPE_TREE].row >= 0) s->safety[k] = worst[WF_BREAKAGE][WF_SCOPE_TREE].safety;
@@ -292,8 +295,10 @@ static enum wf_status solve_frame(struct wf_series *s, size_t k, struct wf_diag 
 static enum wf_status run_balances(struct wf_series *s, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_err first = { 0 };
+    wf_stage_begin(s->frames, false, "%s: frames", s->spec.name);
     for (size_t k = 0; k < s->frames && !ends_early(s, k, d); k++) {
         struct wf_err why = { 0 };
+        wf_stage_step(k > 0);
         if (k && !s->spec.gust) {
             repeat_frame(s, k);
             continue;

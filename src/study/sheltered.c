@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/sheltered.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "load/drag.h"
 #include <math.h>
 #include <string.h>
@@ -128,6 +129,7 @@ static enum wf_status settle(const struct wf_tree *t, const struct wf_shelter_re
     if (stands) memcpy(b.end, r->end, 3 * t->n * sizeof *b.end);
     for (out->passes = 1;; out->passes++) {
         if (wf_interrupted()) return wf_fail(e, WF_EINTERRUPTED, "interrupted");
+        wf_stage_step(0);
         bend(&b, t);
         enum wf_status s = shelter(&b.tree, l, q, out, e);
         if (s) return s;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/gust_report.h"
 #include "base/interrupt.h"
+#include "base/progress.h"
 #include "wind/gust_spectral.h"
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
@@ -131,7 +132,9 @@ static enum wf_status run_model(const struct wf_gust_spec *s, struct wf_arena *a
     o->x = WF_TAKE(a, rows * s->steps, double);
     if (!block || !o->x)
         status = wf_fail(e, WF_ENOMEM, "not enough memory for %zu series of %zu steps", rows, s->steps);
+    wf_stage_begin(g.blocks, false, "blocks of wind");
     for (size_t b = 0; b < g.blocks && !status; b++) {
+        wf_stage_step(b > 0);
         if (wf_interrupted()) status = wf_fail(e, WF_EINTERRUPTED, "interrupted before the wind was made");
         if (!status) status = wf_gust_block(&g, b, block, e);
         size_t first = b * g.block, steps = s->steps - first < g.block ? s->steps - first : g.block;

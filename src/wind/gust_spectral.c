@@ -4,9 +4,11 @@
 #include "base/err.h"
 #include "base/num.h"
 #include "base/random.h"
+#include "base/vec3.h"
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stddef.h>
 #include <string.h>
 
@@ -70,22 +72,39 @@ static void find_neighbours(struct wf_coherence *c, size_t turn)
     c->count[turn] = held;
 }
 
-/* Weights b and remaining variance d of one turn at one g: solve K b = k by Cholesky, d = 1 - k.b. */
-static void find_weights(const struct wf_coherence *c, size_t turn, double g, double *weight, double *rest)
+/* Vector registers have no exp of their own. */
+static inline void exp_each(const wf_four *g, double r, wf_four *out)
 {
-    double l[WF_COHERENCE_NEAR][WF_COHERENCE_NEAR], k[WF_COHERENCE_NEAR], y[WF_COHERENCE_NEAR];
+    for (int lane = 0; lane < 4; lane++) (*out)[lane] = exp(-(*g)[lane] * r);
+}
+
+static inline void raise_sqrt_each(wf_four *x)
+{
+    for (int lane = 0; lane < 4; lane++) (*x)[lane] = sqrt(fmax((*x)[lane], NUGGET));
+}
+
+/* Weights b and remaining variance d of one turn at four values g: solve K b = k by Cholesky, d = 1 - k.b. */
+WF_WIDE static void find_weights(const struct wf_coherence *c, size_t turn, const wf_four *g,
+                                 wf_four weight[WF_COHERENCE_NEAR], wf_four *rest)
+{
+    wf_four l[WF_COHERENCE_NEAR][WF_COHERENCE_NEAR], k[WF_COHERENCE_NEAR], y[WF_COHERENCE_NEAR],
+        explained = { 0 };
     size_t m = c->count[turn];
     const size_t *list = c->neighbour + turn * c->near;
     for (size_t i = 0; i < m; i++) {
         const double *at = c->stretched + 3 * list[i];
-        k[i] = exp(-g * stretched_distance(at, c->stretched + 3 * turn));
+        exp_each(g, stretched_distance(at, c->stretched + 3 * turn), &k[i]);
         for (size_t j = 0; j <= i; j++) {
-            double s = i == j ? 1.0 + NUGGET : exp(-g * stretched_distance(at, c->stretched + 3 * list[j]));
+            wf_four s = { 1.0 + NUGGET, 1.0 + NUGGET, 1.0 + NUGGET, 1.0 + NUGGET };
+            if (i != j) exp_each(g, stretched_distance(at, c->stretched + 3 * list[j]), &s);
             for (size_t q = 0; q < j; q++) s -= l[i][q] * l[j][q];
-            l[i][j] = i == j ? sqrt(fmax(s, NUGGET)) : s / l[j][j];
+            if (i == j)
+                raise_sqrt_each(&s);
+            else
+                s /= l[j][j];
+            l[i][j] = s;
         }
     }
-    double explained = 0.0;
     for (size_t i = 0; i < m; i++) {
         y[i] = k[i];
         for (size_t q = 0; q < i; q++) y[i] -= l[i][q] * y[q];
@@ -97,7 +116,22 @@ static void find_weights(const struct wf_coherence *c, size_t turn, double g, do
         for (size_t q = i + 1; q < m; q++) weight[i] -= l[q][i] * weight[q];
         weight[i] /= l[i][i];
     }
-    *rest = fmax(1.0 - explained, 0.0);
+    for (int lane = 0; lane < 4; lane++) (*rest)[lane] = fmax(1.0 - explained[lane], 0.0);
+}
+
+/* The weights of one turn at all rungs. */
+static void set_weights(const struct wf_coherence *c, size_t turn)
+{
+    for (size_t q = 0; q < c->rungs; q += 4) {
+        wf_four g, weight[WF_COHERENCE_NEAR], rest;
+        for (size_t lane = 0; lane < 4; lane++) g[lane] = c->rung[q + lane < c->rungs ? q + lane : q];
+        find_weights(c, turn, &g, weight, &rest);
+        for (size_t lane = 0; lane < 4 && q + lane < c->rungs; lane++) {
+            size_t row = (q + lane) * c->n + turn;
+            for (size_t i = 0; i < c->count[turn]; i++) c->weight[row * c->near + i] = weight[i][lane];
+            c->rest[row] = rest[lane];
+        }
+    }
 }
 
 enum wf_status wf_coherence_make(size_t n, const double *place, const double decay[3], double g_low,
@@ -122,11 +156,8 @@ enum wf_status wf_coherence_make(size_t n, const double *place, const double dec
     for (size_t i = 0; i < 3 * n; i++) at[i] = place[i] * decay[i % 3];
     if (order_points(c, at, a, e)) return e ? e->code : WF_ENOMEM;
     for (size_t turn = 0; turn < n; turn++) find_neighbours(c, turn);
-    for (size_t q = 0; q < c->rungs; q++) {
-        c->rung[q] = g_low * pow(RUNG_RATIO, (double)q);
-        for (size_t turn = 0; turn < n; turn++)
-            find_weights(c, turn, c->rung[q], c->weight + (q * n + turn) * c->near, c->rest + q * n + turn);
-    }
+    for (size_t q = 0; q < c->rungs; q++) c->rung[q] = g_low * pow(RUNG_RATIO, (double)q);
+    for (size_t turn = 0; turn < n; turn++) set_weights(c, turn);
     return WF_OK;
 }
 
@@ -201,6 +232,10 @@ struct spectral {
     double *share;                        /* L: share of the way to the next rung */
     double *wavenumber;                   /* L: g at each halfcomplex place [1/m] */
     double *along, *other;                /* points * L: halfcomplex spectra, by turn */
+    double *noise;         /* components * points * L/2: later half of the last window's noise, by
+                              turn */
+    uint64_t *noise_first; /* per component: step that it begins with, where known */
+    bool *noise_known;
     gsl_fft_real_wavetable *forward;
     gsl_fft_halfcomplex_wavetable *back;
     gsl_fft_real_workspace *space;
@@ -367,7 +402,10 @@ enum wf_status wf_gust_spectral_open(struct wf_gust *g, struct wf_arena *a, stru
         return WF_ENOMEM;
     w->along = WF_TAKE(a, s->points * w->window, double);
     w->other = s->components > 1 ? WF_TAKE(a, s->points * w->window, double) : w->along;
-    if (!w->along || !w->other)
+    w->noise = WF_TAKE(a, s->components * s->points * (w->window / 2), double);
+    w->noise_first = WF_TAKE(a, s->components, uint64_t);
+    w->noise_known = WF_TAKE(a, s->components, bool);
+    if (!w->along || !w->other || !w->noise || !w->noise_first || !w->noise_known)
         return wf_fail(e, WF_ENOMEM, "not enough memory for the spectra of %zu points and %zu steps",
                        s->points, w->window);
     return WF_OK;
@@ -382,8 +420,9 @@ enum { TOGETHER = 4 };
 
 /* y += sum of four neighbours, each with a weight that is linear between two rungs: one pass over y for four
  * neighbours. */
-static void add_four(double *restrict y, const double *const z[TOGETHER], const double b[TOGETHER],
-                     const double db[TOGETHER], const double *restrict share, size_t first, size_t last)
+WF_WIDE static void add_four(double *restrict y, const double *const z[TOGETHER], const double b[TOGETHER],
+                             const double db[TOGETHER], const double *restrict share, size_t first,
+                             size_t last)
 {
     const double *restrict z0 = z[0], *restrict z1 = z[1], *restrict z2 = z[2], *restrict z3 = z[3];
     for (size_t i = first; i < last; i++)
@@ -418,18 +457,34 @@ static void join_neighbours(const struct spectral *w, double *all, size_t turn)
     }
 }
 
+/* White noise of a turn from step `start` on, one window long. Windows are half of their length apart: the
+ * first half of a window is the second half of the one before. */
+static void make_noise(const struct wf_gust *g, struct spectral *w, unsigned component, uint64_t start,
+                       size_t turn, double *y)
+{
+    const size_t half = w->window / 2;
+    const struct wf_gust_spec *s = &g->spec;
+    double *kept = w->noise + (component * s->points + turn) * half;
+    uint64_t stream = wf_random_stream(STREAM_TURBULENCE, component, w->coherence.order[turn]);
+    if (w->noise_known[component] && w->noise_first[component] == start) {
+        memcpy(y, kept, half * sizeof *y);
+        wf_random_normals(s->seed, stream, start + half, w->window - half, y + half);
+    } else
+        wf_random_normals(s->seed, stream, start, w->window, y);
+    memcpy(kept, y + half, half * sizeof *kept);
+}
+
 static void make_field(const struct wf_gust *g, struct spectral *w, unsigned component, size_t first,
                        double *all)
 {
-    const struct wf_gust_spec *s = &g->spec;
     uint64_t start = (uint64_t)first - w->window / 4; /* wraps: times before the series have addresses too */
-    for (size_t turn = 0; turn < s->points; turn++) {
+    for (size_t turn = 0; turn < g->spec.points; turn++) {
         double *y = all + turn * w->window;
-        uint64_t stream = wf_random_stream(STREAM_TURBULENCE, component, w->coherence.order[turn]);
-        wf_random_normals(s->seed, stream, start, w->window, y);
+        make_noise(g, w, component, start, turn, y);
         gsl_fft_real_transform(y, 1, w->window, w->forward, w->space);
         join_neighbours(w, all, turn);
     }
+    w->noise_first[component] = start + w->window / 2, w->noise_known[component] = true;
 }
 
 /* Multiply a spectrum by the amplitude and by the phase of the delay along the wind (frozen turbulence,

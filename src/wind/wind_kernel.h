@@ -14,7 +14,7 @@ WF_INLINE real power_profile(real at_reference, real reference, real a, real z, 
     real s = z / reference, held = real_max(s, real_of(least)), q = s * (1 / least);
     real top = at_reference * real_power(held, a), parabola = top * q * (2 - a - (1 - a) * q);
     real above = a * top / (held * reference), below = top * (2 - a - 2 * (1 - a) * q) / (least * reference);
-    truth high = real_not_above(real_of(least), s), ground = real_not_above(z, real_of(0));
+    real_truth high = real_not_above(real_of(least), s), ground = real_not_above(z, real_of(0));
     *slope = real_choose(ground, real_of(0), real_choose(high, above, below));
     return real_choose(ground, real_of(0), real_choose(high, top, parabola));
 }
@@ -24,7 +24,7 @@ WF_INLINE real power_profile(real at_reference, real reference, real a, real z, 
 WF_INLINE real log_profile(real scale, real displacement, real roughness, real z, real *slope)
 {
     real above = z - displacement, held = real_max(above, roughness);
-    truth calm = real_not_above(above, roughness);
+    real_truth calm = real_not_above(above, roughness);
     *slope = real_choose(calm, real_of(0), scale / held);
     return real_choose(calm, real_of(0), scale * real_log(held / roughness));
 }

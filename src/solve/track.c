@@ -1,0 +1,308 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "solve/track.h"
+#include "base/vec3.h"
+#include "solve/beam.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* Unknowns of all elements and root plates. */
+struct form {
+    struct wf_beam_shape *shape;
+    double (*tilt)[3];
+};
+
+struct wf_track {
+    const struct wf_tree *tree;
+    const struct wf_track *like; /* its mesh is taken; NULL: none */
+    struct wf_solve_options options,
+        follow; /* follow: Newton from a neighbour converges soon or not at all */
+    struct wf_arena work;
+    struct wf_beam beam;
+    struct wf_beam_outcome outcome;
+    double speed;             /* of the wind of the last solution [m/s] */
+    size_t solutions;         /* on this mesh */
+    bool solved, led, rested; /* there is a last form, a lead, a form at rest */
+    struct form last, lead, rest;
+};
+
+enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_options *o,
+                             const struct wf_track *like, struct wf_track **out, struct wf_err *e)
+{
+    enum { FOLLOW_ITERATIONS = 32 };
+    struct wf_track *k = calloc(1, sizeof *k);
+    if (!k) return wf_fail(e, WF_ENOMEM, "not enough memory for a sequence of solutions");
+    k->tree = t;
+    k->like = like;
+    k->options = k->follow = *o;
+    k->follow.iterations_max = FOLLOW_ITERATIONS;
+    *out = k;
+    return WF_OK;
+}
+
+void wf_track_close(struct wf_track *k)
+{
+    if (k) wf_arena_free(&k->work);
+    free(k);
+}
+
+static void keep(const struct wf_track *k, struct form *f)
+{
+    memcpy(f->shape, k->beam.shape, k->beam.mesh.n * sizeof *f->shape);
+    memcpy(f->tilt, k->beam.tilt, k->tree->n * sizeof *f->tilt);
+}
+
+static void put_back(struct wf_track *k, const struct form *f)
+{
+    memcpy(k->beam.shape, f->shape, k->beam.mesh.n * sizeof *f->shape);
+    memcpy(k->beam.tilt, f->tilt, k->tree->n * sizeof *f->tilt);
+}
+
+/* form += share times the unknowns of b */
+static void add(struct form *form, double share, const struct form *b, size_t elements, size_t rows)
+{
+    for (size_t i = 0; i < elements; i++)
+        for (int j = 0; j < 2; j++) v3_add(form->shape[i].v[j], share, b->shape[i].v[j]);
+    for (size_t i = 0; i < rows; i++) v3_add(form->tilt[i], share, b->tilt[i]);
+}
+
+static enum wf_status take_forms(struct wf_track *k, struct wf_err *e)
+{
+    struct form *form[] = { &k->last, &k->lead, &k->rest };
+    size_t n = k->beam.mesh.n;
+    for (size_t i = 0; i < sizeof form / sizeof *form; i++) {
+        form[i]->shape = WF_TAKE(&k->work, n, struct wf_beam_shape);
+        form[i]->tilt = wf_arena_take(&k->work, k->tree->n, sizeof *form[i]->tilt);
+        if (!form[i]->shape || !form[i]->tilt)
+            return wf_fail(e, WF_ENOMEM, "not enough memory for a sequence of solutions of %zu elements", n);
+    }
+    return WF_OK;
+}
+
+/* The beam, unloaded, on the mesh of another (NULL: the first mesh of the beam solver). */
+static enum wf_status take_beam(struct wf_track *k, const struct wf_loads *l, const struct wf_beam_mesh *mesh,
+                                struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    int32_t *pieces = WF_TAKE(&scratch, k->tree->n, int32_t);
+    int32_t first = wf_beam_first_pieces(k->tree, &k->options);
+    if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", k->tree->n);
+    for (size_t i = 0; i < k->tree->n; i++) pieces[i] = mesh ? mesh->last[i] - mesh->first[i] + 1 : first;
+    wf_arena_free(&k->work);
+    k->rested = k->led = false;
+    k->solutions = 1;
+    enum wf_status s = wf_beam_init(&k->beam, k->tree, l, &k->options, pieces, &k->work, &k->work, e);
+    wf_arena_free(&scratch);
+    return s ? s : take_forms(k, e);
+}
+
+/* Begin on the mesh of another track of the same tree, from its form at rest. */
+static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
+{
+    enum wf_status s = take_beam(k, l, &k->like->beam.mesh, e);
+    if (s) return s;
+    if (k->like->rested) {
+        memcpy(k->rest.shape, k->like->rest.shape, k->beam.mesh.n * sizeof *k->rest.shape);
+        memcpy(k->rest.tilt, k->like->rest.tilt, k->tree->n * sizeof *k->rest.tilt);
+        put_back(k, &k->rest);
+    }
+    k->rested = k->like->rested;
+    keep(k, &k->last);
+    k->speed = 0;
+    k->solved = true;
+    return WF_OK;
+}
+
+/* The form at rest on the mesh of `own`, for the present mesh, whose solution it leaves as it is. */
+static void carry_rest(struct wf_track *k, struct wf_beam *own, const struct form *rest)
+{
+    keep(k, &k->last);
+    memcpy(own->shape, rest->shape, own->mesh.n * sizeof *own->shape);
+    memcpy(own->tilt, rest->tilt, k->tree->n * sizeof *own->tilt);
+    wf_beam_sweep_up(own);
+    wf_beam_carry(own, &k->beam);
+    keep(k, &k->rest);
+    put_back(k, &k->last);
+    k->rested = true;
+}
+
+/* A solution at the loads `l` on a mesh of the tolerance, from the shape of `from` (NULL: unloaded). */
+static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const struct wf_beam *from,
+                             struct wf_err *e)
+{
+    struct wf_arena before = k->work;
+    struct wf_beam own = k->beam;
+    const struct form rest = k->rest;
+    bool rested = k->rested;
+    k->work = (struct wf_arena){ 0 };
+    k->rested = k->led = k->solved = false;
+    k->solutions = 1;
+    enum wf_status s = wf_beam_solve(k->tree, l, &k->options, from == &k->beam ? &own : from, &k->work,
+                                     &k->beam, &k->outcome, e);
+    if (!s) s = take_forms(k, e);
+    if (!s && rested) carry_rest(k, &own, &rest);
+    wf_arena_free(&before);
+    return s;
+}
+
+static enum wf_status check_mesh(struct wf_track *k, const struct wf_loads *l, struct wf_err *e)
+{
+    bool meets;
+    enum wf_status s = wf_beam_mesh_meets(&k->beam, k->options.mesh_tolerance, &meets, e);
+    return s || meets ? s : remesh(k, l, &k->beam, e);
+}
+
+/* Is the tolerance mostly met by the first mesh? */
+static bool coarse(const struct wf_track *k) { return k->options.mesh_tolerance >= 1e-4; }
+
+/* The first solution, or with a fine mesh one far from the last. */
+static enum wf_status begin(struct wf_track *k, const struct wf_loads *l, const struct wf_track *other,
+                            struct wf_err *e)
+{
+    if (!coarse(k)) return remesh(k, l, other && other->solved ? &other->beam : NULL, e);
+    enum wf_status s = take_beam(k, l, NULL, e);
+    if (!s) s = wf_beam_settle(&k->beam, &k->work, &k->outcome, e);
+    return s ? s : check_mesh(k, l, e);
+}
+
+/* Newton's method at the loads from the present unknowns, which are lost where it fails. */
+static bool follow(struct wf_track *k, const struct wf_loads *l)
+{
+    k->beam.loads = *l;
+    k->beam.options = &k->follow;
+    return wf_beam_rests(&k->beam);
+}
+
+static void forget_shape(struct wf_track *k)
+{
+    memset(k->beam.shape, 0, k->beam.mesh.n * sizeof *k->beam.shape);
+    memset(k->beam.tilt, 0, k->tree->n * sizeof *k->beam.tilt);
+}
+
+/* As the beam solver begins. */
+static bool start_anew(struct wf_track *k, const struct wf_loads *l)
+{
+    forget_shape(k);
+    return follow(k, l);
+}
+
+/* From the last form at the wind speed `from` by smaller steps of the wind speed, each from the one before.
+ */
+static bool approach(struct wf_track *k, const struct wf_loads *l, double from)
+{
+    enum { TRIES = 16 };
+    const double to = l->wind ? l->wind->speed : 0;
+    double step = 0.5 * (to - from), now = from;
+    struct wf_wind wind;
+    struct wf_loads loads = *l;
+    if (!l->wind || !(fabs(step) > 0)) return false;
+    wind = *l->wind;
+    loads.wind = &wind;
+    for (int tries = 0; tries < TRIES && fabs(step) > fabs(to - from) / 40; tries++) {
+        bool last = fabs(to - now) <= 1.2 * fabs(step);
+        wind.speed = last ? to : now + step;
+        put_back(k, &k->last);
+        if (!follow(k, last ? l : &loads)) {
+            step *= 0.5;
+            continue;
+        }
+        if (last) return true;
+        keep(k, &k->last);
+        now = wind.speed;
+        step *= 1.5;
+    }
+    return false;
+}
+
+/* From the last solution, or from that in still air: Newton's method, then all that the beam solver does. */
+static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start,
+                            struct wf_err *e)
+{
+    enum { CHECKED = 4 };
+    struct wf_beam *b = &k->beam;
+    struct wf_arena scratch = { 0 };
+    enum wf_status s = WF_OK;
+    bool low = start->low && k->rested;
+    double from = low ? 0 : k->speed;
+    if (low) memcpy(k->last.shape, k->rest.shape, b->mesh.n * sizeof *k->last.shape);
+    if (low) memcpy(k->last.tilt, k->rest.tilt, k->tree->n * sizeof *k->last.tilt);
+    put_back(k, &k->last);
+    if (!start->near && start->other && start->other->solved) {
+        wf_beam_carry(&start->other->beam, b);
+        keep(k, &k->last);
+        from = start->other->speed;
+    }
+    if (start->near && k->led) {
+        struct form now = { b->shape, b->tilt };
+        add(&now, start->ahead, &k->lead, b->mesh.n, k->tree->n);
+    }
+    b->iterations = b->steps = 0;
+    k->outcome = (struct wf_beam_outcome){ .load_factor = 1 };
+    if (!follow(k, l) && !wf_beam_settle_parts(b, &scratch) && !start_anew(k, l) && !approach(k, l, from)) {
+        forget_shape(k);
+        b->options = &k->options;
+        b->loads = *l;
+        s = wf_beam_settle(b, &scratch, &k->outcome, e);
+    }
+    b->k0 = NULL;
+    wf_arena_free(&scratch);
+    b->loads = *l;
+    return s || ++k->solutions % CHECKED ? s : check_mesh(k, l, e);
+}
+
+/* The answer, and that at the other loads: one Newton step further at each, of which the first takes away
+ * what Newton's method has left. */
+static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side, struct wf_arena *a,
+                                struct wf_tracked *out, struct wf_err *e)
+{
+    struct wf_beam *b = &k->beam;
+    enum wf_status s = wf_response_alloc(&out->side, k->tree->n, a, e);
+    if (s) return s;
+    keep(k, &k->last);
+    if (!wf_beam_finish(b)) return WF_OK;
+    wf_beam_read(b, &out->at);
+    keep(k, &k->lead);
+    put_back(k, &k->last);
+    wf_beam_sweep_up(b);
+    b->loads = *side;
+    if (!wf_beam_step(b)) return WF_OK;
+    wf_beam_read(b, &out->side);
+    struct form at = k->last, apart = k->lead, now = { b->shape, b->tilt };
+    /* the last form is that which was read; lead = side - at */
+    for (size_t i = 0; i < b->mesh.n; i++) at.shape[i] = apart.shape[i];
+    memcpy(at.tilt, apart.tilt, k->tree->n * sizeof *at.tilt);
+    for (size_t i = 0; i < b->mesh.n; i++)
+        for (int j = 0; j < 2; j++)
+            for (int c = 0; c < 3; c++) apart.shape[i].v[j][c] = now.shape[i].v[j][c] - at.shape[i].v[j][c];
+    for (size_t i = 0; i < k->tree->n; i++)
+        for (int c = 0; c < 3; c++) apart.tilt[i][c] = now.tilt[i][c] - at.tilt[i][c];
+    out->sided = k->led = true;
+    return WF_OK;
+}
+
+enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
+                              const struct wf_track_start *start, struct wf_arena *a, struct wf_tracked *out,
+                              struct wf_err *e)
+{
+    *out = (struct wf_tracked){ 0 };
+    enum wf_status s = wf_response_alloc(&out->at, k->tree->n, a, e);
+    if (s) return s;
+    bool like = k->like && k->like->solved;
+    if (like && !k->solved && (s = adopt(k, l, e))) return s;
+    bool on = k->solved && (like || coarse(k) || start->near);
+    s = on ? go_on(k, l, start, e) : begin(k, l, start->other, e);
+    out->at.load_factor = k->outcome.load_factor;
+    k->led = false;
+    if (s) return s;
+    out->irregular = k->beam.loose > 0 || k->outcome.beyond_limit;
+    keep(k, &k->last);
+    k->solved = true;
+    k->speed = l->wind ? l->wind->speed : 0;
+    if (!l->wind) keep(k, &k->rest);
+    k->rested = k->rested || !l->wind;
+    if (side) s = read_both(k, side, a, out, e);
+    if (!out->sided) wf_beam_read(&k->beam, &out->at);
+    out->at.load_factor = k->outcome.load_factor;
+    put_back(k, &k->last);
+    wf_beam_sweep_up(&k->beam);
+    return s;
+}

@@ -1,0 +1,44 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_SOLVE_TRACK_H
+#define WF_SOLVE_TRACK_H
+/* One tree under one load after another by the beam solver: each solution starts from the shape
+ * and, near it, on the mesh of the last one, and gives its derivative by the load. */
+#include "solve/solve.h"
+
+struct wf_track;
+
+/* Given: tree, options (mesh_tolerance as for one solution); `like`, a track of the same tree and tolerance
+ * whose mesh is taken, and its form in still air (NULL: none). All must outlive the track; tracks with the
+ * same `like` may be used at the same time, but not that one. Returned: *out. Errors: WF_ENOMEM. */
+enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_options *o,
+                             const struct wf_track *like, struct wf_track **out, struct wf_err *e);
+/* NULL is allowed. */
+void wf_track_close(struct wf_track *k);
+
+struct wf_tracked {
+    struct wf_response at;   /* at the loads */
+    struct wf_response side; /* at the other loads, where `sided` */
+    bool sided;
+    bool irregular; /* small parts are not stable, or a limit point lies on the way to the full load */
+};
+
+/* Where Newton's method starts. */
+struct wf_track_start {
+    bool
+        low; /* nearer to still air than to the last loads: from the solution in still air, if there is one */
+    bool near; /* near the last loads: from its shape moved along its derivative by `ahead` times `side` -
+                  `at` */
+    double ahead;
+    const struct wf_track
+        *other; /* where the last loads are not near: a track whose last ones are (NULL: none) */
+};
+
+/* Equilibrium at the loads `l`. Given: `side` (NULL: not wanted), loads that differ from l by a small d; the
+ * response to them is first-order: its difference to the answer, over d, is the derivative of the answer to
+ * an error of order d. Returned: as the solver 'beam'. Method: Newton's method on the mesh of the last
+ * solution, and what the beam solver does where that fails. The mesh is compared with one twice as fine at
+ * the first and every fourth solution, and refined where it does not meet the tolerance. */
+enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
+                              const struct wf_track_start *start, struct wf_arena *a, struct wf_tracked *out,
+                              struct wf_err *e);
+#endif

@@ -1,0 +1,278 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/node.h"
+#include "base/interrupt.h"
+#include "base/parallel.h"
+#include "base/progress.h"
+#include "solve/track.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+void wf_totals_read(const struct wf_at_speed *at, double v[WF_TOTALS])
+{
+    const double totals[WF_TOTAL_UTILISATION] = {
+        [WF_TOTAL_DRAG] = at->drag,          [WF_TOTAL_LIFT] = at->lift,
+        [WF_TOTAL_WEIGHT] = at->weight,      [WF_TOTAL_DEFLECTION] = at->tip_deflection,
+        [WF_TOTAL_ANGLE] = at->tip_angle,    [WF_TOTAL_SHEAR] = at->base_shear,
+        [WF_TOTAL_MOMENT] = at->base_moment, [WF_TOTAL_STRESS] = at->breakage.largest_stress,
+    };
+    memcpy(v, totals, sizeof totals);
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int s = 0; s < WF_SCOPES; s++)
+            v[WF_TOTAL_UTILISATION + c * WF_SCOPES + s] = 1.0 / at->worst[c][s].safety;
+}
+
+void wf_totals_write(const double v[WF_TOTALS], double tallness, struct wf_at_speed *at)
+{
+    at->drag = v[WF_TOTAL_DRAG];
+    at->lift = v[WF_TOTAL_LIFT];
+    at->weight = v[WF_TOTAL_WEIGHT];
+    at->tip_deflection = v[WF_TOTAL_DEFLECTION];
+    at->tip_deflection_share = v[WF_TOTAL_DEFLECTION] / tallness;
+    at->tip_angle = v[WF_TOTAL_ANGLE];
+    at->base_shear = v[WF_TOTAL_SHEAR];
+    at->base_moment = v[WF_TOTAL_MOMENT];
+    at->breakage.largest_stress = v[WF_TOTAL_STRESS];
+    at->breakage.largest_stress_row = -1;
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int s = 0; s < WF_SCOPES; s++)
+            at->worst[c][s] =
+                (struct wf_worst){ .safety = 1.0 / v[WF_TOTAL_UTILISATION + c * WF_SCOPES + s], .row = -1 };
+}
+
+/* Large trees are solved one at a time: answers do not depend on the number of threads. */
+enum { SOLUTIONS_BYTES = 1 << 30 };
+
+size_t wf_nodes_threads(const struct wf_analysis *an, const struct wf_solve_options *o)
+{
+    size_t threads = wf_parallel_threads(o->threads), most = SOLUTIONS_BYTES / WF_SOLUTION_BYTES / an->tree.n;
+    return threads < most ? threads : most ? most : 1;
+}
+
+/* ---- The list ---- */
+
+enum { TRACKS = 2 };
+
+/* Solutions by one mesh tolerance, each from the last. */
+struct sequence {
+    double tolerance, speed;
+    struct wf_solve_options options;
+    struct wf_track *track;
+};
+
+struct wf_nodes {
+    const struct wf_analysis *an;
+    const struct wf_nodes *like; /* of the same tree in another wind direction; NULL: none */
+    struct wf_arena arena;
+    double deadline; /* of the process's time [s] */
+    bool late;
+    size_t n;
+    struct wf_node node[WF_NODES_MAX];
+    struct sequence sequence[TRACKS];
+};
+
+static double processor_seconds(void)
+{
+    struct timespec t;
+    return clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t) ? 0.0 : (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Solutions in still air do not depend on the direction. */
+static void take_still(struct wf_nodes *k)
+{
+    for (size_t i = 0; i < k->like->n; i++)
+        if (k->like->node[i].at.speed == 0.0) k->node[k->n++] = k->like->node[i];
+}
+
+struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nodes *like)
+{
+    struct wf_nodes *k = calloc(1, sizeof *k);
+    if (!k) return NULL;
+    k->an = an;
+    k->like = like;
+    if (like) take_still(k);
+    wf_nodes_deadline(k, an->search.seconds);
+    return k;
+}
+
+void wf_nodes_close(struct wf_nodes *k)
+{
+    if (!k) return;
+    for (int i = 0; i < TRACKS; i++) wf_track_close(k->sequence[i].track);
+    wf_arena_free(&k->arena);
+    free(k);
+}
+
+void wf_nodes_deadline(struct wf_nodes *k, double seconds)
+{
+    k->deadline = processor_seconds() + seconds;
+    k->late = false;
+}
+
+bool wf_nodes_late(const struct wf_nodes *k) { return k->late || processor_seconds() > k->deadline; }
+
+size_t wf_nodes_count(const struct wf_nodes *k) { return k->n; }
+const struct wf_node *wf_nodes_at(const struct wf_nodes *k, size_t i) { return &k->node[i]; }
+
+struct wf_node *wf_nodes_find(struct wf_nodes *k, double speed, double tolerance)
+{
+    for (size_t i = 0; i < k->n; i++)
+        if (k->node[i].at.speed == speed && k->node[i].tolerance == tolerance) return &k->node[i];
+    return NULL;
+}
+
+void wf_nodes_add(struct wf_nodes *k, double tolerance, bool used, const struct wf_at_speed *at)
+{
+    if (k->n < WF_NODES_MAX)
+        k->node[k->n++] = (struct wf_node){ .at = *at, .tolerance = tolerance, .used = used };
+}
+
+/* ---- Solutions with slopes ---- */
+
+struct wf_solve_options wf_nodes_quick(const struct wf_solve_options *o)
+{
+    struct wf_solve_options quick = *o;
+    if (o->mesh_tolerance > 0.0) quick.mesh_tolerance = fmax(o->mesh_tolerance, 1e-3);
+    /* what Newton's method leaves is squared by the step that gives the slopes */
+    quick.tolerance = fmax(o->tolerance, 3e-4);
+    return quick;
+}
+
+bool wf_nodes_tracked(const struct wf_analysis *an) { return an->solver->tracked && !an->scenario.shelter; }
+
+static enum wf_status sequence_for(struct wf_nodes *k, const struct wf_solve_options *o,
+                                   struct sequence **out, struct wf_err *e)
+{
+    struct sequence *free_one = NULL;
+    for (int i = TRACKS; i-- > 0;) {
+        *out = &k->sequence[i];
+        if ((*out)->track && (*out)->tolerance == o->mesh_tolerance) return WF_OK;
+        if (!(*out)->track) free_one = *out;
+    }
+    if (!(*out = free_one)) { /* a third tolerance takes the place of the first */
+        *out = &k->sequence[0];
+        wf_track_close((*out)->track);
+    }
+    **out = (struct sequence){ .tolerance = o->mesh_tolerance, .speed = NAN, .options = *o };
+    const struct wf_track *like = NULL;
+    for (int i = 0; k->like && i < TRACKS; i++)
+        if (k->like->sequence[i].tolerance == o->mesh_tolerance) like = k->like->sequence[i].track;
+    if (like) (*out)->speed = 0.0;
+    return wf_track_open(&k->an->tree, &(*out)->options, like, &(*out)->track, e);
+}
+
+static float single(double x) { return isfinite(x) ? (float)x : 0.0F; }
+
+/* Utilisations and stresses of all rows. */
+static void read_columns(const struct wf_tree *t, const struct wf_at_speed *at, double *out)
+{
+    for (size_t i = 0; i < t->n; i++) {
+        double place;
+        for (int c = 0; c < WF_CRITERIA; c++)
+            out[(size_t)c * t->n + i] =
+                1.0 / wf_criteria[c].safety(t, &at->response, &at->breakage, i, &place);
+        out[WF_NODE_STRESS * t->n + i] = at->breakage.peak[i];
+    }
+}
+
+/* Slopes of totals that are those of a governing row. */
+static void slopes_of_worst(const struct wf_tree *t, const double *gain, struct wf_node *out)
+{
+    int32_t row = out->at.breakage.largest_stress_row;
+    out->slope[WF_TOTAL_STRESS] = row < 0 ? NAN : gain[WF_NODE_STRESS * t->n + (size_t)row];
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int s = 0; s < WF_SCOPES; s++) {
+            row = out->at.worst[c][s].row;
+            out->slope[WF_TOTAL_UTILISATION + c * WF_SCOPES + s] =
+                row < 0 ? NAN : gain[(size_t)c * t->n + (size_t)row];
+        }
+}
+
+/* Values and slopes, from the answers at the speed and at one a little higher. */
+static enum wf_status read_slopes(const struct wf_tree *t, const struct wf_speed_answers *r,
+                                  struct wf_arena *a, struct wf_arena *scratch, struct wf_node *out,
+                                  struct wf_err *e)
+{
+    size_t n = WF_NODE_COLUMNS * t->n;
+    double *at = WF_TAKE(scratch, n, double), *side = WF_TAKE(scratch, n, double), v[2][WF_TOTALS];
+    out->value = WF_TAKE(a, n, float);
+    out->gain = WF_TAKE(a, n, float);
+    if (!at || !side || !out->value || !out->gain)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the slopes of %zu segments", t->n);
+    read_columns(t, &r->at, at);
+    for (size_t i = 0; i < n; i++) out->value[i] = single(at[i]);
+    out->sloped = r->step > 0.0 || r->at.speed == 0.0;
+    if (!(r->step > 0.0)) return WF_OK;
+    read_columns(t, &r->side, side);
+    wf_totals_read(&r->at, v[0]);
+    wf_totals_read(&r->side, v[1]);
+    for (int q = 0; q < WF_TOTALS; q++) out->slope[q] = (v[1][q] - v[0][q]) / r->step;
+    for (size_t i = 0; i < n; i++) {
+        side[i] = (side[i] - at[i]) / r->step;
+        out->gain[i] = single(side[i]);
+    }
+    slopes_of_worst(t, side, out);
+    return WF_OK;
+}
+
+/* Another sequence whose last speed is near. */
+static const struct wf_track *other_near(const struct wf_nodes *k, const struct sequence *q, double speed)
+{
+    const double near = 0.2;
+    for (int i = 0; i < TRACKS; i++) {
+        const struct sequence *other = &k->sequence[i];
+        if (other != q && other->track && fabs(other->speed - speed) <= near * speed) return other->track;
+    }
+    return NULL;
+}
+
+static enum wf_status solve_node(struct wf_nodes *k, struct sequence *q, double speed, struct wf_node *out,
+                                 struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_speed_answers r;
+    *out = (struct wf_node){ .tolerance = q->tolerance, .used = true };
+    enum wf_status s =
+        wf_speed_track(k->an, q->track, q->speed, speed, other_near(k, q, speed), &scratch, &r, e);
+    wf_stage_step(1);
+    if (!s) {
+        out->at = r.at;
+        out->irregular = r.irregular;
+        q->speed = r.at.status ? NAN : speed;
+        if (!r.at.status) s = read_slopes(&k->an->tree, &r, &k->arena, &scratch, out, e);
+        wf_speed_drop_columns(&out->at);
+    }
+    wf_arena_free(&scratch);
+    return s;
+}
+
+enum wf_status wf_nodes_ready(struct wf_nodes *k, struct wf_err *e)
+{
+    if (wf_interrupted()) return wf_fail(e, WF_EINTERRUPTED, "interrupted");
+    k->late = wf_nodes_late(k);
+    /* any status that is no answer about the tree ends the search; its caller then looks at wf_nodes_late */
+    return k->late ? wf_fail(e, WF_EINTERNAL, "the time of the search is used up") : WF_OK;
+}
+
+enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
+                              const struct wf_node **out, struct wf_err *e)
+{
+    struct sequence *q = NULL;
+    struct wf_node node, *found = wf_nodes_find(k, speed, o->mesh_tolerance);
+    if (found && (found->sloped || found->at.status)) {
+        found->used = true;
+        *out = found;
+        return WF_OK;
+    }
+    enum wf_status s = wf_nodes_ready(k, e);
+    if (!s && !found && k->n == WF_NODES_MAX)
+        s = wf_fail(e, WF_EINTERNAL, "too many wind speeds were solved");
+    if (!s) s = sequence_for(k, o, &q, e);
+    if (!s) s = solve_node(k, q, speed, &node, e);
+    if (s) return s;
+    if (!found) found = &k->node[k->n++];
+    *found = node;
+    *out = found;
+    return WF_OK;
+}

@@ -1,0 +1,382 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/speed.h"
+#include "base/num.h"
+#include "base/progress.h"
+#include "base/vec3.h"
+#include "data/species.h"
+#include "load/drag.h"
+#include "solve/track.h"
+#include "study/sheltered.h"
+#include "wind/shelter_laws.h"
+#include <math.h>
+#include <string.h>
+
+/* ---- Loads and displacements of rows and totals of the tree at one wind speed ---- */
+
+struct totals {
+    double air[3]; /* force of the wind on the whole tree [N]       */
+    double weight; /* of wood, leaves and added loads, on rows and at tips [N] */
+};
+
+/* Gauss-Legendre, five points on 0..1 */
+static const double gauss_s[5] = { 0.046910077030668004, 0.23076534494715845, 0.5, 0.76923465505284155,
+                                   0.95308992296933200 };
+static const double gauss_w[5] = { 0.11846344252809454, 0.23931433524968324, 0.28444444444444444,
+                                   0.23931433524968324, 0.11846344252809454 };
+
+static double norm(const double a[3]) { return sqrt(wf_dot(a, a)); }
+
+/* A row as a curve: its ends and the tangents there, both scaled to the row's length. */
+struct curve {
+    double p0[3], p1[3], t0[3], t1[3];
+    double length; /* unloaded [m] */
+};
+
+static void curve_unloaded(const struct wf_tree *t, size_t i, struct curve *c)
+{
+    const double p0[3] = { t->x0[i], t->y0[i], t->z0[i] }, p1[3] = { t->x1[i], t->y1[i], t->z1[i] };
+    for (int k = 0; k < 3; k++) {
+        c->p0[k] = p0[k];
+        c->p1[k] = p1[k];
+        c->t0[k] = c->t1[k] = p1[k] - p0[k];
+    }
+    c->length = norm(c->t0);
+}
+
+static void curve_bent(const struct wf_tree *t, const struct wf_response *r, size_t i, struct curve *c)
+{
+    curve_unloaded(t, i, c);
+    int32_t below = t->parent[i];
+    if (below >= 0) { /* the base moves with the parent's end, like a rigid arm where the axes do not meet */
+        const double end[3] = { t->x1[below], t->y1[below], t->z1[below] };
+        double arm[3], turned[3], turn[9];
+        for (int k = 0; k < 3; k++) arm[k] = c->p0[k] - end[k];
+        rotation_matrix(r->turn + 3 * below, turn);
+        m3_apply(turn, arm, turned);
+        for (int k = 0; k < 3; k++) c->p0[k] = end[k] + r->end[3 * below + k] + turned[k];
+    }
+    for (size_t k = 0; k < 3; k++) {
+        c->p1[k] += r->end[3 * i + k];
+        c->t0[k] = c->length * r->tangent0[3 * i + k];
+        c->t1[k] = c->length * r->tangent1[3 * i + k];
+    }
+}
+
+/* Position and unit tangent at s in 0..1. */
+static void curve_at(const struct curve *c, double s, double x[3], double tangent[3])
+{
+    double s2 = s * s, s3 = s2 * s;
+    for (int k = 0; k < 3; k++) {
+        double rise = c->p1[k] - c->p0[k];
+        x[k] = c->p0[k] + (3 * s2 - 2 * s3) * rise + (s3 - 2 * s2 + s) * c->t0[k] + (s3 - s2) * c->t1[k];
+        tangent[k] = 6 * (s - s2) * rise + (3 * s2 - 4 * s + 1) * c->t0[k] + (3 * s2 - 2 * s) * c->t1[k];
+    }
+    double length = norm(tangent);
+    for (int k = 0; k < 3; k++) tangent[k] /= length;
+}
+
+static struct wf_line_point line_point(const struct wf_tree *t, size_t i, double s)
+{
+    double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
+    double wood = t->density[i] * WF_PI * (outer * outer - inner * inner);
+    return (struct wf_line_point){
+        .diameter = 2.0 * outer,
+        .drag = t->drag[i],
+        .lift = t->lift[i],
+        .sail = wf_between(t->sail0[i], t->sail1[i], s),
+        .mass = wood + wf_between(t->burden0[i], t->burden1[i], s),
+    };
+}
+
+/* Ratio of the crown's streamlined frontal area in the wind at x to its still-air frontal area. */
+static double crown_share(const struct wf_loads *l, const double x[3])
+{
+    double u[3], gradient[9], derivative;
+    if (!l->wind || !l->streamline) return 1.0;
+    l->wind->sample(l->wind, x, u, gradient);
+    return l->streamline->share(&l->streamline_par, norm(u), &derivative);
+}
+
+struct sums {
+    double air[3], weight[3], area;
+};
+
+static void integrate(const struct wf_tree *t, const struct wf_loads *l, const struct curve *c, size_t i,
+                      const double direction[3], double crown_drag, struct sums *out)
+{
+    *out = (struct sums){ 0 };
+    for (int g = 0; g < 5; g++) {
+        double x[3], tangent[3], seen[3], ds = gauss_w[g] * c->length;
+        struct wf_line_point p = line_point(t, i, gauss_s[g]);
+        struct wf_line_parts parts;
+        curve_at(c, gauss_s[g], x, tangent);
+        wf_load_parts_on_line(l, &p, x, tangent, &parts);
+        for (int k = 0; k < 3; k++) {
+            out->air[k] += ds * (parts.drag_axis[k] + parts.drag_crown[k] + parts.lift[k]);
+            out->weight[k] += ds * parts.weight[k];
+        }
+        wf_cross(direction, tangent, seen);
+        out->area += ds * p.diameter * norm(seen);
+        if (crown_drag > 0.0) out->area += ds * p.sail / crown_drag * crown_share(l, x);
+    }
+}
+
+/* Rotation of the axis at the row's end, without twist [rad]. */
+static double slope_at_end(const struct curve *unloaded, const struct wf_response *r, size_t i)
+{
+    const double *turn = r->turn + 3 * i, *now = r->tangent1 + 3 * i;
+    double before[3], across[3], matrix[9];
+    if (r->small_deflection) {
+        wf_cross(unloaded->t1, turn, across);
+        return norm(across) / unloaded->length;
+    }
+    rotation_matrix(turn, matrix);
+    m3_apply_transposed(matrix, now, before);
+    wf_cross(before, now, across);
+    return atan2(norm(across), wf_dot(before, now));
+}
+
+/* Given: tree, the loads passed to the solver, its result, direction the wind blows towards (unit vector),
+ * crown drag coefficient by which the sail columns were multiplied. Returned: columns of n in *out and the
+ * totals. Method: horizontal forces of the wind are the solver's own loads (wf_response.load), so that the
+ * drag of all rows sums to the base shear; a horizontal dead load would count as wind. The vertical part of
+ * lift, weight and area come from five-point Gauss quadrature along each row. A geometrically exact result is
+ * sampled on its bent shape (cubic Hermite curve through the row's ends and end tangents); a small-deflection
+ * result on the unloaded shape, on which its loads were computed. Projected area of the axis is that of its
+ * surface seen along the wind; that of the crown is its still-air frontal area times the streamlining share,
+ * so that the whole reduction of drag is counted as a reduction of area. Deflection and slope are measured
+ * from the unloaded shape, so they include the sag under weight. */
+static enum wf_status fill_figures(const struct wf_tree *t, const struct wf_loads *l,
+                                   const struct wf_response *r, const double direction[3], double crown_drag,
+                                   struct wf_arena *a, struct wf_figures *out, struct totals *totals,
+                                   struct wf_err *e)
+{
+    double **column[] = { &out->projected_area, &out->drag, &out->lift, &out->deflection, &out->slope };
+    for (size_t k = 0; k < WF_COUNT(column); k++)
+        if (!(*column[k] = WF_TAKE(a, t->n, double)))
+            return wf_fail(e, WF_ENOMEM, "not enough memory for the figures of %zu rows", t->n);
+    for (size_t i = 0; i < t->n; i++) {
+        struct curve unloaded, bent;
+        struct sums row;
+        double across[3];
+        curve_unloaded(t, i, &unloaded);
+        bent = unloaded;
+        if (!r->small_deflection) curve_bent(t, r, i, &bent);
+        integrate(t, l, &bent, i, direction, crown_drag, &row);
+        /* horizontally the solver's own loads, so that the drag sums to the base shear */
+        row.air[0] = r->load[3 * i];
+        row.air[1] = r->load[3 * i + 1];
+        out->drag[i] = wf_dot(row.air, direction);
+        for (int k = 0; k < 3; k++) across[k] = row.air[k] - out->drag[i] * direction[k];
+        out->lift[i] = norm(across);
+        out->projected_area[i] = row.area;
+        out->deflection[i] = norm(r->end + 3 * i);
+        out->slope[i] = slope_at_end(&unloaded, r, i);
+        for (int k = 0; k < 3; k++) totals->air[k] += row.air[k];
+        totals->weight += norm(row.weight) + (t->mass1 ? t->mass1[i] * l->gravity * l->weight_scale : 0.0);
+    }
+    return WF_OK;
+}
+
+/* ---- One wind speed: wind -> load -> solve -> fail -> figures ---- */
+
+size_t wf_tip_row(const struct wf_tree *t)
+{
+    size_t tip = 0;
+    double highest = -INFINITY;
+    for (size_t i = 0; i < t->n; i++)
+        if (t->level[i] == 0 && t->z1[i] > highest) {
+            highest = t->z1[i];
+            tip = i;
+        }
+    return tip;
+}
+
+static void totals_fill(const struct wf_analysis *an, const struct totals *all, double tip_deflection,
+                        double tip_angle, struct wf_at_speed *out)
+{
+    const double *to = an->wind.direction, *force = out->response.base_force,
+                 *moment = out->response.base_moment;
+    double across = 0.0;
+    out->drag = all->air[0] * to[0] + all->air[1] * to[1] + all->air[2] * to[2];
+    for (int k = 0; k < 3; k++) across += pow(all->air[k] - out->drag * to[k], 2.0);
+    out->lift = sqrt(across);
+    out->weight = all->weight;
+    out->tip_deflection = tip_deflection;
+    out->tip_deflection_share = out->tip_deflection / an->tallness;
+    out->tip_angle = tip_angle;
+    out->base_shear = hypot(force[0], force[1]);
+    out->base_moment = hypot(moment[0], moment[1]);
+}
+
+static void totals_unknown(struct wf_at_speed *out)
+{
+    out->drag = out->lift = out->weight = out->tip_deflection = out->tip_deflection_share = NAN;
+    out->tip_angle = out->base_shear = out->base_moment = NAN;
+    out->breakage.largest_stress = NAN;
+    out->breakage.largest_stress_row = -1;
+    wf_criteria_check(NULL, NULL, NULL, out->worst);
+}
+
+/* The tree in the wind that its own crown reduces. The grid is coarser than that of maps because it is made
+ * anew for every shape. */
+static enum wf_status solve_sheltered(const struct wf_analysis *an, const struct wf_loads *l,
+                                      const struct wf_solve_options *o, struct wf_arena *a,
+                                      struct wf_sheltered *out, struct wf_response *r, struct wf_diag *d,
+                                      struct wf_err *e)
+{
+    struct wf_shelter_request q;
+    wf_shelter_request_default(&q);
+    q.law = wf_shelter_law_named(an->scenario.shelter);
+    q.slabs = 24;
+    q.cells = 64;
+    if (an->species->crown.drag_coefficient.given) q.crown_drag = an->species->crown.drag_coefficient.value;
+    return wf_sheltered_solve(&an->tree, l, &q, an->solver, o, a, out, r, d, e);
+}
+
+/* Compute stresses, criteria and figures from the response. */
+static enum wf_status fill_at_speed(const struct wf_analysis *an, const struct wf_loads *l,
+                                    const double *places, struct wf_arena *a, struct wf_at_speed *out,
+                                    struct wf_err *e)
+{
+    struct totals totals = { 0 };
+    enum wf_status s = wf_breakage_check(&an->tree, &out->response, places, a, &out->breakage, e);
+    if (s) return s;
+    wf_criteria_check(&an->tree, &out->response, &out->breakage, out->worst);
+    s = fill_figures(&an->tree, l, &out->response, an->wind.direction,
+                     an->species->crown.drag_coefficient.value, a, &out->figures, &totals, e);
+    size_t tip = wf_tip_row(&an->tree);
+    if (!s) totals_fill(an, &totals, out->figures.deflection[tip], out->figures.slope[tip], out);
+    return s;
+}
+
+static double row_weight(const struct wf_tree *t, const struct wf_loads *l, size_t i)
+{
+    struct curve c;
+    double sum = 0.0;
+    curve_unloaded(t, i, &c);
+    for (int g = 0; g < 5; g++) sum += gauss_w[g] * c.length * line_point(t, i, gauss_s[g]).mass;
+    return sum * l->gravity * l->weight_scale;
+}
+
+/* As fill_at_speed, without columns of figures: totals from the solver's own loads, of which the weight is
+ * known. Vertical dead line loads cannot be told from lift in them. */
+static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_loads *l,
+                                  const double *places, struct wf_arena *a, struct wf_at_speed *out,
+                                  struct wf_err *e)
+{
+    const struct wf_tree *t = &an->tree;
+    const struct wf_response *r = &out->response;
+    struct totals totals = { 0 };
+    struct curve unloaded;
+    size_t tip = wf_tip_row(t);
+    if (l->line) return fill_at_speed(an, l, places, a, out, e);
+    enum wf_status s = wf_breakage_check(t, r, places, a, &out->breakage, e);
+    if (s) return s;
+    wf_criteria_check(t, r, &out->breakage, out->worst);
+    for (size_t i = 0; i < t->n; i++) {
+        double weight = row_weight(t, l, i);
+        for (int k = 0; k < 3; k++) totals.air[k] += r->load[3 * i + (size_t)k];
+        totals.air[2] += weight;
+        totals.weight += weight + (t->mass1 ? t->mass1[i] * l->gravity * l->weight_scale : 0.0);
+    }
+    curve_unloaded(t, tip, &unloaded);
+    totals_fill(an, &totals, norm(r->end + 3 * tip), slope_at_end(&unloaded, r, tip), out);
+    return WF_OK;
+}
+
+enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                              struct wf_arena *a, struct wf_diag *d, struct wf_at_speed *out,
+                              struct wf_err *e)
+{
+    struct wf_wind wind = an->wind;
+    struct wf_loads loads = an->loads;
+    struct wf_sheltered sheltered = { 0 };
+    struct wf_err why = { 0 };
+    enum wf_status s = WF_OK;
+    memset(out, 0, sizeof *out);
+    out->speed = speed;
+    wind.speed = wf_scenario_speed(&an->scenario, speed);
+    loads.wind = speed > 0.0 ? &wind : NULL;
+    if (an->scenario.shelter && loads.wind)
+        out->status = solve_sheltered(an, &loads, o, a, &sheltered, &out->response, d, &why);
+    else
+        out->status = an->solver->solve(&an->tree, &loads, o, a, &out->response, d, &why);
+    if (out->status == WF_EUNSTABLE || out->status == WF_ENOCONV)
+        totals_unknown(out);
+    else if (out->status)
+        s = wf_fail(e, out->status, "%s", why.text);
+    else
+        s = fill_at_speed(an, sheltered.passes ? &sheltered.loads : &loads, NULL, a, out, e);
+    wf_sheltered_end(&sheltered);
+    return s;
+}
+
+void wf_speed_drop_columns(struct wf_at_speed *at)
+{
+    struct wf_response *r = &at->response;
+    *r = (struct wf_response){ .imbalance = r->imbalance,
+                               .load_factor = r->load_factor,
+                               .iterations = r->iterations,
+                               .steps = r->steps,
+                               .small_deflection = r->small_deflection,
+                               .base_force = { r->base_force[0], r->base_force[1], r->base_force[2] },
+                               .base_moment = { r->base_moment[0], r->base_moment[1], r->base_moment[2] } };
+    at->breakage = (struct wf_breakage){ .largest_stress = at->breakage.largest_stress,
+                                         .largest_stress_row = at->breakage.largest_stress_row };
+    at->figures = (struct wf_figures){ 0 };
+}
+
+enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                               struct wf_at_speed *out, struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_diag quiet = { .arena = &scratch };
+    enum wf_status s = wf_speed_solve(an, o, speed, &scratch, &quiet, out, e);
+    wf_stage_step(1);
+    wf_arena_free(&scratch);
+    wf_speed_drop_columns(out);
+    return s;
+}
+
+/* Where the solution at a speed starts, after one at `from`. The shape moves with the power 1.5 of the speed,
+ * between stiff trees (2) and streamlined ones. */
+static struct wf_track_start start_at(double from, double speed, double share, const struct wf_track *other)
+{
+    const double power = 1.5, near = 1.4;
+    return (struct wf_track_start){ .low = speed<0.5 * from, .near = from> 0.0 && speed <= near * from &&
+                                           from <= near * speed,
+                                    .ahead = (pow(speed / from, power) - 1.0) / (share * power),
+                                    .other = other };
+}
+
+enum wf_status wf_speed_track(const struct wf_analysis *an, struct wf_track *k, double from, double speed,
+                              const struct wf_track *other, struct wf_arena *a, struct wf_speed_answers *out,
+                              struct wf_err *e)
+{
+    const double share = 3e-7;
+    struct wf_wind wind = an->wind, more = an->wind;
+    struct wf_loads loads = an->loads, side = an->loads;
+    struct wf_tracked t;
+    struct wf_err why = { 0 };
+    struct wf_track_start start = start_at(from, speed, share, other);
+    *out = (struct wf_speed_answers){ .at = { .speed = speed } };
+    wind.speed = wf_scenario_speed(&an->scenario, speed);
+    more.speed = wf_scenario_speed(&an->scenario, speed * (1.0 + share));
+    loads.wind = speed > 0.0 ? &wind : NULL;
+    side.wind = &more;
+    enum wf_status s = wf_track_solve(k, &loads, speed > 0.0 ? &side : NULL, &start, a, &t, &why);
+    out->at.response = t.at;
+    out->irregular = t.irregular;
+    if (s == WF_EUNSTABLE || s == WF_ENOCONV) {
+        out->at.status = s;
+        totals_unknown(&out->at);
+        return WF_OK;
+    }
+    if (s) return wf_fail(e, s, "%s", why.text);
+    s = fill_totals(an, &loads, NULL, a, &out->at, e);
+    if (s || !t.sided) return s;
+    out->step = share * speed;
+    out->side.response = t.side;
+    return fill_totals(an, &side, out->at.breakage.peak_place, a, &out->side, e);
+}

@@ -1,0 +1,130 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_STUDY_SPEED_H
+#define WF_STUDY_SPEED_H
+/* One tree at one wind speed: wind -> load -> solve -> fail -> figures; and the struct of an analysis. */
+#include "base/arena.h"
+#include "base/err.h"
+#include "data/tree.h"
+#include "fail/fail.h"
+#include "load/load.h"
+#include "load/scene.h"
+#include "solve/solve.h"
+#include "wind/wind.h"
+#include <stdbool.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct wf_model;
+struct wf_species;
+
+/* Loads and displacements of the segments, as columns. */
+struct wf_figures {
+    double *projected_area; /* of axis and crown across the wind, bent shape [m2] */
+    double *drag, *lift;    /* along and across the wind [N]                      */
+    double *deflection;     /* of the end, distance from the unloaded position [m]   */
+    double *slope;          /* of the end, angle between the axis and its unloaded direction [rad] */
+};
+
+struct wf_at_speed {
+    double speed;          /* at reference height [m/s] */
+    bool interpolated;     /* in curves: between the speeds that were solved; sections (rows) are then -1 */
+    enum wf_status status; /* WF_OK, or why there is no result (response.load_factor: load reached) */
+    struct wf_response response;
+    struct wf_breakage breakage;
+    struct wf_worst worst[WF_CRITERIA][WF_SCOPES];
+    struct wf_figures figures;
+    double drag, lift, weight;      /* whole tree [N] */
+    double tip_deflection;          /* horizontal and vertical together [m], of the stem's highest point */
+    double tip_deflection_share;    /* of tree height [-] */
+    double tip_angle;               /* between unloaded and loaded axis at the stem tip [rad] */
+    double base_shear, base_moment; /* [N], [N m] */
+};
+
+/* Wind speed and section at which a tree, or a part of it, fails by a criterion. */
+struct wf_break {
+    struct wf_critical critical;
+    struct wf_at_speed at; /* totals at the critical speed; speed NAN where there is none */
+    int32_t row;           /* governing section at the critical speed, -1 none            */
+    double height;         /* its height above ground on the unbent tree [m]              */
+};
+
+/* Measured: memory of one solution for a row of the tree (two meshes of the beam solver, the finer of about
+ * two elements a row). */
+enum { WF_SOLUTION_BYTES = 4500 };
+
+struct wf_analysis;
+/* Solutions that the searches for critical speeds take in most trees: for the share that progress shows. */
+enum { WF_SEARCH_SOLUTIONS = 12 };
+/* Range and bound of the searches for critical wind speeds and of the curves. */
+struct wf_search {
+    double speed_max; /* highest speed searched [m/s]; where the tree fails at a given speed above it, the
+                         search goes on to the lowest such speed */
+    double beyond; /* at least this many times the highest given speed is searched; 0: speed_max alone [-] */
+    double
+        seconds; /* processor time after which the search, and again the curves, end [s]; INFINITY: no end */
+    /* Called when the given speeds are solved and the searches have not begun; NULL: not called. */
+    void (*solved)(const struct wf_analysis *an, void *context);
+    void *context;
+};
+/* Up to 60 m/s, no lower than any 10-min mean on record, or 1.2 times the highest given speed where that is
+ * more; without a bound. */
+void wf_search_default(struct wf_search *s);
+
+struct wf_directions;
+struct wf_analysis {
+    const struct wf_species *species;
+    const struct wf_model *model;
+    const struct wf_solver *solver;
+    struct wf_scenario scenario;
+    struct wf_search search; /* of critical speeds, also of those by direction */
+    struct wf_tree tree;
+    struct wf_loads loads;
+    struct wf_wind wind;
+    size_t n;
+    struct wf_at_speed *at; /* results at the given speeds                     */
+    size_t sweep_n;
+    struct wf_at_speed *sweep; /* totals for curves: speeds from 0, at first four times closer; the given
+                                  speeds alone where the time for them was used up */
+    struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
+    const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
+    double tallness;                        /* height [m] */
+    struct wf_diag *diag;                   /* validity warnings                               */
+};
+
+/* Given: an analysis whose tree, wind, loads, species, solver are set; a speed at the reference height [m/s].
+ * Returned: WF_OK and *out, its columns in `a`; where the solver finds no equilibrium (WF_EUNSTABLE,
+ * WF_ENOCONV) also WF_OK with that status in out->status, the totals NAN and the load factor in
+ * out->response; another code when the run must end. */
+enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                              struct wf_arena *a, struct wf_diag *d, struct wf_at_speed *out,
+                              struct wf_err *e);
+/* One wind speed at the reference height [m/s] of an analysis after wf_analysis_set_up; its columns are not
+ * kept: only the totals and the worst sections of *out are valid afterwards. Returned: WF_OK and *out; where
+ * the solver finds no equilibrium (WF_EUNSTABLE, WF_ENOCONV) also WF_OK with that status in out->status, the
+ * totals NAN and the load factor in out->response; another code when the run must end. */
+enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                               struct wf_at_speed *out, struct wf_err *e);
+/* Clear the columns of a solution whose arena is freed; totals and worst sections stay. */
+void wf_speed_drop_columns(struct wf_at_speed *at);
+
+struct wf_track; /* solve/track.h */
+struct wf_speed_answers {
+    struct wf_at_speed at, side; /* at the speed, and first-order at the speed plus `step`; without figures */
+    double step;                 /* [m/s]; 0: there is no side */
+    bool irregular;              /* as struct wf_tracked */
+};
+/* As wf_speed_totals, for a solver that can be tracked: `track` is one of the analysis' tree, `from` the
+ * speed of its last solution (NAN: none), `other` a track whose last solution is near (NULL: none). Columns
+ * of the answers are in `a`. */
+enum wf_status wf_speed_track(const struct wf_analysis *an, struct wf_track *track, double from, double speed,
+                              const struct wf_track *other, struct wf_arena *a, struct wf_speed_answers *out,
+                              struct wf_err *e);
+/* The row that ends highest on level 0. */
+size_t wf_tip_row(const struct wf_tree *t);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Solutions one after another: the same answers as the beam solver, and derivatives by the wind speed. */
+#include "beam_cases.h"
+#include "solve/track.h"
+
+enum { STEM = 6, BRANCHES = 10, ROWS = STEM + 2 * BRANCHES };
+
+static void young_tree(struct beam_case *c)
+{
+    uint64_t seed = 3;
+    beam_new(c, ROWS);
+    c->loads.gravity = 9.81;
+    for (int i = 0; i < STEM; i++)
+        beam_row(c, (size_t)i, i - 1, (double[]){ 0, 0, 1.5 * i }, (double[]){ 0, 0, 1.5 * (i + 1) },
+                 0.08 - 0.01 * i, 0.07 - 0.01 * i);
+    for (size_t k = 0; k < BRANCHES; k++) {
+        int32_t below = (int32_t)(2 + k % 4);
+        double a = 2.4 * (double)k, up = 0.5 + 0.3 * beam_random(&seed),
+               from[3] = { 0, 0, 1.5 * (below + 1) };
+        for (size_t j = 0; j < 2; j++) {
+            size_t row = STEM + 2 * k + j;
+            double to[3] = { from[0] + 0.7 * cos(up) * cos(a), from[1] + 0.7 * cos(up) * sin(a),
+                             from[2] + 0.7 * sin(up) };
+            beam_row(c, row, below, from, to, 0.016 - 0.006 * (double)j, 0.01 - 0.005 * (double)j);
+            c->tree.level[row] = 1;
+            c->tree.sail0[row] = c->tree.sail1[row] = 0.05;
+            memcpy(from, to, sizeof to);
+            below = (int32_t)row;
+        }
+    }
+    beam_blow(c, 10, 0, 0);
+}
+
+static enum wf_status at_speed(struct beam_case *c, struct wf_track *k, double from, double speed,
+                               double step, struct wf_tracked *out)
+{
+    struct wf_wind wind = c->wind, more = c->wind;
+    struct wf_loads loads = c->loads, side = c->loads;
+    const struct wf_track_start start = { .low = speed < 0.5 * from };
+    wind.speed = speed, more.speed = speed + step;
+    loads.wind = speed > 0 ? &wind : NULL;
+    side.wind = &more;
+    return wf_track_solve(k, &loads, step > 0 ? &side : NULL, &start, &c->arena, out, &c->err);
+}
+
+static double largest_difference(const struct wf_response *a, const struct wf_response *b, double *size)
+{
+    double off = 0;
+    *size = 0;
+    for (size_t i = 0; i < 3 * a->n; i++) {
+        off = fmax(off, fabs(a->moment0[i] - b->moment0[i]));
+        *size = fmax(*size, fabs(b->moment0[i]));
+    }
+    return off;
+}
+
+static void same_answers_in_any_order(void **state)
+{
+    (void)state;
+    static const double speed[] = { 10, 12, 0, 25, 3, 24, 40, 5 };
+    struct beam_case c;
+    struct wf_track *k;
+    struct wf_tracked r;
+    double from = NAN, size;
+    young_tree(&c);
+    assert_int_equal(wf_track_open(&c.tree, &c.options, NULL, &k, &c.err), WF_OK);
+    for (size_t i = 0; i < sizeof speed / sizeof *speed; i++) {
+        assert_int_equal(at_speed(&c, k, from, speed[i], 0, &r), WF_OK);
+        from = speed[i];
+        beam_blow(&c, speed[i], 0, 0);
+        if (!(speed[i] > 0)) c.loads.wind = NULL;
+        beam_solve(&c);
+        double off = largest_difference(&r.at, &c.out, &size);
+        assert_true(off <= 2e-6 * size); /* of the mesh, on which they differ */
+        assert_true(r.at.imbalance < 1e-11 && !r.irregular);
+        c.loads.wind = &c.wind;
+    }
+    wf_track_close(k);
+    beam_free(&c);
+}
+
+/* The derivative of every moment against central differences of solutions on the same mesh. */
+static void slopes_are_derivatives(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    struct wf_track *k;
+    struct wf_tracked at, low, high;
+    young_tree(&c);
+    c.options.tolerance = 1e-12;
+    c.options.mesh_tolerance = 1e-3;
+    assert_int_equal(wf_track_open(&c.tree, &c.options, NULL, &k, &c.err), WF_OK);
+    for (double speed = 4; speed < 45; speed *= 1.7) {
+        const double step = 3e-7 * speed, apart = 2e-4 * speed;
+        double size = 0, off = 0;
+        assert_int_equal(at_speed(&c, k, NAN, speed - apart, 0, &low), WF_OK);
+        assert_int_equal(at_speed(&c, k, speed, speed, step, &at), WF_OK);
+        assert_int_equal(at_speed(&c, k, speed, speed + apart, 0, &high), WF_OK);
+        assert_true(at.sided);
+        for (size_t i = 0; i < 3 * at.at.n; i++) {
+            double slope = (at.side.moment0[i] - at.at.moment0[i]) / step;
+            double want = (high.at.moment0[i] - low.at.moment0[i]) / (2 * apart);
+            off = fmax(off, fabs(slope - want)), size = fmax(size, fabs(want));
+        }
+        assert_true(off <= 1e-6 * size);
+    }
+    wf_track_close(k);
+    beam_free(&c);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(same_answers_in_any_order),
+                                        cmocka_unit_test(slopes_are_derivatives) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
