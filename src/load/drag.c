@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load/drag.h"
 #include "base/units.h"
-#include "load/drag_kernel.h"
 #include <math.h>
 
 /* Streamlining of a crown. */

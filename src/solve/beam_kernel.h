@@ -4,7 +4,7 @@
 /* Inlined parts of the element, for one state or for many lanes (base/real.h): the section law, position,
  * balance, residual, and the derivatives within one element. */
 #include "base/vec3.h"
-#include "load/load_kernel.h"
+#include "load/line_load.h"
 #include "solve/beam_element.h"
 
 /* Section law in bending and torsion. flat NULL (a constant where these are inlined) means a round

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One kernel of several lanes; compiled for each width (WF_WIDTH). */
 #include "solve/beam_lanes.h"
-#include "load/load_lanes.h"
+#include "load/line_load.h"
 #include "solve/beam_condense.h"
 #include <float.h>
 
