@@ -295,9 +295,11 @@ static void free_tables(struct spectral *w)
 static enum wf_status make_tables(struct spectral *w, struct wf_err *e)
 {
     free_tables(w);
+    wf_quiet_begin();
     w->forward = gsl_fft_real_wavetable_alloc(w->window);
     w->back = gsl_fft_halfcomplex_wavetable_alloc(w->window);
     w->space = gsl_fft_real_workspace_alloc(w->window);
+    wf_quiet_end();
     if (w->forward && w->back && w->space) return WF_OK;
     free_tables(w);
     return wf_fail(e, WF_ENOMEM, "not enough memory for a Fourier transform of %zu steps", w->window);
