@@ -67,7 +67,7 @@ $(B)/%.o: %.cpp
 	@mkdir -p $(@D)
 	$(CXX) -std=c++17 -Wall -Wextra -isystem /usr/include/eigen3 -Isrc -MMD -MP $(if $(FUZZ),,$(SANF)) $(CFLAGS) -c $< -o $@
 # the numeric kernels are small fixed-size loops: unroll and vectorise them
-KERNELS := $(wildcard src/solve/*.c src/load/*.c) src/wind/shelter_laws.c src/wind/gust_spectral.c
+KERNELS := $(wildcard src/solve/*.c src/load/*.c) src/wind/shelter_laws.c src/wind/gust_spectral.c src/wind/fourier.c
 $(call obj,$(KERNELS)): CFLAGS += -O3
 # Vector instructions in these two objects alone, which run where the processor has them (solve/beam_many.c). Elsewhere
 # than on x86-64 the compiler divides the vectors among what the processor has.
@@ -92,8 +92,18 @@ test: packages test-packages ## install what is missing, build, run every test a
 	@$(MAKE) -s -j$$(nproc) all programs
 	@tests/run.sh $(B)
 bench: packages test-packages ## measure speed and memory
-	@$(MAKE) -s -j$$(nproc) all $(call bin,$(BENCH))
+	@$(MAKE) -s -j$$(nproc) all $(call bin,$(BENCH)) $(B)/tests/make_scan
 	@for b in $(call bin,$(BENCH)); do $$b || exit; done
+# The last version before the work on speed, built from this repository's history into $(BUILD)/before.
+BEFORE := 1cdf881c219940103f9ff5acdfd142dd2c78bfdb
+bench-before: packages test-packages ## whole runs beside those of an earlier version, which is built once: at most 6 minutes
+	@$(MAKE) -s -j$$(nproc) all $(B)/tests/bench_before $(B)/tests/make_scan $(BUILD)/before/build/windfirm
+	@$(B)/tests/bench_before $(BUILD)/before
+$(BUILD)/before/build/windfirm:
+	@git cat-file -e $(BEFORE)^{commit} 2>/dev/null || { \
+	    echo "bench-before: commit $(BEFORE) is not here: this is no git repository, or a shallow one (git fetch --unshallow)" >&2; exit 1; }
+	@rm -rf $(BUILD)/before && mkdir -p $(BUILD)/before && git archive $(BEFORE) | tar x -C $(BUILD)/before
+	@$(MAKE) -s -C $(BUILD)/before BUILD=build SAN= FUZZ= SHARE=$(abspath $(BUILD))/before all
 bench-peers: packages test-packages ## the same tree in CalculiX (package calculix-ccx, installed when missing): time beside time
 	@tools/packages.sh calculix-ccx || true
 	@$(MAKE) -s -j$$(nproc) $(B)/tests/bench_beam
@@ -166,6 +176,6 @@ clean: ## remove what was built and computed
 help: ## this list
 	@awk -F':.*## ' '/^[a-z-]+:.*## / { printf "make %-11s %s\n", $$1, $$2 }' Makefile
 
-.PHONY: all demo test fuzz fuzz-smoke fuzz-readers readers bench bench-peers programs packages test-packages check layers symbols interface house golden install headers clean help
+.PHONY: all demo test fuzz fuzz-smoke fuzz-readers readers bench bench-before bench-peers programs packages test-packages check layers symbols interface house golden install headers clean help
 .SECONDARY:
 -include $(patsubst %.o,%.d,$(LANES) $(call obj,$(SRC) $(TESTS) $(BENCH) $(wildcard tests/fuzz/*.c)) $(patsubst %.c,$(N)/%.o,$(SHARED)) $(B)/src/fit/ceres.o)

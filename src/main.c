@@ -7,6 +7,7 @@
 #include "cmd/read_mat.h"
 #include <errno.h>
 #include <fcntl.h>
+#include <malloc.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -82,8 +83,17 @@ static int run(int argc, char **argv)
     return unknown(word);
 }
 
+/* Large blocks are given back to the system as soon as they are free; by default the C library keeps up to 64
+ * MB of them, between which later ones do not fit. */
+static void keep_no_large_blocks(void)
+{
+    enum { LARGE = 1 << 20 };
+    (void)mallopt(M_MMAP_THRESHOLD, LARGE);
+}
+
 int main(int argc, char **argv)
 {
+    keep_no_large_blocks();
     occupy_closed();
     return finish(run(argc, argv));
 }

@@ -94,16 +94,16 @@ static void breaks_of(struct beam_case *c, const struct wf_solver *solver, struc
     wf_nodes_close(nodes);
 }
 
-/* A failure below that by the steps must be one: at the speed found the tree is at its strength. */
-static void explained(struct beam_case *c, const struct wf_break *b, enum wf_scope scope, unsigned long seed)
+/* Least safety at the speed found, by the beam solver alone on a fine mesh. NAN: it finds no equilibrium. */
+static double safety_at(struct beam_case *c, const struct wf_break *b, enum wf_scope scope)
 {
     struct wf_analysis an;
     struct wf_at_speed at;
+    struct wf_solve_options fine = c->options;
+    fine.mesh_tolerance = 1e-7;
     analysis_of(c, &wf_solver_beam, &an);
-    assert_int_equal(wf_speed_totals(&an, &c->options, b->critical.speed, &at, &c->err), WF_OK);
-    if (at.status || fabs(at.worst[WF_BREAKAGE][scope].safety - 1) > 1e-4)
-        print_message("tree %lu: the beam solver alone gives a safety of %.6g at %.6g m/s\n", seed,
-                      at.worst[WF_BREAKAGE][scope].safety, b->critical.speed);
+    assert_int_equal(wf_speed_totals(&an, &fine, b->critical.speed, &at, &c->err), WF_OK);
+    return at.worst[WF_BREAKAGE][scope].safety;
 }
 
 static void no_failure_is_passed_over(void **state)
@@ -125,9 +125,12 @@ static void no_failure_is_passed_over(void **state)
             const struct wf_critical *a = &old[WF_BREAKAGE][s].critical, *b = &new[WF_BREAKAGE][s].critical;
             evaluations[0] += (long)a->evaluations, evaluations[1] += (long)b->evaluations;
             bool found = a->outcome == WF_CRITICAL_FOUND && b->outcome == WF_CRITICAL_FOUND;
-            /* the steps end within 3e-6 of the resistance */
+            /* the steps end within 3e-6 of the resistance: a higher speed is right where the safety at it is
+             * 1 */
             double end = found ? 1e-6 + 3e-6 / (a->gradient * a->speed) : 0;
-            if (found && b->speed > a->speed * (1 + end))
+            bool above = found && b->speed > a->speed * (1 + 1e-6);
+            if (above && !(b->speed < a->speed * (1 + 2 * end) &&
+                           fabs(safety_at(&c, &new[WF_BREAKAGE][s], (enum wf_scope)s) - 1) < 1e-6))
                 fail_msg("tree %lu: %.9g m/s, by steps %.9g", (unsigned long)seed, b->speed, a->speed);
             /* from a neighbouring solution an equilibrium may be found where the beam solver alone finds none
              */
@@ -141,7 +144,8 @@ static void no_failure_is_passed_over(void **state)
             if (less) {
                 print_message("tree %lu scope %d: %.9g m/s, by steps %.9g\n", (unsigned long)seed, s,
                               b->speed, a->speed);
-                explained(&c, &new[WF_BREAKAGE][s], (enum wf_scope)s, (unsigned long)seed);
+                print_message("    safety there %.9g\n",
+                              safety_at(&c, &new[WF_BREAKAGE][s], (enum wf_scope)s));
             }
             lower += less, same += !less;
         }

@@ -9,6 +9,7 @@
 #include "grow/stem.h"
 #include <math.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* ---- Models ---- */
 
@@ -36,37 +37,77 @@ enum wf_status wf_model_scanned(const char *path, const char *joint, struct wf_a
     return wf_model_imported(path, joint, NULL, a, out, d, e);
 }
 
-enum wf_status wf_model_imported(const char *path, const char *joint, const struct wf_import_options *options,
-                                 struct wf_arena *a, struct wf_model **out, struct wf_diag *d,
-                                 struct wf_err *e)
+/* Copy the shape of a tree: geometry, levels and ids. Given: columns to copy to, or an arena to take them
+ * from. Returned: whether there was memory. */
+static bool copy_shape(const struct wf_tree *from, struct wf_arena *a, struct wf_tree *to)
 {
-    struct wf_import_options o = options ? *options : wf_import_default();
-    struct wf_qsm *q = WF_TAKE(a, 1, struct wf_qsm);
-    struct wf_qsm_model *m = WF_TAKE(a, 1, struct wf_qsm_model);
-    struct wf_model *made = *out = WF_TAKE(a, 1, struct wf_model);
-    bool bridge = joint && strcmp(joint, "bridge") == 0;
-    if (!q || !m || !made) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
-    if (joint && !bridge && strcmp(joint, "axis") != 0)
-        return wf_fail(e, WF_EUSAGE, "joint \"%s\": \"axis\" or \"bridge\"", joint);
-    enum wf_status s = wf_import_read(path, &o, a, q, d, e);
-    if (s || (s = wf_qsm_to_tree(q, bridge ? WF_JOINT_BRIDGE : WF_JOINT_AXIS, a, m, e))) return s;
+    const double *const source[] = { from->x0, from->y0, from->z0, from->x1,
+                                     from->y1, from->z1, from->r0, from->r1 };
+    double **const target[] = { &to->x0, &to->y0, &to->z0, &to->x1, &to->y1, &to->z1, &to->r0, &to->r1 };
+    size_t n = to->n = from->n;
+    for (size_t k = 0; k < WF_COUNT(target); k++) {
+        if (a) *target[k] = WF_TAKE(a, n, double);
+        if (!*target[k]) return false;
+        memcpy(*target[k], source[k], n * sizeof(double));
+    }
+    if (a)
+        to->parent = WF_TAKE(a, n, int32_t), to->level = WF_TAKE(a, n, int32_t),
+        to->id = WF_TAKE(a, n, int64_t);
+    if (!to->parent || !to->level || !to->id) return false;
+    memcpy(to->parent, from->parent, n * sizeof *to->parent);
+    memcpy(to->level, from->level, n * sizeof *to->level);
+    memcpy(to->id, from->id, n * sizeof *to->id);
+    return true;
+}
+
+/* What a model keeps of a measured tree: the shape and kind of its segments. */
+static enum wf_status keep_measured(const char *path, const struct wf_qsm *q, const struct wf_qsm_model *m,
+                                    struct wf_arena *a, struct wf_model *made, struct wf_err *e)
+{
+    size_t n = m->tree.n;
+    struct wf_tree *shape = WF_TAKE(a, 1, struct wf_tree);
+    uint8_t *kind = WF_TAKE(a, n, uint8_t);
+    if (!shape || !kind || !copy_shape(&m->tree, a, shape))
+        return wf_fail(e, WF_ENOMEM, "%s: not enough memory for %zu segments", path, n);
+    memcpy(kind, m->kind, n);
     *made = (struct wf_model){
         .key = file_key(path, a),
         .file = wf_arena_text(a, path),
         .source = wf_arena_print(a, "measured tree, %s, %zu cylinders", q->format, q->n),
         .generator = WF_GENERATOR_MEASURED,
-        .height = wf_tree_height(&m->tree),
-        .radius = m->tree.r0[0],
+        .height = wf_tree_height(shape),
+        .radius = shape->r0[0],
         .crown_base = NAN,
         .crown_top = NAN,
-        .segments = m->tree.n,
-        .measured = &m->tree,
+        .segments = n,
+        .measured = shape,
         .measured_models = q->models,
-        .measured_kind = m->kind,
+        .measured_kind = kind,
     };
-    made->name = made->key;
-    if (!made->key || !made->file || !made->source) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
-    return WF_OK;
+    shape->name = made->name = made->key;
+    return made->key && made->file && made->source ? WF_OK : wf_fail(e, WF_ENOMEM, "%s: no memory", path);
+}
+
+enum wf_status wf_model_imported(const char *path, const char *joint, const struct wf_import_options *options,
+                                 struct wf_arena *a, struct wf_model **out, struct wf_diag *d,
+                                 struct wf_err *e)
+{
+    struct wf_import_options o = options ? *options : wf_import_default();
+    struct wf_qsm q;
+    struct wf_qsm_model m;
+    struct stat there;
+    struct wf_arena scratch = { 0 }, *table = &scratch;
+    bool bridge = joint && strcmp(joint, "bridge") == 0;
+    if (!(*out = WF_TAKE(a, 1, struct wf_model))) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
+    if (joint && !bridge && strcmp(joint, "axis") != 0)
+        return wf_fail(e, WF_EUSAGE, "joint \"%s\": \"axis\" or \"bridge\"", joint);
+    /* the bytes of a pipe are kept, for its fingerprint; text and table of a file are not */
+    if (stat(path, &there) || !S_ISREG(there.st_mode)) table = a;
+    enum wf_status s = wf_import_read(path, &o, table, &q, d, e);
+    if (!s) s = wf_qsm_to_tree(&q, bridge ? WF_JOINT_BRIDGE : WF_JOINT_AXIS, table, &m, e);
+    if (!s) s = keep_measured(path, &q, &m, a, *out, e);
+    wf_arena_free(&scratch);
+    return s;
 }
 
 enum wf_status wf_model_leaves(struct wf_model *m, double area, struct wf_err *e)
@@ -135,12 +176,7 @@ static enum wf_status grow_measured(const struct wf_model *m, const struct wf_sp
                        m->name, sp->key);
     enum wf_status s = wf_tree_alloc(out, t->n, a, e);
     if (s) return s;
-    double *const to[] = { out->x0, out->y0, out->z0, out->x1, out->y1, out->z1, out->r0, out->r1 };
-    const double *const from[] = { t->x0, t->y0, t->z0, t->x1, t->y1, t->z1, t->r0, t->r1 };
-    for (size_t k = 0; k < WF_COUNT(to); k++) memcpy(to[k], from[k], t->n * sizeof(double));
-    memcpy(out->parent, t->parent, t->n * sizeof *t->parent);
-    memcpy(out->level, t->level, t->n * sizeof *t->level);
-    memcpy(out->id, t->id, t->n * sizeof *t->id);
+    (void)copy_shape(t, NULL, out);
     out->name = m->name;
     return wf_clothe(out, sp, &wear, a, e);
 }

@@ -195,6 +195,7 @@ void wf_plot_data_text(struct wf_plot_data *p, const char *key, size_t index, co
     struct wf_arena a = { 0 };
     const char *allowed = wf_text_for_xml(text ? text : "", &a);
     const char *cut = allowed ? wf_text_shortened(allowed, TEXT_COLUMNS, &a) : NULL;
+    p->failed = p->failed || !cut;
     quoted(p, key, index, cut ? cut : "");
     wf_arena_free(&a);
 }
@@ -224,4 +225,9 @@ enum wf_status wf_plot_data_parse(struct wf_plot_data *p, const char *key, size_
     return WF_OK;
 }
 
-enum wf_status wf_plot_data_end(struct wf_plot_data *p, struct wf_err *e) { return wf_file_commit(&p->f, e); }
+enum wf_status wf_plot_data_end(struct wf_plot_data *p, struct wf_err *e)
+{
+    if (!p->failed) return wf_file_commit(&p->f, e);
+    wf_file_abandon(&p->f);
+    return wf_fail(e, WF_ENOMEM, "%s: not enough memory", p->f.path);
+}

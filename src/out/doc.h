@@ -53,6 +53,7 @@ enum wf_status wf_doc_end(struct wf_doc *d, json_t *document, const char *folder
  * functions. */
 struct wf_plot_data {
     struct wf_file f;
+    bool failed; /* no memory for a text */
 };
 
 /* Begin FOLDER/plots/NAME.csv; the folder must exist. Errors: WF_EOUTPUT. */
@@ -73,6 +74,6 @@ void wf_plot_data_print(struct wf_plot_data *p, const char *key, size_t index, c
  * nothing else. */
 enum wf_status wf_plot_data_parse(struct wf_plot_data *p, const char *key, size_t index, const char *text,
                                   struct wf_err *e);
-/* Finish the file and give it its final name. Errors: as wf_file_commit. */
+/* Finish the file and give it its final name. Errors: as wf_file_commit; WF_ENOMEM. */
 enum wf_status wf_plot_data_end(struct wf_plot_data *p, struct wf_err *e);
 #endif

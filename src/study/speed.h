@@ -73,6 +73,7 @@ struct wf_search {
 void wf_search_default(struct wf_search *s);
 
 struct wf_directions;
+struct wf_wetted;
 struct wf_analysis {
     const struct wf_species *species;
     const struct wf_model *model;
@@ -88,6 +89,7 @@ struct wf_analysis {
     struct wf_at_speed *sweep; /* totals for curves: speeds from 0, at first four times closer; the given
                                   speeds alone where the time for them was used up */
     struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
+    const struct wf_wetted *wetted;         /* beside the dry tree (study/wetted.h); NULL: no water    */
     const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */

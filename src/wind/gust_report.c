@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/gust_report.h"
 #include "base/interrupt.h"
+#include "base/num.h"
 #include "base/progress.h"
 #include "wind/gust_spectral.h"
 #include <gsl/gsl_fft_halfcomplex.h>
@@ -38,9 +39,11 @@ static enum wf_status time_scale(const double *x, size_t n, double step, struct 
     size_t length = 2;
     while (length < 2 * n) length *= 2;
     double *h = WF_TAKE(a, length, double);
+    wf_quiet_begin();
     gsl_fft_real_wavetable *forward = gsl_fft_real_wavetable_alloc(length);
     gsl_fft_halfcomplex_wavetable *back = gsl_fft_halfcomplex_wavetable_alloc(length);
     gsl_fft_real_workspace *space = gsl_fft_real_workspace_alloc(length);
+    wf_quiet_end();
     bool room = h && forward && back && space;
     if (room) {
         for (size_t i = 0; i < n; i++) h[i] = x[i] - o->mean;

@@ -5,6 +5,7 @@
 #include "base/num.h"
 #include "base/random.h"
 #include "base/vec3.h"
+#include "wind/fourier.h"
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
 #include <math.h>
@@ -236,6 +237,7 @@ struct spectral {
                               turn */
     uint64_t *noise_first; /* per component: step that it begins with, where known */
     bool *noise_known;
+    struct wf_fourier *fourier; /* NULL where the window is not a power of two */
     gsl_fft_real_wavetable *forward;
     gsl_fft_halfcomplex_wavetable *back;
     gsl_fft_real_workspace *space;
@@ -293,9 +295,11 @@ static void free_tables(struct spectral *w)
 static enum wf_status make_tables(struct spectral *w, struct wf_err *e)
 {
     free_tables(w);
+    wf_quiet_begin();
     w->forward = gsl_fft_real_wavetable_alloc(w->window);
     w->back = gsl_fft_halfcomplex_wavetable_alloc(w->window);
     w->space = gsl_fft_real_workspace_alloc(w->window);
+    wf_quiet_end();
     if (w->forward && w->back && w->space) return WF_OK;
     free_tables(w);
     return wf_fail(e, WF_ENOMEM, "not enough memory for a Fourier transform of %zu steps", w->window);
@@ -388,6 +392,7 @@ enum wf_status wf_gust_spectral_open(struct wf_gust *g, struct wf_arena *a, stru
     if (!w) return wf_fail(e, WF_ENOMEM, "not enough memory for a gust model");
     g->work = w;
     if (choose_window(g, w, a, e)) return WF_ENOMEM;
+    if (!(w->window & (w->window - 1)) && wf_fourier_open(w->window, a, &w->fourier, e)) return WF_ENOMEM;
     g->block = w->window / 2;
     if (sort_into_classes(g, w, a, e)) return WF_ENOMEM;
     for (size_t p = 0; p < s->points; p++) w->speed += wf_gust_mean(s, p) / (double)s->points;
@@ -474,15 +479,37 @@ static void make_noise(const struct wf_gust *g, struct spectral *w, unsigned com
     memcpy(kept, y + half, half * sizeof *kept);
 }
 
+enum { SERIES = WF_FOURIER_SERIES };
+
+/* Transform the series of `many` turns from `turn` on, in place. */
+static void transform_turns(const struct spectral *w, bool forward, double *all, size_t turn, size_t many)
+{
+    double *series[SERIES];
+    for (size_t k = 0; k < SERIES; k++) series[k] = all + (turn + (k < many ? k : 0)) * w->window;
+    if (w->fourier && forward) wf_fourier_forward(w->fourier, series);
+    if (w->fourier && !forward) wf_fourier_inverse(w->fourier, series);
+    for (size_t k = 0; k < many && !w->fourier; k++)
+        if (forward)
+            gsl_fft_real_transform(series[k], 1, w->window, w->forward, w->space);
+        else
+            gsl_fft_halfcomplex_inverse(series[k], 1, w->window, w->back, w->space);
+}
+
+static size_t turns_left(const struct wf_gust *g, size_t turn)
+{
+    return g->spec.points - turn < SERIES ? g->spec.points - turn : SERIES;
+}
+
 static void make_field(const struct wf_gust *g, struct spectral *w, unsigned component, size_t first,
                        double *all)
 {
     uint64_t start = (uint64_t)first - w->window / 4; /* wraps: times before the series have addresses too */
-    for (size_t turn = 0; turn < g->spec.points; turn++) {
-        double *y = all + turn * w->window;
-        make_noise(g, w, component, start, turn, y);
-        gsl_fft_real_transform(y, 1, w->window, w->forward, w->space);
-        join_neighbours(w, all, turn);
+    for (size_t turn = 0; turn < g->spec.points; turn += SERIES) {
+        size_t many = turns_left(g, turn);
+        for (size_t k = turn; k < turn + many; k++)
+            make_noise(g, w, component, start, k, all + k * w->window);
+        transform_turns(w, true, all, turn, many);
+        for (size_t k = turn; k < turn + many; k++) join_neighbours(w, all, k);
     }
     w->noise_first[component] = start + w->window / 2, w->noise_known[component] = true;
 }
@@ -503,39 +530,50 @@ static void shape_spectrum(double *y, const double *amplitude, size_t window, do
     y[window - 1] *= amplitude[window / 2];
 }
 
+/* Spectrum y of one component at a turn, from its white one. */
+static void shape_turn(const struct wf_gust *g, const struct spectral *w, unsigned component, size_t turn,
+                       double *y)
+{
+    const struct wf_gust_spec *s = &g->spec;
+    size_t half = w->window / 2 + 1, p = w->coherence.order[turn], class = w->class_of[p];
+    if (component == WF_UP && w->shear) {
+        const double *u = w->along + turn * w->window, *rho = w->shear + class * half;
+        for (size_t i = 0; i < w->window; i++) {
+            double r = rho[frequency_of(i)];
+            y[i] = r * u[i] + sqrt(1.0 - r * r) * y[i];
+        }
+    }
+    double delay = wf_gust_place(s, p, 0) / w->speed;
+    shape_spectrum(y, w->amplitude + (class * s->components + component) * half, w->window,
+                   WF_TURN * delay / ((double)w->window * s->step));
+}
+
 enum wf_status wf_gust_spectral_fill(struct wf_gust *g, size_t first, size_t steps, double *out,
                                      struct wf_err *e)
 {
     const struct wf_gust_spec *s = &g->spec;
     struct spectral *w = g->work;
-    size_t half = w->window / 2 + 1;
     (void)e;
     /* the white spectrum of u is kept, because that of w is correlated with it; the series of u is made from
-     * a copy */
+     * a copy in the place of w, which is not in use yet */
     for (unsigned component = 0; component < s->components; component++) {
-        double *all = component == 0 ? w->along : w->other;
+        double *all = component == 0 ? w->along : w->other, *made = s->components > 1 ? w->other : all;
         make_field(g, w, component, first, all);
-        for (size_t turn = 0; turn < s->points; turn++) {
-            size_t p = w->coherence.order[turn], class = w->class_of[p];
-            double *y = all + turn * w->window;
-            double *to = out + (component * s->points + p) * g->block;
-            if (component == WF_UP && w->shear) {
-                const double *u = w->along + turn * w->window, *rho = w->shear + class * half;
-                for (size_t i = 0; i < w->window; i++) {
-                    double r = rho[frequency_of(i)];
-                    y[i] = r * u[i] + sqrt(1.0 - r * r) * y[i];
-                }
+        for (size_t turn = 0; turn < s->points; turn += SERIES) {
+            size_t many = turns_left(g, turn);
+            for (size_t k = turn; k < turn + many; k++) {
+                double *y = made + k * w->window;
+                if (made != all) memcpy(y, all + k * w->window, w->window * sizeof *y);
+                shape_turn(g, w, component, k, y);
             }
-            if (component == 0 && s->components > 1) {
-                y = w->other + turn * w->window; /* not in use yet */
-                memcpy(y, all + turn * w->window, w->window * sizeof *y);
+            transform_turns(w, false, made, turn, many);
+            for (size_t k = turn; k < turn + many; k++) {
+                size_t p = w->coherence.order[k];
+                const double *y = made + k * w->window + w->window / 4;
+                double *to = out + (component * s->points + p) * g->block;
+                double mean = component == WF_ALONG ? wf_gust_mean(s, p) : 0.0;
+                for (size_t i = 0; i < steps; i++) to[i] = mean + y[i];
             }
-            double delay = wf_gust_place(s, p, 0) / w->speed;
-            shape_spectrum(y, w->amplitude + (class * s->components + component) * half, w->window,
-                           WF_TURN * delay / ((double)w->window * s->step));
-            gsl_fft_halfcomplex_inverse(y, 1, w->window, w->back, w->space);
-            double mean = component == WF_ALONG ? wf_gust_mean(s, p) : 0.0;
-            for (size_t i = 0; i < steps; i++) to[i] = mean + y[w->window / 4 + i];
         }
     }
     return WF_OK;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "wind/shelter_laws.h"
 #include "base/num.h"
+#include "base/vec3.h"
 #include <math.h>
 #include <string.h>
 
@@ -124,46 +125,50 @@ static void add_scaled_row(double *restrict out, const double *restrict in, doub
     for (size_t i = 0; i < n; i++) out[i] += factor * in[i];
 }
 
-enum { LANES = 8 }; /* cells summed side by side, in registers */
+enum { LANES = 16 }; /* cells summed side by side, in registers */
+
+WF_INLINE const wf_four *four_at(const double *x) { return (const wf_four *)x; }
 
 /* Spread one row across, for cells `low` to `high`; `row` has TAPS zeros on both sides. Cells at equal
  * distances are added first, so that a mirrored row gives the mirrored result to the last bit. */
-static void spread_across(const double *restrict row, const double *restrict tap, long n, long low, long high,
-                          double *restrict out)
+WF_INLINE void spread_across(const double *restrict row, const double *restrict tap, long n, long low,
+                             long high, double *restrict out)
 {
     for (long i = low; i < high; i += LANES) {
-        double sum[LANES];
-        for (int q = 0; q < LANES; q++) sum[q] = tap[0] * row[i + q];
+        wf_four sum[LANES / 4];
+        for (int q = 0; q < LANES / 4; q++) sum[q] = tap[0] * *four_at(row + i + 4 * q);
         for (long j = 1; j < n; j++)
-            for (int q = 0; q < LANES; q++) sum[q] += tap[j] * (row[i + q - j] + row[i + q + j]);
-        for (int q = 0; q < LANES; q++) out[i + q] = sum[q];
+            for (int q = 0; q < LANES / 4; q++)
+                sum[q] += tap[j] * (*four_at(row + i + 4 * q - j) + *four_at(row + i + 4 * q + j));
+        memcpy(out + i, sum, sizeof sum);
     }
 }
 
 /* Add rows `from` to `end` of a strip of columns to `sum`, each times its tap. */
-static void sum_tapped_rows(const double *restrict strip, size_t stride, long from, long end,
-                            const double *tap, long first, long step, double sum[restrict static LANES])
+WF_INLINE void sum_tapped_rows(const double *restrict strip, size_t stride, long from, long end,
+                               const double *tap, long first, long step, wf_four sum[LANES / 4])
 {
     for (long k = from, t = first; k < end; k++, t += step)
-        for (int q = 0; q < LANES; q++) sum[q] += tap[t < 0 ? -t : t] * strip[(size_t)k * stride + (size_t)q];
+        for (int q = 0; q < LANES / 4; q++)
+            sum[q] += tap[t < 0 ? -t : t] * *four_at(strip + k * (long)stride + 4 * q);
 }
 
 /* Spread rows r0 to r1 of `work` up and down, reflect them at the ground, and add them to the plane. */
-static void spread_upwards(const struct wf_shelter *s, const double *work, size_t stride, const double *tap,
-                           long n, long r0, long r1, long low, long high, double *plane)
+WF_INLINE void spread_upwards(const struct wf_shelter *s, const double *work, size_t stride,
+                              const double *tap, long n, long r0, long r1, long low, long high, double *plane)
 {
     long up = (long)s->up, last = r1 - 2 + n < up - 1 ? r1 - 2 + n : up - 1;
     for (long c = low; c < high; c += LANES) {
         long wide = high - c < LANES ? high - c : LANES;
         for (long to = 0; to <= last; to++) {
-            double sum[LANES] = { 0 };
+            wf_four sum[LANES / 4] = { { 0 } };
             long from = to - n + 1 > r0 ? to - n + 1 : r0, end = to + n < r1 ? to + n : r1;
             long mirror = n - 1 - to < r1
                               ? n - 1 - to
                               : r1; /* rows whose mirror image below the ground reaches this row */
             sum_tapped_rows(work + c, stride, from, end, tap, to - from, -1, sum);
             sum_tapped_rows(work + c, stride, r0, mirror, tap, to + r0 + 1, 1, sum);
-            for (long q = 0; q < wide; q++) plane[to * (long)s->across + c + q] += sum[q];
+            for (long q = 0; q < wide; q++) plane[to * (long)s->across + c + q] += sum[q / 4][q % 4];
         }
     }
 }
@@ -175,8 +180,8 @@ struct spread_room {
 };
 
 /* Add one source, spread by sigma [m], to a plane. */
-static void spread_source(const struct wf_shelter *s, const struct wake_source *from, double sigma,
-                          const struct spread_room *w, double *plane)
+WF_WIDE static void spread_source(const struct wf_shelter *s, const struct wake_source *from, double sigma,
+                                  const struct spread_room *w, double *plane)
 {
     double tap[TAPS];
     long across = (long)s->across;

@@ -145,13 +145,20 @@ static double integrate_density(struct integrand *g, double from, double to)
     enum { ROOM = 2000 };
     double sum = 0.0, error = 0.0, low = fmax(from, 1e-9), head = 0.0;
     if (!(to > low)) return 0.0;
-    gsl_integration_workspace *w = gsl_integration_workspace_alloc(ROOM);
-    if (!w) return NAN;
+    double piece[4][ROOM]; /* bounds, results, errors of the intervals */
+    size_t place[2][ROOM];
+    gsl_integration_workspace w = { .limit = ROOM,
+                                    .alist = piece[0],
+                                    .blist = piece[1],
+                                    .rlist = piece[2],
+                                    .elist = piece[3],
+                                    .order = place[0],
+                                    .level = place[1] };
     gsl_function f = { weighted_density, g };
     wf_quiet_begin();
-    int bad = gsl_integration_qag(&f, log(low), log(to), 0.0, 1e-8, ROOM, GSL_INTEG_GAUSS61, w, &sum, &error);
+    int bad =
+        gsl_integration_qag(&f, log(low), log(to), 0.0, 1e-8, ROOM, GSL_INTEG_GAUSS61, &w, &sum, &error);
     wf_quiet_end();
-    gsl_integration_workspace_free(w);
     /* below 1 nHz the density is treated as constant */
     if (from < low) head = (low - from) * g->s->density(g->p, g->c, from);
     return bad ? NAN : sum + head;
@@ -196,8 +203,10 @@ static enum wf_status cut_segments(struct welch_segments *s, size_t n, size_t le
     s->hop = length / 2;
     s->count = 1 + (n - length) / s->hop;
     s->taper = WF_TAKE(a, length, double);
+    wf_quiet_begin();
     s->table = gsl_fft_real_wavetable_alloc(length);
     s->space = gsl_fft_real_workspace_alloc(length);
+    wf_quiet_end();
     if (!s->taper || !s->table || !s->space) {
         free_segments(s);
         return wf_fail(e, WF_ENOMEM, "not enough memory for a spectrum of %zu steps", length);

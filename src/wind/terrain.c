@@ -310,10 +310,12 @@ static enum wf_status take_plane(struct map_plane *p, const struct wf_terrain *t
     p->nx = smooth_size(2 * t->columns - 2);
     p->ny = smooth_size(2 * t->rows - 2);
     p->h = WF_TAKE(a, 2 * p->nx * p->ny, double);
+    wf_quiet_begin();
     p->wx = gsl_fft_complex_wavetable_alloc(p->nx);
     p->wy = gsl_fft_complex_wavetable_alloc(p->ny);
     p->sx = gsl_fft_complex_workspace_alloc(p->nx);
     p->sy = gsl_fft_complex_workspace_alloc(p->ny);
+    wf_quiet_end();
     if (p->h && p->wx && p->wy && p->sx && p->sy) return WF_OK;
     free_plane(p);
     return wf_fail(e, WF_ENOMEM, "not enough memory for the transform of a map of %zu x %zu", t->columns,
