@@ -39,7 +39,8 @@ struct work {
     enum variation kind; /* of the loads, by the profile of the wind */
     struct wf_beam_shape *shape;
     struct wf_beam_pose *pose;
-    struct wf_beam_answer *answer;
+    real *
+        answer; /* per element a row for each unknown: the columns from `first_column` on, and the constant */
     real (*before)[2][3]; /* rotation vectors before the last step */
     union slot *slot;
     real_truth moving; /* lanes whose last step is being computed; the others keep their state */
@@ -141,12 +142,10 @@ WF_INLINE void pass_down(struct work *w, size_t i, const struct wf_beam_part *p,
 
 WF_INLINE void keep_answer(const struct work *w, size_t i, int from, by_base A)
 {
-    struct wf_beam_answer *o = &w->answer[i];
+    real *to = w->answer + i * (size_t)(6 * (7 - from));
     for (int r = 0; r < 6; r++)
-        for (int c = from; c < 7; c++) {
-            real *to = c < 6 ? &o->X[r][c] : &o->x[r];
+        for (int c = from; c < 7; c++, to++)
             *to = w->all_move ? A[r][c] : real_choose(w->moving, A[r][c], *to);
-        }
 }
 
 WF_INLINE void count_unstable(struct work *w, const struct wf_beam_part *p, real S[6][6],
@@ -250,17 +249,17 @@ static void sweep_down(struct work *w, bool counting)
 /* From the base up. */
 
 /* Newton correction of an element's rotation vectors, in the axes of its base. */
-WF_INLINE void correction(const struct wf_beam_answer *a, const struct wf_beam_shape *u,
-                          const struct turns *o, const struct change *base, int from, real dv[2][3])
+WF_INLINE void correction(const real *answer, const struct wf_beam_shape *u, const struct turns *o,
+                          const struct change *base, int from, real dv[2][3])
 {
     const double limit = 0.7; /* rad */
     for (int j = 0; j < 2; j++) {
         real y[3], local[3], Ti[9];
         for (int i = 0; i < 3; i++) {
-            const real *X = a->X[3 * j + i];
-            y[i] = a->x[3 * j + i];
-            for (int c = from; c < 3; c++) y[i] += X[c] * base->place[c];
-            for (int c = 0; c < 3; c++) y[i] += X[3 + c] * base->spin[c];
+            const real *X = answer + (3 * j + i) * (7 - from);
+            y[i] = X[6 - from];
+            for (int c = from; c < 3; c++) y[i] += X[c - from] * base->place[c];
+            for (int c = 0; c < 3; c++) y[i] += X[3 - from + c] * base->spin[c];
         }
         m3_apply_transposed(base->L, y, local);
         rotation_tangent_inverse(&o->at[j], u->v[j], o->x[j], Ti);
@@ -297,7 +296,7 @@ WF_INLINE void correct_element(struct work *w, size_t i, int from, struct change
     else
         for (int c = 0; c < 9; c++) still.L[c] = real_of(c % 4 == 0);
     turns_of(u, &o);
-    correction(&w->answer[i], u, &o, base, from, dv);
+    correction(w->answer + i * (size_t)(6 * (7 - from)), u, &o, base, from, dv);
     end_spin(&o, base, dv, end->spin);
     w->turn = real_max(wf_dot(end->spin, end->spin), w->turn);
     for (int j = 0; j < 2; j++)

@@ -12,7 +12,7 @@ enum { WF_LANES_MOST = 8 }; /* lanes of the widest kernel */
 enum {
     WF_LANES_SHAPE = 12,  /* struct wf_beam_shape */
     WF_LANES_POSE = 12,   /* struct wf_beam_pose of the element's end */
-    WF_LANES_ANSWER = 42, /* struct wf_beam_answer */
+    WF_LANES_ANSWER = 42, /* at most: answers of the element to a change of its base */
     WF_LANES_STEP = 6,    /* rotation vectors before the last step */
     WF_LANES_SLOT = 48,   /* what is passed between neighbouring elements */
     WF_LANES_ROW = 15, /* of a row: force and moment at its base (6), at its end (6), distributed load (3) */
