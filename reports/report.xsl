@@ -194,6 +194,48 @@
   </figure>
 </xsl:template>
 
+<!-- Trees with rain on their leaves beside the same trees dry. -->
+<xsl:template name="wetted-table">
+  <table class="data">
+    <xsl:call-template name="caption">
+      <xsl:with-param name="id">wt.caption</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[wetted][1]/wetted/film_mm"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[wetted][1]/wetted/speed_m_s"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of">c.wt.tree;c.wt.state;c.wt.water:kg;c.wt.sway:Hz;c.wt.moment:kN m;c.wt.tip:m;c.wt.critical:m/s</xsl:with-param>
+    </xsl:call-template></tr></thead>
+    <tbody>
+      <xsl:for-each select="$trees[wetted]">
+        <xsl:variable name="w" select="wetted"/>
+        <xsl:variable name="name"><xsl:call-template name="name"/></xsl:variable>
+        <xsl:for-each select="$w/frequencies_Hz/item">
+          <xsl:variable name="k" select="position()"/>
+          <tr>
+            <td><xsl:if test="$k = 1"><xsl:value-of select="$name"/></xsl:if></td>
+            <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('wt.state.', $k)"/></xsl:call-template></td>
+            <xsl:call-template name="n"><xsl:with-param name="x" select="($k = 2) * $w/mass_kg"/></xsl:call-template>
+            <xsl:call-template name="cell"><xsl:with-param name="x" select="."/><xsl:with-param name="pattern">0.0000</xsl:with-param></xsl:call-template>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="$w/moments_N_m/item[$k] div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
+            </xsl:call-template>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="$w/deflections_m/item[$k]"/><xsl:with-param name="pattern">0.000</xsl:with-param>
+            </xsl:call-template>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="$w/criticals_m_s/item[$k]"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+            </xsl:call-template>
+          </tr>
+        </xsl:for-each>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
 <xsl:template match="/report">
   <html lang="{$lang}">
     <head>
@@ -213,6 +255,7 @@
           <xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="result-tables"/>
+        <xsl:if test="$trees/wetted"><xsl:call-template name="wetted-table"/></xsl:if>
         <xsl:if test="$trees[1]/directions/number">
           <xsl:call-template name="direction-table"><xsl:with-param name="n" select="3"/></xsl:call-template>
         </xsl:if>

@@ -21,7 +21,8 @@ SPEED_MAX = number('SPEED_MAX', 0)
 speed(u) = sprintf('%g m/s', u)
 
 # A plot that looks at some rows of a table alone (every ::first::last) reads the others without converting them. The rows of
-# tree i at its n-th wind speed with an answer are row_first(i, n) to row_last(i, n), when TABLE is set and rows.gp is loaded.
+# tree i at its n-th wind speed with an answer are row_first(i, n) to row_last(i, n), when rows.gp was loaded
+# with TABLE set.
 greater(a, b) = a > b ? a : b
 place(i, k) = (i - 1)*winds + k
 array FIRST[trees*winds + 1]; array LAST[trees*winds + 1]

@@ -7,6 +7,7 @@
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
+#include "study/wetted.h"
 #include "wind/climate.h"
 #include <math.h>
 
@@ -167,6 +168,33 @@ void wf_print_speeds(FILE *to, const struct wf_analysis *an)
     for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
 }
 
+/* A critical speed, or what is known of it. */
+static void print_found(FILE *to, const struct wf_critical *c)
+{
+    if (isfinite(c->speed))
+        wf_show(to, "%.2f m/s", c->speed);
+    else if (c->outcome == WF_CRITICAL_ABOVE)
+        wf_show(to, "> %.4g m/s", c->speed_high);
+    else
+        wf_show(to, "%s", wf_critical_text(c->outcome));
+}
+
+static void print_wetted(FILE *to, const struct wf_wetted *w)
+{
+    if (!w) return;
+    wf_show(to, "  rain on the leaves: %.4g kg, %.3g mm on %.4g m2; dry -> wet: ", w->mass, w->film,
+            w->leaf_area);
+    wf_show(to, "sways at %.4f -> %.4f Hz, ", w->frequency[WF_DRY], w->frequency[WF_WET]);
+    if (isfinite(w->speed))
+        wf_show(to, "base moment at %.4g m/s %.4g -> %.4g kN m, ", w->speed, w->moment[WF_DRY] / 1000,
+                w->moment[WF_WET] / 1000);
+    wf_show(to, "critical ");
+    print_found(to, &w->critical[WF_DRY]);
+    wf_show(to, " -> ");
+    print_found(to, &w->critical[WF_WET]);
+    wf_show(to, "\n");
+}
+
 void wf_print_searched(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_break *b = an->breaks[WF_BREAKAGE];
@@ -180,5 +208,6 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
     print_critical(to, an, "critical wind speed", &b[WF_SCOPE_TREE]);
     if (b[WF_SCOPE_TREE].row >= 0 && an->tree.level[b[WF_SCOPE_TREE].row] > 0)
         print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]);
+    print_wetted(to, an->wetted);
     print_directions(to, an);
 }

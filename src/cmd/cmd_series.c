@@ -317,12 +317,16 @@ static const struct wf_option papers_options[] = {
 };
 
 static const char papers_about[] =
-    "NAME is tang2012, feng1999, zhao2013 or a file of runs like models/papers/tang2012.yaml: species, "
+    "NAME is tang2012, feng1999, zhao2013, yang2011 or a file of runs like models/papers/tang2012.yaml: "
+    "species, "
     "model, "
     "wind, method of every run, in as many runs as wanted. 'windfirm papers list' lists the shipped ones, "
     "'windfirm papers schema' the keys.\n"
     "\n"
     "  windfirm papers tang2012 -o out/tang";
+
+/* The paper whose runs are no file: rain on a branch. */
+static const char rain_paper[] = "yang2011";
 
 /* The file of runs that a user means. Errors: as wf_shipped, with the words of the command among the names.
  */
@@ -333,7 +337,15 @@ static enum wf_status find_runs(const char *name, struct wf_arena *a, const char
     struct wf_err why = { 0 };
     enum wf_status s = wf_shipped("models/papers", name, a, path, d, &why);
     if (!s) return WF_OK;
-    const char *word = wf_nearest(name, words, WF_COUNT(words));
+    const char **names, *word = wf_nearest(name, words, WF_COUNT(words));
+    size_t n = wf_shipped_names(wf_share(), "models/papers", a, &names);
+    const char **all = WF_TAKE(a, n + 1, const char *);
+    if (!word && all) { /* the paper that is no file, where no file's name is nearer */
+        for (size_t i = 0; i < n; i++) all[i] = names[i];
+        all[n] = rain_paper;
+        word = wf_nearest(name, all, n + 1);
+        if (word != rain_paper) word = NULL;
+    }
     return word ? wf_fail(e, s, "papers: no paper is called '%s'; did you mean '%s'?", name, word)
                 : wf_fail(e, s, "%s", why.text);
 }
@@ -355,6 +367,9 @@ static int list_papers(struct wf_arena *a)
         wf_show(stdout, "%-20s %5zu  %s\n", names[i], plan.runs, plan.title);
         if (plan.source) wf_show(stdout, "%-20s %5s  source: %s\n", "", "", plan.source);
     }
+    wf_show(stdout, "%-20s %5d  %s\n%-20s %5s  source: %s\n", rain_paper, 3,
+            "Yang and Wu 2011: rain on branches and leaves", "", "",
+            "Yang M., Wu E. 2011. J. Software 22(8):1934-1947");
     wf_print_findings(&d, false);
     return d.errors ? 2 : 0;
 }
@@ -365,6 +380,8 @@ int wf_cmd_papers(int argc, char **argv)
     struct papers_options o;
     struct wf_err e = { 0 };
     struct wf_series_plan plan;
+    for (int i = 1; i < argc; i++)
+        if (!strcmp(argv[i], rain_paper)) return wf_paper_yang2011(argc, argv);
     int code = wf_args_read(argc, argv, papers_options, papers_about, 1, 1, &arena, &o.args);
     if (code < 0 && !strcmp(o.args.operand[0], "list")) code = list_papers(&arena);
     if (code < 0 && !strcmp(o.args.operand[0], "schema")) {

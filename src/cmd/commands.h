@@ -25,6 +25,7 @@ int wf_cmd_fit(int argc, char **argv);
 int wf_cmd_explain(int argc, char **argv);
 int wf_cmd_import(int argc, char **argv);
 int wf_cmd_papers(int argc, char **argv);
+int wf_cmd_rain(int argc, char **argv);
 int wf_cmd_report(int argc, char **argv);
 int wf_cmd_schema(int argc, char **argv);
 int wf_cmd_series(int argc, char **argv);
@@ -35,6 +36,8 @@ int wf_cmd_tree(int argc, char **argv);
 int wf_cmd_terrain(int argc, char **argv);
 int wf_cmd_validate(int argc, char **argv);
 int wf_cmd_wind(int argc, char **argv);
+/* `windfirm papers yang2011`, whose runs are no trees in wind. */
+int wf_paper_yang2011(int argc, char **argv);
 
 /* Rows of the commands that take a study file; they end at name == NULL. */
 extern const struct wf_option wf_analyze_options[], wf_explain_options[], wf_series_options[],

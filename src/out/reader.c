@@ -21,14 +21,16 @@ static const struct {
 } rows[] = {
     { COUNT, "across answers axes branch_count columns cylinder evaluations frames freedom full hole "
              "iterations keys number passes readings records resampled rows run segment segments size "
-             "slit starts starts_same transmitting up" },
-    { COUNT | LIST, "branches levels" },
+             "slit starts starts_same transmitting up facets fell grid hits hung leaves merged missed ran "
+             "scene springs vertices wood_hits" },
+    { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
-    { FLAG, "as_printed converged energy estimated given nuisance priors searched_to_the_end "
+    { FLAG, "staged as_printed converged energy estimated given nuisance priors searched_to_the_end "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
     { LIST, "at classes_m_s criteria figures files findings hours_a_year_above methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
-            "sways swing_m table_share table_speed_m_s tables taper_at taper_share thirds trees "
+            "budget criticals_m_s deflections_m frequencies_Hz moments_N_m speeds sways swing_m table_share "
+            "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
     { NUMBER, "aicc arriving_ratio asked base_moment_open_N_m base_moment_own_N_m beam bootstrap_high "
@@ -42,20 +44,26 @@ static const struct {
               "speed_exceeded_1_percent_m_s speed_m_s speed_share start steepest_slope step_s steps "
               "time_scale_s tip tip_deflection_largest_m tip_deflection_mean_m topex_distance_m "
               "transmission typed_sum value wind_mean_m_s windward_m within_5_percent wood_m2 "
-              "youngs_modulus_Pa" },
+              "youngs_modulus_Pa film_mm leaf_area_m2 mass_kg decrement diameter_mm drops duration_s "
+              "euler_limit_s fallen_at_s "
+              "frequency_Hz frequency_percent hanging_mg intensity_mm_h paper restoring_N_m "
+              "ring_decrement ring_frequency_Hz spread_mm steps_a_second tests_a_way tip_percent "
+              "twist_percent water_off energy_off with_restoring frequency_with_restoring damping_ratio" },
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
-    { OBJECT, "air_density all altitude attenuation averaging_time axis_drag azimuth base_moment "
-              "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "
-              "crown_top displacement drag exponent fit from governing_section gradient gravity "
-              "hours_a_year hours_a_year_10_min imbalance largest_stress leaf_area lean lean_azimuth "
-              "least_safety lift load_factor main_from method moved north position provenance "
-              "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
-              "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
-              "strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
-              "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
-              "wind_profile" },
-    { TEXT, "air_density_from averaging_law beaufort beaufort_text bound climate_file code command "
+    { OBJECT,
+      "clusters wetted air_density all altitude attenuation averaging_time axis_drag azimuth base_moment "
+      "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "
+      "crown_top displacement drag exponent fit from governing_section gradient gravity "
+      "hours_a_year hours_a_year_10_min imbalance largest_stress leaf_area lean lean_azimuth "
+      "least_safety lift load_factor main_from method moved north position provenance "
+      "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
+      "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
+      "strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
+      "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
+      "wind_profile" },
+    { TEXT, "form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
+            "code command "
             "criterion date differs file generator ground_file gust key kind latin loss meaning name "
             "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
             "reason reference role scope script season sensor sha256 source species_name status "

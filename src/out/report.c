@@ -32,6 +32,7 @@ static const struct kind kinds[] = {
     { "windfirm-rose", 1, "rose", NULL },
     { "windfirm-shelter", 1, "shelter", NULL },
     { "windfirm-terrain", 1, "terrain", NULL },
+    { "windfirm-rain", 1, "rain", NULL },
 };
 
 struct job {

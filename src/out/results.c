@@ -8,6 +8,7 @@
 #include "out/tree_picture.h"
 #include "study/directions.h"
 #include "study/limits.h"
+#include "study/wetted.h"
 #include "wind/climate.h"
 #include <errno.h>
 #include <inttypes.h>
@@ -533,6 +534,24 @@ static bool shared(const struct wf_run *run, size_t tree)
     return false;
 }
 
+/* Dry and wet: pairs of numbers; null where there is none. */
+static json_t *wetted_part(struct wf_doc *d, const struct wf_wetted *w)
+{
+    json_t *o = wf_doc_object(d);
+    double critical[2];
+    for (int k = 0; k < 2; k++)
+        critical[k] = w->critical[k].outcome == WF_CRITICAL_SELF_WEIGHT ? 0 : w->critical[k].speed;
+    wf_doc_number(d, o, "film_mm", w->film);
+    wf_doc_number(d, o, "mass_kg", w->mass);
+    wf_doc_number(d, o, "leaf_area_m2", w->leaf_area);
+    wf_doc_number(d, o, "speed_m_s", w->speed);
+    wf_doc_numbers(d, o, "frequencies_Hz", w->frequency, 2);
+    wf_doc_numbers(d, o, "moments_N_m", w->moment, 2);
+    wf_doc_numbers(d, o, "deflections_m", w->deflection, 2);
+    wf_doc_numbers(d, o, "criticals_m_s", critical, 2);
+    return o;
+}
+
 static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t index)
 {
     const struct wf_analysis *a = &run->analysis[index];
@@ -550,6 +569,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     wf_doc_put(d, o, "criteria", criteria_part(d, a, a->breaks, a->at));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));
+    if (a->wetted) wf_doc_put(d, o, "wetted", wetted_part(d, a->wetted));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");
     wf_doc_put(d, o, "warnings", shared(run, index) ? wf_doc_array(d) : warnings_part(d, a->diag));
     return o;

@@ -5,6 +5,7 @@
 #include "data/model.h"
 #include "data/species.h"
 #include "grow/grow.h"
+#include "load/interception.h"
 #include "solve/unload.h"
 #include "study/node.h"
 #include <math.h>
@@ -42,7 +43,9 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
     if (s || (s = wf_tree_check(&an->tree, d, e))) return s;
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
-    return !s && an->model->shape == WF_SHAPE_UNDER_WEIGHT ? unload(an, a, d, e) : s;
+    if (!s && an->model->shape == WF_SHAPE_UNDER_WEIGHT) s = unload(an, a, d, e);
+    if (!s && an->scenario.water > 0) wf_intercept(&an->tree, an->scenario.water); /* it was drawn dry */
+    return s;
 }
 
 /* Memory of an analysis beside one solution, for a row of the tree. Measured with 20 000 and 100 000 rows,

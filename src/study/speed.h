@@ -73,6 +73,7 @@ struct wf_search {
 void wf_search_default(struct wf_search *s);
 
 struct wf_directions;
+struct wf_wetted;
 struct wf_analysis {
     const struct wf_species *species;
     const struct wf_model *model;
@@ -88,6 +89,7 @@ struct wf_analysis {
     struct wf_at_speed *sweep; /* totals for curves: speeds from 0, at first four times closer; the given
                                   speeds alone where the time for them was used up */
     struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
+    const struct wf_wetted *wetted;         /* beside the dry tree (study/wetted.h); NULL: no water    */
     const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */
@@ -106,6 +108,12 @@ enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solv
  * totals NAN and the load factor in out->response; another code when the run must end. */
 enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
                                struct wf_at_speed *out, struct wf_err *e);
+/* As wf_speed_totals for n winds on one tree, given by their analyses, which differ in wind and air alone,
+ * and their speeds. The beam solver solves eight at a time side by side (solve/beam_many.h): out[k] then
+ * depends, within the mesh tolerance, on the others of its eight in the order given. */
+enum wf_status wf_speed_totals_many(const struct wf_analysis *const *an, const double *speed, size_t n,
+                                    const struct wf_solve_options *o, struct wf_at_speed *out,
+                                    struct wf_err *e);
 /* Clear the columns of a solution whose arena is freed; totals and worst sections stay. */
 void wf_speed_drop_columns(struct wf_at_speed *at);
 

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The branch with its leaves in the key frames of a run, from the side, with the drops in the air as thin frustums.
+#   gnuplot -c rain_scene.gp FOLDER FILE LANGUAGE RUN
+DIR = ARG1; OUT = ARGC > 1 ? ARG2 : 'rain_scene.svg'
+LANGUAGE = ARGC > 2 ? ARG3 : 'en'; RUN = ARGC > 3 ? int(ARG4) : 1
+HERE = ARG0; while (strlen(HERE) && HERE[strlen(HERE):] ne '/') { HERE = HERE[1:strlen(HERE)-1] }
+load HERE.'style.gp'
+KEYS = int(number('KEYS', RUN))
+SCENE = DIR.'/tables/scene.csv'; AIR = DIR.'/tables/air.csv'
+LOW_X = number('LOW_X', RUN); HIGH_X = number('HIGH_X', RUN); LOW_Z = number('LOW_Z', RUN); HIGH_Z = number('HIGH_Z', RUN)
+SPAN_X = HIGH_X - LOW_X; BOTTOM = LOW_Z - 0.06; TOP = HIGH_Z + 0.12
+WIDTH = 640.0; ACROSS = KEYS < 3 ? KEYS : 3; DOWN = ceil(KEYS/3.0)
+PANEL = 190.0; TALL = PANEL*(TOP - BOTTOM)/(1.06*SPAN_X); TALL = TALL > 260 ? 260.0 : TALL
+HEIGHT = DOWN*(TALL + 46.0) + 30.0
+load HERE.'start.gp'
+set multiplot
+unset key; unset grid; set border 3 lw 0.5
+set xrange [LOW_X-0.03*SPAN_X:HIGH_X+0.03*SPAN_X]; set yrange [BOTTOM:TOP]
+set xtics 0.2 font ',9'; set ytics 0.1 font ',9'; set format y "%.1f"; set format x "%.1f"
+event(k) = L('RAIN_'.text_of(sprintf('EVENT_%d', RUN), k))
+here(k) = column("run") == RUN && column("key") == k
+is(what) = strcol("kind") eq what
+do for [k=1:KEYS] {
+    i = (k - 1) % 3; j = (k - 1)/3
+    x0 = 42.0 + i*(PANEL + 12.0); y0 = 22.0 + j*(TALL + 46.0)
+    set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + PANEL)/WIDTH
+    set tmargin at screen 1 - y0/HEIGHT; set bmargin at screen 1 - (y0 + TALL)/HEIGHT
+    set title sprintf('%s, %.3f s', event(k), number(sprintf('TIME_%d', RUN), k)) offset 0,-0.7 font ',9'
+    if (i == 0) { set format y "%.1f" } else { set format y "" }
+    if (j == DOWN - 1) { set xlabel L('RAIN_X') offset 0,0.6 } else { set xlabel "" }
+    plot SCENE using (pick(here(k) && is("edge"), column("x0_m"))):(column("z0_m")):(column("x1_m")-column("x0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lt 3 dt 1 lw 0.9, \
+         SCENE using (pick(here(k) && is("vein"), column("x0_m"))):(column("z0_m")):(column("x1_m")-column("x0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#7fcfb8' dt 1 lw 0.7, \
+         SCENE using (pick(here(k) && is("petiole"), column("x0_m"))):(column("z0_m")):(column("x1_m")-column("x0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#7a5a2f' dt 1 lw 1.2, \
+         SCENE using (pick(here(k) && is("branch"), column("x0_m"))):(column("z0_m")):(column("x1_m")-column("x0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#5b3d16' dt 1 lw 2.2, \
+         AIR using (pick(here(k), column("x_m"))):(column("z_m")):(-0.004*column("vx_m_s")):(-0.004*column("vz_m_s")) with vectors nohead lt 1 dt 1 lw 1.0
+}
+unset multiplot
+set output

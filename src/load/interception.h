@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_LOAD_INTERCEPTION_H
+#define WF_LOAD_INTERCEPTION_H
+/* Rain that the leaves of a tree hold, as mass on its segments. */
+#include "data/tree.h"
+
+/* How much water leaves store, per one-sided area [kg m-2 = mm]; each with how it was found. */
+struct wf_storage {
+    const char *name, *source;
+    double film;
+};
+extern const struct wf_storage wf_storages[]; /* the default first; ends at name == NULL */
+
+/* Put a film on the leaves of a tree: its burden grows by film times leaf area, spread as the leaves are.
+ * Given: film per one-sided leaf area [kg m-2]. Returned: mass of the water [kg]; 0 for a tree without
+ * leaves. */
+double wf_intercept(struct wf_tree *t, double film);
+/* One-sided leaf area of a tree [m2]. */
+double wf_tree_leaf_area(const struct wf_tree *t);
+#endif

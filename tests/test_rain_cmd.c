@@ -1,0 +1,80 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* windfirm rain and windfirm papers yang2011: what is printed, written, refused. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "shell.h"
+
+static void runs(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W rain --staged --no-report --duration 1.5 -o $T/r && ls $T/r/tables && head -1 "
+          "$T/r/tables/series.csv",
+          CODE_OK,
+          { "staged drops", "map_1_1.csv", "run,time_s,air", "assumed-values" } },
+        { "$W rain --preset yang2011 --drops 20 --grid 64 --leaves 2 --duration 1 --no-report -o $T/r",
+          CODE_OK,
+          { "impact-energy", "cap-height", "restoring-springs", "explicit-euler" } },
+        { "$W rain --intensity 50mm/h --wind 5 --gust kaimal --duration 0.5 --no-report -o $T/r",
+          CODE_OK,
+          { "rain", "off by" } },
+        { "for i in 0 1 2 3 4 5 6 7 8 9; do for j in 0 1 2 3 4 5; do echo 0.0$i 0.00$j 0.0$i; done; done "
+          ">$T/p; "
+          "$W rain --points $T/p --clusters 5 --duration 0.1 --no-report -o $T/r && cat "
+          "$T/r/tables/clusters.csv",
+          CODE_OK,
+          { "cluster,x_m,y_m,z_m,points" } },
+        { "$W rain --model broadleaf --species oak --leaves 2 --duration 0.1 --no-report -o $T/r",
+          CODE_OK,
+          { "2 leaves" } },
+        { "$W papers list", CODE_OK, { "yang2011", "rain on branches and leaves" } },
+        { "$W papers yang201", CODE_INPUT, { "did you mean 'yang2011'?" } },
+    };
+    CHECK(rows);
+}
+
+static void refused(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W rain --preset yang2011 --loss 1.2", CODE_INPUT, { "--loss" } },
+        { "$W rain --contact-angle 0 --no-report -o $T/r", CODE_INPUT, { "contact angle" } },
+        { "$W rain --contact-angle 180 --no-report -o $T/r", CODE_INPUT, { "contact angle" } },
+        { "$W rain --grid 0", CODE_INPUT, { "--grid" } },
+        { "$W rain --grid 5000", CODE_INPUT, { "--grid" } },
+        { "$W rain --intensity=-3mm/h", CODE_INPUT, { "--intensity" } },
+        { "$W rain --drop-size 9mm --no-report -o $T/r", CODE_INPUT, { "break up" } },
+        { "$W rain --method euler --step 1e-3 --no-report -o $T/r", CODE_INPUT, { "limit" } },
+        { "$W rain --method euler --damping-ratio 0 --no-report -o $T/r", CODE_INPUT, { "without damping" } },
+        { "$W rain --model culm --segment 99999 --no-report -o $T/r",
+          CODE_INPUT,
+          { "no segment with the id 99999" } },
+        { "$W rain --model culm --branch 1m", CODE_INPUT, { "has no effect", "whose axis has its own" } },
+        { "$W rain --segment 3", CODE_INPUT, { "without --model" } },
+        { "$W rain --adhesion 1e-4", CODE_INPUT, { "has no effect", "yang2011" } },
+        { "$W rain --staged --drops 200", CODE_INPUT, { "has no effect" } },
+        { "$W rain --drops 200 --intensity 10mm/h --no-report -o $T/r",
+          CODE_INPUT,
+          { "either --drops or --intensity" } },
+        { "printf '0 0 0\\n1 1 1\\n' >$T/p; $W rain --points $T/p --no-report -o $T/r",
+          CODE_INPUT,
+          { "a point for each" } },
+        { "printf '0 0 0\\n1 x 1\\n' >$T/p; $W rain --points $T/p --no-report -o $T/r",
+          CODE_INPUT,
+          { "p:2:1" } },
+        { "$W rain --species willow_feng1999 --form pinnate", CODE_INPUT, { "--form" } },
+    };
+    CHECK(rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = { cmocka_unit_test(runs), cmocka_unit_test(refused) };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,186 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Rain on a branch, whole runs: budgets that close, the five effects, shelter, ringing, the printed preset.
+ */
+#include "base/num.h"
+#include "close.h"
+#include "load/load.h"
+#include "study/rain_departures.h"
+#include "study/rain_run.h"
+#include <stdlib.h>
+#include <string.h>
+
+struct case_of {
+    struct wf_arena a;
+    struct wf_diag d;
+    struct wf_species sp;
+    struct wf_rain_spec spec;
+    struct wf_rain_result r;
+};
+
+static void start(struct case_of *c, bool printed)
+{
+    struct wf_err e = { 0 };
+    memset(c, 0, sizeof *c);
+    c->d.arena = &c->a;
+    if (wf_species_read("species/poplar.yaml", &wf_laws, &c->a, &c->sp, &c->d, &e)) fail_msg("%s", e.text);
+    wf_rain_spec_default(&c->spec, printed);
+    c->spec.scene.species = &c->sp;
+    c->spec.grid = 128;
+}
+
+static void go(struct case_of *c)
+{
+    struct wf_err e = { 0 };
+    if (wf_rain_run(&c->spec, &c->a, &c->d, &c->r, &e)) fail_msg("%s", e.text);
+}
+
+static size_t key_of(const struct wf_rain_result *r, const char *event)
+{
+    for (size_t k = 0; k < r->keys; k++)
+        if (!strcmp(r->key[k].event, event)) return k + 1;
+    return 0;
+}
+
+static bool warned(const struct wf_diag *d, const char *code)
+{
+    for (const struct wf_finding *f = d->first; f; f = f->next)
+        if (f->code && !strcmp(f->code, code)) return true;
+    return false;
+}
+
+/* Every effect of the paper in the staged run, as printed and corrected; water to 1e-12, energy to 1e-9. */
+static void staged(void **state)
+{
+    (void)state;
+    for (int printed = 0; printed < 2; printed++) {
+        struct case_of c;
+        start(&c, printed);
+        c.spec.staged = true;
+        go(&c);
+        static const char *const events[] = { "hit", "ran", "merged", "hung", "fell", "rebound", "end" };
+        for (size_t i = 0; i < WF_COUNT(events); i++) assert_true(key_of(&c.r, events[i]) > 0);
+        assert_true(c.r.water.off <= 1e-12);
+        assert_true(c.r.energy.off <= 1e-9);
+        assert_true(c.r.energy.damping > 0 && c.r.energy.push > 0);
+        /* all that the drops gave is in the books: what went to the leaf is a share of what arrived */
+        assert_true(c.r.energy.push < c.r.energy.drops);
+        assert_true(printed ? c.r.energy.push > 0.8 * c.r.energy.drops
+                            : c.r.energy.push < 0.2 * c.r.energy.drops);
+        double up = 0, side = 0, turn = 0, drop = 0;
+        for (size_t i = 1; i < c.r.rows; i++) {
+            up = fmax(up, fabs(c.r.row[i].tip[2])), side = fmax(side, fabs(c.r.row[i].tip[1]));
+            turn = fmax(turn, fabs(c.r.row[i].twist));
+            drop = fmax(drop, c.r.row[i - 1].petiole_force - c.r.row[i].petiole_force);
+        }
+        assert_true(up > 1e-4 && side > 1e-4 && turn > 0.02);
+        /* the load of what hung vanishes at once */
+        assert_true(drop > 0.9 * 1.7e-5 * 9.8);
+        wf_rain_departures(&c.r, &c.d);
+        assert_true(warned(&c.d, "assumed-values"));
+        assert_int_equal(warned(&c.d, "impact-energy"), printed);
+        assert_int_equal(warned(&c.d, "explicit-euler"), printed);
+        wf_arena_free(&c.a);
+    }
+}
+
+/* Rain by intensity in a slanting wind: the water budget closes; the same run gives the same bytes. */
+static void random_rain(void **state)
+{
+    (void)state;
+    struct case_of c[2];
+    for (int k = 0; k < 2; k++) {
+        start(&c[k], false);
+        c[k].spec.drops = 0, c[k].spec.rain.intensity = 100 / 3.6e6, c[k].spec.duration = 0.8;
+        size_t steps = 802;
+        double *wind = WF_TAKE(&c[k].a, 2 * steps, double);
+        for (size_t i = 0; i < steps; i++) wind[2 * i] = 3, wind[2 * i + 1] = -1;
+        c[k].spec.wind = wind;
+        go(&c[k]);
+        assert_true(c[k].r.hits > 20);
+        assert_true(c[k].r.water.off <= 1e-12);
+        assert_true(c[k].r.energy.off <= 1e-9);
+    }
+    assert_int_equal(c[0].r.rows, c[1].r.rows);
+    assert_memory_equal(c[0].r.row, c[1].r.row, c[0].r.rows * sizeof *c[0].r.row);
+    assert_int_equal(c[0].r.events, c[1].r.events);
+    for (size_t i = 0; i < c[0].r.events; i++)
+        assert_true(c[0].r.event[i].time == c[1].r.event[i].time &&
+                    c[0].r.event[i].mass == c[1].r.event[i].mass);
+    for (int k = 0; k < 2; k++) wf_arena_free(&c[k].a);
+}
+
+/* A leaf that no drop reaches stays dry: the staged drops fall on the first leaf alone. */
+static void dry_leaf(void **state)
+{
+    (void)state;
+    struct case_of c;
+    start(&c, false);
+    c.spec.staged = true, c.spec.scene.leaves = 2;
+    go(&c);
+    assert_true(c.r.leaf[1].received == 0 && c.r.leaf[1].wetted == 0);
+    assert_true(c.r.leaf[0].received > 0);
+    wf_arena_free(&c.a);
+}
+
+/* After the last drop the tip rings down about as the damping is set. */
+static void ringing(void **state)
+{
+    (void)state;
+    struct case_of c;
+    start(&c, false);
+    c.spec.staged = true, c.spec.scene.leaves = 1;
+    go(&c);
+    assert_close(c.r.ring_frequency, c.r.frequency, 0.15);
+    assert_close(c.r.ring_decrement, 2 * WF_PI * c.spec.damping, 0.15);
+    wf_arena_free(&c.a);
+    double x[400], f, decrement; /* a known one: 5 Hz, decrement 0.2 */
+    for (int i = 0; i < 400; i++) x[i] = exp(-0.2 * 5 * i * 0.005) * sin(2 * WF_PI * 5 * i * 0.005);
+    wf_ring_of(x, 400, 0.005, &f, &decrement);
+    assert_close(f, 5, 0.01);
+    assert_close(decrement, 0.2, 0.03);
+    wf_ring_of(x, 10, 0.005, &f, &decrement);
+    assert_true(isnan(f) && isnan(decrement));
+}
+
+/* Explicit Euler as printed: refused above its limit, with the limit in words. */
+static void explicit_step(void **state)
+{
+    (void)state;
+    struct case_of c;
+    struct wf_err e = { 0 };
+    start(&c, true);
+    c.spec.method = WF_PRISM_EULER;
+    assert_int_equal(wf_rain_run(&c.spec, &c.a, &c.d, &c.r, &e), WF_EUSAGE);
+    assert_non_null(strstr(e.text, "limit"));
+    wf_arena_free(&c.a);
+}
+
+static void wrong_runs(void **state)
+{
+    (void)state;
+    for (int k = 0; k < 7; k++) {
+        struct case_of c;
+        struct wf_err e = { 0 };
+        start(&c, false);
+        if (k == 0) c.spec.loss = 1.1;
+        if (k == 1) c.spec.splash = -0.1;
+        if (k == 2) c.spec.step = 0;
+        if (k == 3) c.spec.rain.diameter = 8.5e-3;
+        if (k == 4) c.spec.grid = 0;
+        if (k == 5) c.spec.scene.leaves = 0;
+        if (k == 6) c.spec.scene.leaf_length = 0;
+        enum wf_status s = wf_rain_run(&c.spec, &c.a, &c.d, &c.r, &e);
+        assert_true(s == WF_EUSAGE || s == WF_EINPUT);
+        assert_true(strlen(e.text) > 20);
+        wf_arena_free(&c.a);
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(staged),  cmocka_unit_test(random_rain),   cmocka_unit_test(dry_leaf),
+        cmocka_unit_test(ringing), cmocka_unit_test(explicit_step), cmocka_unit_test(wrong_runs),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
