@@ -37,7 +37,7 @@ reason_to_skip() {
 # The option that leaves the pages out; nothing where a report is drawn from the folder.
 without_pages() {
     case "$1" in
-    *"-o out/mine"* | *" report "*) return ;;
+    *"-o out/mine"* | *--no-pdf* | *" report "*) return ;;
     esac
     "$windfirm" "$(echo "$1" | cut -d' ' -f2)" --help 2>/dev/null | grep -oE -m1 -e '--no-(report|plots)'
 }
