@@ -40,8 +40,11 @@ READERS := $(patsubst tests/fuzz/read_%.c,%,$(wildcard tests/fuzz/read_*.c))
 obj     = $(patsubst %.c,$(B)/%.o,$(1))
 bin     = $(patsubst %.c,$(B)/%,$(1))
 
+# the kernel of several states side by side: one source, compiled for each width (solve/beam_lanes.h)
+LANES  := $(B)/src/solve/beam_lanes_4.o $(B)/src/solve/beam_lanes_8.o
+
 all: $(B)/windfirm ## build the program and the library (default)
-$(B)/libwindfirm.a: $(call obj,$(LIBSRC)) $(B)/src/fit/ceres.o
+$(B)/libwindfirm.a: $(call obj,$(LIBSRC)) $(LANES) $(B)/src/fit/ceres.o
 	@rm -f $@
 	$(AR) rcs $@ $^
 $(B)/windfirm: $(call obj,$(CMDSRC)) $(B)/libwindfirm.a
@@ -66,6 +69,16 @@ $(B)/%.o: %.cpp
 # the numeric kernels are small fixed-size loops: unroll and vectorise them
 KERNELS := $(wildcard src/solve/*.c src/load/*.c) src/wind/shelter_laws.c src/wind/gust_spectral.c src/wind/fourier.c
 $(call obj,$(KERNELS)): CFLAGS += -O3
+# Vector instructions in these two objects alone, which run where the processor has them (solve/beam_many.c). Elsewhere
+# than on x86-64 the compiler divides the vectors among what the processor has.
+WIDE    = $(if $(filter 4,$(WIDTH)),-mavx2,-mavx512f -mavx512dq -mavx512vl -mprefer-vector-width=512)
+X86    := $(findstring x86_64,$(shell $(CC) -dumpmachine))
+$(LANES): CFLAGS += -O3 -fno-math-errno -DWF_WIDTH=$(WIDTH) $(if $(X86),$(WIDE),-Wno-psabi)
+$(B)/src/solve/beam_lanes_4.o: WIDTH = 4
+$(B)/src/solve/beam_lanes_8.o: WIDTH = 8
+$(LANES): src/solve/beam_lanes.c
+	@mkdir -p $(@D)
+	$(CC) $(ALL) $(CFLAGS) -c $< -o $@
 # a rule that names a file which is not there would be passed over in silence
 NAMED   := $(KERNELS) src/main.c src/fit/ceres.cpp
 $(if $(filter-out $(wildcard $(NAMED)),$(NAMED)),$(error not there: $(filter-out $(wildcard $(NAMED)),$(NAMED))))
@@ -140,7 +153,7 @@ $(N)/prefix: FORCE
 $(N)/%.o: %.c $(N)/prefix
 	@mkdir -p $(@D)
 	$(CC) $(ALL) -DWF_SHARE='"$(PREFIX)/share/windfirm"' $(CFLAGS) -c $< -o $@
-$(N)/libwindfirm.a: $(call installed,$(call obj,$(LIBSRC))) $(B)/src/fit/ceres.o
+$(N)/libwindfirm.a: $(call installed,$(call obj,$(LIBSRC))) $(LANES) $(B)/src/fit/ceres.o
 	@rm -f $@
 	$(AR) rcs $@ $^
 $(N)/windfirm: $(call installed,$(call obj,$(CMDSRC))) $(N)/libwindfirm.a
@@ -165,4 +178,4 @@ help: ## this list
 
 .PHONY: all demo test fuzz fuzz-smoke fuzz-readers readers bench bench-before bench-peers programs packages test-packages check layers symbols interface house golden install headers clean help
 .SECONDARY:
--include $(patsubst %.o,%.d,$(call obj,$(SRC) $(TESTS) $(BENCH) $(wildcard tests/fuzz/*.c)) $(patsubst %.c,$(N)/%.o,$(SHARED)) $(B)/src/fit/ceres.o)
+-include $(patsubst %.o,%.d,$(LANES) $(call obj,$(SRC) $(TESTS) $(BENCH) $(wildcard tests/fuzz/*.c)) $(patsubst %.c,$(N)/%.o,$(SHARED)) $(B)/src/fit/ceres.o)

@@ -2,7 +2,9 @@
 /* Speed and memory of the structural engine. Times are processor time of this process, the best of several
  * runs; ratios are taken within one run, so that they hold on a busy machine too. */
 #include "beam_cases.h"
+#include "load/drag.h"
 #include "solve/beam_eliminate.h"
+#include "solve/beam_many.h"
 #include "solve/modes.h"
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -175,6 +177,95 @@ static void measure(struct beam_case *c, const char *name, double speed, int whi
     wf_arena_free(&a);
 }
 
+/* Real loads: a power profile, axis drag by Reynolds number, crowns that streamline. Winds all around. */
+static void winds(struct beam_case *c, double speed, struct wf_wind *wind, struct wf_loads *loads, size_t n)
+{
+    for (size_t i = 0; i < c->tree.n; i++) {
+        c->tree.drag[i] = NAN;
+        c->tree.sail0[i] = c->tree.sail1[i] = c->tree.r0[i] < 0.02 ? 0.05 : 0;
+    }
+    c->loads.gravity = 9.81;
+    for (size_t k = 0; k < n; k++) {
+        double azimuth = 2 * PI * (double)k / (double)n;
+        wind[k] = c->wind;
+        wind[k].sample = wf_profile_named("power")->sample;
+        wind[k].exponent = 0.16, wind[k].speed = speed;
+        wind[k].direction[0] = cos(azimuth), wind[k].direction[1] = sin(azimuth);
+        loads[k] = c->loads;
+        loads[k].wind = &wind[k];
+        loads[k].streamline = wf_streamline_named("vogel");
+        loads[k].streamline_par.number[0] = -0.7, loads[k].streamline_par.number[1] = 5;
+    }
+}
+
+/* One iteration of several states side by side with real loads, against the block elimination of the same
+ * run. */
+static void lanes(struct beam_case *c, double speed, int which)
+{
+    const int repeats = which == 2 ? 5 : 20;
+    const struct wf_lanes_kernel *kernel = wf_lanes_kernel(WF_LANES_MOST);
+    size_t n = c->tree.n, width = kernel->width;
+    struct wf_wind wind[WF_LANES_MOST];
+    struct wf_loads loads[WF_LANES_MOST];
+    struct wf_lanes_joints joints;
+    struct wf_arena a = { 0 };
+    struct wf_beam b;
+    double one = INFINITY, many = INFINITY, plain = INFINITY;
+    winds(c, speed, wind, loads, WF_LANES_MOST);
+    wf_beam_init(&b, &c->tree, &loads[0], &c->options, NULL, &a, &a, &c->err);
+    wf_lanes_joints_make(&b.mesh, &a, &joints, &c->err);
+    struct wf_lanes x = { .mesh = &b.mesh, .joints = &joints, .options = &c->options };
+    for (size_t k = 0; k < width; k++) x.loads[k] = &loads[k], x.wanted[k] = true;
+    if (wf_beam_newton(&b) || wf_lanes_take(kernel, &x, &a, &a, &c->err)) printf("%s\n", c->err.text);
+    kernel->newton(&x);
+    struct block *block = WF_TAKE(&a, n, struct block);
+    double(*y)[42] = wf_arena_take(&a, n, sizeof *y);
+    for (int k = 0; k < repeats; k++) {
+        double start = now();
+        iterate(&b);
+        one = fmin(one, now() - start);
+        start = now();
+        kernel->iterate(&x);
+        many = fmin(many, (now() - start) / (double)width);
+        plain = fmin(plain, floor_of(&b, block, y));
+    }
+    printf(
+        "      real loads: one iteration %5.0f ns/element; ratio %.2f; %zu states side by side %5.0f ns per "
+        "element and state; ratio %.2f\n",
+        one / (double)n * 1e9, one / plain, width, many / (double)n * 1e9, many / plain);
+    wf_arena_free(&a);
+}
+
+/* Sixteen directions beside one. */
+static void directions(struct beam_case *c, double speed)
+{
+    enum { N = 16 };
+    struct wf_wind wind[N];
+    struct wf_loads loads[N];
+    double one = INFINITY, all = INFINITY;
+    size_t alone = 0;
+    winds(c, speed, wind, loads, N);
+    struct wf_solve_options o = c->options;
+    o.mesh_tolerance = 1e-6;
+    for (int k = 0; k < 3; k++) {
+        struct wf_arena a = { 0 };
+        struct wf_beam_state state[N] = { { 0 } };
+        double start = now();
+        if (wf_solver_beam.solve(&c->tree, &loads[0], &o, &a, &c->out, &c->diag, &c->err))
+            printf("%s\n", c->err.text);
+        one = fmin(one, now() - start);
+        for (size_t s = 0; s < N; s++) state[s].loads = &loads[s];
+        start = now();
+        if (wf_beam_many(&c->tree, state, N, &o, &a, NULL, &c->err)) printf("%s\n", c->err.text);
+        all = fmin(all, now() - start);
+        alone = 0;
+        for (size_t s = 0; s < N; s++) alone += state[s].alone;
+        wf_arena_free(&a);
+    }
+    printf("      real loads: one direction %.3f s, 16 directions %.3f s (%zu solved alone); ratio %.2f\n",
+           one, all, alone, all / one);
+}
+
 static void frequencies(struct beam_case *c)
 {
     double f[10], best = INFINITY;
@@ -267,7 +358,7 @@ static int beside_a_peer(const char *path)
 int main(int argc, char **argv)
 {
     static const char *const name[] = { "1k", "10k", "100k" };
-    static const double speed[] = { 20, 20, 15 };
+    static const double speed[] = { 20, 20, 15 }, mild[] = { 10, 6, 4 };
     const char *reference = getenv("WINDFIRM_REFERENCE");
     char path[3][1024] = { "validation/computed_reference/bench_tree_1k.csv",
                            "validation/computed_reference/bench_tree_10k.csv", "" };
@@ -283,6 +374,8 @@ int main(int argc, char **argv)
             grow_tree(&c, n);
         }
         measure(&c, name[k], speed[k], k);
+        lanes(&c, mild[k], k);
+        if (k < 2) directions(&c, mild[k]);
         if (k == 1) frequencies(&c);
         if (k == 2) linear(&c);
         beam_free(&c);

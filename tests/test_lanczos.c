@@ -9,6 +9,7 @@ enum { MOST = 400 };
 struct matrix {
     size_t n, products;
     const double *value;  /* eigenvalues                                                     */
+    double skew;          /* times a skew part that is added                                 */
     double axis[2][MOST]; /* A = R diag(value) R with R a product of two reflections and back */
 };
 
@@ -25,6 +26,8 @@ static void apply(struct matrix *m, const double *in, double *out)
     reflect(m->axis[0], m->n, out), reflect(m->axis[1], m->n, out);
     for (size_t i = 0; i < m->n; i++) out[i] *= m->value[i];
     reflect(m->axis[1], m->n, out), reflect(m->axis[0], m->n, out);
+    for (size_t i = 0; i < m->n && m->skew != 0; i++)
+        out[i] += m->skew * ((i ? in[i - 1] : 0) - (i + 1 < m->n ? in[i + 1] : 0));
     m->products++;
 }
 
@@ -78,12 +81,12 @@ static enum wf_status run(struct matrix *m, size_t wanted, double tolerance, dou
 }
 
 /* As a caller that wants no vectors. */
-static void values_alone(struct matrix *m, size_t wanted, double *value)
+static void values_alone(struct matrix *m, size_t wanted, double tolerance, double *value)
 {
     struct wf_arena a = { 0 };
     struct wf_err e = { 0 };
     struct wf_lanczos l = {
-        .size = m->n, .apply = apply_block, .ctx = m, .wanted = wanted, .tolerance = 1e-8
+        .size = m->n, .apply = apply_block, .ctx = m, .wanted = wanted, .tolerance = tolerance
     };
     assert_int_equal(wf_lanczos(&l, value, NULL, &a, &e), WF_OK);
     wf_arena_free(&a);
@@ -115,7 +118,7 @@ static void multiple(void **state)
     make(&m, MOST, value);
     assert_int_equal(run(&m, 7, 1e-8, got), WF_OK);
     for (size_t i = 0; i < 7; i++) assert_close(got[i], first[i], 1e-12);
-    values_alone(&m, 7, got);
+    values_alone(&m, 7, 1e-8, got);
     for (size_t i = 0; i < 7; i++) assert_close(got[i], first[i], 1e-12);
 }
 
@@ -131,7 +134,7 @@ static void pairs(void **state)
     make(&m, MOST, value);
     assert_int_equal(run(&m, 12, 1e-8, got), WF_OK);
     for (size_t i = 0; i < 12; i++) assert_close(got[i], value[i], 1e-11);
-    values_alone(&m, 12, got);
+    values_alone(&m, 12, 1e-8, got);
     for (size_t i = 0; i < 12; i++) assert_close(got[i], value[i], 1e-11);
 }
 
@@ -145,7 +148,7 @@ static void crowded(void **state)
     double got[30];
     for (size_t i = 0; i < MOST; i++) value[i] = 1 / (1 + 0.05 * (double)(i / 2));
     make(&m, MOST, value);
-    values_alone(&m, 30, got);
+    values_alone(&m, 30, 1e-8, got);
     for (size_t i = 0; i < 30; i++) assert_close(got[i], value[i], 1e-12);
 }
 
@@ -202,6 +205,21 @@ static void deficient(void **state)
     for (int i = 2; i < 4; i++) assert_true(isnan(got[i]) || fabs(got[i]) < 1e-13);
 }
 
+/* The tangent of a loaded tree is not quite symmetric: a skew part of 1e-5 changes eigenvalues by its square,
+ * and the search converges as without it. */
+static void nearly_symmetric(void **state)
+{
+    (void)state;
+    static double value[MOST];
+    struct matrix m;
+    double got[8];
+    for (size_t i = 0; i < MOST; i++) value[i] = 1 / (1 + 0.05 * (double)(i / 2));
+    make(&m, MOST, value);
+    m.skew = 1e-5;
+    values_alone(&m, 8, 1e-5, got);
+    for (size_t i = 0; i < 8; i++) assert_close(got[i], value[i], 1e-7);
+}
+
 static void no_memory(void **state)
 {
     (void)state;
@@ -242,7 +260,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(spread),    cmocka_unit_test(multiple),  cmocka_unit_test(signs),
         cmocka_unit_test(pairs),     cmocka_unit_test(crowded),   cmocka_unit_test(few),
-        cmocka_unit_test(deficient), cmocka_unit_test(no_memory), cmocka_unit_test(unsettled),
+        cmocka_unit_test(deficient), cmocka_unit_test(no_memory), cmocka_unit_test(nearly_symmetric),
+        cmocka_unit_test(unsettled),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

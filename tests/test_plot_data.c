@@ -122,7 +122,9 @@ static void scripts_load_nothing_of_a_folder(void **state)
         { "ls reports/plots/*.gp | wc -l | awk '{ print ($1 > 20) }'", CODE_OK, { "1" } },
         { "sed 's/\"[^\"]*\"//g' reports/plots/*.gp | grep -nE '\\b(load|call)\\b' | grep -vE "
           "\"^[0-9]+:(#.*|[ ]*load "
-          "HERE\\.'[a-z_]+\\.gp')$\" || echo none",
+          "HERE\\.'[a-z_]+\\.gp'|[ ]*call SEVERAL\\.word\\(SEVERAL_LIST, SEVERAL_AT\\)\\.'\\.gp' SEVERAL_IN "
+          "word\\(SEVERAL_LIST, SEVERAL_AT \\+ 1\\) SEVERAL_LANGUAGE word\\(SEVERAL_LIST, SEVERAL_AT \\+ "
+          "2\\))$\" || echo none",
           CODE_OK,
           { "none" } },
         { "sed \"s/#.*//; s/'[^']*'//g\" reports/plots/*.gp | sed 's/\"[^\"]*\"//g' | grep -nE "

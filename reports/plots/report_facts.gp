@@ -21,7 +21,8 @@ SPEED_MAX = number('SPEED_MAX', 0)
 speed(u) = sprintf('%g m/s', u)
 
 # A plot that looks at some rows of a table alone (every ::first::last) reads the others without converting them. The rows of
-# tree i at its n-th wind speed with an answer are row_first(i, n) to row_last(i, n), when TABLE is set and find_rows run.
+# tree i at its n-th wind speed with an answer are row_first(i, n) to row_last(i, n), when rows.gp was loaded
+# with TABLE set.
 greater(a, b) = a > b ? a : b
 place(i, k) = (i - 1)*winds + k
 array FIRST[trees*winds + 1]; array LAST[trees*winds + 1]
@@ -29,7 +30,5 @@ find_place(i, u) = i < 1 || i > trees ? 0 : (sum [FACTS_J=1:winds] (abs(WIND[FAC
 keep_row(p, row) = p < 1 || p > trees*winds ? 0 : (LAST[p] = row, FIRST[p] = FIRST[p] < 0 ? row : FIRST[p])
 find_row(i, u, row) = (i == TREE_NOW && u == WIND_NOW ? 0 : (TREE_NOW = i, WIND_NOW = u, PLACE_NOW = find_place(int(i), u)), \
     keep_row(PLACE_NOW, row))
-find_rows = "TREE_NOW = NaN; WIND_NOW = NaN; PLACE_NOW = 0; do for [p=1:|FIRST|] { FIRST[p] = -1; LAST[p] = 0 }; " . \
-    "stats TABLE using (find_row(column(\"tree\"), column(\"wind_m_s\"), int(column(0)))) name 'LOADED' nooutput; "
 row_first(i, n) = greater(FIRST[place(i, nth(SOLVED[i], n))], 0)
 row_last(i, n) = LAST[place(i, nth(SOLVED[i], n))]

@@ -12,7 +12,7 @@ still(i) = column("x_m")*cos(AZIMUTH[i]) + column("y_m")*sin(AZIMUTH[i])
 bent(i) = column("loaded_x_m")*cos(AZIMUTH[i]) + column("loaded_y_m")*sin(AZIMUTH[i])
 
 TABLE = SHAPE
-eval find_rows
+load HERE.'rows.gp'
 
 # Branches, drawn row by row because the table does not lift the pen between axes: every row from the point
 # before it, but for the first of an axis. A tree of very many rows shows its stem alone.

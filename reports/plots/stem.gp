@@ -16,7 +16,7 @@ WIDTH = 640.0; HEIGHT = blocks*(TITLE + 2*(h + UNDER)) + KEY
 moment = 0.0; stress = 0.0; top = 0.0
 array TIP[trees]
 TABLE = SEGMENTS
-eval find_rows
+load HERE.'rows.gp'
 stem(i, k) = at(i, WIND[k]) && column("level") == 0
 most_of(is) = is ? (tip_row = greater(column("segment"), tip_row), moment = greater(column("bending0_Nm")/1e3, moment), \
     stress = greater(column("stress0_MPa"), stress)) : 0

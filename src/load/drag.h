@@ -5,8 +5,14 @@
  * and the drag coefficient of a bare axis. A new law is a row and a function in drag.c; the species reader,
  * the schema, results and fitted species files iterate over the rows. */
 #include "data/law.h"
+#include "load/drag_kernel.h"
 #include <math.h>
 #include <stddef.h>
+
+/* Formulas of load/drag_kernel.h, by which many states are computed at once. A law without one is evaluated
+ * for one state after the other. */
+enum wf_share_form { WF_SHARE_BY_CALL, WF_SHARE_NONE, WF_SHARE_VOGEL, WF_SHARE_TABLE };
+enum wf_drag_form { WF_DRAG_BY_CALL, WF_DRAG_BARK };
 
 /* Streamlining of a crown. law.low..law.high is the range of wind speeds [m/s] covered by measurements. */
 struct wf_streamline_law {
@@ -15,16 +21,11 @@ struct wf_streamline_law {
     /* Given: parameters, speed >= 0 [m/s]. Returned: share of still-air drag area [-], continuous with its
      * derivative *derivative [s/m]. */
     double (*share)(const struct wf_law_values *p, double speed, double *derivative);
+    enum wf_share_form form; /* the same by lanes */
 };
 extern const struct wf_streamline_law wf_streamline_laws[]; /* none, vogel, table; ends at law.name == NULL */
 /* The row of that name; NULL when there is none. */
 const struct wf_streamline_law *wf_streamline_named(const char *name);
-
-/* Half width, in ln(U/reference), of the band in which the corner of the Vogel law at the reference speed is
- * rounded, so that the force has a continuous derivative. The largest deviation from the sharp law, at the
- * reference speed itself, is a factor exp(V/4 * 0.05): 0.9 % less drag for V = -0.7. Outside the band the
- * law is exact. */
-#define WF_VOGEL_ROUNDING 0.05
 
 /* Drag coefficient of a long axis in cross-flow, used where the species gives no constant coefficient.
  * law.low..law.high is the range of Reynolds numbers [-]. */
@@ -34,6 +35,7 @@ struct wf_axis_drag_law {
      * Cd [-] and *derivative = dCd/dspeed [s/m]. Positive, with a continuous derivative. */
     double (*coefficient)(const struct wf_law_values *p, double speed, double diameter, double viscosity,
                           double *derivative);
+    enum wf_drag_form form; /* the same by lanes */
 };
 /* The first row is the default law.
  *
@@ -62,30 +64,4 @@ struct wf_axis_drag_law {
 extern const struct wf_axis_drag_law wf_axis_drag_laws[]; /* bark; ends at law.name == NULL */
 /* The row of that name; NULL when there is none. */
 const struct wf_axis_drag_law *wf_axis_drag_named(const char *name);
-
-/* Interpolation of measured points by a smooth curve that never overshoots them: cubic Hermite pieces;
- * slopes by the rule of Steffen (1990, A simple method for monotonic interpolation in one dimension, Astron.
- * Astrophys. 239:443-450). The slope at the first and last point is zero, so that the curve joins the
- * constant beyond the ends with a continuous derivative. */
-
-/* Slope at point i (0 < i < n-1) of n points x (rising), y. */
-static inline double wf_smooth_slope(const double *x, const double *y, size_t n, size_t i)
-{
-    if (i == 0 || i + 1 >= n) return 0;
-    double h0 = x[i] - x[i - 1], h1 = x[i + 1] - x[i];
-    double s0 = (y[i] - y[i - 1]) / h0, s1 = (y[i + 1] - y[i]) / h1;
-    if (s0 * s1 <= 0) return 0;
-    double p = (s0 * h1 + s1 * h0) / (h0 + h1);
-    return copysign(2 * fmin(fmin(fabs(s0), fabs(s1)), 0.5 * fabs(p)), s0);
-}
-
-/* The cubic over 0 <= u <= 1 with values y0, y1 and slopes d0, d1 (per x) across a width h; its slope dy/dx.
- */
-static inline double wf_smooth_piece(double y0, double y1, double d0, double d1, double h, double u,
-                                     double *slope)
-{
-    double a = h * d0, rise = y1 - y0, c = h * (d0 + d1) - 2 * rise, b = 3 * rise - h * (2 * d0 + d1);
-    *slope = (a + u * (2 * b + 3 * u * c)) / h;
-    return y0 + u * (a + u * (b + u * c));
-}
 #endif

@@ -59,6 +59,29 @@ static double distance_between(const double a[3], const double b[3])
     return sqrt(wf_dot(d, d));
 }
 
+void wf_beam_read_shape(const struct wf_tree *t, size_t i, const double base_L[9],
+                        const struct wf_beam_pose *end, struct wf_response *r)
+{
+    const double tip[3] = { t->x1[i], t->y1[i], t->z1[i] };
+    double at[3], axis[3];
+    wf_row_axis(t, i, 0, at, axis);
+    m3_apply(base_L, axis, r->tangent0 + 3 * i);
+    wf_row_axis(t, i, 1, at, axis);
+    m3_apply(end->L, axis, r->tangent1 + 3 * i);
+    rotation_vector(end->L, r->turn + 3 * i);
+    for (size_t k = 0; k < 3; k++) r->end[3 * i + k] = end->r[k] - tip[k];
+}
+
+void wf_beam_read_balance(const struct wf_beam_wrench *ground, const double force[3], const double moment[3],
+                          struct wf_response *r)
+{
+    memcpy(r->base_force, ground->n, sizeof r->base_force);
+    memcpy(r->base_moment, ground->m, sizeof r->base_moment);
+    double f = sqrt(wf_dot(force, force)), m = sqrt(wf_dot(moment, moment));
+    r->imbalance = fmax(f > 0 ? distance_between(force, ground->n) / f : 0,
+                        m > 0 ? distance_between(moment, ground->m) / m : 0);
+}
+
 static void read_beam_row(const struct wf_beam *b, size_t i, const double first[3], struct wf_response *r,
                           double force[3], double moment[3])
 {
@@ -67,8 +90,7 @@ static void read_beam_row(const struct wf_beam *b, size_t i, const double first[
     struct wf_beam_pose ground;
     const struct wf_beam_pose *base = wf_beam_base(b, from, &ground);
     const struct wf_beam_pose *end = &b->pose[to];
-    double at[3], axis[3], load[3] = { 0, 0, 0 };
-    const double tip[3] = { t->x1[i], t->y1[i], t->z1[i] };
+    double load[3] = { 0, 0, 0 };
     for (size_t k = to + 1; k-- > from;) {
         struct wf_beam_wrench w;
         add_element_loads(b, k, first, &w, load, moment);
@@ -76,13 +98,8 @@ static void read_beam_row(const struct wf_beam *b, size_t i, const double first[
             memcpy(r->force0 + 3 * i, w.n, sizeof w.n), memcpy(r->moment0 + 3 * i, w.m, sizeof w.m);
     }
     v3_add(force, 1, load);
-    wf_row_axis(t, i, 0, at, axis);
-    m3_apply(base->L, axis, r->tangent0 + 3 * i);
-    wf_row_axis(t, i, 1, at, axis);
-    m3_apply(end->L, axis, r->tangent1 + 3 * i);
-    rotation_vector(end->L, r->turn + 3 * i);
+    wf_beam_read_shape(t, i, base->L, end, r);
     for (size_t k = 0; k < 3; k++) {
-        r->end[3 * i + k] = end->r[k] - tip[k];
         r->force1[3 * i + k] = b->wrench[to].n[k];
         r->moment1[3 * i + k] = b->wrench[to].m[k];
         r->load[3 * i + k] = load[k];
@@ -96,11 +113,7 @@ void wf_beam_read(const struct wf_beam *b, struct wf_response *r)
     double force[3] = { 0, 0, 0 }, moment[3] = { 0, 0, 0 };
     for (size_t i = 0; i < t->n; i++) read_beam_row(b, i, first, r, force, moment);
     add_end_loads(b, first, force, moment);
-    memcpy(r->base_force, b->base.n, sizeof r->base_force);
-    memcpy(r->base_moment, b->base.m, sizeof r->base_moment);
-    double f = sqrt(wf_dot(force, force)), m = sqrt(wf_dot(moment, moment));
-    r->imbalance = fmax(f > 0 ? distance_between(force, b->base.n) / f : 0,
-                        m > 0 ? distance_between(moment, b->base.m) / m : 0);
+    wf_beam_read_balance(&b->base, force, moment, r);
     r->iterations = b->iterations;
     r->steps = b->steps;
 }
@@ -276,6 +289,38 @@ static void choose_pieces(const struct wf_beam *b, const double *share, double t
     }
 }
 
+enum wf_status wf_beam_check_make(const struct wf_tree *t, struct wf_arena *a, struct wf_beam_check *c,
+                                  struct wf_err *e)
+{
+    *c = (struct wf_beam_check){ .reach = WF_TAKE(a, t->n, double),
+                                 .share = WF_TAKE(a, t->n, double),
+                                 .bear = WF_TAKE(a, t->n, double),
+                                 .before = WF_TAKE(a, 3 * t->n, double),
+                                 .load = WF_TAKE(a, 3 * t->n, double) };
+    if (!c->reach || !c->share || !c->bear || !c->before || !c->load)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
+    c->depth = longest_row_chain(t, c->share);
+    tree_reach(t, c->reach);
+    return WF_OK;
+}
+
+bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fine, struct wf_beam_check *c,
+                         int32_t *pieces)
+{
+    const double safety = 0.25;
+    const double rounding = 1e-12; /* relative to the tree's size: positions are no more accurate than this,
+                                      so a tree that hardly moves converges too */
+    const struct wf_tree *t = fine->mesh.tree;
+    double allowed = fine->options->mesh_tolerance * safety;
+    double target = fmax(allowed * largest_displacement(fine), rounding * tree_size(t));
+    double error = beam_mesh_error(coarse, fine, c->reach, c->share);
+    double reactions = load_error(coarse, fine, c->before, c->load, c->bear);
+    memcpy(c->before, c->load, 3 * t->n * sizeof *c->load);
+    if (error <= target && reactions <= allowed) return true;
+    choose_pieces(fine, c->share, target / c->depth, c->bear, reactions / allowed, pieces);
+    return false;
+}
+
 /* Memory of two meshes: of the newer, and of the shape of the one before, with which it is compared. */
 struct two_meshes {
     struct wf_arena before, shape, newton;
@@ -287,15 +332,9 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
                                       struct wf_beam_outcome *out, struct wf_err *e)
 {
     enum { MESHES = 6 };
-    const double safety = 0.25;
-    const double rounding = 1e-12; /* relative to the tree's size: positions are no more accurate than this,
-                                      so a tree that hardly moves converges too */
+    struct wf_beam_check check;
     int32_t *pieces = WF_TAKE(work, t->n, int32_t);
-    double *reach = WF_TAKE(work, t->n, double), *share = WF_TAKE(work, t->n, double);
-    double *before = WF_TAKE(work, 3 * t->n, double), *load = WF_TAKE(work, 3 * t->n, double),
-           *bear = WF_TAKE(work, t->n, double);
-    if (!pieces || !reach || !share || !before || !load || !bear)
-        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
+    if (!pieces) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
     int32_t start = wf_beam_first_pieces(t, o);
     for (size_t i = 0; i < t->n; i++) pieces[i] = start;
 
@@ -304,9 +343,9 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
     if (!status) status = wf_beam_settle(b, &m->newton, out, e);
     if (status || !(o->mesh_tolerance > 0)) return status;
 
-    double depth = longest_row_chain(t, share);
-    row_loads(b, before);
-    tree_reach(t, reach);
+    status = wf_beam_check_make(t, work, &check, e);
+    if (status) return status;
+    row_loads(b, check.before);
     for (size_t i = 0; i < t->n; i++) pieces[i] = 2 * start;
     for (int mesh = 1; mesh < MESHES; mesh++) {
         struct wf_beam fine;
@@ -322,15 +361,10 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
         if (status || again.beyond_limit) *out = again;
         if (status) return status;
         fine.iterations += b->iterations, fine.steps += b->steps;
-        double allowed = o->mesh_tolerance * safety;
-        double target = fmax(allowed * largest_displacement(&fine), rounding * tree_size(t));
-        double error = beam_mesh_error(b, &fine, reach, share);
-        row_loads(&fine, load);
-        double reactions = load_error(b, &fine, before, load, bear);
+        row_loads(&fine, check.load);
+        bool met = wf_beam_check_meets(b, &fine, &check, pieces);
         *b = fine;
-        memcpy(before, load, 3 * t->n * sizeof *load);
-        if (error <= target && reactions <= allowed) break;
-        choose_pieces(b, share, target / depth, bear, reactions / allowed, pieces);
+        if (met) break;
     }
     return WF_OK;
 }

@@ -26,26 +26,26 @@
 #include "solve/beam_mesh.h"
 
 struct wf_beam_pose {
-    double r[3], L[9]; /* position [m]; rotation from the unloaded to the loaded state, row-major */
+    real r[3], L[9]; /* position [m]; rotation from the unloaded to the loaded state, row-major */
 };
 struct wf_beam_shape { /* unknowns, in the axes that rotate with the element's base */
-    double v[2][3];    /* rotation vector at the Gauss points */
-    double g[2][3];    /* stretch and shear strain there */
+    real v[2][3];      /* rotation vector at the Gauss points */
+    real g[2][3];      /* stretch and shear strain there */
 };
-struct wf_beam_stage {                 /* the deformed element at its Gauss points */
-    double r[2][3], rp[2][3], t[2][3]; /* position, r' and unit tangent */
+struct wf_beam_stage {               /* the deformed element at its Gauss points */
+    real r[2][3], rp[2][3], t[2][3]; /* position, r' and unit tangent */
 };
 struct wf_beam_wrench {
-    double n[3], m[3]; /* force [N], moment [N m] that the upper part exerts on a section */
+    real n[3], m[3]; /* force [N], moment [N m] that the upper part exerts on a section */
 };
 /* Linear relation of a part of the tree: the wrench it exerts on its base changes by K p + k for a change p
  * = (displacement, spin) of the base. */
 struct wf_beam_reaction {
-    double K[6][6], k[6];
+    real K[6][6], k[6];
 };
 /* Spins of the element's Gauss points relative to its base for a change p of the base: X p + x. */
 struct wf_beam_answer {
-    double X[6][6], x[6];
+    real X[6][6], x[6];
 };
 
 /* Position and rotation of the element from its unknowns. Given: base pose. Returned: state at the Gauss
@@ -70,11 +70,11 @@ void wf_beam_balance(double h, const struct wf_beam_stage *s, const struct wf_be
                      const struct wf_line_load load[2], const struct wf_beam_wrench *end,
                      struct wf_beam_wrench at[2], struct wf_beam_wrench *base);
 
-/* Creep that stiffens an element against motion: the moment of the material law becomes G^-1 ((1 + rate) k -
- * rate k0), with k0 the curvature (base axes) at the start of the creep step. rate = 0: elastic. */
+/* Creep that stiffens an element against motion (NULL: elastic): the moment of the material law becomes G^-1
+ * ((1 + rate) k - rate k0), with k0 the curvature (base axes) at the start of the creep step. */
 struct wf_beam_creep {
     double rate;
-    const double (*k0)[3];
+    const real (*k0)[3];
 };
 
 /* Curvature change k at the Gauss points in base axes [1/m]. */

@@ -5,6 +5,7 @@
  * points. Everything that does not change with the deformation is computed here, once. */
 #include "base/arena.h"
 #include "base/err.h"
+#include "base/real.h"
 #include "data/tree.h"
 #include "load/load.h"
 #include "solve/solve.h"
@@ -42,11 +43,11 @@ struct wf_beam_part {
 /* Additional constants of an element whose section is not round; unloaded in the mesh, rotated with the
  * element in struct wf_beam. Its bending stiffness is ei + more about the width, ei about the height. */
 struct wf_beam_flat {
-    double more[2],
+    real more[2],
         give[2]; /* stiffness about the width minus ei [N m2]; likewise for the compliance [1/(N m2)] */
-    double across[2][3]; /* unit vector along the width, to the left */
-    double side[2];      /* first moment of the burden along `across`, per length [kg] */
-    double weight;       /* weight of a unit mass [m/s2] */
+    real across[2][3]; /* unit vector along the width, to the left */
+    real side[2];      /* first moment of the burden along `across`, per length [kg] */
+    real weight;       /* weight of a unit mass [m/s2] */
 };
 
 struct wf_beam_mesh {

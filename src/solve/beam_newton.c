@@ -149,7 +149,6 @@ static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench
 
 bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stability *count)
 {
-    static const double still[2][3];
     struct wf_beam_pose ground;
     double first[3] = { 0, 0, 0 };
     /* far from equilibrium the tangent is guarded (beam_eliminate.h); near it the tangent is exact */
@@ -167,7 +166,8 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         const struct wf_beam_part *p = &b->mesh.part[i];
         const struct wf_beam_pose *base = wf_beam_base(b, i, &ground);
         const struct wf_beam_flat *flat = wf_beam_flat_of(b, i);
-        struct wf_beam_creep creep = { b->creep, b->creep > 0 ? (const double(*)[3])b->k0[i] : still };
+        const struct wf_beam_creep slow = { b->creep, (const double(*)[3])(b->creep > 0 ? b->k0[i] : NULL) };
+        const struct wf_beam_creep *creep = b->creep > 0 ? &slow : NULL;
         struct wf_line_load load[2];
         struct wf_beam_wrench at[2], down;
         struct wf_beam_reaction root = { { { 0 } }, { 0 } };
@@ -178,9 +178,9 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
             memset(load[j].by_place, 0, sizeof load[j].by_place),
                 memset(load[j].by_turn, 0, sizeof load[j].by_turn);
         wf_beam_balance(p->h, &b->stage[i], flat, load, &b->wrench[i], at, &down);
-        wf_beam_misfit_add(p, &b->shape[i], base->L, &creep, &b->stage[i], flat, at, &b->misfit);
+        wf_beam_misfit_add(p, &b->shape[i], base->L, creep, &b->stage[i], flat, at, &b->misfit);
         size_t unstable = count ? count->negative : 0;
-        if (tangent && !eliminate_element(b, i, base->L, &creep, load, at,
+        if (tangent && !eliminate_element(b, i, base->L, creep, load, at,
                                           grounded || cut ? &root : &b->node[p->parent], guard, count))
             return false;
         if (count && count->negative > unstable)

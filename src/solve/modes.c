@@ -25,6 +25,7 @@ struct krylov {
     size_t *lane;              /* per column: its lane, counted through all blocks */
     double *T, *value, *Q;     /* most x most; of T: eigenvalues, eigenvectors as columns */
     wf_four *spare;            /* NULL or room for one more block */
+    bool skew;                 /* A is not symmetric to rounding: all columns count at every block */
     bool due;                  /* the next block is to be orthogonalised to all columns */
     double drift;              /* bound of the largest component of the newest block along other columns */
     double drift_most; /* to be kept: eigenvalues then err by its square, eigenvectors by as much as it is */
@@ -160,23 +161,40 @@ static double drift_growth(const struct krylov *k, double R[BLOCK][BLOCK])
 }
 
 /* w = (columns so far) k->C + q R with q orthonormal and orthogonal to them, q in place of w. In exact
- * arithmetic a product of A with the last block has no component along older blocks than the last two.
- * Rounding errors along them grow from block to block; two blocks in succession are orthogonalised to all
- * before they reach drift_most (Simon 1984, Linear Algebra Appl. 61:101), so the space stays orthogonal to
- * that bound. That comes second: along columns that are themselves orthogonal only to that bound, the error
- * left is the product of the component that is subtracted and the bound. */
+ * arithmetic a product of a symmetric A with the last block has no component along older blocks than the last
+ * two. Rounding errors along them grow from block to block; two blocks in succession are orthogonalised to
+ * all before they reach drift_most (Simon 1984, Linear Algebra Appl. 61:101), so the space stays orthogonal
+ * to that bound. That comes second: along columns that are themselves orthogonal only to that bound, the
+ * error left is the product of the component that is subtracted and the bound. */
 static void orthogonalise(struct krylov *k, wf_four *w, double R[BLOCK][BLOCK])
 {
     const double rounding = 1e-15;
     memset(k->C, 0, BLOCK * k->most * sizeof *k->C);
     for (size_t a = 0; a < BLOCK; a++)
         for (size_t b = 0; b < BLOCK; b++) R[a][b] = a == b;
-    take_out_space(k, k->blocks < 2 ? 0 : k->blocks - 2, w, R);
+    take_out_space(k, k->skew || k->blocks < 2 ? 0 : k->blocks - 2, w, R);
+    if (k->skew) return;
     double drift = k->drift * drift_growth(k, R);
     bool second = k->due;
     k->due = !second && !(drift <= k->drift_most);
     if (k->due || second) take_out_space(k, 0, w, R);
     k->drift = second ? rounding : drift;
+}
+
+/* Is T, of the columns up to `to`, not symmetric by more than rounding? The tangent of a loaded tree is
+ * symmetric only nearly. Looked at from the first product on; along the last two blocks, because the other
+ * components are rounding errors of the space. */
+static bool is_skew(const struct krylov *k, size_t from, size_t to)
+{
+    double most = 0, off = 0;
+    for (size_t j = from; j < to; j++)
+        for (size_t i = 0; i < to; i++) {
+            if (k->lane[i] / BLOCK + 1 < k->lane[j] / BLOCK) continue;
+            double a = k->T[j * k->most + i], b = k->T[i * k->most + j];
+            most = fmax(most, fmax(fabs(a), fabs(b)));
+            off = fmax(off, fabs(a - b));
+        }
+    return off > 1e-12 * fmax(most, fabs(k->value[0]));
 }
 
 /* Room for a block that is to be added to the space. */
@@ -274,6 +292,7 @@ static enum wf_status extend_space(struct krylov *k, size_t from, double R[BLOCK
         memcpy(row, k->C + b * k->most, to * sizeof *row);
         for (size_t i = to; i < k->used; i++) row[i] = R[k->lane[i] % BLOCK][b];
     }
+    k->skew = k->skew || is_skew(k, from, to);
     return WF_OK;
 }
 

@@ -17,6 +17,8 @@ double wf_direction_from(const struct wf_directions_request *q, double azimuth)
     return wf_wind_from(azimuth, q->north);
 }
 
+enum { BLOCK = 8 }; /* directions solved side by side */
+
 /* Data shared by the threads. */
 struct work {
     const struct wf_analysis *an;
@@ -25,22 +27,45 @@ struct work {
     struct wf_nodes *like; /* of the first direction */
 };
 
-/* One direction. Returned: *nodes, its solutions, to be closed by the caller. */
+/* The analysis in the wind of one direction; it must stay where it is. */
+static void turn_wind(const struct work *w, size_t at, struct wf_analysis *an)
+{
+    double azimuth = wf_direction_azimuth(&w->out->request, w->out->direction[at].from);
+    const double *exposed = w->out->request.speed_up;
+    *an = *w->an;
+    an->scenario.azimuth = azimuth;
+    if (exposed) an->scenario.speed_up = exposed[at];
+    an->wind.direction[0] = cos(azimuth), an->wind.direction[1] = sin(azimuth);
+    an->loads.wind = &an->wind;
+}
+
+/* The given speeds in the directions of block `b`, which are solved side by side. */
+static enum wf_status solve_speeds(void *context, size_t b, struct wf_err *e)
+{
+    const struct work *w = context;
+    const size_t n = w->out->request.n, from = b * BLOCK, some = n - from < BLOCK ? n - from : BLOCK;
+    struct wf_analysis turned[BLOCK];
+    const struct wf_analysis *an[BLOCK];
+    double speed[BLOCK];
+    struct wf_at_speed at[BLOCK];
+    enum wf_status s = WF_OK;
+    for (size_t k = 0; k < some; k++) turn_wind(w, from + k, &turned[k]), an[k] = &turned[k];
+    for (size_t i = 0; i < w->an->n && !s; i++) {
+        for (size_t k = 0; k < some; k++) speed[k] = w->an->at[i].speed;
+        s = wf_speed_totals_many(an, speed, some, w->o, at, e);
+        for (size_t k = 0; k < some && !s; k++) w->out->direction[from + k].at[i] = at[k];
+    }
+    return s;
+}
+
+/* Where the tree fails in wind from one direction. Returned: *nodes, its solutions, to be closed by the
+ * caller. */
 static enum wf_status solve_direction(const struct work *w, size_t at, const struct wf_nodes *like,
                                       struct wf_nodes **nodes, struct wf_err *e)
 {
     struct wf_direction *d = &w->out->direction[at];
-    struct wf_analysis an = *w->an;
-    double azimuth = wf_direction_azimuth(&w->out->request, d->from);
-    const double *exposed = w->out->request.speed_up;
-    an.scenario.azimuth = azimuth;
-    if (exposed) an.scenario.speed_up = exposed[at];
-    an.wind.direction[0] = cos(azimuth), an.wind.direction[1] = sin(azimuth);
-    an.loads.wind = &an.wind;
-    for (size_t k = 0; k < an.n; k++) {
-        enum wf_status s = wf_speed_totals(&an, w->o, w->an->at[k].speed, &d->at[k], e);
-        if (s) return s;
-    }
+    struct wf_analysis an;
+    turn_wind(w, at, &an);
     an.at = d->at; /* of this direction: where the tree fails above the range of the search */
     an.search.seconds *= (double)w->out->request.n; /* the process's time is shared by the directions */
     *nodes = wf_nodes_open(&an, like);
@@ -115,7 +140,8 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
         out->direction[k].at = at + k * an->n;
     }
     wf_stage_begin(q->n * (an->n + WF_SEARCH_SOLUTIONS), true, "%zu directions", q->n);
-    s = solve_direction(&w, 0, NULL, &w.like, e); /* the others take its meshes */
+    s = wf_parallel((q->n + BLOCK - 1) / BLOCK, o->threads, solve_speeds, &w, e);
+    if (!s) s = solve_direction(&w, 0, NULL, &w.like, e); /* the others take its meshes */
     if (!s) s = wf_parallel(q->n - 1, o->threads, one, &w, e);
     wf_nodes_close(w.like);
     if (!s) add_climate(out);

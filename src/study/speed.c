@@ -5,6 +5,8 @@
 #include "base/vec3.h"
 #include "data/species.h"
 #include "load/drag.h"
+#include "solve/beam.h"
+#include "solve/beam_many.h"
 #include "solve/track.h"
 #include "study/sheltered.h"
 #include "wind/shelter_laws.h"
@@ -336,6 +338,61 @@ enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_sol
     wf_stage_step(1);
     wf_arena_free(&scratch);
     wf_speed_drop_columns(out);
+    return s;
+}
+
+/* The states of a block as results: figures, then totals alone. */
+static enum wf_status fill_block(const struct wf_analysis *const *an, struct wf_beam_state *state, size_t n,
+                                 struct wf_arena *a, struct wf_at_speed *out, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    for (size_t k = 0; k < n && !s; k++) {
+        out[k].response = state[k].response;
+        out[k].status = state[k].status;
+        if (out[k].status == WF_EUNSTABLE || out[k].status == WF_ENOCONV)
+            totals_unknown(&out[k]);
+        else if (out[k].status)
+            s = wf_fail(e, out[k].status, "%s", state[k].why.text);
+        else
+            s = fill_at_speed(an[k], state[k].loads, NULL, a, &out[k], e);
+        wf_speed_drop_columns(&out[k]);
+        wf_stage_step(1);
+    }
+    return s;
+}
+
+static enum wf_status solve_block(const struct wf_analysis *const *an, const double *speed, size_t n,
+                                  const struct wf_solve_options *o, struct wf_at_speed *out, struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_wind wind[WF_BEAM_BLOCK];
+    struct wf_loads loads[WF_BEAM_BLOCK];
+    struct wf_beam_state state[WF_BEAM_BLOCK];
+    for (size_t k = 0; k < n; k++) {
+        wind[k] = an[k]->wind, loads[k] = an[k]->loads;
+        wind[k].speed = wf_scenario_speed(&an[k]->scenario, speed[k]);
+        loads[k].wind = speed[k] > 0.0 ? &wind[k] : NULL;
+        state[k] = (struct wf_beam_state){ .loads = &loads[k] };
+        memset(&out[k], 0, sizeof out[k]);
+        out[k].speed = speed[k];
+    }
+    enum wf_status s = wf_beam_many(&an[0]->tree, state, n, o, &scratch, NULL, e);
+    if (!s) s = fill_block(an, state, n, &scratch, out, e);
+    wf_arena_free(&scratch);
+    return s;
+}
+
+enum wf_status wf_speed_totals_many(const struct wf_analysis *const *an, const double *speed, size_t n,
+                                    const struct wf_solve_options *o, struct wf_at_speed *out,
+                                    struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    bool together = an[0]->solver == &wf_solver_beam && !an[0]->scenario.shelter;
+    for (size_t k = 0; k < n && !s; k += together ? WF_BEAM_BLOCK : 1) {
+        size_t some = n - k < WF_BEAM_BLOCK ? n - k : WF_BEAM_BLOCK;
+        s = together ? solve_block(an + k, speed + k, some, o, out + k, e)
+                     : wf_speed_totals(an[k], o, speed[k], &out[k], e);
+    }
     return s;
 }
 

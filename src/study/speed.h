@@ -108,6 +108,12 @@ enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solv
  * totals NAN and the load factor in out->response; another code when the run must end. */
 enum wf_status wf_speed_totals(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
                                struct wf_at_speed *out, struct wf_err *e);
+/* As wf_speed_totals for n winds on one tree, given by their analyses, which differ in wind and air alone,
+ * and their speeds. The beam solver solves eight at a time side by side (solve/beam_many.h): out[k] then
+ * depends, within the mesh tolerance, on the others of its eight in the order given. */
+enum wf_status wf_speed_totals_many(const struct wf_analysis *const *an, const double *speed, size_t n,
+                                    const struct wf_solve_options *o, struct wf_at_speed *out,
+                                    struct wf_err *e);
 /* Clear the columns of a solution whose arena is freed; totals and worst sections stay. */
 void wf_speed_drop_columns(struct wf_at_speed *at);
 

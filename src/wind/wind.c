@@ -3,6 +3,7 @@
 #include "base/column.h"
 #include "base/csv.h"
 #include "base/num.h"
+#include "wind/wind_kernel.h"
 #include <math.h>
 #include <string.h>
 
@@ -78,33 +79,16 @@ static void uniform(const struct wf_wind *w, const double x[3], double u[3], dou
     blow_along(w, w->speed, 0, u, du);
 }
 
-/* The gradient is discontinuous at z = d + z0, where the speed is zero; forces, which are proportional to the
- * square of the speed, have a continuous derivative there. */
 static void logarithmic(const struct wf_wind *w, const double x[3], double u[3], double du[9])
 {
-    double z = x[2] - w->displacement, speed = 0, slope = 0;
-    if (z > w->roughness) {
-        double scale = w->speed / log((w->reference_height - w->displacement) / w->roughness);
-        speed = scale * log(z / w->roughness);
-        slope = scale / z;
-    }
+    double slope, scale = log_profile_scale(w->speed, w->reference_height, w->displacement, w->roughness);
+    double speed = log_profile(scale, w->displacement, w->roughness, x[2], &slope);
     blow_along(w, speed, slope, u, du);
 }
 
-/* (z/h)^a has an infinite gradient at the ground. Below a ten-thousandth of the reference height (1 mm for 10
- * m) it is therefore replaced by the parabola that has the same value and slope there and is zero at the
- * ground. */
 static void power(const struct wf_wind *w, const double x[3], double u[3], double du[9])
 {
-    double a = w->exponent, low = 1e-4 * w->reference_height, z = x[2], speed = 0, slope = 0;
-    if (z >= low) {
-        speed = w->speed * pow(z / w->reference_height, a);
-        slope = a * speed / z;
-    } else if (z > 0) {
-        double s = z / low, top = w->speed * pow(1e-4, a);
-        speed = top * s * (2 - a - (1 - a) * s);
-        slope = top * (2 - a - 2 * (1 - a) * s) / low;
-    }
+    double slope, speed = power_profile(w->speed, w->reference_height, w->exponent, x[2], &slope);
     blow_along(w, speed, slope, u, du);
 }
 
@@ -216,18 +200,18 @@ enum wf_status wf_measured_blow(const struct wf_measured_profile *p, struct wf_w
 
 const struct wf_profile wf_profiles[] = {
     { "uniform", "the same speed at every height", "wind tunnels, comparisons; not the wind over ground",
-      uniform, "" },
+      uniform, "", WF_PROFILE_UNIFORM },
     { "log",
       "Tennekes H. 1973. The logarithmic wind profile. J. Atmos. Sci. 30:234-238; zero-plane displacement: "
       "Thom A.S. "
       "1971. Momentum absorption by vegetation. Q. J. R. Meteorol. Soc. 97:414-428",
       "neutral or strong wind over level ground, from about d + 20 z0 up to 100 m; calm below d + z0",
-      logarithmic, "roughness displacement" },
+      logarithmic, "roughness displacement", WF_PROFILE_LOG },
     { "power",
       "Davenport A.G. 1960. Rationale for determining design wind velocities. J. Struct. Div. ASCE "
       "86(5):39-68",
       "strong wind over level ground, 1 m to 300 m; exponent 0.10 (water) to 0.40 (town), 0.16 open country",
-      power, "exponent" },
+      power, "exponent", WF_PROFILE_POWER },
     { "canopy",
       "Cionco R.M. 1965. A mathematical model for air flow in a vegetative canopy. J. Appl. Meteorol. "
       "4:517-522; above: "
@@ -235,14 +219,14 @@ const struct wf_profile wf_profiles[] = {
       "closed level stands of even height, neutral or strong wind; attenuation 0.3 (open) to 4 (dense); not "
       "the "
       "second maximum among bare trunks below about 0.3 of the height",
-      wf_canopy_sample, "roughness displacement canopy_height attenuation" },
+      wf_canopy_sample, "roughness displacement canopy_height attenuation", WF_PROFILE_BY_CALL },
     { "measured",
       "the heights and speeds of the file named; between them a monotone cubic: Steffen M. 1990. Astron. "
       "Astrophys. "
       "239:443-450",
       "between the lowest and the highest height measured; below them the speed falls to 0 at the ground, "
       "above them it is constant",
-      wf_measured_sample, "" },
+      wf_measured_sample, "", WF_PROFILE_BY_CALL },
     { 0 }
 };
 
@@ -256,6 +240,13 @@ double wf_wind_from(double azimuth, double north)
 }
 
 double wf_wind_azimuth(double from, double north) { return -0.5 * WF_PI - (from + north); }
+
+enum wf_profile_form wf_wind_form(const struct wf_wind *w)
+{
+    for (const struct wf_profile *p = wf_profiles; p->name; p++)
+        if (p->sample == w->sample) return p->form;
+    return WF_PROFILE_OTHER;
+}
 
 const struct wf_profile *wf_profile_named(const char *name)
 {

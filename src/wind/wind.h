@@ -31,12 +31,24 @@ struct wf_wind {
     double (*clear)(const struct wf_wind *w, const double x[3], const double t[3]);
 };
 
+/* How a field is computed for many states at once: by a formula of wind/wind_kernel.h, or sampled for one
+ * state after the other. A profile is a function of height. */
+enum wf_profile_form {
+    WF_PROFILE_OTHER, /* any field */
+    WF_PROFILE_BY_CALL,
+    WF_PROFILE_UNIFORM,
+    WF_PROFILE_LOG,
+    WF_PROFILE_POWER
+};
+
 struct wf_profile {
     const char *name, *source, *validity;
     wf_wind_sample *sample;
     const char
         *takes; /* its numbers beside the reference height, members of struct wf_wind, with blanks between */
+    enum wf_profile_form form; /* the same by lanes */
 };
+enum wf_profile_form wf_wind_form(const struct wf_wind *w);
 /* Canopy profile: height of the canopy top [m] and attenuation [-], as given or derived (see struct wf_wind).
  */
 void wf_canopy_shape(const struct wf_wind *w, double *top, double *attenuation);

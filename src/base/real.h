@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_BASE_REAL_H
+#define WF_BASE_REAL_H
+/* `real`: the number that the numeric kernels compute with. It is a double, or, where a source is compiled
+ * with WF_WIDTH above 1, as many doubles side by side, of independent states ("lanes"). Sums, products,
+ * quotients and square roots of a lane are those of IEEE 754 whatever the width, and no operation combines
+ * lanes, so that a lane has the same bytes at any width. Operators work on both; a double beside a real
+ * counts for all lanes. */
+#include <math.h>
+#include <stdint.h>
+#include <string.h>
+
+#ifndef WF_WIDTH
+#define WF_WIDTH 1
+#endif
+#define WF_INLINE static inline __attribute__((always_inline))
+
+/* real_truth: per lane all bits set, or none. real_of: a double in all lanes. real_lane: one lane, to read or
+ * set. real_choose: a where m is set, else b. */
+#if WF_WIDTH == 1
+
+typedef double real;
+typedef int64_t real_truth;
+#define real_of(x) ((double)(x))
+#define real_lane(x, k) (*((void)(k), &(x)))
+#define real_below(a, b) (-(real_truth)((a) < (b)))
+#define real_not_above(a, b) (-(real_truth)((a) <= (b)))
+
+WF_INLINE real_truth real_bits(real x)
+{
+    real_truth m;
+    memcpy(&m, &x, sizeof m);
+    return m;
+}
+WF_INLINE real real_from_bits(real_truth m)
+{
+    real x;
+    memcpy(&x, &m, sizeof x);
+    return x;
+}
+WF_INLINE real real_choose(real_truth m, real a, real b) { return m ? a : b; }
+WF_INLINE int real_any(real_truth m) { return m != 0; }
+WF_INLINE real real_sqrt(real x) { return sqrt(x); }
+WF_INLINE real real_abs(real x) { return fabs(x); }
+
+#else
+
+#ifdef __AVX__
+#include <immintrin.h>
+#endif
+typedef double real __attribute__((vector_size(8 * WF_WIDTH)));
+typedef int64_t real_truth __attribute__((vector_size(8 * WF_WIDTH)));
+#define real_of(x) ((x) - (real){ 0 })
+#define real_lane(x, k) ((x)[k])
+#define real_below(a, b) ((real_truth)((a) < (b)))
+#define real_not_above(a, b) ((real_truth)((a) <= (b)))
+WF_INLINE real_truth real_bits(real x) { return (real_truth)x; }
+WF_INLINE real real_from_bits(real_truth m) { return (real)m; }
+WF_INLINE real real_choose(real_truth m, real a, real b)
+{
+    return (real)(((real_truth)a & m) | ((real_truth)b & ~m));
+}
+WF_INLINE real real_abs(real x) { return (real)((real_truth)x & INT64_MAX); }
+WF_INLINE int real_any(real_truth m)
+{
+#if WF_WIDTH == 8 && defined(__AVX512F__)
+    return _mm512_test_epi64_mask((__m512i)m, (__m512i)m) != 0;
+#elif WF_WIDTH == 4 && defined(__AVX__)
+    return !_mm256_testz_si256((__m256i)m, (__m256i)m);
+#else
+    int64_t some = 0;
+    for (int k = 0; k < WF_WIDTH; k++) some |= m[k];
+    return some != 0;
+#endif
+}
+WF_INLINE real real_sqrt(real x)
+{
+#if WF_WIDTH == 8 && defined(__AVX512F__)
+    return (real)_mm512_sqrt_pd((__m512d)x);
+#elif WF_WIDTH == 4 && defined(__AVX__)
+    return (real)_mm256_sqrt_pd((__m256d)x);
+#else
+    real y;
+    for (int k = 0; k < WF_WIDTH; k++) y[k] = sqrt(x[k]);
+    return y;
+#endif
+}
+
+#endif
+
+/* The larger and the smaller; b where one is not a number. */
+WF_INLINE real real_max(real a, real b) { return real_choose(real_below(b, a), a, b); }
+WF_INLINE real real_min(real a, real b) { return real_choose(real_below(a, b), a, b); }
+#endif

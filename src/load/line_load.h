@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_LOAD_LINE_LOAD_H
+#define WF_LOAD_LINE_LOAD_H
+/* The load on one point of an axis and its exact derivatives, for a double or for many lanes (base/real.h).
+ * They are evaluated at every Gauss point of every element in every iteration, so: no allocation, one square
+ * root per speed, no division by a speed that may be zero. */
+#include "base/vec3.h"
+#include "load/drag.h"
+#include "load/load.h"
+#include "wind/wind_kernel.h"
+
+/* struct wf_line_load of a real */
+#if WF_WIDTH == 1
+#define real_load wf_line_load
+#else
+struct real_load {
+    real force[3], by_place[9], by_turn[9];
+};
+#endif
+
+/* Velocity of the air at a point, and the coefficients k of force = k * velocity. */
+struct axis_flow {
+    real u[3], du[9];
+    real along;             /* U.t [m/s] */
+    real across;            /* |Un| [m/s] */
+    real speed;             /* |U| [m/s] */
+    real n[3], m[3];        /* Un/|Un| and t x Un/|Un|; zero when |Un| = 0 */
+    real e[3];              /* U/|U|; zero in still air */
+    real drag, drag_grow;   /* axis drag / Un [N s/m2], and |Un| d(drag)/d|Un| */
+    real lift;              /* lift / (t x Un) [N s/m2]; equals its |Un| d(lift)/d|Un| */
+    real crown, crown_grow; /* crown drag / U [N s/m2], and |U| d(crown)/d|U| */
+};
+
+/* unit = v / |v|, zero for a zero vector: every use multiplies it by a force that vanishes with |v|.
+ * Returned: |v|. */
+WF_INLINE real split_direction(const real v[3], real unit[3])
+{
+    real size = real_sqrt(wf_dot(v, v)),
+         inverse = real_choose(real_below(real_of(0), size), 1 / size, real_of(0));
+    for (int i = 0; i < 3; i++) unit[i] = v[i] * inverse;
+    return size;
+}
+
+/* Speeds and directions of the air that passes an axis. Given: u and du of *f; unit tangent t. */
+WF_INLINE void flow_past(const real t[3], struct axis_flow *f)
+{
+    real un[3];
+    f->along = wf_dot(f->u, t);
+    for (int i = 0; i < 3; i++) un[i] = f->u[i] - f->along * t[i];
+    f->across = split_direction(un, f->n);
+    wf_cross(t, f->n, f->m);
+    f->speed = split_direction(f->u, f->e);
+}
+
+/* Forces by coefficients. Given: half the air's density; drag coefficient of the axis and share of the
+ * crown's drag area, with their derivatives by speed; *f after flow_past. */
+WF_INLINE void flow_forces(const struct wf_line_point *p, real half, real cd, real cd_slope, real share,
+                           real share_slope, struct axis_flow *f)
+{
+    real a = half * p->diameter * f->across, c = half * p->sail * f->speed;
+    f->drag = a * cd;
+    f->drag_grow = a * (cd + cd_slope * f->across);
+    f->lift = a * p->lift;
+    f->crown = c * share;
+    f->crown_grow = c * (share + share_slope * f->speed);
+}
+
+/* Add the force of the air, and set its derivatives. varies: du is not zero. */
+WF_INLINE void flow_load(const struct axis_flow *f, const real t[3], int varies, struct real_load *out)
+{
+    const real T[9] = { real_of(0), -t[2], t[1], t[2], real_of(0), -t[0], -t[1], t[0], real_of(0) }; /* t x */
+    for (int i = 0; i < 3; i++)
+        out->force[i] += f->across * (f->drag * f->n[i] + f->lift * f->m[i]) + f->crown * f->u[i];
+
+    /* d force / dU, times dU / dx. With P = 1 - t t': dUn = P dU, d|Un| = n.dU, d(t x Un) = t x dU. */
+    if (varies)
+        for (int i = 0; i < 3; i++) {
+            real by_u[3];
+            for (int j = 0; j < 3; j++) {
+                by_u[j] = f->lift * T[3 * i + j] - f->drag * t[i] * t[j] +
+                          (f->drag_grow * f->n[i] + f->lift * f->m[i]) * f->n[j] +
+                          f->crown_grow * f->e[i] * f->e[j];
+                if (i == j) by_u[j] += f->drag + f->crown;
+            }
+            for (int j = 0; j < 3; j++)
+                out->by_place[3 * i + j] =
+                    by_u[0] * f->du[j] + by_u[1] * f->du[3 + j] + by_u[2] * f->du[6 + j];
+        }
+
+    /* Turning the axis by w: dt = w x t, so with b = t x U = |Un| m
+     *   dUn = (U.t) t x w - t (b.w),  d|Un| = -(U.t) (m.w),  db = t (U.w) - (U.t) w. */
+    for (int i = 0; i < 3; i++)
+        for (int j = 0; j < 3; j++) {
+            real lift = t[i] * f->u[j] - f->along * (f->m[i] * f->m[j]);
+            if (i == j) lift -= f->along;
+            out->by_turn[3 * i + j] = f->drag * (f->along * T[3 * i + j] - t[i] * f->across * f->m[j]) -
+                                      f->drag_grow * f->along * f->n[i] * f->m[j] + f->lift * lift;
+        }
+}
+
+/* Many lanes at once, which differ in wind and air. Wind fields and laws without a formula for lanes are
+ * evaluated for one lane after the other. */
+
+/* Wind, air and weight of the lanes. */
+struct air {
+    const struct wf_loads *loads[WF_WIDTH];
+    enum wf_profile_form profile;
+    enum wf_share_form crown;
+    enum wf_drag_form axis;
+    bool blows; /* in some lane */
+    real speed, direction[3], reference, exponent, displacement, roughness, scale;
+    real half;                         /* density / 2 */
+    real viscosity, vogel, vogel_from; /* of the laws */
+    real weight, dead;                 /* factors of weight and of dead loads */
+    const struct wf_law_values *table;
+};
+
+/* Given: the loads of each lane. */
+static inline void set_air(const struct wf_loads *const *loads, struct air *a)
+{
+    const struct wf_loads *first = loads[0];
+    *a =
+        (struct air){ .profile = WF_PROFILE_UNIFORM, .crown = WF_SHARE_NONE, .axis = first->axis_drag->form };
+    for (int k = WF_WIDTH; k-- > 0;)
+        if (loads[k]->wind) first = loads[k], a->blows = true;
+    if (a->blows) a->profile = wf_wind_form(first->wind);
+    if (first->streamline) a->crown = first->streamline->form;
+    a->table = &first->streamline_par;
+    for (int k = 0; k < WF_WIDTH; k++) {
+        const struct wf_loads *l = loads[k];
+        const struct wf_wind *w = l->wind ? l->wind : first->wind;
+        a->loads[k] = l;
+        real_lane(a->weight, k) = l->gravity * l->weight_scale, real_lane(a->dead, k) = l->point_scale;
+        real_lane(a->viscosity, k) = l->air_viscosity;
+        if (!w) continue;
+        if (l->streamline != first->streamline) a->crown = WF_SHARE_BY_CALL;
+        if (a->crown == WF_SHARE_TABLE &&
+            memcmp(l->streamline_par.list, a->table->list, sizeof a->table->list))
+            a->crown = WF_SHARE_BY_CALL;
+        if (l->axis_drag != first->axis_drag) a->axis = WF_DRAG_BY_CALL;
+        enum wf_profile_form form = wf_wind_form(w);
+        if (form == WF_PROFILE_OTHER || (form != a->profile && a->profile != WF_PROFILE_OTHER))
+            a->profile = form == WF_PROFILE_OTHER ? form : WF_PROFILE_BY_CALL;
+        real_lane(a->vogel, k) = l->streamline_par.number[0],
+                            real_lane(a->vogel_from, k) = l->streamline_par.number[1];
+        real_lane(a->half, k) = l->wind ? 0.5 * l->air_density * l->wind_scale : 0;
+        real_lane(a->speed, k) = l->wind ? w->speed : 0;
+        for (int i = 0; i < 3; i++) real_lane(a->direction[i], k) = w->direction[i];
+        real_lane(a->reference, k) = w->reference_height, real_lane(a->exponent, k) = w->exponent;
+        real_lane(a->displacement, k) = w->displacement, real_lane(a->roughness, k) = w->roughness;
+    }
+    if (a->profile == WF_PROFILE_LOG)
+        a->scale = log_profile_scale(a->speed, a->reference, a->displacement, a->roughness);
+}
+
+/* The wind lane by lane. */
+static __attribute__((noinline, unused)) void sample_each(const struct air *a, const real x[3], real u[3],
+                                                          real du[9])
+{
+    for (int k = 0; k < WF_WIDTH; k++) {
+        double at[3], v[3] = { 0, 0, 0 }, slope[9] = { 0 };
+        const struct wf_wind *w = a->loads[k]->wind;
+        for (int i = 0; i < 3; i++) at[i] = real_lane(x[i], k);
+        if (w) w->sample(w, at, v, slope);
+        for (int i = 0; i < 3; i++) real_lane(u[i], k) = v[i];
+        for (int i = 0; i < 9; i++) real_lane(du[i], k) = slope[i];
+    }
+}
+
+WF_INLINE void sample_lanes(const struct air *a, const real x[3], real u[3], real du[9])
+{
+    real speed = a->speed, slope = { 0 };
+    if (a->profile <= WF_PROFILE_BY_CALL) {
+        sample_each(a, x, u, du);
+        return;
+    }
+    if (a->profile == WF_PROFILE_LOG)
+        speed = log_profile(a->scale, a->displacement, a->roughness, x[2], &slope);
+    else if (a->profile == WF_PROFILE_POWER)
+        speed = power_profile(a->speed, a->reference, a->exponent, x[2], &slope);
+    for (int i = 0; i < 3; i++) {
+        u[i] = speed * a->direction[i];
+        du[3 * i] = du[3 * i + 1] = real_of(0);
+        du[3 * i + 2] = slope * a->direction[i];
+    }
+}
+
+static __attribute__((noinline, unused)) void share_each(const struct air *a, const real *speed, real *share,
+                                                         real *slope)
+{
+    for (int k = 0; k < WF_WIDTH; k++) {
+        const struct wf_loads *l = a->loads[k];
+        double by = 0, at = real_lane(*speed, k);
+        real_lane(*share, k) = l->streamline ? l->streamline->share(&l->streamline_par, at, &by) : 1;
+        real_lane(*slope, k) = by;
+    }
+}
+
+WF_INLINE real crown_share(const struct air *a, real speed, real *slope)
+{
+    real share = real_of(1);
+    *slope = real_of(0);
+    if (a->crown == WF_SHARE_VOGEL) return vogel_share(a->vogel, a->vogel_from, speed, slope);
+    if (a->crown == WF_SHARE_TABLE) return table_share(a->table, speed, slope);
+    if (a->crown == WF_SHARE_BY_CALL) {
+        real copy = speed, by;
+        share_each(a, &copy, &share, &by);
+        *slope = by;
+    }
+    return share;
+}
+
+static __attribute__((noinline, unused)) void drag_each(const struct air *a, const real *speed,
+                                                        double diameter, real *cd, real *slope)
+{
+    for (int k = 0; k < WF_WIDTH; k++) {
+        const struct wf_loads *l = a->loads[k];
+        double by = 0, at = real_lane(*speed, k);
+        real_lane(*cd, k) = l->axis_drag->coefficient(&l->axis_drag_par, at, diameter, l->air_viscosity, &by);
+        real_lane(*slope, k) = by;
+    }
+}
+
+WF_INLINE real axis_drag(const struct air *a, real speed, double diameter, real *slope)
+{
+    if (a->axis == WF_DRAG_BARK) return bark_drag_law(speed, diameter, a->viscosity, slope);
+    real copy = speed, cd, by;
+    drag_each(a, &copy, diameter, &cd, &by);
+    *slope = by;
+    return cd;
+}
+
+/* Given: dead load per length [N/m], point, position, unit tangent. Returned: *out. varies: the wind's
+ * gradient counts. */
+WF_INLINE void load_lanes(const struct air *a, const struct wf_line_point *line, const double dead[3],
+                          const real x[3], const real t[3], int varies, struct real_load *out)
+{
+    for (int i = 0; i < 3; i++) out->force[i] = a->dead * dead[i];
+    out->force[2] -= line->mass * a->weight;
+    for (int i = 0; i < 9; i++) out->by_place[i] = out->by_turn[i] = real_of(0);
+    if (!a->blows) return;
+    struct axis_flow f;
+    real cd = real_of(line->drag), cd_slope = { 0 }, share = real_of(1), share_slope = { 0 };
+    sample_lanes(a, x, f.u, f.du);
+    flow_past(t, &f);
+    if (isnan(line->drag)) cd = axis_drag(a, f.across, line->diameter, &cd_slope);
+    if (line->sail > 0) share = crown_share(a, f.speed, &share_slope);
+    flow_forces(line, a->half, cd, cd_slope, share, share_slope, &f);
+    flow_load(&f, t, varies, out);
+}
+#endif
