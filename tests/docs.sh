@@ -28,7 +28,6 @@ commands() {
 # What is not run, and why.
 reason_to_skip() {
     case "$1" in
-    *" analyze "*"--model weeping_willow_tree"*) echo "takes a minute" ;;
     *"--bootstrap 200"*) echo "takes minutes; tests/test_fit_cmd.c has a smaller one" ;;
     "windfirm validate") echo "the whole validation is run by tests/run.sh itself" ;;
     esac
@@ -37,7 +36,7 @@ reason_to_skip() {
 # The option that leaves the pages out; nothing where a report is drawn from the folder.
 without_pages() {
     case "$1" in
-    *"-o out/mine"* | *" report "*) return ;;
+    *"-o out/mine"* | *" report "* | *" --no-pdf"*) return ;;
     esac
     "$windfirm" "$(echo "$1" | cut -d' ' -f2)" --help 2>/dev/null | grep -oE -m1 -e '--no-(report|plots)'
 }

@@ -56,7 +56,7 @@ static void test_usage(void **state)
         { "sed 's/segments: 40/segments: 20000/' models/culm.yaml >$T/long.yaml; ulimit -d 130000; "
           "$W analyze oak --model $T/long.yaml --wind 10 --no-report -q -o $T/long",
           CODE_RUN,
-          { "20001 segments at 1 wind speed need about 0.12 GB of memory" } },
+          { "20001 segments at 1 wind speed need about 0.32 GB of memory" } },
 #endif
     };
     CHECK(rows);

@@ -40,7 +40,7 @@ static void answers(void **unused)
            "each:root.stiffness "
            "--no-report --no-profile --no-rival -o $T/o",
            0, "small:root.stiffness");
-    prints("$W fit $S --loss tukey --starts 3 --bootstrap 25 --seed 7 --no-report --no-profile --no-rival -o "
+    prints("$W fit $S --loss tukey --starts 2 --bootstrap 20 --seed 7 --no-report --no-profile --no-rival -o "
            "$T/o && "
            "head -1 $T/o/tables/readings.csv",
            0, "95 % by bootstrap");
