@@ -17,7 +17,8 @@
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">c.rn.run;c.rn.preset;c.rn.leaves:;c.rn.grid:;c.rn.hits:;c.rn.ran:;c.rn.merged:;c.rn.hung:;c.rn.fell:;c.rn.f:Hz;c.rn.speed:1/s</xsl:with-param>
+          <xsl:with-param name="of">c.rn.run;c.rn.preset;c.rn.leaves:;c.rn.grid:;c.rn.hits:;
+            c.rn.ran:;c.rn.merged:;c.rn.hung:;c.rn.fell:;c.rn.f:Hz;c.rn.speed:1/s</xsl:with-param>
         </xsl:call-template>
       </tr>
     </thead>
@@ -31,7 +32,8 @@
             <xsl:with-param name="id" select="concat('rn.preset.', preset)"/>
             <xsl:with-param name="otherwise" select="preset"/></xsl:call-template></td>
           <xsl:for-each select="leaves | grid | hits | ran | merged | hung | fell">
-            <xsl:sort select="string-length(substring-before('leaves grid hits ran merged hung fell ', concat(name(), ' ')))" data-type="number"/>
+            <xsl:sort select="string-length(substring-before('leaves grid hits ran merged hung fell ',
+                concat(name(), ' ')))" data-type="number"/>
             <xsl:call-template name="count"><xsl:with-param name="x" select="."/></xsl:call-template>
           </xsl:for-each>
           <xsl:call-template name="n"><xsl:with-param name="x" select="frequency_Hz"/></xsl:call-template>
@@ -61,7 +63,8 @@
       </xsl:call-template>
     </p>
   </xsl:if>
-  <xsl:for-each select="/report/figures/figure[substring(@name, string-length(@name) - string-length(concat('_', $n)) + 1) = concat('_', $n)]">
+  <xsl:for-each select="/report/figures/figure[substring(@name,
+      string-length(@name) - string-length(concat('_', $n)) + 1) = concat('_', $n)]">
     <xsl:call-template name="figure">
       <xsl:with-param name="name" select="@name"/>
       <xsl:with-param name="id" select="concat('cap.', substring(@name, 1, string-length(@name) - string-length(concat('_', $n))))"/>
@@ -70,8 +73,10 @@
   <table class="data">
     <xsl:call-template name="caption">
       <xsl:with-param name="id">rn.budget</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="tiny"><xsl:with-param name="x" select="water_off"/></xsl:call-template></xsl:with-param>
-      <xsl:with-param name="b"><xsl:call-template name="tiny"><xsl:with-param name="x" select="energy_off"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="tiny">
+        <xsl:with-param name="x" select="water_off"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="b"><xsl:call-template name="tiny">
+        <xsl:with-param name="x" select="energy_off"/></xsl:call-template></xsl:with-param>
     </xsl:call-template>
     <thead><tr>
       <xsl:for-each select="budget/item[of = 'water']">
@@ -115,7 +120,8 @@
   <table class="data">
     <xsl:call-template name="caption">
       <xsl:with-param name="id">rn.prisms</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$r/restoring_N_m"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="given">
+        <xsl:with-param name="x" select="$r/restoring_N_m"/></xsl:call-template></xsl:with-param>
     </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
       <xsl:with-param name="of">c.rn.prisms:;c.rn.tip:%;c.rn.twist:%;c.rn.f1:%;c.rn.held:–;c.rn.quick:–</xsl:with-param>
@@ -124,11 +130,26 @@
       <xsl:for-each select="$r/prisms/item">
         <tr>
           <xsl:call-template name="count"><xsl:with-param name="x" select="prisms"/></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="tip_percent"/><xsl:with-param name="pattern">0.000</xsl:with-param></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="twist_percent"/><xsl:with-param name="pattern">0.000</xsl:with-param></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="frequency_percent"/><xsl:with-param name="pattern">0.000</xsl:with-param></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="with_restoring"/><xsl:with-param name="pattern">0.000</xsl:with-param></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="frequency_with_restoring"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="tip_percent"/>
+            <xsl:with-param name="pattern">0.000</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="twist_percent"/>
+            <xsl:with-param name="pattern">0.000</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="frequency_percent"/>
+            <xsl:with-param name="pattern">0.000</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="with_restoring"/>
+            <xsl:with-param name="pattern">0.000</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="frequency_with_restoring"/>
+            <xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
         </tr>
       </xsl:for-each>
     </tbody>
@@ -141,18 +162,29 @@
   <table class="data">
     <xsl:call-template name="caption"><xsl:with-param name="id">rn.speeds</xsl:with-param></xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">c.rn.scene:;c.rn.leaves:;c.rn.vertices:;c.rn.facets:;c.rn.grid:;c.rn.drops:;c.rn.paper:1/s;c.rn.speed:1/s;c.rn.ratio:–</xsl:with-param>
+      <xsl:with-param name="of">c.rn.scene:;c.rn.leaves:;c.rn.vertices:;c.rn.facets:;
+        c.rn.grid:;c.rn.drops:;c.rn.paper:1/s;c.rn.speed:1/s;c.rn.ratio:–</xsl:with-param>
     </xsl:call-template></tr></thead>
     <tbody>
       <xsl:for-each select="$r/speeds/item">
         <tr>
           <xsl:for-each select="scene | leaves | vertices | facets | grid | drops">
-            <xsl:sort select="string-length(substring-before('scene leaves vertices facets grid drops ', concat(name(), ' ')))" data-type="number"/>
+            <xsl:sort select="string-length(substring-before('scene leaves vertices facets grid drops ',
+                concat(name(), ' ')))" data-type="number"/>
             <xsl:call-template name="count"><xsl:with-param name="x" select="."/></xsl:call-template>
           </xsl:for-each>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="paper"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="steps"/><xsl:with-param name="pattern">0</xsl:with-param></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="steps div paper"/><xsl:with-param name="pattern">0</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="paper"/>
+            <xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="steps"/>
+            <xsl:with-param name="pattern">0</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="steps div paper"/>
+            <xsl:with-param name="pattern">0</xsl:with-param>
+          </xsl:call-template>
         </tr>
       </xsl:for-each>
     </tbody>

@@ -207,7 +207,8 @@
       </xsl:with-param>
     </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">c.wt.tree;c.wt.state;c.wt.water:kg;c.wt.sway:Hz;c.wt.moment:kN m;c.wt.tip:m;c.wt.critical:m/s</xsl:with-param>
+      <xsl:with-param name="of">c.wt.tree;c.wt.state;c.wt.water:kg;c.wt.sway:Hz;
+        c.wt.moment:kN m;c.wt.tip:m;c.wt.critical:m/s</xsl:with-param>
     </xsl:call-template></tr></thead>
     <tbody>
       <xsl:for-each select="$trees[wetted]">
@@ -219,7 +220,9 @@
             <td><xsl:if test="$k = 1"><xsl:value-of select="$name"/></xsl:if></td>
             <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('wt.state.', $k)"/></xsl:call-template></td>
             <xsl:call-template name="n"><xsl:with-param name="x" select="($k = 2) * $w/mass_kg"/></xsl:call-template>
-            <xsl:call-template name="cell"><xsl:with-param name="x" select="."/><xsl:with-param name="pattern">0.0000</xsl:with-param></xsl:call-template>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="."/><xsl:with-param name="pattern">0.0000</xsl:with-param>
+            </xsl:call-template>
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="$w/moments_N_m/item[$k] div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
             </xsl:call-template>

@@ -89,7 +89,11 @@ static void commands(void **state)
           { "rain on the leaves: 5.1 kg, 0.3 mm on 17 m2", "dry -> wet: sways at 0.2562 -> 0.1868 Hz" } },
         { "$W analyze oak -m culm --wind 10 --rain 20mm/h --no-report -o $T/wet",
           CODE_OK,
-          { "5.1 kg, 0.3 mm" } },
+          { "5.1 kg, 0.3 mm", "water-storage" } },
+        { "$W analyze oak -m culm --wind 10 --rain 20mm/h --storage dipped --no-report -o $T/wet",
+          CODE_OK,
+          { "3.23 kg, 0.19 mm" } },
+        { "$W analyze oak -m culm --wind 10 --storage dipped", CODE_INPUT, { "without --rain" } },
         { "$W analyze oak -m culm --wind 10 --no-report -o $T/dry | grep -c rain; $W analyze oak -m culm "
           "--wind 10 "
           "--water-film 0mm --no-report -o $T/none -q; cmp $T/dry/tables/summary.csv "

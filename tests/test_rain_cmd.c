@@ -33,6 +33,10 @@ static void runs(void **state)
         { "$W rain --model broadleaf --species oak --leaves 2 --duration 0.1 --no-report -o $T/r",
           CODE_OK,
           { "2 leaves" } },
+        { "$W rain --model broadleaf --species oak --leaves 1 --duration 0.05 --no-report -q -o $T/r && echo "
+          "quiet",
+          CODE_OK,
+          { "quiet" } },
         { "$W papers list", CODE_OK, { "yang2011", "rain on branches and leaves" } },
         { "$W papers yang201", CODE_INPUT, { "did you mean 'yang2011'?" } },
     };

@@ -150,6 +150,8 @@ static const struct wf_option rain_options[] = {
     { 0 },
 };
 
+_Static_assert(WF_COUNT(rain_options) <= WF_OPTIONS_MAX, "more options than a command can have");
+
 static const char rain_about[] = "Drops fall on a branch with leaves: they hit, run, merge, hang and fall, "
                                  "and the branch vibrates. By Yang and Wu "
                                  "2011, corrected to physics or as printed.\n"

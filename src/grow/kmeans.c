@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { ROUNDS_MOST = 1000, POINTS_MOST = 2000000, PURPOSE_START = 74 };
+enum { ROUNDS_MOST = 1000, POINTS_MOST = 2000000, PLACE_MOST = 10000, LISTED = 20, PURPOSE_START = 74 };
 
 static bool blank(char c) { return c == ' ' || c == '\t' || c == ',' || c == '\r'; }
 
@@ -37,9 +37,15 @@ enum wf_status wf_cloud_read(const char *path, struct wf_arena *a, struct wf_clo
     for (const char *at = b.data, *end = b.data + b.size; at < end; line++) {
         const char *stop = memchr(at, '\n', (size_t)(end - at));
         int n = read_line(at, stop ? stop : end, out->at + 3 * out->n);
-        if (n < 0 && d->errors < 20)
+        const double *x = out->at + 3 * out->n;
+        bool far =
+            n == 3 && !(fabs(x[0]) <= PLACE_MOST && fabs(x[1]) <= PLACE_MOST && fabs(x[2]) <= PLACE_MOST);
+        if (n < 0 && d->errors < LISTED)
             wf_diag_error(d, path, line, 1, "a point is three numbers, x y z in metres, with blanks between");
-        else if (n < 0)
+        else if (far && d->errors < LISTED)
+            wf_diag_error(d, path, line, 1, "a place is at most %d m from the origin; are these metres?",
+                          PLACE_MOST);
+        else if (n < 0 || far)
             d->errors++;
         out->n += n == 3;
         at = stop ? stop + 1 : end;

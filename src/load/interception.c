@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load/interception.h"
+#include <string.h>
 
 const struct wf_storage wf_storages[] = {
     { "watergap", "0.3 mm per leaf area index, of the hydrological model WaterGAP", 0.3 },
@@ -12,6 +13,13 @@ const struct wf_storage wf_storages[] = {
     { "dipped", "leaves of ten species, Qingdao: 0.12 to 0.19 mm; twigs hold as much again", 0.19 },
     { 0 },
 };
+
+const struct wf_storage *wf_storage_named(const char *name)
+{
+    for (const struct wf_storage *s = wf_storages; s->name; s++)
+        if (!strcmp(s->name, name)) return s;
+    return NULL;
+}
 
 double wf_tree_leaf_area(const struct wf_tree *t)
 {

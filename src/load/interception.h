@@ -10,6 +10,7 @@ struct wf_storage {
     double film;
 };
 extern const struct wf_storage wf_storages[]; /* the default first; ends at name == NULL */
+const struct wf_storage *wf_storage_named(const char *name);
 
 /* Put a film on the leaves of a tree: its burden grows by film times leaf area, spread as the leaves are.
  * Given: film per one-sided leaf area [kg m-2]. Returned: mass of the water [kg]; 0 for a tree without
