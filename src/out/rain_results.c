@@ -132,7 +132,7 @@ static enum wf_status write_maps(const struct wf_rain_page *p, const char *folde
     for (size_t r = 0; r < p->n && !s; r++)
         for (size_t k = 0; k < p->run[r].of->keys && !s; k++) {
             struct wf_file f = { 0 };
-            char name[56];
+            char name[80];
             snprintf(name, sizeof name, "tables/map_%zu_%zu.csv", r + 1, k + 1);
             if ((s = wf_folder_begin(&f, folder, name, e))) break;
             map(f.stream, &p->run[r].of->key[k]);
