@@ -50,7 +50,7 @@ WF_INLINE real real_exp(real x)
                                                                    r * (2.7620201591031548792e-7 +
                                                                         r * 2.5100472505694996003e-8))))))));
     real y = 1 + (high - (low - r * r * p));
-    return real_from_bits(real_bits(y) + (real_bits(shifted) << 52));
+    return real_from_bits(real_bits(y) + real_bits_up(real_bits(shifted), 52));
 }
 
 /* x^a for x > 0. */

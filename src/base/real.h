@@ -26,6 +26,8 @@ typedef int64_t real_truth;
 #define real_below(a, b) (-(real_truth)((a) < (b)))
 #define real_not_above(a, b) (-(real_truth)((a) <= (b)))
 
+/* Shifted as if without a sign. */
+WF_INLINE real_truth real_bits_up(real_truth x, int places) { return (real_truth)((uint64_t)x << places); }
 WF_INLINE real_truth real_bits(real x)
 {
     real_truth m;
@@ -54,6 +56,11 @@ typedef int64_t real_truth __attribute__((vector_size(8 * WF_WIDTH)));
 #define real_lane(x, k) ((x)[k])
 #define real_below(a, b) ((real_truth)((a) < (b)))
 #define real_not_above(a, b) ((real_truth)((a) <= (b)))
+typedef uint64_t real_unsigned __attribute__((vector_size(8 * WF_WIDTH)));
+WF_INLINE real_truth real_bits_up(real_truth x, int places)
+{
+    return (real_truth)((real_unsigned)x << places);
+}
 WF_INLINE real_truth real_bits(real x) { return (real_truth)x; }
 WF_INLINE real real_from_bits(real_truth m) { return (real)m; }
 WF_INLINE real real_choose(real_truth m, real a, real b)
