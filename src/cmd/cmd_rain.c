@@ -324,9 +324,10 @@ static enum wf_status compare_prisms(const struct wf_scene_spec *s, struct wf_ar
     return wf_prism_compare(&page->rod, a, page->check, e);
 }
 
-static enum wf_status rain(const struct rain_options *o, struct wf_doc_head *head, struct wf_run_folder *f,
-                           struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+static enum wf_status rain(void *work, struct wf_doc_head *head, struct wf_run_folder *f, struct wf_arena *a,
+                           struct wf_diag *d, struct wf_err *e)
 {
+    const struct rain_options *o = work;
     struct wf_species sp;
     struct wf_rain_spec spec;
     struct wf_rain_result result;
@@ -358,19 +359,8 @@ int wf_cmd_rain(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
     struct rain_options o = { 0 };
-    struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, rain_options, rain_about, 0, 0, &arena, &o.args);
-    if (code < 0) {
-        struct wf_diag d = { .arena = &arena };
-        struct wf_doc_head head;
-        struct wf_run_folder f = { 0 };
-        enum wf_status s = wf_pages_head(argc, argv, &arena, &head, &e);
-        if (!s) s = rain(&o, &head, &f, &arena, &d, &e);
-        wf_run_abandon(&f);
-        fflush(stdout);
-        wf_print_findings(&d, o.args.quiet);
-        code = s ? wf_complain(&e) : 0;
-    }
+    if (code < 0) code = wf_command_perform(argc, argv, rain, &o, o.args.quiet, &arena);
     wf_arena_free(&arena);
     return code;
 }
@@ -465,9 +455,10 @@ static enum wf_status paper_runs(const struct wf_species *sp, struct wf_rain_spe
     return s;
 }
 
-static enum wf_status paper(const struct paper_options *o, struct wf_doc_head *head, struct wf_run_folder *f,
-                            struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+static enum wf_status paper(void *work, struct wf_doc_head *head, struct wf_run_folder *f, struct wf_arena *a,
+                            struct wf_diag *d, struct wf_err *e)
 {
+    const struct paper_options *o = work;
     struct wf_species sp;
     struct wf_rain_spec spec[PAPER_RUNS];
     struct wf_rain_result result[PAPER_RUNS];
@@ -498,23 +489,12 @@ int wf_paper_yang2011(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
     struct paper_options o = { 0 };
-    struct wf_err e = { 0 };
     int code = wf_args_read(
         argc, argv, paper_options,
         "The runs of Yang and Wu 2011: rain on a branch, staged and random, corrected and as printed, and "
         "the speed beside its Table 1.",
         1, 1, &arena, &o.args);
-    if (code < 0) {
-        struct wf_diag d = { .arena = &arena };
-        struct wf_doc_head head;
-        struct wf_run_folder f = { 0 };
-        enum wf_status s = wf_pages_head(argc, argv, &arena, &head, &e);
-        if (!s) s = paper(&o, &head, &f, &arena, &d, &e);
-        wf_run_abandon(&f);
-        fflush(stdout);
-        wf_print_findings(&d, o.args.quiet);
-        code = s ? wf_complain(&e) : 0;
-    }
+    if (code < 0) code = wf_command_perform(argc, argv, paper, &o, o.args.quiet, &arena);
     wf_arena_free(&arena);
     return code;
 }

@@ -248,9 +248,11 @@ static enum wf_status compute(struct work *w, bool motion, struct wf_arena *a, s
     return s == WF_EINTERRUPTED ? WF_OK : s;
 }
 
-static enum wf_status shelter(struct work *w, struct wf_run_folder *f, struct wf_arena *a, struct wf_diag *d,
-                              struct wf_err *e)
+static enum wf_status shelter(void *work, struct wf_doc_head *head, struct wf_run_folder *f,
+                              struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
+    struct work *w = work;
+    w->head = *head;
     const struct shelter_options *o = &w->options;
     bool motion = !o->no_motion, quiet = o->args.quiet;
     enum wf_status s = make_request(w, a, d, e);
@@ -277,18 +279,8 @@ int wf_cmd_shelter(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
     struct work w = { 0 };
-    struct wf_err e = { 0 };
     int code = wf_args_read(argc, argv, wf_shelter_options, about, 0, 0, &arena, &w.options.args);
-    if (code < 0) {
-        struct wf_diag d = { .arena = &arena };
-        enum wf_status s = wf_pages_head(argc, argv, &arena, &w.head, &e);
-        struct wf_run_folder f = { 0 };
-        if (!s) s = shelter(&w, &f, &arena, &d, &e);
-        wf_run_abandon(&f);
-        fflush(stdout);
-        wf_print_findings(&d, w.options.args.quiet);
-        code = s ? wf_complain(&e) : 0;
-    }
+    if (code < 0) code = wf_command_perform(argc, argv, shelter, &w, w.options.args.quiet, &arena);
     wf_sheltered_end(&w.sheltered);
     wf_arena_free(&arena);
     return code;

@@ -299,3 +299,17 @@ enum wf_status wf_pages_head(int argc, char **argv, struct wf_arena *a, struct w
     *out = (struct wf_doc_head){ .command = text, .version = WF_VERSION, .date = wf_run_date(a) };
     return text && out->date ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory");
 }
+
+int wf_command_perform(int argc, char **argv, wf_perform *perform, void *work, bool quiet, struct wf_arena *a)
+{
+    struct wf_diag d = { .arena = a };
+    struct wf_doc_head head;
+    struct wf_run_folder f = { 0 };
+    struct wf_err e = { 0 };
+    enum wf_status s = wf_pages_head(argc, argv, a, &head, &e);
+    if (!s) s = perform(work, &head, &f, a, &d, &e);
+    wf_run_abandon(&f);
+    fflush(stdout);
+    wf_print_findings(&d, quiet);
+    return s ? wf_complain(&e) : 0;
+}

@@ -103,4 +103,13 @@ char *wf_command_line(int argc, char **argv, struct wf_arena *a);
 /* Command line, program and date of this run; title and note stay empty. Errors: WF_ENOMEM. */
 enum wf_status wf_pages_head(int argc, char **argv, struct wf_arena *a, struct wf_doc_head *out,
                              struct wf_err *e);
+
+/* What a command does once its options are read. Given: its options, and all that it fills: head of its
+ * pages, run folder, findings. */
+typedef enum wf_status wf_perform(void *work, struct wf_doc_head *head, struct wf_run_folder *f,
+                                  struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
+/* Perform it, leave the run folder if it was not put in place, and print findings and error. Returned: exit
+ * code. */
+int wf_command_perform(int argc, char **argv, wf_perform *perform, void *work, bool quiet,
+                       struct wf_arena *a);
 #endif

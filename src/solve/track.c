@@ -45,24 +45,24 @@ void wf_track_close(struct wf_track *k)
     free(k);
 }
 
-static void keep(const struct wf_track *k, struct form *f)
+/* The unknowns of the beam itself. */
+static struct form form_of(const struct wf_beam *b) { return (struct form){ b->shape, b->tilt }; }
+
+static void copy_form(const struct wf_track *k, struct form to, struct form from)
 {
-    memcpy(f->shape, k->beam.shape, k->beam.mesh.n * sizeof *f->shape);
-    memcpy(f->tilt, k->beam.tilt, k->tree->n * sizeof *f->tilt);
+    memcpy(to.shape, from.shape, k->beam.mesh.n * sizeof *to.shape);
+    memcpy(to.tilt, from.tilt, k->tree->n * sizeof *to.tilt);
 }
 
-static void put_back(struct wf_track *k, const struct form *f)
-{
-    memcpy(k->beam.shape, f->shape, k->beam.mesh.n * sizeof *f->shape);
-    memcpy(k->beam.tilt, f->tilt, k->tree->n * sizeof *f->tilt);
-}
+static void keep(const struct wf_track *k, struct form to) { copy_form(k, to, form_of(&k->beam)); }
+static void put_back(const struct wf_track *k, struct form from) { copy_form(k, form_of(&k->beam), from); }
 
-/* form += share times the unknowns of b */
-static void add(struct form *form, double share, const struct form *b, size_t elements, size_t rows)
+/* to += share times from */
+static void add_form(const struct wf_track *k, struct form to, double share, struct form from)
 {
-    for (size_t i = 0; i < elements; i++)
-        for (int j = 0; j < 2; j++) v3_add(form->shape[i].v[j], share, b->shape[i].v[j]);
-    for (size_t i = 0; i < rows; i++) v3_add(form->tilt[i], share, b->tilt[i]);
+    for (size_t i = 0; i < k->beam.mesh.n; i++)
+        for (int j = 0; j < 2; j++) v3_add(to.shape[i].v[j], share, from.shape[i].v[j]);
+    for (size_t i = 0; i < k->tree->n; i++) v3_add(to.tilt[i], share, from.tilt[i]);
 }
 
 static enum wf_status take_forms(struct wf_track *k, struct wf_err *e)
@@ -101,12 +101,11 @@ static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct
     enum wf_status s = take_beam(k, l, &k->like->beam.mesh, e);
     if (s) return s;
     if (k->like->rested) {
-        memcpy(k->rest.shape, k->like->rest.shape, k->beam.mesh.n * sizeof *k->rest.shape);
-        memcpy(k->rest.tilt, k->like->rest.tilt, k->tree->n * sizeof *k->rest.tilt);
-        put_back(k, &k->rest);
+        copy_form(k, k->rest, k->like->rest);
+        put_back(k, k->rest);
     }
     k->rested = k->like->rested;
-    keep(k, &k->last);
+    keep(k, k->last);
     k->speed = 0;
     k->solved = true;
     return WF_OK;
@@ -115,13 +114,13 @@ static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct
 /* The form at rest on the mesh of `own`, for the present mesh, whose solution it leaves as it is. */
 static void carry_rest(struct wf_track *k, struct wf_beam *own, const struct form *rest)
 {
-    keep(k, &k->last);
+    keep(k, k->last);
     memcpy(own->shape, rest->shape, own->mesh.n * sizeof *own->shape);
     memcpy(own->tilt, rest->tilt, k->tree->n * sizeof *own->tilt);
     wf_beam_sweep_up(own);
     wf_beam_carry(own, &k->beam);
-    keep(k, &k->rest);
-    put_back(k, &k->last);
+    keep(k, k->rest);
+    put_back(k, k->last);
     k->rested = true;
 }
 
@@ -200,13 +199,13 @@ static bool approach(struct wf_track *k, const struct wf_loads *l, double from)
     for (int tries = 0; tries < TRIES && fabs(step) > fabs(to - from) / 40; tries++) {
         bool last = fabs(to - now) <= 1.2 * fabs(step);
         wind.speed = last ? to : now + step;
-        put_back(k, &k->last);
+        put_back(k, k->last);
         if (!follow(k, last ? l : &loads)) {
             step *= 0.5;
             continue;
         }
         if (last) return true;
-        keep(k, &k->last);
+        keep(k, k->last);
         now = wind.speed;
         step *= 1.5;
     }
@@ -223,18 +222,14 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     enum wf_status s = WF_OK;
     bool low = start->low && k->rested;
     double from = low ? 0 : k->speed;
-    if (low) memcpy(k->last.shape, k->rest.shape, b->mesh.n * sizeof *k->last.shape);
-    if (low) memcpy(k->last.tilt, k->rest.tilt, k->tree->n * sizeof *k->last.tilt);
-    put_back(k, &k->last);
+    if (low) copy_form(k, k->last, k->rest);
+    put_back(k, k->last);
     if (!start->near && start->other && start->other->solved) {
         wf_beam_carry(&start->other->beam, b);
-        keep(k, &k->last);
+        keep(k, k->last);
         from = start->other->speed;
     }
-    if (start->near && k->led) {
-        struct form now = { b->shape, b->tilt };
-        add(&now, start->ahead, &k->lead, b->mesh.n, k->tree->n);
-    }
+    if (start->near && k->led) add_form(k, form_of(b), start->ahead, k->lead);
     b->iterations = b->steps = 0;
     k->outcome = (struct wf_beam_outcome){ .load_factor = 1 };
     if (!follow(k, l) && !wf_beam_settle_parts(b, &scratch) && !start_anew(k, l) && !approach(k, l, from)) {
@@ -257,24 +252,20 @@ static enum wf_status read_both(struct wf_track *k, const struct wf_loads *side,
     struct wf_beam *b = &k->beam;
     enum wf_status s = wf_response_alloc(&out->side, k->tree->n, a, e);
     if (s) return s;
-    keep(k, &k->last);
+    keep(k, k->last);
     if (!wf_beam_finish(b)) return WF_OK;
     wf_beam_read(b, &out->at);
-    keep(k, &k->lead);
-    put_back(k, &k->last);
+    keep(k, k->lead);
+    put_back(k, k->last);
     wf_beam_sweep_up(b);
     b->loads = *side;
     if (!wf_beam_step(b)) return WF_OK;
     wf_beam_read(b, &out->side);
-    struct form at = k->last, apart = k->lead, now = { b->shape, b->tilt };
-    /* the last form is that which was read; lead = side - at */
-    for (size_t i = 0; i < b->mesh.n; i++) at.shape[i] = apart.shape[i];
-    memcpy(at.tilt, apart.tilt, k->tree->n * sizeof *at.tilt);
-    for (size_t i = 0; i < b->mesh.n; i++)
-        for (int j = 0; j < 2; j++)
-            for (int c = 0; c < 3; c++) apart.shape[i].v[j][c] = now.shape[i].v[j][c] - at.shape[i].v[j][c];
-    for (size_t i = 0; i < k->tree->n; i++)
-        for (int c = 0; c < 3; c++) apart.tilt[i][c] = now.tilt[i][c] - at.tilt[i][c];
+    const struct form at = k->lead; /* the last form is now that which was read; lead = side - at */
+    k->lead = k->last;
+    k->last = at;
+    keep(k, k->lead);
+    add_form(k, k->lead, -1, k->last);
     out->sided = k->led = true;
     return WF_OK;
 }
@@ -294,15 +285,15 @@ enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, cons
     k->led = false;
     if (s) return s;
     out->irregular = k->beam.loose > 0 || k->outcome.beyond_limit;
-    keep(k, &k->last);
+    keep(k, k->last);
     k->solved = true;
     k->speed = l->wind ? l->wind->speed : 0;
-    if (!l->wind) keep(k, &k->rest);
+    if (!l->wind) keep(k, k->rest);
     k->rested = k->rested || !l->wind;
     if (side) s = read_both(k, side, a, out, e);
     if (!out->sided) wf_beam_read(&k->beam, &out->at);
     out->at.load_factor = k->outcome.load_factor;
-    put_back(k, &k->last);
+    put_back(k, k->last);
     wf_beam_sweep_up(&k->beam);
     return s;
 }

@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/parallel.h"
 #include "base/progress.h"
+#include "solve/beam_many.h"
 #include "study/node.h"
 #include "wind/climate.h"
 #include <math.h>
@@ -16,8 +17,6 @@ double wf_direction_from(const struct wf_directions_request *q, double azimuth)
 {
     return wf_wind_from(azimuth, q->north);
 }
-
-enum { BLOCK = 8 }; /* directions solved side by side */
 
 /* Data shared by the threads. */
 struct work {
@@ -43,11 +42,12 @@ static void turn_wind(const struct work *w, size_t at, struct wf_analysis *an)
 static enum wf_status solve_speeds(void *context, size_t b, struct wf_err *e)
 {
     const struct work *w = context;
-    const size_t n = w->out->request.n, from = b * BLOCK, some = n - from < BLOCK ? n - from : BLOCK;
-    struct wf_analysis turned[BLOCK];
-    const struct wf_analysis *an[BLOCK];
-    double speed[BLOCK];
-    struct wf_at_speed at[BLOCK];
+    const size_t n = w->out->request.n, from = b * WF_BEAM_BLOCK,
+                 some = n - from < WF_BEAM_BLOCK ? n - from : WF_BEAM_BLOCK;
+    struct wf_analysis turned[WF_BEAM_BLOCK];
+    const struct wf_analysis *an[WF_BEAM_BLOCK];
+    double speed[WF_BEAM_BLOCK];
+    struct wf_at_speed at[WF_BEAM_BLOCK];
     enum wf_status s = WF_OK;
     for (size_t k = 0; k < some; k++) turn_wind(w, from + k, &turned[k]), an[k] = &turned[k];
     for (size_t i = 0; i < w->an->n && !s; i++) {
@@ -58,26 +58,26 @@ static enum wf_status solve_speeds(void *context, size_t b, struct wf_err *e)
     return s;
 }
 
-/* Where the tree fails in wind from one direction. Returned: *nodes, its solutions, to be closed by the
- * caller. */
+/* Where the tree fails in wind from one direction. Returned: *an, the analysis, and *nodes, its solutions, to
+ * be closed before it goes. */
 static enum wf_status solve_direction(const struct work *w, size_t at, const struct wf_nodes *like,
-                                      struct wf_nodes **nodes, struct wf_err *e)
+                                      struct wf_analysis *an, struct wf_nodes **nodes, struct wf_err *e)
 {
     struct wf_direction *d = &w->out->direction[at];
-    struct wf_analysis an;
-    turn_wind(w, at, &an);
-    an.at = d->at; /* of this direction: where the tree fails above the range of the search */
-    an.search.seconds *= (double)w->out->request.n; /* the process's time is shared by the directions */
-    *nodes = wf_nodes_open(&an, like);
-    return *nodes ? wf_analysis_breaks(&an, w->o, *nodes, d->breaks, e)
+    turn_wind(w, at, an);
+    an->at = d->at; /* of this direction: where the tree fails above the range of the search */
+    an->search.seconds *= (double)w->out->request.n; /* the process's time is shared by the directions */
+    *nodes = wf_nodes_open(an, like);
+    return *nodes ? wf_analysis_breaks(an, w->o, *nodes, d->breaks, e)
                   : wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
 }
 
 static enum wf_status one(void *context, size_t k, struct wf_err *e)
 {
     const struct work *w = context;
+    struct wf_analysis an;
     struct wf_nodes *nodes = NULL;
-    enum wf_status s = solve_direction(w, k + 1, w->like, &nodes, e);
+    enum wf_status s = solve_direction(w, k + 1, w->like, &an, &nodes, e);
     wf_nodes_close(nodes);
     return s;
 }
@@ -132,6 +132,7 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
     struct wf_solve_options alone = *o;
     alone.threads = 1; /* the parallel loop is over directions */
     struct work w = { an, &alone, out, NULL };
+    struct wf_analysis first; /* outlives the nodes that the other directions take */
     struct wf_at_speed *at = WF_TAKE(a, q->n * an->n, struct wf_at_speed);
     out->direction = WF_TAKE(a, q->n, struct wf_direction);
     if (!out->direction || !at) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
@@ -140,8 +141,8 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
         out->direction[k].at = at + k * an->n;
     }
     wf_stage_begin(q->n * (an->n + WF_SEARCH_SOLUTIONS), true, "%zu directions", q->n);
-    s = wf_parallel((q->n + BLOCK - 1) / BLOCK, o->threads, solve_speeds, &w, e);
-    if (!s) s = solve_direction(&w, 0, NULL, &w.like, e); /* the others take its meshes */
+    s = wf_parallel((q->n + WF_BEAM_BLOCK - 1) / WF_BEAM_BLOCK, o->threads, solve_speeds, &w, e);
+    if (!s) s = solve_direction(&w, 0, NULL, &first, &w.like, e); /* the others take its meshes */
     if (!s) s = wf_parallel(q->n - 1, o->threads, one, &w, e);
     wf_nodes_close(w.like);
     if (!s) add_climate(out);

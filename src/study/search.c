@@ -288,7 +288,7 @@ static enum wf_status descend(const struct search *q, enum wf_crossing_next *nex
 }
 
 /* The search itself: by slopes where the solver gives them and the curves are smooth, else by steps. */
-static enum wf_status search_crossing(const struct search *q, struct wf_critical *c, struct wf_err *e)
+static enum wf_status search_crossing(struct search *q, struct wf_critical *c, struct wf_err *e)
 {
     enum wf_crossing_next next = WF_CROSSING_LOST;
     struct wf_arena scratch = { 0 };
@@ -296,7 +296,7 @@ static enum wf_status search_crossing(const struct search *q, struct wf_critical
     wf_arena_free(&scratch);
     if (s || next != WF_CROSSING_LOST) return s;
     s = climb(q, e);
-    return s ? s : wf_critical_search(utilisation, (void *)(uintptr_t)q, q->speed_max, 1e-4, c, e);
+    return s ? s : wf_critical_search(utilisation, q, q->speed_max, 1e-4, c, e);
 }
 
 /* The result at its end. */

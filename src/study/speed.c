@@ -287,28 +287,43 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
     return WF_OK;
 }
 
+/* The analysis' loads at a speed, with their wind. */
+static void blow(const struct wf_analysis *an, double speed, struct wf_wind *wind, struct wf_loads *loads)
+{
+    *wind = an->wind;
+    *loads = an->loads;
+    wind->speed = wf_scenario_speed(&an->scenario, speed);
+    loads->wind = speed > 0.0 ? wind : NULL;
+}
+
+/* Given: what a solver returned, and why. Returned: WF_OK with out->status, its totals unknown where it found
+ * no equilibrium; another code when the run must end. */
+static enum wf_status note_status(enum wf_status s, const struct wf_err *why, struct wf_at_speed *out,
+                                  struct wf_err *e)
+{
+    out->status = s;
+    if (s && s != WF_EUNSTABLE && s != WF_ENOCONV) return wf_fail(e, s, "%s", why->text);
+    if (s) totals_unknown(out);
+    return WF_OK;
+}
+
 enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
                               struct wf_arena *a, struct wf_diag *d, struct wf_at_speed *out,
                               struct wf_err *e)
 {
-    struct wf_wind wind = an->wind;
-    struct wf_loads loads = an->loads;
+    struct wf_wind wind;
+    struct wf_loads loads;
     struct wf_sheltered sheltered = { 0 };
     struct wf_err why = { 0 };
-    enum wf_status s = WF_OK;
-    memset(out, 0, sizeof *out);
-    out->speed = speed;
-    wind.speed = wf_scenario_speed(&an->scenario, speed);
-    loads.wind = speed > 0.0 ? &wind : NULL;
+    enum wf_status s;
+    *out = (struct wf_at_speed){ .speed = speed };
+    blow(an, speed, &wind, &loads);
     if (an->scenario.shelter && loads.wind)
-        out->status = solve_sheltered(an, &loads, o, a, &sheltered, &out->response, d, &why);
+        s = solve_sheltered(an, &loads, o, a, &sheltered, &out->response, d, &why);
     else
-        out->status = an->solver->solve(&an->tree, &loads, o, a, &out->response, d, &why);
-    if (out->status == WF_EUNSTABLE || out->status == WF_ENOCONV)
-        totals_unknown(out);
-    else if (out->status)
-        s = wf_fail(e, out->status, "%s", why.text);
-    else
+        s = an->solver->solve(&an->tree, &loads, o, a, &out->response, d, &why);
+    s = note_status(s, &why, out, e);
+    if (!s && !out->status)
         s = fill_at_speed(an, sheltered.passes ? &sheltered.loads : &loads, NULL, a, out, e);
     wf_sheltered_end(&sheltered);
     return s;
@@ -348,13 +363,8 @@ static enum wf_status fill_block(const struct wf_analysis *const *an, struct wf_
     enum wf_status s = WF_OK;
     for (size_t k = 0; k < n && !s; k++) {
         out[k].response = state[k].response;
-        out[k].status = state[k].status;
-        if (out[k].status == WF_EUNSTABLE || out[k].status == WF_ENOCONV)
-            totals_unknown(&out[k]);
-        else if (out[k].status)
-            s = wf_fail(e, out[k].status, "%s", state[k].why.text);
-        else
-            s = fill_at_speed(an[k], state[k].loads, NULL, a, &out[k], e);
+        s = note_status(state[k].status, &state[k].why, &out[k], e);
+        if (!s && !out[k].status) s = fill_at_speed(an[k], state[k].loads, NULL, a, &out[k], e);
         wf_speed_drop_columns(&out[k]);
         wf_stage_step(1);
     }
@@ -369,12 +379,9 @@ static enum wf_status solve_block(const struct wf_analysis *const *an, const dou
     struct wf_loads loads[WF_BEAM_BLOCK];
     struct wf_beam_state state[WF_BEAM_BLOCK];
     for (size_t k = 0; k < n; k++) {
-        wind[k] = an[k]->wind, loads[k] = an[k]->loads;
-        wind[k].speed = wf_scenario_speed(&an[k]->scenario, speed[k]);
-        loads[k].wind = speed[k] > 0.0 ? &wind[k] : NULL;
+        blow(an[k], speed[k], &wind[k], &loads[k]);
         state[k] = (struct wf_beam_state){ .loads = &loads[k] };
-        memset(&out[k], 0, sizeof out[k]);
-        out[k].speed = speed[k];
+        out[k] = (struct wf_at_speed){ .speed = speed[k] };
     }
     enum wf_status s = wf_beam_many(&an[0]->tree, state, n, o, &scratch, NULL, e);
     if (!s) s = fill_block(an, state, n, &scratch, out, e);
@@ -401,8 +408,9 @@ enum wf_status wf_speed_totals_many(const struct wf_analysis *const *an, const d
 static struct wf_track_start start_at(double from, double speed, double share, const struct wf_track *other)
 {
     const double power = 1.5, near = 1.4;
-    return (struct wf_track_start){ .low = speed<0.5 * from, .near = from> 0.0 && speed <= near * from &&
-                                           from <= near * speed,
+    const double up = near * from, down = near * speed, half = 0.5 * from;
+    return (struct wf_track_start){ .low = half > speed,
+                                    .near = from > 0.0 && up >= speed && down >= from,
                                     .ahead = (pow(speed / from, power) - 1.0) / (share * power),
                                     .other = other };
 }
@@ -412,27 +420,20 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, struct wf_track *k, 
                               struct wf_err *e)
 {
     const double share = 3e-7;
-    struct wf_wind wind = an->wind, more = an->wind;
-    struct wf_loads loads = an->loads, side = an->loads;
+    struct wf_wind wind, more;
+    struct wf_loads loads, side;
     struct wf_tracked t;
     struct wf_err why = { 0 };
     struct wf_track_start start = start_at(from, speed, share, other);
     *out = (struct wf_speed_answers){ .at = { .speed = speed } };
-    wind.speed = wf_scenario_speed(&an->scenario, speed);
-    more.speed = wf_scenario_speed(&an->scenario, speed * (1.0 + share));
-    loads.wind = speed > 0.0 ? &wind : NULL;
-    side.wind = &more;
+    blow(an, speed, &wind, &loads);
+    blow(an, speed * (1.0 + share), &more, &side);
     enum wf_status s = wf_track_solve(k, &loads, speed > 0.0 ? &side : NULL, &start, a, &t, &why);
     out->at.response = t.at;
     out->irregular = t.irregular;
-    if (s == WF_EUNSTABLE || s == WF_ENOCONV) {
-        out->at.status = s;
-        totals_unknown(&out->at);
-        return WF_OK;
-    }
-    if (s) return wf_fail(e, s, "%s", why.text);
-    s = fill_totals(an, &loads, NULL, a, &out->at, e);
-    if (s || !t.sided) return s;
+    s = note_status(s, &why, &out->at, e);
+    if (!s && !out->at.status) s = fill_totals(an, &loads, NULL, a, &out->at, e);
+    if (s || out->at.status || !t.sided) return s;
     out->step = share * speed;
     out->side.response = t.side;
     return fill_totals(an, &side, out->at.breakage.peak_place, a, &out->side, e);
