@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#ifndef WF_WIND_GUST_FACTOR_H
+#define WF_WIND_GUST_FACTOR_H
+/* Peak over mean load of an upright structure in a turbulent wind, by the rules of design codes: the
+ * background of gusts that do not reach the whole structure at once, and the resonance of one mode of
+ * vibration. */
+#include "wind/category.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct wf_gust_case {
+    const struct wf_category *terrain;
+    double height, breadth;    /* of the structure, across the wind [m]; 0: gusts reach the whole of it     */
+    double frequency, damping; /* of the mode [Hz], ratio to critical damping in total [-]                  */
+    double mean;               /* mean wind at the reference height of the rule [m/s]                       */
+    double open;               /* 10-min mean at 10 m over open ground [m/s]                                */
+    double exponent;           /* of the load in the wind speed, for gusts about the mean [-]               */
+};
+
+struct wf_gust_parts {
+    double turbulence; /* intensity at the reference height [-]                        */
+    double background; /* B^2; Q^2 in ASCE 7 [-]                                       */
+    double resonance;  /* R^2 [-]                                                      */
+    double peak;       /* peak factor; that of the resonance in ASCE 7 [-]             */
+    double factor;     /* G: peak over mean load [-]                                   */
+    double structural; /* c_s c_d or G_f, which multiplies the load of the gust; NAN: the code has none */
+};
+
+struct wf_gust_rule {
+    const char *name, *title, *source, *validity;
+    /* Reference height for a structure [m]. */
+    double (*at)(const struct wf_category *terrain, double height);
+    /* All members of the case are positive, but for breadth. */
+    void (*parts)(const struct wf_gust_case *c, struct wf_gust_parts *out);
+    /* The code's own name of a terrain: category A to D of GB 50009, exposure B to D of ASCE 7. */
+    const char *(*called)(const struct wf_category *terrain);
+};
+extern const struct wf_gust_rule wf_gust_rules[]; /* en1991, gb50009, asce7; ends at name == NULL */
+/* The row of that name; NULL when there is none. */
+const struct wf_gust_rule *wf_gust_rule_named(const char *name);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
