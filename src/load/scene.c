@@ -26,6 +26,7 @@ void wf_scenario_default(struct wf_scenario *s)
         .altitude = 0.0,
         .air_density = NAN,
         .gravity = 9.81,
+        .category = wf_category_open(),
     };
 }
 

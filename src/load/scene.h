@@ -5,6 +5,7 @@
  * cases all use these functions, so that the same input gives the same loads. */
 #include "base/err.h"
 #include "load/load.h"
+#include "wind/category.h"
 #include "wind/wind.h"
 #include <math.h>
 
@@ -32,6 +33,7 @@ struct wf_scenario {
     double gravity;
     double water; /* rain on the leaves, per one-sided leaf area [kg m-2]; 0: dry */
     const char *shelter;    /* name in wf_shelter_laws by which the tree shelters itself; NULL: no shelter */
+    const struct wf_category *category; /* terrain of the site, for gusts */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
                                conversion */
 };
