@@ -36,6 +36,15 @@ struct wf_tree {
     double *stiff; /* 4n: EA, GA [N], EI, GJ [N m2] of a row, constant along it, instead of those computed
                     * from E, G and the radii (GA includes any shear factor); NULL = from the section */
     struct wf_tree_sections *section; /* solid sections that are not round; NULL = round rows */
+    struct wf_tree_standing *standing; /* the tree stands in this shape under its own weight; NULL = the shape
+                                        * is free of stress */
+};
+
+/* What a tree that stands in its shape carried when the shape was drawn or measured, beside its wood and the
+ * masses at its rows' ends. What is added to the burden later bends it. */
+struct wf_tree_standing {
+    double *burden0, *burden1; /* as struct wf_tree */
+    double *side0, *side1;     /* as struct wf_tree_sections; NULL = round rows */
 };
 
 /* Columns of sections that are not round. The radius columns then hold those of circles of the same area. */
@@ -55,6 +64,10 @@ enum wf_status wf_tree_alloc(struct wf_tree *t, size_t n, struct wf_arena *a, st
  * segment without length, a radius that is not positive, an inner radius not below the outer, a value that is
  * not finite or has the wrong sign. Errors: WF_EINPUT; `d` has an error for each wrong row, with its id. */
 enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct wf_err *e);
+
+/* From now on the tree stands in its shape under its wood and, with `burden`, under the burden that it has now.
+ * Errors: WF_ENOMEM. */
+enum wf_status wf_tree_stand(struct wf_tree *t, bool burden, struct wf_arena *a, struct wf_err *e);
 
 /* Allocate columns of sections for the tree's n rows, zeroed. Errors: WF_ENOMEM. */
 enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);

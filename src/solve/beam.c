@@ -464,11 +464,13 @@ const struct wf_solver wf_solver_beam = {
 /* The linear solver: one step on the beam elements, with loads and equilibrium of the undeformed tree, small
  * displacements and rotations. */
 
-/* Rotation of a root plate under a moment. */
-static void plate_tilt(const struct wf_beam *b, const double moment[3], double q[3])
+/* Rotation of the root plate of a row under a moment. */
+static void plate_tilt(const struct wf_beam *b, size_t row, const double moment[3], double q[3])
 {
-    for (int j = 0; j < 2; j++)
-        if (b->options->root_stiffness[j] > 0) q[j] = moment[j] / b->options->root_stiffness[j];
+    for (int j = 0; j < 2; j++) {
+        double rest = b->mesh.root ? b->mesh.root[row][j] : 0;
+        if (b->options->root_stiffness[j] > 0) q[j] = (moment[j] - rest) / b->options->root_stiffness[j];
+    }
 }
 
 /* The loads of the undeformed tree do not change in this solution: as dead loads they are computed once. */
@@ -505,8 +507,8 @@ static void linear_place(struct wf_beam *b)
     }
 }
 
-/* Rotation q and displacement u of the undeformed tree from its internal forces: q' = G m,  u' = q x t + H
- * n,  by the same collocation as the full element. */
+/* Rotation q and displacement u of the undeformed tree from its internal forces: q' = G m - k0,  u' = q x t
+ * + H n - g0,  by the same collocation as the full element. */
 static void linear_displacements(struct wf_beam *b, double (*u)[3], double (*q)[3])
 {
     for (size_t i = 0; i < b->mesh.n; i++) {
@@ -520,8 +522,11 @@ static void linear_displacements(struct wf_beam *b, double (*u)[3], double (*q)[
         if (p->parent >= 0)
             memcpy(q0, q[p->parent], sizeof q0), memcpy(u0, u[p->parent], sizeof u0);
         else
-            plate_tilt(b, base.m, q0);
-        for (int j = 0; j < 2; j++) v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, k[j]);
+            plate_tilt(b, (size_t)p->row, base.m, q0);
+        for (int j = 0; j < 2; j++) {
+            v3_section(1 / p->ei[j], 1 / p->gj[j], s->t[j], at[j].m, k[j]);
+            v3_add(k[j], -1, p->k0[j]);
+        }
         for (int j = 0; j < 2; j++) {
             double turn[3], stretch[3];
             for (int c = 0; c < 3; c++)
@@ -529,6 +534,7 @@ static void linear_displacements(struct wf_beam *b, double (*u)[3], double (*q)[
             wf_cross(turn, s->t[j], up[j]);
             v3_section(p->cs[j], p->ca[j], s->t[j], at[j].n, stretch);
             v3_add(up[j], 1, stretch);
+            v3_add(up[j], -1, p->g0[j]);
         }
         for (int c = 0; c < 3; c++) {
             q[i][c] = q0[c] + 0.5 * p->h * (k[0][c] + k[1][c]);
@@ -584,7 +590,7 @@ static void linear_read(const struct linear_answer *x, struct wf_response *r)
     for (size_t i = 0; i < b->mesh.tree->n; i++) {
         int32_t last = b->mesh.last[i], below = b->mesh.part[b->mesh.first[i]].parent;
         double c[3], q0[3] = { 0, 0, 0 };
-        if (below < 0) plate_tilt(b, r->moment0 + 3 * i, q0);
+        if (below < 0) plate_tilt(b, i, r->moment0 + 3 * i, q0);
         memcpy(r->end + 3 * i, x->u[last], sizeof *x->u);
         memcpy(r->turn + 3 * i, x->q[last], sizeof *x->q);
         wf_cross(x->q[last], r->tangent1 + 3 * i, c);

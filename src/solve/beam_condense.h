@@ -12,7 +12,7 @@
  *   dn_j  = dn_end + sum_m N_jm q_m + A^n_j dr_0,    N = h down F,  A^n = h down A
  *   d(r' x n)_j = V_jm q_m + Vn_j dn_end + Vr_j dr_0,
  *   dm_j  = dm_end + h down (d(r' x n)),
- *   d(material law's moment)_j = G^-1 (Q_j y_j + sum_m slope_jm/h P_jm y_m + [G m] y_j) - [m] q_j,
+ *   d(material law's moment)_j = G^-1 (Q_j y_j + sum_m slope_jm/h P_jm y_m + [G m - k0] y_j) - [m] q_j,
  * with A, B the load's derivatives by position and by rotation of the axis, T the tangent of the rotation
  * vector, Q = D T^-1, P_jm = T_j T_m^-1. The wrench of the end depends linearly on its motion through the
  * part above, dw = K p_end + k, so that six equations in the six y remain. */
@@ -52,9 +52,10 @@ WF_INLINE void element_equations(const struct wf_beam_part *p, const struct wf_b
         law_hold(p, flat, s, j, k->k[j], law);
         for (int m = 0; m < 2; m++)
             for (int i = 0; i < 9; i++) M[m][i] = d0 * q->V[0][m][i] + d1 * q->V[1][m][i];
-        /* rotation of the section: d(G^-1) k = -[m] q + G^-1 [G m] q, evaluated with the curvature G m of
-         * the present moment */
+        /* rotation of the section: d(G^-1) k = -[m] q + G^-1 [k] q, evaluated with the curvature k = G m - k0
+         * of the present moment */
         law_give(p, flat, s, j, at[j].m, bent);
+        for (int i = 0; i < 3; i++) bent[i] -= s->k0[j][i];
         m3_zero(C);
         m3_add_cross(C, real_of(-1), at[j].m);
         for (int i = 0; i < 9; i++) R[i] = C[i] - M[0][i] - M[1][i];

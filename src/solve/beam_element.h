@@ -13,6 +13,11 @@
  * element's ends accurate to h^4, satisfies the balance of forces and moments exactly on every mesh, and
  * does not lock, because the section's compliances may be zero.
  *
+ * A tree that stands in the given shape under its own weight has internal forces n0, m0 in it (struct
+ * wf_beam_standing). With k0 = G m0 and g0 = H n0, which rotate with the section, the law becomes k + k0 = G m,
+ * r' = L t + H n - g0: L and k are counted from the given shape, n and m are whole. A stress-free shape has k0
+ * = g0 = 0.
+ *
  * G is 1/EI across and 1/GJ along the axis. A section that is not round has another 1/EI about its width,
  * whose direction rotates with it, and weight with an offset from the axis adds its moment per length to -m'
  * (struct wf_beam_flat).
@@ -34,6 +39,7 @@ struct wf_beam_shape { /* unknowns, in the axes that rotate with the element's b
 };
 struct wf_beam_stage {               /* the deformed element at its Gauss points */
     real r[2][3], rp[2][3], t[2][3]; /* position, r' and unit tangent */
+    real k0[2][3], g0[2][3];         /* curvature and strain of the state at rest, rotated with the section */
 };
 struct wf_beam_wrench {
     real n[3], m[3]; /* force [N], moment [N m] that the upper part exerts on a section */

@@ -119,7 +119,7 @@ WF_INLINE bool eliminate_either(const struct wf_beam_part *p, const struct wf_be
     const double half = 0.5 * p->h;
     bool apart;
     turns_of(u, &turns);
-    kinematics_of(p, u, &turns, L, creep, &k);
+    kinematics_of(p, u, &turns, L, s, creep, &k);
     stiffen_kinematics(&k, 1 + (creep ? creep->rate : 0) + element_damping(p, flat, &k, s, at));
     statics_of(p, flat, s, load, VARIES, at, &q);
     for (int j = 0; j < 2; j++) strain_of(p, L, s, at, j, u->g[j]);
@@ -193,6 +193,7 @@ WF_INLINE void misfit_of(const struct wf_beam_part *p, const struct wf_beam_shap
     for (int j = 0; j < 2; j++) {
         m3_apply(L, k[j], k[j]);
         if (creep) add_creep(L, creep, j, k[j]);
+        v3_add(k[j], 1, s->k0[j]);
     }
     gap_of(p, s, at, gap);
     misfit_add(p, flat, s, at, k, gap, &here);

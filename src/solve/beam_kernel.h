@@ -62,23 +62,34 @@ WF_INLINE void rotate(const struct rotation *o, const real v[3], real x2, const 
     for (int i = 0; i < 3; i++) y[i] = d * x[i] + s * across[i] + along * v[i];
 }
 
-/* Tangent and r' at Gauss point j of an element whose base is rotated by L. */
-WF_INLINE void axis_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct turns *o,
-                       const real L[9], int j, real t[3], real rp[3])
+/* A vector fixed to the section at Gauss point j, of an element whose base is rotated by L: `local` in the
+ * axes of the base, `out` in global ones. */
+WF_INLINE void turn_with_section(const struct wf_beam_shape *u, const struct turns *o, const real L[9], int j,
+                                 const double x[3], real local[3], real out[3])
 {
-    real unloaded[3], local[3];
-    for (int i = 0; i < 3; i++) unloaded[i] = real_of(p->t[j][i]);
-    rotate(&o->at[j], u->v[j], o->x[j], unloaded, local);
-    m3_apply(L, local, t);
+    real given[3];
+    for (int i = 0; i < 3; i++) given[i] = real_of(x[i]);
+    rotate(&o->at[j], u->v[j], o->x[j], given, local);
+    m3_apply(L, local, out);
+}
+
+/* Tangent, r' and state at rest at Gauss point j of an element whose base is rotated by L. */
+WF_INLINE void axis_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct turns *o,
+                       const real L[9], int j, struct wf_beam_stage *s)
+{
+    real local[3];
+    turn_with_section(u, o, L, j, p->k0[j], local, s->k0[j]);
+    turn_with_section(u, o, L, j, p->g0[j], local, s->g0[j]);
+    turn_with_section(u, o, L, j, p->t[j], local, s->t[j]);
     for (int i = 0; i < 3; i++) local[i] += u->g[j][i];
-    m3_apply(L, local, rp);
+    m3_apply(L, local, s->rp[j]);
 }
 
 /* State at the Gauss points, from the unknowns and the pose of the base. */
 WF_INLINE void stage_of(const struct wf_beam_part *p, const struct wf_beam_shape *u, const struct turns *o,
                         const struct wf_beam_pose *base, struct wf_beam_stage *s)
 {
-    for (int j = 0; j < 2; j++) axis_of(p, u, o, base->L, j, s->t[j], s->rp[j]);
+    for (int j = 0; j < 2; j++) axis_of(p, u, o, base->L, j, s);
     for (int i = 0; i < 3; i++)
         for (int j = 0; j < 2; j++)
             s->r[j][i] =
@@ -171,7 +182,7 @@ WF_INLINE void curvature_of(const struct wf_beam_part *p, const struct wf_beam_s
     }
 }
 
-/* k += rate (k - k0) */
+/* k += rate (k - k0), with the k0 of the creep */
 WF_INLINE void add_creep(const real L[9], const struct wf_beam_creep *creep, int j, real k[3])
 {
     real old[3];
@@ -196,7 +207,7 @@ WF_INLINE void misfit_add(const struct wf_beam_part *p, const struct wf_beam_fla
         const double least = slight * slight * p->h * p->h * (1 / p->ei[j]);
         law_give(p, flat, s, j, at[j].m, work);
         for (int i = 0; i < 3; i++)
-            miss[i] = k[j][i] - work[i], strain[i] = gap[j][i] + s->rp[j][i] - s->t[j][i];
+            miss[i] = k[j][i] - work[i], strain[i] = gap[j][i] + s->rp[j][i] - s->t[j][i] + s->g0[j][i];
         sum->energy += 0.25 * p->h * (wf_dot(work, at[j].m) + least * wf_dot(at[j].n, at[j].n));
         sum->turn = real_max(sum->turn, p->h * p->h * wf_dot(work, work));
         law_hold(p, flat, s, j, miss, work);
@@ -206,22 +217,23 @@ WF_INLINE void misfit_add(const struct wf_beam_part *p, const struct wf_beam_fla
     }
 }
 
-/* Strain H n at a Gauss point, in the axes that rotate with the base. */
+/* Strain H n - g0 at a Gauss point, in the axes that rotate with the base. */
 WF_INLINE void strain_of(const struct wf_beam_part *p, const real L[9], const struct wf_beam_stage *s,
                          const struct wf_beam_wrench at[2], int j, real g[3])
 {
     real strain[3];
     v3_section(real_of(p->cs[j]), real_of(p->ca[j]), s->t[j], at[j].n, strain);
+    for (int i = 0; i < 3; i++) strain[i] -= s->g0[j][i];
     m3_apply_transposed(L, strain, g);
 }
 
-/* Strain residual H n - g at the Gauss points. */
+/* Strain residual H n - g0 - g at the Gauss points. */
 WF_INLINE void gap_of(const struct wf_beam_part *p, const struct wf_beam_stage *s,
                       const struct wf_beam_wrench at[2], real gap[2][3])
 {
     for (int j = 0; j < 2; j++) {
         v3_section(real_of(p->cs[j]), real_of(p->ca[j]), s->t[j], at[j].n, gap[j]);
-        for (int i = 0; i < 3; i++) gap[j][i] += s->t[j][i] - s->rp[j][i];
+        for (int i = 0; i < 3; i++) gap[j][i] += (s->t[j][i] - s->rp[j][i]) - s->g0[j][i];
     }
 }
 
@@ -229,7 +241,7 @@ WF_INLINE void gap_of(const struct wf_beam_part *p, const struct wf_beam_stage *
  * curvature and end by the spins at the Gauss points; loads and r' x n by spins, end force and base. */
 
 struct kinematics {
-    real k[2][3];     /* curvature of the material law, creep included */
+    real k[2][3];     /* curvature of the material law, creep and state at rest included */
     real QP[2][2][9]; /* y -> change of curvature */
     real W[2][9];     /* y -> spin of the end, relative to the base */
 };
@@ -262,8 +274,8 @@ WF_INLINE void stiffen_kinematics(struct kinematics *c, real factor)
 }
 
 WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_shape *u,
-                             const struct turns *o, const real L[9], const struct wf_beam_creep *creep,
-                             struct kinematics *c)
+                             const struct turns *o, const real L[9], const struct wf_beam_stage *s,
+                             const struct wf_beam_creep *creep, struct kinematics *c)
 {
     const double per = 1 / p->h;
     real v[2][3], T[2][9], Ti[2][9], D[9], end[3], Te[9];
@@ -280,6 +292,7 @@ WF_INLINE void kinematics_of(const struct wf_beam_part *p, const struct wf_beam_
         for (int i = 0; i < 3; i++) c->QP[j][j][4 * i] += gauss_slope[j][j] * per;
         m3_apply(T[j], slope, c->k[j]);
         if (creep) add_creep(L, creep, j, c->k[j]);
+        for (int i = 0; i < 3; i++) c->k[j][i] += s->k0[j][i];
     }
     rotation_tangent(&o->to_end, end, o->x_end, Te);
     for (int j = 0; j < 2; j++) {
@@ -295,7 +308,7 @@ struct statics {
     real Y[2][9];                /* spin -> dr' */
     real F[2][2][9], V[2][2][9]; /* spin at m -> df_j, d(r' x n)_j */
     real Vn[2][9], Vr[2][9];     /* dn_end, dr_0 -> d(r' x n)_j */
-    real gap[2][3];              /* strain residual H n - g */
+    real gap[2][3];              /* strain residual H n - g0 - g */
     real Vc[2][3];               /* its part of d(r' x n)_j */
 };
 

@@ -96,8 +96,8 @@ static __attribute__((noinline)) void apart_answer(const struct wf_beam_part *p,
     struct kinematics k;
     struct wf_beam_stage s;
     turns_of(u, &o);
-    for (int j = 0; j < 2; j++) axis_of(p, u, &o, L, j, s.t[j], s.rp[j]);
-    kinematics_of(p, u, &o, L, NULL, &k);
+    for (int j = 0; j < 2; j++) axis_of(p, u, &o, L, j, &s);
+    kinematics_of(p, u, &o, L, &s, NULL, &k);
     stiffen_kinematics(&k, 1 + element_damping(p, NULL, &k, &s, at));
     bend_apart(p, NULL, &k, &s, at, 0, A);
 }
@@ -183,7 +183,7 @@ WF_INLINE void down_element(struct work *w, size_t i, enum variation kind, bool 
         load_lanes(&w->air, &p->line[j], p->dead[j], s.r[j], s.t[j], kind != VARIES_NOT, &load[j]);
     collect(w, i, &above);
     balance_element(p->h, &s, NULL, load, &above.w, at, &down);
-    kinematics_of(p, u, &o, base->L, NULL, &k);
+    kinematics_of(p, u, &o, base->L, &s, NULL, &k);
     statics_of(p, NULL, &s, load, kind, at, &q);
     misfit_add(p, NULL, &s, at, k.k, q.gap, &w->misfit);
     stiffen_kinematics(&k, 1 + element_damping(p, NULL, &k, &s, at));

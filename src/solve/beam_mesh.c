@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/vec3.h"
 #include "data/section.h"
+#include "solve/beam_rest.h"
 #include <math.h>
 
 /* eight-point Gauss-Legendre rule on 0..1, exact to degree 15 */
@@ -209,7 +210,10 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
     m->last = WF_TAKE(a, t->n, int32_t);
     if (t->mass1) m->mass1 = WF_TAKE(a, m->n, double);
     if (t->section) m->flat = WF_TAKE(a, m->n, struct wf_beam_flat);
-    if (!m->part || !m->first || !m->last || (t->mass1 && !m->mass1) || (t->section && !m->flat))
+    if (t->standing) m->standing = WF_TAKE(a, m->n, struct wf_beam_standing);
+    if (t->standing) m->root = wf_arena_take(a, t->n, sizeof *m->root);
+    if (!m->part || !m->first || !m->last || (t->mass1 && !m->mass1) || (t->section && !m->flat) ||
+        (t->standing && (!m->standing || !m->root)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu beam elements", m->n);
     int32_t at = 0;
     for (size_t i = 0; i < t->n; i++) {
@@ -226,9 +230,11 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
             set_stiffness(t, i, s0, s1, o, p);
             for (int j = 0; j < 2; j++) set_gauss_point(t, l, i, wf_between(s0, s1, gauss_place[j]), p, j);
             if (t->section) set_flat_section(t, i, s0, s1, o, p, m->flat + at);
+            wf_beam_standing_set(m, (size_t)at, s0, s1);
         }
         m->last[i] = at - 1;
         if (t->mass1) m->mass1[at - 1] = t->mass1[i];
     }
+    wf_beam_rest(m, l->gravity * l->weight_scale);
     return WF_OK;
 }

@@ -38,6 +38,8 @@ struct wf_beam_part {
     double spin[2];      /* torsional inertia per length [kg m] */
     struct wf_line_point line[2];
     double dead[2][3]; /* dead line load [N/m] */
+    double k0[2][3], g0[2][3]; /* curvature [1/m] and strain of the section's law in the given shape, which the
+                                  weight of a standing tree makes (solve/beam_rest.h); 0 = stress-free */
 };
 
 /* Additional constants of an element whose section is not round; unloaded in the mesh, rotated with the
@@ -50,6 +52,8 @@ struct wf_beam_flat {
     real weight;       /* weight of a unit mass [m/s2] */
 };
 
+struct wf_beam_standing; /* solve/beam_rest.h */
+
 struct wf_beam_mesh {
     const struct wf_tree *tree;
     size_t n; /* elements */
@@ -58,6 +62,9 @@ struct wf_beam_mesh {
     int32_t *last;             /* per row: its last element */
     int32_t *first;            /* per row: its first element */
     double *mass1;             /* per element: point mass at its end [kg]; NULL = none */
+    struct wf_beam_standing *standing; /* per element; NULL: the given shape is stress-free */
+    double (*root)[3];                 /* per row, for roots: moment on the ground in the given shape [N m];
+                                          NULL as `standing` */
 };
 
 /* Build the mesh. Given: tree, loads (for dead line loads), options (beam model), pieces[n] per row (NULL =

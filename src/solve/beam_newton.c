@@ -2,6 +2,7 @@
 #include "solve/beam_newton.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
+#include "solve/beam_rest.h"
 #include <float.h>
 
 /* Sweeps over all elements. A parent always precedes its children, so each sweep is one loop. */
@@ -100,7 +101,8 @@ static void react_nodes(struct wf_beam *b)
     }
 }
 
-/* Root plate of a row: springs c about x and y resist the tilt v, c v = T' m (stiffness 0 = clamped). Adds
+/* Root plate of a row: springs c about x and y resist the tilt v, c v = T' m - m0, with m0 the moment in the
+ * given shape of a standing tree (stiffness 0 = clamped). Adds
  * the plate's residual; given the reaction r of the tree on it, computes its Newton correction, its
  * compliance, and whether it is stable. */
 static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench *w,
@@ -108,12 +110,14 @@ static void tilt_root(struct wf_beam *b, size_t row, const struct wf_beam_wrench
 {
     const double *c = b->options->root_stiffness, *v = b->tilt[row], still[3] = { 0 };
     const double rate = b->creep, *v0 = rate > 0 ? b->tilt0[row] : still;
+    const double *m0 = b->mesh.root ? b->mesh.root[row] : still;
     double x = wf_dot(v, v), T[9], m[3], inverse[9] = { 0 }, *p = b->root_change[row];
     memset(p, 0, 6 * sizeof *p);
     if (!(c[0] > 0) && !(c[1] > 0)) return;
     struct rotation o = rotation_of(x);
     rotation_tangent(&o, v, x, T);
     m3_apply_transposed(T, w->m, m);
+    v3_add(m, -1, m0);
     for (int j = 0; j < 2; j++)
         if (c[j] > 0) {
             double miss = c[j] * ((1 + rate) * v[j] - rate * v0[j]) - m[j];
@@ -376,6 +380,7 @@ static void scale_loads(struct wf_beam *b, const struct wf_loads *full, double s
     b->loads.wind_scale = share * full->wind_scale;
     b->loads.weight_scale = share * full->weight_scale;
     b->loads.point_scale = share * full->point_scale;
+    wf_beam_rest(&b->mesh, b->loads.gravity * b->loads.weight_scale);
 }
 
 /* A twig that may snap to another shape does not bring down the tree: parts that carry less than a hundredth

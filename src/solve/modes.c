@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/vec3.h"
 #include "solve/beam.h"
+#include "solve/beam_rest.h"
 #include "solve/beam_small.h"
 #include "solve/lanczos.h"
 #include <gsl/gsl_eigen.h>
@@ -399,6 +400,7 @@ static bool gives_way(struct wf_beam *b, double factor)
 {
     struct wf_beam_stability count = { .margin = 0 };
     b->loads.weight_scale = factor;
+    wf_beam_rest(&b->mesh, factor * b->loads.gravity);
     b->misfit = (struct wf_beam_misfit){ 0 };
     return !wf_beam_sweep_down(b, true, &count) || count.negative > 0;
 }
