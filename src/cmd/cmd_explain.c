@@ -108,7 +108,9 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
     if (!s) s = wf_model_named(o->model, a, &m, &d, e);
     if (!s) s = wf_scenario_profile(&an.scenario, &o->profile, a, &d, e);
     if (!s) s = wf_scenario_check(&an.scenario, e);
-    if (!s) s = wf_analysis_set_up(&an, a, &d, e);
+    /* every solver takes the same tree, and not all take one that stands */
+    if (m.shape == WF_SHAPE_UNDER_WEIGHT) m.shape = WF_SHAPE_UNLOADED;
+    if (!s) s = wf_analysis_set_up(&an, &solve, a, &d, e);
     if (!s) wf_limits_profile(&an.scenario, an.tallness, m.name, &d);
     struct wf_run_folder f = { 0 };
     if (!s) s = wf_results_begin(&f, o->output, o->pages.none ? NULL : "explain", e);

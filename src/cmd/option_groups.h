@@ -168,7 +168,9 @@ struct wf_tree_asked {
     const char *joint;        /* of a measured tree: "axis" or "bridge"          */
     double leaf_area;         /* in place of the model's [m2]; NAN: the model's */
     const char *season;       /* "leaf_on" or "leaf_off"; NULL: the model's      */
-    bool unload;
+    bool unload, strict;
+    const char *rest;    /* "as-drawn" or "stress-free"; NULL: a measured tree as drawn, a model as it says */
+    const char *scanned; /* "leaf_on" or "leaf_off"; NULL: as the season */
     struct wf_scan_asked scan;
 };
 #define WF_TREE_ROWS(in)                                                                                     \
@@ -185,9 +187,16 @@ struct wf_tree_asked {
         CHOICE("--season", in.season, "SEASON", "leaf_on|leaf_off", NULL,                                    \
                "in place of the model's: with its leaves, or when they have fallen",                         \
                WF_UNUSED(in, wf_tree_row_unused)),                                                           \
+        CHOICE("--rest", in.rest, "STATE", "as-drawn|stress-free", NULL,                                     \
+               "what the shape measured or drawn is: as-drawn: the tree standing under its own weight, whose "  \
+               "forces are in it [a measured tree]; stress-free: its weight bends it further"),                \
+        CHOICE("--scanned", in.scanned, "SEASON", "leaf_on|leaf_off", NULL,                                  \
+               "whether the tree carried its leaves in the shape measured or drawn [as in --season]",        \
+               WF_UNUSED(in, wf_tree_row_unused)),                                                           \
+        FLAG("--strict", in.strict,                                                                          \
+             "refuse a tree with parts that would not stand in the shape drawn, which are else stiffened"),  \
         FLAG("--unload", in.unload,                                                                          \
-             "the tree was measured or drawn standing under its own weight: find its stress-free shape "     \
-             "first"),                                                                                       \
+             "find the stress-free shape of a tree that stands under its own weight, and take that"),        \
         WF_SCAN_ROWS(in.scan, WF_UNUSED(in, wf_tree_row_unused))
 
 /* The joint of a measured tree that a word of --joint means. */

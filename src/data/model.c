@@ -201,6 +201,7 @@ static const struct wf_yaml_table model_crown_table = { .title = "a crown",
 
 const char *const wf_generator_words[] = { "stem", "levels", "ifs", NULL, "measured" };
 static const char *const shapes[] = { "stress_free", "under_weight", NULL };
+static const char *const scanned_words[] = { "as_season", "leaf_on", "leaf_off", NULL };
 static const char *const seasons[] = { "leaf_on", "leaf_off", NULL };
 
 static const struct wf_yaml_row model_rows[] = {
@@ -221,9 +222,13 @@ static const struct wf_yaml_row model_rows[] = {
                 .initial = "leaf_on", .example = "leaf_off"),
     WF_KEY_ENUM(
         "shape", shape, shapes,
-        "Which state the model describes. under_weight: the shape in still air under its own weight; the "
-        "stress-free shape is computed from it, so that without wind the tree has the shape given.",
+        "Which state the model describes. under_weight: the shape in still air under its own weight, whose "
+        "internal forces are those of the weight in this shape: without wind the tree has the shape given.",
         .initial = "stress_free", .example = "under_weight"),
+    WF_KEY_ENUM("scanned", scanned, scanned_words,
+                "With shape under_weight: whether the tree had its leaves when its shape was drawn or measured. "
+                "as_season: as it has them now.",
+                .initial = "as_season", .example = "leaf_off"),
     WF_KEY_PART("stem", model_stem_table, "The stem.", .required = true),
     WF_KEY_PART("crown", model_crown_table, "The leaves along the stem; generator stem.",
                 .absent = "no leaves"),

@@ -21,7 +21,13 @@ enum wf_taper {
 };
 
 enum wf_season { WF_LEAF_ON, WF_LEAF_OFF };
-enum wf_standing_shape { WF_SHAPE_STRESS_FREE, WF_SHAPE_UNDER_WEIGHT };
+enum wf_standing_shape {
+    WF_SHAPE_STRESS_FREE,
+    WF_SHAPE_UNDER_WEIGHT, /* it stands so: its internal forces are those of its weight in this shape */
+    WF_SHAPE_UNLOADED      /* it stands so, but its stress-free shape is to be found and taken */
+};
+/* The day on which the shape was drawn or measured. */
+enum wf_scanned { WF_SCANNED_AS_SEASON, WF_SCANNED_LEAF_ON, WF_SCANNED_LEAF_OFF };
 
 /* A solid section at distance `at` from the stem's base. */
 struct wf_stem_section {
@@ -41,6 +47,8 @@ struct wf_model {
     size_t seed;                 /* of all random spread                               */
     enum wf_season season;
     enum wf_standing_shape shape; /* what the model or the measurement shows */
+    enum wf_scanned scanned;      /* with its leaves or without; under_weight alone */
+    bool stands_strictly;         /* refused where parts of it would not stand, instead of stiffening them */
     double leaf_area_on;          /* one-sided, with the leaves on [m2]                 */
     double height;                /* stem height [m]                                    */
     double lean;                  /* from the vertical, towards lean_azimuth [rad]      */

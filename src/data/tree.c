@@ -39,23 +39,25 @@ enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, str
     return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory for the sections of %zu segments", t->n);
 }
 
-static double *copy_column(const double *from, size_t n, bool take, struct wf_arena *a)
+static double *copy_column(const double *from, size_t n, struct wf_arena *a)
 {
     double *to = WF_TAKE(a, n, double);
-    if (to && take) memcpy(to, from, n * sizeof *to);
+    if (to) memcpy(to, from, n * sizeof *to);
     return to;
 }
 
-enum wf_status wf_tree_stand(struct wf_tree *t, bool burden, struct wf_arena *a, struct wf_err *e)
+enum wf_status wf_tree_stand(struct wf_tree *t, const struct wf_tree *worn, struct wf_arena *a,
+                             struct wf_err *e)
 {
-    struct wf_tree_standing *s = t->standing = WF_TAKE(a, 1, struct wf_tree_standing);
-    const struct wf_tree_sections *c = t->section;
+    struct wf_tree_standing *s = WF_TAKE(a, 1, struct wf_tree_standing);
+    const struct wf_tree_sections *c = worn->section;
     if (s) {
-        s->burden0 = copy_column(t->burden0, t->n, burden, a);
-        s->burden1 = copy_column(t->burden1, t->n, burden, a);
-        if (c) s->side0 = copy_column(c->side0, t->n, burden, a);
-        if (c) s->side1 = copy_column(c->side1, t->n, burden, a);
+        s->burden0 = copy_column(worn->burden0, t->n, a);
+        s->burden1 = copy_column(worn->burden1, t->n, a);
+        if (c) s->side0 = copy_column(c->side0, t->n, a);
+        if (c) s->side1 = copy_column(c->side1, t->n, a);
     }
+    t->standing = s;
     if (s && s->burden0 && s->burden1 && (!c || (s->side0 && s->side1))) return WF_OK;
     return wf_fail(e, WF_ENOMEM, "not enough memory for the burden of %zu segments", t->n);
 }
@@ -162,6 +164,7 @@ const char *wf_scope_name(enum wf_scope s)
 
 bool wf_scope_holds(enum wf_scope s, const struct wf_tree *t, size_t row)
 {
+    if (t->doubtful && t->doubtful[row]) return false;
     return s == WF_SCOPE_TREE || (t->level[row] == 0) == (s == WF_SCOPE_STEM);
 }
 

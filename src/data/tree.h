@@ -38,6 +38,8 @@ struct wf_tree {
     struct wf_tree_sections *section; /* solid sections that are not round; NULL = round rows */
     struct wf_tree_standing *standing; /* the tree stands in this shape under its own weight; NULL = the shape
                                         * is free of stress */
+    bool *doubtful; /* n: rows that no scope holds, because their own weight would nearly break them
+                     * (study/rest.h); NULL = none */
 };
 
 /* What a tree that stands in its shape carried when the shape was drawn or measured, beside its wood and the
@@ -65,9 +67,10 @@ enum wf_status wf_tree_alloc(struct wf_tree *t, size_t n, struct wf_arena *a, st
  * not finite or has the wrong sign. Errors: WF_EINPUT; `d` has an error for each wrong row, with its id. */
 enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct wf_err *e);
 
-/* From now on the tree stands in its shape under its wood and, with `burden`, under the burden that it has now.
- * Errors: WF_ENOMEM. */
-enum wf_status wf_tree_stand(struct wf_tree *t, bool burden, struct wf_arena *a, struct wf_err *e);
+/* From now on the tree stands in its shape, under its wood and the burden that `worn` has, a tree of the same
+ * rows, which may be itself. Errors: WF_ENOMEM. */
+enum wf_status wf_tree_stand(struct wf_tree *t, const struct wf_tree *worn, struct wf_arena *a,
+                             struct wf_err *e);
 
 /* Allocate columns of sections for the tree's n rows, zeroed. Errors: WF_ENOMEM. */
 enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);

@@ -75,6 +75,7 @@ static enum wf_status keep_measured(const char *path, const struct wf_qsm *q, co
         .file = wf_arena_text(a, path),
         .source = wf_arena_print(a, "measured tree, %s, %zu cylinders", q->format, q->n),
         .generator = WF_GENERATOR_MEASURED,
+        .shape = WF_SHAPE_UNDER_WEIGHT,
         .height = wf_tree_height(shape),
         .radius = shape->r0[0],
         .crown_base = NAN,

@@ -59,11 +59,12 @@ static double distance_between(const double a[3], const double b[3])
     return sqrt(wf_dot(d, d));
 }
 
-void wf_beam_read_shape(const struct wf_tree *t, size_t i, const double base_L[9],
+void wf_beam_read_shape(const struct wf_beam_mesh *m, size_t i, const double base_L[9],
                         const struct wf_beam_pose *end, struct wf_response *r)
 {
-    const double tip[3] = { t->x1[i], t->y1[i], t->z1[i] };
-    double at[3], axis[3];
+    const struct wf_tree *t = m->tree;
+    double at[3], axis[3], tip[3];
+    wf_beam_still(m, i, tip);
     wf_row_axis(t, i, 0, at, axis);
     m3_apply(base_L, axis, r->tangent0 + 3 * i);
     wf_row_axis(t, i, 1, at, axis);
@@ -85,7 +86,6 @@ void wf_beam_read_balance(const struct wf_beam_wrench *ground, const double forc
 static void read_beam_row(const struct wf_beam *b, size_t i, const double first[3], struct wf_response *r,
                           double force[3], double moment[3])
 {
-    const struct wf_tree *t = b->mesh.tree;
     size_t from = (size_t)b->mesh.first[i], to = (size_t)b->mesh.last[i];
     struct wf_beam_pose ground;
     const struct wf_beam_pose *base = wf_beam_base(b, from, &ground);
@@ -98,7 +98,7 @@ static void read_beam_row(const struct wf_beam *b, size_t i, const double first[
             memcpy(r->force0 + 3 * i, w.n, sizeof w.n), memcpy(r->moment0 + 3 * i, w.m, sizeof w.m);
     }
     v3_add(force, 1, load);
-    wf_beam_read_shape(t, i, base->L, end, r);
+    wf_beam_read_shape(&b->mesh, i, base->L, end, r);
     for (size_t k = 0; k < 3; k++) {
         r->force1[3 * i + k] = b->wrench[to].n[k];
         r->moment1[3 * i + k] = b->wrench[to].m[k];
@@ -153,7 +153,8 @@ void wf_beam_carry(const struct wf_beam *coarse, struct wf_beam *fine)
     }
 }
 
-/* Position and rotation of the end of row i relative to its base, in the axes of the base. */
+/* Position and rotation of the end of row i relative to its base, in the axes of the base; of a standing tree
+ * the change from the given shape. */
 static void seen_from_base(const struct wf_beam *b, size_t i, double place[3], double L[9])
 {
     size_t from = (size_t)b->mesh.first[i];
@@ -162,6 +163,11 @@ static void seen_from_base(const struct wf_beam *b, size_t i, double place[3], d
     double d[3] = { end->r[0] - base->r[0], end->r[1] - base->r[1], end->r[2] - base->r[2] };
     m3_apply_transposed(base->L, d, place);
     m3_mul_transposed(base->L, end->L, L);
+    if (!b->mesh.still) return;
+    const double foot[3] = { b->mesh.tree->x0[i], b->mesh.tree->y0[i], b->mesh.tree->z0[i] };
+    int32_t below = b->mesh.tree->parent[i];
+    v3_add(place, -1, b->mesh.still[i]);
+    v3_add(place, 1, below < 0 ? foot : b->mesh.still[below]);
 }
 
 /* Path length from each row's end to its farthest tip [m]. */
@@ -213,8 +219,9 @@ static double largest_displacement(const struct wf_beam *b)
     const struct wf_tree *t = b->mesh.tree;
     double most = 0;
     for (size_t i = 0; i < t->n; i++) {
-        const double *r = b->pose[b->mesh.last[i]].r;
-        double d[3] = { r[0] - t->x1[i], r[1] - t->y1[i], r[2] - t->z1[i] };
+        double d[3];
+        wf_beam_still(&b->mesh, i, d);
+        v3_add(d, -1, b->pose[b->mesh.last[i]].r);
         most = fmax(most, wf_dot(d, d));
     }
     return sqrt(most);
@@ -458,6 +465,7 @@ const struct wf_solver wf_solver_beam = {
               "ch. 8; Gauss collocation: Hairer, Lubich & Wanner 2006, II.1.3",
     .validity = "Elastic wood, static mean wind; any deflection. Loads follow the bent shape.",
     .tracked = true,
+    .stands = true,
     .solve = beam_solve,
 };
 
@@ -633,5 +641,6 @@ const struct wf_solver wf_solver_linear = {
     .validity =
         "Deflections below 10 % of height and slopes below 15 degrees: loads and balance of the unbent tree.",
     .small_deflection = true,
+    .stands = true,
     .solve = linear_solve,
 };

@@ -43,7 +43,7 @@ bool wf_beam_check_meets(const struct wf_beam *coarse, const struct wf_beam *fin
 /* Parts of a response: displacement, rotation and tangents of row i from the rotation of its base and the
  * pose of its end; force and moment on the ground, and their imbalance against the sums of all loads and of
  * their moments. */
-void wf_beam_read_shape(const struct wf_tree *t, size_t i, const double base_L[9],
+void wf_beam_read_shape(const struct wf_beam_mesh *m, size_t i, const double base_L[9],
                         const struct wf_beam_pose *end, struct wf_response *r);
 void wf_beam_read_balance(const struct wf_beam_wrench *ground, const double force[3], const double moment[3],
                           struct wf_response *r);

@@ -162,7 +162,7 @@ static void answer_state(const struct block *b, const struct level *l, size_t k)
         double *const to[5] = { r->force0, r->moment0, r->force1, r->moment1, r->load };
         if (below >= 0) read_pose(b, l, (size_t)below, k, &base);
         read_pose(b, l, (size_t)l->mesh.last[i], k, &end);
-        wf_beam_read_shape(t, i, base.L, &end, r);
+        wf_beam_read_shape(&l->mesh, i, base.L, &end, r);
         for (size_t q = 0; q < WF_LANES_ROW; q++) to[q / 3][3 * i + q % 3] = row[q * width];
     }
     const double *sum = lane_of(b, x->sums, WF_LANES_SUMS, 0, k);

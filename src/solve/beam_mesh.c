@@ -187,6 +187,26 @@ static void set_gauss_point(const struct wf_tree *t, const struct wf_loads *l, s
             p->dead[j][k] = wf_between(l->line[6 * i + k], l->line[6 * i + 3 + k], s);
 }
 
+/* Ends of the rows in the given shape, as the elements place them. */
+static void place_still(struct wf_beam_mesh *m)
+{
+    const struct wf_tree *t = m->tree;
+    for (size_t i = 0; i < t->n && m->still; i++) {
+        const double foot[3] = { t->x0[i], t->y0[i], t->z0[i] };
+        memcpy(m->still[i], t->parent[i] < 0 ? foot : m->still[t->parent[i]], sizeof foot);
+        for (int32_t k = m->first[i]; k <= m->last[i]; k++)
+            for (int c = 0; c < 3; c++)
+                m->still[i][c] += 0.5 * m->part[k].h * (m->part[k].t[0][c] + m->part[k].t[1][c]);
+    }
+}
+
+void wf_beam_still(const struct wf_beam_mesh *m, size_t i, double place[3])
+{
+    const struct wf_tree *t = m->tree;
+    const double drawn[3] = { t->x1[i], t->y1[i], t->z1[i] };
+    memcpy(place, m->still ? m->still[i] : drawn, sizeof drawn);
+}
+
 static enum wf_status check_joined(const struct wf_tree *t, size_t i, struct wf_err *e)
 {
     if (t->parent[i] < 0) return WF_OK;
@@ -212,8 +232,9 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
     if (t->section) m->flat = WF_TAKE(a, m->n, struct wf_beam_flat);
     if (t->standing) m->standing = WF_TAKE(a, m->n, struct wf_beam_standing);
     if (t->standing) m->root = wf_arena_take(a, t->n, sizeof *m->root);
+    if (t->standing) m->still = wf_arena_take(a, t->n, sizeof *m->still);
     if (!m->part || !m->first || !m->last || (t->mass1 && !m->mass1) || (t->section && !m->flat) ||
-        (t->standing && (!m->standing || !m->root)))
+        (t->standing && (!m->standing || !m->root || !m->still)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu beam elements", m->n);
     int32_t at = 0;
     for (size_t i = 0; i < t->n; i++) {
@@ -235,6 +256,7 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
         m->last[i] = at - 1;
         if (t->mass1) m->mass1[at - 1] = t->mass1[i];
     }
+    place_still(m);
     wf_beam_rest(m, l->gravity * l->weight_scale);
     return WF_OK;
 }

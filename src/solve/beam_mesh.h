@@ -65,6 +65,8 @@ struct wf_beam_mesh {
     struct wf_beam_standing *standing; /* per element; NULL: the given shape is stress-free */
     double (*root)[3];                 /* per row, for roots: moment on the ground in the given shape [N m];
                                           NULL as `standing` */
+    double (*still)[3];                /* per row: its end in the given shape as placed on this mesh [m], so that
+                                          a standing tree at rest has moved by nothing; NULL as `standing` */
 };
 
 /* Build the mesh. Given: tree, loads (for dead line loads), options (beam model), pieces[n] per row (NULL =
@@ -75,6 +77,9 @@ struct wf_beam_mesh {
 enum wf_status wf_beam_mesh_build(const struct wf_tree *tree, const struct wf_loads *loads,
                                   const struct wf_solve_options *options, const int32_t *pieces,
                                   struct wf_arena *arena, struct wf_beam_mesh *out, struct wf_err *e);
+
+/* Where the end of row i is before it moves [m]. */
+void wf_beam_still(const struct wf_beam_mesh *m, size_t i, double place[3]);
 
 /* Pieces per row of the first mesh where a mesh tolerance is given: a tree of few rows gets at least 24
  * elements. */

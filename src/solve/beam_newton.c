@@ -187,8 +187,10 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         if (tangent && !eliminate_element(b, i, base->L, creep, load, at,
                                           grounded || cut ? &root : &b->node[p->parent], guard, count))
             return false;
-        if (count && count->negative > unstable)
+        if (count && count->negative > unstable) {
             count->bears = fmax(count->bears, sqrt(wf_dot(down.n, down.n)));
+            if (b->weak) b->weak[i] = true;
+        }
         if (b->off) b->off[i] = b->misfit.bending - before;
         if (cut) continue;
         if (!grounded) {

@@ -35,6 +35,8 @@ struct wf_beam {
     struct wf_beam_stability stability; /* of the present shape, where `counted` */
     bool counted;
     const bool *held; /* per element: it keeps its place, with all below it; NULL: none does */
+    bool *weak;       /* per element: set where it is unstable with all above it, when that is counted; NULL: not
+                         wanted */
     double *off;      /* per element: gains its part of misfit.bending; NULL: not wanted */
     size_t loose;     /* small parts of the last solution that are in equilibrium but not stable */
     size_t iterations, steps;

@@ -6,8 +6,8 @@
 #include "data/species.h"
 #include "grow/grow.h"
 #include "load/interception.h"
-#include "solve/unload.h"
 #include "study/node.h"
+#include "study/rest.h"
 #include "study/sway.h"
 #include <math.h>
 #include <string.h>
@@ -16,35 +16,14 @@
 
 /* ---- Set up ---- */
 
-/* Replace a shape drawn or measured under the tree's own weight by its stress-free shape. */
-static enum wf_status unload(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
-{
-    struct wf_solve_options o;
-    struct wf_loads weight = an->loads;
-    struct wf_tree free;
-    double left, moved;
-    weight.wind = NULL;
-    wf_solve_options_default(&o);
-    enum wf_status s = wf_unload(&an->tree, &weight, &o, a, &free, &left, &moved, e);
-    if (s) return s;
-    an->tree = free;
-    wf_diag_warn(
-        d, "unloaded",
-        "%s, %s: taken as standing under its own weight. Its stress-free shape is up to %.3g m away; under "
-        "its weight it returns to the shape given within %.2g m. Deflections count from the stress-free "
-        "shape",
-        an->model->name, an->species->name, moved, left);
-    return WF_OK;
-}
-
-enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
-                                  struct wf_err *e)
+enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                                  struct wf_diag *d, struct wf_err *e)
 {
     enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
     if (s || (s = wf_tree_check(&an->tree, d, e))) return s;
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
-    if (!s && an->model->shape == WF_SHAPE_UNDER_WEIGHT) s = unload(an, a, d, e);
+    if (!s) s = wf_rest_set_up(an, o, a, d, e);
     if (!s && an->scenario.water > 0) wf_intercept(&an->tree, an->scenario.water); /* it was drawn dry */
     return s;
 }
@@ -146,7 +125,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     *out = (struct wf_analysis){
         .species = sp, .model = m, .solver = solver, .scenario = *sc, .search = q, .n = n, .diag = d
     };
-    if ((s = wf_analysis_set_up(out, a, d, e)) || (s = check_memory(out, n, e))) return s;
+    if ((s = wf_analysis_set_up(out, o, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if ((s = wf_sway_set_up(out, o, speeds, n, a, d, e))) return s;
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);

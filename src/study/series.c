@@ -130,7 +130,7 @@ static enum wf_status set_up(struct wf_series *s, struct wf_shelter *shelter, st
     struct wf_scenario *sc = &s->an.scenario;
     enum wf_status status = wf_scenario_profile(sc, &q->profile, a, d, e);
     if (!status) status = wf_scenario_check(sc, e);
-    if (!status) status = wf_analysis_set_up(&s->an, a, d, e);
+    if (!status) status = wf_analysis_set_up(&s->an, &q->solve, a, d, e);
     if (status) return status;
     wf_limits_profile(sc, s->an.tallness, q->model->name, d);
     for (size_t i = 0; !isnan(q->youngs) && i < s->an.tree.n; i++) {

@@ -33,7 +33,7 @@ enum wf_status wf_wetted_compare(const struct wf_analysis *wet, const struct wf_
     dry.diag = &unsaid;
     dry.search.solved = NULL;
     double given[] = { wet->n ? wet->at[wet->n - 1].speed : 0.0 };
-    enum wf_status s = wf_analysis_set_up(&dry, a, &unsaid, e);
+    enum wf_status s = wf_analysis_set_up(&dry, o, a, &unsaid, e);
     if (!s) s = wf_sway_set_up(&dry, o, given, 1, a, &unsaid, e);
     if (s) return s;
     *out = (struct wf_wetted){ .film = wet->scenario.water,

@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/rest.h"
+#include "base/num.h"
+#include "data/model.h"
+#include "data/section.h"
+#include "data/species.h"
+#include "grow/grow.h"
+#include "solve/beam.h"
+#include "solve/firm.h"
+#include "solve/unload.h"
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LISTED = 8 };
+
+/* A list in words, of at most LISTED entries. */
+struct listing {
+    char text[LISTED * 120];
+    size_t n;
+};
+
+__attribute__((format(printf, 2, 3))) static void list(struct listing *l, const char *form, ...)
+{
+    size_t used = strlen(l->text);
+    va_list arg;
+    if (l->n++ >= LISTED) return;
+    if (used) used += (size_t)snprintf(l->text + used, sizeof l->text - used, "; ");
+    va_start(arg, form);
+    (void)vsnprintf(l->text + used, sizeof l->text - used, form, arg);
+    va_end(arg);
+}
+
+/* Replace a shape drawn or measured under the tree's own weight by its stress-free shape. */
+static enum wf_status unload(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                             struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_loads weight = an->loads;
+    struct wf_tree free;
+    double left, moved;
+    weight.wind = NULL;
+    enum wf_status s = wf_unload(&an->tree, &weight, o, a, &free, &left, &moved, e);
+    if (s) return s;
+    an->tree = free;
+    wf_diag_warn(
+        d, "unloaded",
+        "%s, %s: taken as standing under its own weight. Its stress-free shape is up to %.3g m away; under "
+        "its weight it returns to the shape given within %.2g m. Deflections count from the stress-free "
+        "shape",
+        an->model->name, an->species->name, moved, left);
+    return WF_OK;
+}
+
+/* The tree stands with what it carried on the day of the shape. */
+static enum wf_status stand(struct wf_analysis *an, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_model then = *an->model;
+    enum wf_season season = then.scanned == WF_SCANNED_LEAF_OFF  ? WF_LEAF_OFF
+                            : then.scanned == WF_SCANNED_LEAF_ON ? WF_LEAF_ON
+                                                                 : then.season;
+    if (season == then.season) return wf_tree_stand(&an->tree, &an->tree, a, e);
+    struct wf_arena scratch = { 0 };
+    struct wf_diag unsaid = { .arena = &scratch };
+    struct wf_tree worn;
+    wf_model_set_season(&then, season);
+    enum wf_status s = wf_grow(&then, an->species, &scratch, &worn, &unsaid, e);
+    if (!s) s = wf_tree_stand(&an->tree, &worn, a, e);
+    wf_arena_free(&scratch);
+    return s;
+}
+
+static void warn_of_parts(const struct wf_analysis *an, const struct wf_firm *f, struct wf_diag *d)
+{
+    struct listing l = { .text = "" };
+    for (size_t i = 0; i < f->n; i++) {
+        const struct wf_firm_part *p = &f->part[i];
+        list(&l, "segment %lld and above (%.3g kg, %.2g m up): carries %.2g of its own weight, E and G x %.3g",
+             (long long)an->tree.id[p->row], p->mass, an->tree.z0[p->row] - an->tree.z0[0], p->factor, p->raise);
+    }
+    wf_diag_warn(d, "stiffened",
+                 "%s, %s: %zu part%s under %g %% of the tree's mass would not stand in the shape drawn with this "
+                 "wood, and %s stiffened to %g times its own weight (a rule): %s%s",
+                 an->model->name, an->species->name, f->n, f->n == 1 ? "" : "s", 100 * WF_REST_SMALL,
+                 f->n == 1 ? "was" : "were", WF_REST_FIRM, l.text, f->n > LISTED ? "; ..." : "");
+}
+
+static enum wf_status refuse(const struct wf_analysis *an, const struct wf_firm *f, struct wf_err *e)
+{
+    const struct wf_tree *t = &an->tree;
+    if (f->refused < 0)
+        return wf_fail(e, WF_EUNSTABLE, "%s, %s: does not stand with this wood or root%s", an->model->name,
+                       an->species->name, f->root ? ": the root plate is too soft for its weight" : "");
+    return wf_fail(e, WF_EUNSTABLE,
+                   "%s, %s: does not stand with this wood or root: from segment %lld (%s, %.3g m up) on, the part "
+                   "drawn would fall over under its own weight. Check the units of the radii, the wood and the "
+                   "leaf area; --rest stress-free takes the shape as free of stress",
+                   an->model->name, an->species->name, (long long)t->id[f->refused],
+                   t->level[f->refused] ? "branch" : "stem", t->z0[f->refused] - t->z0[0]);
+}
+
+/* Stiffen what would not stand. */
+static enum wf_status make_firm(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                                struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_firm f;
+    enum wf_status s = wf_firm(&an->tree, &an->loads, o, WF_REST_SMALL, WF_REST_FIRM, a, &f, e);
+    if (s) return s;
+    if (f.gave_up) return refuse(an, &f, e);
+    if (f.n) warn_of_parts(an, &f, d);
+    if (f.n && an->model->stands_strictly)
+        return wf_fail(e, WF_EUNSTABLE,
+                       "%s, %s: %zu part%s would not stand in the shape drawn; nothing was computed (--strict)",
+                       an->model->name, an->species->name, f.n, f.n == 1 ? "" : "s");
+    return WF_OK;
+}
+
+struct used {
+    double share; /* of the strength, by weight alone */
+    size_t row;
+};
+
+static int by_share(const void *a, const void *b)
+{
+    double x = ((const struct used *)a)->share, y = ((const struct used *)b)->share;
+    return (x < y) - (x > y);
+}
+
+/* Rows whose weight alone uses more of the strength than is credible, the worst first. */
+static size_t find_doubtful(const struct wf_tree *t, const struct wf_breakage *b, struct used *out)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < t->n; i++) {
+        if (!(t->strength[i] > 0.0)) continue;
+        double share = b->peak[i] / t->strength[i];
+        if (share > WF_REST_CREDIBLE) out[n++] = (struct used){ share, i };
+    }
+    qsort(out, n, sizeof *out, by_share);
+    return n;
+}
+
+/* Does the stem's row carry so much that its own weight cannot be doubted away? */
+static bool holds_the_tree(const struct wf_tree *t, const struct wf_response *r, size_t i)
+{
+    return t->level[i] == 0 && fabs(r->force0[3 * i + 2]) >= WF_REST_SMALL * fabs(r->base_force[2]);
+}
+
+static enum wf_status doubt(struct wf_analysis *an, const struct wf_response *r, const struct wf_breakage *b,
+                            struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_tree *t = &an->tree;
+    struct listing l = { .text = "" };
+    struct used *found = WF_TAKE(a, t->n, struct used);
+    bool *doubtful = WF_TAKE(a, t->n, bool);
+    size_t kept = 0;
+    if (!found || !doubtful) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu segments", t->n);
+    size_t n = find_doubtful(t, b, found);
+    for (size_t k = 0; k < n; k++) {
+        size_t i = found[k].row;
+        bool keep = holds_the_tree(t, r, i);
+        kept += keep;
+        doubtful[i] = !keep;
+        list(&l, "segment %lld (%s, %.2g m up): %.0f %%", (long long)t->id[i], t->level[i] ? "branch" : "stem",
+             t->z0[i] - t->z0[0], 100 * found[k].share);
+    }
+    if (!n) return WF_OK;
+    if (n > kept) t->doubtful = doubtful;
+    wf_diag_warn(d, "not-credible",
+                 "%s, %s: not credible as drawn: in %zu segment%s the tree's own weight alone uses more than %g %% "
+                 "of the strength of the wood: %s%s. The radius, the wood or the leaf area is in doubt there. %s%s",
+                 an->model->name, an->species->name, n, n == 1 ? "" : "s", 100 * WF_REST_CREDIBLE, l.text,
+                 n > LISTED ? "; ..." : "",
+                 n > kept ? "They stay in the tables, but no safety factor and no critical wind speed is theirs"
+                          : "They decide like all others, because the stem carries the tree",
+                 kept && n > kept ? "; those of the stem that carry the tree decide all the same" : "");
+    return WF_OK;
+}
+
+/* Stresses by weight alone. */
+static enum wf_status doubt_shape(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                                  struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_loads weight = an->loads;
+    struct wf_response r;
+    struct wf_breakage b;
+    struct wf_diag unsaid = { .arena = &scratch };
+    struct wf_tree then = an->tree; /* with what it carried on that day */
+    weight.wind = NULL;
+    then.burden0 = then.standing->burden0, then.burden1 = then.standing->burden1;
+    enum wf_status s = wf_solver_beam.solve(&then, &weight, o, &scratch, &r, &unsaid, e);
+    if (!s) s = wf_breakage_check(&then, &r, NULL, &scratch, &b, e);
+    if (!s) s = doubt(an, &r, &b, a, d, e);
+    wf_arena_free(&scratch);
+    return s;
+}
+
+enum wf_status wf_rest_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                              struct wf_diag *d, struct wf_err *e)
+{
+    enum wf_standing_shape shape = an->model->shape;
+    struct wf_solve_options own;
+    if (shape == WF_SHAPE_STRESS_FREE || !(an->loads.gravity > 0.0)) return WF_OK;
+    if (!o) wf_solve_options_default(&own), o = &own;
+    if (shape == WF_SHAPE_UNLOADED) return unload(an, o, a, d, e);
+    if (!an->solver->stands && an->solver->as_printed) {
+        wf_diag_warn(d, "not-at-rest", "%s: the solver '%s' takes the shape drawn as free of stress",
+                     an->model->name, an->solver->name);
+        return WF_OK;
+    }
+    if (!an->solver->stands) return unload(an, o, a, d, e);
+    enum wf_status s = stand(an, a, e);
+    if (!s) s = make_firm(an, o, a, d, e);
+    return s ? s : doubt_shape(an, o, a, d, e);
+}
