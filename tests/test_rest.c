@@ -5,6 +5,9 @@
 #include "solve/firm.h"
 #include "solve/modes.h"
 #include <stdio.h>
+#include <stdlib.h>
+
+#define assert_near(got, want, within) assert_true(fabs((got) - (want)) <= (within))
 
 static void stand(struct beam_case *c)
 {
@@ -19,7 +22,7 @@ static void crooked(struct beam_case *c)
     beam_masses(c);
     c->tree.mass1[3] = 1.5;
     c->tree.bend = WF_TAKE(&c->arena, 21, double);
-    c->tree.bend[3] = -0.05, c->tree.bend[4] = 0.1125, c->tree.bend[5] = 0; /* across row 1 */
+    c->tree.bend[3] = -0.05, c->tree.bend[4] = 0.1, c->tree.bend[5] = 0; /* across row 1 */
     for (size_t i = 0; i < 7; i++) c->tree.burden0[i] = 0.3, c->tree.burden1[i] = 0.5;
     c->options.shear_flexible = true;
 }
@@ -151,7 +154,8 @@ static void leaning(struct beam_case *c, size_t n, double bow)
 
 static void open_beam(struct beam_case *c, const struct wf_tree *t, const int32_t *pieces, struct wf_beam *b)
 {
-    assert_int_equal(wf_beam_init(b, t, &c->loads, &c->options, pieces, &c->arena, &c->arena, &c->err), WF_OK);
+    assert_int_equal(wf_beam_init(b, t, &c->loads, &c->options, pieces, &c->arena, &c->arena, &c->err),
+                     WF_OK);
 }
 
 /* The bent tree as a new reference: mesh, tangents, curvature and strain as they are. */
@@ -202,10 +206,9 @@ static void handed_over_in_memory(void **state)
         hand_over(&was, &now);
         assert_int_equal(wf_beam_newton(&now), WF_OK);
         for (int i = 0; i < ROWS; i++)
-            for (int q = 0; q < 3; q++)
-                assert_near(now.pose[now.mesh.last[i]].r[q], start[i][q], 1e-10);
-        beam_blow(&c, bowed ? 3 : 12, bowed ? 14 : 0, 0); /* in the plane of the bending, and across it */
-        if (!bowed) beam_blow(&c, 12 * 5 / sqrt(26), 12 / sqrt(26), 0);
+            for (int q = 0; q < 3; q++) assert_near(now.pose[now.mesh.last[i]].r[q], start[i][q], 1e-10);
+        beam_blow(&c, bowed ? 6 : 12, bowed ? 28 : 0, 0); /* in the plane of the bending, and across it */
+        if (!bowed) beam_blow(&c, 24 * 5 / sqrt(26), 24 / sqrt(26), 0);
         was.loads = now.loads = c.loads;
         assert_int_equal(wf_beam_newton(&was), WF_OK);
         assert_int_equal(wf_beam_newton(&now), WF_OK);
@@ -221,14 +224,18 @@ static void handed_over_in_memory(void **state)
     }
 }
 
-enum { FINE = 128 };
+enum { FINE = 1024 };
 
-/* Displacement of the tip by the wind of the stress-free stem, and the ends of FINE rows under its weight. */
+/* Inextensible: a scan shows lengths as they are under weight, which differ by the stretch from those without
+ * (7e-6 of the motion in this tree).
+ *
+ * Displacement of the tip by the wind of the stress-free stem, and the ends of FINE rows under its weight. */
 static void original(double tip[3], double end[FINE][3])
 {
     struct beam_case c;
     leaning(&c, FINE, 0.8);
     c.options.mesh_tolerance = 1e-9;
+    c.options.inextensible = true;
     beam_solve(&c);
     for (size_t i = 0; i < FINE; i++) {
         end[i][0] = c.tree.x1[i] + c.out.end[3 * i];
@@ -250,6 +257,7 @@ static double scanned(size_t n, double end[FINE][3], const double tip[3])
     double off = 0, size = 0, here[3] = { 0, 0, 0 };
     leaning(&c, n, 0.8);
     c.options.mesh_tolerance = 1e-9;
+    c.options.inextensible = true;
     for (size_t i = 0; i < n; i++) {
         const double *to = end[(i + 1) * FINE / n - 1];
         double read[6];
@@ -277,9 +285,10 @@ static void written_and_read_as_a_scan(void **state)
     (void)state;
     double tip[3], end[FINE][3], before = 0;
     original(tip, end);
-    for (size_t n = 8; n <= FINE; n *= 2) {
+    for (size_t n = 8; n <= 128; n *= 2) {
         double off = scanned(n, end, tip);
-        print_message("%4zu segments: motion of the tip by the wind off by %.3g (ratio %.3g)\n", n, off, before / off);
+        print_message("%4zu segments: motion of the tip by the wind off by %.3g (ratio %.3g)\n", n, off,
+                      before / off);
         if (n > 8) assert_true(before / off >= 3.5);
         assert_true(off < 0.02);
         before = off;
@@ -294,7 +303,8 @@ static void what_comes_later_is_a_load(void **state)
         struct beam_case c;
         leaning(&c, 12, 0);
         stand(&c);
-        for (size_t i = 0; i < 12; i++) c.tree.burden0[i] += wet ? 0.5 : -0.5, c.tree.burden1[i] += wet ? 0.5 : -0.5;
+        for (size_t i = 0; i < 12; i++)
+            c.tree.burden0[i] += wet ? 0.5 : -0.5, c.tree.burden1[i] += wet ? 0.5 : -0.5;
         beam_solve(&c);
         assert_true(wet ? c.out.end[35] < -0.05 : c.out.end[35] > 0.05);
         beam_free(&c);
@@ -367,7 +377,7 @@ static void slack_parts_are_stiffened(void **state)
     assert_true(!f.n && !f.gave_up);
     beam_free(&c);
 
-    slack(&c, 0.003, 0.008);
+    slack(&c, 0.0008, 0.008);
     assert_int_equal(wf_firm(&c.tree, &c.loads, &c.options, 0.05, 2, &c.arena, &f, &c.err), WF_OK);
     assert_true(f.gave_up && !f.root);
     assert_true(f.refused == 0 || f.refused == 1);

@@ -155,8 +155,7 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
                        "--leaf-area: has no effect when the leaves have fallen (season leaf_off)");
     wf_model_set_season(out, off ? WF_LEAF_OFF : WF_LEAF_ON);
     if (t->scanned) out->scanned = strcmp(t->scanned, "leaf_off") ? WF_SCANNED_LEAF_ON : WF_SCANNED_LEAF_OFF;
-    if (t->rest)
-        out->shape = strcmp(t->rest, "stress-free") ? WF_SHAPE_UNDER_WEIGHT : WF_SHAPE_STRESS_FREE;
+    if (t->rest) out->shape = strcmp(t->rest, "stress-free") ? WF_SHAPE_UNDER_WEIGHT : WF_SHAPE_STRESS_FREE;
     if (t->unload && t->rest)
         return wf_fail(e, WF_EUSAGE, "give one of --rest and --unload: --unload takes the stress-free shape");
     if (t->unload) out->shape = WF_SHAPE_UNLOADED;

@@ -187,9 +187,10 @@ struct wf_tree_asked {
         CHOICE("--season", in.season, "SEASON", "leaf_on|leaf_off", NULL,                                    \
                "in place of the model's: with its leaves, or when they have fallen",                         \
                WF_UNUSED(in, wf_tree_row_unused)),                                                           \
-        CHOICE("--rest", in.rest, "STATE", "as-drawn|stress-free", NULL,                                     \
-               "what the shape measured or drawn is: as-drawn: the tree standing under its own weight, whose "  \
-               "forces are in it [a measured tree]; stress-free: its weight bends it further"),                \
+        CHOICE(                                                                                              \
+            "--rest", in.rest, "STATE", "as-drawn|stress-free", NULL,                                        \
+            "what the shape measured or drawn is: as-drawn: the tree standing under its own weight, whose "  \
+            "forces are in it [a measured tree]; stress-free: its weight bends it further"),                 \
         CHOICE("--scanned", in.scanned, "SEASON", "leaf_on|leaf_off", NULL,                                  \
                "whether the tree carried its leaves in the shape measured or drawn [as in --season]",        \
                WF_UNUSED(in, wf_tree_row_unused)),                                                           \

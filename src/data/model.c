@@ -225,10 +225,11 @@ static const struct wf_yaml_row model_rows[] = {
         "Which state the model describes. under_weight: the shape in still air under its own weight, whose "
         "internal forces are those of the weight in this shape: without wind the tree has the shape given.",
         .initial = "stress_free", .example = "under_weight"),
-    WF_KEY_ENUM("scanned", scanned, scanned_words,
-                "With shape under_weight: whether the tree had its leaves when its shape was drawn or measured. "
-                "as_season: as it has them now.",
-                .initial = "as_season", .example = "leaf_off"),
+    WF_KEY_ENUM(
+        "scanned", scanned, scanned_words,
+        "With shape under_weight: whether the tree had its leaves when its shape was drawn or measured. "
+        "as_season: as it has them now.",
+        .initial = "as_season", .example = "leaf_off"),
     WF_KEY_PART("stem", model_stem_table, "The stem.", .required = true),
     WF_KEY_PART("crown", model_crown_table, "The leaves along the stem; generator stem.",
                 .absent = "no leaves"),

@@ -35,7 +35,7 @@ struct wf_tree {
     double *mass1;             /* n: point mass at the row's end, without rotary inertia [kg]; NULL = none */
     double *stiff; /* 4n: EA, GA [N], EI, GJ [N m2] of a row, constant along it, instead of those computed
                     * from E, G and the radii (GA includes any shear factor); NULL = from the section */
-    struct wf_tree_sections *section; /* solid sections that are not round; NULL = round rows */
+    struct wf_tree_sections *section;  /* solid sections that are not round; NULL = round rows */
     struct wf_tree_standing *standing; /* the tree stands in this shape under its own weight; NULL = the shape
                                         * is free of stress */
     bool *doubtful; /* n: rows that no scope holds, because their own weight would nearly break them

@@ -23,9 +23,10 @@ enum wf_status wf_model_open(const char *path, struct wf_arena *a, struct wf_mod
 
 /* A measured tree as a model: any format that wf_import_read knows, repaired and joined. Given: path, how
  * branches are held ("axis" or NULL: where they leave the parent's axis; "bridge": at its end, see
- * grow/qsm_model.h). Returned: *out in the arena, standing under its weight, without leaves; what was repaired in `d`. MATLAB files are
- * read in this process by libmatio: give it only files from a source that you trust; version 7.3 (HDF5) is
- * refused. Errors: WF_EUSAGE for another joint, those of wf_import_read and wf_qsm_to_tree. */
+ * grow/qsm_model.h). Returned: *out in the arena, standing under its weight, without leaves; what was
+ * repaired in `d`. MATLAB files are read in this process by libmatio: give it only files from a source that
+ * you trust; version 7.3 (HDF5) is refused. Errors: WF_EUSAGE for another joint, those of wf_import_read and
+ * wf_qsm_to_tree. */
 enum wf_status wf_model_scanned(const char *path, const char *joint, struct wf_arena *a,
                                 struct wf_model **out, struct wf_diag *d, struct wf_err *e);
 
@@ -38,9 +39,9 @@ enum wf_status wf_model_imported(const char *path, const char *joint, const stru
  * say where its leaves are. */
 enum wf_status wf_model_leaves(struct wf_model *m, double area, struct wf_err *e);
 
-/* Does the model show the tree as it stands, bent by its own weight? Then the forces of the weight in this shape
- * are those at rest, and deflections count from it; else the model is taken as stress-free, and its weight bends
- * it. A measured tree stands, unless this says otherwise. */
+/* Does the model show the tree as it stands, bent by its own weight? Then the forces of the weight in this
+ * shape are those at rest, and deflections count from it; else the model is taken as stress-free, and its
+ * weight bends it. A measured tree stands, unless this says otherwise. */
 void wf_model_stands(struct wf_model *m, bool under_weight);
 
 /* Given: model, species, arena for the tree. Returned: the tree. Its rows are ordered by level from the stem,

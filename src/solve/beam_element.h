@@ -14,9 +14,9 @@
  * does not lock, because the section's compliances may be zero.
  *
  * A tree that stands in the given shape under its own weight has internal forces n0, m0 in it (struct
- * wf_beam_standing). With k0 = G m0 and g0 = H n0, which rotate with the section, the law becomes k + k0 = G m,
- * r' = L t + H n - g0: L and k are counted from the given shape, n and m are whole. A stress-free shape has k0
- * = g0 = 0.
+ * wf_beam_standing). With k0 = G m0 and g0 = H n0, which rotate with the section, the law becomes k + k0 = G
+ * m, r' = L t + H n - g0: L and k are counted from the given shape, n and m are whole. A stress-free shape
+ * has k0 = g0 = 0.
  *
  * G is 1/EI across and 1/GJ along the axis. A section that is not round has another 1/EI about its width,
  * whose direction rotates with it, and weight with an offset from the axis adds its moment per length to -m'

@@ -37,16 +37,16 @@ struct wf_beam_part {
     double ca[2], cs[2]; /* axial and shear compliance [1/N]; 0 = rigid */
     double spin[2];      /* torsional inertia per length [kg m] */
     struct wf_line_point line[2];
-    double dead[2][3]; /* dead line load [N/m] */
-    double k0[2][3], g0[2][3]; /* curvature [1/m] and strain of the section's law in the given shape, which the
-                                  weight of a standing tree makes (solve/beam_rest.h); 0 = stress-free */
+    double dead[2][3];         /* dead line load [N/m] */
+    double k0[2][3], g0[2][3]; /* curvature [1/m] and strain of the section's law in the given shape, which
+                                  the weight of a standing tree makes (solve/beam_rest.h); 0 = stress-free */
 };
 
 /* Additional constants of an element whose section is not round; unloaded in the mesh, rotated with the
  * element in struct wf_beam. Its bending stiffness is ei + more about the width, ei about the height. */
 struct wf_beam_flat {
     real more[2],
-        give[2]; /* stiffness about the width minus ei [N m2]; likewise for the compliance [1/(N m2)] */
+        give[2];       /* stiffness about the width minus ei [N m2]; likewise for the compliance [1/(N m2)] */
     real across[2][3]; /* unit vector along the width, to the left */
     real side[2];      /* first moment of the burden along `across`, per length [kg] */
     real weight;       /* weight of a unit mass [m/s2] */
@@ -58,15 +58,15 @@ struct wf_beam_mesh {
     const struct wf_tree *tree;
     size_t n; /* elements */
     struct wf_beam_part *part;
-    struct wf_beam_flat *flat; /* per element; NULL = all sections are round */
-    int32_t *last;             /* per row: its last element */
-    int32_t *first;            /* per row: its first element */
-    double *mass1;             /* per element: point mass at its end [kg]; NULL = none */
+    struct wf_beam_flat *flat;         /* per element; NULL = all sections are round */
+    int32_t *last;                     /* per row: its last element */
+    int32_t *first;                    /* per row: its first element */
+    double *mass1;                     /* per element: point mass at its end [kg]; NULL = none */
     struct wf_beam_standing *standing; /* per element; NULL: the given shape is stress-free */
     double (*root)[3];                 /* per row, for roots: moment on the ground in the given shape [N m];
                                           NULL as `standing` */
-    double (*still)[3];                /* per row: its end in the given shape as placed on this mesh [m], so that
-                                          a standing tree at rest has moved by nothing; NULL as `standing` */
+    double (*still)[3]; /* per row: its end in the given shape as placed on this mesh [m], so that
+                           a standing tree at rest has moved by nothing; NULL as `standing` */
 };
 
 /* Build the mesh. Given: tree, loads (for dead line loads), options (beam model), pieces[n] per row (NULL =

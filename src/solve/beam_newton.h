@@ -27,7 +27,7 @@ struct wf_beam {
     double (*tilt0)[3];          /* per row, for roots: tilt at the start of a creep step */
     struct wf_beam_small *small; /* NULL unless wf_beam_linearise allocated it */
     struct wf_beam_sides *sides; /* as `small`: work space of solutions for small loads */
-    wf_four (*root_moved)[6];  /* as `small`, per row, for roots: change of the base pose by small loads */
+    wf_four (*root_moved)[6];    /* as `small`, per row, for roots: change of the base pose by small loads */
     double creep;
     bool frozen;                        /* wind acts as a dead load: its derivatives are omitted */
     struct wf_beam_wrench base;         /* exerted on the ground, moment about the first root */
@@ -35,10 +35,10 @@ struct wf_beam {
     struct wf_beam_stability stability; /* of the present shape, where `counted` */
     bool counted;
     const bool *held; /* per element: it keeps its place, with all below it; NULL: none does */
-    bool *weak;       /* per element: set where it is unstable with all above it, when that is counted; NULL: not
-                         wanted */
-    double *off;      /* per element: gains its part of misfit.bending; NULL: not wanted */
-    size_t loose;     /* small parts of the last solution that are in equilibrium but not stable */
+    bool *weak;   /* per element: set where it is unstable with all above it, when that is counted; NULL: not
+                     wanted */
+    double *off;  /* per element: gains its part of misfit.bending; NULL: not wanted */
+    size_t loose; /* small parts of the last solution that are in equilibrium but not stable */
     size_t iterations, steps;
 };
 

@@ -25,8 +25,8 @@ static void weigh(const struct wf_tree *t, double *mass)
 {
     const struct wf_tree_standing *s = t->standing;
     for (size_t i = 0; i < t->n; i++)
-        mass[i] = wf_tree_length(t, i) * (t->density[i] * wf_tree_area(t, i, 0.5) +
-                                          0.5 * (s->burden0[i] + s->burden1[i])) +
+        mass[i] = wf_tree_length(t, i) *
+                      (t->density[i] * wf_tree_area(t, i, 0.5) + 0.5 * (s->burden0[i] + s->burden1[i])) +
                   (t->mass1 ? t->mass1[i] : 0);
     for (size_t i = t->n; i-- > 0;)
         if (t->parent[i] >= 0) mass[t->parent[i]] += mass[i];
@@ -48,8 +48,7 @@ static bool unstable(struct trial *k, double factor)
 static size_t foot_of(const struct trial *k, size_t i)
 {
     const struct wf_tree *t = k->tree;
-    while (t->parent[i] >= 0 && t->level[t->parent[i]] == t->level[i] &&
-           k->mass[t->parent[i]] <= k->limit)
+    while (t->parent[i] >= 0 && t->level[t->parent[i]] == t->level[i] && k->mass[t->parent[i]] <= k->limit)
         i = (size_t)t->parent[i];
     return i;
 }
@@ -105,8 +104,8 @@ static enum wf_status note_part(struct trial *k, size_t foot, struct wf_firm *ou
     if (at < out->n) raise = fmax(raise, 2);
     stiffen(k, foot, raise);
     if (at == out->n)
-        out->part[out->n++] = (struct wf_firm_part){ .row = foot, .mass = k->mass[foot], .factor = factor,
-                                                     .raise = 1 };
+        out->part[out->n++] =
+            (struct wf_firm_part){ .row = foot, .mass = k->mass[foot], .factor = factor, .raise = 1 };
     out->part[at].raise *= raise;
     return WF_OK;
 }

@@ -16,8 +16,8 @@
 
 /* ---- Set up ---- */
 
-enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
-                                  struct wf_diag *d, struct wf_err *e)
+enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
     if (s || (s = wf_tree_check(&an->tree, d, e))) return s;

@@ -9,9 +9,10 @@ extern "C" {
 #endif
 
 /* Grow the tree, make its wind field and loads, and find its state at rest (study/rest.h). Given: *an with
- * species, model, scenario and solver; options of the solutions (NULL: defaults). Returned: tree, tallness, wind (at speed 0) and loads of *an. */
-enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
-                                  struct wf_diag *d, struct wf_err *e);
+ * species, model, scenario and solver; options of the solutions (NULL: defaults). Returned: tree, tallness,
+ * wind (at speed 0) and loads of *an. */
+enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
 
 struct wf_nodes; /* study/node.h */
 /* Wind speed at which each part of the tree fails by each criterion. Given: an analysis after

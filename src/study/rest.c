@@ -76,14 +76,17 @@ static void warn_of_parts(const struct wf_analysis *an, const struct wf_firm *f,
     struct listing l = { .text = "" };
     for (size_t i = 0; i < f->n; i++) {
         const struct wf_firm_part *p = &f->part[i];
-        list(&l, "segment %lld and above (%.3g kg, %.2g m up): carries %.2g of its own weight, E and G x %.3g",
-             (long long)an->tree.id[p->row], p->mass, an->tree.z0[p->row] - an->tree.z0[0], p->factor, p->raise);
+        list(&l,
+             "segment %lld and above (%.3g kg, %.2g m up): carries %.2g of its own weight, E and G x %.3g",
+             (long long)an->tree.id[p->row], p->mass, an->tree.z0[p->row] - an->tree.z0[0], p->factor,
+             p->raise);
     }
-    wf_diag_warn(d, "stiffened",
-                 "%s, %s: %zu part%s under %g %% of the tree's mass would not stand in the shape drawn with this "
-                 "wood, and %s stiffened to %g times its own weight (a rule): %s%s",
-                 an->model->name, an->species->name, f->n, f->n == 1 ? "" : "s", 100 * WF_REST_SMALL,
-                 f->n == 1 ? "was" : "were", WF_REST_FIRM, l.text, f->n > LISTED ? "; ..." : "");
+    wf_diag_warn(
+        d, "stiffened",
+        "%s, %s: %zu part%s under %g %% of the tree's mass would not stand in the shape drawn with this "
+        "wood, and %s stiffened to %g times its own weight (a rule): %s%s",
+        an->model->name, an->species->name, f->n, f->n == 1 ? "" : "s", 100 * WF_REST_SMALL,
+        f->n == 1 ? "was" : "were", WF_REST_FIRM, l.text, f->n > LISTED ? "; ..." : "");
 }
 
 static enum wf_status refuse(const struct wf_analysis *an, const struct wf_firm *f, struct wf_err *e)
@@ -92,12 +95,13 @@ static enum wf_status refuse(const struct wf_analysis *an, const struct wf_firm 
     if (f->refused < 0)
         return wf_fail(e, WF_EUNSTABLE, "%s, %s: does not stand with this wood or root%s", an->model->name,
                        an->species->name, f->root ? ": the root plate is too soft for its weight" : "");
-    return wf_fail(e, WF_EUNSTABLE,
-                   "%s, %s: does not stand with this wood or root: from segment %lld (%s, %.3g m up) on, the part "
-                   "drawn would fall over under its own weight. Check the units of the radii, the wood and the "
-                   "leaf area; --rest stress-free takes the shape as free of stress",
-                   an->model->name, an->species->name, (long long)t->id[f->refused],
-                   t->level[f->refused] ? "branch" : "stem", t->z0[f->refused] - t->z0[0]);
+    return wf_fail(
+        e, WF_EUNSTABLE,
+        "%s, %s: does not stand with this wood or root: from segment %lld (%s, %.3g m up) on, the part "
+        "drawn would fall over under its own weight. Check the units of the radii, the wood and the "
+        "leaf area; --rest stress-free takes the shape as free of stress",
+        an->model->name, an->species->name, (long long)t->id[f->refused],
+        t->level[f->refused] ? "branch" : "stem", t->z0[f->refused] - t->z0[0]);
 }
 
 /* Stiffen what would not stand. */
@@ -110,9 +114,10 @@ static enum wf_status make_firm(struct wf_analysis *an, const struct wf_solve_op
     if (f.gave_up) return refuse(an, &f, e);
     if (f.n) warn_of_parts(an, &f, d);
     if (f.n && an->model->stands_strictly)
-        return wf_fail(e, WF_EUNSTABLE,
-                       "%s, %s: %zu part%s would not stand in the shape drawn; nothing was computed (--strict)",
-                       an->model->name, an->species->name, f.n, f.n == 1 ? "" : "s");
+        return wf_fail(
+            e, WF_EUNSTABLE,
+            "%s, %s: %zu part%s would not stand in the shape drawn; nothing was computed (--strict)",
+            an->model->name, an->species->name, f.n, f.n == 1 ? "" : "s");
     return WF_OK;
 }
 
@@ -161,25 +166,26 @@ static enum wf_status doubt(struct wf_analysis *an, const struct wf_response *r,
         bool keep = holds_the_tree(t, r, i);
         kept += keep;
         doubtful[i] = !keep;
-        list(&l, "segment %lld (%s, %.2g m up): %.0f %%", (long long)t->id[i], t->level[i] ? "branch" : "stem",
-             t->z0[i] - t->z0[0], 100 * found[k].share);
+        list(&l, "segment %lld (%s, %.2g m up): %.0f %%", (long long)t->id[i],
+             t->level[i] ? "branch" : "stem", t->z0[i] - t->z0[0], 100 * found[k].share);
     }
     if (!n) return WF_OK;
     if (n > kept) t->doubtful = doubtful;
-    wf_diag_warn(d, "not-credible",
-                 "%s, %s: not credible as drawn: in %zu segment%s the tree's own weight alone uses more than %g %% "
-                 "of the strength of the wood: %s%s. The radius, the wood or the leaf area is in doubt there. %s%s",
-                 an->model->name, an->species->name, n, n == 1 ? "" : "s", 100 * WF_REST_CREDIBLE, l.text,
-                 n > LISTED ? "; ..." : "",
-                 n > kept ? "They stay in the tables, but no safety factor and no critical wind speed is theirs"
-                          : "They decide like all others, because the stem carries the tree",
-                 kept && n > kept ? "; those of the stem that carry the tree decide all the same" : "");
+    wf_diag_warn(
+        d, "not-credible",
+        "%s, %s: not credible as drawn: in %zu segment%s the tree's own weight alone uses more than %g %% "
+        "of the strength of the wood: %s%s. The radius, the wood or the leaf area is in doubt there. %s%s",
+        an->model->name, an->species->name, n, n == 1 ? "" : "s", 100 * WF_REST_CREDIBLE, l.text,
+        n > LISTED ? "; ..." : "",
+        n > kept ? "They stay in the tables, but no safety factor and no critical wind speed is theirs"
+                 : "They decide like all others, because the stem carries the tree",
+        kept && n > kept ? "; those of the stem that carry the tree decide all the same" : "");
     return WF_OK;
 }
 
 /* Stresses by weight alone. */
-static enum wf_status doubt_shape(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
-                                  struct wf_diag *d, struct wf_err *e)
+static enum wf_status doubt_shape(struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct wf_loads weight = an->loads;
