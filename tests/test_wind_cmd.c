@@ -31,7 +31,7 @@ static void test_speeds(void **state)
         /* sqrt(1 + 7 / ln(10 / 0.05)) = 1.5236 */
         { "$W analyze oak $M " QUIET "--wind 36 --averaging-time 3; grep winds_said $T/out/results.json",
           CODE_OK,
-          { "3-s gusts of 36 m/s at 10 m over terrain II (10-min means of 23.63 m/s: times 0.6563",
+          { "3-s gusts of 36 m/s at 10 m over terrain II (10-min means of 23.63 m/s: times 0.6564",
             "\"winds_said\": \"wind given" } },
         { "$W series oak $M " QUIET "--no-vtk --duration 1 --wind 'gust:72 km/h'",
           CODE_OK,
