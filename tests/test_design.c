@@ -3,6 +3,7 @@
 #include "close.h"
 #include "load/scene.h"
 #include "wind/climate.h"
+#include "wind/design.h"
 #include "wind/gust_factor.h"
 #include <string.h>
 

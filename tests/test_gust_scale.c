@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Winds named by a scale; averaging times. */
 #include "close.h"
+#include "wind/category.h"
 #include "wind/climate.h"
 #include <string.h>
 

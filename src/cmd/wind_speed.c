@@ -3,7 +3,9 @@
 #include "base/num.h"
 #include "base/text.h"
 #include "load/scene.h"
+#include "wind/category.h"
 #include "wind/climate.h"
+#include "wind/design.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>

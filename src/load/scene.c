@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load/scene.h"
 #include "base/num.h"
+#include "wind/category.h"
+#include "wind/design.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
 #include "wind/terrain.h"
@@ -29,6 +31,7 @@ void wf_scenario_default(struct wf_scenario *s)
         .category = wf_category_open(),
         .named = { wf_category_open(), 0.0 },
         .carried = 1.0,
+        .peak = { .method = "en1991", .damping = NAN },
     };
 }
 

@@ -5,10 +5,10 @@
  * cases all use these functions, so that the same input gives the same loads. */
 #include "base/err.h"
 #include "load/load.h"
-#include "wind/category.h"
-#include "wind/design.h"
 #include "wind/wind.h"
 #include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -16,8 +16,30 @@ extern "C" {
 
 struct wf_species;
 
-struct wf_site;   /* wind/terrain.h */
-struct wf_design; /* wind/design.h */
+struct wf_site;     /* wind/terrain.h */
+struct wf_category; /* wind/category.h */
+struct wf_design;   /* wind/design.h */
+
+/* States of a tree in a wind: in the mean wind; at the peak of the load on the whole tree; at the peak of the
+ * load on one branch, which a gust reaches at once. */
+enum wf_part { WF_PART_MEAN, WF_PART_STEM, WF_PART_BRANCHES, WF_PARTS };
+
+/* How peak loads are specified. */
+struct wf_stand {
+    double height, spacing; /* of the stand, mean distance between its trees [m]; spacing 0: unknown */
+    double edge, gap;       /* distance from the upwind edge; length of the gap before it [m] */
+};
+struct wf_peak_table {
+    size_t n;
+    const double *speed, *factor; /* ascending [m/s]; peak over mean load [-] */
+};
+struct wf_peak_request {
+    const char *method;                /* name in wf_peak_methods (study/peak.h) */
+    double damping;                    /* structural, of critical [-]; NAN: of the species */
+    bool exponent_by_law;              /* load of a gust by the crown's streamlining law, not by the square */
+    const struct wf_peak_table *table; /* of the method 'table' */
+    struct wf_stand stand;             /* of the method 'gales' */
+};
 struct wf_scenario {
     const char *profile;                        /* row of wf_profiles */
     const struct wf_measured_profile *measured; /* data of the profile "measured" */
@@ -40,10 +62,11 @@ struct wf_scenario {
     const char *site_kind;              /* row of wf_site_kinds; NULL: not given */
     const struct wf_design *design;     /* whose wind is taken; NULL: none */
     struct wf_wind_place named; /* where the named winds are measured; height 0: the reference height */
-    double carried;         /* mean wind of the site's terrain over the named wind, at the reference height;
-                               the exposure comes on top [-] */
-    double gust_factor;     /* 3-s gust over 10-min mean of the named winds; 0: by EN 1991-1-4 [-] */
-    double least;           /* of the profile "code": height below which the wind is constant [m] */
+    double carried;     /* mean wind of the site's terrain over the named wind, at the reference height;
+                           the exposure comes on top [-] */
+    double gust_factor; /* 3-s gust over 10-min mean of the named winds; 0: by EN 1991-1-4 [-] */
+    double least;       /* of the profile "code": height below which the wind is constant [m] */
+    struct wf_peak_request peak; /* how the peak load follows from the mean wind */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
                                conversion */
 };

@@ -32,12 +32,6 @@ double wf_category_length(const struct wf_category *c, double z);
  */
 double wf_category_gust(const struct wf_category *c, double z);
 
-/* Where a wind was measured. */
-struct wf_wind_place {
-    const struct wf_category *terrain;
-    double height; /* above the ground [m] */
-};
-
 /* Sites as a person names them. */
 struct wf_site_kind {
     const char *name;     /* "suburb" */

@@ -4,6 +4,7 @@
 #include "base/csv.h"
 #include "base/num.h"
 #include "base/text.h"
+#include "wind/category.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

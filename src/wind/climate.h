@@ -5,7 +5,7 @@
  */
 #include "base/arena.h"
 #include "base/err.h"
-#include "wind/category.h"
+#include "wind/wind.h"
 #include <stdbool.h>
 #include <stddef.h>
 

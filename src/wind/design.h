@@ -5,21 +5,12 @@
  * gust at a site. Codes are rows, which own their terrains and constants. */
 #include "base/err.h"
 #include "wind/category.h"
+#include "wind/wind.h"
 #include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-/* What a user gives. NULL, NAN: not given. */
-struct wf_design_words {
-    const char *code;    /* row of wf_designs */
-    const char *terrain; /* the code's name of it, or the category of EN 1991-1-4 with the same ground */
-    const char *region;  /* of AS/NZS 1170.2 */
-    double basic;        /* basic wind [m/s] */
-    double pressure;     /* in its place: basic wind pressure [Pa] */
-    double years;        /* return period */
-};
 
 struct wf_design_terrain {
     const char *name;     /* the code's */

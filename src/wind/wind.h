@@ -11,6 +11,23 @@
 extern "C" {
 #endif
 
+struct wf_category;
+/* Where a wind was measured. */
+struct wf_wind_place {
+    const struct wf_category *terrain;
+    double height; /* above the ground [m] */
+};
+
+/* A design wind (wind/design.h) as the user specifies it. NULL, NAN: not given. */
+struct wf_design_words {
+    const char *code;    /* row of wf_designs */
+    const char *terrain; /* the code's name of it, or the category of EN 1991-1-4 with the same ground */
+    const char *region;  /* of AS/NZS 1170.2 */
+    double basic;        /* basic wind [m/s] */
+    double pressure;     /* in its place: basic wind pressure [Pa] */
+    double years;        /* return period */
+};
+
 struct wf_wind;
 /* Velocity u [m/s] and gradient du[3*i+j] = d u_i / d x_j [1/s] at point x [m]. */
 typedef void wf_wind_sample(const struct wf_wind *w, const double x[3], double u[3], double du[9]);
