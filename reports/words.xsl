@@ -125,6 +125,14 @@
   </xsl:call-template>
 </xsl:template>
 
+<!-- The 3-s gust of a named mean wind, where it is measured. -->
+<xsl:template name="gust">
+  <xsl:param name="x"/>
+  <xsl:call-template name="number">
+    <xsl:with-param name="x" select="$x * $trees[1]/scenario/gust_over_mean/value"/>
+  </xsl:call-template>
+</xsl:template>
+
 <!-- The name of a tree's species in the language of the report. -->
 <xsl:template name="name">
   <xsl:param name="tree" select="."/>

@@ -80,6 +80,7 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
     if (table) s = wf_peak_table_read(asked->table, a, d, table, e);
     out->peak = (struct wf_peak_request){
         .method = asked->method ? asked->method
+                  : out->design ? out->design->peak
                   : preset      ? "mean"
                                 : "en1991",
         .damping = asked->damping,
