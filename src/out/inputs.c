@@ -284,13 +284,14 @@ json_t *wf_part_peak(struct wf_doc *d, const struct wf_analysis *a, const struct
     return o;
 }
 
-json_t *wf_part_steady(struct wf_doc *d, const struct wf_at_speed *at)
+json_t *wf_part_steady(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)
 {
     static const char *const none = "no equilibrium was found in the mean wind, or it was not computed";
     const struct wf_steady *m = &at->steady;
     json_t *o = wf_doc_object(d);
     wf_doc_quantity(d, o, "drag", m->drag, "N", none);
     wf_doc_quantity(d, o, "tip_deflection", m->tip_deflection, "m", none);
+    wf_doc_quantity(d, o, "tip_deflection_share", m->tip_deflection / a->tallness, "1", none);
     wf_doc_quantity(d, o, "tip_angle", m->tip_angle, "rad", none);
     wf_doc_quantity(d, o, "base_shear", m->base_shear, "N", none);
     wf_doc_quantity(d, o, "base_moment", m->base_moment, "N m", none);

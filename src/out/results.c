@@ -371,7 +371,7 @@ static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const st
     wf_doc_quantity(d, o, "least_safety", solved ? worst->safety : NAN, "1", reason);
     wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? worst : NULL));
     if (at >= a->at && at < a->at + a->n) { /* of the main wind direction */
-        wf_doc_put(d, o, "mean_state", wf_part_steady(d, at));
+        wf_doc_put(d, o, "mean_state", wf_part_steady(d, a, at));
         wf_doc_put(d, o, "peak", wf_part_peak(d, a, at));
     }
     wf_doc_flag(d, o, "small_deflection", at->response.small_deflection);
