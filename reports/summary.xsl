@@ -106,6 +106,9 @@
     <xsl:with-param name="c">
       <xsl:call-template name="given"><xsl:with-param name="x" select="$last/speed/value"/></xsl:call-template>
     </xsl:with-param>
+    <xsl:with-param name="d">
+      <xsl:call-template name="gust"><xsl:with-param name="x" select="$last/speed/value"/></xsl:call-template>
+    </xsl:with-param>
   </xsl:call-template>
 </xsl:template>
 
@@ -215,6 +218,20 @@
         </xsl:otherwise>
       </xsl:choose>
     </xsl:with-param>
+    <xsl:with-param name="c">
+      <xsl:choose>
+        <xsl:when test="critical/outcome = 'found'">
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template>
+        </xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
+    <xsl:with-param name="d">
+      <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/scenario/wind_height/value"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="e" select="$trees[1]/scenario/wind_terrain"/>
   </xsl:call-template>
   <xsl:if test="critical/outcome = 'self-weight' and critical/governing_section/diameter/value != ''">
     <xsl:value-of select="$gap"/>
@@ -241,6 +258,9 @@
           <xsl:with-param name="section" select="critical_stem/governing_section"/>
         </xsl:call-template>
       </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="gust"><xsl:with-param name="x" select="critical_stem/speed/value"/></xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
   <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'above'">
@@ -249,6 +269,9 @@
       <xsl:with-param name="id">sum.stem.above</xsl:with-param>
       <xsl:with-param name="a">
         <xsl:call-template name="given"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="gust"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
@@ -265,6 +288,9 @@
         </xsl:with-param>
         <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/>
         <xsl:with-param name="c" select="../../number"/>
+        <xsl:with-param name="d">
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+        </xsl:with-param>
       </xsl:call-template>
     </xsl:if>
   </xsl:for-each>
@@ -356,6 +382,9 @@
         <xsl:with-param name="id">sum.first</xsl:with-param>
         <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
         <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/>
+        <xsl:with-param name="c">
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+        </xsl:with-param>
       </xsl:call-template>
     </xsl:if>
   </xsl:for-each>
