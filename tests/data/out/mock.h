@@ -193,7 +193,7 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
     *out = (struct wf_analysis){
         .species = mock_species(kind, a), .model = &model, .solver = &solver, .tallness = 14, .n = n
     };
-    out->scenario = (struct wf_scenario){ .profile = "power",
+    out->scenario = (struct wf_scenario){ .profile = "power", .category = wf_category_open(),
                                           .reference_height = 10,
                                           .exponent = 0.16,
                                           .roughness = NAN,
