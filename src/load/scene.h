@@ -30,7 +30,7 @@ struct wf_scenario {
     double temperature, altitude;      /* [K], [m] */
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
-    double water; /* rain on the leaves, per one-sided leaf area [kg m-2]; 0: dry */
+    double water;           /* rain on the leaves, per one-sided leaf area [kg m-2]; 0: dry */
     const char *shelter;    /* name in wf_shelter_laws by which the tree shelters itself; NULL: no shelter */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
                                conversion */

@@ -90,6 +90,7 @@ static json_t *streamlining(struct wf_doc *d, const struct wf_species *sp)
     put_law(d, o, s, WF_LAW_NUMBER);
     wf_doc_quantity(d, o, "speed_low", s->low, "m/s", "not given");
     wf_doc_quantity(d, o, "speed_high", s->high, "m/s", "not given");
+    wf_doc_text(d, o, "beyond", s->law ? wf_beyond_words[s->beyond] : NULL);
     put_law(d, o, s, WF_LAW_LIST);
     put_source(d, o, sp, s->source);
     return o;
