@@ -135,10 +135,14 @@ interface: # what is installed: number, names, C and C++
 	@tools/interface.sh $(HEADERS)
 house: all # sizes, circles, callers, the way through the program
 	@tools/house.sh $(B)
-golden: all ## write the expected tables of the demo again, after a change that is understood
-	$(B)/windfirm compare species/moso_bamboo.yaml species/weeping_willow.yaml --model models/culm.yaml \
-	    --wind 10,15,25 -o $(B)/golden --no-report --quiet
-	cp $(B)/golden/tables/*.csv tests/golden/
+golden: all ## write the expected tables of the demo again, after a change that is understood; prints what changes
+	@git diff --quiet HEAD || { echo 'make golden: commit first; the change of the tables is to be seen alone'; exit 1; }
+	@for m in mean peak; do \
+	    $(B)/windfirm compare species/moso_bamboo.yaml species/weeping_willow.yaml --model models/culm.yaml \
+	        --wind 10,15,25 -o $(B)/golden/$$m --no-report --quiet $$([ $$m = peak ] || echo --peak mean) || exit; \
+	    for t in summary segments shape sweep; do \
+	        [ ! -e tests/golden/$$m/$$t.csv ] || tests/changed.awk tests/golden/$$m/$$t.csv $(B)/golden/$$m/tables/$$t.csv; \
+	        cp $(B)/golden/$$m/tables/$$t.csv tests/golden/$$m/; done; done
 
 # The interface: src/windfirm.h and what it includes, found by the compiler. Installed, they include one another as
 # <windfirm/...>, so that one -I is enough.

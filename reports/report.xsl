@@ -181,6 +181,10 @@
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template>
       </xsl:if>
+      <xsl:if test="$gusts and contains(' shapes tip stem safety directions ', concat(' ', @name, ' '))">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id">f.gusts</xsl:with-param></xsl:call-template>
+      </xsl:if>
       <xsl:variable name="drawn" select="string-length(normalize-space($shown)) -
         string-length(translate(normalize-space($shown), ' ', '')) + 1"/>
       <xsl:if test="$drawn &lt; $winds and (@name = 'shapes' or @name = 'stem')">

@@ -67,6 +67,7 @@ static void set_up(struct bench *b)
                                   .crown_base = 5,
                                   .crown_top = HEIGHT };
     wf_scenario_default(&b->scenario);
+    b->scenario.peak.method = "mean";
     wf_search_default(&b->search);
     b->search.speed_max = 100, b->search.beyond = 0; /* the post stands in any wind that occurs */
     b->scenario.profile = "uniform";

@@ -37,6 +37,7 @@ static void analyse(struct made *m, const char *model)
         wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err))
         fail_msg("%s", m->err.text);
     wf_scenario_default(&m->scenario);
+    m->scenario.peak.method = "mean";
     wf_search_default(&m->search);
     wf_solve_options_default(&m->options);
     m->options.mesh_tolerance = 1e-3;

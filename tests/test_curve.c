@@ -27,6 +27,7 @@ static void analyse(struct made *m, const char *species, const char *model, cons
         wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err))
         fail_msg("%s", m->err.text);
     wf_scenario_default(&m->scenario);
+    m->scenario.peak.method = "mean";
     wf_solve_options_default(&m->options);
     m->options.mesh_tolerance = 1e-4;
     m->options.threads = threads;

@@ -80,6 +80,7 @@ static void analysis_of(struct beam_case *c, const struct wf_solver *solver, str
         .species = &wood, .solver = solver, .tree = c->tree, .loads = c->loads, .wind = c->wind
     };
     wf_scenario_default(&an->scenario);
+    an->scenario.peak.method = "mean";
     wf_search_default(&an->search);
     an->tallness = wf_tree_height(&an->tree);
 }

@@ -34,6 +34,7 @@ static void start(struct made *m, double lean, double azimuth)
         fail_msg("%s", m->err.text);
     m->model.lean = lean, m->model.lean_azimuth = azimuth;
     wf_scenario_default(&m->scenario);
+    m->scenario.peak.method = "mean";
     wf_solve_options_default(&m->options);
     m->options.mesh_tolerance = 1e-4;
 }

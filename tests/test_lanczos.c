@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Block Lanczos on small dense matrices whose eigenvalues are known. */
 #include "close.h"
-#include "solve/modes.h"
+#include "solve/lanczos.h"
 #include <stdlib.h>
 #include <string.h>
 

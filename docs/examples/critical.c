@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Where a tree's tip moves in a wind, and the wind speed that breaks it.
+/* Where a tree's tip moves in a mean wind, and the mean wind whose gusts break it.
  * cc critical.c $(pkg-config --cflags --libs windfirm) -o critical
  * ./critical SPECIES.yaml MODEL.yaml SPEED_IN_M_PER_S */
 #include <stdio.h>
@@ -29,7 +29,7 @@ int main(int argc, char **argv)
         wf_analyze(&species, model, &scenario, &search, wf_solver_named("beam"), &options, &speed, 1, &memory,
                    &findings, &tree, &why))
         return fprintf(stderr, "%s\n", why.text), 1;
-    printf("tip %.3f m, critical wind %.2f m/s\n", tree.at[0].tip_deflection,
+    printf("tip %.3f m, critical wind %.2f m/s\n", tree.at[0].steady.tip_deflection,
            tree.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
     wf_arena_free(&memory);
     return 0;

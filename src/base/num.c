@@ -97,3 +97,28 @@ int wf_ascending(const void *a, const void *b)
     double x = *(const double *)a, y = *(const double *)b;
     return (x > y) - (x < y);
 }
+
+void wf_curve_slopes(size_t n, const double *x, const double *y, double *slope)
+{
+    const size_t last = n - 1;
+    slope[0] = (y[1] - y[0]) / (x[1] - x[0]);
+    slope[last] = (y[last] - y[last - 1]) / (x[last] - x[last - 1]);
+    for (size_t i = 1; i < last; i++) {
+        double below = x[i] - x[i - 1], above = x[i + 1] - x[i];
+        double a = (y[i] - y[i - 1]) / below, b = (y[i + 1] - y[i]) / above;
+        /* the parabola through three points, limited to twice the smaller slope on either side */
+        double middle = fabs(a * above + b * below) / (below + above);
+        slope[i] = a * b > 0.0 ? copysign(fmin(2.0 * fmin(fabs(a), fabs(b)), middle), a) : 0.0;
+    }
+}
+
+double wf_curve_at(size_t n, const double *x, const double *y, const double *slope, double at)
+{
+    size_t i = 0;
+    if (!(at > x[0])) return y[0];
+    if (at >= x[n - 1]) return y[n - 1];
+    while (at >= x[i + 1]) i++;
+    double width = x[i + 1] - x[i], s = (at - x[i]) / width, rise = y[i + 1] - y[i];
+    return y[i] + s * (width * slope[i] + s * (3.0 * rise - width * (2.0 * slope[i] + slope[i + 1]) +
+                                               s * (width * (slope[i] + slope[i + 1]) - 2.0 * rise)));
+}

@@ -7,7 +7,9 @@
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
+#include "study/peak.h"
 #include "study/wetted.h"
+#include "wind/category.h"
 #include "wind/climate.h"
 #include <math.h>
 
@@ -85,18 +87,24 @@ static void print_number(FILE *to, int width, int digits, double value)
         wf_show(to, "%*s", width, isinf(value) ? "inf" : "-");
 }
 
-static void print_speed(FILE *to, const struct wf_at_speed *at)
+/* One row: the mean wind, and with a peak method the peak of the load. */
+static void print_speed(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at)
 {
+    const struct wf_steady *m = &at->steady;
     print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
     if (at->status) {
         wf_show(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
                 100.0 * at->response.load_factor);
         return;
     }
-    print_number(to, 12, 3, at->tip_deflection);
-    print_number(to, 10, 1, 100.0 * at->tip_deflection_share);
-    print_number(to, 10, 1, at->tip_angle * 180.0 / M_PI);
-    print_number(to, 13, 3, at->base_moment / 1e3);
+    print_number(to, 12, 3, m->tip_deflection);
+    print_number(to, 10, 1, 100.0 * m->tip_deflection / an->tallness);
+    print_number(to, 10, 1, degrees(m->tip_angle));
+    print_number(to, 13, 3, m->base_moment / 1e3);
+    if (wf_peak_differs(an->peak)) {
+        print_number(to, 11, 2, wf_peak_factor(an->peak, at->speed, WF_PART_STEM));
+        print_number(to, 12, 3, at->base_moment / 1e3);
+    }
     print_number(to, 12, 2, at->breakage.largest_stress / 1e6);
     print_number(to, 10, 2, at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
     fputc('\n', to);
@@ -149,7 +157,11 @@ void wf_print_head(FILE *to, const struct wf_analysis *first)
     const struct wf_scenario *s = &first->scenario;
     wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
-    wf_show(to, "Wind speeds are 10-min means at %.6g m\n", s->reference_height);
+    wf_show(to, "Wind speeds are 10-min means at %.6g m; peak load: %s", s->reference_height,
+            first->peak ? first->peak->method->name : "mean");
+    if (first->peak && first->peak->rule)
+        wf_show(to, ", terrain %s (%s)", first->peak->rule->called(s->category), s->category->text);
+    wf_show(to, "%s\n", wf_peak_differs(first->peak) ? "" : ", a steady wind without gusts");
     if (s->speed_up != 1.0)
         wf_show(to,
                 "The wind at the tree is %.4g times the wind named (exposure of the site); critical speeds "
@@ -162,10 +174,14 @@ void wf_print_head(FILE *to, const struct wf_analysis *first)
 void wf_print_speeds(FILE *to, const struct wf_analysis *an)
 {
     wf_show(to, "\n%s (%s)\n", an->species->name, an->species->latin ? an->species->latin : an->species->key);
-    wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "wind", "tip moves", "", "tip turns", "base moment",
-            "stress", "safety");
-    wf_show(to, "%10s%12s%10s%10s%13s%12s%10s\n", "m/s", "m", "% height", "deg", "kN m", "MPa", "factor");
-    for (size_t i = 0; i < an->n; i++) print_speed(to, &an->at[i]);
+    bool peak = wf_peak_differs(an->peak);
+    if (peak) wf_show(to, "%10s%45s%45s\n", "", "in the mean wind", "at the peak of the load");
+    wf_show(to, "%10s%12s%10s%10s%13s", "wind", "tip moves", "", "tip turns", "base moment");
+    if (peak) wf_show(to, "%11s%12s", "gusts", "moment");
+    wf_show(to, "%12s%10s\n%10s%12s%10s%10s%13s", "stress", "safety", "m/s", "m", "% height", "deg", "kN m");
+    if (peak) wf_show(to, "%11s%12s", "x load", "kN m");
+    wf_show(to, "%12s%10s\n", "MPa", "factor");
+    for (size_t i = 0; i < an->n; i++) print_speed(to, an, &an->at[i]);
 }
 
 /* A critical speed, or what is known of it. */

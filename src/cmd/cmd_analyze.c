@@ -33,6 +33,7 @@ struct analyze_options {
     struct wf_speeds wind;
     struct wf_averaging averaging;   /* with the climate */
     struct wf_profile_words profile; /* with the map of the ground */
+    struct wf_peak_asked peak;
     const char *output, *solver, *preset, *shelter;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
@@ -141,6 +142,7 @@ const struct wf_option wf_analyze_options[] = {
     WORD("--preset", preset, "NAME", wf_preset_word, "corrected",
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
+    WF_PEAK_ROWS(peak),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
@@ -272,6 +274,9 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     wf_scenario_default(s);
     enum wf_status status = wf_scenario_profile(s, &o->profile, a, d, e);
     if (status) return status;
+    out->preset = wf_preset_named(o->preset);
+    status = wf_peak_asked_read(&o->peak, out->preset != wf_presets, a, d, s, e);
+    if (status) return status;
     s->winds_said = o->args.winds_said;
     s->azimuth = o->azimuth;
     if (o->rain > 0) s->water = wf_storage_named(o->storage)->film;
@@ -289,7 +294,6 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     if (!isnan(o->root_stiffness))
         out->solve.root_stiffness[0] = out->solve.root_stiffness[1] = o->root_stiffness;
     out->solver = wf_solver_named(o->solver);
-    out->preset = wf_preset_named(o->preset);
     status = read_directions(o, a, d, &out->directions, e);
     return status ? status : read_exposure(o, a, s, &out->directions, e);
 }

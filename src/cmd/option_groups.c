@@ -4,6 +4,7 @@
 #include "cmd/read_mat.h"
 #include "grow/grow.h"
 #include "solve/solve.h"
+#include "study/peak.h"
 #include "study/preset.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
@@ -14,6 +15,7 @@ const char *wf_solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->nam
 const char *wf_preset_word(size_t i) { return wf_presets[i].name; }
 const char *wf_shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 const char *wf_profile_word(size_t i) { return wf_profiles[i].name; }
+const char *wf_peak_word(size_t i) { return wf_peak_methods[i].name; }
 const char *wf_import_word(size_t i) { return wf_import_formats[i].name; }
 
 bool wf_profile_row_unused(const void *options, const struct wf_option *o, char *why)
@@ -30,6 +32,49 @@ bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *wh
         return wf_option_unused(t->model && !t->file, why, "with --model; it is of a measured tree (--tree)");
     return wf_option_unused(t->file && isnan(t->leaf_area), why,
                             "with a measured tree (--tree) that has no leaves (--leaf-area)");
+}
+
+/* The members that a method takes. */
+static bool peak_takes(const char *method, size_t member)
+{
+    if (member == offsetof(struct wf_peak_asked, damping) ||
+        member == offsetof(struct wf_peak_asked, exponent)) {
+        const struct wf_peak_method *m = wf_peak_method_named(method);
+        return !m || m->sways;
+    }
+    return !strcmp(method, member == offsetof(struct wf_peak_asked, table) ? "table" : "gales");
+}
+
+bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_peak_asked *p = (const void *)((const char *)options + o->group);
+    const char *method = p->method ? p->method : "en1991";
+    return wf_option_unused(!peak_takes(method, o->member - o->group), why, "with --peak %s", method);
+}
+
+static double given_or(double given, double otherwise) { return isnan(given) ? otherwise : given; }
+
+enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset, struct wf_arena *a,
+                                  struct wf_diag *d, struct wf_scenario *out, struct wf_err *e)
+{
+    struct wf_peak_table *table = NULL;
+    enum wf_status s = WF_OK;
+    if (asked->table && !(table = WF_TAKE(a, 1, struct wf_peak_table)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
+    if (table) s = wf_peak_table_read(asked->table, a, d, table, e);
+    out->peak = (struct wf_peak_request){
+        .method = asked->method ? asked->method
+                  : preset      ? "mean"
+                                : "en1991",
+        .damping = asked->damping,
+        .exponent_by_law = !strcmp(asked->exponent, "law"),
+        .table = table,
+        .stand = { .height = given_or(asked->stand_height, 0.0),
+                   .spacing = given_or(asked->spacing, 0.0),
+                   .edge = given_or(asked->edge, INFINITY),
+                   .gap = given_or(asked->gap, INFINITY) },
+    };
+    return s;
 }
 
 bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *why)

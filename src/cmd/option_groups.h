@@ -61,6 +61,46 @@ bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *wh
         NUMBER("--attenuation", in.attenuation, "NUMBER", NONE, NULL, 0, 10, NULL,                           \
                "of the wind inside the canopy [0: joins the log law smoothly]", WF_OF_PROFILE(in))
 
+/* How the peak load follows from the mean wind. */
+struct wf_peak_asked {
+    const char *method, *table, *exponent;   /* NULL: not given */
+    double damping;                          /* of critical; NAN: not given */
+    double spacing, stand_height, edge, gap; /* [m]; NAN: not given */
+};
+const char *wf_peak_word(size_t i);
+bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *why);
+#define WF_OF_PEAK(in) WF_UNUSED(in, wf_peak_row_unused)
+#define WF_PEAK_ROWS(in)                                                                                     \
+    WORD("--peak", in.method, "METHOD", wf_peak_word, NULL,                                                  \
+         "how the load of gusts follows from the mean wind: by a code (en1991, gb50009, asce7), for stands " \
+         "(gales), a steady wind of the gust's speed (gust), a table of factors, or mean: no gusts "         \
+         "[en1991; mean with the preset of a paper]"),                                                       \
+        NUMBER("--damping", in.damping, "NUMBER", NONE, NULL, 0.001, 0.5, NULL,                              \
+               "structural damping of the tree's sway, of critical [the species'; else 0.05, assumed, and "  \
+               "at most 0.10 with the damping of the air]",                                                  \
+               WF_OF_PEAK(in)),                                                                              \
+        CHOICE("--gust-exponent", in.exponent, "HOW", "square|law", "square",                                \
+               "how the load grows from the mean wind to the gust: by the square of the speed, or by the "   \
+               "crown's streamlining law, which gives a lower load",                                         \
+               WF_OF_PEAK(in)),                                                                              \
+        PATH("--peak-table", in.table, "FILE", NULL,                                                         \
+             "factors on the mean wind load, a CSV with columns speed_ms and factor; of --peak table",       \
+             WF_OF_PEAK(in)),                                                                                \
+        NUMBER("--spacing", in.spacing, "LENGTH", LENGTH, "m", 0.1, 100, NULL,                               \
+               "mean distance between the trees of the stand; of --peak gales", WF_OF_PEAK(in)),             \
+        NUMBER("--stand-height", in.stand_height, "LENGTH", LENGTH, "m", 1, 120, NULL,                       \
+               "height of the stand [that of the tree]; of --peak gales", WF_OF_PEAK(in)),                   \
+        NUMBER("--edge-distance", in.edge, "LENGTH", LENGTH, "m", 0, 1e5, NULL,                              \
+               "distance of the tree from the upwind edge of the stand [9 heights: well inside]; of --peak " \
+               "gales",                                                                                      \
+               WF_OF_PEAK(in)),                                                                              \
+        NUMBER("--gap", in.gap, "LENGTH", LENGTH, "m", 0, 1e5, NULL,                                         \
+               "length of the open ground before that edge [10 heights]; of --peak gales", WF_OF_PEAK(in))
+/* Put them into a scenario; `height` of the tree [m]; `preset`: whether a paper's preset is used. A table is
+ * read; its mistakes are in `d`. */
+enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset, struct wf_arena *a,
+                                  struct wf_diag *d, struct wf_scenario *out, struct wf_err *e);
+
 /* A gust model's parameters and file; into any struct with texts set, file (NULL: not given) and a struct
  * wf_record_words record. `f`: when they have no effect. */
 #define WF_GUST_ROWS(in, f)                                                                                  \

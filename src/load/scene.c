@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load/scene.h"
 #include "base/num.h"
+#include "wind/category.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
 #include "wind/terrain.h"
@@ -26,6 +27,8 @@ void wf_scenario_default(struct wf_scenario *s)
         .altitude = 0.0,
         .air_density = NAN,
         .gravity = 9.81,
+        .category = wf_category_open(),
+        .peak = { .method = "en1991", .damping = NAN },
     };
 }
 

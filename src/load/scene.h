@@ -7,6 +7,8 @@
 #include "load/load.h"
 #include "wind/wind.h"
 #include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -14,7 +16,29 @@ extern "C" {
 
 struct wf_species;
 
-struct wf_site; /* wind/terrain.h */
+struct wf_site;     /* wind/terrain.h */
+struct wf_category; /* wind/category.h */
+
+/* States of a tree in a wind: in the mean wind; at the peak of the load on the whole tree; at the peak of the
+ * load on one branch, which a gust reaches at once. */
+enum wf_part { WF_PART_MEAN, WF_PART_STEM, WF_PART_BRANCHES, WF_PARTS };
+
+/* How peak loads are specified. */
+struct wf_stand {
+    double height, spacing; /* of the stand, mean distance between its trees [m]; spacing 0: unknown */
+    double edge, gap;       /* distance from the upwind edge; length of the gap before it [m] */
+};
+struct wf_peak_table {
+    size_t n;
+    const double *speed, *factor; /* ascending [m/s]; peak over mean load [-] */
+};
+struct wf_peak_request {
+    const char *method;                /* name in wf_peak_methods (study/peak.h) */
+    double damping;                    /* structural, of critical [-]; NAN: of the species */
+    bool exponent_by_law;              /* load of a gust by the crown's streamlining law, not by the square */
+    const struct wf_peak_table *table; /* of the method 'table' */
+    struct wf_stand stand;             /* of the method 'gales' */
+};
 struct wf_scenario {
     const char *profile;                        /* row of wf_profiles */
     const struct wf_measured_profile *measured; /* data of the profile "measured" */
@@ -30,8 +54,10 @@ struct wf_scenario {
     double temperature, altitude;      /* [K], [m] */
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
-    double water;           /* rain on the leaves, per one-sided leaf area [kg m-2]; 0: dry */
-    const char *shelter;    /* name in wf_shelter_laws by which the tree shelters itself; NULL: no shelter */
+    double water;        /* rain on the leaves, per one-sided leaf area [kg m-2]; 0: dry */
+    const char *shelter; /* name in wf_shelter_laws by which the tree shelters itself; NULL: no shelter */
+    const struct wf_category *category; /* terrain of the site, for gusts */
+    struct wf_peak_request peak;        /* how the peak load follows from the mean wind */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
                                conversion */
 };

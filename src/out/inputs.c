@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The inputs of a run: species values with range, standing and source; model; scenario; method. */
 #include "out/inputs.h"
+#include "base/num.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "load/drag.h"
+#include "study/peak.h"
+#include "study/wetted.h"
 #include "wind/climate.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
@@ -219,6 +222,65 @@ static void put_axis_drag(struct wf_doc *d, json_t *method, const struct wf_law 
     wf_doc_quantity(d, o, "reynolds_high", law->high, "1", "no limit is known");
 }
 
+static void put_peak_method(struct wf_doc *d, json_t *o, const struct wf_analysis *a)
+{
+    const struct wf_peak *p = a->peak;
+    const struct wf_peak_method *m = p ? p->method : wf_peak_method_named("mean");
+    const struct wf_gust_rule *rule = p ? p->rule : NULL;
+    json_t *peak = wf_doc_put(d, o, "peak_method", wf_doc_object(d));
+    wf_doc_text(d, peak, "name", m->name);
+    wf_doc_text(d, peak, "title", m->title);
+    wf_doc_text(d, peak, "source", m->source);
+    wf_doc_text(d, peak, "validity", m->validity);
+    wf_doc_text(d, peak, "terrain", rule ? rule->called(a->scenario.category) : NULL);
+    wf_doc_quantity(d, peak, "structural_damping", rule ? p->damping : NAN, "1", "the method has none");
+    wf_doc_flag(d, peak, "damping_known", p && p->damping_known);
+    wf_doc_quantity(d, peak, "load_breadth", rule ? p->tree.breadth : NAN, "m", "the method has none");
+}
+
+json_t *wf_part_peak(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)
+{
+    static const char *const none = "the method has none";
+    struct wf_peak_parts stem, branches;
+    wf_peak_parts_at(a->peak, at->speed, WF_PART_STEM, &stem);
+    wf_peak_parts_at(a->peak, at->speed, WF_PART_BRANCHES, &branches);
+    const struct {
+        const char *key;
+        double value;
+        const char *unit;
+    } row[] = {
+        { "load_factor_gusts", stem.factor, "1" },
+        { "load_factor_branches", wf_peak_branches(a->peak) ? branches.factor : (double)NAN, "1" },
+        { "sway_frequency", stem.frequency, "Hz" },
+        { "participation", stem.participation, "1" },
+        { "modal_mass", stem.mass, "kg" },
+        { "damping_total", stem.damping, "1" },
+        { "damping_air", stem.air, "1" },
+        { "turbulence", stem.gust.turbulence, "1" },
+        { "background", stem.gust.background, "1" },
+        { "resonance", stem.gust.resonance, "1" },
+        { "peak_of_gusts", stem.gust.peak, "1" },
+    };
+    json_t *o = wf_doc_object(d);
+    for (size_t i = 0; i < WF_COUNT(row); i++)
+        wf_doc_quantity(d, o, row[i].key, row[i].value, row[i].unit, none);
+    return o;
+}
+
+json_t *wf_part_steady(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)
+{
+    static const char *const none = "no equilibrium was found in the mean wind, or it was not computed";
+    const struct wf_steady *m = &at->steady;
+    json_t *o = wf_doc_object(d);
+    wf_doc_quantity(d, o, "drag", m->drag, "N", none);
+    wf_doc_quantity(d, o, "tip_deflection", m->tip_deflection, "m", none);
+    wf_doc_quantity(d, o, "tip_deflection_share", m->tip_deflection / a->tallness, "1", none);
+    wf_doc_quantity(d, o, "tip_angle", m->tip_angle, "rad", none);
+    wf_doc_quantity(d, o, "base_shear", m->base_shear, "N", none);
+    wf_doc_quantity(d, o, "base_moment", m->base_moment, "N m", none);
+    return o;
+}
+
 json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
 {
     const struct wf_profile *profile = wf_profile_named(a->scenario.profile);
@@ -236,6 +298,7 @@ json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_text(d, wind, "source", profile ? profile->source : NULL);
     wf_doc_text(d, wind, "validity", profile ? profile->validity : NULL);
     const struct wf_shelter_law *own = wf_shelter_law_named(a->scenario.shelter);
+    put_peak_method(d, o, a);
     json_t *shelter = wf_doc_put(d, o, "shelter", wf_doc_object(d));
     wf_doc_text(d, shelter, "name", own ? own->name : "none");
     wf_doc_text(d, shelter, "source", own ? own->source : NULL);
@@ -247,5 +310,22 @@ json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, crown, "speed_low", law ? law->low : NAN, "m/s", "no limit is known");
     wf_doc_quantity(d, crown, "speed_high", law ? law->high : NAN, "m/s", "no limit is known");
     if (a->species->axis_drag.law) put_axis_drag(d, o, &a->loads.axis_drag->law);
+    return o;
+}
+
+json_t *wf_part_wetted(struct wf_doc *d, const struct wf_wetted *w)
+{
+    json_t *o = wf_doc_object(d);
+    double critical[2];
+    for (int k = 0; k < 2; k++)
+        critical[k] = w->critical[k].outcome == WF_CRITICAL_SELF_WEIGHT ? 0 : w->critical[k].speed;
+    wf_doc_number(d, o, "film_mm", w->film);
+    wf_doc_number(d, o, "mass_kg", w->mass);
+    wf_doc_number(d, o, "leaf_area_m2", w->leaf_area);
+    wf_doc_number(d, o, "speed_m_s", w->speed);
+    wf_doc_numbers(d, o, "frequencies_Hz", w->frequency, 2);
+    wf_doc_numbers(d, o, "moments_N_m", w->moment, 2);
+    wf_doc_numbers(d, o, "deflections_m", w->deflection, 2);
+    wf_doc_numbers(d, o, "criticals_m_s", critical, 2);
     return o;
 }

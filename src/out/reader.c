@@ -25,8 +25,9 @@ static const struct {
              "scene springs vertices wood_hits" },
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
-    { FLAG, "staged as_printed converged energy estimated given nuisance priors searched_to_the_end "
-            "sigma_estimated small_deflection spectral stopped used within within_limits" },
+    { FLAG,
+      "damping_known staged as_printed converged energy estimated given nuisance priors searched_to_the_end "
+      "sigma_estimated small_deflection spectral stopped used within within_limits" },
     { LIST, "at classes_m_s criteria figures files findings hours_a_year_above methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
             "budget criticals_m_s deflections_m frequencies_Hz moments_N_m speeds sways swing_m table_share "
@@ -52,7 +53,10 @@ static const struct {
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
-      "clusters wetted air_density all altitude attenuation averaging_time axis_drag azimuth base_moment "
+      "mean_state peak peak_method structural_damping load_breadth load_factor_gusts load_factor_branches "
+      "sway_frequency participation modal_mass damping_total damping_air turbulence background resonance "
+      "peak_of_gusts clusters wetted air_density all altitude attenuation averaging_time axis_drag azimuth "
+      "base_moment "
       "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "
       "crown_top displacement drag exponent fit from governing_section gradient gravity "
       "hours_a_year hours_a_year_10_min imbalance largest_stress leaf_area lean lean_azimuth "
@@ -67,7 +71,7 @@ static const struct {
             "criterion date differs file generator ground_file gust key kind latin loss meaning name "
             "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
             "reason reference role scope script season sensor sha256 source species_name status "
-            "status_text taper test text title tree unit validity winds_said" },
+            "status_text taper terrain test text title tree unit validity winds_said" },
     { TEXT | OBJECT, "law model shelter solver species" },
 };
 

@@ -7,6 +7,7 @@
 #include "out/inputs.h"
 #include "out/tree_picture.h"
 #include "study/directions.h"
+#include "study/peak.h"
 #include "study/limits.h"
 #include "study/wetted.h"
 #include "wind/climate.h"
@@ -83,7 +84,8 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
     fputs("tree,species,wind_m_s,status,tip_deflection_m,tip_deflection_percent,tip_angle_deg,drag_N,lift_N,"
           "weight_N,base_shear_N,base_moment_Nm,largest_stress_MPa,least_safety,governing_height_m,"
           "critical_wind_m_s,critical_outcome,critical_height_m,"
-          "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m\n",
+          "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m,"
+          "mean_tip_deflection_m,mean_tip_angle_deg,mean_base_moment_Nm,gust_load_factor\n",
           f);
     for (size_t i = 0; i < run->n; i++) {
         const struct wf_analysis *a = &run->analysis[i];
@@ -106,6 +108,10 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
             fprintf(f, ",%s", wf_part_status(at->status));
             for (size_t c = 0; c < WF_COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
             break_cells(f, a->breaks);
+            const double gusts[] = { at->steady.tip_deflection, degrees * at->steady.tip_angle,
+                                     at->steady.base_moment,
+                                     wf_peak_factor(a->peak, at->speed, WF_PART_STEM) };
+            cells(f, WF_COUNT(gusts), gusts);
             putc('\n', f);
         }
     }
@@ -205,7 +211,7 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
 {
     size_t rows = 0;
     fputs("tree,species,wind_m_s,status,tip_deflection_m,tip_deflection_percent,tip_angle_deg,drag_N,"
-          "base_shear_N,base_moment_Nm,largest_stress_MPa,least_safety,source\n",
+          "base_shear_N,base_moment_Nm,largest_stress_MPa,least_safety,source,gust_load_factor\n",
           f);
     for (size_t i = 0; i < run->n; i++) {
         const struct wf_analysis *a = &run->analysis[i];
@@ -213,7 +219,9 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
             const struct wf_at_speed *at = &a->sweep[k];
             lead(f, run, i, at->speed);
             total_cells(f, at, true);
-            fputs(at->interpolated ? ",interpolated\n" : ",solved\n", f);
+            fputs(at->interpolated ? ",interpolated" : ",solved", f);
+            cell(f, wf_peak_factor(a->peak, at->speed, WF_PART_STEM));
+            putc('\n', f);
         }
         rows += a->sweep_n;
     }
@@ -362,6 +370,10 @@ static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const st
                                                 : "no section is stressed";
     wf_doc_quantity(d, o, "least_safety", solved ? worst->safety : NAN, "1", reason);
     wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? worst : NULL));
+    if (at >= a->at && at < a->at + a->n) { /* of the main wind direction */
+        wf_doc_put(d, o, "mean_state", wf_part_steady(d, a, at));
+        wf_doc_put(d, o, "peak", wf_part_peak(d, a, at));
+    }
     wf_doc_flag(d, o, "small_deflection", at->response.small_deflection);
     wf_doc_flag(d, o, "within_limits", !wf_limits_small_passed(at));
     wf_doc_count(d, o, "iterations", at->response.iterations);
@@ -534,24 +546,6 @@ static bool shared(const struct wf_run *run, size_t tree)
     return false;
 }
 
-/* Dry and wet: pairs of numbers; null where there is none. */
-static json_t *wetted_part(struct wf_doc *d, const struct wf_wetted *w)
-{
-    json_t *o = wf_doc_object(d);
-    double critical[2];
-    for (int k = 0; k < 2; k++)
-        critical[k] = w->critical[k].outcome == WF_CRITICAL_SELF_WEIGHT ? 0 : w->critical[k].speed;
-    wf_doc_number(d, o, "film_mm", w->film);
-    wf_doc_number(d, o, "mass_kg", w->mass);
-    wf_doc_number(d, o, "leaf_area_m2", w->leaf_area);
-    wf_doc_number(d, o, "speed_m_s", w->speed);
-    wf_doc_numbers(d, o, "frequencies_Hz", w->frequency, 2);
-    wf_doc_numbers(d, o, "moments_N_m", w->moment, 2);
-    wf_doc_numbers(d, o, "deflections_m", w->deflection, 2);
-    wf_doc_numbers(d, o, "criticals_m_s", critical, 2);
-    return o;
-}
-
 static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t index)
 {
     const struct wf_analysis *a = &run->analysis[index];
@@ -569,7 +563,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     wf_doc_put(d, o, "criteria", criteria_part(d, a, a->breaks, a->at));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));
-    if (a->wetted) wf_doc_put(d, o, "wetted", wetted_part(d, a->wetted));
+    if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");
     wf_doc_put(d, o, "warnings", shared(run, index) ? wf_doc_array(d) : warnings_part(d, a->diag));
     return o;

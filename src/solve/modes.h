@@ -9,27 +9,6 @@
 #include "load/load.h"
 #include "solve/solve.h"
 
-/* Vectors that an operator of wf_lanczos is applied to at once: entry i of a block has component i of each.
- */
-enum { WF_LANCZOS_BLOCK = 4 };
-
-/* A symmetric eigenvalue problem: the eigenvalues of largest magnitude are wanted. */
-struct wf_lanczos {
-    size_t size;                                               /* length of a vector */
-    void (*apply)(void *ctx, const wf_four *in, wf_four *out); /* out = A in, for a block; A symmetric */
-    void *ctx;
-    size_t wanted;
-    double tolerance; /* on |A x - value x| / |value|; the error of the value itself is about its square */
-};
-
-/* Largest eigenvalues by block Lanczos (Golub & Underwood 1977) with full orthogonalisation, repeated where
- * little of a vector remains, and blocks of WF_LANCZOS_BLOCK vectors, so that eigenvalues of at most that
- * multiplicity (a round stem sways alike in all directions) are all found.
- * Returned: value[wanted] by falling magnitude, NAN where the space has fewer; vector (wanted x size, may be
- * NULL), of unit norm. Errors: WF_ENOCONV with the best values found; WF_ENOMEM. */
-enum wf_status wf_lanczos(const struct wf_lanczos *l, double *value, double *vector, struct wf_arena *a,
-                          struct wf_err *e);
-
 /* The lowest natural frequencies of small undamped motions about the equilibrium under `l` (including its
  * prestress; wind acts as a dead load, so there is no aerodynamic stiffness). Mass: wood, burden, point
  * masses; torsional but no bending rotary inertia. Given: count >= 1. Returned: frequency[count] in rising
@@ -63,6 +42,24 @@ enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
 enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
                              const struct wf_solve_options *o, const struct wf_modes_kept *kept, size_t k,
                              double *frequency, struct wf_err *e);
+
+struct wf_beam;
+/* How a tree sways along a horizontal direction. */
+struct wf_modes_sway {
+    double frequency; /* [Hz] */
+    double share; /* of the tree's moment of inertia: how much of the overturning by inertia it carries [-] */
+    double inertia; /* of the tree about its base [kg m2] */
+};
+/* The modes with the largest share of the moment that inertia along a direction exerts on the base, of those
+ * whose frequencies lie within `width` (relative) of each other: damped modes that near act as one, and the
+ * branches of a tree divide its sway among many. Given: a solved beam, which is left as it is; `to`, unit
+ * vector. Returned: *out; shape (3n): displacement of each row's end in the part of a rigid turn about the
+ * base by 1 that these modes have. Errors: WF_EUNSTABLE where no motion along it is stable; WF_ENOMEM.
+ * Method: Ritz vectors of that turn (Wilson E.L., Yuan M.W., Dickens J.M. 1982, Earthquake Eng. Struct. Dyn.
+ * 10:813-821), by Lanczos with full orthogonalisation: the shares of the Ritz values have the moments of the
+ * distribution of inertia over squared periods. Wind acts as a dead load. */
+enum wf_status wf_modes_sway(struct wf_beam *b, const double to[3], double width, struct wf_modes_sway *out,
+                             double *shape, struct wf_err *e);
 
 /* Generalised Greenhill factor: the multiple of the weight (gravity of `l`, wood, burden, point masses) at
  * which the unloaded shape, prestressed by that weight, loses its stiffness (linear buckling; wind and other

@@ -2,6 +2,7 @@
 #include "solve/track.h"
 #include "base/vec3.h"
 #include "solve/beam.h"
+#include "solve/modes.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -296,4 +297,11 @@ enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, cons
     put_back(k, k->last);
     wf_beam_sweep_up(&k->beam);
     return s;
+}
+
+enum wf_status wf_track_sway(struct wf_track *k, const double to[3], double width, struct wf_modes_sway *out,
+                             double *shape, struct wf_err *e)
+{
+    if (!k->solved) return wf_fail(e, WF_EINTERNAL, "there is no solution to sway about");
+    return wf_modes_sway(&k->beam, to, width, out, shape, e);
 }

@@ -41,4 +41,11 @@ struct wf_track_start {
 enum wf_status wf_track_solve(struct wf_track *k, const struct wf_loads *l, const struct wf_loads *side,
                               const struct wf_track_start *start, struct wf_arena *a, struct wf_tracked *out,
                               struct wf_err *e);
+
+struct wf_modes_sway; /* solve/modes.h */
+/* The sway of the tree about its last solution; as wf_modes_sway. Errors: also WF_EINTERNAL where there is
+ * none.
+ */
+enum wf_status wf_track_sway(struct wf_track *k, const double to[3], double width, struct wf_modes_sway *out,
+                             double *shape, struct wf_err *e);
 #endif

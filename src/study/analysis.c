@@ -8,6 +8,7 @@
 #include "load/interception.h"
 #include "solve/unload.h"
 #include "study/node.h"
+#include "study/sway.h"
 #include <math.h>
 #include <string.h>
 #include <sys/resource.h>
@@ -146,6 +147,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
         .species = sp, .model = m, .solver = solver, .scenario = *sc, .search = q, .n = n, .diag = d
     };
     if ((s = wf_analysis_set_up(out, a, d, e)) || (s = check_memory(out, n, e))) return s;
+    if ((s = wf_sway_set_up(out, o, speeds, n, a, d, e))) return s;
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
     struct wf_err why = { 0 };

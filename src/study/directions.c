@@ -5,6 +5,7 @@
 #include "base/progress.h"
 #include "solve/beam_many.h"
 #include "study/node.h"
+#include "study/sway.h"
 #include "wind/climate.h"
 #include <math.h>
 
@@ -23,7 +24,9 @@ struct work {
     const struct wf_analysis *an;
     const struct wf_solve_options *o;
     struct wf_directions *out;
-    struct wf_nodes *like; /* of the first direction */
+    struct wf_nodes *like;       /* of the first direction */
+    const struct wf_peak **peak; /* of each direction */
+    struct wf_arena *arena;      /* of each direction, for them */
 };
 
 /* The analysis in the wind of one direction; it must stay where it is. */
@@ -36,6 +39,19 @@ static void turn_wind(const struct work *w, size_t at, struct wf_analysis *an)
     if (exposed) an->scenario.speed_up = exposed[at];
     an->wind.direction[0] = cos(azimuth), an->wind.direction[1] = sin(azimuth);
     an->loads.wind = &an->wind;
+    an->peak = w->peak[at];
+}
+
+/* The sways of the tree along the wind of one direction. */
+static enum wf_status sway(void *context, size_t k, struct wf_err *e)
+{
+    const struct work *w = context;
+    struct wf_analysis an;
+    turn_wind(w, k, &an);
+    const double given[] = { w->an->at[w->an->n - 1].speed };
+    enum wf_status s = wf_sway_set_up(&an, w->o, given, 1, &w->arena[k], NULL, e);
+    w->peak[k] = an.peak;
+    return s;
 }
 
 /* The given speeds in the directions of block `b`, which are solved side by side. */
@@ -131,20 +147,25 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
     if (s) return s;
     struct wf_solve_options alone = *o;
     alone.threads = 1; /* the parallel loop is over directions */
-    struct work w = { an, &alone, out, NULL };
+    struct work w = {
+        an, &alone, out, NULL, WF_TAKE(a, q->n, const struct wf_peak *), WF_TAKE(a, q->n, struct wf_arena)
+    };
     struct wf_analysis first; /* outlives the nodes that the other directions take */
     struct wf_at_speed *at = WF_TAKE(a, q->n * an->n, struct wf_at_speed);
     out->direction = WF_TAKE(a, q->n, struct wf_direction);
-    if (!out->direction || !at) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
+    if (!out->direction || !at || !w.peak)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
     for (size_t k = 0; k < q->n; k++) {
         out->direction[k].from = WF_TURN * (double)k / (double)q->n;
         out->direction[k].at = at + k * an->n;
     }
     wf_stage_begin(q->n * (an->n + WF_SEARCH_SOLUTIONS), true, "%zu directions", q->n);
-    s = wf_parallel((q->n + WF_BEAM_BLOCK - 1) / WF_BEAM_BLOCK, o->threads, solve_speeds, &w, e);
+    s = wf_parallel(q->n, o->threads, sway, &w, e);
+    if (!s) s = wf_parallel((q->n + WF_BEAM_BLOCK - 1) / WF_BEAM_BLOCK, o->threads, solve_speeds, &w, e);
     if (!s) s = solve_direction(&w, 0, NULL, &first, &w.like, e); /* the others take its meshes */
     if (!s) s = wf_parallel(q->n - 1, o->threads, one, &w, e);
     wf_nodes_close(w.like);
+    for (size_t k = 0; k < q->n; k++) wf_arena_free(&w.arena[k]);
     if (!s) add_climate(out);
     return s;
 }

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "solve/track.h"
+#include "study/peak.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -58,7 +59,8 @@ enum { TRACKS = 2 };
 struct sequence {
     double tolerance, speed;
     struct wf_solve_options options;
-    struct wf_track *track;
+    struct wf_track *track;    /* at the peak of the load on the tree */
+    struct wf_track *branches; /* and on branches; NULL: the same */
 };
 
 struct wf_nodes {
@@ -96,10 +98,16 @@ struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nod
     return k;
 }
 
+static void close_tracks(struct sequence *q)
+{
+    wf_track_close(q->track);
+    wf_track_close(q->branches);
+}
+
 void wf_nodes_close(struct wf_nodes *k)
 {
     if (!k) return;
-    for (int i = 0; i < TRACKS; i++) wf_track_close(k->sequence[i].track);
+    for (int i = 0; i < TRACKS; i++) close_tracks(&k->sequence[i]);
     wf_arena_free(&k->arena);
     free(k);
 }
@@ -152,14 +160,17 @@ static enum wf_status sequence_for(struct wf_nodes *k, const struct wf_solve_opt
     }
     if (!(*out = free_one)) { /* a third tolerance takes the place of the first */
         *out = &k->sequence[0];
-        wf_track_close((*out)->track);
+        close_tracks(*out);
     }
     **out = (struct sequence){ .tolerance = o->mesh_tolerance, .speed = NAN, .options = *o };
-    const struct wf_track *like = NULL;
+    const struct sequence *like = NULL;
     for (int i = 0; k->like && i < TRACKS; i++)
-        if (k->like->sequence[i].tolerance == o->mesh_tolerance) like = k->like->sequence[i].track;
+        if (k->like->sequence[i].tolerance == o->mesh_tolerance) like = &k->like->sequence[i];
     if (like) (*out)->speed = 0.0;
-    return wf_track_open(&k->an->tree, &(*out)->options, like, &(*out)->track, e);
+    enum wf_status s =
+        wf_track_open(&k->an->tree, &(*out)->options, like ? like->track : NULL, &(*out)->track, e);
+    if (s || !wf_peak_branches(k->an->peak)) return s;
+    return wf_track_open(&k->an->tree, &(*out)->options, like ? like->branches : NULL, &(*out)->branches, e);
 }
 
 static float single(double x) { return isfinite(x) ? (float)x : 0.0F; }
@@ -217,14 +228,33 @@ static enum wf_status read_slopes(const struct wf_tree *t, const struct wf_speed
 }
 
 /* Another sequence whose last speed is near. */
-static const struct wf_track *other_near(const struct wf_nodes *k, const struct sequence *q, double speed)
+static const struct sequence *other_near(const struct wf_nodes *k, const struct sequence *q, double speed)
 {
     const double near = 0.2;
     for (int i = 0; i < TRACKS; i++) {
         const struct sequence *other = &k->sequence[i];
-        if (other != q && other->track && fabs(other->speed - speed) <= near * speed) return other->track;
+        if (other != q && other->track && fabs(other->speed - speed) <= near * speed) return other;
     }
     return NULL;
+}
+
+/* Stem and branches at a speed, each at the peak of its load. */
+static enum wf_status solve_states(const struct wf_nodes *k, const struct sequence *q, double speed,
+                                   struct wf_arena *a, struct wf_speed_answers *out, struct wf_err *e)
+{
+    const struct sequence *other = other_near(k, q, speed);
+    struct wf_speed_answers branches;
+    enum wf_status s = wf_speed_track(k->an, WF_PART_STEM, q->track, q->speed, speed,
+                                      other ? other->track : NULL, a, out, e);
+    if (s || !q->branches || out->at.status) return s;
+    s = wf_speed_track(k->an, WF_PART_BRANCHES, q->branches, q->speed, speed, other ? other->branches : NULL,
+                       a, &branches, e);
+    if (s) return s;
+    out->irregular = out->irregular || branches.irregular;
+    if (!(branches.step > 0.0)) out->step = 0.0;
+    wf_speed_take_branches(k->an, &branches.at, &out->at);
+    if (out->step > 0.0) wf_speed_take_branches(k->an, &branches.side, &out->side);
+    return WF_OK;
 }
 
 static enum wf_status solve_node(struct wf_nodes *k, struct sequence *q, double speed, struct wf_node *out,
@@ -233,8 +263,7 @@ static enum wf_status solve_node(struct wf_nodes *k, struct sequence *q, double 
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
     *out = (struct wf_node){ .tolerance = q->tolerance, .used = true };
-    enum wf_status s =
-        wf_speed_track(k->an, q->track, q->speed, speed, other_near(k, q, speed), &scratch, &r, e);
+    enum wf_status s = solve_states(k, q, speed, &scratch, &r, e);
     wf_stage_step(1);
     if (!s) {
         out->at = r.at;

@@ -8,12 +8,15 @@
 #include "solve/beam.h"
 #include "solve/beam_many.h"
 #include "solve/track.h"
+#include "study/peak.h"
 #include "study/sheltered.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
 #include <string.h>
 
 /* ---- Loads and displacements of rows and totals of the tree at one wind speed ---- */
+
+static const struct wf_steady unknown = { NAN, NAN, NAN, NAN, NAN };
 
 struct totals {
     double air[3]; /* force of the wind on the whole tree [N]       */
@@ -287,13 +290,15 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
     return WF_OK;
 }
 
-/* The analysis' loads at a speed, with their wind. */
-static void blow(const struct wf_analysis *an, double speed, struct wf_wind *wind, struct wf_loads *loads)
+/* The analysis' loads in a state of a speed, with their wind. */
+static void blow(const struct wf_analysis *an, double speed, enum wf_part part, struct wf_wind *wind,
+                 struct wf_loads *loads)
 {
     *wind = an->wind;
     *loads = an->loads;
-    wind->speed = wf_scenario_speed(&an->scenario, speed);
+    wind->speed = wf_scenario_speed(&an->scenario, speed) * wf_peak_wind(an->peak, part);
     loads->wind = speed > 0.0 ? wind : NULL;
+    loads->wind_scale *= wf_peak_factor(an->peak, speed, part);
 }
 
 /* Given: what a solver returned, and why. Returned: WF_OK with out->status, its totals unknown where it found
@@ -307,17 +312,18 @@ static enum wf_status note_status(enum wf_status s, const struct wf_err *why, st
     return WF_OK;
 }
 
-enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
-                              struct wf_arena *a, struct wf_diag *d, struct wf_at_speed *out,
-                              struct wf_err *e)
+/* The tree in one of the states of a wind speed; otherwise as wf_speed_solve. */
+static enum wf_status solve_state(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                  double speed, enum wf_part part, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_at_speed *out, struct wf_err *e)
 {
     struct wf_wind wind;
     struct wf_loads loads;
     struct wf_sheltered sheltered = { 0 };
     struct wf_err why = { 0 };
     enum wf_status s;
-    *out = (struct wf_at_speed){ .speed = speed };
-    blow(an, speed, &wind, &loads);
+    *out = (struct wf_at_speed){ .speed = speed, .steady = unknown };
+    blow(an, speed, part, &wind, &loads);
     if (an->scenario.shelter && loads.wind)
         s = solve_sheltered(an, &loads, o, a, &sheltered, &out->response, d, &why);
     else
@@ -326,6 +332,82 @@ enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solv
     if (!s && !out->status)
         s = fill_at_speed(an, sheltered.passes ? &sheltered.loads : &loads, NULL, a, out, e);
     wf_sheltered_end(&sheltered);
+    return s;
+}
+
+/* ---- The states of one wind speed together ---- */
+
+/* Section forces and stresses of a branch's row. */
+static void take_row(const struct wf_breakage *from, size_t i, struct wf_breakage *to)
+{
+    double *const to_column[] = { to->shear0,   to->shear1,   to->axial0,   to->axial1,    to->bending0,
+                                  to->bending1, to->torsion0, to->torsion1, to->stress0,   to->stress1,
+                                  to->safety0,  to->safety1,  to->peak,     to->peak_place };
+    const double *const column[] = { from->shear0,   from->shear1,    from->axial0,   from->axial1,
+                                     from->bending0, from->bending1,  from->torsion0, from->torsion1,
+                                     from->stress0,  from->stress1,   from->safety0,  from->safety1,
+                                     from->peak,     from->peak_place };
+    for (size_t k = 0; k < WF_COUNT(column); k++) to_column[k][i] = column[k][i];
+}
+
+/* The largest stress of stem and branches, from the columns. */
+static void take_stresses(const struct wf_tree *t, const struct wf_breakage *from, struct wf_breakage *to)
+{
+    to->largest_stress = 0.0;
+    to->largest_stress_row = -1;
+    for (size_t i = 0; i < t->n; i++) {
+        if (t->level[i] > 0) take_row(from, i, to);
+        if (to->largest_stress_row < 0 || to->peak[i] > to->largest_stress)
+            to->largest_stress = to->peak[i], to->largest_stress_row = (int32_t)i;
+    }
+}
+
+void wf_speed_take_branches(const struct wf_analysis *an, const struct wf_at_speed *branches,
+                            struct wf_at_speed *at)
+{
+    if (at->status) return;
+    if (branches->status) {
+        at->status = branches->status;
+        at->response.load_factor = branches->response.load_factor;
+        totals_unknown(at);
+        return;
+    }
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_worst *stem = &at->worst[c][WF_SCOPE_STEM],
+                              *branch = &branches->worst[c][WF_SCOPE_BRANCHES];
+        at->worst[c][WF_SCOPE_BRANCHES] = *branch;
+        at->worst[c][WF_SCOPE_TREE] = branch->row < 0 || stem->safety <= branch->safety ? *stem : *branch;
+    }
+    if (at->breakage.n && branches->breakage.n)
+        take_stresses(&an->tree, &branches->breakage, &at->breakage);
+    else if (branches->breakage.largest_stress > at->breakage.largest_stress)
+        at->breakage.largest_stress = branches->breakage.largest_stress,
+        at->breakage.largest_stress_row = branches->breakage.largest_stress_row;
+}
+
+static struct wf_steady steady_of(const struct wf_at_speed *at)
+{
+    return (struct wf_steady){ at->drag, at->tip_deflection, at->tip_angle, at->base_shear, at->base_moment };
+}
+
+enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                              struct wf_arena *a, struct wf_diag *d, struct wf_at_speed *out,
+                              struct wf_err *e)
+{
+    struct wf_arena scratch = { 0 };
+    struct wf_diag quiet = { .arena = &scratch };
+    struct wf_at_speed other;
+    enum wf_status s = solve_state(an, o, speed, WF_PART_STEM, a, d, out, e);
+    if (!s) out->steady = steady_of(out);
+    if (!s && wf_peak_differs(an->peak)) {
+        s = solve_state(an, o, speed, WF_PART_MEAN, &scratch, &quiet, &other, e);
+        if (!s) out->steady = steady_of(&other);
+    }
+    if (!s && wf_peak_branches(an->peak)) {
+        s = solve_state(an, o, speed, WF_PART_BRANCHES, &scratch, &quiet, &other, e);
+        if (!s) wf_speed_take_branches(an, &other, out);
+    }
+    wf_arena_free(&scratch);
     return s;
 }
 
@@ -372,20 +454,34 @@ static enum wf_status fill_block(const struct wf_analysis *const *an, struct wf_
 }
 
 static enum wf_status solve_block(const struct wf_analysis *const *an, const double *speed, size_t n,
-                                  const struct wf_solve_options *o, struct wf_at_speed *out, struct wf_err *e)
+                                  enum wf_part part, const struct wf_solve_options *o,
+                                  struct wf_at_speed *out, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct wf_wind wind[WF_BEAM_BLOCK];
     struct wf_loads loads[WF_BEAM_BLOCK];
     struct wf_beam_state state[WF_BEAM_BLOCK];
     for (size_t k = 0; k < n; k++) {
-        blow(an[k], speed[k], &wind[k], &loads[k]);
+        blow(an[k], speed[k], part, &wind[k], &loads[k]);
         state[k] = (struct wf_beam_state){ .loads = &loads[k] };
-        out[k] = (struct wf_at_speed){ .speed = speed[k] };
+        out[k] = (struct wf_at_speed){ .speed = speed[k], .steady = unknown };
     }
     enum wf_status s = wf_beam_many(&an[0]->tree, state, n, o, &scratch, NULL, e);
     if (!s) s = fill_block(an, state, n, &scratch, out, e);
     wf_arena_free(&scratch);
+    return s;
+}
+
+/* A block at the peak of the load on the tree, and of that on branches. */
+static enum wf_status solve_states(const struct wf_analysis *const *an, const double *speed, size_t n,
+                                   const struct wf_solve_options *o, struct wf_at_speed *out,
+                                   struct wf_err *e)
+{
+    struct wf_at_speed branches[WF_BEAM_BLOCK];
+    enum wf_status s = solve_block(an, speed, n, WF_PART_STEM, o, out, e);
+    if (s || !wf_peak_branches(an[0]->peak)) return s;
+    s = solve_block(an, speed, n, WF_PART_BRANCHES, o, branches, e);
+    for (size_t k = 0; k < n && !s; k++) wf_speed_take_branches(an[k], &branches[k], &out[k]);
     return s;
 }
 
@@ -397,7 +493,7 @@ enum wf_status wf_speed_totals_many(const struct wf_analysis *const *an, const d
     bool together = an[0]->solver == &wf_solver_beam && !an[0]->scenario.shelter;
     for (size_t k = 0; k < n && !s; k += together ? WF_BEAM_BLOCK : 1) {
         size_t some = n - k < WF_BEAM_BLOCK ? n - k : WF_BEAM_BLOCK;
-        s = together ? solve_block(an + k, speed + k, some, o, out + k, e)
+        s = together ? solve_states(an + k, speed + k, some, o, out + k, e)
                      : wf_speed_totals(an[k], o, speed[k], &out[k], e);
     }
     return s;
@@ -415,9 +511,9 @@ static struct wf_track_start start_at(double from, double speed, double share, c
                                     .other = other };
 }
 
-enum wf_status wf_speed_track(const struct wf_analysis *an, struct wf_track *k, double from, double speed,
-                              const struct wf_track *other, struct wf_arena *a, struct wf_speed_answers *out,
-                              struct wf_err *e)
+enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, struct wf_track *k,
+                              double from, double speed, const struct wf_track *other, struct wf_arena *a,
+                              struct wf_speed_answers *out, struct wf_err *e)
 {
     const double share = 3e-7;
     struct wf_wind wind, more;
@@ -425,9 +521,9 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, struct wf_track *k, 
     struct wf_tracked t;
     struct wf_err why = { 0 };
     struct wf_track_start start = start_at(from, speed, share, other);
-    *out = (struct wf_speed_answers){ .at = { .speed = speed } };
-    blow(an, speed, &wind, &loads);
-    blow(an, speed * (1.0 + share), &more, &side);
+    *out = (struct wf_speed_answers){ .at = { .speed = speed, .steady = unknown } };
+    blow(an, speed, part, &wind, &loads);
+    blow(an, speed * (1.0 + share), part, &more, &side);
     enum wf_status s = wf_track_solve(k, &loads, speed > 0.0 ? &side : NULL, &start, a, &t, &why);
     out->at.response = t.at;
     out->irregular = t.irregular;

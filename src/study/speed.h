@@ -17,6 +17,7 @@ extern "C" {
 #endif
 
 struct wf_model;
+struct wf_peak;
 struct wf_species;
 
 /* Loads and displacements of the segments, as columns. */
@@ -27,8 +28,15 @@ struct wf_figures {
     double *slope;          /* of the end, angle between the axis and its unloaded direction [rad] */
 };
 
+/* Totals of the state in the mean wind alone, without gusts; NAN: no equilibrium. */
+struct wf_steady {
+    double drag, tip_deflection, tip_angle, base_shear, base_moment; /* as struct wf_at_speed */
+};
+
+/* One wind speed. The results are those of the peak of the load (study/peak.h), of stem and branches each at
+ * its own peak; with the method 'mean' they are those of the mean wind. */
 struct wf_at_speed {
-    double speed;          /* at reference height [m/s] */
+    double speed;          /* at reference height, mean wind [m/s] */
     bool interpolated;     /* in curves: between the speeds that were solved; sections (rows) are then -1 */
     enum wf_status status; /* WF_OK, or why there is no result (response.load_factor: load reached) */
     struct wf_response response;
@@ -40,6 +48,7 @@ struct wf_at_speed {
     double tip_deflection_share;    /* of tree height [-] */
     double tip_angle;               /* between unloaded and loaded axis at the stem tip [rad] */
     double base_shear, base_moment; /* [N], [N m] */
+    struct wf_steady steady;        /* of the given speeds; of others unknown */
 };
 
 /* Wind speed and section at which a tree, or a part of it, fails by a criterion. */
@@ -83,6 +92,7 @@ struct wf_analysis {
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
+    const struct wf_peak *peak; /* by study/sway.h; NULL: the load of the mean wind */
     size_t n;
     struct wf_at_speed *at; /* results at the given speeds                     */
     size_t sweep_n;
@@ -117,18 +127,22 @@ enum wf_status wf_speed_totals_many(const struct wf_analysis *const *an, const d
 /* Clear the columns of a solution whose arena is freed; totals and worst sections stay. */
 void wf_speed_drop_columns(struct wf_at_speed *at);
 
+/* Copy what holds for branches from the state at the peak of their load: sections, worst places. */
+void wf_speed_take_branches(const struct wf_analysis *an, const struct wf_at_speed *branches,
+                            struct wf_at_speed *at);
+
 struct wf_track; /* solve/track.h */
 struct wf_speed_answers {
     struct wf_at_speed at, side; /* at the speed, and first-order at the speed plus `step`; without figures */
     double step;                 /* [m/s]; 0: there is no side */
     bool irregular;              /* as struct wf_tracked */
 };
-/* As wf_speed_totals, for a solver that can be tracked: `track` is one of the analysis' tree, `from` the
- * speed of its last solution (NAN: none), `other` a track whose last solution is near (NULL: none). Columns
- * of the answers are in `a`. */
-enum wf_status wf_speed_track(const struct wf_analysis *an, struct wf_track *track, double from, double speed,
-                              const struct wf_track *other, struct wf_arena *a, struct wf_speed_answers *out,
-                              struct wf_err *e);
+/* As wf_speed_totals, in one state, for a solver that can be tracked: `track` is one of the analysis' tree,
+ * `from` the speed of its last solution (NAN: none), `other` a track whose last solution is near (NULL:
+ * none). Columns of the answers are in `a`. */
+enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, struct wf_track *track,
+                              double from, double speed, const struct wf_track *other, struct wf_arena *a,
+                              struct wf_speed_answers *out, struct wf_err *e);
 /* The row that ends highest on level 0. */
 size_t wf_tip_row(const struct wf_tree *t);
 

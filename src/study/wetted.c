@@ -5,6 +5,7 @@
 #include "load/interception.h"
 #include "solve/modes.h"
 #include "study/node.h"
+#include "study/sway.h"
 #include <math.h>
 
 /* Lowest frequency about the equilibrium in still air. */
@@ -31,7 +32,9 @@ enum wf_status wf_wetted_compare(const struct wf_analysis *wet, const struct wf_
     dry.scenario.water = 0;
     dry.diag = &unsaid;
     dry.search.solved = NULL;
+    double given[] = { wet->n ? wet->at[wet->n - 1].speed : 0.0 };
     enum wf_status s = wf_analysis_set_up(&dry, a, &unsaid, e);
+    if (!s) s = wf_sway_set_up(&dry, o, given, 1, a, &unsaid, e);
     if (s) return s;
     *out = (struct wf_wetted){ .film = wet->scenario.water,
                                .leaf_area = wf_tree_leaf_area(&wet->tree),

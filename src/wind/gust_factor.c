@@ -29,6 +29,7 @@ static void parts_en(const struct wf_gust_case *c, struct wf_gust_parts *out)
     double sizes =
         size_reduction(4.6 * c->height / length * f) * size_reduction(4.6 * c->breadth / length * f);
     double b2 = 1.0 / (1.0 + 0.9 * pow((c->breadth + c->height) / length, 0.63));
+    if (c->small) b2 = sizes = 1.0;
     double r2 = WF_PI * WF_PI / (2.0 * decrement) * spectrum * sizes;
     double rate = fmax(least_rate, c->frequency * sqrt(r2 / (b2 + r2))), root = sqrt(2.0 * log(time * rate));
     double turbulence = wf_category_turbulence(c->terrain, zs), peak = fmax(least_peak, root + 0.6 / root);
@@ -73,9 +74,9 @@ static double mode_gb(double z, double h)
 }
 
 /* Background factor B_z of 8.4.6 at a height, for a tower of constant width (rho_x = 1). */
-static double background_gb(const struct gb_row *r, double z, double h)
+static double background_gb(const struct gb_row *r, const struct wf_gust_case *c, double z)
 {
-    double along = 10.0 * sqrt(h + 60.0 * exp(-h / 60.0) - 60.0) / h;
+    double h = c->height, along = c->small ? 1.0 : 10.0 * sqrt(h + 60.0 * exp(-h / 60.0) - 60.0) / h;
     return r->k * pow(h, r->a1) * along * mode_gb(z, h) / pressure_gb(r, z);
 }
 
@@ -91,10 +92,10 @@ static void parts_gb(const struct wf_gust_case *c, struct wf_gust_parts *out)
     double r2 = WF_PI / (6.0 * c->damping) * x * x / pow(1.0 + x * x, 4.0 / 3.0), with = 0.0, without = 0.0;
     for (int i = 0; i < STEPS; i++) {
         double z = h * (i + 0.5) / STEPS, load = pressure_gb(r, z) * z;
-        double beta = 1.0 + c->exponent * g * r->turbulence * background_gb(r, z, h) * sqrt(1.0 + r2);
+        double beta = 1.0 + c->exponent * g * r->turbulence * background_gb(r, c, z) * sqrt(1.0 + r2);
         with += beta * load, without += load;
     }
-    double top = background_gb(r, h, h);
+    double top = background_gb(r, c, h);
     *out = (struct wf_gust_parts){ r->turbulence, top * top, r2, g, with / without, NAN };
 }
 
@@ -142,6 +143,7 @@ static void parts_asce(const struct wf_gust_case *c, struct wf_gust_parts *out)
     double spectrum = 7.47 * f / pow(1.0 + 10.3 * f, 5.0 / 3.0);
     double deep = size_reduction(15.4 * n * c->breadth);
     double sizes = size_reduction(4.6 * n * c->height) * size_reduction(4.6 * n * c->breadth);
+    if (c->small) q2 = sizes = deep = 1.0;
     double r2 = spectrum * sizes * (0.53 + 0.47 * deep) / c->damping;
     double root = sqrt(2.0 * log(time * c->frequency)), peak = root + 0.577 / root;
     double gust = 0.85 * c->exponent * turbulence; /* 1.7 I for the square of the speed */
@@ -168,4 +170,17 @@ const struct wf_gust_rule *wf_gust_rule_named(const char *name)
     for (const struct wf_gust_rule *r = wf_gust_rules; r->name; r++)
         if (strcmp(r->name, name) == 0) return r;
     return NULL;
+}
+
+/* ---- Stands ---- */
+
+double wf_stand_gust(double height, double spacing, double edge, double gap)
+{
+    const double deep = 9.0; /* heights behind the edge where its effect ends */
+    double ratio = fmin(fmax(spacing / height, 0.075), 0.45);
+    double in = fmin(edge / height, deep), open = pow(fmin(gap / height, 10.0) / 10.0, 0.3467);
+    double inside = 2.7193 * ratio - 0.061, step = 0.9701 - 1.273 * ratio, decay = 1.1127 * ratio + 0.0311;
+    double mean = 0.68 * ratio - 0.0385 + (0.4785 - 0.68 * ratio) * pow(1.7239 * ratio + 0.0316, deep);
+    double well_in = inside + step * pow(decay, deep), here = inside + step * pow(decay, in);
+    return (well_in + open * (here - well_in)) / mean;
 }

@@ -96,23 +96,6 @@ static void power(const struct wf_wind *w, const double x[3], double u[3], doubl
 
 enum { HEIGHTS_MAX = 1000 };
 
-/* Slopes at the points: those of the parabola through three neighbours, limited to twice the smaller of the
- * slopes on either side, so that there is no overshoot (Steffen 1990, eqs 8, 11); at the ends those of the
- * straight line. */
-static void steffen_slopes(struct wf_measured_profile *p)
-{
-    const double *z = p->z, *u = p->u;
-    size_t last = p->n - 1;
-    p->slope[0] = (u[1] - u[0]) / (z[1] - z[0]);
-    p->slope[last] = (u[last] - u[last - 1]) / (z[last] - z[last - 1]);
-    for (size_t i = 1; i < last; i++) {
-        double below = z[i] - z[i - 1], above = z[i + 1] - z[i];
-        double a = (u[i] - u[i - 1]) / below, b = (u[i + 1] - u[i]) / above;
-        double middle = fabs(a * above + b * below) / (below + above);
-        p->slope[i] = a * b > 0.0 ? copysign(fmin(2.0 * fmin(fabs(a), fabs(b)), middle), a) : 0.0;
-    }
-}
-
 enum wf_status wf_measured_read(const char *path, struct wf_arena *a, struct wf_diag *d,
                                 struct wf_measured_profile *out, struct wf_err *e)
 {
@@ -148,7 +131,7 @@ enum wf_status wf_measured_read(const char *path, struct wf_arena *a, struct wf_
         wf_diag_error(d, path, 0, 0, "a profile needs at least two heights above the ground, %zu given",
                       out->n - 1);
     if (d->errors > errors) return wf_fail(e, WF_EINPUT, "%s: the profile cannot be used", path);
-    steffen_slopes(out);
+    wf_curve_slopes(out->n, out->z, out->u, out->slope);
     return WF_OK;
 }
 

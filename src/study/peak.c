@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/peak.h"
+#include "base/column.h"
+#include "base/csv.h"
+#include "base/num.h"
+#include <math.h>
+#include <string.h>
+
+static void parts_none(struct wf_peak_parts *out)
+{
+    *out = (struct wf_peak_parts){ .factor = 1.0,
+                                   .frequency = NAN,
+                                   .participation = NAN,
+                                   .mass = NAN,
+                                   .damping = NAN,
+                                   .air = NAN,
+                                   .gust = { NAN, NAN, NAN, NAN, NAN, NAN } };
+}
+
+/* ---- Sways ---- */
+
+static void columns(const struct wf_peak *p, double speed[], double frequency[], double air[])
+{
+    for (size_t i = 0; i < p->sways; i++) {
+        speed[i] = p->sway[i].speed;
+        frequency[i] = p->sway[i].frequency;
+        air[i] = p->sway[i].air;
+    }
+}
+
+void wf_peak_sways_take(struct wf_peak *p)
+{
+    double speed[WF_PEAK_SWAYS], frequency[WF_PEAK_SWAYS], air[WF_PEAK_SWAYS];
+    columns(p, speed, frequency, air);
+    if (p->sways < 2) return;
+    wf_curve_slopes(p->sways, speed, frequency, p->slope[0]);
+    wf_curve_slopes(p->sways, speed, air, p->slope[1]);
+}
+
+/* Frequency and aerodynamic damping at a speed; participation and mass are those of the nearest speed. */
+static struct wf_sway sway_at(const struct wf_peak *p, double at)
+{
+    double speed[WF_PEAK_SWAYS], frequency[WF_PEAK_SWAYS], air[WF_PEAK_SWAYS];
+    struct wf_sway out = p->sway[0];
+    for (size_t i = 1; i < p->sways; i++)
+        if (fabs(p->sway[i].speed - at) < fabs(out.speed - at)) out = p->sway[i];
+    if (p->sways < 2) return out;
+    columns(p, speed, frequency, air);
+    out.frequency = wf_curve_at(p->sways, speed, frequency, p->slope[0], at);
+    out.air = wf_curve_at(p->sways, speed, air, p->slope[1], at);
+    return out;
+}
+
+/* Frequency at which the spectrum of EN 1991-1-4 has most energy. */
+static double most_resonant(const struct wf_peak *p, double mean)
+{
+    double z = p->rule->at(p->tree.terrain, p->tree.height);
+    return 0.147 * mean / wf_category_length(p->tree.terrain, z);
+}
+
+/* ---- Methods ---- */
+
+static void parts_mean(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out)
+{
+    (void)p, (void)speed, (void)part;
+    parts_none(out);
+}
+
+static void parts_table(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out)
+{
+    const struct wf_peak_table *t = p->request.table;
+    size_t i = 1;
+    (void)part;
+    parts_none(out);
+    while (i + 1 < t->n && speed >= t->speed[i]) i++;
+    double s = t->n < 2 ? 0.0 : (speed - t->speed[i - 1]) / (t->speed[i] - t->speed[i - 1]);
+    out->factor =
+        t->n < 2 ? t->factor[0] : wf_between(t->factor[i - 1], t->factor[i], fmin(fmax(s, 0.0), 1.0));
+}
+
+static void parts_stand(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out)
+{
+    (void)speed, (void)part;
+    parts_none(out);
+    const struct wf_stand *s = &p->request.stand;
+    out->factor = wf_stand_gust(s->height, s->spacing, s->edge, s->gap);
+}
+
+/* Total damping: the structural one, of which 0.05 is assumed where it is unknown, and that of the air,
+ * within limits of ours. */
+static double damping(const struct wf_peak *p, double air)
+{
+    const double most = 0.20, most_unknown = 0.10;
+    return fmin(p->damping + fmax(air, 0.0), p->damping_known ? most : most_unknown);
+}
+
+/* Exponent of the crown's load between the mean wind and a gust of `ratio` times its speed. */
+static double secant_exponent(const struct wf_peak *p, double mean, double ratio)
+{
+    double unused, at = p->law->share(&p->law_par, mean, &unused);
+    double gust = p->law->share(&p->law_par, mean * ratio, &unused);
+    return fmax(0.0, 2.0 + log(gust / at) / log(ratio));
+}
+
+static void parts_rule(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out)
+{
+    const double least = 0.5; /* [m/s] */
+    struct wf_gust_case c = p->tree;
+    c.open = fmax(speed, least);
+    c.mean = fmax(speed * p->profile, least);
+    parts_none(out);
+    if (p->sways) {
+        struct wf_sway sway = sway_at(p, speed);
+        out->frequency = sway.frequency;
+        out->participation = sway.participation;
+        out->mass = sway.mass;
+        out->air = sway.air;
+    } else {
+        out->frequency = most_resonant(p, c.mean);
+    }
+    c.frequency = out->frequency;
+    c.damping = out->damping = damping(p, p->sways ? out->air : 0.0);
+    c.small = part == WF_PART_BRANCHES;
+    p->rule->parts(&c, &out->gust);
+    if (p->law) {
+        c.exponent = secant_exponent(p, c.mean, sqrt(out->gust.factor));
+        p->rule->parts(&c, &out->gust);
+    }
+    out->factor = out->gust.factor;
+}
+
+static const char steady[] = "The steady wind alone: no gusts, no resonance. Loads of real wind are higher";
+
+const struct wf_peak_method wf_peak_methods[] = {
+    { "en1991", "peak load by the gust response factor of EN 1991-1-4", "EN 1991-1-4:2005 + A1:2010, Annex B",
+      "single tree or edge of a group; turbulence intensity up to 0.35; linear response of one mode about "
+      "the "
+      "state in the mean wind",
+      true, false, parts_rule },
+    { "mean", "mean wind, steady", "-", steady, false, false, parts_mean },
+    { "gust", "steady wind of the gust's speed", "EN 1991-1-4:2005, 4.5",
+      "no resonance, no size reduction: the gust lasts until the tree rests in it", false, true, parts_mean },
+    { "table", "factor on the mean wind load from a table", "the table given", "as the table", false, false,
+      parts_table },
+    { "gb50009", "peak load by the wind vibration factor of GB 50009", "GB 50009-2012, 8.4", "as the code",
+      true, false, parts_rule },
+    { "asce7", "peak load by the gust effect of ASCE 7", "ASCE/SEI 7-16, 26.11.5",
+      "as the code; factor of the hourly mean, taken on the 10-min mean", true, false, parts_rule },
+    { "gales", "largest over mean moment in a stand",
+      "Gardiner, Peltola & Kellomaki 2000, Ecol. Model. 129:1",
+      "tree in a stand or at its edge; the wind is the hourly mean at the canopy top", false, false,
+      parts_stand },
+    { 0 },
+};
+
+const struct wf_peak_method *wf_peak_method_named(const char *name)
+{
+    for (const struct wf_peak_method *m = wf_peak_methods; m->name; m++)
+        if (strcmp(m->name, name) == 0) return m;
+    return NULL;
+}
+
+enum { TABLE_MAX = 1000 };
+
+/* The next row of a table, checked. */
+static void read_row(struct wf_csv *csv, size_t speeds, double unit, size_t factors, size_t n, double *speed,
+                     double *factor)
+{
+    const double most = 20.0;
+    if (!wf_column_number(csv, speeds, unit, 0.0, 200.0, &speed[n]) ||
+        !wf_column_number(csv, factors, 1.0, 1.0, most, &factor[n]))
+        return;
+    if (n && speed[n] <= speed[n - 1])
+        wf_csv_mistake(csv, speeds, "speeds must ascend; %.6g m/s follows %.6g m/s", speed[n], speed[n - 1]);
+}
+
+enum wf_status wf_peak_table_read(const char *path, struct wf_arena *a, struct wf_diag *d,
+                                  struct wf_peak_table *out, struct wf_err *e)
+{
+    struct wf_csv csv = { 0 };
+    struct wf_units *units;
+    double unit = 1.0, *speed = WF_TAKE(a, TABLE_MAX, double), *factor = WF_TAKE(a, TABLE_MAX, double);
+    size_t errors = d->errors, n = 0;
+    if (!speed || !factor) return wf_fail(e, WF_ENOMEM, "%s: not enough memory for a table", path);
+    enum wf_status s = wf_csv_open(&csv, path, a, d, e);
+    if (!s) s = wf_units_open(&units, e);
+    if (s) return s;
+    size_t speeds = wf_column_need(&csv, units, "speed_ms", WF_DIM_SPEED, &unit, e);
+    size_t factors = wf_csv_need(&csv, "factor");
+    wf_units_close(units);
+    while (d->errors == errors && n < TABLE_MAX && wf_csv_next(&csv))
+        read_row(&csv, speeds, unit, factors, n, speed, factor), n++;
+    if (d->errors == errors && !n) wf_diag_error(d, path, 0, 0, "the table has no rows");
+    if (d->errors == errors && n == TABLE_MAX && wf_csv_next(&csv))
+        wf_diag_error(d, path, 0, 0, "the table has more than %d rows", (int)TABLE_MAX);
+    *out = (struct wf_peak_table){ n, speed, factor };
+    return d->errors > errors ? wf_fail(e, WF_EINPUT, "%s: not a table of factors", path) : WF_OK;
+}
+
+/* ---- For an analysis ---- */
+
+void wf_peak_parts_at(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out)
+{
+    if (!p || part == WF_PART_MEAN)
+        parts_none(out);
+    else
+        p->method->parts(p, speed, part, out);
+}
+
+double wf_peak_factor(const struct wf_peak *p, double speed, enum wf_part part)
+{
+    struct wf_peak_parts parts;
+    wf_peak_parts_at(p, speed, part, &parts);
+    return parts.factor;
+}
+
+double wf_peak_wind(const struct wf_peak *p, enum wf_part part)
+{
+    return p && p->method->by_gust && part != WF_PART_MEAN ? p->gust : 1.0;
+}
+
+bool wf_peak_differs(const struct wf_peak *p) { return p && strcmp(p->method->name, "mean") != 0; }

@@ -1,0 +1,238 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/sway.h"
+#include "base/arena.h"
+#include "base/interrupt.h"
+#include "base/num.h"
+#include "data/species.h"
+#include "solve/beam.h"
+#include "solve/modes.h"
+#include "solve/track.h"
+#include "study/peak.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Aerodynamic damping ---- */
+
+static double norm3(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
+
+/* Mean wind at the middle of a row as it stands in the wind [m/s]. */
+static double wind_at(const struct wf_analysis *an, const struct wf_response *r, double speed, size_t i)
+{
+    const struct wf_tree *t = &an->tree;
+    double x[3] = { 0.5 * (t->x0[i] + t->x1[i]), 0.5 * (t->y0[i] + t->y1[i]), 0.5 * (t->z0[i] + t->z1[i]) };
+    double u[3], gradient[9];
+    struct wf_wind wind = an->wind;
+    int32_t below = t->parent[i];
+    wind.speed = wf_scenario_speed(&an->scenario, speed);
+    for (int k = 0; k < 3; k++)
+        x[k] += 0.5 * (r->end[3 * i + (size_t)k] + (below >= 0 ? r->end[3 * below + k] : 0.0));
+    wind.sample(&wind, x, u, gradient);
+    return norm3(u);
+}
+
+/* Sum of 2 F/U phi^2 over the rows: F the wind load of a row, U the mean wind there, phi its motion along the
+ * wind, linear between its ends. A load by the square of the wind relative to the moving tree. */
+static double damping_sum(const struct wf_analysis *an, const struct wf_at_speed *at, const double *shape)
+{
+    const struct wf_tree *t = &an->tree;
+    const double *to = an->wind.direction;
+    double sum = 0.0;
+    for (size_t i = 0; i < t->n; i++) {
+        int32_t below = t->parent[i];
+        const double *p = shape + 3 * i, *q = shape + 3 * below, *load = at->response.load + 3 * i;
+        double end = p[0] * to[0] + p[1] * to[1], base = below < 0 ? 0.0 : q[0] * to[0] + q[1] * to[1];
+        double wind = wind_at(an, &at->response, at->speed, i), force = load[0] * to[0] + load[1] * to[1];
+        if (wind > 0.0 && force > 0.0)
+            sum += 2.0 * force / wind * (base * base + base * end + end * end) / 3.0;
+    }
+    return sum;
+}
+
+/* ---- For the peak load ---- */
+
+/* Extent of the wind load across the wind and up: its standard deviation times sqrt(12), which is the width
+ * of a uniform load. */
+static double breadth_of(const struct wf_analysis *an, const double *load)
+{
+    const struct wf_tree *t = &an->tree;
+    const double *to = an->wind.direction;
+    double sum = 0.0, first = 0.0, second = 0.0;
+    for (size_t i = 0; i < t->n; i++) {
+        double y0 = t->y0[i] * to[0] - t->x0[i] * to[1], y1 = t->y1[i] * to[0] - t->x1[i] * to[1];
+        double y = 0.5 * (y0 + y1), share = fmax(0.0, load[3 * i] * to[0] + load[3 * i + 1] * to[1]);
+        sum += share, first += share * y, second += share * (y * y + (y1 - y0) * (y1 - y0) / 12.0);
+    }
+    return sum > 0.0 ? sqrt(12.0 * fmax(0.0, second / sum - first * first / (sum * sum))) : 0.0;
+}
+
+static bool has_branches(const struct wf_tree *t)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (t->level[i] > 0) return true;
+    return false;
+}
+
+/* The sway about a state in the mean wind. */
+static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_speed *at,
+                              const struct wf_modes_sway *m, const double *shape)
+{
+    const double *tip = shape + 3 * wf_tip_row(&an->tree), *to = an->wind.direction;
+    double moved = tip[0] * to[0] + tip[1] * to[1], modal = m->share * m->inertia;
+    double air = at->speed > 0.0 ? damping_sum(an, at, shape) : 0.0;
+    return (struct wf_sway){ .speed = at->speed,
+                             .frequency = m->frequency,
+                             .participation = m->share,
+                             .mass = modal / (moved * moved),
+                             .air = air / (2.0 * WF_TURN * m->frequency * modal) };
+}
+
+/* Add the sway at a speed, from the one before. Returned: whether the tree has a state in that mean wind. */
+static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double before,
+                     double speed)
+{
+    const double band = 0.1; /* of the frequency: half the width of a mode with a damping of 0.1 */
+    struct wf_arena scratch = { 0 };
+    struct wf_speed_answers r;
+    struct wf_modes_sway m;
+    struct wf_err why = { 0 };
+    double *shape = WF_TAKE(&scratch, 3 * an->tree.n, double);
+    enum wf_status s =
+        shape ? wf_speed_track(an, WF_PART_MEAN, track, before, speed, NULL, &scratch, &r, &why) : WF_ENOMEM;
+    bool known = !s && !r.at.status && !wf_track_sway(track, an->wind.direction, band, &m, shape, &why);
+    if (known && p->tree.breadth <= 0.0 && speed > 0.0) p->tree.breadth = breadth_of(an, r.at.response.load);
+    if (known) p->sway[p->sways++] = sway_of(an, &r.at, &m, shape);
+    wf_arena_free(&scratch);
+    return known;
+}
+
+/* Speeds at which sways are computed: still air, the given ones, and some up to the end of the search. */
+static size_t pick_speeds(const struct wf_analysis *an, const double *given, size_t n, double *out)
+{
+    const double shares[] = { 0.0, 0.2, 0.4, 0.7, 1.0 };
+    size_t k = 0;
+    for (size_t i = 0; i < WF_COUNT(shares); i++) out[k++] = shares[i] * an->search.speed_max;
+    for (size_t i = 0; i < n && k < WF_PEAK_SWAYS; i++) {
+        bool there = false;
+        for (size_t j = 0; j < k; j++) there = there || fabs(out[j] - given[i]) < 0.02 * an->search.speed_max;
+        if (!there) out[k++] = given[i];
+    }
+    return k;
+}
+
+static enum wf_status check_request(const struct wf_peak_request *r, const struct wf_peak_method **method,
+                                    struct wf_err *e)
+{
+    *method = wf_peak_method_named(r->method);
+    if (!*method) return wf_fail(e, WF_EUSAGE, "unknown peak load '%.100s'", r->method);
+    if (!strcmp(r->method, "table") && (!r->table || !r->table->n))
+        return wf_fail(e, WF_EUSAGE, "the peak load 'table' needs a table of wind speeds and factors");
+    if (!strcmp(r->method, "gales") && !(r->stand.spacing > 0.0))
+        return wf_fail(e, WF_EUSAGE, "the peak load 'gales' needs the spacing of the stand (--spacing)");
+    return WF_OK;
+}
+
+/* Structural damping: as requested, of the species, or assumed. */
+static void take_damping(const struct wf_analysis *an, struct wf_peak *p)
+{
+    const double assumed = 0.05;
+    const struct wf_value *own = &an->species->level[0].damping_ratio;
+    const struct wf_peak_request *r = &p->request;
+    p->damping_known = !isnan(r->damping) || own->given;
+    p->damping = !isnan(r->damping) ? r->damping : own->given ? own->value : assumed;
+}
+
+/* Mean wind of the tree at a height over the named wind. */
+static double profile_at(const struct wf_analysis *an, double z)
+{
+    const double x[3] = { 0.0, 0.0, z };
+    double u[3], gradient[9];
+    struct wf_wind wind = an->wind;
+    wind.speed = wf_scenario_speed(&an->scenario, 1.0);
+    wind.sample(&wind, x, u, gradient);
+    return norm3(u);
+}
+
+/* Sways at speeds in rising order, until there is no state in the mean wind. */
+static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p,
+                                 const struct wf_solve_options *o, const double *speeds, size_t n,
+                                 struct wf_err *e)
+{
+    struct wf_solve_options coarse = *o;
+    struct wf_track *track;
+    double at[WF_PEAK_SWAYS];
+    size_t k = pick_speeds(an, speeds, n, at);
+    qsort(at, k, sizeof *at, wf_ascending);
+    if (o->mesh_tolerance > 0.0) coarse.mesh_tolerance = fmax(o->mesh_tolerance, 1e-3);
+    enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
+    if (s) return s;
+    for (size_t i = 0; i < k && !wf_interrupted(); i++)
+        if (!add_sway(an, p, track, i ? at[i - 1] : (double)NAN, at[i])) break;
+    wf_track_close(track);
+    wf_peak_sways_take(p);
+    return WF_OK;
+}
+
+/* Where a method is used beyond its validity or on little knowledge, at the highest given wind. */
+static void note_limits(const struct wf_analysis *an, const struct wf_peak *p, double speed,
+                        struct wf_diag *d)
+{
+    const double turbulence = 0.35, share = 0.3; /* rules of ours */
+    const char *name = an->species->name;
+    struct wf_peak_parts at;
+    wf_peak_parts_at(p, speed, WF_PART_STEM, &at);
+    if (at.gust.turbulence > turbulence)
+        wf_diag_warn(
+            d, "peak-turbulence",
+            "%s: the turbulence intensity %.2f at the tree is above %.2f: the peak load of '%s' is outside "
+            "its validity and too low",
+            name, at.gust.turbulence, turbulence, p->method->name);
+    if (!p->sways)
+        wf_diag_warn(d, "peak-sway",
+                     "%s: how the tree sways was not found; the frequency of most resonance is taken", name);
+    else if (at.participation < share)
+        wf_diag_warn(d, "peak-sway",
+                     "%s: the modes about %.3g Hz, from which the resonance of gusts is computed, carry %.0f "
+                     "%% of the "
+                     "overturning by inertia; no sway of the tree carries more (%.0f %% are wanted)",
+                     name, at.frequency, 100.0 * at.participation, 100.0 * share);
+    if (!p->damping_known)
+        wf_diag_warn(
+            d, "peak-damping",
+            "%s: the structural damping of its sway is assumed, %.2g of critical; with the air %.2g is taken "
+            "(%.2g without our limit). --damping sets it",
+            name, p->damping, at.damping, p->damping + fmax(at.air, 0.0));
+    if (p->law)
+        wf_diag_warn(
+            d, "peak-exponent",
+            "%s: the load of gusts follows the crown's streamlining law, which was measured in steady wind: "
+            "lower load than by the square of the speed",
+            name);
+}
+
+enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
+                              size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    const struct wf_peak_method *method;
+    const struct wf_peak_request *r = &an->scenario.peak;
+    struct wf_peak *p = WF_TAKE(a, 1, struct wf_peak);
+    an->peak = NULL;
+    if (!p) return wf_fail(e, WF_ENOMEM, "not enough memory for the peak load");
+    enum wf_status s = check_request(r, &method, e);
+    if (s) return s;
+    *p = (struct wf_peak){ .method = method, .request = *r, .rule = wf_gust_rule_named(method->name) };
+    p->tree =
+        (struct wf_gust_case){ .terrain = an->scenario.category, .height = an->tallness, .exponent = 2.0 };
+    p->gust = wf_category_gust(an->scenario.category, 10.0);
+    if (!(p->request.stand.height > 0.0)) p->request.stand.height = an->tallness;
+    take_damping(an, p);
+    if (r->exponent_by_law) p->law = an->loads.streamline, p->law_par = an->loads.streamline_par;
+    if (method->sways) {
+        p->profile = profile_at(an, p->rule->at(p->tree.terrain, p->tree.height));
+        p->branches = has_branches(&an->tree);
+        s = find_sways(an, p, o, speeds, n, e);
+    }
+    an->peak = p;
+    if (!s && d && method->sways) note_limits(an, p, speeds[n - 1], d);
+    return s;
+}

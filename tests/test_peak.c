@@ -1,0 +1,209 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Peak loads: sway and damping of a uniform pole against closed forms, factors on the load, critical winds.
+ */
+#include "beam_cases.h"
+#include "data/species.h"
+#include "load/drag.h"
+#include "solve/beam.h"
+#include "study/analysis.h"
+#include "study/node.h"
+#include "study/peak.h"
+#include "study/sway.h"
+#include "wind/category.h"
+#include "wind/gust_factor.h"
+#include <string.h>
+
+enum { ROWS = 16, TWIGS = 4 };
+static const double height = 10, radius = 0.12, modulus = 9e9, density = 800, speed = 20, drag = 1.0;
+
+struct pole {
+    struct beam_case c;
+    struct wf_level level[1];
+    struct wf_species species;
+    struct wf_analysis an;
+};
+
+/* A uniform pole in a uniform wind, with short level twigs at the upper half where `twigs`. */
+static void make(struct pole *p, const char *method, bool twigs)
+{
+    *p = (struct pole){ .level = { { .name = "stem" } } };
+    struct beam_case *c = &p->c;
+    size_t n = ROWS + (twigs ? TWIGS : 0);
+    beam_new(c, n);
+    c->loads.gravity = 0;
+    for (int i = 0; i < (int)n; i++) {
+        int below = i < ROWS ? i - 1 : ROWS / 2 + 2 * (i - ROWS);
+        double z0 = height * i / ROWS, z1 = height * (i + 1) / ROWS, z = height * (below + 1) / ROWS;
+        if (i < ROWS)
+            beam_row(c, (size_t)i, below, (double[]){ 0, 0, z0 }, (double[]){ 0, 0, z1 }, radius, radius);
+        else
+            beam_row(c, (size_t)i, below, (double[]){ 0, 0, z }, (double[]){ 0, 1.5, z }, 0.012, 0.012);
+        c->tree.level[i] = i >= ROWS;
+        c->tree.youngs[i] = modulus, c->tree.shear[i] = modulus / 16, c->tree.density[i] = density;
+        c->tree.drag[i] = drag, c->tree.strength[i] = 40e6;
+    }
+    beam_blow(c, speed, 0, 0);
+    p->species = (struct wf_species){ .name = "wood", .level = p->level, .levels = 1 };
+    p->an = (struct wf_analysis){
+        .species = &p->species, .solver = &wf_solver_beam, .tree = c->tree, .loads = c->loads, .wind = c->wind
+    };
+    wf_scenario_default(&p->an.scenario);
+    p->an.scenario.peak.method = method;
+    p->an.scenario.peak.damping = 0.03;
+    wf_search_default(&p->an.search);
+    p->an.tallness = height;
+    if (wf_sway_set_up(&p->an, &c->options, &speed, 1, &c->arena, NULL, &c->err)) fail_msg("%s", c->err.text);
+}
+
+static double mass_per_length(void) { return density * 3.14159265358979 * radius * radius; }
+
+/* First mode of a uniform cantilever: 3.5160 sqrt(EI/m)/h^2; its share of the overturning by inertia is
+ * 3 (2/3.5160)^2. */
+static void sways_as_a_cantilever(void **state)
+{
+    struct pole p;
+    struct wf_peak_parts parts;
+    (void)state;
+    make(&p, "en1991", false);
+    double stiffness = modulus * 3.14159265358979 / 4 * pow(radius, 4), root = 3.51601527;
+    double f = root * sqrt(stiffness / mass_per_length()) / (6.283185307 * height * height);
+    wf_peak_parts_at(p.an.peak, 0.0, WF_PART_STEM, &parts);
+    assert_close(parts.frequency, f, 1e-3); /* shear and stretch are not in the closed form */
+    assert_close(parts.participation, 3 * pow(2 / root, 2), 1e-3);
+    assert_close(parts.mass, mass_per_length() * height / 4, 2e-3);
+    assert_close(parts.air, 0, 1e-15);
+    wf_arena_free(&p.c.arena);
+}
+
+/* Aerodynamic damping of a uniform pole with a load F per length: 2 F / (4 pi f m U). */
+static void damped_by_the_air(void **state)
+{
+    struct pole p;
+    struct wf_peak_parts parts;
+    (void)state;
+    make(&p, "en1991", false);
+    wf_peak_parts_at(p.an.peak, speed, WF_PART_STEM, &parts);
+    double load = 0.5 * p.an.loads.air_density * drag * 2 * radius * speed * speed;
+    double air = 2 * load / (4 * 3.14159265358979 * parts.frequency * mass_per_length() * speed);
+    assert_close(parts.air, air, 2e-3); /* the load turns with the bent pole */
+    assert_close(parts.damping, 0.03 + parts.air, 1e-12);
+    wf_arena_free(&p.c.arena);
+}
+
+/* On a stiff pole every section force of the wind is multiplied by the factor; weight is not there. The
+ * factor is that of the code for this body. */
+static void multiplies_the_wind_alone(void **state)
+{
+    static const char *const method[] = { "en1991", "gb50009", "asce7" };
+    (void)state;
+    for (size_t k = 0; k < 3; k++) {
+        struct pole p;
+        struct wf_peak_parts parts;
+        struct wf_gust_parts code;
+        struct wf_at_speed at;
+        make(&p, method[k], false);
+        const struct wf_gust_rule *rule = wf_gust_rule_named(method[k]);
+        assert_int_equal(wf_speed_totals(&p.an, &p.c.options, speed, &at, &p.c.err), WF_OK);
+        wf_peak_parts_at(p.an.peak, speed, WF_PART_STEM, &parts);
+        assert_close(at.base_moment / at.steady.base_moment, parts.factor, 0.02);
+        struct wf_gust_case body = { .terrain = wf_category_open(),
+                                     .height = height,
+                                     .frequency = parts.frequency,
+                                     .damping = parts.damping,
+                                     .mean = speed,
+                                     .open = speed,
+                                     .exponent = 2 };
+        rule->parts(&body, &code);
+        assert_close(parts.factor, code.factor, 1e-12);
+        wf_arena_free(&p.c.arena);
+    }
+}
+
+static void methods_without_sway(void **state)
+{
+    struct pole p;
+    struct wf_at_speed at, gust;
+    (void)state;
+    make(&p, "mean", false);
+    assert_int_equal(wf_speed_totals(&p.an, &p.c.options, speed, &at, &p.c.err), WF_OK);
+    assert_true(at.base_moment == at.steady.base_moment && at.tip_angle == at.steady.tip_angle);
+    assert_true(wf_peak_factor(p.an.peak, speed, WF_PART_STEM) == 1.0);
+    /* a gust is a steady wind of its speed */
+    double ratio = wf_category_gust(wf_category_open(), 10.0);
+    assert_int_equal(wf_speed_totals(&p.an, &p.c.options, speed * ratio, &at, &p.c.err), WF_OK);
+    struct wf_analysis plain = p.an;
+    plain.scenario.peak.method = "gust";
+    assert_int_equal(wf_sway_set_up(&plain, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err), WF_OK);
+    assert_int_equal(wf_speed_totals(&plain, &p.c.options, speed, &gust, &p.c.err), WF_OK);
+    assert_close(gust.base_moment, at.base_moment, 1e-9);
+    /* a table is linear between its rows and held beyond */
+    const double speeds[] = { 10, 20 }, factors[] = { 2, 3 };
+    struct wf_peak_table table = { 2, speeds, factors };
+    plain.scenario.peak = (struct wf_peak_request){ .method = "table", .damping = NAN, .table = &table };
+    assert_int_equal(wf_sway_set_up(&plain, &p.c.options, &speed, 1, &p.c.arena, NULL, &p.c.err), WF_OK);
+    assert_close(wf_peak_factor(plain.peak, 5, WF_PART_STEM), 2, 1e-15);
+    assert_close(wf_peak_factor(plain.peak, 14, WF_PART_STEM), 2.4, 1e-15);
+    assert_close(wf_peak_factor(plain.peak, 50, WF_PART_STEM), 3, 1e-15);
+    plain.scenario.peak.method = "gales";
+    assert_int_equal(wf_sway_set_up(&plain, &p.c.options, &speed, 1, &p.c.arena, NULL, NULL), WF_EUSAGE);
+    wf_arena_free(&p.c.arena);
+}
+
+/* Well inside a stand a gap has no effect, at its edge a longer gap more; a stand of 2 m spacing and 20 m
+ * height by hand: inside (2.7193 s - 0.061) / (0.68 s - 0.0385) to 1e-6 of the last power. */
+static void stands(void **state)
+{
+    (void)state;
+    double inside = wf_stand_gust(20, 2, 1e9, 1e9), s = 0.1;
+    double by_hand = (2.7193 * s - 0.061 + (0.9701 - 1.273 * s) * pow(1.1127 * s + 0.0311, 9)) /
+                     (0.68 * s - 0.0385 + (0.4785 - 0.68 * s) * pow(1.7239 * s + 0.0316, 9));
+    assert_close(inside, by_hand, 1e-12);
+    assert_close(wf_stand_gust(20, 2, 1e9, 0), inside, 1e-12);
+    assert_close(wf_stand_gust(20, 2, 0, 0), inside, 1e-12);
+    assert_true(wf_stand_gust(20, 2, 0, 20) > inside);
+    assert_true(wf_stand_gust(20, 2, 0, 200) > wf_stand_gust(20, 2, 0, 20));
+    assert_true(wf_stand_gust(20, 2, 20, 200) < wf_stand_gust(20, 2, 0, 200));
+    assert_close(wf_stand_gust(20, 0.1, 0, 200), wf_stand_gust(20, 1.5, 0, 200), 1e-12); /* held */
+}
+
+/* At the critical winds of the tree, its stem and its branches the safety is 1, each at its own peak:
+ * branches at that of a load that a gust reaches at once. */
+static void critical_at_the_peak(void **state)
+{
+    struct pole p;
+    struct wf_break out[WF_CRITERIA][WF_SCOPES];
+    struct wf_at_speed at;
+    (void)state;
+    make(&p, "en1991", true);
+    assert_true(wf_peak_branches(p.an.peak));
+    assert_true(wf_peak_factor(p.an.peak, speed, WF_PART_BRANCHES) >
+                wf_peak_factor(p.an.peak, speed, WF_PART_STEM));
+    struct wf_nodes *nodes = wf_nodes_open(&p.an, NULL);
+    assert_non_null(nodes);
+    p.an.search.speed_max = 150;
+    if (wf_analysis_breaks(&p.an, &p.c.options, nodes, out, &p.c.err)) fail_msg("%s", p.c.err.text);
+    wf_nodes_close(nodes);
+    static const enum wf_scope scope[] = { WF_SCOPE_TREE, WF_SCOPE_STEM };
+    for (size_t k = 0; k < 2; k++) {
+        const struct wf_critical *c = &out[WF_BREAKAGE][scope[k]].critical;
+        assert_int_equal(c->outcome, WF_CRITICAL_FOUND);
+        assert_int_equal(wf_speed_totals(&p.an, &p.c.options, c->speed, &at, &p.c.err), WF_OK);
+        assert_close(at.worst[WF_BREAKAGE][scope[k]].safety, 1, 2e-5);
+        double mean = at.steady.base_moment, peak = at.base_moment;
+        assert_true(peak > 1.5 * mean);
+    }
+    wf_arena_free(&p.c.arena);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sways_as_a_cantilever),
+        cmocka_unit_test(damped_by_the_air),
+        cmocka_unit_test(multiplies_the_wind_alone),
+        cmocka_unit_test(methods_without_sway),
+        cmocka_unit_test(stands),
+        cmocka_unit_test(critical_at_the_peak),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
