@@ -106,8 +106,8 @@ static void held(void **state)
         const struct wf_streamline_law *l = wf_streamline_named(law[k]);
         double slope, free_slope, end = l->share(&par, 18, &slope);
         for (double u = 0.3; u < 60; u += 0.7) {
-            double share = wf_streamline_share(l, &kept, u, &slope), free = l->share(&par, u, &free_slope);
-            assert_true(share == (u > 18 ? end : free));
+            double there = wf_streamline_share(l, &kept, u, &slope), free = l->share(&par, u, &free_slope);
+            assert_true(there == (u > 18 ? end : free));
             assert_true(slope == (u > 18 ? 0 : free_slope));
             assert_true(wf_streamline_share(l, &par, u, &slope) == free);
         }
