@@ -180,6 +180,9 @@
           <xsl:with-param name="id">c.critical</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="head">
+          <xsl:with-param name="id">c.gust</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
           <xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="head">
@@ -242,6 +245,7 @@
       </xsl:if>
     </td>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/speed/value"/></xsl:call-template>
+    <td class="r"><xsl:call-template name="gust"><xsl:with-param name="x" select="$at/speed/value"/></xsl:call-template></td>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/governing_section/height/value"/></xsl:call-template>
     <td class="r">
       <xsl:call-template name="given">

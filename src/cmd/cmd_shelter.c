@@ -260,7 +260,7 @@ static enum wf_status shelter(void *work, struct wf_doc_head *head, struct wf_ru
     if (w->species.crown.drag_coefficient.given)
         w->request.crown_drag = w->species.crown.drag_coefficient.value;
     if ((s = wf_scenario_loads(&w->scenario, &w->species, &w->wind, &w->loads, e))) return s;
-    w->wind.speed = w->run.speed;
+    w->wind.speed = wf_scenario_speed(&w->scenario, w->run.speed);
     wf_limits_profile(&w->scenario, wf_tree_height(&w->tree), w->model.key ? o->model : o->tree, d);
     if ((s = wf_results_begin(f, o->output, o->pages.none ? NULL : "shelter", e))) return s;
     w->run.folder = f->stage;

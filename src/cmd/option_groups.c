@@ -7,6 +7,8 @@
 #include "solve/solve.h"
 #include "study/peak.h"
 #include "study/preset.h"
+#include "wind/category.h"
+#include "wind/design.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
@@ -16,6 +18,8 @@ const char *wf_solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->nam
 const char *wf_preset_word(size_t i) { return wf_presets[i].name; }
 const char *wf_shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 const char *wf_profile_word(size_t i) { return wf_profiles[i].name; }
+const char *wf_site_word(size_t i) { return wf_site_kinds[i].name; }
+const char *wf_design_word(size_t i) { return wf_designs[i].name; }
 const char *wf_peak_word(size_t i) { return wf_peak_methods[i].name; }
 const char *wf_import_word(size_t i) { return wf_import_formats[i].name; }
 
@@ -23,6 +27,18 @@ bool wf_profile_row_unused(const void *options, const struct wf_option *o, char 
 {
     const struct wf_profile_words *w = (const void *)((const char *)options + o->group);
     return wf_profile_unused(w, o->member - o->group, why, WF_WHY);
+}
+
+bool wf_site_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_profile_words *w = (const void *)((const char *)options + o->group);
+    size_t member = o->member - o->group;
+    bool of_code = member > offsetof(struct wf_profile_words, design);
+    if (member == offsetof(struct wf_profile_words, design.code)) return false;
+    if (of_code) return wf_option_unused(!w->design.code, why, "without a design wind, --design");
+    if (wf_option_unused(w->design.code, why, "with a design wind, --design")) return true;
+    bool at = member == offsetof(struct wf_profile_words, at);
+    return wf_option_unused(at && !w->design.terrain && !w->site, why, "without --terrain or --site");
 }
 
 bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *why)
@@ -66,6 +82,7 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
     if (table) s = wf_peak_table_read(asked->table, a, d, table, e);
     out->peak = (struct wf_peak_request){
         .method = asked->method ? asked->method
+                  : out->design ? out->design->peak
                   : preset      ? "mean"
                                 : "en1991",
         .damping = asked->damping,

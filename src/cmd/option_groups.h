@@ -15,6 +15,8 @@ const char *wf_solver_word(size_t i);
 const char *wf_preset_word(size_t i);
 const char *wf_shelter_word(size_t i);
 const char *wf_profile_word(size_t i);
+const char *wf_site_word(size_t i);
+const char *wf_design_word(size_t i);
 const char *wf_import_word(size_t i);
 
 /* The last rows of most commands. `no`: the option that leaves out figures and pages, "--no-report" or
@@ -36,11 +38,43 @@ bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *w
 bool wf_profile_row_unused(const void *options, const struct wf_option *o, char *why);
 bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *why);
 
+bool wf_site_row_unused(const void *options, const struct wf_option *o, char *why);
+
+/* The ground around the tree, and winds of design codes; into a struct wf_profile_words. cmd/wind_speed.c
+ * finds the words by the row --design. */
+#define WF_OF_SITE(in) WF_UNUSED(in, wf_site_row_unused)
+#define WF_SITE_ROWS(in)                                                                                     \
+    TEXT("--terrain", in.design.terrain, "CATEGORY", NULL,                                                   \
+         "ground the wind comes over: 0, I, II, III or IV of EN 1991-1-4, or a terrain of the code of "      \
+         "--design; a wind named is then of open country (II, 10 m) and carried to it [II, assumed; with "   \
+         "the wind as it is named]"),                                                                        \
+        WORD("--site", in.site, "KIND", wf_site_word, NULL,                                                  \
+             "the same by what stands around the tree, unless --terrain names it"),                          \
+        CHOICE("--wind-at", in.at, "PLACE", "open|site", NULL,                                               \
+               "where the winds named are measured: in open country at 10 m, or at the site at the "         \
+               "reference height [open]",                                                                    \
+               WF_OF_SITE(in)),                                                                              \
+        NUMBER("--gust-factor", in.gust_factor, "NUMBER", NONE, NULL, 1, 4, NULL,                            \
+               "3-s gust over 10-min mean where the winds are measured [sqrt(1 + 7 I_v) of EN 1991-1-4 for " \
+               "its terrain]",                                                                               \
+               WF_OF_SITE(in)),                                                                              \
+        WORD("--design", in.design.code, "CODE", wf_design_word, NULL,                                       \
+             "take the design wind of a code in place of --wind; `windfirm wind list` shows them",           \
+             WF_OF_SITE(in)),                                                                                \
+        NUMBER("--basic-wind", in.design.basic, "SPEED", SPEED, "m/s", 1, 120, NULL,                         \
+               "basic wind of the code, averaged as the code does", WF_OF_SITE(in)),                         \
+        NUMBER("--basic-pressure", in.design.pressure, "PRESSURE", PRESSURE, "kPa", 0.001, 10, NULL,         \
+               "in its place, the basic pressure: w0 of gb50009, q_p0 of sia261", WF_OF_SITE(in)),           \
+        TEXT("--region", in.design.region, "NAME", NULL, "wind region of asnzs1170", WF_OF_SITE(in)),        \
+        NUMBER("--return-period", in.design.years, "YEARS", NONE, NULL, 0, 1e6, NULL,                        \
+               "of the design wind [that of the basic wind]", WF_OF_SITE(in))
+
 /* How the mean wind grows with height; into a struct wf_profile_words. */
 #define WF_OF_PROFILE(in) WF_UNUSED(in, wf_profile_row_unused)
 #define WF_PROFILE_ROWS(in)                                                                                  \
     WORD("--profile", in.name, "NAME", wf_profile_word, NULL,                                                \
-         "how the wind grows with height [power; measured with --profile-file]"),                            \
+         "how the wind grows with height [power; terrain with --terrain or --site; that of --design; "       \
+         "measured with --profile-file]"),                                                                   \
         PATH("--profile-file", in.file, "FILE", NULL,                                                        \
              "measured mean winds, a CSV with columns height_m and speed_ms; only their ratios count, "      \
              "--wind gives the speed at the reference height"),                                              \
@@ -59,7 +93,8 @@ bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *wh
                "of the stand around the tree, for the canopy profile [displacement / 0.7]",                  \
                WF_OF_PROFILE(in)),                                                                           \
         NUMBER("--attenuation", in.attenuation, "NUMBER", NONE, NULL, 0, 10, NULL,                           \
-               "of the wind inside the canopy [0: joins the log law smoothly]", WF_OF_PROFILE(in))
+               "of the wind inside the canopy [0: joins the log law smoothly]", WF_OF_PROFILE(in)),          \
+        WF_SITE_ROWS(in)
 
 /* How the peak load follows from the mean wind. */
 struct wf_peak_asked {

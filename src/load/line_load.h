@@ -108,7 +108,7 @@ struct air {
     enum wf_share_form crown;
     enum wf_drag_form axis;
     bool blows; /* in some lane */
-    real speed, direction[3], reference, exponent, displacement, roughness, scale;
+    real speed, direction[3], reference, exponent, displacement, roughness, least, scale;
     real half;                         /* density / 2 */
     real viscosity, vogel, vogel_from; /* of the laws */
     real held;                         /* speed above which the crown's share is held */
@@ -150,9 +150,13 @@ static inline void set_air(const struct wf_loads *const *loads, struct air *a)
         for (int i = 0; i < 3; i++) real_lane(a->direction[i], k) = w->direction[i];
         real_lane(a->reference, k) = w->reference_height, real_lane(a->exponent, k) = w->exponent;
         real_lane(a->displacement, k) = w->displacement, real_lane(a->roughness, k) = w->roughness;
+        real_lane(a->least, k) = w->least;
     }
+    if (a->profile >= WF_PROFILE_TERRAIN) a->reference = real_max(a->reference, a->least);
     if (a->profile == WF_PROFILE_LOG)
         a->scale = log_profile_scale(a->speed, a->reference, a->displacement, a->roughness);
+    else if (a->profile == WF_PROFILE_TERRAIN)
+        a->scale = log_profile_scale(a->speed, a->reference, real_of(0), a->roughness);
 }
 
 /* The wind lane by lane. */
@@ -180,6 +184,10 @@ WF_INLINE void sample_lanes(const struct air *a, const real x[3], real u[3], rea
         speed = log_profile(a->scale, a->displacement, a->roughness, x[2], &slope);
     else if (a->profile == WF_PROFILE_POWER)
         speed = power_profile(a->speed, a->reference, a->exponent, x[2], &slope);
+    else if (a->profile == WF_PROFILE_TERRAIN)
+        speed = terrain_profile(a->scale, a->roughness, a->least, x[2], &slope);
+    else if (a->profile == WF_PROFILE_FLOOR)
+        speed = floor_profile(a->speed, a->reference, a->exponent, a->least, x[2], &slope);
     for (int i = 0; i < 3; i++) {
         u[i] = speed * a->direction[i];
         du[3 * i] = du[3 * i + 1] = real_of(0);

@@ -9,7 +9,9 @@
 #include "load/drag.h"
 #include "study/peak.h"
 #include "study/wetted.h"
+#include "wind/category.h"
 #include "wind/climate.h"
+#include "wind/design.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
 #include "wind/terrain.h"
@@ -179,6 +181,21 @@ json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
     return o;
 }
 
+/* The ground, where the named winds are measured, and how they are carried to the site. */
+static void put_site(struct wf_doc *d, json_t *o, const struct wf_scenario *s)
+{
+    const struct wf_wind_place at = wf_scenario_place(s);
+    wf_doc_text(d, o, "terrain", s->category->name);
+    wf_doc_text(d, o, "terrain_text", s->category->text);
+    wf_doc_text(d, o, "terrain_from", s->category_said ? "given" : "assumed");
+    wf_doc_text(d, o, "site_kind", s->site_kind);
+    wf_doc_text(d, o, "design", s->design ? s->design->title : NULL);
+    wf_doc_text(d, o, "wind_terrain", at.terrain->name);
+    wf_doc_quantity(d, o, "wind_height", at.height, "m", NULL);
+    wf_doc_quantity(d, o, "gust_over_mean", wf_scenario_gust(s, 1.0), "1", NULL);
+    wf_doc_quantity(d, o, "carried", s->carried, "1", NULL);
+}
+
 json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
 {
     const struct wf_scenario *s = &a->scenario;
@@ -192,6 +209,7 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "reference_height", s->reference_height, "m", NULL);
     wf_doc_quantity(d, o, "averaging_time", WF_MEAN_TIME, "s", NULL);
     wf_doc_text(d, o, "winds_said", s->winds_said);
+    put_site(d, o, s);
     wf_doc_quantity(d, o, "speed_up", s->speed_up, "1", NULL);
     static const char given[] = "no map of the ground";
     wf_doc_text(d, o, "ground_file", s->site ? s->site->file : NULL);
