@@ -276,6 +276,28 @@ static bool crown_wind(const struct wf_analysis *an, double speed, double *low, 
     return *high > 0.0;
 }
 
+/* The wind at the crown, up to `largest`, is beyond the evidence of its streamlining law. */
+static void say_beyond(const struct wf_analysis *an, double largest, bool critical, struct wf_diag *d)
+{
+    const struct wf_law_use *law = &an->species->streamlining;
+    const struct wf_streamline_law *row = an->loads.streamline;
+    struct wf_law_values extended = an->loads.streamline_par;
+    char words[200] = "there its share is held, and the drag grows as the square of the wind speed";
+    double slope;
+    extended.held = 0;
+    if (law->beyond == WF_BEYOND_EXTEND)
+        (void)snprintf(words, sizeof words,
+                       "it is extended: lower load than if held, down to %.0f %% of it; 'beyond: hold' in "
+                       "the species table holds it",
+                       100.0 * wf_streamline_share(row, &extended, largest, &slope) /
+                           wf_streamline_share(row, &extended, law->high, &slope));
+    wf_diag_warn(d, "streamline-range",
+                 "%s: the wind at the crown is up to %.1f m/s%s; the evidence for its streamlining law '%s' "
+                 "ends at %.3g m/s (%.0f %% beyond); %s",
+                 an->species->name, largest, critical ? " (critical speed included)" : "", law->law,
+                 law->high, 100.0 * (largest / law->high - 1.0), words);
+}
+
 static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_law_use *law = &an->species->streamlining;
@@ -289,13 +311,7 @@ static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
         least = fmin(least, low);
         largest = fmax(largest, high);
     }
-    if (largest > law->high)
-        wf_diag_warn(d, "streamline-range",
-                     "%s: the wind at the crown is up to %.1f m/s%s; the evidence for its streamlining law "
-                     "'%s' ends at "
-                     "%.3g m/s (%.0f %% beyond)",
-                     an->species->name, largest, critical ? " (critical speed included)" : "", law->law,
-                     law->high, 100.0 * (largest / law->high - 1.0));
+    if (largest > law->high) say_beyond(an, largest, critical, d);
     if (least < law->low)
         wf_diag_warn(d, "streamline-range",
                      "%s: the wind at the crown is down to %.1f m/s; the evidence for its streamlining law "

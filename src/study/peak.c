@@ -139,8 +139,8 @@ static double damping(const struct wf_peak *p, double air)
 /* Exponent of the crown's load between the mean wind and a gust of `ratio` times its speed. */
 static double secant_exponent(const struct wf_peak *p, double mean, double ratio)
 {
-    double unused, at = p->law->share(&p->law_par, mean, &unused);
-    double gust = p->law->share(&p->law_par, mean * ratio, &unused);
+    double unused, at = wf_streamline_share(p->law, &p->law_par, mean, &unused);
+    double gust = wf_streamline_share(p->law, &p->law_par, mean * ratio, &unused);
     return fmax(0.0, 2.0 + log(gust / at) / log(ratio));
 }
 
