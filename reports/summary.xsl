@@ -78,6 +78,8 @@
 <xsl:template name="verdict">
   <xsl:variable name="last" select="winds/item[status = 'ok' and within_limits = 'true'][last()]"/>
   <xsl:variable name="safety" select="$last/least_safety"/>
+  <xsl:variable name="bent" select="($last/mean_state/tip_deflection_share |
+    $last[not(mean_state)]/tip_deflection_share)/value"/>
   <xsl:call-template name="say">
     <xsl:with-param name="id">
       <xsl:choose>
@@ -94,8 +96,8 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:choose>
-            <xsl:when test="($last/mean_state/tip_deflection_share | $last[not(mean_state)]/tip_deflection_share)/value &lt; 0.05">sum.bend.little</xsl:when>
-            <xsl:when test="($last/mean_state/tip_deflection_share | $last[not(mean_state)]/tip_deflection_share)/value &lt; 0.25">sum.bend.clear</xsl:when>
+            <xsl:when test="$bent &lt; 0.05">sum.bend.little</xsl:when>
+            <xsl:when test="$bent &lt; 0.25">sum.bend.clear</xsl:when>
             <xsl:otherwise>sum.bend.far</xsl:otherwise>
           </xsl:choose>
         </xsl:with-param>
@@ -463,7 +465,9 @@
         <xsl:for-each select="$trees/winds/item/peak/load_factor_gusts/value[. != '']">
           <xsl:sort data-type="number"/>
           <xsl:if test="position() = 1 or position() = last()">
-            <xsl:if test="position() &gt; 1"><xsl:call-template name="say"><xsl:with-param name="id">sum.to</xsl:with-param></xsl:call-template></xsl:if>
+            <xsl:if test="position() &gt; 1">
+              <xsl:call-template name="say"><xsl:with-param name="id">sum.to</xsl:with-param></xsl:call-template>
+            </xsl:if>
             <xsl:value-of select="format-number(., '0.0')"/>
           </xsl:if>
         </xsl:for-each>

@@ -108,7 +108,7 @@ static void print_speed(FILE *to, const struct wf_analysis *an, const struct wf_
     print_number(to, 10, 1, degrees(m->tip_angle));
     print_number(to, 13, 3, m->base_moment / 1e3);
     if (wf_peak_differs(an->peak)) {
-        print_number(to, 11, 2, wf_peak_factor(an->peak, at->speed, WF_PART_STEM));
+        print_number(to, 11, 2, wf_peak_gusts(an->peak, at->speed));
         print_number(to, 12, 3, at->base_moment / 1e3);
     }
     print_number(to, 12, 2, at->breakage.largest_stress / 1e6);

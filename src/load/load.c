@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load/load.h"
+#include "base/num.h"
 #include "data/species.h"
 #include "load/drag.h"
 
@@ -51,4 +52,17 @@ double *wf_loads_streamline_number(struct wf_loads *l, const char *name)
 {
     int k = l->streamline ? wf_law_find(&l->streamline->law, name) : -1;
     return k < 0 ? NULL : &l->streamline_par.number[k];
+}
+
+struct wf_line_point wf_line_point_of(const struct wf_tree *t, size_t i, double s)
+{
+    double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
+    double wood = t->density[i] * WF_PI * (outer * outer - inner * inner);
+    return (struct wf_line_point){
+        .diameter = 2.0 * outer,
+        .drag = t->drag[i],
+        .lift = t->lift[i],
+        .sail = wf_between(t->sail0[i], t->sail1[i], s),
+        .mass = wood + wf_between(t->burden0[i], t->burden1[i], s),
+    };
 }

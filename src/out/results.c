@@ -110,7 +110,7 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
             break_cells(f, a->breaks);
             const double gusts[] = { at->steady.tip_deflection, degrees * at->steady.tip_angle,
                                      at->steady.base_moment,
-                                     wf_peak_factor(a->peak, at->speed, WF_PART_STEM) };
+                                     wf_peak_gusts(a->peak, at->speed) };
             cells(f, WF_COUNT(gusts), gusts);
             putc('\n', f);
         }
@@ -220,7 +220,7 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
             lead(f, run, i, at->speed);
             total_cells(f, at, true);
             fputs(at->interpolated ? ",interpolated" : ",solved", f);
-            cell(f, wf_peak_factor(a->peak, at->speed, WF_PART_STEM));
+            cell(f, wf_peak_gusts(a->peak, at->speed));
             putc('\n', f);
         }
         rows += a->sweep_n;
