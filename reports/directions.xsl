@@ -44,6 +44,7 @@
       </xsl:call-template>
     </td>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+    <td class="r"><xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template></td>
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="critical/governing_section/height/value"/>
     </xsl:call-template>
@@ -115,6 +116,9 @@
         </xsl:call-template>
         <xsl:call-template name="head">
           <xsl:with-param name="id">c.critical</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.gust</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="head">
           <xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>

@@ -316,6 +316,7 @@
               <xsl:when test="profile = 'log' or profile = 'canopy'">
                 <xsl:call-template name="given"><xsl:with-param name="x" select="roughness/value"/></xsl:call-template>
               </xsl:when>
+              <xsl:when test="profile = 'terrain'"><xsl:value-of select="terrain"/></xsl:when>
               <xsl:otherwise>
                 <xsl:call-template name="given"><xsl:with-param name="x" select="exponent/value"/></xsl:call-template>
               </xsl:otherwise>

@@ -83,6 +83,10 @@
       </xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="note">
+      <xsl:with-param name="id">m.peak</xsl:with-param>
+      <xsl:with-param name="text"><xsl:call-template name="peak-method"/></xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="note">
       <xsl:with-param name="id">m.crown</xsl:with-param>
       <xsl:with-param name="text">
         <xsl:for-each select="$trees[not(method/streamlining/name =
@@ -164,6 +168,49 @@
       </table>
     </xsl:otherwise>
   </xsl:choose>
+</xsl:template>
+
+<!-- From the mean wind to the peak load: the method, and at the highest wind what it was computed from. -->
+<xsl:template name="peak-method">
+  <xsl:for-each select="$trees[1]/method/peak_method">
+    <b>
+      <xsl:call-template name="term">
+        <xsl:with-param name="id" select="concat('peak.', name)"/><xsl:with-param name="otherwise" select="title"/>
+      </xsl:call-template>
+    </b>
+    <xsl:call-template name="say"><xsl:with-param name="id">dot</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="source-and-range"/>
+  </xsl:for-each>
+  <xsl:for-each select="$trees[winds/item[last()]/peak/sway_frequency/value != '']">
+    <br/>
+    <xsl:variable name="p" select="winds/item[last()]/peak"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">m.peak.numbers</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="winds/item[last()]/speed/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c" select="format-number($p/load_factor_gusts/value, '0.00')"/>
+      <xsl:with-param name="d">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="$p/sway_frequency/value"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">m.peak.more</xsl:with-param>
+      <xsl:with-param name="a" select="format-number($p/damping_total/value, '0.000')"/>
+      <xsl:with-param name="b" select="format-number($p/turbulence/value, '0.000')"/>
+      <xsl:with-param name="c" select="format-number($p/background/value, '0.000')"/>
+      <xsl:with-param name="d" select="format-number($p/resonance/value, '0.000')"/>
+    </xsl:call-template>
+    <xsl:if test="$p/load_factor_branches/value != ''">
+      <xsl:value-of select="$gap"/>
+      <xsl:call-template name="say">
+        <xsl:with-param name="id">m.peak.branches</xsl:with-param>
+        <xsl:with-param name="a" select="format-number($p/load_factor_branches/value, '0.00')"/>
+      </xsl:call-template>
+    </xsl:if>
+  </xsl:for-each>
 </xsl:template>
 
 <xsl:template name="provenance">

@@ -110,6 +110,32 @@
           <xsl:if test="$trees[1]/scenario/winds_said != ''">
             <br/><xsl:value-of select="$trees[1]/scenario/winds_said"/>
           </xsl:if>
+          <xsl:if test="$trees[1]/scenario/gust_over_mean/value">
+            <br/>
+            <xsl:for-each select="$trees[1]/scenario">
+              <xsl:call-template name="say">
+                <xsl:with-param name="id">tb.site</xsl:with-param>
+                <xsl:with-param name="a">
+                  <xsl:call-template name="number"><xsl:with-param name="x" select="gust_over_mean/value"/></xsl:call-template>
+                </xsl:with-param>
+                <xsl:with-param name="b">
+                  <xsl:call-template name="given"><xsl:with-param name="x" select="wind_height/value"/></xsl:call-template>
+                </xsl:with-param>
+                <xsl:with-param name="c" select="wind_terrain"/><xsl:with-param name="d" select="terrain"/>
+                <xsl:with-param name="e">
+                  <xsl:call-template name="say">
+                    <xsl:with-param name="id" select="concat('tb.site.', terrain_from)"/>
+                  </xsl:call-template>
+                  <xsl:if test="site_kind != ''">, <xsl:value-of select="site_kind"/></xsl:if>
+                </xsl:with-param>
+                <xsl:with-param name="f">
+                  <xsl:call-template name="number">
+                    <xsl:with-param name="x" select="carried/value * speed_up/value"/>
+                  </xsl:call-template>
+                </xsl:with-param>
+              </xsl:call-template>
+            </xsl:for-each>
+          </xsl:if>
           <xsl:if test="$trees[1]/scenario/speed_up/value != 1">
             <br/>
             <xsl:call-template name="say">
@@ -180,6 +206,10 @@
       <xsl:if test="@name = 'safety' and $trees/critical[within_limits = 'true']/outcome = 'found'">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template>
+      </xsl:if>
+      <xsl:if test="$gusts and contains(' shapes tip stem safety directions ', concat(' ', @name, ' '))">
+        <xsl:value-of select="$gap"/>
+        <xsl:call-template name="say"><xsl:with-param name="id">f.gusts</xsl:with-param></xsl:call-template>
       </xsl:if>
       <xsl:variable name="drawn" select="string-length(normalize-space($shown)) -
         string-length(translate(normalize-space($shown), ' ', '')) + 1"/>

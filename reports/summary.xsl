@@ -78,6 +78,8 @@
 <xsl:template name="verdict">
   <xsl:variable name="last" select="winds/item[status = 'ok' and within_limits = 'true'][last()]"/>
   <xsl:variable name="safety" select="$last/least_safety"/>
+  <xsl:variable name="bent" select="($last/mean_state/tip_deflection_share |
+    $last[not(mean_state)]/tip_deflection_share)/value"/>
   <xsl:call-template name="say">
     <xsl:with-param name="id">
       <xsl:choose>
@@ -94,8 +96,8 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:choose>
-            <xsl:when test="$last/tip_deflection_share/value &lt; 0.05">sum.bend.little</xsl:when>
-            <xsl:when test="$last/tip_deflection_share/value &lt; 0.25">sum.bend.clear</xsl:when>
+            <xsl:when test="$bent &lt; 0.05">sum.bend.little</xsl:when>
+            <xsl:when test="$bent &lt; 0.25">sum.bend.clear</xsl:when>
             <xsl:otherwise>sum.bend.far</xsl:otherwise>
           </xsl:choose>
         </xsl:with-param>
@@ -103,6 +105,9 @@
     </xsl:with-param>
     <xsl:with-param name="c">
       <xsl:call-template name="given"><xsl:with-param name="x" select="$last/speed/value"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="d">
+      <xsl:call-template name="gust"><xsl:with-param name="x" select="$last/speed/value"/></xsl:call-template>
     </xsl:with-param>
   </xsl:call-template>
 </xsl:template>
@@ -119,17 +124,19 @@
         <xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="b">
-        <xsl:call-template name="number"><xsl:with-param name="x" select="tip_deflection/value"/></xsl:call-template>
+        <xsl:call-template name="number"><xsl:with-param name="x" select="(mean_state/tip_deflection |
+          self::*[not(mean_state)]/tip_deflection)/value"/></xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="c">
         <xsl:call-template name="steady">
-          <xsl:with-param name="x" select="100 * tip_deflection_share/value"/>
+          <xsl:with-param name="x" select="100 * (mean_state/tip_deflection_share | self::*[not(mean_state)]/tip_deflection_share)/value"/>
           <xsl:with-param name="pattern">0.#</xsl:with-param>
         </xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="d">
         <xsl:call-template name="steady">
-          <xsl:with-param name="x" select="$degrees * tip_angle/value"/><xsl:with-param name="pattern">0</xsl:with-param>
+          <xsl:with-param name="x" select="$degrees * (mean_state/tip_angle |
+            self::*[not(mean_state)]/tip_angle)/value"/><xsl:with-param name="pattern">0</xsl:with-param>
           <xsl:with-param name="least" select="1"/>
         </xsl:call-template>
       </xsl:with-param>
@@ -213,6 +220,20 @@
         </xsl:otherwise>
       </xsl:choose>
     </xsl:with-param>
+    <xsl:with-param name="c">
+      <xsl:choose>
+        <xsl:when test="critical/outcome = 'found'">
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+        </xsl:when>
+        <xsl:otherwise>
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template>
+        </xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
+    <xsl:with-param name="d">
+      <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/scenario/wind_height/value"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="e" select="$trees[1]/scenario/wind_terrain"/>
   </xsl:call-template>
   <xsl:if test="critical/outcome = 'self-weight' and critical/governing_section/diameter/value != ''">
     <xsl:value-of select="$gap"/>
@@ -239,6 +260,9 @@
           <xsl:with-param name="section" select="critical_stem/governing_section"/>
         </xsl:call-template>
       </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="gust"><xsl:with-param name="x" select="critical_stem/speed/value"/></xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
   <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'above'">
@@ -247,6 +271,9 @@
       <xsl:with-param name="id">sum.stem.above</xsl:with-param>
       <xsl:with-param name="a">
         <xsl:call-template name="given"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="gust"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
@@ -263,6 +290,9 @@
         </xsl:with-param>
         <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/>
         <xsl:with-param name="c" select="../../number"/>
+        <xsl:with-param name="d">
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+        </xsl:with-param>
       </xsl:call-template>
     </xsl:if>
   </xsl:for-each>
@@ -307,13 +337,15 @@
     <xsl:variable name="p" select="number(substring-before($k, ' '))"/>
     <xsl:variable name="most">
       <xsl:for-each select="$trees">
-        <xsl:sort select="winds/item[$p]/tip_deflection/value" data-type="number" order="descending"/>
+        <xsl:sort select="winds/item[$p]/*[self::mean_state or (self::tip_deflection and
+          not(../mean_state))]/descendant-or-self::tip_deflection/value" data-type="number" order="descending"/>
         <xsl:if test="position() = 1"><xsl:value-of select="count(preceding-sibling::item) + 1"/></xsl:if>
       </xsl:for-each>
     </xsl:variable>
     <xsl:variable name="least">
       <xsl:for-each select="$trees">
-        <xsl:sort select="winds/item[$p]/tip_deflection/value" data-type="number"/>
+        <xsl:sort select="winds/item[$p]/*[self::mean_state or (self::tip_deflection and
+          not(../mean_state))]/descendant-or-self::tip_deflection/value" data-type="number"/>
         <xsl:if test="position() = 1"><xsl:value-of select="count(preceding-sibling::item) + 1"/></xsl:if>
       </xsl:for-each>
     </xsl:variable>
@@ -329,7 +361,8 @@
       </xsl:with-param>
       <xsl:with-param name="c">
         <xsl:call-template name="number">
-          <xsl:with-param name="x" select="$trees[number($most)]/winds/item[$p]/tip_deflection/value"/>
+          <xsl:with-param name="x" select="$trees[number($most)]/winds/item[$p]/*[self::mean_state or (self::tip_deflection and
+          not(../mean_state))]/descendant-or-self::tip_deflection/value"/>
         </xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="d">
@@ -337,7 +370,8 @@
       </xsl:with-param>
       <xsl:with-param name="e">
         <xsl:call-template name="number">
-          <xsl:with-param name="x" select="$trees[number($least)]/winds/item[$p]/tip_deflection/value"/>
+          <xsl:with-param name="x" select="$trees[number($least)]/winds/item[$p]/*[self::mean_state or (self::tip_deflection and
+          not(../mean_state))]/descendant-or-self::tip_deflection/value"/>
         </xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
@@ -350,6 +384,9 @@
         <xsl:with-param name="id">sum.first</xsl:with-param>
         <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
         <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/>
+        <xsl:with-param name="c">
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+        </xsl:with-param>
       </xsl:call-template>
     </xsl:if>
   </xsl:for-each>
@@ -418,7 +455,25 @@
   </div>
   <p>
     <xsl:call-template name="say">
-      <xsl:with-param name="id">sum.wind</xsl:with-param><xsl:with-param name="a" select="$reference"/>
+      <xsl:with-param name="id"><xsl:text>sum.wind</xsl:text><xsl:if test="$gusts">.gusts</xsl:if></xsl:with-param>
+      <xsl:with-param name="a" select="$reference"/>
+      <xsl:with-param name="b">
+        <xsl:call-template name="term">
+          <xsl:with-param name="id" select="concat('peak.', $gusts[1]/name)"/>
+          <xsl:with-param name="otherwise" select="$gusts[1]/title"/>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:for-each select="$trees/winds/item/peak/load_factor_gusts/value[. != '']">
+          <xsl:sort data-type="number"/>
+          <xsl:if test="position() = 1 or position() = last()">
+            <xsl:if test="position() &gt; 1">
+              <xsl:call-template name="say"><xsl:with-param name="id">sum.to</xsl:with-param></xsl:call-template>
+            </xsl:if>
+            <xsl:value-of select="format-number(., '0.0')"/>
+          </xsl:if>
+        </xsl:for-each>
+      </xsl:with-param>
     </xsl:call-template>
     <xsl:if test="$warned">
       <xsl:value-of select="$gap"/>

@@ -3,21 +3,40 @@
 <!-- The key tables: totals of every tree at every wind speed; the critical wind speeds. -->
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 
-<!-- Cells of one tree at one wind speed. A quantity without a value gives a dash, a speed without answer says so. -->
+<!-- Is the load that of gusts, and not of the mean wind alone? -->
+<xsl:variable name="gusts" select="$trees/method/peak_method[name != 'mean']"/>
+
+<!-- Cells of one tree at one wind speed: those of its state in the mean wind, then those at the peak of the load. A
+     quantity without a value gives a dash, a speed without answer says so. -->
 <xsl:template name="result-cells">
   <xsl:choose>
     <xsl:when test="status = 'ok'">
       <xsl:call-template name="steady-cell">
-        <xsl:with-param name="x" select="tip_deflection/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+        <xsl:with-param name="x" select="(mean_state/tip_deflection |
+          self::*[not(mean_state)]/tip_deflection)/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
       </xsl:call-template>
       <xsl:call-template name="steady-cell">
-        <xsl:with-param name="x" select="100 * tip_deflection_share/value"/>
+        <xsl:with-param name="x" select="100 * (mean_state/tip_deflection_share | self::*[not(mean_state)]/tip_deflection_share)/value"/>
       </xsl:call-template>
-      <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="$degrees * tip_angle/value"/></xsl:call-template>
-      <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="drag/value"/></xsl:call-template></td>
+      <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="$degrees * (mean_state/tip_angle |
+        self::*[not(mean_state)]/tip_angle)/value"/></xsl:call-template>
+      <xsl:if test="not($gusts)">
+        <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="drag/value"/></xsl:call-template></td>
+      </xsl:if>
       <td class="r">
-        <xsl:call-template name="number"><xsl:with-param name="x" select="base_moment/value div 1000"/></xsl:call-template>
+        <xsl:call-template name="number"><xsl:with-param name="x" select="(mean_state/base_moment |
+          self::*[not(mean_state)]/base_moment)/value div 1000"/></xsl:call-template>
       </td>
+      <xsl:if test="$gusts">
+        <td class="r">
+          <xsl:call-template name="fixed">
+            <xsl:with-param name="x" select="peak/load_factor_gusts/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+        </td>
+        <td class="r">
+          <xsl:call-template name="number"><xsl:with-param name="x" select="base_moment/value div 1000"/></xsl:call-template>
+        </td>
+      </xsl:if>
       <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="largest_stress/value div 1e6"/></xsl:call-template>
       <td class="r">
         <xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template>
@@ -25,7 +44,8 @@
       <xsl:call-template name="cell"><xsl:with-param name="x" select="governing_section/height/value"/></xsl:call-template>
     </xsl:when>
     <xsl:otherwise>
-      <td colspan="8" class="weak">
+      <td class="weak">
+        <xsl:attribute name="colspan"><xsl:value-of select="8 + boolean($gusts)"/></xsl:attribute>
         <xsl:call-template name="say">
           <xsl:with-param name="id">no-answer</xsl:with-param>
           <xsl:with-param name="a">
@@ -43,7 +63,11 @@
     <xsl:call-template name="table-caption">
       <xsl:with-param name="n" select="1"/>
       <xsl:with-param name="text">
-        <xsl:call-template name="say"><xsl:with-param name="id">t.results</xsl:with-param></xsl:call-template>
+        <xsl:call-template name="say">
+          <xsl:with-param name="id">
+            <xsl:text>t.results</xsl:text><xsl:if test="$gusts">.gusts</xsl:if>
+          </xsl:with-param>
+        </xsl:call-template>
         <xsl:if test="$trees/winds/item/within_limits = 'false'">
           <xsl:value-of select="$gap"/>
           <xsl:call-template name="say"><xsl:with-param name="id">t.void</xsl:with-param></xsl:call-template>
@@ -73,12 +97,22 @@
         <xsl:call-template name="head">
           <xsl:with-param name="id">c.angle</xsl:with-param><xsl:with-param name="unit">°</xsl:with-param>
         </xsl:call-template>
-        <xsl:call-template name="head">
-          <xsl:with-param name="id">c.drag</xsl:with-param><xsl:with-param name="unit">N</xsl:with-param>
-        </xsl:call-template>
+        <xsl:if test="not($gusts)">
+          <xsl:call-template name="head">
+            <xsl:with-param name="id">c.drag</xsl:with-param><xsl:with-param name="unit">N</xsl:with-param>
+          </xsl:call-template>
+        </xsl:if>
         <xsl:call-template name="head">
           <xsl:with-param name="id">c.moment</xsl:with-param><xsl:with-param name="unit">kN m</xsl:with-param>
         </xsl:call-template>
+        <xsl:if test="$gusts">
+          <xsl:call-template name="head">
+            <xsl:with-param name="id">c.gusts</xsl:with-param><xsl:with-param name="unit">–</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="head">
+            <xsl:with-param name="id">c.moment.peak</xsl:with-param><xsl:with-param name="unit">kN m</xsl:with-param>
+          </xsl:call-template>
+        </xsl:if>
         <xsl:call-template name="head">
           <xsl:with-param name="id">c.stress</xsl:with-param><xsl:with-param name="unit">MPa</xsl:with-param>
         </xsl:call-template>
@@ -150,6 +184,9 @@
           <xsl:with-param name="id">c.critical</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="head">
+          <xsl:with-param name="id">c.gust</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
           <xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="head">
@@ -212,6 +249,7 @@
       </xsl:if>
     </td>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/speed/value"/></xsl:call-template>
+    <td class="r"><xsl:call-template name="gust"><xsl:with-param name="x" select="$at/speed/value"/></xsl:call-template></td>
     <xsl:call-template name="cell"><xsl:with-param name="x" select="$at/governing_section/height/value"/></xsl:call-template>
     <td class="r">
       <xsl:call-template name="given">

@@ -117,11 +117,29 @@
   </xsl:choose>
 </xsl:template>
 
-<!-- A value as somebody gave it: no digits added. -->
+<!-- A value as somebody gave it: no digits added. One with more than three decimals was converted: four digits. -->
 <xsl:template name="given">
   <xsl:param name="x"/>
+  <xsl:variable name="rest" select="1000 * $x - round(1000 * $x)"/>
+  <xsl:variable name="converted" select="$x &gt;= 1 and $x &lt; 1000 and ($rest &gt; 0.005 or $rest &lt; -0.005)"/>
   <xsl:call-template name="fixed">
-    <xsl:with-param name="x" select="$x"/><xsl:with-param name="pattern">#,##0.#####</xsl:with-param>
+    <xsl:with-param name="x" select="$x"/>
+    <xsl:with-param name="pattern">
+      <xsl:choose>
+        <xsl:when test="$converted and $x &gt;= 100">0.#</xsl:when>
+        <xsl:when test="$converted and $x &gt;= 10">0.##</xsl:when>
+        <xsl:when test="$converted">0.###</xsl:when>
+        <xsl:otherwise>#,##0.#####</xsl:otherwise>
+      </xsl:choose>
+    </xsl:with-param>
+  </xsl:call-template>
+</xsl:template>
+
+<!-- The 3-s gust of a named mean wind, where it is measured. -->
+<xsl:template name="gust">
+  <xsl:param name="x"/>
+  <xsl:call-template name="number">
+    <xsl:with-param name="x" select="$x * $trees[1]/scenario/gust_over_mean/value"/>
   </xsl:call-template>
 </xsl:template>
 

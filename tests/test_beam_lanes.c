@@ -36,19 +36,21 @@ static void laws(struct many *m, uint64_t seed)
 
 static void blow(struct many *m, uint64_t seed, double speed)
 {
-    static const char *const profile[] = { "power", "log", "uniform", "canopy" };
+    static const char *const profile[] = { "power", "log", "uniform", "canopy", "terrain", "code" };
+    enum { PROFILES = 6 };
     for (size_t k = 0; k < 2 * N; k++) {
         double angle = 2 * PI * (double)k / N + 0.1;
         m->wind[k] = m->c.wind;
-        m->wind[k].sample = wf_profile_named(profile[seed % 4])->sample;
+        m->wind[k].sample = wf_profile_named(profile[seed % PROFILES])->sample;
         m->wind[k].exponent = 0.16, m->wind[k].roughness = 0.03;
-        m->wind[k].canopy_height = 3, m->wind[k].displacement = seed % 4 == 3 ? 2 : 0,
-        m->wind[k].attenuation = 2;
+        m->wind[k].canopy_height = 3, m->wind[k].displacement = seed % PROFILES == 3 ? 2 : 0,
+        m->wind[k].least = 0.5 + 0.1 * (double)k, m->wind[k].attenuation = 2;
         m->wind[k].speed = speed * (0.6 + 0.05 * (double)k);
         m->wind[k].direction[0] = cos(angle), m->wind[k].direction[1] = sin(angle);
         m->loads[k] = m->c.loads;
         m->loads[k].wind = seed % 6 == 5 && k == 2 ? NULL : &m->wind[k];
         m->loads[k].air_density = 1.225 - 0.01 * (double)k;
+        if (seed % 2) m->loads[k].streamline_par.held = k % 3 ? 6 + (double)k : 0;
         m->state[k] = (struct wf_beam_state){ .loads = &m->loads[k] };
     }
 }

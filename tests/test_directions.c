@@ -163,7 +163,7 @@ static void hours_of_a_climate(void **state)
     analyse(&m, 0);
     around(&m, &(struct wf_directions_request){ .n = N, .rose = &r, .law = "durst" }, &out);
     double speed = m.an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed;
-    assert_int_equal(wf_wind_average("durst", 1, 3600, 600, &factor, &m.err), WF_OK);
+    assert_int_equal(wf_wind_average("durst", NULL, 1, 3600, 600, &factor, &m.err), WF_OK);
     assert_close(out.gust, factor, 1e-15);
     assert_true(factor > 1.04 && factor < 1.06); /* Durst 1960: 1.05 or so */
     assert_close(out.hourly, wf_rose_above(&r, speed), 1e-4 * out.hourly);

@@ -145,11 +145,13 @@ static void cold_air_of_a_mountain(void **unused)
     struct wf_scenario scene;
     begin(&j);
     wf_scenario_default(&scene);
+    scene.peak.method = "mean";
     scene.temperature = 268.15, scene.altitude = 2000;
     comes_back(&j, "temperature: -5 degC, altitude: 2000 m", &scene, 1.1, 1.3);
     if (build(&j, "temperature: -5 degC, altitude: 2000 m")) fail_msg("%s", j.err.text);
     assert_close(j.x.test[0].air_density, 79495 / (287.053 * 268.15), 1e-4);
     wf_scenario_default(&scene);
+    scene.peak.method = "mean";
     scene.air_density = 0.9;
     comes_back(&j, "air_density: 0.9 kg/m3", &scene, 1.2, 1.5);
     end(&j);
@@ -191,16 +193,19 @@ static void profiles_of_the_wind(void **unused)
     struct wf_measured_profile mast;
     begin(&j);
     wf_scenario_default(&scene);
+    scene.peak.method = "mean";
     scene.profile = "canopy";
     scene.canopy_height = 12, scene.displacement = 8.4, scene.roughness = 1.2, scene.attenuation = 3;
     comes_back(&j, "profile: canopy, canopy_height: 12 m, attenuation: 3", &scene, 0.8, 0.96);
     wf_scenario_default(&scene);
+    scene.peak.method = "mean";
     scene.profile = "log", scene.reference_height = 20, scene.displacement = 4, scene.roughness = 0.5;
     comes_back(&j, "profile: log, reference_height: 20 m, displacement: 4 m, roughness: 0.5 m", &scene, 1.1,
                2);
     const char *path = wf_arena_print(&j.arena, "%s/mast.csv", j.folder);
     assert_int_equal(wf_measured_read(path, &j.arena, &j.diag, &mast, &j.err), WF_OK);
     wf_scenario_default(&scene);
+    scene.peak.method = "mean";
     scene.profile = "measured", scene.measured = &mast, scene.reference_height = 12;
     comes_back(&j, "profile_file: mast.csv, reference_height: 12 m", &scene, 1.2, 1.5);
     if (build(&j, "profile_file: mast.csv")) fail_msg("%s", j.err.text);
@@ -218,6 +223,7 @@ static void exposure_of_the_site(void **unused)
     double across, slant;
     begin(&j);
     wf_scenario_default(&scene);
+    scene.peak.method = "mean";
     scene.speed_up = 1.2;
     comes_back(&j, "speed_up: 1.2", &scene, 0.5, 0.95);
     struct wf_site site = { .file = wf_arena_print(&j.arena, "%s/ridge.asc", j.folder), .x = 800, .y = 800 };

@@ -48,6 +48,7 @@ static void make(struct pole *p, const char *method, bool twigs)
         .species = &p->species, .solver = &wf_solver_beam, .tree = c->tree, .loads = c->loads, .wind = c->wind
     };
     wf_scenario_default(&p->an.scenario);
+    p->an.scenario.profile = "uniform";
     p->an.scenario.peak.method = method;
     p->an.scenario.peak.damping = 0.03;
     wf_search_default(&p->an.search);

@@ -50,6 +50,19 @@ static void closed_forms(void **state)
     w = blowing("power");
     assert_close(speed_at(&w, 5, &slope), 20 * pow(0.5, 0.16), 1e-14);
     assert_close(slope, 20 * 0.16 * pow(0.5, 0.16) / 5, 1e-14);
+    w = blowing("terrain");
+    w.roughness = 0.3, w.least = 5;
+    assert_close(speed_at(&w, 20, &slope), 20 * log(20 / 0.3) / log(10 / 0.3), 1e-14);
+    assert_close(slope, 20 / log(10 / 0.3) / 20, 1e-14);
+    assert_close(speed_at(&w, 5, &slope), 20 * log(5 / 0.3) / log(10 / 0.3), 1e-14);
+    assert_close(speed_at(&w, -1, &slope), 20 * log(5 / 0.3) / log(10 / 0.3), 1e-14);
+    assert_close(slope, 0, 0);
+    w = blowing("code"); /* the speed named is that of the lowest height */
+    w.exponent = 0.22, w.least = 15;
+    assert_close(speed_at(&w, 2, &slope), 20, 1e-14);
+    assert_close(slope, 0, 0);
+    assert_close(speed_at(&w, 30, &slope), 20 * pow(2, 0.22), 1e-14);
+    assert_close(slope, 0.22 * 20 * pow(2, 0.22) / 30, 1e-14);
     w = blowing("uniform");
     assert_close(speed_at(&w, -3, &slope), 20, 1e-14);
     assert_close(slope, 0, 0);

@@ -76,7 +76,12 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
             site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
     if (rose) print_climate(to, an);
-    wf_show(to, "  Moment, movement and safety at %.6g m/s.\n", an->at[an->n - 1].speed);
+    const struct wf_wind_place place = wf_scenario_place(&an->scenario);
+    wf_show(
+        to,
+        "  Moment, movement and safety at %.6g m/s. Critical winds are 10-min means at %.6g m over terrain "
+        "%s; their 3-s gusts are %.4g times as fast.\n",
+        an->at[an->n - 1].speed, place.height, place.terrain->name, wf_scenario_gust(&an->scenario, 1.0));
 }
 
 static void print_number(FILE *to, int width, int digits, double value)
@@ -92,6 +97,7 @@ static void print_speed(FILE *to, const struct wf_analysis *an, const struct wf_
 {
     const struct wf_steady *m = &at->steady;
     print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
+    wf_show(to, "%9.4g", wf_scenario_gust(&an->scenario, at->speed));
     if (at->status) {
         wf_show(to, "   no equilibrium; the last one is at %.0f %% of the load\n",
                 100.0 * at->response.load_factor);
@@ -102,7 +108,7 @@ static void print_speed(FILE *to, const struct wf_analysis *an, const struct wf_
     print_number(to, 10, 1, degrees(m->tip_angle));
     print_number(to, 13, 3, m->base_moment / 1e3);
     if (wf_peak_differs(an->peak)) {
-        print_number(to, 11, 2, wf_peak_factor(an->peak, at->speed, WF_PART_STEM));
+        print_number(to, 11, 2, wf_peak_gusts(an->peak, at->speed));
         print_number(to, 12, 3, at->base_moment / 1e3);
     }
     print_number(to, 12, 2, at->breakage.largest_stress / 1e6);
@@ -141,8 +147,9 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
         fputc('\n', to);
         return;
     }
-    wf_show(to, "  %s %.2f m/s (%.0f km/h) at %.6g m", what, c->speed, 3.6 * c->speed,
-            an->scenario.reference_height);
+    const struct wf_wind_place at = wf_scenario_place(&an->scenario);
+    wf_show(to, "  %s %.2f m/s (%.0f km/h), 3-s gust %.1f m/s, at %.6g m over terrain %s", what, c->speed,
+            3.6 * c->speed, wf_scenario_gust(&an->scenario, c->speed), at.height, at.terrain->name);
     if (b->row >= 0) {
         wf_show(to, "; the %s breaks%s %.2f m above the ground",
                 wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
@@ -152,33 +159,48 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
     fputc('\n', to);
 }
 
+void wf_print_site(FILE *to, const struct wf_scenario *s)
+{
+    const struct wf_wind_place at = wf_scenario_place(s);
+    wf_show(
+        to,
+        "Wind speeds are 10-min means at %.6g m over terrain %s; their 3-s gusts are %.4g times as fast\n",
+        at.height, at.terrain->name, wf_scenario_gust(s, 1.0));
+    wf_show(to, "Site: terrain %s%s (%s)%s%s; ", s->category->name, s->category_said ? "" : ", assumed",
+            s->category->text, s->site_kind ? "; " : "", s->site_kind ? s->site_kind : "");
+    if (s->site)
+        wf_show(to, "exposure %.4g, from the map of the ground", s->speed_up);
+    else
+        wf_show(to, s->speed_up != 1.0 ? "exposure %.4g" : "level ground", s->speed_up);
+    double ratio = wf_scenario_speed(s, 1.0);
+    if (ratio != 1.0)
+        wf_show(to,
+                "; the wind at the tree at %.6g m is %.4g times the wind named, critical speeds are of the "
+                "wind named",
+                s->reference_height, ratio);
+    fputc('\n', to);
+}
+
 void wf_print_head(FILE *to, const struct wf_analysis *first)
 {
     const struct wf_scenario *s = &first->scenario;
     wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
-    wf_show(to, "Wind speeds are 10-min means at %.6g m; peak load: %s", s->reference_height,
-            first->peak ? first->peak->method->name : "mean");
-    if (first->peak && first->peak->rule)
-        wf_show(to, ", terrain %s (%s)", first->peak->rule->called(s->category), s->category->text);
+    wf_print_site(to, s);
+    wf_show(to, "Peak load: %s", first->peak ? first->peak->method->name : "mean");
+    if (first->peak && first->peak->rule) wf_show(to, ", terrain %s", first->peak->rule->called(s->category));
     wf_show(to, "%s\n", wf_peak_differs(first->peak) ? "" : ", a steady wind without gusts");
-    if (s->speed_up != 1.0)
-        wf_show(to,
-                "The wind at the tree is %.4g times the wind named (exposure of the site); critical speeds "
-                "are of the "
-                "wind "
-                "named\n",
-                s->speed_up);
 }
 
 void wf_print_speeds(FILE *to, const struct wf_analysis *an)
 {
     wf_show(to, "\n%s (%s)\n", an->species->name, an->species->latin ? an->species->latin : an->species->key);
     bool peak = wf_peak_differs(an->peak);
-    if (peak) wf_show(to, "%10s%45s%45s\n", "", "in the mean wind", "at the peak of the load");
-    wf_show(to, "%10s%12s%10s%10s%13s", "wind", "tip moves", "", "tip turns", "base moment");
+    if (peak) wf_show(to, "%19s%45s%45s\n", "", "in the mean wind", "at the peak of the load");
+    wf_show(to, "%10s%9s%12s%10s%10s%13s", "wind", "gust", "tip moves", "", "tip turns", "base moment");
     if (peak) wf_show(to, "%11s%12s", "gusts", "moment");
-    wf_show(to, "%12s%10s\n%10s%12s%10s%10s%13s", "stress", "safety", "m/s", "m", "% height", "deg", "kN m");
+    wf_show(to, "%12s%10s\n%10s%9s%12s%10s%10s%13s", "stress", "safety", "m/s", "m/s", "m", "% height", "deg",
+            "kN m");
     if (peak) wf_show(to, "%11s%12s", "x load", "kN m");
     wf_show(to, "%12s%10s\n", "MPa", "factor");
     for (size_t i = 0; i < an->n; i++) print_speed(to, an, &an->at[i]);

@@ -20,6 +20,7 @@
 #include "study/preset.h"
 #include "study/wetted.h"
 #include "wind/climate.h"
+#include "wind/design.h"
 #include "wind/terrain.h"
 #include <math.h>
 #include <stdlib.h>
@@ -284,6 +285,9 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     s->temperature = o->temperature;
     s->altitude = o->altitude;
     s->air_density = o->air_density;
+    if (s->design && isnan(s->air_density) && !WF_GIVEN(o, temperature) && !WF_GIVEN(o, altitude))
+        s->air_density = s->design->air; /* the code's pressure at its wind */
+    if (!(s->gust_factor > 0.0)) s->gust_factor = o->averaging.gust;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
     wf_search_default(&out->search);
     if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;

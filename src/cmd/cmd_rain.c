@@ -213,7 +213,7 @@ static enum wf_status take_wind(const struct rain_options *o, struct wf_rain_spe
     enum wf_status status = wf_scenario_profile(&sc, &o->profile, a, d, e);
     if (status || (status = wf_scenario_check(&sc, e))) return status;
     wf_scenario_wind(&sc, &wind);
-    wind.speed = o->wind;
+    wind.speed = wf_scenario_speed(&sc, o->wind);
     double at[3] = { 0, 0, s->scene.height }, u[3], du[9], *out = WF_TAKE(a, 2 * steps, double);
     wind.sample(&wind, at, u, du);
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for the wind");

@@ -3,9 +3,12 @@
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
 #include "grow/grow.h"
+#include "grow/silhouette.h"
 #include "solve/solve.h"
 #include "study/peak.h"
 #include "study/preset.h"
+#include "wind/category.h"
+#include "wind/design.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
@@ -15,6 +18,8 @@ const char *wf_solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->nam
 const char *wf_preset_word(size_t i) { return wf_presets[i].name; }
 const char *wf_shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 const char *wf_profile_word(size_t i) { return wf_profiles[i].name; }
+const char *wf_site_word(size_t i) { return wf_site_kinds[i].name; }
+const char *wf_design_word(size_t i) { return wf_designs[i].name; }
 const char *wf_peak_word(size_t i) { return wf_peak_methods[i].name; }
 const char *wf_import_word(size_t i) { return wf_import_formats[i].name; }
 
@@ -24,14 +29,27 @@ bool wf_profile_row_unused(const void *options, const struct wf_option *o, char 
     return wf_profile_unused(w, o->member - o->group, why, WF_WHY);
 }
 
+bool wf_site_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_profile_words *w = (const void *)((const char *)options + o->group);
+    size_t member = o->member - o->group;
+    bool of_code = member > offsetof(struct wf_profile_words, design);
+    if (member == offsetof(struct wf_profile_words, design.code)) return false;
+    if (of_code) return wf_option_unused(!w->design.code, why, "without a design wind, --design");
+    if (wf_option_unused(w->design.code, why, "with a design wind, --design")) return true;
+    bool at = member == offsetof(struct wf_profile_words, at);
+    return wf_option_unused(at && !w->design.terrain && !w->site, why, "without --terrain or --site");
+}
+
 bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *why)
 {
     const struct wf_tree_asked *t = (const void *)((const char *)options + o->group);
     size_t member = o->member - o->group;
     if (member == offsetof(struct wf_tree_asked, joint) || member >= offsetof(struct wf_tree_asked, scan))
         return wf_option_unused(t->model && !t->file, why, "with --model; it is of a measured tree (--tree)");
-    return wf_option_unused(t->file && isnan(t->leaf_area), why,
-                            "with a measured tree (--tree) that has no leaves (--leaf-area)");
+    return wf_option_unused(t->file && isnan(t->leaf_area) && isnan(t->crown.area) && isnan(t->crown.width) &&
+                                !t->outline,
+                            why, "with a measured tree (--tree) that has no leaves (--leaf-area)");
 }
 
 /* The members that a method takes. */
@@ -48,8 +66,15 @@ static bool peak_takes(const char *method, size_t member)
 bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *why)
 {
     const struct wf_peak_asked *p = (const void *)((const char *)options + o->group);
-    const char *method = p->method ? p->method : "en1991";
+    bool stand = !p->method && p->spacing > 0.0; /* the site decides */
+    const char *method = p->method ? p->method : stand ? "gales" : "en1991";
     return wf_option_unused(!peak_takes(method, o->member - o->group), why, "with --peak %s", method);
+}
+
+/* Is the tree in a stand or at its edge? */
+static bool in_stand(const struct wf_scenario *s)
+{
+    return s->site_kind && (!strcmp(s->site_kind, "in-stand") || !strcmp(s->site_kind, "forest-edge"));
 }
 
 static double given_or(double given, double otherwise) { return isnan(given) ? otherwise : given; }
@@ -63,9 +88,11 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
         return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
     if (table) s = wf_peak_table_read(asked->table, a, d, table, e);
     out->peak = (struct wf_peak_request){
-        .method = asked->method ? asked->method
-                  : preset      ? "mean"
-                                : "en1991",
+        .method = asked->method                           ? asked->method
+                  : out->design                           ? out->design->peak
+                  : preset                                ? "mean"
+                  : in_stand(out) && asked->spacing > 0.0 ? "gales"
+                                                          : "en1991",
         .damping = asked->damping,
         .exponent_by_law = !strcmp(asked->exponent, "law"),
         .table = table,
@@ -126,6 +153,24 @@ int wf_tree_asked_check(const struct wf_tree_asked *t, const char *command, cons
     return wrong ? 2 : -1;
 }
 
+/* The crown specified on the command line, in place of what the model says of the same thing. */
+static enum wf_status take_crown(const struct wf_tree_asked *t, struct wf_arena *a, struct wf_silhouette *out,
+                                 struct wf_diag *d, struct wf_err *e)
+{
+    const struct wf_silhouette *c = &t->crown;
+    bool area = c->area > 0 || c->width > 0 || c->depth > 0 || t->outline;
+    if (area) out->area = c->area, out->width = c->width, out->depth = c->depth, out->points = 0;
+    if (c->mass > 0 || c->density > 0) out->mass = c->mass, out->density = c->density;
+    if (!isnan(c->leafless)) out->leafless = c->leafless;
+    for (int k = 0; t->crown_form && wf_crown_form_words[k]; k++)
+        if (!strcmp(t->crown_form, wf_crown_form_words[k])) out->form = (enum wf_crown_form)k;
+    enum wf_status s = t->outline ? wf_outline_read(t->outline, out, a, d, e) : WF_OK;
+    if (s || !(area || c->mass > 0 || c->density > 0)) return s;
+    if (t->crown_form && !(out->width > 0))
+        return wf_fail(e, WF_EUSAGE, "--crown-form needs --crown-width and --crown-depth");
+    return wf_silhouette_check(out, e);
+}
+
 enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *file, struct wf_arena *a,
                                   struct wf_model *out, const char **path, struct wf_diag *d,
                                   struct wf_err *e)
@@ -160,5 +205,5 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
         return wf_fail(e, WF_EUSAGE, "give one of --rest and --unload: --unload takes the stress-free shape");
     if (t->unload) out->shape = WF_SHAPE_UNLOADED;
     out->stands_strictly = t->strict;
-    return WF_OK;
+    return take_crown(t, a, &out->silhouette, d, e);
 }

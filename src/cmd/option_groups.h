@@ -15,6 +15,8 @@ const char *wf_solver_word(size_t i);
 const char *wf_preset_word(size_t i);
 const char *wf_shelter_word(size_t i);
 const char *wf_profile_word(size_t i);
+const char *wf_site_word(size_t i);
+const char *wf_design_word(size_t i);
 const char *wf_import_word(size_t i);
 
 /* The last rows of most commands. `no`: the option that leaves out figures and pages, "--no-report" or
@@ -36,11 +38,43 @@ bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *w
 bool wf_profile_row_unused(const void *options, const struct wf_option *o, char *why);
 bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *why);
 
+bool wf_site_row_unused(const void *options, const struct wf_option *o, char *why);
+
+/* The ground around the tree, and winds of design codes; into a struct wf_profile_words. cmd/wind_speed.c
+ * finds the words by the row --design. */
+#define WF_OF_SITE(in) WF_UNUSED(in, wf_site_row_unused)
+#define WF_SITE_ROWS(in)                                                                                     \
+    TEXT("--terrain", in.design.terrain, "CATEGORY", NULL,                                                   \
+         "ground the wind comes over: 0, I, II, III or IV of EN 1991-1-4, or a terrain of the code of "      \
+         "--design; a wind named is then of open country (II, 10 m) and carried to it [II, assumed; with "   \
+         "the wind as it is named]"),                                                                        \
+        WORD("--site", in.site, "KIND", wf_site_word, NULL,                                                  \
+             "the same by what stands around the tree, unless --terrain names it"),                          \
+        CHOICE("--wind-at", in.at, "PLACE", "open|site", NULL,                                               \
+               "where the winds named are measured: in open country at 10 m, or at the site at the "         \
+               "reference height [open]",                                                                    \
+               WF_OF_SITE(in)),                                                                              \
+        NUMBER("--gust-factor", in.gust_factor, "NUMBER", NONE, NULL, 1, 4, NULL,                            \
+               "3-s gust over 10-min mean where the winds are measured [sqrt(1 + 7 I_v) of EN 1991-1-4 for " \
+               "its terrain]",                                                                               \
+               WF_OF_SITE(in)),                                                                              \
+        WORD("--design", in.design.code, "CODE", wf_design_word, NULL,                                       \
+             "take the design wind of a code in place of --wind; `windfirm wind list` shows them",           \
+             WF_OF_SITE(in)),                                                                                \
+        NUMBER("--basic-wind", in.design.basic, "SPEED", SPEED, "m/s", 1, 120, NULL,                         \
+               "basic wind of the code, averaged as the code does", WF_OF_SITE(in)),                         \
+        NUMBER("--basic-pressure", in.design.pressure, "PRESSURE", PRESSURE, "kPa", 0.001, 10, NULL,         \
+               "in its place, the basic pressure: w0 of gb50009, q_p0 of sia261", WF_OF_SITE(in)),           \
+        TEXT("--region", in.design.region, "NAME", NULL, "wind region of asnzs1170", WF_OF_SITE(in)),        \
+        NUMBER("--return-period", in.design.years, "YEARS", NONE, NULL, 0, 1e6, NULL,                        \
+               "of the design wind [that of the basic wind]", WF_OF_SITE(in))
+
 /* How the mean wind grows with height; into a struct wf_profile_words. */
 #define WF_OF_PROFILE(in) WF_UNUSED(in, wf_profile_row_unused)
 #define WF_PROFILE_ROWS(in)                                                                                  \
     WORD("--profile", in.name, "NAME", wf_profile_word, NULL,                                                \
-         "how the wind grows with height [power; measured with --profile-file]"),                            \
+         "how the wind grows with height [power; terrain with --terrain or --site; that of --design; "       \
+         "measured with --profile-file]"),                                                                   \
         PATH("--profile-file", in.file, "FILE", NULL,                                                        \
              "measured mean winds, a CSV with columns height_m and speed_ms; only their ratios count, "      \
              "--wind gives the speed at the reference height"),                                              \
@@ -59,7 +93,8 @@ bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *wh
                "of the stand around the tree, for the canopy profile [displacement / 0.7]",                  \
                WF_OF_PROFILE(in)),                                                                           \
         NUMBER("--attenuation", in.attenuation, "NUMBER", NONE, NULL, 0, 10, NULL,                           \
-               "of the wind inside the canopy [0: joins the log law smoothly]", WF_OF_PROFILE(in))
+               "of the wind inside the canopy [0: joins the log law smoothly]", WF_OF_PROFILE(in)),          \
+        WF_SITE_ROWS(in)
 
 /* How the peak load follows from the mean wind. */
 struct wf_peak_asked {
@@ -164,10 +199,12 @@ struct wf_import_options wf_import_asked_options(const struct wf_import_asked *a
 
 /* Which tree is meant: a model or a measured tree, and its season. */
 struct wf_tree_asked {
-    const char *model, *file; /* one of them; NULL: not given                    */
-    const char *joint;        /* of a measured tree: "axis" or "bridge"          */
-    double leaf_area;         /* in place of the model's [m2]; NAN: the model's */
-    const char *season;       /* "leaf_on" or "leaf_off"; NULL: the model's      */
+    const char *model, *file;         /* one of them; NULL: not given                    */
+    const char *joint;                /* of a measured tree: "axis" or "bridge"          */
+    double leaf_area;                 /* in place of the model's [m2]; NAN: the model's */
+    const char *season;               /* "leaf_on" or "leaf_off"; NULL: the model's      */
+    struct wf_silhouette crown;       /* in place of the model's; NAN: not given */
+    const char *crown_form, *outline; /* NULL: not given                         */
     bool unload, strict;
     const char *rest;    /* "as-drawn" or "stress-free"; NULL: a measured tree as drawn, a model as it says */
     const char *scanned; /* "leaf_on" or "leaf_off"; NULL: as the season */
@@ -196,6 +233,28 @@ struct wf_tree_asked {
                WF_UNUSED(in, wf_tree_row_unused)),                                                           \
         FLAG("--strict", in.strict,                                                                          \
              "refuse a tree with parts that would not stand in the shape drawn, which are else stiffened"),  \
+        NUMBER(                                                                                              \
+            "--frontal-area", in.crown.area, "AREA", AREA, "m2", 1e-3, 1e4, NULL,                            \
+            "area of the crown in leaf, seen from the side in still air: the wind's load is on it, not on "  \
+            "the leaf area"),                                                                                \
+        NUMBER("--crown-width", in.crown.width, "LENGTH", LENGTH, "m", 0.01, 100, NULL,                      \
+               "with --crown-depth and --crown-form, in place of --frontal-area"),                           \
+        NUMBER("--crown-depth", in.crown.depth, "LENGTH", LENGTH, "m", 0.01, 150, NULL,                      \
+               "height of the crown from its base to the top of the tree"),                                  \
+        CHOICE("--crown-form", in.crown_form, "FORM", "ellipse|triangle|diamond|paraboloid|rectangle", NULL, \
+               "its share of the rectangle: 0.785, 0.5, 0.5, 0.667, 1 [ellipse]"),                           \
+        PATH(                                                                                                \
+            "--crown-outline", in.outline, "FILE", NULL,                                                     \
+            "the crown's outline on a photograph, in place of --frontal-area: a table with the columns x_m " \
+            "and z_m (height above the ground), a point a row"),                                             \
+        NUMBER("--crown-mass", in.crown.mass, "MASS", MASS, "kg", 1e-6, 1e6, NULL,                           \
+               "fresh mass of branches and leaves of a stem without branches"),                              \
+        NUMBER("--crown-density", in.crown.density, "DENSITY", DENSITY, "kg/m3", 1e-3, 100, NULL,            \
+               "the same per volume of the cone of --crown-width and --crown-depth; ForestGALES: 2.5 most "  \
+               "conifers, 1.22 birch, 1.38 beech and oak"),                                                  \
+        NUMBER(                                                                                              \
+            "--leaf-off-share", in.crown.leafless, "SHARE", NONE, NULL, 0, 1, NULL,                          \
+            "share of the crown's load that is left in the season leaf_off [0.5 without branches, else 0]"), \
         FLAG("--unload", in.unload,                                                                          \
              "find the stress-free shape of a tree that stands under its own weight, and take that"),        \
         WF_SCAN_ROWS(in.scan, WF_UNUSED(in, wf_tree_row_unused))

@@ -2,7 +2,10 @@
 #include "cmd/wind_speed.h"
 #include "base/num.h"
 #include "base/text.h"
+#include "load/scene.h"
+#include "wind/category.h"
 #include "wind/climate.h"
+#include "wind/design.h"
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
@@ -27,9 +30,12 @@ struct winds {
     const struct wf_option *o;
     struct wf_averaging *beside;
     const char *law; /* specified; NULL: durst, or that of a scale    */
+    double time;     /* plain speeds are averaged over [s]            */
     double share;    /* 10-min mean over a plain speed as typed       */
     size_t n;
-    double *speed; /* SPEEDS_MAX + 1 [m/s] */
+    double *speed;                       /* SPEEDS_MAX + 1 [m/s] */
+    const struct wf_profile_words *site; /* NULL: the command has none */
+    struct wf_wind_place at;             /* where the winds are measured */
 };
 
 #define winds_mistake(w, ...) wf_option_mistake((w)->r, (w)->r->key[(w)->k], (w)->o->name, __VA_ARGS__)
@@ -68,7 +74,7 @@ static const struct wf_wind_scale *read_grade(struct winds *w, const char *text)
     bool other = g.scale->averaging != WF_MEAN_TIME;
     *speed = g.speed;
     w->beside->law_used |= other;
-    if (other && wf_wind_average(law, g.speed, g.scale->averaging, WF_MEAN_TIME, speed, &e)) {
+    if (other && wf_wind_average(law, &w->at, g.speed, g.scale->averaging, WF_MEAN_TIME, speed, &e)) {
         winds_mistake(w, "%s: %s", text, e.text);
         return NULL;
     }
@@ -152,7 +158,7 @@ static double read_speed(struct winds *w, char *item, const char *unit)
     else if (wf_option_quantity(w->r, w->k, item, unit, w->o->low, &w->speed[w->n]))
         w->speed[w->n++] *= w->share;
     w->beside->time_used = true;
-    w->beside->law_used |= w->beside->time != WF_MEAN_TIME;
+    w->beside->law_used |= w->time != WF_MEAN_TIME;
     return w->n > from ? w->speed[from] : (double)NAN;
 }
 
@@ -209,59 +215,164 @@ static void keep_list(const struct winds *w, struct wf_speeds *out)
         if (out->n == 0 || w->speed[k] > w->speed[out->n - 1] + 1e-9) w->speed[out->n++] = w->speed[k];
 }
 
-static void read_wind(struct winds *w, const char *text)
+/* Words before the first speed, which say what all speeds of the list are. */
+static const struct {
+    const char *word, *plural;
+    double time; /* [s] */
+} times[] = {
+    { "gust:", "3-s gusts", WF_GUST_TIME },
+    { "hourly:", "hourly means", 3600.0 },
+    { "mean:", "10-min means", WF_MEAN_TIME },
+};
+
+/* Take the word off the text, and the averaging time from it. */
+static void take_time(struct winds *w, const char **text)
 {
-    const char *unit;
-    char *copy = wf_arena_text(w->r->arena, text);
-    void *member = wf_option_member(w->r, w->k);
-    w->speed = WF_TAKE(w->r->arena, SPEEDS_MAX + 1, double);
-    if (!copy || !w->speed) {
-        winds_mistake(w, "out of memory");
-    } else if (w->o->kind == WF_OPTION_SPEED && strchr(text, ',')) {
-        winds_mistake(w, "'%.100s': one wind speed is taken", text);
-    } else if (!shared_unit(w->o, text, &unit)) {
-        winds_mistake(w, "'%.100s': write the unit behind the last number; it then holds for all", text);
-    } else {
-        read_list(w, copy, unit, text);
-        if (w->o->kind == WF_OPTION_SPEEDS)
-            keep_list(w, member);
-        else if (w->n > 1)
-            winds_mistake(w, "'%.100s': one wind speed is taken", text);
-        else if (w->n == 1)
-            *(double *)member = w->speed[0];
+    w->time = w->beside->time;
+    for (size_t i = 0; i < WF_COUNT(times); i++) {
+        size_t n = strlen(times[i].word);
+        if (strncmp(*text, times[i].word, n) != 0) continue;
+        if (w->beside->time != WF_MEAN_TIME)
+            winds_mistake(w, "'%.100s': the averaging time is given twice (--averaging-time)", *text);
+        w->time = times[i].time;
+        *text += n;
     }
 }
 
-/* Factor for plain speeds, which is also described in winds_said. */
-static double share_of(struct winds *w, double time)
+/* "30, 36 m/s", or "5 to 40 m/s" where there are many. Given: what the speeds are multiplied by. */
+static const char *list_text(const struct winds *w, double share)
+{
+    enum { SHOWN = 8 };
+    const char *text = w->n ? wf_arena_print(w->r->arena, "%.4g", share * w->speed[0]) : "";
+    if (w->n > SHOWN) return wf_arena_print(w->r->arena, "%s to %.4g m/s", text, share * w->speed[w->n - 1]);
+    for (size_t k = 1; k < w->n && text; k++)
+        text = wf_arena_print(w->r->arena, "%s, %.4g", text, share * w->speed[k]);
+    return text ? wf_arena_print(w->r->arena, "%s m/s", text) : NULL;
+}
+
+/* What was typed, and in brackets what it was converted to. */
+static void say_typed(struct winds *w)
+{
+    char what[64], by[512];
+    const char *law = w->law ? w->law : wf_averaging_usual(w->time);
+    const char *typed = list_text(w, 1.0 / w->share), *means = list_text(w, 1.0);
+    snprintf(what, sizeof what, "means over %g s", w->time);
+    for (size_t i = 0; i < WF_COUNT(times); i++)
+        if (times[i].time == w->time) snprintf(what, sizeof what, "%s", times[i].plural);
+    if (!w->law && w->time == WF_GUST_TIME && w->site && w->site->gust_factor > 0.0)
+        snprintf(by, sizeof by, "by the gust factor given");
+    else
+        snprintf(by, sizeof by, "by the law '%s': %s", law, source_of(law));
+    say(w, "wind given: %s of %s at %.4g m over terrain %s (10-min means of %s: times %.4g, as the %s, %s)",
+        what, typed ? typed : "", w->at.height, w->at.terrain->name, means ? means : "", w->share,
+        w->time < WF_MEAN_TIME ? "10-min mean in which they are the strongest"
+                               : "strongest 10-min mean within that time",
+        by);
+}
+
+/* 10-min mean over a plain speed. */
+static double share_of(struct winds *w)
 {
     struct wf_err e = { 0 };
-    const char *law = w->law ? w->law : "durst";
-    double share = 1.0;
-    bool allowed = time >= 1.0 && time <= 3600.0; /* else the mistake was already reported */
-    if (!allowed || time == WF_MEAN_TIME) return 1.0;
-    if (wf_wind_average(law, 1.0, time, WF_MEAN_TIME, &share, &e)) {
+    const char *law = w->law ? w->law : wf_averaging_usual(w->time);
+    double share = 1.0, factor = w->site ? w->site->gust_factor : NAN;
+    bool allowed = w->time >= 1.0 && w->time <= 3600.0; /* else the mistake was already reported */
+    if (!allowed || w->time == WF_MEAN_TIME) return 1.0;
+    if (!w->law && w->time == WF_GUST_TIME && factor > 0.0) return 1.0 / factor;
+    if (wf_wind_average(law, &w->at, 1.0, w->time, WF_MEAN_TIME, &share, &e)) {
         wf_option_mistake(w->r, w->r->key[w->k], "--averaging-time", "%s", e.text);
         return 1.0;
     }
-    say(w, "winds named are averaged over %g s and taken times %.4g, as the %s, by the law '%s' (%s)", time,
-        share,
-        time < WF_MEAN_TIME ? "10-min mean in which they are the strongest"
-                            : "strongest 10-min mean within that time",
-        law, source_of(law));
+    if (w->time == WF_GUST_TIME) w->beside->gust = 1.0 / share;
     return share;
+}
+
+static void read_speeds(struct winds *w, const char *whole, const char *text)
+{
+    const char *unit;
+    char *copy = wf_arena_text(w->r->arena, text);
+    if (!copy)
+        winds_mistake(w, "out of memory");
+    else if (w->o->kind == WF_OPTION_SPEED && strchr(text, ','))
+        winds_mistake(w, "'%.100s': one wind speed is taken", whole);
+    else if (!shared_unit(w->o, text, &unit))
+        winds_mistake(w, "'%.100s': write the unit behind the last number; it then holds for all", whole);
+    else
+        read_list(w, copy, unit, whole);
+}
+
+/* The wind of a design code, which stands for the winds that are not typed. */
+static void take_design(struct winds *w)
+{
+    struct wf_design_words words = w->site->design;
+    struct wf_design_wind found;
+    struct wf_err e = { 0 };
+    const struct wf_site_kind *kind = wf_site_kind_named(w->site->site);
+    if (kind && !words.terrain) words.terrain = kind->category;
+    size_t k = 0;
+    while (strcmp(w->r->args->option[k].name, "--design") != 0) k++;
+    if (w->r->args->given[w->k]) {
+        winds_mistake(w, "has no effect beside a design wind, --design");
+    } else if (wf_design_find(&words, &found, &e)) {
+        wf_option_mistake(w->r, w->r->key[k], "--design", "%s", e.text);
+    } else {
+        w->speed[w->n++] = found.open;
+        say(w,
+            "design wind of %s: basic wind %.4g m/s (%s); terrain %s%s: 10-min mean %.4g m/s and gust %.4g "
+            "m/s "
+            "at %s (10-min mean in open country: %.4g m/s; %s)",
+            found.code->title, found.basic, found.code->basic, found.terrain->name,
+            words.terrain || !found.code->terrain[1].name ? "" : " (assumed)", found.mean, found.gust,
+            strcmp(found.code->name, "arborist") ? "10 m" : "the tree", found.open, found.code->source);
+    }
+}
+
+static void read_wind(struct winds *w, const char *whole)
+{
+    const char *text = whole;
+    void *member = wf_option_member(w->r, w->k);
+    if (!(w->speed = WF_TAKE(w->r->arena, SPEEDS_MAX + 1, double))) {
+        winds_mistake(w, "out of memory");
+        return;
+    }
+    take_time(w, &text);
+    w->share = share_of(w);
+    size_t before = w->r->mistakes;
+    bool design = w->site && w->site->design.code;
+    if (design)
+        take_design(w);
+    else
+        read_speeds(w, whole, text);
+    if (w->r->mistakes > before) return;
+    if (!design && w->share != 1.0 && w->beside->time_used) say_typed(w);
+    if (w->o->kind == WF_OPTION_SPEEDS)
+        keep_list(w, member);
+    else if (w->n > 1)
+        winds_mistake(w, "'%.100s': one wind speed is taken", whole);
+    else if (w->n == 1)
+        *(double *)member = w->speed[0];
+}
+
+/* The site's words, of a command that has them. */
+static const struct wf_profile_words *site_words(const struct wf_reading *r)
+{
+    for (size_t k = 0; k < r->options; k++)
+        if (strcmp(r->args->option[k].name, "--design") == 0)
+            return (const void *)((const char *)r->args + r->args->option[k].group);
+    return NULL;
 }
 
 void wf_winds_read(struct wf_reading *r)
 {
+    const struct wf_profile_words *site = site_words(r);
     for (size_t k = 0; k < r->options; k++) {
         const struct wf_option *o = &r->args->option[k];
         bool wind = o->kind == WF_OPTION_SPEED || o->kind == WF_OPTION_SPEEDS;
-        if (!wind || !r->text[k]) continue;
+        if (!wind || (!r->text[k] && !(site && site->design.code))) continue;
         struct wf_averaging *beside = (void *)((char *)r->args + o->averaging);
-        struct winds w = { .r = r, .k = k, .o = o, .beside = beside, .law = beside->law };
+        struct winds w = { .r = r, .k = k, .o = o, .beside = beside, .law = beside->law, .site = site };
+        w.at = site ? wf_profile_place(site) : (struct wf_wind_place){ wf_category_open(), 10.0 };
         beside->time_used = beside->law_used = false;
-        w.share = share_of(&w, beside->time);
-        read_wind(&w, r->text[k]);
+        read_wind(&w, r->text[k] ? r->text[k] : "");
     }
 }

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load/load.h"
+#include "base/num.h"
 #include "data/species.h"
 #include "load/drag.h"
 
@@ -30,6 +31,13 @@ static struct wf_law_values law_values_of(const struct wf_law_use *use, const st
     return v;
 }
 
+/* Where a streamlining law is held: at the end of what its source covers, else of what the law covers. */
+static double held_from(const struct wf_law_use *use, const struct wf_streamline_law *l)
+{
+    double end = isnan(use->high) ? l->law.high : use->high;
+    return use->beyond == WF_BEYOND_HOLD && !l->rigid && isfinite(end) ? end : 0;
+}
+
 enum wf_status wf_loads_laws(struct wf_loads *l, const struct wf_species *sp, struct wf_err *e)
 {
     const struct wf_law_use *crown = &sp->streamlining, *axis = &sp->axis_drag;
@@ -38,6 +46,7 @@ enum wf_status wf_loads_laws(struct wf_loads *l, const struct wf_species *sp, st
         if (!l->streamline)
             return wf_fail(e, WF_EINPUT, "%s: unknown streamlining law '%s'", sp->key, crown->law);
         l->streamline_par = law_values_of(crown, &l->streamline->law);
+        l->streamline_par.held = held_from(crown, l->streamline);
     }
     if (axis->law) {
         l->axis_drag = wf_axis_drag_named(axis->law);
@@ -51,4 +60,17 @@ double *wf_loads_streamline_number(struct wf_loads *l, const char *name)
 {
     int k = l->streamline ? wf_law_find(&l->streamline->law, name) : -1;
     return k < 0 ? NULL : &l->streamline_par.number[k];
+}
+
+struct wf_line_point wf_line_point_of(const struct wf_tree *t, size_t i, double s)
+{
+    double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
+    double wood = t->density[i] * WF_PI * (outer * outer - inner * inner);
+    return (struct wf_line_point){
+        .diameter = 2.0 * outer,
+        .drag = t->drag[i],
+        .lift = t->lift[i],
+        .sail = wf_between(t->sail0[i], t->sail1[i], s),
+        .mass = wood + wf_between(t->burden0[i], t->burden1[i], s),
+    };
 }

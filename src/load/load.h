@@ -64,6 +64,8 @@ struct wf_line_point {
     double sail;     /* still-air crown area times its Cd per length [m] */
     double mass;     /* wood and burden per length [kg/m] */
 };
+/* Of row i of a tree at s, 0 its base, 1 its end. */
+struct wf_line_point wf_line_point_of(const struct wf_tree *t, size_t i, double s);
 struct wf_line_load {
     double force[3];    /* total per reference length [N/m] */
     double by_place[9]; /* d force / d position [N/m2], row-major */

@@ -2,6 +2,7 @@
 #include "load/scene.h"
 #include "base/num.h"
 #include "wind/category.h"
+#include "wind/design.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
 #include "wind/terrain.h"
@@ -9,7 +10,7 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char usual[] = "power", measured[] = "measured"; /* rows of wf_profiles */
+static const char usual[] = "power", measured[] = "measured", rough[] = "terrain"; /* rows of wf_profiles */
 
 static double scenario_air_density(const struct wf_scenario *s);
 
@@ -28,6 +29,8 @@ void wf_scenario_default(struct wf_scenario *s)
         .air_density = NAN,
         .gravity = 9.81,
         .category = wf_category_open(),
+        .named = { wf_category_open(), 0.0 },
+        .carried = 1.0,
         .peak = { .method = "en1991", .damping = NAN },
     };
 }
@@ -43,6 +46,7 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
     const struct limit limits[] = {
         { "reference height", "m", s->reference_height, 0.01, 1000.0 },
         { "speed-up", "", s->speed_up, 0.1, 5.0 },
+        { "wind at the site over the wind named", "", s->carried, 0.05, 5.0 },
         { "roughness length", "m", s->roughness, 1e-6, 10.0 },
         { "displacement height", "m", s->displacement, 0.0, 100.0 },
         { "canopy height", "m", s->canopy_height, 0.0, 100.0 },
@@ -64,6 +68,8 @@ enum wf_status wf_scenario_check(const struct wf_scenario *s, struct wf_err *e)
                            limits[i].unit, limits[i].low, limits[i].high);
     struct wf_wind wind;
     wf_scenario_wind(s, &wind);
+    if (wf_wind_form(&wind) == WF_PROFILE_FLOOR && !(s->least > 0.0))
+        return wf_fail(e, WF_EUSAGE, "the profile 'code' belongs to the wind of a design code");
     if (wind.sample == wf_canopy_sample && !(s->canopy_height > 0.0 || s->displacement > 0.0))
         return wf_fail(e, WF_EUSAGE, "the canopy profile needs the canopy height or the displacement height");
     if (s->measured && wind.sample == wf_measured_sample && wf_measured_blow(s->measured, &wind, e))
@@ -97,7 +103,9 @@ static double number_said(const struct wf_profile_words *w, size_t member)
 /* Name of the profile that is meant. */
 static const char *profile_meant(const struct wf_profile_words *w)
 {
-    return w->name ? w->name : w->file ? measured : usual;
+    const struct wf_design *design = wf_design_named(w->design.code);
+    if (w->name || w->file) return w->name ? w->name : measured;
+    return design ? design->profile : w->design.terrain || w->site ? rough : usual;
 }
 
 /* Whether a list of words with blanks between holds a word. */
@@ -121,6 +129,73 @@ bool wf_profile_unused(const struct wf_profile_words *w, size_t member, char *wh
     return true;
 }
 
+struct wf_wind_place wf_profile_place(const struct wf_profile_words *w)
+{
+    const double ten = 10.0;
+    const struct wf_site_kind *kind = wf_site_kind_named(w->site);
+    const char *terrain = w->design.terrain ? w->design.terrain : kind ? kind->category : NULL;
+    const struct wf_category *own = terrain ? wf_category_named(terrain) : NULL;
+    if (w->design.code || (own && !(w->at && strcmp(w->at, "site") == 0)))
+        return (struct wf_wind_place){ wf_category_open(), ten };
+    return (struct wf_wind_place){ own ? own : wf_category_open(),
+                                   isnan(w->reference_height) ? ten : w->reference_height };
+}
+
+/* The wind of a design code at the site's reference height over that of open country. */
+static enum wf_status set_design(struct wf_scenario *s, const struct wf_design_words *w, struct wf_err *e)
+{
+    struct wf_design_wind found;
+    if (wf_design_find(w, &found, e)) return e ? e->code : WF_EUSAGE;
+    s->design = found.code;
+    s->category = found.category, s->category_said = w->terrain;
+    s->gust_factor = found.basic * found.code->squall(wf_design_terrain_named(found.code, "II")) / found.open;
+    s->least = found.least;
+    if (found.least > 0.0) s->exponent = found.exponent;
+    struct wf_scenario at = *s;
+    struct wf_wind wind;
+    at.profile = found.code->profile, at.reference_height = 10.0;
+    wf_scenario_wind(&at, &wind);
+    wind.speed = found.mean / found.open;
+    double x[3] = { 0.0, 0.0, s->reference_height }, u[3], du[9];
+    wind.sample(&wind, x, u, du);
+    s->carried = hypot(u[0], u[1]);
+    return WF_OK;
+}
+
+static enum wf_status set_terrain(struct wf_scenario *s, const char *terrain, bool here, struct wf_err *e)
+{
+    s->category = wf_category_named(terrain);
+    if (!s->category)
+        return wf_fail(e, WF_EUSAGE, "unknown terrain category '%.20s'; there are 0, I, II, III and IV",
+                       terrain);
+    s->category_said = true;
+    const struct wf_wind_place from = s->named;
+    if (!here)
+        s->carried = wf_category_factor(s->category, s->reference_height) /
+                     wf_category_factor(from.terrain, from.height);
+    return WF_OK;
+}
+
+/* The site's terrain, and the wind there. The reference height is set. */
+static enum wf_status set_site(struct wf_scenario *s, const struct wf_profile_words *w, struct wf_err *e)
+{
+    struct wf_design_words design = w->design;
+    const struct wf_site_kind *kind = wf_site_kind_named(w->site);
+    bool here = w->at && strcmp(w->at, "site") == 0;
+    if (w->site && !kind) return wf_fail(e, WF_EUSAGE, "unknown site '%.40s'", w->site);
+    if (kind) s->site_kind = kind->name;
+    if (kind && !design.terrain) design.terrain = kind->category;
+    if (w->gust_factor > 0.0) s->gust_factor = w->gust_factor;
+    if (w->at && !here && strcmp(w->at, "open") != 0)
+        return wf_fail(e, WF_EUSAGE, "the winds are measured '%.40s'; open or site", w->at);
+    if (w->at && (design.code || !design.terrain))
+        return wf_fail(e, WF_EUSAGE, "where the wind was measured has no effect %s",
+                       design.code ? "with a design wind" : "without a terrain or site");
+    if (w->design.code || w->design.terrain || w->site) s->named = wf_profile_place(w);
+    if (design.code) return set_design(s, &design, e);
+    return design.terrain ? set_terrain(s, design.terrain, here, e) : WF_OK;
+}
+
 static enum wf_status set_profile_numbers(struct wf_scenario *s, const struct wf_profile_words *w,
                                           struct wf_err *e)
 {
@@ -140,6 +215,9 @@ enum wf_status wf_scenario_words(struct wf_scenario *s, const struct wf_profile_
 {
     s->profile = profile_meant(w);
     enum wf_status status = set_profile_numbers(s, w, e);
+    if (!status) status = set_site(s, w, e);
+    if (!status && isnan(w->roughness) && strcmp(s->profile, rough) == 0)
+        s->roughness = s->category->roughness;
     bool asked = strcmp(s->profile, measured) == 0;
     if (asked && !w->file)
         return wf_fail(e, WF_EUSAGE, "the profile '%s' needs a file of heights and speeds (profile file)",
@@ -173,11 +251,14 @@ enum wf_status wf_scenario_site(struct wf_scenario *s, struct wf_site *site, dou
 
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
 {
+    const struct wf_profile *p = wf_profile_named(s->profile);
+    bool terrain = p->form == WF_PROFILE_TERRAIN;
     *out = (struct wf_wind){
-        .sample = wf_profile_named(s->profile)->sample,
+        .sample = p->sample,
         .direction = { cos(s->azimuth), sin(s->azimuth), 0.0 },
         .reference_height = s->reference_height,
-        .roughness = s->roughness,
+        .roughness = terrain ? s->category->roughness : s->roughness,
+        .least = terrain ? s->category->least : s->least,
         .displacement = s->displacement,
         .exponent = s->exponent,
         .canopy_height = s->canopy_height,
@@ -186,7 +267,22 @@ void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out)
     };
 }
 
-double wf_scenario_speed(const struct wf_scenario *s, double named) { return named * s->speed_up; }
+double wf_scenario_speed(const struct wf_scenario *s, double named)
+{
+    return named * (s->speed_up * s->carried);
+}
+
+struct wf_wind_place wf_scenario_place(const struct wf_scenario *s)
+{
+    return (struct wf_wind_place){ s->named.terrain,
+                                   s->named.height > 0.0 ? s->named.height : s->reference_height };
+}
+
+double wf_scenario_gust(const struct wf_scenario *s, double named)
+{
+    const struct wf_wind_place at = wf_scenario_place(s);
+    return named * (s->gust_factor > 0.0 ? s->gust_factor : wf_category_gust(at.terrain, at.height));
+}
 
 enum wf_status wf_scenario_still(const struct wf_species *sp, double gravity, struct wf_loads *loads,
                                  struct wf_err *e)

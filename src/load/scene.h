@@ -18,6 +18,7 @@ struct wf_species;
 
 struct wf_site;     /* wind/terrain.h */
 struct wf_category; /* wind/category.h */
+struct wf_design;   /* wind/design.h */
 
 /* States of a tree in a wind: in the mean wind; at the peak of the load on the whole tree; at the peak of the
  * load on one branch, which a gust reaches at once. */
@@ -57,7 +58,15 @@ struct wf_scenario {
     double water;        /* rain on the leaves, per one-sided leaf area [kg m-2]; 0: dry */
     const char *shelter; /* name in wf_shelter_laws by which the tree shelters itself; NULL: no shelter */
     const struct wf_category *category; /* terrain of the site, for gusts */
-    struct wf_peak_request peak;        /* how the peak load follows from the mean wind */
+    bool category_said;                 /* else open country is assumed */
+    const char *site_kind;              /* row of wf_site_kinds; NULL: not given */
+    const struct wf_design *design;     /* whose wind is taken; NULL: none */
+    struct wf_wind_place named; /* where the named winds are measured; height 0: the reference height */
+    double carried;     /* mean wind of the site's terrain over the named wind, at the reference height;
+                           the exposure comes on top [-] */
+    double gust_factor; /* 3-s gust over 10-min mean of the named winds; 0: by EN 1991-1-4 [-] */
+    double least;       /* of the profile "code": height below which the wind is constant [m] */
+    struct wf_peak_request peak; /* how the peak load follows from the mean wind */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
                                conversion */
 };
@@ -72,6 +81,10 @@ struct wf_profile_words {
     const char *name, *file; /* row of wf_profiles; heights and speeds of the measured one */
     double reference_height, exponent, roughness, displacement, canopy_height, attenuation;
     const char *ground; /* map of the ground, whose speed-up takes the roughness too; NULL: none */
+    const char *site;   /* row of wf_site_kinds */
+    const char *at;     /* "open": the winds are of open country, carried to the site's terrain; "site" */
+    double gust_factor; /* 3-s gust over 10-min mean where the winds are measured */
+    struct wf_design_words design; /* also the terrain of the site */
 };
 /* Numbers that belong to some profiles only. */
 struct wf_profile_number {
@@ -81,7 +94,12 @@ struct wf_profile_number {
 extern const struct wf_profile_number wf_profile_numbers[]; /* end at key == NULL */
 #define WF_PROFILE_UNSAID                                                                                    \
     {                                                                                                        \
-        NULL, NULL, NAN, NAN, NAN, NAN, NAN, NAN, NULL                                                       \
+        .reference_height = NAN, .exponent = NAN, .roughness = NAN, .displacement = NAN,                     \
+        .canopy_height = NAN, .attenuation = NAN, .gust_factor = NAN, .design = {                            \
+            .basic = NAN,                                                                                    \
+            .pressure = NAN,                                                                                 \
+            .years = NAN                                                                                     \
+        }                                                                                                    \
     }
 /* Numbers of a struct wf_profile_words as keys of a YAML table of a struct T, which has it as member `in`. */
 #define WF_PROFILE_KEY(T, k, in, dim, u, from, to, text, ...)                                                \
@@ -100,7 +118,24 @@ extern const struct wf_profile_number wf_profile_numbers[]; /* end at key == NUL
                        "Of the stand around the tree, for the canopy profile.",                              \
                        .absent = "displacement / 0.7", .example = "12 m"),                                   \
         WF_PROFILE_KEY(T, attenuation, in, WF_DIM_NONE, NULL, 0, 10, "Of the wind inside the canopy.",       \
-                       .absent = "joins the log law smoothly", .example = "2.5")
+                       .absent = "joins the log law smoothly", .example = "2.5"),                            \
+        { .key = "terrain",                                                                                  \
+          .kind = WF_YAML_TEXT,                                                                              \
+          .offset = offsetof(T, in.design.terrain),                                                          \
+          .doc = "Ground the wind comes over, category 0, I, II, III or IV of EN 1991-1-4.",                 \
+          .absent = "II, assumed; the wind is taken as it is named",                                         \
+          .example = "III" },                                                                                \
+        { .key = "site",                                                                                     \
+          .kind = WF_YAML_TEXT,                                                                              \
+          .offset = offsetof(T, in.site),                                                                    \
+          .doc = "The same by what stands there: open, suburb, town, forest-edge, in-stand.",                \
+          .absent = "not given",                                                                             \
+          .example = "suburb" },                                                                             \
+    {                                                                                                        \
+        .key = "wind_at", .kind = WF_YAML_TEXT, .offset = offsetof(T, in.at),                                \
+        .doc = "Where the winds are measured: open (10 m above open country) or site.",                      \
+        .absent = "open, where terrain or site is given", .example = "site"                                  \
+    }
 /* Whether a number is given but the profile does not take it. Given: its member's offset in struct
  * wf_profile_words; `size` bytes for the reason in words, "with the profile 'log', which takes ...". */
 bool wf_profile_unused(const struct wf_profile_words *w, size_t member, char *why, size_t size);
@@ -123,8 +158,13 @@ enum wf_status wf_scenario_site(struct wf_scenario *s, struct wf_site *site, dou
 /* Wind field of a checked scenario, with speed 0. */
 void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
 /* Wind speed at the tree at the reference height, given the named speed [m/s]: the named speed times
- * speed_up. */
+ * carried and speed_up. */
 double wf_scenario_speed(const struct wf_scenario *s, double named);
+/* The 3-s gust of a named 10-min mean, in the place where it is measured [m/s]. */
+double wf_scenario_gust(const struct wf_scenario *s, double named);
+/* Where the named winds are measured; by words, and of a scenario. The words are right. */
+struct wf_wind_place wf_profile_place(const struct wf_profile_words *w);
+struct wf_wind_place wf_scenario_place(const struct wf_scenario *s);
 /* Loads on a tree of this species in still standard air (see wf_loads_default): its weight. Given: gravity
  * [m s-2]. Errors: WF_EINPUT for an unknown law. */
 enum wf_status wf_scenario_still(const struct wf_species *sp, double gravity, struct wf_loads *loads,

@@ -4,10 +4,14 @@
 #include "base/num.h"
 #include "data/model.h"
 #include "data/species.h"
+#include "grow/silhouette.h"
+#include "grow/silhouette.h"
 #include "load/drag.h"
 #include "study/peak.h"
 #include "study/wetted.h"
+#include "wind/category.h"
 #include "wind/climate.h"
+#include "wind/design.h"
 #include "wind/shelter.h"
 #include "wind/shelter_laws.h"
 #include "wind/terrain.h"
@@ -93,6 +97,7 @@ static json_t *streamlining(struct wf_doc *d, const struct wf_species *sp)
     put_law(d, o, s, WF_LAW_NUMBER);
     wf_doc_quantity(d, o, "speed_low", s->low, "m/s", "not given");
     wf_doc_quantity(d, o, "speed_high", s->high, "m/s", "not given");
+    wf_doc_text(d, o, "beyond", s->law ? wf_beyond_words[s->beyond] : NULL);
     put_law(d, o, s, WF_LAW_LIST);
     put_source(d, o, sp, s->source);
     return o;
@@ -125,7 +130,7 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
         wf_doc_flag(d, wall, "used", grown);
         put_standing(d, wall, sp, &level->wall_note);
     }
-    const bool leaves = a->model->leaf_area > 0;
+    const bool leaves = a->model->leaf_area > 0 || !isnan(wf_silhouette_area(&a->model->silhouette));
     for (size_t k = 0; wf_crown_property(sp, k, &p); k++)
         add_value(d, values, a, "crown", "crown.", &p, leaves);
     add_law_values(d, values, a, "crown", "crown.streamlining.", wf_laws.streamlining, &sp->streamlining,
@@ -172,7 +177,23 @@ json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
     wf_doc_quantity(d, o, "crown_base", m->crown_base, "m", "no crown");
     wf_doc_quantity(d, o, "crown_top", m->crown_top, "m", "no crown");
     wf_doc_quantity(d, o, "leaf_area", m->leaf_area, "m2", "no crown");
+    wf_doc_quantity(d, o, "frontal_area", wf_silhouette_area(&m->silhouette), "m2", "by the leaf area");
     return o;
+}
+
+/* The ground, where the named winds are measured, and how they are carried to the site. */
+static void put_site(struct wf_doc *d, json_t *o, const struct wf_scenario *s)
+{
+    const struct wf_wind_place at = wf_scenario_place(s);
+    wf_doc_text(d, o, "terrain", s->category->name);
+    wf_doc_text(d, o, "terrain_text", s->category->text);
+    wf_doc_text(d, o, "terrain_from", s->category_said ? "given" : "assumed");
+    wf_doc_text(d, o, "site_kind", s->site_kind);
+    wf_doc_text(d, o, "design", s->design ? s->design->title : NULL);
+    wf_doc_text(d, o, "wind_terrain", at.terrain->name);
+    wf_doc_quantity(d, o, "wind_height", at.height, "m", NULL);
+    wf_doc_quantity(d, o, "gust_over_mean", wf_scenario_gust(s, 1.0), "1", NULL);
+    wf_doc_quantity(d, o, "carried", s->carried, "1", NULL);
 }
 
 json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
@@ -188,6 +209,7 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "reference_height", s->reference_height, "m", NULL);
     wf_doc_quantity(d, o, "averaging_time", WF_MEAN_TIME, "s", NULL);
     wf_doc_text(d, o, "winds_said", s->winds_said);
+    put_site(d, o, s);
     wf_doc_quantity(d, o, "speed_up", s->speed_up, "1", NULL);
     static const char given[] = "no map of the ground";
     wf_doc_text(d, o, "ground_file", s->site ? s->site->file : NULL);
@@ -266,13 +288,14 @@ json_t *wf_part_peak(struct wf_doc *d, const struct wf_analysis *a, const struct
     return o;
 }
 
-json_t *wf_part_steady(struct wf_doc *d, const struct wf_at_speed *at)
+json_t *wf_part_steady(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)
 {
     static const char *const none = "no equilibrium was found in the mean wind, or it was not computed";
     const struct wf_steady *m = &at->steady;
     json_t *o = wf_doc_object(d);
     wf_doc_quantity(d, o, "drag", m->drag, "N", none);
     wf_doc_quantity(d, o, "tip_deflection", m->tip_deflection, "m", none);
+    wf_doc_quantity(d, o, "tip_deflection_share", m->tip_deflection / a->tallness, "1", none);
     wf_doc_quantity(d, o, "tip_angle", m->tip_angle, "rad", none);
     wf_doc_quantity(d, o, "base_shear", m->base_shear, "N", none);
     wf_doc_quantity(d, o, "base_moment", m->base_moment, "N m", none);

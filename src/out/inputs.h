@@ -12,7 +12,7 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a);
 json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a);
 /* What the peak load at a speed was computed from; and the state in the mean wind alone. */
 json_t *wf_part_peak(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at);
-json_t *wf_part_steady(struct wf_doc *d, const struct wf_at_speed *at);
+json_t *wf_part_steady(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at);
 struct wf_wetted;
 /* Dry and wet: pairs of numbers; null where there is none. */
 json_t *wf_part_wetted(struct wf_doc *d, const struct wf_wetted *w);

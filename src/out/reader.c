@@ -55,7 +55,7 @@ static const struct {
     { OBJECT,
       "mean_state peak peak_method structural_damping load_breadth load_factor_gusts load_factor_branches "
       "sway_frequency participation modal_mass damping_total damping_air turbulence background resonance "
-      "peak_of_gusts clusters wetted air_density all altitude attenuation averaging_time axis_drag azimuth "
+      "peak_of_gusts carried gust_over_mean wind_height clusters wetted air_density all altitude attenuation averaging_time axis_drag azimuth "
       "base_moment "
       "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "
       "crown_top displacement drag exponent fit from governing_section gradient gravity "
@@ -71,7 +71,8 @@ static const struct {
             "criterion date differs file generator ground_file gust key kind latin loss meaning name "
             "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
             "reason reference role scope script season sensor sha256 source species_name status "
-            "status_text taper terrain test text title tree unit validity winds_said" },
+            "status_text taper terrain test text title tree unit validity winds_said terrain_text terrain_from site_kind design "
+            "wind_terrain" },
     { TEXT | OBJECT, "law model shelter solver species" },
 };
 

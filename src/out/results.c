@@ -110,7 +110,7 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
             break_cells(f, a->breaks);
             const double gusts[] = { at->steady.tip_deflection, degrees * at->steady.tip_angle,
                                      at->steady.base_moment,
-                                     wf_peak_factor(a->peak, at->speed, WF_PART_STEM) };
+                                     wf_peak_gusts(a->peak, at->speed) };
             cells(f, WF_COUNT(gusts), gusts);
             putc('\n', f);
         }
@@ -220,7 +220,7 @@ static size_t write_sweep(const struct wf_run *run, FILE *f)
             lead(f, run, i, at->speed);
             total_cells(f, at, true);
             fputs(at->interpolated ? ",interpolated" : ",solved", f);
-            cell(f, wf_peak_factor(a->peak, at->speed, WF_PART_STEM));
+            cell(f, wf_peak_gusts(a->peak, at->speed));
             putc('\n', f);
         }
         rows += a->sweep_n;
@@ -371,7 +371,7 @@ static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const st
     wf_doc_quantity(d, o, "least_safety", solved ? worst->safety : NAN, "1", reason);
     wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? worst : NULL));
     if (at >= a->at && at < a->at + a->n) { /* of the main wind direction */
-        wf_doc_put(d, o, "mean_state", wf_part_steady(d, at));
+        wf_doc_put(d, o, "mean_state", wf_part_steady(d, a, at));
         wf_doc_put(d, o, "peak", wf_part_peak(d, a, at));
     }
     wf_doc_flag(d, o, "small_deflection", at->response.small_deflection);

@@ -59,12 +59,20 @@ static double distance_between(const double a[3], const double b[3])
     return sqrt(wf_dot(d, d));
 }
 
+/* Where the end of row i is before it moves [m]. */
+static void still_at(const struct wf_beam_mesh *m, size_t i, double place[3])
+{
+    const struct wf_tree *t = m->tree;
+    const double drawn[3] = { t->x1[i], t->y1[i], t->z1[i] };
+    memcpy(place, m->still ? m->still[i] : drawn, sizeof drawn);
+}
+
 void wf_beam_read_shape(const struct wf_beam_mesh *m, size_t i, const double base_L[9],
                         const struct wf_beam_pose *end, struct wf_response *r)
 {
     const struct wf_tree *t = m->tree;
     double at[3], axis[3], tip[3];
-    wf_beam_still(m, i, tip);
+    still_at(m, i, tip);
     wf_row_axis(t, i, 0, at, axis);
     m3_apply(base_L, axis, r->tangent0 + 3 * i);
     wf_row_axis(t, i, 1, at, axis);
@@ -220,7 +228,7 @@ static double largest_displacement(const struct wf_beam *b)
     double most = 0;
     for (size_t i = 0; i < t->n; i++) {
         double d[3];
-        wf_beam_still(&b->mesh, i, d);
+        still_at(&b->mesh, i, d);
         v3_add(d, -1, b->pose[b->mesh.last[i]].r);
         most = fmax(most, wf_dot(d, d));
     }

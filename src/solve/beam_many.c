@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "solve/beam_rest.h"
 #include "solve/beam_many.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
@@ -108,6 +109,7 @@ static enum wf_status make_level(struct block *b, const int32_t *pieces, struct 
     *l = (struct level){ .mesh = { 0 } };
     enum wf_status s =
         wf_beam_mesh_build(b->tree, b->state[0].loads, b->options, pieces, &l->memory, &l->mesh, e);
+    if (!s) wf_beam_rest(&l->mesh, b->state[0].loads->gravity * b->state[0].loads->weight_scale);
     if (!s) s = wf_lanes_joints_make(&l->mesh, &l->memory, &l->joints, e);
     for (size_t g = 0; !s && g * width < b->n; g++) {
         struct wf_lanes *x = &l->group[g];

@@ -3,7 +3,6 @@
 #include "base/num.h"
 #include "base/vec3.h"
 #include "data/section.h"
-#include "solve/beam_rest.h"
 #include <math.h>
 
 /* eight-point Gauss-Legendre rule on 0..1, exact to degree 15 */
@@ -187,6 +186,22 @@ static void set_gauss_point(const struct wf_tree *t, const struct wf_loads *l, s
             p->dead[j][k] = wf_between(l->line[6 * i + k], l->line[6 * i + 3 + k], s);
 }
 
+/* What element `at` carried, the piece s0..s1 of its row. */
+static void set_standing(struct wf_beam_mesh *m, size_t at, double s0, double s1)
+{
+    if (!m->standing) return;
+    const struct wf_tree *t = m->tree;
+    const struct wf_tree_standing *was = t->standing;
+    const struct wf_beam_part *p = &m->part[at];
+    const size_t i = (size_t)p->row;
+    struct wf_beam_standing *x = &m->standing[at];
+    for (int j = 0; j < 2; j++) {
+        double s = wf_between(s0, s1, gauss_place[j]);
+        x->mass[j] = t->density[i] * wf_tree_area(t, i, s) + wf_between(was->burden0[i], was->burden1[i], s);
+        if (was->side0) x->side[j] = wf_between(was->side0[i], was->side1[i], s);
+    }
+}
+
 /* Ends of the rows in the given shape, as the elements place them. */
 static void place_still(struct wf_beam_mesh *m)
 {
@@ -198,13 +213,6 @@ static void place_still(struct wf_beam_mesh *m)
             for (int c = 0; c < 3; c++)
                 m->still[i][c] += 0.5 * m->part[k].h * (m->part[k].t[0][c] + m->part[k].t[1][c]);
     }
-}
-
-void wf_beam_still(const struct wf_beam_mesh *m, size_t i, double place[3])
-{
-    const struct wf_tree *t = m->tree;
-    const double drawn[3] = { t->x1[i], t->y1[i], t->z1[i] };
-    memcpy(place, m->still ? m->still[i] : drawn, sizeof drawn);
 }
 
 static enum wf_status check_joined(const struct wf_tree *t, size_t i, struct wf_err *e)
@@ -251,12 +259,11 @@ enum wf_status wf_beam_mesh_build(const struct wf_tree *t, const struct wf_loads
             set_stiffness(t, i, s0, s1, o, p);
             for (int j = 0; j < 2; j++) set_gauss_point(t, l, i, wf_between(s0, s1, gauss_place[j]), p, j);
             if (t->section) set_flat_section(t, i, s0, s1, o, p, m->flat + at);
-            wf_beam_standing_set(m, (size_t)at, s0, s1);
+            set_standing(m, (size_t)at, s0, s1);
         }
         m->last[i] = at - 1;
         if (t->mass1) m->mass1[at - 1] = t->mass1[i];
     }
     place_still(m);
-    wf_beam_rest(m, l->gravity * l->weight_scale);
     return WF_OK;
 }

@@ -52,7 +52,12 @@ struct wf_beam_flat {
     real weight;       /* weight of a unit mass [m/s2] */
 };
 
-struct wf_beam_standing; /* solve/beam_rest.h */
+/* What an element had to carry on the day its shape was given. */
+struct wf_beam_standing {
+    double mass[2];    /* wood and burden per length at the Gauss points [kg/m] */
+    double side[2];    /* first moment of the burden, as in struct wf_beam_flat [kg] */
+    double n[3], m[3]; /* force and moment that the part above exerts on its end [N, N m] */
+};
 
 struct wf_beam_mesh {
     const struct wf_tree *tree;
@@ -77,9 +82,6 @@ struct wf_beam_mesh {
 enum wf_status wf_beam_mesh_build(const struct wf_tree *tree, const struct wf_loads *loads,
                                   const struct wf_solve_options *options, const int32_t *pieces,
                                   struct wf_arena *arena, struct wf_beam_mesh *out, struct wf_err *e);
-
-/* Where the end of row i is before it moves [m]. */
-void wf_beam_still(const struct wf_beam_mesh *m, size_t i, double place[3]);
 
 /* Pieces per row of the first mesh where a mesh tolerance is given: a tree of few rows gets at least 24
  * elements. */

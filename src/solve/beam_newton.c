@@ -221,6 +221,7 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     *b = (struct wf_beam){ .loads = *l, .options = o };
     enum wf_status status = wf_beam_mesh_build(t, l, o, pieces, a, &b->mesh, e);
     if (status) return status;
+    wf_beam_rest(&b->mesh, l->gravity * l->weight_scale);
     size_t n = b->mesh.n;
     b->tilt = wf_arena_take(a, t->n, sizeof *b->tilt);
     b->root_step = wf_arena_take(a, t->n, sizeof *b->root_step);

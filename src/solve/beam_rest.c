@@ -1,24 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "solve/beam_rest.h"
-#include "base/num.h"
 #include "base/vec3.h"
-#include "data/section.h"
 #include "solve/beam_kernel.h"
-
-void wf_beam_standing_set(struct wf_beam_mesh *m, size_t at, double s0, double s1)
-{
-    if (!m->standing) return;
-    const struct wf_tree *t = m->tree;
-    const struct wf_tree_standing *was = t->standing;
-    const struct wf_beam_part *p = &m->part[at];
-    const size_t i = (size_t)p->row;
-    struct wf_beam_standing *x = &m->standing[at];
-    for (int j = 0; j < 2; j++) {
-        double s = wf_between(s0, s1, gauss_place[j]);
-        x->mass[j] = t->density[i] * wf_tree_area(t, i, s) + wf_between(was->burden0[i], was->burden1[i], s);
-        if (was->side0) x->side[j] = wf_between(was->side0[i], was->side1[i], s);
-    }
-}
 
 /* The given shape as a state of the element. */
 static void stage_at_rest(const struct wf_beam_part *p, struct wf_beam_stage *s)

@@ -6,17 +6,6 @@
  * they make. The given shape is then in equilibrium on every mesh. */
 #include "solve/beam_mesh.h"
 
-/* What an element had to carry on the day its shape was given. */
-struct wf_beam_standing {
-    double mass[2];    /* wood and burden per length at the Gauss points [kg/m] */
-    double side[2];    /* first moment of the burden, as in struct wf_beam_flat [kg] */
-    double n[3], m[3]; /* force and moment that the part above exerts on its end [N, N m] */
-};
-
-/* Set what element `at` of the mesh carried, the piece s0..s1 (arc fractions) of its row. No effect where the
- * tree does not stand. */
-void wf_beam_standing_set(struct wf_beam_mesh *m, size_t at, double s0, double s1);
-
 /* Set the state at rest of all elements (k0 and g0 of struct wf_beam_part, `root` of the mesh). Given: a mesh
  * and the weight of a unit mass [m/s2]. A load step that takes a share of the weight gives the same share
  * here, so that the given shape remains an equilibrium. No effect where the tree does not stand. */

@@ -135,7 +135,7 @@ static enum wf_status check(const struct wf_directions_request *q, double *gust,
         return wf_fail(e, WF_EUSAGE,
                        "the climate has %zu directions, %zu are specified; omit them to use the climate's",
                        q->rose->sectors, q->n);
-    return q->rose ? wf_wind_average(q->law, 1.0, 3600.0, WF_MEAN_TIME, gust, e) : WF_OK;
+    return q->rose ? wf_wind_average(q->law, NULL, 1.0, 3600.0, WF_MEAN_TIME, gust, e) : WF_OK;
 }
 
 enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_solve_options *o,

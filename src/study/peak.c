@@ -86,6 +86,48 @@ static void parts_stand(const struct wf_peak *p, double speed, enum wf_part part
     out->factor = wf_stand_gust(s->height, s->spacing, s->edge, s->gap);
 }
 
+/* Moment about the ground of the wind load on the tree at rest, along the wind, and the drag area of its
+ * crown in the wind at the canopy top. */
+static double own_moment(const struct wf_peak *p, double speed, double *area, double *top)
+{
+    static const double gauss[2] = { 0.21132486540518712, 0.78867513459481288 };
+    const struct wf_tree *t = &p->body;
+    struct wf_wind wind = p->wind;
+    struct wf_loads loads = p->loads;
+    double moment = 0.0, u[3], gradient[9], unused, high[3] = { 0.0, 0.0, p->request.stand.height };
+    wind.speed = speed * p->exposure * p->top;
+    loads.wind = &wind;
+    wind.sample(&wind, high, u, gradient);
+    *top = sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]);
+    *area = 0.0;
+    double share = loads.streamline ? loads.streamline->share(&loads.streamline_par, *top, &unused) : 1.0;
+    for (size_t i = 0; i < t->n; i++) {
+        const double from[3] = { t->x0[i], t->y0[i], t->z0[i] }, to[3] = { t->x1[i], t->y1[i], t->z1[i] };
+        double axis[3], length = wf_tree_length(t, i);
+        for (int k = 0; k < 3; k++) axis[k] = (to[k] - from[k]) / length;
+        for (int j = 0; j < 2; j++) {
+            struct wf_line_point point = wf_line_point_of(t, i, gauss[j]);
+            struct wf_line_parts parts;
+            double x[3], along = 0.0;
+            for (int k = 0; k < 3; k++) x[k] = wf_between(from[k], to[k], gauss[j]);
+            wf_load_parts_on_line(&loads, &point, x, axis, &parts);
+            for (int k = 0; k < 2; k++)
+                along += (parts.drag_axis[k] + parts.drag_crown[k]) * wind.direction[k];
+            moment += 0.5 * length * along * x[2];
+            *area += 0.5 * length * point.sail * share;
+        }
+    }
+    return moment;
+}
+
+/* The mean load that a stand lets a tree have, over that of the profile on the tree alone. */
+static double mean_stand(const struct wf_peak *p, double speed)
+{
+    const struct wf_stand *s = &p->request.stand;
+    double area, top, own = own_moment(p, fmax(speed, 0.5), &area, &top);
+    return wf_stand_moment(p->loads.air_density, top, s->height, s->spacing, area) / own;
+}
+
 /* Total damping: the structural one, of which 0.05 is assumed where it is unknown, and that of the air,
  * within limits of ours. */
 static double damping(const struct wf_peak *p, double air)
@@ -97,8 +139,8 @@ static double damping(const struct wf_peak *p, double air)
 /* Exponent of the crown's load between the mean wind and a gust of `ratio` times its speed. */
 static double secant_exponent(const struct wf_peak *p, double mean, double ratio)
 {
-    double unused, at = p->law->share(&p->law_par, mean, &unused);
-    double gust = p->law->share(&p->law_par, mean * ratio, &unused);
+    double unused, at = wf_streamline_share(p->law, &p->law_par, mean, &unused);
+    double gust = wf_streamline_share(p->law, &p->law_par, mean * ratio, &unused);
     return fmax(0.0, 2.0 + log(gust / at) / log(ratio));
 }
 
@@ -126,7 +168,7 @@ static void parts_rule(const struct wf_peak *p, double speed, enum wf_part part,
         c.exponent = secant_exponent(p, c.mean, sqrt(out->gust.factor));
         p->rule->parts(&c, &out->gust);
     }
-    out->factor = out->gust.factor;
+    out->factor = fmax(out->gust.factor, p->least);
 }
 
 static const char steady[] = "The steady wind alone: no gusts, no resonance. Loads of real wind are higher";
@@ -136,20 +178,23 @@ const struct wf_peak_method wf_peak_methods[] = {
       "single tree or edge of a group; turbulence intensity up to 0.35; linear response of one mode about "
       "the "
       "state in the mean wind",
-      true, false, parts_rule },
-    { "mean", "mean wind, steady", "-", steady, false, false, parts_mean },
+      true, false, parts_rule, NULL },
+    { "mean", "mean wind, steady", "-", steady, false, false, parts_mean, NULL },
     { "gust", "steady wind of the gust's speed", "EN 1991-1-4:2005, 4.5",
-      "no resonance, no size reduction: the gust lasts until the tree rests in it", false, true, parts_mean },
+      "no resonance, no size reduction: the gust lasts until the tree rests in it", false, true, parts_mean,
+      NULL },
     { "table", "factor on the mean wind load from a table", "the table given", "as the table", false, false,
-      parts_table },
+      parts_table, NULL },
     { "gb50009", "peak load by the wind vibration factor of GB 50009", "GB 50009-2012, 8.4", "as the code",
-      true, false, parts_rule },
+      true, false, parts_rule, NULL },
     { "asce7", "peak load by the gust effect of ASCE 7", "ASCE/SEI 7-16, 26.11.5",
-      "as the code; factor of the hourly mean, taken on the 10-min mean", true, false, parts_rule },
+      "as the code; factor of the hourly mean, taken on the 10-min mean", true, false, parts_rule, NULL },
     { "gales", "largest over mean moment in a stand",
       "Gardiner, Peltola & Kellomaki 2000, Ecol. Model. 129:1",
-      "tree in a stand or at its edge; the wind is the hourly mean at the canopy top", false, false,
-      parts_stand },
+      "tree in a stand or at its edge; the mean moment is that of the momentum which the stand takes from "
+      "the wind, well "
+      "inside it; the wind is the mean at the canopy top",
+      false, false, parts_stand, mean_stand },
     { 0 },
 };
 
@@ -211,12 +256,22 @@ double wf_peak_factor(const struct wf_peak *p, double speed, enum wf_part part)
 {
     struct wf_peak_parts parts;
     wf_peak_parts_at(p, speed, part, &parts);
+    return parts.factor * (p && p->method->mean ? p->method->mean(p, speed) : 1.0);
+}
+
+double wf_peak_gusts(const struct wf_peak *p, double speed)
+{
+    struct wf_peak_parts parts;
+    wf_peak_parts_at(p, speed, WF_PART_STEM, &parts);
     return parts.factor;
 }
 
 double wf_peak_wind(const struct wf_peak *p, enum wf_part part)
 {
-    return p && p->method->by_gust && part != WF_PART_MEAN ? p->gust : 1.0;
+    if (!p) return 1.0;
+    if (p->method->mean)
+        return p->top; /* on the whole tree: bent in a gust, its crown is not in calmer air */
+    return p->method->by_gust && part != WF_PART_MEAN ? p->gust : 1.0;
 }
 
 bool wf_peak_differs(const struct wf_peak *p) { return p && strcmp(p->method->name, "mean") != 0; }

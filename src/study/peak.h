@@ -31,6 +31,7 @@ struct wf_peak {
     struct wf_gust_case tree;        /* terrain, size, exponent */
     double profile;                  /* mean wind at the rule's reference height over the named wind [-] */
     double gust;                     /* gust over mean wind of the terrain at 10 m [-] */
+    double least;                    /* of the factor: of a tree in a stand whose spacing is unknown [-] */
     double damping;                  /* structural, of critical [-] */
     bool damping_known;
     bool branches; /* branches have a factor of their own */
@@ -38,7 +39,13 @@ struct wf_peak {
         *law; /* of the crown, where the load of gusts follows it; NULL: the square */
     struct wf_law_values law_par;
     struct wf_peak_request request;
-    size_t sways; /* 0: unknown, the frequency of most resonance is taken */
+    /* For a load from the momentum of a stand: the tree and its loads in the wind. */
+    struct wf_tree body;
+    struct wf_loads loads;
+    struct wf_wind wind;
+    double exposure; /* wind at the tree over the named wind [-] */
+    double top;      /* wind at the canopy top over that at the tree at the reference height [-] */
+    size_t sways;    /* 0: unknown, the frequency of most resonance is taken */
     struct wf_sway sway[WF_PEAK_SWAYS];
     double slope[2][WF_PEAK_SWAYS]; /* of frequency and air by speed */
 };
@@ -57,6 +64,8 @@ struct wf_peak_method {
     bool sways;   /* needs sways of the tree */
     bool by_gust; /* the wind is that of the gust instead of the mean */
     void (*parts)(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out);
+    /* Mean load over that of the wind profile on the tree; NULL: 1. */
+    double (*mean)(const struct wf_peak *p, double speed);
 };
 extern const struct wf_peak_method wf_peak_methods[]; /* ends at name == NULL */
 /* The row of that name; NULL when there is none. */
@@ -70,8 +79,10 @@ enum wf_status wf_peak_table_read(const char *path, struct wf_arena *a, struct w
 /* p NULL: the load of the mean wind. */
 /* The factor and what it was computed from, at a named wind speed [m/s]; of WF_PART_MEAN 1. */
 void wf_peak_parts_at(const struct wf_peak *p, double speed, enum wf_part part, struct wf_peak_parts *out);
-/* Factor of the wind load alone. */
+/* Factor on the load of the wind profile: that of the mean load times, but for WF_PART_MEAN, G. */
 double wf_peak_factor(const struct wf_peak *p, double speed, enum wf_part part);
+/* G of the load on the tree: peak over mean [-]. */
+double wf_peak_gusts(const struct wf_peak *p, double speed);
 /* Ratio of the wind that the loads are computed in to the named wind at the tree: 1, or that of the gust. */
 double wf_peak_wind(const struct wf_peak *p, enum wf_part part);
 /* Have branches a state of their own? */

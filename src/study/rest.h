@@ -3,7 +3,7 @@
 #define WF_STUDY_REST_H
 /* The state of a tree at rest: what the shape of its model means, and what follows from it before any wind.
  */
-#include "study/analysis.h"
+#include "study/speed.h"
 
 /* Rules of this program, not of a publication. */
 #define WF_REST_SMALL 0.05   /* of the tree's mass: parts below are stiffened where they would not stand */

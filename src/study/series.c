@@ -42,7 +42,7 @@ static enum wf_status specify(const struct wf_series *s, struct wf_gust_spec *ou
     enum wf_status status;
     if (!model) return wf_fail(e, WF_EUSAGE, "unknown gust model '%s'", q->gust);
     wf_gust_spec_default(model, out);
-    out->speed = q->speed;
+    out->speed = wf_scenario_speed(&s->an.scenario, q->speed);
     out->height = s->an.scenario.reference_height;
     if (!isnan(q->intensity)) out->intensity = q->intensity;
     out->step = q->step;
@@ -66,7 +66,8 @@ static enum wf_status series_wind(struct wf_series *s, struct wf_arena *a, struc
     const struct wf_series_spec *q = &s->spec;
     struct wf_gust_spec spec;
     struct wf_gust gust;
-    for (size_t k = 0; k < s->frames; k++) s->wind[k] = q->speed;
+    const double steady = wf_scenario_speed(&s->an.scenario, q->speed);
+    for (size_t k = 0; k < s->frames; k++) s->wind[k] = steady;
     if (!q->gust)
         return q->gust_file ? wf_fail(e, WF_EUSAGE, "%s: a steady wind has no file", q->gust_file) : WF_OK;
     enum wf_status status = specify(s, &spec, a, d, e);
@@ -137,7 +138,7 @@ static enum wf_status set_up(struct wf_series *s, struct wf_shelter *shelter, st
         s->an.tree.shear[i] *= q->youngs / s->an.tree.youngs[i];
         s->an.tree.youngs[i] = q->youngs;
     }
-    s->an.wind.speed = q->speed;
+    s->an.wind.speed = wf_scenario_speed(sc, q->speed);
     if (q->shelter) {
         struct wf_shelter_request r;
         wf_shelter_request_default(&r);

@@ -80,26 +80,13 @@ static void curve_at(const struct curve *c, double s, double x[3], double tangen
     for (int k = 0; k < 3; k++) tangent[k] /= length;
 }
 
-static struct wf_line_point line_point(const struct wf_tree *t, size_t i, double s)
-{
-    double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
-    double wood = t->density[i] * WF_PI * (outer * outer - inner * inner);
-    return (struct wf_line_point){
-        .diameter = 2.0 * outer,
-        .drag = t->drag[i],
-        .lift = t->lift[i],
-        .sail = wf_between(t->sail0[i], t->sail1[i], s),
-        .mass = wood + wf_between(t->burden0[i], t->burden1[i], s),
-    };
-}
-
 /* Ratio of the crown's streamlined frontal area in the wind at x to its still-air frontal area. */
 static double crown_share(const struct wf_loads *l, const double x[3])
 {
     double u[3], gradient[9], derivative;
     if (!l->wind || !l->streamline) return 1.0;
     l->wind->sample(l->wind, x, u, gradient);
-    return l->streamline->share(&l->streamline_par, norm(u), &derivative);
+    return wf_streamline_share(l->streamline, &l->streamline_par, norm(u), &derivative);
 }
 
 struct sums {
@@ -112,7 +99,7 @@ static void integrate(const struct wf_tree *t, const struct wf_loads *l, const s
     *out = (struct sums){ 0 };
     for (int g = 0; g < 5; g++) {
         double x[3], tangent[3], seen[3], ds = gauss_w[g] * c->length;
-        struct wf_line_point p = line_point(t, i, gauss_s[g]);
+        struct wf_line_point p = wf_line_point_of(t, i, gauss_s[g]);
         struct wf_line_parts parts;
         curve_at(c, gauss_s[g], x, tangent);
         wf_load_parts_on_line(l, &p, x, tangent, &parts);
@@ -260,7 +247,7 @@ static double row_weight(const struct wf_tree *t, const struct wf_loads *l, size
     struct curve c;
     double sum = 0.0;
     curve_unloaded(t, i, &c);
-    for (int g = 0; g < 5; g++) sum += gauss_w[g] * c.length * line_point(t, i, gauss_s[g]).mass;
+    for (int g = 0; g < 5; g++) sum += gauss_w[g] * c.length * wf_line_point_of(t, i, gauss_s[g]).mass;
     return sum * l->gravity * l->weight_scale;
 }
 

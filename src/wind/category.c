@@ -46,3 +46,19 @@ double wf_category_gust(const struct wf_category *c, double z)
 {
     return sqrt(1.0 + 7.0 * wf_category_turbulence(c, z));
 }
+
+const struct wf_site_kind wf_site_kinds[] = {
+    { "open", "II", "open country" },
+    { "suburb", "III", "among houses and gardens, or in a village" },
+    { "town", "IV", "in a town of high buildings" },
+    { "forest-edge", "II", "at the edge of a forest, with open country upwind" },
+    { "in-stand", "III", "inside a forest" },
+    { 0 }
+};
+
+const struct wf_site_kind *wf_site_kind_named(const char *name)
+{
+    for (const struct wf_site_kind *k = wf_site_kinds; name && k->name; k++)
+        if (strcmp(k->name, name) == 0) return k;
+    return NULL;
+}

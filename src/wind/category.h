@@ -32,6 +32,16 @@ double wf_category_length(const struct wf_category *c, double z);
  */
 double wf_category_gust(const struct wf_category *c, double z);
 
+/* Sites as a person names them. */
+struct wf_site_kind {
+    const char *name;     /* "suburb" */
+    const char *category; /* terrain that the wind comes over */
+    const char *text;
+};
+extern const struct wf_site_kind wf_site_kinds[]; /* ends at name == NULL */
+/* The row of that name; NULL when there is none. */
+const struct wf_site_kind *wf_site_kind_named(const char *name);
+
 #ifdef __cplusplus
 }
 #endif

@@ -4,6 +4,7 @@
 #include "base/csv.h"
 #include "base/num.h"
 #include "base/text.h"
+#include "wind/category.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -110,6 +111,8 @@ const struct wf_averaging_law wf_averaging_laws[] = {
     { "off-land", "Harper et al. (2010)", "tropical cyclones, offshore wind at a coast" },
     { "off-sea", "Harper et al. (2010)", "tropical cyclones, onshore wind at a coast" },
     { "at-sea", "Harper et al. (2010)", "tropical cyclones, open sea more than 20 km out" },
+    { "en1991", "EN 1991-1-4:2005, 4.4 and 4.5: sqrt(1 + 7 I_v) of the terrain where the wind was measured",
+      "strong winds other than thunderstorms; 3-s gusts and 10-min means" },
     { 0 }
 };
 
@@ -134,17 +137,35 @@ static double harper_factor(size_t class, double period, double gust)
 
 static double durst(double t) { return 1.277 + 0.296 * tanh(0.9 * log10(45.0 / t)); }
 
-enum wf_status wf_wind_average(const char *law, double speed, double from, double to, double *out,
-                               struct wf_err *e)
+const char *wf_averaging_usual(double time) { return time == WF_GUST_TIME ? "en1991" : "durst"; }
+
+static enum wf_status average_en(const struct wf_wind_place *at, double speed, double from, double to,
+                                 double *out, struct wf_err *e)
+{
+    bool up = from == WF_MEAN_TIME && to == WF_GUST_TIME, down = from == WF_GUST_TIME && to == WF_MEAN_TIME;
+    double gust = at ? wf_category_gust(at->terrain, at->height) : wf_category_gust(wf_category_open(), 10.0);
+    if (!up && !down && from != to)
+        return wf_fail(
+            e, WF_EUSAGE,
+            "en1991: averaging times of %g s and %g s; gusts of 3 s and means of 600 s are covered", from,
+            to);
+    *out = up ? speed * gust : down ? speed / gust : speed;
+    return WF_OK;
+}
+
+enum wf_status wf_wind_average(const char *law, const struct wf_wind_place *at, double speed, double from,
+                               double to, double *out, struct wf_err *e)
 {
     const char *known[8];
     size_t row = 0;
     for (; wf_averaging_laws[row].name && strcmp(wf_averaging_laws[row].name, law) != 0; row++)
         known[row] = wf_averaging_laws[row].name;
     if (!wf_averaging_laws[row].name)
-        return wf_fail(e, WF_EUSAGE,
-                       "unknown averaging law '%s'%s; known are durst, in-land, off-land, off-sea, at-sea",
-                       law, wf_did_you_mean(law, known, row).text);
+        return wf_fail(
+            e, WF_EUSAGE,
+            "unknown averaging law '%s'%s; known are durst, in-land, off-land, off-sea, at-sea, en1991", law,
+            wf_did_you_mean(law, known, row).text);
+    if (strcmp(law, "en1991") == 0) return average_en(at, speed, from, to, out, e);
     if (row == 0) {
         if (!(from >= 1.0 && from <= 3600.0 && to >= 1.0 && to <= 3600.0))
             return wf_fail(e, WF_EUSAGE, "durst: averaging times of %g s and %g s; 1 s to 3600 s are covered",

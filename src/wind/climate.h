@@ -5,6 +5,7 @@
  */
 #include "base/arena.h"
 #include "base/err.h"
+#include "wind/wind.h"
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -45,7 +46,8 @@ const struct wf_wind_grade *wf_wind_scale_grade(const struct wf_wind_scale *s, d
  * (1984): U_t/U_3600 = 1.277 + 0.296 tanh(0.9 log10(45 s/t)), 1 s to 3600 s. "in-land", "off-land",
  * "off-sea", "at-sea": gust factors of Harper B.A., Kepert J.D., Ginger J.D. (2010), Guidelines for
  * converting between various wind averaging periods in tropical cyclone conditions, WMO/TD-1555, table 1.1;
- * between a mean over 600 s or 3600 s and gusts of 3, 60, 120, 180 or 600 s. */
+ * between a mean over 600 s or 3600 s and gusts of 3, 60, 120, 180 or 600 s. "en1991": gusts of 3 s and
+ * 10-min means by wf_category_gust, EN 1991-1-4, of the terrain and height where the wind was measured. */
 struct wf_averaging_law {
     const char *name, *source, *validity;
 };
@@ -53,10 +55,13 @@ extern const struct wf_averaging_law wf_averaging_laws[]; /* ends at name == NUL
 
 /* Convert a wind speed between averaging times. Given: law, speed [m/s], averaging times from and to [s].
  * Returned: for to < from the largest mean over `to` within a period `from` whose mean is `speed`; for to >
- * from the mean over `to` of a wind whose largest mean over `from` is `speed`. Errors: WF_EUSAGE for an
- * unknown law or a time that it does not cover. */
-enum wf_status wf_wind_average(const char *law, double speed, double from, double to, double *out,
-                               struct wf_err *e);
+ * from the mean over `to` of a wind whose largest mean over `from` is `speed`; where it was measured, NULL:
+ * at 10 m over open country. Errors: WF_EUSAGE for an unknown law or a time that it does not cover. */
+enum wf_status wf_wind_average(const char *law, const struct wf_wind_place *at, double speed, double from,
+                               double to, double *out, struct wf_err *e);
+/* The law for gusts of 3 s and for other averaging times that are not named with one. */
+const char *wf_averaging_usual(double time);
+#define WF_GUST_TIME 3.0 /* averaging time of gusts [s] */
 
 /* A wind rose: the share of hours in which the wind comes from each direction, and the Weibull distribution
  * of its speed in these hours. */

@@ -184,3 +184,12 @@ double wf_stand_gust(double height, double spacing, double edge, double gap)
     double well_in = inside + step * pow(decay, deep), here = inside + step * pow(decay, in);
     return (well_in + open * (here - well_in)) / mean;
 }
+
+double wf_stand_moment(double density, double speed, double height, double spacing, double drag_area)
+{
+    const double ground = 0.003, tree = 0.3, most = 0.6, displaced = 7.5;
+    double ground_area = spacing * spacing, index = 2.0 * drag_area / ground_area;
+    double stress = density * speed * speed * (ground + tree * fmin(index, most) / 2.0);
+    double root = sqrt(displaced * index), d = root > 0.0 ? height * (1.0 + expm1(-root) / root) : 0.0;
+    return stress * ground_area * d;
+}

@@ -51,6 +51,15 @@ const struct wf_gust_rule *wf_gust_rule_named(const char *name);
  * 70:233; Gardiner, Peltola & Kellomaki 2000, Ecol. Model. 129:1, eqs 4 and 5. */
 double wf_stand_gust(double height, double spacing, double edge, double gap);
 
+/* Mean wind moment on a tree well inside a stand, from the momentum that the stand takes from the wind.
+ * Given: density of the air [kg m-3], mean wind at the canopy top [m/s], height and spacing of the stand [m],
+ * frontal area of a crown in that wind times its drag coefficient [m2]. Returned: the moment at the ground
+ * [N m]: the shear stress rho u*^2 on the ground of one tree, spacing^2, acts at the zero-plane displacement
+ * d. Source: Raupach 1992, Boundary-Layer Meteorol. 60:375, and 1994, ibid. 71:211 (u*, d); Thom 1971, Q. J.
+ * R. Meteorol. Soc. 97:414 (height); as in GALES, Gardiner et al. 2000. Canopy area index twice the drag area
+ * over spacing^2; u*^2/u^2 at most that of an index of 0.6. */
+double wf_stand_moment(double density, double speed, double height, double spacing, double drag_area);
+
 #ifdef __cplusplus
 }
 #endif

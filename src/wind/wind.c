@@ -92,6 +92,20 @@ static void power(const struct wf_wind *w, const double x[3], double u[3], doubl
     blow_along(w, speed, slope, u, du);
 }
 
+static void terrain(const struct wf_wind *w, const double x[3], double u[3], double du[9])
+{
+    double slope, scale = log_profile_scale(w->speed, fmax(w->reference_height, w->least), 0.0, w->roughness);
+    double speed = terrain_profile(scale, w->roughness, w->least, x[2], &slope);
+    blow_along(w, speed, slope, u, du);
+}
+
+static void code(const struct wf_wind *w, const double x[3], double u[3], double du[9])
+{
+    double slope, reference = fmax(w->reference_height, w->least);
+    double speed = floor_profile(w->speed, reference, w->exponent, w->least, x[2], &slope);
+    blow_along(w, speed, slope, u, du);
+}
+
 /* A measured profile. */
 
 enum { HEIGHTS_MAX = 1000 };
@@ -195,6 +209,14 @@ const struct wf_profile wf_profiles[] = {
       "86(5):39-68",
       "strong wind over level ground, 1 m to 300 m; exponent 0.10 (water) to 0.40 (town), 0.16 open country",
       power, "exponent", WF_PROFILE_POWER },
+    { "terrain",
+      "EN 1991-1-4:2005 + A1:2010, 4.3.2: the log law of the terrain category, constant below z_min",
+      "strong wind over flat ground of one roughness for some kilometres upwind, up to 200 m; the wind "
+      "between the "
+      "trees of a stand is lower",
+      terrain, "", WF_PROFILE_TERRAIN },
+    { "code", "the power law of the design code, constant below its lowest height (--design)",
+      "as the terrain of the code", code, "", WF_PROFILE_FLOOR },
     { "canopy",
       "Cionco R.M. 1965. A mathematical model for air flow in a vegetative canopy. J. Appl. Meteorol. "
       "4:517-522; above: "
@@ -213,7 +235,8 @@ const struct wf_profile wf_profiles[] = {
     { 0 }
 };
 
-const char *const wf_profile_names[] = { "uniform", "log", "power", "canopy", "measured", NULL };
+const char *const wf_profile_names[] = { "uniform", "log",    "power",    "terrain",
+                                         "code",    "canopy", "measured", NULL };
 
 double wf_wind_from(double azimuth, double north)
 {
@@ -258,6 +281,9 @@ enum wf_status wf_wind_check(const struct wf_wind *w, struct wf_err *e)
                 "displacement + roughness = %g m",
                 w->reference_height, w->displacement + w->roughness);
     }
+    if (w->sample == terrain && !(w->roughness > 0 && fmax(w->least, w->reference_height) > w->roughness))
+        return wf_fail(e, WF_EINPUT, "terrain of roughness length %g m: must be positive and below %g m",
+                       w->roughness, fmax(w->least, w->reference_height));
     if (w->sample == wf_canopy_sample) {
         double h = w->canopy_height > 0 ? w->canopy_height : w->displacement / 0.7;
         if (!(w->roughness > 0 && w->displacement >= 0 && (h == 0 || h > w->displacement + w->roughness)))
@@ -272,7 +298,7 @@ enum wf_status wf_wind_check(const struct wf_wind *w, struct wf_err *e)
     }
     if (w->sample == wf_measured_sample && !w->field)
         return wf_fail(e, WF_EINPUT, "the measured profile needs a file of heights and speeds");
-    if (w->sample == power) {
+    if (w->sample == power || w->sample == code) {
         if (!(w->reference_height > 0))
             return wf_fail(e, WF_EINPUT, "reference height %g m: must be positive", w->reference_height);
         if (!(w->exponent >= 0 && w->exponent <= 1))

@@ -11,6 +11,23 @@
 extern "C" {
 #endif
 
+struct wf_category;
+/* Where a wind was measured. */
+struct wf_wind_place {
+    const struct wf_category *terrain;
+    double height; /* above the ground [m] */
+};
+
+/* A design wind (wind/design.h) as the user specifies it. NULL, NAN: not given. */
+struct wf_design_words {
+    const char *code;    /* row of wf_designs */
+    const char *terrain; /* the code's name of it, or the category of EN 1991-1-4 with the same ground */
+    const char *region;  /* of AS/NZS 1170.2 */
+    double basic;        /* basic wind [m/s] */
+    double pressure;     /* in its place: basic wind pressure [Pa] */
+    double years;        /* return period */
+};
+
 struct wf_wind;
 /* Velocity u [m/s] and gradient du[3*i+j] = d u_i / d x_j [1/s] at point x [m]. */
 typedef void wf_wind_sample(const struct wf_wind *w, const double x[3], double u[3], double du[9]);
@@ -23,6 +40,7 @@ struct wf_wind {
     double roughness;        /* z0 [m] (log)                                           */
     double displacement;     /* d [m] (log)                                            */
     double exponent;         /* alpha (power) [-]                                      */
+    double least;            /* height below which the speed is constant [m] (terrain, code) */
     double canopy_height;    /* h [m] (canopy); 0: displacement / 0.7                  */
     double attenuation;      /* a [-] (canopy); 0: the value that makes the gradient continuous at the top */
     const void *field;       /* data of a sampler (measured, shelter)                  */
@@ -38,7 +56,9 @@ enum wf_profile_form {
     WF_PROFILE_BY_CALL,
     WF_PROFILE_UNIFORM,
     WF_PROFILE_LOG,
-    WF_PROFILE_POWER
+    WF_PROFILE_POWER,
+    WF_PROFILE_TERRAIN,
+    WF_PROFILE_FLOOR
 };
 
 struct wf_profile {
@@ -53,7 +73,7 @@ enum wf_profile_form wf_wind_form(const struct wf_wind *w);
  */
 void wf_canopy_shape(const struct wf_wind *w, double *top, double *attenuation);
 extern const struct wf_profile
-    wf_profiles[];                           /* uniform, log, power, canopy, measured; ends at name == NULL */
+    wf_profiles[]; /* uniform, log, power, terrain, code, canopy, measured; ends at name == NULL */
 extern const char *const wf_profile_names[]; /* their names, for a list of choices; ends at NULL */
 /* The canopy profile: exponential within a stand, U = U(h) exp(-a (1 - z/h)) up to the canopy top h;
  * logarithmic above. */

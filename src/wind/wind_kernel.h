@@ -33,4 +33,26 @@ WF_INLINE real log_profile_scale(real at_reference, real reference, real displac
 {
     return at_reference / real_log((reference - displacement) / roughness);
 }
+
+/* A profile whose speed is constant below a height. Given: its slope there, as at that height. */
+WF_INLINE real slope_above(real z, real least, real slope)
+{
+    return real_choose(real_not_above(z, least), real_of(0), slope);
+}
+
+/* The mean wind of a terrain category: the log law, constant below z_min. */
+WF_INLINE real terrain_profile(real scale, real roughness, real least, real z, real *slope)
+{
+    real at, speed = log_profile(scale, real_of(0), roughness, real_max(z, least), &at);
+    *slope = slope_above(z, least, at);
+    return speed;
+}
+
+/* The power law, constant below a height above the calm layer. */
+WF_INLINE real floor_profile(real at_reference, real reference, real a, real least, real z, real *slope)
+{
+    real at, speed = power_profile(at_reference, reference, a, real_max(z, least), &at);
+    *slope = slope_above(z, least, at);
+    return speed;
+}
 #endif

@@ -7,6 +7,7 @@
 #include "data/species.h"
 #include "load/drag.h"
 #include "out/results.h"
+#include "wind/category.h"
 #include <math.h>
 #include <string.h>
 
@@ -84,12 +85,11 @@ static inline struct wf_species *mock_species(const struct mock_kind *kind, stru
     sp->crown.drag_coefficient = mock_value(0.5, 0.4, WF_BORROWED, vollsinger);
     sp->crown.leaf_mass_per_area = mock_value(0.13, 0.2, WF_BORROWED, vollsinger);
     sp->crown.frontal_share = mock_value(0.35, 0.4, WF_ASSUMED, NULL);
-    sp->streamlining = (struct wf_law_use){
-        .law = "vogel",
-        .low = 4,
-        .high = 20,
-        .parameter = { mock_value(-0.7, 0.2, WF_BORROWED, vollsinger), { .value = 5 } }
-    };
+    sp->streamlining = (struct wf_law_use){ .law = "vogel",
+                                            .low = 4,
+                                            .high = 20,
+                                            .parameter = { mock_value(-0.7, 0.2, WF_BORROWED, vollsinger),
+                                                           { .value = 5 } } };
     return sp;
 }
 
@@ -164,6 +164,8 @@ static inline void mock_speed(const struct wf_analysis *an, const struct mock_ki
     at->drag = force, at->weight = 420, at->tip_angle = angle, at->tip_deflection = g->deflection[n - 1];
     at->tip_deflection_share = at->tip_deflection / height;
     at->base_shear = force, at->base_moment = b->bending0[0];
+    at->steady =
+        (struct wf_steady){ at->drag, at->tip_deflection, at->tip_angle, at->base_shear, at->base_moment };
     if (isinf(worst->safety)) worst->row = -1;
     if (!rows) memset(g, 0, sizeof *g);
 }
@@ -199,7 +201,11 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
                                           .displacement = NAN,
                                           .temperature = 288.15,
                                           .air_density = NAN,
-                                          .gravity = 9.81 };
+                                          .gravity = 9.81,
+                                          .speed_up = 1,
+                                          .carried = 1,
+                                          .category = wf_category_open(),
+                                          .named = { wf_category_open(), 10 } };
     out->loads.air_density = 1.225;
     out->loads.streamline = wf_streamline_named("vogel");
     out->loads.axis_drag = wf_axis_drag_laws;
@@ -214,15 +220,18 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
     out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row = -1, out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height = NAN;
     for (size_t k = 0; k < MOCK_SWEEP; k++) {
         mock_speed(out, kind, (double)k, false, &out->sweep[k], a);
-        if (out->sweep[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety < 1 && out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome == WF_CRITICAL_ABOVE) {
-            out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical = (struct wf_critical){ .outcome = WF_CRITICAL_FOUND,
-                                                  .speed = (double)k - 0.37,
-                                                  .speed_low = (double)k - 0.371,
-                                                  .speed_high = (double)k - 0.369,
-                                                  .gradient = 0.04,
-                                                  .evaluations = 19 };
+        if (out->sweep[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety < 1 &&
+            out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.outcome == WF_CRITICAL_ABOVE) {
+            out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical =
+                (struct wf_critical){ .outcome = WF_CRITICAL_FOUND,
+                                      .speed = (double)k - 0.37,
+                                      .speed_low = (double)k - 0.371,
+                                      .speed_high = (double)k - 0.369,
+                                      .gradient = 0.04,
+                                      .evaluations = 19 };
             out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row = out->sweep[k].worst[WF_BREAKAGE][WF_SCOPE_TREE].row;
-            out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height = out->tree.z0[out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row];
+            out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height =
+                out->tree.z0[out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row];
         }
     }
     out->diag = WF_TAKE(a, 1, struct wf_diag);
