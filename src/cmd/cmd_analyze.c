@@ -186,11 +186,11 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
-    NUMBER("--snow", snow, "DEPTH", LENGTH, "cm", 0, 5, NULL,
+    NUMBER("--snow", snow, "DEPTH", LENGTH, "cm", 0, 500, NULL,
            "snow on the crown, on its area seen from above: added mass"),
     NUMBER("--snow-density", snow_density, "DENSITY", DENSITY, "kg/m3", 10, 917, "150",
            "of the snow; 150 kg/m3 as in ForestGALES", .unused = snow_unused),
-    NUMBER("--ice", ice, "THICKNESS", LENGTH, "mm", 0, 0.2, NULL,
+    NUMBER("--ice", ice, "THICKNESS", LENGTH, "mm", 0, 200, NULL,
            "radial thickness of ice on all axes and leaves: added mass, and thicker axes in the wind"),
     NUMBER("--water-film", water_film, "DEPTH", LENGTH, "mm", 0, 5, NULL,
            "rain held by the leaves, per one-sided leaf area: added mass; the tree is compared with the dry "
