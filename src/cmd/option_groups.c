@@ -88,10 +88,11 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
         return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
     if (table) s = wf_peak_table_read(asked->table, a, d, table, e);
     out->peak = (struct wf_peak_request){
-        .method = asked->method ? asked->method
-                  : out->design ? out->design->peak
-                  : preset      ? "mean"
-                                : "en1991",
+        .method = asked->method                           ? asked->method
+                  : out->design                           ? out->design->peak
+                  : preset                                ? "mean"
+                  : in_stand(out) && asked->spacing > 0.0 ? "gales"
+                                                          : "en1991",
         .damping = asked->damping,
         .exponent_by_law = !strcmp(asked->exponent, "law"),
         .table = table,
