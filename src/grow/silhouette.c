@@ -43,7 +43,7 @@ static enum wf_status check_sides(const struct wf_outline *o, struct wf_err *e)
     return WF_OK;
 }
 
-enum wf_status wf_outline_check(const struct wf_outline *o, struct wf_err *e)
+static enum wf_status check_outline(const struct wf_outline *o, struct wf_err *e)
 {
     double unused;
     if (o->n < 3 || o->n > WF_OUTLINE_POINTS)
@@ -100,7 +100,7 @@ enum wf_status wf_outline_read(const char *path, struct wf_silhouette *s, struct
     }
     if (csv.mistakes) return wf_fail(e, WF_EINPUT, "%s: the outline was not read", path);
     struct wf_err why = { 0 };
-    enum wf_status bad = wf_outline_check(&(struct wf_outline){ s->points, s->x, s->z }, &why);
+    enum wf_status bad = check_outline(&(struct wf_outline){ s->points, s->x, s->z }, &why);
     return bad ? wf_fail(e, bad, "%s: %s", path, why.text) : WF_OK;
 }
 
@@ -147,7 +147,7 @@ enum wf_status wf_silhouette_check(const struct wf_silhouette *s, struct wf_err 
     const char *why, *wrong = wf_silhouette_wrong(s, &why);
     if (wrong) return wf_fail(e, WF_EINPUT, "%s %s", wrong, why);
     if (!s->points) return WF_OK;
-    return wf_outline_check(&(struct wf_outline){ s->points, s->x, s->z }, e);
+    return check_outline(&(struct wf_outline){ s->points, s->x, s->z }, e);
 }
 
 bool wf_silhouette_ends(const struct wf_silhouette *s, double height, double *base, double *top)

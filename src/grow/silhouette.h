@@ -17,17 +17,17 @@ struct wf_outline {
 };
 enum { WF_OUTLINE_POINTS = 2000 }; /* most */
 
-/* Refuse an outline that no crown has: fewer than 3 points or more than WF_OUTLINE_POINTS, one that crosses
- * or touches itself, one below the ground, one without area. Errors: WF_EINPUT with the points' numbers. */
-enum wf_status wf_outline_check(const struct wf_outline *o, struct wf_err *e);
 /* Area [m2] of an outline between two heights [m], and its first moment about the ground [m3]. */
 double wf_outline_strip(const struct wf_outline *o, double from, double to, double *moment);
 /* Read an outline from a table with the columns x_m and z_m, one point a row in order around the crown.
- * Returned: points of *s. Errors: WF_EINPUT with mistakes of the file in `d`; those of wf_outline_check. */
+ * Returned: points of *s. Errors: WF_EINPUT with mistakes of the file in `d`; those of wf_silhouette_check.
+ */
 enum wf_status wf_outline_read(const char *path, struct wf_silhouette *s, struct wf_arena *a,
                                struct wf_diag *d, struct wf_err *e);
 
-/* Do the numbers of a silhouette belong together? Errors: WF_EINPUT. */
+/* Errors: WF_EINPUT for fewer than 3 points or more than WF_OUTLINE_POINTS, an outline that crosses or
+ * touches itself, lies below the ground or has no area, with the points' numbers; for numbers that do not
+ * belong together. */
 enum wf_status wf_silhouette_check(const struct wf_silhouette *s, struct wf_err *e);
 /* Frontal area with leaves [m2]; NAN when it is not given. */
 double wf_silhouette_area(const struct wf_silhouette *s);

@@ -5,7 +5,6 @@
 #include "data/model.h"
 #include "data/species.h"
 #include "grow/silhouette.h"
-#include "grow/silhouette.h"
 #include "load/drag.h"
 #include "study/peak.h"
 #include "study/wetted.h"
@@ -227,6 +226,8 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "altitude", s->altitude, "m", NULL);
     wf_doc_quantity(d, o, "air_density", a->loads.air_density, "kg/m3", NULL);
     wf_doc_text(d, o, "air_density_from", isnan(s->air_density) ? "temperature and altitude" : "given");
+    wf_doc_quantity(d, o, "snow", s->snow, "kg/m2", NULL);
+    wf_doc_quantity(d, o, "ice", s->ice, "m", NULL);
     wf_doc_quantity(d, o, "gravity", s->gravity, "m/s2", NULL);
     wf_doc_text(d, o, "shelter", s->shelter ? s->shelter : "none");
     return o;

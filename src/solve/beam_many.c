@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "solve/beam_rest.h"
 #include "solve/beam_many.h"
 #include "base/interrupt.h"
 #include "base/parallel.h"
 #include "solve/beam.h"
+#include "solve/beam_rest.h"
 #include <stdlib.h>
 
 /* Kernels and their memory. */
