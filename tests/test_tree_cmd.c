@@ -57,7 +57,10 @@ static void scans_that_are_doubtful(void **state)
           { "WARNING", "0.0118 m3 of wood was not scanned, 82.4 % of" } },
         { "$W tree info " PUBLIC "stem_removed.csv", 2, { "82.4 %", "--force" } },
         { "$W analyze oak --tree " PUBLIC "stem_removed.csv " QUICK, 2, { "82.4 %", "--force" } },
-        { "$W compare oak beech --tree " PUBLIC "stem_removed.csv --force " QUICK
+        { "$W analyze oak --tree " PUBLIC "stem_removed.csv --force " QUICK,
+          1,
+          { "does not stand", "--rest stress-free" } },
+        { "$W compare oak beech --tree " PUBLIC "stem_removed.csv --force --rest stress-free " QUICK
           "&& grep -c '\"code\": \"unseen-wood\"' $T/out/results.json",
           0,
           { "[unseen-wood]", "\n2\n" } },
