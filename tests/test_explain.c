@@ -29,7 +29,7 @@ static void explain(struct made *m, const char *model, double speed)
     wf_solve_options_default(&o);
     if (wf_species_read("species/poplar.yaml", &wf_laws, &m->arena, &m->species, &m->diag, &m->err) ||
         wf_model_read(model, &m->arena, &m->model, &m->diag, &m->err) ||
-        wf_analysis_set_up(&m->an, &m->arena, &m->diag, &m->err) ||
+        wf_analysis_set_up(&m->an, NULL, &m->arena, &m->diag, &m->err) ||
         wf_explain_run(&m->an, &o, speed, &m->arena, &m->diag, &m->out, &m->err))
         fail_msg("%s", m->err.text);
 }
