@@ -66,8 +66,15 @@ static bool peak_takes(const char *method, size_t member)
 bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *why)
 {
     const struct wf_peak_asked *p = (const void *)((const char *)options + o->group);
-    const char *method = p->method ? p->method : "en1991";
+    bool stand = !p->method && p->spacing > 0.0; /* the site decides */
+    const char *method = p->method ? p->method : stand ? "gales" : "en1991";
     return wf_option_unused(!peak_takes(method, o->member - o->group), why, "with --peak %s", method);
+}
+
+/* Is the tree in a stand or at its edge? */
+static bool in_stand(const struct wf_scenario *s)
+{
+    return s->site_kind && (!strcmp(s->site_kind, "in-stand") || !strcmp(s->site_kind, "forest-edge"));
 }
 
 static double given_or(double given, double otherwise) { return isnan(given) ? otherwise : given; }
@@ -81,10 +88,11 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
         return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
     if (table) s = wf_peak_table_read(asked->table, a, d, table, e);
     out->peak = (struct wf_peak_request){
-        .method = asked->method ? asked->method
-                  : out->design ? out->design->peak
-                  : preset      ? "mean"
-                                : "en1991",
+        .method = asked->method                           ? asked->method
+                  : out->design                           ? out->design->peak
+                  : preset                                ? "mean"
+                  : in_stand(out) && asked->spacing > 0.0 ? "gales"
+                                                          : "en1991",
         .damping = asked->damping,
         .exponent_by_law = !strcmp(asked->exponent, "law"),
         .table = table,

@@ -168,7 +168,7 @@ static void parts_rule(const struct wf_peak *p, double speed, enum wf_part part,
         c.exponent = secant_exponent(p, c.mean, sqrt(out->gust.factor));
         p->rule->parts(&c, &out->gust);
     }
-    out->factor = out->gust.factor;
+    out->factor = fmax(out->gust.factor, p->least);
 }
 
 static const char steady[] = "The steady wind alone: no gusts, no resonance. Loads of real wind are higher";
@@ -269,7 +269,8 @@ double wf_peak_gusts(const struct wf_peak *p, double speed)
 double wf_peak_wind(const struct wf_peak *p, enum wf_part part)
 {
     if (!p) return 1.0;
-    if (p->method->mean) return p->top; /* on the whole tree: bent in a gust, its crown is not in calmer air */
+    if (p->method->mean)
+        return p->top; /* on the whole tree: bent in a gust, its crown is not in calmer air */
     return p->method->by_gust && part != WF_PART_MEAN ? p->gust : 1.0;
 }
 

@@ -7,6 +7,7 @@
 #include "data/species.h"
 #include "load/drag.h"
 #include "out/results.h"
+#include "wind/category.h"
 #include <math.h>
 #include <string.h>
 
@@ -193,8 +194,18 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
     *out = (struct wf_analysis){
         .species = mock_species(kind, a), .model = &model, .solver = &solver, .tallness = 14, .n = n
     };
-    wf_scenario_default(&out->scenario);
-    out->scenario.roughness = out->scenario.displacement = NAN;
+    out->scenario = (struct wf_scenario){ .profile = "power",
+                                          .reference_height = 10,
+                                          .exponent = 0.16,
+                                          .roughness = NAN,
+                                          .displacement = NAN,
+                                          .temperature = 288.15,
+                                          .air_density = NAN,
+                                          .gravity = 9.81,
+                                          .speed_up = 1,
+                                          .carried = 1,
+                                          .category = wf_category_open(),
+                                          .named = { wf_category_open(), 10 } };
     out->loads.air_density = 1.225;
     out->loads.streamline = wf_streamline_named("vogel");
     out->loads.axis_drag = wf_axis_drag_laws;
