@@ -75,6 +75,33 @@
   </table>
 </xsl:template>
 
+<!-- the sway of the whole tree in each state -->
+<xsl:template name="sways">
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">md.sways</xsl:with-param></xsl:call-template>
+    <thead>
+      <tr>
+        <xsl:call-template name="heads">
+          <xsl:with-param name="of">md.c.leaves;md.c.wind:m/s;c.frequency:Hz;md.c.turn:%;md.c.mass:kg;md.c.damping.air:;md.c.total:</xsl:with-param>
+        </xsl:call-template>
+      </tr>
+    </thead>
+    <tbody>
+      <xsl:for-each select="$r/blocks/item">
+        <tr>
+          <td><xsl:call-template name="season"/></td>
+          <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="speed"/></xsl:call-template></td>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="tree_frequency"/></xsl:call-template>
+          <xsl:call-template name="share"><xsl:with-param name="x" select="tree_share"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="mass_kg"/></xsl:call-template>
+          <xsl:call-template name="ratio"><xsl:with-param name="x" select="air"/></xsl:call-template>
+          <xsl:call-template name="ratio"><xsl:with-param name="x" select="damping"/></xsl:call-template>
+        </tr>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
 <xsl:template match="measured">
   <xsl:call-template name="h2"><xsl:with-param name="id">md.h.measured</xsl:with-param></xsl:call-template>
   <p>
@@ -94,17 +121,16 @@
       <xsl:with-param name="x" select="height"/><xsl:with-param name="unit">m</xsl:with-param></xsl:call-template>
     <xsl:call-template name="fact"><xsl:with-param name="id">md.measured</xsl:with-param>
       <xsl:with-param name="x" select="frequency"/><xsl:with-param name="unit">Hz</xsl:with-param></xsl:call-template>
-    <xsl:for-each select="$r/blocks/item[sway_mode]">
+    <xsl:for-each select="$r/blocks/item[ratio_to_measured]">
       <tr>
         <th><xsl:call-template name="season"/></th>
         <td>
           <xsl:call-template name="say">
             <xsl:with-param name="id">md.ratio</xsl:with-param>
-            <xsl:with-param name="a" select="sway_mode"/>
-            <xsl:with-param name="b">
-              <xsl:call-template name="number"><xsl:with-param name="x" select="modes/item[number = current()/sway_mode]/frequency"/></xsl:call-template>
+            <xsl:with-param name="a">
+              <xsl:call-template name="number"><xsl:with-param name="x" select="tree_frequency"/></xsl:call-template>
             </xsl:with-param>
-            <xsl:with-param name="c">
+            <xsl:with-param name="b">
               <xsl:call-template name="number"><xsl:with-param name="x" select="ratio_to_measured"/></xsl:call-template>
             </xsl:with-param>
           </xsl:call-template>
@@ -120,6 +146,8 @@
   <div class="summary">
     <p><xsl:call-template name="say"><xsl:with-param name="id">md.note</xsl:with-param></xsl:call-template></p>
   </div>
+  <xsl:call-template name="h2"><xsl:with-param name="id">md.h.sways</xsl:with-param></xsl:call-template>
+  <xsl:call-template name="sways"/>
   <xsl:call-template name="h2"><xsl:with-param name="id">md.h.modes</xsl:with-param></xsl:call-template>
   <xsl:apply-templates select="$r/blocks/item" mode="table"/>
   <p><xsl:call-template name="say"><xsl:with-param name="id">md.columns</xsl:with-param></xsl:call-template></p>

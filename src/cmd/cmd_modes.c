@@ -76,6 +76,12 @@ static void print_block(const struct wf_mode_block *b)
         wf_show(stdout, "  no state of the tree\n");
         return;
     }
+    const struct wf_sway *sway = &b->modes.sway;
+    wf_show(
+        stdout,
+        "Whole tree along the wind: %.4g Hz with %.0f %% of the overturning, modal mass %.4g kg, damping of "
+        "the air %.3f, total %.3f\n",
+        sway->frequency, 100 * sway->participation, sway->mass, sway->air, b->modes.damping);
     wf_show(stdout, "%4s %9s  %-9s %6s %6s %6s  %6s %6s  %9s  %6s %6s %6s\n", "mode", "Hz", "moves", "along",
             "across", "up", "along", "across", "kg", "wood", "air", "total");
     for (size_t k = 0; k < b->modes.count; k++) {
@@ -105,9 +111,9 @@ static void print_measured(const struct wf_mode_list *l)
     for (size_t i = 0; i < l->blocks; i++) {
         const struct wf_mode_block *b = &l->block[i];
         if (b->speed > 0.0 || !b->modes.count) continue;
-        double f = b->modes.mode[b->sway].frequency;
-        wf_show(stdout, "  %s: mode %zu, %.3g Hz, %.2f times that\n",
-                b->season == WF_LEAF_ON ? "with leaves" : "without leaves", b->sway + 1, f, f / l->measured);
+        double f = b->modes.sway.frequency;
+        wf_show(stdout, "  %s, whole tree: %.3g Hz, %.2f times that\n",
+                b->season == WF_LEAF_ON ? "with leaves" : "without leaves", f, f / l->measured);
     }
     wf_show(stdout, "  source: %s\n", wf_sway_lines_source);
 }

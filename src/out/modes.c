@@ -19,13 +19,28 @@ static void mode_row(FILE *f, size_t run, const struct wf_mode_block *b, size_t 
     fputc('\n', f);
 }
 
+/* The sway of the whole tree is in the row of mode 0. */
+static void sway_row(FILE *f, size_t run, const struct wf_mode_block *b)
+{
+    const struct wf_sway *s = &b->modes.sway;
+    fprintf(f, "%zu,%s,%.6g,0,tree", run, season_word(b->season), b->speed);
+    number(f, s->frequency), number(f, s->mass);
+    fputs(",,,", f);
+    number(f, s->participation);
+    fputs(",,", f);
+    number(f, s->air), number(f, b->modes.damping);
+    fputc('\n', f);
+}
+
 static void modes_table(FILE *f, const struct wf_mode_list *l)
 {
     fputs("run,season,wind_m_s,mode,direction,frequency_Hz,modal_mass_kg,mass_share_along,mass_share_across,"
           "mass_share_up,overturning_along,overturning_across,damping_structural,damping_air,damping\n",
           f);
-    for (size_t i = 0; i < l->blocks; i++)
+    for (size_t i = 0; i < l->blocks; i++) {
+        if (l->block[i].modes.count) sway_row(f, i + 1, &l->block[i]);
         for (size_t k = 0; k < l->block[i].modes.count; k++) mode_row(f, i + 1, &l->block[i], k);
+    }
 }
 
 /* Is the block the one whose shapes are drawn: the first of its season? */
@@ -128,9 +143,14 @@ static json_t *block_part(struct wf_doc *d, const struct wf_mode_list *l, size_t
     wf_doc_flag(d, o, "damping_known", b->modes.damping_known);
     json_t *list = wf_doc_put(d, o, "modes", wf_doc_array(d));
     for (size_t k = 0; k < b->modes.count; k++) wf_doc_add(d, list, mode_part(d, &b->modes.mode[k], k));
-    if (b->speed > 0.0 || !b->modes.count) return o;
-    wf_doc_count(d, o, "sway_mode", b->sway + 1);
-    wf_doc_number(d, o, "ratio_to_measured", b->modes.mode[b->sway].frequency / l->measured);
+    if (!b->modes.count) return o;
+    const struct wf_sway *sway = &b->modes.sway;
+    wf_doc_number(d, o, "tree_frequency", sway->frequency);
+    wf_doc_number(d, o, "tree_share", sway->participation);
+    wf_doc_number(d, o, "mass_kg", sway->mass);
+    wf_doc_number(d, o, "air", sway->air);
+    wf_doc_number(d, o, "damping", b->modes.damping);
+    if (!(b->speed > 0.0)) wf_doc_number(d, o, "ratio_to_measured", sway->frequency / l->measured);
     return o;
 }
 

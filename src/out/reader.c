@@ -22,7 +22,7 @@ static const struct {
     { COUNT, "across answers axes branch_count columns cylinder evaluations frames freedom full hole "
              "iterations keys number passes readings records resampled rows run segment segments size "
              "slit starts starts_same transmitting up facets fell grid hits hung leaves merged missed ran "
-             "scene springs sway_mode vertices wood_hits" },
+             "scene springs vertices wood_hits" },
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
     { FLAG, "conifer damping_known staged as_printed converged energy estimated given nuisance priors "
@@ -51,7 +51,7 @@ static const struct {
               "frequency_Hz frequency_percent hanging_mg intensity_mm_h paper restoring_N_m "
               "ring_decrement ring_frequency_Hz spread_mm steps_a_second tests_a_way tip_percent "
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
-              "ratio_to_measured structural turn_across turn_along "
+              "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
               "twist_percent water_off energy_off with_restoring frequency_with_restoring damping_ratio" },
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },

@@ -103,9 +103,10 @@ static void read_shapes(struct sway *s, size_t many, double *shape)
     }
 }
 
-/* Frequencies on the beam's mesh, and what is wanted of their motions: shape and kept may be NULL. */
-static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena *work, double *frequency,
-                               double *shape, struct wf_modes_kept *kept, struct wf_err *e)
+/* Frequencies on the beam's mesh, and what is wanted of their motions, to a tolerance: shape and kept may be
+ * NULL. */
+static enum wf_status modes_on(struct wf_beam *b, size_t count, double tolerance, struct wf_arena *work,
+                               double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e)
 {
     struct sway s;
     size_t size = wf_beam_motion_size(b), n = b->mesh.tree->n;
@@ -117,9 +118,7 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena 
     size_t *order = WF_TAKE(work, count, size_t);
     if (!value || ((shape || kept) && !vector) || !order)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
-    struct wf_lanczos l = {
-        .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = kept ? 1e-8 : 1e-5
-    };
+    struct wf_lanczos l = { .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = tolerance };
     if ((status = wf_lanczos(&l, value, vector, work, e))) return status;
     order_by_frequency(value, order, count);
     for (size_t i = 0; i < count; i++) {
@@ -149,9 +148,10 @@ static bool choose_finer_mesh(const double *coarse, const double *fine, size_t c
     return true;
 }
 
-enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
-                             const struct wf_solve_options *o, size_t count, struct wf_arena *a,
-                             double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e)
+static enum wf_status modes_within(double tolerance, const struct wf_tree *t, const struct wf_loads *l,
+                                   const struct wf_solve_options *o, size_t count, struct wf_arena *a,
+                                   double *frequency, double *shape, struct wf_modes_kept *kept,
+                                   struct wf_err *e)
 {
     enum { MESHES = 6 };
     struct wf_arena work = { 0 };
@@ -168,7 +168,7 @@ enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
         if (!status && mesh > 0) wf_beam_carry(&last, &b);
         if (!status) status = find_equilibrium(&b, &work, e);
         if (!status && kept) status = keep_equilibrium(&b, pieces, count, a, kept, e);
-        if (!status) status = modes_on(&b, count, &work, frequency, shape, kept, e);
+        if (!status) status = modes_on(&b, count, tolerance, &work, frequency, shape, kept, e);
         if (status || !(o->mesh_tolerance > 0)) break;
         if (mesh == 0)
             for (size_t i = 0; i < t->n; i++) pieces[i] *= 2;
@@ -183,10 +183,19 @@ enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
     return status;
 }
 
+static const double rough = 1e-5, sharp = 1e-8; /* of motions */
+
+enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
+                             const struct wf_solve_options *o, size_t count, struct wf_arena *a,
+                             double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e)
+{
+    return modes_within(sharp, t, l, o, count, a, frequency, shape, kept, e);
+}
+
 enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
                         size_t count, struct wf_arena *a, double *frequency, double *shape, struct wf_err *e)
 {
-    return wf_modes_keep(t, l, o, count, a, frequency, shape, NULL, e);
+    return modes_within(rough, t, l, o, count, a, frequency, shape, NULL, e);
 }
 
 /* A beam in the equilibrium that was kept. */
@@ -421,10 +430,11 @@ static void part_of_mode(struct sway *s, const struct wf_modes_kept *kept, size_
         shape[i] = b->sides[b->mesh.last[i / 3]].y[i % 3][0] / value;
 }
 
-enum wf_status wf_modes_parts(const struct wf_tree *t, const struct wf_loads *l,
-                              const struct wf_solve_options *o, const struct wf_modes_kept *kept,
-                              size_t count, const double to[2], struct wf_modes_part *out, double *shape,
-                              struct wf_err *e)
+/* Parts of the modes that were kept. */
+static enum wf_status kept_parts(const struct wf_tree *t, const struct wf_loads *l,
+                                 const struct wf_solve_options *o, const struct wf_modes_kept *kept,
+                                 size_t count, const double to[2], struct wf_modes_part *out, double *shape,
+                                 struct wf_err *e)
 {
     const double axis[3][3] = { { to[0], to[1], 0 }, { -to[1], to[0], 0 }, { 0, 0, 1 } };
     struct wf_arena work = { 0 };
@@ -445,6 +455,17 @@ enum wf_status wf_modes_parts(const struct wf_tree *t, const struct wf_loads *l,
     }
     wf_arena_free(&work);
     return status;
+}
+
+enum wf_status wf_modes_parts(const struct wf_tree *t, const struct wf_loads *l,
+                              const struct wf_solve_options *o, size_t *count, const double to[2],
+                              struct wf_arena *a, double *frequency, struct wf_modes_part *out, double *shape,
+                              struct wf_err *e)
+{
+    struct wf_modes_kept kept;
+    enum wf_status s = modes_within(rough, t, l, o, *count, a, frequency, NULL, &kept, e);
+    while (!s && *count && isnan(frequency[*count - 1])) --*count; /* the mesh has no more motions */
+    return s ? s : kept_parts(t, l, o, &kept, *count, to, out, shape, e);
 }
 
 /* Self-buckling. */

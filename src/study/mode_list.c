@@ -68,17 +68,6 @@ static void compare(const struct wf_species *sp, const struct wf_mode_block *b, 
     out->measured = out->line->first + out->line->slope * out->diameter / (out->height * out->height);
 }
 
-static size_t find_sway(const struct wf_sway_modes *m)
-{
-    size_t best = 0;
-    double most = -1.0;
-    for (size_t k = 0; k < m->count; k++) {
-        double turn = fmax(m->mode[k].turn[0], m->mode[k].turn[1]);
-        if (turn > most) best = k, most = turn;
-    }
-    return best;
-}
-
 static enum wf_status run_block(const struct wf_analysis *an, const struct wf_solve_options *o, size_t count,
                                 struct wf_arena *a, struct wf_diag *d, struct wf_mode_block *b,
                                 struct wf_err *e)
@@ -95,16 +84,13 @@ static enum wf_status run_block(const struct wf_analysis *an, const struct wf_so
         return WF_OK;
     }
     if (b->status) return wf_fail(e, b->status, "%s", why.text);
-    b->sway = find_sway(&b->modes);
-    const struct wf_sway_mode *sway = &b->modes.mode[b->sway];
-    double turn = fmax(sway->turn[0], sway->turn[1]);
-    if (turn < least)
-        wf_diag_warn(d, "peak-sway",
-                     "%s, mean wind %.4g m/s: no mode of the %zu computed carries more than %.0f %% of the "
-                     "overturning "
-                     "by inertia: the sway of the whole tree is divided among many branches, or lies higher "
-                     "(--count)",
-                     leaves, b->speed, b->modes.count, 100.0 * turn);
+    double share = b->modes.sway.participation;
+    if (share < least)
+        wf_diag_warn(
+            d, "peak-sway",
+            "%s, mean wind %.4g m/s: the sway of the whole tree about %.3g Hz carries %.0f %% of the "
+            "overturning by inertia; branches divide the rest among many frequencies",
+            leaves, b->speed, b->modes.sway.frequency, 100.0 * share);
     for (size_t k = 0; k < b->modes.count; k++)
         if (b->modes.mode[k].frequency < 0.0) {
             wf_diag_warn(d, "unstable-state",

@@ -23,7 +23,6 @@ struct wf_mode_block { /* one season in one wind */
     double direction[2]; /* the wind blows towards */
     double height;       /* [m] */
     struct wf_sway_modes modes;
-    size_t sway; /* index of the mode with the largest share of the overturning */
 };
 struct wf_mode_list {
     size_t blocks;

@@ -100,11 +100,12 @@ static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_s
                              .air = air / (2.0 * WF_TURN * m->frequency * modal) };
 }
 
+static const double band = 0.1; /* of a sway's frequency: half the width of a mode with a damping of 0.1 */
+
 /* Add the sway at a speed, from the one before. Returned: whether the tree has a state in that mean wind. */
 static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double before,
                      double speed)
 {
-    const double band = 0.1; /* of the frequency: half the width of a mode with a damping of 0.1 */
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
     struct wf_modes_sway m;
@@ -313,12 +314,36 @@ static struct wf_sway_mode mode_of(const struct wf_analysis *an, const struct wf
     for (int k = 0; k < 2; k++) out.turn[k] = part->turn[k] * part->turn[k];
     for (size_t i = 0; i < 3 * an->tree.n; i++)
         if (fabs(shape[i]) > fabs(most)) most = shape[i];
-    out.mass = moved > 1e-3 * fabs(most) ? 1.0 / (moved * moved) : NAN;
+    out.mass = moved > 0.05 * fabs(most) ? 1.0 / (moved * moved) : NAN;
     out.structural = structural_of(an, shape, stem);
     out.air = frequency > 0.0 ? air / (2.0 * WF_TURN * frequency) : NAN;
     out.damping = frequency > 0.0 ? wf_peak_damping(out.structural, known, out.air) : NAN;
     for (size_t i = 0; i < 3 * an->tree.n && most != 0.0; i++) shape[i] /= most;
     return out;
+}
+
+/* The state in the mean wind, with its loads, and the sway of the whole tree about it. */
+static enum wf_status find_state(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                                 struct wf_arena *a, struct wf_response *r, struct wf_sway_modes *out,
+                                 struct wf_err *e)
+{
+    struct wf_speed_answers at;
+    struct wf_modes_sway m;
+    struct wf_track *track;
+    double *shape = WF_TAKE(a, 3 * an->tree.n, double);
+    if (!shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
+    enum wf_status s = wf_track_open(&an->tree, o, NULL, &track, e);
+    if (s) return s;
+    s = wf_speed_track(an, WF_PART_MEAN, track, NAN, speed, NULL, a, &at, e);
+    if (!s && at.at.status) s = wf_fail(e, at.at.status, "%s", wf_status_text(at.at.status));
+    if (!s) s = wf_track_sway(track, an->wind.direction, band, &m, shape, e);
+    wf_track_close(track);
+    if (s) return s;
+    *r = at.at.response;
+    out->sway = sway_of(an, &at.at, &m, shape);
+    double stem = take_damping(an, &out->damping_known);
+    out->damping = wf_peak_damping(structural_of(an, shape, stem), out->damping_known, out->sway.air);
+    return WF_OK;
 }
 
 enum wf_status wf_sway_modes(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
@@ -329,27 +354,26 @@ enum wf_status wf_sway_modes(const struct wf_analysis *an, const struct wf_solve
     struct wf_wind wind = an->wind;
     struct wf_loads loads = an->loads;
     struct wf_response r = { 0 };
-    struct wf_modes_kept kept;
+    size_t found = count + 2; /* the last one wanted may have a companion of its frequency */
     wind.speed = wf_scenario_speed(&an->scenario, speed);
     loads.wind = speed > 0.0 ? &wind : NULL;
-    double *frequency = WF_TAKE(a, count, double), *shape = WF_TAKE(a, count * size, double);
-    struct wf_modes_part *part = WF_TAKE(a, count, struct wf_modes_part);
+    double *frequency = WF_TAKE(a, found, double), *shape = WF_TAKE(a, found * size, double);
+    struct wf_modes_part *part = WF_TAKE(a, found, struct wf_modes_part);
     struct wf_sway_mode *mode = WF_TAKE(a, count, struct wf_sway_mode);
     if (!frequency || !shape || !part || !mode)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
-    enum wf_status s = wf_solvers[0]->solve(&an->tree, &loads, o, a, &r, NULL, e);
-    if (!s) s = wf_modes_keep(&an->tree, &loads, o, count, a, frequency, NULL, &kept, e);
-    while (!s && count && isnan(frequency[count - 1])) count--; /* the mesh has no more motions */
-    if (!s) s = wf_modes_parts(&an->tree, &loads, o, &kept, count, an->wind.direction, part, shape, e);
+    *out = (struct wf_sway_modes){ .mode = mode };
+    enum wf_status s = find_state(an, o, speed, a, &r, out, e);
+    if (!s)
+        s = wf_modes_parts(&an->tree, &loads, o, &found, an->wind.direction, a, frequency, part, shape, e);
     if (s) return s;
-    for (size_t k = 0; k + 1 < count; k++)
+    for (size_t k = 0; k + 1 < found; k++)
         if (fabs(frequency[k + 1] - frequency[k]) <= alike * fabs(frequency[k])) {
             turn_pair(part + k, shape + k * size, shape + (k + 1) * size, size);
             k++;
         }
-    for (size_t k = 0; k < count; k++)
+    out->count = found < count ? found : count;
+    for (size_t k = 0; k < out->count; k++)
         mode[k] = mode_of(an, &r, speed, frequency[k], &part[k], shape + k * size);
-    *out = (struct wf_sway_modes){ .count = count, .mode = mode };
-    (void)take_damping(an, &out->damping_known);
     return WF_OK;
 }

@@ -2,6 +2,7 @@
 #ifndef WF_STUDY_SWAY_H
 #define WF_STUDY_SWAY_H
 /* How a tree sways about its state in a mean wind, for its peak load. */
+#include "study/peak.h"
 #include "study/speed.h"
 
 #ifdef __cplusplus
@@ -19,7 +20,7 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
 /* A mode of a tree about its state in a mean wind. */
 struct wf_sway_mode {
     double frequency; /* [Hz]; -f: the state is unstable, this motion grows (solve/modes.h) */
-    double mass;      /* modal, where the stem's tip moves by 1; NAN: it does not move [kg] */
+    double mass;      /* modal, where the stem's tip moves by 1; NAN: it hardly moves [kg] */
     double share[3];  /* effective modal mass over the tree's mass: along the wind, across it, vertical [-] */
     double turn[2];   /* share of the overturning by inertia about the base: along the wind, across it [-] */
     double structural, air,
@@ -29,7 +30,9 @@ struct wf_sway_mode {
 struct wf_sway_modes {
     size_t count;
     const struct wf_sway_mode *mode;
-    bool damping_known; /* the structural damping is given, not assumed */
+    bool damping_known;  /* the structural damping is given, not assumed */
+    struct wf_sway sway; /* of the tree as a whole along the wind, as for the peak load (study/peak.h) */
+    double damping;      /* of the sway, total, limited; of critical [-] */
 };
 /* The `count` lowest modes about the tree's state in a mean wind of a named speed [m/s]; 0: still air. Modes
  * of almost one frequency, such as those of a round stem, are turned so that one moves along the wind.
