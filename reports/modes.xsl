@@ -107,7 +107,8 @@
   <p>
     <xsl:call-template name="say">
       <xsl:with-param name="id"><xsl:choose><xsl:when test="conifer = 'true'">md.line</xsl:when><xsl:otherwise>md.other</xsl:otherwise></xsl:choose></xsl:with-param>
-      <xsl:with-param name="a" select="line_first_Hz"/><xsl:with-param name="b" select="line_slope_Hz_m"/>
+      <xsl:with-param name="a" select="format-number(line_first_Hz, '0.0000')"/>
+      <xsl:with-param name="b" select="format-number(line_slope_Hz_m, '0.0')"/>
     </xsl:call-template>
   </p>
   <table class="block">

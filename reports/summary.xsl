@@ -124,7 +124,8 @@
         <xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="b">
-        <xsl:call-template name="number"><xsl:with-param name="x" select="(mean_state/tip_deflection | self::*[not(mean_state)]/tip_deflection)/value"/></xsl:call-template>
+        <xsl:call-template name="number"><xsl:with-param name="x" select="(mean_state/tip_deflection |
+          self::*[not(mean_state)]/tip_deflection)/value"/></xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="c">
         <xsl:call-template name="steady">
@@ -134,7 +135,8 @@
       </xsl:with-param>
       <xsl:with-param name="d">
         <xsl:call-template name="steady">
-          <xsl:with-param name="x" select="$degrees * (mean_state/tip_angle | self::*[not(mean_state)]/tip_angle)/value"/><xsl:with-param name="pattern">0</xsl:with-param>
+          <xsl:with-param name="x" select="$degrees * (mean_state/tip_angle |
+            self::*[not(mean_state)]/tip_angle)/value"/><xsl:with-param name="pattern">0</xsl:with-param>
           <xsl:with-param name="least" select="1"/>
         </xsl:call-template>
       </xsl:with-param>

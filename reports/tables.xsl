@@ -6,22 +6,26 @@
 <!-- Is the load that of gusts, and not of the mean wind alone? -->
 <xsl:variable name="gusts" select="$trees/method/peak_method[name != 'mean']"/>
 
-<!-- Cells of one tree at one wind speed: those of its state in the mean wind, then those at the peak of the load. A quantity without a value gives a dash, a speed without answer says so. -->
+<!-- Cells of one tree at one wind speed: those of its state in the mean wind, then those at the peak of the load. A
+     quantity without a value gives a dash, a speed without answer says so. -->
 <xsl:template name="result-cells">
   <xsl:choose>
     <xsl:when test="status = 'ok'">
       <xsl:call-template name="steady-cell">
-        <xsl:with-param name="x" select="(mean_state/tip_deflection | self::*[not(mean_state)]/tip_deflection)/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
+        <xsl:with-param name="x" select="(mean_state/tip_deflection |
+          self::*[not(mean_state)]/tip_deflection)/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
       </xsl:call-template>
       <xsl:call-template name="steady-cell">
         <xsl:with-param name="x" select="100 * (mean_state/tip_deflection_share | self::*[not(mean_state)]/tip_deflection_share)/value"/>
       </xsl:call-template>
-      <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="$degrees * (mean_state/tip_angle | self::*[not(mean_state)]/tip_angle)/value"/></xsl:call-template>
+      <xsl:call-template name="steady-cell"><xsl:with-param name="x" select="$degrees * (mean_state/tip_angle |
+        self::*[not(mean_state)]/tip_angle)/value"/></xsl:call-template>
       <xsl:if test="not($gusts)">
         <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="drag/value"/></xsl:call-template></td>
       </xsl:if>
       <td class="r">
-        <xsl:call-template name="number"><xsl:with-param name="x" select="(mean_state/base_moment | self::*[not(mean_state)]/base_moment)/value div 1000"/></xsl:call-template>
+        <xsl:call-template name="number"><xsl:with-param name="x" select="(mean_state/base_moment |
+          self::*[not(mean_state)]/base_moment)/value div 1000"/></xsl:call-template>
       </td>
       <xsl:if test="$gusts">
         <td class="r">

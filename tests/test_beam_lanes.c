@@ -50,6 +50,7 @@ static void blow(struct many *m, uint64_t seed, double speed)
         m->loads[k] = m->c.loads;
         m->loads[k].wind = seed % 6 == 5 && k == 2 ? NULL : &m->wind[k];
         m->loads[k].air_density = 1.225 - 0.01 * (double)k;
+        if (seed % 2) m->loads[k].streamline_par.held = k % 3 ? 6 + (double)k : 0;
         m->state[k] = (struct wf_beam_state){ .loads = &m->loads[k] };
     }
 }

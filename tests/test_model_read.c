@@ -148,9 +148,7 @@ static const struct edit mistakes[] = {
       "m'" },
     { "5.5 m", "13.5 m", "10:9: crown.base: 13.5 m is not below the crown's top 13 m" },
     { "13 m", "15 m", "11:8: crown.top: 15 m is above the stem's height 14 m" },
-    { "  leaf_area: 17 m2\n", "",
-      "10:3: crown: missing key 'leaf_area' (One-sided leaf area of the whole crown; 0 without leaves.); for "
-      "example 'leaf_area: 17 m2'" },
+    { "  leaf_area: 17 m2\n", "", "10:3: crown: needs the key 'leaf_area', or the model 'frontal_area'" },
     { "17 m2", "17 m",
       "12:14: crown.leaf_area: '17 m': 'm' is not a unit of an area; use one of: m2, cm2, ha" },
     { "17 m2", "-1 m2", "12:14: crown.leaf_area: -1 m2 is outside 0 m2 to 10000 m2" },

@@ -167,6 +167,21 @@ static void stands(void **state)
     assert_close(wf_stand_gust(20, 0.1, 0, 200), wf_stand_gust(20, 1.5, 0, 200), 1e-12); /* held */
 }
 
+/* Mean moments of three stands of GALES (its equations, rounded as there), from wind, height, spacing, drag
+ * area. */
+static void moments_of_stands(void **state)
+{
+    (void)state;
+    static const double row[][5] = {
+        { 19.5635485, 21.1, 7, 7.66551076, 11795.3976 },
+        { 38.9207753, 21.8, 9.2, 4.99952699, 24930.1768 },
+        { 25.7113101, 18.4, 2.4, 9.04808524, 6337.95199 },
+    };
+    for (size_t i = 0; i < 3; i++)
+        assert_close(wf_stand_moment(1.2226, row[i][0], row[i][1], row[i][2], row[i][3]), row[i][4], 1e-3);
+    assert_close(wf_stand_moment(1.2, 20, 20, 3, 0), 0, 1e-15);
+}
+
 /* At the critical winds of the tree, its stem and its branches the safety is 1, each at its own peak:
  * branches at that of a load that a gust reaches at once. */
 static void critical_at_the_peak(void **state)
@@ -277,6 +292,7 @@ int main(void)
         cmocka_unit_test(multiplies_the_wind_alone),
         cmocka_unit_test(methods_without_sway),
         cmocka_unit_test(stands),
+        cmocka_unit_test(moments_of_stands),
         cmocka_unit_test(critical_at_the_peak),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

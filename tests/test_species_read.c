@@ -258,6 +258,8 @@ static const struct edit mistakes[] = {
       "26:22: crown.streamlining.reference_speed: '18' has no unit; write for example '18 m/s'" },
     { "valid_to: 20 m/s", "valid_to: 3 m/s",
       "26:60: crown.streamlining.valid_to: 3 m/s is not above valid_from 4 m/s" },
+    { "valid_to: 20 m/s", "valid_to: 20 m/s, beyond: held",
+      "26:76: crown.streamlining.beyond: 'held' is not one of: hold, extend; did you mean 'hold'?" },
     { "value: -0.7,", "value: 0.7,", "25:48: crown.streamlining.exponent.value: 0.7 is outside -2 to 0" },
     { "value: -0.7, status: borrowed, source: wang", "value: -0.7, status: borrowed",
       "25:62: crown.streamlining.exponent.status: a value that is 'borrowed' needs a source: a key of "

@@ -95,6 +95,28 @@ static void steffen_inside(void **state)
     gsl_interp_free(s);
 }
 
+/* Beyond the evidence the share stays, so that the drag grows as U^2; below it not a bit changes. */
+static void held(void **state)
+{
+    (void)state;
+    static const char *const law[] = { "none", "vogel", "table" };
+    struct wf_law_values kept = par;
+    kept.held = 18;
+    for (int k = 0; k < 3; k++) {
+        const struct wf_streamline_law *l = wf_streamline_named(law[k]);
+        double slope, free_slope, end = l->share(&par, 18, &slope);
+        for (double u = 0.3; u < 60; u += 0.7) {
+            double there = wf_streamline_share(l, &kept, u, &slope), free = l->share(&par, u, &free_slope);
+            assert_true(there == (u > 18 ? end : free));
+            assert_true(slope == (u > 18 ? 0 : free_slope));
+            assert_true(wf_streamline_share(l, &par, u, &slope) == free);
+        }
+    }
+    double slope, at30 = wf_streamline_share(wf_streamline_named("vogel"), &kept, 30, &slope),
+                  at60 = wf_streamline_share(wf_streamline_named("vogel"), &kept, 60, &slope);
+    assert_close(at60 * 3600 / (at30 * 900), 4, 1e-15);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -104,6 +126,7 @@ int main(void)
         cmocka_unit_test(table_law),
         cmocka_unit_test(continuous_derivative),
         cmocka_unit_test(steffen_inside),
+        cmocka_unit_test(held),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

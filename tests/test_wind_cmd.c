@@ -76,6 +76,69 @@ static void test_speeds(void **state)
     assert_string_equal(first, second);
 }
 
+/* Terrain, site and design winds: what is said in the first lines, and what is refused. */
+static void test_site(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W analyze oak $M " QUIET "--wind 10",
+          CODE_OK,
+          { "at 10 m over terrain II; their 3-s gusts are 1.524 times", "Site: terrain II, assumed",
+            "wind profile power", "gust" } },
+        { "$W analyze oak $M " QUIET
+          "--wind 30 --site suburb --search-to 100; grep -A2 '\"carried\"' $T/out/results.json",
+          CODE_OK,
+          { "Site: terrain III (obstacles", "wind profile terrain", "is 0.7503 times the wind named",
+            "0.750" } },
+        { "$W analyze oak $M " QUIET "--wind 30 --terrain III --wind-at site",
+          CODE_OK,
+          { "over terrain III; their 3-s gusts are 1.731 times" } },
+        { "for c in 'explain --no-report' 'series --no-vtk --no-report --duration 1'; do set -- $c; c=$1; "
+          "shift\n"
+          "$W $c oak $M -o $T/out $* --design en1991 --basic-wind 25 --terrain III || exit; done",
+          CODE_OK,
+          { "basic wind 25 m/s", "10-min mean 18.88 m/s and gust 32.68 m/s",
+            "From run 1: wind profile terrain" } },
+        { "$W analyze oak $M " QUIET "--design arborist",
+          CODE_OK,
+          { "gust 33 m/s at the tree", "wind profile uniform", "Peak load: gust" } },
+        { "$W analyze oak $M " QUIET "--design gb50009 --basic-pressure '0.45 kN/m2' --terrain C",
+          CODE_OK,
+          { "basic wind 26.83 m/s", "Peak load: gb50009, terrain C", "air 1.250" } },
+        { "$W wind list", CODE_OK, { "gb50009    B            II", "-24%", "arborist: ", "regional gust" } },
+        { "$W analyze oak $M " QUIET "--design en1991 --terrain III",
+          CODE_INPUT,
+          { "needs its basic wind" } },
+        { "$W analyze oak $M " QUIET "--design en1991 --basic-wind 25 --return-period 1",
+          CODE_INPUT,
+          { "longer than 1 year" } },
+        { "$W analyze oak $M " QUIET "--design en1991 --basic-wind 25 --wind 10",
+          CODE_INPUT,
+          { "no effect beside a design wind" } },
+        { "$W analyze oak $M " QUIET "--wind 10 --basic-wind 25", CODE_INPUT, { "without a design wind" } },
+        { "$W analyze oak $M " QUIET "--wind 10 --terrain V",
+          CODE_INPUT,
+          { "there are 0, I, II, III and IV" } },
+        { "$W analyze oak $M " QUIET "--wind 10 --wind-at site",
+          CODE_INPUT,
+          { "without --terrain or --site" } },
+        { "$W analyze oak $M " QUIET "--wind 10 --profile code", CODE_INPUT, { "of a design code" } },
+        { "$W analyze oak --tree docs/examples/scan.csv " QUIET "--wind 10 --search-to 12",
+          CODE_OK,
+          { "[site-assumed]", "instead of", "--site says where it stands" } },
+        { "$W analyze oak --tree docs/examples/scan.csv " QUIET
+          "--wind 10 --search-to 12 --site open 2>&1 | grep -c site-assumed; true",
+          CODE_OK,
+          { "0" } },
+        { "$W terrain --size 6 --relief 60 --smoothness 0.2 --cell 10 -o $T/out --no-plots; grep -c "
+          "'[^0-9]-[0-9.]*$' "
+          "$T/out/tables/terrain.csv; true",
+          CODE_OK,
+          { "[speed-up-outside]", "they have no wind factor", "\n0\n" } },
+    };
+    CHECK(rows);
+}
+
 static void test_profile(void **state)
 {
     (void)state;
@@ -247,8 +310,8 @@ static void test_stream(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_speeds), cmocka_unit_test(test_profile),
-                                        cmocka_unit_test(test_directions), cmocka_unit_test(test_gusts),
-                                        cmocka_unit_test(test_stream) };
+    const struct CMUnitTest tests[] = { cmocka_unit_test(test_speeds),  cmocka_unit_test(test_site),
+                                        cmocka_unit_test(test_profile), cmocka_unit_test(test_directions),
+                                        cmocka_unit_test(test_gusts),   cmocka_unit_test(test_stream) };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -159,9 +159,13 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
     fputc('\n', to);
 }
 
-/* The ground around the tree, and how the wind named is carried to it. */
-static void print_site(FILE *to, const struct wf_scenario *s)
+void wf_print_site(FILE *to, const struct wf_scenario *s)
 {
+    const struct wf_wind_place at = wf_scenario_place(s);
+    wf_show(
+        to,
+        "Wind speeds are 10-min means at %.6g m over terrain %s; their 3-s gusts are %.4g times as fast\n",
+        at.height, at.terrain->name, wf_scenario_gust(s, 1.0));
     wf_show(to, "Site: terrain %s%s (%s)%s%s; ", s->category->name, s->category_said ? "" : ", assumed",
             s->category->text, s->site_kind ? "; " : "", s->site_kind ? s->site_kind : "");
     if (s->site)
@@ -180,14 +184,9 @@ static void print_site(FILE *to, const struct wf_scenario *s)
 void wf_print_head(FILE *to, const struct wf_analysis *first)
 {
     const struct wf_scenario *s = &first->scenario;
-    const struct wf_wind_place at = wf_scenario_place(s);
     wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
-    wf_show(
-        to,
-        "Wind speeds are 10-min means at %.6g m over terrain %s; their 3-s gusts are %.4g times as fast\n",
-        at.height, at.terrain->name, wf_scenario_gust(s, 1.0));
-    print_site(to, s);
+    wf_print_site(to, s);
     wf_show(to, "Peak load: %s", first->peak ? first->peak->method->name : "mean");
     if (first->peak && first->peak->rule) wf_show(to, ", terrain %s", first->peak->rule->called(s->category));
     wf_show(to, "%s\n", wf_peak_differs(first->peak) ? "" : ", a steady wind without gusts");

@@ -8,6 +8,9 @@
 
 /* Model, wind profile, air and solver of a run. */
 void wf_print_head(FILE *to, const struct wf_analysis *first);
+/* Where the named winds are measured, their gusts, the ground of the site, and how the wind is carried to it.
+ */
+void wf_print_site(FILE *to, const struct wf_scenario *s);
 /* The table of the specified wind speeds of a species. */
 void wf_print_speeds(FILE *to, const struct wf_analysis *an);
 /* Below it: critical wind speeds and the segments that fail; directions and hours a year where there are

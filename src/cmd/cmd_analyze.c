@@ -44,6 +44,7 @@ struct analyze_options {
     double search_to, search_time;   /* [m/s], NAN: the library's default; [s]    */
     double mesh_tolerance;           /* [-]                                       */
     const char *storage;             /* row of wf_storages                         */
+    double snow, snow_density, ice;  /* [m], [kg m-3], [m]; NAN: not given        */
     double water_film, rain;         /* [m], [m/s]; NAN: not given                */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     struct wf_pages pages;
@@ -121,6 +122,12 @@ static bool rain_unused(const void *options, const struct wf_option *row, char *
 
 static const char *storage_word(size_t i) { return wf_storages[i].name; }
 
+static bool snow_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(isnan(((const struct analyze_options *)options)->snow), why, "without --snow");
+}
+
 static bool storage_unused(const void *options, const struct wf_option *row, char *why)
 {
     (void)row;
@@ -179,6 +186,12 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
+    NUMBER("--snow", snow, "DEPTH", LENGTH, "cm", 0, 500, NULL,
+           "snow on the crown, on its area seen from above: added mass"),
+    NUMBER("--snow-density", snow_density, "DENSITY", DENSITY, "kg/m3", 10, 917, "150",
+           "of the snow; 150 kg/m3 as in ForestGALES", .unused = snow_unused),
+    NUMBER("--ice", ice, "THICKNESS", LENGTH, "mm", 0, 200, NULL,
+           "radial thickness of ice on all axes and leaves: added mass, and thicker axes in the wind"),
     NUMBER("--water-film", water_film, "DEPTH", LENGTH, "mm", 0, 5, NULL,
            "rain held by the leaves, per one-sided leaf area: added mass; the tree is compared with the dry "
            "one"),
@@ -280,6 +293,8 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     if (status) return status;
     s->winds_said = o->args.winds_said;
     s->azimuth = o->azimuth;
+    if (o->snow > 0) s->snow = o->snow * o->snow_density;
+    if (o->ice > 0) s->ice = o->ice;
     if (o->rain > 0) s->water = wf_storage_named(o->storage)->film;
     if (!isnan(o->water_film)) s->water = o->water_film * 1000; /* 1 mm over 1 m2 is 1 kg */
     s->temperature = o->temperature;

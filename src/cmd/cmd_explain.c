@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "cmd/analyze_print.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -57,10 +58,12 @@ static bool print_ratio(double ratio)
     return !isfinite(ratio);
 }
 
-static void print_methods(const struct wf_explain *x, double speed, double height)
+static void print_methods(const struct wf_explain *x, double speed, const struct wf_scenario *in)
 {
     bool missing = false;
-    wf_show(stdout, "Wind %.4g m/s, a 10-min mean at %.6g m\n", speed, height);
+    wf_show(stdout, "Wind %.4g m/s (3-s gust %.4g m/s), wind profile %s\n", speed,
+            wf_scenario_gust(in, speed), in->profile);
+    wf_print_site(stdout, in);
     wf_show(stdout,
             "Own bending of the branches over that by beam theory, middle of each level\n\n%-18s%10s%10s",
             "method", "tip", "within 5%");
@@ -114,7 +117,7 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
     if (!s) s = wf_results_begin(&f, o->output, o->pages.none ? NULL : "explain", e);
     if (!s) s = wf_explain_run(&an, &solve, o->wind, a, &d, &x, e);
     wf_progress_clear();
-    if (!s && !quiet) print_methods(&x, o->wind, an.scenario.reference_height);
+    if (!s && !quiet) print_methods(&x, o->wind, &an.scenario);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     if (s) {

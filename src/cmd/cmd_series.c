@@ -5,6 +5,7 @@
 #include "base/num.h"
 #include "base/progress.h"
 #include "base/text.h"
+#include "cmd/analyze_print.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -52,10 +53,27 @@ static enum wf_status read_run(const struct wf_series_plan_run *r, const char *f
     return wf_series_plan_spec(r, sp, m, a, out, e);
 }
 
+/* The profile and site of every run, unless it is that of the run before. */
+static void print_sites(const struct wf_series_page *p)
+{
+    for (size_t r = 0; r < p->n; r++) {
+        const struct wf_scenario *s = &p->run[r].series->an.scenario,
+                                 *last = r ? &p->run[r - 1].series->an.scenario : NULL;
+        if (last && !strcmp(s->profile, last->profile) && s->category == last->category &&
+            s->carried == last->carried && s->reference_height == last->reference_height)
+            continue;
+        wf_show(stdout, "From run %zu: wind profile %s. ", r + 1, s->profile);
+        wf_print_site(stdout, s);
+    }
+    wf_show(stdout, "\n");
+}
+
 static void print_runs(const struct wf_series_page *p)
 {
-    wf_show(stdout, "%s\n\n%4s  %-34s%10s%12s%12s%12s%10s\n", p->title, "run", "", "frames", "wind m/s",
-            "tip mean m", "largest m", "safety");
+    wf_show(stdout, "%s\n", p->title);
+    print_sites(p);
+    wf_show(stdout, "%4s  %-34s%10s%12s%12s%12s%10s\n", "run", "", "frames", "wind m/s", "tip mean m",
+            "largest m", "safety");
     for (size_t r = 0; r < p->n; r++) {
         const struct wf_series *s = p->run[r].series;
         double sum = 0, most = 0, wind = 0, n = 0, safety = NAN;

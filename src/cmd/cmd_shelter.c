@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm shelter: the wind that remains inside and behind a tree. */
 #include "base/progress.h"
+#include "cmd/analyze_print.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -268,7 +269,12 @@ static enum wf_status shelter(void *work, struct wf_doc_head *head, struct wf_ru
     w->run.species = w->species.name;
     w->run.tree_name = w->model.key ? w->model.name : o->tree;
     if ((s = compute(w, motion, a, d, e))) return s;
-    if (!quiet) print_shelter(stdout, &w->run);
+    if (!quiet) {
+        wf_show(stdout, "Wind %.4g m/s (3-s gust %.4g m/s), wind profile %s\n", w->run.speed,
+                wf_scenario_gust(&w->scenario, w->run.speed), w->scenario.profile);
+        wf_print_site(stdout, &w->scenario);
+        print_shelter(stdout, &w->run);
+    }
     s = wf_shelter_results_write(&w->run, &w->head, d, e);
     if (!s) s = wf_results_end(f, &o->pages, a, NULL, e);
     if (!s && !quiet) wf_show(stdout, "\nTables%s: %s\n", o->pages.none ? "" : ", plots and page", o->output);

@@ -82,8 +82,16 @@ static enum wf_status expose_points(const struct terrain_options *o, struct wf_t
         if (wf_interrupted()) return wf_fail(e, WF_EINTERRUPTED, "interrupted before the map was computed");
         s->topex[i] = wf_terrain_topex(t, i % t->columns, i / t->columns, o->distance, &seen) * 180 / M_PI;
         s->unseen += seen < 1.0;
-        s->factor[i] = 1.0 + s->speedup.ds[i];
+        bool holds = wf_speedup_holds(1.0 + s->speedup.ds[i]);
+        s->factor[i] = holds ? 1.0 + s->speedup.ds[i] : NAN;
+        s->outside += !holds;
     }
+    if (!status && s->outside == n)
+        return wf_fail(
+            e, WF_EINPUT,
+            "slopes up to %.2f: nowhere on this ground does the linear speed-up give a wind of 0.1 "
+            "to 5 times that over level ground",
+            s->speedup.steepest);
     return status;
 }
 
@@ -115,6 +123,12 @@ static void warn_of_limits(const struct wf_terrain_site *s, struct wf_diag *d)
             "slopes up to %.2f: the linear speed-up is valid to about 0.3; beyond, the wind separates in the "
             "lee and is overestimated there",
             s->speedup.steepest);
+    if (s->outside)
+        wf_diag_warn(
+            d, "speed-up-outside",
+            "at %zu of %zu points the linear speed-up gives a wind below 0.1 or above 5 times that over "
+            "level ground, which is outside its law; they have no wind factor",
+            s->outside, s->ground.rows * s->ground.columns);
     if (s->unseen)
         wf_diag_warn(d, "map-edge",
                      "%.0f %% of the points have a sight line that leaves the map: their topex covers less "

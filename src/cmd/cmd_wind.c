@@ -9,7 +9,10 @@
 #include "cmd/option_groups.h"
 #include "cmd/wind_speed.h"
 #include "out/wind_results.h"
+#include "wind/category.h"
 #include "wind/climate.h"
+#include "wind/design.h"
+#include "wind/gust_factor.h"
 #include "wind/rose_record.h"
 #include "wind/wind.h"
 #include <math.h>
@@ -125,6 +128,64 @@ static const char about[] =
     "  windfirm wind rose --record station.csv --columns wind_kmh,wind_from\n"
     "  windfirm wind kaimal --points-file crown.csv --duration 3600 --stream crown.npy";
 
+enum { LISTED_MEAN = 25 }; /* over open country, for comparing codes [m/s] */
+
+/* Peak over mean load of a tree 20 m high and 6 m wide, of 0.25 Hz and damping 0.08, by a rule. */
+static double tree_factor(const struct wf_gust_rule *r, const struct wf_category *c)
+{
+    struct wf_gust_case tree = {
+        .terrain = c, .height = 20, .breadth = 6, .frequency = 0.25, .damping = 0.08
+    };
+    struct wf_gust_parts parts;
+    tree.exponent = 2, tree.open = LISTED_MEAN;
+    tree.mean = tree.open * wf_category_factor(c, r->at(c, tree.height));
+    r->parts(&tree, &parts);
+    return parts.factor;
+}
+
+/* What a code makes of one mean wind over open country in a terrain, beside EN 1991-1-4 in like terrain. */
+static void list_terrain(const struct wf_design *d, const struct wf_design_terrain *t)
+{
+    double open = d->mean(wf_design_terrain_named(d, wf_category_open()->name));
+    const struct wf_design_words words = { .code = d->name,
+                                           .terrain = d->terrain[1].name ? t->name : NULL,
+                                           .basic = LISTED_MEAN / open,
+                                           .pressure = NAN,
+                                           .years = NAN };
+    struct wf_design_wind at;
+    struct wf_err e = { 0 };
+    if (wf_design_find(&words, &at, &e)) return;
+    wf_show(stdout, "%-11s%-13s%-6s%9.2f%9.2f%9.2f", d->name, t->name, at.category->name, at.mean, at.gust,
+            pow(at.gust / at.mean, 2.0));
+    const struct wf_gust_rule *own = wf_gust_rule_named(d->peak);
+    double en = tree_factor(wf_gust_rule_named("en1991"), at.category);
+    if (own)
+        wf_show(stdout, "%9.2f%+8.0f%%\n", tree_factor(own, at.category),
+                100.0 * (tree_factor(own, at.category) / en - 1.0));
+    else
+        wf_show(stdout, "%9s%9s\n", "-", "-");
+}
+
+static void list_designs(void)
+{
+    wf_show(stdout, "Design winds, --design CODE:\n\n");
+    for (const struct wf_design *d = wf_designs; d->name; d++)
+        wf_show(stdout,
+                "%s: %s\n  source: %s\n  valid:  %s\n  basic wind: %s\n  gust: %s; peak load: --peak %s\n\n",
+                d->name, d->title, d->source, d->validity, d->basic, d->gust, d->peak);
+    wf_show(
+        stdout,
+        "How they differ, for a 10-min mean of %d m/s at 10 m over open country: at 10 m over each terrain "
+        "the mean\nwind, the gust and the pressure of the gust over that of the mean; the peak load over "
+        "that of the mean wind\nof a tree 20 m high and 6 m wide, of 0.25 Hz and damping 0.08, and its "
+        "difference to EN 1991-1-4 in like terrain.\n\n%-11s%-13s%-6s%9s%9s%9s%9s%9s\n%-30s%9s%9s%9s%9s%9s\n",
+        (int)LISTED_MEAN, "code", "terrain", "like", "mean", "gust", "pressure", "load", "to EN", "", "m/s",
+        "m/s", "ratio", "factor", "load");
+    for (const struct wf_design *d = wf_designs; d->name; d++)
+        for (const struct wf_design_terrain *t = d->terrain; t->name; t++) list_terrain(d, t);
+    wf_show(stdout, "\n");
+}
+
 static int list_models(void)
 {
     for (const struct wf_gust_model *m = wf_gust_models; m->name; m++) {
@@ -135,6 +196,7 @@ static int list_models(void)
                     p->unit[0] == '-' ? "" : " ", p->unit[0] == '-' ? "" : p->unit, p->help);
         wf_show(stdout, "\n");
     }
+    list_designs();
     return 0;
 }
 

@@ -3,6 +3,7 @@
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
 #include "grow/grow.h"
+#include "grow/silhouette.h"
 #include "solve/solve.h"
 #include "study/peak.h"
 #include "study/preset.h"
@@ -46,8 +47,9 @@ bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *wh
     size_t member = o->member - o->group;
     if (member == offsetof(struct wf_tree_asked, joint) || member >= offsetof(struct wf_tree_asked, scan))
         return wf_option_unused(t->model && !t->file, why, "with --model; it is of a measured tree (--tree)");
-    return wf_option_unused(t->file && isnan(t->leaf_area), why,
-                            "with a measured tree (--tree) that has no leaves (--leaf-area)");
+    return wf_option_unused(t->file && isnan(t->leaf_area) && isnan(t->crown.area) && isnan(t->crown.width) &&
+                                !t->outline,
+                            why, "with a measured tree (--tree) that has no leaves (--leaf-area)");
 }
 
 /* The members that a method takes. */
@@ -64,8 +66,15 @@ static bool peak_takes(const char *method, size_t member)
 bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *why)
 {
     const struct wf_peak_asked *p = (const void *)((const char *)options + o->group);
-    const char *method = p->method ? p->method : "en1991";
+    bool stand = !p->method && p->spacing > 0.0; /* the site decides */
+    const char *method = p->method ? p->method : stand ? "gales" : "en1991";
     return wf_option_unused(!peak_takes(method, o->member - o->group), why, "with --peak %s", method);
+}
+
+/* Is the tree in a stand or at its edge? */
+static bool in_stand(const struct wf_scenario *s)
+{
+    return s->site_kind && (!strcmp(s->site_kind, "in-stand") || !strcmp(s->site_kind, "forest-edge"));
 }
 
 static double given_or(double given, double otherwise) { return isnan(given) ? otherwise : given; }
@@ -79,10 +88,11 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
         return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
     if (table) s = wf_peak_table_read(asked->table, a, d, table, e);
     out->peak = (struct wf_peak_request){
-        .method = asked->method ? asked->method
-                  : out->design ? out->design->peak
-                  : preset      ? "mean"
-                                : "en1991",
+        .method = asked->method                           ? asked->method
+                  : out->design                           ? out->design->peak
+                  : preset                                ? "mean"
+                  : in_stand(out) && asked->spacing > 0.0 ? "gales"
+                                                          : "en1991",
         .damping = asked->damping,
         .exponent_by_law = !strcmp(asked->exponent, "law"),
         .table = table,
@@ -143,6 +153,24 @@ int wf_tree_asked_check(const struct wf_tree_asked *t, const char *command, cons
     return wrong ? 2 : -1;
 }
 
+/* The crown specified on the command line, in place of what the model says of the same thing. */
+static enum wf_status take_crown(const struct wf_tree_asked *t, struct wf_arena *a, struct wf_silhouette *out,
+                                 struct wf_diag *d, struct wf_err *e)
+{
+    const struct wf_silhouette *c = &t->crown;
+    bool area = c->area > 0 || c->width > 0 || c->depth > 0 || t->outline;
+    if (area) out->area = c->area, out->width = c->width, out->depth = c->depth, out->points = 0;
+    if (c->mass > 0 || c->density > 0) out->mass = c->mass, out->density = c->density;
+    if (!isnan(c->leafless)) out->leafless = c->leafless;
+    for (int k = 0; t->crown_form && wf_crown_form_words[k]; k++)
+        if (!strcmp(t->crown_form, wf_crown_form_words[k])) out->form = (enum wf_crown_form)k;
+    enum wf_status s = t->outline ? wf_outline_read(t->outline, out, a, d, e) : WF_OK;
+    if (s || !(area || c->mass > 0 || c->density > 0)) return s;
+    if (t->crown_form && !(out->width > 0))
+        return wf_fail(e, WF_EUSAGE, "--crown-form needs --crown-width and --crown-depth");
+    return wf_silhouette_check(out, e);
+}
+
 enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *file, struct wf_arena *a,
                                   struct wf_model *out, const char **path, struct wf_diag *d,
                                   struct wf_err *e)
@@ -172,5 +200,5 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
                        "--leaf-area: has no effect when the leaves have fallen (season leaf_off)");
     wf_model_set_season(out, off ? WF_LEAF_OFF : WF_LEAF_ON);
     if (t->unload) out->shape = WF_SHAPE_UNDER_WEIGHT;
-    return WF_OK;
+    return take_crown(t, a, &out->silhouette, d, e);
 }

@@ -199,10 +199,12 @@ struct wf_import_options wf_import_asked_options(const struct wf_import_asked *a
 
 /* Which tree is meant: a model or a measured tree, and its season. */
 struct wf_tree_asked {
-    const char *model, *file; /* one of them; NULL: not given                    */
-    const char *joint;        /* of a measured tree: "axis" or "bridge"          */
-    double leaf_area;         /* in place of the model's [m2]; NAN: the model's */
-    const char *season;       /* "leaf_on" or "leaf_off"; NULL: the model's      */
+    const char *model, *file;         /* one of them; NULL: not given                    */
+    const char *joint;                /* of a measured tree: "axis" or "bridge"          */
+    double leaf_area;                 /* in place of the model's [m2]; NAN: the model's */
+    const char *season;               /* "leaf_on" or "leaf_off"; NULL: the model's      */
+    struct wf_silhouette crown;       /* in place of the model's; NAN: not given */
+    const char *crown_form, *outline; /* NULL: not given                         */
     bool unload;
     struct wf_scan_asked scan;
 };
@@ -220,6 +222,28 @@ struct wf_tree_asked {
         CHOICE("--season", in.season, "SEASON", "leaf_on|leaf_off", NULL,                                    \
                "in place of the model's: with its leaves, or when they have fallen",                         \
                WF_UNUSED(in, wf_tree_row_unused)),                                                           \
+        NUMBER(                                                                                              \
+            "--frontal-area", in.crown.area, "AREA", AREA, "m2", 1e-3, 1e4, NULL,                            \
+            "area of the crown in leaf, seen from the side in still air: the wind's load is on it, not on "  \
+            "the leaf area"),                                                                                \
+        NUMBER("--crown-width", in.crown.width, "LENGTH", LENGTH, "m", 0.01, 100, NULL,                      \
+               "with --crown-depth and --crown-form, in place of --frontal-area"),                           \
+        NUMBER("--crown-depth", in.crown.depth, "LENGTH", LENGTH, "m", 0.01, 150, NULL,                      \
+               "height of the crown from its base to the top of the tree"),                                  \
+        CHOICE("--crown-form", in.crown_form, "FORM", "ellipse|triangle|diamond|paraboloid|rectangle", NULL, \
+               "its share of the rectangle: 0.785, 0.5, 0.5, 0.667, 1 [ellipse]"),                           \
+        PATH(                                                                                                \
+            "--crown-outline", in.outline, "FILE", NULL,                                                     \
+            "the crown's outline on a photograph, in place of --frontal-area: a table with the columns x_m " \
+            "and z_m (height above the ground), a point a row"),                                             \
+        NUMBER("--crown-mass", in.crown.mass, "MASS", MASS, "kg", 1e-6, 1e6, NULL,                           \
+               "fresh mass of branches and leaves of a stem without branches"),                              \
+        NUMBER("--crown-density", in.crown.density, "DENSITY", DENSITY, "kg/m3", 1e-3, 100, NULL,            \
+               "the same per volume of the cone of --crown-width and --crown-depth; ForestGALES: 2.5 most "  \
+               "conifers, 1.22 birch, 1.38 beech and oak"),                                                  \
+        NUMBER(                                                                                              \
+            "--leaf-off-share", in.crown.leafless, "SHARE", NONE, NULL, 0, 1, NULL,                          \
+            "share of the crown's load that is left in the season leaf_off [0.5 without branches, else 0]"), \
         FLAG("--unload", in.unload,                                                                          \
              "the tree was measured or drawn standing under its own weight: find its stress-free shape "     \
              "first"),                                                                                       \

@@ -70,8 +70,17 @@ struct wf_law {
 struct wf_law_values {
     double number[WF_LAW_PARAMETERS]; /* [SI] */
     const double *list[WF_LAW_PARAMETERS];
-    size_t n; /* of each list */
+    size_t n;    /* of each list */
+    double held; /* upper end of the evidence, above which the law keeps its value there, in the unit of the
+                    table of laws; 0: the law is extended */
 };
+
+/* What a law says beyond the upper end of its evidence. */
+enum wf_beyond {
+    WF_BEYOND_HOLD,  /* its value there */
+    WF_BEYOND_EXTEND /* its formula     */
+};
+extern const char *const wf_beyond_words[]; /* in the order of enum wf_beyond; ends at NULL */
 
 /* Rows of any struct that begins with a struct wf_law; they end at name == NULL. */
 struct wf_law_table {
@@ -86,6 +95,7 @@ struct wf_law_use {
     struct wf_value parameter[WF_LAW_KEYS]; /* numbers [SI]; of plain ones only the value             */
     struct wf_numbers list[WF_LAW_KEYS];    /* [SI]                                                   */
     double low, high;          /* what the source covers, in the unit of the table of laws; NAN: not said */
+    enum wf_beyond beyond;     /* `high` */
     const char *source;        /* of the law; that of its first sourced parameter when it names none      */
     enum wf_standing standing; /* of the lists                                                           */
 };

@@ -97,11 +97,20 @@ void wf_value_needs_source(struct wf_yaml *y, enum wf_standing s)
 #define SPEED(k, member, words)                                                                              \
     .key = k, .kind = WF_YAML_QUANTITY, .dimension = WF_DIM_SPEED, .unit = "m/s", .low = 0, .high = 150,     \
     .absent = "not stated", .offset = USE(member), .doc = words
+const char *const wf_beyond_words[] = { "hold", "extend", NULL };
+
 const struct wf_yaml_row wf_law_ranges[] = {
     /* of streamlining laws */
     { SPEED("valid_from", low, "Lowest wind speed the source covers; a run outside them warns."),
       .example = "4 m/s" },
     { SPEED("valid_to", high, "Highest wind speed the source covers."), .example = "20 m/s" },
+    { .key = "beyond",
+      .kind = WF_YAML_ENUM,
+      .initial = "hold",
+      .choices = wf_beyond_words,
+      .offset = USE(beyond),
+      .doc = "Above valid_to. hold: the crown keeps the share it has there, so that its drag grows as the "
+             "square of the wind speed; extend: the law goes on, which gives lower loads." },
     { .key = NULL },
 };
 static const struct wf_yaml_row origin_rows[] = {

@@ -19,7 +19,7 @@ extern const char *const wf_standing_words[];
 /* For `finish`: a table whose standing is not "assumed" needs a source. */
 void wf_value_needs_source(struct wf_yaml *y, enum wf_standing s);
 
-enum { WF_LAWS_MAX = 24, WF_LAW_ROWS = 1 + WF_LAW_KEYS + 6 };
+enum { WF_LAWS_MAX = 24, WF_LAW_ROWS = 1 + WF_LAW_KEYS + 7 };
 
 /* The schema of a table's keys. */
 struct wf_law_schema {

@@ -185,8 +185,8 @@ static const struct wf_yaml_row model_crown_rows[] = {
     WF_KEY_LENGTH("top", crown_top, "m", 0, 150, "Where the crown ends, along the stem.",
                   .absent = "the height of the stem", .example = "14 m"),
     WF_KEY_QUANTITY("leaf_area", leaf_area, WF_DIM_AREA, "m2", 0, 1e4,
-                    "One-sided leaf area of the whole crown; 0 without leaves.", .required = true,
-                    .example = "17 m2"),
+                    "One-sided leaf area of the whole crown; 0 without leaves.",
+                    .absent = "needed unless the model's frontal area is given", .example = "17 m2"),
     WF_KEY_PART("shape", crown_shape_table, "How the leaf area is spread over the crown.",
                 .absent = "the same leaf area at every height",
                 .example = "{at: [0, 0.4, 1], share: [0.2, 1, 0.3]}"),
@@ -196,6 +196,42 @@ static const struct wf_yaml_row model_crown_rows[] = {
 static const struct wf_yaml_table model_crown_table = { .title = "a crown",
                                                         .row = model_crown_rows,
                                                         .doc = "" };
+
+/* The crown as it is measured from the side. */
+
+const char *const wf_crown_form_words[] = {
+    "ellipse", "triangle", "diamond", "paraboloid", "rectangle", NULL
+};
+
+const char *wf_silhouette_wrong(const struct wf_silhouette *s, const char **why)
+{
+    bool area = s->area > 0, wide = s->width > 0, deep = s->depth > 0;
+    *why = "is not used beside crown_outline; give one of frontal_area, crown_width with crown_depth, and "
+           "crown_outline";
+    if (s->points && (area || wide || deep))
+        return area ? "frontal_area" : wide ? "crown_width" : "crown_depth";
+    *why = "is not used beside frontal_area; give one of frontal_area and crown_width with crown_depth";
+    if (area && (wide || deep)) return wide ? "crown_width" : "crown_depth";
+    *why = wide ? "needs crown_depth: the frontal area follows from both"
+                : "needs crown_width: the frontal area follows from both";
+    if (wide != deep) return wide ? "crown_width" : "crown_depth";
+    *why = "is not used beside crown_mass";
+    if (s->mass > 0 && s->density > 0) return "crown_density";
+    *why = "needs crown_width and crown_depth: it is of their cone";
+    return s->density > 0 && !wide ? "crown_density" : NULL;
+}
+
+#define OUTLINE(k, member, from, text)                                                                       \
+    WF_KEY(k, WF_YAML_QUANTITIES, silhouette.member, text, .count = offsetof(T, silhouette.points),          \
+           .dimension = WF_DIM_LENGTH, .unit = "m", .low = from, .high = 1000, .required = true)
+static const struct wf_yaml_row outline_rows[] = {
+    OUTLINE("x", x, -1000, "Sideways positions of the points in order around the crown."),
+    WF_KEY("z", WF_YAML_QUANTITIES, silhouette.z, "Their heights above the ground.",
+           .count = offsetof(T, silhouette.points), .dimension = WF_DIM_LENGTH, .unit = "m", .low = 0,
+           .high = 1000, .same_length_as = "x", .required = true),
+    { .key = NULL },
+};
+static const struct wf_yaml_table outline_table = { .title = "an outline", .row = outline_rows, .doc = "" };
 
 /* The model as a whole: its keys, and the checks between them. */
 
@@ -227,6 +263,34 @@ static const struct wf_yaml_row model_rows[] = {
     WF_KEY_PART("stem", model_stem_table, "The stem.", .required = true),
     WF_KEY_PART("crown", model_crown_table, "The leaves along the stem; generator stem.",
                 .absent = "no leaves"),
+    WF_KEY_QUANTITY("frontal_area", silhouette.area, WF_DIM_AREA, "m2", 1e-3, 1e4,
+                    "Area of the crown in leaf, seen from the side in still air; the wind's load is on it.",
+                    .absent = "by the leaf area and the species' frontal share", .example = "24 m2"),
+    WF_KEY_LENGTH("crown_width", silhouette.width, "m", 0.01, 100,
+                  "Width of the crown; with its depth and form in place of frontal_area.",
+                  .absent = "not given", .example = "6 m"),
+    WF_KEY_LENGTH("crown_depth", silhouette.depth, "m", 0.01, 150,
+                  "Height of the crown from its base to the top of the tree.", .absent = "not given",
+                  .example = "8 m"),
+    WF_KEY_ENUM("crown_form", silhouette.form, wf_crown_form_words,
+                "Share of the rectangle of width and depth: ellipse 0.785; triangle, widest at the base, and "
+                "diamond 0.5; paraboloid 0.667; rectangle 1.",
+                .initial = "ellipse", .example = "triangle"),
+    WF_KEY_PART("crown_outline", outline_table,
+                "The crown's outline as points of a photograph, in place of frontal_area. It must not cross "
+                "itself.",
+                .absent = "not given", .example = "{x: [-2 m, 2 m, 0 m], z: [4 m, 4 m, 12 m]}"),
+    WF_KEY_QUANTITY("crown_mass", silhouette.mass, WF_DIM_MASS, "kg", 1e-6, 1e6,
+                    "Fresh mass of branches and leaves of a stem without branches, in place of the leaves'.",
+                    .absent = "of the leaves alone", .example = "120 kg"),
+    WF_KEY_QUANTITY("crown_density", silhouette.density, WF_DIM_DENSITY, "kg/m3", 1e-3, 100,
+                    "The same per volume of the cone of crown_width and crown_depth. ForestGALES: 2.5 most "
+                    "conifers, 1.22 birch, 1.38 beech and oak.",
+                    .absent = "not given", .example = "2.5 kg/m3"),
+    WF_KEY_NUMBER("leaf_off_share", silhouette.leafless, 0, 1,
+                  "Share of the crown's load that is left in the season leaf_off.",
+                  .absent = "0.5 without branches, else 0: the axes drawn have their own drag",
+                  .example = "0.4"),
     WF_KEY_LIST("branches", branching, branchings, wf_branching_table,
                 "The branching levels above the stem: first the branches on the stem, then those on them.",
                 .absent = "needed by generator levels, refused by the others"),
@@ -286,6 +350,13 @@ static void check_crown(struct wf_yaml *y, struct wf_model *m)
     if (m->crown_top > m->height)
         wf_yaml_error(y, "crown.top", "%g m is above the stem's height %g m", m->crown_top, m->height);
     if (isnan(m->crown_top)) m->crown_top = m->height;
+    if (isnan(m->leaf_area)) {
+        bool seen = wf_yaml_has(y, "frontal_area") || wf_yaml_has(y, "crown_width") ||
+                    wf_yaml_has(y, "crown_outline");
+        if (!seen && !wf_yaml_has(y, "crown.leaf_area"))
+            wf_yaml_error(y, "crown", "needs the key 'leaf_area', or the model 'frontal_area'");
+        m->leaf_area = 0;
+    }
     if (m->crown_base >= m->crown_top)
         wf_yaml_error(y, "crown.base", "%g m is not below the crown's top %g m", m->crown_base, m->crown_top);
 }
@@ -354,6 +425,8 @@ static void model_finish(struct wf_yaml *y, void *model)
         m->leaf_area = wf_yaml_has(y, "leaves") ? m->foliage.area : 0;
     m->leaf_area_on = m->leaf_area;
     wf_model_set_season(m, m->season);
+    const char *why, *wrong = wf_silhouette_wrong(&m->silhouette, &why);
+    if (wrong) wf_yaml_error(y, wrong, "%s", why);
 }
 
 const struct wf_yaml_table wf_model_table = {

@@ -35,6 +35,29 @@ struct wf_stem_mass {
     double lever;            /* distance of left and right from the axis, along the width [m]           */
 };
 
+/* Forms of a crown that is given by width and depth; its share of their rectangle. */
+enum wf_crown_form {
+    WF_FORM_ELLIPSE,    /* 0.785 */
+    WF_FORM_TRIANGLE,   /* 0.5, widest at its base */
+    WF_FORM_DIAMOND,    /* 0.5, widest at half its depth */
+    WF_FORM_PARABOLOID, /* 0.667, widest at its base */
+    WF_FORM_RECTANGLE   /* 1 */
+};
+extern const char *const wf_crown_form_words[]; /* in the order of the enum; ends at NULL */
+
+/* The crown as it is seen from the side in leaf, and its mass. What is not above 0 is not given; one of area,
+ * width and depth, outline (grow/silhouette.h). */
+struct wf_silhouette {
+    double area;         /* [m2] */
+    double width, depth; /* of a crown of that form, which ends at the tree's top [m] */
+    enum wf_crown_form form;
+    size_t points;   /* outline: points in order around the crown */
+    double *x, *z;   /* to the side and above the ground [m] */
+    double mass;     /* of branches and leaves that are not drawn, in place of the leaves' [kg] */
+    double density;  /* the same per volume of the cone of width and depth [kg m-3] */
+    double leafless; /* share of the load that is left without leaves [-]; NAN: by the tree's kind */
+};
+
 struct wf_model {
     const char *key, *name, *note, *source, *file;
     enum wf_generator generator; /* stem: the stem alone; levels: its branches; ifs: copies of the stem */
@@ -47,14 +70,15 @@ struct wf_model {
     double lean_azimuth;          /* from +x towards +y [rad]                           */
     double radius;                /* outer radius at the base [m]; NAN: the species' level 0 */
     enum wf_taper taper;
-    double tip_ratio, power;      /* for linear and power taper [-]                     */
-    struct wf_along profile;      /* for table taper: s, r/radius                       */
-    size_t segments;              /* rows of the tree                                   */
-    double crown_base, crown_top; /* heights of the crown's limits along the stem [m]; NAN: no crown */
-    double leaf_area;             /* one-sided, whole crown, 0 in the leafless season [m2] */
-    struct wf_along crown_shape;  /* relative leaf area density over the crown, s from crown base to top */
-    struct wf_curve curve;        /* of the stem; generator levels                      */
-    size_t branchings;            /* levels above the stem; generator levels            */
+    double tip_ratio, power;         /* for linear and power taper [-]                     */
+    struct wf_along profile;         /* for table taper: s, r/radius                       */
+    size_t segments;                 /* rows of the tree                                   */
+    double crown_base, crown_top;    /* heights of the crown's limits along the stem [m]; NAN: no crown */
+    double leaf_area;                /* one-sided, whole crown, 0 in the leafless season [m2] */
+    struct wf_silhouette silhouette; /* in place of the sail of the leaves */
+    struct wf_along crown_shape;     /* relative leaf area density over the crown, s from crown base to top */
+    struct wf_curve curve;           /* of the stem; generator levels                      */
+    size_t branchings;               /* levels above the stem; generator levels            */
     struct wf_branching *branching;
     struct wf_ifs ifs;              /* generator ifs                                      */
     struct wf_foliage foliage;      /* generators levels and ifs                          */
@@ -71,6 +95,9 @@ struct wf_model {
  * mistakes in `d`; WF_ENOMEM; WF_EMISSING without the units database. */
 enum wf_status wf_model_read(const char *path, struct wf_arena *a, struct wf_model *out, struct wf_diag *d,
                              struct wf_err *e);
+
+/* The first key of a silhouette that does not go with the others, and why; NULL when all do. */
+const char *wf_silhouette_wrong(const struct wf_silhouette *s, const char **why);
 
 /* Set the season: leaf_area becomes leaf_area_on, or 0 in the leafless season. */
 void wf_model_set_season(struct wf_model *m, enum wf_season season);

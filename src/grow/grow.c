@@ -6,6 +6,7 @@
 #include "grow/clothe.h"
 #include "grow/import.h"
 #include "grow/qsm_model.h"
+#include "grow/silhouette.h"
 #include "grow/stem.h"
 #include <math.h>
 #include <string.h>
@@ -79,6 +80,7 @@ static enum wf_status keep_measured(const char *path, const struct wf_qsm *q, co
         .radius = shape->r0[0],
         .crown_base = NAN,
         .crown_top = NAN,
+        .silhouette = { .leafless = NAN },
         .segments = n,
         .measured = shape,
         .measured_models = q->models,
@@ -189,8 +191,13 @@ enum wf_status wf_grow(const struct wf_model *m, const struct wf_species *sp, st
                        "%s: stress in sections that are not round is not computed; 'windfirm fit' and "
                        "'windfirm simulate-test' take a stem with 'sections'",
                        m->key);
-    if (m->generator == WF_GENERATOR_STEM) return wf_grow_stem(m, sp, a, out, e);
+    enum wf_status s;
     if (!sp->levels) return wf_fail(e, WF_EINPUT, "%s: the species has no levels", sp->key);
-    if (m->generator == WF_GENERATOR_MEASURED) return grow_measured(m, sp, a, out, e);
-    return grow_branched(m, sp, a, out, d, e);
+    if (m->generator == WF_GENERATOR_STEM)
+        s = wf_grow_stem(m, sp, a, out, e);
+    else if (m->generator == WF_GENERATOR_MEASURED)
+        s = grow_measured(m, sp, a, out, e);
+    else
+        s = grow_branched(m, sp, a, out, d, e);
+    return s ? s : wf_silhouette_onto(m, sp, out, d, e);
 }

@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/vec3.h"
 #include "data/species.h"
+#include "grow/silhouette.h"
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -103,7 +104,7 @@ static bool place_ends(const struct wf_model *m, const struct wf_along *wall, st
                        struct ends *out)
 {
     const struct wf_along *profile = &m->profile, *shape = &m->crown_shape;
-    size_t most = 4 + wall->n + profile->n + shape->n + m->sections + m->masses;
+    size_t most = 6 + wall->n + profile->n + shape->n + m->sections + m->masses;
     struct ends k = { .s = WF_TAKE(a, most, double) };
     out->s = WF_TAKE(a, most + m->segments, double);
     if (!k.s || !out->s) return false;
@@ -117,6 +118,11 @@ static bool place_ends(const struct wf_model *m, const struct wf_along *wall, st
         k.s[k.n++] = m->crown_base / m->height;
         k.s[k.n++] = m->crown_top / m->height;
         add(&k, shape, m->crown_base / m->height, m->crown_top / m->height);
+    }
+    double low, high;
+    if (wf_silhouette_ends(&m->silhouette, m->height, &low, &high)) {
+        if (low > 0) k.s[k.n++] = fmin(low / m->height, 1);
+        k.s[k.n++] = fmin(high / m->height, 1);
     }
     k.n = sort_unique(k.s, k.n, 1e-9);
     k.s[k.n - 1] = 1;

@@ -19,13 +19,23 @@ struct wf_streamline_law {
     struct wf_law law;
     bool rigid; /* share = 1 at every speed: no range of speeds to warn about */
     /* Given: parameters, speed >= 0 [m/s]. Returned: share of still-air drag area [-], continuous with its
-     * derivative *derivative [s/m]. */
+     * derivative *derivative [s/m]. It does not know where the evidence ends: see wf_streamline_share. */
     double (*share)(const struct wf_law_values *p, double speed, double *derivative);
     enum wf_share_form form; /* the same by lanes */
 };
 extern const struct wf_streamline_law wf_streamline_laws[]; /* none, vogel, table; ends at law.name == NULL */
 /* The row of that name; NULL when there is none. */
 const struct wf_streamline_law *wf_streamline_named(const char *name);
+/* The share by a law that is held above p->held [m/s], with its derivative, which is 0 there. The drag then
+ * grows as the square of the speed. */
+static inline double wf_streamline_share(const struct wf_streamline_law *law, const struct wf_law_values *p,
+                                         double speed, double *derivative)
+{
+    bool held = p->held > 0 && speed > p->held;
+    double share = law->share(p, held ? p->held : speed, derivative);
+    if (held) *derivative = 0;
+    return share;
+}
 
 /* Drag coefficient of a long axis in cross-flow, used where the species gives no constant coefficient.
  * law.low..law.high is the range of Reynolds numbers [-]. */

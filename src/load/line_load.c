@@ -13,7 +13,7 @@ static inline void flow_at(const struct wf_loads *l, const struct wf_line_point 
         cd =
             l->axis_drag->coefficient(&l->axis_drag_par, f->across, p->diameter, l->air_viscosity, &cd_slope);
     if (l->streamline && p->sail > 0)
-        share = l->streamline->share(&l->streamline_par, f->speed, &share_slope);
+        share = wf_streamline_share(l->streamline, &l->streamline_par, f->speed, &share_slope);
     flow_forces(p, 0.5 * l->air_density * l->wind_scale, cd, cd_slope, share, share_slope, f);
 }
 

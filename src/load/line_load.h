@@ -111,6 +111,7 @@ struct air {
     real speed, direction[3], reference, exponent, displacement, roughness, least, scale;
     real half;                         /* density / 2 */
     real viscosity, vogel, vogel_from; /* of the laws */
+    real held;                         /* speed above which the crown's share is held */
     real weight, dead;                 /* factors of weight and of dead loads */
     const struct wf_law_values *table;
 };
@@ -143,6 +144,7 @@ static inline void set_air(const struct wf_loads *const *loads, struct air *a)
             a->profile = form == WF_PROFILE_OTHER ? form : WF_PROFILE_BY_CALL;
         real_lane(a->vogel, k) = l->streamline_par.number[0],
                             real_lane(a->vogel_from, k) = l->streamline_par.number[1];
+        real_lane(a->held, k) = l->streamline_par.held > 0 ? l->streamline_par.held : INFINITY;
         real_lane(a->half, k) = l->wind ? 0.5 * l->air_density * l->wind_scale : 0;
         real_lane(a->speed, k) = l->wind ? w->speed : 0;
         for (int i = 0; i < 3; i++) real_lane(a->direction[i], k) = w->direction[i];
@@ -199,22 +201,24 @@ static __attribute__((noinline, unused)) void share_each(const struct air *a, co
     for (int k = 0; k < WF_WIDTH; k++) {
         const struct wf_loads *l = a->loads[k];
         double by = 0, at = real_lane(*speed, k);
-        real_lane(*share, k) = l->streamline ? l->streamline->share(&l->streamline_par, at, &by) : 1;
+        real_lane(*share, k) =
+            l->streamline ? wf_streamline_share(l->streamline, &l->streamline_par, at, &by) : 1;
         real_lane(*slope, k) = by;
     }
 }
 
 WF_INLINE real crown_share(const struct air *a, real speed, real *slope)
 {
-    real share = real_of(1);
-    *slope = real_of(0);
-    if (a->crown == WF_SHARE_VOGEL) return vogel_share(a->vogel, a->vogel_from, speed, slope);
-    if (a->crown == WF_SHARE_TABLE) return table_share(a->table, speed, slope);
-    if (a->crown == WF_SHARE_BY_CALL) {
-        real copy = speed, by;
-        share_each(a, &copy, &share, &by);
-        *slope = by;
-    }
+    real share = real_of(1), by = real_of(0);
+    real_truth held = real_below(a->held, speed);
+    real at = real_choose(held, a->held, speed);
+    if (a->crown == WF_SHARE_VOGEL)
+        share = vogel_share(a->vogel, a->vogel_from, at, &by);
+    else if (a->crown == WF_SHARE_TABLE)
+        share = table_share(a->table, at, &by);
+    else if (a->crown == WF_SHARE_BY_CALL)
+        share_each(a, &at, &share, &by);
+    *slope = real_choose(held, real_of(0), by);
     return share;
 }
 

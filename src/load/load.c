@@ -31,6 +31,13 @@ static struct wf_law_values law_values_of(const struct wf_law_use *use, const st
     return v;
 }
 
+/* Where a streamlining law is held: at the end of what its source covers, else of what the law covers. */
+static double held_from(const struct wf_law_use *use, const struct wf_streamline_law *l)
+{
+    double end = isnan(use->high) ? l->law.high : use->high;
+    return use->beyond == WF_BEYOND_HOLD && !l->rigid && isfinite(end) ? end : 0;
+}
+
 enum wf_status wf_loads_laws(struct wf_loads *l, const struct wf_species *sp, struct wf_err *e)
 {
     const struct wf_law_use *crown = &sp->streamlining, *axis = &sp->axis_drag;
@@ -39,6 +46,7 @@ enum wf_status wf_loads_laws(struct wf_loads *l, const struct wf_species *sp, st
         if (!l->streamline)
             return wf_fail(e, WF_EINPUT, "%s: unknown streamlining law '%s'", sp->key, crown->law);
         l->streamline_par = law_values_of(crown, &l->streamline->law);
+        l->streamline_par.held = held_from(crown, l->streamline);
     }
     if (axis->law) {
         l->axis_drag = wf_axis_drag_named(axis->law);

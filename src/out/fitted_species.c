@@ -222,6 +222,7 @@ static void law_use(struct sheet *t, const char *key, const char *table, struct 
     pair(t, "source", s->source);
     if (!isnan(s->low)) word(t, "valid_from"), number(t, s->low, "m/s");
     if (!isnan(s->high)) word(t, "valid_to"), number(t, s->high, "m/s");
+    if (s->beyond != WF_BEYOND_HOLD) pair(t, "beyond", wf_beyond_words[s->beyond]);
     map_end(t);
 }
 

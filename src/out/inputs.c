@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "data/model.h"
 #include "data/species.h"
+#include "grow/silhouette.h"
 #include "load/drag.h"
 #include "study/peak.h"
 #include "study/wetted.h"
@@ -95,6 +96,7 @@ static json_t *streamlining(struct wf_doc *d, const struct wf_species *sp)
     put_law(d, o, s, WF_LAW_NUMBER);
     wf_doc_quantity(d, o, "speed_low", s->low, "m/s", "not given");
     wf_doc_quantity(d, o, "speed_high", s->high, "m/s", "not given");
+    wf_doc_text(d, o, "beyond", s->law ? wf_beyond_words[s->beyond] : NULL);
     put_law(d, o, s, WF_LAW_LIST);
     put_source(d, o, sp, s->source);
     return o;
@@ -127,7 +129,7 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
         wf_doc_flag(d, wall, "used", grown);
         put_standing(d, wall, sp, &level->wall_note);
     }
-    const bool leaves = a->model->leaf_area > 0;
+    const bool leaves = a->model->leaf_area > 0 || !isnan(wf_silhouette_area(&a->model->silhouette));
     for (size_t k = 0; wf_crown_property(sp, k, &p); k++)
         add_value(d, values, a, "crown", "crown.", &p, leaves);
     add_law_values(d, values, a, "crown", "crown.streamlining.", wf_laws.streamlining, &sp->streamlining,
@@ -174,6 +176,7 @@ json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
     wf_doc_quantity(d, o, "crown_base", m->crown_base, "m", "no crown");
     wf_doc_quantity(d, o, "crown_top", m->crown_top, "m", "no crown");
     wf_doc_quantity(d, o, "leaf_area", m->leaf_area, "m2", "no crown");
+    wf_doc_quantity(d, o, "frontal_area", wf_silhouette_area(&m->silhouette), "m2", "by the leaf area");
     return o;
 }
 
@@ -223,6 +226,8 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "altitude", s->altitude, "m", NULL);
     wf_doc_quantity(d, o, "air_density", a->loads.air_density, "kg/m3", NULL);
     wf_doc_text(d, o, "air_density_from", isnan(s->air_density) ? "temperature and altitude" : "given");
+    wf_doc_quantity(d, o, "snow", s->snow, "kg/m2", NULL);
+    wf_doc_quantity(d, o, "ice", s->ice, "m", NULL);
     wf_doc_quantity(d, o, "gravity", s->gravity, "m/s2", NULL);
     wf_doc_text(d, o, "shelter", s->shelter ? s->shelter : "none");
     return o;

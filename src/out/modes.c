@@ -3,7 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-enum { DRAWN = 6, ROWS_DRAWN = 5000 }; /* modes of a figure; segments of a drawn tree */
+enum {
+    DRAWN = 5,
+    ROWS_DRAWN = 5000
+}; /* modes of a figure beside the sway of the tree; segments of a drawn tree */
 
 static const char *season_word(enum wf_season s) { return s == WF_LEAF_ON ? "leaf_on" : "leaf_off"; }
 
@@ -59,14 +62,16 @@ static int32_t top_level(const struct wf_tree *t)
     }
 }
 
-/* A segment's ends seen along the wind and from the left, and how they move. */
+/* Mode 0 is the sway of the whole tree: a segment's ends seen along the wind and from the left, and how they
+ * move. */
 static void shape_row(FILE *f, size_t run, size_t k, const struct wf_mode_block *b, size_t i)
 {
     const struct wf_tree *t = &b->tree;
-    const double *to = b->direction, still[3] = { 0 }, *shape = b->modes.mode[k].shape;
+    const double *to = b->direction, still[3] = { 0 };
+    const double *shape = k ? b->modes.mode[k - 1].shape : b->modes.shape;
     const double x[2][3] = { { t->x0[i], t->y0[i], t->z0[i] }, { t->x1[i], t->y1[i], t->z1[i] } };
     const double *u[2] = { t->parent[i] < 0 ? still : shape + 3 * t->parent[i], shape + 3 * i };
-    fprintf(f, "%zu,%zu,%lld,%d", run, k + 1, (long long)t->id[i], (int)t->level[i]);
+    fprintf(f, "%zu,%zu,%lld,%d", run, k, (long long)t->id[i], (int)t->level[i]);
     for (int end = 0; end < 2; end++) {
         const double *at = x[end], *by = u[end];
         fprintf(f, ",%.6g,%.6g,%.6g,%.4g,%.4g,%.4g", at[0] * to[0] + at[1] * to[1],
@@ -86,7 +91,7 @@ static void shapes_table(FILE *f, const struct wf_mode_list *l)
         const struct wf_mode_block *b = &l->block[r];
         if (!drawn(l, r)) continue;
         int32_t top = top_level(&b->tree);
-        for (size_t k = 0; k < b->modes.count && k < DRAWN; k++)
+        for (size_t k = 0; k <= b->modes.count && k <= DRAWN; k++)
             for (size_t i = 0; i < b->tree.n; i++)
                 if (b->tree.level[i] <= top) shape_row(f, r + 1, k, b, i);
     }
@@ -102,6 +107,8 @@ static void plot_data(struct wf_plot_data *p, const struct wf_mode_list *l)
         size_t n = b->modes.count < DRAWN ? b->modes.count : DRAWN;
         snprintf(key, sizeof key, "MODES_%zu", r + 1);
         wf_plot_data_count(p, key, 0, n);
+        snprintf(key, sizeof key, "TREE_%zu", r + 1);
+        wf_plot_data_print(p, key, 0, "%.3g", b->modes.sway.frequency);
         for (size_t k = 0; k < n; k++) {
             const struct wf_sway_mode *m = &b->modes.mode[k];
             snprintf(key, sizeof key, "FREQUENCY_%zu", r + 1);

@@ -48,7 +48,9 @@ enum wf_status wf_wind_stream(const struct wf_gust_spec *s, const char *path,
 struct wf_terrain_site {
     struct wf_terrain ground;
     struct wf_speedup speedup;
-    double *topex, *factor; /* per point: topex-to-distance [deg]; wind over that on level ground [-] */
+    double *topex, *factor; /* per point: topex-to-distance [deg]; wind over that on level ground [-], NAN
+                               where the law of the speed-up does not hold */
+    size_t outside;         /* points where it does not */
     size_t unseen;          /* points from which a sight line leaves the map */
     double from;            /* the wind comes from, clockwise from north [rad] */
     double height, roughness, distance; /* above the ground [m]; z0 [m]; reach of topex's sight lines [m] */

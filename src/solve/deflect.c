@@ -91,7 +91,7 @@ static void wind_force(const struct wf_loads *l, const struct wf_deflect_row *o,
     }
     if (o->sail > 0) {
         double speed = sqrt(wf_dot(u, u)), share = 1, slope;
-        if (l->streamline) share = l->streamline->share(&l->streamline_par, speed, &slope);
+        if (l->streamline) share = wf_streamline_share(l->streamline, &l->streamline_par, speed, &slope);
         v3_add(f, o->sail * share * speed, u);
     }
 }
@@ -109,7 +109,8 @@ static void wind_force_unbent(const struct wf_loads *l, const struct wf_deflect_
     for (int k = 0; k < 3; k++) f[k] = pressure * (drag * o->normal[k] + o->lift * o->lifted[k]);
     if (o->sail > 0) {
         double share = 1, slope;
-        if (l->streamline) share = l->streamline->share(&l->streamline_par, size * o->speed, &slope);
+        if (l->streamline)
+            share = wf_streamline_share(l->streamline, &l->streamline_par, size * o->speed, &slope);
         v3_add(f, o->sail * share * gust * size * o->speed, o->wind);
     }
 }

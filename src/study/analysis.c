@@ -6,6 +6,7 @@
 #include "data/species.h"
 #include "grow/grow.h"
 #include "load/interception.h"
+#include "load/winter.h"
 #include "solve/unload.h"
 #include "study/node.h"
 #include "study/sway.h"
@@ -37,6 +38,39 @@ static enum wf_status unload(struct wf_analysis *an, struct wf_arena *a, struct 
     return WF_OK;
 }
 
+/* Snow and ice, which came after the tree was drawn. */
+static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct wf_err *e)
+{
+    static const char *const together =
+        "The given winds act together with it; a wind in which it stays on the tree is less than a design "
+        "wind (snow falls off above about 9 m/s)";
+    const struct wf_silhouette *seen = &an->model->silhouette;
+    double area = wf_crown_projection(&an->tree, seen->width), mass = area * an->scenario.snow;
+    if (an->scenario.snow > 0) {
+        if (an->model->season == WF_LEAF_OFF || wf_crown_projection(&an->tree, 1) == 0)
+            return wf_fail(
+                e, WF_EINPUT,
+                "%s: snow lies on a crown in leaf; the tree has no leaves. Ice can be on bare axes",
+                an->model->name);
+        if (!(area > 0))
+            return wf_fail(e, WF_EINPUT,
+                           "%s: how much snow lies on the crown follows from its width, which is not known; "
+                           "give --crown-width with --crown-depth",
+                           an->model->name);
+        wf_snow_onto(&an->tree, mass);
+        wf_diag_warn(d, "snow", "%s: %.4g kg of snow, %.3g kg/m2 on the crown's %.4g m2 seen from above. %s",
+                     an->model->name, mass, an->scenario.snow, area, together);
+    }
+    if (!(an->scenario.ice > 0)) return WF_OK;
+    mass = wf_ice_onto(&an->tree, an->scenario.ice);
+    wf_diag_warn(
+        d, "ice",
+        "%s: %.4g kg of ice, %.3g mm thick on all axes and both sides of the leaves (917 kg/m3); the "
+        "wind finds the axes by twice that thicker, the leaves as they are. %s",
+        an->model->name, mass, 1e3 * an->scenario.ice, together);
+    return WF_OK;
+}
+
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, struct wf_diag *d,
                                   struct wf_err *e)
 {
@@ -46,6 +80,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, struct wf_arena *a, st
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
     if (!s && an->model->shape == WF_SHAPE_UNDER_WEIGHT) s = unload(an, a, d, e);
     if (!s && an->scenario.water > 0) wf_intercept(&an->tree, an->scenario.water); /* it was drawn dry */
+    if (!s) s = winter(an, d, e);
     return s;
 }
 

@@ -5,6 +5,7 @@
 #include "data/species.h"
 #include "load/drag.h"
 #include "study/analysis.h"
+#include "wind/category.h"
 #include "wind/terrain.h"
 #include <math.h>
 #include <stdio.h>
@@ -276,6 +277,28 @@ static bool crown_wind(const struct wf_analysis *an, double speed, double *low, 
     return *high > 0.0;
 }
 
+/* The wind at the crown, up to `largest`, is beyond the evidence of its streamlining law. */
+static void say_beyond(const struct wf_analysis *an, double largest, bool critical, struct wf_diag *d)
+{
+    const struct wf_law_use *law = &an->species->streamlining;
+    const struct wf_streamline_law *row = an->loads.streamline;
+    struct wf_law_values extended = an->loads.streamline_par;
+    char words[200] = "there its share is held, and the drag grows as the square of the wind speed";
+    double slope;
+    extended.held = 0;
+    if (law->beyond == WF_BEYOND_EXTEND)
+        (void)snprintf(words, sizeof words,
+                       "it is extended: lower load than if held, down to %.0f %% of it; 'beyond: hold' in "
+                       "the species table holds it",
+                       100.0 * wf_streamline_share(row, &extended, largest, &slope) /
+                           wf_streamline_share(row, &extended, law->high, &slope));
+    wf_diag_warn(d, "streamline-range",
+                 "%s: the wind at the crown is up to %.1f m/s%s; the evidence for its streamlining law '%s' "
+                 "ends at %.3g m/s (%.0f %% beyond); %s",
+                 an->species->name, largest, critical ? " (critical speed included)" : "", law->law,
+                 law->high, 100.0 * (largest / law->high - 1.0), words);
+}
+
 static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
 {
     const struct wf_law_use *law = &an->species->streamlining;
@@ -289,13 +312,7 @@ static void check_streamline(const struct wf_analysis *an, struct wf_diag *d)
         least = fmin(least, low);
         largest = fmax(largest, high);
     }
-    if (largest > law->high)
-        wf_diag_warn(d, "streamline-range",
-                     "%s: the wind at the crown is up to %.1f m/s%s; the evidence for its streamlining law "
-                     "'%s' ends at "
-                     "%.3g m/s (%.0f %% beyond)",
-                     an->species->name, largest, critical ? " (critical speed included)" : "", law->law,
-                     law->high, 100.0 * (largest / law->high - 1.0));
+    if (largest > law->high) say_beyond(an, largest, critical, d);
     if (least < law->low)
         wf_diag_warn(d, "streamline-range",
                      "%s: the wind at the crown is down to %.1f m/s; the evidence for its streamlining law "
@@ -382,9 +399,39 @@ void wf_limits_site(const struct wf_site *s, struct wf_diag *d)
             s->file, s->edge);
 }
 
-/* The limits that depend on the wind: streamline-range, profile-range, reynolds-range, steep, map-edge. */
+/* Mean wind at the top of a closed stand of a height [m] over the wind named in open country: the log law of
+ * its roughness, 0.1 and 0.7 of the height being roughness and displacement as in the canopy profile. */
+static double stand_top(double height)
+{
+    const struct wf_category stand = { .roughness = 0.1 * height };
+    return wf_category_factor(&stand, 0.3 * height) / wf_category_factor(wf_category_open(), 10.0);
+}
+
+/* A measured tree may stand in a forest; the wind of open country is then far too much for it. */
+static void check_site(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const struct wf_scenario *s = &an->scenario;
+    if (an->model->generator != WF_GENERATOR_MEASURED || s->category_said || strcmp(s->profile, "power"))
+        return;
+    double x[3] = { 0.0, 0.0, an->tallness }, u[3], du[9];
+    struct wf_wind wind;
+    wf_scenario_wind(s, &wind);
+    wind.speed = 1.0;
+    wind.sample(&wind, x, u, du);
+    double open = hypot(u[0], u[1]), stand = stand_top(an->tallness);
+    wf_diag_warn(
+        d, "site-assumed",
+        "%s: nothing says where the measured tree stands, and the wind of open country is taken. If it "
+        "stands in a forest, the mean wind at its top is %.2f instead of %.2f times the wind named, and "
+        "the critical wind higher, by up to a factor of %.1f; --site says where it stands",
+        an->model->name, stand, open, open / stand);
+}
+
+/* The limits that depend on the wind: site-assumed, streamline-range, profile-range, reynolds-range, steep,
+ * map-edge. */
 static void limits_wind(const struct wf_analysis *an, struct wf_diag *d)
 {
+    check_site(an, d);
     check_streamline(an, d);
     wf_limits_profile(&an->scenario, an->tallness, an->model->name, d);
     check_reynolds(an, d);

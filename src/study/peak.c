@@ -137,8 +137,8 @@ double wf_peak_damping(double structural, bool known, double air)
 /* Exponent of the crown's load between the mean wind and a gust of `ratio` times its speed. */
 static double secant_exponent(const struct wf_peak *p, double mean, double ratio)
 {
-    double unused, at = p->law->share(&p->law_par, mean, &unused);
-    double gust = p->law->share(&p->law_par, mean * ratio, &unused);
+    double unused, at = wf_streamline_share(p->law, &p->law_par, mean, &unused);
+    double gust = wf_streamline_share(p->law, &p->law_par, mean * ratio, &unused);
     return fmax(0.0, 2.0 + log(gust / at) / log(ratio));
 }
 
@@ -166,7 +166,7 @@ static void parts_rule(const struct wf_peak *p, double speed, enum wf_part part,
         c.exponent = secant_exponent(p, c.mean, sqrt(out->gust.factor));
         p->rule->parts(&c, &out->gust);
     }
-    out->factor = out->gust.factor;
+    out->factor = fmax(out->gust.factor, p->least);
 }
 
 static const char steady[] = "The steady wind alone: no gusts, no resonance. Loads of real wind are higher";

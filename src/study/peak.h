@@ -31,6 +31,7 @@ struct wf_peak {
     struct wf_gust_case tree;        /* terrain, size, exponent */
     double profile;                  /* mean wind at the rule's reference height over the named wind [-] */
     double gust;                     /* gust over mean wind of the terrain at 10 m [-] */
+    double least;                    /* of the factor: of a tree in a stand whose spacing is unknown [-] */
     double damping;                  /* structural, of critical [-] */
     bool damping_known;
     bool branches; /* branches have a factor of their own */

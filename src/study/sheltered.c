@@ -20,8 +20,8 @@ static double sail_share(const struct wf_tree *t, const struct wf_loads *l)
     if (!l->streamline || !(sail > 0.0)) return 1.0;
     x[2] = height / sail;
     l->wind->sample(l->wind, x, u, du);
-    double share =
-        l->streamline->share(&l->streamline_par, sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]), &slope);
+    double share = wf_streamline_share(l->streamline, &l->streamline_par,
+                                       sqrt(u[0] * u[0] + u[1] * u[1] + u[2] * u[2]), &slope);
     return fmin(share, 1.0);
 }
 

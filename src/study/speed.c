@@ -86,7 +86,7 @@ static double crown_share(const struct wf_loads *l, const double x[3])
     double u[3], gradient[9], derivative;
     if (!l->wind || !l->streamline) return 1.0;
     l->wind->sample(l->wind, x, u, gradient);
-    return l->streamline->share(&l->streamline_par, norm(u), &derivative);
+    return wf_streamline_share(l->streamline, &l->streamline_par, norm(u), &derivative);
 }
 
 struct sums {

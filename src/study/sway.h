@@ -33,6 +33,7 @@ struct wf_sway_modes {
     bool damping_known;  /* the structural damping is given, not assumed */
     struct wf_sway sway; /* of the tree as a whole along the wind, as for the peak load (study/peak.h) */
     double damping;      /* of the sway, total, limited; of critical [-] */
+    const double *shape; /* of the sway, as of a mode */
 };
 /* The `count` lowest modes about the tree's state in a mean wind of a named speed [m/s]; 0: still air. Modes
  * of almost one frequency, such as those of a round stem, are turned so that one moves along the wind.

@@ -464,7 +464,7 @@ enum wf_status wf_site_speed_up(const struct wf_site *s, double from, double hei
         struct wf_terrain change = s->ground; /* the speed-up on the same grid */
         change.z = up.ds;
         *factor = 1.0 + wf_terrain_height(&change, s->x, s->y);
-        if (!(*factor >= 0.1 && *factor <= 5.0))
+        if (!wf_speedup_holds(*factor))
             status = wf_fail(
                 e, WF_EINPUT,
                 "%s: wind from %.1f deg would be %.3g times that over level ground; slopes up to %.2f are "

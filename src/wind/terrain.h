@@ -80,6 +80,8 @@ struct wf_speedup {
     double gain;     /* [U0(L)/U0(max(z, l))]^2                                           */
     double steepest; /* slope of the map [-]                                              */
 };
+/* Is a wind factor, 1 + dS, within what the linear law can mean? */
+static inline bool wf_speedup_holds(double factor) { return factor >= 0.1 && factor <= 5.0; }
 /* Errors: WF_EUSAGE for a height or roughness out of range, WF_EINPUT for a map with points without data,
  * WF_ENOMEM. */
 enum wf_status wf_terrain_speedup(const struct wf_terrain *t, const struct wf_speedup_request *q,

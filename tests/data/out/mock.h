@@ -7,6 +7,7 @@
 #include "data/species.h"
 #include "load/drag.h"
 #include "out/results.h"
+#include "wind/category.h"
 #include <math.h>
 #include <string.h>
 
@@ -200,7 +201,11 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
                                           .displacement = NAN,
                                           .temperature = 288.15,
                                           .air_density = NAN,
-                                          .gravity = 9.81 };
+                                          .gravity = 9.81,
+                                          .speed_up = 1,
+                                          .carried = 1,
+                                          .category = wf_category_open(),
+                                          .named = { wf_category_open(), 10 } };
     out->loads.air_density = 1.225;
     out->loads.streamline = wf_streamline_named("vogel");
     out->loads.axis_drag = wf_axis_drag_laws;
