@@ -34,7 +34,9 @@
     <caption>
       <xsl:call-template name="season"/>
       <xsl:call-template name="say">
-        <xsl:with-param name="id"><xsl:choose><xsl:when test="speed &gt; 0">md.wind</xsl:when><xsl:otherwise>md.still</xsl:otherwise></xsl:choose></xsl:with-param>
+        <xsl:with-param name="id">
+          <xsl:choose><xsl:when test="speed &gt; 0">md.wind</xsl:when><xsl:otherwise>md.still</xsl:otherwise></xsl:choose>
+        </xsl:with-param>
         <xsl:with-param name="a">
           <xsl:call-template name="given"><xsl:with-param name="x" select="speed"/></xsl:call-template>
         </xsl:with-param>
@@ -43,7 +45,8 @@
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">md.c.mode;c.frequency:Hz;md.c.moves;md.c.along:%;md.c.across:%;md.c.up:%;md.c.turn.along:%;md.c.turn.across:%;md.c.mass:kg;md.c.wood:;md.c.air:;md.c.total:</xsl:with-param>
+          <xsl:with-param name="of">md.c.mode;c.frequency:Hz;md.c.moves;md.c.along:%;md.c.across:%;md.c.up:%;
+            md.c.turn.along:%;md.c.turn.across:%;md.c.mass:kg;md.c.wood:;md.c.air:;md.c.total:</xsl:with-param>
         </xsl:call-template>
       </tr>
     </thead>
@@ -82,7 +85,8 @@
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">md.c.leaves;md.c.wind:m/s;c.frequency:Hz;md.c.turn:%;md.c.mass:kg;md.c.damping.air:;md.c.total:</xsl:with-param>
+          <xsl:with-param name="of">md.c.leaves;md.c.wind:m/s;c.frequency:Hz;md.c.turn:%;
+            md.c.mass:kg;md.c.damping.air:;md.c.total:</xsl:with-param>
         </xsl:call-template>
       </tr>
     </thead>
@@ -106,7 +110,9 @@
   <xsl:call-template name="h2"><xsl:with-param name="id">md.h.measured</xsl:with-param></xsl:call-template>
   <p>
     <xsl:call-template name="say">
-      <xsl:with-param name="id"><xsl:choose><xsl:when test="conifer = 'true'">md.line</xsl:when><xsl:otherwise>md.other</xsl:otherwise></xsl:choose></xsl:with-param>
+      <xsl:with-param name="id">
+        <xsl:choose><xsl:when test="conifer = 'true'">md.line</xsl:when><xsl:otherwise>md.other</xsl:otherwise></xsl:choose>
+      </xsl:with-param>
       <xsl:with-param name="a" select="format-number(line_first_Hz, '0.0000')"/>
       <xsl:with-param name="b" select="format-number(line_slope_Hz_m, '0.0')"/>
     </xsl:call-template>

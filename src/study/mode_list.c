@@ -11,7 +11,8 @@
 const char wf_sway_lines_source[] = "regressions of windfirm on the data of Jackson et al. 2021 (631 "
                                     "conifers in forests, R2 0.75 for all); linear "
                                     "in D/H2 as Moore & Maguire 2004, Trees 18:195-203";
-const struct wf_sway_line wf_sway_lines[] = {
+/* The last, of all conifers, has no `latin`. */
+static const struct wf_sway_line lines[] = {
     { "Sitka spruce", "Picea sitchensis", 0.0969, 342.1 },
     { "Norway spruce", "Picea abies", 0.1522, 263.6 },
     { "Scots pine", "Pinus sylvestris", 0.1679, 188.6 },
@@ -61,7 +62,7 @@ static void compare(const struct wf_species *sp, const struct wf_mode_block *b, 
 {
     bool sheds;
     out->conifer = is_conifer(sp, &sheds);
-    out->line = wf_sway_lines;
+    out->line = lines;
     while (out->line->latin && !begins(sp->latin, out->line->latin)) out->line++;
     out->diameter = breast_diameter(&b->tree);
     out->height = b->height;

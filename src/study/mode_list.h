@@ -12,7 +12,6 @@ struct wf_sway_line {
     const char *name, *latin; /* of the trees; latin: how the Latin name begins, NULL: all conifers */
     double first, slope;      /* [Hz], [Hz m] */
 };
-extern const struct wf_sway_line wf_sway_lines[]; /* the last, of all conifers, has no `latin` */
 extern const char wf_sway_lines_source[];
 
 struct wf_mode_block { /* one season in one wind */
