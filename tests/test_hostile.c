@@ -76,6 +76,7 @@ static const struct {
     { "rose", "wind rose --file $T/r.csv --no-plots" },
     { "shelter", "shelter --model scots_pine --species scots_pine --slabs 4 --cells 16 --no-plots" },
     { "terrain", "terrain --size 4 --relief 20 --no-plots" },
+    { "modes", "modes oak $M --wind 0 --no-report" },
 };
 enum { KINDS = sizeof kinds / sizeof *kinds };
 #define ROSE                                                                                                 \
@@ -468,6 +469,9 @@ static void nasty_names_of_other_commands(void **state)
         { "explain",
           "sed \"s|^name:.*|name: '$N'|\" species/oak.yaml >\"$T/$F.yaml\"; $W explain \"$T/$F.yaml\" $M "
           "--wind 8" },
+        { "modes",
+          "sed \"s|^name:.*|name: '$N'|\" species/oak.yaml >\"$T/$F.yaml\"; $W modes \"$T/$F.yaml\" $M "
+          "--wind 0,8" },
         { "shelter",
           "sed \"s|^name:.*|name: '$N'|\" species/scots_pine.yaml >\"$T/$F.yaml\"; $W shelter --model "
           "scots_pine --species \"$T/$F.yaml\" --slabs 4 --cells 16" },

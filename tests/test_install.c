@@ -30,7 +30,7 @@ static void example_says_what_the_command_says(void **state)
                         "$T/c $S $M 20 >$T/c.txt && $T/cxx $S $M 20 | cmp - $T/c.txt || exit 1\n"
                         "cat $T/c.txt\n"
                         "$W analyze $S --model $M --wind 20 --no-report -o $T/out |\n"
-                        "    awk '$1 == 20 { tip = $2 } / critical wind speed / { speed = $4 }\n"
+                        "    awk '$1 == 20 { tip = $3 } / critical wind speed / { speed = $4 }\n"
                         "         END { printf \"tip %s m, critical wind %s m/s\\n\", tip, speed }' |\n"
                         "    cmp - $T/c.txt"));
     assert_non_null(strstr(output, "critical wind "));

@@ -22,6 +22,7 @@ static const struct {
     { "shelter", "shelter --model scots_pine --species scots_pine --slabs 4 --cells 16" },
     { "terrain", "terrain --size 4 --relief 20" },
     { "rain", "rain --staged --duration 2" },
+    { "modes", "modes oak $M --wind 0,10" },
 };
 #define ROSE                                                                                                 \
     "{ echo direction_deg,frequency,weibull_scale_ms,weibull_shape; for d in 0 45 90 135 180 225 270 315; "  \
@@ -38,7 +39,8 @@ static int tools(void)
     "'^0$' || "                                                                                              \
     "echo no figure; grep -q 'class=\"missing\"' $f && echo missing figure; grep -oE '[{][0-9][}]' $f; "     \
     "grep -oE "                                                                                              \
-    "'>(c|cap|h|in|f|ft|sr|ex|wd|rs|sh|tr|rn|t|sum|tb|p|w|m|fig|warn|role|sensor|finding)[.][a-z.]+<' $f; "  \
+    "'>(c|cap|h|in|f|ft|sr|ex|wd|rs|sh|tr|rn|md|t|sum|tb|p|w|m|fig|warn|role|sensor|finding)[.][a-z.]+<' "   \
+    "$f; "                                                                                                   \
     "tail -c 10 $f | grep -q '</html>' || echo cut short; head -c 4 $T/%s/%s.pdf | grep -q %%PDF || echo "   \
     "no pdf; "
 

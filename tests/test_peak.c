@@ -211,9 +211,82 @@ static void critical_at_the_peak(void **state)
     wf_arena_free(&p.c.arena);
 }
 
+/* ---- Modes ---- */
+
+static void find_modes(struct pole *p, double wind, size_t count, struct wf_sway_modes *m)
+{
+    if (wf_sway_modes(&p->an, &p->c.options, wind, count, &p->c.arena, m, &p->c.err))
+        fail_msg("%s", p->c.err.text);
+}
+
+/* Frequencies and effective modal masses of a uniform cantilever; the shares add up to the whole. */
+static void modes_of_a_pole(void **state)
+{
+    (void)state;
+    const double b[3] = { 1.8751040687119611665, 4.6940911329741745764, 7.8547574382376125649 };
+    const double share[3] = { 0.613076, 0.188300, 0.064732 };
+    const double pi = 3.14159265358979, EI = modulus * pi * pow(radius, 4) / 4, L2 = height * height;
+    struct pole p;
+    struct wf_sway_modes m;
+    make(&p, "mean", false);
+    find_modes(&p, 0, 12, &m);
+    assert_int_equal(m.count, 12);
+    assert_true(m.damping_known);
+    double along = 0, across = 0, overturn = 0;
+    for (size_t k = 0; k < 12; k++) {
+        const struct wf_sway_mode *q = &m.mode[k];
+        along += q->share[0], across += q->share[1], overturn += q->turn[0];
+        assert_close(q->structural, 0.03, 1e-12);
+        assert_close(q->damping, 0.03, 1e-12);
+        assert_true(q->air == 0);
+        if (k >= 6) continue;
+        size_t i = k / 2;
+        assert_close(q->frequency, b[i] * b[i] / (2 * pi) * sqrt(EI / mass_per_length()) / L2, 1e-5);
+        assert_close(q->share[k % 2], share[i], 1e-4);
+        assert_true(q->share[1 - k % 2] < 1e-9 && q->share[2] < 1e-9);
+        /* of a mode shape with 2 at the tip the mean square is 1 */
+        assert_close(q->mass, mass_per_length() * height / 4, 1e-4);
+    }
+    assert_true(along > 0.91 && along < 1 && across > 0.91 && across < 1 && overturn > 0.99 && overturn < 1);
+    find_modes(&p, 0, 40, &m);
+    for (size_t k = 12; k < 40; k++) along += m.mode[k].share[0], across += m.mode[k].share[1];
+    assert_true(along > 0.96 && along < 1 + 1e-9 && across > 0.96 && across < 1 + 1e-9);
+    beam_free(&p.c);
+}
+
+/* Whatever the direction of the wind, one mode of a pair moves along it, the other across; damped by the air
+ * twice as much along as across. */
+static void modes_in_wind(void **state)
+{
+    (void)state;
+    struct pole p;
+    struct wf_sway_modes m;
+    make(&p, "mean", false);
+    const double pi = 3.14159265358979, wind = 5;
+    for (double turned = 0; turned < 3; turned += 0.7) {
+        p.an.wind.direction[0] = cos(turned), p.an.wind.direction[1] = sin(turned);
+        find_modes(&p, wind, 2, &m);
+        double f = m.mode[0].frequency,
+               force = 0.5 * p.an.loads.air_density * drag * 2 * radius * wind * wind;
+        double air = 2 * force / (4 * pi * f * mass_per_length() * wind);
+        assert_close(m.mode[0].share[0], 0.613076, 2e-3);
+        assert_close(m.mode[1].share[1], 0.613076, 2e-3);
+        assert_close(m.mode[0].air, air, 0.01);
+        assert_close(m.mode[1].air, 0.5 * air, 0.01);
+        assert_close(m.mode[0].damping, 0.03 + m.mode[0].air, 1e-12);
+    }
+    p.an.scenario.peak.damping = NAN;
+    find_modes(&p, 0, 1, &m);
+    assert_true(!m.damping_known);
+    assert_close(m.mode[0].damping, 0.05, 1e-12);
+    beam_free(&p.c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(modes_of_a_pole),
+        cmocka_unit_test(modes_in_wind),
         cmocka_unit_test(sways_as_a_cantilever),
         cmocka_unit_test(damped_by_the_air),
         cmocka_unit_test(multiplies_the_wind_alone),

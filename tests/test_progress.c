@@ -67,7 +67,7 @@ static void steps_are_counted(void **state)
 #define LONG "wind kaimal --duration 100000 --points 150 --stream $T/w.npy"
 #define TERMINAL(command)                                                                                    \
     "{ i=0; until [ $i -ge 60 ] || grep -q ' left' $T/log 2>/dev/null; do sleep 1; i=$((i + 1)); done; "     \
-    "printf '\\003'; sleep 1; } | script -qefc \"" command "\" $T/log >/dev/null; code=$?; "                 \
+    "printf '\\003'; sleep 4; } | script -qefc \"" command "\" $T/log >/dev/null; code=$?; "                 \
     "tr '\\r' '\\n' <$T/log >$T/lines; "
 
 static void a_line_on_a_terminal(void **state)

@@ -613,11 +613,9 @@ static int analyze_or_compare(int argc, char **argv, const char *about, size_t l
 int wf_cmd_analyze(int argc, char **argv)
 {
     static const char about[] =
-        "SPECIES is a species table, a file or the name of a shipped one ('windfirm species list'). The wind "
-        "is "
-        "steady; the tree bends until its stiffness balances wind and weight, and the wind is taken on the "
-        "bent "
-        "shape. Deflection is counted from the unloaded shape, so it includes the sag under weight.\n"
+        "SPECIES is a species table, a file or the name of a shipped one ('windfirm species list'). The tree "
+        "bends until its stiffness balances wind and weight, and the wind is taken on the bent shape: once in "
+        "the mean wind, once at the peak of the load of gusts (--peak), which decides what breaks.\n"
         "\n"
         "  windfirm analyze species/moso_bamboo.yaml --model models/moso_culm.yaml --wind 5:40:1";
     return analyze_or_compare(argc, argv, about, 1, 1);

@@ -12,9 +12,12 @@
 #include "out/results.h"
 #include "solve/solve.h"
 #include "study/limits.h"
+#include "study/peak.h"
 #include "study/preset.h"
+#include "study/sway.h"
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 struct explain_options {
     struct wf_args args;
@@ -23,6 +26,7 @@ struct explain_options {
     struct wf_averaging averaging;
     struct wf_profile_words profile;
     double azimuth; /* [rad] */
+    bool peak;
     struct wf_pages pages;
 };
 
@@ -33,6 +37,7 @@ const struct wf_option wf_explain_options[] = {
     WF_WIND_ROWS(wind, averaging, 0.01, 100, "mean wind at the reference height"),
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
+    FLAG("--peak", peak, "also compare the methods of the peak load (--peak of analyze) in this wind"),
     TEXT("--output", output, "FOLDER", "out/explain", "where table, plot and page go", .letter = "-o"),
     WF_PAGE_ROWS("--no-report", pages, "write the table only"),
     WF_QUIET_ROW,
@@ -84,6 +89,51 @@ static void print_methods(const struct wf_explain *x, double speed, const struct
     wf_show(stdout, "\n");
 }
 
+/* One method of the peak load on the tree in this wind. */
+static enum wf_status print_peak(const struct wf_analysis *of, const struct wf_solve_options *o, double speed,
+                                 const char *method, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_analysis an = *of;
+    struct wf_at_speed at;
+    struct wf_peak_parts p;
+    an.scenario.peak.method = method;
+    wf_search_default(&an.search);
+    enum wf_status s = wf_sway_set_up(&an, o, &speed, 1, a, NULL, e);
+    if (!s) s = wf_speed_totals(&an, o, speed, &at, e);
+    if (s) return s;
+    wf_peak_parts_at(an.peak, speed, WF_PART_STEM, &p);
+    wf_show(stdout, "%-10s", method);
+    const double cell[] = { p.factor,
+                            p.gust.structural,
+                            p.frequency,
+                            p.damping,
+                            p.gust.turbulence,
+                            p.gust.background,
+                            p.gust.resonance,
+                            at.steady.base_moment / 1e3,
+                            at.base_moment / 1e3,
+                            at.worst[WF_BREAKAGE][WF_SCOPE_TREE].safety };
+    for (size_t k = 0; k < sizeof cell / sizeof *cell; k++) (void)print_ratio(cell[k]);
+    wf_show(stdout, "\n");
+    return WF_OK;
+}
+
+static enum wf_status print_peaks(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                  double speed, struct wf_arena *a, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    wf_show(stdout,
+            "Peak load of gusts by method; G multiplies the mean load, c_s c_d or G_f that of the gust\n\n"
+            "%-10s%10s%10s%10s%10s%10s%10s%10s%10s%10s%10s\n%-10s%10s%10s%10s%10s%10s%10s%10s%10s%10s%10s\n",
+            "method", "G", "cscd, Gf", "sway", "damping", "I_v", "B2, Q2", "R2", "mean", "peak", "safety", "",
+            "-", "-", "Hz", "-", "-", "-", "-", "kN m", "kN m", "factor");
+    for (const struct wf_peak_method *m = wf_peak_methods; m->name && !s; m++)
+        if (strcmp(m->name, "table") != 0 && strcmp(m->name, "gales") != 0)
+            s = print_peak(an, o, speed, m->name, a, e);
+    wf_show(stdout, "gales and table need --spacing and --peak-table of analyze\n\n");
+    return s;
+}
+
 /* What the printed methods leave out on this tree. */
 static void warn_of_departures(const struct wf_analysis *an, struct wf_diag *d)
 {
@@ -120,6 +170,7 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
     if (!s) s = wf_explain_run(&an, &solve, o->wind, a, &d, &x, e);
     wf_progress_clear();
     if (!s && !quiet) print_methods(&x, o->wind, &an.scenario);
+    if (!s && !quiet && o->peak) s = print_peaks(&an, &solve, o->wind, a, e);
     fflush(stdout);
     wf_print_findings(&d, quiet);
     if (s) {

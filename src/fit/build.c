@@ -447,6 +447,22 @@ static enum wf_status planned(const struct wf_calibration_test *s, struct wf_are
     return WF_OK;
 }
 
+/* What was measured of free sway, one value a sensor. */
+static enum wf_status check_values(const struct wf_calibration *c, const struct wf_calibration_test *t,
+                                   struct wf_err *e)
+{
+    for (size_t k = 0; k < t->sensors; k++) {
+        const struct wf_calibration_sensor *q = &t->sensor[k];
+        if ((q->kind == WF_SENSOR_FREQUENCY || q->kind == WF_SENSOR_DAMPING) && !q->value)
+            return wf_fail(
+                e, WF_EINPUT,
+                "%s: test %s: %s: a %s needs 'value', unless the test is a plan (simulate-test); records "
+                "of sway go under 'sway'",
+                c->file, t->name, q->name, wf_sensor_rows[q->kind].name);
+    }
+    return WF_OK;
+}
+
 static enum wf_status fit_build_test(const struct wf_fit_build *b, size_t index, const char *path,
                                      struct wf_arena *a, struct wf_diag *d, struct wf_fit_test *t,
                                      struct wf_fit_input *in, struct wf_fit_datum **data, size_t *n,
@@ -474,6 +490,7 @@ static enum wf_status fit_build_test(const struct wf_fit_build *b, size_t index,
         status = sensor(u, b->calibration, s, &s->sensor[k], &t->sensor[k], &given[k], e);
     }
     wf_units_close(u);
+    if (!status && !b->plan) status = check_values(b->calibration, s, e);
     if (status) return status;
     if (s->sway.given && !b->plan) return from_sway(b, s, path, a, d, t, in, data, n, e);
     if (s->pull.given || s->wind.given)

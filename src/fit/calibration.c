@@ -70,7 +70,8 @@ static const struct wf_yaml_row sensor_rows[] = {
       .doc = "Column of the data file; its name ends in the unit: tilt_deg, deflection_mm, strain_um_m." },
     { ROW(T, "unit", WF_YAML_TEXT, unit), .absent = "by the column's name",
       .doc = "Unit of a column that does not name it." },
-    { ROW(T, "value", WF_YAML_TEXT, value), .absent = "read from the column",
+    { ROW(T, "value", WF_YAML_TEXT, value),
+      .absent = "read from the column; a planned test of free sway needs none",
       .doc = "A single measured value.", .example = "0.29 Hz" },
     { QUANTITY(T, "height", height, WF_DIM_LENGTH, "m", 0, 150),
       .absent = "not for base_moment, frequency, damping",
@@ -360,8 +361,6 @@ static void sensor_finish(struct wf_yaml *y, const struct wf_calibration_test *t
     if (!isnan(q->height) && !isnan(q->along)) wf_yaml_error(y, place, "has both 'height' and 'along'");
     if (t->along && !(isnan(q->height) && isnan(q->along)))
         wf_yaml_error(y, place, "has a place of its own beside the test's 'along'");
-    if (sway && !q->value)
-        wf_yaml_error(y, place, "a %s needs 'value'; records of sway go under 'sway'", r->name);
     if (sway && (t->pull.given || t->wind.given || t->along))
         wf_yaml_error(y, place, "a %s is of free sway: give it a test of its own", r->name);
     if (absolute && t->zero == 0)

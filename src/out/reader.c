@@ -25,12 +25,13 @@ static const struct {
              "scene springs vertices wood_hits" },
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
-    { FLAG,
-      "damping_known staged as_printed converged energy estimated given nuisance priors searched_to_the_end "
-      "sigma_estimated small_deflection spectral stopped used within within_limits" },
+    { FLAG, "conifer damping_known staged as_printed converged energy estimated given nuisance priors "
+            "searched_to_the_end "
+            "sigma_estimated small_deflection spectral stopped used within within_limits" },
     { LIST, "at classes_m_s criteria figures files findings hours_a_year_above methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
-            "budget criticals_m_s deflections_m frequencies_Hz moments_N_m speeds sways swing_m table_share "
+            "blocks modes budget criticals_m_s deflections_m frequencies_Hz moments_N_m speeds sways swing_m "
+            "table_share "
             "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
@@ -49,13 +50,17 @@ static const struct {
               "euler_limit_s fallen_at_s "
               "frequency_Hz frequency_percent hanging_mg intensity_mm_h paper restoring_N_m "
               "ring_decrement ring_frequency_Hz spread_mm steps_a_second tests_a_way tip_percent "
+              "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
+              "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
               "twist_percent water_off energy_off with_restoring frequency_with_restoring damping_ratio" },
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
-      "mean_state peak peak_method structural_damping load_breadth load_factor_gusts load_factor_branches "
+      "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
+      "load_factor_branches "
       "sway_frequency participation modal_mass damping_total damping_air turbulence background resonance "
-      "peak_of_gusts carried gust_over_mean wind_height clusters wetted air_density all altitude attenuation averaging_time axis_drag azimuth "
+      "peak_of_gusts carried gust_over_mean wind_height clusters wetted air_density all altitude attenuation "
+      "averaging_time axis_drag azimuth "
       "base_moment "
       "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "
       "crown_top displacement drag exponent fit from governing_section gradient gravity "
@@ -66,13 +71,15 @@ static const struct {
       "strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
-    { TEXT, "form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
-            "code command "
-            "criterion date differs file generator ground_file gust key kind latin loss meaning name "
-            "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
-            "reason reference role scope script season sensor sha256 source species_name status "
-            "status_text taper terrain test text title tree unit validity winds_said terrain_text terrain_from site_kind design "
-            "wind_terrain" },
+    { TEXT,
+      "form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
+      "code command "
+      "criterion date differs direction file generator ground_file gust key kind latin loss meaning name "
+      "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
+      "reason reference role scope script season sensor sha256 source species_name status "
+      "status_text taper terrain test text title tree unit validity winds_said terrain_text terrain_from "
+      "site_kind design "
+      "wind_terrain" },
     { TEXT | OBJECT, "law model shelter solver species" },
 };
 

@@ -33,6 +33,7 @@ static const struct kind kinds[] = {
     { "windfirm-shelter", 1, "shelter", NULL },
     { "windfirm-terrain", 1, "terrain", NULL },
     { "windfirm-rain", 1, "rain", NULL },
+    { "windfirm-modes", 1, "modes", NULL },
 };
 
 struct job {

@@ -104,9 +104,10 @@ static void read_shapes(struct sway *s, size_t many, double *shape)
     }
 }
 
-/* Frequencies on the beam's mesh, and what is wanted of their motions: shape and kept may be NULL. */
-static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena *work, double *frequency,
-                               double *shape, struct wf_modes_kept *kept, struct wf_err *e)
+/* Frequencies on the beam's mesh, and what is wanted of their motions, to a tolerance: shape and kept may be
+ * NULL. */
+static enum wf_status modes_on(struct wf_beam *b, size_t count, double tolerance, struct wf_arena *work,
+                               double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e)
 {
     struct sway s;
     size_t size = wf_beam_motion_size(b), n = b->mesh.tree->n;
@@ -118,9 +119,7 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, struct wf_arena 
     size_t *order = WF_TAKE(work, count, size_t);
     if (!value || ((shape || kept) && !vector) || !order)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
-    struct wf_lanczos l = {
-        .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = kept ? 1e-8 : 1e-5
-    };
+    struct wf_lanczos l = { .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = tolerance };
     if ((status = wf_lanczos(&l, value, vector, work, e))) return status;
     order_by_frequency(value, order, count);
     for (size_t i = 0; i < count; i++) {
@@ -150,9 +149,10 @@ static bool choose_finer_mesh(const double *coarse, const double *fine, size_t c
     return true;
 }
 
-enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
-                             const struct wf_solve_options *o, size_t count, struct wf_arena *a,
-                             double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e)
+static enum wf_status modes_within(double tolerance, const struct wf_tree *t, const struct wf_loads *l,
+                                   const struct wf_solve_options *o, size_t count, struct wf_arena *a,
+                                   double *frequency, double *shape, struct wf_modes_kept *kept,
+                                   struct wf_err *e)
 {
     enum { MESHES = 6 };
     struct wf_arena work = { 0 };
@@ -169,7 +169,7 @@ enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
         if (!status && mesh > 0) wf_beam_carry(&last, &b);
         if (!status) status = find_equilibrium(&b, &work, e);
         if (!status && kept) status = keep_equilibrium(&b, pieces, count, a, kept, e);
-        if (!status) status = modes_on(&b, count, &work, frequency, shape, kept, e);
+        if (!status) status = modes_on(&b, count, tolerance, &work, frequency, shape, kept, e);
         if (status || !(o->mesh_tolerance > 0)) break;
         if (mesh == 0)
             for (size_t i = 0; i < t->n; i++) pieces[i] *= 2;
@@ -184,10 +184,33 @@ enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
     return status;
 }
 
+static const double rough = 1e-5, sharp = 1e-8; /* of motions */
+
+enum wf_status wf_modes_keep(const struct wf_tree *t, const struct wf_loads *l,
+                             const struct wf_solve_options *o, size_t count, struct wf_arena *a,
+                             double *frequency, double *shape, struct wf_modes_kept *kept, struct wf_err *e)
+{
+    return modes_within(sharp, t, l, o, count, a, frequency, shape, kept, e);
+}
+
 enum wf_status wf_modes(const struct wf_tree *t, const struct wf_loads *l, const struct wf_solve_options *o,
                         size_t count, struct wf_arena *a, double *frequency, double *shape, struct wf_err *e)
 {
-    return wf_modes_keep(t, l, o, count, a, frequency, shape, NULL, e);
+    return modes_within(rough, t, l, o, count, a, frequency, shape, NULL, e);
+}
+
+/* A beam in the equilibrium that was kept. */
+static enum wf_status open_kept(struct wf_beam *b, struct sway *s, const struct wf_tree *t,
+                                const struct wf_loads *l, const struct wf_solve_options *o,
+                                const struct wf_modes_kept *kept, struct wf_arena *work, struct wf_err *e)
+{
+    enum wf_status status = wf_beam_init(b, t, l, o, kept->pieces, work, work, e);
+    if (!status) status = open_sway(s, b, work, e);
+    if (status) return status;
+    memcpy(b->shape, kept->shape, b->mesh.n * sizeof *b->shape);
+    memcpy(b->tilt, kept->tilt, t->n * sizeof *b->tilt);
+    status = find_equilibrium(b, work, e);
+    return status ? status : wf_beam_linearise(b, true, work, e);
 }
 
 enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
@@ -198,14 +221,7 @@ enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
     struct wf_beam b;
     struct sway s;
     double up = 0, down = 0;
-    enum wf_status status = wf_beam_init(&b, t, l, o, kept->pieces, &work, &work, e);
-    if (!status) status = open_sway(&s, &b, &work, e);
-    if (!status) {
-        memcpy(b.shape, kept->shape, b.mesh.n * sizeof *b.shape);
-        memcpy(b.tilt, kept->tilt, t->n * sizeof *b.tilt);
-        status = find_equilibrium(&b, &work, e);
-    }
-    if (!status) status = wf_beam_linearise(&b, true, &work, e);
+    enum wf_status status = open_kept(&b, &s, t, l, o, kept, &work, e);
     if (!status) {
         const double *u = kept->motion + k * kept->size;
         for (size_t i = 0; i < s.size; i++) {
@@ -238,31 +254,33 @@ static double dot(const double *a, const double *b, size_t n)
     return sum;
 }
 
-/* Turning about the base by 1: motion along `to` by the height above the ground, times the square root of the
- * mass; of unit norm. Returned: its square, the moment of inertia [kg m2]. */
-static double rigid_turn(const struct sway *s, const double to[3], double *v)
+/* Motion along `to` by 1, or where `turning` by the height above the ground, as in turning about the base by
+ * 1; times the square root of the mass; of unit norm. Returned: its square, the mass [kg] or the moment of
+ * inertia [kg m2]. */
+static double rigid_motion(const struct sway *s, const double to[3], bool turning, double *v)
 {
     static const double gauss[2] = { 0.21132486540518712, 0.78867513459481288 };
     const struct wf_beam_mesh *m = &s->beam->mesh;
     const struct wf_tree *t = m->tree;
     const size_t ends = 8 * m->n;
+    memset(v, 0, s->size * sizeof *v);
     for (size_t row = 0; row < t->n; row++) {
-        double pieces = m->last[row] - m->first[row] + 1, low = t->z0[0];
+        double pieces = m->last[row] - m->first[row] + 1, low = t->z0[0], arm = 1;
         for (int32_t e = m->first[row]; e <= m->last[row]; e++)
             for (int k = 0; k < 3; k++) {
                 size_t at = 8 * (size_t)e + (size_t)k, end = ends + 3 * (size_t)e + (size_t)k;
                 double below = e - m->first[row];
-                for (size_t j = 0; j < 2; j++)
-                    v[at + 4 * j] = s->root[at + 4 * j] * to[k] *
-                                    (wf_between(t->z0[row], t->z1[row], (below + gauss[j]) / pieces) - low);
-                if (end < s->size)
-                    v[end] = s->root[end] * to[k] *
-                             (wf_between(t->z0[row], t->z1[row], (below + 1) / pieces) - low);
+                for (size_t j = 0; j < 2; j++) {
+                    if (turning) arm = wf_between(t->z0[row], t->z1[row], (below + gauss[j]) / pieces) - low;
+                    v[at + 4 * j] = s->root[at + 4 * j] * to[k] * arm;
+                }
+                if (turning) arm = wf_between(t->z0[row], t->z1[row], (below + 1) / pieces) - low;
+                if (end < s->size) v[end] = s->root[end] * to[k] * arm;
             }
     }
-    double inertia = dot(v, v, s->size);
-    for (size_t i = 0; i < s->size; i++) v[i] /= sqrt(inertia);
-    return inertia;
+    double square = dot(v, v, s->size);
+    for (size_t i = 0; i < s->size && square > 0; i++) v[i] /= sqrt(square);
+    return square;
 }
 
 static void apply_once(struct sway *s, const double *in, double *out)
@@ -367,7 +385,7 @@ static enum wf_status find_sway(struct ritz *r, const double to[3], double width
 {
     if (!(r->v[0] = WF_TAKE(work, r->s.size, double)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
-    out->inertia = rigid_turn(&r->s, to, r->v[0]);
+    out->inertia = rigid_motion(&r->s, to, true, r->v[0]);
     enum wf_status s = ritz_space(r, work, e);
     if (!s) s = ritz_pairs(r, e);
     if (s) return s;
@@ -391,6 +409,64 @@ enum wf_status wf_modes_sway(struct wf_beam *b, const double to[3], double width
     *b = before;
     wf_beam_sweep_up(b);
     return s;
+}
+
+/* What kept modes move. */
+
+/* Mode k: its shares, and the displacements of the rows' ends where its modal mass is 1. */
+static void part_of_mode(struct sway *s, const struct wf_modes_kept *kept, size_t k, double *const rigid[],
+                         double *in, struct wf_modes_part *out, double *shape)
+{
+    const struct wf_beam *b = s->beam;
+    const double *u = kept->motion + k * kept->size;
+    for (size_t i = 0; i < s->size; i++) in[i] = s->root[i] * u[i];
+    double norm = sqrt(dot(in, in, s->size));
+    for (size_t i = 0; i < s->size; i++) in[i] /= norm;
+    for (size_t d = 0; d < 3; d++) out->mass[d] = dot(in, rigid[d], s->size);
+    for (size_t d = 0; d < 2; d++) out->turn[d] = dot(in, rigid[3 + d], s->size);
+    apply_once(s, in, NULL);
+    double value = 0;
+    for (size_t i = 0; i < s->size; i++) value += in[i] * s->x[i][0];
+    for (size_t i = 0; i < 3 * b->mesh.tree->n; i++)
+        shape[i] = b->sides[b->mesh.last[i / 3]].y[i % 3][0] / value;
+}
+
+/* Parts of the modes that were kept. */
+static enum wf_status kept_parts(const struct wf_tree *t, const struct wf_loads *l,
+                                 const struct wf_solve_options *o, const struct wf_modes_kept *kept,
+                                 size_t count, const double to[2], struct wf_modes_part *out, double *shape,
+                                 struct wf_err *e)
+{
+    const double axis[3][3] = { { to[0], to[1], 0 }, { -to[1], to[0], 0 }, { 0, 0, 1 } };
+    struct wf_arena work = { 0 };
+    struct wf_beam b;
+    struct sway s;
+    double *rigid[5], *in = NULL;
+    bool room = true;
+    enum wf_status status = open_kept(&b, &s, t, l, o, kept, &work, e);
+    if (!status) {
+        in = WF_TAKE(&work, s.size, double);
+        for (size_t i = 0; i < 5; i++) room = (rigid[i] = WF_TAKE(&work, s.size, double)) && room;
+        if (!in || !room) status = wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
+    }
+    if (!status) {
+        for (size_t i = 0; i < 5; i++) (void)rigid_motion(&s, axis[i % 3], i >= 3, rigid[i]);
+        for (size_t k = 0; k < count; k++)
+            part_of_mode(&s, kept, k, rigid, in, &out[k], shape + 3 * t->n * k);
+    }
+    wf_arena_free(&work);
+    return status;
+}
+
+enum wf_status wf_modes_parts(const struct wf_tree *t, const struct wf_loads *l,
+                              const struct wf_solve_options *o, size_t *count, const double to[2],
+                              struct wf_arena *a, double *frequency, struct wf_modes_part *out, double *shape,
+                              struct wf_err *e)
+{
+    struct wf_modes_kept kept;
+    enum wf_status s = modes_within(rough, t, l, o, *count, a, frequency, NULL, &kept, e);
+    while (!s && *count && isnan(frequency[*count - 1])) --*count; /* the mesh has no more motions */
+    return s ? s : kept_parts(t, l, o, &kept, *count, to, out, shape, e);
 }
 
 /* Self-buckling. */

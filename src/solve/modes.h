@@ -43,6 +43,20 @@ enum wf_status wf_modes_held(const struct wf_tree *t, const struct wf_loads *l,
                              const struct wf_solve_options *o, const struct wf_modes_kept *kept, size_t k,
                              double *frequency, struct wf_err *e);
 
+/* What a mode moves, as the signed root of its share. */
+struct wf_modes_part {
+    double mass[3]; /* of the tree's mass: effective modal mass along `to`, to the left of it, up [-] */
+    double
+        turn[2]; /* of the tree's moment of inertia: the overturning by inertia along `to`, to the left [-] */
+};
+/* As wf_modes, with what the modes move. Given: `to`, horizontal unit vector. Returned: *count, fewer where
+ * the mesh has fewer motions; frequency, out: one a mode; shape (count x 3n): displacement of each row's end
+ * where the modal mass is 1 kg. Mass and overturning are those of the unloaded shape. */
+enum wf_status wf_modes_parts(const struct wf_tree *t, const struct wf_loads *l,
+                              const struct wf_solve_options *o, size_t *count, const double to[2],
+                              struct wf_arena *a, double *frequency, struct wf_modes_part *out, double *shape,
+                              struct wf_err *e);
+
 struct wf_beam;
 /* How a tree sways along a horizontal direction. */
 struct wf_modes_sway {

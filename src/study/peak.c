@@ -128,12 +128,10 @@ static double mean_stand(const struct wf_peak *p, double speed)
     return wf_stand_moment(p->loads.air_density, top, s->height, s->spacing, area) / own;
 }
 
-/* Total damping: the structural one, of which 0.05 is assumed where it is unknown, and that of the air,
- * within limits of ours. */
-static double damping(const struct wf_peak *p, double air)
+double wf_peak_damping(double structural, bool known, double air)
 {
     const double most = 0.20, most_unknown = 0.10;
-    return fmin(p->damping + fmax(air, 0.0), p->damping_known ? most : most_unknown);
+    return fmin(structural + fmax(air, 0.0), known ? most : most_unknown);
 }
 
 /* Exponent of the crown's load between the mean wind and a gust of `ratio` times its speed. */
@@ -161,7 +159,7 @@ static void parts_rule(const struct wf_peak *p, double speed, enum wf_part part,
         out->frequency = most_resonant(p, c.mean);
     }
     c.frequency = out->frequency;
-    c.damping = out->damping = damping(p, p->sways ? out->air : 0.0);
+    c.damping = out->damping = wf_peak_damping(p->damping, p->damping_known, p->sways ? out->air : 0.0);
     c.small = part == WF_PART_BRANCHES;
     p->rule->parts(&c, &out->gust);
     if (p->law) {

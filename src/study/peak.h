@@ -85,6 +85,9 @@ double wf_peak_factor(const struct wf_peak *p, double speed, enum wf_part part);
 double wf_peak_gusts(const struct wf_peak *p, double speed);
 /* Ratio of the wind that the loads are computed in to the named wind at the tree: 1, or that of the gust. */
 double wf_peak_wind(const struct wf_peak *p, enum wf_part part);
+/* Total damping from the structural one and that of the air, within limits of ours; `known`: the structural
+ * one is not assumed [-]. */
+double wf_peak_damping(double structural, bool known, double air);
 /* Have branches a state of their own? */
 static inline bool wf_peak_branches(const struct wf_peak *p) { return p && p->branches; }
 /* Does the load of a state differ from that in the mean wind? */

@@ -31,20 +31,33 @@ static double wind_at(const struct wf_analysis *an, const struct wf_response *r,
     return norm3(u);
 }
 
-/* Sum of 2 F/U phi^2 over the rows: F the wind load of a row, U the mean wind there, phi its motion along the
- * wind, linear between its ends. A load by the square of the wind relative to the moving tree. */
-static double damping_sum(const struct wf_analysis *an, const struct wf_at_speed *at, const double *shape)
+/* Mean square over a row of a motion's component along the axis k, linear between its ends. */
+static double mean_square(const struct wf_tree *t, const double *shape, size_t i, const double axis[3])
+{
+    const double *p = shape + 3 * i, *q = t->parent[i] < 0 ? NULL : shape + 3 * t->parent[i];
+    double end = 0.0, base = 0.0;
+    for (int k = 0; k < 3; k++) end += p[k] * axis[k], base += q ? q[k] * axis[k] : 0.0;
+    return (base * base + base * end + end * end) / 3.0;
+}
+
+/* Sum over the rows of F/U (2 phi^2 + `crosswise` psi^2): F the wind load of a row, U the mean wind there,
+ * phi and psi its motion along the wind and athwart it. A load by the square of the wind relative to the
+ * moving tree, in the direction of that wind. */
+static double damping_sum(const struct wf_analysis *an, const struct wf_response *r, double speed,
+                          double crosswise, const double *shape)
 {
     const struct wf_tree *t = &an->tree;
     const double *to = an->wind.direction;
+    const double along[3] = { to[0], to[1], 0.0 }, left[3] = { -to[1], to[0], 0.0 },
+                 up[3] = { 0.0, 0.0, 1.0 };
     double sum = 0.0;
     for (size_t i = 0; i < t->n; i++) {
-        int32_t below = t->parent[i];
-        const double *p = shape + 3 * i, *q = shape + 3 * below, *load = at->response.load + 3 * i;
-        double end = p[0] * to[0] + p[1] * to[1], base = below < 0 ? 0.0 : q[0] * to[0] + q[1] * to[1];
-        double wind = wind_at(an, &at->response, at->speed, i), force = load[0] * to[0] + load[1] * to[1];
-        if (wind > 0.0 && force > 0.0)
-            sum += 2.0 * force / wind * (base * base + base * end + end * end) / 3.0;
+        const double *load = r->load + 3 * i;
+        double wind = wind_at(an, r, speed, i), force = load[0] * to[0] + load[1] * to[1];
+        if (!(wind > 0.0 && force > 0.0)) continue;
+        double athwart =
+            crosswise > 0.0 ? mean_square(t, shape, i, left) + mean_square(t, shape, i, up) : 0.0;
+        sum += force / wind * (2.0 * mean_square(t, shape, i, along) + crosswise * athwart);
     }
     return sum;
 }
@@ -79,7 +92,7 @@ static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_s
 {
     const double *tip = shape + 3 * wf_tip_row(&an->tree), *to = an->wind.direction;
     double moved = tip[0] * to[0] + tip[1] * to[1], modal = m->share * m->inertia;
-    double air = at->speed > 0.0 ? damping_sum(an, at, shape) : 0.0;
+    double air = at->speed > 0.0 ? damping_sum(an, &at->response, at->speed, 0.0, shape) : 0.0;
     return (struct wf_sway){ .speed = at->speed,
                              .frequency = m->frequency,
                              .participation = m->share,
@@ -87,11 +100,12 @@ static struct wf_sway sway_of(const struct wf_analysis *an, const struct wf_at_s
                              .air = air / (2.0 * WF_TURN * m->frequency * modal) };
 }
 
+static const double band = 0.1; /* of a sway's frequency: half the width of a mode with a damping of 0.1 */
+
 /* Add the sway at a speed, from the one before. Returned: whether the tree has a state in that mean wind. */
 static bool add_sway(const struct wf_analysis *an, struct wf_peak *p, struct wf_track *track, double before,
                      double speed)
 {
-    const double band = 0.1; /* of the frequency: half the width of a mode with a damping of 0.1 */
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
     struct wf_modes_sway m;
@@ -137,13 +151,13 @@ static enum wf_status check_request(const struct wf_scenario *s, const struct wf
 }
 
 /* Structural damping: as requested, of the species, or assumed. */
-static void take_damping(const struct wf_analysis *an, struct wf_peak *p)
+static double take_damping(const struct wf_analysis *an, bool *known)
 {
     const double assumed = 0.05;
     const struct wf_value *own = &an->species->level[0].damping_ratio;
-    const struct wf_peak_request *r = &p->request;
-    p->damping_known = !isnan(r->damping) || own->given;
-    p->damping = !isnan(r->damping) ? r->damping : own->given ? own->value : assumed;
+    double given = an->scenario.peak.damping;
+    *known = !isnan(given) || own->given;
+    return !isnan(given) ? given : own->given ? own->value : assumed;
 }
 
 /* Mean wind of the tree at a height over the named wind. */
@@ -249,7 +263,7 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     p->exposure = wf_scenario_speed(&an->scenario, 1.0);
     const char *site = an->scenario.site_kind;
     if (site && (!strcmp(site, "in-stand") || !strcmp(site, "forest-edge"))) p->least = stand_factor;
-    take_damping(an, p);
+    p->damping = take_damping(an, &p->damping_known);
     if (r->exponent_by_law) p->law = an->loads.streamline, p->law_par = an->loads.streamline_par;
     if (method->sways) {
         p->profile = profile_at(an, p->rule->at(p->tree.terrain, p->tree.height));
@@ -259,4 +273,130 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     an->peak = p;
     if (!s && d && method->sways) note_limits(an, p, speeds[n - 1], d);
     return s;
+}
+
+/* ---- Modes ---- */
+
+/* Damping of the wood in a motion: that of the rows by their mass and the square of their motion; a row whose
+ * wood has none of its own has the stem's. */
+static double structural_of(const struct wf_analysis *an, const double *shape, double stem)
+{
+    static const double axis[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+    const struct wf_tree *t = &an->tree;
+    double sum = 0.0, all = 0.0;
+    if (!isnan(an->scenario.peak.damping) || !an->species->level[0].damping_ratio.given) return stem;
+    for (size_t i = 0; i < t->n; i++) {
+        double mass = wf_line_point_of(t, i, 0.5).mass * wf_tree_length(t, i), square = 0.0;
+        if (t->mass1) mass += t->mass1[i];
+        for (int k = 0; k < 3; k++) square += mean_square(t, shape, i, axis[k]);
+        sum += mass * square * (t->damping[i] > 0.0 ? t->damping[i] : stem), all += mass * square;
+    }
+    return all > 0.0 ? sum / all : stem;
+}
+
+/* Two modes of almost one frequency, both of modal mass 1, mix at will: the first becomes the one with all of
+ * their overturning along the wind. */
+static void turn_pair(struct wf_modes_part part[2], double *p, double *q, size_t size)
+{
+    double angle = atan2(part[1].turn[0], part[0].turn[0]), c = cos(angle), s = sin(angle);
+    struct wf_modes_part first = part[0], second = part[1];
+    for (int k = 0; k < 3; k++) {
+        part[0].mass[k] = c * first.mass[k] + s * second.mass[k];
+        part[1].mass[k] = c * second.mass[k] - s * first.mass[k];
+    }
+    for (int k = 0; k < 2; k++) {
+        part[0].turn[k] = c * first.turn[k] + s * second.turn[k];
+        part[1].turn[k] = c * second.turn[k] - s * first.turn[k];
+    }
+    for (size_t i = 0; i < size; i++) {
+        double a = p[i], b = q[i];
+        p[i] = c * a + s * b, q[i] = c * b - s * a;
+    }
+}
+
+/* Make the largest component of a shape 1. Returned: what it was. */
+static double scale_shape(double *shape, size_t size)
+{
+    double most = 0.0;
+    for (size_t i = 0; i < size; i++)
+        if (fabs(shape[i]) > fabs(most)) most = shape[i];
+    for (size_t i = 0; i < size && most != 0.0; i++) shape[i] /= most;
+    return most;
+}
+
+/* A mode from its shape of modal mass 1, which gets its largest component 1. */
+static struct wf_sway_mode mode_of(const struct wf_analysis *an, const struct wf_response *r, double speed,
+                                   double frequency, const struct wf_modes_part *part, double *shape)
+{
+    const double *tip = shape + 3 * wf_tip_row(&an->tree);
+    struct wf_sway_mode out = { .frequency = frequency, .shape = shape };
+    bool known;
+    double moved = norm3(tip), stem = take_damping(an, &known);
+    double air = speed > 0.0 ? damping_sum(an, r, speed, 1.0, shape) : 0.0;
+    for (int k = 0; k < 3; k++) out.share[k] = part->mass[k] * part->mass[k];
+    for (int k = 0; k < 2; k++) out.turn[k] = part->turn[k] * part->turn[k];
+    out.structural = structural_of(an, shape, stem);
+    out.air = frequency > 0.0 ? air / (2.0 * WF_TURN * frequency) : NAN;
+    out.damping = frequency > 0.0 ? wf_peak_damping(out.structural, known, out.air) : NAN;
+    double most = scale_shape(shape, 3 * an->tree.n);
+    out.mass = moved > 0.1 * fabs(most) ? 1.0 / (moved * moved) : NAN;
+    return out;
+}
+
+/* The state in the mean wind, with its loads, and the sway of the whole tree about it. */
+static enum wf_status find_state(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                                 struct wf_arena *a, struct wf_response *r, struct wf_sway_modes *out,
+                                 struct wf_err *e)
+{
+    struct wf_speed_answers at;
+    struct wf_modes_sway m;
+    struct wf_track *track;
+    double *shape = WF_TAKE(a, 3 * an->tree.n, double);
+    if (!shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the sway");
+    enum wf_status s = wf_track_open(&an->tree, o, NULL, &track, e);
+    if (s) return s;
+    s = wf_speed_track(an, WF_PART_MEAN, track, NAN, speed, NULL, a, &at, e);
+    if (!s && at.at.status) s = wf_fail(e, at.at.status, "%s", wf_status_text(at.at.status));
+    if (!s) s = wf_track_sway(track, an->wind.direction, band, &m, shape, e);
+    wf_track_close(track);
+    if (s) return s;
+    *r = at.at.response;
+    out->sway = sway_of(an, &at.at, &m, shape);
+    double stem = take_damping(an, &out->damping_known);
+    out->shape = shape;
+    out->damping = wf_peak_damping(structural_of(an, shape, stem), out->damping_known, out->sway.air);
+    (void)scale_shape(shape, 3 * an->tree.n);
+    return WF_OK;
+}
+
+enum wf_status wf_sway_modes(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                             size_t count, struct wf_arena *a, struct wf_sway_modes *out, struct wf_err *e)
+{
+    const double alike = 0.01; /* relative difference of frequencies that are almost one */
+    const size_t size = 3 * an->tree.n;
+    struct wf_wind wind = an->wind;
+    struct wf_loads loads = an->loads;
+    struct wf_response r = { 0 };
+    size_t found = count + 2; /* the last one wanted may have a companion of its frequency */
+    wind.speed = wf_scenario_speed(&an->scenario, speed);
+    loads.wind = speed > 0.0 ? &wind : NULL;
+    double *frequency = WF_TAKE(a, found, double), *shape = WF_TAKE(a, found * size, double);
+    struct wf_modes_part *part = WF_TAKE(a, found, struct wf_modes_part);
+    struct wf_sway_mode *mode = WF_TAKE(a, count, struct wf_sway_mode);
+    if (!frequency || !shape || !part || !mode)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
+    *out = (struct wf_sway_modes){ .mode = mode };
+    enum wf_status s = find_state(an, o, speed, a, &r, out, e);
+    if (!s)
+        s = wf_modes_parts(&an->tree, &loads, o, &found, an->wind.direction, a, frequency, part, shape, e);
+    if (s) return s;
+    for (size_t k = 0; k + 1 < found; k++)
+        if (fabs(frequency[k + 1] - frequency[k]) <= alike * fabs(frequency[k])) {
+            turn_pair(part + k, shape + k * size, shape + (k + 1) * size, size);
+            k++;
+        }
+    out->count = found < count ? found : count;
+    for (size_t k = 0; k < out->count; k++)
+        mode[k] = mode_of(an, &r, speed, frequency[k], &part[k], shape + k * size);
+    return WF_OK;
 }

@@ -2,6 +2,7 @@
 #ifndef WF_STUDY_SWAY_H
 #define WF_STUDY_SWAY_H
 /* How a tree sways about its state in a mean wind, for its peak load. */
+#include "study/peak.h"
 #include "study/speed.h"
 
 #ifdef __cplusplus
@@ -15,6 +16,31 @@ extern "C" {
  * together. */
 enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
                               size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
+
+/* A mode of a tree about its state in a mean wind. */
+struct wf_sway_mode {
+    double frequency; /* [Hz]; -f: the state is unstable, this motion grows (solve/modes.h) */
+    double mass;      /* modal, where the stem's tip moves by 1; NAN: it hardly moves [kg] */
+    double share[3];  /* effective modal mass over the tree's mass: along the wind, across it, vertical [-] */
+    double turn[2];   /* share of the overturning by inertia about the base: along the wind, across it [-] */
+    double structural, air,
+        damping;         /* of critical: of the wood, of the air without limit, total limited [-] */
+    const double *shape; /* 3n: displacement of each row's end, largest component 1 */
+};
+struct wf_sway_modes {
+    size_t count;
+    const struct wf_sway_mode *mode;
+    bool damping_known;  /* the structural damping is given, not assumed */
+    struct wf_sway sway; /* of the tree as a whole along the wind, as for the peak load (study/peak.h) */
+    double damping;      /* of the sway, total, limited; of critical [-] */
+    const double *shape; /* of the sway, as of a mode */
+};
+/* The `count` lowest modes about the tree's state in a mean wind of a named speed [m/s]; 0: still air. Modes
+ * of almost one frequency, such as those of a round stem, are turned so that one moves along the wind.
+ * Structural damping: the request's, else the species' by mass, else assumed. Given: an analysis after
+ * wf_analysis_set_up. Errors: of the beam solver and of wf_modes. */
+enum wf_status wf_sway_modes(const struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                             size_t count, struct wf_arena *a, struct wf_sway_modes *out, struct wf_err *e);
 
 #ifdef __cplusplus
 }

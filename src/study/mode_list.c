@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "study/mode_list.h"
+#include "base/interrupt.h"
+#include "base/num.h"
+#include "base/progress.h"
+#include "data/species.h"
+#include "study/analysis.h"
+#include <math.h>
+#include <string.h>
+
+const char wf_sway_lines_source[] = "regressions of windfirm on the data of Jackson et al. 2021 (631 "
+                                    "conifers in forests, R2 0.75 for all); linear "
+                                    "in D/H2 as Moore & Maguire 2004, Trees 18:195-203";
+/* The last, of all conifers, has no `latin`. */
+static const struct wf_sway_line lines[] = {
+    { "Sitka spruce", "Picea sitchensis", 0.0969, 342.1 },
+    { "Norway spruce", "Picea abies", 0.1522, 263.6 },
+    { "Scots pine", "Pinus sylvestris", 0.1679, 188.6 },
+    { "Douglas fir", "Pseudotsuga", 0.0092, 435.7 },
+    { "all conifers", NULL, 0.0681, 319.3 },
+};
+
+/* Genera of conifers. */
+static const struct {
+    const char *name;
+    bool sheds; /* its needles in autumn */
+} conifers[] = {
+    { "Abies ", false },         { "Araucaria ", false },   { "Cedrus ", false },
+    { "Chamaecyparis ", false }, { "Cryptomeria ", false }, { "Cupressus ", false },
+    { "Cunninghamia ", false },  { "Juniperus ", false },   { "Larix ", true },
+    { "Metasequoia ", true },    { "Picea ", false },       { "Pinus ", false },
+    { "Pseudotsuga ", false },   { "Sequoia ", false },     { "Taxodium ", true },
+    { "Taxus ", false },         { "Thuja ", false },       { "Tsuga ", false },
+};
+
+static bool begins(const char *text, const char *with) { return text && !strncmp(text, with, strlen(with)); }
+
+static bool is_conifer(const struct wf_species *sp, bool *sheds)
+{
+    *sheds = true;
+    for (size_t i = 0; i < WF_COUNT(conifers); i++)
+        if (begins(sp->latin, conifers[i].name)) {
+            *sheds = conifers[i].sheds;
+            return true;
+        }
+    return false;
+}
+
+/* Diameter of the stem at 1.3 m; NAN: it is lower. */
+static double breast_diameter(const struct wf_tree *t)
+{
+    const double at = 1.3;
+    for (size_t i = 0; i < t->n; i++) {
+        double low = t->z0[i] - t->z0[0], high = t->z1[i] - t->z0[0];
+        if (t->level[i] == 0 && low <= at && at < high)
+            return 2.0 * wf_between(t->r0[i], t->r1[i], (at - low) / (high - low));
+    }
+    return NAN;
+}
+
+static void compare(const struct wf_species *sp, const struct wf_mode_block *b, struct wf_mode_list *out)
+{
+    bool sheds;
+    out->conifer = is_conifer(sp, &sheds);
+    out->line = lines;
+    while (out->line->latin && !begins(sp->latin, out->line->latin)) out->line++;
+    out->diameter = breast_diameter(&b->tree);
+    out->height = b->height;
+    out->measured = out->line->first + out->line->slope * out->diameter / (out->height * out->height);
+}
+
+static enum wf_status run_block(const struct wf_analysis *an, const struct wf_solve_options *o, size_t count,
+                                struct wf_arena *a, struct wf_diag *d, struct wf_mode_block *b,
+                                struct wf_err *e)
+{
+    const double least = 0.3; /* a rule of ours, as of the peak load */
+    const char *leaves = b->season == WF_LEAF_ON ? "leaf-on" : "leaf-off";
+    struct wf_err why = { 0 };
+    b->tree = an->tree, b->height = an->tallness;
+    b->direction[0] = an->wind.direction[0], b->direction[1] = an->wind.direction[1];
+    b->status = wf_sway_modes(an, o, b->speed, count, a, &b->modes, &why);
+    if (b->status == WF_EUNSTABLE || b->status == WF_ENOCONV) {
+        wf_diag_warn(d, "no-equilibrium", "%s, mean wind %.4g m/s: no modes: %s", leaves, b->speed, why.text);
+        b->modes.count = 0;
+        return WF_OK;
+    }
+    if (b->status) return wf_fail(e, b->status, "%s", why.text);
+    double share = b->modes.sway.participation;
+    if (share < least)
+        wf_diag_warn(
+            d, "peak-sway",
+            "%s, mean wind %.4g m/s: the sway of the whole tree about %.3g Hz carries %.0f %% of the "
+            "overturning by inertia; branches divide the rest among many frequencies",
+            leaves, b->speed, b->modes.sway.frequency, 100.0 * share);
+    for (size_t k = 0; k < b->modes.count; k++)
+        if (b->modes.mode[k].frequency < 0.0) {
+            wf_diag_warn(d, "unstable-state",
+                         "%s, mean wind %.4g m/s: the equilibrium is unstable, mode %zu grows", leaves,
+                         b->speed, k + 1);
+            break;
+        }
+    return WF_OK;
+}
+
+static enum wf_status run_season(const struct wf_analysis *as, const struct wf_solve_options *o,
+                                 const struct wf_mode_request *r, enum wf_season season, struct wf_arena *a,
+                                 struct wf_diag *d, bool first, struct wf_mode_list *out, struct wf_err *e)
+{
+    struct wf_diag again = { .arena = a };
+    struct wf_analysis *an = WF_TAKE(a, 1, struct wf_analysis);
+    if (!an) return wf_fail(e, WF_ENOMEM, "not enough memory for a tree");
+    *an = *as;
+    enum wf_status s = wf_analysis_set_up(an, a, first ? d : &again, e);
+    for (size_t i = 0; i < r->winds && !s; i++) {
+        struct wf_mode_block *b = &out->block[out->blocks];
+        *b = (struct wf_mode_block){ .season = season, .speed = r->wind[i] };
+        wf_stage_step(1);
+        s = wf_interrupted() ? wf_fail(e, WF_EINTERRUPTED, "interrupted before all modes were computed")
+                             : run_block(an, o, r->count, a, d, b, e);
+        if (!s) out->blocks++;
+    }
+    return s;
+}
+
+enum wf_status wf_mode_list_run(const struct wf_analysis *as, struct wf_model *m,
+                                const struct wf_solve_options *o, const struct wf_mode_request *r,
+                                struct wf_arena *a, struct wf_diag *d, struct wf_mode_list *out,
+                                struct wf_err *e)
+{
+    const enum wf_season given = m->season;
+    enum wf_season season[2] = { given, given };
+    bool sheds;
+    (void)is_conifer(as->species, &sheds);
+    bool both = r->seasons && m->leaf_area_on > 0.0 && sheds;
+    if (both) season[0] = WF_LEAF_ON, season[1] = WF_LEAF_OFF;
+    *out = (struct wf_mode_list){ .block = WF_TAKE(a, 2 * r->winds, struct wf_mode_block) };
+    if (!out->block) return wf_fail(e, WF_ENOMEM, "not enough memory for the modes");
+    enum wf_status s = WF_OK;
+    wf_stage_begin((both ? 2 : 1) * r->winds, false, "modes");
+    for (size_t i = 0; i < (both ? 2u : 1u) && !s; i++) {
+        wf_model_set_season(m, season[i]);
+        s = run_season(as, o, r, season[i], a, d, i == 0, out, e);
+    }
+    wf_model_set_season(m, given);
+    if (!s) compare(as->species, &out->block[0], out);
+    return s;
+}
+
+const char *wf_mode_direction(const struct wf_sway_mode *m)
+{
+    const double none = 0.005, clear = 4.0; /* of the mass; ratio of the larger share to the other */
+    double along = m->share[0], across = m->share[1], up = m->share[2];
+    if (fmax(fmax(along, across), up) < none) return "inside";
+    if (up > along + across) return "up";
+    if (along > clear * across) return "along";
+    return across > clear * along ? "across" : "oblique";
+}

@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* windfirm modes: what it prints, writes and refuses. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+#include <cmocka.h>
+
+#include "shell.h"
+
+static void prints_and_writes(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        /* an oak sheds its leaves, a pine does not; a wind of each season has the whole tree and its modes */
+        { "$W modes oak --model weeping_willow_tree --wind 0,8 -n 3 --no-report -o $T/o; wc -l "
+          "<$T/o/tables/modes.csv; cut "
+          "-d, -f2,3,4,5 $T/o/tables/modes.csv",
+          CODE_OK,
+          { "Without leaves, mean wind 8 m/s", "\n17\n",
+            "leaf_on,0,0,tree\n", "leaf_off,8,3," } },
+        { "$W modes scots_pine --model scots_pine --wind 0 -n 2 --no-report -o $T/p; cut -d, -f2,4,5 "
+          "$T/p/tables/modes.csv",
+          CODE_OK,
+          { "of 17.0 m and 217 mm at 1.3 m: 0.309 Hz",
+            "leaf_on,0,tree\nleaf_on,1,along\nleaf_on,2,across\n" } },
+        { "$W modes oak --model weeping_willow_tree --season leaf_off --wind 0 -n 2 --no-report -o $T/s; cut "
+          "-d, -f2 "
+          "$T/s/tables/modes.csv | sort | uniq -c",
+          CODE_OK,
+          { "3 leaf_off\n" } },
+        /* --damping is that of every mode; without wind the air adds none */
+        { "$W modes oak $M --wind 0 -n 2 --damping 0.07 --no-report -q -o $T/d; cut -d, -f13,14,15 "
+          "$T/d/tables/modes.csv",
+          CODE_OK,
+          { "0.07,0,0.07\n0.07,0,0.07\n" } },
+    };
+    CHECK(rows);
+}
+
+static void redraws(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W modes oak $M --wind 0 -n 4 --no-report -q -o $T/r && $W report $T/r --no-pdf --lang zh -q; "
+          "grep -c '<figure' "
+          "$T/r/modes.html; grep -c 'class=\"missing\"' $T/r/modes.html; ls $T/r/plots/modes_1.svg",
+          CODE_OK,
+          { "modes_1.svg" } },
+    };
+    if (system("command -v gnuplot >/dev/null")) skip();
+    CHECK(rows);
+}
+
+static void refuses(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W modes oak", CODE_INPUT, { "--model is needed" } },
+        { "$W modes oak $M -n 0", CODE_INPUT, { "--count" } },
+        { "$W modes oak $M --damping 2", CODE_INPUT, { "--damping" } },
+        { "$W modes oka $M", CODE_INPUT, { "did you mean 'oak'?" } },
+    };
+    CHECK(rows);
+}
+
+/* A planned test of free sway needs no value; a fit does. */
+static void plans_sway(void **state)
+{
+    (void)state;
+#define SWAY                                                                                                 \
+    "sed '/^tests:/,/^free:/c\\tests:\\n  - name: sway\\n    sensors:\\n      - {name: f, kind: frequency, " \
+    "sigma: 0.005 "                                                                                          \
+    "Hz}\\nfree:' models/field/sample_pull.yaml | sed "                                                      \
+    "\"s|sample_pine.yaml|$PWD/models/field/sample_pine.yaml|\" "                                            \
+    ">$T/sway.yaml; "
+    static const struct row rows[] = {
+        { SWAY "$W simulate-test $T/sway.yaml --free level0.youngs_modulus -o $T/sim; cat $T/sim/sway.csv",
+          CODE_OK,
+          { "f_Hz\n" } },
+        { SWAY "$W fit $T/sway.yaml --no-report -o $T/fit", CODE_INPUT, { "a frequency needs 'value'" } },
+    };
+#undef SWAY
+    CHECK(rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(prints_and_writes),
+        cmocka_unit_test(redraws),
+        cmocka_unit_test(refuses),
+        cmocka_unit_test(plans_sway),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
