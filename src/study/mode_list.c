@@ -110,7 +110,7 @@ static enum wf_status run_season(const struct wf_analysis *as, const struct wf_s
     struct wf_analysis *an = WF_TAKE(a, 1, struct wf_analysis);
     if (!an) return wf_fail(e, WF_ENOMEM, "not enough memory for a tree");
     *an = *as;
-    enum wf_status s = wf_analysis_set_up(an, a, first ? d : &again, e);
+    enum wf_status s = wf_analysis_set_up(an, o, a, first ? d : &again, e);
     for (size_t i = 0; i < r->winds && !s; i++) {
         struct wf_mode_block *b = &out->block[out->blocks];
         *b = (struct wf_mode_block){ .season = season, .speed = r->wind[i] };
