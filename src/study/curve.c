@@ -516,7 +516,10 @@ static enum wf_status refine_sloped(struct sloped *c, const struct wf_solve_opti
         picked = 0;
         for (size_t i = 0; i + 1 < c->n; i++) {
             int row = middle_row(an, c->node[i]->at.speed, c->node[i + 1]->at.speed);
-            if (row >= 0 && !drawn_between(c, i)) pick[picked++] = an->sweep[row].speed;
+            /* a row that was solved and left out, because another node is close, brings nothing new */
+            if (row >= 0 && !drawn_between(c, i) &&
+                !wf_nodes_find(c->nodes, an->sweep[row].speed, o->mesh_tolerance))
+                pick[picked++] = an->sweep[row].speed;
         }
         if (!picked) return WF_OK;
     }
