@@ -74,7 +74,8 @@ bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *wh
 /* Is the tree in a stand or at its edge? */
 static bool in_stand(const struct wf_scenario *s)
 {
-    return s->site_kind && (!strcmp(s->site_kind, "in-stand") || !strcmp(s->site_kind, "forest-edge"));
+    const struct wf_site_kind *kind = wf_site_kind_named(s->site_kind);
+    return kind && kind->stand;
 }
 
 static double given_or(double given, double otherwise) { return isnan(given) ? otherwise : given; }

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "load/winter.h"
+#include "base/num.h"
 #include <math.h>
-
-#define PI 3.14159265358979324
 
 double wf_crown_projection(const struct wf_tree *t, double width)
 {
@@ -16,7 +15,7 @@ double wf_crown_projection(const struct wf_tree *t, double width)
         }
     }
     if (!(high[0] >= low[0])) return 0;
-    return PI / 4 * fmax((high[0] - low[0]) * (high[1] - low[1]), width > 0 ? width * width : 0);
+    return WF_PI / 4 * fmax((high[0] - low[0]) * (high[1] - low[1]), width > 0 ? width * width : 0);
 }
 
 void wf_snow_onto(struct wf_tree *t, double mass)
@@ -34,8 +33,8 @@ double wf_ice_onto(struct wf_tree *t, double thickness)
     for (size_t i = 0; i < t->n; i++) {
         if (!(t->density[i] > 0)) continue; /* a link lies in the wood it joins */
         double at[2], d = t->r0[i] + t->r1[i];
-        at[0] = density * (PI * b * (2 * t->r0[i] + b) + 2 * b * t->leaf0[i]);
-        at[1] = density * (PI * b * (2 * t->r1[i] + b) + 2 * b * t->leaf1[i]);
+        at[0] = density * (WF_PI * b * (2 * t->r0[i] + b) + 2 * b * t->leaf0[i]);
+        at[1] = density * (WF_PI * b * (2 * t->r1[i] + b) + 2 * b * t->leaf1[i]);
         t->burden0[i] += at[0], t->burden1[i] += at[1];
         sum += 0.5 * (at[0] + at[1]) * wf_tree_length(t, i);
         t->drag[i] = (isnan(t->drag[i]) ? drag : t->drag[i]) * (d + 2 * b) / d;

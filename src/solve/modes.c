@@ -242,7 +242,7 @@ enum { RITZ_MAX = 20 };
 struct ritz {
     struct sway s;
     double *v[RITZ_MAX + 1];
-    double T[RITZ_MAX * RITZ_MAX]; /* the operator in the space of v */
+    double T[RITZ_MAX * RITZ_MAX]; /* the operator in the space of v: diagonal and above */
     double value[RITZ_MAX], Q[RITZ_MAX * RITZ_MAX];
     size_t n;
 };
@@ -319,16 +319,12 @@ static enum wf_status ritz_pairs(struct ritz *r, struct wf_err *e)
 {
     gsl_eigen_symmv_workspace *space = gsl_eigen_symmv_alloc(r->n);
     double copy[RITZ_MAX * RITZ_MAX];
-    for (size_t i = 0; i < r->n; i++)
-        for (size_t j = 0; j < r->n; j++)
-            copy[i * r->n + j] = 0.5 * (r->T[i * RITZ_MAX + j] + r->T[j * RITZ_MAX + i]);
     /* the space is that of powers of a symmetric operator: what is left beyond the neighbours is rounding */
     for (size_t i = 0; i < r->n; i++)
-        for (size_t j = 0; j < r->n; j++)
-            if (j + 1 < i || i + 1 < j)
-                copy[i * r->n + j] = 0;
-            else if (i != j)
-                copy[i * r->n + j] *= 2;
+        for (size_t j = 0; j < r->n; j++) {
+            size_t low = i < j ? i : j, high = i < j ? j : i;
+            copy[i * r->n + j] = high - low > 1 ? 0 : r->T[low * RITZ_MAX + high];
+        }
     gsl_matrix_view m = gsl_matrix_view_array(copy, r->n, r->n), q = gsl_matrix_view_array(r->Q, r->n, r->n);
     gsl_vector_view value = gsl_vector_view_array(r->value, r->n);
     int failed = !space || gsl_eigen_symmv(&m.matrix, &value.vector, &q.matrix, space);

@@ -261,8 +261,8 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     }
     p->body = an->tree, p->loads = an->loads, p->wind = an->wind;
     p->exposure = wf_scenario_speed(&an->scenario, 1.0);
-    const char *site = an->scenario.site_kind;
-    if (site && (!strcmp(site, "in-stand") || !strcmp(site, "forest-edge"))) p->least = stand_factor;
+    const struct wf_site_kind *kind = wf_site_kind_named(an->scenario.site_kind);
+    if (kind && kind->stand) p->least = stand_factor;
     p->damping = take_damping(an, &p->damping_known);
     if (r->exponent_by_law) p->law = an->loads.streamline, p->law_par = an->loads.streamline_par;
     if (method->sways) {

@@ -48,11 +48,11 @@ double wf_category_gust(const struct wf_category *c, double z)
 }
 
 const struct wf_site_kind wf_site_kinds[] = {
-    { "open", "II", "open country" },
-    { "suburb", "III", "among houses and gardens, or in a village" },
-    { "town", "IV", "in a town of high buildings" },
-    { "forest-edge", "II", "at the edge of a forest, with open country upwind" },
-    { "in-stand", "III", "inside a forest" },
+    { "open", "II", "open country", false },
+    { "suburb", "III", "among houses and gardens, or in a village", false },
+    { "town", "IV", "in a town of high buildings", false },
+    { "forest-edge", "II", "at the edge of a forest, with open country upwind", true },
+    { "in-stand", "III", "inside a forest", true },
     { 0 }
 };
 

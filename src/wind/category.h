@@ -6,6 +6,8 @@
  * k_I are 1. Validity: strong wind (neutral air), flat ground of this roughness for some kilometres upwind,
  * up to 200 m. Below z_min the values of z_min hold. */
 
+#include <stdbool.h>
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -37,6 +39,7 @@ struct wf_site_kind {
     const char *name;     /* "suburb" */
     const char *category; /* terrain that the wind comes over */
     const char *text;
+    bool stand; /* the tree is in a stand or at its edge */
 };
 extern const struct wf_site_kind wf_site_kinds[]; /* ends at name == NULL */
 /* The row of that name; NULL when there is none. */
