@@ -7,6 +7,7 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                       .source = "elementary bending: Timoshenko S. 1955. Strength of Materials I",
                       .validity =
                           "sound, round stems and branches; shear stress and torsion are not included",
+                      .loses_tree = true,
                       .known = wf_breakage_known,
                       .safety = wf_breakage_safety },
 };

@@ -63,6 +63,7 @@ enum wf_criterion_id {
 
 struct wf_criterion {
     const char *name, *source, *validity;
+    bool loses_tree; /* the tree is lost where the stem fails by it, so that it can make the headline */
     /* Is the resistance of a row known? */
     bool (*known)(const struct wf_tree *t, size_t row);
     /* Given: tree, its response, its section forces and stresses, a row. Returned: resistance over load at
