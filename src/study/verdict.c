@@ -5,13 +5,18 @@
 double wf_verdict_bound(const struct wf_critical *c)
 {
     switch (c->outcome) {
-    case WF_CRITICAL_FOUND: return c->speed;
-    case WF_CRITICAL_SELF_WEIGHT: return 0;
-    case WF_CRITICAL_ABOVE: return c->speed_high;
+    case WF_CRITICAL_FOUND:
+        return c->speed;
+    case WF_CRITICAL_SELF_WEIGHT:
+        return 0;
+    case WF_CRITICAL_ABOVE:
+        return c->speed_high;
     case WF_CRITICAL_UNSOLVED:
     case WF_CRITICAL_UNSEARCHED:
-    case WF_CRITICAL_INTERRUPTED: return c->speed_low;
-    case WF_CRITICAL_NO_STRENGTH: break;
+    case WF_CRITICAL_INTERRUPTED:
+        return c->speed_low;
+    case WF_CRITICAL_NO_STRENGTH:
+        break;
     }
     return INFINITY;
 }
