@@ -68,6 +68,7 @@ struct wf_args {
     bool quiet;                 /* row QUIET                                                            */
     const char *study;          /* row STUDY: name of the study file; NULL: none                        */
     const char *winds_said;     /* how winds were converted to 10-min means; NULL: nothing was converted */
+    const char **text;          /* by row: as typed, in the study file or the default; NULL: none        */
     bool given[WF_OPTIONS_MAX]; /* by row: typed or in the study file; ask with WF_GIVEN                */
 };
 
@@ -122,6 +123,13 @@ bool wf_option_given(const struct wf_args *args, size_t member);
 /* Help, allowed values and default of an option as one paragraph. */
 void wf_option_text(const struct wf_option *o, FILE *to);
 
+/* Mistakes as one text, separated by semicolons and cut where it is full. */
+struct wf_sink {
+    size_t n;
+    char text[600];
+};
+void wf_sink_add(struct wf_sink *s, const char *name, const char *text);
+
 /* One command line being read, with its study file. Every mistake is reported where it is found and counted;
  * reading goes on, so that all are reported at once. */
 struct wf_yaml;
@@ -134,6 +142,7 @@ struct wf_reading {
     struct wf_yaml *yaml;             /* the study file while it is open; else NULL                        */
     const char *text[WF_OPTIONS_MAX]; /* by row: as typed, else as in the study file, else the default     */
     const char *key[WF_OPTIONS_MAX];  /* by row: key of the study file that gave the text; NULL: no key    */
+    struct wf_sink *sink;             /* takes the mistakes; NULL: they are printed                        */
     bool complete;
     bool no_memory; /* it ended while an option was read: no mistake of the user */
 };
