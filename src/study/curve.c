@@ -355,8 +355,8 @@ static void largest(const struct wf_tree *t, const struct wf_node *low, const st
                     double out[2])
 {
     const double least = 0.8 * fmin(at_ends[0], at_ends[1]);
-    const float *y0 = low->value + column * t->n, *y1 = high->value + column * t->n,
-                *d0 = low->gain + column * t->n, *d1 = high->gain + column * t->n;
+    const float *y0 = low->column[column].value, *y1 = high->column[column].value,
+                *d0 = low->column[column].gain, *d1 = high->column[column].gain;
     out[0] = out[1] = 0.0;
     for (size_t i = 0; i < t->n; i++) {
         double top = fmax((double)y0[i], (double)y1[i]);
