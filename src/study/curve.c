@@ -382,11 +382,11 @@ static double yardstick(const double v[WF_TOTALS], const double size[WF_TOTALS],
 }
 
 /* Largest relative difference of two sets of totals. Given: size[WF_TOTALS], the largest value of each total
- * on the curve. */
+ * on the curve. Of the criteria the first counts, of which curves are drawn. */
 static double totals_apart(const double a[WF_TOTALS], const double b[WF_TOTALS], const double size[WF_TOTALS])
 {
     double worst = 0.0;
-    for (int k = 0; k < WF_TOTALS; k++) {
+    for (int k = 0; k < WF_TOTAL_UTILISATION + WF_SCOPES; k++) {
         double off = fabs(b[k] - a[k]) / yardstick(a, size, k);
         if (isfinite(a[k]) && size[k] > 0.0) worst = fmax(worst, isfinite(off) ? off : INFINITY);
     }
