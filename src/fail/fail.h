@@ -128,6 +128,23 @@ bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, e
 void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
                        struct wf_worst (*worst)[WF_SCOPES]);
 
+/* ---- Strength of branches ---- */
+
+/* What branches bear over the clear wood of their stem: all strengths along the grain of a branch are at most
+ * `factor` times those of clear stem wood. The modulus of rupture of the table stays where it is less, which
+ * holds for thin branches; the knot factor of the stem does not enter. */
+struct wf_branch_strength {
+    const char *name, *text, *source;
+    double factor; /* [-]; 1: as in the species table */
+};
+extern const struct wf_branch_strength wf_branch_strengths[]; /* end at name == NULL */
+
+struct wf_species;
+/* Limit the strength of the branches of a tree. Given: name of a row, NULL: over-bark; full for a table or a
+ * preset that repeats a publication. Returned: the row used. */
+const struct wf_branch_strength *wf_branches_limit(const char *name, const struct wf_species *sp,
+                                                   struct wf_tree *t);
+
 /* ---- Critical wind speed ---- */
 
 /* Critical wind speed: the lowest speed at which a criterion (load / resistance) reaches 1. */

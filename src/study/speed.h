@@ -92,7 +92,8 @@ struct wf_analysis {
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
-    const struct wf_peak *peak; /* by study/sway.h; NULL: the load of the mean wind */
+    const struct wf_branch_strength *branch_strength; /* what branches bear (fail/fail.h) */
+    const struct wf_peak *peak;                       /* by study/sway.h; NULL: the load of the mean wind */
     size_t n;
     struct wf_at_speed *at; /* results at the given speeds                     */
     size_t sweep_n;
