@@ -534,7 +534,14 @@ static void fill_sloped(const struct sloped *c, struct wf_at_speed *row)
     if (row->speed == speed) return;
     row->speed = speed;
     row->interpolated = true;
-    if (row->status || i + 1 == c->n) return;
+    if (row->status) return;
+    if (i + 1 == c->n) { /* the last row, which was left out, because this node is close below it */
+        const struct wf_node *last = c->node[i];
+        wf_totals_read(&last->at, v);
+        for (int q = 0; q < WF_TOTALS; q++) v[q] += (speed - last->at.speed) * last->slope[q];
+        wf_totals_write(v, c->an->tallness, row);
+        return;
+    }
     totals_between(&c->an->tree, c->node[i], c->node[i + 1], speed, v, other);
     wf_totals_write(v, c->an->tallness, row);
 }
