@@ -7,12 +7,14 @@
 
 #define KANE "Kane B. 2007. Branch strength of Bradford pear. Arboric. Urban For. 33(4), table 3: 26 branches"
 
-enum { FULL, INSIDE_BARK, OVER_BARK };
+enum { FULL, INSIDE_BARK, OVER_BARK, OVER_BARK_CIRCLE };
 
 const struct wf_branch_strength wf_branch_strengths[] = {
     [FULL] = { "full", "as in the species table", NULL, 1 },
     [INSIDE_BARK] = { "inside-bark", "thickness inside bark, as an ellipse", KANE, 0.72 },
-    [OVER_BARK] = { "over-bark", "thickness over bark, as a circle", KANE, 0.40 },
+    [OVER_BARK] = { "over-bark", "thickness over bark, as an ellipse", KANE, 0.55 },
+    [OVER_BARK_CIRCLE] = { "over-bark-circle", "thickness over bark, as a circle of one diameter", KANE,
+                           0.40 },
     { .name = NULL },
 };
 

@@ -83,7 +83,8 @@ struct wf_worst {
 /* A criterion of a section: at place s of a row (0 = base, 1 = end) a stress is compared with a resistance.
  */
 struct wf_section_rule {
-    bool (*known)(const struct wf_tree *t, size_t row); /* is the resistance known? */
+    bool (*applies)(const struct wf_tree *t, size_t row); /* NULL: to every row */
+    bool (*known)(const struct wf_tree *t, size_t row);   /* does it apply, with a known resistance? */
     double (*stress)(const struct wf_tree *t, size_t row, double s, const struct wf_section_load *l);
     double (*resistance)(const struct wf_tree *t, size_t row, double s);
 };
@@ -108,8 +109,9 @@ double wf_wall_flattens(double youngs, double transverse, double share);
 
 struct wf_criterion {
     const char *name, *source, *validity;
-    bool loses_tree; /* the tree is lost where the stem fails by it, so that it can make the headline */
-    double required; /* safety that practice wants [-]; 0: 1 */
+    const char *wants; /* key of the species table by which the resistance is known; NULL: none */
+    bool loses_tree;   /* the tree is lost where the stem fails by it, so that it can make the headline */
+    double required;   /* safety that practice wants [-]; 0: 1 */
     const struct wf_section_rule *section; /* criterion of sections; NULL: of the whole tree */
     /* Where `section` is NULL: is the resistance of a row known? Ask wf_criterion_knows. */
     bool (*known)(const struct wf_tree *t, size_t row);
@@ -128,6 +130,13 @@ bool wf_criterion_knows(const struct wf_criterion *c, const struct wf_tree *t, s
 /* Resistance over load of a row, and the place in it, as in struct wf_criterion. */
 double wf_criterion_safety(const struct wf_criterion *c, const struct wf_tree *t, const struct wf_response *r,
                            const struct wf_breakage *b, size_t row, double *place);
+
+/* Resistance at a place of a row: the stress that it bears [Pa]. NAN: of the whole tree, or no place. */
+double wf_criterion_resistance(const struct wf_criterion *c, const struct wf_tree *t,
+                               const struct wf_worst *at);
+
+/* Does it apply to a row of a scope? Splitting and ovalisation are of thin walls alone. */
+bool wf_criterion_applies(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope);
 
 /* Is the resistance of at least one row of a scope known? */
 bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope);
