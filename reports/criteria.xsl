@@ -52,7 +52,8 @@
       <xsl:with-param name="id">t.criteria.none</xsl:with-param>
       <xsl:with-param name="a"><xsl:call-template name="criterion-name"/></xsl:with-param>
       <xsl:with-param name="b" select="wants"/>
-      <xsl:with-param name="c"><xsl:call-template name="name"><xsl:with-param name="tree" select="$tree"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="c"><xsl:call-template name="name">
+        <xsl:with-param name="tree" select="$tree"/></xsl:call-template></xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
   <xsl:if test="$stem[criterion = 'splitting' and outcome != 'no-strength']">
@@ -72,7 +73,8 @@
           <xsl:with-param name="c"><xsl:call-template name="gust">
             <xsl:with-param name="x" select="critical_speed/value"/>
           </xsl:call-template></xsl:with-param>
-          <xsl:with-param name="d"><xsl:call-template name="name"><xsl:with-param name="tree" select="$tree"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="d"><xsl:call-template name="name">
+            <xsl:with-param name="tree" select="$tree"/></xsl:call-template></xsl:with-param>
         </xsl:call-template>
       </xsl:if>
     </xsl:for-each>
