@@ -58,12 +58,16 @@ struct wf_worst {
 
 enum wf_criterion_id {
     WF_BREAKAGE,
+    WF_OVERTURNING,         /* with the anchorage as tested */
+    WF_OVERTURNING_WET,     /* in saturated soil, with the higher */
+    WF_OVERTURNING_WETTEST, /* and with the lower share of it */
     WF_CRITERIA
 }; /* index in wf_criteria; the first is reported as `critical` */
 
 struct wf_criterion {
     const char *name, *source, *validity;
     bool loses_tree; /* the tree is lost where the stem fails by it, so that it can make the headline */
+    bool whole;      /* of the whole tree: it belongs to the row of its root */
     /* Is the resistance of a row known? */
     bool (*known)(const struct wf_tree *t, size_t row);
     /* Given: tree, its response, its section forces and stresses, a row. Returned: resistance over load at
@@ -87,6 +91,15 @@ void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, con
 bool wf_breakage_known(const struct wf_tree *t, size_t row);
 double wf_breakage_safety(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
                           size_t row, double *place);
+/* Functions of 'overturning', in fail/anchorage.c: is the anchorage known; the moment that the root carries
+ * over that on the ground, as tested, and with what is left of it in saturated soil. */
+bool wf_overturning_known(const struct wf_tree *t, size_t row);
+double wf_overturning_safety(const struct wf_tree *t, const struct wf_response *r,
+                             const struct wf_breakage *b, size_t row, double *place);
+double wf_overturning_safety_wet(const struct wf_tree *t, const struct wf_response *r,
+                                 const struct wf_breakage *b, size_t row, double *place);
+double wf_overturning_safety_wettest(const struct wf_tree *t, const struct wf_response *r,
+                                     const struct wf_breakage *b, size_t row, double *place);
 
 /* ---- Critical wind speed ---- */
 
