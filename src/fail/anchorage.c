@@ -324,7 +324,7 @@ enum wf_status wf_anchorage_find(const struct wf_anchorage_request *q, const str
                                  const struct wf_species *sp, struct wf_arena *a, struct wf_anchorage *out,
                                  struct wf_err *e)
 {
-    *out = (struct wf_anchorage){ .moment = NAN, .scatter = NAN, .text = "soil and anchorage unknown" };
+    *out = (struct wf_anchorage){ .moment = NAN, .scatter = NAN, .text = WF_ANCHORAGE_UNSAID };
     const struct wf_anchorage_method *m = NULL;
     enum wf_status s = q ? choose(q, &m, e) : WF_OK;
     if (s || !m) return s;

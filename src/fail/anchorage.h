@@ -46,6 +46,9 @@ struct wf_anchorage_method {
 };
 extern const struct wf_anchorage_method wf_anchorage_methods[]; /* ends at name == NULL */
 
+/* The reason where nothing is said of soil and root. */
+#define WF_ANCHORAGE_UNSAID "soil and anchorage unknown"
+
 /* The anchorage of one tree. */
 struct wf_anchorage {
     const struct wf_anchorage_method *method; /* NULL: overturning is not assessed */

@@ -2,7 +2,7 @@
 #include "fail/fail.h"
 #include <math.h>
 
-#define OVERTURNING "the anchorage's method (fail/anchorage.c)"
+#define OVERTURNING "statics of the whole tree; the anchorage has a source of its own"
 #define SATURATED "camphor near saturation, 35 to 50 % less: Forests 2022, 13:1875"
 #define STATIC                                                                                               \
     "static, an upper bound in a gale: gusts loosen roots; the moment is that of the bent tree with its "    \

@@ -3,12 +3,13 @@
 #include "base/file.h"
 #include "base/num.h"
 #include "data/species.h"
-#include "out/doc.h"
 #include "out/inputs.h"
 #include "out/tree_picture.h"
+#include "out/verdict_part.h"
 #include "study/directions.h"
-#include "study/peak.h"
 #include "study/limits.h"
+#include "study/peak.h"
+#include "study/verdict.h"
 #include "study/wetted.h"
 #include "wind/climate.h"
 #include <errno.h>
@@ -109,8 +110,7 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
             for (size_t c = 0; c < WF_COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
             break_cells(f, a->breaks);
             const double gusts[] = { at->steady.tip_deflection, degrees * at->steady.tip_angle,
-                                     at->steady.base_moment,
-                                     wf_peak_gusts(a->peak, at->speed) };
+                                     at->steady.base_moment, wf_peak_gusts(a->peak, at->speed) };
             cells(f, WF_COUNT(gusts), gusts);
             putc('\n', f);
         }
@@ -331,10 +331,9 @@ static json_t *section(struct wf_doc *d, const struct wf_analysis *a, int32_t ro
     return o;
 }
 
-static json_t *worst_section(struct wf_doc *d, const struct wf_analysis *a, const struct wf_worst *w)
+json_t *wf_part_section(struct wf_doc *d, const struct wf_analysis *a, const struct wf_worst *w)
 {
-    if (!w) return json_null();
-    return section(d, a, w->row, w->place, wf_part_height(&a->tree, w->row, w->place));
+    return !w ? json_null() : section(d, a, w->row, w->place, wf_part_height(&a->tree, w->row, w->place));
 }
 
 static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)
@@ -369,8 +368,11 @@ static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const st
                          : isnan(worst->safety) ? "no modulus of rupture is given"
                                                 : "no section is stressed";
     wf_doc_quantity(d, o, "least_safety", solved ? worst->safety : NAN, "1", reason);
-    wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? worst : NULL));
+    wf_doc_put(d, o, "governing_section", wf_part_section(d, a, solved ? worst : NULL));
     if (at >= a->at && at < a->at + a->n) { /* of the main wind direction */
+        struct wf_verdict v = wf_verdict_of(a->breaks);
+        wf_doc_quantity(d, o, "loss_safety", wf_verdict_safety(at, NULL), "1", reason);
+        wf_doc_flag(d, o, "beyond_loss", wf_verdict_lost(&v, at));
         wf_doc_put(d, o, "mean_state", wf_part_steady(d, a, at));
         wf_doc_put(d, o, "peak", wf_part_peak(d, a, at));
     }
@@ -416,7 +418,7 @@ static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const 
     wf_doc_quantity(d, o, "speed", at->speed, "m/s", NULL);
     wf_doc_quantity(d, o, "safety", safety, "1", why);
     wf_doc_quantity(d, o, "utilisation", 1 / safety, "1", why);
-    wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? w : NULL));
+    wf_doc_put(d, o, "governing_section", wf_part_section(d, a, solved ? w : NULL));
     return o;
 }
 
@@ -426,7 +428,7 @@ static json_t *criteria_part(struct wf_doc *d, const struct wf_analysis *a,
 {
     json_t *list = wf_doc_array(d);
     for (int c = 0; c < WF_CRITERIA; c++)
-        for (int s = 0; s < WF_SCOPES; s++) {
+        for (int s = 0; s < (wf_criteria[c].whole ? 1 : WF_SCOPES); s++) {
             const struct wf_break *b = &breaks[c][s];
             const char *text = wf_critical_text(b->critical.outcome);
             json_t *o = wf_doc_add(d, list, wf_doc_object(d));
@@ -469,6 +471,7 @@ static json_t *direction_part(struct wf_doc *d, const struct wf_analysis *a, con
     for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wind_part(d, a, &x->at[k]));
     wf_doc_put(d, o, "critical", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
+    wf_doc_put(d, o, "loss", wf_part_loss(d, a, x->breaks));
     wf_doc_put(d, o, "criteria", criteria_part(d, a, x->breaks, x->at));
     wf_doc_quantity(d, o, "hours_a_year", WF_HOURS_A_YEAR * x->hourly, "h", no_hours);
     wf_doc_quantity(d, o, "hours_a_year_10_min", WF_HOURS_A_YEAR * x->strongest, "h", no_hours);
@@ -560,6 +563,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wind_part(d, a, &a->at[k]));
     wf_doc_put(d, o, "critical", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
+    wf_doc_put(d, o, "verdict", wf_part_verdict(d, a));
     wf_doc_put(d, o, "criteria", criteria_part(d, a, a->breaks, a->at));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));

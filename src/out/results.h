@@ -6,6 +6,7 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "base/file.h"
+#include "out/doc.h"
 #include "study/analysis.h"
 #include <stdbool.h>
 #include <stddef.h>
@@ -63,6 +64,8 @@ const char *wf_part_status(enum wf_status s);
 const char *wf_part_outcome(enum wf_critical_outcome o);
 /* Height above ground of position s (0 base, 1 end) of a row on the unbent tree [m]; NAN for row -1. */
 double wf_part_height(const struct wf_tree *t, int32_t row, double s);
+/* A place in the tree as an object: segment, level, part, id, diameter, position, height; null for row -1. */
+json_t *wf_part_section(struct wf_doc *d, const struct wf_analysis *a, const struct wf_worst *w);
 
 /* The tables of a run, as CSV: comma, a point for decimals, one header row with the unit in the column name.
  */
