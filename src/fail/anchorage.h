@@ -70,9 +70,9 @@ enum wf_status wf_anchorage_find(const struct wf_anchorage_request *q, const str
 /* The row of that name; NULL when there is none. */
 const struct wf_anchorage_method *wf_anchorage_method_named(const char *name);
 
-/* Read a tipping curve: a CSV with columns phi_deg, ascending, and moment_kNm, which must rise before it
- * falls. Its largest moment is the anchorage. Errors: WF_EINPUT with every mistake in `d`. A curve that still
- * rises at its end is a warning: its last moment is then a lower bound. */
+/* Read a tipping curve: a CSV with columns phi_deg, ascending, and moment_kNm (or moment_Nm), which must rise
+ * before it falls. Its largest moment is the anchorage. Errors: WF_EINPUT with every mistake in `d`. A curve
+ * that still rises at its end is a warning: its last moment is then a lower bound. */
 enum wf_status wf_tipping_curve_read(const char *path, struct wf_arena *a, struct wf_diag *d,
                                      const struct wf_tipping_curve **out, struct wf_err *e);
 /* Read anchorage per stem mass: a CSV with columns species (key, English or Latin name), soil (row of

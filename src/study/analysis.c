@@ -8,6 +8,7 @@
 #include "grow/grow.h"
 #include "load/interception.h"
 #include "load/winter.h"
+#include "study/limits.h"
 #include "study/node.h"
 #include "study/rest.h"
 #include "study/sway.h"
@@ -196,5 +197,6 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
     if (s) return wf_fail(e, s, "%s", why.text);
     wf_limits_check(out, d);
+    wf_limits_root(out, o->root_stiffness, d);
     return WF_OK;
 }

@@ -4,7 +4,7 @@
 /* Validity of a finished analysis: each limit that is exceeded becomes a warning that states by how much.
  * Stable codes: small-deflection, reynolds-range, streamline-range, profile-range, steep, map-edge,
  * assumed-values, as-printed, no-strength, no-equilibrium, critical-above-range, searched-further,
- * search-ended, through-ground. */
+ * search-ended, through-ground, unverified-safety, unverified-wind, root-linear. */
 #include "base/err.h"
 #include <stdbool.h>
 
@@ -31,5 +31,9 @@ double wf_limits_ground(const struct wf_tree *t, const double *end, bool moved, 
 void wf_limits_profile(const struct wf_scenario *s, double tallness, const char *tree, struct wf_diag *d);
 /* The warnings of the terrain alone: steep, map-edge. NULL: none. */
 void wf_limits_site(const struct wf_site *s, struct wf_diag *d);
+
+/* The root-linear warning: the plate turns beyond what a constant stiffness holds for at the strongest given
+ * wind. Given: the root's stiffness about x and y [N m rad-1]; 0: clamped. */
+void wf_limits_root(const struct wf_analysis *an, const double stiffness[2], struct wf_diag *d);
 
 #endif
