@@ -3,6 +3,7 @@
 #include "data/model.h"
 #include "fail/anchorage.h"
 #include "out/results.h"
+#include "study/limits.h"
 #include "study/verdict.h"
 #include <math.h>
 #include <string.h>
@@ -16,6 +17,7 @@ static void put_critical(struct wf_doc *d, json_t *o, const struct wf_analysis *
     wf_doc_text(d, o, "outcome_text", text);
     wf_doc_quantity(d, o, "critical_speed", c->speed, "m/s", text);
     wf_doc_quantity(d, o, "critical_gust", wf_scenario_gust(&a->scenario, c->speed), "m/s", text);
+    wf_doc_flag(d, o, "within_limits", !(c->outcome == WF_CRITICAL_FOUND && wf_limits_small_passed(&b->at)));
     wf_doc_quantity(d, o, "speed_low", c->speed_low, "m/s", text);
     wf_doc_quantity(d, o, "speed_high", c->speed_high, "m/s", text);
 }
