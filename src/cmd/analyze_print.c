@@ -161,6 +161,17 @@ static void print_event(FILE *to, const struct wf_analysis *an, enum wf_criterio
     print_failing(to, an, b->row);
 }
 
+/* Stress of the weight alone in the segment that breaks first. */
+static void print_weight(FILE *to, const struct wf_analysis *an, const struct wf_break *b)
+{
+    if (!an->still || b->row < 0) return;
+    double stress = an->still->breakage.peak[b->row], strength = an->tree.strength[b->row];
+    wf_show(to, "  at rest its weight alone stresses this segment to %.3g MPa, %.0f %% of its strength%s\n",
+            stress / 1e6, 100 * stress / strength,
+            an->scenario.weight_unstressed ? ", which is not counted: unsafe for leaning trees and limbs"
+                                           : "");
+}
+
 /* The other criteria that lose the tree, and those that were not assessed. */
 static void print_others(FILE *to, const struct wf_analysis *an, const struct wf_verdict *v)
 {
@@ -173,6 +184,7 @@ static void print_others(FILE *to, const struct wf_analysis *an, const struct wf
         print_wind(to, an, &b->critical);
         print_event(to, an, (enum wf_criterion_id)c, b);
         fputc('\n', to);
+        if (!wf_criteria[c].whole) print_weight(to, an, b);
     }
 }
 
@@ -244,6 +256,7 @@ static void print_first(FILE *to, const struct wf_analysis *an)
     wf_show(to, "; %.2f m above the ground", b->height);
     print_failing(to, an, b->row);
     wf_show(to, "%s\n", 2 * fmax(t->r0[b->row], t->r1[b->row]) < an->search.branches_from ? ", a twig" : "");
+    print_weight(to, an, b);
 }
 
 /* The headline: at which wind the tree is lost. */
@@ -262,6 +275,7 @@ static void print_verdict(FILE *to, const struct wf_analysis *an)
         wf_show(to, ", at %.6g m over terrain %s", at.height, at.terrain->name);
     if (v.loss) print_event(to, an, v.criterion, v.loss);
     fputc('\n', to);
+    if (v.loss && !wf_criteria[v.criterion].whole) print_weight(to, an, v.loss);
     print_others(to, an, &v);
     print_anchorage(to, an);
     print_first(to, an);
