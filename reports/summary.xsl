@@ -186,7 +186,9 @@
       <xsl:with-param name="a"><xsl:call-template name="fixed">
         <xsl:with-param name="x" select="100 div $root/safety/value"/><xsl:with-param name="pattern">0</xsl:with-param>
       </xsl:call-template></xsl:with-param>
-      <xsl:with-param name="b"><xsl:call-template name="number"><xsl:with-param name="x" select="$root/safety/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="$root/safety/value"/></xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
   <xsl:value-of select="$gap"/>

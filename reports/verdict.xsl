@@ -22,7 +22,9 @@
   <xsl:if test="$of/outcome = 'above'">&gt;&#160;</xsl:if>
   <xsl:choose>
     <xsl:when test="$x = ''">–</xsl:when>
-    <xsl:when test="$gust = 1"><xsl:call-template name="gust"><xsl:with-param name="x" select="$x"/></xsl:call-template></xsl:when>
+    <xsl:when test="$gust = 1">
+      <xsl:call-template name="gust"><xsl:with-param name="x" select="$x"/></xsl:call-template>
+    </xsl:when>
     <xsl:otherwise><xsl:value-of select="format-number($x, '0.0')"/></xsl:otherwise>
   </xsl:choose>
 </xsl:template>
@@ -66,7 +68,9 @@
     </xsl:with-param>
     <xsl:with-param name="a">
       <xsl:choose>
-        <xsl:when test="verdict/outcome = 'found'"><xsl:value-of select="format-number(verdict/critical_speed/value, '0.0')"/></xsl:when>
+        <xsl:when test="verdict/outcome = 'found'">
+          <xsl:value-of select="format-number(verdict/critical_speed/value, '0.0')"/>
+        </xsl:when>
         <xsl:when test="verdict/outcome = 'above'">
           <xsl:call-template name="given"><xsl:with-param name="x" select="verdict/speed_high/value"/></xsl:call-template>
         </xsl:when>
@@ -97,7 +101,9 @@
       <xsl:value-of select="$gap"/>
       <xsl:call-template name="say">
         <xsl:with-param name="id">sum.overturn.too</xsl:with-param>
-        <xsl:with-param name="a"><xsl:call-template name="wind-of"><xsl:with-param name="of" select="$dry"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="a">
+          <xsl:call-template name="wind-of"><xsl:with-param name="of" select="$dry"/></xsl:call-template>
+        </xsl:with-param>
         <xsl:with-param name="b"><xsl:call-template name="wind-of">
           <xsl:with-param name="of" select="$dry"/><xsl:with-param name="gust" select="1"/>
         </xsl:call-template></xsl:with-param>
@@ -142,7 +148,9 @@
       </xsl:call-template></xsl:with-param>
       <xsl:with-param name="c" select="format-number($section/height/value, '0.0')"/>
       <xsl:with-param name="d" select="format-number(critical/speed/value, '0.0')"/>
-      <xsl:with-param name="e"><xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="e">
+        <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
 </xsl:template>
@@ -164,7 +172,9 @@
           <xsl:with-param name="a"><xsl:call-template name="given">
             <xsl:with-param name="x" select="(self::*[outcome = 'above']/speed_high | self::*[outcome != 'above']/speed_low)/value"/>
           </xsl:call-template></xsl:with-param>
-          <xsl:with-param name="b"><xsl:call-template name="given"><xsl:with-param name="x" select="speed_high/value"/></xsl:call-template></xsl:with-param>
+          <xsl:with-param name="b">
+            <xsl:call-template name="given"><xsl:with-param name="x" select="speed_high/value"/></xsl:call-template>
+          </xsl:with-param>
         </xsl:call-template>
       </td>
       <xsl:call-template name="cell"><xsl:with-param name="x" select="critical_speed/value"/></xsl:call-template>
@@ -195,8 +205,12 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id">anchorage</xsl:with-param>
         <xsl:with-param name="a"><xsl:for-each select="../.."><xsl:call-template name="name"/></xsl:for-each></xsl:with-param>
-        <xsl:with-param name="b"><xsl:call-template name="number"><xsl:with-param name="x" select="moment/value div 1000"/></xsl:call-template></xsl:with-param>
-        <xsl:with-param name="c"><xsl:call-template name="say"><xsl:with-param name="id" select="concat('anchorage.', name)"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="b">
+          <xsl:call-template name="number"><xsl:with-param name="x" select="moment/value div 1000"/></xsl:call-template>
+        </xsl:with-param>
+        <xsl:with-param name="c">
+          <xsl:call-template name="say"><xsl:with-param name="id" select="concat('anchorage.', name)"/></xsl:call-template>
+        </xsl:with-param>
         <xsl:with-param name="d" select="text"/>
         <xsl:with-param name="e" select="source"/>
         <xsl:with-param name="f" select="validity"/>
@@ -215,7 +229,9 @@
       <xsl:with-param name="a"><xsl:call-template name="given">
         <xsl:with-param name="x" select="100 * $trees[1]/verdict/branches_from/value"/>
       </xsl:call-template></xsl:with-param>
-      <xsl:with-param name="b"><xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/verdict/speed/value"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/verdict/speed/value"/></xsl:call-template>
+      </xsl:with-param>
     </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
       <xsl:with-param name="of">c.br.tree;c.br.thickness:cm;c.br.segments:;c.br.safety:;c.br.fails:m/s;c.br.worst</xsl:with-param>
@@ -237,7 +253,9 @@
           <td class="r"><xsl:call-template name="number"><xsl:with-param name="x" select="safety/value"/></xsl:call-template></td>
           <td class="r">
             <xsl:choose>
-              <xsl:when test="fails_at/value != ''"><xsl:call-template name="given"><xsl:with-param name="x" select="fails_at/value"/></xsl:call-template></xsl:when>
+              <xsl:when test="fails_at/value != ''">
+                <xsl:call-template name="given"><xsl:with-param name="x" select="fails_at/value"/></xsl:call-template>
+              </xsl:when>
               <xsl:otherwise>–</xsl:otherwise>
             </xsl:choose>
           </td>
@@ -245,8 +263,12 @@
             <xsl:if test="governing_section/diameter/value != ''">
               <xsl:call-template name="say">
                 <xsl:with-param name="id">br.worst</xsl:with-param>
-                <xsl:with-param name="a"><xsl:call-template name="part"><xsl:with-param name="level" select="governing_section/part"/></xsl:call-template></xsl:with-param>
-                <xsl:with-param name="b"><xsl:call-template name="segment"><xsl:with-param name="section" select="governing_section"/></xsl:call-template></xsl:with-param>
+                <xsl:with-param name="a">
+                  <xsl:call-template name="part"><xsl:with-param name="level" select="governing_section/part"/></xsl:call-template>
+                </xsl:with-param>
+                <xsl:with-param name="b">
+                  <xsl:call-template name="segment"><xsl:with-param name="section" select="governing_section"/></xsl:call-template>
+                </xsl:with-param>
                 <xsl:with-param name="c" select="format-number(governing_section/height/value, '0.0')"/>
               </xsl:call-template>
             </xsl:if>

@@ -68,7 +68,7 @@ static json_t *not_assessed(struct wf_doc *d, const struct wf_analysis *a, const
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
         wf_doc_text(d, o, "criterion", wf_criteria[c].name);
         wf_doc_text(d, o, "reason", why);
-        bool unsaid = c == WF_OVERTURNING && a->anchorage && !strcmp(why, WF_ANCHORAGE_UNSAID);
+        bool unsaid = c == WF_OVERTURNING && !strcmp(why, WF_ANCHORAGE_UNSAID);
         wf_doc_flag(d, o, "unsaid", unsaid);
     }
     return list;

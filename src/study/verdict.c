@@ -67,7 +67,8 @@ const char *wf_verdict_unassessed(const struct wf_analysis *an, const struct wf_
                                   enum wf_criterion_id c)
 {
     if (!wf_criteria[c].loses_tree || v->assessed[c]) return NULL;
-    if (c == WF_OVERTURNING && an->anchorage && !an->anchorage->method) return an->anchorage->text;
+    if (c == WF_OVERTURNING && !an->anchorage) return WF_ANCHORAGE_UNSAID;
+    if (c == WF_OVERTURNING && !an->anchorage->method) return an->anchorage->text;
     return wf_criteria[c].whole ? "the root's row is not credible as drawn" : "strength unknown";
 }
 
