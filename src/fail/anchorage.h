@@ -5,9 +5,8 @@
  * them. The criterion 'overturning' compares it with the moment on the ground. */
 #include "base/arena.h"
 #include "base/err.h"
-#include "data/tree.h"
+#include "fail/fail.h"
 #include <stdbool.h>
-#include <stddef.h>
 
 struct wf_species;
 
@@ -18,21 +17,6 @@ struct wf_soil {
 };
 extern const struct wf_soil wf_soils[]; /* ends at name == NULL */
 
-struct wf_tipping_curve; /* base moment by the inclination of the root plate, read from a file */
-struct wf_anchorage_table;
-
-/* What is said of soil and root; NULL, NAN: not given. */
-struct wf_anchorage_request {
-    const char *method;  /* row of wf_anchorage_methods; NULL: by size where the soil is known */
-    const char *soil;    /* row of wf_soils */
-    const char *rooting; /* "shallow", "medium" or "deep"; of a table */
-    double pull_moment;  /* moment on the ground at 0.25 deg of the root plate [N m] */
-    double secant;       /* that moment over that angle [N m rad-1] */
-    const struct wf_tipping_curve *curve;
-    const struct wf_anchorage_table *table;
-};
-
-struct wf_anchorage;
 struct wf_anchorage_method {
     const char *name, *title, *source, *validity;
     double scatter; /* standard deviation of the logarithm of the moment; NAN: not known, or by species */
@@ -45,17 +29,6 @@ struct wf_anchorage_method {
                            struct wf_err *e);
 };
 extern const struct wf_anchorage_method wf_anchorage_methods[]; /* ends at name == NULL */
-
-/* The reason where nothing is said of soil and root. */
-#define WF_ANCHORAGE_UNSAID "soil and anchorage unknown"
-
-/* The anchorage of one tree. */
-struct wf_anchorage {
-    const struct wf_anchorage_method *method; /* NULL: overturning is not assessed */
-    double moment;  /* largest moment on the ground that the root carries, as tested or by size [N m]; NAN */
-    double scatter; /* standard deviation of its logarithm; NAN: not known */
-    const char *text; /* what it was computed from; or why overturning is not assessed */
-};
 
 /* Near saturation the largest moment is 35 to 50 % lower (camphor, one study): what is left of it. */
 #define WF_SATURATED_HIGH 0.65

@@ -110,6 +110,34 @@ double wf_overturning_safety_wet(const struct wf_tree *t, const struct wf_respon
 double wf_overturning_safety_wettest(const struct wf_tree *t, const struct wf_response *r,
                                      const struct wf_breakage *b, size_t row, double *place);
 
+/* ---- Anchorage of the root: fail/anchorage.c ---- */
+
+struct wf_anchorage_method;
+struct wf_tipping_curve; /* base moment by the inclination of the root plate, read from a file */
+struct wf_anchorage_table;
+
+/* What is said of soil and root; NULL, NAN: not given. */
+struct wf_anchorage_request {
+    const char *method;  /* row of wf_anchorage_methods; NULL: by size where the soil is known */
+    const char *soil;    /* row of wf_soils */
+    const char *rooting; /* "shallow", "medium" or "deep"; of a table */
+    double pull_moment;  /* moment on the ground at 0.25 deg of the root plate [N m] */
+    double secant;       /* that moment over that angle [N m rad-1] */
+    const struct wf_tipping_curve *curve;
+    const struct wf_anchorage_table *table;
+};
+
+/* The reason where nothing is said of soil and root. */
+#define WF_ANCHORAGE_UNSAID "soil and anchorage unknown"
+
+/* The anchorage of one tree. */
+struct wf_anchorage {
+    const struct wf_anchorage_method *method; /* NULL: overturning is not assessed */
+    double moment;  /* largest moment on the ground that the root carries, as tested or by size [N m]; NAN */
+    double scatter; /* standard deviation of its logarithm; NAN: not known */
+    const char *text; /* what it was computed from; or why overturning is not assessed */
+};
+
 /* ---- Critical wind speed ---- */
 
 /* Critical wind speed: the lowest speed at which a criterion (load / resistance) reaches 1. */

@@ -21,29 +21,10 @@
 #include <time.h>
 #include <unistd.h>
 
-/* A section of the tree: its segment's number as in segments.csv, that of the row in the tree's file (a
- * model: the same), its thickness at its thicker end, and its place. */
-static json_t *section(struct wf_doc *d, const struct wf_analysis *a, int32_t row, double s, double height)
-{
-    const struct wf_tree *t = &a->tree;
-    if (row < 0 || (size_t)row >= t->n) return json_null();
-    json_t *o = wf_doc_object(d);
-    wf_doc_count(d, o, "segment", (size_t)row + 1);
-    wf_doc_count(d, o, "level", t->level[row] > 0 ? (size_t)t->level[row] : 0);
-    wf_doc_text(d, o, "part", wf_model_level_name(a->model, a->species, t->level[row]));
-    wf_doc_count(d, o, "id", t->id[row] > 0 ? (size_t)t->id[row] : 0);
-    wf_doc_quantity(d, o, "diameter", 2 * fmax(t->r0[row], t->r1[row]), "m", NULL);
-    wf_doc_quantity(d, o, "position", s, "1", "the segment as a whole is named");
-    wf_doc_quantity(d, o, "height", height, "m", NULL);
-    wf_doc_quantity(d, o, "weight_stress", a->still ? a->still->breakage.peak[row] : NAN, "Pa",
-                    "the state at rest was not computed");
-    return o;
-}
-
-json_t *wf_part_section(struct wf_doc *d, const struct wf_analysis *a, const struct wf_worst *w)
+static json_t *worst_section(struct wf_doc *d, const struct wf_analysis *a, const struct wf_worst *w)
 {
     if (!w) return json_null();
-    return section(d, a, w->row, w->place, wf_part_height(&a->tree, w->row, w->place));
+    return wf_part_section(d, a, w->row, w->place, wf_part_height(&a->tree, w->row, w->place));
 }
 
 static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)
@@ -78,7 +59,7 @@ static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const st
                          : isnan(worst->safety) ? "no modulus of rupture is given"
                                                 : "no section is stressed";
     wf_doc_quantity(d, o, "least_safety", solved ? worst->safety : NAN, "1", reason);
-    wf_doc_put(d, o, "governing_section", wf_part_section(d, a, solved ? worst : NULL));
+    wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? worst : NULL));
     if (at >= a->at && at < a->at + a->n) { /* of the main wind direction */
         struct wf_verdict v = wf_verdict_of(a->breaks);
         wf_doc_quantity(d, o, "loss_safety", wf_verdict_safety(at, NULL), "1", reason);
@@ -111,7 +92,7 @@ static json_t *critical_part(struct wf_doc *d, const struct wf_analysis *a, cons
     wf_doc_quantity(d, o, "tip_angle", found ? at->tip_angle : NAN, "rad", text);
     wf_doc_flag(d, o, "within_limits", !(found && wf_limits_small_passed(at)));
     wf_doc_count(d, o, "evaluations", c->evaluations);
-    wf_doc_put(d, o, "governing_section", section(d, a, b->row, NAN, b->height));
+    wf_doc_put(d, o, "governing_section", wf_part_section(d, a, b->row, NAN, b->height));
     return o;
 }
 
@@ -128,7 +109,7 @@ static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const 
     wf_doc_quantity(d, o, "speed", at->speed, "m/s", NULL);
     wf_doc_quantity(d, o, "safety", safety, "1", why);
     wf_doc_quantity(d, o, "utilisation", 1 / safety, "1", why);
-    wf_doc_put(d, o, "governing_section", wf_part_section(d, a, solved ? w : NULL));
+    wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? w : NULL));
     return o;
 }
 
@@ -147,7 +128,7 @@ static json_t *criteria_part(struct wf_doc *d, const struct wf_analysis *a,
             wf_doc_text(d, o, "outcome", wf_part_outcome(b->critical.outcome));
             wf_doc_text(d, o, "outcome_text", text);
             wf_doc_quantity(d, o, "critical_speed", b->critical.speed, "m/s", text);
-            wf_doc_put(d, o, "governing_section", section(d, a, b->row, NAN, b->height));
+            wf_doc_put(d, o, "governing_section", wf_part_section(d, a, b->row, NAN, b->height));
             json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
             for (size_t k = 0; k < a->n; k++)
                 wf_doc_add(d, winds, utilisation(d, a, &at[k], &at[k].worst[c][s]));

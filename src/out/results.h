@@ -6,7 +6,6 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "base/file.h"
-#include "out/doc.h"
 #include "out/tables.h"
 #include <stdbool.h>
 
@@ -35,7 +34,4 @@ const char *wf_run_date(struct wf_arena *a);
  * become null with a reason (JSON) or an empty cell (CSV). Errors: WF_EUSAGE for a run without analyses or
  * with differing wind lists, WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_results_write(const struct wf_run *run, const char *folder, struct wf_err *e);
-
-/* A place in the tree as an object: segment, level, part, id, diameter, position, height; null for row -1. */
-json_t *wf_part_section(struct wf_doc *d, const struct wf_analysis *a, const struct wf_worst *w);
 #endif

@@ -2,11 +2,28 @@
 #include "out/verdict_part.h"
 #include "data/model.h"
 #include "fail/anchorage.h"
-#include "out/results.h"
+#include "out/tables.h"
 #include "study/limits.h"
 #include "study/verdict.h"
 #include <math.h>
 #include <string.h>
+
+json_t *wf_part_section(struct wf_doc *d, const struct wf_analysis *a, int32_t row, double s, double height)
+{
+    const struct wf_tree *t = &a->tree;
+    if (row < 0 || (size_t)row >= t->n) return json_null();
+    json_t *o = wf_doc_object(d);
+    wf_doc_count(d, o, "segment", (size_t)row + 1);
+    wf_doc_count(d, o, "level", t->level[row] > 0 ? (size_t)t->level[row] : 0);
+    wf_doc_text(d, o, "part", wf_model_level_name(a->model, a->species, t->level[row]));
+    wf_doc_count(d, o, "id", t->id[row] > 0 ? (size_t)t->id[row] : 0);
+    wf_doc_quantity(d, o, "diameter", 2 * fmax(t->r0[row], t->r1[row]), "m", NULL);
+    wf_doc_quantity(d, o, "position", s, "1", "the segment as a whole is named");
+    wf_doc_quantity(d, o, "height", height, "m", NULL);
+    wf_doc_quantity(d, o, "weight_stress", a->still ? a->still->breakage.peak[row] : NAN, "Pa",
+                    "the state at rest was not computed");
+    return o;
+}
 
 /* Outcome, mean and gust of a critical wind, and where it fails. */
 static void put_critical(struct wf_doc *d, json_t *o, const struct wf_analysis *a, const struct wf_break *b)
@@ -107,7 +124,8 @@ static json_t *branches(struct wf_doc *d, const struct wf_analysis *a)
         wf_doc_quantity(d, o, "safety", at ? w->safety : (double)NAN, "1",
                         "no strength is known, or unloaded");
         wf_doc_quantity(d, o, "fails_at", k[i].fails, "m/s", "it stands the given winds");
-        wf_doc_put(d, o, "governing_section", wf_part_section(d, a, w));
+        wf_doc_put(d, o, "governing_section",
+                   wf_part_section(d, a, w->row, w->place, wf_part_height(&a->tree, w->row, w->place)));
     }
     return list;
 }

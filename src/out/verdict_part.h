@@ -6,6 +6,10 @@
 #include "out/doc.h"
 #include "study/analysis.h"
 
+/* A section of the tree: its segment's number as in segments.csv, that of the row in the tree's file (a
+ * model: the same), its thickness at its thicker end, and its place at s (0 base, 1 end; NAN: the segment as
+ * a whole) and height [m]; null for row -1. */
+json_t *wf_part_section(struct wf_doc *d, const struct wf_analysis *a, int32_t row, double s, double height);
 /* `verdict` of a tree, to be put into the document. */
 json_t *wf_part_verdict(struct wf_doc *d, const struct wf_analysis *a);
 /* `loss` of a wind direction: criterion, outcome, mean and gust. */

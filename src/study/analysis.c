@@ -8,7 +8,6 @@
 #include "grow/grow.h"
 #include "load/interception.h"
 #include "load/winter.h"
-#include "study/limits.h"
 #include "study/node.h"
 #include "study/rest.h"
 #include "study/sway.h"

@@ -32,8 +32,4 @@ void wf_limits_profile(const struct wf_scenario *s, double tallness, const char 
 /* The warnings of the terrain alone: steep, map-edge. NULL: none. */
 void wf_limits_site(const struct wf_site *s, struct wf_diag *d);
 
-/* The root-linear warning: the plate turns beyond what a constant stiffness holds for at the strongest given
- * wind. Given: the root's stiffness about x and y [N m rad-1]; 0: clamped. */
-void wf_limits_root(const struct wf_analysis *an, const double stiffness[2], struct wf_diag *d);
-
 #endif
