@@ -135,7 +135,7 @@ static void test_anchorage(void **state)
           "--tipping-curve $T/c.csv",
           CODE_INPUT,
           { "c.csv:3:5: error: moment_kNm: the curve falls before it rises" } },
-        { "printf 'study: a\\nspecies: oak\\nmodel: culm\\nwind: 10\\npull_moment: 12 kN m\\\n' "
+        { "printf 'study: a\\nspecies: oak\\nmodel: culm\\nwind: 10\\npull_moment: 12 kN m\\n' "
           ">$T/s.yaml; "
           "$W analyze $T/s.yaml -o $T/o --no-report",
           CODE_OK,
