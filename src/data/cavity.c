@@ -15,8 +15,8 @@
 static const struct wf_yaml_row cavity_rows[] = {
     WF_KEY_LENGTH("from", from, "m", 0, 150, "Height above the ground at which the cavity begins.",
                   .absent = "0, the ground", .example = "0.8 m"),
-    WF_KEY_LENGTH("to", to, "m", 0.01, 150, "Height at which it ends.", .absent = "twice 'at'",
-                  .example = "2.4 m"),
+    WF_KEY_LENGTH("to", to, "m", 0.01, 150, "Height at which it ends.",
+                  .absent = "twice 'at', at most the stem's end", .example = "2.4 m"),
     WF_KEY_LENGTH(
         "at", at, "m", 0, 150,
         "Height at which it was measured. Between from and to it keeps its share of the stem's radius.",
@@ -93,7 +93,7 @@ static void cavity_finish(struct wf_yaml *y, void *cavity)
     struct wf_yaml_mark mark = wf_yaml_where(y, "");
     c->line = mark.line, c->column = mark.column;
     if (!wf_yaml_has(y, "from")) c->from = 0;
-    if (!wf_yaml_has(y, "to")) c->to = 2 * c->at;
+    if (!wf_yaml_has(y, "to")) c->to = 2 * c->at, c->to_assumed = true;
     if (!wf_yaml_has(y, "opening")) c->opening = 0;
     bool written = wf_yaml_has(y, "wall") && isnan(c->wall); /* and reported */
     if (c->centre && !read_centre(c, &e)) wf_yaml_error(y, "centre", "%s", e.text);
@@ -204,7 +204,9 @@ enum wf_status wf_cavities_settle(const char *file, struct wf_cavity *list, size
         for (size_t k = 0; k < i; k++) {
             if (!(c->from < list[k].to && list[k].from < c->to)) continue;
             wf_diag_error(d, c->file, c->line, c->column,
-                          "cavities: %g m to %g m overlaps the one from %g m to %g m; describe them as one",
+                          "cavities: %g m to %g m overlaps the one from %g m to %g m; describe them as one, "
+                          "or say in a file "
+                          "where each begins and ends",
                           c->from, c->to, list[k].from, list[k].to);
             worst = wf_fail(e, WF_EINPUT, "%s: cavities overlap", file);
         }
@@ -233,7 +235,7 @@ static enum wf_status read_short(char *text, struct wf_arena *a, struct wf_cavit
     if (!s) s = wf_quantity_read_as(u, text, WF_DIM_LENGTH, "m", &out->at, e);
     if (!s && !(out->at > 0 && out->at <= 150))
         s = wf_fail(e, WF_EINPUT, "'%.40s': the height is outside 0 to 150 m", text);
-    out->to = 2 * out->at;
+    out->to = 2 * out->at, out->to_assumed = true;
     bool number = strchr("0123456789.+-", *rest) && !strstr(rest, ".csv");
     if (!s && number) s = wf_quantity_read_as(u, rest, WF_DIM_LENGTH, "mm", &out->wall, e);
     if (!s && number && !(out->wall >= 1e-3 && out->wall <= 5))

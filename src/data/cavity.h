@@ -10,6 +10,7 @@ enum { WF_CAVITIES_MAX = 32, WF_RAYS_MIN = 6, WF_RAYS_MAX = 3600 };
 
 struct wf_cavity {
     double from, to; /* heights above the ground between which it is [m] */
+    bool to_assumed; /* twice `at`, or the stem's end where that is lower */
     double at;       /* height at which it was measured [m] */
     double wall; /* sound wall where it is concentric: radius of the wood less that of the cavity [m]; NAN: by
                     rays */

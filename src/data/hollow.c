@@ -116,7 +116,7 @@ static double leaves_at(const double centre[2], double angle)
 
 static void round_wall(struct wf_hollow *h, const double centre[2], double cavity, double start, double sweep)
 {
-    enum { STEPS = 720 };
+    enum { STEPS = 2880 };
     struct wall w = { .least = INFINITY, .open = h->open };
     double before[2] = { 0 }, thick = 0;
     for (int k = 0; k <= STEPS; k++) {
@@ -125,6 +125,8 @@ static void round_wall(struct wf_hollow *h, const double centre[2], double cavit
         if (k) add_wall(&w, before, at, thick, t);
         before[0] = at[0], before[1] = at[1], thick = t;
     }
+    double thinnest = fmod(atan2(centre[1], centre[0]) - start + 3 * WF_TURN, WF_TURN);
+    if (thinnest <= sweep) w.least = 1 - cavity - hypot(centre[0], centre[1]);
     h->wall = w.least;
     set_torsion(&w, h);
 }

@@ -253,10 +253,11 @@ static enum wf_status make_sections(struct hollowing *h, const struct wf_tree *t
         const struct wf_cavity *c = &h->m->cavity[k];
         double s = 0;
         int32_t row = stem_at(t, c->at, &s);
+        bool above = c->at > top || row < 0;
         (void)snprintf(text, sizeof text, "%g m is above the stem, which ends at %.4g m",
-                       c->to > top ? c->to : c->at, top);
-        if (c->to > top || row < 0) {
-            (void)mistake(c, c->at > top ? "at: " : "to: ", d, text), wrong = true;
+                       above ? c->at : c->to, top);
+        if (above || (c->to > top && !c->to_assumed)) {
+            (void)mistake(c, above ? "at: " : "to: ", d, text), wrong = true;
             continue;
         }
         for (size_t i = 0; i < t->n; i++) on[i] = false;
