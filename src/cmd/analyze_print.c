@@ -2,6 +2,8 @@
 #include "cmd/analyze_print.h"
 #include "base/num.h"
 #include "cmd/option.h"
+#include "data/cavity.h"
+#include "data/hollow.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "solve/solve.h"
@@ -262,8 +264,8 @@ static void print_cavity(FILE *to, const struct wf_analysis *an, const struct wf
     print_number(to, 1, 2, last->basic);
     wf_show(
         to,
-        "\n    least wall of a closed ring under the same moment, at 1.0 and 1.5 by bending strength, 1.5 by "
-        "the elastic limit:\n");
+        "\n    least wall of a closed ring under the same moment, for a safety of 1.0 and 1.5 by bending strength, 1.5 "
+        "by the elastic limit, splitting included:\n");
     for (size_t k = 0; k < an->n; k++) {
         wf_show(to, "%10.6g m/s", an->at[k].speed);
         for (int l = 0; l < WF_WALL_LIMITS; l++) print_wall(to, w, w->at[k].share[l]);

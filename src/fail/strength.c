@@ -6,9 +6,6 @@
 #include "fail/fail.h"
 #include <math.h>
 
-/* A wall of this share of its mean radius, or thicker, bends as a whole. */
-static const double thick_wall = 0.3;
-
 /* ---- Bending ---- */
 
 static bool bending_known(const struct wf_tree *t, size_t i) { return t->strength[i] > 0; }
@@ -69,7 +66,7 @@ static bool thin_wall(const struct wf_tree *t, size_t i)
                                               : !t->section->hollow || !t->section->hollow[i]))
         return false;
     return !wf_section_wall(t, i, 0).open &&
-           (wf_wall_share(t, i, 0) < thick_wall || wf_wall_share(t, i, 1) < thick_wall);
+           (wf_wall_share(t, i, 0) < WF_THICK_WALL || wf_wall_share(t, i, 1) < WF_THICK_WALL);
 }
 
 double wf_wall_splits(double youngs, double tangential, double share)

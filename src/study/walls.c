@@ -19,24 +19,30 @@ static double ring_stress(double moment, double axial, double radius, double sha
     return moment * radius / wf_ring_inertia(radius, inner) + (compressed ? -axial : fabs(axial)) / area;
 }
 
-double wf_wall_needed(double moment, double axial, double radius, double strength, bool compressed)
+/* Does the ring carry it with the required safety? */
+static bool holds(double moment, double axial, double radius, double share, const struct wf_ring_wood *w)
+{
+    double middle = radius * (1 - 0.5 * share), thin = share * radius / middle;
+    double nominal = w->required * moment / (WF_PI * middle * middle * share * radius);
+    if (w->required * ring_stress(moment, axial, radius, share, w->compressed) > w->strength) return false;
+    if (thin >= WF_THICK_WALL) return true;
+    return !(w->tangential > 0 && nominal > wf_wall_splits(w->youngs, w->tangential, thin)) &&
+           !(w->transverse > 0 && nominal > wf_wall_flattens(w->youngs, w->transverse, thin));
+}
+
+double wf_wall_needed(double moment, double axial, double radius, const struct wf_ring_wood *w)
 {
     double low = 0, high = 1;
-    if (!(strength > 0) || isnan(moment + axial)) return NAN;
-    if (!(ring_stress(moment, axial, radius, 1, compressed) <= strength)) return INFINITY;
-    while (high - low > 1e-12) { /* the stress falls as the wall grows */
+    if (!(w->strength > 0) || isnan(moment + axial)) return NAN;
+    if (!holds(moment, axial, radius, 1, w)) return INFINITY;
+    while (high - low > 1e-12) { /* stresses fall and limits rise as the wall grows */
         double middle = 0.5 * (low + high);
-        if (ring_stress(moment, axial, radius, middle, compressed) <= strength)
+        if (holds(moment, axial, radius, middle, w))
             high = middle;
         else
             low = middle;
     }
     return high;
-}
-
-static double strength_of(const struct wf_tree *t, size_t i, int limit)
-{
-    return limit == WF_WALL_YIELDS ? t->compressive[i] : t->strength[i];
 }
 
 /* A place of a row: its basic safety and the walls needed there. */
@@ -46,10 +52,24 @@ static void place_add(const struct wf_tree *t, size_t i, int end, double moment,
     double radius = wf_wood_end(t, i, end), stress = ring_stress(moment, axial, radius, 1, false);
     if (t->strength[i] > 0) out->basic = fmin(out->basic, t->strength[i] / stress);
     for (int l = 0; l < WF_WALL_LIMITS; l++) {
-        double share = wf_wall_needed(moment, axial, radius,
-                                      strength_of(t, i, l) / wf_wall_limits[l].required, l == WF_WALL_YIELDS);
-        out->share[l] = fmax(out->share[l], share); /* fmax leaves out NAN */
+        const struct wf_ring_wood wood = { .strength = l == WF_WALL_YIELDS ? t->compressive[i] : t->strength[i],
+                                           .compressed = l == WF_WALL_YIELDS,
+                                           .youngs = t->youngs[i],
+                                           .tangential = t->tangential[i],
+                                           .transverse = t->transverse[i],
+                                           .required = wf_wall_limits[l].required };
+        /* fmax leaves out NAN */
+        out->share[l] = fmax(out->share[l], wf_wall_needed(moment, axial, radius, &wood));
     }
+}
+
+/* Least safety of a row by the criteria that break it as a stem: bending, splitting, flattening. */
+static double row_safety(const struct wf_tree *t, const struct wf_breakage *b, size_t i)
+{
+    double least = t->strength[i] > 0 ? t->strength[i] / b->peak[i] : NAN;
+    if (b->use[WF_SPLITTING]) least = fmin(least, 1 / b->use[WF_SPLITTING][i]);
+    if (b->use[WF_OVALISATION]) least = fmin(least, 1 / b->use[WF_OVALISATION][i]);
+    return least;
 }
 
 static struct wf_wall_safety safety_at(const struct wf_tree *t, int32_t cavity, const struct wf_at_speed *at)
@@ -60,7 +80,7 @@ static struct wf_wall_safety safety_at(const struct wf_tree *t, int32_t cavity, 
         if (t->section->cavity[i] != cavity) continue;
         place_add(t, i, 0, b->bending0[i], b->axial0[i], &s);
         place_add(t, i, 1, b->bending1[i], b->axial1[i], &s);
-        if (t->strength[i] > 0) s.present = fmin(s.present, t->strength[i] / b->peak[i]);
+        s.present = fmin(s.present, row_safety(t, b, i));
     }
     return s;
 }

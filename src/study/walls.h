@@ -7,9 +7,9 @@
 
 /* Safety for which a least wall is given. */
 enum wf_wall_limit_id {
-    WF_WALL_BREAKS,  /* 1.0 by the modulus of rupture    */
-    WF_WALL_BREAKS2, /* 1.5 by the modulus of rupture    */
-    WF_WALL_YIELDS,  /* 1.5 by the compressive strength  */
+    WF_WALL_BREAKS,  /* 1.0 by the modulus of rupture   */
+    WF_WALL_BREAKS2, /* 1.5 by the modulus of rupture   */
+    WF_WALL_YIELDS,  /* 1.5 by the compressive strength */
     WF_WALL_LIMITS
 };
 struct wf_wall_limit {
@@ -21,8 +21,8 @@ extern const struct wf_wall_limit wf_wall_limits[WF_WALL_LIMITS];
 /* One cavity at one wind speed, at the place within it where that is least. NAN: no equilibrium, or no
  * strength. */
 struct wf_wall_safety {
-    double basic;                 /* of the same section without the cavity, under the same load [-] */
-    double present;               /* with it [-]                                                      */
+    double basic;                 /* by bending, of the section without the cavity, under the same load [-] */
+    double present;               /* with it: least of bending and, of a closed thin wall, splitting and flattening */
     double share[WF_WALL_LIMITS]; /* least wall over the radius of the wood [-]; INFINITY: not even a solid
                                      stem */
 };
@@ -46,8 +46,16 @@ struct wf_walls {
 enum wf_status wf_walls_assess(const struct wf_analysis *an, struct wf_arena *a, struct wf_walls **out,
                                size_t *n, struct wf_err *e);
 
-/* Least wall over the radius of the wood at which a ring carries moment and axial force (tension positive)
- * with that safety. Given: radius [m], strength [Pa], whether the compressed side alone counts. INFINITY: not
- * even solid. */
-double wf_wall_needed(double moment, double axial, double radius, double strength, bool compressed);
+/* Wood of a ring, and the safety that is required. */
+struct wf_ring_wood {
+    double strength;   /* in bending [Pa]                                              */
+    bool compressed;   /* the strength is of the compressed side alone                 */
+    double youngs, tangential, transverse; /* for splitting and flattening, as struct wf_tree [Pa]; 0: not known */
+    double required;   /* [-] */
+};
+/* Least wall over the outer radius at which a closed ring carries moment and axial force (tension positive) with
+ * the required safety against bending and, where its wall is thin (t below 0.3 of the mean radius) and the wood's
+ * values are known, splitting and flattening (fail/strength.c). Given: radius [m]. INFINITY: not even solid; NAN:
+ * strength not known. */
+double wf_wall_needed(double moment, double axial, double radius, const struct wf_ring_wood *w);
 #endif
