@@ -123,19 +123,23 @@ static const struct wf_yaml_table list_table = { .title = "a list of cavities", 
 
 /* ---- Rays ---- */
 
-static void check_ray(struct wf_csv *c, const struct wf_cavity *r, const size_t column[3])
+static const double most_gap = WF_TURN / 6 * (1 + 1e-9); /* between two rays [rad] */
+
+/* Report what is wrong with the last ray. Returned: whether the next is to be compared with it. */
+static bool check_ray(struct wf_csv *c, const struct wf_cavity *r, const size_t column[3])
 {
     size_t k = r->rays;
     double before = k ? r->angle[k - 1] : r->angle[0], gap = r->angle[k] - before;
-    if (k && !(gap > 0))
-        wf_csv_mistake(c, column[0],
-                       "%g deg does not follow the %g deg before; sort the rays by angle, each once",
-                       360 / WF_TURN * r->angle[k], 360 / WF_TURN * before);
-    if (gap > WF_TURN / 6)
-        wf_csv_mistake(c, column[0], "leaves a gap of %.4g deg after the ray before; at most 60 deg",
-                       360 / WF_TURN * gap);
     if (r->sound[k] > r->outer[k])
         wf_csv_mistake(c, column[2], "%g m is beyond the outline at %g m", r->sound[k], r->outer[k]);
+    if (gap > most_gap)
+        wf_csv_mistake(c, column[0], "leaves a gap of %.4g deg after the ray before; at most 60 deg",
+                       360 / WF_TURN * gap);
+    if (!k || gap > 0) return true;
+    wf_csv_mistake(c, column[0],
+                   "%g deg does not follow the %g deg before; sort the rays by angle, each once",
+                   360 / WF_TURN * r->angle[k], 360 / WF_TURN * before);
+    return false;
 }
 
 static void read_rays(struct wf_csv *c, struct wf_units *u, struct wf_cavity *r, struct wf_err *e)
@@ -149,8 +153,7 @@ static void read_rays(struct wf_csv *c, struct wf_units *u, struct wf_cavity *r,
         (void)wf_column_number(c, column[0], factor[0], -WF_TURN, 2 * WF_TURN, &r->angle[k]);
         (void)wf_column_number(c, column[1], factor[1], 1e-3, 10, &r->outer[k]);
         (void)wf_column_number(c, column[2], factor[2], 0, 10, &r->sound[k]);
-        if (c->mistakes == before) check_ray(c, r, column);
-        if (c->mistakes == before) r->rays++;
+        if (c->mistakes == before && check_ray(c, r, column)) r->rays++;
     }
     if (c->mistakes) return;
     char text[160] = "";
@@ -159,7 +162,7 @@ static void read_rays(struct wf_csv *c, struct wf_units *u, struct wf_cavity *r,
         (void)snprintf(text, sizeof text, "%zu rays; a section needs at least %d", r->rays, (int)WF_RAYS_MIN);
     else if (wf_csv_next(c))
         (void)snprintf(text, sizeof text, "more than %d rays", (int)WF_RAYS_MAX);
-    else if (!(closing > 0 && closing <= WF_TURN / 6))
+    else if (!(closing > 0 && closing <= most_gap))
         (void)snprintf(
             text, sizeof text,
             "the section is not closed: from the last ray to the first are %.4g deg; more than 0 and at "
