@@ -7,6 +7,7 @@
 <xsl:import href="page.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
+<xsl:include href="criteria.xsl"/>
 <xsl:include href="directions.xsl"/>
 <xsl:include href="cavities.xsl"/>
 <xsl:include href="inputs.xsl"/>
@@ -289,6 +290,7 @@
           <xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="result-tables"/>
+        <xsl:call-template name="criteria-table"/>
         <xsl:if test="$trees/cavities/item"><xsl:call-template name="cavity-tables"/></xsl:if>
         <xsl:if test="$trees/wetted"><xsl:call-template name="wetted-table"/></xsl:if>
         <xsl:if test="$trees[1]/directions/number">

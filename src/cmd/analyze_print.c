@@ -2,15 +2,13 @@
 #include "cmd/analyze_print.h"
 #include "base/num.h"
 #include "cmd/option.h"
-#include "data/cavity.h"
-#include "data/hollow.h"
+#include "cmd/print_walls.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
 #include "study/peak.h"
-#include "study/walls.h"
 #include "study/wetted.h"
 #include "wind/category.h"
 #include "wind/climate.h"
@@ -162,6 +160,17 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
     fputc('\n', to);
 }
 
+/* Stress of the weight alone in the segment that breaks first. */
+static void print_weight(FILE *to, const struct wf_analysis *an, const struct wf_break *b)
+{
+    if (!an->still || b->row < 0) return;
+    double stress = an->still->breakage.peak[b->row], strength = an->tree.strength[b->row];
+    wf_show(to, "  at rest its weight alone stresses this segment to %.3g MPa, %.0f %% of its strength%s\n",
+            stress / 1e6, 100 * stress / strength,
+            an->scenario.weight_unstressed ? ", which is not counted: unsafe for leaning trees and limbs"
+                                           : "");
+}
+
 void wf_print_site(FILE *to, const struct wf_scenario *s)
 {
     const struct wf_wind_place at = wf_scenario_place(s);
@@ -236,52 +245,83 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
     wf_show(to, "\n");
 }
 
-static void print_wall(FILE *to, const struct wf_walls *w, double share)
+/* The stem by one criterion: at a given wind, and the wind in which it is reached. */
+static void print_criterion(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at, int c)
 {
-    if (isinf(share))
-        wf_show(to, "%19s", "not even solid");
-    else if (isnan(share))
-        wf_show(to, "%19s", "-");
+    const struct wf_criterion *x = &wf_criteria[c];
+    const struct wf_worst *w = &at->worst[c][WF_SCOPE_STEM];
+    const struct wf_critical *k = &an->breaks[c][WF_SCOPE_STEM].critical;
+    double resistance = wf_criterion_resistance(x, &an->tree, w);
+    wf_show(to, "%18s", x->name);
+    print_number(to, 9, 2, w->safety);
+    wf_show(to, "%8.3g", fmax(1.0, x->required));
+    if (k->outcome == WF_CRITICAL_ABOVE)
+        wf_show(to, "%9s%-5.4g", "> ", k->speed_high);
     else
-        wf_show(to, "%8.0f mm (%.3f)", 1e3 * w->radius * share, share);
+        print_number(to, 14, 2, k->speed);
+    print_number(to, 8, 1, wf_scenario_gust(&an->scenario, k->speed));
+    print_number(to, 8, 2, w->row < 0 ? NAN : wf_between(an->tree.z0[w->row], an->tree.z1[w->row], w->place));
+    print_number(to, 10, 2, 1e-6 * resistance / w->safety);
+    print_number(to, 10, 2, 1e-6 * resistance);
+    fputc('\n', to);
 }
 
-/* One cavity: what it takes, and the least wall by wind. */
-static void print_cavity(FILE *to, const struct wf_analysis *an, const struct wf_walls *w)
+/* Criteria that apply to the stem and want a value that the species table does not give. */
+static void print_unassessed(FILE *to, const struct wf_analysis *an)
 {
-    const struct wf_wall_safety *last = &w->at[an->n - 1];
-    wf_show(to, "  cavity at %g m: thinnest wall %.0f mm of %.0f mm wood radius (t/R %.3f)%s\n",
-            w->cavity->at, 1e3 * w->wall, 1e3 * w->radius, w->wall / w->radius,
-            w->hollow->open ? ", open: upper bound, cracking at the opening not assessed" : "");
-    wf_show(to,
-            "    strength loss %.0f %% with the wind, at most %.0f %% (towards %.0f deg); stiffness loss "
-            "%.0f %%; "
-            "safety at %.6g m/s ",
-            100 * w->with_wind, 100 * w->strength_loss, degrees(w->worst), 100 * w->stiffness_loss,
-            an->at[an->n - 1].speed);
-    print_number(to, 1, 2, last->present);
-    wf_show(to, ", without the cavity ");
-    print_number(to, 1, 2, last->basic);
-    wf_show(
-        to,
-        "\n    least wall of a closed ring under the same moment, for a safety of 1.0 and 1.5 by bending strength, 1.5 "
-        "by the elastic limit, splitting included:\n");
-    for (size_t k = 0; k < an->n; k++) {
-        wf_show(to, "%10.6g m/s", an->at[k].speed);
-        for (int l = 0; l < WF_WALL_LIMITS; l++) print_wall(to, w, w->at[k].share[l]);
-        fputc('\n', to);
+    const char *before = "  not assessed: ";
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_criterion *x = &wf_criteria[c];
+        if (!x->section || wf_criterion_known(x, &an->tree, WF_SCOPE_STEM) ||
+            !wf_criterion_applies(x, &an->tree, WF_SCOPE_STEM))
+            continue;
+        wf_show(to, "%s%s (the species has no %s)", before, x->name, x->wants);
+        before = ", ";
     }
+    if (*before == ',') fputc('\n', to);
 }
 
-static void print_cavities(FILE *to, const struct wf_analysis *an)
+/* Which limit of a thin wall is reached first, and what it is with the low end of the strength across the
+ * grain. */
+static void print_wall(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at)
 {
-    struct wf_arena scratch = { 0 };
-    struct wf_err e = { 0 };
-    struct wf_walls *w;
-    size_t n;
-    if (wf_walls_assess(an, &scratch, &w, &n, &e)) wf_show(to, "  cavities: %s\n", e.text), n = 0;
-    for (size_t k = 0; k < n; k++) print_cavity(to, an, &w[k]);
-    wf_arena_free(&scratch);
+    static const enum wf_criterion_id limit[] = { WF_BREAKAGE, WF_SPLITTING, WF_OVALISATION };
+    static const char *const does[] = { "breaks in bending", "splits", "flattens" };
+    const struct wf_value *strength = &an->species->level[0].tangential_strength;
+    double least = INFINITY;
+    size_t first = 0;
+    for (size_t k = 0; k < WF_COUNT(limit); k++) {
+        double safety = at->worst[limit[k]][WF_SCOPE_STEM].safety;
+        if (safety < least) least = safety, first = k;
+    }
+    if (!wf_criterion_known(&wf_criteria[WF_SPLITTING], &an->tree, WF_SCOPE_STEM) || isinf(least)) return;
+    const struct wf_critical *k = &an->breaks[limit[first]][WF_SCOPE_STEM].critical;
+    wf_show(to, "  of the three limits of the thin wall the least governs: it %s first", does[first]);
+    if (k->outcome == WF_CRITICAL_FOUND)
+        wf_show(to, ", at %.2f m/s, 3-s gust %.1f m/s", k->speed, wf_scenario_gust(&an->scenario, k->speed));
+    wf_show(to, "; splitting with the low end of tangential_strength, %.3g MPa: safety %.2f\n",
+            1e-6 * strength->low,
+            at->worst[WF_SPLITTING][WF_SCOPE_STEM].safety * sqrt(strength->low / strength->value));
+}
+
+/* Criteria of the stem, at the strongest given wind that has a solution. */
+static void print_criteria(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_branch_strength *b = an->branch_strength;
+    size_t last = an->n;
+    while (last > 0 && an->at[last - 1].status) last--;
+    if (last == 0 || !wf_criterion_known(&wf_criteria[WF_BREAKAGE], &an->tree, WF_SCOPE_STEM)) return;
+    const struct wf_at_speed *at = &an->at[last - 1];
+    wf_show(to,
+            "\n  Stem by criteria; safety, place and stresses at %.6g m/s\n%18s%9s%8s%14s%8s%8s%10s%10s\n",
+            at->speed, "", "safety", "wanted", "critical m/s", "gust", "at m", "stress", "bears MPa");
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_STEM)) print_criterion(to, an, at, c);
+    print_unassessed(to, an);
+    print_wall(to, an, at);
+    if (b && b->source && wf_criterion_known(&wf_criteria[WF_BREAKAGE], &an->tree, WF_SCOPE_BRANCHES))
+        wf_show(to, "  branches bear at most %.2f of the stem's clear wood: %s (%s)\n", b->factor, b->text,
+                b->source);
 }
 
 void wf_print_searched(FILE *to, const struct wf_analysis *an)
@@ -295,9 +335,12 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
             to,
             "  safety of 1 or less: broken before; the row shows what a tree that cannot break would do\n");
     print_critical(to, an, "critical wind speed", &b[WF_SCOPE_TREE]);
+    print_weight(to, an, &b[WF_SCOPE_TREE]);
     if (b[WF_SCOPE_TREE].row >= 0 && an->tree.level[b[WF_SCOPE_TREE].row] > 0)
-        print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]);
-    print_cavities(to, an);
+        print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]),
+            print_weight(to, an, &b[WF_SCOPE_STEM]);
+    print_criteria(to, an);
+    wf_print_walls(to, an);
     print_wetted(to, an->wetted);
     print_directions(to, an);
 }

@@ -35,7 +35,7 @@ struct analyze_options {
     struct wf_averaging averaging;   /* with the climate */
     struct wf_profile_words profile; /* with the map of the ground */
     struct wf_peak_asked peak;
-    const char *output, *solver, *preset, *shelter;
+    const char *output, *solver, *preset, *shelter, *branch_strength;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
     double azimuth, north;           /* [rad]                                     */
@@ -44,6 +44,7 @@ struct analyze_options {
     double search_to, search_time;   /* [m/s], NAN: the library's default; [s]    */
     double mesh_tolerance;           /* [-]                                       */
     const char *storage;             /* row of wf_storages                         */
+    const char *weight_stress;       /* "total" or "change"                        */
     double snow, snow_density, ice;  /* [m], [kg m-3], [m]; NAN: not given        */
     double water_film, rain;         /* [m], [m/s]; NAN: not given                */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
@@ -151,6 +152,7 @@ const struct wf_option wf_analyze_options[] = {
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_PEAK_ROWS(peak),
+    WF_BRANCH_STRENGTH_ROW(branch_strength),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
@@ -186,6 +188,9 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
+    CHOICE("--weight-stress", weight_stress, "PART", "total|change", "total",
+           "total: stresses of weight and wind together; change: without those that the weight makes at rest, "
+           "which is unsafe for leaning trees and limbs"),
     NUMBER("--snow", snow, "DEPTH", LENGTH, "cm", 0, 500, NULL,
            "snow on the crown, on its area seen from above: added mass"),
     NUMBER("--snow-density", snow_density, "DENSITY", DENSITY, "kg/m3", 10, 917, "150",
@@ -293,6 +298,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     if (status) return status;
     s->winds_said = o->args.winds_said;
     s->azimuth = o->azimuth;
+    s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;
     if (o->rain > 0) s->water = wf_storage_named(o->storage)->film;
@@ -304,6 +310,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
         s->air_density = s->design->air; /* the code's pressure at its wind */
     if (!(s->gust_factor > 0.0)) s->gust_factor = o->averaging.gust;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
+    s->branch_strength = o->branch_strength;
     wf_search_default(&out->search);
     if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
     out->search.seconds = o->search_time;

@@ -11,6 +11,7 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                       .source = "elementary bending: Timoshenko S. 1955. Strength of Materials I",
                       .validity = "sound, round stems and branches; torsion is not included",
                       .loses_tree = true,
+                      .wants = "modulus_of_rupture",
                       .section = &wf_section_rules[WF_RULE_BENDING] },
     [WF_ELASTIC_LIMIT] = { .name = "elastic-limit",
                            .source =
@@ -20,11 +21,13 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                                "green wood; the compressive strength of standard tests is taken as the "
                                "limit; a required safety of 1.5 is this program's rule",
                            .required = 1.5,
+                           .wants = "compressive_strength",
                            .section = &wf_section_rules[WF_RULE_ELASTIC] },
     [WF_TORSION] = { .name = "torsion",
                      .source = "quadratic interaction of bending and shear stress (assumed)",
                      .validity = "sound, round stems and branches",
                      .loses_tree = true,
+                     .wants = "modulus_of_rupture",
                      .section = &wf_section_rules[WF_RULE_TORSION] },
     [WF_SPLITTING] = { .name = "splitting",
                        .source =
@@ -32,6 +35,7 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                            "Soc. Open Sci. 4:160972",
                        .validity = TUBE,
                        .loses_tree = true,
+                       .wants = "tangential_strength",
                        .section = &wf_section_rules[WF_RULE_SPLITTING] },
     [WF_OVALISATION] = { .name = "ovalisation",
                          .source =
@@ -39,6 +43,7 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                              "al. 2017, R. Soc. Open Sci. 4:160972",
                          .validity = TUBE,
                          .loses_tree = true,
+                         .wants = "tangential_modulus",
                          .section = &wf_section_rules[WF_RULE_OVALISATION] },
 };
 
@@ -65,6 +70,20 @@ double wf_criterion_safety(const struct wf_criterion *c, const struct wf_tree *t
     if (!b->use[id] || isnan(b->use[id][row])) return NAN;
     *place = b->use_place[id][row];
     return safety_of(1, b->use[id][row]);
+}
+
+double wf_criterion_resistance(const struct wf_criterion *c, const struct wf_tree *t,
+                               const struct wf_worst *at)
+{
+    return c->section && at->row >= 0 ? c->section->resistance(t, (size_t)at->row, at->place) : NAN;
+}
+
+bool wf_criterion_applies(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (wf_scope_holds(scope, t, i) && (!c->section || !c->section->applies || c->section->applies(t, i)))
+            return true;
+    return false;
 }
 
 bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope)

@@ -58,6 +58,15 @@ enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_respon
                                  const struct wf_breakage *like, struct wf_arena *a, struct wf_breakage *out,
                                  struct wf_err *e);
 
+/* Forces and moments of a response less those of the same tree at rest, turned with each section. Given: the
+ * response and the state at rest. Returned: *out, in the arena; all but forces and moments of sections are
+ * those of `r`. Use: stresses as strain gauges show them that were set to zero in place. Method: a section's
+ * turn from the state at rest is that of the row's end it is on; at the ground, that of the axis. Errors:
+ * WF_ENOMEM, WF_EINTERNAL (responses of different trees). */
+enum wf_status wf_response_change(const struct wf_tree *t, const struct wf_response *rest,
+                                  const struct wf_response *r, struct wf_arena *a, struct wf_response *out,
+                                  struct wf_err *e);
+
 /* ---- Criteria ---- */
 
 /* The place nearest to failure. Utilisation is 1 / safety. */
@@ -74,7 +83,8 @@ struct wf_worst {
 /* A criterion of a section: at place s of a row (0 = base, 1 = end) a stress is compared with a resistance.
  */
 struct wf_section_rule {
-    bool (*known)(const struct wf_tree *t, size_t row); /* is the resistance known? */
+    bool (*applies)(const struct wf_tree *t, size_t row); /* NULL: to every row */
+    bool (*known)(const struct wf_tree *t, size_t row);   /* does it apply, with a known resistance? */
     double (*stress)(const struct wf_tree *t, size_t row, double s, const struct wf_section_load *l);
     double (*resistance)(const struct wf_tree *t, size_t row, double s);
 };
@@ -101,8 +111,9 @@ double wf_wall_flattens(double youngs, double transverse, double share);
 
 struct wf_criterion {
     const char *name, *source, *validity;
-    bool loses_tree; /* the tree is lost where the stem fails by it, so that it can make the headline */
-    double required; /* safety that practice wants [-]; 0: 1 */
+    const char *wants; /* key of the species table by which the resistance is known; NULL: none */
+    bool loses_tree;   /* the tree is lost where the stem fails by it, so that it can make the headline */
+    double required;   /* safety that practice wants [-]; 0: 1 */
     const struct wf_section_rule *section; /* criterion of sections; NULL: of the whole tree */
     /* Where `section` is NULL: is the resistance of a row known? Ask wf_criterion_knows. */
     bool (*known)(const struct wf_tree *t, size_t row);
@@ -122,6 +133,13 @@ bool wf_criterion_knows(const struct wf_criterion *c, const struct wf_tree *t, s
 double wf_criterion_safety(const struct wf_criterion *c, const struct wf_tree *t, const struct wf_response *r,
                            const struct wf_breakage *b, size_t row, double *place);
 
+/* Resistance at a place of a row: the stress that it bears [Pa]. NAN: of the whole tree, or no place. */
+double wf_criterion_resistance(const struct wf_criterion *c, const struct wf_tree *t,
+                               const struct wf_worst *at);
+
+/* Does it apply to a row of a scope? Splitting and ovalisation are of thin walls alone. */
+bool wf_criterion_applies(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope);
+
 /* Is the resistance of at least one row of a scope known? */
 bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope);
 
@@ -129,6 +147,23 @@ bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, e
  * no equilibrium was found. Returned: worst[criterion][scope]; without a response safety NAN and row -1. */
 void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
                        struct wf_worst (*worst)[WF_SCOPES]);
+
+/* ---- Strength of branches ---- */
+
+/* What branches bear over the clear wood of their stem: all strengths along the grain of a branch are at most
+ * `factor` times those of clear stem wood. The modulus of rupture of the table stays where it is less, which
+ * holds for thin branches; the knot factor of the stem does not enter. */
+struct wf_branch_strength {
+    const char *name, *text, *source;
+    double factor; /* [-]; 1: as in the species table */
+};
+extern const struct wf_branch_strength wf_branch_strengths[]; /* end at name == NULL */
+
+struct wf_species;
+/* Limit the strength of the branches of a tree. Given: name of a row, NULL: over-bark; full for a table or a
+ * preset that repeats a publication. Returned: the row used. */
+const struct wf_branch_strength *wf_branches_limit(const char *name, const struct wf_species *sp,
+                                                   struct wf_tree *t);
 
 /* ---- Critical wind speed ---- */
 

@@ -110,9 +110,9 @@ static double ovalisation_limit(const struct wf_tree *t, size_t i, double s)
 }
 
 const struct wf_section_rule wf_section_rules[WF_SECTION_RULES] = {
-    [WF_RULE_BENDING] = { bending_known, bending_stress, bending_strength },
-    [WF_RULE_ELASTIC] = { elastic_known, elastic_stress, elastic_limit },
-    [WF_RULE_TORSION] = { torsion_known, torsion_stress, bending_strength },
-    [WF_RULE_SPLITTING] = { splitting_known, nominal_stress, splitting_limit },
-    [WF_RULE_OVALISATION] = { ovalisation_known, nominal_stress, ovalisation_limit },
+    [WF_RULE_BENDING] = { NULL, bending_known, bending_stress, bending_strength },
+    [WF_RULE_ELASTIC] = { NULL, elastic_known, elastic_stress, elastic_limit },
+    [WF_RULE_TORSION] = { NULL, torsion_known, torsion_stress, bending_strength },
+    [WF_RULE_SPLITTING] = { thin_wall, splitting_known, nominal_stress, splitting_limit },
+    [WF_RULE_OVALISATION] = { thin_wall, ovalisation_known, nominal_stress, ovalisation_limit },
 };

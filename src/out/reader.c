@@ -26,7 +26,7 @@ static const struct {
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
     { FLAG, "open conifer damping_known staged as_printed converged energy estimated given nuisance priors "
-            "searched_to_the_end "
+            "searched_to_the_end applies loses_tree "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
     { LIST, "cavities wall_limits least_walls_mm outline_x_mm outline_y_mm at classes_m_s criteria figures "
             "files findings hours_a_year_above methods move_m "
@@ -37,8 +37,8 @@ static const struct {
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
     { NUMBER, "at_m from_m to_m wood_radius_mm thinnest_wall_mm strength_loss worst_towards_deg "
-              "strength_loss_with_wind stiffness_loss safety_basic safety_present wall_share required aicc "
-              "arriving_ratio asked base_moment_open_N_m base_moment_own_N_m beam bootstrap_high "
+              "strength_loss_with_wind stiffness_loss safety_basic safety_present wall_share wall_safety "
+              "aicc arriving_ratio asked base_moment_open_N_m base_moment_own_N_m beam bootstrap_high "
               "bootstrap_low bound_high bound_low cell_m chi_square coherence_error components "
               "covered_m2 damping damping_sd deviation_m_s flux_ratio frequency frequency_sd from_deg "
               "front_m gain got gust_factor gust_period_s gust_periods gust_window_s "
@@ -59,6 +59,7 @@ static const struct {
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
+      "branch_strength factor required_safety resistance stress "
       "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
       "load_factor_branches "
       "sway_frequency participation modal_mass damping_total damping_air turbulence background resonance "
@@ -71,11 +72,11 @@ static const struct {
       "least_safety lift load_factor main_from method moved north position provenance "
       "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
       "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
-      "strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
+      "weight_stress strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,
-      "form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
+      "wants form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin loss meaning name "
       "name_zh note outcome outcome_text part path preset profile profile_file program quantity "

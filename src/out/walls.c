@@ -32,7 +32,7 @@ static json_t *limits_part(struct wf_doc *d, const struct wf_analysis *an, const
     for (int l = 0; l < WF_WALL_LIMITS; l++) {
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
         wf_doc_text(d, o, "criterion", wf_wall_limits[l].criterion);
-        wf_doc_number(d, o, "required", wf_wall_limits[l].required);
+        wf_doc_number(d, o, "wall_safety", wf_wall_limits[l].required);
         wf_doc_number(d, o, "wall_share", w->at[an->n - 1].share[l]);
         json_t *walls = wf_doc_put(d, o, "least_walls_mm", wf_doc_array(d));
         for (size_t k = 0; k < an->n; k++) {

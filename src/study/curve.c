@@ -382,11 +382,11 @@ static double yardstick(const double v[WF_TOTALS], const double size[WF_TOTALS],
 }
 
 /* Largest relative difference of two sets of totals. Given: size[WF_TOTALS], the largest value of each total
- * on the curve. */
+ * on the curve. Of the criteria the first counts, of which curves are drawn. */
 static double totals_apart(const double a[WF_TOTALS], const double b[WF_TOTALS], const double size[WF_TOTALS])
 {
     double worst = 0.0;
-    for (int k = 0; k < WF_TOTALS; k++) {
+    for (int k = 0; k < WF_TOTAL_UTILISATION + WF_SCOPES; k++) {
         double off = fabs(b[k] - a[k]) / yardstick(a, size, k);
         if (isfinite(a[k]) && size[k] > 0.0) worst = fmax(worst, isfinite(off) ? off : INFINITY);
     }
@@ -534,7 +534,14 @@ static void fill_sloped(const struct sloped *c, struct wf_at_speed *row)
     if (row->speed == speed) return;
     row->speed = speed;
     row->interpolated = true;
-    if (row->status || i + 1 == c->n) return;
+    if (row->status) return;
+    if (i + 1 == c->n) { /* the last row, which was left out, because this node is close below it */
+        const struct wf_node *last = c->node[i];
+        wf_totals_read(&last->at, v);
+        for (int q = 0; q < WF_TOTALS; q++) v[q] += (speed - last->at.speed) * last->slope[q];
+        wf_totals_write(v, c->an->tallness, row);
+        return;
+    }
     totals_between(&c->an->tree, c->node[i], c->node[i + 1], speed, v, other);
     wf_totals_write(v, c->an->tallness, row);
 }
