@@ -171,8 +171,8 @@ static void read_rays(struct wf_csv *c, struct wf_units *u, struct wf_cavity *r,
     if (*text) wf_csv_report(c, c->row_line, 0, text);
 }
 
-enum wf_status wf_cavity_rays_read(const char *path, struct wf_arena *a, struct wf_cavity *out,
-                                   struct wf_diag *d, struct wf_err *e)
+static enum wf_status cavity_rays_read(const char *path, struct wf_arena *a, struct wf_cavity *out,
+                                       struct wf_diag *d, struct wf_err *e)
 {
     struct wf_csv csv = { 0 };
     struct wf_units *units = NULL;
@@ -217,7 +217,7 @@ enum wf_status wf_cavities_settle(const char *file, struct wf_cavity *list, size
         const char *path = beside(file, c->rays_file, a);
         struct wf_err why = { 0 };
         enum wf_status s =
-            path ? wf_cavity_rays_read(path, a, c, d, &why) : wf_fail(&why, WF_ENOMEM, "%s: no memory", file);
+            path ? cavity_rays_read(path, a, c, d, &why) : wf_fail(&why, WF_ENOMEM, "%s: no memory", file);
         if (s && !d->errors) wf_diag_error(d, c->file, c->line, c->column, "rays: %s", why.text);
         if (s && !worst) worst = wf_fail(e, s, "%s", why.text);
     }
@@ -244,7 +244,7 @@ static enum wf_status read_short(char *text, struct wf_arena *a, struct wf_cavit
     if (!s && number && !(out->wall >= 1e-3 && out->wall <= 5))
         s = wf_fail(e, WF_EINPUT, "'%.40s': the wall is outside 1 mm to 5 m", rest);
     wf_units_close(u);
-    if (!s && !number) s = wf_cavity_rays_read(rest, a, out, d, e);
+    if (!s && !number) s = cavity_rays_read(rest, a, out, d, e);
     return s;
 }
 

@@ -27,13 +27,9 @@ struct wf_cavity {
 
 extern const struct wf_yaml_table wf_cavity_table; /* struct wf_cavity */
 
-/* A tomograph's section, a CSV with the columns angle_deg, outer_m and sound_m, a ray a row: direction
- * anticlockwise from +x, the model's azimuth; distance of the stem's surface, bark included; distance at
- * which sound wood begins, 0: sound to the axis, as far as outer: no wall. Angles ascend within a turn, no
- * gap is above 60 degrees. Returned: the rays of *out. Errors: WF_EINPUT with every mistake in `d`;
- * WF_ENOMEM. */
-enum wf_status wf_cavity_rays_read(const char *path, struct wf_arena *a, struct wf_cavity *out,
-                                   struct wf_diag *d, struct wf_err *e);
+/* Rays are a CSV with the columns angle_deg, outer_m and sound_m, a ray a row: direction anticlockwise from
+ * +x; distance of the stem's surface, bark included; distance at which sound wood begins, 0: sound to the
+ * axis, as far as outer: no wall. Angles ascend within a turn, no gap is above 60 degrees. */
 
 /* Cavities of a command line, separated by commas: AT:WALL ("1.3m:80mm"), AT:FILE with rays, or a YAML file
  * with a list 'cavities' as in a model. Returned: *n cavities with their rays. Errors as above. */
