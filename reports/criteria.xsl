@@ -3,6 +3,32 @@
 <!-- The stem by criteria: at the strongest wind that has an answer, and the wind at which each is reached. -->
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform">
 
+<!-- At which wind the stem is lost by a criterion of its sections other than breakage. The context is a tree. -->
+<xsl:template name="section-first">
+  <xsl:variable name="of" select="verdict/criterion"/>
+  <xsl:variable name="section" select="criteria/item[criterion = $of and scope = 'stem']/governing_section"/>
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">
+      <xsl:text>sum.</xsl:text>
+      <xsl:if test="verdict/outcome = 'found'"><xsl:value-of select="concat($of, '.')"/></xsl:if>
+      <xsl:value-of select="verdict/outcome"/>
+    </xsl:with-param>
+    <xsl:with-param name="a">
+      <xsl:call-template name="wind-of"><xsl:with-param name="of" select="verdict"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="b"><xsl:call-template name="place">
+      <xsl:with-param name="height" select="$section/height/value"/><xsl:with-param name="section" select="$section"/>
+    </xsl:call-template></xsl:with-param>
+    <xsl:with-param name="c"><xsl:call-template name="wind-of">
+      <xsl:with-param name="of" select="verdict"/><xsl:with-param name="gust" select="1"/>
+    </xsl:call-template></xsl:with-param>
+    <xsl:with-param name="d">
+      <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/scenario/wind_height/value"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="e" select="$trees[1]/scenario/wind_terrain"/>
+  </xsl:call-template>
+</xsl:template>
+
 <xsl:template name="criterion-name">
   <xsl:call-template name="term">
     <xsl:with-param name="id" select="concat('criterion.', criterion)"/><xsl:with-param name="otherwise" select="criterion"/>
@@ -106,7 +132,7 @@
 </xsl:template>
 
 <xsl:template name="criteria-table">
-  <xsl:if test="$trees/criteria/item[scope = 'stem' and wants and outcome != 'no-strength']">
+  <xsl:if test="$trees/criteria/item[scope = 'stem' and wants != '' and outcome != 'no-strength']">
     <xsl:variable name="k" select="count($trees[1]/winds/item[status = 'ok'][last()]/preceding-sibling::item) + 1"/>
     <table class="data">
       <xsl:call-template name="caption">
@@ -126,7 +152,7 @@
       </tr></thead>
       <tbody>
         <xsl:for-each select="$trees">
-          <xsl:for-each select="criteria/item[scope = 'stem' and wants and outcome != 'no-strength']">
+          <xsl:for-each select="criteria/item[scope = 'stem' and wants != '' and outcome != 'no-strength']">
             <xsl:call-template name="criterion-row"><xsl:with-param name="k" select="$k"/></xsl:call-template>
           </xsl:for-each>
         </xsl:for-each>

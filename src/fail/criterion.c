@@ -5,15 +5,22 @@
 #define TUBE                                                                                                 \
     "closed rings with a wall below 0.3 of the mean radius; diaphragms of culms are left out, which would "  \
     "stiffen them"
+#define OVERTURNING "statics of the whole tree; the anchorage has a source of its own"
+#define SATURATED "camphor near saturation, 35 to 50 % less: Forests 2022, 13:1875"
+#define STATIC                                                                                               \
+    "static, an upper bound in a gale: gusts loosen roots; the moment is that of the bent tree with its "    \
+    "weight"
 
 const struct wf_criterion wf_criteria[WF_CRITERIA] = {
     [WF_BREAKAGE] = { .name = "breakage",
+                      .event = "breaks",
                       .source = "elementary bending: Timoshenko S. 1955. Strength of Materials I",
                       .validity = "sound, round stems and branches; torsion is not included",
                       .loses_tree = true,
                       .wants = "modulus_of_rupture",
                       .section = &wf_section_rules[WF_RULE_BENDING] },
     [WF_ELASTIC_LIMIT] = { .name = "elastic-limit",
+                           .event = "yields",
                            .source =
                                "arborists' statics: the compressed side yields first; Detter et al. 2015, "
                                "quoted by sag-baumstatik.org",
@@ -24,12 +31,14 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                            .wants = "compressive_strength",
                            .section = &wf_section_rules[WF_RULE_ELASTIC] },
     [WF_TORSION] = { .name = "torsion",
+                     .event = "breaks, bent and twisted,",
                      .source = "quadratic interaction of bending and shear stress (assumed)",
                      .validity = "sound, round stems and branches",
                      .loses_tree = true,
                      .wants = "modulus_of_rupture",
                      .section = &wf_section_rules[WF_RULE_TORSION] },
     [WF_SPLITTING] = { .name = "splitting",
+                       .event = "splits",
                        .source =
                            "bending of a flattened ring, docs/failure.md; modes of Huang et al. 2017, R. "
                            "Soc. Open Sci. 4:160972",
@@ -38,6 +47,7 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                        .wants = "tangential_strength",
                        .section = &wf_section_rules[WF_RULE_SPLITTING] },
     [WF_OVALISATION] = { .name = "ovalisation",
+                         .event = "flattens",
                          .source =
                              "Brazier's limit of an orthotropic tube, docs/failure.md; modes of Huang et "
                              "al. 2017, R. Soc. Open Sci. 4:160972",
@@ -45,6 +55,25 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                          .loses_tree = true,
                          .wants = "tangential_modulus",
                          .section = &wf_section_rules[WF_RULE_OVALISATION] },
+    [WF_OVERTURNING] = { .name = "overturning",
+                         .source = OVERTURNING,
+                         .validity = STATIC,
+                         .loses_tree = true,
+                         .whole = true,
+                         .known = wf_overturning_known,
+                         .safety = wf_overturning_safety },
+    [WF_OVERTURNING_WET] = { .name = "overturning-saturated-high",
+                             .source = SATURATED,
+                             .validity = "one species; 0.65 of the anchorage; " STATIC,
+                             .whole = true,
+                             .known = wf_overturning_known,
+                             .safety = wf_overturning_safety_wet },
+    [WF_OVERTURNING_WETTEST] = { .name = "overturning-saturated-low",
+                                 .source = SATURATED,
+                                 .validity = "one species; 0.50 of the anchorage; " STATIC,
+                                 .whole = true,
+                                 .known = wf_overturning_known,
+                                 .safety = wf_overturning_safety_wettest },
 };
 
 bool wf_criterion_knows(const struct wf_criterion *c, const struct wf_tree *t, size_t row)
