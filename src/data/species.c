@@ -117,7 +117,7 @@ struct property_row {
     size_t column;   /* of struct wf_tree; 0: none. Rows with one column follow each other           */
     bool factor;     /* multiplies what the row before put there                                     */
     bool on_links;   /* set on links too; else 0 there                                               */
-    bool optional;   /* not given: `absent` goes to the column                                       */
+    bool optional;   /* not given: `absent` goes to the column, as where a value follows from no other */
     double absent;
 };
 
@@ -256,7 +256,7 @@ void wf_level_onto(const struct wf_level *l, struct wf_tree *t, size_t i, bool l
         else if (link && !r->on_links)
             column[i] = 0;
         else
-            column[i] = r->optional && !v->given ? r->absent : v->value;
+            column[i] = (r->optional && !v->given) || isnan(v->value) ? r->absent : v->value;
     }
     t->transverse[i] /= 1 - l->poisson_lt.value * l->poisson_tl.value;
 }
