@@ -77,7 +77,9 @@
 <!-- The first sentence: how it stands at the highest wind speed that has an answer. -->
 <xsl:template name="verdict">
   <xsl:variable name="last" select="winds/item[status = 'ok' and within_limits = 'true'][last()]"/>
-  <xsl:variable name="safety" select="$last/loss_safety | $last[not(loss_safety)]/least_safety"/>
+  <xsl:variable name="stem" select="criteria/item[criterion = 'breakage' and scope = 'stem']/winds/item[speed/value =
+    $last/speed/value]/safety[not($last/loss_safety)]"/>
+  <xsl:variable name="safety" select="$last/loss_safety | $stem | $last[not(loss_safety or $stem)]/least_safety"/>
   <xsl:variable name="rooted" select="verdict/criteria/item[criterion = 'overturning']"/>
   <xsl:variable name="known" select="verdict/criteria/item[loses_tree = 'true'] or (not(verdict) and critical/outcome != 'no-strength')"/>
   <xsl:variable name="bent" select="($last/mean_state/tip_deflection_share |

@@ -36,7 +36,8 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
     print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
     print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
     print_cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
-    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed);
+    struct wf_verdict v = wf_verdict_of(d->breaks);
+    print_cell(to, 12, 2, v.loss ? v.loss->critical.speed : (double)NAN);
     const struct wf_directions_request *q = &an->directions->request;
     if (q->speed_up) print_cell(to, 10, 3, q->speed_up[d - an->directions->direction]);
     if (q->rose) {
@@ -58,7 +59,7 @@ static void print_climate(FILE *to, const struct wf_analysis *an)
             "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
             an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
     if (x->above)
-        wf_show(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
+        wf_show(to, "  '-': not lost up to %.4g m/s; these directions count as 0 hours.\n",
                 an->search.speed_max);
 }
 
@@ -74,7 +75,7 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
     else
         wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
     wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
-            "breaks", "stem alone", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
+            "breaks", "tree lost", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
     wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
             site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
