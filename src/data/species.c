@@ -287,6 +287,13 @@ static const struct wf_yaml_row species_rows[] = {
       .count = offsetof(struct wf_species, sources),
       .doc = "Full citations by key; values refer to the keys.",
       .example = "{tang2012: \"Tang L. et al. 2012. Trans. Chin. Soc. Agric. Mach. 43(1):165-168\"}" },
+    { .key = "bark",
+      .kind = WF_YAML_TABLE,
+      .table = &wf_bark_table,
+      .offset = offsetof(struct wf_species, bark),
+      .given = 1 + offsetof(struct wf_species, bark.given),
+      .absent = "not known; the radii of a measured tree are then taken as wood",
+      .doc = "Thickness of the bark of the stem." },
     { .key = "levels",
       .kind = WF_YAML_LIST,
       .required = true,
@@ -358,6 +365,7 @@ static void species_finish(struct wf_yaml *y, void *species)
         source_exists(y, sp, sp->level[i].wall_note.source, place);
     }
     sources_of_rows(y, sp, crown_values, sp, "crown");
+    source_exists(y, sp, sp->bark.share.source, "bark.share.source");
     sources_of_law(y, sp, &sp->streamlining, "crown.streamlining");
     sources_of_law(y, sp, &sp->axis_drag, "axis_drag");
     wf_law_settle(&sp->streamlining);
