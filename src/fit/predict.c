@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/random.h"
 #include "base/vec3.h"
+#include "data/species.h"
 #include "fit/sensor.h"
 #include "solve/beam_small.h"
 #include "solve/modes.h"
@@ -187,6 +188,7 @@ struct bench {
     wf_four (*ends)[6], (*moved)[6]; /* motions of the ends */
     wf_four (*node)[6], (*root)[3];  /* wrenches on ends and root plates */
     double (*one)[6];                /* one side of `ends` */
+    struct wf_disturber *disturber;  /* per parameter */
 };
 
 /* A sensor with its row and azimuth in the current state. */
@@ -348,6 +350,8 @@ static void read_slopes(struct bench *k, const struct wf_beam_small_answer *x, s
                         double *slope)
 {
     struct wf_beam *b = &k->beam;
+    const struct wf_fit_param *q = &k->w->p[p];
+    size_t levels = k->w->x->tree[k->test->tree].species->levels;
     double ground[6];
     for (size_t c = 0; c < 6; c++) {
         ground[c] = x->ground[c][side], b->root_change[0][c] = b->root_moved[0][c][side];
@@ -357,20 +361,53 @@ static void read_slopes(struct bench *k, const struct wf_beam_small_answer *x, s
         struct wf_fit_sensor sensor = placed(k, s);
         double *to = &slope[s * k->w->params + p];
         *to = wf_sensor_change(&sensor, b, (const double(*)[6])k->one, ground);
-        if (k->w->p[p].quantity == WF_FIT_RADIUS) *to += wf_sensor_by_radius(&sensor, b);
+        if (q->quantity == WF_FIT_RADIUS) *to += wf_sensor_by_radius(&sensor, b, q->level, levels);
     }
 }
 
-/* Moments on the root plates of the test's tree by a unit change of their stiffness, or none. */
-static void root_moments(struct bench *k, bool root, size_t side)
+/* Moment on a root plate that its springs do not hold because the state at rest changed by `still`: the plate
+ * takes it in the axes of its tilt. */
+static void add_still_moment(const double tilt[3], const double still[3], size_t side, wf_four moment[3])
 {
-    const struct wf_beam *b = &k->beam;
-    for (size_t i = 0; i < b->mesh.tree->n; i++)
-        for (int c = 0; c < 2 && b->mesh.tree->parent[i] < 0; c++)
-            k->root[i][c][side] = root ? -b->options->root_stiffness[c] * b->tilt[i][c] : 0;
+    double x = wf_dot(tilt, tilt), inverse[9], m[3];
+    struct rotation o = rotation_of(x);
+    rotation_tangent_inverse(&o, tilt, x, inverse);
+    m3_apply_transposed(inverse, still, m);
+    for (int c = 0; c < 3; c++) moment[c][side] -= m[c];
 }
 
-static void slopes(struct bench *k, const double *internal, double *slope)
+/* Moments on the root plates of the test's tree: by a unit change of their stiffness, by the change of the
+ * state at rest. */
+static void root_moments(struct bench *k, const struct wf_disturber *x, size_t side)
+{
+    const struct wf_beam *b = &k->beam;
+    bool root = x->param->quantity == WF_FIT_ROOT;
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        if (b->mesh.tree->parent[i] >= 0) continue;
+        for (int c = 0; c < 3; c++)
+            k->root[i][c][side] = root && c < 2 ? -b->options->root_stiffness[c] * b->tilt[i][c] : 0;
+        if (x->rest_root) add_still_moment(b->tilt[i], x->rest_root[i], side, k->root[i]);
+    }
+}
+
+/* What each parameter disturbs in the test's tree. */
+static enum wf_status set_disturbers(struct bench *k, const double *internal, struct wf_err *e)
+{
+    const struct wf_predictor *w = k->w;
+    enum wf_status s = WF_OK;
+    k->disturber = WF_TAKE(&k->w->scratch, w->params, struct wf_disturber);
+    if (!k->disturber) return wf_fail(e, WF_ENOMEM, "not enough memory for a solution");
+    for (size_t p = 0; p < w->params && !s; p++) {
+        k->disturber[p] = (struct wf_disturber){ .tree = &w->x->tree[k->test->tree],
+                                                 .param = &w->p[p],
+                                                 .internal = internal[p] };
+        if (wf_disturbs(&w->p[p], k->test->tree))
+            s = wf_disturb_rest(&k->disturber[p], &k->beam, &k->w->scratch, e);
+    }
+    return s;
+}
+
+static void slopes(struct bench *k, double *slope)
 {
     const struct wf_predictor *w = k->w;
     double C[9], K[9];
@@ -382,9 +419,9 @@ static void slopes(struct bench *k, const double *internal, double *slope)
         for (; p < w->params && d.count < WF_BEAM_SIDES; p++) {
             frame_slopes(k, p, slope);
             if (!wf_disturbs(&w->p[p], k->test->tree)) continue;
-            root_moments(k, w->p[p].quantity == WF_FIT_ROOT, d.count);
+            root_moments(k, &k->disturber[p], d.count);
             param[d.count] = p;
-            d.side[d.count++] = (struct wf_disturber){ &w->x->tree[k->test->tree], &w->p[p], internal[p] };
+            d.side[d.count++] = k->disturber[p];
         }
         if (!d.count) break;
         wf_beam_answer_small(&k->beam, wf_disturb, &d, NULL, (const wf_four(*)[3])k->root, &x);
@@ -394,8 +431,7 @@ static void slopes(struct bench *k, const double *internal, double *slope)
 }
 
 /* Solve the state of the present loads, starting from its last solution. */
-static enum wf_status state(struct bench *k, size_t warm, const double *internal, double *reading,
-                            double *slope, struct wf_err *e)
+static enum wf_status state(struct bench *k, size_t warm, double *reading, double *slope, struct wf_err *e)
 {
     struct wf_beam *b = &k->beam;
     struct wf_warm *last = &k->w->warm[warm];
@@ -427,7 +463,7 @@ static enum wf_status state(struct bench *k, size_t warm, const double *internal
     }
     if (!slope) return WF_OK;
     memset(slope, 0, k->test->sensors * k->w->params * sizeof *slope);
-    slopes(k, internal, slope);
+    slopes(k, slope);
     return WF_OK;
 }
 
@@ -469,20 +505,19 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
     k.one = wf_arena_take(&w->scratch, n, sizeof *k.one);
     if (!k.ends || !k.moved || !k.node || !k.root || !k.one)
         return wf_fail(e, WF_ENOMEM, "not enough memory for a solution");
+    if (slope && (status = set_disturbers(&k, internal, e))) return status;
     bool rest = t->from_rest && loads.gravity > 0;
     memset(w->rest, 0, t->sensors * sizeof *w->rest);
     memset(w->rest_slope, 0, t->sensors * m * sizeof *w->rest_slope);
     k.wind.speed = 0;
-    if (rest)
-        status =
-            state(&k, w->first_state[index] + t->states, internal, w->rest, slope ? w->rest_slope : NULL, e);
+    if (rest) status = state(&k, w->first_state[index] + t->states, w->rest, slope ? w->rest_slope : NULL, e);
     for (size_t i = 0; i < t->states && !status; i++) {
         double u[3];
         k.now = &t->state[i];
         k.force = t->load == WF_FIT_PULL ? t->state[i].load : 0;
         k.wind.speed = t->load == WF_FIT_WIND ? wind_met(t, i) : 0;
         if (t->load == WF_FIT_PULL) aim(&k, k.beam.pose[t->pull_row].r, u);
-        status = state(&k, w->first_state[index] + i, internal, w->other, slope ? w->other_slope : NULL, e);
+        status = state(&k, w->first_state[index] + i, w->other, slope ? w->other_slope : NULL, e);
         for (; !status && *at < w->x->data && w->x->datum[*at].test == index && w->x->datum[*at].state == i;
              ++*at) {
             size_t s = w->x->datum[*at].sensor;
