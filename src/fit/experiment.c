@@ -160,6 +160,17 @@ static void copy_section(const struct wf_tree_sections *from, size_t i, double s
     }
 }
 
+/* Copy what row i carried on the day of the shape between s0 and s1 (0..1). */
+static void copy_standing(const struct wf_tree_standing *from, size_t i, double s0, double s1,
+                          struct wf_tree_standing *to, size_t at)
+{
+    to->burden0[at] = between(from->burden0[i], from->burden1[i], s0);
+    to->burden1[at] = between(from->burden0[i], from->burden1[i], s1);
+    if (!from->side0) return;
+    to->side0[at] = between(from->side0[i], from->side1[i], s0);
+    to->side1[at] = between(from->side0[i], from->side1[i], s1);
+}
+
 /* Find the rows whose ends are at the places. */
 static void find_rows(const struct wf_tree *t, const struct axis *axis, const struct wf_fit_place *place,
                       size_t n, int32_t *row)
@@ -198,6 +209,7 @@ enum wf_status wf_fit_divide(struct wf_tree *t, double length, const struct wf_f
     struct wf_tree out;
     status = wf_tree_alloc(&out, total, a, e);
     if (!status && t->section) status = wf_tree_alloc_sections(&out, a, e);
+    if (!status && t->standing) status = wf_tree_stand(&out, &out, a, e);
     if (status) return status;
     out.name = t->name;
     for (size_t i = 0, at = 0; i < t->n; i++) {
@@ -205,6 +217,7 @@ enum wf_status wf_fit_divide(struct wf_tree *t, double length, const struct wf_f
         for (size_t k = 0; k < m; k++, at++) {
             copy_part(t, i, cut[k], cut[k + 1], &out, at);
             if (t->section) copy_section(t->section, i, cut[k], cut[k + 1], out.section, at);
+            if (t->standing) copy_standing(t->standing, i, cut[k], cut[k + 1], out.standing, at);
             out.parent[at] = k ? (int32_t)at - 1 : t->parent[i] < 0 ? -1 : last[t->parent[i]];
         }
         last[i] = (int32_t)at - 1;

@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "data/tree.h"
 #include "load/load.h"
+#include "solve/firm.h"
 #include "solve/solve.h"
 #include "wind/wind.h"
 #include <stdbool.h>
@@ -72,6 +73,14 @@ struct wf_fit_test {
     struct wf_fit_state *state;
 };
 
+/* Parts of a standing tree that were stiffened, because they would not stand with a wood or root that was
+ * tried. They stay so. */
+struct wf_fit_props {
+    double *raise;      /* per row: factor on E and G */
+    struct wf_firm all; /* all of them, with the smallest load factor found */
+    size_t times;       /* how often parts were stiffened */
+};
+
 struct wf_fit_tree {
     const char *name;
     const char *file; /* model or measured tree that it is made from; NULL: none */
@@ -79,6 +88,7 @@ struct wf_fit_tree {
     struct wf_tree tree; /* one element a row                                           */
     struct wf_loads loads;
     struct wf_solve_options options; /* include the root stiffness                      */
+    struct wf_fit_props *props;      /* NULL: the tree does not stand, or has no weight */
     double height, size;             /* vertical; length of a stem model's axis, else the height [m] */
 };
 

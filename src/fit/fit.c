@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/fit.h"
+#include "fit/plant.h"
 #include <math.h>
 #include <string.h>
 
@@ -90,6 +91,7 @@ static enum wf_status moves(struct wf_session *s, struct wf_err *e)
 
 static void warn(const struct wf_fit *f, struct wf_diag *d)
 {
+    for (size_t k = 0; k < f->x->trees; k++) wf_fit_tree_warn(&f->x->tree[k], d);
     for (size_t k = 0; k < f->free; k++) {
         const struct wf_estimate *q = &f->estimate[k];
         if (q->at_low || q->at_high)

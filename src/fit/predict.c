@@ -4,6 +4,7 @@
 #include "base/random.h"
 #include "base/vec3.h"
 #include "data/species.h"
+#include "fit/plant.h"
 #include "fit/sensor.h"
 #include "solve/beam_small.h"
 #include "solve/modes.h"
@@ -226,7 +227,9 @@ static enum wf_status settle(struct bench *k, bool near, struct wf_err *e)
     b->small = NULL;
     b->frozen = false;
     for (int pass = 0;; pass++) {
-        if (!(near || pass) || wf_beam_newton(b)) {
+        /* the shape of a standing tree is an equilibrium of any wood: the last one may no longer be stable */
+        bool found = (near || pass) && !wf_beam_newton(b) && (!b->mesh.standing || wf_beam_stable(b));
+        if (!found) {
             enum wf_status status = wf_beam_settle(b, &k->w->scratch, &outcome, e);
             if (status) return status;
         }
@@ -563,6 +566,23 @@ static bool repeated(const struct wf_predictor *w, const double *internal, bool 
     return true;
 }
 
+/* Let the standing trees stand with the values given. A part that is stiffened makes another tree. */
+static enum wf_status stand_firm(struct wf_predictor *w, const double *internal, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    for (size_t k = 0; k < w->x->trees && !s; k++) {
+        const struct wf_fit_tree *t = &w->x->tree[k];
+        struct wf_loads loads;
+        struct wf_solve_options options;
+        if (!t->props) continue;
+        size_t before = t->props->times;
+        stand(w, k, internal, &loads, &options);
+        s = wf_fit_tree_firm(t, &w->tree[k], &loads, &options, e);
+        if (t->props->times > before) w->same = false;
+    }
+    return s;
+}
+
 enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double *reading, double *slope,
                           struct wf_err *e)
 {
@@ -577,6 +597,7 @@ enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double
     if (slope) memset(slope, 0, m * n * sizeof *slope);
     w->same = repeated(w, internal, false);
     for (size_t p = 0; p < n; p++) w->solved[p] = NAN;
+    if (!w->same) status = stand_firm(w, internal, e);
     for (size_t k = 0; k < w->x->tests && !status; k++) {
         bool free = w->x->test[k].load == WF_FIT_FREE;
         status = (free ? sway_test : static_test)(w, k, internal, reading, slope, &at, e);
