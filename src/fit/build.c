@@ -27,6 +27,7 @@ static enum wf_status sensor(struct wf_units *u, const struct wf_calibration *ca
                                    .kind = s->kind,
                                    .height = isnan(s->along) ? s->height : s->along,
                                    .along = !isnan(s->along),
+                                   .lowest = s->mode && !strcmp(s->mode, "lowest"),
                                    .azimuth = isnan(s->azimuth) && !sway ? load : s->azimuth,
                                    .gauge = isnan(s->gauge) ? 0.1 : s->gauge,
                                    .sigma_share = isnan(s->sigma_share) ? 0 : s->sigma_share,
@@ -331,6 +332,7 @@ static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_ca
     t->sensor[0] = (struct wf_fit_sensor){ .name = "frequency",
                                            .kind = WF_SENSOR_FREQUENCY,
                                            .azimuth = s->sway.azimuth,
+                                           .lowest = s->sway.mode && !strcmp(s->sway.mode, "lowest"),
                                            .sigma = in->sway.frequency_sd,
                                            .row = -1,
                                            .low_row = -1 };

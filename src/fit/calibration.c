@@ -13,6 +13,7 @@ static const char *const no_yes[] = { "no", "yes", NULL };
 static const char *const signs[] = { "+", "-", NULL };
 static const char *const zeros[] = { "rest", "unloaded", NULL };
 static const char *const joints[] = { "axis", "bridge", NULL };
+static const char *const modes[] = { "sway", "lowest", NULL };
 static const char *const rests[] = { "as-drawn", "stress-free", NULL };
 static const char *const kinds[] = { "deflection",  "horizontal", "vertical", "tilt",
                                      "strain",      "extension",  "reach",    "rise",
@@ -61,6 +62,12 @@ static const struct wf_yaml_table tree_table = {
 };
 #undef T
 
+#define MODE(T)                                                                                              \
+    ROW(T, "mode", WF_YAML_CHOICE, mode),                                                                    \
+        .choices = modes, .absent = "sway",                                                                  \
+        .doc =                                                                                               \
+            "Which mode a frequency is of: sway, that of the first six which has the largest share of the "  \
+            "overturning by inertia (of that direction); lowest, the lowest, which may be a branch's."
 #define T struct wf_calibration_sensor
 static const struct wf_yaml_row sensor_rows[] = {
     { ROW(T, "name", WF_YAML_NAME, name), .required = true, .doc = "Name of the sensor.",
@@ -89,6 +96,7 @@ static const struct wf_yaml_row sensor_rows[] = {
       .doc = "Direction measured, from +x towards +y; for strain the side of the stem, for a frequency the "
              "direction of "
              "sway." },
+    { MODE(T) },
     { QUANTITY(T, "gauge", gauge, WF_DIM_LENGTH, "mm", 1e-3, 10), .absent = "100 mm",
       .doc = "Length over which strain or extension is taken." },
     { ROW(T, "sign", WF_YAML_ENUM, sign), .choices = signs, .initial = "+",
@@ -251,7 +259,8 @@ static const struct wf_yaml_row sway_rows[] = {
     { ROW(T, "column", WF_YAML_TEXT, column), .required = true,
       .doc = "Column of a free oscillation after a release, in any unit; frequency and damping are fitted to "
              "it." },
-    { AZIMUTH(T), .absent = "the lowest mode", .doc = "Direction of sway." },
+    { AZIMUTH(T), .absent = "any direction", .doc = "Direction of sway." },
+    { MODE(T) },
     { 0 }
 };
 static const struct wf_yaml_table sway_table = { .title = "a free sway", .row = sway_rows, .doc = "" };
@@ -368,6 +377,8 @@ static void sensor_finish(struct wf_yaml *y, const struct wf_calibration_test *t
     if (!isnan(q->height) && !isnan(q->along)) wf_yaml_error(y, place, "has both 'height' and 'along'");
     if (t->along && !(isnan(q->height) && isnan(q->along)))
         wf_yaml_error(y, place, "has a place of its own beside the test's 'along'");
+    if (q->mode && q->kind != WF_SENSOR_FREQUENCY)
+        wf_yaml_error(y, place, "'mode' applies to a frequency, not to a %s", r->name);
     if (sway && (t->pull.given || t->wind.given || t->along))
         wf_yaml_error(y, place, "a %s is of free sway: give it a test of its own", r->name);
     if (absolute && t->zero == 0)

@@ -17,6 +17,7 @@ struct wf_calibration_tree {
 };
 struct wf_calibration_sensor {
     const char *name, *column, *unit, *sigma, *value, *group;
+    const char *mode; /* "sway", "lowest"; NULL: not given, sway */
     enum wf_sensor_kind kind;
     double height, along, azimuth, gauge, sigma_share; /* NAN: not given */
     size_t sign;                                       /* index in +, -  */
@@ -43,8 +44,8 @@ struct wf_calibration_wind {
     bool given;
 };
 struct wf_calibration_sway {
-    const char *column;
-    double azimuth; /* of the mode; NAN: the lowest */
+    const char *column, *mode; /* mode: as of a sensor */
+    double azimuth;            /* of the mode; NAN: any */
     bool given;
 };
 struct wf_calibration_test {

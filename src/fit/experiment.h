@@ -41,6 +41,7 @@ struct wf_fit_sensor {
     enum wf_sensor_kind kind;
     double height, azimuth, gauge; /* [m], [rad], [m]; NAN where the kind has none             */
     bool along;                    /* height counts along the axis from its base               */
+    bool lowest;                   /* a frequency is that of the lowest mode, not of the sway  */
     double sigma, sigma_share;     /* uncertainty: absolute [SI] and as a share of the value   */
     bool estimated;                /* sigma is not given: estimated from the residuals         */
     bool offset, drift;            /* has nuisance parameters: zero, its change with time      */

@@ -21,32 +21,61 @@ static void stand(const struct wf_predictor *w, size_t tree, const double *inter
     options->mesh_tolerance = 0;
 }
 
-/* The lowest mode that moves the tree's top within 45 degrees of an azimuth: its frequency and number. */
+static bool branched(const struct wf_tree *t)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (t->level[i]) return true;
+    return false;
+}
+
+/* The mode with the largest share of the overturning by inertia, along the azimuth where there is one. */
+static size_t swaying(const struct wf_fit_sensor *s, const double *f, size_t count, const double *turn)
+{
+    double most = -1;
+    size_t best = 0;
+    for (size_t k = 0; k < count && f[0] > 0; k++) {
+        const double *v = turn + 2 * k;
+        double along = v[0] * cos(s->azimuth) + v[1] * sin(s->azimuth);
+        double share = isnan(s->azimuth) ? v[0] * v[0] + v[1] * v[1] : along * along;
+        if (f[k] > 0 && share > most) most = share, best = k;
+    }
+    return best;
+}
+
+/* The lowest mode that moves the stem's top within 45 degrees of the azimuth. */
+static size_t lowest_along(const struct wf_fit_sensor *s, const struct wf_tree *t, const double *f,
+                           size_t count, const double *shape)
+{
+    size_t number = 0, top = 0;
+    for (size_t i = 0; i < t->n; i++)
+        if (!t->level[i] && t->z1[i] > t->z1[top]) top = i;
+    for (size_t k = count; k-- > 0;) {
+        const double *v = shape + 3 * t->n * k + 3 * top;
+        double along = v[0] * cos(s->azimuth) + v[1] * sin(s->azimuth);
+        if (2 * along * along >= v[0] * v[0] + v[1] * v[1] && f[k] > 0) number = k;
+    }
+    return number;
+}
+
+/* The sensor's mode: its frequency and number. */
 static enum wf_status frequency(struct wf_predictor *w, size_t index, const struct wf_fit_sensor *s,
                                 const double *internal, struct wf_modes_kept *kept, size_t *number,
                                 double *out, struct wf_err *e)
 {
-    enum { MODES = 4 };
+    enum { MODES = 6 };
     const struct wf_fit_test *t = &w->x->test[index];
     struct wf_tree *tree = &w->tree[t->tree];
     struct wf_loads loads;
     struct wf_solve_options options;
-    double f[MODES];
-    size_t count = isnan(s->azimuth) ? 1 : MODES, top = 0;
+    double f[MODES], *shape = NULL;
+    bool first = isnan(s->azimuth) && (s->lowest || !branched(tree)), along = !isnan(s->azimuth) && s->lowest;
+    size_t count = first ? 1 : MODES;
     stand(w, t->tree, internal, &loads, &options);
-    double *shape = WF_TAKE(&w->scratch, count * 3 * tree->n, double);
-    if (!shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the modes");
-    enum wf_status status =
-        wf_modes_keep(tree, &loads, &options, count, &w->scratch, f, count > 1 ? shape : NULL, kept, e);
+    if (along && !(shape = WF_TAKE(&w->scratch, count * 3 * tree->n, double)))
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the modes");
+    enum wf_status status = wf_modes_keep(tree, &loads, &options, count, &w->scratch, f, shape, kept, e);
     if (status) return status;
-    for (size_t i = 0; i < tree->n; i++)
-        if (!tree->level[i] && tree->z1[i] > tree->z1[top]) top = i;
-    *number = 0;
-    for (size_t k = count; k-- > 0 && count > 1;) {
-        const double *v = shape + 3 * tree->n * k + 3 * top;
-        double along = v[0] * cos(s->azimuth) + v[1] * sin(s->azimuth);
-        if (2 * along * along >= v[0] * v[0] + v[1] * v[1] && f[k] > 0) *number = k;
-    }
+    *number = first ? 0 : along ? lowest_along(s, tree, f, count, shape) : swaying(s, f, count, kept->turn);
     *out = f[*number];
     if (!(*out > 0)) return wf_fail(e, WF_EUNSTABLE, "the tree has no equilibrium under its own weight");
     return WF_OK;
@@ -81,13 +110,13 @@ static enum wf_status by_parameter(struct wf_predictor *w, size_t tree, const do
 }
 
 /* Index of an earlier datum of the same frequency of the same tree; `at` when there is none. */
-static size_t earlier(const struct wf_experiment *x, size_t at, double azimuth)
+static size_t earlier(const struct wf_experiment *x, size_t at, double azimuth, bool lowest)
 {
     const struct wf_fit_datum *d = x->datum;
     for (size_t i = 0; i < at; i++) {
         const struct wf_fit_test *t = &x->test[d[i].test];
         const struct wf_fit_sensor *s = &t->sensor[d[i].sensor];
-        bool mode = s->azimuth == azimuth || (isnan(s->azimuth) && isnan(azimuth));
+        bool mode = s->lowest == lowest && (s->azimuth == azimuth || (isnan(s->azimuth) && isnan(azimuth)));
         if (s->kind == WF_SENSOR_FREQUENCY && mode && t->tree == x->test[d[at].test].tree) return i;
     }
     return at;
@@ -117,14 +146,14 @@ static enum wf_status sway_test(struct wf_predictor *w, size_t index, const doub
             damping(w, t->tree, internal, &reading[*at], row);
             continue;
         }
-        size_t same = earlier(w->x, *at, s->azimuth), number = 0;
+        size_t same = earlier(w->x, *at, s->azimuth, s->lowest), number = 0;
         if (same < *at) {
             reading[*at] = reading[same];
             if (row) memcpy(row, slope + same * w->params, w->params * sizeof *row);
             continue;
         }
         struct wf_modes_kept kept;
-        status = frequency(w, index, s, internal, row ? &kept : NULL, &number, &reading[*at], e);
+        status = frequency(w, index, s, internal, &kept, &number, &reading[*at], e);
         if (!status && row) status = by_parameter(w, t->tree, internal, &kept, number, row, e);
     }
     return status;
