@@ -65,9 +65,10 @@ static const struct wf_yaml_table tree_table = {
 #define MODE(T)                                                                                              \
     ROW(T, "mode", WF_YAML_CHOICE, mode),                                                                    \
         .choices = modes, .absent = "sway",                                                                  \
-        .doc =                                                                                               \
-            "Which mode a frequency is of: sway, that of the first six which has the largest share of the "  \
-            "overturning by inertia (of that direction); lowest, the lowest, which may be a branch's."
+        .doc = "Which mode a frequency is of: sway, the lowest that carries at least half as much of the "   \
+               "overturning by inertia (of that direction) as the one that carries most; lowest, which may " \
+               "be a "                                                                                       \
+               "branch's."
 #define T struct wf_calibration_sensor
 static const struct wf_yaml_row sensor_rows[] = {
     { ROW(T, "name", WF_YAML_NAME, name), .required = true, .doc = "Name of the sensor.",

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/fit.h"
+#include "fit/free_sway.h"
 #include "fit/plant.h"
 #include <math.h>
 #include <string.h>
@@ -172,6 +173,7 @@ enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p,
     if (!status) status = wf_fit_spread(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->starts > 1) status = wf_fit_restart(&s, out, a, e);
     if (!status) status = wf_fit_covariance(&s, out, a, e);
+    if (!status) wf_free_sway_warn(s.predictor, d);
     if (!status) memcpy(out->internal, s.internal, n * sizeof *out->internal);
     if (!status && !out->lsq.stopped && o->profile) status = wf_fit_profiles(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->resamples) status = wf_fit_resample(&s, out, a, e);

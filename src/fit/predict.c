@@ -4,160 +4,12 @@
 #include "base/random.h"
 #include "base/vec3.h"
 #include "data/species.h"
+#include "fit/free_sway.h"
 #include "fit/plant.h"
 #include "fit/sensor.h"
 #include "solve/beam_small.h"
-#include "solve/modes.h"
 #include <math.h>
 #include <string.h>
-
-/* Natural frequencies and damping of free sway. */
-
-/* Apply the parameters to the tree, in still air. */
-static void stand(const struct wf_predictor *w, size_t tree, const double *internal, struct wf_loads *loads,
-                  struct wf_solve_options *options)
-{
-    wf_param_apply(w->x, w->p, w->params, internal, tree, &w->tree[tree], loads, options);
-    options->mesh_tolerance = 0;
-}
-
-static bool branched(const struct wf_tree *t)
-{
-    for (size_t i = 0; i < t->n; i++)
-        if (t->level[i]) return true;
-    return false;
-}
-
-/* The mode with the largest share of the overturning by inertia, along the azimuth where there is one. */
-static size_t swaying(const struct wf_fit_sensor *s, const double *f, size_t count, const double *turn)
-{
-    double most = -1;
-    size_t best = 0;
-    for (size_t k = 0; k < count && f[0] > 0; k++) {
-        const double *v = turn + 2 * k;
-        double along = v[0] * cos(s->azimuth) + v[1] * sin(s->azimuth);
-        double share = isnan(s->azimuth) ? v[0] * v[0] + v[1] * v[1] : along * along;
-        if (f[k] > 0 && share > most) most = share, best = k;
-    }
-    return best;
-}
-
-/* The lowest mode that moves the stem's top within 45 degrees of the azimuth. */
-static size_t lowest_along(const struct wf_fit_sensor *s, const struct wf_tree *t, const double *f,
-                           size_t count, const double *shape)
-{
-    size_t number = 0, top = 0;
-    for (size_t i = 0; i < t->n; i++)
-        if (!t->level[i] && t->z1[i] > t->z1[top]) top = i;
-    for (size_t k = count; k-- > 0;) {
-        const double *v = shape + 3 * t->n * k + 3 * top;
-        double along = v[0] * cos(s->azimuth) + v[1] * sin(s->azimuth);
-        if (2 * along * along >= v[0] * v[0] + v[1] * v[1] && f[k] > 0) number = k;
-    }
-    return number;
-}
-
-/* The sensor's mode: its frequency and number. */
-static enum wf_status frequency(struct wf_predictor *w, size_t index, const struct wf_fit_sensor *s,
-                                const double *internal, struct wf_modes_kept *kept, size_t *number,
-                                double *out, struct wf_err *e)
-{
-    enum { MODES = 6 };
-    const struct wf_fit_test *t = &w->x->test[index];
-    struct wf_tree *tree = &w->tree[t->tree];
-    struct wf_loads loads;
-    struct wf_solve_options options;
-    double f[MODES], *shape = NULL;
-    bool first = isnan(s->azimuth) && (s->lowest || !branched(tree)), along = !isnan(s->azimuth) && s->lowest;
-    size_t count = first ? 1 : MODES;
-    stand(w, t->tree, internal, &loads, &options);
-    if (along && !(shape = WF_TAKE(&w->scratch, count * 3 * tree->n, double)))
-        return wf_fail(e, WF_ENOMEM, "not enough memory for the modes");
-    enum wf_status status = wf_modes_keep(tree, &loads, &options, count, &w->scratch, f, shape, kept, e);
-    if (status) return status;
-    *number = first ? 0 : along ? lowest_along(s, tree, f, count, shape) : swaying(s, f, count, kept->turn);
-    *out = f[*number];
-    if (!(*out > 0)) return wf_fail(e, WF_EUNSTABLE, "the tree has no equilibrium under its own weight");
-    return WF_OK;
-}
-
-/* Derivative of the frequency by each internal value: central difference of Rayleigh quotients with the mode
- * shape fixed. The equilibrium is solved again, so the effect of weight is included. */
-static enum wf_status by_parameter(struct wf_predictor *w, size_t tree, const double *internal,
-                                   const struct wf_modes_kept *kept, size_t number, double *row,
-                                   struct wf_err *e)
-{
-    const double step = 1e-4;
-    struct wf_loads loads;
-    struct wf_solve_options options;
-    double *x = WF_TAKE(&w->scratch, w->params, double), side[2];
-    if (!x) return wf_fail(e, WF_ENOMEM, "not enough memory for a prediction");
-    memcpy(x, internal, w->params * sizeof *x);
-    for (size_t p = 0; p < w->params; p++) {
-        row[p] = 0;
-        if (!wf_disturbs(&w->p[p], tree)) continue;
-        for (int k = 0; k < 2; k++) {
-            x[p] = internal[p] + (k ? step : -step);
-            stand(w, tree, x, &loads, &options);
-            enum wf_status status =
-                wf_modes_held(&w->tree[tree], &loads, &options, kept, number, &side[k], e);
-            if (status) return status;
-        }
-        x[p] = internal[p];
-        row[p] = (side[1] - side[0]) / (2 * step);
-    }
-    return WF_OK;
-}
-
-/* Index of an earlier datum of the same frequency of the same tree; `at` when there is none. */
-static size_t earlier(const struct wf_experiment *x, size_t at, double azimuth, bool lowest)
-{
-    const struct wf_fit_datum *d = x->datum;
-    for (size_t i = 0; i < at; i++) {
-        const struct wf_fit_test *t = &x->test[d[i].test];
-        const struct wf_fit_sensor *s = &t->sensor[d[i].sensor];
-        bool mode = s->lowest == lowest && (s->azimuth == azimuth || (isnan(s->azimuth) && isnan(azimuth)));
-        if (s->kind == WF_SENSOR_FREQUENCY && mode && t->tree == x->test[d[at].test].tree) return i;
-    }
-    return at;
-}
-
-static void damping(const struct wf_predictor *w, size_t tree, const double *internal, double *reading,
-                    double *row)
-{
-    *reading = 0;
-    for (size_t p = 0; p < w->params; p++) {
-        bool acts = w->p[p].quantity == WF_FIT_DAMPING && (w->p[p].tree < 0 || (size_t)w->p[p].tree == tree);
-        if (acts) *reading = exp(internal[p]);
-        if (row) row[p] = acts ? *reading : 0;
-    }
-}
-
-/* Readings of a test of free sway, from *at on; *at becomes the index of the first datum after them. */
-static enum wf_status sway_test(struct wf_predictor *w, size_t index, const double *internal, double *reading,
-                                double *slope, size_t *at, struct wf_err *e)
-{
-    const struct wf_fit_test *t = &w->x->test[index];
-    enum wf_status status = WF_OK;
-    for (; !status && *at < w->x->data && w->x->datum[*at].test == index; ++*at) {
-        const struct wf_fit_sensor *s = &t->sensor[w->x->datum[*at].sensor];
-        double *row = slope ? slope + *at * w->params : NULL;
-        if (s->kind == WF_SENSOR_DAMPING) {
-            damping(w, t->tree, internal, &reading[*at], row);
-            continue;
-        }
-        size_t same = earlier(w->x, *at, s->azimuth, s->lowest), number = 0;
-        if (same < *at) {
-            reading[*at] = reading[same];
-            if (row) memcpy(row, slope + same * w->params, w->params * sizeof *row);
-            continue;
-        }
-        struct wf_modes_kept kept;
-        status = frequency(w, index, s, internal, &kept, &number, &reading[*at], e);
-        if (!status && row) status = by_parameter(w, t->tree, internal, &kept, number, row, e);
-    }
-    return status;
-}
 
 enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
                                  struct wf_arena *a, struct wf_predictor **out, struct wf_err *e)
@@ -166,6 +18,7 @@ enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_
     size_t states = 0, at = 0;
     for (size_t k = 0; k < x->tests; k++) states += x->test[k].states + 1;
     if (!w || !(w->tree = WF_TAKE(a, x->trees, struct wf_tree)) ||
+        !(w->sway = WF_TAKE(a, x->tests, struct wf_sway_found)) ||
         !(w->warm = WF_TAKE(a, states, struct wf_warm)) || !(w->first_state = WF_TAKE(a, x->tests, size_t)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the predictions");
     w->x = x, w->p = p, w->params = n;
@@ -605,7 +458,7 @@ static enum wf_status stand_firm(struct wf_predictor *w, const double *internal,
         struct wf_solve_options options;
         if (!t->props) continue;
         size_t before = t->props->times;
-        stand(w, k, internal, &loads, &options);
+        wf_param_apply(w->x, w->p, w->params, internal, k, &w->tree[k], &loads, &options);
         s = wf_fit_tree_firm(t, &w->tree[k], &loads, &options, e);
         if (t->props->times > before) w->same = false;
     }
@@ -629,7 +482,7 @@ enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double
     if (!w->same) status = stand_firm(w, internal, e);
     for (size_t k = 0; k < w->x->tests && !status; k++) {
         bool free = w->x->test[k].load == WF_FIT_FREE;
-        status = (free ? sway_test : static_test)(w, k, internal, reading, slope, &at, e);
+        status = (free ? wf_free_sway_test : static_test)(w, k, internal, reading, slope, &at, e);
         wf_arena_free(&w->scratch);
     }
     if (status) return status;
@@ -644,7 +497,8 @@ enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double
 enum { NOISE = 43 }; /* stream of random numbers */
 
 enum wf_status wf_fit_expect(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
-                             struct wf_arena *a, double *reading, double *slope, struct wf_err *e)
+                             struct wf_arena *a, double *reading, double *slope, struct wf_diag *d,
+                             struct wf_err *e)
 {
     struct wf_predictor *w = NULL;
     double *at = WF_TAKE(a, n, double);
@@ -652,6 +506,8 @@ enum wf_status wf_fit_expect(struct wf_experiment *x, const struct wf_fit_param 
     for (size_t k = 0; k < n; k++) at[k] = wf_param_internal(&p[k], p[k].start);
     enum wf_status s = wf_predictor_open(x, p, n, a, &w, e);
     if (!s) s = wf_predict(w, at, reading, slope, e);
+    if (!s) wf_free_sway_warn(w, d);
+    for (size_t k = 0; k < x->trees && !s; k++) wf_fit_tree_warn(&x->tree[k], d);
     if (w) wf_predictor_close(w);
     for (size_t i = 0; i < x->data && !s; i++) {
         struct wf_fit_datum *q = &x->datum[i];

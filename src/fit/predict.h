@@ -25,10 +25,11 @@ enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double
 /* Simulated readings: to plan a test, and to check that a fit recovers a known tree. */
 
 /* Predicted readings of an experiment at the parameters' start values, and the sigma of every datum. Given:
- * slope: data x n, may be NULL. Returned: reading[data] [SI]. Errors: WF_EINPUT for a sensor without a sigma;
- * as wf_predict. */
+ * slope: data x n, may be NULL. Returned: reading[data] [SI]; warnings about stiffened parts and unclear
+ * modes. Errors: WF_EINPUT for a sensor without a sigma; as wf_predict. */
 enum wf_status wf_fit_expect(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
-                             struct wf_arena *a, double *reading, double *slope, struct wf_err *e);
+                             struct wf_arena *a, double *reading, double *slope, struct wf_diag *d,
+                             struct wf_err *e);
 /* Set the data to those readings plus normal noise of `noise` sigmas, which depends on the seed only. */
 void wf_fit_make_up(struct wf_experiment *x, const double *reading, uint64_t seed, double noise);
 #endif

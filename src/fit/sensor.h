@@ -53,13 +53,20 @@ struct wf_warm {
     bool known;
 };
 
+/* The mode that was taken for a sensor, and the largest of others. */
+struct wf_sway_found {
+    double frequency, other;   /* [Hz] */
+    double share, other_share; /* of the overturning by inertia [-] */
+};
+
 struct wf_predictor {
     const struct wf_experiment *x;
     const struct wf_fit_param *p;
     size_t params;
-    struct wf_tree *tree; /* per tree: with columns of its own                    */
-    struct wf_warm *warm; /* per test and state, then the rest state              */
-    size_t *first_state;  /* per test: its first warm state                       */
+    struct wf_tree *tree;       /* per tree: with columns of its own                    */
+    struct wf_warm *warm;       /* per test and state, then the rest state              */
+    struct wf_sway_found *sway; /* per test: of its last frequency */
+    size_t *first_state;        /* per test: its first warm state                       */
     size_t most_sensors;
     double *rest, *rest_slope;   /* readings at rest, of the current test           */
     double *other, *other_slope; /* of the current state                            */
