@@ -164,7 +164,10 @@ enum wf_status wf_fit_tree_firm(const struct wf_fit_tree *t, struct wf_tree *now
     enum wf_status s = wf_firm(&firm, l, o, WF_REST_SMALL, WF_REST_FIRM, &work, &f, e);
     if (!s && f.gave_up) {
         const char *who = wf_arena_print(&work, "tree %s", t->name);
-        s = wf_rest_refuse(who ? who : "the tree", "'rest: stress-free'", now, &f, e);
+        s = wf_rest_refuse(who ? who : "the tree",
+                           "it may stand with another 'start' in 'free', and 'rest: stress-free' takes the "
+                           "shape as free of stress",
+                           now, &f, e);
     }
     for (size_t i = 0; i < now->n && !s && f.n; i++) {
         t->props->raise[i] *= firm.youngs[i] / now->youngs[i];

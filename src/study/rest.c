@@ -97,7 +97,7 @@ enum wf_status wf_rest_refuse(const char *who, const char *else_say, const struc
         e, WF_EUNSTABLE,
         "%s: does not stand with this wood or root: from segment %lld (%s, %.3g m up) on, the part "
         "drawn would fall over under its own weight. Check the units of the radii, the wood and the "
-        "leaf area; %s takes the shape as free of stress",
+        "leaf area; %s",
         who, (long long)t->id[f->refused], t->level[f->refused] ? "branch" : "stem",
         t->z0[f->refused] - t->z0[0], else_say);
 }
@@ -111,7 +111,8 @@ static enum wf_status make_firm(struct wf_analysis *an, const struct wf_solve_op
     if (!who) return wf_fail(e, WF_ENOMEM, "not enough memory for the state at rest");
     enum wf_status s = wf_firm(&an->tree, &an->loads, o, WF_REST_SMALL, WF_REST_FIRM, a, &f, e);
     if (s) return s;
-    if (f.gave_up) return wf_rest_refuse(who, "--rest stress-free", &an->tree, &f, e);
+    if (f.gave_up)
+        return wf_rest_refuse(who, "--rest stress-free takes the shape as free of stress", &an->tree, &f, e);
     if (f.n) wf_rest_warn_of_parts(who, &an->tree, &f, d);
     if (f.n && an->model->stands_strictly)
         return wf_fail(

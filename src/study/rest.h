@@ -26,8 +26,8 @@ enum wf_status wf_rest_set_up(struct wf_analysis *an, const struct wf_solve_opti
 /* Say of `who` which parts of a standing tree were stiffened: the warning 'stiffened'. */
 void wf_rest_warn_of_parts(const char *who, const struct wf_tree *t, const struct wf_firm *f,
                            struct wf_diag *d);
-/* Refuse a tree that does not stand (gave_up). else_say: what the user writes to take its shape as free of
- * stress. Returned: WF_EUNSTABLE. */
+/* Refuse a tree that does not stand (gave_up). else_say: what the user can do otherwise. Returned:
+ * WF_EUNSTABLE. */
 enum wf_status wf_rest_refuse(const char *who, const char *else_say, const struct wf_tree *t,
                               const struct wf_firm *f, struct wf_err *e);
 #endif
