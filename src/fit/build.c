@@ -521,7 +521,8 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
     x->tree = WF_TAKE(a, s->trees, struct wf_fit_tree), x->test = WF_TAKE(a, s->tests, struct wf_fit_test);
     if (!x->tree || !x->test) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", s->file);
     enum wf_status status = WF_OK;
-    for (size_t k = 0; k < s->trees && !status; k++) status = wf_fit_tree_build(b, k, a, d, &x->tree[k], e);
+    for (size_t k = 0; k < s->trees && !status; k++)
+        status = wf_fit_tree_build(s, k, b->share, b->mat, a, d, &x->tree[k], e);
     for (size_t k = 0; k < s->tests && !status; k++) {
         const char *named = s->test[k].data;
         bool wants = s->test[k].along ||

@@ -13,17 +13,17 @@
 #include <string.h>
 
 /* Path of a file named in the calibration, or of a shipped file given by its name alone. */
-static enum wf_status find(const struct wf_fit_build *b, const char *room, const char *name,
-                           struct wf_arena *a, const char **path, struct wf_err *e)
+static enum wf_status find(const struct wf_calibration *c, const char *share, const char *room,
+                           const char *name, struct wf_arena *a, const char **path, struct wf_err *e)
 {
-    if (strpbrk(name, "/.")) return wf_calibration_path(b->calibration, name, a, path, e);
-    return wf_shipped_path(b->share, room, name, a, path, e);
+    if (strpbrk(name, "/.")) return wf_calibration_path(c, name, a, path, e);
+    return wf_shipped_path(share, room, name, a, path, e);
 }
 
 /* A tree of the calibration while it is made. */
 struct job {
-    const struct wf_fit_build *build;
     const struct wf_calibration_tree *from;
+    wf_import_reader *mat;
     const struct wf_species *species;
     const char *path; /* of its model or scan */
     struct wf_tree *tree;
@@ -41,7 +41,7 @@ static enum wf_status read_scan(const struct job *j, struct wf_arena *a, struct 
 {
     const struct wf_calibration_tree *s = j->from;
     struct wf_import_options o = wf_import_default();
-    o.mat = j->build->mat;
+    o.mat = j->mat;
     o.tree_id = s->tree_id;
     o.force = s->force == 1;
     o.cap_children = s->cap_children == 1;
@@ -91,18 +91,19 @@ static enum wf_status build_model(struct job *j, struct wf_arena *a, struct wf_d
     return s || !stands(j, m.shape == WF_SHAPE_UNDER_WEIGHT) ? s : stand_model(j, &m, a, e);
 }
 
-enum wf_status wf_fit_tree_build(const struct wf_fit_build *b, size_t index, struct wf_arena *a,
-                                 struct wf_diag *d, struct wf_fit_tree *out, struct wf_err *e)
+enum wf_status wf_fit_tree_build(const struct wf_calibration *c, size_t index, const char *share,
+                                 wf_import_reader *mat, struct wf_arena *a, struct wf_diag *d,
+                                 struct wf_fit_tree *out, struct wf_err *e)
 {
-    const struct wf_calibration_tree *s = &b->calibration->tree[index];
+    const struct wf_calibration_tree *s = &c->tree[index];
     struct wf_species *sp = WF_TAKE(a, 1, struct wf_species);
-    struct job j = { .build = b, .from = s, .species = sp, .tree = &out->tree, .size = NAN };
+    struct job j = { .from = s, .mat = mat, .species = sp, .tree = &out->tree, .size = NAN };
     if (!sp) return wf_fail(e, WF_ENOMEM, "not enough memory for a species");
-    enum wf_status status = find(b, "species", s->species, a, &j.path, e);
+    enum wf_status status = find(c, share, "species", s->species, a, &j.path, e);
     if (!status) status = wf_species_read(j.path, &wf_laws, a, sp, d, e);
     *out = (struct wf_fit_tree){ .name = s->name, .species = sp };
-    if (!status && s->qsm) status = wf_calibration_path(b->calibration, s->qsm, a, &j.path, e);
-    if (!status && !s->qsm) status = find(b, "models", s->model, a, &j.path, e);
+    if (!status && s->qsm) status = wf_calibration_path(c, s->qsm, a, &j.path, e);
+    if (!status && !s->qsm) status = find(c, share, "models", s->model, a, &j.path, e);
     if (!status) status = (s->qsm ? build_measured : build_model)(&j, a, d, e);
     if (status) return status;
     out->file = j.path;
