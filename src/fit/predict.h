@@ -15,10 +15,11 @@ void wf_predictor_close(struct wf_predictor *w);
 
 /* Given: internal parameter values. Returned: reading[data] [SI], slope[data x n] (may be NULL): derivatives
  * by the internal values. Method: geometrically exact beams; derivatives are the linearised response of the
- * solved tree to the change of equilibrium by a parameter (solve/beam_small.h), exact except for the stretch
- * of the axis; those of natural frequencies are differences of Rayleigh quotients with the mode shape fixed
- * (wf_modes_held). Errors:
- * WF_EUNSTABLE, WF_ENOCONV where the tree has no equilibrium. */
+ * solved tree to the change of equilibrium by a parameter (solve/beam_small.h), exact but for the stretch
+ * that follows from a change of wind by motion; those of natural frequencies are differences of Rayleigh
+ * quotients with the mode shape fixed (wf_modes_held). Small parts of standing trees that would fall with
+ * these values are stiffened, in the experiment's trees (struct wf_fit_props). Errors: WF_EUNSTABLE,
+ * WF_ENOCONV where the tree has no equilibrium. */
 enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double *reading, double *slope,
                           struct wf_err *e);
 
