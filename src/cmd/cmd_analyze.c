@@ -36,7 +36,7 @@ struct analyze_options {
     struct wf_profile_words profile; /* with the map of the ground */
     struct wf_peak_asked peak;
     struct wf_anchorage_asked anchorage;
-    const char *output, *solver, *preset, *shelter;
+    const char *output, *solver, *preset, *shelter, *branch_strength;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
     double azimuth, north;           /* [rad]                                     */
@@ -154,6 +154,7 @@ const struct wf_option wf_analyze_options[] = {
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_PEAK_ROWS(peak),
+    WF_BRANCH_STRENGTH_ROW(branch_strength),
     WF_ANCHORAGE_ROWS(anchorage),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
@@ -192,9 +193,10 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
-    CHOICE("--weight-stress", weight_stress, "PART", "total|change", "total",
-           "total: stresses of weight and wind together; change: without those that the weight makes at rest, "
-           "which is unsafe for leaning trees and limbs"),
+    CHOICE(
+        "--weight-stress", weight_stress, "PART", "total|change", "total",
+        "total: stresses of weight and wind together; change: without those that the weight makes at rest, "
+        "which is unsafe for leaning trees and limbs"),
     NUMBER("--snow", snow, "DEPTH", LENGTH, "cm", 0, 500, NULL,
            "snow on the crown, on its area seen from above: added mass"),
     NUMBER("--snow-density", snow_density, "DENSITY", DENSITY, "kg/m3", 10, 917, "150",
@@ -315,6 +317,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
         s->air_density = s->design->air; /* the code's pressure at its wind */
     if (!(s->gust_factor > 0.0)) s->gust_factor = o->averaging.gust;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
+    s->branch_strength = o->branch_strength;
     wf_search_default(&out->search);
     if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
     out->search.seconds = o->search_time;
