@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "data/bark.h"
 #include "data/law_schema.h"
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,6 @@
  * value carries its range, source and standing. */
 #include "base/arena.h"
 #include "base/err.h"
-#include "data/bark.h"
 #include "data/law.h"
 #include "data/tree.h"
 #include <stdbool.h>
