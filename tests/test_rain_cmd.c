@@ -37,6 +37,18 @@ static void runs(void **state)
           "quiet",
           CODE_OK,
           { "quiet" } },
+        /* the stem's 12 segments are the prisms; its wood is that of a stem */
+        { "$W rain --tree docs/examples/scan.csv --species oak --leaves 2 --segment 3 --duration 0.05 "
+          "--no-report -o $T/r && grep -c ,branch, $T/r/tables/scene.csv; "
+          "awk -F, '$11 == 0' docs/examples/scan.csv | wc -l",
+          CODE_OK,
+          { "2 leaves", "12\n12\n" } },
+        /* a record of another frequency and speed is another rain; its own mean unless it is rescaled */
+        { "$W rain --gust record --file docs/examples/sonic.csv --duration 1 --no-report -q -o $T/r && "
+          "$W rain --gust record --file docs/examples/sonic.csv --set rescale=1 --wind 3 --duration 1 "
+          "--no-report -q -o $T/s && ! cmp -s $T/r/tables/air.csv $T/s/tables/air.csv && echo differ",
+          CODE_OK,
+          { "differ" } },
         { "$W papers list", CODE_OK, { "yang2011", "rain on branches and leaves" } },
         { "$W papers yang201", CODE_INPUT, { "did you mean 'yang2011'?" } },
     };
@@ -60,7 +72,19 @@ static void refused(void **state)
           CODE_INPUT,
           { "no segment with the id 99999" } },
         { "$W rain --model culm --branch 1m", CODE_INPUT, { "has no effect", "whose axis has its own" } },
-        { "$W rain --segment 3", CODE_INPUT, { "without --model" } },
+        { "$W rain --segment 3", CODE_INPUT, { "without --model or --tree" } },
+        { "$W rain --strict", CODE_INPUT, { "without --tree" } },
+        { "$W rain --model culm --tree docs/examples/scan.csv --no-report -o $T/r",
+          CODE_INPUT,
+          { "one of --model, --tree and --points" } },
+        { "$W rain --gust record --duration 1 --no-report -o $T/r",
+          CODE_INPUT,
+          { "needs the file of an anemometer" } },
+        { "$W rain --gust record --file docs/examples/sonic.csv --wind 5",
+          CODE_INPUT,
+          { "--wind: has no effect", "rescale=1" } },
+        { "$W rain --gust kaimal --no-report -o $T/r", CODE_INPUT, { "needs a mean wind above 0" } },
+        { "$W rain --gust kaimal --wind 3 --file x", CODE_INPUT, { "without --gust record" } },
         { "$W rain --adhesion 1e-4", CODE_INPUT, { "has no effect", "yang2011" } },
         { "$W rain --staged --drops 200", CODE_INPUT, { "has no effect" } },
         { "$W rain --drops 200 --intensity 10mm/h --no-report -o $T/r",

@@ -25,7 +25,12 @@ static const char *gust_word(size_t i) { return i ? wf_gust_models[i - 1].name :
 
 struct rain_options {
     struct wf_args args;
-    const char *species, *form, *preset, *points, *model, *storm, *method, *fall_law, *gust, *set;
+    const char *species, *form, *preset, *points, *model, *tree, *storm, *method, *fall_law, *gust;
+    struct wf_import_asked import; /* of the tree */
+    struct {
+        const char *set, *file; /* NULL: not given */
+        struct wf_record_words record;
+    } run;
     size_t leaves, drops, grid, prisms, clusters, segment, seed, subdrops;
     double leaf_length, petiole, branch, base_radius, tip_radius, height, rise, droop, fold; /* [m], [rad] */
     double intensity, drop_size, fall, duration, step, frame, jitter; /* [m/s], [m], [s] */
@@ -39,6 +44,22 @@ struct rain_options {
     const char *output;
 };
 
+static bool inside(const void *at, const void *part, size_t size)
+{
+    return (const char *)at >= (const char *)part && (const char *)at < (const char *)part + size;
+}
+
+/* Speed of a record, which has its own; parameters of a steady wind; a file of another model. */
+static bool wind_unused(const struct rain_options *o, const void *at, char *why)
+{
+    const struct wf_gust_model *m = o->gust ? wf_gust_named(o->gust) : NULL; /* NULL: steady */
+    if (at == &o->wind)
+        return wf_option_unused(m && !wf_gust_takes_speed(m, o->run.set), why,
+                                "with a record, whose speeds are its own unless --set rescale=1");
+    if (at == &o->run.set) return wf_option_unused(!m, why, "in a steady wind");
+    return wf_option_unused(!m || strcmp(m->name, "record") != 0, why, "without --gust record");
+}
+
 /* Options that one of the presets does not use; rain that a staged run does not have. */
 static bool rain_unused(const void *options, const struct wf_option *row, char *why)
 {
@@ -51,15 +72,16 @@ static bool rain_unused(const void *options, const struct wf_option *row, char *
     if (of_printed) return wf_option_unused(!printed, why, "without the preset 'yang2011'");
     if (of_corrected) return wf_option_unused(printed, why, "with the preset 'yang2011'");
     if (at == &o->clusters) return wf_option_unused(!o->points, why, "without --points");
-    if (at == &o->segment) return wf_option_unused(!o->model, why, "without --model");
+    if (inside(at, &o->import, sizeof o->import)) return wf_option_unused(!o->tree, why, "without --tree");
+    if (at == &o->wind || inside(at, &o->run, sizeof o->run)) return wind_unused(o, at, why);
+    bool axis = o->model || o->tree;
+    if (at == &o->segment) return wf_option_unused(!axis, why, "without --model or --tree");
     if (at == &o->base_radius || at == &o->tip_radius || at == &o->height)
-        return wf_option_unused(o->model, why, "with --model, whose axis has its own");
-    if (o->model && (at == &o->prisms || at == &o->branch || at == &o->rise))
-        return wf_option_unused(true, why, "with --model, whose axis has its own");
+        return wf_option_unused(axis, why, "with --model or --tree, whose axis has its own");
+    if (axis && (at == &o->prisms || at == &o->branch || at == &o->rise))
+        return wf_option_unused(true, why, "with --model or --tree, whose axis has its own");
     if (at == &o->prisms || at == &o->branch || at == &o->rise)
         return wf_option_unused(o->points, why, "with --points, which give the branch its place");
-    if (at == &o->set)
-        return wf_option_unused(!o->gust || !strcmp(o->gust, "steady"), why, "in a steady wind");
     return wf_option_unused(o->staged, why, "with --staged, whose drops have their places and times");
 }
 
@@ -90,6 +112,9 @@ static const struct wf_option rain_options[] = {
     WHOLE("--clusters", clusters, 3, 256, "12", "nodes found from the points", UNUSED),
     PATH("--model", model, "MODEL", NULL,
          "tree model, a file or the name of a shipped one, of which an axis is the branch", .letter = "-m"),
+    PATH("--tree", tree, "FILE", NULL,
+         "measured tree of which an axis is the branch, any format of 'windfirm import'", .letter = "-t"),
+    WF_IMPORT_ROWS(import, rain_unused),
     WHOLE("--segment", segment, 0, 1e9, "0",
           "id of a segment on that axis [0: the longest of the highest level]", UNUSED),
     WHOLE("--drops", drops, 1, 5000, "20", "drops in the air at the peak of the rain, all of one size",
@@ -108,11 +133,11 @@ static const struct wf_option rain_options[] = {
     WHOLE("--seed", seed, 0, 1e9, "1", "of the random numbers", UNUSED),
     FLAG("--staged", staged, "five drops on the first leaf by a plan: hit, run, merge, hang, fall, rebound"),
     SPEED("--wind", wind, averaging, 0, 60, "0", "mean wind at the reference height; it slants the fall",
-          .letter = "-w"),
+          .letter = "-w", UNUSED),
     WF_AVERAGING_ROWS(averaging),
     WF_AZIMUTH_ROW(azimuth),
     WORD("--gust", gust, "NAME", gust_word, "steady", "how the wind changes"),
-    TEXT("--set", set, "NAME=NUMBER,...", NULL, "parameters of the gust model", UNUSED),
+    WF_GUST_ROWS(run, rain_unused),
     WF_PROFILE_ROWS(profile),
     NUMBER("--duration", duration, "TIME", TIME, "s", 0.01, 3600, "3", "time that is run"),
     NUMBER("--step", step, "TIME", TIME, "s", 1e-7, 0.02, "0.001", "of time"),
@@ -200,14 +225,38 @@ static enum wf_status take_rain(const struct rain_options *o, struct wf_rain_spe
     return WF_OK;
 }
 
-/* Wind at the branch in every step, along the azimuth. */
+/* How the wind of a gust model changes at the branch, step by step. */
+static enum wf_status take_gust(const struct rain_options *o, const struct wf_rain_spec *s, double mean,
+                                double *along, size_t steps, struct wf_arena *a, struct wf_diag *d,
+                                struct wf_err *e)
+{
+    struct wf_gust_spec spec;
+    struct wf_gust gust;
+    wf_gust_spec_default(wf_gust_named(o->gust), &spec);
+    spec.height = s->scene.height, spec.step = s->step, spec.steps = steps, spec.seed = o->seed;
+    if (mean > 0) spec.speed = mean;
+    enum wf_status status = wf_gust_set_words(&spec, o->run.set, a, e);
+    if (!status && !strcmp(o->gust, "record"))
+        status = wf_gust_record_words(&spec, o->run.file, &o->run.record, a, d, e);
+    if (!status && spec.record && !wf_gust_takes_speed(spec.model, o->run.set))
+        spec.speed = spec.record->mean;
+    if (status || (status = wf_gust_open(&spec, a, d, &gust, e))) return status;
+    double *block = WF_TAKE(a, spec.components * gust.block, double);
+    status = block ? wf_gust_history(&gust, 0, 0, block, along, e) : wf_fail(e, WF_ENOMEM, "no memory");
+    wf_gust_close(&gust);
+    return status;
+}
+
+/* Wind at the branch in every step, along the azimuth; a record is taken as measured there. */
 static enum wf_status take_wind(const struct rain_options *o, struct wf_rain_spec *s, struct wf_arena *a,
                                 struct wf_diag *d, struct wf_err *e)
 {
     struct wf_scenario sc;
     struct wf_wind wind;
     size_t steps = (size_t)(s->duration / s->step) + 2;
-    if (!(o->wind > 0)) return WF_OK;
+    bool steady = !strcmp(o->gust, "steady");
+    if (!(o->wind > 0) && (steady || wf_gust_takes_speed(wf_gust_named(o->gust), o->run.set)))
+        return steady ? WF_OK : wf_fail(e, WF_EUSAGE, "--gust %s needs a mean wind above 0, --wind", o->gust);
     wf_scenario_default(&sc);
     sc.azimuth = o->azimuth;
     enum wf_status status = wf_scenario_profile(&sc, &o->profile, a, d, e);
@@ -215,24 +264,12 @@ static enum wf_status take_wind(const struct rain_options *o, struct wf_rain_spe
     wf_scenario_wind(&sc, &wind);
     wind.speed = wf_scenario_speed(&sc, o->wind);
     double at[3] = { 0, 0, s->scene.height }, u[3], du[9], *out = WF_TAKE(a, 2 * steps, double);
+    double *along = WF_TAKE(a, steps, double);
+    if (!out || !along) return wf_fail(e, WF_ENOMEM, "not enough memory for the wind");
     wind.sample(&wind, at, u, du);
-    if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for the wind");
-    double *along = WF_TAKE(a, steps, double), mean = sqrt(u[0] * u[0] + u[1] * u[1]);
-    if (!along) return wf_fail(e, WF_ENOMEM, "not enough memory for the wind");
+    double mean = hypot(u[0], u[1]);
     for (size_t i = 0; i < steps; i++) along[i] = mean;
-    if (strcmp(o->gust, "steady") != 0) {
-        struct wf_gust_spec spec;
-        struct wf_gust gust;
-        wf_gust_spec_default(wf_gust_named(o->gust), &spec);
-        spec.speed = mean, spec.height = s->scene.height, spec.step = s->step, spec.steps = steps,
-        spec.seed = o->seed;
-        if ((status = wf_gust_set_words(&spec, o->set, a, e)) ||
-            (status = wf_gust_open(&spec, a, d, &gust, e)))
-            return status;
-        double *block = WF_TAKE(a, spec.components * gust.block, double);
-        status = block ? wf_gust_history(&gust, 0, 0, block, along, e) : wf_fail(e, WF_ENOMEM, "no memory");
-        wf_gust_close(&gust);
-    }
+    if (!steady) status = take_gust(o, s, mean, along, steps, a, d, e);
     for (size_t i = 0; i < steps; i++)
         out[2 * i] = along[i] * cos(o->azimuth), out[2 * i + 1] = along[i] * sin(o->azimuth);
     s->wind = out;
@@ -267,12 +304,15 @@ static enum wf_status take_axis(const struct rain_options *o, const struct wf_sp
                                 struct wf_scene_spec *s, struct wf_arena *a, struct wf_diag *d,
                                 struct wf_err *e)
 {
-    if (!o->model) return WF_OK;
-    if (o->points) return wf_fail(e, WF_EUSAGE, "give the branch by either --points or --model");
+    if ((o->model != NULL) + (o->tree != NULL) + (o->points != NULL) > 1)
+        return wf_fail(e, WF_EUSAGE, "give the branch by one of --model, --tree and --points");
+    if (!o->model && !o->tree) return WF_OK;
     struct wf_model *m = WF_TAKE(a, 1, struct wf_model);
     struct wf_tree t;
     if (!m) return wf_fail(e, WF_ENOMEM, "no memory");
-    enum wf_status status = wf_model_named(o->model, a, m, d, e);
+    const struct wf_import_options how = wf_import_asked_options(&o->import);
+    enum wf_status status = o->tree ? wf_model_imported(o->tree, "axis", &how, a, &m, d, e)
+                                    : wf_model_named(o->model, a, m, d, e);
     if (!status) status = wf_grow(m, sp, a, &t, d, e);
     return status ? status : wf_scene_axis(&t, (int64_t)o->segment, s, a, e);
 }
@@ -318,7 +358,7 @@ static void print_run(const char *name, const struct wf_rain_result *r)
 static enum wf_status compare_prisms(const struct wf_scene_spec *s, struct wf_arena *a,
                                      struct wf_rain_page *page, struct wf_err *e)
 {
-    const struct wf_level *wood = wf_species_level(s->species, (int32_t)s->species->levels - 1);
+    const struct wf_level *wood = wf_scene_wood(s);
     page->rod = (struct wf_prism_rod){ s->branch, s->radius[0], wood->youngs_modulus.value,
                                        wood->density.value, s->restoring > 0 ? s->restoring : 1 };
     return wf_prism_compare(&page->rod, a, page->check, e);
