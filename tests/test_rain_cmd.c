@@ -43,6 +43,18 @@ static void runs(void **state)
           "awk -F, '$11 == 0' docs/examples/scan.csv | wc -l",
           CODE_OK,
           { "2 leaves", "12\n12\n" } },
+        /* leaf and petiole of the species, unless they are given; its angle only without the paper's preset
+         */
+        { "$W rain --species birch --duration 0.05 --no-report -q -o $T/r && grep -E "
+          "'\"(leaf_cm2|petiole_mm|petiole_diameter_mm|contact_angle_deg)\"' $T/r/results.json",
+          CODE_OK,
+          { "\"leaf_cm2\": 12", "\"petiole_mm\": 18", "\"petiole_diameter_mm\": 0.9",
+            "\"contact_angle_deg\": 100" } },
+        { "$W rain --species birch --petiole 25mm --leaf-length 5cm --preset yang2011 --duration 0.05 "
+          "--no-report -q -o $T/r && grep -E '\"(vein_mm|petiole_mm|contact_angle_deg)\"' "
+          "$T/r/results.json",
+          CODE_OK,
+          { "\"vein_mm\": 50", "\"petiole_mm\": 25", "\"contact_angle_deg\": 60" } },
         /* a record of another frequency and speed is another rain; its own mean unless it is rescaled */
         { "$W rain --gust record --file docs/examples/sonic.csv --duration 1 --no-report -q -o $T/r && "
           "$W rain --gust record --file docs/examples/sonic.csv --set rescale=1 --wind 3 --duration 1 "

@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "close.h"
 #include "load/load.h"
+#include "study/prism_check.h"
 #include "study/rain_departures.h"
 #include "study/rain_run.h"
 #include <stdlib.h>
@@ -155,6 +156,26 @@ static void explicit_step(void **state)
     wf_arena_free(&c.a);
 }
 
+/* What the paper says of springs without a law: long branches fold and do not come back in time, short ones
+ * do; restoring springs bring all back as soon as the short ones. */
+static void disorder(void **state)
+{
+    (void)state;
+    struct wf_arena a = { 0 };
+    struct wf_err e = { 0 };
+    const struct wf_prism_rod rod = { 0.4, 3e-3, 2e9, 900, 1 };
+    struct wf_prism_order o[WF_PRISM_ORDERS];
+    if (wf_prism_disorder(&rod, &a, o, &e)) fail_msg("%s", e.text);
+    for (size_t k = 0; k < WF_PRISM_ORDERS; k++) {
+        bool held = k >= WF_PRISM_CHECKS, folds = !held && o[k].prisms >= 32;
+        assert_int_equal(isnan(o[k].back), folds);
+        if (!folds) assert_true(o[k].back < 1.5 && o[k].left < 1e-4);
+        if (folds) assert_true(o[k].fold > 35 * WF_PI / 180 && o[k].left > 0.5);
+        if (held) assert_true(o[k].fold < 2 * WF_PI / 180 && o[k].sag < 0.02);
+    }
+    wf_arena_free(&a);
+}
+
 static void wrong_runs(void **state)
 {
     (void)state;
@@ -179,8 +200,9 @@ static void wrong_runs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(staged),  cmocka_unit_test(random_rain),   cmocka_unit_test(dry_leaf),
-        cmocka_unit_test(ringing), cmocka_unit_test(explicit_step), cmocka_unit_test(wrong_runs),
+        cmocka_unit_test(disorder),   cmocka_unit_test(staged),  cmocka_unit_test(random_rain),
+        cmocka_unit_test(dry_leaf),   cmocka_unit_test(ringing), cmocka_unit_test(explicit_step),
+        cmocka_unit_test(wrong_runs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,7 +32,8 @@ struct rain_options {
         struct wf_record_words record;
     } run;
     size_t leaves, drops, grid, prisms, clusters, segment, seed, subdrops;
-    double leaf_length, petiole, branch, base_radius, tip_radius, height, rise, droop, fold; /* [m], [rad] */
+    double leaf_length, petiole, petiole_width, petiole_youngs, branch, base_radius, tip_radius, height, rise,
+        droop, fold;                                                  /* [m], [rad] */
     double intensity, drop_size, fall, duration, step, frame, jitter; /* [m/s], [m], [s] */
     double angle, receding, advancing, friction, adhesion, hang, apex, beta, film, zeta, eta, omega, lambda;
     double loss, splash, lever, restoring, damping;
@@ -94,8 +95,14 @@ static const struct wf_option rain_options[] = {
            "yang2011: formulas and constants as printed"),
     WHOLE("--leaves", leaves, 1, 64, "5", "leaves on the branch"),
     WORD("--form", form, "NAME", form_word, "ovate", "outline of the leaves"),
-    NUMBER("--leaf-length", leaf_length, "LENGTH", LENGTH, "m", 0.005, 1, "0.08", "of the main vein"),
-    NUMBER("--petiole", petiole, "LENGTH", LENGTH, "m", 0.002, 0.5, "0.03", "of the petiole"),
+    NUMBER("--leaf-length", leaf_length, "LENGTH", LENGTH, "m", 0.005, 1, NULL,
+           "of the main vein [by the species' leaf area; else 8 cm]"),
+    NUMBER("--petiole", petiole, "LENGTH", LENGTH, "m", 5e-4, 1, NULL,
+           "of the petiole [the species'; else 3 cm]"),
+    NUMBER("--petiole-diameter", petiole_width, "LENGTH", LENGTH, "mm", 1e-4, 0.05, NULL,
+           "of the petiole [the species'; else 1.6 mm]"),
+    NUMBER("--petiole-modulus", petiole_youngs, "PRESSURE", PRESSURE, "GPa", 1e6, 2e10, NULL,
+           "Young's modulus of the petiole [the species'; else 0.5 GPa]"),
     NUMBER("--branch", branch, "LENGTH", LENGTH, "m", 0.02, 5, "0.4", "of the branch", UNUSED),
     NUMBER("--base-radius", base_radius, "LENGTH", LENGTH, "m", 2e-4, 0.2, "0.003", "of the branch", UNUSED),
     NUMBER("--tip-radius", tip_radius, "LENGTH", LENGTH, "m", 1e-4, 0.2, "0.0015", "of the branch", UNUSED),
@@ -149,11 +156,12 @@ static const struct wf_option rain_options[] = {
     NUMBER("--restoring", restoring, "NUMBER", NONE, NULL, 0, 1e6, NULL,
            "of each vertex to its rest place, N/m [0; yang2011: 1]"),
     WHOLE("--grid", grid, 1, 4096, "256", "cells of a leaf, along and across"),
-    NUMBER("--contact-angle", angle, "ANGLE", ANGLE, "deg", 0, 180, "60", "of water on the leaf"),
-    NUMBER("--receding", receding, "ANGLE", ANGLE, "deg", 0, 180, "50",
-           "contact angle at the back of a drop that runs", UNUSED),
-    NUMBER("--advancing", advancing, "ANGLE", ANGLE, "deg", 0, 180, "70", "contact angle at its front",
-           UNUSED),
+    NUMBER("--contact-angle", angle, "ANGLE", ANGLE, "deg", 0, 180, NULL,
+           "of water on the leaf [the species'; else 60 deg, as yang2011]"),
+    NUMBER("--receding", receding, "ANGLE", ANGLE, "deg", 0, 180, NULL,
+           "contact angle at the back of a drop that runs [10 deg below the contact angle]", UNUSED),
+    NUMBER("--advancing", advancing, "ANGLE", ANGLE, "deg", 0, 180, NULL,
+           "contact angle at its front [10 deg above]", UNUSED),
     NUMBER("--friction", friction, "NUMBER", NONE, NULL, 0, 10, "0.1", "mu of a drop on the leaf"),
     NUMBER("--adhesion", adhesion, "FORCE", FORCE, "N", 0, 1, "5e-5", "H of a drop as printed", UNUSED),
     NUMBER("--hang", hang, "FORCE", FORCE, "N", 0, 1, "5e-4",
@@ -187,13 +195,21 @@ static const char rain_about[] = "Drops fall on a branch with leaves: they hit, 
 
 /* ---- From options to a run ---- */
 
+static double given_or(double given, double otherwise) { return isnan(given) ? otherwise : given; }
+
 static void take_water(const struct rain_options *o, struct wf_rain_spec *s)
 {
     struct wf_water_law *w = &s->water;
     bool printed = s->printed;
     wf_water_law_default(w, printed);
-    w->angle = o->angle, w->friction = o->friction, w->beta = o->beta, w->tail = o->subdrops;
-    w->receding = o->receding, w->advancing = o->advancing, w->apex = o->apex, w->film = o->film;
+    const struct wf_value *usual = &s->scene.species->crown.leaf_contact_angle;
+    if (usual->given && !printed) w->angle = usual->value;
+    w->angle = given_or(o->angle, w->angle);
+    w->friction = o->friction, w->beta = o->beta, w->tail = o->subdrops;
+    const double apart = 10 * WF_PI / 180; /* assumed */
+    w->receding = given_or(o->receding, fmax(w->angle - apart, 0.1 * w->angle));
+    w->advancing = given_or(o->advancing, fmin(w->angle + apart, WF_PI - 0.1 * (WF_PI - w->angle)));
+    w->apex = o->apex, w->film = o->film;
     w->adhesion = o->adhesion, w->hang = o->hang;
     s->loss = o->loss, s->lever = o->lever, s->splash = printed ? 0 : o->splash;
     s->grid = o->grid;
@@ -202,7 +218,10 @@ static void take_water(const struct rain_options *o, struct wf_rain_spec *s)
 static void take_scene(const struct rain_options *o, const struct wf_species *sp, struct wf_scene_spec *s)
 {
     s->species = sp, s->form = wf_leaf_form_named(o->form), s->leaves = o->leaves;
-    s->leaf_length = o->leaf_length, s->petiole = o->petiole, s->branch = o->branch;
+    wf_scene_spec_leaf(s);
+    s->leaf_length = given_or(o->leaf_length, s->leaf_length), s->petiole = given_or(o->petiole, s->petiole);
+    s->petiole_radius = given_or(o->petiole_width / 2, s->petiole_radius);
+    s->petiole_youngs = given_or(o->petiole_youngs, s->petiole_youngs), s->branch = o->branch;
     s->radius[0] = o->base_radius, s->radius[1] = o->tip_radius;
     s->height = o->height, s->rise = o->rise, s->droop = o->droop, s->fold = o->fold, s->prisms = o->prisms;
     if (!isnan(o->restoring)) s->restoring = o->restoring;
@@ -409,12 +428,12 @@ int wf_cmd_rain(int argc, char **argv)
 
 /* Table 1 of the paper: leaves, mesh of a leaf for about its facets, grid, drops, frames a second. */
 static const struct {
-    size_t scene, leaves, mesh[2];
+    size_t scene, leaves, vertices, facets, mesh[2];
     double frames[3][2]; /* grids 128, 256, 512; 20 and 200 drops */
 } paper_scenes[] = {
-    { 1, 5, { 15, 15 }, { { 10.72, 4.16 }, { 5.49, 1.03 }, { 1.43, 0.18 } } },
-    { 2, 5, { 12, 13 }, { { 13.57, 5.28 }, { 5.91, 1.89 }, { 1.52, 0.19 } } },
-    { 3, 6, { 12, 13 }, { { 10.33, 3.59 }, { 4.15, 0.58 }, { 1.07, 0.13 } } },
+    { 1, 5, 3409, 4500, { 15, 15 }, { { 10.72, 4.16 }, { 5.49, 1.03 }, { 1.43, 0.18 } } },
+    { 2, 5, 2046, 3046, { 12, 13 }, { { 13.57, 5.28 }, { 5.91, 1.89 }, { 1.52, 0.19 } } },
+    { 3, 6, 2626, 3533, { 12, 13 }, { { 10.33, 3.59 }, { 4.15, 0.58 }, { 1.07, 0.13 } } },
 };
 enum { PAPER_RUNS = 3, PAPER_SPEEDS = 18 };
 
@@ -438,6 +457,8 @@ static enum wf_status time_scene(const struct wf_species *sp, size_t i, size_t g
                                        r.scene.facets,
                                        spec.grid,
                                        spec.drops,
+                                       paper_scenes[i].vertices,
+                                       paper_scenes[i].facets,
                                        paper_scenes[i].frames[g][dense],
                                        (double)r.steps / fmax(r.seconds, 1e-9) };
     wf_arena_free(&a);
@@ -504,6 +525,7 @@ static enum wf_status paper(void *work, struct wf_doc_head *head, struct wf_run_
     struct wf_rain_result result[PAPER_RUNS];
     struct wf_diag diag[PAPER_RUNS] = { { 0 } };
     struct wf_rain_speed speed[PAPER_SPEEDS];
+    struct wf_prism_order order[WF_PRISM_ORDERS];
     const struct wf_rain_page_run run[PAPER_RUNS] = { { "staged drops, corrected", &result[0], &diag[0] },
                                                       { "staged drops, as printed", &result[1], &diag[1] },
                                                       { "200 drops in the air, corrected", &result[2],
@@ -512,8 +534,10 @@ static enum wf_status paper(void *work, struct wf_doc_head *head, struct wf_run_
     enum wf_status s = wf_species_named("poplar", a, &sp, d, e);
     if (s || (s = wf_results_begin(f, o->output, o->pages.none ? NULL : "rain", e))) return s;
     if ((s = paper_runs(&sp, spec, result, diag, &page, a, e)) ||
-        (s = compare_prisms(&spec[0].scene, a, &page, e)) || (s = time_scenes(&sp, speed, &page.speeds, e)))
+        (s = compare_prisms(&spec[0].scene, a, &page, e)))
         return s;
+    if ((s = wf_prism_disorder(&page.rod, a, order, e)) == WF_OK) page.order = order;
+    if ((s && s != WF_EINTERRUPTED) || (s = time_scenes(&sp, speed, &page.speeds, e))) return s;
     for (size_t r = 0; r < page.n && !o->args.quiet; r++) print_run(run[r].name, &result[r]);
     for (size_t r = 0; r < page.n; r++)
         for (const struct wf_finding *w = diag[r].first; w; w = w->next)

@@ -28,6 +28,16 @@ void wf_scene_spec_default(struct wf_scene_spec *s)
                                  .mesh = { 24, 10 } };
 }
 
+void wf_scene_spec_leaf(struct wf_scene_spec *s)
+{
+    const struct wf_crown *c = &s->species->crown;
+    const struct wf_blade unit = { s->form, 1, s->form->breadth / 2 };
+    if (c->leaf_area.given) s->leaf_length = sqrt(c->leaf_area.value / wf_blade_area(&unit));
+    if (c->petiole_length.given) s->petiole = c->petiole_length.value;
+    if (c->petiole_diameter.given) s->petiole_radius = c->petiole_diameter.value / 2;
+    if (c->petiole_modulus.given) s->petiole_youngs = c->petiole_modulus.value;
+}
+
 /* ---- An axis of a tree ---- */
 
 /* The row that goes on with the axis of row i; t->n: none. */

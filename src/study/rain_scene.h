@@ -31,6 +31,10 @@ struct wf_scene_spec {
 /* Defaults: five ovate leaves of 8 cm on a branch of 40 cm; the assumed values are listed in docs/rain.md. */
 void wf_scene_spec_default(struct wf_scene_spec *s);
 
+/* Leaf and petiole of s->species, in place of the defaults where its table gives them; the vein is that of a
+ * leaf of s->form with the area. */
+void wf_scene_spec_leaf(struct wf_scene_spec *s);
+
 /* Take an axis of a tree as the branch: its segments become prisms, cut so that there are at least eight;
  * their radii, and the height of its base. id: of a segment on it; 0: the longest axis of the highest level.
  * Given: s->species. Returned: nodes, thick, node_count, wood, radius, height, branch of *s. Errors:
