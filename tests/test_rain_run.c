@@ -163,7 +163,7 @@ static void disorder(void **state)
     (void)state;
     struct wf_arena a = { 0 };
     struct wf_err e = { 0 };
-    const struct wf_prism_rod rod = { 0.4, 3e-3, 2e9, 900, 1 };
+    const struct wf_prism_rod rod = { 0.4, 3e-3, 2e9, 2e9 / 16, 900, 1 };
     struct wf_prism_order o[WF_PRISM_ORDERS];
     if (wf_prism_disorder(&rod, &a, o, &e)) fail_msg("%s", e.text);
     for (size_t k = 0; k < WF_PRISM_ORDERS; k++) {

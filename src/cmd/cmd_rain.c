@@ -378,8 +378,12 @@ static enum wf_status compare_prisms(const struct wf_scene_spec *s, struct wf_ar
                                      struct wf_rain_page *page, struct wf_err *e)
 {
     const struct wf_level *wood = wf_scene_wood(s);
-    page->rod = (struct wf_prism_rod){ s->branch, s->radius[0], wood->youngs_modulus.value,
-                                       wood->density.value, s->restoring > 0 ? s->restoring : 1 };
+    page->rod = (struct wf_prism_rod){ s->branch,
+                                       s->radius[0],
+                                       wood->youngs_modulus.value,
+                                       wood->shear_modulus.value,
+                                       wood->density.value,
+                                       s->restoring > 0 ? s->restoring : 1 };
     return wf_prism_compare(&page->rod, a, page->check, e);
 }
 

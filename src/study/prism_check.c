@@ -29,7 +29,7 @@ static enum wf_status make_as(const struct wf_prism_rod *r, size_t n, double res
         place[3 * i] = (double)i * h;
         mass[i] = r->density * WF_PI * r->radius * r->radius * share;
         polar[i] = 2 * r->density * out->inertia * share;
-        if (i < n) ei[i] = r->youngs * out->inertia, gj[i] = r->youngs / 8 * out->inertia;
+        if (i < n) ei[i] = r->youngs * out->inertia, gj[i] = 2 * r->shear * out->inertia;
     }
     const struct wf_prism_axis axis = { .segments = n,
                                         .place = place,
@@ -52,66 +52,76 @@ static enum wf_status make(const struct wf_prism_rod *r, size_t n, double restor
     return make_as(r, n, restoring, false, a, out, e);
 }
 
-/* Tip deflection over F L^3/(3 E I). */
-static enum wf_status deflect(const struct wf_prism_rod *r, size_t n, double restoring, struct wf_arena *a,
-                              double *ratio, struct wf_err *e)
+/* Tip deflection by a force across [m]. */
+static enum wf_status deflect(const struct wf_prism_rod *r, size_t n, double restoring, double force,
+                              struct wf_arena *a, double *tip, struct wf_err *e)
 {
     struct cut c;
     enum wf_status s = make(r, n, restoring, a, &c, e);
-    double small = 1e-4 * r->length, *tip;
     if (s) return s;
-    for (size_t j = 0; j < 3; j++)
-        c.f[9 * n + 3 * j + 2] =
-            small * r->youngs * c.inertia / pow(r->length, 3); /* a third of 3 E I w/L^3 */
+    for (size_t j = 0; j < 3; j++) c.f[9 * n + 3 * j + 2] = force / 3;
     if ((s = wf_prism_settle(&c.p, c.f, c.x, a, e))) return s;
-    tip = c.x + 9 * n;
-    *ratio = (tip[2] + tip[5] + tip[8]) / 3 / small;
+    const double *v = c.x + 9 * n;
+    *tip = (v[2] + v[5] + v[8]) / 3;
     return WF_OK;
 }
 
-static enum wf_status twist(const struct wf_prism_rod *r, size_t n, struct wf_arena *a, double *ratio,
-                            struct wf_err *e)
+/* Twist of the tip by a moment about the axis [rad]. */
+static enum wf_status twist(const struct wf_prism_rod *r, size_t n, double restoring, double moment,
+                            struct wf_arena *a, double *turn, struct wf_err *e)
 {
     struct cut c;
-    enum wf_status s = make(r, n, 0, a, &c, e);
-    double small = 1e-3;
+    enum wf_status s = make(r, n, restoring, a, &c, e);
     if (s) return s;
-    double arm = c.p.arm[0], force = small * r->youngs / 8 * c.inertia / r->length / (3 * arm);
+    double arm = c.p.arm[0], force = moment / (3 * arm);
     for (size_t j = 0; j < 3; j++) {
         const double *at = c.p.rest + 9 * n + 3 * j;
         c.f[9 * n + 3 * j + 1] = -at[2] / arm * force, c.f[9 * n + 3 * j + 2] = at[1] / arm * force;
     }
     if ((s = wf_prism_settle(&c.p, c.f, c.x, a, e))) return s;
-    *ratio = atan2(-c.x[9 * n + 1], c.x[9 * n + 2]) / small;
+    *turn = atan2(-c.x[9 * n + 1], c.x[9 * n + 2]);
     return WF_OK;
 }
 
-static enum wf_status sway(const struct wf_prism_rod *r, size_t n, double restoring, struct wf_arena *a,
-                           double *ratio, struct wf_err *e)
+enum wf_status wf_prism_cantilever(const struct wf_prism_rod *r, size_t n, double force, double moment,
+                                   struct wf_arena *a, struct wf_prism_answer *out, struct wf_err *e)
+{
+    struct cut c;
+    enum wf_status s = make(r, n, r->restoring, a, &c, e);
+    if (!s) s = wf_prism_frequency(&c.p, c.x, NULL, a, &out->frequency, e);
+    if (!s) s = deflect(r, n, r->restoring, force, a, &out->tip, e);
+    if (!s) s = twist(r, n, r->restoring, moment, a, &out->turn, e);
+    return s;
+}
+
+/* Ratios to Euler-Bernoulli and Saint-Venant, by small loads. */
+static enum wf_status ratios(const struct wf_prism_rod *r, size_t n, struct wf_arena *a,
+                             struct wf_prism_answer *out, struct wf_err *e)
 {
     static const double root = 1.875104068711961; /* cos x cosh x = -1 */
-    struct cut c;
-    double f;
-    enum wf_status s = make(r, n, restoring, a, &c, e);
-    if (s || (s = wf_prism_frequency(&c.p, c.x, NULL, a, &f, e))) return s;
-    double line = r->density * WF_PI * r->radius * r->radius;
-    *ratio = f * WF_TURN * r->length * r->length / (root * root * sqrt(r->youngs * c.inertia / line));
-    return WF_OK;
+    double inertia = WF_PI / 4 * pow(r->radius, 4), line = r->density * WF_PI * r->radius * r->radius;
+    double small = 1e-4 * r->length, turn = 1e-3;
+    enum wf_status s = wf_prism_cantilever(r, n, 3 * small * r->youngs * inertia / pow(r->length, 3),
+                                           turn * 2 * r->shear * inertia / r->length, a, out, e);
+    out->tip /= small, out->turn /= turn;
+    out->frequency *= WF_TURN * r->length * r->length / (root * root * sqrt(r->youngs * inertia / line));
+    return s;
 }
 
 enum wf_status wf_prism_compare(const struct wf_prism_rod *rod, struct wf_arena *a,
                                 struct wf_prism_check out[WF_PRISM_CHECKS], struct wf_err *e)
 {
     enum wf_status s = WF_OK;
+    struct wf_prism_rod free = *rod;
+    free.restoring = 0;
     for (size_t k = 0; k < WF_PRISM_CHECKS && !s; k++) {
         struct wf_prism_check *c = &out[k];
+        struct wf_prism_answer alone = { 0 }, held = { 0 };
         c->prisms = (size_t)4 << k;
-        s = deflect(rod, c->prisms, 0, a, &c->bend, e);
-        if (!s) s = twist(rod, c->prisms, a, &c->twist, e);
-        if (!s) s = sway(rod, c->prisms, 0, a, &c->frequency, e);
-        if (!s) s = sway(rod, c->prisms, rod->restoring, a, &c->quick, e);
-        if (!s) s = deflect(rod, c->prisms, rod->restoring, a, &c->held, e);
-        c->bend -= 1, c->twist -= 1, c->frequency -= 1;
+        s = ratios(&free, c->prisms, a, &alone, e);
+        if (!s) s = ratios(rod, c->prisms, a, &held, e);
+        c->bend = alone.tip - 1, c->twist = alone.turn - 1, c->frequency = alone.frequency - 1;
+        c->held = held.tip, c->quick = held.frequency;
     }
     return s;
 }

@@ -14,9 +14,16 @@ struct wf_prism_check {
     double quick; /* first frequency with them, over theory: how much sooner it returns [-] */
 };
 struct wf_prism_rod {
-    double length, radius, youngs, density; /* [m], [m], [Pa], [kg m-3]; G = E/16 */
-    double restoring;                       /* [N/m] */
+    double length, radius, youngs, shear, density; /* [m], [m], [Pa], [Pa], [kg m-3] */
+    double restoring;                              /* of every vertex to its rest place [N/m] */
 };
+/* A cantilever of n prisms: tip deflection by a force across at its tip [N], twist by a moment about its axis
+ * [N m], first frequency. Errors: those of wf_prism_make, wf_prism_settle and wf_prism_frequency. */
+struct wf_prism_answer {
+    double tip, turn, frequency; /* [m], [rad], [Hz] */
+};
+enum wf_status wf_prism_cantilever(const struct wf_prism_rod *rod, size_t n, double force, double moment,
+                                   struct wf_arena *a, struct wf_prism_answer *out, struct wf_err *e);
 /* Errors for 4, 8, 16, 32 and 64 prisms. Errors: those of wf_prism_make and wf_prism_settle. */
 enum wf_status wf_prism_compare(const struct wf_prism_rod *rod, struct wf_arena *a,
                                 struct wf_prism_check out[WF_PRISM_CHECKS], struct wf_err *e);
