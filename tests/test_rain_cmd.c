@@ -108,6 +108,19 @@ static void refused(void **state)
         { "printf '0 0 0\\n1 x 1\\n' >$T/p; $W rain --points $T/p --no-report -o $T/r",
           CODE_INPUT,
           { "p:2:1" } },
+        { "for i in 1 2 3 4 5 6; do echo 1 0 0; echo 2 0 0; done >$T/p; $W rain --points $T/p --clusters 4 "
+          "--no-report -o $T/r",
+          CODE_INPUT,
+          { "stays empty", "take fewer clusters" } },
+        { "sed '/^crown:/,$d' species/birch.yaml >$T/birch.yaml; $W rain --species $T/birch.yaml "
+          "--no-report -o $T/r",
+          CODE_INPUT,
+          { "has no leaves", "leaf_mass_per_area" } },
+        { "$W rain --leaf-length 0", CODE_INPUT, { "--leaf-length" } },
+        { "$W rain --petiole-diameter 0", CODE_INPUT, { "--petiole-diameter" } },
+        { "$W rain --receding 80deg --advancing 70deg --no-report -o $T/r",
+          CODE_INPUT,
+          { "receding contact angle" } },
         { "$W rain --species willow_feng1999 --form pinnate", CODE_INPUT, { "--form" } },
     };
     CHECK(rows);

@@ -2,6 +2,7 @@
 /* Rain on a branch, whole runs: budgets that close, the five effects, shelter, ringing, the printed preset.
  */
 #include "base/num.h"
+#include "base/parallel.h"
 #include "close.h"
 #include "load/load.h"
 #include "study/prism_check.h"
@@ -110,6 +111,40 @@ static void random_rain(void **state)
     for (int k = 0; k < 2; k++) wf_arena_free(&c[k].a);
 }
 
+struct pair {
+    struct case_of c[2];
+};
+static enum wf_status one_of(void *context, size_t k, struct wf_err *e)
+{
+    struct case_of *c = &((struct pair *)context)->c[k];
+    return wf_rain_run(&c->spec, &c->a, &c->d, &c->r, e);
+}
+
+/* Rain on one thread, and twice on two at once: the same bytes. */
+static void threads(void **state)
+{
+    (void)state;
+    static struct pair p[2];
+    for (int n = 1; n <= 2; n++) {
+        struct wf_err e = { 0 };
+        for (int k = 0; k < 2; k++) {
+            start(&p[n - 1].c[k], false);
+            p[n - 1].c[k].spec.drops = 200, p[n - 1].c[k].spec.duration = 0.8;
+        }
+        if (wf_parallel(2, (size_t)n, one_of, &p[n - 1], &e)) fail_msg("%s", e.text);
+    }
+    const struct wf_rain_result *first = &p[0].c[0].r;
+    assert_true(first->hits > 5);
+    for (int i = 1; i < 4; i++) {
+        const struct wf_rain_result *r = &p[i / 2].c[i % 2].r;
+        assert_int_equal(r->rows, first->rows);
+        assert_memory_equal(r->row, first->row, r->rows * sizeof *r->row);
+        assert_memory_equal(&r->water, &first->water, sizeof r->water);
+        assert_memory_equal(&r->energy, &first->energy, sizeof r->energy);
+    }
+    for (int i = 0; i < 4; i++) wf_arena_free(&p[i / 2].c[i % 2].a);
+}
+
 /* A leaf that no drop reaches stays dry: the staged drops fall on the first leaf alone. */
 static void dry_leaf(void **state)
 {
@@ -200,9 +235,9 @@ static void wrong_runs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(disorder),   cmocka_unit_test(staged),  cmocka_unit_test(random_rain),
-        cmocka_unit_test(dry_leaf),   cmocka_unit_test(ringing), cmocka_unit_test(explicit_step),
-        cmocka_unit_test(wrong_runs),
+        cmocka_unit_test(disorder),      cmocka_unit_test(staged),     cmocka_unit_test(threads),
+        cmocka_unit_test(random_rain),   cmocka_unit_test(dry_leaf),   cmocka_unit_test(ringing),
+        cmocka_unit_test(explicit_step), cmocka_unit_test(wrong_runs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

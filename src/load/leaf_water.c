@@ -323,7 +323,7 @@ static void let_fall(struct wf_leaf_water *w, size_t i)
 {
     w->fell += w->drop[i].mass;
     w->count[WF_WATER_FELL]++;
-    if (w->falls < WF_COUNT(w->fall)) w->fall[w->falls++] = w->drop[i];
+    w->fall[w->falls++] = w->drop[i];
     remove_drop(w, i);
 }
 
@@ -359,7 +359,7 @@ static bool move_drop(struct wf_leaf_water *w, const struct wf_water_law *law, c
         d->at[1] *= 0.999;
     }
     /* what hangs, at the edge or under a leaf that has turned over, is held up to the limit */
-    if ((d->edge || press < 0) && d->mass > wf_leaf_hanging(law)) {
+    if ((d->edge || press < 0) && d->mass > wf_leaf_hanging(law) && w->falls < WF_COUNT(w->fall)) {
         let_fall(w, i);
         return false;
     }

@@ -70,7 +70,7 @@ struct wf_leaf_water {
     struct wf_leaf_drop drop[WF_LEAF_DROPS];
     double received, film, fell; /* mass since the start [kg]; received = drops + film + fell */
     size_t count[WF_WATER_EVENTS];
-    /* what fell in the last step */
+    /* what fell in the last step; more than there is room for falls in the next one */
     size_t falls;
     struct wf_leaf_drop fall[16];
 };

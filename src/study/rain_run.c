@@ -222,7 +222,7 @@ static void put_in_air(struct run *r, struct falling d)
     if (r->airs < AIR_MOST)
         r->air[r->airs++] = d;
     else
-        r->out->water.ground += d.mass; /* counted, not followed */
+        r->out->water.ground += d.mass, r->out->uncounted++; /* not followed */
 }
 
 static void emit(struct run *r, const struct wf_rain *rain, uint64_t step)
@@ -542,6 +542,28 @@ static void close_budgets(struct run *r)
     b->off = fabs(b->end - b->start - b->weight - b->load - b->push + b->damping) / most;
 }
 
+/* What would make the answer wrong without being seen. */
+static void say_limits(const struct wf_rain_result *o, struct wf_diag *d)
+{
+    const double water = 1e-12, energy = 1e-7;
+    if (o->uncounted)
+        wf_diag_warn(
+            d, "drops-not-followed",
+            "%zu drops were not followed and are counted as fallen on the ground: more than %d in the "
+            "air at once; less rain, a smaller area or a shorter fall (--fall) keeps all",
+            o->uncounted, AIR_MOST);
+    if (o->events_all > o->events)
+        wf_diag_warn(d, "events-left-out", "tables/events.csv has the first %zu of %zu events", o->events,
+                     o->events_all);
+    bool kept = o->spec->method == WF_PRISM_EULER || o->energy.off <= energy; /* Euler's own is listed */
+    if (!(o->water.off <= water) || !kept)
+        wf_diag_warn(
+            d, "budget-open",
+            "the budgets do not close: %.2g of the water (at most %.0e), %.2g of the energy (at most "
+            "%.0e); a shorter --step may help",
+            o->water.off, water, o->energy.off, energy);
+}
+
 static enum wf_status one_step(struct run *r, const struct wf_rain *rain, uint64_t step, struct wf_err *e)
 {
     for (size_t c = 0; c < 2 && r->s->wind; c++) r->wind[c] = r->s->wind[2 * step + c];
@@ -586,5 +608,6 @@ enum wf_status wf_rain_run(const struct wf_rain_spec *s, struct wf_arena *a, str
     out->seconds = (double)(clock() - begun) / CLOCKS_PER_SEC;
     out->iterations = r.m.iterations, out->factors = r.m.factors;
     close_budgets(&r);
+    say_limits(out, d);
     return ring_down(out, a, e);
 }

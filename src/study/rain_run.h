@@ -78,6 +78,7 @@ struct wf_rain_result {
     struct wf_water_budget water;
     struct wf_energy_budget energy;
     size_t hits, wood_hits, missed, tests, ways; /* tests: bodies tried; ways: of drops */
+    size_t uncounted;                            /* drops beyond those that are followed: `ground` */
     double frequency, damping;                   /* lowest, at rest [Hz]; c [1/s] */
     double euler_limit;                          /* largest stable explicit step [s] */
     double fallen_at, struck_at; /* times of the last drop that fell off, and of the last hit; NAN, 0: none */
