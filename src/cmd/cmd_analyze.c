@@ -42,6 +42,7 @@ struct analyze_options {
     double air_density;             /* [kg m-3]; NAN: from the two above         */
     double search_to, search_time;  /* [m/s], NAN: the library's default; [s]    */
     double mesh_tolerance;          /* [-]                                       */
+    const char *weight_stress;      /* "total" or "change"                        */
     double snow, snow_density, ice; /* [m], [kg m-3], [m]; NAN: not given        */
     struct wf_water_asked water;
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
@@ -169,6 +170,10 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
+    CHOICE(
+        "--weight-stress", weight_stress, "PART", "total|change", "total",
+        "total: stresses of weight and wind together; change: without those that the weight makes at rest, "
+        "which is unsafe for leaning trees and limbs"),
     NUMBER("--snow", snow, "DEPTH", LENGTH, "cm", 0, 500, NULL,
            "snow on the crown, on its area seen from above: added mass"),
     NUMBER("--snow-density", snow_density, "DENSITY", DENSITY, "kg/m3", 10, 917, "150",
@@ -266,6 +271,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     if (status) return status;
     s->winds_said = o->args.winds_said;
     s->azimuth = o->azimuth;
+    s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;
     s->water = wf_water_asked_film(&o->water);
