@@ -111,6 +111,29 @@ static void random_rain(void **state)
     for (int k = 0; k < 2; k++) wf_arena_free(&c[k].a);
 }
 
+/* A leaf of the species' area, and its petiole; without them the defaults stay. */
+static void leaf_of_species(void **state)
+{
+    (void)state;
+    struct case_of c;
+    start(&c, false);
+    for (int given = 0; given < 2; given++) {
+        struct wf_scene_spec s = c.spec.scene;
+        c.sp.crown.leaf_area = (struct wf_value){ .value = 12e-4, .given = given };
+        c.sp.crown.petiole_length = (struct wf_value){ .value = 0.018, .given = given };
+        c.sp.crown.petiole_diameter = (struct wf_value){ .value = 9e-4, .given = given };
+        c.sp.crown.petiole_modulus = (struct wf_value){ .value = 7e8, .given = given };
+        wf_scene_spec_leaf(&s);
+        const struct wf_blade b = { s.form, s.leaf_length, s.leaf_length * s.form->breadth / 2 };
+        if (given) assert_close(wf_blade_area(&b), 12e-4, 1e-12);
+        assert_close(s.petiole, given ? 0.018 : c.spec.scene.petiole, 1e-12);
+        assert_close(s.petiole_radius, given ? 4.5e-4 : c.spec.scene.petiole_radius, 1e-12);
+        assert_close(s.petiole_youngs, given ? 7e8 : c.spec.scene.petiole_youngs, 1e-12);
+        assert_true(given || s.leaf_length == c.spec.scene.leaf_length);
+    }
+    wf_arena_free(&c.a);
+}
+
 struct pair {
     struct case_of c[2];
 };
@@ -201,6 +224,9 @@ static void disorder(void **state)
     const struct wf_prism_rod rod = { 0.4, 3e-3, 2e9, 2e9 / 16, 900, 1 };
     struct wf_prism_order o[WF_PRISM_ORDERS];
     if (wf_prism_disorder(&rod, &a, o, &e)) fail_msg("%s", e.text);
+    struct wf_prism_answer one = { 0 };
+    assert_int_equal(wf_prism_cantilever(&rod, 8, 1e-3, 0, &a, &one, &e), WF_OK);
+    assert_true(one.tip > 0 && one.tip < 1e-3 && one.turn == 0); /* held by springs of 1 N/m */
     for (size_t k = 0; k < WF_PRISM_ORDERS; k++) {
         bool held = k >= WF_PRISM_CHECKS, folds = !held && o[k].prisms >= 32;
         assert_int_equal(isnan(o[k].back), folds);
@@ -235,9 +261,9 @@ static void wrong_runs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(disorder),      cmocka_unit_test(staged),     cmocka_unit_test(threads),
-        cmocka_unit_test(random_rain),   cmocka_unit_test(dry_leaf),   cmocka_unit_test(ringing),
-        cmocka_unit_test(explicit_step), cmocka_unit_test(wrong_runs),
+        cmocka_unit_test(disorder), cmocka_unit_test(staged),        cmocka_unit_test(leaf_of_species),
+        cmocka_unit_test(threads),  cmocka_unit_test(random_rain),   cmocka_unit_test(dry_leaf),
+        cmocka_unit_test(ringing),  cmocka_unit_test(explicit_step), cmocka_unit_test(wrong_runs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -377,7 +377,7 @@ static void print_run(const char *name, const struct wf_rain_result *r)
 static enum wf_status compare_prisms(const struct wf_scene_spec *s, struct wf_arena *a,
                                      struct wf_rain_page *page, struct wf_err *e)
 {
-    const struct wf_level *wood = wf_scene_wood(s);
+    const struct wf_level *wood = s->wood;
     page->rod = (struct wf_prism_rod){ s->branch,
                                        s->radius[0],
                                        wood->youngs_modulus.value,
@@ -407,7 +407,7 @@ static enum wf_status rain(void *work, struct wf_doc_head *head, struct wf_run_f
     if ((s = wf_results_begin(f, o->output, o->pages.none ? NULL : "rain", e))) return s;
     s = wf_rain_run(&spec, a, d, &result, e);
     if (!s) wf_rain_departures(&result, d);
-    if (!s) s = compare_prisms(&spec.scene, a, &page, e);
+    if (!s) s = compare_prisms(&result.scene.spec, a, &page, e);
     wf_progress_clear();
     if (s) return s;
     if (!o->args.quiet) print_run(run.name, &result);
@@ -538,7 +538,7 @@ static enum wf_status paper(void *work, struct wf_doc_head *head, struct wf_run_
     enum wf_status s = wf_species_named("poplar", a, &sp, d, e);
     if (s || (s = wf_results_begin(f, o->output, o->pages.none ? NULL : "rain", e))) return s;
     if ((s = paper_runs(&sp, spec, result, diag, &page, a, e)) ||
-        (s = compare_prisms(&spec[0].scene, a, &page, e)))
+        (s = compare_prisms(&result[0].scene.spec, a, &page, e)))
         return s;
     if ((s = wf_prism_disorder(&page.rod, a, order, e)) == WF_OK) page.order = order;
     if ((s && s != WF_EINTERRUPTED) || (s = time_scenes(&sp, speed, &page.speeds, e))) return s;

@@ -8,6 +8,11 @@ enum {
     ROWS_DRAWN = 5000
 }; /* modes of a figure beside the sway of the tree; segments of a drawn tree */
 
+static const char *leaves_word(const struct wf_mode_block *b)
+{
+    return b->water > 0 ? "leaf_wet" : b->season == WF_LEAF_ON ? "leaf_on" : "leaf_off";
+}
+
 static void number(FILE *f, double x) { isfinite(x) ? fprintf(f, ",%.6g", x) : fputc(',', f); }
 
 static void mode_row(FILE *f, size_t run, const struct wf_mode_block *b, size_t k)
@@ -15,7 +20,7 @@ static void mode_row(FILE *f, size_t run, const struct wf_mode_block *b, size_t 
     const struct wf_sway_mode *m = &b->modes.mode[k];
     const double x[] = { m->frequency, m->mass,    m->share[0],   m->share[1], m->share[2],
                          m->turn[0],   m->turn[1], m->structural, m->air,      m->damping };
-    fprintf(f, "%zu,%s,%.6g,%zu,%s", run, wf_mode_block_leaves(b), b->speed, k + 1, wf_mode_direction(m));
+    fprintf(f, "%zu,%s,%.6g,%zu,%s", run, leaves_word(b), b->speed, k + 1, wf_mode_direction(m));
     for (size_t i = 0; i < sizeof x / sizeof *x; i++) number(f, x[i]);
     fputc('\n', f);
 }
@@ -24,7 +29,7 @@ static void mode_row(FILE *f, size_t run, const struct wf_mode_block *b, size_t 
 static void sway_row(FILE *f, size_t run, const struct wf_mode_block *b)
 {
     const struct wf_sway *s = &b->modes.sway;
-    fprintf(f, "%zu,%s,%.6g,0,tree", run, wf_mode_block_leaves(b), b->speed);
+    fprintf(f, "%zu,%s,%.6g,0,tree", run, leaves_word(b), b->speed);
     number(f, s->frequency), number(f, s->mass);
     fputs(",,,", f);
     number(f, s->participation);
@@ -143,7 +148,7 @@ static json_t *block_part(struct wf_doc *d, const struct wf_mode_list *l, size_t
     const struct wf_mode_block *b = &l->block[i];
     json_t *o = wf_doc_object(d);
     wf_doc_count(d, o, "run", i + 1);
-    wf_doc_text(d, o, "season", wf_mode_block_leaves(b));
+    wf_doc_text(d, o, "season", leaves_word(b));
     if (b->water > 0) wf_doc_number(d, o, "film_mm", b->water);
     wf_doc_number(d, o, "speed", b->speed);
     wf_doc_text(d, o, "status", b->status ? wf_status_text(b->status) : "ok");

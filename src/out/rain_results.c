@@ -439,7 +439,7 @@ static void check_part(struct wf_doc *d, json_t *o, const struct wf_rain_page *p
         wf_doc_number(d, q, "frequency_with_restoring", p->check[k].quick);
     }
     wf_doc_number(d, o, "restoring_N_m", p->rod.restoring);
-    wf_doc_number(d, o, "order_N_m", wf_prism_order_constant);
+    if (p->order) wf_doc_number(d, o, "order_N_m", p->order[0].constant);
     list = wf_doc_put(d, o, "order", wf_doc_array(d));
     for (size_t k = 0; p->order && k < WF_PRISM_ORDERS; k++) {
         json_t *q = wf_doc_add(d, list, wf_doc_object(d));

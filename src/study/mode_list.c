@@ -156,11 +156,6 @@ enum wf_status wf_mode_list_run(const struct wf_analysis *as, struct wf_model *m
     return s;
 }
 
-const char *wf_mode_block_leaves(const struct wf_mode_block *b)
-{
-    return b->water > 0 ? "leaf_wet" : b->season == WF_LEAF_ON ? "leaf_on" : "leaf_off";
-}
-
 const char *wf_mode_direction(const struct wf_sway_mode *m)
 {
     const double none = 0.005, clear = 4.0; /* of the mass; ratio of the larger share to the other */

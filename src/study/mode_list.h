@@ -48,8 +48,6 @@ enum wf_status wf_mode_list_run(const struct wf_analysis *as, struct wf_model *m
                                 struct wf_arena *a, struct wf_diag *d, struct wf_mode_list *out,
                                 struct wf_err *e);
 
-/* "leaf_on", "leaf_off", or "leaf_wet": with water on its leaves. */
-const char *wf_mode_block_leaves(const struct wf_mode_block *b);
 /* Where a mode goes: "along" or "across" the wind, "oblique", "up", or "inside": parts of the tree move
  * against each other, the tree as a whole does not. */
 const char *wf_mode_direction(const struct wf_sway_mode *m);

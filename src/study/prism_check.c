@@ -128,8 +128,8 @@ enum wf_status wf_prism_compare(const struct wf_prism_rod *rod, struct wf_arena 
 
 /* ---- Springs without a law ---- */
 
-const double wf_prism_order_constant = 200; /* assumed: soft enough for branches that bend visibly */
-const double wf_prism_order_times[2] = { 1.5, 4.0 };
+static const double order_constant = 200; /* assumed: soft enough for branches that bend visibly */
+static const double order_times[2] = { 1.5, 4.0 };
 static const double order_step = 2e-3, order_damping = 8; /* [s], c [1/s] */
 static const double order_push = 1e-4;                    /* of a 3 mm drop at its terminal speed [N s] */
 
@@ -195,12 +195,12 @@ static enum wf_status load_and_let_go(const struct wf_prism_rod *rod, size_t n, 
     struct cut c;
     struct wf_prism_rod r = *rod;
     r.length = rod->length / 16 * (double)n;
-    *o = (struct wf_prism_order){ .prisms = n, .restoring = restoring };
+    *o = (struct wf_prism_order){ .prisms = n, .constant = order_constant, .restoring = restoring };
     enum wf_status s = make_as(&r, n, restoring, true, a, &c, e);
     if (s) return s;
     if (!(o->line = WF_TAKE(a, 6 * (n + 1), double))) return wf_fail(e, WF_ENOMEM, "no memory");
     for (size_t i = 0; i < c.p.springs; i++)
-        if (c.p.spring[i].row != WF_PRISM_RESTORING) c.p.spring[i].k = wf_prism_order_constant;
+        if (c.p.spring[i].row != WF_PRISM_RESTORING) c.p.spring[i].k = order_constant;
     struct wf_prism_motion m = { .p = &c.p, .step = order_step, .damping = order_damping, .gravity = 9.8 };
     m.tolerance = 1e-10;
     struct wf_prism_motion free = m;
@@ -209,15 +209,15 @@ static enum wf_status load_and_let_go(const struct wf_prism_rod *rod, size_t n, 
     for (int j = 0; j < 3; j++) tip.vertex[j] = (int32_t)(3 * n) + j;
     if ((s = wf_prism_begin(&m, NULL, a, e))) return s;
     wf_prism_push(&m, &tip, (const double[]){ 0, 0, -order_push });
-    if ((s = swing(&c, &m, wf_prism_order_times[0], INFINITY, &o->back, e))) return s;
+    if ((s = swing(&c, &m, order_times[0], INFINITY, &o->back, e))) return s;
     double sag = tip_moved(&c, m.x);
     o->sag = sag / r.length, o->fold = largest_fold(&c, m.x), o->strain = largest_strain(&c, m.x);
     keep_line(&c, m.x, o->line);
     if ((s = wf_prism_begin(&free, m.x, a, e))) return s;
-    if ((s = swing(&c, &free, wf_prism_order_times[1], 0.05 * sag, &o->back, e))) return s;
+    if ((s = swing(&c, &free, order_times[1], 0.05 * sag, &o->back, e))) return s;
     keep_line(&c, free.x, o->line + 3 * (n + 1));
     o->left = tip_moved(&c, free.x) / r.length;
-    if (o->back > wf_prism_order_times[1] - 1.5 * order_step) o->back = NAN;
+    if (o->back > order_times[1] - 1.5 * order_step) o->back = NAN;
     return WF_OK;
 }
 

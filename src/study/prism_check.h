@@ -30,22 +30,20 @@ enum wf_status wf_prism_compare(const struct wf_prism_rod *rod, struct wf_arena 
 
 /* The four kinds of springs as the paper prints them, without a law for their constants: one constant for
  * structural, shear and bending springs, a third of the mass on each vertex. A branch of n segments, level,
- * gets its weight and a drop's push at its tip; after `loaded` seconds the weight is taken away. What the
- * paper says of them shows: long branches return slowly or stay folded unless restoring springs pull every
- * vertex to its rest place. */
+ * gets its weight and a drop's push at its tip; after 1.5 s the weight is taken away, and 4 s later it ends.
+ * What the paper says of them shows: long branches return slowly or stay folded unless restoring springs pull
+ * every vertex to its rest place. */
 struct wf_prism_order {
     size_t prisms;
-    double restoring; /* [N/m]                                                          */
-    double sag;       /* of the tip at the end of the load, over the branch's length [-]     */
-    double fold;      /* largest turn between neighbouring sections then [rad]               */
-    double strain;    /* largest change of a spring's length then, over its length [-]       */
-    double back;      /* time after which the tip stays within 5 % of the sag [s]; NAN: never */
-    double left;      /* distance of the tip from its rest place at the end, over the length [-] */
-    double *line;     /* 6(prisms + 1): axis at the end of the load, then at the end [m]       */
+    double constant, restoring; /* [N/m]                                                          */
+    double sag;                 /* of the tip at the end of the load, over the branch's length [-]     */
+    double fold;                /* largest turn between neighbouring sections then [rad]               */
+    double strain;              /* largest change of a spring's length then, over its length [-]       */
+    double back;                /* time after which the tip stays within 5 % of the sag [s]; NAN: never */
+    double left;                /* distance of the tip from its rest place at the end, over the length [-] */
+    double *line;               /* 6(prisms + 1): axis at the end of the load, then at the end [m]       */
 };
 enum { WF_PRISM_ORDERS = 2 * WF_PRISM_CHECKS };
-extern const double wf_prism_order_constant; /* of structural, shear and bending springs [N/m] */
-extern const double wf_prism_order_times[2]; /* with the weight, after it [s]            */
 /* Given: the rod, of whose length a sixteenth is one segment. Returned: 4, 8, 16, 32 and 64 segments without
  * restoring springs, then with rod->restoring. Errors: those of the prisms; WF_EINTERRUPTED. */
 enum wf_status wf_prism_disorder(const struct wf_prism_rod *rod, struct wf_arena *a,

@@ -110,11 +110,6 @@ enum wf_status wf_scene_axis(const struct wf_tree *t, int64_t id, struct wf_scen
 
 /* ---- Axes ---- */
 
-const struct wf_level *wf_scene_wood(const struct wf_scene_spec *s)
-{
-    return s->wood ? s->wood : wf_species_level(s->species, (int32_t)s->species->levels - 1);
-}
-
 /* Columns of an axis, filled segment by segment. */
 static enum wf_status open_axis(struct wf_prism_axis *x, size_t segments, struct wf_arena *a,
                                 struct wf_err *e)
@@ -145,7 +140,7 @@ static void set_segment(struct wf_prism_axis *x, size_t i, double r, double h, d
 static enum wf_status make_branch(const struct wf_scene_spec *s, struct wf_arena *a, struct wf_prism_axis *x,
                                   struct wf_err *e)
 {
-    const struct wf_level *wood = wf_scene_wood(s);
+    const struct wf_level *wood = s->wood;
     size_t n = s->nodes ? s->node_count - 1 : s->prisms;
     enum wf_status status = open_axis(x, n, a, e);
     double *place = (double *)x->place, length = 0, done = 0;
@@ -332,6 +327,8 @@ enum wf_status wf_scene_make(const struct wf_scene_spec *spec, double gravity, s
     if (status) return status;
     *out = (struct wf_rain_scene){ .spec = *spec };
     struct wf_rain_scene *s = out;
+    if (!s->spec.wood) s->spec.wood = wf_species_level(spec->species, (int32_t)spec->species->levels - 1);
+    spec = &s->spec;
     s->blade =
         (struct wf_blade){ spec->form, spec->leaf_length, spec->leaf_length * spec->form->breadth / 2 };
     if ((status = wf_blade_mesh_make(&s->blade, spec->mesh[0], spec->mesh[1], a, &s->mesh, e))) return status;

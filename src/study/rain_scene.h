@@ -42,9 +42,6 @@ void wf_scene_spec_leaf(struct wf_scene_spec *s);
 enum wf_status wf_scene_axis(const struct wf_tree *t, int64_t id, struct wf_scene_spec *s, struct wf_arena *a,
                              struct wf_err *e);
 
-/* Wood of the branch. */
-const struct wf_level *wf_scene_wood(const struct wf_scene_spec *s);
-
 struct wf_scene_leaf {
     size_t first;       /* its root's section       */
     size_t blade;       /* section where the blade begins */
@@ -53,7 +50,7 @@ struct wf_scene_leaf {
     double length, arm; /* of the vein; of its prisms [m] */
 };
 struct wf_rain_scene {
-    struct wf_scene_spec spec;
+    struct wf_scene_spec spec; /* its wood is set */
     struct wf_prism prism;
     struct wf_blade blade;
     struct wf_blade_mesh mesh;
