@@ -84,6 +84,7 @@ static void refused(void **state)
           CODE_INPUT,
           { "no segment with the id 99999" } },
         { "$W rain --model culm --branch 1m", CODE_INPUT, { "has no effect", "whose axis has its own" } },
+        { "$W rain --preset yang2011 --shaking", CODE_INPUT, { "has no effect", "yang2011" } },
         { "$W rain --segment 3", CODE_INPUT, { "without --model or --tree" } },
         { "$W rain --strict", CODE_INPUT, { "without --tree" } },
         { "$W rain --model culm --tree docs/examples/scan.csv --no-report -o $T/r",

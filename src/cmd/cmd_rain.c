@@ -40,7 +40,7 @@ struct rain_options {
     double wind, azimuth;
     struct wf_averaging averaging;
     struct wf_profile_words profile;
-    bool staged;
+    bool staged, shaking;
     struct wf_pages pages;
     const char *output;
 };
@@ -69,7 +69,7 @@ static bool rain_unused(const void *options, const struct wf_option *row, char *
     bool printed = o->preset && !strcmp(o->preset, "yang2011");
     bool of_printed = at == &o->adhesion || at == &o->hang || at == &o->loss || at == &o->lever;
     bool of_corrected = at == &o->receding || at == &o->advancing || at == &o->apex || at == &o->film ||
-                        at == &o->splash || at == &o->fall_law;
+                        at == &o->splash || at == &o->fall_law || at == &o->shaking;
     if (of_printed) return wf_option_unused(!printed, why, "without the preset 'yang2011'");
     if (of_corrected) return wf_option_unused(printed, why, "with the preset 'yang2011'");
     if (at == &o->clusters) return wf_option_unused(!o->points, why, "without --points");
@@ -139,8 +139,14 @@ static const struct wf_option rain_options[] = {
            "standard deviation of the random factor on it", UNUSED),
     WHOLE("--seed", seed, 0, 1e9, "1", "of the random numbers", UNUSED),
     FLAG("--staged", staged, "five drops on the first leaf by a plan: hit, run, merge, hang, fall, rebound"),
-    SPEED("--wind", wind, averaging, 0, 60, "0", "mean wind at the reference height; it slants the fall",
-          .letter = "-w", UNUSED),
+    FLAG("--shaking", shaking,
+         "drops on leaves feel their acceleration and are shaken off; more of them than from real leaves, "
+         "which "
+         "bend",
+         UNUSED),
+    SPEED("--wind", wind, averaging, 0, 60, "0",
+          "mean wind at the reference height; it slants the fall and pushes the leaves", .letter = "-w",
+          UNUSED),
     WF_AVERAGING_ROWS(averaging),
     WF_AZIMUTH_ROW(azimuth),
     WORD("--gust", gust, "NAME", gust_word, "steady", "how the wind changes"),
@@ -237,7 +243,7 @@ static enum wf_status take_rain(const struct rain_options *o, struct wf_rain_spe
     s->rain.jitter = o->jitter, s->rain.seed = o->seed;
     if (!strcmp(o->storm, "normal")) s->rain.middle = o->duration / 2, s->rain.width = o->duration / 5;
     s->fall = o->fall, s->duration = o->duration, s->step = o->step, s->frame = fmax(o->frame, o->step);
-    s->staged = o->staged, s->damping = o->damping;
+    s->staged = o->staged, s->damping = o->damping, s->shaken = o->shaking;
     s->method = !strcmp(o->method, "euler") ? WF_PRISM_EULER : WF_PRISM_MIDPOINT;
     if (s->staged && s->duration < 1.5)
         return wf_fail(e, WF_EUSAGE, "the staged drops take 1.5 s; --duration is %g s", s->duration);
@@ -360,10 +366,11 @@ static void print_run(const char *name, const struct wf_rain_result *r)
             1e6 * w->rain, 1e6 * w->air, 1e6 * w->ground, 1e6 * w->splash, 1e6 * w->wood, 1e6 * w->held,
             1e6 * w->film, w->off);
     wf_show(stdout,
-            "  energy uJ: drops arrived with %.4g, gave %.4g; weight %.4g, water's weight %.4g, damping "
+            "  energy uJ: drops arrived with %.4g, gave %.4g; weight %.4g, water's weight %.4g, wind %.4g, "
+            "damping "
             "-%.4g, change %.4g; "
             "off by %.1e\n",
-            1e6 * b->drops, 1e6 * b->push, 1e6 * b->weight, 1e6 * b->load, 1e6 * b->damping,
+            1e6 * b->drops, 1e6 * b->push, 1e6 * b->weight, 1e6 * b->load, 1e6 * b->wind, 1e6 * b->damping,
             1e6 * (b->end - b->start), b->off);
     if (isfinite(r->ring_frequency))
         wf_show(stdout, "  rings down at %.3g Hz with a decrement of %.3g (set: %.3g at %.3g Hz)\n",

@@ -158,22 +158,29 @@ struct term {
     const char *of, *name;
     double value; /* [mg], [uJ] */
 };
-enum { TERMS = 16 };
+enum { TERMS = 17 };
 
 static void terms_of(const struct wf_rain_result *r, struct term t[TERMS])
 {
     const struct wf_water_budget *w = &r->water;
     const struct wf_energy_budget *b = &r->energy;
-    const struct term all[TERMS] = {
-        { "water", "rain", 1e6 * w->rain },         { "water", "air", 1e6 * w->air },
-        { "water", "ground", 1e6 * w->ground },     { "water", "splash", 1e6 * w->splash },
-        { "water", "wood", 1e6 * w->wood },         { "water", "held", 1e6 * w->held },
-        { "water", "film", 1e6 * w->film },         { "energy", "drops", 1e6 * b->drops },
-        { "energy", "start", 1e6 * b->start },      { "energy", "weight", 1e6 * b->weight },
-        { "energy", "load", 1e6 * b->load },        { "energy", "push", 1e6 * b->push },
-        { "energy", "damping", -1e6 * b->damping }, { "energy", "solver", 1e6 * b->solver },
-        { "energy", "end", 1e6 * b->end },          { NULL, NULL, 0 }
-    };
+    const struct term all[TERMS] = { { "water", "rain", 1e6 * w->rain },
+                                     { "water", "air", 1e6 * w->air },
+                                     { "water", "ground", 1e6 * w->ground },
+                                     { "water", "splash", 1e6 * w->splash },
+                                     { "water", "wood", 1e6 * w->wood },
+                                     { "water", "held", 1e6 * w->held },
+                                     { "water", "film", 1e6 * w->film },
+                                     { "energy", "drops", 1e6 * b->drops },
+                                     { "energy", "start", 1e6 * b->start },
+                                     { "energy", "weight", 1e6 * b->weight },
+                                     { "energy", "load", 1e6 * b->load },
+                                     { "energy", "wind", 1e6 * b->wind },
+                                     { "energy", "push", 1e6 * b->push },
+                                     { "energy", "damping", -1e6 * b->damping },
+                                     { "energy", "solver", 1e6 * b->solver },
+                                     { "energy", "end", 1e6 * b->end },
+                                     { NULL, NULL, 0 } };
     memcpy(t, all, sizeof all);
 }
 
