@@ -482,8 +482,8 @@ static void figures(struct wf_doc *d, json_t *list, const struct wf_rain_page *p
             wf_doc_figure(d, list, name, of_run[i], r + 1);
         }
     wf_doc_figure(d, list, "rain_prisms", "rain_prisms", 0);
-    wf_doc_figure(d, list, "rain_falls", "rain_falls", 0);
     if (p->order) wf_doc_figure(d, list, "rain_order", "rain_order", 0);
+    wf_doc_figure(d, list, "rain_falls", "rain_falls", 0);
     if (p->clusters) wf_doc_figure(d, list, "rain_clusters", "rain_clusters", 0);
 }
 
