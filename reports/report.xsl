@@ -8,6 +8,7 @@
 <xsl:include href="verdict.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
+<xsl:include href="criteria.xsl"/>
 <xsl:include href="directions.xsl"/>
 <xsl:include href="inputs.xsl"/>
 <xsl:include href="method.xsl"/>
@@ -289,6 +290,7 @@
           <xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="result-tables"/>
+        <xsl:call-template name="criteria-table"/>
         <xsl:for-each select="$trees"><xsl:call-template name="anchorage-note"/></xsl:for-each>
         <xsl:if test="$trees/verdict/thicknesses/item"><xsl:call-template name="branch-table"/></xsl:if>
         <xsl:if test="$trees/wetted"><xsl:call-template name="wetted-table"/></xsl:if>

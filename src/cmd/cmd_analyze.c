@@ -35,7 +35,7 @@ struct analyze_options {
     struct wf_profile_words profile; /* with the map of the ground */
     struct wf_peak_asked peak;
     struct wf_anchorage_asked anchorage;
-    const char *output, *solver, *preset, *shelter;
+    const char *output, *solver, *preset, *shelter, *branch_strength;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
     double azimuth, north;          /* [rad]                                     */
@@ -137,6 +137,7 @@ const struct wf_option wf_analyze_options[] = {
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_PEAK_ROWS(peak),
+    WF_BRANCH_STRENGTH_ROW(branch_strength),
     WF_ANCHORAGE_ROWS(anchorage),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
@@ -288,6 +289,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
         s->air_density = s->design->air; /* the code's pressure at its wind */
     if (!(s->gust_factor > 0.0)) s->gust_factor = o->averaging.gust;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
+    s->branch_strength = o->branch_strength;
     wf_search_default(&out->search);
     if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
     out->search.seconds = o->search_time;

@@ -3,6 +3,7 @@
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
 #include "fail/anchorage.h"
+#include "fail/fail.h"
 #include "grow/grow.h"
 #include "grow/silhouette.h"
 #include "load/interception.h"
@@ -18,6 +19,7 @@
 
 const char *wf_solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 const char *wf_preset_word(size_t i) { return wf_presets[i].name; }
+const char *wf_branch_strength_word(size_t i) { return wf_branch_strengths[i].name; }
 const char *wf_shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 const char *wf_profile_word(size_t i) { return wf_profiles[i].name; }
 const char *wf_site_word(size_t i) { return wf_site_kinds[i].name; }

@@ -26,9 +26,12 @@ struct wf_tree {
     double *r0, *r1;      /* outer radius [m]                                      */
     double *i0, *i1;      /* inner radius [m]; 0 = solid                           */
     double *youngs, *shear, *density, *strength; /* E, G [Pa], [kg m-3], MOR*knot factor [Pa] (0: unknown) */
-    double *drag;                                /* cross-flow drag coefficient; NAN = Reynolds law [-]   */
-    double *lift;                                /* lift coefficient [-]                                  */
-    double *damping;                             /* damping ratio [-]                                     */
+    double *compressive, *shearing;              /* strengths along the grain, green [Pa] (0: unknown) */
+    double *tangential;                          /* strength in tension along the rings [Pa] (0: unknown) */
+    double *transverse;        /* E_T / (1 - nu_LT nu_TL), stiffness along the rings [Pa] (0: unknown) */
+    double *drag;              /* cross-flow drag coefficient; NAN = Reynolds law [-]   */
+    double *lift;              /* lift coefficient [-]                                  */
+    double *damping;           /* damping ratio [-]                                     */
     double *sail0, *sail1;     /* still-air crown frontal area times crown Cd per axis length [m] */
     double *leaf0, *leaf1;     /* one-sided leaf area per axis length [m]               */
     double *burden0, *burden1; /* added mass per axis length: leaves, twigs not drawn, water, snow [kg/m] */

@@ -26,7 +26,7 @@ static const struct {
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
     { FLAG, "conifer damping_known staged as_printed converged energy estimated given nuisance priors "
-            "searched_to_the_end beyond_loss counts_self_weight loses_tree unsaid "
+            "searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
     { LIST, "thicknesses not_assessed at classes_m_s criteria figures files findings hours_a_year_above "
             "methods move_m "
@@ -58,6 +58,7 @@ static const struct {
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
+      "branch_strength factor required_safety resistance stress "
       "verdict anchorage moment branches_from critical_gust loss_safety thickness_low thickness_high "
       "fails_at "
       "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
@@ -76,7 +77,7 @@ static const struct {
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,
-      "form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
+      "wants form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin meaning name "
       "name_zh note outcome outcome_text part path preset profile profile_file program quantity "

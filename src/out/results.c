@@ -98,7 +98,7 @@ static json_t *critical_part(struct wf_doc *d, const struct wf_analysis *a, cons
 
 /* How near a part of the tree is to failing by a criterion at a wind speed. */
 static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at,
-                           const struct wf_worst *w)
+                           const struct wf_criterion *c, const struct wf_worst *w)
 {
     bool solved = at->status == WF_OK;
     double safety = solved ? w->safety : NAN;
@@ -109,6 +109,9 @@ static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const 
     wf_doc_quantity(d, o, "speed", at->speed, "m/s", NULL);
     wf_doc_quantity(d, o, "safety", safety, "1", why);
     wf_doc_quantity(d, o, "utilisation", 1 / safety, "1", why);
+    double resistance = isnan(safety) ? NAN : wf_criterion_resistance(c, &a->tree, w);
+    wf_doc_quantity(d, o, "resistance", resistance, "Pa", why);
+    wf_doc_quantity(d, o, "stress", resistance / safety, "Pa", why);
     wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? w : NULL));
     return o;
 }
@@ -124,6 +127,14 @@ static json_t *criteria_part(struct wf_doc *d, const struct wf_analysis *a,
             const char *text = wf_critical_text(b->critical.outcome);
             json_t *o = wf_doc_add(d, list, wf_doc_object(d));
             wf_doc_text(d, o, "criterion", wf_criteria[c].name);
+            if (breaks == a->breaks) { /* said once, not by direction */
+                wf_doc_text(d, o, "source", wf_criteria[c].source);
+                wf_doc_text(d, o, "validity", wf_criteria[c].validity);
+            }
+            wf_doc_flag(d, o, "applies", wf_criterion_applies(&wf_criteria[c], &a->tree, (enum wf_scope)s));
+            wf_doc_text(d, o, "wants", wf_criteria[c].wants);
+            wf_doc_flag(d, o, "loses_tree", wf_criteria[c].loses_tree);
+            wf_doc_quantity(d, o, "required_safety", fmax(1, wf_criteria[c].required), "1", NULL);
             wf_doc_text(d, o, "scope", wf_scope_name((enum wf_scope)s));
             wf_doc_text(d, o, "outcome", wf_part_outcome(b->critical.outcome));
             wf_doc_text(d, o, "outcome_text", text);
@@ -131,7 +142,7 @@ static json_t *criteria_part(struct wf_doc *d, const struct wf_analysis *a,
             wf_doc_put(d, o, "governing_section", wf_part_section(d, a, b->row, NAN, b->height));
             json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
             for (size_t k = 0; k < a->n; k++)
-                wf_doc_add(d, winds, utilisation(d, a, &at[k], &at[k].worst[c][s]));
+                wf_doc_add(d, winds, utilisation(d, a, &at[k], &wf_criteria[c], &at[k].worst[c][s]));
         }
     return list;
 }
