@@ -19,8 +19,7 @@ static void prints_and_writes(void **state)
           "<$T/o/tables/modes.csv; cut "
           "-d, -f2,3,4,5 $T/o/tables/modes.csv",
           CODE_OK,
-          { "Without leaves, mean wind 8 m/s", "\n17\n",
-            "leaf_on,0,0,tree\n", "leaf_off,8,3," } },
+          { "Without leaves, mean wind 8 m/s", "\n17\n", "leaf_on,0,0,tree\n", "leaf_off,8,3," } },
         { "$W modes scots_pine --model scots_pine --wind 0 -n 2 --no-report -o $T/p; cut -d, -f2,4,5 "
           "$T/p/tables/modes.csv",
           CODE_OK,
@@ -31,6 +30,17 @@ static void prints_and_writes(void **state)
           "$T/s/tables/modes.csv | sort | uniq -c",
           CODE_OK,
           { "3 leaf_off\n" } },
+        /* rain on the leaves: dry, wet, without leaves; the wet tree is the slowest of them */
+        { "$W modes oak --model weeping_willow_tree --wind 0 -n 1 --water-film 0.3mm --no-report -o $T/w; "
+          "cut -d, -f2,4 $T/w/tables/modes.csv; awk -F, '$4 == \"0\" { f[$2] = $6 } END { "
+          "print f[\"leaf_wet\"] < f[\"leaf_on\"] && f[\"leaf_on\"] < f[\"leaf_off\"] }' "
+          "$T/w/tables/modes.csv",
+          CODE_OK,
+          { "With wet leaves, 0.3 mm of rain on them, still air",
+            "leaf_on,0\nleaf_on,1\nleaf_wet,0\nleaf_wet,1\nleaf_off,0\nleaf_off,1\n1\n" } },
+        { "$W modes oak $M --wind 0 -n 1 --rain 10mm/h --no-report -o $T/w",
+          CODE_OK,
+          { "water-storage", "With wet leaves" } },
         /* --damping is that of every mode; without wind the air adds none */
         { "$W modes oak $M --wind 0 -n 2 --damping 0.07 --no-report -q -o $T/d; cut -d, -f13,14,15 "
           "$T/d/tables/modes.csv",
@@ -61,6 +71,10 @@ static void refuses(void **state)
         { "$W modes oak", CODE_INPUT, { "--model is needed" } },
         { "$W modes oak $M -n 0", CODE_INPUT, { "--count" } },
         { "$W modes oak $M --damping 2", CODE_INPUT, { "--damping" } },
+        { "$W modes oak $M --storage dipped", CODE_INPUT, { "without --rain" } },
+        { "$W modes oak $M --season leaf_off --water-film 0.3mm --no-report -o $T/b",
+          CODE_INPUT,
+          { "no leaves that could hold rain" } },
         { "$W modes oka $M", CODE_INPUT, { "did you mean 'oak'?" } },
     };
     CHECK(rows);

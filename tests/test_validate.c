@@ -92,7 +92,8 @@ static const struct {
     { MAST "order 4 2\n", 8, 9, "whole number in 5.." },
     { MAST "inner_radius 11 cm\nwant moment base y 1 N m\n", 1, 1, "smaller than radius" },
     { MAST "case one two\nwant moment base y 1 N m\n", 8, 10, "one word" },
-    { MAST "case a\nwant moment base y 1 N m\ncase a\nwant moment base y 1 N m\n", 10, 6, "defined on line 8" },
+    { MAST "case a\nwant moment base y 1 N m\ncase a\nwant moment base y 1 N m\n", 10, 6,
+      "defined on line 8" },
     { MAST, 1, 1, "a wanted value" },
     { ROD "force tip 1 0 0 N\n", 7, 17, "without units" },
     { ROD "taper 1.5\n", 7, 7, "outside the allowed range" },
@@ -309,6 +310,7 @@ static void test_closed_forms_hold(void **state)
 {
     (void)state;
     static const char *const path[] = { "validation/closed_form/chain_uniform.case",
+                                        "validation/closed_form/prism_cantilever.case",
                                         "validation/closed_form/uniform_cantilever_r0.05.case",
                                         "validation/closed_form/uniform_cantilever_r0.12.case",
                                         "validation/closed_form/tapered_cantilever_t0.5.case",
@@ -319,6 +321,33 @@ static void test_closed_forms_hold(void **state)
         read_path(&r, path[i]);
         run_all(&r, path[i], &values);
         assert_true(values > 10);
+        done(&r);
+    }
+}
+
+/* A chain of prisms is a uniform cantilever with a force across and a moment about the axis at its tip. */
+static void test_prisms_of_what(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        { "moment tip 0 1 0 N m\n", "a force across and a moment about the axis" },
+        { "force at 0.5 1 0 0 N\n", "at the tip" },
+        { "taper 0.5\n", "uniform solid cantilever" },
+        { "inner_radius 36 mm\n", "uniform solid cantilever" },
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        struct reading r;
+        struct wf_verdict v;
+        char text[800];
+        snprintf(text, sizeof text,
+                 HEAD "cantilever 6 m\nradius 40 mm\nyoungs_modulus 70 GPa\npoisson 0.33\ndensity 900 "
+                      "kg/m3\n%swant prism_deflection 8 1 m\n",
+                 wrong[i][0]);
+        read_text(&r, text);
+        if (r.status) fail_msg("%s", r.diag.first ? r.diag.first->text : r.err.text);
+        assert_int_equal(wf_case_run(&r.list[0], 0, 1, &r.arena, &v, &r.err), WF_OK);
+        assert_int_equal(v.outcome, WF_FAILED);
+        assert_non_null(strstr(v.why, wrong[i][1]));
         done(&r);
     }
 }
@@ -379,7 +408,7 @@ int main(void)
         cmocka_unit_test(test_unknown_row),        cmocka_unit_test(test_parameters),
         cmocka_unit_test(test_split_arc),          cmocka_unit_test(test_every_shipped_case_reads),
         cmocka_unit_test(test_closed_forms_hold),  cmocka_unit_test(test_order),
-        cmocka_unit_test(test_documentation),
+        cmocka_unit_test(test_prisms_of_what),     cmocka_unit_test(test_documentation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,7 +16,7 @@ static bool wanted_by(const struct wf_case *c, enum wf_answer by, size_t *modes)
     bool any = false;
     for (size_t i = 0; i < c->wants.n; i++) {
         any |= w[i].quantity->by == by;
-        if (modes && w[i].number > *modes) *modes = w[i].number;
+        if (modes && w[i].quantity->by == by && w[i].number > *modes) *modes = w[i].number;
     }
     return any;
 }

@@ -12,7 +12,6 @@
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"
-#include "load/interception.h"
 #include "out/results.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
@@ -39,15 +38,14 @@ struct analyze_options {
     const char *output, *solver, *preset, *shelter, *branch_strength;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
-    double azimuth, north;           /* [rad]                                     */
-    double temperature, altitude;    /* [K], [m]                                  */
-    double air_density;              /* [kg m-3]; NAN: from the two above         */
-    double search_to, search_time;   /* [m/s], NAN: the library's default; [s]    */
-    double mesh_tolerance;           /* [-]                                       */
-    const char *storage;             /* row of wf_storages                         */
-    const char *weight_stress;       /* "total" or "change"                        */
-    double snow, snow_density, ice;  /* [m], [kg m-3], [m]; NAN: not given        */
-    double water_film, rain;         /* [m], [m/s]; NAN: not given                */
+    double azimuth, north;          /* [rad]                                     */
+    double temperature, altitude;   /* [K], [m]                                  */
+    double air_density;             /* [kg m-3]; NAN: from the two above         */
+    double search_to, search_time;  /* [m/s], NAN: the library's default; [s]    */
+    double mesh_tolerance;          /* [-]                                       */
+    const char *weight_stress;      /* "total" or "change"                        */
+    double snow, snow_density, ice; /* [m], [kg m-3], [m]; NAN: not given        */
+    struct wf_water_asked water;
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     double branches_from;            /* [m]                                       */
     struct wf_pages pages;
@@ -116,25 +114,10 @@ static bool density_unused(const void *options, const struct wf_option *row, cha
                             p ? p->name : "");
 }
 
-static bool rain_unused(const void *options, const struct wf_option *row, char *why)
-{
-    (void)row;
-    return wf_option_unused(!isnan(((const struct analyze_options *)options)->water_film), why,
-                            "beside --water-film");
-}
-
-static const char *storage_word(size_t i) { return wf_storages[i].name; }
-
 static bool snow_unused(const void *options, const struct wf_option *row, char *why)
 {
     (void)row;
     return wf_option_unused(isnan(((const struct analyze_options *)options)->snow), why, "without --snow");
-}
-
-static bool storage_unused(const void *options, const struct wf_option *row, char *why)
-{
-    (void)row;
-    return wf_option_unused(isnan(((const struct analyze_options *)options)->rain), why, "without --rain");
 }
 
 #define OPTIONS struct analyze_options
@@ -203,17 +186,7 @@ const struct wf_option wf_analyze_options[] = {
            "of the snow; 150 kg/m3 as in ForestGALES", .unused = snow_unused),
     NUMBER("--ice", ice, "THICKNESS", LENGTH, "mm", 0, 200, NULL,
            "radial thickness of ice on all axes and leaves: added mass, and thicker axes in the wind"),
-    NUMBER("--water-film", water_film, "DEPTH", LENGTH, "mm", 0, 5, NULL,
-           "rain held by the leaves, per one-sided leaf area: added mass; the tree is compared with the dry "
-           "one"),
-    NUMBER("--rain", rain, "RATE", SPEED, "mm/h", 0, 3600, NULL,
-           "rain that has filled what leaves can hold, see --storage; heavier rain fills it sooner",
-           .unused = rain_unused),
-    WORD("--storage", storage, "NAME", storage_word, "watergap",
-         "water that leaves hold per one-sided area: watergap 0.3 mm, dipped 0.19 mm, simulator-least 0.51 "
-         "mm, "
-         "simulator-most 1.81 mm",
-         .unused = storage_unused),
+    WF_WATER_ROWS(water),
     WF_PAGE_ROWS("--no-report", pages, "write results and tables only"),
     WF_QUIET_ROW,
     { 0 },
@@ -308,8 +281,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;
-    if (o->rain > 0) s->water = wf_storage_named(o->storage)->film;
-    if (!isnan(o->water_film)) s->water = o->water_film * 1000; /* 1 mm over 1 m2 is 1 kg */
+    s->water = wf_water_asked_film(&o->water);
     s->temperature = o->temperature;
     s->altitude = o->altitude;
     s->air_density = o->air_density;
@@ -491,13 +463,7 @@ static enum wf_status run_dry(struct work *w, struct wf_analysis *an, struct wf_
         wf_diag_warn(an->diag, "interrupted", "interrupted before the dry tree was computed");
         return WF_OK;
     }
-    if (!s) an->wetted = out;
-    if (!s && w->options.rain > 0)
-        wf_diag_warn(
-            an->diag, "water-storage",
-            "the leaves are taken to hold %.3g mm (%s); sources differ five- to tenfold, --storage and "
-            "--water-film try others",
-            out->film, wf_storage_named(w->options.storage)->source);
+    if (!s) an->wetted = out, wf_water_asked_warn(&w->options.water, an->diag);
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
 }
 

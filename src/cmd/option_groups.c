@@ -6,6 +6,7 @@
 #include "fail/fail.h"
 #include "grow/grow.h"
 #include "grow/silhouette.h"
+#include "load/interception.h"
 #include "solve/solve.h"
 #include "study/peak.h"
 #include "study/preset.h"
@@ -25,6 +26,31 @@ const char *wf_site_word(size_t i) { return wf_site_kinds[i].name; }
 const char *wf_design_word(size_t i) { return wf_designs[i].name; }
 const char *wf_peak_word(size_t i) { return wf_peak_methods[i].name; }
 const char *wf_import_word(size_t i) { return wf_import_formats[i].name; }
+const char *wf_storage_word(size_t i) { return wf_storages[i].name; }
+
+bool wf_water_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_water_asked *w = (const void *)((const char *)options + o->group);
+    if (o->member - o->group == offsetof(struct wf_water_asked, storage))
+        return wf_option_unused(isnan(w->rain), why, "without --rain");
+    return wf_option_unused(!isnan(w->film), why, "beside --water-film");
+}
+
+double wf_water_asked_film(const struct wf_water_asked *w)
+{
+    if (!isnan(w->film)) return w->film * 1000; /* 1 mm over 1 m2 is 1 kg */
+    return w->rain > 0 ? wf_storage_named(w->storage)->film : 0;
+}
+
+void wf_water_asked_warn(const struct wf_water_asked *w, struct wf_diag *d)
+{
+    if (!isnan(w->film) || !(w->rain > 0)) return;
+    const struct wf_storage *storage = wf_storage_named(w->storage);
+    wf_diag_warn(d, "water-storage",
+                 "the leaves are taken to hold %.3g mm (%s); sources differ five- to tenfold, --storage and "
+                 "--water-film try others",
+                 storage->film, storage->source);
+}
 
 bool wf_profile_row_unused(const void *options, const struct wf_option *o, char *why)
 {

@@ -143,6 +143,30 @@ bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *wh
 enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset, struct wf_arena *a,
                                   struct wf_diag *d, struct wf_scenario *out, struct wf_err *e);
 
+/* Water that rain leaves on the leaves of a tree. */
+struct wf_water_asked {
+    const char *storage; /* row of wf_storages                */
+    double film, rain;   /* [m], [m/s]; NAN: not given        */
+};
+const char *wf_storage_word(size_t i);
+bool wf_water_row_unused(const void *options, const struct wf_option *o, char *why);
+#define WF_OF_WATER(in) WF_UNUSED(in, wf_water_row_unused)
+#define WF_WATER_ROWS(in)                                                                                    \
+    NUMBER("--water-film", in.film, "DEPTH", LENGTH, "mm", 0, 5, NULL,                                       \
+           "rain held by the leaves, per one-sided leaf area: added mass; the tree is compared with the "    \
+           "dry one"),                                                                                       \
+        NUMBER("--rain", in.rain, "RATE", SPEED, "mm/h", 0, 3600, NULL,                                      \
+               "rain that has filled what leaves can hold, see --storage; heavier rain fills it sooner",     \
+               WF_OF_WATER(in)),                                                                             \
+        WORD("--storage", in.storage, "NAME", wf_storage_word, "watergap",                                   \
+             "water that leaves hold per one-sided area: watergap 0.3 mm, dipped 0.19 mm, simulator-least "  \
+             "0.51 mm, simulator-most 1.81 mm",                                                              \
+             WF_OF_WATER(in))
+/* Water per one-sided leaf area that these words mean [kg m-2]; 0: dry. */
+double wf_water_asked_film(const struct wf_water_asked *w);
+/* Where it is a storage: a warning that says whose. */
+void wf_water_asked_warn(const struct wf_water_asked *w, struct wf_diag *d);
+
 /* What is said of soil and root. */
 struct wf_anchorage_asked {
     const char *soil, *rooting, *method; /* NULL: not given */

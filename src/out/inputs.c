@@ -131,7 +131,7 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
     }
     const bool leaves = a->model->leaf_area > 0 || !isnan(wf_silhouette_area(&a->model->silhouette));
     for (size_t k = 0; wf_crown_property(sp, k, &p); k++)
-        add_value(d, values, a, "crown", "crown.", &p, leaves);
+        if (p.acts != WF_ACTS_DROPS) add_value(d, values, a, "crown", "crown.", &p, leaves);
     add_law_values(d, values, a, "crown", "crown.streamlining.", wf_laws.streamlining, &sp->streamlining,
                    leaves);
     add_law_values(d, values, a, "axes", "axis_drag.", wf_laws.axis_drag, &sp->axis_drag, true);

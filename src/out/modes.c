@@ -8,7 +8,10 @@ enum {
     ROWS_DRAWN = 5000
 }; /* modes of a figure beside the sway of the tree; segments of a drawn tree */
 
-static const char *season_word(enum wf_season s) { return s == WF_LEAF_ON ? "leaf_on" : "leaf_off"; }
+static const char *leaves_word(const struct wf_mode_block *b)
+{
+    return b->water > 0 ? "leaf_wet" : b->season == WF_LEAF_ON ? "leaf_on" : "leaf_off";
+}
 
 static void number(FILE *f, double x) { isfinite(x) ? fprintf(f, ",%.6g", x) : fputc(',', f); }
 
@@ -17,7 +20,7 @@ static void mode_row(FILE *f, size_t run, const struct wf_mode_block *b, size_t 
     const struct wf_sway_mode *m = &b->modes.mode[k];
     const double x[] = { m->frequency, m->mass,    m->share[0],   m->share[1], m->share[2],
                          m->turn[0],   m->turn[1], m->structural, m->air,      m->damping };
-    fprintf(f, "%zu,%s,%.6g,%zu,%s", run, season_word(b->season), b->speed, k + 1, wf_mode_direction(m));
+    fprintf(f, "%zu,%s,%.6g,%zu,%s", run, leaves_word(b), b->speed, k + 1, wf_mode_direction(m));
     for (size_t i = 0; i < sizeof x / sizeof *x; i++) number(f, x[i]);
     fputc('\n', f);
 }
@@ -26,7 +29,7 @@ static void mode_row(FILE *f, size_t run, const struct wf_mode_block *b, size_t 
 static void sway_row(FILE *f, size_t run, const struct wf_mode_block *b)
 {
     const struct wf_sway *s = &b->modes.sway;
-    fprintf(f, "%zu,%s,%.6g,0,tree", run, season_word(b->season), b->speed);
+    fprintf(f, "%zu,%s,%.6g,0,tree", run, leaves_word(b), b->speed);
     number(f, s->frequency), number(f, s->mass);
     fputs(",,,", f);
     number(f, s->participation);
@@ -49,7 +52,8 @@ static void modes_table(FILE *f, const struct wf_mode_list *l)
 /* Is the block the one whose shapes are drawn: the first of its season? */
 static bool drawn(const struct wf_mode_list *l, size_t i)
 {
-    return l->block[i].modes.count && (i == 0 || l->block[i - 1].season != l->block[i].season);
+    return l->block[i].modes.count && (i == 0 || l->block[i - 1].season != l->block[i].season ||
+                                       l->block[i - 1].water != l->block[i].water);
 }
 
 /* Highest level of branches that is drawn. */
@@ -144,7 +148,8 @@ static json_t *block_part(struct wf_doc *d, const struct wf_mode_list *l, size_t
     const struct wf_mode_block *b = &l->block[i];
     json_t *o = wf_doc_object(d);
     wf_doc_count(d, o, "run", i + 1);
-    wf_doc_text(d, o, "season", season_word(b->season));
+    wf_doc_text(d, o, "season", leaves_word(b));
+    if (b->water > 0) wf_doc_number(d, o, "film_mm", b->water);
     wf_doc_number(d, o, "speed", b->speed);
     wf_doc_text(d, o, "status", b->status ? wf_status_text(b->status) : "ok");
     wf_doc_flag(d, o, "damping_known", b->modes.damping_known);
