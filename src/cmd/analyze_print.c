@@ -4,6 +4,7 @@
 #include "cmd/option.h"
 #include "data/model.h"
 #include "data/species.h"
+#include "grow/silhouette.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
@@ -192,11 +193,21 @@ void wf_print_site(FILE *to, const struct wf_scenario *s)
     fputc('\n', to);
 }
 
+/* The crown's outline, so that a wrong scale is seen. */
+static void print_crown(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_outline_size seen = wf_silhouette_size(an->model, an->tallness);
+    if (isnan(seen.centre)) return;
+    wf_show(to, "Crown from the side: %.4g m2, its centre at %.4g m; %.4g m broad over %.4g m of height\n",
+            seen.area, seen.centre, seen.breadth, seen.height);
+}
+
 void wf_print_head(FILE *to, const struct wf_analysis *first)
 {
     const struct wf_scenario *s = &first->scenario;
     wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
+    print_crown(to, first);
     wf_print_site(to, s);
     wf_show(to, "Peak load: %s", first->peak ? first->peak->method->name : "mean");
     if (first->peak && first->peak->rule) wf_show(to, ", terrain %s", first->peak->rule->called(s->category));

@@ -3,6 +3,7 @@
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
 #include "grow/grow.h"
+#include "grow/outline_svg.h"
 #include "grow/silhouette.h"
 #include "solve/solve.h"
 #include "study/peak.h"
@@ -41,10 +42,19 @@ bool wf_site_row_unused(const void *options, const struct wf_option *o, char *wh
     return wf_option_unused(at && !w->design.terrain && !w->site, why, "without --terrain or --site");
 }
 
+static bool is_svg(const char *path)
+{
+    size_t n = path ? strlen(path) : 0;
+    return n > 4 && !strcasecmp(path + n - 4, ".svg");
+}
+
 bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *why)
 {
     const struct wf_tree_asked *t = (const void *)((const char *)options + o->group);
     size_t member = o->member - o->group;
+    if (member == offsetof(struct wf_tree_asked, outline_base) ||
+        member == offsetof(struct wf_tree_asked, outline_top))
+        return wf_option_unused(!is_svg(t->outline), why, "without an SVG file (--crown-outline FILE.svg)");
     if (member == offsetof(struct wf_tree_asked, joint) || member >= offsetof(struct wf_tree_asked, scan))
         return wf_option_unused(t->model && !t->file, why, "with --model; it is of a measured tree (--tree)");
     return wf_option_unused(t->file && isnan(t->leaf_area) && isnan(t->crown.area) && isnan(t->crown.width) &&
@@ -165,7 +175,11 @@ static enum wf_status take_crown(const struct wf_tree_asked *t, struct wf_arena 
     if (!isnan(c->leafless)) out->leafless = c->leafless;
     for (int k = 0; t->crown_form && wf_crown_form_words[k]; k++)
         if (!strcmp(t->crown_form, wf_crown_form_words[k])) out->form = (enum wf_crown_form)k;
-    enum wf_status s = t->outline ? wf_outline_read(t->outline, out, a, d, e) : WF_OK;
+    enum wf_status s = WF_OK;
+    if (is_svg(t->outline))
+        s = wf_outline_svg_read(t->outline, t->outline_base, t->outline_top, out, a, e);
+    else if (t->outline)
+        s = wf_outline_read(t->outline, out, a, d, e);
     if (s || !(area || c->mass > 0 || c->density > 0)) return s;
     if (t->crown_form && !(out->width > 0))
         return wf_fail(e, WF_EUSAGE, "--crown-form needs --crown-width and --crown-depth");

@@ -207,6 +207,27 @@ static enum wf_status find_outline(const struct wf_model *m, double height, stru
     return WF_OK;
 }
 
+struct wf_outline_size wf_silhouette_size(const struct wf_model *m, double height)
+{
+    const struct wf_silhouette *s = &m->silhouette;
+    struct wf_outline_size size = { wf_silhouette_area(s), NAN, NAN, NAN };
+    struct wf_arena scratch = { 0 };
+    struct wf_outline o;
+    double left = INFINITY, right = -INFINITY, base = INFINITY, top = -INFINITY, moment;
+    bool drawn = s->points || given(s->width);
+    if (drawn && !find_outline(m, height, &scratch, &o, NULL)) {
+        for (size_t i = 0; i < o.n; i++) {
+            left = fmin(left, o.x[i]), right = fmax(right, o.x[i]);
+            base = fmin(base, o.z[i]), top = fmax(top, o.z[i]);
+        }
+        double area = wf_outline_strip(&o, -INFINITY, INFINITY, &moment);
+        size.centre = moment / area, size.height = top - base;
+        size.breadth = s->points ? right - left : s->width;
+    }
+    wf_arena_free(&scratch);
+    return size;
+}
+
 /* ---- On the tree ---- */
 
 struct carriers {

@@ -5,6 +5,7 @@
 #include "data/model.h"
 #include "data/species.h"
 #include "grow/grow.h"
+#include "grow/silhouette.h"
 #include "load/interception.h"
 #include "load/winter.h"
 #include "study/node.h"
@@ -23,8 +24,8 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
     static const char *const together =
         "The given winds act together with it; a wind in which it stays on the tree is less than a design "
         "wind (snow falls off above about 9 m/s)";
-    const struct wf_silhouette *seen = &an->model->silhouette;
-    double area = wf_crown_projection(&an->tree, seen->width), mass = area * an->scenario.snow;
+    double width = wf_silhouette_size(an->model, wf_tree_height(&an->tree)).breadth;
+    double area = wf_crown_projection(&an->tree, isnan(width) ? 0 : width), mass = area * an->scenario.snow;
     if (an->scenario.snow > 0) {
         if (an->model->season == WF_LEAF_OFF || wf_crown_projection(&an->tree, 1) == 0)
             return wf_fail(
