@@ -2,6 +2,7 @@
 #include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
+#include "data/crown_mass.h"
 #include "grow/grow.h"
 #include "grow/outline_svg.h"
 #include "grow/silhouette.h"
@@ -171,7 +172,9 @@ static enum wf_status take_crown(const struct wf_tree_asked *t, struct wf_arena 
     const struct wf_silhouette *c = &t->crown;
     bool area = c->area > 0 || c->width > 0 || c->depth > 0 || t->outline;
     if (area) out->area = c->area, out->width = c->width, out->depth = c->depth, out->points = 0;
-    if (c->mass > 0 || c->density > 0) out->mass = c->mass, out->density = c->density;
+    bool heavy = c->mass > 0 || c->density > 0 || c->by;
+    if (heavy) out->mass = c->mass, out->density = c->density, out->by = c->by;
+    if (c->by && wf_crown_rule_check(c->by, e)) return e->code;
     if (!isnan(c->leafless)) out->leafless = c->leafless;
     for (int k = 0; t->crown_form && wf_crown_form_words[k]; k++)
         if (!strcmp(t->crown_form, wf_crown_form_words[k])) out->form = (enum wf_crown_form)k;
@@ -180,7 +183,7 @@ static enum wf_status take_crown(const struct wf_tree_asked *t, struct wf_arena 
         s = wf_outline_svg_read(t->outline, t->outline_base, t->outline_top, out, a, e);
     else if (t->outline)
         s = wf_outline_read(t->outline, out, a, d, e);
-    if (s || !(area || c->mass > 0 || c->density > 0)) return s;
+    if (s || !(area || heavy)) return s;
     if (t->crown_form && !(out->width > 0))
         return wf_fail(e, WF_EUSAGE, "--crown-form needs --crown-width and --crown-depth");
     return wf_silhouette_check(out, e);

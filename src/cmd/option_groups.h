@@ -256,8 +256,12 @@ struct wf_tree_asked {
         NUMBER("--crown-mass", in.crown.mass, "MASS", MASS, "kg", 1e-6, 1e6, NULL,                           \
                "fresh mass of branches and leaves of a stem without branches"),                              \
         NUMBER("--crown-density", in.crown.density, "DENSITY", DENSITY, "kg/m3", 1e-3, 100, NULL,            \
-               "the same per volume of the cone of --crown-width and --crown-depth; ForestGALES: 2.5 most "  \
+               "the same per volume of the cone of crown width and depth; ForestGALES: 2.5 most "            \
                "conifers, 1.22 birch, 1.38 beech and oak"),                                                  \
+        TEXT("--crown-mass-by", in.crown.by, "RULE", NULL,                                                   \
+             "the same by a rule: forestgales, per volume of the cone, or wcc, by the diameter at 1.3 m; "   \
+             "the "                                                                                          \
+             "kind of the species, or RULE:KIND (forestgales:oak)"),                                         \
         NUMBER(                                                                                              \
             "--leaf-off-share", in.crown.leafless, "SHARE", NONE, NULL, 0, 1, NULL,                          \
             "share of the crown's load that is left in the season leaf_off [0.5 without branches, else 0]"), \

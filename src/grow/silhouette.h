@@ -48,7 +48,7 @@ bool wf_silhouette_ends(const struct wf_silhouette *s, double height, double *ba
  * over the height, so that its centre is at the outline's: on the stem of a tree without branches; else on
  * the parts with leaves, or on the shoots above which there is a single tip. An area alone keeps the
  * distribution of the leaves. Crown mass takes the place of the mass of the leaves. Warnings in `d`:
- * crown-areas, crown-mass, crown-centre, leaf-off-share. Errors: WF_EINPUT, WF_ENOMEM. */
+ * crown-areas, crown-mass, crown-mass-by, crown-centre, leaf-off-share. Errors: WF_EINPUT, WF_ENOMEM. */
 enum wf_status wf_silhouette_onto(const struct wf_model *m, const struct wf_species *sp, struct wf_tree *t,
                                   struct wf_diag *d, struct wf_err *e);
 #endif

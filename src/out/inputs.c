@@ -182,6 +182,7 @@ json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
     wf_doc_quantity(d, o, "outline_centre", seen.centre, "m", no_outline);
     wf_doc_quantity(d, o, "outline_breadth", seen.breadth, "m", no_outline);
     wf_doc_quantity(d, o, "outline_height", seen.height, "m", no_outline);
+    wf_doc_text(d, o, "crown_mass_by", m->silhouette.by);
     return o;
 }
 
