@@ -30,6 +30,7 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
     const struct wf_at_speed *at = &d->at[an->n - 1];
     wf_show(to, "%8g", degrees(d->from));
     print_cell(to, 13, 3, at->base_moment / 1e3);
+    print_cell(to, 8, 2, d->gusts[an->n - 1]);
     print_cell(to, 11, 3, at->tip_deflection);
     print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
     print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
@@ -47,7 +48,7 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
 static void print_climate(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_directions *x = an->directions;
-    wf_show(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
+    wf_show(to, "%-*s", x->request.speed_up ? 93 : 83, "     all, hours a year");
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
     wf_show(to,
@@ -71,10 +72,11 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
         wf_show(to, "+y, east +x of the model\n");
     else
         wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
-    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
-            "breaks", "stem alone", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
-    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
-            site ? "          " : "", rose ? "  above: mean      10 min" : "");
+    wf_show(to, "%8s%13s%8s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "gusts", "tip moves", "safety",
+            "critical", "breaks", "stem alone", site ? "  exposure" : "",
+            rose ? "  hours/year with wind" : "");
+    wf_show(to, "%8s%13s%8s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "x load", "m", "factor", "wind m/s",
+            "at m", "m/s", site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
     if (rose) print_climate(to, an);
     const struct wf_wind_place place = wf_scenario_place(&an->scenario);

@@ -7,8 +7,8 @@
 #include "out/inputs.h"
 #include "out/tree_picture.h"
 #include "study/directions.h"
-#include "study/peak.h"
 #include "study/limits.h"
+#include "study/peak.h"
 #include "study/wetted.h"
 #include "wind/climate.h"
 #include <errno.h>
@@ -174,7 +174,10 @@ static json_t *direction_part(struct wf_doc *d, const struct wf_analysis *a, con
     wf_doc_quantity(d, o, "speed_up", exposed ? exposed[x - a->directions->direction] : a->scenario.speed_up,
                     "1", NULL);
     winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
-    for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wind_part(d, a, &x->at[k]));
+    for (size_t k = 0; k < a->n; k++) {
+        json_t *wind = wf_doc_add(d, winds, wind_part(d, a, &x->at[k]));
+        wf_doc_quantity(d, wind, "gust_load_factor", x->gusts[k], "1", NULL);
+    }
     wf_doc_put(d, o, "critical", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
     wf_doc_put(d, o, "criteria", criteria_part(d, a, x->breaks, x->at));
