@@ -19,8 +19,7 @@ static void prints_and_writes(void **state)
           "<$T/o/tables/modes.csv; cut "
           "-d, -f2,3,4,5 $T/o/tables/modes.csv",
           CODE_OK,
-          { "Without leaves, mean wind 8 m/s", "\n17\n",
-            "leaf_on,0,0,tree\n", "leaf_off,8,3," } },
+          { "Without leaves, mean wind 8 m/s", "\n17\n", "leaf_on,0,0,tree\n", "leaf_off,8,3," } },
         { "$W modes scots_pine --model scots_pine --wind 0 -n 2 --no-report -o $T/p; cut -d, -f2,4,5 "
           "$T/p/tables/modes.csv",
           CODE_OK,
@@ -31,6 +30,12 @@ static void prints_and_writes(void **state)
           "$T/s/tables/modes.csv | sort | uniq -c",
           CODE_OK,
           { "3 leaf_off\n" } },
+        /* from a study file, which other commands take too; the command line takes precedence */
+        { "printf 'study: s\nspecies: oak\nmodel: culm\nwind: [0, 8]\ncount: 3\nstep: 0.5 s\n' >$T/s.yaml; $W "
+          "modes $T/s.yaml --count "
+          "2 --no-report -q -o $T/y; wc -l <$T/y/tables/modes.csv",
+          CODE_OK,
+          { "13\n" } },
         /* --damping is that of every mode; without wind the air adds none */
         { "$W modes oak $M --wind 0 -n 2 --damping 0.07 --no-report -q -o $T/d; cut -d, -f13,14,15 "
           "$T/d/tables/modes.csv",

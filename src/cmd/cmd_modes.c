@@ -28,7 +28,8 @@ struct modes_options {
 };
 
 #define OPTIONS struct modes_options
-static const struct wf_option options[] = {
+const struct wf_option wf_modes_options[] = {
+    STUDY,
     WF_TREE_ROWS(tree),
     SPEEDS("--wind", wind, averaging, 0, 100,
            "mean winds at the reference height, in whose states the tree is; 0 is still air [0,10,20]",
@@ -179,7 +180,7 @@ int wf_cmd_modes(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
     struct modes_options o = { 0 };
-    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &o.args);
+    int code = wf_args_read(argc, argv, wf_modes_options, about, 1, 1, &arena, &o.args);
     if (code < 0) code = wf_tree_asked_check(&o.tree, "modes", NULL);
     if (code < 0) code = wf_command_perform(argc, argv, modes, &o, o.args.quiet, &arena);
     wf_arena_free(&arena);
