@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm modes: natural frequencies of a tree, how it moves in each, how it is damped. */
+#include "cmd/analyze_print.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -125,6 +126,7 @@ static void print_list(const struct wf_mode_list *l)
             "Modes about the state in the mean wind. Shares of the tree's mass (along, across, up), of its "
             "overturning by inertia (along, across); mass where the stem's tip moves by 1; damping of "
             "critical, the total limited\n");
+    wf_print_site(stdout, l->scenario);
     for (size_t i = 0; i < l->blocks; i++) print_block(&l->block[i]);
     print_measured(l);
 }

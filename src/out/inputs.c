@@ -201,6 +201,14 @@ static void put_site(struct wf_doc *d, json_t *o, const struct wf_scenario *s)
     wf_doc_quantity(d, o, "carried", s->carried, "1", NULL);
 }
 
+json_t *wf_part_site(struct wf_doc *d, const struct wf_scenario *s)
+{
+    json_t *o = wf_doc_object(d);
+    put_site(d, o, s);
+    wf_doc_quantity(d, o, "speed_up", s->speed_up, "1", NULL);
+    return o;
+}
+
 json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
 {
     const struct wf_scenario *s = &a->scenario;

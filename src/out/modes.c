@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/modes.h"
+#include "out/inputs.h"
 #include <math.h>
 #include <string.h>
 
@@ -168,6 +169,7 @@ static enum wf_status document(const struct wf_mode_list *l, const char *name, c
     char figure[32];
     json_t *o = wf_doc_begin(&d, "windfirm-modes", head);
     wf_doc_text(&d, o, "name", name);
+    wf_doc_put(&d, o, "scenario", wf_part_site(&d, l->scenario));
     json_t *line = wf_doc_put(&d, o, "measured", wf_doc_object(&d));
     wf_doc_flag(&d, line, "conifer", l->conifer);
     wf_doc_text(&d, line, "of", l->line->name);

@@ -133,7 +133,8 @@ enum wf_status wf_mode_list_run(const struct wf_analysis *as, struct wf_model *m
     (void)is_conifer(as->species, &sheds);
     bool both = r->seasons && m->leaf_area_on > 0.0 && sheds;
     if (both) season[0] = WF_LEAF_ON, season[1] = WF_LEAF_OFF;
-    *out = (struct wf_mode_list){ .block = WF_TAKE(a, 2 * r->winds, struct wf_mode_block) };
+    *out = (struct wf_mode_list){ .scenario = &as->scenario,
+                                  .block = WF_TAKE(a, 2 * r->winds, struct wf_mode_block) };
     if (!out->block) return wf_fail(e, WF_ENOMEM, "not enough memory for the modes");
     enum wf_status s = WF_OK;
     wf_stage_begin((both ? 2 : 1) * r->winds, false, "modes");
