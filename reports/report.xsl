@@ -202,34 +202,45 @@
   </figure>
 </xsl:template>
 
-<!-- Trees with rain on their leaves beside the same trees dry. -->
+<!-- Trees with rain on their leaves, or with snow and ice, beside the same trees without: "of" is "wetted" or "winter". -->
 <xsl:template name="wetted-table">
+  <xsl:param name="of"/>
+  <xsl:variable name="all" select="$trees/*[name() = $of]"/>
   <table class="data">
     <xsl:call-template name="caption">
-      <xsl:with-param name="id">wt.caption</xsl:with-param>
+      <xsl:with-param name="id" select="concat('wt.caption.', $of)"/>
       <xsl:with-param name="a">
-        <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[wetted][1]/wetted/film_mm"/></xsl:call-template>
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$all[1]/speed_m_s"/></xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="b">
-        <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[wetted][1]/wetted/speed_m_s"/></xsl:call-template>
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$all[1]/film_mm"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/scenario/snow/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="d">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="1000 * $trees[1]/scenario/ice/value"/></xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">c.wt.tree;c.wt.state;c.wt.water:kg;c.wt.sway:Hz;
-        c.wt.moment:kN m;c.wt.tip:m;c.wt.critical:m/s</xsl:with-param>
+      <xsl:with-param name="of">c.wt.tree;c.wt.state;c.wt.mass:kg;c.wt.sway:Hz;c.wt.drag:kN;
+        c.wt.moment:kN m;c.wt.tip:m;c.wt.critical:m/s;c.gust:m/s</xsl:with-param>
     </xsl:call-template></tr></thead>
     <tbody>
-      <xsl:for-each select="$trees[wetted]">
-        <xsl:variable name="w" select="wetted"/>
-        <xsl:variable name="name"><xsl:call-template name="name"/></xsl:variable>
+      <xsl:for-each select="$all">
+        <xsl:variable name="w" select="."/>
+        <xsl:variable name="name"><xsl:for-each select=".."><xsl:call-template name="name"/></xsl:for-each></xsl:variable>
         <xsl:for-each select="$w/frequencies_Hz/item">
           <xsl:variable name="k" select="position()"/>
           <tr>
             <td><xsl:if test="$k = 1"><xsl:value-of select="$name"/></xsl:if></td>
-            <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('wt.state.', $k)"/></xsl:call-template></td>
+            <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('wt.state.', $of, '.', $k)"/></xsl:call-template></td>
             <xsl:call-template name="n"><xsl:with-param name="x" select="($k = 2) * $w/mass_kg"/></xsl:call-template>
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="."/><xsl:with-param name="pattern">0.0000</xsl:with-param>
+            </xsl:call-template>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="$w/drags_N/item[$k] div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
             </xsl:call-template>
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="$w/moments_N_m/item[$k] div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
@@ -240,6 +251,7 @@
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="$w/criticals_m_s/item[$k]"/><xsl:with-param name="pattern">0.00</xsl:with-param>
             </xsl:call-template>
+            <td class="r"><xsl:call-template name="gust"><xsl:with-param name="x" select="$w/criticals_m_s/item[$k]"/></xsl:call-template></td>
           </tr>
         </xsl:for-each>
       </xsl:for-each>
@@ -266,7 +278,12 @@
           <xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="result-tables"/>
-        <xsl:if test="$trees/wetted"><xsl:call-template name="wetted-table"/></xsl:if>
+        <xsl:if test="$trees/winter">
+          <xsl:call-template name="wetted-table"><xsl:with-param name="of">winter</xsl:with-param></xsl:call-template>
+        </xsl:if>
+        <xsl:if test="$trees/wetted">
+          <xsl:call-template name="wetted-table"><xsl:with-param name="of">wetted</xsl:with-param></xsl:call-template>
+        </xsl:if>
         <xsl:if test="$trees[1]/directions/number">
           <xsl:call-template name="direction-table"><xsl:with-param name="n" select="3"/></xsl:call-template>
         </xsl:if>

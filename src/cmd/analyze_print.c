@@ -244,11 +244,15 @@ static void print_found(FILE *to, const struct wf_critical *c)
 static void print_wetted(FILE *to, const struct wf_wetted *w)
 {
     if (!w) return;
-    wf_show(to, "  rain on the leaves: %.4g kg, %.3g mm on %.4g m2; dry -> wet: ", w->mass, w->film,
-            w->leaf_area);
+    if (w->film > 0)
+        wf_show(to, "  rain on the leaves: %.4g kg, %.3g mm on %.4g m2; dry -> wet: ", w->mass, w->film,
+                w->leaf_area);
+    else
+        wf_show(to, "  snow and ice: %.4g kg; without -> with: ", w->mass);
     wf_show(to, "sways at %.4f -> %.4f Hz, ", w->frequency[WF_DRY], w->frequency[WF_WET]);
     if (isfinite(w->speed))
-        wf_show(to, "base moment at %.4g m/s %.4g -> %.4g kN m, ", w->speed, w->moment[WF_DRY] / 1000,
+        wf_show(to, "at %.4g m/s drag %.4g -> %.4g kN, base moment %.4g -> %.4g kN m, ", w->speed,
+                w->drag[WF_DRY] / 1000, w->drag[WF_WET] / 1000, w->moment[WF_DRY] / 1000,
                 w->moment[WF_WET] / 1000);
     wf_show(to, "critical ");
     print_found(to, &w->critical[WF_DRY]);
@@ -272,6 +276,7 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
     if (b[WF_SCOPE_TREE].row >= 0 && an->tree.level[b[WF_SCOPE_TREE].row] > 0)
         print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]),
             print_weight(to, an, &b[WF_SCOPE_STEM]);
+    print_wetted(to, an->winter);
     print_wetted(to, an->wetted);
     print_directions(to, an);
 }

@@ -355,11 +355,12 @@ json_t *wf_part_wetted(struct wf_doc *d, const struct wf_wetted *w)
     double critical[2];
     for (int k = 0; k < 2; k++)
         critical[k] = w->critical[k].outcome == WF_CRITICAL_SELF_WEIGHT ? 0 : w->critical[k].speed;
-    wf_doc_number(d, o, "film_mm", w->film);
+    if (w->film > 0) wf_doc_number(d, o, "film_mm", w->film);
+    if (w->film > 0) wf_doc_number(d, o, "leaf_area_m2", w->leaf_area);
     wf_doc_number(d, o, "mass_kg", w->mass);
-    wf_doc_number(d, o, "leaf_area_m2", w->leaf_area);
     wf_doc_number(d, o, "speed_m_s", w->speed);
     wf_doc_numbers(d, o, "frequencies_Hz", w->frequency, 2);
+    wf_doc_numbers(d, o, "drags_N", w->drag, 2);
     wf_doc_numbers(d, o, "moments_N_m", w->moment, 2);
     wf_doc_numbers(d, o, "deflections_m", w->deflection, 2);
     wf_doc_numbers(d, o, "criticals_m_s", critical, 2);

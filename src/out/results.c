@@ -275,6 +275,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));
     if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));
+    if (a->winter) wf_doc_put(d, o, "winter", wf_part_wetted(d, a->winter));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");
     wf_doc_put(d, o, "warnings", shared(run, index) ? wf_doc_array(d) : warnings_part(d, a->diag));
     return o;

@@ -108,6 +108,7 @@ struct wf_analysis {
                                   speeds alone where the time for them was used up */
     struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
     const struct wf_wetted *wetted;         /* beside the dry tree (study/wetted.h); NULL: no water    */
+    const struct wf_wetted *winter;         /* the same of snow and ice; NULL: none                    */
     const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */
