@@ -202,6 +202,42 @@
   </figure>
 </xsl:template>
 
+<!-- The lowest modes of each tree in still air. -->
+<xsl:template name="modes-table">
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">t.modes</xsl:with-param></xsl:call-template>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of">c.wt.tree;md.c.mode;c.frequency:Hz;md.c.moves;md.c.turn.along:%;md.c.turn.across:%;c.damping:</xsl:with-param>
+    </xsl:call-template></tr></thead>
+    <tbody>
+      <xsl:for-each select="$trees[modes]">
+        <xsl:variable name="name"><xsl:call-template name="name"/></xsl:variable>
+        <xsl:for-each select="modes/item">
+          <tr>
+            <td><xsl:if test="position() = 1"><xsl:value-of select="$name"/></xsl:if></td>
+            <td><xsl:value-of select="number"/></td>
+            <xsl:call-template name="n"><xsl:with-param name="x" select="frequency"/></xsl:call-template>
+            <td>
+              <xsl:call-template name="term">
+                <xsl:with-param name="id" select="concat('md.d.', direction)"/><xsl:with-param name="otherwise" select="direction"/>
+              </xsl:call-template>
+            </td>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="100 * turn_along"/><xsl:with-param name="pattern">0.0</xsl:with-param>
+            </xsl:call-template>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="100 * turn_across"/><xsl:with-param name="pattern">0.0</xsl:with-param>
+            </xsl:call-template>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="damping"/><xsl:with-param name="pattern">0.000</xsl:with-param>
+            </xsl:call-template>
+          </tr>
+        </xsl:for-each>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
 <!-- Trees with rain on their leaves, or with snow and ice, beside the same trees without: "of" is "wetted" or "winter". -->
 <xsl:template name="wetted-table">
   <xsl:param name="of"/>
@@ -278,6 +314,7 @@
           <xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="result-tables"/>
+        <xsl:if test="$trees/modes"><xsl:call-template name="modes-table"/></xsl:if>
         <xsl:if test="$trees/winter">
           <xsl:call-template name="wetted-table"><xsl:with-param name="of">winter</xsl:with-param></xsl:call-template>
         </xsl:if>

@@ -5,6 +5,7 @@
 #include "data/species.h"
 #include "out/doc.h"
 #include "out/inputs.h"
+#include "out/modes.h"
 #include "out/tree_picture.h"
 #include "study/directions.h"
 #include "study/limits.h"
@@ -272,6 +273,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     wf_doc_put(d, o, "critical", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
     wf_doc_put(d, o, "criteria", criteria_part(d, a, a->breaks, a->at));
+    if (a->modes) wf_doc_put(d, o, "modes", wf_part_modes(d, a->modes));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));
     if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));

@@ -89,6 +89,7 @@ struct wf_still {
 
 struct wf_directions;
 struct wf_wetted;
+struct wf_sway_modes;
 struct wf_analysis {
     const struct wf_species *species;
     const struct wf_model *model;
@@ -101,6 +102,7 @@ struct wf_analysis {
     const struct wf_peak *peak;   /* by study/sway.h; NULL: the load of the mean wind */
     const struct wf_still *still; /* by study/rest.h: of a standing tree, and where the scenario takes the
                                      weight off the stresses; NULL: not computed */
+    const struct wf_sway_modes *modes; /* the lowest in still air (study/sway.h); NULL: not computed */
     size_t n;
     struct wf_at_speed *at; /* results at the given speeds                     */
     size_t sweep_n;
