@@ -153,6 +153,7 @@
 <xsl:template match="/report" mode="body">
   <div class="summary">
     <p><xsl:call-template name="say"><xsl:with-param name="id">md.note</xsl:with-param></xsl:call-template></p>
+    <p><xsl:for-each select="$r/scenario[gust_over_mean/value]"><xsl:call-template name="site-line"/></xsl:for-each></p>
   </div>
   <xsl:call-template name="h2"><xsl:with-param name="id">md.h.sways</xsl:with-param></xsl:call-template>
   <xsl:call-template name="sways"/>

@@ -41,6 +41,20 @@ static void prints_and_writes(void **state)
         { "$W modes oak $M --wind 0 -n 1 --rain 10mm/h --no-report -o $T/w",
           CODE_OK,
           { "water-storage", "With wet leaves" } },
+        /* from a study file, which other commands take too; the command line takes precedence */
+        { "printf 'study: s\nspecies: oak\nmodel: culm\nwind: [0, 8]\ncount: 3\nstep: 0.5 s\n' >$T/s.yaml; "
+          "$W "
+          "modes $T/s.yaml --count "
+          "2 --no-report -q -o $T/y; wc -l <$T/y/tables/modes.csv",
+          CODE_OK,
+          { "13\n" } },
+        /* analyze has the lowest modes in still air; a steady wind needs none */
+        { "$W analyze oak $M --wind 9 --no-report -q -o $T/n; $W analyze oak $M --wind 9 --peak mean "
+          "--no-report -q -o $T/o; for d in n o; "
+          "do grep -c turn_along $T/$d/results.json; grep -c '\"frequency\": 0.2' $T/$d/results.json; done; "
+          "true",
+          CODE_OK,
+          { "4\n2\n0\n0\n" } },
         /* --damping is that of every mode; without wind the air adds none */
         { "$W modes oak $M --wind 0 -n 2 --damping 0.07 --no-report -q -o $T/d; cut -d, -f13,14,15 "
           "$T/d/tables/modes.csv",
@@ -59,6 +73,30 @@ static void redraws(void **state)
           "$T/r/modes.html; grep -c 'class=\"missing\"' $T/r/modes.html; ls $T/r/plots/modes_1.svg",
           CODE_OK,
           { "modes_1.svg" } },
+    };
+    if (system("command -v gnuplot >/dev/null")) skip();
+    CHECK(rows);
+}
+
+/* The page of every command whose winds are carried to a site says where they are measured and what the site
+ * is. */
+static void pages_name_the_site(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W modes oak $M --wind 8 -n 1 --terrain III --no-pdf -q -o $T/a; grep -o 'terrain of the site III "
+          "(as given)' $T/a/modes.html",
+          CODE_OK,
+          { "terrain of the site III (as given)" } },
+        { "$W explain oak $M --wind 8 --no-pdf -q -o $T/b; grep -o 'over terrain II; terrain of the site II "
+          "(assumed: open country)' "
+          "$T/b/explain.html",
+          CODE_OK,
+          { "(assumed: open country)" } },
+        { "$W shelter --species oak $M --wind 8 --site suburb --no-motion --no-pdf -q --lang zh -o $T/c; "
+          "grep -o '场地地面类别 III（给定, suburb）' $T/c/shelter.html",
+          CODE_OK,
+          { "suburb" } },
     };
     if (system("command -v gnuplot >/dev/null")) skip();
     CHECK(rows);
@@ -103,9 +141,8 @@ static void plans_sway(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(prints_and_writes),
-        cmocka_unit_test(redraws),
-        cmocka_unit_test(refuses),
+        cmocka_unit_test(prints_and_writes),   cmocka_unit_test(redraws),
+        cmocka_unit_test(pages_name_the_site), cmocka_unit_test(refuses),
         cmocka_unit_test(plans_sway),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

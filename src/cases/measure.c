@@ -2,6 +2,7 @@
 #include "cases/measure.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "cases/gusts.h"
 #include "data/section.h"
 #include "study/prism_check.h"
 #include "wind/shelter_laws.h"
@@ -434,6 +435,20 @@ static enum wf_status measure_prism_frequency(const struct wf_measured *m, const
     return s;
 }
 
+static enum wf_status measure_gust(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                   struct wf_err *e)
+{
+    (void)e;
+    wf_gust_answer(m->of, w->quantity->name, out);
+    return WF_OK;
+}
+
+static enum wf_status measure_stand(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                    struct wf_err *e)
+{
+    return wf_stand_answer(m->of, m->setup, w->quantity->name, m->arena, out, e);
+}
+
 const struct wf_quantity wf_quantities[] = {
     { "displacement", WF_DIM_LENGTH, true, WF_NEED_PLACE, WF_BY_SOLVER, measure_displacement },
     { "position", WF_DIM_LENGTH, true, WF_NEED_PLACE, WF_BY_SOLVER, measure_position },
@@ -458,6 +473,15 @@ const struct wf_quantity wf_quantities[] = {
     { "prism_frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_SETUP, measure_prism_frequency },
     { "velocity", WF_DIM_SPEED, true, WF_NEED_POINT, WF_BY_FLOW, measure_velocity },
     { "pressure_coefficient", WF_DIM_NONE, false, WF_NEED_POINT, WF_BY_FLOW, measure_pressure_coefficient },
+    { "gust_background", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "gust_resonance", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "gust_peak_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "gust_load_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "structural_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "pressure_ratio", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "critical_wind", WF_DIM_SPEED, false, WF_NEED_NOTHING, WF_BY_STAND, measure_stand },
+    { "stand_gust_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_STAND, measure_stand },
+    { "peak_base_moment", WF_DIM_MOMENT, false, WF_NEED_NOTHING, WF_BY_STAND, measure_stand },
     { "fitted_modulus", WF_DIM_PRESSURE, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { "fitted_stiffness", WF_DIM_ROTATIONAL_STIFFNESS, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { "fitted_number", WF_DIM_NONE, false, WF_NEED_NAME, WF_BY_FIT, NULL },

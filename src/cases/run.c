@@ -126,9 +126,11 @@ static enum wf_status attempt_run(const struct wf_case *c, size_t k, size_t piec
     if (!m.solver && wanted_by(c, WF_BY_BUCKLING, NULL)) v->solver = "buckling";
     if (!m.solver && wanted_by(c, WF_BY_SETUP, NULL)) v->solver = "section";
     if (!m.solver && c->shape == WF_SHAPE_FLOW) v->solver = "flow";
+    if (c->shape == WF_SHAPE_GUST) v->solver = "gust";
+    if (!m.solver && wanted_by(c, WF_BY_STAND, NULL)) v->solver = "stand";
     v->check = WF_TAKE(a, 3 * c->wants.n, struct wf_check);
     if (!s || !v->check) return wf_fail(e, WF_ENOMEM, "no memory");
-    bool flow = c->shape == WF_SHAPE_FLOW; /* no tree, loads or mesh */
+    bool flow = c->shape == WF_SHAPE_FLOW || c->shape == WF_SHAPE_GUST; /* no tree, loads or mesh */
     enum wf_status status = WF_OK;
     if (c->shape == WF_SHAPE_FIT)
         status = wf_fail(&own, WF_EUSAGE, "a case with a fit is run by wf_case_fit");

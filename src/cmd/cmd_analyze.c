@@ -191,6 +191,7 @@ const struct wf_option wf_analyze_options[] = {
     WF_QUIET_ROW,
     { 0 },
 };
+_Static_assert(WF_COUNT(wf_analyze_options) <= WF_OPTIONS_MAX, "more options than a command can have");
 
 /* The options, converted to structs of the library. */
 struct request {
@@ -451,20 +452,30 @@ static enum wf_status run_directions(struct work *w, struct wf_analysis *an, str
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
 }
 
-/* With rain on its leaves: the tree beside the dry one. */
-static enum wf_status run_dry(struct work *w, struct wf_analysis *an, struct wf_err *e)
+/* With rain on its leaves, or with snow or ice: the tree beside itself without. */
+static enum wf_status run_dry(struct work *w, struct wf_analysis *an, enum wf_burden burden, bool there,
+                              const struct wf_wetted **to, struct wf_err *e)
 {
-    if (!(an->scenario.water > 0) || wf_interrupted()) return WF_OK;
+    if (!there || wf_interrupted()) return WF_OK;
     struct wf_wetted *out = WF_TAKE(&w->arena, 1, struct wf_wetted);
     struct wf_err why = { 0 };
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for the dry tree");
-    enum wf_status s = wf_wetted_compare(an, &w->request.solve, &w->arena, out, &why);
+    enum wf_status s = wf_wetted_compare(an, burden, &w->request.solve, &w->arena, out, &why);
     if (s == WF_EINTERRUPTED) {
         wf_diag_warn(an->diag, "interrupted", "interrupted before the dry tree was computed");
         return WF_OK;
     }
-    if (!s) an->wetted = out, wf_water_asked_warn(&w->options.water, an->diag);
+    if (!s) *to = out;
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
+}
+
+static enum wf_status run_burdens(struct work *w, struct wf_analysis *an, struct wf_err *e)
+{
+    const struct wf_scenario *s = &an->scenario;
+    if (run_dry(w, an, WF_BURDEN_WINTER, s->snow > 0 || s->ice > 0, &an->winter, e)) return e->code;
+    if (run_dry(w, an, WF_BURDEN_RAIN, s->water > 0, &an->wetted, e)) return e->code;
+    if (an->wetted) wf_water_asked_warn(&w->options.water, an->diag);
+    return WF_OK;
 }
 
 /* Was tree k interrupted? The first one is kept as far as it came; a later one has not what the first has and
@@ -495,7 +506,7 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
                                       w->request.solver, &w->request.solve, w->options.wind.speed,
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
-        if (!s) s = run_dry(w, &w->analysis[k], e);
+        if (!s) s = run_burdens(w, &w->analysis[k], e);
         if (!s && w->solved == k) speeds_solved(&w->analysis[k], w); /* interrupted before */
         wf_progress_clear();
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);

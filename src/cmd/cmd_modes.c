@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm modes: natural frequencies of a tree, how it moves in each, how it is damped. */
+#include "cmd/analyze_print.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -29,7 +30,8 @@ struct modes_options {
 };
 
 #define OPTIONS struct modes_options
-static const struct wf_option options[] = {
+const struct wf_option wf_modes_options[] = {
+    STUDY,
     WF_TREE_ROWS(tree),
     SPEEDS("--wind", wind, averaging, 0, 100,
            "mean winds at the reference height, in whose states the tree is; 0 is still air [0,10,20]",
@@ -132,6 +134,7 @@ static void print_list(const struct wf_mode_list *l)
             "Modes about the state in the mean wind. Shares of the tree's mass (along, across, up), of its "
             "overturning by inertia (along, across); mass where the stem's tip moves by 1; damping of "
             "critical, the total limited\n");
+    wf_print_site(stdout, l->scenario);
     for (size_t i = 0; i < l->blocks; i++) print_block(&l->block[i]);
     print_measured(l);
 }
@@ -189,7 +192,7 @@ int wf_cmd_modes(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
     struct modes_options o = { 0 };
-    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &o.args);
+    int code = wf_args_read(argc, argv, wf_modes_options, about, 1, 1, &arena, &o.args);
     if (code < 0) code = wf_tree_asked_check(&o.tree, "modes", NULL);
     if (code < 0) code = wf_command_perform(argc, argv, modes, &o, o.args.quiet, &arena);
     wf_arena_free(&arena);

@@ -2,9 +2,11 @@
 #include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
+#include "data/crown_mass.h"
 #include "fail/anchorage.h"
 #include "fail/fail.h"
 #include "grow/grow.h"
+#include "grow/outline_svg.h"
 #include "grow/silhouette.h"
 #include "load/interception.h"
 #include "solve/solve.h"
@@ -70,10 +72,19 @@ bool wf_site_row_unused(const void *options, const struct wf_option *o, char *wh
     return wf_option_unused(at && !w->design.terrain && !w->site, why, "without --terrain or --site");
 }
 
+static bool is_svg(const char *path)
+{
+    size_t n = path ? strlen(path) : 0;
+    return n > 4 && !strcasecmp(path + n - 4, ".svg");
+}
+
 bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *why)
 {
     const struct wf_tree_asked *t = (const void *)((const char *)options + o->group);
     size_t member = o->member - o->group;
+    if (member == offsetof(struct wf_tree_asked, outline_base) ||
+        member == offsetof(struct wf_tree_asked, outline_top))
+        return wf_option_unused(!is_svg(t->outline), why, "without an SVG file (--crown-outline FILE.svg)");
     if (member == offsetof(struct wf_tree_asked, joint) || member >= offsetof(struct wf_tree_asked, scan))
         return wf_option_unused(t->model && !t->file, why, "with --model; it is of a measured tree (--tree)");
     return wf_option_unused(t->file && isnan(t->leaf_area) && isnan(t->crown.area) && isnan(t->crown.width) &&
@@ -241,12 +252,18 @@ static enum wf_status take_crown(const struct wf_tree_asked *t, struct wf_arena 
     const struct wf_silhouette *c = &t->crown;
     bool area = c->area > 0 || c->width > 0 || c->depth > 0 || t->outline;
     if (area) out->area = c->area, out->width = c->width, out->depth = c->depth, out->points = 0;
-    if (c->mass > 0 || c->density > 0) out->mass = c->mass, out->density = c->density;
+    bool heavy = c->mass > 0 || c->density > 0 || c->by;
+    if (heavy) out->mass = c->mass, out->density = c->density, out->by = c->by;
+    if (c->by && wf_crown_rule_check(c->by, e)) return e->code;
     if (!isnan(c->leafless)) out->leafless = c->leafless;
     for (int k = 0; t->crown_form && wf_crown_form_words[k]; k++)
         if (!strcmp(t->crown_form, wf_crown_form_words[k])) out->form = (enum wf_crown_form)k;
-    enum wf_status s = t->outline ? wf_outline_read(t->outline, out, a, d, e) : WF_OK;
-    if (s || !(area || c->mass > 0 || c->density > 0)) return s;
+    enum wf_status s = WF_OK;
+    if (is_svg(t->outline))
+        s = wf_outline_svg_read(t->outline, t->outline_base, t->outline_top, out, a, e);
+    else if (t->outline)
+        s = wf_outline_read(t->outline, out, a, d, e);
+    if (s || !(area || heavy)) return s;
     if (t->crown_form && !(out->width > 0))
         return wf_fail(e, WF_EUSAGE, "--crown-form needs --crown-width and --crown-depth");
     return wf_silhouette_check(out, e);

@@ -270,6 +270,7 @@ struct wf_tree_asked {
     const char *season;               /* "leaf_on" or "leaf_off"; NULL: the model's      */
     struct wf_silhouette crown;       /* in place of the model's; NAN: not given */
     const char *crown_form, *outline; /* NULL: not given                         */
+    double outline_base, outline_top; /* heights of an SVG's lowest and highest point [m]; NAN: not given */
     bool unload, strict;
     const char *rest;    /* "as-drawn" or "stress-free"; NULL: a measured tree as drawn, a model as it says */
     const char *scanned; /* "leaf_on" or "leaf_off"; NULL: as the season */
@@ -312,12 +313,21 @@ struct wf_tree_asked {
         PATH(                                                                                                \
             "--crown-outline", in.outline, "FILE", NULL,                                                     \
             "the crown's outline on a photograph, in place of --frontal-area: a table with the columns x_m " \
-            "and z_m (height above the ground), a point a row"),                                             \
+            "and z_m (height above the ground), a point a row, or an SVG file with one closed path"),        \
+        NUMBER("--outline-base", in.outline_base, "HEIGHT", LENGTH, "m", 0, 150, NULL,                       \
+               "of the lowest point of an SVG's outline above the ground",                                   \
+               WF_UNUSED(in, wf_tree_row_unused)),                                                           \
+        NUMBER("--outline-top", in.outline_top, "HEIGHT", LENGTH, "m", 0.01, 150, NULL,                      \
+               "of its highest point: both scale the drawing", WF_UNUSED(in, wf_tree_row_unused)),           \
         NUMBER("--crown-mass", in.crown.mass, "MASS", MASS, "kg", 1e-6, 1e6, NULL,                           \
                "fresh mass of branches and leaves of a stem without branches"),                              \
         NUMBER("--crown-density", in.crown.density, "DENSITY", DENSITY, "kg/m3", 1e-3, 100, NULL,            \
-               "the same per volume of the cone of --crown-width and --crown-depth; ForestGALES: 2.5 most "  \
+               "the same per volume of the cone of crown width and depth; ForestGALES: 2.5 most "            \
                "conifers, 1.22 birch, 1.38 beech and oak"),                                                  \
+        TEXT("--crown-mass-by", in.crown.by, "RULE", NULL,                                                   \
+             "the same by a rule: forestgales, per volume of the cone, or wcc, by the diameter at 1.3 m; "   \
+             "the "                                                                                          \
+             "kind of the species, or RULE:KIND (forestgales:oak)"),                                         \
         NUMBER(                                                                                              \
             "--leaf-off-share", in.crown.leafless, "SHARE", NONE, NULL, 0, 1, NULL,                          \
             "share of the crown's load that is left in the season leaf_off [0.5 without branches, else 0]"), \

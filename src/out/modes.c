@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/modes.h"
+#include "out/inputs.h"
 #include <math.h>
 #include <string.h>
 
@@ -143,6 +144,13 @@ static json_t *mode_part(struct wf_doc *d, const struct wf_sway_mode *m, size_t 
     return o;
 }
 
+json_t *wf_part_modes(struct wf_doc *d, const struct wf_sway_modes *m)
+{
+    json_t *list = wf_doc_array(d);
+    for (size_t k = 0; k < m->count; k++) wf_doc_add(d, list, mode_part(d, &m->mode[k], k));
+    return list;
+}
+
 static json_t *block_part(struct wf_doc *d, const struct wf_mode_list *l, size_t i)
 {
     const struct wf_mode_block *b = &l->block[i];
@@ -153,8 +161,7 @@ static json_t *block_part(struct wf_doc *d, const struct wf_mode_list *l, size_t
     wf_doc_number(d, o, "speed", b->speed);
     wf_doc_text(d, o, "status", b->status ? wf_status_text(b->status) : "ok");
     wf_doc_flag(d, o, "damping_known", b->modes.damping_known);
-    json_t *list = wf_doc_put(d, o, "modes", wf_doc_array(d));
-    for (size_t k = 0; k < b->modes.count; k++) wf_doc_add(d, list, mode_part(d, &b->modes.mode[k], k));
+    wf_doc_put(d, o, "modes", wf_part_modes(d, &b->modes));
     if (!b->modes.count) return o;
     const struct wf_sway *sway = &b->modes.sway;
     wf_doc_number(d, o, "tree_frequency", sway->frequency);
@@ -173,6 +180,7 @@ static enum wf_status document(const struct wf_mode_list *l, const char *name, c
     char figure[32];
     json_t *o = wf_doc_begin(&d, "windfirm-modes", head);
     wf_doc_text(&d, o, "name", name);
+    wf_doc_put(&d, o, "scenario", wf_part_site(&d, l->scenario));
     json_t *line = wf_doc_put(&d, o, "measured", wf_doc_object(&d));
     wf_doc_flag(&d, line, "conifer", l->conifer);
     wf_doc_text(&d, line, "of", l->line->name);

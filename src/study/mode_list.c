@@ -143,7 +143,8 @@ enum wf_status wf_mode_list_run(const struct wf_analysis *as, struct wf_model *m
     season[n++] = both ? WF_LEAF_ON : given;
     if (as->scenario.water > 0) water[n] = as->scenario.water, season[n] = season[0], n++;
     if (both) season[n++] = WF_LEAF_OFF;
-    *out = (struct wf_mode_list){ .block = WF_TAKE(a, n * r->winds, struct wf_mode_block) };
+    *out = (struct wf_mode_list){ .scenario = &as->scenario,
+                                  .block = WF_TAKE(a, n * r->winds, struct wf_mode_block) };
     if (!out->block) return wf_fail(e, WF_ENOMEM, "not enough memory for the modes");
     enum wf_status s = WF_OK;
     wf_stage_begin(n * r->winds, false, "modes");

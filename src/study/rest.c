@@ -178,8 +178,10 @@ static enum wf_status doubt(struct wf_analysis *an, const struct wf_response *r,
         "of the strength of the wood: %s%s. The radius, the wood or the leaf area is in doubt there. %s%s",
         an->model->name, an->species->name, n, n == 1 ? "" : "s", 100 * WF_REST_CREDIBLE, l.text,
         n > LISTED ? "; ..." : "",
-        n > kept ? "They stay in the tables, but no safety factor and no critical wind speed is theirs"
-                 : "They decide like all others, because the stem carries the tree",
+        n == 1 && kept ? "It decides like all others, because the stem carries the tree"
+        : n == 1 ? "It stays in the tables, but no safety factor and no critical wind speed is taken from it"
+        : n > kept ? "They stay in the tables, but no safety factor and no critical wind speed is theirs"
+                   : "They decide like all others, because the stem carries the tree",
         kept && n > kept ? "; those of the stem that carry the tree decide all the same" : "");
     return WF_OK;
 }
