@@ -5,6 +5,7 @@
  * value carries its range, source and standing. */
 #include "base/arena.h"
 #include "base/err.h"
+#include "data/bark.h"
 #include "data/law.h"
 #include "data/tree.h"
 #include <stdbool.h>
@@ -51,6 +52,7 @@ struct wf_species {
     const char *preset; /* "corrected" or the paper whose numbers are printed */
     size_t levels;
     struct wf_level *level;
+    struct wf_bark_law bark;
     struct wf_crown crown;
     struct wf_law_use streamlining; /* frontal area times drag coefficient over its still-air value */
     struct wf_law_use axis_drag;    /* of axes without a drag_coefficient */
