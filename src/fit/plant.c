@@ -22,6 +22,7 @@ static enum wf_status find(const struct wf_calibration *c, const char *share, co
 
 /* A tree of the calibration while it is made. */
 struct job {
+    const char *file; /* of the calibration */
     const struct wf_calibration_tree *from;
     wf_import_reader *mat;
     const struct wf_species *species;
@@ -87,11 +88,10 @@ static enum wf_status build_model(struct job *j, struct wf_arena *a, struct wf_d
     struct wf_model m;
     enum wf_status s = wf_model_read(j->path, a, &m, d, e);
     if (!s && (m.cavities || m.bark.kind > WF_BARK_NONE))
-        return wf_fail(
-            e, WF_EINPUT,
-            "tree %s: %s has '%s', which a fit does not take: it finds the stiffness of the stem over "
-            "bark, as if sound",
-            j->from->name, j->path, m.cavities ? "cavities" : "bark");
+        s = wf_fail(e, WF_EINPUT,
+                    "%s: tree %s: %s has '%s', which a fit does not take: it finds the stiffness of the stem "
+                    "over bark, as if sound",
+                    j->file, j->from->name, j->path, m.cavities ? "cavities" : "bark");
     if (!s) s = wf_grow_stem(&m, j->species, a, j->tree, e);
     j->size = m.height;
     return s || !stands(j, m.shape == WF_SHAPE_UNDER_WEIGHT) ? s : stand_model(j, &m, a, e);
@@ -103,7 +103,7 @@ enum wf_status wf_fit_tree_build(const struct wf_calibration *c, size_t index, c
 {
     const struct wf_calibration_tree *s = &c->tree[index];
     struct wf_species *sp = WF_TAKE(a, 1, struct wf_species);
-    struct job j = { .from = s, .mat = mat, .species = sp, .tree = &out->tree, .size = NAN };
+    struct job j = { .file = c->file, .from = s, .mat = mat, .species = sp, .tree = &out->tree, .size = NAN };
     if (!sp) return wf_fail(e, WF_ENOMEM, "not enough memory for a species");
     enum wf_status status = find(c, share, "species", s->species, a, &j.path, e);
     if (!status) status = wf_species_read(j.path, &wf_laws, a, sp, d, e);
