@@ -10,6 +10,7 @@
 <xsl:include href="tables.xsl"/>
 <xsl:include href="criteria.xsl"/>
 <xsl:include href="directions.xsl"/>
+<xsl:include href="cavities.xsl"/>
 <xsl:include href="inputs.xsl"/>
 <xsl:include href="method.xsl"/>
 
@@ -319,6 +320,7 @@
         <xsl:call-template name="criteria-table"/>
         <xsl:for-each select="$trees"><xsl:call-template name="anchorage-note"/></xsl:for-each>
         <xsl:if test="$trees/verdict/thicknesses/item"><xsl:call-template name="branch-table"/></xsl:if>
+        <xsl:if test="$trees/cavities/item"><xsl:call-template name="cavity-tables"/></xsl:if>
         <xsl:if test="$trees/modes"><xsl:call-template name="modes-table"/></xsl:if>
         <xsl:if test="$trees/winter">
           <xsl:call-template name="wetted-table"><xsl:with-param name="of">winter</xsl:with-param></xsl:call-template>

@@ -347,6 +347,12 @@ static void values_of_species(void **state)
     wf_level_onto(&green, &t, 0, false);
     assert_close(t.transverse[0], green.tangential_modulus.value / (1 - 0.4 * 0.05), 1e-12);
     wf_arena_free(&m.arena);
+    read_tree(&m, "species/willow_feng1999.yaml", "models/culm.yaml"); /* no strength at all */
+    assert_int_equal(wf_tree_alloc(&t, 1, &m.arena, &m.err), WF_OK);
+    wf_level_onto(m.species.level, &t, 0, false);
+    assert_close(t.shearing[0], 0, 0);
+    assert_close(t.compressive[0] + t.tangential[0] + t.transverse[0], 0, 0);
+    wf_arena_free(&m.arena);
 }
 
 int main(void)

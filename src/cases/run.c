@@ -217,7 +217,8 @@ static enum wf_status fit_made_up(struct trial *t, struct wf_arena *a, struct wf
     const double away = 1.2;
     double *reading = WF_TAKE(a, t->x.data, double), *truth = t->truth = WF_TAKE(a, t->params, double);
     if (!reading || !truth) return wf_fail(e, WF_ENOMEM, "no memory");
-    enum wf_status s = wf_fit_expect(&t->x, t->param, t->params, a, reading, NULL, e);
+    struct wf_diag unsaid = { .arena = a };
+    enum wf_status s = wf_fit_expect(&t->x, t->param, t->params, a, reading, NULL, &unsaid, e);
     for (size_t k = 0; k < t->params; k++) truth[k] = t->param[k].start;
     for (uint64_t seed = 1; !s && seed <= (uint64_t)t->of->data_sets; seed++) {
         wf_fit_make_up(&t->x, reading, seed, isnan(t->of->noise) ? 1 : t->of->noise);

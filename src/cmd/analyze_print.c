@@ -2,6 +2,7 @@
 #include "cmd/analyze_print.h"
 #include "base/num.h"
 #include "cmd/option.h"
+#include "cmd/print_walls.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "fail/anchorage.h"
@@ -463,6 +464,7 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
     print_verdict(to, an);
     print_criteria(to, an);
     print_branches(to, an);
+    wf_print_walls(to, an);
     print_wetted(to, an->winter);
     print_wetted(to, an->wetted);
     print_directions(to, an);

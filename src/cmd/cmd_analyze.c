@@ -335,7 +335,9 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
 
 /* ---- The run ---- */
 
-enum { OTHER_FILES = 6 }; /* model, study, profile, climate, ground, anchorage */
+enum {
+    OTHER_FILES = 6 + 2 * WF_CAVITIES_MAX
+}; /* model, study, profile, climate, ground, anchorage; of cavities */
 
 /* Everything of one run, in one arena. */
 struct work {
@@ -404,6 +406,19 @@ static const char *anchorage_file(const struct wf_anchorage_asked *q)
     return q->curve ? q->curve : q->table;
 }
 
+/* Files that say where cavities are, and their rays. */
+static enum wf_status note_cavities(struct work *w, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    const struct wf_cavity *c = w->model.cavity;
+    for (size_t k = 0; k < w->model.cavities && !s; k++) {
+        bool known = !c[k].line || !strcmp(c[k].file, w->model.file) || (k && c[k].file == c[k - 1].file);
+        if (!known) s = note_input(w, "cavities", c[k].file, e);
+        if (!s && c[k].rays_file) s = note_input(w, "rays", c[k].rays_file, e);
+    }
+    return s;
+}
+
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
@@ -441,6 +456,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
                       *const climate = w->request.directions.climate_file;
     enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
     if (!s && study) s = note_input(w, "study", study, e);
+    if (!s) s = note_cavities(w, e);
     if (!s && profile) s = note_input(w, "profile", profile, e);
     if (!s && roots) s = note_input(w, "anchorage", roots, e);
     if (!s && w->request.scenario.site) s = note_input(w, "ground", w->request.scenario.site->file, e);

@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "data/bark.h"
 #include "data/law_schema.h"
 #include <math.h>
 #include <stdio.h>
@@ -117,7 +118,7 @@ struct property_row {
     size_t column;   /* of struct wf_tree; 0: none. Rows with one column follow each other           */
     bool factor;     /* multiplies what the row before put there                                     */
     bool on_links;   /* set on links too; else 0 there                                               */
-    bool optional;   /* not given: `absent` goes to the column                                       */
+    bool optional;   /* not given: `absent` goes to the column, as where a value follows from no other */
     double absent;
 };
 
@@ -256,7 +257,7 @@ void wf_level_onto(const struct wf_level *l, struct wf_tree *t, size_t i, bool l
         else if (link && !r->on_links)
             column[i] = 0;
         else
-            column[i] = r->optional && !v->given ? r->absent : v->value;
+            column[i] = (r->optional && !v->given) || isnan(v->value) ? r->absent : v->value;
     }
     t->transverse[i] /= 1 - l->poisson_lt.value * l->poisson_tl.value;
 }
@@ -287,6 +288,13 @@ static const struct wf_yaml_row species_rows[] = {
       .count = offsetof(struct wf_species, sources),
       .doc = "Full citations by key; values refer to the keys.",
       .example = "{tang2012: \"Tang L. et al. 2012. Trans. Chin. Soc. Agric. Mach. 43(1):165-168\"}" },
+    { .key = "bark",
+      .kind = WF_YAML_TABLE,
+      .table = &wf_bark_table,
+      .offset = offsetof(struct wf_species, bark),
+      .given = 1 + offsetof(struct wf_species, bark.given),
+      .absent = "not known; the radii of a measured tree are then taken as wood",
+      .doc = "Thickness of the bark of the stem." },
     { .key = "levels",
       .kind = WF_YAML_LIST,
       .required = true,
@@ -358,6 +366,7 @@ static void species_finish(struct wf_yaml *y, void *species)
         source_exists(y, sp, sp->level[i].wall_note.source, place);
     }
     sources_of_rows(y, sp, crown_values, sp, "crown");
+    source_exists(y, sp, sp->bark.share.source, "bark.share.source");
     sources_of_law(y, sp, &sp->streamlining, "crown.streamlining");
     sources_of_law(y, sp, &sp->axis_drag, "axis_drag");
     wf_law_settle(&sp->streamlining);

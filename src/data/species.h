@@ -51,6 +51,7 @@ struct wf_species {
     const char *preset; /* "corrected" or the paper whose numbers are printed */
     size_t levels;
     struct wf_level *level;
+    struct wf_bark_law bark;
     struct wf_crown crown;
     struct wf_law_use streamlining; /* frontal area times drag coefficient over its still-air value */
     struct wf_law_use axis_drag;    /* of axes without a drag_coefficient */

@@ -2,16 +2,26 @@
 #include "base/vec3.h"
 #include "data/section.h"
 #include "fail/fail.h"
+#include "fail/fibre.h"
 #include <math.h>
 
-static struct wf_section_load section_load_at(const double force[3], const double moment[3],
-                                              const double axis[3], double outer, double inner)
+/* Load on the section at share `at` of row i. */
+static struct wf_section_load section_load_at(const struct wf_tree *t, const struct wf_response *r, size_t i,
+                                              double at, const double force[3], const double moment[3],
+                                              const double axis[3])
 {
     struct wf_section_load s = { .axial = wf_dot(force, axis), .torsion = wf_dot(moment, axis) };
-    double v[3], m[3], inertia = wf_ring_inertia(outer, inner);
+    double v[3], m[3];
     for (int k = 0; k < 3; k++) v[k] = force[k] - s.axial * axis[k], m[k] = moment[k] - s.torsion * axis[k];
     s.shear = sqrt(wf_dot(v, v));
     s.bending = sqrt(wf_dot(m, m));
+    if (!wf_section_is_ring(t, i)) {
+        struct wf_fibre f = wf_fibre_stress(t, r, i, at, force, moment, axis);
+        s.stress = fmax(f.high, -f.low), s.compression = -f.low, s.twist = f.twist;
+        return s;
+    }
+    double outer = wf_wood_radius(t, i, at), inner = wf_between(t->i0[i], t->i1[i], at);
+    double inertia = wf_ring_inertia(outer, inner);
     double bent = s.bending * outer / inertia, drawn = s.axial / wf_ring_area(outer, inner);
     s.stress = bent + fabs(drawn);
     s.compression = bent - drawn;
@@ -50,17 +60,14 @@ static struct wf_section_load load_inside(const struct row *w, double s)
     /* the two end tangents cancel: only the ends of this row count */
     if (!(size > 0)) return (struct wf_section_load){ 0 };
     for (int k = 0; k < 3; k++) axis[k] /= size;
-    return section_load_at(force, moment, axis, left * t->r0[i] + s * t->r1[i],
-                           left * t->i0[i] + s * t->i1[i]);
+    return section_load_at(t, r, i, s, force, moment, axis);
 }
 
 static void read_ends(const struct wf_tree *t, const struct wf_response *r, size_t i, struct row *w)
 {
     *w = (struct row){ .t = t, .r = r, .i = i };
-    w->end[0] =
-        section_load_at(r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i, t->r0[i], t->i0[i]);
-    w->end[1] =
-        section_load_at(r->force1 + 3 * i, r->moment1 + 3 * i, r->tangent1 + 3 * i, t->r1[i], t->i1[i]);
+    w->end[0] = section_load_at(t, r, i, 0, r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i);
+    w->end[1] = section_load_at(t, r, i, 1, r->force1 + 3 * i, r->moment1 + 3 * i, r->tangent1 + 3 * i);
 }
 
 /* What is compared between places of a row: the stress, or with a rule stress over resistance. */

@@ -108,6 +108,8 @@ enum wf_section_rule_id {
 };
 extern const struct wf_section_rule wf_section_rules[WF_SECTION_RULES];
 
+/* A wall of this share of its mean radius, or thicker, bends as a whole. */
+#define WF_THICK_WALL 0.3
 /* Wall over mean radius of a hollow row at place s [-]. */
 double wf_wall_share(const struct wf_tree *t, size_t row, double s);
 /* Nominal bending stress at which a thin wall splits, sqrt(2/3 E_L f_T t/R), and at which it flattens

@@ -2,16 +2,9 @@
 /* Criteria of a section of wood: what it bears, and the stress that is compared with it; see docs/failure.md.
  */
 #include "base/num.h"
+#include "data/section.h"
 #include "fail/fail.h"
 #include <math.h>
-
-/* A wall of this share of its mean radius, or thicker, bends as a whole. */
-static const double thick_wall = 0.3;
-
-static double ends_at(const double *at0, const double *at1, size_t i, double s)
-{
-    return wf_between(at0[i], at1[i], s);
-}
 
 /* ---- Bending ---- */
 
@@ -60,18 +53,20 @@ static double torsion_stress(const struct wf_tree *t, size_t i, double s, const 
 
 /* ---- Walls of hollow sections ---- */
 
-/* Is the row a closed ring with a thin wall at one end at least? */
-static bool thin_wall(const struct wf_tree *t, size_t i)
-{
-    if (t->section || t->stiff || !(t->i0[i] > 0 && t->i1[i] > 0)) return false;
-    double r0 = t->r0[i], r1 = t->r1[i], i0 = t->i0[i], i1 = t->i1[i];
-    return 2 * (r0 - i0) < thick_wall * (r0 + i0) || 2 * (r1 - i1) < thick_wall * (r1 + i1);
-}
-
 double wf_wall_share(const struct wf_tree *t, size_t i, double s)
 {
-    double outer = ends_at(t->r0, t->r1, i, s), inner = ends_at(t->i0, t->i1, i, s);
-    return 2 * (outer - inner) / (outer + inner);
+    struct wf_wall w = wf_section_wall(t, i, s);
+    return w.thickness / (w.radius - 0.5 * w.thickness);
+}
+
+/* Is the row hollow and closed, with a thin wall at one end at least? */
+static bool thin_wall(const struct wf_tree *t, size_t i)
+{
+    if (t->stiff || (wf_section_is_ring(t, i) ? !(t->i0[i] > 0 && t->i1[i] > 0)
+                                              : !t->section->hollow || !t->section->hollow[i]))
+        return false;
+    return !wf_section_wall(t, i, 0).open &&
+           (wf_wall_share(t, i, 0) < WF_THICK_WALL || wf_wall_share(t, i, 1) < WF_THICK_WALL);
 }
 
 double wf_wall_splits(double youngs, double tangential, double share)
@@ -87,9 +82,11 @@ double wf_wall_flattens(double youngs, double transverse, double share)
 /* Bending stress of a thin wall, M / (pi R^2 t). */
 static double nominal_stress(const struct wf_tree *t, size_t i, double s, const struct wf_section_load *l)
 {
-    double outer = ends_at(t->r0, t->r1, i, s), inner = ends_at(t->i0, t->i1, i, s);
-    double radius = 0.5 * (outer + inner);
-    return l->bending / (WF_PI * radius * radius * (outer - inner));
+    if (!wf_section_is_ring(t, i))
+        return l->stress; /* with an eccentric cavity the stress is not the same all around */
+    struct wf_wall w = wf_section_wall(t, i, s);
+    double radius = w.radius - 0.5 * w.thickness;
+    return l->bending / (WF_PI * radius * radius * w.thickness);
 }
 
 static bool splitting_known(const struct wf_tree *t, size_t i)

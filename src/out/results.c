@@ -7,6 +7,7 @@
 #include "out/modes.h"
 #include "out/tree_picture.h"
 #include "out/verdict_part.h"
+#include "out/walls.h"
 #include "study/directions.h"
 #include "study/limits.h"
 #include "study/peak.h"
@@ -274,6 +275,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     if (a->modes) wf_doc_put(d, o, "modes", wf_part_modes(d, a->modes));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));
+    if (a->tree.section && a->tree.section->cavity) wf_doc_put(d, o, "cavities", wf_part_walls(d, a));
     if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));
     if (a->winter) wf_doc_put(d, o, "winter", wf_part_wetted(d, a->winter));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");
