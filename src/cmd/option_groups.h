@@ -20,7 +20,7 @@ const char *wf_branch_strength_word(size_t i);
     WORD("--branch-strength", in, "HOW", wf_branch_strength_word, NULL,                                      \
          "what branches bear at most, over the clear wood of the stem: full: what the species table says; "  \
          "inside-bark 0.72; over-bark 0.55; over-bark-circle 0.40, where one diameter was measured "         \
-         "[over-bark; full with the preset or the table of a paper]")
+         "[over-bark, inside-bark where bark is taken off; full with the preset or the table of a paper]")
 const char *wf_profile_word(size_t i);
 const char *wf_site_word(size_t i);
 const char *wf_design_word(size_t i);
