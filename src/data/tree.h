@@ -75,6 +75,10 @@ enum wf_status wf_tree_stand(struct wf_tree *t, const struct wf_tree *worn, stru
 /* Allocate columns of sections for the tree's n rows, zeroed. Errors: WF_ENOMEM. */
 enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);
 
+/* Lengthen all axes about the origin and thicken them by factors; leaves, sail and burden stay the same in
+ * total. */
+void wf_tree_scale(struct wf_tree *t, double length, double radius);
+
 double wf_tree_height(const struct wf_tree *t);           /* highest point above the lowest base [m] */
 double wf_tree_length(const struct wf_tree *t, size_t i); /* arc length of row i [m] */
 

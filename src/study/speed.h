@@ -83,12 +83,18 @@ void wf_search_default(struct wf_search *s);
 
 struct wf_directions;
 struct wf_wetted;
+struct wf_interval;
+/* Factors by which a tree differs from its measured sizes. */
+struct wf_misread {
+    double radius, height; /* of all its radii; of all its lengths [-] */
+};
 struct wf_analysis {
     const struct wf_species *species;
     const struct wf_model *model;
     const struct wf_solver *solver;
     struct wf_scenario scenario;
     struct wf_search search; /* of critical speeds, also of those by direction */
+    const struct wf_misread *misread; /* of the tree that is grown; NULL: none */
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
@@ -101,6 +107,7 @@ struct wf_analysis {
     struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
     const struct wf_wetted *wetted;         /* beside the dry tree (study/wetted.h); NULL: no water    */
     const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
+    const struct wf_interval *interval;     /* how sure (study/interval.h); NULL: not computed */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */
 };

@@ -172,18 +172,17 @@ static double profile_at(const struct wf_analysis *an, double z)
     return norm3(u);
 }
 
-/* Sways at speeds in rising order, until there is no state in the mean wind. */
+/* Sways at speeds in rising order, until there is no state in the mean wind. `like`: a track of the same rows
+ * whose mesh is taken, NULL: none. */
 static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p,
-                                 const struct wf_solve_options *o, const double *speeds, size_t n,
-                                 struct wf_err *e)
+                                 const struct wf_solve_options *o, double *at, size_t k,
+                                 const struct wf_track *like, struct wf_err *e)
 {
     struct wf_solve_options coarse = *o;
     struct wf_track *track;
-    double at[WF_PEAK_SWAYS];
-    size_t k = pick_speeds(an, speeds, n, at);
     qsort(at, k, sizeof *at, wf_ascending);
     if (o->mesh_tolerance > 0.0) coarse.mesh_tolerance = fmax(o->mesh_tolerance, 1e-3);
-    enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
+    enum wf_status s = wf_track_open(&an->tree, &coarse, like, &track, e);
     if (s) return s;
     for (size_t i = 0; i < k && !wf_interrupted(); i++)
         if (!add_sway(an, p, track, i ? at[i - 1] : (double)NAN, at[i])) break;
@@ -240,12 +239,13 @@ static void note_limits(const struct wf_analysis *an, const struct wf_peak *p, d
             name);
 }
 
-enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
-                              size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+/* All of a peak but its sways. */
+static enum wf_status begin(struct wf_analysis *an, struct wf_arena *a, struct wf_peak **out,
+                            struct wf_err *e)
 {
     const struct wf_peak_method *method;
     const struct wf_peak_request *r = &an->scenario.peak;
-    struct wf_peak *p = WF_TAKE(a, 1, struct wf_peak);
+    struct wf_peak *p = *out = WF_TAKE(a, 1, struct wf_peak);
     an->peak = NULL;
     if (!p) return wf_fail(e, WF_ENOMEM, "not enough memory for the peak load");
     enum wf_status s = check_request(&an->scenario, r, &method, e);
@@ -268,10 +268,32 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     if (method->sways) {
         p->profile = profile_at(an, p->rule->at(p->tree.terrain, p->tree.height));
         p->branches = has_branches(&an->tree);
-        s = find_sways(an, p, o, speeds, n, e);
     }
+    return WF_OK;
+}
+
+enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
+                              size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_peak *p;
+    double at[WF_PEAK_SWAYS];
+    size_t k = pick_speeds(an, speeds, n, at);
+    enum wf_status s = begin(an, a, &p, e);
+    if (s) return s;
+    if (p->method->sways) s = find_sways(an, p, o, at, k, NULL, e);
     an->peak = p;
-    if (!s && d && method->sways) note_limits(an, p, speeds[n - 1], d);
+    if (!s && d && p->method->sways) note_limits(an, p, speeds[n - 1], d);
+    return s;
+}
+
+enum wf_status wf_sway_near(struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                            const struct wf_track *like, struct wf_arena *a, struct wf_peak **out,
+                            struct wf_err *e)
+{
+    double at[] = { 0.3 * speed, 1.3 * speed };
+    enum wf_status s = begin(an, a, out, e);
+    if (!s && (*out)->method->sways) s = find_sways(an, *out, o, at, WF_COUNT(at), like, e);
+    if (!s) an->peak = *out;
     return s;
 }
 

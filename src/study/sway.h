@@ -17,6 +17,13 @@ extern "C" {
 enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
                               size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
 
+struct wf_track; /* solve/track.h */
+/* The same at a few speeds about one [m/s]. Given: `like`, a track of the same rows whose mesh is taken (NULL:
+ * none). Returned: also *out, which is an->peak. */
+enum wf_status wf_sway_near(struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                            const struct wf_track *like, struct wf_arena *a, struct wf_peak **out,
+                            struct wf_err *e);
+
 /* A mode of a tree about its state in a mean wind. */
 struct wf_sway_mode {
     double frequency; /* [Hz]; -f: the state is unstable, this motion grows (solve/modes.h) */
