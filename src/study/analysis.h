@@ -25,14 +25,6 @@ enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_
                                   struct wf_nodes *nodes, struct wf_break (*out)[WF_SCOPES],
                                   struct wf_err *e);
 
-/* The lowest wind speed at which the tree is lost (study/verdict.h), on the coarse mesh of wf_nodes_quick.
- * Given: an analysis after wf_analysis_set_up, its nodes; `near`, a speed at which the search begins (0: not
- * known); relative tolerance of the speed. Returned: *out, and the criterion *by; without a known resistance
- * WF_CRITICAL_NO_STRENGTH. */
-enum wf_status wf_analysis_loss(const struct wf_analysis *an, const struct wf_solve_options *o, double near,
-                                double tolerance, struct wf_nodes *nodes, struct wf_critical *out,
-                                enum wf_criterion_id *by, struct wf_err *e);
-
 /* Totals for curves: an->sweep, at speeds from 0 beyond the given and the critical speeds, after
  * wf_analysis_breaks with *nodes. The solutions at hand are nodes; further rows are solved until the nodes
  * predict each other; the other rows are interpolated by cubics of logarithms. Where their time is used up,

@@ -49,17 +49,11 @@ static void close_sample(struct solved *s)
     wf_arena_free(&s->arena);
 }
 
-static double value_of(const struct wf_critical *c)
-{
-    return c->outcome == WF_CRITICAL_ABOVE ? (double)INFINITY : wf_verdict_bound(c);
-}
-
 /* Grow the tree and let it stand and sway, with the factors of the sample. */
 static enum wf_status set_up(const struct work *w, const double *share, struct solved *s, struct wf_err *e)
 {
     struct wf_diag unsaid = { .arena = &s->arena };
-    struct wf_solve_options coarse = wf_nodes_quick(w->o);
-    const struct wf_track *mesh = w->like ? wf_nodes_track(w->like, coarse.mesh_tolerance) : NULL;
+    const struct wf_track *mesh = w->like ? wf_nodes_track(w->like, w->o->mesh_tolerance) : NULL;
     struct wf_peak *peak;
     enum wf_status status = wf_variation_apply(w->v, w->an, share, &s->arena, &s->copy, e);
     if (status) return status;
@@ -71,7 +65,7 @@ static enum wf_status set_up(const struct work *w, const double *share, struct s
                                   .search = { .speed_max = w->an->search.speed_max, .seconds = INFINITY } };
     double about = w->near > 0.0 ? w->near : 0.5 * w->an->search.speed_max;
     status = wf_analysis_set_up(&s->an, w->o, &s->arena, &unsaid, e);
-    if (!status) status = wf_sway_near(&s->an, w->o, about, mesh, &s->arena, &peak, e);
+    if (!status) status = wf_sway_alike(&s->an, w->o, about, w->an->peak, mesh, &s->arena, &peak, e);
     if (status) return status;
     peak->damping *= s->copy.damping;
     peak->branches = false; /* stem and root are of the whole tree's state */
@@ -79,12 +73,16 @@ static enum wf_status set_up(const struct work *w, const double *share, struct s
     return WF_OK;
 }
 
-static double utilisation(const struct wf_at_speed *at)
+/* The criterion that is nearest to the loss of the tree, and its utilisation. */
+static enum wf_criterion_id nearest(const struct wf_at_speed *at, double *utilisation)
 {
-    double most = 0.0;
-    for (int c = 0; c < WF_CRITERIA; c++)
-        if (wf_criteria[c].loses_tree) most = fmax(most, 1.0 / at->worst[c][WF_SCOPE_STEM].safety);
-    return most;
+    enum wf_criterion_id by = WF_BREAKAGE;
+    *utilisation = 0.0;
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        double own = 1.0 / at->worst[c][WF_SCOPE_STEM].safety;
+        if (wf_criteria[c].loses_tree && own > *utilisation) *utilisation = own, by = (enum wf_criterion_id)c;
+    }
+    return by;
 }
 
 /* The k-th of the given winds that are solved; all of few. */
@@ -105,27 +103,142 @@ static void fill_between(const struct wf_analysis *an, size_t from, size_t to, d
     }
 }
 
+/* From the highest wind down: the others begin near it. */
 static enum wf_status find_safety(const struct work *w, struct solved *s, double *safety, struct wf_err *e)
 {
-    struct wf_solve_options coarse = wf_nodes_quick(w->o);
-    size_t winds = w->an->n, n = winds < WINDS_SOLVED ? winds : WINDS_SOLVED, before = 0;
-    for (size_t k = 0; k < n; k++) {
+    size_t winds = w->an->n, n = winds < WINDS_SOLVED ? winds : WINDS_SOLVED;
+    for (size_t k = n; k-- > 0;) {
         const struct wf_node *node;
+        double utilisation;
         size_t i = solved_wind(winds, k);
-        enum wf_status status = wf_nodes_solve(s->nodes, &coarse, w->an->at[i].speed, &node, e);
+        enum wf_status status = wf_nodes_solve(s->nodes, w->o, w->an->at[i].speed, &node, e);
         if (status) return status;
-        safety[i] = node->at.status ? 0.0 : 1.0 / utilisation(&node->at);
-        if (k) fill_between(w->an, before, i, safety);
-        before = i;
+        (void)nearest(&node->at, &utilisation);
+        safety[i] = node->at.status ? 0.0 : 1.0 / utilisation;
+        if (k + 1 < n) fill_between(w->an, i, solved_wind(winds, k + 1), safety);
     }
     return WF_OK;
+}
+
+/* ---- The critical wind of a sample ---- */
+
+/* What is solved: the lowest wind at which the tree is lost, and the highest below at which it is not. */
+struct bracket {
+    const struct wf_node *low, *high; /* NULL: none */
+};
+
+static bool is_lost(const struct wf_node *node, double *utilisation)
+{
+    (void)nearest(&node->at, utilisation);
+    return node->at.status || !(*utilisation < 1.0);
+}
+
+static struct bracket bracket_of(const struct wf_nodes *nodes)
+{
+    struct bracket b = { 0 };
+    double utilisation;
+    for (size_t i = 0; i < wf_nodes_count(nodes); i++) {
+        const struct wf_node *node = wf_nodes_at(nodes, i);
+        if (is_lost(node, &utilisation) && (!b.high || node->at.speed < b.high->at.speed)) b.high = node;
+    }
+    for (size_t i = 0; i < wf_nodes_count(nodes); i++) {
+        const struct wf_node *node = wf_nodes_at(nodes, i);
+        if (b.high && node->at.speed >= b.high->at.speed) continue;
+        if (!is_lost(node, &utilisation) && (!b.low || node->at.speed > b.low->at.speed)) b.low = node;
+    }
+    return b;
+}
+
+/* Where the utilisation, a power of the speed by its slope at a node, reaches 1; NAN: it has none. */
+static double by_slope(const struct wf_node *node)
+{
+    double utilisation;
+    if (!node || node->at.status || !(node->at.speed > 0.0)) return NAN;
+    int c = (int)nearest(&node->at, &utilisation);
+    double slope = node->slope[WF_TOTAL_UTILISATION + c * WF_SCOPES + WF_SCOPE_STEM];
+    double power = node->sloped ? node->at.speed * slope / utilisation : (double)NAN;
+    if (!(power > 0.0)) return NAN;
+    return node->at.speed * pow(utilisation, -1.0 / fmin(fmax(power, 0.4), 4.0));
+}
+
+static double size_of_step(const struct wf_node *node)
+{
+    double at = by_slope(node);
+    return isnan(at) ? (double)INFINITY : fabs(log(at / node->at.speed));
+}
+
+/* Does the slope of the nearer end lead to a speed in the bracket? Returned: that speed; *step, the logarithm
+ * of its ratio to the solved one. */
+static double guess(const struct bracket *b, double *step)
+{
+    double low = size_of_step(b->low), high = size_of_step(b->high);
+    *step = fmin(low, high);
+    double at = by_slope(low < high ? b->low : b->high);
+    if (b->low && !(at > b->low->at.speed)) return NAN;
+    return b->high && !(at < b->high->at.speed) ? (double)NAN : at;
+}
+
+/* The next speed to be solved. */
+static double next_speed(const struct bracket *b, double at, double highest)
+{
+    const double most = 1.6, margin = 0.02; /* times the last speed; of the bracket's width */
+    if (!b->high) {
+        double last = b->low->at.speed, step = isnan(at) ? most * last : fmin(at, most * last);
+        return fmin(fmax(step, last > 0.0 ? 1.02 * last : 0.1 * highest), highest);
+    }
+    double from = b->low ? b->low->at.speed : 0.0, to = b->high->at.speed, edge = margin * (to - from);
+    return isnan(at) ? 0.5 * (from + to) : fmin(fmax(at, from + edge), to - edge);
+}
+
+/* Is the critical wind known? Returned: it, or the best guess. */
+static bool settled(const struct bracket *b, double highest, double *critical)
+{
+    const double near = 0.03, width = 2e-3;
+    double step, at = guess(b, &step), low = b->low ? b->low->at.speed : 0.0;
+    double high = b->high ? b->high->at.speed : (double)INFINITY;
+    *critical = at;
+    if (low >= highest || (step <= near && at > highest)) *critical = INFINITY;
+    if (b->high && high - low <= width * high) *critical = low; /* there is no slope: no equilibrium above it */
+    return *critical == at ? step <= near : !isnan(*critical);
+}
+
+/* The lowest wind at which the tree is lost, from what is solved and further winds. */
+static enum wf_status find_critical(const struct work *w, struct solved *s, struct sample *out,
+                                    struct wf_err *e)
+{
+    enum { MOST = 40 };
+    const double still = 0.5; /* [m/s] */
+    const double highest = s->an.search.speed_max;
+    const struct wf_node *node;
+    double utilisation;
+    for (int k = 0; k < MOST; k++) {
+        struct bracket b = bracket_of(s->nodes);
+        bool known = settled(&b, highest, &out->critical);
+        if (b.high) out->by = nearest(&b.high->at, &utilisation);
+        if (known) return WF_OK;
+        bool low = b.high && !b.low && b.high->at.speed < still;
+        enum wf_status status = wf_nodes_solve(
+            s->nodes, w->o, low ? 0.0 : next_speed(&b, out->critical, highest), &node, e);
+        if (status) return status;
+    }
+    return wf_fail(e, WF_EINTERNAL, "the critical wind of a sample was not found");
+}
+
+/* Solve near the critical wind of the tree and at the given winds, then where it is found. The middle sample
+ * ends near it, where the others begin. */
+static enum wf_status search(const struct work *w, struct solved *s, struct sample *out, struct wf_err *e)
+{
+    const struct wf_node *node;
+    double first = w->near > 0.0 ? w->near : s->an.search.speed_max;
+    enum wf_status status = w->like ? WF_OK : find_safety(w, s, out->safety, e);
+    if (!status) status = wf_nodes_solve(s->nodes, w->o, first, &node, e);
+    if (!status && w->like) status = find_safety(w, s, out->safety, e);
+    return status ? status : find_critical(w, s, out, e);
 }
 
 static enum wf_status solve_sample(const struct work *w, const double *share, struct solved *s,
                                    struct sample *out, struct wf_err *e)
 {
-    const double tolerance = 2e-3;
-    struct wf_critical found;
     struct wf_err why = { 0 };
     *out = (struct sample){ .safety = out->safety };
     enum wf_status status = set_up(w, share, s, &why);
@@ -133,11 +246,8 @@ static enum wf_status solve_sample(const struct work *w, const double *share, st
     if (status) return wf_fail(e, status, "%s", why.text);
     s->nodes = w->like ? wf_nodes_open_kin(&s->an, w->like) : wf_nodes_open(&s->an, NULL);
     if (!s->nodes) return wf_fail(e, WF_ENOMEM, "not enough memory for a sample");
-    status = wf_analysis_loss(&s->an, w->o, w->near, tolerance, s->nodes, &found, &out->by, e);
-    if (status) return status;
     out->stands = true;
-    out->critical = value_of(&found);
-    return find_safety(w, s, out->safety, e);
+    return search(w, s, out, e);
 }
 
 static enum wf_status one(void *context, size_t k, struct wf_err *e)
@@ -175,8 +285,39 @@ static struct sample *take_samples(size_t n, size_t winds, struct wf_arena *a)
     return safety ? out : NULL;
 }
 
+/* Is the middle sample, on its mesh, the tree as it was analysed? */
+static bool same_as_given(const struct work *w, const struct sample *middle)
+{
+    const double close = 0.01;
+    double asked, found, utilisation;
+    if (w->near > 0.0) return fabs(middle->critical / w->near - 1.0) <= close;
+    if (!w->an->n) return false;
+    (void)nearest(&w->an->at[w->an->n - 1], &utilisation);
+    asked = w->an->at[w->an->n - 1].status ? 0.0 : 1.0 / utilisation;
+    found = middle->safety[w->an->n - 1];
+    return asked == found || fabs(found / asked - 1.0) <= close;
+}
+
+/* Solve the middle sample: with one element a segment, and where that changes the answer, on the coarse mesh
+ * of searches. */
+static enum wf_status solve_middle(struct work *w, struct wf_solve_options *o, const double *half,
+                                   struct solved *s, struct sample *out, struct wf_err *e)
+{
+    enum wf_status status;
+    const double given = o->mesh_tolerance;
+    *o = wf_nodes_quick(o);
+    o->tolerance = fmax(o->tolerance, 1e-2); /* its square is left */
+    o->mesh_tolerance = 0.0;
+    status = solve_sample(w, half, s, out, e);
+    if (status || same_as_given(w, out) || given == 0.0) return status;
+    close_sample(s);
+    *s = (struct solved){ .nodes = NULL };
+    o->mesh_tolerance = fmax(given, 1e-3);
+    return solve_sample(w, half, s, out, e);
+}
+
 /* Solve the middle sample, then all others on its mesh. */
-static enum wf_status solve_all(struct work *w, size_t n, size_t threads, struct wf_interval *out,
+static enum wf_status solve_all(struct work *w, struct wf_solve_options *o, size_t n, size_t threads, struct wf_interval *out,
                                 struct wf_err *e)
 {
     struct solved middle = { .nodes = NULL };
@@ -186,7 +327,7 @@ static enum wf_status solve_all(struct work *w, size_t n, size_t threads, struct
     enum wf_status s = WF_OK;
     for (size_t i = 0; half && i < w->v->n; i++) half[i] = 0.5;
     if (!half || !first) s = wf_fail(e, WF_ENOMEM, "not enough memory for a sample");
-    if (!s) s = solve_sample(w, half, &middle, first, e);
+    if (!s) s = solve_middle(w, o, half, &middle, first, e);
     if (!s && !first->stands) s = wf_fail(e, WF_EUNSTABLE, "the tree does not stand");
     if (!s) {
         w->like = middle.nodes;
@@ -353,7 +494,7 @@ enum wf_status wf_interval_run(const struct wf_analysis *an, const struct wf_sol
                       .share = share,
                       .sample = sample };
     wf_stage_begin(n, false, "%s: interval", an->species->name);
-    if (!s) s = solve_all(&w, n, q->threads, out, e);
+    if (!s) s = solve_all(&w, &alone, n, q->threads, out, e);
     if (!s) s = read_samples(an, sample, a, out, e);
     wf_arena_free(&scratch);
     return s;

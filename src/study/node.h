@@ -52,7 +52,7 @@ enum { WF_NODES_MAX = 240 };
  * Errors: NULL, not enough memory. */
 struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nodes *like);
 /* The same for a tree whose rows differ from those of `like` in their values alone: the meshes are taken, and
- * the forms as where solutions start. */
+ * solutions start at its last one. */
 struct wf_nodes *wf_nodes_open_kin(const struct wf_analysis *an, const struct wf_nodes *like);
 /* The solutions by one mesh tolerance, for another track of the same rows; NULL: none. */
 const struct wf_track *wf_nodes_track(const struct wf_nodes *k, double tolerance);

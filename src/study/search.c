@@ -5,7 +5,6 @@
 #include "fail/crossing.h"
 #include "study/analysis.h"
 #include "study/node.h"
-#include "study/verdict.h"
 #include <math.h>
 #include <stdlib.h>
 
@@ -18,11 +17,7 @@ struct search {
     enum wf_scope scope;
     struct wf_nodes *nodes;
     double speed_max; /* [m/s] */
-    double near;      /* speed at which it begins; 0: the lowest given one [m/s] */
-    double tolerance; /* of the speed on the coarse mesh [-] */
 };
-
-static const double search_tolerance = 2e-4;
 
 static enum wf_status search_totals(const struct search *q, double speed, struct wf_at_speed *at,
                                     struct wf_err *e)
@@ -268,6 +263,7 @@ static size_t rows_of(const struct search *q, size_t *item)
 static enum wf_status descend(const struct search *q, enum wf_crossing_next *next, struct wf_critical *c,
                               struct wf_arena *scratch, struct wf_err *e)
 {
+    const double tolerance = 2e-4;
     const struct wf_node *node;
     struct wf_crossing at;
     size_t *item = WF_TAKE(scratch, q->an->tree.n, size_t);
@@ -275,12 +271,12 @@ static enum wf_status descend(const struct search *q, enum wf_crossing_next *nex
     if (!item || !all) return wf_fail(e, WF_ENOMEM, "not enough memory for the search of the critical speed");
     size_t items = rows_of(q, item);
     enum wf_status s = wf_nodes_solve(q->nodes, q->o, 0.0, &node, e);
-    double first = q->near > 0.0 ? q->near : q->an->at ? q->an->at[0].speed : 0.0;
+    double first = q->an->at ? q->an->at[0].speed : 0.0;
     if (!s && !falls(q, &node->at) && first > 0.0 && first <= q->speed_max)
         s = wf_nodes_solve(q->nodes, q->o, first, &node, e);
     *next = WF_CROSSING_LOST;
     for (int k = 0; k < DESCENT_MAX && !s; k++) {
-        *next = wf_crossing_step(all, gather(q, all), item, items, q->speed_max, q->tolerance, &at);
+        *next = wf_crossing_step(all, gather(q, all), item, items, q->speed_max, tolerance, &at);
         *c = (struct wf_critical){ WF_CRITICAL_ABOVE, NAN, at.low, at.high, NAN, (size_t)k };
         if (*next == WF_CROSSING_FOUND)
             c->outcome = WF_CRITICAL_FOUND, c->speed = at.speed, c->gradient = at.gradient;
@@ -370,9 +366,7 @@ enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_
     enum wf_status s = WF_OK;
     wf_nodes_deadline(nodes, an->search.seconds);
     for (int c = 0; c < WF_CRITERIA && !s; c++) {
-        struct search search = {
-            an, o, (enum wf_criterion_id)c, WF_SCOPE_TREE, nodes, NAN, 0.0, search_tolerance
-        };
+        struct search search = { an, o, (enum wf_criterion_id)c, WF_SCOPE_TREE, nodes, NAN };
         s = find_break(search, &out[c][WF_SCOPE_TREE], e);
         if (s) break;
         out[c][WF_SCOPE_STEM] = out[c][WF_SCOPE_TREE];
@@ -380,28 +374,6 @@ enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_
         search.scope = WF_SCOPE_STEM;
         if (wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_BRANCHES))
             s = find_break(search, &out[c][WF_SCOPE_STEM], e);
-    }
-    return s;
-}
-
-enum wf_status wf_analysis_loss(const struct wf_analysis *an, const struct wf_solve_options *o, double near,
-                                double tolerance, struct wf_nodes *nodes, struct wf_critical *out,
-                                enum wf_criterion_id *by, struct wf_err *e)
-{
-    struct wf_solve_options quick = wf_nodes_quick(o);
-    struct search q = { an,     &quick,    WF_BREAKAGE, WF_SCOPE_STEM, nodes, an->search.speed_max,
-                        near, tolerance };
-    enum wf_status s = WF_OK;
-    *out = (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
-    for (int c = 0; c < WF_CRITERIA && !s; c++) {
-        struct wf_critical found;
-        q.criterion = (enum wf_criterion_id)c;
-        if (!wf_criteria[c].loses_tree || !wf_criterion_known(&wf_criteria[c], &an->tree, q.scope)) continue;
-        s = search_crossing(&q, &found, e);
-        if (s || (out->outcome != WF_CRITICAL_NO_STRENGTH &&
-                  !(wf_verdict_bound(&found) < wf_verdict_bound(out))))
-            continue;
-        *out = found, *by = q.criterion;
     }
     return s;
 }

@@ -184,6 +184,7 @@ static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p
     if (o->mesh_tolerance > 0.0) coarse.mesh_tolerance = fmax(o->mesh_tolerance, 1e-3);
     enum wf_status s = wf_track_open(&an->tree, &coarse, like, &track, e);
     if (s) return s;
+    if (like) wf_track_begin_at_last(track);
     for (size_t i = 0; i < k && !wf_interrupted(); i++)
         if (!add_sway(an, p, track, i ? at[i - 1] : (double)NAN, at[i])) break;
     wf_track_close(track);
@@ -286,15 +287,33 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     return s;
 }
 
-enum wf_status wf_sway_near(struct wf_analysis *an, const struct wf_solve_options *o, double speed,
-                            const struct wf_track *like, struct wf_arena *a, struct wf_peak **out,
-                            struct wf_err *e)
+/* The sways of `like`, changed as this tree's at one of their speeds is. */
+static void take_alike(struct wf_peak *p, const struct wf_peak *like)
 {
-    double at[] = { 0.3 * speed, 1.3 * speed };
+    struct wf_sway own = p->sway[0];
+    struct wf_peak_parts other;
+    if (!p->sways || !like->sways) return;
+    wf_peak_parts_at(like, own.speed, WF_PART_STEM, &other);
+    double frequency = own.frequency / other.frequency, mass = own.mass / other.mass;
+    double air = other.air > 0.0 ? own.air / other.air : 1.0;
+    p->sways = like->sways;
+    for (size_t i = 0; i < p->sways; i++) {
+        p->sway[i] = like->sway[i];
+        p->sway[i].frequency *= frequency, p->sway[i].mass *= mass, p->sway[i].air *= air;
+    }
+    wf_peak_sways_take(p);
+}
+
+enum wf_status wf_sway_alike(struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                             const struct wf_peak *like, const struct wf_track *mesh, struct wf_arena *a,
+                             struct wf_peak **out, struct wf_err *e)
+{
     enum wf_status s = begin(an, a, out, e);
-    if (!s && (*out)->method->sways) s = find_sways(an, *out, o, at, WF_COUNT(at), like, e);
-    if (!s) an->peak = *out;
-    return s;
+    if (!s && (*out)->method->sways) s = find_sways(an, *out, o, &speed, 1, mesh, e);
+    if (s) return s;
+    take_alike(*out, like);
+    an->peak = *out;
+    return WF_OK;
 }
 
 /* ---- Modes ---- */

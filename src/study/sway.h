@@ -18,11 +18,12 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
                               size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
 
 struct wf_track; /* solve/track.h */
-/* The same at a few speeds about one [m/s]. Given: `like`, a track of the same rows whose mesh is taken (NULL:
- * none). Returned: also *out, which is an->peak. */
-enum wf_status wf_sway_near(struct wf_analysis *an, const struct wf_solve_options *o, double speed,
-                            const struct wf_track *like, struct wf_arena *a, struct wf_peak **out,
-                            struct wf_err *e);
+/* The same for a tree that differs from another in the values of its rows alone: its sway at one wind speed
+ * [m/s], and at others what that of the other tree changes by. Given: `like`, the peak of the other; a track
+ * of its rows whose mesh is taken (NULL: none). Returned: also *out, which is an->peak. */
+enum wf_status wf_sway_alike(struct wf_analysis *an, const struct wf_solve_options *o, double speed,
+                             const struct wf_peak *like, const struct wf_track *mesh, struct wf_arena *a,
+                             struct wf_peak **out, struct wf_err *e);
 
 /* A mode of a tree about its state in a mean wind. */
 struct wf_sway_mode {
