@@ -245,6 +245,17 @@
       <xsl:if test="$at/governing_section/diameter/value != ''">
         <span class="why">
           <xsl:call-template name="segment"><xsl:with-param name="section" select="$at/governing_section"/></xsl:call-template>
+          <xsl:if test="$at/governing_section/weight_stress/value != ''">
+            <xsl:text> </xsl:text>
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">segment.weight</xsl:with-param>
+              <xsl:with-param name="a">
+                <xsl:call-template name="fixed">
+                  <xsl:with-param name="x" select="$at/governing_section/weight_stress/value div 1000000"/>
+                </xsl:call-template>
+              </xsl:with-param>
+            </xsl:call-template>
+          </xsl:if>
         </span>
       </xsl:if>
     </td>

@@ -159,6 +159,17 @@ static void print_critical(FILE *to, const struct wf_analysis *an, const char *w
     fputc('\n', to);
 }
 
+/* Stress of the weight alone in the segment that breaks first. */
+static void print_weight(FILE *to, const struct wf_analysis *an, const struct wf_break *b)
+{
+    if (!an->still || b->row < 0) return;
+    double stress = an->still->breakage.peak[b->row], strength = an->tree.strength[b->row];
+    wf_show(to, "  at rest its weight alone stresses this segment to %.3g MPa, %.0f %% of its strength%s\n",
+            stress / 1e6, 100 * stress / strength,
+            an->scenario.weight_unstressed ? ", which is not counted: unsafe for leaning trees and limbs"
+                                           : "");
+}
+
 void wf_print_site(FILE *to, const struct wf_scenario *s)
 {
     const struct wf_wind_place at = wf_scenario_place(s);
@@ -244,8 +255,10 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
             to,
             "  safety of 1 or less: broken before; the row shows what a tree that cannot break would do\n");
     print_critical(to, an, "critical wind speed", &b[WF_SCOPE_TREE]);
+    print_weight(to, an, &b[WF_SCOPE_TREE]);
     if (b[WF_SCOPE_TREE].row >= 0 && an->tree.level[b[WF_SCOPE_TREE].row] > 0)
-        print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]);
+        print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]),
+            print_weight(to, an, &b[WF_SCOPE_STEM]);
     print_wetted(to, an->wetted);
     print_directions(to, an);
 }

@@ -46,6 +46,7 @@ struct analyze_options {
     double mesh_tolerance;           /* [-]                                       */
     size_t samples, seed;            /* of the interval */
     const char *storage;             /* row of wf_storages                         */
+    const char *weight_stress;       /* "total" or "change"                        */
     double snow, snow_density, ice;  /* [m], [kg m-3], [m]; NAN: not given        */
     double water_film, rain;         /* [m], [m/s]; NAN: not given                */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
@@ -199,6 +200,9 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
+    CHOICE("--weight-stress", weight_stress, "PART", "total|change", "total",
+           "total: stresses of weight and wind together; change: without those that the weight makes at rest, "
+           "which is unsafe for leaning trees and limbs"),
     NUMBER("--snow", snow, "DEPTH", LENGTH, "cm", 0, 500, NULL,
            "snow on the crown, on its area seen from above: added mass"),
     NUMBER("--snow-density", snow_density, "DENSITY", DENSITY, "kg/m3", 10, 917, "150",
@@ -307,6 +311,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     if (status) return status;
     s->winds_said = o->args.winds_said;
     s->azimuth = o->azimuth;
+    s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;
     if (o->rain > 0) s->water = wf_storage_named(o->storage)->film;

@@ -121,6 +121,64 @@ enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_respon
     return WF_OK;
 }
 
+/* The least rotation that takes one unit vector to another, as a matrix. */
+static void least_turn(const double from[3], const double to[3], double R[9])
+{
+    double axis[3], v[3];
+    wf_cross(from, to, axis);
+    double sine = sqrt(wf_dot(axis, axis)), angle = atan2(sine, wf_dot(from, to));
+    for (int k = 0; k < 3; k++) v[k] = sine > 0 ? angle / sine * axis[k] : 0;
+    rotation_matrix(v, R);
+}
+
+/* The rotation of the end of row i from the state at rest. */
+static void turn_of_end(const struct wf_response *rest, const struct wf_response *r, size_t i, double R[9])
+{
+    const double *turn = rest->turn + 3 * i, back[3] = { -turn[0], -turn[1], -turn[2] };
+    double now[9], inverse[9];
+    rotation_matrix(r->turn + 3 * i, now);
+    rotation_matrix(back, inverse);
+    m3_mul(now, inverse, R);
+}
+
+static void take_off(const double R[9], const double *from, double *to)
+{
+    double turned[3];
+    m3_apply(R, from, turned);
+    for (int k = 0; k < 3; k++) to[k] -= turned[k];
+}
+
+enum wf_status wf_response_change(const struct wf_tree *t, const struct wf_response *rest,
+                                  const struct wf_response *r, struct wf_arena *a, struct wf_response *out,
+                                  struct wf_err *e)
+{
+    *out = *r;
+    if (r->n != t->n || rest->n != t->n)
+        return wf_fail(e, WF_EINTERNAL,
+                       "change of stress: the tree has %zu segments, the answers %zu and %zu", t->n, r->n,
+                       rest->n);
+    double **column[] = { &out->force0, &out->moment0, &out->force1, &out->moment1 };
+    for (size_t k = 0; k < sizeof column / sizeof *column; k++) {
+        double *own = WF_TAKE(a, 3 * t->n, double);
+        if (!own) return wf_fail(e, WF_ENOMEM, "not enough memory for the forces of %zu segments", t->n);
+        for (size_t i = 0; i < 3 * t->n; i++) own[i] = (*column[k])[i];
+        *column[k] = own;
+    }
+    for (size_t i = 0; i < t->n; i++) {
+        double R[9];
+        if (t->parent[i] < 0)
+            least_turn(rest->tangent0 + 3 * i, r->tangent0 + 3 * i, R);
+        else
+            turn_of_end(rest, r, (size_t)t->parent[i], R);
+        take_off(R, rest->force0 + 3 * i, out->force0 + 3 * i);
+        take_off(R, rest->moment0 + 3 * i, out->moment0 + 3 * i);
+        turn_of_end(rest, r, i, R);
+        take_off(R, rest->force1 + 3 * i, out->force1 + 3 * i);
+        take_off(R, rest->moment1 + 3 * i, out->moment1 + 3 * i);
+    }
+    return WF_OK;
+}
+
 bool wf_breakage_known(const struct wf_tree *t, size_t row) { return t->strength[row] > 0; }
 
 double wf_breakage_safety(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,

@@ -43,6 +43,15 @@ struct wf_breakage {
 enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, const double *places,
                                  struct wf_arena *a, struct wf_breakage *out, struct wf_err *e);
 
+/* Forces and moments of a response less those of the same tree at rest, turned with each section. Given: the
+ * response and the state at rest. Returned: *out, in the arena; all but forces and moments of sections are
+ * those of `r`. Use: stresses as strain gauges show them that were set to zero in place. Method: a section's
+ * turn from the state at rest is that of the row's end it is on; at the ground, that of the axis. Errors:
+ * WF_ENOMEM, WF_EINTERNAL (responses of different trees). */
+enum wf_status wf_response_change(const struct wf_tree *t, const struct wf_response *rest,
+                                  const struct wf_response *r, struct wf_arena *a, struct wf_response *out,
+                                  struct wf_err *e);
+
 /* ---- Criteria ---- */
 
 /* The place nearest to failure. Utilisation is 1 / safety. */

@@ -55,10 +55,12 @@ struct wf_scenario {
     double temperature, altitude;      /* [K], [m] */
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
-    double snow;         /* on the crown, per area seen from above [kg m-2]; 0: none */
-    double ice;          /* radial thickness on axes and leaves [m]; 0: none */
-    double water;        /* rain on the leaves, per one-sided leaf area [kg m-2]; 0: dry */
-    const char *shelter; /* name in wf_shelter_laws by which the tree shelters itself; NULL: no shelter */
+    double snow;            /* on the crown, per area seen from above [kg m-2]; 0: none */
+    double ice;             /* radial thickness on axes and leaves [m]; 0: none */
+    bool weight_unstressed; /* stresses are those of the change from the state at rest: the weight's are left
+                               out, which is unsafe for leaning trees and limbs */
+    double water;           /* rain on the leaves, per one-sided leaf area [kg m-2]; 0: dry */
+    const char *shelter;    /* name in wf_shelter_laws by which the tree shelters itself; NULL: no shelter */
     const struct wf_category *category; /* terrain of the site, for gusts */
     bool category_said;                 /* else open country is assumed */
     const char *site_kind;              /* row of wf_site_kinds; NULL: not given */

@@ -226,15 +226,30 @@ static enum wf_status solve_sheltered(const struct wf_analysis *an, const struct
     return wf_sheltered_solve(&an->tree, l, &q, an->solver, o, a, out, r, d, e);
 }
 
+/* Stresses and criteria of the response, or of its change from the state at rest. */
+static enum wf_status fill_stresses(const struct wf_analysis *an, const double *places, struct wf_arena *a,
+                                    struct wf_at_speed *out, struct wf_err *e)
+{
+    struct wf_response change;
+    const struct wf_response *r = &out->response;
+    enum wf_status s = WF_OK;
+    if (an->scenario.weight_unstressed) {
+        s = wf_response_change(&an->tree, &an->still->response, r, a, &change, e);
+        r = &change;
+    }
+    if (!s) s = wf_breakage_check(&an->tree, r, places, a, &out->breakage, e);
+    if (!s) wf_criteria_check(&an->tree, &out->response, &out->breakage, out->worst);
+    return s;
+}
+
 /* Compute stresses, criteria and figures from the response. */
 static enum wf_status fill_at_speed(const struct wf_analysis *an, const struct wf_loads *l,
                                     const double *places, struct wf_arena *a, struct wf_at_speed *out,
                                     struct wf_err *e)
 {
     struct totals totals = { 0 };
-    enum wf_status s = wf_breakage_check(&an->tree, &out->response, places, a, &out->breakage, e);
+    enum wf_status s = fill_stresses(an, places, a, out, e);
     if (s) return s;
-    wf_criteria_check(&an->tree, &out->response, &out->breakage, out->worst);
     s = fill_figures(&an->tree, l, &out->response, an->wind.direction,
                      an->species->crown.drag_coefficient.value, a, &out->figures, &totals, e);
     size_t tip = wf_tip_row(&an->tree);
@@ -263,9 +278,8 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
     struct curve unloaded;
     size_t tip = wf_tip_row(t);
     if (l->line) return fill_at_speed(an, l, places, a, out, e);
-    enum wf_status s = wf_breakage_check(t, r, places, a, &out->breakage, e);
+    enum wf_status s = fill_stresses(an, places, a, out, e);
     if (s) return s;
-    wf_criteria_check(t, r, &out->breakage, out->worst);
     for (size_t i = 0; i < t->n; i++) {
         double weight = row_weight(t, l, i);
         for (int k = 0; k < 3; k++) totals.air[k] += r->load[3 * i + (size_t)k];

@@ -81,6 +81,12 @@ struct wf_search {
  * more; without a bound. */
 void wf_search_default(struct wf_search *s);
 
+/* A tree in still air, in its state at rest. */
+struct wf_still {
+    struct wf_response response;
+    struct wf_breakage breakage; /* stresses of its weight alone */
+};
+
 struct wf_directions;
 struct wf_wetted;
 struct wf_interval;
@@ -98,7 +104,9 @@ struct wf_analysis {
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
-    const struct wf_peak *peak; /* by study/sway.h; NULL: the load of the mean wind */
+    const struct wf_peak *peak;   /* by study/sway.h; NULL: the load of the mean wind */
+    const struct wf_still *still; /* by study/rest.h: of a standing tree, and where the scenario takes the
+                                     weight off the stresses; NULL: not computed */
     size_t n;
     struct wf_at_speed *at; /* results at the given speeds                     */
     size_t sweep_n;
