@@ -7,6 +7,7 @@
 <xsl:import href="page.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
+<xsl:include href="interval.xsl"/>
 <xsl:include href="directions.xsl"/>
 <xsl:include href="inputs.xsl"/>
 <xsl:include href="method.xsl"/>
@@ -224,6 +225,18 @@
   </figure>
 </xsl:template>
 
+<!-- How sure the critical wind of each tree is. -->
+<xsl:template name="intervals">
+  <h3><xsl:call-template name="say"><xsl:with-param name="id">h.interval</xsl:with-param></xsl:call-template></h3>
+  <xsl:for-each select="$trees/interval">
+    <xsl:variable name="whose"><xsl:call-template name="name"><xsl:with-param name="tree" select=".."/></xsl:call-template></xsl:variable>
+    <p><xsl:call-template name="iv-words"><xsl:with-param name="name" select="$whose"/></xsl:call-template></p>
+    <xsl:call-template name="iv-safety"><xsl:with-param name="name" select="$whose"/></xsl:call-template>
+    <xsl:call-template name="iv-tornado"><xsl:with-param name="name" select="$whose"/></xsl:call-template>
+  </xsl:for-each>
+  <p><xsl:call-template name="say"><xsl:with-param name="id">iv.note</xsl:with-param></xsl:call-template></p>
+</xsl:template>
+
 <!-- Trees with rain on their leaves beside the same trees dry. -->
 <xsl:template name="wetted-table">
   <table class="data">
@@ -288,6 +301,7 @@
           <xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="result-tables"/>
+        <xsl:if test="$trees/interval"><xsl:call-template name="intervals"/></xsl:if>
         <xsl:if test="$trees/wetted"><xsl:call-template name="wetted-table"/></xsl:if>
         <xsl:if test="$trees[1]/directions/number">
           <xsl:call-template name="direction-table"><xsl:with-param name="n" select="3"/></xsl:call-template>

@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "data/species.h"
 #include "out/doc.h"
+#include "out/fragility.h"
 #include "out/inputs.h"
 #include "out/tree_picture.h"
 #include "study/directions.h"
@@ -271,6 +272,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     wf_doc_put(d, o, "criteria", criteria_part(d, a, a->breaks, a->at));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));
+    if (a->interval) wf_doc_put(d, o, "interval", wf_part_interval(d, a));
     if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");
     wf_doc_put(d, o, "warnings", shared(run, index) ? wf_doc_array(d) : warnings_part(d, a->diag));

@@ -506,8 +506,8 @@ static void append(char *text, size_t size, const struct wf_varied *v, double at
 {
     size_t used = strlen(text);
     double low = fmin(at_low, at_high), high = fmax(at_low, at_high);
-    used += (size_t)snprintf(text + used, size - used, "%s%s (%s): %.0f to ", used ? "; " : "", v->name,
-                             wf_standing_text(v->standing), low);
+    used += (size_t)snprintf(text + used, size - used, "%s%s%s (%s): %.0f to ", used ? "; " : "",
+                             wf_varied_prefix(v), v->name, wf_standing_text(v->standing), low);
     if (used < size && isinf(high)) (void)snprintf(text + used, size - used, "above the range");
     if (used < size && !isinf(high)) (void)snprintf(text + used, size - used, "%.0f m/s", high);
 }

@@ -51,6 +51,12 @@ double wf_varied_at(const struct wf_varied *v, double share)
     return fmin(fmax(x, v->row->least), v->row->most);
 }
 
+const char *wf_varied_prefix(const struct wf_varied *v)
+{
+    if (v->row->place == WF_SPREAD_CROWN) return "crown.";
+    return v->row->place == WF_SPREAD_LAWS ? "crown.streamlining." : "";
+}
+
 /* low and high where a row's standard deviation gives them. */
 static void by_row(struct wf_varied *v, bool scanned)
 {

@@ -75,6 +75,8 @@ enum wf_status wf_variation_of(const struct wf_analysis *an, struct wf_variation
 /* Correlations of the ranks of what varies: n x n. */
 void wf_variation_ranks(const struct wf_variation *v, double *out);
 
+/* What its name begins with in results: "", "crown." or "crown.streamlining.". */
+const char *wf_varied_prefix(const struct wf_varied *v);
 /* The value below which a share of the law lies. */
 double wf_varied_at(const struct wf_varied *v, double share);
 
