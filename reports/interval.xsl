@@ -125,7 +125,7 @@
           <td>
             <xsl:call-template name="term">
               <xsl:with-param name="id">
-                <xsl:choose><xsl:when test="status = 'rule'">iv.rule</xsl:when><xsl:otherwise><xsl:value-of select="concat('standing.', status)"/></xsl:otherwise></xsl:choose>
+                <xsl:choose><xsl:when test="status = 'rule'">iv.rule</xsl:when><xsl:otherwise><xsl:value-of select="concat('status.', status)"/></xsl:otherwise></xsl:choose>
               </xsl:with-param>
               <xsl:with-param name="otherwise" select="status"/>
             </xsl:call-template>
