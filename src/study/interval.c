@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "base/parallel.h"
 #include "base/progress.h"
+#include "fail/crossing.h"
 #include "study/node.h"
 #include "study/peak.h"
 #include "study/sway.h"
@@ -13,7 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WINDS_SOLVED = 5 }; /* of many given winds; between them safety is interpolated */
 static const double low_share = 0.05, high_share = 0.95;
 
 /* ---- One sample ---- */
@@ -53,7 +53,6 @@ static void close_sample(struct solved *s)
 static enum wf_status set_up(const struct work *w, const double *share, struct solved *s, struct wf_err *e)
 {
     struct wf_diag unsaid = { .arena = &s->arena };
-    const struct wf_track *mesh = w->like ? wf_nodes_track(w->like, w->o->mesh_tolerance) : NULL;
     struct wf_peak *peak;
     enum wf_status status = wf_variation_apply(w->v, w->an, share, &s->arena, &s->copy, e);
     if (status) return status;
@@ -65,7 +64,7 @@ static enum wf_status set_up(const struct work *w, const double *share, struct s
                                   .search = { .speed_max = w->an->search.speed_max, .seconds = INFINITY } };
     double about = w->near > 0.0 ? w->near : 0.5 * w->an->search.speed_max;
     status = wf_analysis_set_up(&s->an, w->o, &s->arena, &unsaid, e);
-    if (!status) status = wf_sway_alike(&s->an, w->o, about, w->an->peak, mesh, &s->arena, &peak, e);
+    if (!status) status = wf_sway_alike(&s->an, w->an, about, &s->arena, &peak, e);
     if (status) return status;
     peak->damping *= s->copy.damping;
     peak->branches = false; /* stem and root are of the whole tree's state */
@@ -83,41 +82,6 @@ static enum wf_criterion_id nearest(const struct wf_at_speed *at, double *utilis
         if (wf_criteria[c].loses_tree && own > *utilisation) *utilisation = own, by = (enum wf_criterion_id)c;
     }
     return by;
-}
-
-/* The k-th of the given winds that are solved; all of few. */
-static size_t solved_wind(size_t winds, size_t k)
-{
-    return winds <= WINDS_SOLVED ? k : k * (winds - 1) / (WINDS_SOLVED - 1);
-}
-
-/* Safety between two winds that were solved: the utilisation is a power of the speed. */
-static void fill_between(const struct wf_analysis *an, size_t from, size_t to, double *safety)
-{
-    double a = an->at[from].speed, b = an->at[to].speed;
-    for (size_t i = from + 1; i < to; i++) {
-        bool both = a > 0.0 && safety[from] > 0.0 && safety[to] > 0.0 && isfinite(safety[from]);
-        double s = both ? log(an->at[i].speed / a) / log(b / a) : (an->at[i].speed - a) / (b - a);
-        safety[i] = both ? safety[from] * pow(safety[to] / safety[from], s)
-                         : 1.0 / wf_between(1.0 / safety[from], 1.0 / safety[to], s);
-    }
-}
-
-/* From the highest wind down: the others begin near it. */
-static enum wf_status find_safety(const struct work *w, struct solved *s, double *safety, struct wf_err *e)
-{
-    size_t winds = w->an->n, n = winds < WINDS_SOLVED ? winds : WINDS_SOLVED;
-    for (size_t k = n; k-- > 0;) {
-        const struct wf_node *node;
-        double utilisation;
-        size_t i = solved_wind(winds, k);
-        enum wf_status status = wf_nodes_solve(s->nodes, w->o, w->an->at[i].speed, &node, e);
-        if (status) return status;
-        (void)nearest(&node->at, &utilisation);
-        safety[i] = node->at.status ? 0.0 : 1.0 / utilisation;
-        if (k + 1 < n) fill_between(w->an, i, solved_wind(winds, k + 1), safety);
-    }
-    return WF_OK;
 }
 
 /* ---- The critical wind of a sample ---- */
@@ -224,16 +188,77 @@ static enum wf_status find_critical(const struct work *w, struct solved *s, stru
     return wf_fail(e, WF_EINTERNAL, "the critical wind of a sample was not found");
 }
 
-/* Solve near the critical wind of the tree and at the given winds, then where it is found. The middle sample
- * ends near it, where the others begin. */
+/* ---- Safety at the given winds ---- */
+
+/* Logarithms of utilisation and speed, and the slope between them. Returned: false where they are not known. */
+static bool logarithms(const struct wf_node *node, double *x, double *y, double *slope)
+{
+    double utilisation;
+    int c = (int)nearest(&node->at, &utilisation);
+    *slope = node->slope[WF_TOTAL_UTILISATION + c * WF_SCOPES + WF_SCOPE_STEM] * node->at.speed / utilisation;
+    *x = log(node->at.speed), *y = log(utilisation);
+    return !node->at.status && node->sloped && isfinite(*x) && isfinite(*y) && isfinite(*slope);
+}
+
+/* Utilisation between two solutions that are not too far apart, by a cubic of the logarithms. */
+static bool between(const struct wf_nodes *nodes, double speed, double *utilisation)
+{
+    const double apart = 3.0; /* ratio of the speeds */
+    const struct wf_node *low = NULL, *high = NULL;
+    double x[2], y[2], slope[2];
+    for (size_t i = 0; i < wf_nodes_count(nodes); i++) {
+        const struct wf_node *node = wf_nodes_at(nodes, i);
+        if (node->at.speed < speed && (!low || node->at.speed > low->at.speed)) low = node;
+        if (node->at.speed > speed && (!high || node->at.speed < high->at.speed)) high = node;
+    }
+    if (!low || !high || !(high->at.speed <= apart * low->at.speed)) return false;
+    if (!logarithms(low, &x[0], &y[0], &slope[0]) || !logarithms(high, &x[1], &y[1], &slope[1])) return false;
+    *utilisation = exp(wf_crossing_cubic(x[0], x[1], y[0], y[1], slope[0], slope[1], log(speed)));
+    return true;
+}
+
+static enum wf_status solve_safety(const struct work *w, struct solved *s, size_t wind, double *safety,
+                                   struct wf_err *e)
+{
+    const struct wf_node *node;
+    double utilisation;
+    enum wf_status status = wf_nodes_solve(s->nodes, w->o, w->an->at[wind].speed, &node, e);
+    if (status) return status;
+    (void)nearest(&node->at, &utilisation);
+    safety[wind] = node->at.status ? 0.0 : 1.0 / utilisation;
+    return WF_OK;
+}
+
+/* The lowest and the highest given wind are solved, others where the solutions do not tell them. */
+static enum wf_status find_safety(const struct work *w, struct solved *s, double *safety, struct wf_err *e)
+{
+    enum wf_status status = WF_OK;
+    for (size_t k = 0; k < w->an->n && !status; k++) {
+        double utilisation;
+        bool known = !wf_nodes_find(s->nodes, w->an->at[k].speed, w->o->mesh_tolerance) &&
+                     between(s->nodes, w->an->at[k].speed, &utilisation);
+        if (known)
+            safety[k] = 1.0 / utilisation;
+        else
+            status = solve_safety(w, s, k, safety, e);
+    }
+    return status;
+}
+
+/* Solve near the critical wind of the tree and at the ends of the given winds, then where it is found. The
+ * middle sample ends near it, where the others begin. */
 static enum wf_status search(const struct work *w, struct solved *s, struct sample *out, struct wf_err *e)
 {
     const struct wf_node *node;
+    const size_t winds = w->an->n;
     double first = w->near > 0.0 ? w->near : s->an.search.speed_max;
-    enum wf_status status = w->like ? WF_OK : find_safety(w, s, out->safety, e);
-    if (!status) status = wf_nodes_solve(s->nodes, w->o, first, &node, e);
-    if (!status && w->like) status = find_safety(w, s, out->safety, e);
-    return status ? status : find_critical(w, s, out, e);
+    enum wf_status status = WF_OK;
+    if (w->like) status = wf_nodes_solve(s->nodes, w->o, first, &node, e);
+    if (!status && winds) status = solve_safety(w, s, winds - 1, out->safety, e);
+    if (!status && winds > 1) status = solve_safety(w, s, 0, out->safety, e);
+    if (!status) status = find_critical(w, s, out, e);
+    if (!status) status = find_safety(w, s, out->safety, e);
+    return status || w->like ? status : wf_nodes_solve(s->nodes, w->o, first, &node, e);
 }
 
 static enum wf_status solve_sample(const struct work *w, const double *share, struct solved *s,

@@ -106,13 +106,6 @@ struct wf_nodes *wf_nodes_open_kin(const struct wf_analysis *an, const struct wf
     return k;
 }
 
-const struct wf_track *wf_nodes_track(const struct wf_nodes *k, double tolerance)
-{
-    for (int i = 0; i < TRACKS; i++)
-        if (k->sequence[i].track && k->sequence[i].tolerance == tolerance) return k->sequence[i].track;
-    return NULL;
-}
-
 static void close_tracks(struct sequence *q)
 {
     wf_track_close(q->track);

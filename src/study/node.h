@@ -44,7 +44,6 @@ struct wf_node {
 };
 
 struct wf_nodes;
-struct wf_track; /* solve/track.h */
 enum { WF_NODES_MAX = 240 };
 /* None at first, for an analysis after wf_analysis_set_up. The processor time that solutions may take ends
  * after an->search.seconds from now. `like` (NULL: none), nodes of the same tree in another wind direction,
@@ -54,8 +53,6 @@ struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nod
 /* The same for a tree whose rows differ from those of `like` in their values alone: the meshes are taken, and
  * solutions start at its last one. */
 struct wf_nodes *wf_nodes_open_kin(const struct wf_analysis *an, const struct wf_nodes *like);
-/* The solutions by one mesh tolerance, for another track of the same rows; NULL: none. */
-const struct wf_track *wf_nodes_track(const struct wf_nodes *k, double tolerance);
 void wf_nodes_close(struct wf_nodes *k);                    /* NULL is allowed */
 void wf_nodes_deadline(struct wf_nodes *k, double seconds); /* from now */
 bool wf_nodes_late(const struct wf_nodes *k); /* the deadline has passed: it stays so once said */

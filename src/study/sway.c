@@ -3,6 +3,7 @@
 #include "base/arena.h"
 #include "base/interrupt.h"
 #include "base/num.h"
+#include "data/section.h"
 #include "data/species.h"
 #include "solve/beam.h"
 #include "solve/modes.h"
@@ -172,19 +173,16 @@ static double profile_at(const struct wf_analysis *an, double z)
     return norm3(u);
 }
 
-/* Sways at speeds in rising order, until there is no state in the mean wind. `like`: a track of the same rows
- * whose mesh is taken, NULL: none. */
+/* Sways at speeds in rising order, until there is no state in the mean wind. */
 static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p,
-                                 const struct wf_solve_options *o, double *at, size_t k,
-                                 const struct wf_track *like, struct wf_err *e)
+                                 const struct wf_solve_options *o, double *at, size_t k, struct wf_err *e)
 {
     struct wf_solve_options coarse = *o;
     struct wf_track *track;
     qsort(at, k, sizeof *at, wf_ascending);
     if (o->mesh_tolerance > 0.0) coarse.mesh_tolerance = fmax(o->mesh_tolerance, 1e-3);
-    enum wf_status s = wf_track_open(&an->tree, &coarse, like, &track, e);
+    enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
     if (s) return s;
-    if (like) wf_track_begin_at_last(track);
     for (size_t i = 0; i < k && !wf_interrupted(); i++)
         if (!add_sway(an, p, track, i ? at[i - 1] : (double)NAN, at[i])) break;
     wf_track_close(track);
@@ -281,22 +279,47 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     size_t k = pick_speeds(an, speeds, n, at);
     enum wf_status s = begin(an, a, &p, e);
     if (s) return s;
-    if (p->method->sways) s = find_sways(an, p, o, at, k, NULL, e);
+    if (p->method->sways) s = find_sways(an, p, o, at, k, e);
     an->peak = p;
     if (!s && d && p->method->sways) note_limits(an, p, speeds[n - 1], d);
     return s;
 }
 
-/* The sways of `like`, changed as this tree's at one of their speeds is. */
-static void take_alike(struct wf_peak *p, const struct wf_peak *like)
+/* What the sway of a whole tree depends on, by a shape that grows with the square of the height. */
+struct swing {
+    double compliance; /* of the stem at its top, bending alone [m/N] */
+    double mass;       /* of all rows by the square of the shape [kg] */
+    double drag;       /* drag area by the square of the shape [m2] */
+};
+
+static struct swing swing_of(const struct wf_analysis *an, double speed)
 {
-    struct wf_sway own = p->sway[0];
-    struct wf_peak_parts other;
-    if (!p->sways || !like->sways) return;
-    wf_peak_parts_at(like, own.speed, WF_PART_STEM, &other);
-    double frequency = own.frequency / other.frequency, mass = own.mass / other.mass;
-    double air = other.air > 0.0 ? own.air / other.air : 1.0;
+    const struct wf_tree *t = &an->tree;
+    const struct wf_loads *l = &an->loads;
+    double unused, top = t->z0[0] + an->tallness;
+    double share = l->streamline ? wf_streamline_share(l->streamline, &l->streamline_par, speed, &unused) : 1.0;
+    struct swing out = { 0 };
+    for (size_t i = 0; i < t->n; i++) {
+        double z = 0.5 * (t->z0[i] + t->z1[i]), length = wf_tree_length(t, i), arm = top - z;
+        double moves = pow((z - t->z0[0]) / an->tallness, 4.0);
+        double r = 0.5 * (t->r0[i] + t->r1[i]), hole = 0.5 * (t->i0[i] + t->i1[i]);
+        if (t->level[i] == 0) out.compliance += length * arm * arm / (t->youngs[i] * wf_ring_inertia(r, hole));
+        out.mass += moves * length * wf_line_point_of(t, i, 0.5).mass;
+        out.drag += moves * length * (2.0 * r + 0.5 * share * (t->sail0[i] + t->sail1[i]));
+    }
+    out.drag *= l->wind_scale;
+    return out;
+}
+
+/* The sways of another tree, by the ratios of what they depend on. */
+static void take_alike(struct wf_peak *p, const struct wf_peak *like, const struct swing *own,
+                       const struct swing *other)
+{
+    double mass = own->mass / other->mass;
+    double frequency = sqrt(other->compliance / own->compliance / mass);
+    double air = own->drag / other->drag / (mass * frequency);
     p->sways = like->sways;
+    p->tree.breadth = like->tree.breadth;
     for (size_t i = 0; i < p->sways; i++) {
         p->sway[i] = like->sway[i];
         p->sway[i].frequency *= frequency, p->sway[i].mass *= mass, p->sway[i].air *= air;
@@ -304,14 +327,13 @@ static void take_alike(struct wf_peak *p, const struct wf_peak *like)
     wf_peak_sways_take(p);
 }
 
-enum wf_status wf_sway_alike(struct wf_analysis *an, const struct wf_solve_options *o, double speed,
-                             const struct wf_peak *like, const struct wf_track *mesh, struct wf_arena *a,
-                             struct wf_peak **out, struct wf_err *e)
+enum wf_status wf_sway_alike(struct wf_analysis *an, const struct wf_analysis *like, double speed,
+                             struct wf_arena *a, struct wf_peak **out, struct wf_err *e)
 {
     enum wf_status s = begin(an, a, out, e);
-    if (!s && (*out)->method->sways) s = find_sways(an, *out, o, &speed, 1, mesh, e);
     if (s) return s;
-    take_alike(*out, like);
+    const struct swing own = swing_of(an, speed), other = swing_of(like, speed);
+    if ((*out)->method->sways) take_alike(*out, like->peak, &own, &other);
     an->peak = *out;
     return WF_OK;
 }
