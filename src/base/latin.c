@@ -88,18 +88,17 @@ static void correlate(const double *score, size_t n, size_t k, double *out)
 struct latin {
     uint64_t seed;
     size_t n, k;
-    double *score; /* n x k: normal quantiles, each column in an order of its own */
+    double *score;  /* n x k: normal quantiles, each column in an order of its own */
+    double *ranked; /* the same, uniform about 0 */
     double *own, *wanted;
     struct keyed *work;
     size_t *rank;
 };
 
-static void draw_scores(const struct latin *l)
+/* Numbers become the normal quantiles of their ranks. */
+static void score(const struct latin *l)
 {
     for (size_t v = 0; v < l->k; v++) {
-        for (size_t i = 0; i < l->n; i++)
-            l->score[i * l->k + v] =
-                wf_random_uniform(l->seed, wf_random_stream(PURPOSE, v, STREAM_ORDER), i);
         ranks_of(l->score + v, l->n, l->k, l->work, l->rank);
         for (size_t i = 0; i < l->n; i++)
             l->score[i * l->k + v] =
@@ -107,19 +106,44 @@ static void draw_scores(const struct latin *l)
     }
 }
 
+static void draw_scores(const struct latin *l)
+{
+    for (size_t v = 0; v < l->k; v++)
+        for (size_t i = 0; i < l->n; i++)
+            l->score[i * l->k + v] =
+                wf_random_uniform(l->seed, wf_random_stream(PURPOSE, v, STREAM_ORDER), i);
+    score(l);
+}
+
 /* The correlation of normal scores that gives a correlation of ranks (Pearson K. 1907). */
 static double of_scores(double rank) { return 2.0 * sin(WF_PI / 6.0 * rank); }
 
+/* Mix the scores so that correlations `own` become `wanted`, both factorised; without `own` as they are. */
+static void mix(const struct latin *l, bool known)
+{
+    for (size_t i = 0; i < l->n; i++) {
+        if (known) solve_lower(l->own, l->k, l->score + i * l->k);
+        times_lower(l->wanted, l->k, l->score + i * l->k);
+    }
+    score(l);
+}
+
+/* First by the correlations of the scores; then, a little, by those of the ranks themselves. */
 static bool impose(const struct latin *l, const double *rank)
 {
+    enum { PASSES = 4 };
     size_t k = l->k;
     for (size_t i = 0; i < k * k; i++) l->wanted[i] = i % (k + 1) ? of_scores(rank[i]) : 1.0;
-    correlate(l->score, l->n, k, l->own);
     if (!cholesky(l->wanted, k)) return false;
+    correlate(l->score, l->n, k, l->own);
     bool known = l->n > k && cholesky(l->own, k);
-    for (size_t i = 0; i < l->n; i++) {
-        if (known) solve_lower(l->own, k, l->score + i * k);
-        times_lower(l->wanted, k, l->score + i * k);
+    mix(l, known);
+    memcpy(l->wanted, rank, k * k * sizeof *rank);
+    if (!cholesky(l->wanted, k)) return false;
+    for (int pass = 1; pass < PASSES && known; pass++) {
+        for (size_t i = 0; i < l->n * k; i++) l->ranked[i] = gsl_cdf_ugaussian_P(l->score[i]) - 0.5;
+        correlate(l->ranked, l->n, k, l->own);
+        if (cholesky(l->own, k)) mix(l, true);
     }
     return true;
 }
@@ -144,12 +168,13 @@ enum wf_status wf_latin(uint64_t seed, size_t n, size_t k, const double *rank, d
                        n,
                        k,
                        WF_TAKE(&a, n * k, double),
+                       WF_TAKE(&a, n * k, double),
                        WF_TAKE(&a, k * k, double),
                        WF_TAKE(&a, k * k, double),
                        WF_TAKE(&a, n, struct keyed),
                        WF_TAKE(&a, n, size_t) };
     enum wf_status s = WF_OK;
-    if (n && k && (!l.score || !l.own || !l.wanted || !l.work || !l.rank))
+    if (n && k && (!l.score || !l.ranked || !l.own || !l.wanted || !l.work || !l.rank))
         s = wf_fail(e, WF_ENOMEM, "not enough memory for %zu samples of %zu values", n, k);
     if (!s) draw_scores(&l);
     if (!s && !impose(&l, rank))
