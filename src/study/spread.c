@@ -71,9 +71,6 @@ static bool varies(const struct wf_varied *v) { return v->low < v->value || v->h
 
 static enum wf_status add(struct wf_variation *out, const struct wf_varied *v, struct wf_err *e)
 {
-    if (v->low > v->value || v->high < v->value)
-        return wf_fail(e, WF_EINPUT, "%s: the range %.6g to %.6g does not hold the value %.6g", v->name,
-                       v->low, v->high, v->value);
     if (!varies(v)) return WF_OK;
     if (out->n == WF_VARIED_MAX) return wf_fail(e, WF_EINTERNAL, "more than %d values vary", WF_VARIED_MAX);
     out->varied[out->n++] = *v;
@@ -105,6 +102,9 @@ static enum wf_status add_value(struct wf_variation *out, const struct wf_spread
                            .standing = value->standing,
                            .offset = (size_t)((const char *)value - (const char *)holder) };
     if (!isfinite(v.value) || (v.value == 0.0 && !value->given)) return WF_OK;
+    if (v.low > v.value || v.high < v.value)
+        return wf_fail(e, WF_EINPUT, "%s: the range %.6g to %.6g does not hold the value %.6g", v.name, v.low,
+                       v.high, v.value);
     if (!varies(&v)) v.ranged = false, by_row(&v, false);
     return add(out, &v, e);
 }
@@ -142,7 +142,7 @@ static bool is_hollow(const struct wf_species *sp)
 static enum wf_status add_laws(struct wf_variation *out, const struct wf_spread *row,
                                const struct wf_species *sp, struct wf_err *e)
 {
-    const struct wf_law *law = wf_law_named(sp->streamlining.from, sp->streamlining.law);
+    const struct wf_law *law = wf_law_named(wf_laws.streamlining, sp->streamlining.law);
     struct wf_property p;
     enum wf_status s = WF_OK;
     for (size_t i = 0; law && !s && wf_law_property(law, &sp->streamlining, i, &p); i++)
