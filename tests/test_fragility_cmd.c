@@ -14,7 +14,8 @@ static void prints_and_writes(void **state)
 {
     (void)state;
     static const struct row rows[] = {
-        { "$W fragility moso_bamboo $M --samples 40 --no-report -o $T/f; wc -l <$T/f/tables/fragility.csv; wc "
+        { "$W fragility moso_bamboo $M --samples 40 --no-report -o $T/f; wc -l <$T/f/tables/fragility.csv; "
+          "wc "
           "-l <$T/f/tables/samples.csv; head -1 $T/f/tables/fragility.csv",
           CODE_OK,
           { "the tree is lost at about 28 m/s mean, ", "(90 % of 40 samples)", "\n102\n41\n",
@@ -55,8 +56,10 @@ static void bytes(void **state)
     (void)state;
     static const struct row rows[] = {
         { "for t in 1 2; do $W fragility oak $M --samples 30 --threads $t --no-report -q -o $T/$t; done; "
-          "$W fragility oak $M --samples 30 --seed 2 --no-report -q -o $T/3; cd $T; for f in fragility tornado "
-          "samples; do cmp 1/tables/$f.csv 2/tables/$f.csv && echo same $f; done; cmp -s 1/tables/samples.csv "
+          "$W fragility oak $M --samples 30 --seed 2 --no-report -q -o $T/3; cd $T; for f in fragility "
+          "tornado "
+          "samples; do cmp 1/tables/$f.csv 2/tables/$f.csv && echo same $f; done; cmp -s "
+          "1/tables/samples.csv "
           "3/tables/samples.csv || echo another",
           CODE_OK,
           { "same fragility", "same tornado", "same samples", "another" } },
@@ -68,12 +71,14 @@ static void draws(void **state)
 {
     (void)state;
     static const struct row rows[] = {
-        { "$W fragility moso_bamboo $M --samples 30 --no-pdf -q -o $T/r && $W report $T/r --no-pdf --lang zh -q; "
+        { "$W fragility moso_bamboo $M --samples 30 --no-pdf -q -o $T/r && $W report $T/r --no-pdf --lang zh "
+          "-q; "
           "grep -c '<figure' $T/r/fragility.html; grep -c 'class=\"missing\"' $T/r/fragility.html; grep -o "
           "'树木损毁的可能性' $T/r/fragility.html | head -1; ls $T/r/plots/fragility.svg",
           CODE_OK,
           { "1\n0\n", "树木损毁的可能性", "fragility.svg" } },
-        { "$W analyze moso_bamboo $M --wind 10,20 --samples 30 --no-pdf -q -o $T/r; grep -o 'How sure: the 90 "
+        { "$W analyze moso_bamboo $M --wind 10,20 --samples 30 --no-pdf -q -o $T/r; grep -o 'How sure: the "
+          "90 "
           "% interval' $T/r/report.html",
           CODE_OK,
           { "How sure: the 90 % interval" } },

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Intervals of critical winds on posts whose answers are known: spread and percentiles in closed form,
  * coverage, one value at a time, threads, seeds, ends of searches, and what is refused. */
-#include "study/interval.h"
 #include "base/num.h"
 #include "base/random.h"
 #include "close.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "solve/solve.h"
+#include "study/interval.h"
 #include "study/peak.h"
 #include "study/sway.h"
 #include <string.h>
@@ -90,8 +90,8 @@ static enum wf_status run(struct post *p, size_t samples, uint64_t seed, size_t 
 {
     const double speeds[] = { 10, 40 };
     const struct wf_interval_request q = { samples, seed, threads };
-    enum wf_status s = wf_analyze(&p->species, &p->model, &p->scenario, &p->search, wf_solvers[0], &p->options,
-                                  speeds, 2, &p->arena, &p->diag, &p->an, &p->err);
+    enum wf_status s = wf_analyze(&p->species, &p->model, &p->scenario, &p->search, wf_solvers[0],
+                                  &p->options, speeds, 2, &p->arena, &p->diag, &p->an, &p->err);
     if (s) fail_msg("%s", p->err.text);
     s = wf_interval_run(&p->an, &p->options, &q, &p->arena, &p->interval, &p->err);
     if (!s) p->an.interval = &p->interval;
@@ -109,10 +109,7 @@ static const struct wf_interval_arm *arm_of(const struct post *p, const char *na
 }
 
 /* ln U = ln(strength)/2 - ln(drag)/2 + ln R - ln H: the sum of normal laws. */
-static double closed_sd(void)
-{
-    return sqrt(0.25 * (0.16 * 0.16 + 0.15 * 0.15) + 0.02 * 0.02 + 0.03 * 0.03);
-}
+static double closed_sd(void) { return sqrt(0.25 * (0.16 * 0.16 + 0.15 * 0.15) + 0.02 * 0.02 + 0.03 * 0.03); }
 
 static void agrees_with_the_closed_form(void **state)
 {
@@ -175,8 +172,8 @@ static void laws_pass_through_their_points(void **state)
     assert_close(wf_varied_at(&v, 0.5), 10, 1e-12);
     assert_close(wf_varied_at(&v, 0.95), 14, 1e-12);
     assert_close(wf_varied_at(&v, 0.75), 10 * pow(1.4, 0.67448975019608171 / WF_SPREAD_Z), 1e-9);
-    const struct wf_spread line = { "x", WF_SPREAD_LAWS, WF_SPREAD_NORMAL, 0.1, 0, -INFINITY, -0.4, false, NULL,
-                                    "here" };
+    const struct wf_spread line = { "x",  WF_SPREAD_LAWS, WF_SPREAD_NORMAL, 0.1, 0, -INFINITY, -0.4, false,
+                                    NULL, "here" };
     v = (struct wf_varied){ .row = &line, .value = -0.7, .low = -0.9, .high = -0.5 };
     assert_close(wf_varied_at(&v, 0.05), -0.9, 1e-12);
     assert_close(wf_varied_at(&v, 0.95), -0.5, 1e-12);
@@ -257,9 +254,9 @@ static void same_bytes_for_any_threads(void **state)
 static void varies_what_acts(void **state)
 {
     (void)state;
-    static const char *const names[] = { "gusts",         "damping",       "radius", "height",
-                                         "leaf_area",     "frontal_share", "density", "youngs_modulus",
-                                         "modulus_of_rupture" };
+    static const char *const names[] = { "gusts",   "damping",        "radius",
+                                         "height",  "leaf_area",      "frontal_share",
+                                         "density", "youngs_modulus", "modulus_of_rupture" };
     struct post p;
     struct wf_varied v;
     set_up(&p, 12, 0.1);
@@ -292,8 +289,8 @@ static void arms_are_analyses(void **state)
     q.level.shear_modulus = is(5e8 * v.high / v.value);
     assert_int_equal(run(&q, 20, 1, 0), WF_OK);
     double given = q.an.breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed;
-    assert_close(arm->at_high / p.interval.middle, given / p.an.breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed,
-                 5e-3);
+    assert_close(arm->at_high / p.interval.middle,
+                 given / p.an.breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed, 5e-3);
     wf_arena_free(&p.arena);
     wf_arena_free(&q.arena);
 }

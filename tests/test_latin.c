@@ -61,8 +61,8 @@ static void reaches_rank_correlations(void **state)
             for (int b = 0; b < a; b++) {
                 double got = rank_correlation(u, a, b), want = a < 3 && b < 3 ? wanted : 0.0;
                 if (fabs(got - want) > 0.05)
-                    fail_msg("seed %d: rank correlation of %d and %d is %.3f, want %.3f", (int)seed, a, b, got,
-                             want);
+                    fail_msg("seed %d: rank correlation of %d and %d is %.3f, want %.3f", (int)seed, a, b,
+                             got, want);
             }
     }
 }

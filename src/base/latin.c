@@ -101,8 +101,7 @@ static void score(const struct latin *l)
     for (size_t v = 0; v < l->k; v++) {
         ranks_of(l->score + v, l->n, l->k, l->work, l->rank);
         for (size_t i = 0; i < l->n; i++)
-            l->score[i * l->k + v] =
-                wf_normal_quantile(((double)l->rank[i] + 1.0) / ((double)l->n + 1.0));
+            l->score[i * l->k + v] = wf_normal_quantile(((double)l->rank[i] + 1.0) / ((double)l->n + 1.0));
     }
 }
 

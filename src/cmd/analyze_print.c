@@ -247,7 +247,8 @@ static void print_tornado(FILE *to, const struct wf_interval *i)
         size_t best = 0;
         double widest = -1.0;
         for (size_t k = 0; k < i->variation.n; k++) {
-            double from = fmin(i->arm[k].at_low, i->searched_to), to_ = fmin(i->arm[k].at_high, i->searched_to);
+            double from = fmin(i->arm[k].at_low, i->searched_to),
+                   to_ = fmin(i->arm[k].at_high, i->searched_to);
             if (!shown[k] && fabs(to_ - from) > widest) widest = fabs(to_ - from), best = k;
         }
         const struct wf_varied *v = &i->variation.varied[best];

@@ -200,9 +200,10 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
-    CHOICE("--weight-stress", weight_stress, "PART", "total|change", "total",
-           "total: stresses of weight and wind together; change: without those that the weight makes at rest, "
-           "which is unsafe for leaning trees and limbs"),
+    CHOICE(
+        "--weight-stress", weight_stress, "PART", "total|change", "total",
+        "total: stresses of weight and wind together; change: without those that the weight makes at rest, "
+        "which is unsafe for leaning trees and limbs"),
     NUMBER("--snow", snow, "DEPTH", LENGTH, "cm", 0, 500, NULL,
            "snow on the crown, on its area seen from above: added mass"),
     NUMBER("--snow-density", snow_density, "DENSITY", DENSITY, "kg/m3", 10, 917, "150",
@@ -654,7 +655,8 @@ int wf_cmd_analyze(int argc, char **argv)
 {
     static const char about[] =
         "SPECIES is a species table, a file or the name of a shipped one ('windfirm species list'). The tree "
-        "bends until its stiffness balances wind and weight, and the wind is taken on the bent shape: once in "
+        "bends until its stiffness balances wind and weight, and the wind is taken on the bent shape: once "
+        "in "
         "the mean wind, once at the peak of the load of gusts (--peak), which decides what breaks.\n"
         "\n"
         "  windfirm analyze species/moso_bamboo.yaml --model models/moso_culm.yaml --wind 5:40:1";

@@ -93,9 +93,9 @@ static enum wf_status compute(const struct fragility_options *o, const struct wf
     solve.threads = o->threads;
     if (!isnan(o->root_stiffness)) solve.root_stiffness[0] = solve.root_stiffness[1] = o->root_stiffness;
     if (!isnan(o->search_to)) search.speed_max = o->search_to, search.beyond = 0.0;
-    enum wf_status s = wf_analyze(sp, m, scenario, &search, wf_solvers[0], &solve,
-                                  o->wind.n ? o->wind.speed : usual, o->wind.n ? o->wind.n : WF_COUNT(usual),
-                                  a, d, an, e);
+    enum wf_status s =
+        wf_analyze(sp, m, scenario, &search, wf_solvers[0], &solve, o->wind.n ? o->wind.speed : usual,
+                   o->wind.n ? o->wind.n : WF_COUNT(usual), a, d, an, e);
     if (!s) s = wf_interval_run(an, &solve, &request, a, out, e);
     if (s) return s;
     an->interval = out;
@@ -107,19 +107,21 @@ static void print_curve(const struct wf_analysis *an)
 {
     const struct wf_interval *i = an->interval;
     const size_t steps = 10, every = (WF_INTERVAL_POINTS - 1) / steps;
-    wf_show(stdout, "\n%10s%10s%12s%18s%12s\n%10s%10s%12s%18s%12s\n", "mean wind", "gust", "lost", "90 % band",
-            "lognormal", "m/s", "m/s", "%", "%", "%");
+    wf_show(stdout, "\n%10s%10s%12s%18s%12s\n%10s%10s%12s%18s%12s\n", "mean wind", "gust", "lost",
+            "90 % band", "lognormal", "m/s", "m/s", "%", "%", "%");
     for (size_t k = every; k < WF_INTERVAL_POINTS; k += every) {
         const struct wf_interval_point *p = &i->point[k];
-        wf_show(stdout, "%10.1f%10.1f%12.0f%10.0f to %4.0f", p->speed, wf_scenario_gust(&an->scenario, p->speed),
-                100.0 * p->share, 100.0 * p->below, 100.0 * p->above);
+        wf_show(stdout, "%10.1f%10.1f%12.0f%10.0f to %4.0f", p->speed,
+                wf_scenario_gust(&an->scenario, p->speed), 100.0 * p->share, 100.0 * p->below,
+                100.0 * p->above);
         if (isfinite(p->fit))
             wf_show(stdout, "%12.0f\n", 100.0 * p->fit);
         else
             wf_show(stdout, "%12s\n", "-");
     }
     if (isfinite(i->fit.median))
-        wf_show(stdout, "Lognormal law: median %.3g m/s, beta %.2f; %zu of %zu samples are lost above %.4g m/s\n",
+        wf_show(stdout,
+                "Lognormal law: median %.3g m/s, beta %.2f; %zu of %zu samples are lost above %.4g m/s\n",
                 i->fit.median, i->fit.beta, i->fit.above, i->n, i->searched_to);
     if (i->still) wf_show(stdout, "%zu samples are lost in still air\n", i->still);
 }

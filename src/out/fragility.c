@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/fragility.h"
-#include "data/model.h"
-#include "data/species.h"
 #include "wind/category.h"
 #include <math.h>
 
-static double gust(const struct wf_analysis *a, double speed) { return wf_scenario_gust(&a->scenario, speed); }
+static double gust(const struct wf_analysis *a, double speed)
+{
+    return wf_scenario_gust(&a->scenario, speed);
+}
 
 /* ---- results.json ---- */
 
@@ -173,8 +174,9 @@ static enum wf_status document(const struct wf_analysis *a, const char *name, co
     return wf_doc_end(&d, o, folder, e);
 }
 
-enum wf_status wf_fragility_write(const struct wf_analysis *a, const char *name, const struct wf_diag *findings,
-                                  const struct wf_doc_head *head, const char *folder, struct wf_err *e)
+enum wf_status wf_fragility_write(const struct wf_analysis *a, const char *name,
+                                  const struct wf_diag *findings, const struct wf_doc_head *head,
+                                  const char *folder, struct wf_err *e)
 {
     struct wf_plot_data p;
     enum wf_status s = wf_folder_make(folder, e);

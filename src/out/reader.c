@@ -21,7 +21,8 @@ static const struct {
 } rows[] = {
     { COUNT, "across answers axes branch_count columns cylinder evaluations frames freedom full hole "
              "iterations keys number passes readings records resampled rows run segment segments size "
-             "censored decimals left_out lost_in_still_air samples slit starts starts_same transmitting up facets fell grid hits hung leaves merged missed ran "
+             "censored decimals left_out lost_in_still_air samples slit starts starts_same transmitting up "
+             "facets fell grid hits hung leaves merged missed ran "
              "scene springs vertices wood_hits" },
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },

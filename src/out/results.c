@@ -8,8 +8,8 @@
 #include "out/inputs.h"
 #include "out/tree_picture.h"
 #include "study/directions.h"
-#include "study/peak.h"
 #include "study/limits.h"
+#include "study/peak.h"
 #include "study/wetted.h"
 #include "wind/climate.h"
 #include <errno.h>

@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "base/parallel.h"
 #include "base/progress.h"
+#include "data/species.h"
 #include "fail/crossing.h"
 #include "study/node.h"
 #include "study/peak.h"
@@ -56,8 +57,8 @@ static enum wf_status set_up(const struct work *w, const double *share, struct s
     struct wf_peak *peak;
     enum wf_status status = wf_variation_apply(w->v, w->an, share, &s->arena, &s->copy, e);
     if (status) return status;
-    s->an = (struct wf_analysis){ .species = &s->copy.species,
-                                  .model = &s->copy.model,
+    s->an = (struct wf_analysis){ .species = s->copy.species,
+                                  .model = s->copy.model,
                                   .misread = &s->copy.misread,
                                   .solver = w->an->solver,
                                   .scenario = w->an->scenario,
@@ -162,7 +163,8 @@ static bool settled(const struct bracket *b, double highest, double *critical)
     double high = b->high ? b->high->at.speed : (double)INFINITY;
     *critical = at;
     if (low >= highest || (step <= near && at > highest)) *critical = INFINITY;
-    if (b->high && high - low <= width * high) *critical = low; /* there is no slope: no equilibrium above it */
+    if (b->high && high - low <= width * high)
+        *critical = low; /* there is no slope: no equilibrium above it */
     return *critical == at ? step <= near : !isnan(*critical);
 }
 
@@ -181,8 +183,8 @@ static enum wf_status find_critical(const struct work *w, struct solved *s, stru
         if (b.high) out->by = nearest(&b.high->at, &utilisation);
         if (known) return WF_OK;
         bool low = b.high && !b.low && b.high->at.speed < still;
-        enum wf_status status = wf_nodes_solve(
-            s->nodes, w->o, low ? 0.0 : next_speed(&b, out->critical, highest), &node, e);
+        enum wf_status status =
+            wf_nodes_solve(s->nodes, w->o, low ? 0.0 : next_speed(&b, out->critical, highest), &node, e);
         if (status) return status;
     }
     return wf_fail(e, WF_EINTERNAL, "the critical wind of a sample was not found");
@@ -190,7 +192,8 @@ static enum wf_status find_critical(const struct work *w, struct solved *s, stru
 
 /* ---- Safety at the given winds ---- */
 
-/* Logarithms of utilisation and speed, and the slope between them. Returned: false where they are not known. */
+/* Logarithms of utilisation and speed, and the slope between them. Returned: false where they are not known.
+ */
 static bool logarithms(const struct wf_node *node, double *x, double *y, double *slope)
 {
     double utilisation;
@@ -342,8 +345,8 @@ static enum wf_status solve_middle(struct work *w, struct wf_solve_options *o, c
 }
 
 /* Solve the middle sample, then all others on its mesh. */
-static enum wf_status solve_all(struct work *w, struct wf_solve_options *o, size_t n, size_t threads, struct wf_interval *out,
-                                struct wf_err *e)
+static enum wf_status solve_all(struct work *w, struct wf_solve_options *o, size_t n, size_t threads,
+                                struct wf_interval *out, struct wf_err *e)
 {
     struct solved middle = { .nodes = NULL };
     struct wf_arena scratch = { 0 };
@@ -388,8 +391,8 @@ static void read_arms(const struct sample *sample, struct wf_interval *out)
 {
     for (size_t i = 0; i < out->variation.n; i++) {
         const struct sample *s = sample + 2 * i;
-        out->arm[i] = (struct wf_interval_arm){ s[0].stands ? s[0].critical : NAN,
-                                                s[1].stands ? s[1].critical : NAN };
+        out->arm[i] =
+            (struct wf_interval_arm){ s[0].stands ? s[0].critical : NAN, s[1].stands ? s[1].critical : NAN };
     }
 }
 
@@ -460,7 +463,8 @@ static enum wf_status read_samples(const struct wf_analysis *an, const struct sa
 
 /* ---- The run ---- */
 
-const char *wf_interval_refused(const struct wf_analysis *an)
+/* Why intervals cannot be computed; NULL: they can. */
+static const char *refused_by(const struct wf_analysis *an)
 {
     struct wf_verdict v = wf_verdict_of(an->breaks);
     if (!wf_nodes_tracked(an))
@@ -480,7 +484,7 @@ enum wf_status wf_interval_check(const struct wf_interval_request *q, struct wf_
 bool wf_interval_due(const struct wf_analysis *an, const struct wf_interval_request *q, bool specified,
                      struct wf_diag *d)
 {
-    const char *refused = wf_interval_refused(an);
+    const char *refused = refused_by(an);
     if (!q->samples) return false;
     if (refused && wf_verdict_of(an->breaks).loss->critical.outcome != WF_CRITICAL_NO_STRENGTH)
         wf_diag_warn(d, "no-interval", "%s: how sure the critical wind is was not computed: %s",
@@ -502,7 +506,7 @@ enum wf_status wf_interval_run(const struct wf_analysis *an, const struct wf_sol
     struct wf_solve_options alone = *o;
     double *share = NULL, near = wf_verdict_of(an->breaks).loss->critical.speed;
     *out = (struct wf_interval){ .request = *q, .searched_to = an->search.speed_max };
-    const char *refused = wf_interval_refused(an);
+    const char *refused = refused_by(an);
     enum wf_status s = wf_interval_check(q, e);
     if (!s && (refused || !q->samples))
         s = wf_fail(e, WF_EUSAGE, "no interval: %s", refused ? refused : "no samples");

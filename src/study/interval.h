@@ -12,10 +12,10 @@ extern "C" {
 #endif
 
 enum {
-    WF_INTERVAL_SAMPLES = 256,     /* where nothing is said */
-    WF_INTERVAL_LEAST = 20,        /* samples; 5 % of fewer are no sample */
+    WF_INTERVAL_SAMPLES = 256, /* where nothing is said */
+    WF_INTERVAL_LEAST = 20,    /* samples; 5 % of fewer are no sample */
     WF_INTERVAL_MOST = 4096,
-    WF_INTERVAL_FEW = 64, /* for a rough one */
+    WF_INTERVAL_FEW = 64,          /* for a rough one */
     WF_INTERVAL_UNASKED = 1 << 16, /* segments times samples that are computed where nothing is said */
     WF_INTERVAL_POINTS = 101       /* of the curve */
 };
@@ -47,24 +47,20 @@ struct wf_interval_point {
 struct wf_interval {
     struct wf_interval_request request;
     struct wf_variation variation;
-    double searched_to;           /* [m/s] */
-    double middle;                /* critical wind with all values at their medians, on the coarse mesh [m/s] */
-    double low, high;             /* 5 and 95 % of the samples [m/s]; INFINITY: above searched_to */
-    size_t n;                     /* samples that stand */
-    double *critical;             /* of them, ascending [m/s]; 0: lost in still air; INFINITY as above */
-    size_t left_out;              /* would not stand under their own weight, as the tree does */
-    size_t still;                 /* samples lost in still air */
-    size_t lost_by[WF_CRITERIA];  /* samples by the criterion that governs */
-    struct wf_lognormal fit;      /* of those that are not lost in still air */
-    struct wf_interval_arm *arm;  /* one for each value that varies */
+    double searched_to; /* [m/s] */
+    double middle;      /* critical wind with all values at their medians, on the coarse mesh [m/s] */
+    double low, high;   /* 5 and 95 % of the samples [m/s]; INFINITY: above searched_to */
+    size_t n;           /* samples that stand */
+    double *critical;   /* of them, ascending [m/s]; 0: lost in still air; INFINITY as above */
+    size_t left_out;    /* would not stand under their own weight, as the tree does */
+    size_t still;       /* samples lost in still air */
+    size_t lost_by[WF_CRITERIA]; /* samples by the criterion that governs */
+    struct wf_lognormal fit;     /* of those that are not lost in still air */
+    struct wf_interval_arm *arm; /* one for each value that varies */
     size_t winds;
     struct wf_interval_at *at;
     struct wf_interval_point *point; /* WF_INTERVAL_POINTS, evenly spaced from 0 */
 };
-
-/* Can intervals be computed: is the solver one whose solutions have slopes, without shelter in the crown, and
- * is a resistance of stem or root known? Returned: NULL, or why not, in words. */
-const char *wf_interval_refused(const struct wf_analysis *an);
 
 /* Is the number of samples 0, or in range? Errors: WF_EUSAGE. */
 enum wf_status wf_interval_check(const struct wf_interval_request *q, struct wf_err *e);
@@ -73,9 +69,10 @@ enum wf_status wf_interval_check(const struct wf_interval_request *q, struct wf_
 bool wf_interval_due(const struct wf_analysis *an, const struct wf_interval_request *q, bool specified,
                      struct wf_diag *d);
 
-/* Given: an analysis with its critical winds; its options. Returned: *out, in `a`. The same for any number of
- * threads. Errors: WF_EUSAGE (number of samples, wf_interval_refused); WF_EINTERRUPTED; WF_ENOMEM; WF_EINPUT
- * where fewer than half of the samples stand. */
+/* Intervals are of a solver whose solutions have slopes, without shelter in the crown, where a strength of
+ * the stem or the root is known. Given: an analysis with its critical winds; its options. Returned: *out, in
+ * `a`. The same for any number of threads. Errors: WF_EUSAGE (number of samples; where there is no interval);
+ * WF_EINTERRUPTED; WF_ENOMEM; WF_EINPUT where fewer than half of the samples stand. */
 enum wf_status wf_interval_run(const struct wf_analysis *an, const struct wf_solve_options *o,
                                const struct wf_interval_request *q, struct wf_arena *a,
                                struct wf_interval *out, struct wf_err *e);

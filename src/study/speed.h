@@ -99,7 +99,7 @@ struct wf_analysis {
     const struct wf_model *model;
     const struct wf_solver *solver;
     struct wf_scenario scenario;
-    struct wf_search search; /* of critical speeds, also of those by direction */
+    struct wf_search search;          /* of critical speeds, also of those by direction */
     const struct wf_misread *misread; /* of the tree that is grown; NULL: none */
     struct wf_tree tree;
     struct wf_loads loads;

@@ -2,6 +2,8 @@
 #include "study/spread.h"
 #include "base/arena.h"
 #include "base/latin.h"
+#include "data/model.h"
+#include "data/species.h"
 #include "grow/silhouette.h"
 #include "study/peak.h"
 #include <math.h>
@@ -293,14 +295,14 @@ static enum wf_status put_one(const struct wf_varied *v, double share, struct wf
     double x = wf_varied_at(v, share);
     switch (v->row->place) {
     case WF_SPREAD_LEVEL:
-        put_levels(v, share, &out->species, level);
+        put_levels(v, share, out->species, level);
         return WF_OK;
     case WF_SPREAD_CROWN:
     case WF_SPREAD_LAWS:
-        value_in(&out->species, v->offset)->value = x;
+        value_in(out->species, v->offset)->value = x;
         return WF_OK;
     case WF_SPREAD_WALL:
-        return put_wall(x, &out->species, level, a, e);
+        return put_wall(x, out->species, level, a, e);
     case WF_SPREAD_RADIUS:
         out->misread.radius = x;
         return WF_OK;
@@ -308,10 +310,10 @@ static enum wf_status put_one(const struct wf_varied *v, double share, struct wf
         out->misread.height = x;
         return WF_OK;
     case WF_SPREAD_LEAVES:
-        out->model.leaf_area *= x, out->model.leaf_area_on *= x;
+        out->model->leaf_area *= x, out->model->leaf_area_on *= x;
         return WF_OK;
     case WF_SPREAD_AREA:
-        return put_area(x, &out->model.silhouette, a, e);
+        return put_area(x, &out->model->silhouette, a, e);
     case WF_SPREAD_GUSTS:
     case WF_SPREAD_BARE_DRAG:
         out->load *= x;
@@ -332,15 +334,18 @@ enum wf_status wf_variation_apply(const struct wf_variation *v, const struct wf_
 {
     enum wf_status s = WF_OK;
     struct wf_level *level = WF_TAKE(a, an->species->levels, struct wf_level);
-    if (!level) return wf_fail(e, WF_ENOMEM, "not enough memory for a sample");
-    *out = (struct wf_varied_copy){ .species = *an->species,
-                                    .model = *an->model,
+    *out = (struct wf_varied_copy){ .species = WF_TAKE(a, 1, struct wf_species),
+                                    .model = WF_TAKE(a, 1, struct wf_model),
                                     .misread = { 1.0, 1.0 },
                                     .load = 1.0,
                                     .damping = 1.0,
                                     .anchorage = 1.0 };
+    if (!level || !out->species || !out->model)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for a sample");
+    *out->species = *an->species;
+    *out->model = *an->model;
     memcpy(level, an->species->level, an->species->levels * sizeof *level);
-    out->species.level = level;
+    out->species->level = level;
     for (size_t k = 0; k < v->n && !s; k++) s = put_one(&v->varied[k], share[k], level, a, out, e);
     return s;
 }

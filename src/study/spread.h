@@ -4,8 +4,7 @@
 /* What is not known exactly of a tree and its load, as rows: by which law each value varies, and how it is
  * put into a copy of the analysis. low and high of a species table are the points below which 5 and 95 % of
  * the trees lie; its value is the median. */
-#include "data/model.h"
-#include "data/species.h"
+#include "data/law.h"
 #include "study/speed.h"
 
 #ifdef __cplusplus
@@ -53,13 +52,13 @@ extern const struct wf_spread wf_spreads[]; /* ends at name == NULL */
 /* One value that varies in an analysis. */
 struct wf_varied {
     const struct wf_spread *row;
-    const char *name;             /* of the row, or of a law's parameter */
-    const char *unit;             /* to show it in, as in species tables; "": a plain number, or a factor */
-    double value, low, high;      /* median, 5 and 95 %: of the stem or crown [SI], or factors about 1 */
-    bool factor;                  /* they are factors */
-    bool ranged;                  /* low and high are those of a table; else by the row */
-    enum wf_standing standing;    /* of the value; WF_MEASURED: of what is no value of the species */
-    size_t offset;                /* of its struct wf_value in the species or in a level */
+    const char *name;          /* of the row, or of a law's parameter */
+    const char *unit;          /* to show it in, as in species tables; "": a plain number, or a factor */
+    double value, low, high;   /* median, 5 and 95 %: of the stem or crown [SI], or factors about 1 */
+    bool factor;               /* they are factors */
+    bool ranged;               /* low and high are those of a table; else by the row */
+    enum wf_standing standing; /* of the value; WF_MEASURED: of what is no value of the species */
+    size_t offset;             /* of its struct wf_value in the species or in a level */
 };
 
 enum { WF_VARIED_MAX = 40 };
@@ -82,8 +81,8 @@ double wf_varied_at(const struct wf_varied *v, double share);
 
 /* Values of one sample. */
 struct wf_varied_copy {
-    struct wf_species species;
-    struct wf_model model;
+    struct wf_species *species;
+    struct wf_model *model;
     struct wf_misread misread;
     double load, damping, anchorage; /* factors to be put on after set-up */
 };

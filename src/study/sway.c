@@ -297,13 +297,15 @@ static struct swing swing_of(const struct wf_analysis *an, double speed)
     const struct wf_tree *t = &an->tree;
     const struct wf_loads *l = &an->loads;
     double unused, top = t->z0[0] + an->tallness;
-    double share = l->streamline ? wf_streamline_share(l->streamline, &l->streamline_par, speed, &unused) : 1.0;
+    double share =
+        l->streamline ? wf_streamline_share(l->streamline, &l->streamline_par, speed, &unused) : 1.0;
     struct swing out = { 0 };
     for (size_t i = 0; i < t->n; i++) {
         double z = 0.5 * (t->z0[i] + t->z1[i]), length = wf_tree_length(t, i), arm = top - z;
         double moves = pow((z - t->z0[0]) / an->tallness, 4.0);
         double r = 0.5 * (t->r0[i] + t->r1[i]), hole = 0.5 * (t->i0[i] + t->i1[i]);
-        if (t->level[i] == 0) out.compliance += length * arm * arm / (t->youngs[i] * wf_ring_inertia(r, hole));
+        if (t->level[i] == 0)
+            out.compliance += length * arm * arm / (t->youngs[i] * wf_ring_inertia(r, hole));
         out.mass += moves * length * wf_line_point_of(t, i, 0.5).mass;
         out.drag += moves * length * (2.0 * r + 0.5 * share * (t->sail0[i] + t->sail1[i]));
     }
