@@ -36,6 +36,7 @@ struct analyze_options {
     struct wf_averaging averaging;   /* with the climate */
     struct wf_profile_words profile; /* with the map of the ground */
     struct wf_peak_asked peak;
+    struct wf_anchorage_asked anchorage;
     const char *output, *solver, *preset, *shelter;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
@@ -50,6 +51,7 @@ struct analyze_options {
     double snow, snow_density, ice;  /* [m], [kg m-3], [m]; NAN: not given        */
     double water_film, rain;         /* [m], [m/s]; NAN: not given                */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
+    double branches_from;            /* [m]                                       */
     struct wf_pages pages;
 };
 
@@ -164,6 +166,9 @@ const struct wf_option wf_analyze_options[] = {
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_PEAK_ROWS(peak),
+    WF_ANCHORAGE_ROWS(anchorage),
+    NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
+           "branches from this thickness are listed by what fails first; thinner ones are twigs"),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
@@ -309,6 +314,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     if (status) return status;
     out->preset = wf_preset_named(o->preset);
     status = wf_peak_asked_read(&o->peak, out->preset != wf_presets, a, d, s, e);
+    if (!status) status = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, s, e);
     if (status) return status;
     s->winds_said = o->args.winds_said;
     s->azimuth = o->azimuth;
@@ -329,6 +335,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     out->search.seconds = o->search_time;
     out->interval = (struct wf_interval_request){ o->samples, o->seed, o->threads };
     if ((status = wf_interval_check(&out->interval, e))) return status;
+    out->search.branches_from = o->branches_from;
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;
@@ -341,7 +348,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
 
 /* ---- The run ---- */
 
-enum { OTHER_FILES = 5 }; /* model, study, profile, climate, ground */
+enum { OTHER_FILES = 6 }; /* model, study, profile, climate, ground, anchorage */
 
 /* Everything of one run, in one arena. */
 struct work {
@@ -405,6 +412,11 @@ static void keep_climate_warnings(struct work *w, const struct wf_diag *d)
         if (f->code && !strcmp(f->code, "frequency-sum")) wf_diag_warn(&w->tree, f->code, "%s", f->text);
 }
 
+static const char *anchorage_file(const struct wf_anchorage_asked *q)
+{
+    return q->curve ? q->curve : q->table;
+}
+
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
@@ -436,11 +448,14 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
         return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
                        d.errors == 1 ? "" : "s");
     keep_climate_warnings(w, &d);
-    const char *const profile = w->request.scenario.profile_file, *const study = w->options.args.study,
+    const char *const profile = w->request.scenario.profile_file,
+                      *const roots = anchorage_file(&w->options.anchorage),
+                      *const study = w->options.args.study,
                       *const climate = w->request.directions.climate_file;
     enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
     if (!s && study) s = note_input(w, "study", study, e);
     if (!s && profile) s = note_input(w, "profile", profile, e);
+    if (!s && roots) s = note_input(w, "anchorage", roots, e);
     if (!s && w->request.scenario.site) s = note_input(w, "ground", w->request.scenario.site->file, e);
     return !s && climate ? note_input(w, "climate", climate, e) : s;
 }

@@ -9,7 +9,7 @@ enum { ROWS_LISTED = 100 };
 
 enum wf_status wf_tree_alloc(struct wf_tree *t, size_t n, struct wf_arena *a, struct wf_err *e)
 {
-    *t = (struct wf_tree){ .n = n };
+    *t = (struct wf_tree){ .n = n, .anchorage = NAN };
     double **column[] = { &t->x0,      &t->y0,       &t->z0,    &t->x1,      &t->y1,      &t->z1,
                           &t->r0,      &t->r1,       &t->i0,    &t->i1,      &t->youngs,  &t->shear,
                           &t->density, &t->strength, &t->drag,  &t->lift,    &t->damping, &t->sail0,

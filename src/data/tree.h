@@ -38,8 +38,9 @@ struct wf_tree {
     struct wf_tree_sections *section;  /* solid sections that are not round; NULL = round rows */
     struct wf_tree_standing *standing; /* the tree stands in this shape under its own weight; NULL = the shape
                                         * is free of stress */
-    bool *doubtful; /* n: rows that no scope holds, because their own weight would nearly break them
-                     * (study/rest.h); NULL = none */
+    double anchorage; /* largest moment on the ground that the root carries [N m]; NAN: not known */
+    bool *doubtful;   /* n: rows that no scope holds, because their own weight would nearly break them
+                       * (study/rest.h); NULL = none */
 };
 
 /* What a tree that stands in its shape carried when the shape was drawn or measured, beside its wood and the

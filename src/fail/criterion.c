@@ -2,6 +2,12 @@
 #include "fail/fail.h"
 #include <math.h>
 
+#define OVERTURNING "statics of the whole tree; the anchorage has a source of its own"
+#define SATURATED "camphor near saturation, 35 to 50 % less: Forests 2022, 13:1875"
+#define STATIC                                                                                               \
+    "static, an upper bound in a gale: gusts loosen roots; the moment is that of the bent tree with its "    \
+    "weight"
+
 const struct wf_criterion wf_criteria[WF_CRITERIA] = {
     [WF_BREAKAGE] = { .name = "breakage",
                       .source = "elementary bending: Timoshenko S. 1955. Strength of Materials I",
@@ -10,6 +16,25 @@ const struct wf_criterion wf_criteria[WF_CRITERIA] = {
                       .loses_tree = true,
                       .known = wf_breakage_known,
                       .safety = wf_breakage_safety },
+    [WF_OVERTURNING] = { .name = "overturning",
+                         .source = OVERTURNING,
+                         .validity = STATIC,
+                         .loses_tree = true,
+                         .whole = true,
+                         .known = wf_overturning_known,
+                         .safety = wf_overturning_safety },
+    [WF_OVERTURNING_WET] = { .name = "overturning-saturated-high",
+                             .source = SATURATED,
+                             .validity = "one species; 0.65 of the anchorage; " STATIC,
+                             .whole = true,
+                             .known = wf_overturning_known,
+                             .safety = wf_overturning_safety_wet },
+    [WF_OVERTURNING_WETTEST] = { .name = "overturning-saturated-low",
+                                 .source = SATURATED,
+                                 .validity = "one species; 0.50 of the anchorage; " STATIC,
+                                 .whole = true,
+                                 .known = wf_overturning_known,
+                                 .safety = wf_overturning_safety_wettest },
 };
 
 bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope)

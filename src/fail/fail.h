@@ -67,12 +67,16 @@ struct wf_worst {
 
 enum wf_criterion_id {
     WF_BREAKAGE,
+    WF_OVERTURNING,         /* with the anchorage as tested */
+    WF_OVERTURNING_WET,     /* in saturated soil, with the higher */
+    WF_OVERTURNING_WETTEST, /* and with the lower share of it */
     WF_CRITERIA
 }; /* index in wf_criteria; the first is reported as `critical` */
 
 struct wf_criterion {
     const char *name, *source, *validity;
     bool loses_tree; /* the tree is lost where the stem fails by it, so that it can make the headline */
+    bool whole;      /* of the whole tree: it belongs to the row of its root */
     /* Is the resistance of a row known? */
     bool (*known)(const struct wf_tree *t, size_t row);
     /* Given: tree, its response, its section forces and stresses, a row. Returned: resistance over load at
@@ -96,6 +100,43 @@ void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, con
 bool wf_breakage_known(const struct wf_tree *t, size_t row);
 double wf_breakage_safety(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
                           size_t row, double *place);
+/* Functions of 'overturning', in fail/anchorage.c: is the anchorage known; the moment that the root carries
+ * over that on the ground, as tested, and with what is left of it in saturated soil. */
+bool wf_overturning_known(const struct wf_tree *t, size_t row);
+double wf_overturning_safety(const struct wf_tree *t, const struct wf_response *r,
+                             const struct wf_breakage *b, size_t row, double *place);
+double wf_overturning_safety_wet(const struct wf_tree *t, const struct wf_response *r,
+                                 const struct wf_breakage *b, size_t row, double *place);
+double wf_overturning_safety_wettest(const struct wf_tree *t, const struct wf_response *r,
+                                     const struct wf_breakage *b, size_t row, double *place);
+
+/* ---- Anchorage of the root: fail/anchorage.c ---- */
+
+struct wf_anchorage_method;
+struct wf_tipping_curve; /* base moment by the inclination of the root plate, read from a file */
+struct wf_anchorage_table;
+
+/* What is said of soil and root; NULL, NAN: not given. */
+struct wf_anchorage_request {
+    const char *method;  /* row of wf_anchorage_methods; NULL: by size where the soil is known */
+    const char *soil;    /* row of wf_soils */
+    const char *rooting; /* "shallow", "medium" or "deep"; of a table */
+    double pull_moment;  /* moment on the ground at 0.25 deg of the root plate [N m] */
+    double secant;       /* that moment over that angle [N m rad-1] */
+    const struct wf_tipping_curve *curve;
+    const struct wf_anchorage_table *table;
+};
+
+/* The reason where nothing is said of soil and root. */
+#define WF_ANCHORAGE_UNSAID "soil and anchorage unknown"
+
+/* The anchorage of one tree. */
+struct wf_anchorage {
+    const struct wf_anchorage_method *method; /* NULL: overturning is not assessed */
+    double moment;  /* largest moment on the ground that the root carries, as tested or by size [N m]; NAN */
+    double scatter; /* standard deviation of its logarithm; NAN: not known */
+    const char *text; /* what it was computed from; or why overturning is not assessed */
+};
 
 /* ---- Critical wind speed ---- */
 

@@ -16,9 +16,10 @@ extern "C" {
 
 struct wf_species;
 
-struct wf_site;     /* wind/terrain.h */
-struct wf_category; /* wind/category.h */
-struct wf_design;   /* wind/design.h */
+struct wf_site;              /* wind/terrain.h */
+struct wf_category;          /* wind/category.h */
+struct wf_design;            /* wind/design.h */
+struct wf_anchorage_request; /* fail/anchorage.h */
 
 /* States of a tree in a wind: in the mean wind; at the peak of the load on the whole tree; at the peak of the
  * load on one branch, which a gust reaches at once. */
@@ -70,7 +71,8 @@ struct wf_scenario {
                            the exposure comes on top [-] */
     double gust_factor; /* 3-s gust over 10-min mean of the named winds; 0: by EN 1991-1-4 [-] */
     double least;       /* of the profile "code": height below which the wind is constant [m] */
-    struct wf_peak_request peak; /* how the peak load follows from the mean wind */
+    const struct wf_anchorage_request *anchorage; /* of the root (fail/anchorage.h); NULL: nothing is said */
+    struct wf_peak_request peak;                  /* how the peak load follows from the mean wind */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
                                conversion */
 };

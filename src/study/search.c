@@ -379,5 +379,5 @@ enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_
 
 void wf_search_default(struct wf_search *s)
 {
-    *s = (struct wf_search){ .speed_max = 60.0, .beyond = 1.2, .seconds = INFINITY };
+    *s = (struct wf_search){ .speed_max = 60.0, .beyond = 1.2, .seconds = INFINITY, .branches_from = 0.05 };
 }

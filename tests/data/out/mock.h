@@ -170,6 +170,29 @@ static inline void mock_speed(const struct wf_analysis *an, const struct mock_ki
     if (!rows) memset(g, 0, sizeof *g);
 }
 
+static inline void mock_settle_worst(struct wf_worst (*worst)[WF_SCOPES])
+{
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int k = 0; k < WF_SCOPES; k++)
+            if (c != WF_BREAKAGE || k == WF_SCOPE_BRANCHES)
+                worst[c][k] = (struct wf_worst){ .safety = NAN, .row = -1 };
+    worst[WF_BREAKAGE][WF_SCOPE_STEM] = worst[WF_BREAKAGE][WF_SCOPE_TREE];
+}
+
+/* The tree is its stem, and breakage is all that is known: after a change of the whole tree's breakage. */
+static inline void mock_settle(struct wf_analysis *an)
+{
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int k = 0; k < WF_SCOPES; k++)
+            if (c != WF_BREAKAGE || k == WF_SCOPE_BRANCHES)
+                an->breaks[c][k] = (struct wf_break){
+                    .critical = { .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN }, .row = -1, .height = NAN
+                };
+    an->breaks[WF_BREAKAGE][WF_SCOPE_STEM] = an->breaks[WF_BREAKAGE][WF_SCOPE_TREE];
+    for (size_t k = 0; k < an->n; k++) mock_settle_worst(an->at[k].worst);
+    for (size_t k = 0; k < an->sweep_n; k++) mock_settle_worst(an->sweep[k].worst);
+}
+
 static inline void mock_analysis(const struct mock_kind *kind, const double *speed, size_t n,
                                  struct wf_arena *a, struct wf_analysis *out)
 {
@@ -234,6 +257,7 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
                 out->tree.z0[out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row];
         }
     }
+    mock_settle(out);
     out->diag = WF_TAKE(a, 1, struct wf_diag);
     out->diag->arena = a;
     wf_diag_warn(out->diag, "streamlining-range",
