@@ -22,14 +22,18 @@
             <xsl:with-param name="a" select="format-number(lognormal/median_m_s, '0.0')"/>
             <xsl:with-param name="b" select="format-number(lognormal/beta, '0.00')"/>
             <xsl:with-param name="c" select="lognormal/censored"/>
-            <xsl:with-param name="d"><xsl:call-template name="given"><xsl:with-param name="x" select="searched_to_m_s"/></xsl:call-template></xsl:with-param>
+            <xsl:with-param name="d">
+              <xsl:call-template name="given"><xsl:with-param name="x" select="searched_to_m_s"/></xsl:call-template>
+            </xsl:with-param>
           </xsl:call-template>
           <xsl:value-of select="$gap"/>
         </xsl:if>
       </xsl:for-each>
       <xsl:call-template name="say">
         <xsl:with-param name="id">fr.place</xsl:with-param>
-        <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$r/reference_height_m"/></xsl:call-template></xsl:with-param>
+        <xsl:with-param name="a">
+          <xsl:call-template name="given"><xsl:with-param name="x" select="$r/reference_height_m"/></xsl:call-template>
+        </xsl:with-param>
         <xsl:with-param name="b" select="$r/wind_terrain"/>
       </xsl:call-template>
     </p>

@@ -22,11 +22,17 @@
 <xsl:template name="iv-words">
   <xsl:param name="name"/>
   <xsl:call-template name="say">
-    <xsl:with-param name="id">iv.line</xsl:with-param>
+    <xsl:with-param name="id" select="concat('iv.line.', scope)"/>
     <xsl:with-param name="a" select="$name"/>
-    <xsl:with-param name="b"><xsl:call-template name="iv-wind"><xsl:with-param name="x" select="middle_m_s"/></xsl:call-template></xsl:with-param>
-    <xsl:with-param name="c"><xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template></xsl:with-param>
-    <xsl:with-param name="d"><xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_m_s"/></xsl:call-template></xsl:with-param>
+    <xsl:with-param name="b">
+      <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="middle_m_s"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="c">
+      <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="d">
+      <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_m_s"/></xsl:call-template>
+    </xsl:with-param>
     <xsl:with-param name="e" select="samples - left_out"/>
   </xsl:call-template>
   <xsl:value-of select="$gap"/>
@@ -39,24 +45,52 @@
   </xsl:variable>
   <xsl:call-template name="say">
     <xsl:with-param name="id">iv.gust</xsl:with-param>
-    <xsl:with-param name="a"><xsl:call-template name="iv-wind"><xsl:with-param name="x" select="middle_gust_m_s"/><xsl:with-param name="times" select="$times"/></xsl:call-template></xsl:with-param>
-    <xsl:with-param name="b"><xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_gust_m_s"/><xsl:with-param name="times" select="$times"/></xsl:call-template></xsl:with-param>
-    <xsl:with-param name="c"><xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_gust_m_s"/><xsl:with-param name="times" select="$times"/></xsl:call-template></xsl:with-param>
+    <xsl:with-param name="a">
+      <xsl:call-template name="iv-wind">
+        <xsl:with-param name="x" select="middle_gust_m_s"/><xsl:with-param name="times" select="$times"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="b">
+      <xsl:call-template name="iv-wind">
+        <xsl:with-param name="x" select="low_gust_m_s"/><xsl:with-param name="times" select="$times"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="c">
+      <xsl:call-template name="iv-wind">
+        <xsl:with-param name="x" select="high_gust_m_s"/><xsl:with-param name="times" select="$times"/></xsl:call-template>
+    </xsl:with-param>
   </xsl:call-template>
   <xsl:if test="lost_in_still_air &gt; 0">
     <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id">iv.still</xsl:with-param><xsl:with-param name="a" select="lost_in_still_air"/></xsl:call-template>
+    <xsl:call-template name="say">
+        <xsl:with-param name="id">iv.still</xsl:with-param><xsl:with-param name="a" select="lost_in_still_air"/></xsl:call-template>
   </xsl:if>
   <xsl:if test="left_out &gt; 0">
     <xsl:value-of select="$gap"/>
-    <xsl:call-template name="say"><xsl:with-param name="id">iv.left_out</xsl:with-param><xsl:with-param name="a" select="left_out"/></xsl:call-template>
+    <xsl:call-template name="say">
+        <xsl:with-param name="id">iv.left_out</xsl:with-param><xsl:with-param name="a" select="left_out"/></xsl:call-template>
   </xsl:if>
+</xsl:template>
+
+<!-- For the summary. Context: a tree. -->
+<xsl:template name="iv-brief">
+  <xsl:for-each select="interval">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">iv.brief</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="low_m_s"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="iv-wind"><xsl:with-param name="x" select="high_m_s"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:for-each>
 </xsl:template>
 
 <xsl:template name="iv-safety">
   <xsl:param name="name"/>
   <table class="data">
-    <xsl:call-template name="caption"><xsl:with-param name="id">iv.safety</xsl:with-param><xsl:with-param name="a" select="$name"/></xsl:call-template>
+    <xsl:call-template name="caption">
+        <xsl:with-param name="id">iv.safety</xsl:with-param><xsl:with-param name="a" select="$name"/></xsl:call-template>
     <thead><tr>
       <xsl:call-template name="heads"><xsl:with-param name="of">c.wind:m/s;iv.c.low:;iv.c.high:</xsl:with-param></xsl:call-template>
     </tr></thead>
@@ -76,7 +110,8 @@
 <xsl:template name="iv-value">
   <xsl:param name="x"/>
   <xsl:variable name="quantity" select="quantity"/>
-  <xsl:variable name="times"><xsl:for-each select="$strings"><xsl:value-of select="key('string', $quantity)/@factor"/></xsl:for-each></xsl:variable>
+  <xsl:variable name="times">
+    <xsl:for-each select="$strings"><xsl:value-of select="key('string', $quantity)/@factor"/></xsl:for-each></xsl:variable>
   <td class="r">
     <xsl:choose>
       <xsl:when test="kind = 'factor'">× <xsl:value-of select="format-number($x, '0.00')"/></xsl:when>
@@ -100,24 +135,30 @@
 <xsl:template name="iv-tornado">
   <xsl:param name="name"/>
   <table class="data">
-    <xsl:call-template name="caption"><xsl:with-param name="id">iv.tornado</xsl:with-param><xsl:with-param name="a" select="$name"/></xsl:call-template>
+    <xsl:call-template name="caption">
+        <xsl:with-param name="id">iv.tornado</xsl:with-param><xsl:with-param name="a" select="$name"/></xsl:call-template>
     <thead><tr>
       <xsl:call-template name="heads">
-        <xsl:with-param name="of">iv.c.value;iv.c.standing;iv.c.median:;iv.c.low:;iv.c.high:;iv.c.at_low:m/s;iv.c.at_high:m/s</xsl:with-param>
+        <xsl:with-param name="of">iv.c.value;iv.c.standing;iv.c.median:;iv.c.low:;iv.c.high:;
+          iv.c.at_low:m/s;iv.c.at_high:m/s</xsl:with-param>
       </xsl:call-template>
     </tr></thead>
     <tbody>
       <xsl:for-each select="varied/item">
         <xsl:variable name="quantity" select="quantity"/>
-        <xsl:variable name="unit"><xsl:for-each select="$strings"><xsl:value-of select="key('string', $quantity)/@unit"/></xsl:for-each></xsl:variable>
+        <xsl:variable name="unit">
+          <xsl:for-each select="$strings"><xsl:value-of select="key('string', $quantity)/@unit"/></xsl:for-each></xsl:variable>
         <tr>
           <td>
             <xsl:choose>
               <xsl:when test="kind = 'factor'">
-                <xsl:call-template name="term"><xsl:with-param name="id" select="concat('iv.', quantity)"/><xsl:with-param name="otherwise" select="quantity"/></xsl:call-template>
+                <xsl:call-template name="term">
+                    <xsl:with-param name="id" select="concat('iv.', quantity)"/>
+                    <xsl:with-param name="otherwise" select="quantity"/></xsl:call-template>
               </xsl:when>
               <xsl:otherwise>
-                <xsl:call-template name="term"><xsl:with-param name="id" select="quantity"/><xsl:with-param name="otherwise" select="quantity"/></xsl:call-template>
+                <xsl:call-template name="term">
+                    <xsl:with-param name="id" select="quantity"/><xsl:with-param name="otherwise" select="quantity"/></xsl:call-template>
                 <xsl:if test="$unit != '' and $unit != '–'">, <xsl:value-of select="$unit"/></xsl:if>
               </xsl:otherwise>
             </xsl:choose>
@@ -125,7 +166,8 @@
           <td>
             <xsl:call-template name="term">
               <xsl:with-param name="id">
-                <xsl:choose><xsl:when test="status = 'rule'">iv.rule</xsl:when><xsl:otherwise><xsl:value-of select="concat('status.', status)"/></xsl:otherwise></xsl:choose>
+                <xsl:choose><xsl:when test="status = 'rule'">iv.rule</xsl:when>
+                  <xsl:otherwise><xsl:value-of select="concat('status.', status)"/></xsl:otherwise></xsl:choose>
               </xsl:with-param>
               <xsl:with-param name="otherwise" select="status"/>
             </xsl:call-template>

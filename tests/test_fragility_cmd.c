@@ -18,13 +18,19 @@ static void prints_and_writes(void **state)
           "wc "
           "-l <$T/f/tables/samples.csv; head -1 $T/f/tables/fragility.csv",
           CODE_OK,
-          { "the tree is lost at about 28 m/s mean, ", "(90 % of 40 samples)", "\n102\n41\n",
+          { "the stem breaks at about 28 m/s mean, ", "(90 % of 40 samples)", "\n102\n41\n",
             "wind_m_s,gust_m_s,share_lost,share_low,share_high,lognormal" } },
         { "$W fragility moso_bamboo $M --samples 40 --no-report -q -o $T/f; cut -d, -f1,3 "
           "$T/f/tables/tornado.csv",
           CODE_OK,
           { "value,status\n", "modulus_of_rupture,assumed", "crown.streamlining.exponent,borrowed",
             "gusts,rule" } },
+        /* with a root that is weaker than the stem, its anchorage varies too */
+        { "$W fragility oak $M --samples 40 --pull-moment '0.5 kN m' --no-report -o $T/f; grep anchorage "
+          "$T/f/tables/tornado.csv | cut -d, -f1-6",
+          CODE_OK,
+          { "the tree is lost at about", "safety of the stem and root at 10 m/s",
+            "anchorage,factor,rule,1,0.581" } },
         /* a share of all samples at the highest wind: the ratio rises from 0 to 1 */
         { "$W fragility weeping_willow $M --samples 40 --no-report -q -o $T/f; sed -n '2p;$p' "
           "$T/f/tables/fragility.csv | cut -d, -f3",
@@ -32,7 +38,7 @@ static void prints_and_writes(void **state)
           { "0\n1\n" } },
         { "$W analyze moso_bamboo $RUN; grep -c '\"interval\"' $T/out/results.json",
           CODE_OK,
-          { "28 m/s mean", "safety of stem and root at 10 m/s", "most of it by modulus_of_rupture",
+          { "28 m/s mean", "safety of the stem at 10 m/s", "most of it by modulus_of_rupture",
             "value-decides" } },
         { "$W analyze moso_bamboo $RUN --samples 0; grep -c '\"interval\"' $T/out/results.json",
           CODE_RUN, /* of grep */

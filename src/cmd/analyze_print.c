@@ -376,13 +376,13 @@ static void print_tornado(FILE *to, const struct wf_interval *i)
     wf_show(to, "\n");
 }
 
-static void print_safeties(FILE *to, const struct wf_interval *i)
+static void print_safeties(FILE *to, const struct wf_interval *i, bool rooted)
 {
     enum { SHOWN = 3 };
     for (size_t k = 0; k < i->winds; k++) {
         if (i->winds > SHOWN && k && k + 1 < i->winds) continue;
-        wf_show(to, "%s at %.4g m/s %.1f to %.1f", k ? ";" : "  safety of stem and root", i->at[k].speed,
-                i->at[k].low, i->at[k].high);
+        if (!k) wf_show(to, "  safety of the stem%s", rooted ? " and root" : "");
+        wf_show(to, "%s at %.4g m/s %.1f to %.1f", k ? ";" : "", i->at[k].speed, i->at[k].low, i->at[k].high);
     }
     wf_show(to, i->winds ? "\n" : "");
 }
@@ -393,7 +393,9 @@ void wf_print_interval(FILE *to, const struct wf_analysis *an)
     if (!i) return;
     int digits = wf_interval_decimals(i->low, i->high);
     double times = wf_scenario_gust(&an->scenario, 1.0);
-    print_speed_to(to, digits, i->middle, i->searched_to, "  the tree is lost at about ");
+    bool rooted = wf_interval_rooted(an);
+    print_speed_to(to, digits, i->middle, i->searched_to,
+                   rooted ? "  how sure: the tree is lost at about " : "  how sure: the stem breaks at about ");
     print_speed_to(to, digits, i->low, i->searched_to, " m/s mean, ");
     print_speed_to(to, digits, i->high, i->searched_to, " to ");
     wf_show(to, " (90 %% of %zu samples)", i->n);
@@ -401,7 +403,7 @@ void wf_print_interval(FILE *to, const struct wf_analysis *an)
     print_speed_to(to, digits, times * i->low, times * i->searched_to, ", ");
     print_speed_to(to, digits, times * i->high, times * i->searched_to, " to ");
     wf_show(to, "\n");
-    print_safeties(to, i);
+    print_safeties(to, i, rooted);
     print_tornado(to, i);
 }
 

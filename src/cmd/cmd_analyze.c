@@ -333,9 +333,9 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     wf_search_default(&out->search);
     if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
     out->search.seconds = o->search_time;
+    out->search.branches_from = o->branches_from;
     out->interval = (struct wf_interval_request){ o->samples, o->seed, o->threads };
     if ((status = wf_interval_check(&out->interval, e))) return status;
-    out->search.branches_from = o->branches_from;
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;

@@ -22,6 +22,7 @@ struct fragility_options {
     struct wf_averaging averaging;
     struct wf_profile_words profile;
     struct wf_peak_asked peak;
+    struct wf_anchorage_asked anchorage;
     const char *output;
     size_t samples, seed, threads;
     double azimuth;                   /* [rad] */
@@ -39,6 +40,7 @@ static const struct wf_option options[] = {
     WF_SAMPLE_ROWS(NULL),
     WF_PROFILE_ROWS(profile),
     WF_PEAK_ROWS(peak),
+    WF_ANCHORAGE_ROWS(anchorage),
     WF_AZIMUTH_ROW(azimuth),
     NUMBER("--search-to", search_to, "SPEED", SPEED, "m/s", 1, 200, NULL,
            "highest wind that is searched; the law takes samples that are not lost up to it into account [60 "
@@ -75,6 +77,7 @@ static enum wf_status read_inputs(const struct fragility_options *o, struct wf_s
     if (!s) s = t;
     if (!s) s = wf_scenario_profile(scenario, &o->profile, a, d, e);
     if (!s) s = wf_peak_asked_read(&o->peak, false, a, d, scenario, e);
+    if (!s) s = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, scenario, e);
     if (!(scenario->gust_factor > 0.0)) scenario->gust_factor = o->averaging.gust;
     return s ? s : wf_scenario_check(scenario, e);
 }

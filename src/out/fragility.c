@@ -61,6 +61,7 @@ json_t *wf_part_interval(struct wf_doc *d, const struct wf_analysis *a)
     const struct wf_interval *i = a->interval;
     if (!i) return json_null();
     json_t *o = wf_doc_object(d), *list;
+    wf_doc_text(d, o, "scope", wf_interval_rooted(a) ? "tree" : "stem");
     wf_doc_count(d, o, "samples", i->request.samples);
     wf_doc_count(d, o, "left_out", i->left_out);
     wf_doc_count(d, o, "lost_in_still_air", i->still);

@@ -70,6 +70,7 @@ static enum wf_status set_up(const struct work *w, const double *share, struct s
     peak->damping *= s->copy.damping;
     peak->branches = false; /* stem and root are of the whole tree's state */
     s->an.loads.wind_scale *= s->copy.load;
+    s->an.tree.anchorage *= s->copy.anchorage;
     return WF_OK;
 }
 
@@ -564,6 +565,8 @@ void wf_interval_warn(const struct wf_analysis *an, const struct wf_interval *i,
                      "left out, because the tree stands",
                      an->species->name, i->left_out, i->request.samples);
 }
+
+bool wf_interval_rooted(const struct wf_analysis *an) { return an->tree.anchorage > 0.0; }
 
 int wf_interval_decimals(double low, double high)
 {

@@ -80,6 +80,9 @@ enum wf_status wf_interval_run(const struct wf_analysis *an, const struct wf_sol
 /* Warnings: assumed and borrowed values that move the critical wind by more than 20 %; samples left out. */
 void wf_interval_warn(const struct wf_analysis *an, const struct wf_interval *i, struct wf_diag *d);
 
+/* Is the root assessed, or the stem alone? */
+bool wf_interval_rooted(const struct wf_analysis *an);
+
 /* The last digit that an interval deserves, as a number of decimals: 0 or more. */
 int wf_interval_decimals(double low, double high);
 

@@ -4,6 +4,7 @@
 #include "base/latin.h"
 #include "data/model.h"
 #include "data/species.h"
+#include "fail/anchorage.h"
 #include "grow/silhouette.h"
 #include "study/peak.h"
 #include <math.h>
@@ -38,6 +39,7 @@ const struct wf_spread wf_spreads[] = {
     { "height", WF_SPREAD_HEIGHT, LOG, 0.03, 0.01, 0, INFINITY, false, NULL, RULE },
     { "leaf_area", WF_SPREAD_LEAVES, LOG, 0.20, 0, 0, INFINITY, false, NULL, RULE },
     { "frontal_area", WF_SPREAD_AREA, LOG, 0.15, 0, 0, INFINITY, false, NULL, RULE },
+    { "anchorage", WF_SPREAD_ANCHORAGE, LOG, 0.33, 0, 0, INFINITY, false, NULL, RULE },
     { 0 },
 };
 
@@ -169,6 +171,20 @@ static enum wf_status add_damping(struct wf_variation *out, const struct wf_spre
     return add(out, &v, e);
 }
 
+/* Anchorage by the scatter of its method; by the row where that is not known. */
+static enum wf_status add_anchorage(struct wf_variation *out, const struct wf_spread *row,
+                                    const struct wf_analysis *an, struct wf_err *e)
+{
+    struct wf_varied v = {
+        .row = row, .name = row->name, .unit = "", .value = 1.0, .factor = true, .standing = WF_MEASURED
+    };
+    double scatter = an->anchorage ? an->anchorage->scatter : (double)NAN;
+    if (!(an->tree.anchorage > 0.0)) return WF_OK;
+    by_row(&v, false);
+    if (scatter > 0.0) v.low = exp(-WF_SPREAD_Z * scatter), v.high = exp(WF_SPREAD_Z * scatter);
+    return add(out, &v, e);
+}
+
 static enum wf_status add_species_row(struct wf_variation *out, const struct wf_spread *row,
                                       const struct wf_analysis *an, struct wf_err *e)
 {
@@ -210,6 +226,8 @@ enum wf_status wf_variation_of(const struct wf_analysis *an, struct wf_variation
             s = add_species_row(out, row, an, e);
         else if (row->place == WF_SPREAD_DAMPING)
             s = an->peak && an->peak->method->sways ? add_damping(out, row, an, e) : WF_OK;
+        else if (row->place == WF_SPREAD_ANCHORAGE)
+            s = add_anchorage(out, row, an, e);
         else if (acts(row, an))
             s = add_factor(out, row, scanned, e);
     }
