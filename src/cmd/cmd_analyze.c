@@ -83,6 +83,8 @@ static bool samples_unused(const void *options, const struct wf_option *row, cha
     const struct analyze_options *o = options;
     const struct wf_solver *s = solver_used(options);
     (void)row;
+    if (strcmp(o->preset, wf_presets[0].name) != 0)
+        return wf_option_unused(true, why, "with the preset '%s', which repeats a publication", o->preset);
     if (s && !s->tracked)
         return wf_option_unused(true, why, "with the solver '%s': its solutions have no slopes", s->name);
     return wf_option_unused(o->shelter && strcmp(o->shelter, "none") != 0, why, "with --shelter");
@@ -482,6 +484,7 @@ static enum wf_status run_interval(struct work *w, struct wf_analysis *an, struc
 {
     struct wf_interval *out = WF_TAKE(&w->arena, 1, struct wf_interval);
     struct wf_err why = { 0 };
+    if (w->request.preset != wf_presets) return WF_OK; /* a publication is repeated as printed */
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for an interval");
     if (!wf_interval_due(an, &w->request.interval, WF_GIVEN(&w->options, samples), an->diag)) return WF_OK;
     enum wf_status s = wf_interval_run(an, &w->request.solve, &w->request.interval, &w->arena, out, &why);

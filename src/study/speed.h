@@ -92,9 +92,10 @@ struct wf_still {
 struct wf_directions;
 struct wf_wetted;
 struct wf_interval;
-/* Factors by which a tree differs from its measured sizes. */
+/* How a sample of a tree differs from the tree as measured. */
 struct wf_misread {
-    double radius, height; /* of all its radii; of all its lengths [-] */
+    double radius, height; /* factors on all its radii; on all its lengths [-] */
+    bool *doubtful;        /* rows in doubt of the tree as measured (struct wf_tree), also of the sample */
 };
 struct wf_analysis {
     const struct wf_species *species;

@@ -354,7 +354,7 @@ enum wf_status wf_variation_apply(const struct wf_variation *v, const struct wf_
     struct wf_level *level = WF_TAKE(a, an->species->levels, struct wf_level);
     *out = (struct wf_varied_copy){ .species = WF_TAKE(a, 1, struct wf_species),
                                     .model = WF_TAKE(a, 1, struct wf_model),
-                                    .misread = { 1.0, 1.0 },
+                                    .misread = { 1.0, 1.0, an->tree.doubtful },
                                     .load = 1.0,
                                     .damping = 1.0,
                                     .anchorage = 1.0 };
