@@ -395,7 +395,8 @@ void wf_print_interval(FILE *to, const struct wf_analysis *an)
     double times = wf_scenario_gust(&an->scenario, 1.0);
     bool rooted = wf_interval_rooted(an);
     print_speed_to(to, digits, i->middle, i->searched_to,
-                   rooted ? "  how sure: the tree is lost at about " : "  how sure: the stem breaks at about ");
+                   rooted ? "  how sure: the tree is lost at about "
+                          : "  how sure: the stem breaks at about ");
     print_speed_to(to, digits, i->low, i->searched_to, " m/s mean, ");
     print_speed_to(to, digits, i->high, i->searched_to, " to ");
     wf_show(to, " (90 %% of %zu samples)", i->n);

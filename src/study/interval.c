@@ -207,7 +207,7 @@ static bool logarithms(const struct wf_node *node, double *x, double *y, double 
 /* Utilisation between two solutions that are not too far apart, by a cubic of the logarithms. */
 static bool between(const struct wf_nodes *nodes, double speed, double *utilisation)
 {
-    const double apart = 3.0; /* ratio of the speeds */
+    const double apart = 4.0; /* ratio of the speeds */
     const struct wf_node *low = NULL, *high = NULL;
     double x[2], y[2], slope[2];
     for (size_t i = 0; i < wf_nodes_count(nodes); i++) {
@@ -233,7 +233,7 @@ static enum wf_status solve_safety(const struct work *w, struct solved *s, size_
     return WF_OK;
 }
 
-/* The lowest and the highest given wind are solved, others where the solutions do not tell them. */
+/* Given winds are solved where the solutions so far do not tell the safety. */
 static enum wf_status find_safety(const struct work *w, struct solved *s, double *safety, struct wf_err *e)
 {
     enum wf_status status = WF_OK;
@@ -249,17 +249,15 @@ static enum wf_status find_safety(const struct work *w, struct solved *s, double
     return status;
 }
 
-/* Solve near the critical wind of the tree and at the ends of the given winds, then where it is found. The
- * middle sample ends near it, where the others begin. */
+/* Solve near the critical wind of the tree and at the lowest given wind, then where it is found. The middle
+ * sample ends near it, where the others begin. */
 static enum wf_status search(const struct work *w, struct solved *s, struct sample *out, struct wf_err *e)
 {
     const struct wf_node *node;
-    const size_t winds = w->an->n;
     double first = w->near > 0.0 ? w->near : s->an.search.speed_max;
     enum wf_status status = WF_OK;
     if (w->like) status = wf_nodes_solve(s->nodes, w->o, first, &node, e);
-    if (!status && winds) status = solve_safety(w, s, winds - 1, out->safety, e);
-    if (!status && winds > 1) status = solve_safety(w, s, 0, out->safety, e);
+    if (!status && w->an->n) status = solve_safety(w, s, 0, out->safety, e);
     if (!status) status = find_critical(w, s, out, e);
     if (!status) status = find_safety(w, s, out->safety, e);
     return status || w->like ? status : wf_nodes_solve(s->nodes, w->o, first, &node, e);
