@@ -9,7 +9,9 @@
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
 <xsl:include href="interval.xsl"/>
+<xsl:include href="criteria.xsl"/>
 <xsl:include href="directions.xsl"/>
+<xsl:include href="cavities.xsl"/>
 <xsl:include href="inputs.xsl"/>
 <xsl:include href="method.xsl"/>
 
@@ -302,9 +304,11 @@
           <xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="result-tables"/>
+        <xsl:call-template name="criteria-table"/>
         <xsl:for-each select="$trees"><xsl:call-template name="anchorage-note"/></xsl:for-each>
         <xsl:if test="$trees/interval"><xsl:call-template name="intervals"/></xsl:if>
         <xsl:if test="$trees/verdict/thicknesses/item"><xsl:call-template name="branch-table"/></xsl:if>
+        <xsl:if test="$trees/cavities/item"><xsl:call-template name="cavity-tables"/></xsl:if>
         <xsl:if test="$trees/wetted"><xsl:call-template name="wetted-table"/></xsl:if>
         <xsl:if test="$trees[1]/directions/number">
           <xsl:call-template name="direction-table"><xsl:with-param name="n" select="3"/></xsl:call-template>

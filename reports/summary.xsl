@@ -77,7 +77,9 @@
 <!-- The first sentence: how it stands at the highest wind speed that has an answer. -->
 <xsl:template name="verdict">
   <xsl:variable name="last" select="winds/item[status = 'ok' and within_limits = 'true'][last()]"/>
-  <xsl:variable name="safety" select="$last/loss_safety | $last[not(loss_safety)]/least_safety"/>
+  <xsl:variable name="stem" select="criteria/item[criterion = 'breakage' and scope = 'stem']/winds/item[speed/value =
+    $last/speed/value]/safety[not($last/loss_safety)]"/>
+  <xsl:variable name="safety" select="$last/loss_safety | $stem | $last[not(loss_safety or $stem)]/least_safety"/>
   <xsl:variable name="rooted" select="verdict/criteria/item[criterion = 'overturning']"/>
   <xsl:variable name="known" select="verdict/criteria/item[loses_tree = 'true'] or (not(verdict) and critical/outcome != 'no-strength')"/>
   <xsl:variable name="bent" select="($last/mean_state/tip_deflection_share |
@@ -88,6 +90,8 @@
         <xsl:when test="not($last)">sum.nothing</xsl:when>
         <xsl:when test="not($known)">sum.unknown</xsl:when>
         <xsl:when test="$safety/value &lt;= 1 and verdict/safety_criterion = 'overturning'">sum.overturns</xsl:when>
+        <xsl:when test="$safety/value &lt;= 1 and verdict/safety_criterion = 'splitting'">sum.splits</xsl:when>
+        <xsl:when test="$safety/value &lt;= 1 and verdict/safety_criterion = 'ovalisation'">sum.flattens</xsl:when>
         <xsl:when test="$safety/value &lt;= 1">sum.breaks</xsl:when>
         <xsl:otherwise>
           <xsl:choose>
@@ -263,6 +267,7 @@
 <xsl:template name="expected">
   <xsl:choose>
     <xsl:when test="verdict/criterion = 'overturning'"><xsl:call-template name="overturns-first"/></xsl:when>
+    <xsl:when test="verdict/criterion != 'breakage'"><xsl:call-template name="section-first"/></xsl:when>
     <xsl:otherwise><xsl:call-template name="breaks-first"/></xsl:otherwise>
   </xsl:choose>
   <xsl:if test="critical/outcome = 'self-weight' and critical/governing_section/diameter/value != ''">
@@ -278,7 +283,7 @@
       <xsl:with-param name="c" select="format-number(critical/governing_section/height/value, '0.0')"/>
     </xsl:call-template>
   </xsl:if>
-  <xsl:if test="verdict/criterion = 'overturning' and critical_stem/outcome = 'found' and critical_stem/within_limits =
+  <xsl:if test="verdict/criterion != 'breakage' and critical_stem/outcome = 'found' and critical_stem/within_limits =
     'true'">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
@@ -295,7 +300,7 @@
       </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
-  <xsl:if test="verdict/criterion = 'overturning' and critical_stem/outcome = 'above'">
+  <xsl:if test="verdict/criterion != 'breakage' and critical_stem/outcome = 'above'">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
       <xsl:with-param name="id">sum.stem.above</xsl:with-param>

@@ -2,6 +2,7 @@
 #include "cmd/analyze_print.h"
 #include "base/num.h"
 #include "cmd/option.h"
+#include "cmd/print_walls.h"
 #include "data/model.h"
 #include "data/species.h"
 #include "fail/anchorage.h"
@@ -36,7 +37,8 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
     print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
     print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
     print_cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
-    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed);
+    struct wf_verdict v = wf_verdict_of(d->breaks);
+    print_cell(to, 12, 2, v.loss ? v.loss->critical.speed : (double)NAN);
     const struct wf_directions_request *q = &an->directions->request;
     if (q->speed_up) print_cell(to, 10, 3, q->speed_up[d - an->directions->direction]);
     if (q->rose) {
@@ -58,7 +60,7 @@ static void print_climate(FILE *to, const struct wf_analysis *an)
             "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
             an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
     if (x->above)
-        wf_show(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
+        wf_show(to, "  '-': not lost up to %.4g m/s; these directions count as 0 hours.\n",
                 an->search.speed_max);
 }
 
@@ -74,7 +76,7 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
     else
         wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
     wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
-            "breaks", "stem alone", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
+            "breaks", "tree lost", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
     wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
             site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
@@ -157,8 +159,9 @@ static void print_event(FILE *to, const struct wf_analysis *an, enum wf_criterio
         wf_show(to, "; the tree overturns");
         return;
     }
-    wf_show(to, "; the %s breaks %.2f m above the ground",
-            wf_model_level_name(an->model, an->species, an->tree.level[b->row]), b->height);
+    wf_show(to, "; the %s %s %.2f m above the ground",
+            wf_model_level_name(an->model, an->species, an->tree.level[b->row]), wf_criteria[criterion].event,
+            b->height);
     print_failing(to, an, b->row);
 }
 
@@ -173,12 +176,14 @@ static void print_weight(FILE *to, const struct wf_analysis *an, const struct wf
                                            : "");
 }
 
-/* The other criteria that lose the tree, and those that were not assessed. */
+/* Breakage and overturning where they do not govern, and what was not assessed of them. The other criteria
+ * are in a table. */
 static void print_others(FILE *to, const struct wf_analysis *an, const struct wf_verdict *v)
 {
     for (int c = 0; c < WF_CRITERIA; c++) {
         const struct wf_break *b = &an->breaks[c][WF_SCOPE_STEM];
         const char *why = wf_verdict_unassessed(an, v, (enum wf_criterion_id)c);
+        if (c != WF_BREAKAGE && wf_criteria[c].section) continue;
         if (why) wf_show(to, "  %s not assessed: %s\n", wf_criteria[c].name, why);
         if (why || !wf_criteria[c].loses_tree || b == v->loss) continue;
         wf_show(to, "  %s%s: ", wf_criteria[c].name, wf_criteria[c].whole ? "" : " of the stem");
@@ -424,11 +429,91 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
     wf_show(to, "\n");
 }
 
+/* The stem by one criterion: at a given wind, and the wind in which it is reached. */
+static void print_criterion(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at, int c)
+{
+    const struct wf_criterion *x = &wf_criteria[c];
+    const struct wf_worst *w = &at->worst[c][WF_SCOPE_STEM];
+    const struct wf_critical *k = &an->breaks[c][WF_SCOPE_STEM].critical;
+    double resistance = wf_criterion_resistance(x, &an->tree, w);
+    wf_show(to, "%18s", x->name);
+    print_number(to, 9, 2, w->safety);
+    wf_show(to, "%8.3g", fmax(1.0, x->required));
+    if (k->outcome == WF_CRITICAL_ABOVE)
+        wf_show(to, "%9s%-5.4g", "> ", k->speed_high);
+    else
+        print_number(to, 14, 2, k->speed);
+    print_number(to, 8, 1, wf_scenario_gust(&an->scenario, k->speed));
+    print_number(to, 8, 2, w->row < 0 ? NAN : wf_between(an->tree.z0[w->row], an->tree.z1[w->row], w->place));
+    print_number(to, 10, 2, 1e-6 * resistance / w->safety);
+    print_number(to, 10, 2, 1e-6 * resistance);
+    fputc('\n', to);
+}
+
+/* Criteria that apply to the stem and want a value that the species table does not give. */
+static void print_unassessed(FILE *to, const struct wf_analysis *an)
+{
+    const char *before = "  not assessed: ";
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_criterion *x = &wf_criteria[c];
+        if (!x->section || wf_criterion_known(x, &an->tree, WF_SCOPE_STEM) ||
+            !wf_criterion_applies(x, &an->tree, WF_SCOPE_STEM))
+            continue;
+        wf_show(to, "%s%s (the species has no %s)", before, x->name, x->wants);
+        before = ", ";
+    }
+    if (*before == ',') fputc('\n', to);
+}
+
+/* Which limit of a thin wall is reached first, and what it is with the low end of the strength across the
+ * grain. */
+static void print_wall(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at)
+{
+    static const enum wf_criterion_id limit[] = { WF_BREAKAGE, WF_SPLITTING, WF_OVALISATION };
+    static const char *const does[] = { "breaks in bending", "splits", "flattens" };
+    const struct wf_value *strength = &an->species->level[0].tangential_strength;
+    double least = INFINITY;
+    size_t first = 0;
+    for (size_t k = 0; k < WF_COUNT(limit); k++) {
+        double safety = at->worst[limit[k]][WF_SCOPE_STEM].safety;
+        if (safety < least) least = safety, first = k;
+    }
+    if (!wf_criterion_known(&wf_criteria[WF_SPLITTING], &an->tree, WF_SCOPE_STEM) || isinf(least)) return;
+    const struct wf_critical *k = &an->breaks[limit[first]][WF_SCOPE_STEM].critical;
+    wf_show(to, "  of the three limits of the thin wall the least governs: it %s first", does[first]);
+    if (k->outcome == WF_CRITICAL_FOUND)
+        wf_show(to, ", at %.2f m/s, 3-s gust %.1f m/s", k->speed, wf_scenario_gust(&an->scenario, k->speed));
+    wf_show(to, "; splitting with the low end of tangential_strength, %.3g MPa: safety %.2f\n",
+            1e-6 * strength->low,
+            at->worst[WF_SPLITTING][WF_SCOPE_STEM].safety * sqrt(strength->low / strength->value));
+}
+
+/* Criteria of the stem, at the strongest given wind that has a solution. */
+static void print_criteria(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_branch_strength *b = an->branch_strength;
+    const struct wf_at_speed *at = wf_verdict_wind(an);
+    if (!at || !wf_criterion_known(&wf_criteria[WF_BREAKAGE], &an->tree, WF_SCOPE_STEM)) return;
+    wf_show(to,
+            "\n  Stem by criteria; safety, place and stresses at %.6g m/s\n%18s%9s%8s%14s%8s%8s%10s%10s\n",
+            at->speed, "", "safety", "wanted", "critical m/s", "gust", "at m", "stress", "bears MPa");
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (wf_criteria[c].section && wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_STEM))
+            print_criterion(to, an, at, c);
+    print_unassessed(to, an);
+    print_wall(to, an, at);
+    if (b && b->source && wf_criterion_known(&wf_criteria[WF_BREAKAGE], &an->tree, WF_SCOPE_BRANCHES))
+        wf_show(to, "  branches bear at most %.2f of the stem's clear wood: %s (%s)\n", b->factor, b->text,
+                b->source);
+}
+
 void wf_print_searched(FILE *to, const struct wf_analysis *an)
 {
     print_verdict(to, an);
+    print_criteria(to, an);
     wf_print_interval(to, an);
     print_branches(to, an);
+    wf_print_walls(to, an);
     print_wetted(to, an->wetted);
     print_directions(to, an);
 }

@@ -37,7 +37,7 @@ struct analyze_options {
     struct wf_profile_words profile; /* with the map of the ground */
     struct wf_peak_asked peak;
     struct wf_anchorage_asked anchorage;
-    const char *output, *solver, *preset, *shelter;
+    const char *output, *solver, *preset, *shelter, *branch_strength;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
     double azimuth, north;           /* [rad]                                     */
@@ -168,6 +168,7 @@ const struct wf_option wf_analyze_options[] = {
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_PEAK_ROWS(peak),
+    WF_BRANCH_STRENGTH_ROW(branch_strength),
     WF_ANCHORAGE_ROWS(anchorage),
     NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
            "branches from this thickness are listed by what fails first; thinner ones are twigs"),
@@ -332,6 +333,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
         s->air_density = s->design->air; /* the code's pressure at its wind */
     if (!(s->gust_factor > 0.0)) s->gust_factor = o->averaging.gust;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
+    s->branch_strength = o->branch_strength;
     wf_search_default(&out->search);
     if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
     out->search.seconds = o->search_time;
@@ -350,7 +352,9 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
 
 /* ---- The run ---- */
 
-enum { OTHER_FILES = 6 }; /* model, study, profile, climate, ground, anchorage */
+enum {
+    OTHER_FILES = 6 + 2 * WF_CAVITIES_MAX
+}; /* model, study, profile, climate, ground, anchorage; of cavities */
 
 /* Everything of one run, in one arena. */
 struct work {
@@ -419,6 +423,19 @@ static const char *anchorage_file(const struct wf_anchorage_asked *q)
     return q->curve ? q->curve : q->table;
 }
 
+/* Files that say where cavities are, and their rays. */
+static enum wf_status note_cavities(struct work *w, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    const struct wf_cavity *c = w->model.cavity;
+    for (size_t k = 0; k < w->model.cavities && !s; k++) {
+        bool known = !c[k].line || !strcmp(c[k].file, w->model.file) || (k && c[k].file == c[k - 1].file);
+        if (!known) s = note_input(w, "cavities", c[k].file, e);
+        if (!s && c[k].rays_file) s = note_input(w, "rays", c[k].rays_file, e);
+    }
+    return s;
+}
+
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
@@ -456,6 +473,7 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
                       *const climate = w->request.directions.climate_file;
     enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
     if (!s && study) s = note_input(w, "study", study, e);
+    if (!s) s = note_cavities(w, e);
     if (!s && profile) s = note_input(w, "profile", profile, e);
     if (!s && roots) s = note_input(w, "anchorage", roots, e);
     if (!s && w->request.scenario.site) s = note_input(w, "ground", w->request.scenario.site->file, e);

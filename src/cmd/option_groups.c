@@ -3,6 +3,7 @@
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
 #include "fail/anchorage.h"
+#include "fail/fail.h"
 #include "grow/grow.h"
 #include "grow/silhouette.h"
 #include "solve/solve.h"
@@ -17,6 +18,7 @@
 
 const char *wf_solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 const char *wf_preset_word(size_t i) { return wf_presets[i].name; }
+const char *wf_branch_strength_word(size_t i) { return wf_branch_strengths[i].name; }
 const char *wf_shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 const char *wf_profile_word(size_t i) { return wf_profiles[i].name; }
 const char *wf_site_word(size_t i) { return wf_site_kinds[i].name; }
@@ -224,6 +226,16 @@ static enum wf_status take_crown(const struct wf_tree_asked *t, struct wf_arena 
     return wf_silhouette_check(out, e);
 }
 
+/* Bark and cavities of the command line, in place of the model's. */
+static enum wf_status take_hollow(const struct wf_tree_asked *t, struct wf_arena *a, struct wf_model *out,
+                                  struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_err why = { 0 };
+    if (t->bark && !wf_bark_read(t->bark, &out->bark, &why))
+        return wf_fail(e, WF_EUSAGE, "--bark: %s", why.text);
+    return t->cavities ? wf_cavities_asked(t->cavities, a, &out->cavity, &out->cavities, d, e) : WF_OK;
+}
+
 enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *file, struct wf_arena *a,
                                   struct wf_model *out, const char **path, struct wf_diag *d,
                                   struct wf_err *e)
@@ -258,5 +270,6 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
         return wf_fail(e, WF_EUSAGE, "give one of --rest and --unload: --unload takes the stress-free shape");
     if (t->unload) out->shape = WF_SHAPE_UNLOADED;
     out->stands_strictly = t->strict;
-    return take_crown(t, a, &out->silhouette, d, e);
+    s = take_hollow(t, a, out, d, e);
+    return s ? s : take_crown(t, a, &out->silhouette, d, e);
 }

@@ -14,6 +14,13 @@
 const char *wf_solver_word(size_t i);
 const char *wf_preset_word(size_t i);
 const char *wf_shelter_word(size_t i);
+const char *wf_branch_strength_word(size_t i);
+/* Strength of branches; into a const char * (NULL: not given). */
+#define WF_BRANCH_STRENGTH_ROW(in)                                                                           \
+    WORD("--branch-strength", in, "HOW", wf_branch_strength_word, NULL,                                      \
+         "what branches bear at most, over the clear wood of the stem: full: what the species table says; "  \
+         "inside-bark 0.72; over-bark 0.55; over-bark-circle 0.40, where one diameter was measured "         \
+         "[over-bark; full with the preset or the table of a paper]")
 const char *wf_profile_word(size_t i);
 const char *wf_site_word(size_t i);
 const char *wf_design_word(size_t i);
@@ -250,6 +257,7 @@ struct wf_tree_asked {
     bool unload, strict;
     const char *rest;    /* "as-drawn" or "stress-free"; NULL: a measured tree as drawn, a model as it says */
     const char *scanned; /* "leaf_on" or "leaf_off"; NULL: as the season */
+    const char *bark, *cavities; /* NULL: the model's */
     struct wf_scan_asked scan;
 };
 #define WF_TREE_ROWS(in)                                                                                     \
@@ -297,6 +305,12 @@ struct wf_tree_asked {
         NUMBER(                                                                                              \
             "--leaf-off-share", in.crown.leafless, "SHARE", NONE, NULL, 0, 1, NULL,                          \
             "share of the crown's load that is left in the season leaf_off [0.5 without branches, else 0]"), \
+        TEXT("--bark", in.bark, "THICKNESS", NULL,                                                           \
+             "bark of the stem, which is mass without strength or stiffness: a thickness at 1.3 m (15mm), "  \
+             "species, or none [by the species for a measured tree; the model's]"),                          \
+        TEXTS("--cavity", in.cavities, "AT:WALL|AT:FILE|FILE",                                               \
+              "cavities of the stem in place of the model's: height and sound wall (1.3m:80mm), height and " \
+              "a tomograph's CSV (angle_deg, outer_m, sound_m), or a YAML file with 'cavities'"),            \
         FLAG("--unload", in.unload,                                                                          \
              "find the stress-free shape of a tree that stands under its own weight, and take that"),        \
         WF_SCAN_ROWS(in.scan, WF_UNUSED(in, wf_tree_row_unused))

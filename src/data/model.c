@@ -297,6 +297,13 @@ static const struct wf_yaml_row model_rows[] = {
                   "Share of the crown's load that is left in the season leaf_off.",
                   .absent = "0.5 without branches, else 0: the axes drawn have their own drag",
                   .example = "0.4"),
+    WF_KEY_TEXT(
+        "bark", bark_said,
+        "Bark on the stem, whose radii are over bark: a thickness at 1.3 m, or 'species' for the law of the "
+        "species. It is mass and surface, without stiffness or strength.",
+        .absent = "none: the radii are of wood", .example = "15 mm"),
+    WF_KEY_LIST("cavities", cavity, cavities, wf_cavity_table, "Cavities of the stem.",
+                .absent = "a sound stem"),
     WF_KEY_LIST("branches", branching, branchings, wf_branching_table,
                 "The branching levels above the stem: first the branches on the stem, then those on them.",
                 .absent = "needed by generator levels, refused by the others"),
@@ -321,7 +328,7 @@ static void check_piece(struct wf_yaml *y, const char *list, const char *key, si
 static void check_stem(struct wf_yaml *y, struct wf_model *m)
 {
     bool flat = wf_yaml_has(y, "stem.sections");
-    static const char *const round[] = { "stem.taper", "stem.base_radius", "crown" };
+    static const char *const round[] = { "stem.taper", "stem.base_radius", "crown", "bark", "cavities" };
     static const char *const own[] = { "stem.turn", "stem.masses" };
     if (!flat && wf_yaml_has(y, "stem") && !wf_yaml_has(y, "stem.taper"))
         wf_yaml_error(
@@ -431,6 +438,8 @@ static void model_finish(struct wf_yaml *y, void *model)
         m->leaf_area = wf_yaml_has(y, "leaves") ? m->foliage.area : 0;
     m->leaf_area_on = m->leaf_area;
     wf_model_set_season(m, m->season);
+    struct wf_err bad = { 0 };
+    if (m->bark_said && !wf_bark_read(m->bark_said, &m->bark, &bad)) wf_yaml_error(y, "bark", "%s", bad.text);
     const char *why, *wrong = wf_silhouette_wrong(&m->silhouette, &why);
     if (wrong) wf_yaml_error(y, wrong, "%s", why);
 }
@@ -494,7 +503,8 @@ enum wf_status wf_model_read(const char *path, struct wf_arena *a, struct wf_mod
 {
     *out = (struct wf_model){ .file = wf_arena_text(a, path) };
     if (!out->file) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
-    return wf_yaml_read(path, &wf_model_table, out, a, d, e);
+    enum wf_status s = wf_yaml_read(path, &wf_model_table, out, a, d, e);
+    return s ? s : wf_cavities_settle(path, out->cavity, out->cavities, a, d, e);
 }
 
 char *wf_model_schema(struct wf_arena *a, struct wf_err *e) { return wf_yaml_schema(&wf_model_table, a, e); }

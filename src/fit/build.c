@@ -66,6 +66,12 @@ static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index,
             "%s: tree %s: %s has 'shape: under_weight', whose stress-free shape would change with the "
             "fitted stiffness; a fit takes a stress-free shape only",
             b->calibration->file, s->name, path);
+    if (!status && !s->qsm && (m.cavities || m.bark.kind > WF_BARK_NONE))
+        status =
+            wf_fail(e, WF_EINPUT,
+                    "%s: tree %s: %s has '%s', which a fit does not take: it finds the stiffness of the stem "
+                    "over bark, as if sound",
+                    b->calibration->file, s->name, path, m.cavities ? "cavities" : "bark");
     if (!status && !s->qsm) status = wf_grow_stem(&m, sp, a, &out->tree, e);
     if (status) return status;
     out->height = wf_tree_height(&out->tree);

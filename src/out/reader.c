@@ -26,10 +26,11 @@ static const struct {
              "scene springs vertices wood_hits" },
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
-    { FLAG, "conifer damping_known staged as_printed converged energy estimated given nuisance priors "
-            "searched_to_the_end beyond_loss counts_self_weight loses_tree unsaid "
+    { FLAG, "open conifer damping_known staged as_printed converged energy estimated given nuisance priors "
+            "searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
-    { LIST, "thicknesses not_assessed at classes_m_s criteria figures files findings hours_a_year_above "
+    { LIST, "cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
+            "classes_m_s criteria figures files findings hours_a_year_above "
             "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
             "blocks modes budget criticals_m_s deflections_m frequencies_Hz moments_N_m speeds sways swing_m "
@@ -38,7 +39,9 @@ static const struct {
             "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
-    { NUMBER, "aicc arriving_ratio asked base_moment_open_N_m base_moment_own_N_m beam bootstrap_high "
+    { NUMBER, "at_m from_m to_m wood_radius_mm thinnest_wall_mm strength_loss worst_towards_deg "
+              "strength_loss_with_wind stiffness_loss safety_basic safety_present wall_share wall_safety "
+              "aicc arriving_ratio asked base_moment_open_N_m base_moment_own_N_m beam bootstrap_high "
               "bootstrap_low bound_high bound_low cell_m chi_square coherence_error components "
               "covered_m2 damping damping_sd deviation_m_s flux_ratio frequency frequency_sd from_deg "
               "front_m gain got gust_factor gust_period_s gust_periods gust_window_s "
@@ -62,6 +65,7 @@ static const struct {
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
+      "branch_strength factor required_safety resistance stress "
       "verdict anchorage moment branches_from critical_gust loss_safety thickness_low thickness_high "
       "fails_at "
       "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
@@ -81,7 +85,7 @@ static const struct {
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,
-      "form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
+      "wants form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin meaning name "
       "name_zh note outcome outcome_text part path preset profile profile_file program quantity "

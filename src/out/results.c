@@ -7,6 +7,7 @@
 #include "out/inputs.h"
 #include "out/tree_picture.h"
 #include "out/verdict_part.h"
+#include "out/walls.h"
 #include "study/directions.h"
 #include "study/limits.h"
 #include "study/peak.h"
@@ -99,7 +100,7 @@ static json_t *critical_part(struct wf_doc *d, const struct wf_analysis *a, cons
 
 /* How near a part of the tree is to failing by a criterion at a wind speed. */
 static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at,
-                           const struct wf_worst *w)
+                           const struct wf_criterion *c, const struct wf_worst *w)
 {
     bool solved = at->status == WF_OK;
     double safety = solved ? w->safety : NAN;
@@ -110,6 +111,9 @@ static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const 
     wf_doc_quantity(d, o, "speed", at->speed, "m/s", NULL);
     wf_doc_quantity(d, o, "safety", safety, "1", why);
     wf_doc_quantity(d, o, "utilisation", 1 / safety, "1", why);
+    double resistance = isnan(safety) ? NAN : wf_criterion_resistance(c, &a->tree, w);
+    wf_doc_quantity(d, o, "resistance", resistance, "Pa", why);
+    wf_doc_quantity(d, o, "stress", resistance / safety, "Pa", why);
     wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? w : NULL));
     return o;
 }
@@ -125,6 +129,14 @@ static json_t *criteria_part(struct wf_doc *d, const struct wf_analysis *a,
             const char *text = wf_critical_text(b->critical.outcome);
             json_t *o = wf_doc_add(d, list, wf_doc_object(d));
             wf_doc_text(d, o, "criterion", wf_criteria[c].name);
+            if (breaks == a->breaks) { /* said once, not by direction */
+                wf_doc_text(d, o, "source", wf_criteria[c].source);
+                wf_doc_text(d, o, "validity", wf_criteria[c].validity);
+            }
+            wf_doc_flag(d, o, "applies", wf_criterion_applies(&wf_criteria[c], &a->tree, (enum wf_scope)s));
+            wf_doc_text(d, o, "wants", wf_criteria[c].wants);
+            wf_doc_flag(d, o, "loses_tree", wf_criteria[c].loses_tree);
+            wf_doc_quantity(d, o, "required_safety", fmax(1, wf_criteria[c].required), "1", NULL);
             wf_doc_text(d, o, "scope", wf_scope_name((enum wf_scope)s));
             wf_doc_text(d, o, "outcome", wf_part_outcome(b->critical.outcome));
             wf_doc_text(d, o, "outcome_text", text);
@@ -132,7 +144,7 @@ static json_t *criteria_part(struct wf_doc *d, const struct wf_analysis *a,
             wf_doc_put(d, o, "governing_section", wf_part_section(d, a, b->row, NAN, b->height));
             json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
             for (size_t k = 0; k < a->n; k++)
-                wf_doc_add(d, winds, utilisation(d, a, &at[k], &at[k].worst[c][s]));
+                wf_doc_add(d, winds, utilisation(d, a, &at[k], &wf_criteria[c], &at[k].worst[c][s]));
         }
     return list;
 }
@@ -260,6 +272,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));
     if (a->interval) wf_doc_put(d, o, "interval", wf_part_interval(d, a));
+    if (a->tree.section && a->tree.section->cavity) wf_doc_put(d, o, "cavities", wf_part_walls(d, a));
     if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");
     wf_doc_put(d, o, "warnings", shared(run, index) ? wf_doc_array(d) : warnings_part(d, a->diag));

@@ -70,6 +70,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
     if (!s) s = anchor(an, a, e);
+    an->branch_strength = wf_branches_limit(an->scenario.branch_strength, an->species, &an->tree);
     if (!s) s = wf_rest_set_up(an, o, a, d, e);
     if (!s && an->scenario.water > 0) wf_intercept(&an->tree, an->scenario.water); /* it was drawn dry */
     if (!s) s = winter(an, d, e);

@@ -239,7 +239,7 @@ static void level_assumed(const struct wf_analysis *an, size_t level, struct ass
     struct wf_property p;
     to->part = NULL;
     for (size_t i = 0; wf_level_property(l, i, &p); i++)
-        if (p.acts == WF_ACTS_ALWAYS || (p.acts == WF_ACTS_GIVEN && p.value->given))
+        if ((p.acts == WF_ACTS_ALWAYS && p.value->value > 0) || (p.acts == WF_ACTS_GIVEN && p.value->given))
             add_assumed(to, l->name, "", &p);
     for (size_t i = 0; level == 0 && isnan(an->model->radius) && wf_level_property(l, i, &p); i++)
         if (p.acts == WF_ACTS_SIZE) add_assumed(to, l->name, "", &p);

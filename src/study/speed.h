@@ -107,7 +107,8 @@ struct wf_analysis {
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
-    const struct wf_peak *peak;   /* by study/sway.h; NULL: the load of the mean wind */
+    const struct wf_branch_strength *branch_strength; /* what branches bear (fail/fail.h) */
+    const struct wf_peak *peak;                       /* by study/sway.h; NULL: the load of the mean wind */
     const struct wf_still *still; /* by study/rest.h: of a standing tree, and where the scenario takes the
                                      weight off the stresses; NULL: not computed */
     const struct wf_anchorage *anchorage; /* fail/anchorage.h; by wf_analysis_set_up */

@@ -22,6 +22,10 @@ double wf_verdict_bound(const struct wf_critical *c)
     return INFINITY;
 }
 
+/* Closer than this, the earlier row of wf_criteria governs: a stem that is hardly twisted breaks by bending.
+ */
+static const double same = 1e-6;
+
 struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES])
 {
     struct wf_verdict v = { .loss = NULL };
@@ -31,7 +35,7 @@ struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES])
         const struct wf_break *b = &breaks[c][WF_SCOPE_STEM];
         double bound = wf_verdict_bound(&b->critical);
         v.assessed[c] = b->critical.outcome != WF_CRITICAL_NO_STRENGTH;
-        if (v.loss && !(bound < lowest)) continue;
+        if (v.loss && !(bound < lowest * (1 - same))) continue;
         v.loss = b, v.criterion = (enum wf_criterion_id)c, lowest = bound;
     }
     return v;
@@ -43,8 +47,8 @@ double wf_verdict_safety(const struct wf_at_speed *at, enum wf_criterion_id *cri
     for (int c = 0; c < WF_CRITERIA && !at->status; c++) {
         double safety = at->worst[c][WF_SCOPE_STEM].safety;
         if (!wf_criteria[c].loses_tree || isnan(safety) || least <= safety) continue;
+        if (criterion && !(safety >= least * (1 - same))) *criterion = (enum wf_criterion_id)c;
         least = safety;
-        if (criterion) *criterion = (enum wf_criterion_id)c;
     }
     return least;
 }
@@ -66,7 +70,10 @@ bool wf_verdict_lost(const struct wf_verdict *v, const struct wf_at_speed *at)
 const char *wf_verdict_unassessed(const struct wf_analysis *an, const struct wf_verdict *v,
                                   enum wf_criterion_id c)
 {
-    if (!wf_criteria[c].loses_tree || v->assessed[c]) return NULL;
+    const struct wf_criterion *x = &wf_criteria[c];
+    if (!x->loses_tree || v->assessed[c]) return NULL;
+    if (c != WF_BREAKAGE && x->section)
+        return c != WF_TORSION && wf_criterion_applies(x, &an->tree, WF_SCOPE_STEM) ? x->wants : NULL;
     if (c == WF_OVERTURNING && !an->anchorage) return WF_ANCHORAGE_UNSAID;
     if (c == WF_OVERTURNING && !an->anchorage->method) return an->anchorage->text;
     return wf_criteria[c].whole ? "the root's row is not credible as drawn" : "strength unknown";
@@ -89,7 +96,9 @@ static struct wf_worst worst_of_row(const struct wf_tree *t, const struct wf_at_
 {
     struct wf_worst worst = { .safety = NAN, .row = -1 };
     for (int c = 0; c < WF_CRITERIA; c++) {
-        double place = 0, safety = wf_criteria[c].safety(t, &at->response, &at->breakage, i, &place);
+        const struct wf_criterion *x = &wf_criteria[c];
+        if (!x->loses_tree) continue;
+        double place = 0, safety = wf_criterion_safety(x, t, &at->response, &at->breakage, i, &place);
         if (isnan(safety) || worst.safety <= safety) continue;
         worst = (struct wf_worst){ .safety = safety, .row = (int32_t)i, .place = place };
         *criterion = (enum wf_criterion_id)c;

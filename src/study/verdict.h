@@ -27,7 +27,8 @@ double wf_verdict_safety(const struct wf_at_speed *at, enum wf_criterion_id *cri
 const struct wf_at_speed *wf_verdict_wind(const struct wf_analysis *an);
 /* Is the tree lost below this wind? */
 bool wf_verdict_lost(const struct wf_verdict *v, const struct wf_at_speed *at);
-/* Why a criterion that loses the tree was not assessed; NULL: it was. */
+/* Why a criterion that loses the tree was not assessed; of a section, the key that the species table lacks.
+ * NULL: it was, or there is nothing that it applies to. */
 const char *wf_verdict_unassessed(const struct wf_analysis *an, const struct wf_verdict *v,
                                   enum wf_criterion_id c);
 
