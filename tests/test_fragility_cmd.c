@@ -18,7 +18,7 @@ static void prints_and_writes(void **state)
           "wc "
           "-l <$T/f/tables/samples.csv; head -1 $T/f/tables/fragility.csv",
           CODE_OK,
-          { "the stem breaks at about 28 m/s mean, ", "(90 % of 40 samples)", "\n102\n41\n",
+          { "the stem breaks at about 18 m/s mean, ", "(90 % of 40 samples)", "\n102\n41\n",
             "wind_m_s,gust_m_s,share_lost,share_low,share_high,lognormal" } },
         { "$W fragility moso_bamboo $M --samples 40 --no-report -q -o $T/f; cut -d, -f1,3 "
           "$T/f/tables/tornado.csv",
@@ -38,7 +38,7 @@ static void prints_and_writes(void **state)
           { "0\n1\n" } },
         { "$W analyze moso_bamboo $RUN; grep -c '\"interval\"' $T/out/results.json",
           CODE_OK,
-          { "28 m/s mean", "safety of the stem at 10 m/s", "most of it by modulus_of_rupture",
+          { "18 m/s mean", "safety of the stem at 10 m/s", "most of it by ",
             "value-decides" } },
         { "$W analyze moso_bamboo $RUN --samples 0; grep -c '\"interval\"' $T/out/results.json",
           CODE_RUN, /* of grep */
@@ -46,7 +46,7 @@ static void prints_and_writes(void **state)
         { "$W compare moso_bamboo weeping_willow $RUN --samples 20; grep -c '\"interval\"' "
           "$T/out/results.json",
           CODE_OK,
-          { "28 m/s mean", "11 m/s mean", "(90 % of 20 samples)", "\n2\n" } },
+          { "18 m/s mean", "11 m/s mean", "(90 % of 20 samples)", "\n2\n" } },
         /* what is not computed where nothing is said, and how to get it */
         { "$W analyze oak --model broadleaf --wind 10 --no-report -o $T/b --search-time 1 | grep lost; true",
           CODE_OK,

@@ -253,6 +253,7 @@ void wf_tree_scale(struct wf_tree *t, double length, double radius)
         for (size_t k = 0; k < WF_COUNT(longer); k++) longer[k][i] *= length;
         for (size_t k = 0; k < WF_COUNT(thicker); k++) thicker[k][i] *= radius;
         for (size_t k = 0; k < WF_COUNT(thinner); k++) thinner[k][i] /= length;
+        if (t->section && t->section->side0) t->section->side0[i] /= length, t->section->side1[i] /= length;
         for (size_t k = 0; t->bend && k < 3; k++) t->bend[3 * i + k] /= length;
     }
 }

@@ -205,6 +205,8 @@ static bool acts(const struct wf_spread *row, const struct wf_analysis *an)
     switch (row->place) {
     case WF_SPREAD_GUSTS:
         return wf_peak_differs(an->peak);
+    case WF_SPREAD_RADIUS:
+        return !an->tree.section; /* sections with cavities stay as they were measured */
     case WF_SPREAD_LEAVES:
         return an->model->leaf_area > 0.0 && !area;
     case WF_SPREAD_AREA:
