@@ -8,6 +8,7 @@
 <xsl:include href="verdict.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
+<xsl:include href="interval.xsl"/>
 <xsl:include href="criteria.xsl"/>
 <xsl:include href="directions.xsl"/>
 <xsl:include href="cavities.xsl"/>
@@ -205,6 +206,18 @@
   </figure>
 </xsl:template>
 
+<!-- How sure the critical wind of each tree is. -->
+<xsl:template name="intervals">
+  <h3><xsl:call-template name="say"><xsl:with-param name="id">h.interval</xsl:with-param></xsl:call-template></h3>
+  <xsl:for-each select="$trees/interval">
+    <xsl:variable name="whose"><xsl:call-template name="name"><xsl:with-param name="tree" select=".."/></xsl:call-template></xsl:variable>
+    <p><xsl:call-template name="iv-words"><xsl:with-param name="name" select="$whose"/></xsl:call-template></p>
+    <xsl:call-template name="iv-safety"><xsl:with-param name="name" select="$whose"/></xsl:call-template>
+    <xsl:call-template name="iv-tornado"><xsl:with-param name="name" select="$whose"/></xsl:call-template>
+  </xsl:for-each>
+  <p><xsl:call-template name="say"><xsl:with-param name="id">iv.note</xsl:with-param></xsl:call-template></p>
+</xsl:template>
+
 <!-- The lowest modes of each tree in still air. -->
 <xsl:template name="modes-table">
   <table class="data">
@@ -319,6 +332,7 @@
         <xsl:call-template name="result-tables"/>
         <xsl:call-template name="criteria-table"/>
         <xsl:for-each select="$trees"><xsl:call-template name="anchorage-note"/></xsl:for-each>
+        <xsl:if test="$trees/interval"><xsl:call-template name="intervals"/></xsl:if>
         <xsl:if test="$trees/verdict/thicknesses/item"><xsl:call-template name="branch-table"/></xsl:if>
         <xsl:if test="$trees/cavities/item"><xsl:call-template name="cavity-tables"/></xsl:if>
         <xsl:if test="$trees/modes"><xsl:call-template name="modes-table"/></xsl:if>

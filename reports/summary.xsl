@@ -490,7 +490,8 @@
             <xsl:otherwise><xsl:call-template name="verdict"/><xsl:call-template name="unassessed"/></xsl:otherwise>
           </xsl:choose>
         </b>
-        <xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="voids"/>
+        <xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="iv-brief"/>
+        <xsl:call-template name="voids"/>
       </p>
     </xsl:for-each>
   </div>

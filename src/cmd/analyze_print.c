@@ -10,6 +10,7 @@
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
+#include "study/interval.h"
 #include "study/peak.h"
 #include "study/verdict.h"
 #include "study/wetted.h"
@@ -361,6 +362,70 @@ static void print_found(FILE *to, const struct wf_critical *c)
         wf_show(to, "%s", wf_critical_text(c->outcome));
 }
 
+static void print_speed_to(FILE *to, int digits, double x, double end, const char *before)
+{
+    if (isfinite(x))
+        wf_show(to, "%s%.*f", before, digits, x);
+    else
+        wf_show(to, "%sabove %.4g", before, end);
+}
+
+/* The values that move the critical wind most, each alone. */
+static void print_tornado(FILE *to, const struct wf_interval *i)
+{
+    enum { SHOWN = 3 };
+    bool shown[WF_VARIED_MAX] = { false };
+    wf_show(to, "  most of it by");
+    for (size_t n = 0; n < SHOWN && n < i->variation.n; n++) {
+        size_t best = 0;
+        double widest = -1.0;
+        for (size_t k = 0; k < i->variation.n; k++) {
+            double from = fmin(i->arm[k].at_low, i->searched_to),
+                   to_ = fmin(i->arm[k].at_high, i->searched_to);
+            if (!shown[k] && fabs(to_ - from) > widest) widest = fabs(to_ - from), best = k;
+        }
+        const struct wf_varied *v = &i->variation.varied[best];
+        shown[best] = true;
+        wf_show(to, "%s %s%s", n ? ";" : "", wf_varied_prefix(v), v->name);
+        print_speed_to(to, 0, fmin(i->arm[best].at_low, i->arm[best].at_high), i->searched_to, " (");
+        print_speed_to(to, 0, fmax(i->arm[best].at_low, i->arm[best].at_high), i->searched_to, " to ");
+        wf_show(to, ")");
+    }
+    wf_show(to, "\n");
+}
+
+static void print_safeties(FILE *to, const struct wf_interval *i, bool rooted)
+{
+    enum { SHOWN = 3 };
+    for (size_t k = 0; k < i->winds; k++) {
+        if (i->winds > SHOWN && k && k + 1 < i->winds) continue;
+        if (!k) wf_show(to, "  safety of the stem%s", rooted ? " and root" : "");
+        wf_show(to, "%s at %.4g m/s %.1f to %.1f", k ? ";" : "", i->at[k].speed, i->at[k].low, i->at[k].high);
+    }
+    wf_show(to, i->winds ? "\n" : "");
+}
+
+void wf_print_interval(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_interval *i = an->interval;
+    if (!i) return;
+    int digits = wf_interval_decimals(i->low, i->high);
+    double times = wf_scenario_gust(&an->scenario, 1.0);
+    bool rooted = wf_interval_rooted(an);
+    print_speed_to(to, digits, i->middle, i->searched_to,
+                   rooted ? "  how sure: the tree is lost at about "
+                          : "  how sure: the stem breaks at about ");
+    print_speed_to(to, digits, i->low, i->searched_to, " m/s mean, ");
+    print_speed_to(to, digits, i->high, i->searched_to, " to ");
+    wf_show(to, " (90 %% of %zu samples)", i->n);
+    print_speed_to(to, digits, times * i->middle, times * i->searched_to, "; 3-s gust ");
+    print_speed_to(to, digits, times * i->low, times * i->searched_to, ", ");
+    print_speed_to(to, digits, times * i->high, times * i->searched_to, " to ");
+    wf_show(to, "\n");
+    print_safeties(to, i, rooted);
+    print_tornado(to, i);
+}
+
 static void print_wetted(FILE *to, const struct wf_wetted *w)
 {
     if (!w) return;
@@ -463,6 +528,7 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
 {
     print_verdict(to, an);
     print_criteria(to, an);
+    wf_print_interval(to, an);
     print_branches(to, an);
     wf_print_walls(to, an);
     print_wetted(to, an->winter);

@@ -16,6 +16,7 @@
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
+#include "study/interval.h"
 #include "study/preset.h"
 #include "study/wetted.h"
 #include "wind/climate.h"
@@ -43,6 +44,7 @@ struct analyze_options {
     double air_density;             /* [kg m-3]; NAN: from the two above         */
     double search_to, search_time;  /* [m/s], NAN: the library's default; [s]    */
     double mesh_tolerance;          /* [-]                                       */
+    size_t samples, seed;           /* of the interval */
     const char *weight_stress;      /* "total" or "change"                        */
     double snow, snow_density, ice; /* [m], [kg m-3], [m]; NAN: not given        */
     struct wf_water_asked water;
@@ -72,6 +74,18 @@ static bool mesh_unused(const void *options, const struct wf_option *row, char *
     (void)row;
     return s && wf_option_unused(s->unmeshed, why,
                                  "with the solver '%s', which takes the segments as they are", s->name);
+}
+
+static bool samples_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    if (strcmp(o->preset, wf_presets[0].name) != 0)
+        return wf_option_unused(true, why, "with the preset '%s', which repeats a publication", o->preset);
+    if (s && !s->tracked)
+        return wf_option_unused(true, why, "with the solver '%s': its solutions have no slopes", s->name);
+    return wf_option_unused(o->shelter && strcmp(o->shelter, "none") != 0, why, "with --shelter");
 }
 
 static bool root_unused(const void *options, const struct wf_option *row, char *why)
@@ -172,6 +186,7 @@ const struct wf_option wf_analyze_options[] = {
     NUMBER("--search-time", search_time, "TIME", TIME, "s", 1, 1e6, "120",
            "processor time for the search of a critical speed, and again for the curves; what it leaves out "
            "is said"),
+    WF_SAMPLE_ROWS(samples_unused),
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
@@ -197,6 +212,7 @@ _Static_assert(WF_COUNT(wf_analyze_options) <= WF_OPTIONS_MAX, "more options tha
 struct request {
     struct wf_scenario scenario;
     struct wf_search search;
+    struct wf_interval_request interval; /* samples 0: none */
     struct wf_solve_options solve;
     const struct wf_solver *solver;
     const struct wf_preset *preset;
@@ -295,6 +311,8 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
     out->search.seconds = o->search_time;
     out->search.branches_from = o->branches_from;
+    out->interval = (struct wf_interval_request){ o->samples, o->seed, o->threads };
+    if ((status = wf_interval_check(&out->interval, e))) return status;
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;
@@ -452,6 +470,25 @@ static enum wf_status run_directions(struct work *w, struct wf_analysis *an, str
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
 }
 
+/* How sure the critical wind is, where there is no other end to the time it takes than being specified. */
+static enum wf_status run_interval(struct work *w, struct wf_analysis *an, struct wf_err *e)
+{
+    struct wf_interval *out = WF_TAKE(&w->arena, 1, struct wf_interval);
+    struct wf_err why = { 0 };
+    if (w->request.preset != wf_presets) return WF_OK; /* a publication is repeated as printed */
+    if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for an interval");
+    if (!wf_interval_due(an, &w->request.interval, WF_GIVEN(&w->options, samples), an->diag)) return WF_OK;
+    enum wf_status s = wf_interval_run(an, &w->request.solve, &w->request.interval, &w->arena, out, &why);
+    if (s == WF_EINTERRUPTED) {
+        wf_diag_warn(an->diag, "interrupted", "interrupted before the interval was computed");
+        return WF_OK;
+    }
+    if (s) return wf_fail(e, s, "%s", why.text);
+    an->interval = out;
+    wf_interval_warn(an, out, an->diag);
+    return WF_OK;
+}
+
 /* With rain on its leaves, or with snow or ice: the tree beside itself without. */
 static enum wf_status run_dry(struct work *w, struct wf_analysis *an, enum wf_burden burden, bool there,
                               const struct wf_wetted **to, struct wf_err *e)
@@ -507,6 +544,7 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
         if (!s) s = run_burdens(w, &w->analysis[k], e);
+        if (!s && !wf_interrupted()) s = run_interval(w, &w->analysis[k], e);
         if (!s && w->solved == k) speeds_solved(&w->analysis[k], w); /* interrupted before */
         wf_progress_clear();
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);

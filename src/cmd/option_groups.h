@@ -40,6 +40,14 @@ bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *w
     NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \
            "direction the wind blows towards, from +x towards +y")
 
+/* How many samples an interval has; into members samples and seed. `f`: when they have no effect. */
+#define WF_SAMPLE_ROWS(f)                                                                                    \
+    WHOLE("--samples", samples, 0, 4096, "256",                                                              \
+          "samples of what is not known exactly, for the interval of the critical wind: 0, none, or 20 and " \
+          "more. Where it is not given, none for trees of more than 65536 segments times samples",           \
+          .unused = f),                                                                                      \
+        WHOLE("--seed", seed, 0, 1000000000, "1", "of the samples", .unused = f)
+
 /* For the rows of a group: its struct, and when a row has no effect. */
 #define WF_UNUSED(in, f) .group = offsetof(OPTIONS, in), .unused = f
 bool wf_profile_row_unused(const void *options, const struct wf_option *o, char *why);

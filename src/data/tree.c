@@ -256,6 +256,20 @@ enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct 
     return bad ? wf_fail(e, WF_EINPUT, "%s: %zu of %zu segments are wrong", name, bad, t->n) : WF_OK;
 }
 
+void wf_tree_scale(struct wf_tree *t, double length, double radius)
+{
+    double *const longer[] = { t->x0, t->y0, t->z0, t->x1, t->y1, t->z1 };
+    double *const thicker[] = { t->r0, t->r1, t->i0, t->i1 };
+    double *const thinner[] = { t->sail0, t->sail1, t->leaf0, t->leaf1, t->burden0, t->burden1 };
+    for (size_t i = 0; i < t->n; i++) {
+        for (size_t k = 0; k < WF_COUNT(longer); k++) longer[k][i] *= length;
+        for (size_t k = 0; k < WF_COUNT(thicker); k++) thicker[k][i] *= radius;
+        for (size_t k = 0; k < WF_COUNT(thinner); k++) thinner[k][i] /= length;
+        if (t->section && t->section->side0) t->section->side0[i] /= length, t->section->side1[i] /= length;
+        for (size_t k = 0; t->bend && k < 3; k++) t->bend[3 * i + k] /= length;
+    }
+}
+
 const char *wf_scope_name(enum wf_scope s)
 {
     static const char *const names[WF_SCOPES] = { "tree", "stem", "branches" };

@@ -93,6 +93,10 @@ enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, str
 enum wf_status wf_tree_alloc_bark(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);
 enum wf_status wf_tree_alloc_hollow(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);
 
+/* Lengthen all axes about the origin and thicken them by factors; leaves, sail and burden stay the same in
+ * total. */
+void wf_tree_scale(struct wf_tree *t, double length, double radius);
+
 double wf_tree_height(const struct wf_tree *t);           /* highest point above the lowest base [m] */
 double wf_tree_length(const struct wf_tree *t, size_t i); /* arc length of row i [m] */
 

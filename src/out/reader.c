@@ -21,7 +21,8 @@ static const struct {
 } rows[] = {
     { COUNT, "across answers axes branch_count columns cylinder evaluations frames freedom full hole "
              "iterations keys number passes readings records resampled rows run segment segments size "
-             "slit starts starts_same transmitting up facets fell grid hits hung leaves merged missed ran "
+             "censored decimals left_out lost_in_still_air samples slit starts starts_same transmitting up "
+             "facets fell grid hits hung leaves merged missed ran "
              "scene springs vertices wood_hits" },
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
@@ -34,7 +35,7 @@ static const struct {
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
             "blocks modes budget criticals_m_s drags_N deflections_m frequencies_Hz moments_N_m speeds sways "
             "swing_m "
-            "table_share "
+            "lost_by safeties varied table_share "
             "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
@@ -55,6 +56,8 @@ static const struct {
               "euler_limit_s fallen_at_s "
               "frequency_Hz frequency_percent hanging_mg intensity_mm_h paper restoring_N_m "
               "ring_decrement ring_frequency_Hz spread_mm steps_a_second tests_a_way tip_percent "
+              "beta critical_at_high_m_s critical_at_low_m_s high_gust_m_s high_m_s low_gust_m_s low_m_s "
+              "median_m_s middle_gust_m_s middle_m_s searched_to_m_s "
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
               "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
@@ -74,6 +77,7 @@ static const struct {
       "base_moment "
       "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "
       "crown_top displacement drag exponent fit from governing_section gradient gravity "
+      "interval lognormal "
       "hours_a_year hours_a_year_10_min imbalance largest_stress leaf_area lean lean_azimuth "
       "least_safety lift load_factor main_from method moved north position provenance "
       "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "

@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "base/num.h"
 #include "data/species.h"
+#include "out/fragility.h"
 #include "out/inputs.h"
 #include "out/modes.h"
 #include "out/tree_picture.h"
@@ -275,6 +276,7 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     if (a->modes) wf_doc_put(d, o, "modes", wf_part_modes(d, a->modes));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));
+    if (a->interval) wf_doc_put(d, o, "interval", wf_part_interval(d, a));
     if (a->tree.section && a->tree.section->cavity) wf_doc_put(d, o, "cavities", wf_part_walls(d, a));
     if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));
     if (a->winter) wf_doc_put(d, o, "winter", wf_part_wetted(d, a->winter));

@@ -67,6 +67,7 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
 {
     enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
     if (s || (s = wf_tree_check(&an->tree, d, e))) return s;
+    if (an->misread) wf_tree_scale(&an->tree, an->misread->height, an->misread->radius);
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
     if (!s) s = anchor(an, a, e);

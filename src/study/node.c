@@ -66,6 +66,7 @@ struct sequence {
 struct wf_nodes {
     const struct wf_analysis *an;
     const struct wf_nodes *like; /* of the same tree in another wind direction; NULL: none */
+    bool kin;                    /* `like` is of a tree with other values */
     struct wf_arena arena;
     double deadline; /* of the process's time [s] */
     bool late;
@@ -95,6 +96,13 @@ struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nod
     k->like = like;
     if (like) take_still(k);
     wf_nodes_deadline(k, an->search.seconds);
+    return k;
+}
+
+struct wf_nodes *wf_nodes_open_kin(const struct wf_analysis *an, const struct wf_nodes *like)
+{
+    struct wf_nodes *k = wf_nodes_open(an, NULL);
+    if (k) k->like = like, k->kin = true;
     return k;
 }
 
@@ -165,10 +173,12 @@ static enum wf_status sequence_for(struct wf_nodes *k, const struct wf_solve_opt
     **out = (struct sequence){ .tolerance = o->mesh_tolerance, .speed = NAN, .options = *o };
     const struct sequence *like = NULL;
     for (int i = 0; k->like && i < TRACKS; i++)
-        if (k->like->sequence[i].tolerance == o->mesh_tolerance) like = &k->like->sequence[i];
-    if (like) (*out)->speed = 0.0;
+        if (k->like->sequence[i].track && k->like->sequence[i].tolerance == o->mesh_tolerance)
+            like = &k->like->sequence[i];
+    if (like) (*out)->speed = k->kin ? like->speed : 0.0;
     enum wf_status s =
         wf_track_open(&k->an->tree, &(*out)->options, like ? like->track : NULL, &(*out)->track, e);
+    if (!s && k->kin) wf_track_begin_at_last((*out)->track);
     if (s || !wf_peak_branches(k->an->peak)) return s;
     return wf_track_open(&k->an->tree, &(*out)->options, like ? like->branches : NULL, &(*out)->branches, e);
 }

@@ -54,6 +54,9 @@ enum { WF_NODES_MAX = 240 };
  * which outlive these and are not used meanwhile: their solutions in still air and their meshes are taken.
  * Errors: NULL, not enough memory. */
 struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nodes *like);
+/* The same for a tree whose rows differ from those of `like` in their values alone: the meshes are taken, and
+ * solutions start at its last one. */
+struct wf_nodes *wf_nodes_open_kin(const struct wf_analysis *an, const struct wf_nodes *like);
 void wf_nodes_close(struct wf_nodes *k);                    /* NULL is allowed */
 void wf_nodes_deadline(struct wf_nodes *k, double seconds); /* from now */
 bool wf_nodes_late(const struct wf_nodes *k); /* the deadline has passed: it stays so once said */

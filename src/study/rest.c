@@ -228,8 +228,9 @@ static enum wf_status set_up_shape(struct wf_analysis *an, const struct wf_solve
     if (!an->solver->stands) return unload(an, o, a, d, e);
     enum wf_status s = stand(an, a, e);
     if (!s) s = make_firm(an, o, a, d, e);
-    if (!s) s = find_still(an, o, a, e);
-    return s ? s : doubt(an, &an->still->response, &an->still->breakage, a, d, e);
+    if (an->misread) an->tree.doubtful = an->misread->doubtful;
+    if (!s && (!an->misread || an->scenario.weight_unstressed)) s = find_still(an, o, a, e);
+    return s || an->misread ? s : doubt(an, &an->still->response, &an->still->breakage, a, d, e);
 }
 
 enum wf_status wf_rest_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,

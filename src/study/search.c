@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Critical wind speeds of an analysis, by criterion and part of the tree; declared in analysis.h. */
 #include "base/parallel.h"
-#include "data/species.h"
 #include "fail/crossing.h"
 #include "study/analysis.h"
 #include "study/node.h"

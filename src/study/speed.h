@@ -92,12 +92,19 @@ struct wf_still {
 struct wf_directions;
 struct wf_wetted;
 struct wf_sway_modes;
+struct wf_interval;
+/* How a sample of a tree differs from the tree as measured. */
+struct wf_misread {
+    double radius, height; /* factors on all its radii; on all its lengths [-] */
+    bool *doubtful;        /* rows in doubt of the tree as measured (struct wf_tree), also of the sample */
+};
 struct wf_analysis {
     const struct wf_species *species;
     const struct wf_model *model;
     const struct wf_solver *solver;
     struct wf_scenario scenario;
-    struct wf_search search; /* of critical speeds, also of those by direction */
+    struct wf_search search;          /* of critical speeds, also of those by direction */
+    const struct wf_misread *misread; /* of the tree that is grown; NULL: none */
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
@@ -116,6 +123,7 @@ struct wf_analysis {
     const struct wf_wetted *wetted;         /* beside the dry tree (study/wetted.h); NULL: no water    */
     const struct wf_wetted *winter;         /* the same of snow and ice; NULL: none                    */
     const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
+    const struct wf_interval *interval;     /* how sure (study/interval.h); NULL: not computed */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */
 };
