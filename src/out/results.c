@@ -2,7 +2,6 @@
 #include "out/results.h"
 #include "base/file.h"
 #include "base/num.h"
-#include "data/species.h"
 #include "out/fragility.h"
 #include "out/inputs.h"
 #include "out/modes.h"

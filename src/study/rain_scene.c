@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/rain_scene.h"
+#include "data/species.h"
 #include "base/num.h"
 #include "base/vec3.h"
 #include "solve/prism_rest.h"

@@ -2,7 +2,9 @@
 #ifndef WF_STUDY_RAIN_SCENE_H
 #define WF_STUDY_RAIN_SCENE_H
 /* A branch with leaves on petioles as prisms, with blades that drops hit: the scene of Yang & Wu 2011. */
-#include "data/species.h"
+struct wf_species;
+struct wf_level;
+struct wf_tree;
 #include "grow/leaf_blade.h"
 #include "load/hits.h"
 #include "load/leaf_water.h"
