@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/rain_departures.h"
 #include "base/num.h"
+#include "data/species.h"
 #include "load/drop_shape.h"
 #include <math.h>
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/rain_scene.h"
-#include "data/species.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "data/species.h"
 #include "solve/prism_rest.h"
 #include <math.h>
 #include <string.h>
