@@ -101,6 +101,12 @@ static void commands(void **state)
           "same",
           CODE_OK,
           { "0", "same" } },
+        /* snow and ice beside the tree without: mass 917 pi b (d + b) of the axes and 2 b of the leaves */
+        { "$W analyze oak -m culm --wind 10 --ice 0.02mm --no-report -o $T/ice && grep -A1 winter "
+          "$T/ice/results.json",
+          CODE_OK,
+          { "snow and ice: 0.6", "without -> with: sways at 0.2", "at 10 m/s drag ",
+            "\"mass_kg\": 0.6" } },
         { "$W analyze oak -m culm --wind 10 --season leaf_off --water-film 0.3mm --no-report -o $T/bare",
           CODE_INPUT,
           { "no leaves that could hold rain" } },

@@ -6,6 +6,7 @@
 #include "data/model.h"
 #include "data/species.h"
 #include "fail/anchorage.h"
+#include "grow/silhouette.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
@@ -33,6 +34,7 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
     const struct wf_at_speed *at = &d->at[an->n - 1];
     wf_show(to, "%8g", degrees(d->from));
     print_cell(to, 13, 3, at->base_moment / 1e3);
+    print_cell(to, 8, 2, d->gusts[an->n - 1]);
     print_cell(to, 11, 3, at->tip_deflection);
     print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
     print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
@@ -51,7 +53,7 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
 static void print_climate(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_directions *x = an->directions;
-    wf_show(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
+    wf_show(to, "%-*s", x->request.speed_up ? 93 : 83, "     all, hours a year");
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
     wf_show(to,
@@ -75,10 +77,11 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
         wf_show(to, "+y, east +x of the model\n");
     else
         wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
-    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
-            "breaks", "tree lost", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
-    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
-            site ? "          " : "", rose ? "  above: mean      10 min" : "");
+    wf_show(to, "%8s%13s%8s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "gusts", "tip moves", "safety",
+            "critical", "breaks", "tree lost", site ? "  exposure" : "",
+            rose ? "  hours/year with wind" : "");
+    wf_show(to, "%8s%13s%8s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "x load", "m", "factor", "wind m/s",
+            "at m", "m/s", site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
     if (rose) print_climate(to, an);
     const struct wf_wind_place place = wf_scenario_place(&an->scenario);
@@ -309,11 +312,21 @@ void wf_print_site(FILE *to, const struct wf_scenario *s)
     fputc('\n', to);
 }
 
+/* The crown's outline, so that a wrong scale is seen. */
+static void print_crown(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_outline_size seen = wf_silhouette_size(an->model, an->tallness);
+    if (isnan(seen.centre)) return;
+    wf_show(to, "Crown from the side: %.4g m2, its centre at %.4g m; %.4g m broad over %.4g m of height\n",
+            seen.area, seen.centre, seen.breadth, seen.height);
+}
+
 void wf_print_head(FILE *to, const struct wf_analysis *first)
 {
     const struct wf_scenario *s = &first->scenario;
     wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
+    print_crown(to, first);
     wf_print_site(to, s);
     wf_show(to, "Peak load: %s", first->peak ? first->peak->method->name : "mean");
     if (first->peak && first->peak->rule) wf_show(to, ", terrain %s", first->peak->rule->called(s->category));
@@ -416,11 +429,15 @@ void wf_print_interval(FILE *to, const struct wf_analysis *an)
 static void print_wetted(FILE *to, const struct wf_wetted *w)
 {
     if (!w) return;
-    wf_show(to, "  rain on the leaves: %.4g kg, %.3g mm on %.4g m2; dry -> wet: ", w->mass, w->film,
-            w->leaf_area);
+    if (w->film > 0)
+        wf_show(to, "  rain on the leaves: %.4g kg, %.3g mm on %.4g m2; dry -> wet: ", w->mass, w->film,
+                w->leaf_area);
+    else
+        wf_show(to, "  snow and ice: %.4g kg; without -> with: ", w->mass);
     wf_show(to, "sways at %.4f -> %.4f Hz, ", w->frequency[WF_DRY], w->frequency[WF_WET]);
     if (isfinite(w->speed))
-        wf_show(to, "base moment at %.4g m/s %.4g -> %.4g kN m, ", w->speed, w->moment[WF_DRY] / 1000,
+        wf_show(to, "at %.4g m/s drag %.4g -> %.4g kN, base moment %.4g -> %.4g kN m, ", w->speed,
+                w->drag[WF_DRY] / 1000, w->drag[WF_WET] / 1000, w->moment[WF_DRY] / 1000,
                 w->moment[WF_WET] / 1000);
     wf_show(to, "critical ");
     print_found(to, &w->critical[WF_DRY]);
@@ -514,6 +531,7 @@ void wf_print_searched(FILE *to, const struct wf_analysis *an)
     wf_print_interval(to, an);
     print_branches(to, an);
     wf_print_walls(to, an);
+    print_wetted(to, an->winter);
     print_wetted(to, an->wetted);
     print_directions(to, an);
 }

@@ -12,7 +12,6 @@
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"
-#include "load/interception.h"
 #include "out/results.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
@@ -40,16 +39,15 @@ struct analyze_options {
     const char *output, *solver, *preset, *shelter, *branch_strength;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
-    double azimuth, north;           /* [rad]                                     */
-    double temperature, altitude;    /* [K], [m]                                  */
-    double air_density;              /* [kg m-3]; NAN: from the two above         */
-    double search_to, search_time;   /* [m/s], NAN: the library's default; [s]    */
-    double mesh_tolerance;           /* [-]                                       */
-    size_t samples, seed;            /* of the interval */
-    const char *storage;             /* row of wf_storages                         */
-    const char *weight_stress;       /* "total" or "change"                        */
-    double snow, snow_density, ice;  /* [m], [kg m-3], [m]; NAN: not given        */
-    double water_film, rain;         /* [m], [m/s]; NAN: not given                */
+    double azimuth, north;          /* [rad]                                     */
+    double temperature, altitude;   /* [K], [m]                                  */
+    double air_density;             /* [kg m-3]; NAN: from the two above         */
+    double search_to, search_time;  /* [m/s], NAN: the library's default; [s]    */
+    double mesh_tolerance;          /* [-]                                       */
+    size_t samples, seed;           /* of the interval */
+    const char *weight_stress;      /* "total" or "change"                        */
+    double snow, snow_density, ice; /* [m], [kg m-3], [m]; NAN: not given        */
+    struct wf_water_asked water;
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     double branches_from;            /* [m]                                       */
     struct wf_pages pages;
@@ -130,25 +128,10 @@ static bool density_unused(const void *options, const struct wf_option *row, cha
                             p ? p->name : "");
 }
 
-static bool rain_unused(const void *options, const struct wf_option *row, char *why)
-{
-    (void)row;
-    return wf_option_unused(!isnan(((const struct analyze_options *)options)->water_film), why,
-                            "beside --water-film");
-}
-
-static const char *storage_word(size_t i) { return wf_storages[i].name; }
-
 static bool snow_unused(const void *options, const struct wf_option *row, char *why)
 {
     (void)row;
     return wf_option_unused(isnan(((const struct analyze_options *)options)->snow), why, "without --snow");
-}
-
-static bool storage_unused(const void *options, const struct wf_option *row, char *why)
-{
-    (void)row;
-    return wf_option_unused(isnan(((const struct analyze_options *)options)->rain), why, "without --rain");
 }
 
 #define OPTIONS struct analyze_options
@@ -218,21 +201,12 @@ const struct wf_option wf_analyze_options[] = {
            "of the snow; 150 kg/m3 as in ForestGALES", .unused = snow_unused),
     NUMBER("--ice", ice, "THICKNESS", LENGTH, "mm", 0, 200, NULL,
            "radial thickness of ice on all axes and leaves: added mass, and thicker axes in the wind"),
-    NUMBER("--water-film", water_film, "DEPTH", LENGTH, "mm", 0, 5, NULL,
-           "rain held by the leaves, per one-sided leaf area: added mass; the tree is compared with the dry "
-           "one"),
-    NUMBER("--rain", rain, "RATE", SPEED, "mm/h", 0, 3600, NULL,
-           "rain that has filled what leaves can hold, see --storage; heavier rain fills it sooner",
-           .unused = rain_unused),
-    WORD("--storage", storage, "NAME", storage_word, "watergap",
-         "water that leaves hold per one-sided area: watergap 0.3 mm, dipped 0.19 mm, simulator-least 0.51 "
-         "mm, "
-         "simulator-most 1.81 mm",
-         .unused = storage_unused),
+    WF_WATER_ROWS(water),
     WF_PAGE_ROWS("--no-report", pages, "write results and tables only"),
     WF_QUIET_ROW,
     { 0 },
 };
+_Static_assert(WF_COUNT(wf_analyze_options) <= WF_OPTIONS_MAX, "more options than a command can have");
 
 /* The options, converted to structs of the library. */
 struct request {
@@ -324,8 +298,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;
-    if (o->rain > 0) s->water = wf_storage_named(o->storage)->film;
-    if (!isnan(o->water_film)) s->water = o->water_film * 1000; /* 1 mm over 1 m2 is 1 kg */
+    s->water = wf_water_asked_film(&o->water);
     s->temperature = o->temperature;
     s->altitude = o->altitude;
     s->air_density = o->air_density;
@@ -497,26 +470,30 @@ static enum wf_status run_directions(struct work *w, struct wf_analysis *an, str
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
 }
 
-/* With rain on its leaves: the tree beside the dry one. */
-static enum wf_status run_dry(struct work *w, struct wf_analysis *an, struct wf_err *e)
+/* With rain on its leaves, or with snow or ice: the tree beside itself without. */
+static enum wf_status run_dry(struct work *w, struct wf_analysis *an, enum wf_burden burden, bool there,
+                              const struct wf_wetted **to, struct wf_err *e)
 {
-    if (!(an->scenario.water > 0) || wf_interrupted()) return WF_OK;
+    if (!there || wf_interrupted()) return WF_OK;
     struct wf_wetted *out = WF_TAKE(&w->arena, 1, struct wf_wetted);
     struct wf_err why = { 0 };
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for the dry tree");
-    enum wf_status s = wf_wetted_compare(an, &w->request.solve, &w->arena, out, &why);
+    enum wf_status s = wf_wetted_compare(an, burden, &w->request.solve, &w->arena, out, &why);
     if (s == WF_EINTERRUPTED) {
         wf_diag_warn(an->diag, "interrupted", "interrupted before the dry tree was computed");
         return WF_OK;
     }
-    if (!s) an->wetted = out;
-    if (!s && w->options.rain > 0)
-        wf_diag_warn(
-            an->diag, "water-storage",
-            "the leaves are taken to hold %.3g mm (%s); sources differ five- to tenfold, --storage and "
-            "--water-film try others",
-            out->film, wf_storage_named(w->options.storage)->source);
+    if (!s) *to = out;
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
+}
+
+static enum wf_status run_burdens(struct work *w, struct wf_analysis *an, struct wf_err *e)
+{
+    const struct wf_scenario *s = &an->scenario;
+    if (run_dry(w, an, WF_BURDEN_WINTER, s->snow > 0 || s->ice > 0, &an->winter, e)) return e->code;
+    if (run_dry(w, an, WF_BURDEN_RAIN, s->water > 0, &an->wetted, e)) return e->code;
+    if (an->wetted) wf_water_asked_warn(&w->options.water, an->diag);
+    return WF_OK;
 }
 
 /* Was tree k interrupted? The first one is kept as far as it came; a later one has not what the first has and
@@ -547,7 +524,7 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
                                       w->request.solver, &w->request.solve, w->options.wind.speed,
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
-        if (!s) s = run_dry(w, &w->analysis[k], e);
+        if (!s) s = run_burdens(w, &w->analysis[k], e);
         if (!s && preset == wf_presets) /* others repeat a publication as printed */
             s = wf_interval_take(&w->analysis[k], &w->request.solve, &w->request.interval,
                                  WF_GIVEN(&w->options, samples), &w->arena, e);

@@ -2,10 +2,13 @@
 #include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
+#include "data/crown_mass.h"
 #include "fail/anchorage.h"
 #include "fail/fail.h"
 #include "grow/grow.h"
+#include "grow/outline_svg.h"
 #include "grow/silhouette.h"
+#include "load/interception.h"
 #include "solve/solve.h"
 #include "study/peak.h"
 #include "study/preset.h"
@@ -25,6 +28,31 @@ const char *wf_site_word(size_t i) { return wf_site_kinds[i].name; }
 const char *wf_design_word(size_t i) { return wf_designs[i].name; }
 const char *wf_peak_word(size_t i) { return wf_peak_methods[i].name; }
 const char *wf_import_word(size_t i) { return wf_import_formats[i].name; }
+const char *wf_storage_word(size_t i) { return wf_storages[i].name; }
+
+bool wf_water_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_water_asked *w = (const void *)((const char *)options + o->group);
+    if (o->member - o->group == offsetof(struct wf_water_asked, storage))
+        return wf_option_unused(isnan(w->rain), why, "without --rain");
+    return wf_option_unused(!isnan(w->film), why, "beside --water-film");
+}
+
+double wf_water_asked_film(const struct wf_water_asked *w)
+{
+    if (!isnan(w->film)) return w->film * 1000; /* 1 mm over 1 m2 is 1 kg */
+    return w->rain > 0 ? wf_storage_named(w->storage)->film : 0;
+}
+
+void wf_water_asked_warn(const struct wf_water_asked *w, struct wf_diag *d)
+{
+    if (!isnan(w->film) || !(w->rain > 0)) return;
+    const struct wf_storage *storage = wf_storage_named(w->storage);
+    wf_diag_warn(d, "water-storage",
+                 "the leaves are taken to hold %.3g mm (%s); sources differ five- to tenfold, --storage and "
+                 "--water-film try others",
+                 storage->film, storage->source);
+}
 
 bool wf_profile_row_unused(const void *options, const struct wf_option *o, char *why)
 {
@@ -44,10 +72,19 @@ bool wf_site_row_unused(const void *options, const struct wf_option *o, char *wh
     return wf_option_unused(at && !w->design.terrain && !w->site, why, "without --terrain or --site");
 }
 
+static bool is_svg(const char *path)
+{
+    size_t n = path ? strlen(path) : 0;
+    return n > 4 && !strcasecmp(path + n - 4, ".svg");
+}
+
 bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *why)
 {
     const struct wf_tree_asked *t = (const void *)((const char *)options + o->group);
     size_t member = o->member - o->group;
+    if (member == offsetof(struct wf_tree_asked, outline_base) ||
+        member == offsetof(struct wf_tree_asked, outline_top))
+        return wf_option_unused(!is_svg(t->outline), why, "without an SVG file (--crown-outline FILE.svg)");
     if (member == offsetof(struct wf_tree_asked, joint) || member >= offsetof(struct wf_tree_asked, scan))
         return wf_option_unused(t->model && !t->file, why, "with --model; it is of a measured tree (--tree)");
     return wf_option_unused(t->file && isnan(t->leaf_area) && isnan(t->crown.area) && isnan(t->crown.width) &&
@@ -215,12 +252,18 @@ static enum wf_status take_crown(const struct wf_tree_asked *t, struct wf_arena 
     const struct wf_silhouette *c = &t->crown;
     bool area = c->area > 0 || c->width > 0 || c->depth > 0 || t->outline;
     if (area) out->area = c->area, out->width = c->width, out->depth = c->depth, out->points = 0;
-    if (c->mass > 0 || c->density > 0) out->mass = c->mass, out->density = c->density;
+    bool heavy = c->mass > 0 || c->density > 0 || c->by;
+    if (heavy) out->mass = c->mass, out->density = c->density, out->by = c->by;
+    if (c->by && wf_crown_rule_check(c->by, e)) return e->code;
     if (!isnan(c->leafless)) out->leafless = c->leafless;
     for (int k = 0; t->crown_form && wf_crown_form_words[k]; k++)
         if (!strcmp(t->crown_form, wf_crown_form_words[k])) out->form = (enum wf_crown_form)k;
-    enum wf_status s = t->outline ? wf_outline_read(t->outline, out, a, d, e) : WF_OK;
-    if (s || !(area || c->mass > 0 || c->density > 0)) return s;
+    enum wf_status s = WF_OK;
+    if (is_svg(t->outline))
+        s = wf_outline_svg_read(t->outline, t->outline_base, t->outline_top, out, a, e);
+    else if (t->outline)
+        s = wf_outline_read(t->outline, out, a, d, e);
+    if (s || !(area || heavy)) return s;
     if (t->crown_form && !(out->width > 0))
         return wf_fail(e, WF_EUSAGE, "--crown-form needs --crown-width and --crown-depth");
     return wf_silhouette_check(out, e);

@@ -20,7 +20,7 @@ const char *wf_branch_strength_word(size_t i);
     WORD("--branch-strength", in, "HOW", wf_branch_strength_word, NULL,                                      \
          "what branches bear at most, over the clear wood of the stem: full: what the species table says; "  \
          "inside-bark 0.72; over-bark 0.55; over-bark-circle 0.40, where one diameter was measured "         \
-         "[over-bark; full with the preset or the table of a paper]")
+         "[over-bark, inside-bark where bark is taken off; full with the preset or the table of a paper]")
 const char *wf_profile_word(size_t i);
 const char *wf_site_word(size_t i);
 const char *wf_design_word(size_t i);
@@ -151,6 +151,30 @@ bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *wh
 enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset, struct wf_arena *a,
                                   struct wf_diag *d, struct wf_scenario *out, struct wf_err *e);
 
+/* Water that rain leaves on the leaves of a tree. */
+struct wf_water_asked {
+    const char *storage; /* row of wf_storages                */
+    double film, rain;   /* [m], [m/s]; NAN: not given        */
+};
+const char *wf_storage_word(size_t i);
+bool wf_water_row_unused(const void *options, const struct wf_option *o, char *why);
+#define WF_OF_WATER(in) WF_UNUSED(in, wf_water_row_unused)
+#define WF_WATER_ROWS(in)                                                                                    \
+    NUMBER("--water-film", in.film, "DEPTH", LENGTH, "mm", 0, 5, NULL,                                       \
+           "rain held by the leaves, per one-sided leaf area: added mass; the tree is compared with the "    \
+           "dry one"),                                                                                       \
+        NUMBER("--rain", in.rain, "RATE", SPEED, "mm/h", 0, 3600, NULL,                                      \
+               "rain that has filled what leaves can hold, see --storage; heavier rain fills it sooner",     \
+               WF_OF_WATER(in)),                                                                             \
+        WORD("--storage", in.storage, "NAME", wf_storage_word, "watergap",                                   \
+             "water that leaves hold per one-sided area: watergap 0.3 mm, dipped 0.19 mm, simulator-least "  \
+             "0.51 mm, simulator-most 1.81 mm",                                                              \
+             WF_OF_WATER(in))
+/* Water per one-sided leaf area that these words mean [kg m-2]; 0: dry. */
+double wf_water_asked_film(const struct wf_water_asked *w);
+/* Where it is a storage: a warning that says whose. */
+void wf_water_asked_warn(const struct wf_water_asked *w, struct wf_diag *d);
+
 /* What is said of soil and root. */
 struct wf_anchorage_asked {
     const char *soil, *rooting, *method; /* NULL: not given */
@@ -254,6 +278,7 @@ struct wf_tree_asked {
     const char *season;               /* "leaf_on" or "leaf_off"; NULL: the model's      */
     struct wf_silhouette crown;       /* in place of the model's; NAN: not given */
     const char *crown_form, *outline; /* NULL: not given                         */
+    double outline_base, outline_top; /* heights of an SVG's lowest and highest point [m]; NAN: not given */
     bool unload, strict;
     const char *rest;    /* "as-drawn" or "stress-free"; NULL: a measured tree as drawn, a model as it says */
     const char *scanned; /* "leaf_on" or "leaf_off"; NULL: as the season */
@@ -296,12 +321,21 @@ struct wf_tree_asked {
         PATH(                                                                                                \
             "--crown-outline", in.outline, "FILE", NULL,                                                     \
             "the crown's outline on a photograph, in place of --frontal-area: a table with the columns x_m " \
-            "and z_m (height above the ground), a point a row"),                                             \
+            "and z_m (height above the ground), a point a row, or an SVG file with one closed path"),        \
+        NUMBER("--outline-base", in.outline_base, "HEIGHT", LENGTH, "m", 0, 150, NULL,                       \
+               "of the lowest point of an SVG's outline above the ground",                                   \
+               WF_UNUSED(in, wf_tree_row_unused)),                                                           \
+        NUMBER("--outline-top", in.outline_top, "HEIGHT", LENGTH, "m", 0.01, 150, NULL,                      \
+               "of its highest point: both scale the drawing", WF_UNUSED(in, wf_tree_row_unused)),           \
         NUMBER("--crown-mass", in.crown.mass, "MASS", MASS, "kg", 1e-6, 1e6, NULL,                           \
                "fresh mass of branches and leaves of a stem without branches"),                              \
         NUMBER("--crown-density", in.crown.density, "DENSITY", DENSITY, "kg/m3", 1e-3, 100, NULL,            \
-               "the same per volume of the cone of --crown-width and --crown-depth; ForestGALES: 2.5 most "  \
+               "the same per volume of the cone of crown width and depth; ForestGALES: 2.5 most "            \
                "conifers, 1.22 birch, 1.38 beech and oak"),                                                  \
+        TEXT("--crown-mass-by", in.crown.by, "RULE", NULL,                                                   \
+             "the same by a rule: forestgales, per volume of the cone, or wcc, by the diameter at 1.3 m; "   \
+             "the "                                                                                          \
+             "kind of the species, or RULE:KIND (forestgales:oak)"),                                         \
         NUMBER(                                                                                              \
             "--leaf-off-share", in.crown.leafless, "SHARE", NONE, NULL, 0, 1, NULL,                          \
             "share of the crown's load that is left in the season leaf_off [0.5 without branches, else 0]"), \

@@ -7,19 +7,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 struct wf_yaml_table;
-
-/* Double bark of a species over its diameter. */
-struct wf_bark_law {
-    bool given;
-    size_t terms;          /* of `coefficient`; 3 */
-    double *coefficient;   /* a, b, c of a + b d + c d^2 [mm], d the diameter over bark [cm] */
-    struct wf_value share; /* thickness over that of the law [-]; 1, with its range */
-};
 
 extern const struct wf_yaml_table wf_bark_table; /* struct wf_bark_law */
 
@@ -43,8 +31,4 @@ double wf_bark_by_law(const struct wf_bark_law *law, double diameter);
 /* Read "species", "none" or a thickness such as "15 mm". Returned: false after a mistake; *why says what is
  * allowed. */
 bool wf_bark_read(const char *text, struct wf_bark_said *out, struct wf_err *why);
-
-#ifdef __cplusplus
-}
-#endif
 #endif

@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/yaml.h"
 #include "data/branching.h"
+#include "data/crown_mass.h"
 #include "data/species.h"
 #include <math.h>
 #include <stdio.h>
@@ -217,8 +218,10 @@ const char *wf_silhouette_wrong(const struct wf_silhouette *s, const char **why)
     if (wide != deep) return wide ? "crown_width" : "crown_depth";
     *why = "is not used beside crown_mass";
     if (s->mass > 0 && s->density > 0) return "crown_density";
-    *why = "needs crown_width and crown_depth: it is of their cone";
-    return s->density > 0 && !wide ? "crown_density" : NULL;
+    *why = "is not used beside crown_mass or crown_density";
+    if (s->by && (s->mass > 0 || s->density > 0)) return "crown_mass_by";
+    *why = "needs crown_width and crown_depth or an outline: it is of their cone";
+    return s->density > 0 && !wide && !s->points ? "crown_density" : NULL;
 }
 
 #define OUTLINE(k, member, from, text)                                                                       \
@@ -293,6 +296,11 @@ static const struct wf_yaml_row model_rows[] = {
                     "The same per volume of the cone of crown_width and crown_depth. ForestGALES: 2.5 most "
                     "conifers, 1.22 birch, 1.38 beech and oak.",
                     .absent = "not given", .example = "2.5 kg/m3"),
+    WF_KEY_TEXT(
+        "crown_mass_by", silhouette.by,
+        "The same by a rule: forestgales, mass per volume of the cone, or wcc, by the diameter at 1.3 m; "
+        "with the kind of the species, or as RULE:KIND.",
+        .absent = "not given", .example = "forestgales"),
     WF_KEY_NUMBER("leaf_off_share", silhouette.leafless, 0, 1,
                   "Share of the crown's load that is left in the season leaf_off.",
                   .absent = "0.5 without branches, else 0: the axes drawn have their own drag",
@@ -442,6 +450,9 @@ static void model_finish(struct wf_yaml *y, void *model)
     if (m->bark_said && !wf_bark_read(m->bark_said, &m->bark, &bad)) wf_yaml_error(y, "bark", "%s", bad.text);
     const char *why, *wrong = wf_silhouette_wrong(&m->silhouette, &why);
     if (wrong) wf_yaml_error(y, wrong, "%s", why);
+    struct wf_err e = { WF_OK, "" };
+    if (m->silhouette.by && wf_crown_rule_check(m->silhouette.by, &e))
+        wf_yaml_error(y, "crown_mass_by", "%s", e.text);
 }
 
 const struct wf_yaml_table wf_model_table = {

@@ -63,6 +63,7 @@ struct wf_silhouette {
     double *x, *z;   /* to the side and above the ground [m] */
     double mass;     /* of branches and leaves that are not drawn, in place of the leaves' [kg] */
     double density;  /* the same per volume of the cone of width and depth [kg m-3] */
+    const char *by;  /* the same by a rule of data/crown_mass.h; NULL: none */
     double leafless; /* share of the load that is left without leaves [-]; NAN: by the tree's kind */
 };
 

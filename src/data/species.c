@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "data/bark.h"
 #include "data/law_schema.h"
 #include <math.h>
 #include <stdio.h>
@@ -187,6 +188,15 @@ static const struct property_row level_values[] = {
 
 #define CROWN(k, ...)                                                                                        \
     .yaml = { .key = #k, WF_VALUE_ROW(struct wf_species, crown.k), .required = true, __VA_ARGS__ }
+#define LEAF(k, dim, u, from, to, without, ...)                                                              \
+    .yaml = { .key = #k,                                                                                     \
+              WF_VALUE_ROW(struct wf_species, crown.k),                                                      \
+              .dimension = dim,                                                                              \
+              .unit = u,                                                                                     \
+              .low = from,                                                                                   \
+              .high = to,                                                                                    \
+              .absent = without,                                                                             \
+              __VA_ARGS__ }
 static const struct property_row crown_values[] = {
     { CROWN(drag_coefficient, .low = 0, .high = 3,
             .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5"),
@@ -196,6 +206,22 @@ static const struct property_row crown_values[] = {
     { CROWN(frontal_share, .low = 0, .high = 1,
             .doc = "Frontal area of the crown in still air over its one-sided leaf area.", .example = "0.3"),
       .was = "leaf_frontal_share" },
+    { LEAF(leaf_area, WF_DIM_AREA, "cm2", 1e-6, 2, "leaf as long as windfirm rain takes it",
+           .doc = "One-sided area of a typical leaf; its mass follows from leaf_mass_per_area.",
+           .example = "28 cm2"),
+      .acts = WF_ACTS_DROPS },
+    { LEAF(leaf_contact_angle, WF_DIM_ANGLE, "deg", 0.01, 3.14, "60 deg, assumed by windfirm rain",
+           .doc = "Contact angle of water on the upper side of the leaf.", .example = "100 deg"),
+      .acts = WF_ACTS_DROPS },
+    { LEAF(petiole_length, WF_DIM_LENGTH, "mm", 5e-4, 1, "3 cm, assumed by windfirm rain",
+           .doc = "Length of the petiole.", .example = "40 mm"),
+      .acts = WF_ACTS_DROPS },
+    { LEAF(petiole_diameter, WF_DIM_LENGTH, "mm", 1e-4, 0.05, "1.6 mm, assumed by windfirm rain",
+           .doc = "Mean diameter of the petiole.", .example = "1.6 mm"),
+      .acts = WF_ACTS_DROPS },
+    { LEAF(petiole_modulus, WF_DIM_PRESSURE, "GPa", 1e6, 2e10, "0.5 GPa, assumed by windfirm rain",
+           .doc = "Young's modulus of the petiole along its axis, green.", .example = "0.5 GPa"),
+      .acts = WF_ACTS_DROPS },
     { .yaml.key = NULL },
 };
 

@@ -5,7 +5,6 @@
  * value carries its range, source and standing. */
 #include "base/arena.h"
 #include "base/err.h"
-#include "data/bark.h"
 #include "data/law.h"
 #include "data/tree.h"
 #include <stdbool.h>
@@ -45,6 +44,9 @@ struct wf_crown {
     struct wf_value drag_coefficient;   /* on the frontal area in still air [-]                */
     struct wf_value leaf_mass_per_area; /* fresh leaf mass per one-sided leaf area [kg m-2]    */
     struct wf_value frontal_share;      /* still-air frontal area per one-sided leaf area [-]  */
+    /* of one leaf, for drops on it; not given where the table has none */
+    struct wf_value leaf_area, leaf_contact_angle;                     /* [m2], [rad]          */
+    struct wf_value petiole_length, petiole_diameter, petiole_modulus; /* [m], [m], [Pa]       */
 };
 
 struct wf_species {
@@ -65,7 +67,8 @@ enum wf_acts {
     WF_ACTS_ALWAYS, /* all, also by its default where the table does not give it                    */
     WF_ACTS_GIVEN,  /* all, where the table gives it; its default has no effect                     */
     WF_ACTS_SIZE,   /* all, where the model gives no size                                           */
-    WF_ACTS_MOTION  /* those of a tree in motion, not those of a steady wind                        */
+    WF_ACTS_MOTION, /* those of a tree in motion, not those of a steady wind                        */
+    WF_ACTS_DROPS   /* those of drops on single leaves, not those of a whole tree                   */
 };
 
 /* One value of a species with its name, the same in files, results and messages. The rows of species.c are

@@ -64,6 +64,17 @@ static void copy_section(const struct wf_tree_sections *from, size_t i, double s
     if (from->cavity) to->cavity[at] = from->cavity[i];
 }
 
+/* What the row carried on the day of the shape. */
+static void copy_standing(const struct wf_tree_standing *from, size_t i, double s0, double s1,
+                          struct wf_tree_standing *to, size_t at)
+{
+    to->burden0[at] = part_of(from->burden0[i], from->burden1[i], s0);
+    to->burden1[at] = part_of(from->burden0[i], from->burden1[i], s1);
+    if (!from->side0) return;
+    to->side0[at] = part_of(from->side0[i], from->side1[i], s0);
+    to->side1[at] = part_of(from->side0[i], from->side1[i], s1);
+}
+
 void wf_tree_copy_part(const struct wf_tree *from, size_t i, double s0, double s1, struct wf_tree *to,
                        size_t at)
 {
@@ -97,6 +108,7 @@ void wf_tree_copy_part(const struct wf_tree *from, size_t i, double s0, double s
     to->level[at] = from->level[i];
     to->id[at] = from->id[i];
     if (from->section) copy_section(from->section, i, s0, s1, to->section, at);
+    if (from->standing && to->standing) copy_standing(from->standing, i, s0, s1, to->standing, at);
 }
 
 enum wf_status wf_tree_alloc_bark(struct wf_tree *t, struct wf_arena *a, struct wf_err *e)

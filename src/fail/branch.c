@@ -24,11 +24,12 @@ static bool printed(const struct wf_species *sp)
     return sp->preset && strcmp(sp->preset, "corrected") != 0;
 }
 
-static const struct wf_branch_strength *strength_named(const char *name, const struct wf_species *sp)
+static const struct wf_branch_strength *strength_named(const char *name, const struct wf_species *sp,
+                                                       const struct wf_tree *t)
 {
     for (const struct wf_branch_strength *b = wf_branch_strengths; name && b->name; b++)
         if (!strcmp(b->name, name)) return b;
-    return &wf_branch_strengths[printed(sp) ? FULL : OVER_BARK];
+    return &wf_branch_strengths[printed(sp) ? FULL : t->bark0 ? INSIDE_BARK : OVER_BARK];
 }
 
 /* The lower of what is known. */
@@ -40,7 +41,7 @@ static void limit(double *strength, const struct wf_value *clear, double factor)
 const struct wf_branch_strength *wf_branches_limit(const char *name, const struct wf_species *sp,
                                                    struct wf_tree *t)
 {
-    const struct wf_branch_strength *b = strength_named(name, sp);
+    const struct wf_branch_strength *b = strength_named(name, sp, t);
     const struct wf_level *clear = sp->level;
     for (size_t i = 0; i < t->n && b->factor < 1; i++) {
         if (t->level[i] == 0) continue;

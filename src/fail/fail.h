@@ -210,7 +210,8 @@ struct wf_branch_strength {
 extern const struct wf_branch_strength wf_branch_strengths[]; /* end at name == NULL */
 
 struct wf_species;
-/* Limit the strength of the branches of a tree. Given: name of a row, NULL: over-bark; full for a table or a
+/* Limit the strength of the branches of a tree. Given: name of a row, NULL: over-bark, inside-bark
+ * where the tree's bark is taken off; full for a table or a
  * preset that repeats a publication. Returned: the row used. */
 const struct wf_branch_strength *wf_branches_limit(const char *name, const struct wf_species *sp,
                                                    struct wf_tree *t);

@@ -150,6 +150,7 @@ enum wf_status wf_fit_divide(struct wf_tree *t, double length, const struct wf_f
     struct wf_tree out;
     status = wf_tree_alloc(&out, total, a, e);
     if (!status && t->section) status = wf_tree_alloc_sections(&out, a, e);
+    if (!status && t->standing) status = wf_tree_stand(&out, &out, a, e);
     if (status) return status;
     out.name = t->name;
     for (size_t i = 0, at = 0; i < t->n; i++) {

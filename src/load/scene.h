@@ -56,7 +56,7 @@ struct wf_scenario {
     double temperature, altitude;      /* [K], [m] */
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
-    const char *branch_strength; /* name in wf_branch_strengths (fail/fail.h); NULL: over-bark */
+    const char *branch_strength; /* name in wf_branch_strengths (fail/fail.h); NULL: by the bark */
     double snow;                 /* on the crown, per area seen from above [kg m-2]; 0: none */
     double ice;                  /* radial thickness on axes and leaves [m]; 0: none */
     bool weight_unstressed; /* stresses are those of the change from the state at rest: the weight's are left

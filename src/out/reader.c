@@ -33,9 +33,9 @@ static const struct {
             "classes_m_s criteria figures files findings hours_a_year_above "
             "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
-            "blocks modes budget criticals_m_s deflections_m frequencies_Hz moments_N_m speeds sways swing_m "
-            "lost_by safeties table_share "
-            "varied "
+            "blocks modes budget criticals_m_s drags_N deflections_m frequencies_Hz moments_N_m speeds sways "
+            "swing_m "
+            "lost_by safeties varied table_share "
             "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
@@ -71,7 +71,8 @@ static const struct {
       "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
       "load_factor_branches "
       "sway_frequency participation modal_mass damping_total damping_air turbulence background resonance "
-      "peak_of_gusts carried gust_over_mean wind_height clusters wetted air_density all altitude attenuation "
+      "peak_of_gusts carried gust_over_mean wind_height clusters wetted winter gust_load_factor air_density "
+      "all altitude attenuation "
       "averaging_time axis_drag azimuth "
       "base_moment "
       "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "

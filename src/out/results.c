@@ -2,9 +2,9 @@
 #include "out/results.h"
 #include "base/file.h"
 #include "base/num.h"
-#include "data/species.h"
 #include "out/fragility.h"
 #include "out/inputs.h"
+#include "out/modes.h"
 #include "out/tree_picture.h"
 #include "out/verdict_part.h"
 #include "out/walls.h"
@@ -172,7 +172,10 @@ static json_t *direction_part(struct wf_doc *d, const struct wf_analysis *a, con
     wf_doc_quantity(d, o, "speed_up", exposed ? exposed[x - a->directions->direction] : a->scenario.speed_up,
                     "1", NULL);
     winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
-    for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wind_part(d, a, &x->at[k]));
+    for (size_t k = 0; k < a->n; k++) {
+        json_t *wind = wf_doc_add(d, winds, wind_part(d, a, &x->at[k]));
+        wf_doc_quantity(d, wind, "gust_load_factor", x->gusts[k], "1", NULL);
+    }
     wf_doc_put(d, o, "critical", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
     wf_doc_put(d, o, "loss", wf_part_loss(d, a, x->breaks));
@@ -269,11 +272,13 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
     wf_doc_put(d, o, "verdict", wf_part_verdict(d, a));
     wf_doc_put(d, o, "criteria", criteria_part(d, a, a->breaks, a->at));
+    if (a->modes) wf_doc_put(d, o, "modes", wf_part_modes(d, a->modes));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));
     if (a->interval) wf_doc_put(d, o, "interval", wf_part_interval(d, a));
     if (a->tree.section && a->tree.section->cavity) wf_doc_put(d, o, "cavities", wf_part_walls(d, a));
     if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));
+    if (a->winter) wf_doc_put(d, o, "winter", wf_part_wetted(d, a->winter));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");
     wf_doc_put(d, o, "warnings", shared(run, index) ? wf_doc_array(d) : warnings_part(d, a->diag));
     return o;

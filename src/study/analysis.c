@@ -6,6 +6,7 @@
 #include "data/species.h"
 #include "fail/anchorage.h"
 #include "grow/grow.h"
+#include "grow/silhouette.h"
 #include "load/interception.h"
 #include "load/winter.h"
 #include "study/node.h"
@@ -24,8 +25,8 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
     static const char *const together =
         "The given winds act together with it; a wind in which it stays on the tree is less than a design "
         "wind (snow falls off above about 9 m/s)";
-    const struct wf_silhouette *seen = &an->model->silhouette;
-    double area = wf_crown_projection(&an->tree, seen->width), mass = area * an->scenario.snow;
+    double width = wf_silhouette_size(an->model, wf_tree_height(&an->tree)).breadth;
+    double area = wf_crown_projection(&an->tree, isnan(width) ? 0 : width), mass = area * an->scenario.snow;
     if (an->scenario.snow > 0) {
         if (an->model->season == WF_LEAF_OFF || wf_crown_projection(&an->tree, 1) == 0)
             return wf_fail(
@@ -160,6 +161,18 @@ static enum wf_status keep_finished(struct wf_analysis *an, size_t speeds, bool 
     return WF_OK;
 }
 
+/* The lowest modes in still air, for the reader. NULL: the peak load does not need the sway, the tree has no
+ * state, or it is so large that they would take long. */
+static const struct wf_sway_modes *lowest_modes(const struct wf_analysis *an,
+                                                const struct wf_solve_options *o, struct wf_arena *a)
+{
+    enum { LOWEST = 4, LARGE = 20000 };
+    struct wf_err unsaid = { WF_OK, "" };
+    struct wf_sway_modes *out = WF_TAKE(a, 1, struct wf_sway_modes);
+    if (!out || !an->peak->method->sways || !an->peak->sways || an->tree.n > LARGE) return NULL;
+    return wf_sway_modes(an, o, 0.0, LOWEST, a, out, &unsaid) ? NULL : out;
+}
+
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
                           const struct wf_search *search, const struct wf_solver *solver,
                           const struct wf_solve_options *o, const double *speeds, size_t n,
@@ -176,6 +189,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     };
     if ((s = wf_analysis_set_up(out, o, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if ((s = wf_sway_set_up(out, o, speeds, n, a, d, e))) return s;
+    out->modes = lowest_modes(out, o, a);
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
     struct wf_err why = { 0 };

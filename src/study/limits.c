@@ -260,7 +260,8 @@ static char *limits_assumed(const struct wf_analysis *an, char *buf, size_t size
     for (size_t i = 0; i < sp->levels; i++)
         if (wf_analysis_grown(an, i)) level_assumed(an, i, &to);
     if (!has_crown(&an->tree)) return buf;
-    for (size_t i = 0; wf_crown_property(sp, i, &p); i++) add_assumed(&to, "crown", "", &p);
+    for (size_t i = 0; wf_crown_property(sp, i, &p); i++)
+        if (p.acts != WF_ACTS_DROPS) add_assumed(&to, "crown", "", &p);
     for (size_t i = 0; wf_law_property(law, &sp->streamlining, i, &p); i++)
         add_assumed(&to, "crown", "streamlining.", &p);
     return buf;

@@ -91,6 +91,7 @@ struct wf_still {
 
 struct wf_directions;
 struct wf_wetted;
+struct wf_sway_modes;
 struct wf_interval;
 /* How a sample of a tree differs from the tree as measured. */
 struct wf_misread {
@@ -111,6 +112,7 @@ struct wf_analysis {
     const struct wf_peak *peak;                       /* by study/sway.h; NULL: the load of the mean wind */
     const struct wf_still *still; /* by study/rest.h: of a standing tree, and where the scenario takes the
                                      weight off the stresses; NULL: not computed */
+    const struct wf_sway_modes *modes;    /* the lowest in still air (study/sway.h); NULL: not computed */
     const struct wf_anchorage *anchorage; /* fail/anchorage.h; by wf_analysis_set_up */
     size_t n;
     struct wf_at_speed *at; /* results at the given speeds                     */
@@ -119,6 +121,7 @@ struct wf_analysis {
                                   speeds alone where the time for them was used up */
     struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
     const struct wf_wetted *wetted;         /* beside the dry tree (study/wetted.h); NULL: no water    */
+    const struct wf_wetted *winter;         /* the same of snow and ice; NULL: none                    */
     const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
     const struct wf_interval *interval;     /* how sure (study/interval.h); NULL: not computed */
     double tallness;                        /* height [m] */
