@@ -470,25 +470,6 @@ static enum wf_status run_directions(struct work *w, struct wf_analysis *an, str
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
 }
 
-/* How sure the critical wind is, where there is no other end to the time it takes than being specified. */
-static enum wf_status run_interval(struct work *w, struct wf_analysis *an, struct wf_err *e)
-{
-    struct wf_interval *out = WF_TAKE(&w->arena, 1, struct wf_interval);
-    struct wf_err why = { 0 };
-    if (w->request.preset != wf_presets) return WF_OK; /* a publication is repeated as printed */
-    if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for an interval");
-    if (!wf_interval_due(an, &w->request.interval, WF_GIVEN(&w->options, samples), an->diag)) return WF_OK;
-    enum wf_status s = wf_interval_run(an, &w->request.solve, &w->request.interval, &w->arena, out, &why);
-    if (s == WF_EINTERRUPTED) {
-        wf_diag_warn(an->diag, "interrupted", "interrupted before the interval was computed");
-        return WF_OK;
-    }
-    if (s) return wf_fail(e, s, "%s", why.text);
-    an->interval = out;
-    wf_interval_warn(an, out, an->diag);
-    return WF_OK;
-}
-
 /* With rain on its leaves, or with snow or ice: the tree beside itself without. */
 static enum wf_status run_dry(struct work *w, struct wf_analysis *an, enum wf_burden burden, bool there,
                               const struct wf_wetted **to, struct wf_err *e)
@@ -544,7 +525,9 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
         if (!s) s = run_burdens(w, &w->analysis[k], e);
-        if (!s && !wf_interrupted()) s = run_interval(w, &w->analysis[k], e);
+        if (!s && preset == wf_presets) /* others repeat a publication as printed */
+            s = wf_interval_take(&w->analysis[k], &w->request.solve, &w->request.interval,
+                                 WF_GIVEN(&w->options, samples), &w->arena, e);
         if (!s && w->solved == k) speeds_solved(&w->analysis[k], w); /* interrupted before */
         wf_progress_clear();
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);

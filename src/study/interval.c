@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/interval.h"
 #include "base/arena.h"
+#include "base/interrupt.h"
 #include "base/num.h"
 #include "base/parallel.h"
 #include "base/progress.h"
@@ -480,8 +481,9 @@ enum wf_status wf_interval_check(const struct wf_interval_request *q, struct wf_
                    WF_INTERVAL_MOST);
 }
 
-bool wf_interval_due(const struct wf_analysis *an, const struct wf_interval_request *q, bool specified,
-                     struct wf_diag *d)
+/* Is an interval to be computed? A warning says where none is. */
+static bool due(const struct wf_analysis *an, const struct wf_interval_request *q, bool specified,
+                struct wf_diag *d)
 {
     const char *refused = refused_by(an);
     if (!q->samples) return false;
@@ -570,4 +572,23 @@ int wf_interval_decimals(double low, double high)
 {
     double width = isfinite(high) ? high - low : low;
     return width >= 5.0 ? 0 : width >= 0.5 ? 1 : 2;
+}
+
+enum wf_status wf_interval_take(struct wf_analysis *an, const struct wf_solve_options *o,
+                                const struct wf_interval_request *q, bool specified, struct wf_arena *a,
+                                struct wf_err *e)
+{
+    struct wf_interval *out = WF_TAKE(a, 1, struct wf_interval);
+    struct wf_err why = { 0 };
+    if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for an interval");
+    if (wf_interrupted() || !due(an, q, specified, an->diag)) return WF_OK;
+    enum wf_status s = wf_interval_run(an, o, q, a, out, &why);
+    if (s == WF_EINTERRUPTED) {
+        wf_diag_warn(an->diag, "interrupted", "interrupted before the interval was computed");
+        return WF_OK;
+    }
+    if (s) return wf_fail(e, s, "%s", why.text);
+    an->interval = out;
+    wf_interval_warn(an, out, an->diag);
+    return WF_OK;
 }

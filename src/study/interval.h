@@ -64,11 +64,6 @@ struct wf_interval {
 
 /* Is the number of samples 0, or in range? Errors: WF_EUSAGE. */
 enum wf_status wf_interval_check(const struct wf_interval_request *q, struct wf_err *e);
-/* Is an interval to be computed? Given: whether the number of samples was specified. A warning says where
- * none is, and how to get it. */
-bool wf_interval_due(const struct wf_analysis *an, const struct wf_interval_request *q, bool specified,
-                     struct wf_diag *d);
-
 /* Intervals are of a solver whose solutions have slopes, without shelter in the crown, where a strength of
  * the stem or the root is known. Given: an analysis with its critical winds; its options. Returned: *out, in
  * `a`. The same for any number of threads. Errors: WF_EUSAGE (number of samples; where there is no interval);
@@ -79,6 +74,12 @@ enum wf_status wf_interval_run(const struct wf_analysis *an, const struct wf_sol
 
 /* Warnings: assumed and borrowed values that move the critical wind by more than 20 %; samples left out. */
 void wf_interval_warn(const struct wf_analysis *an, const struct wf_interval *i, struct wf_diag *d);
+
+/* The same into an analysis, with its warnings. Given: whether the number of samples was specified. A warning
+ * says where none is computed and how to get it; after an interrupt there is none. */
+enum wf_status wf_interval_take(struct wf_analysis *an, const struct wf_solve_options *o,
+                                const struct wf_interval_request *q, bool specified, struct wf_arena *a,
+                                struct wf_err *e);
 
 /* Is the root assessed, or the stem alone? */
 bool wf_interval_rooted(const struct wf_analysis *an);
