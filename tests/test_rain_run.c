@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rain on a branch, whole runs: budgets that close, the five effects, shelter, ringing, the printed preset.
  */
+#include "data/species.h"
 #include "base/num.h"
 #include "base/parallel.h"
 #include "base/vec3.h"
