@@ -48,7 +48,9 @@
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="critical/governing_section/height/value"/>
     </xsl:call-template>
-    <xsl:call-template name="cell"><xsl:with-param name="x" select="critical_stem/speed/value"/></xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value"/>
+    </xsl:call-template>
     <xsl:if test="$trees[1]/scenario/ground_file != ''">
       <xsl:call-template name="cell">
         <xsl:with-param name="x" select="speed_up/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
@@ -124,7 +126,7 @@
           <xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="head">
-          <xsl:with-param name="id">c.stem</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
+          <xsl:with-param name="id">c.lost</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
         </xsl:call-template>
         <xsl:if test="$ground">
           <xsl:call-template name="head">

@@ -5,8 +5,10 @@
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform" xmlns:svg="http://www.w3.org/2000/svg"
                 exclude-result-prefixes="svg">
 <xsl:import href="page.xsl"/>
+<xsl:include href="verdict.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
+<xsl:include href="criteria.xsl"/>
 <xsl:include href="directions.xsl"/>
 <xsl:include href="inputs.xsl"/>
 <xsl:include href="method.xsl"/>
@@ -288,6 +290,9 @@
           <xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="result-tables"/>
+        <xsl:call-template name="criteria-table"/>
+        <xsl:for-each select="$trees"><xsl:call-template name="anchorage-note"/></xsl:for-each>
+        <xsl:if test="$trees/verdict/thicknesses/item"><xsl:call-template name="branch-table"/></xsl:if>
         <xsl:if test="$trees/wetted"><xsl:call-template name="wetted-table"/></xsl:if>
         <xsl:if test="$trees[1]/directions/number">
           <xsl:call-template name="direction-table"><xsl:with-param name="n" select="3"/></xsl:call-template>

@@ -200,6 +200,40 @@ static void a_large_tree_is_read(void **state)
     wf_arena_free(&t.arena);
 }
 
+/* A scan stands as it is, so that every one has an answer: a critical wind for the tree and its stem. */
+static void every_scan_has_an_answer(void **state)
+{
+    static const char *const files[] = { "wytham_T20_leafoff.csv",
+                                         "wytham_T3_leafoff.csv",
+                                         "wytham_T14.csv",
+                                         "wytham_T13.csv",
+                                         "rtwig_archi_QSM2.csv",
+                                         "rtwig_simpleforest_QSM.csv",
+                                         "openalea_walnut_noylum2.mtg",
+                                         "archi_Tree_1_TreeQSM.txt" };
+    (void)state;
+    const char *program = getenv("WINDFIRM");
+    if (!program) skip();
+    for (size_t k = 0; k < sizeof files / sizeof *files; k++) {
+        char command[9000], line[4096], folder[] = "/tmp/wf-scan-XXXXXX";
+        bool found = false, fell = false;
+        const char *path = reference("trees/qsm", files[k]);
+        assert_non_null(mkdtemp(folder));
+        snprintf(command, sizeof command,
+                 "'%s' analyze ash --tree '%s' --wind 10 --peak mean --no-report -o %s/o 2>&1; echo exit $?; "
+                 "rm -r %s",
+                 program, path, folder, folder);
+        FILE *f = popen(command, "r");
+        assert_non_null(f);
+        while (fgets(line, sizeof line, f)) {
+            if (strstr(line, "  critical wind speed ")) found = strstr(line, "m/s") && !strstr(line, "none;");
+            if (strstr(line, "exit ") == line) fell = strcmp(line, "exit 0\n") != 0;
+        }
+        pclose(f);
+        if (!found || fell) fail_msg("%s: no critical wind speed", files[k]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -208,7 +242,7 @@ int main(void)
 #ifdef WF_MATIO
         cmocka_unit_test(matlab_and_csv_of_one_tree),
 #endif
-        cmocka_unit_test(a_large_tree_is_read),
+        cmocka_unit_test(a_large_tree_is_read),       cmocka_unit_test(every_scan_has_an_answer),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A tree that stands in its shape: the internal forces of its weight are in it. */
 #include "beam_cases.h"
+#include "fail/fail.h"
 #include "solve/beam_many.h"
 #include "solve/firm.h"
 #include "solve/modes.h"
@@ -390,6 +391,43 @@ static void slack_parts_are_stiffened(void **state)
     beam_free(&c);
 }
 
+/* The change from the state at rest: nothing at rest; in a stiff tree, the plain difference; in one that
+ * turns as a whole on its root, the forces at rest turn with it. */
+static void change_from_rest(void **state)
+{
+    (void)state;
+    struct beam_case c;
+    struct wf_response rest, change;
+    crooked(&c);
+    for (size_t i = 0; i < 7; i++) c.tree.youngs[i] *= 1e5, c.tree.shear[i] *= 1e5;
+    stand(&c);
+    beam_solve(&c);
+    rest = c.out;
+    assert_int_equal(wf_response_change(&c.tree, &rest, &rest, &c.arena, &change, &c.err), WF_OK);
+    for (int i = 0; i < 21; i++) {
+        assert_near(change.moment0[i], 0, 1e-12 * fabs(rest.moment0[i]));
+        assert_near(change.force1[i], 0, 1e-12 * fabs(rest.force1[i]));
+    }
+    beam_blow(&c, 15, 3, 0);
+    beam_solve(&c);
+    assert_int_equal(wf_response_change(&c.tree, &rest, &c.out, &c.arena, &change, &c.err), WF_OK);
+    for (int i = 0; i < 3; i++) {
+        assert_true(fabs(c.out.moment0[i] - rest.moment0[i]) > 1 || i == 2);
+        assert_near(change.moment0[i], c.out.moment0[i] - rest.moment0[i],
+                    1e-4 * fabs(c.out.moment0[i]) + 1e-3);
+    }
+    c.options.root_stiffness[0] = c.options.root_stiffness[1] = 3e3;
+    beam_solve(&c);
+    assert_int_equal(wf_response_change(&c.tree, &rest, &c.out, &c.arena, &change, &c.err), WF_OK);
+    double R[9], turned[3];
+    rotation_matrix(c.out.turn + 3, R);
+    assert_true(sqrt(wf_dot(c.out.turn + 3, c.out.turn + 3)) > 0.02);
+    m3_apply(R, rest.force1 + 3, turned);
+    for (int i = 0; i < 3; i++)
+        assert_near(change.force1[3 + i], c.out.force1[3 + i] - turned[i], 1e-9 * fabs(rest.force1[5]));
+    beam_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -397,7 +435,7 @@ int main(void)
         cmocka_unit_test(turned_with_its_wind),        cmocka_unit_test(side_by_side_as_alone),
         cmocka_unit_test(handed_over_in_memory),       cmocka_unit_test(written_and_read_as_a_scan),
         cmocka_unit_test(what_comes_later_is_a_load),  cmocka_unit_test(sways_as_before),
-        cmocka_unit_test(slack_parts_are_stiffened),
+        cmocka_unit_test(slack_parts_are_stiffened),   cmocka_unit_test(change_from_rest),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

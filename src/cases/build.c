@@ -288,10 +288,17 @@ static void split_row(const struct wf_tree *t, const double *line, size_t i, siz
             pair[k][2][j] = wf_between(pair[k][0][i], pair[k][1][i], s0);
             pair[k][3][j] = wf_between(pair[k][0][i], pair[k][1][i], s1);
         }
-        double *const same[][2] = { { t->youngs, o->youngs },   { t->shear, o->shear },
-                                    { t->density, o->density }, { t->strength, o->strength },
-                                    { t->drag, o->drag },       { t->lift, o->lift },
-                                    { t->damping, o->damping } };
+        double *const same[][2] = { { t->youngs, o->youngs },
+                                    { t->shear, o->shear },
+                                    { t->density, o->density },
+                                    { t->strength, o->strength },
+                                    { t->drag, o->drag },
+                                    { t->lift, o->lift },
+                                    { t->damping, o->damping },
+                                    { t->compressive, o->compressive },
+                                    { t->shearing, o->shearing },
+                                    { t->tangential, o->tangential },
+                                    { t->transverse, o->transverse } };
         for (size_t k = 0; k < WF_COUNT(same); k++) same[k][1][j] = same[k][0][i];
         if (t->bend) memcpy(o->bend + 3 * j, t->bend + 3 * i, 3 * sizeof(double));
         if (t->stiff) memcpy(o->stiff + 4 * j, t->stiff + 4 * i, 4 * sizeof(double));

@@ -35,7 +35,8 @@ struct analyze_options {
     struct wf_averaging averaging;   /* with the climate */
     struct wf_profile_words profile; /* with the map of the ground */
     struct wf_peak_asked peak;
-    const char *output, *solver, *preset, *shelter;
+    struct wf_anchorage_asked anchorage;
+    const char *output, *solver, *preset, *shelter, *branch_strength;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
     double azimuth, north;           /* [rad]                                     */
@@ -44,9 +45,11 @@ struct analyze_options {
     double search_to, search_time;   /* [m/s], NAN: the library's default; [s]    */
     double mesh_tolerance;           /* [-]                                       */
     const char *storage;             /* row of wf_storages                         */
+    const char *weight_stress;       /* "total" or "change"                        */
     double snow, snow_density, ice;  /* [m], [kg m-3], [m]; NAN: not given        */
     double water_film, rain;         /* [m], [m/s]; NAN: not given                */
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
+    double branches_from;            /* [m]                                       */
     struct wf_pages pages;
 };
 
@@ -151,6 +154,10 @@ const struct wf_option wf_analyze_options[] = {
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_PEAK_ROWS(peak),
+    WF_BRANCH_STRENGTH_ROW(branch_strength),
+    WF_ANCHORAGE_ROWS(anchorage),
+    NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
+           "branches from this thickness are listed by what fails first; thinner ones are twigs"),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
@@ -186,6 +193,10 @@ const struct wf_option wf_analyze_options[] = {
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
+    CHOICE(
+        "--weight-stress", weight_stress, "PART", "total|change", "total",
+        "total: stresses of weight and wind together; change: without those that the weight makes at rest, "
+        "which is unsafe for leaning trees and limbs"),
     NUMBER("--snow", snow, "DEPTH", LENGTH, "cm", 0, 500, NULL,
            "snow on the crown, on its area seen from above: added mass"),
     NUMBER("--snow-density", snow_density, "DENSITY", DENSITY, "kg/m3", 10, 917, "150",
@@ -290,9 +301,11 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     if (status) return status;
     out->preset = wf_preset_named(o->preset);
     status = wf_peak_asked_read(&o->peak, out->preset != wf_presets, a, d, s, e);
+    if (!status) status = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, s, e);
     if (status) return status;
     s->winds_said = o->args.winds_said;
     s->azimuth = o->azimuth;
+    s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;
     if (o->rain > 0) s->water = wf_storage_named(o->storage)->film;
@@ -304,9 +317,11 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
         s->air_density = s->design->air; /* the code's pressure at its wind */
     if (!(s->gust_factor > 0.0)) s->gust_factor = o->averaging.gust;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
+    s->branch_strength = o->branch_strength;
     wf_search_default(&out->search);
     if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
     out->search.seconds = o->search_time;
+    out->search.branches_from = o->branches_from;
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;
@@ -319,7 +334,7 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
 
 /* ---- The run ---- */
 
-enum { OTHER_FILES = 5 }; /* model, study, profile, climate, ground */
+enum { OTHER_FILES = 6 }; /* model, study, profile, climate, ground, anchorage */
 
 /* Everything of one run, in one arena. */
 struct work {
@@ -383,6 +398,11 @@ static void keep_climate_warnings(struct work *w, const struct wf_diag *d)
         if (f->code && !strcmp(f->code, "frequency-sum")) wf_diag_warn(&w->tree, f->code, "%s", f->text);
 }
 
+static const char *anchorage_file(const struct wf_anchorage_asked *q)
+{
+    return q->curve ? q->curve : q->table;
+}
+
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
@@ -414,11 +434,14 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
         return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
                        d.errors == 1 ? "" : "s");
     keep_climate_warnings(w, &d);
-    const char *const profile = w->request.scenario.profile_file, *const study = w->options.args.study,
+    const char *const profile = w->request.scenario.profile_file,
+                      *const roots = anchorage_file(&w->options.anchorage),
+                      *const study = w->options.args.study,
                       *const climate = w->request.directions.climate_file;
     enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
     if (!s && study) s = note_input(w, "study", study, e);
     if (!s && profile) s = note_input(w, "profile", profile, e);
+    if (!s && roots) s = note_input(w, "anchorage", roots, e);
     if (!s && w->request.scenario.site) s = note_input(w, "ground", w->request.scenario.site->file, e);
     return !s && climate ? note_input(w, "climate", climate, e) : s;
 }
@@ -614,7 +637,8 @@ int wf_cmd_analyze(int argc, char **argv)
 {
     static const char about[] =
         "SPECIES is a species table, a file or the name of a shipped one ('windfirm species list'). The tree "
-        "bends until its stiffness balances wind and weight, and the wind is taken on the bent shape: once in "
+        "bends until its stiffness balances wind and weight, and the wind is taken on the bent shape: once "
+        "in "
         "the mean wind, once at the peak of the load of gusts (--peak), which decides what breaks.\n"
         "\n"
         "  windfirm analyze species/moso_bamboo.yaml --model models/moso_culm.yaml --wind 5:40:1";

@@ -2,6 +2,8 @@
 #include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
+#include "fail/anchorage.h"
+#include "fail/fail.h"
 #include "grow/grow.h"
 #include "grow/silhouette.h"
 #include "solve/solve.h"
@@ -16,6 +18,7 @@
 
 const char *wf_solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 const char *wf_preset_word(size_t i) { return wf_presets[i].name; }
+const char *wf_branch_strength_word(size_t i) { return wf_branch_strengths[i].name; }
 const char *wf_shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 const char *wf_profile_word(size_t i) { return wf_profiles[i].name; }
 const char *wf_site_word(size_t i) { return wf_site_kinds[i].name; }
@@ -102,6 +105,57 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
                    .edge = given_or(asked->edge, INFINITY),
                    .gap = given_or(asked->gap, INFINITY) },
     };
+    return s;
+}
+
+const char *wf_soil_word(size_t i) { return wf_soils[i].name; }
+
+bool wf_anchorage_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_anchorage_asked *q = (const void *)((const char *)options + o->group);
+    return wf_option_unused(!q->table, why, "without --anchorage-table");
+}
+
+/* Exactly one source of the anchorage, or none. */
+static enum wf_status check_sources(const struct wf_anchorage_asked *q, double root_stiffness,
+                                    struct wf_err *e)
+{
+    const struct {
+        const char *option;
+        bool given;
+    } source[] = { { "--pull-moment", !isnan(q->pull_moment) },
+                   { "--root-secant", !isnan(q->secant) },
+                   { "--tipping-curve", q->curve != NULL },
+                   { "--anchorage-table", q->table != NULL },
+                   { "--anchorage", q->method != NULL } };
+    const char *first = NULL;
+    for (size_t i = 0; i < WF_COUNT(source); i++) {
+        if (source[i].given && first)
+            return wf_fail(e, WF_EUSAGE, "give one of %s and %s, not both: each is an anchorage of its own",
+                           first, source[i].option);
+        if (source[i].given) first = source[i].option;
+    }
+    if (q->method && !strcmp(q->method, "root-stiffness") && isnan(root_stiffness))
+        return wf_fail(e, WF_EUSAGE, "--anchorage root-stiffness needs --root-stiffness, fitted at 0.25 deg");
+    return WF_OK;
+}
+
+enum wf_status wf_anchorage_asked_read(const struct wf_anchorage_asked *asked, double root_stiffness,
+                                       struct wf_arena *a, struct wf_diag *d, struct wf_scenario *out,
+                                       struct wf_err *e)
+{
+    bool spring = asked->method && !strcmp(asked->method, "root-stiffness");
+    struct wf_anchorage_request *q = WF_TAKE(a, 1, struct wf_anchorage_request);
+    if (!q) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
+    *q = (struct wf_anchorage_request){ .method = spring ? NULL : asked->method,
+                                        .soil = asked->soil,
+                                        .rooting = asked->rooting,
+                                        .pull_moment = asked->pull_moment,
+                                        .secant = spring ? root_stiffness : asked->secant };
+    out->anchorage = q;
+    enum wf_status s = check_sources(asked, root_stiffness, e);
+    if (!s && asked->curve) s = wf_tipping_curve_read(asked->curve, a, d, &q->curve, e);
+    if (!s && asked->table) s = wf_anchorage_table_read(asked->table, a, d, &q->table, e);
     return s;
 }
 

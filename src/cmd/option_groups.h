@@ -14,6 +14,13 @@
 const char *wf_solver_word(size_t i);
 const char *wf_preset_word(size_t i);
 const char *wf_shelter_word(size_t i);
+const char *wf_branch_strength_word(size_t i);
+/* Strength of branches; into a const char * (NULL: not given). */
+#define WF_BRANCH_STRENGTH_ROW(in)                                                                           \
+    WORD("--branch-strength", in, "HOW", wf_branch_strength_word, NULL,                                      \
+         "what branches bear at most, over the clear wood of the stem: full: what the species table says; "  \
+         "inside-bark 0.72; over-bark 0.55; over-bark-circle 0.40, where one diameter was measured "         \
+         "[over-bark; full with the preset or the table of a paper]")
 const char *wf_profile_word(size_t i);
 const char *wf_site_word(size_t i);
 const char *wf_design_word(size_t i);
@@ -135,6 +142,40 @@ bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *wh
  * read; its mistakes are in `d`. */
 enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset, struct wf_arena *a,
                                   struct wf_diag *d, struct wf_scenario *out, struct wf_err *e);
+
+/* What is said of soil and root. */
+struct wf_anchorage_asked {
+    const char *soil, *rooting, *method; /* NULL: not given */
+    const char *curve, *table;
+    double pull_moment, secant; /* [N m], [N m rad-1]; NAN: not given */
+};
+const char *wf_soil_word(size_t i);
+bool wf_anchorage_row_unused(const void *options, const struct wf_option *o, char *why);
+#define WF_ANCHORAGE_ROWS(in)                                                                                \
+    WORD("--soil", in.soil, "KIND", wf_soil_word, NULL,                                                      \
+         "ground that the roots are in: unless a test says more, anchorage is then taken by size, of trees " \
+         "in several soils, so that overturning is assessed; unknown: it is not"),                           \
+        CHOICE("--rooting", in.rooting, "DEPTH", "shallow|medium|deep", NULL,                                \
+               "depth of the roots, for rows of --anchorage-table: below 40 cm, 40 to 80 cm, above 80 cm",   \
+               WF_UNUSED(in, wf_anchorage_row_unused)),                                                      \
+        NUMBER("--pull-moment", in.pull_moment, "MOMENT", MOMENT, "kN m", 1e-3, 1e5, NULL,                   \
+               "anchorage by a pulling test: moment on the ground at 0.25 deg of the root plate; 2.5 times " \
+               "that overturns the tree"),                                                                   \
+        NUMBER("--root-secant", in.secant, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e12, NULL,      \
+               "the same by the root's secant stiffness at 0.25 deg"),                                       \
+        PATH("--tipping-curve", in.curve, "FILE", NULL,                                                      \
+             "the same by a measured curve up to its largest moment, a CSV with columns phi_deg and "        \
+             "moment_kNm"),                                                                                  \
+        PATH("--anchorage-table", in.table, "FILE", NULL,                                                    \
+             "the same per mass of the stem: a CSV with columns species, soil, rooting and Nm_per_kg"),      \
+        CHOICE("--anchorage", in.method, "METHOD", "size|mass|root-stiffness", NULL,                         \
+               "the same without a test: by diameter and height; by the stem's mass, of four conifers of "   \
+               "British Columbia; or by --root-stiffness, where that was fitted at 0.25 deg")
+/* Put them into a scenario; the stiffness of --root-stiffness (NAN: none). Files are read; their mistakes are
+ * in `d`. */
+enum wf_status wf_anchorage_asked_read(const struct wf_anchorage_asked *asked, double root_stiffness,
+                                       struct wf_arena *a, struct wf_diag *d, struct wf_scenario *out,
+                                       struct wf_err *e);
 
 /* A gust model's parameters and file; into any struct with texts set, file (NULL: not given) and a struct
  * wf_record_words record. `f`: when they have no effect. */

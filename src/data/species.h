@@ -18,19 +18,25 @@ extern "C" {
 struct wf_yaml_pair;
 
 struct wf_level {
-    const char *name;                   /* "culm", "branch", ... */
-    struct wf_value youngs_modulus;     /* longitudinal, green [Pa]             */
-    struct wf_value shear_modulus;      /* longitudinal-transverse; not given: E/16 [Pa] */
-    struct wf_value density;            /* green, as it stands [kg m-3]         */
-    struct wf_value modulus_of_rupture; /* green, bending [Pa]; not given: no breakage check */
-    struct wf_value radius;             /* typical outer radius at the axis' base [m] */
-    struct wf_value damping_ratio;      /* of critical, internal [-]            */
-    struct wf_value knot_factor;        /* strength of the stem / clear wood, 0..1 [-] */
-    struct wf_value drag_coefficient;   /* of the bare axis, cross-flow; not given: by its law [-] */
-    struct wf_value lift_coefficient;   /* across wind and axis, default 0 [-]  */
-    struct wf_along wall;               /* wall thickness / local outer radius, along the axis [-];
-                                           n == 0: solid                        */
-    struct wf_value wall_note;          /* source and standing of `wall`        */
+    const char *name;                     /* "culm", "branch", ... */
+    struct wf_value youngs_modulus;       /* longitudinal, green [Pa]             */
+    struct wf_value shear_modulus;        /* longitudinal-transverse; not given: E/16 [Pa] */
+    struct wf_value density;              /* green, as it stands [kg m-3]         */
+    struct wf_value modulus_of_rupture;   /* green, bending [Pa]; not given: no breakage check */
+    struct wf_value compressive_strength; /* green, along the grain [Pa]; not given: not assessed */
+    struct wf_value shear_strength; /* green, along the grain [Pa]; not given: 0.15 x modulus of rupture */
+    struct wf_value
+        tangential_strength;            /* green, in tension across the grain [Pa]; not given: not assessed */
+    struct wf_value tangential_modulus; /* Young's modulus across the grain [Pa]; not given: not assessed */
+    struct wf_value poisson_lt, poisson_tl; /* Poisson's ratios, default 0, on the safe side [-] */
+    struct wf_value radius;                 /* typical outer radius at the axis' base [m] */
+    struct wf_value damping_ratio;          /* of critical, internal [-]            */
+    struct wf_value knot_factor;            /* strength of the stem / clear wood, 0..1 [-] */
+    struct wf_value drag_coefficient;       /* of the bare axis, cross-flow; not given: by its law [-] */
+    struct wf_value lift_coefficient;       /* across wind and axis, default 0 [-]  */
+    struct wf_along wall;                   /* wall thickness / local outer radius, along the axis [-];
+                                               n == 0: solid                        */
+    struct wf_value wall_note;              /* source and standing of `wall`        */
 };
 
 /* The leaves in the wind; none of it given: a species without leaves. */
@@ -82,9 +88,10 @@ bool wf_law_property(const struct wf_law *law, const struct wf_law_use *use, siz
                      struct wf_property *out);
 
 /* Put a level's values on row i of a tree: the columns youngs, shear, density, strength (modulus of rupture
- * times knot factor; 0 when not given), drag (NAN when not given: by the law of bare axes), lift and damping.
- * link: the row only joins two parts, with stiffness and damping, without mass, strength, drag and lift.
- * A factor that is 0, as in a level that was not read from a table, counts as 1. */
+ * times knot factor; 0 when not given), compressive, shearing, tangential, transverse (0 when not given),
+ * drag (NAN when not given: by the law of bare axes), lift and damping. link: the row only joins two parts,
+ * with stiffness and damping, without mass, strength, drag and lift. A factor that is 0, as in a level that
+ * was not read from a table, counts as 1. */
 void wf_level_onto(const struct wf_level *l, struct wf_tree *t, size_t i, bool link);
 
 /* Full citation of a source key of the table; NULL when there is none. */

@@ -9,11 +9,13 @@ enum { ROWS_LISTED = 100 };
 
 enum wf_status wf_tree_alloc(struct wf_tree *t, size_t n, struct wf_arena *a, struct wf_err *e)
 {
-    *t = (struct wf_tree){ .n = n };
-    double **column[] = { &t->x0,      &t->y0,       &t->z0,    &t->x1,      &t->y1,      &t->z1,
-                          &t->r0,      &t->r1,       &t->i0,    &t->i1,      &t->youngs,  &t->shear,
-                          &t->density, &t->strength, &t->drag,  &t->lift,    &t->damping, &t->sail0,
-                          &t->sail1,   &t->leaf0,    &t->leaf1, &t->burden0, &t->burden1 };
+    *t = (struct wf_tree){ .n = n, .anchorage = NAN };
+    double **column[] = { &t->x0,         &t->y0,        &t->z0,      &t->x1,          &t->y1,
+                          &t->z1,         &t->r0,        &t->r1,      &t->i0,          &t->i1,
+                          &t->youngs,     &t->shear,     &t->density, &t->strength,    &t->drag,
+                          &t->lift,       &t->damping,   &t->sail0,   &t->sail1,       &t->leaf0,
+                          &t->leaf1,      &t->burden0,   &t->burden1, &t->compressive, &t->shearing,
+                          &t->tangential, &t->transverse };
     t->parent = WF_TAKE(a, n, int32_t);
     t->level = WF_TAKE(a, n, int32_t);
     t->id = WF_TAKE(a, n, int64_t);
@@ -105,11 +107,13 @@ static const char *section_row_fault(const struct wf_tree *t, size_t i)
 /* What is wrong with row i; NULL: nothing. */
 static const char *row_fault(const struct wf_tree *t, size_t i)
 {
-    const double finite[] = { t->x0[i],      t->y0[i],     t->z0[i],      t->x1[i],       t->y1[i],
-                              t->z1[i],      t->r0[i],     t->r1[i],      t->i0[i],       t->i1[i],
-                              t->youngs[i],  t->shear[i],  t->density[i], t->strength[i], t->lift[i],
-                              t->damping[i], t->sail0[i],  t->sail1[i],   t->leaf0[i],    t->leaf1[i],
-                              t->burden0[i], t->burden1[i] };
+    const double finite[] = { t->x0[i],         t->y0[i],        t->z0[i],          t->x1[i],
+                              t->y1[i],         t->z1[i],        t->r0[i],          t->r1[i],
+                              t->i0[i],         t->i1[i],        t->youngs[i],      t->shear[i],
+                              t->density[i],    t->strength[i],  t->lift[i],        t->damping[i],
+                              t->sail0[i],      t->sail1[i],     t->leaf0[i],       t->leaf1[i],
+                              t->burden0[i],    t->burden1[i],   t->compressive[i], t->shearing[i],
+                              t->tangential[i], t->transverse[i] };
     for (size_t k = 0; k < WF_COUNT(finite); k++)
         if (!isfinite(finite[k])) return "a value is not a finite number";
     if (t->parent[i] < -1 || t->parent[i] >= (int32_t)i) return "the parent is not an earlier row";
@@ -128,6 +132,8 @@ static const char *row_fault(const struct wf_tree *t, size_t i)
     if (!(t->sail0[i] >= 0 && t->sail1[i] >= 0 && t->leaf0[i] >= 0 && t->leaf1[i] >= 0))
         return "an area is negative";
     if (!(t->strength[i] >= 0 && t->damping[i] >= 0)) return "the strength or damping ratio is negative";
+    if (!(t->compressive[i] >= 0 && t->shearing[i] >= 0 && t->tangential[i] >= 0 && t->transverse[i] >= 0))
+        return "a strength, or the stiffness across the grain, is negative";
     if (t->bend) {
         const double *k = t->bend + 3 * i, curvature = hypot(hypot(k[0], k[1]), k[2]);
         double c[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] };

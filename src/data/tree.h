@@ -26,9 +26,12 @@ struct wf_tree {
     double *r0, *r1;      /* outer radius [m]                                      */
     double *i0, *i1;      /* inner radius [m]; 0 = solid                           */
     double *youngs, *shear, *density, *strength; /* E, G [Pa], [kg m-3], MOR*knot factor [Pa] (0: unknown) */
-    double *drag;                                /* cross-flow drag coefficient; NAN = Reynolds law [-]   */
-    double *lift;                                /* lift coefficient [-]                                  */
-    double *damping;                             /* damping ratio [-]                                     */
+    double *compressive, *shearing;              /* strengths along the grain, green [Pa] (0: unknown) */
+    double *tangential;                          /* strength in tension along the rings [Pa] (0: unknown) */
+    double *transverse;        /* E_T / (1 - nu_LT nu_TL), stiffness along the rings [Pa] (0: unknown) */
+    double *drag;              /* cross-flow drag coefficient; NAN = Reynolds law [-]   */
+    double *lift;              /* lift coefficient [-]                                  */
+    double *damping;           /* damping ratio [-]                                     */
     double *sail0, *sail1;     /* still-air crown frontal area times crown Cd per axis length [m] */
     double *leaf0, *leaf1;     /* one-sided leaf area per axis length [m]               */
     double *burden0, *burden1; /* added mass per axis length: leaves, twigs not drawn, water, snow [kg/m] */
@@ -38,8 +41,9 @@ struct wf_tree {
     struct wf_tree_sections *section;  /* solid sections that are not round; NULL = round rows */
     struct wf_tree_standing *standing; /* the tree stands in this shape under its own weight; NULL = the shape
                                         * is free of stress */
-    bool *doubtful; /* n: rows that no scope holds, because their own weight would nearly break them
-                     * (study/rest.h); NULL = none */
+    double anchorage; /* largest moment on the ground that the root carries [N m]; NAN: not known */
+    bool *doubtful;   /* n: rows that no scope holds, because their own weight would nearly break them
+                       * (study/rest.h); NULL = none */
 };
 
 /* What a tree that stands in its shape carried when the shape was drawn or measured, beside its wood and the

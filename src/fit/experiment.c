@@ -127,10 +127,17 @@ static void copy_part(const struct wf_tree *from, size_t i, double s0, double s1
         { from->leaf0, from->leaf1, to->leaf0, to->leaf1 },
         { from->burden0, from->burden1, to->burden0, to->burden1 },
     };
-    double *const single[][2] = { { from->youngs, to->youngs },   { from->shear, to->shear },
-                                  { from->density, to->density }, { from->strength, to->strength },
-                                  { from->drag, to->drag },       { from->lift, to->lift },
-                                  { from->damping, to->damping } };
+    double *const single[][2] = { { from->youngs, to->youngs },
+                                  { from->shear, to->shear },
+                                  { from->density, to->density },
+                                  { from->strength, to->strength },
+                                  { from->drag, to->drag },
+                                  { from->lift, to->lift },
+                                  { from->damping, to->damping },
+                                  { from->compressive, to->compressive },
+                                  { from->shearing, to->shearing },
+                                  { from->tangential, to->tangential },
+                                  { from->transverse, to->transverse } };
     for (size_t k = 0; k < WF_COUNT(ends); k++) {
         ends[k][2][at] = between(ends[k][0][i], ends[k][1][i], s0);
         ends[k][3][at] = between(ends[k][0][i], ends[k][1][i], s1);

@@ -303,6 +303,15 @@ json_t *wf_part_steady(struct wf_doc *d, const struct wf_analysis *a, const stru
     return o;
 }
 
+static void put_branch_strength(struct wf_doc *d, json_t *method, const struct wf_branch_strength *b)
+{
+    json_t *o = wf_doc_put(d, method, "branch_strength", wf_doc_object(d));
+    wf_doc_text(d, o, "name", b->name);
+    wf_doc_quantity(d, o, "factor", b->factor, "1", NULL);
+    wf_doc_text(d, o, "source", b->source);
+    wf_doc_text(d, o, "validity", b->text);
+}
+
 json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
 {
     const struct wf_profile *profile = wf_profile_named(a->scenario.profile);
@@ -321,6 +330,7 @@ json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_text(d, wind, "validity", profile ? profile->validity : NULL);
     const struct wf_shelter_law *own = wf_shelter_law_named(a->scenario.shelter);
     put_peak_method(d, o, a);
+    if (a->branch_strength) put_branch_strength(d, o, a->branch_strength);
     json_t *shelter = wf_doc_put(d, o, "shelter", wf_doc_object(d));
     wf_doc_text(d, shelter, "name", own ? own->name : "none");
     wf_doc_text(d, shelter, "source", own ? own->source : NULL);

@@ -26,9 +26,10 @@ static const struct {
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
     { FLAG, "conifer damping_known staged as_printed converged energy estimated given nuisance priors "
-            "searched_to_the_end "
+            "searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
-    { LIST, "at classes_m_s criteria figures files findings hours_a_year_above methods move_m "
+    { LIST, "thicknesses not_assessed at classes_m_s criteria figures files findings hours_a_year_above "
+            "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
             "blocks modes budget criticals_m_s deflections_m frequencies_Hz moments_N_m speeds sways swing_m "
             "table_share "
@@ -52,10 +53,14 @@ static const struct {
               "ring_decrement ring_frequency_Hz spread_mm steps_a_second tests_a_way tip_percent "
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
-              "twist_percent water_off energy_off with_restoring frequency_with_restoring damping_ratio" },
+              "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
+              "frequency_with_restoring damping_ratio" },
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
+      "branch_strength factor required_safety resistance stress "
+      "verdict anchorage moment branches_from critical_gust loss_safety thickness_low thickness_high "
+      "fails_at "
       "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
       "load_factor_branches "
       "sway_frequency participation modal_mass damping_total damping_air turbulence background resonance "
@@ -68,19 +73,19 @@ static const struct {
       "least_safety lift load_factor main_from method moved north position provenance "
       "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
       "scenario schema searched_to site_x site_y speed_high speed_low speed_up streamlining "
-      "strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
+      "weight_stress strongest_10_min_over_hourly sweep sweep_speed_high taper_power temperature tip_angle "
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,
-      "form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
+      "wants form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
       "code command "
-      "criterion date differs direction file generator ground_file gust key kind latin loss meaning name "
+      "criterion date differs direction file generator ground_file gust key kind latin meaning name "
       "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
       "reason reference role scope script season sensor sha256 source species_name status "
       "status_text taper terrain test text title tree unit validity winds_said terrain_text terrain_from "
-      "site_kind design "
+      "site_kind design safety_criterion "
       "wind_terrain" },
-    { TEXT | OBJECT, "law model shelter solver species" },
+    { TEXT | OBJECT, "law loss model shelter solver species" },
 };
 
 enum { DEPTH_MAX = 32, MISTAKES_MAX = 20 };

@@ -4,6 +4,7 @@
 #include "base/progress.h"
 #include "data/model.h"
 #include "data/species.h"
+#include "fail/anchorage.h"
 #include "grow/grow.h"
 #include "load/interception.h"
 #include "load/winter.h"
@@ -50,6 +51,16 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
     return WF_OK;
 }
 
+static enum wf_status anchor(struct wf_analysis *an, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_anchorage *found = WF_TAKE(a, 1, struct wf_anchorage);
+    if (!found) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
+    enum wf_status s = wf_anchorage_find(an->scenario.anchorage, &an->tree, an->species, a, found, e);
+    an->anchorage = found;
+    an->tree.anchorage = found->moment;
+    return s;
+}
+
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
@@ -57,6 +68,8 @@ enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_
     if (s || (s = wf_tree_check(&an->tree, d, e))) return s;
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
+    if (!s) s = anchor(an, a, e);
+    an->branch_strength = wf_branches_limit(an->scenario.branch_strength, an->species, &an->tree);
     if (!s) s = wf_rest_set_up(an, o, a, d, e);
     if (!s && an->scenario.water > 0) wf_intercept(&an->tree, an->scenario.water); /* it was drawn dry */
     if (!s) s = winter(an, d, e);
@@ -184,5 +197,6 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
     if (s) return wf_fail(e, s, "%s", why.text);
     wf_limits_check(out, d);
+    wf_limits_root(out, o->root_stiffness, d);
     return WF_OK;
 }

@@ -6,6 +6,7 @@
 #include "solve/beam_many.h"
 #include "study/node.h"
 #include "study/sway.h"
+#include "study/verdict.h"
 #include "wind/climate.h"
 #include <math.h>
 
@@ -119,7 +120,8 @@ static void add_climate(struct wf_directions *out)
     out->hourly = out->strongest = r ? 0.0 : NAN;
     for (size_t k = 0; k < out->request.n; k++) {
         struct wf_direction *d = &out->direction[k];
-        const struct wf_critical *c = &d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
+        const struct wf_direction *found = d;
+        const struct wf_critical *c = &wf_verdict_of(found->breaks).loss->critical;
         d->hourly = r ? share(r, k, c, 1.0) : NAN;
         d->strongest = r ? share(r, k, c, out->gust) : NAN;
         out->hourly += d->hourly, out->strongest += d->strongest;

@@ -177,29 +177,51 @@ static enum wf_status sequence_for(struct wf_nodes *k, const struct wf_solve_opt
 
 static float single(double x) { return isfinite(x) ? (float)x : 0.0F; }
 
-/* Utilisations and stresses of all rows. */
-static void read_columns(const struct wf_tree *t, const struct wf_at_speed *at, double *out)
+/* Utilisation or stress of all rows. */
+static void read_column(const struct wf_tree *t, const struct wf_at_speed *at, int column, double *out)
 {
-    for (size_t i = 0; i < t->n; i++) {
-        double place;
-        for (int c = 0; c < WF_CRITERIA; c++)
-            out[(size_t)c * t->n + i] =
-                1.0 / wf_criteria[c].safety(t, &at->response, &at->breakage, i, &place);
-        out[WF_NODE_STRESS * t->n + i] = at->breakage.peak[i];
-    }
+    double place;
+    for (size_t i = 0; i < t->n; i++)
+        out[i] = column == WF_NODE_STRESS ? at->breakage.peak[i]
+                                          : 1.0 / wf_criterion_safety(&wf_criteria[column], t, &at->response,
+                                                                      &at->breakage, i, &place);
 }
 
 /* Slopes of totals that are those of a governing row. */
-static void slopes_of_worst(const struct wf_tree *t, const double *gain, struct wf_node *out)
+static void slopes_of_worst(int column, const double *gain, struct wf_node *out)
 {
     int32_t row = out->at.breakage.largest_stress_row;
-    out->slope[WF_TOTAL_STRESS] = row < 0 ? NAN : gain[WF_NODE_STRESS * t->n + (size_t)row];
-    for (int c = 0; c < WF_CRITERIA; c++)
-        for (int s = 0; s < WF_SCOPES; s++) {
-            row = out->at.worst[c][s].row;
-            out->slope[WF_TOTAL_UTILISATION + c * WF_SCOPES + s] =
-                row < 0 ? NAN : gain[(size_t)c * t->n + (size_t)row];
-        }
+    if (column == WF_NODE_STRESS) {
+        out->slope[WF_TOTAL_STRESS] = row < 0 ? NAN : gain[row];
+        return;
+    }
+    for (int s = 0; s < WF_SCOPES; s++) {
+        row = out->at.worst[column][s].row;
+        out->slope[WF_TOTAL_UTILISATION + column * WF_SCOPES + s] = row < 0 ? NAN : gain[row];
+    }
+}
+
+/* A column, from the answers at the speed and at one a little higher. */
+static enum wf_status read_slope(const struct wf_tree *t, const struct wf_speed_answers *r, int column,
+                                 struct wf_arena *a, struct wf_arena *scratch, struct wf_node *out,
+                                 struct wf_err *e)
+{
+    struct wf_node_column *to = &out->column[column];
+    double *at = WF_TAKE(scratch, t->n, double), *side = WF_TAKE(scratch, t->n, double);
+    to->value = WF_TAKE(a, t->n, float);
+    to->gain = WF_TAKE(a, t->n, float);
+    if (!at || !side || !to->value || !to->gain)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the slopes of %zu segments", t->n);
+    read_column(t, &r->at, column, at);
+    for (size_t i = 0; i < t->n; i++) to->value[i] = single(at[i]);
+    if (!(r->step > 0.0)) return WF_OK;
+    read_column(t, &r->side, column, side);
+    for (size_t i = 0; i < t->n; i++) {
+        side[i] = (side[i] - at[i]) / r->step;
+        to->gain[i] = single(side[i]);
+    }
+    slopes_of_worst(column, side, out);
+    return WF_OK;
 }
 
 /* Values and slopes, from the answers at the speed and at one a little higher. */
@@ -207,26 +229,18 @@ static enum wf_status read_slopes(const struct wf_tree *t, const struct wf_speed
                                   struct wf_arena *a, struct wf_arena *scratch, struct wf_node *out,
                                   struct wf_err *e)
 {
-    size_t n = WF_NODE_COLUMNS * t->n;
-    double *at = WF_TAKE(scratch, n, double), *side = WF_TAKE(scratch, n, double), v[2][WF_TOTALS];
-    out->value = WF_TAKE(a, n, float);
-    out->gain = WF_TAKE(a, n, float);
-    if (!at || !side || !out->value || !out->gain)
-        return wf_fail(e, WF_ENOMEM, "not enough memory for the slopes of %zu segments", t->n);
-    read_columns(t, &r->at, at);
-    for (size_t i = 0; i < n; i++) out->value[i] = single(at[i]);
+    double v[2][WF_TOTALS];
+    enum wf_status s = WF_OK;
     out->sloped = r->step > 0.0 || r->at.speed == 0.0;
-    if (!(r->step > 0.0)) return WF_OK;
-    read_columns(t, &r->side, side);
-    wf_totals_read(&r->at, v[0]);
-    wf_totals_read(&r->side, v[1]);
-    for (int q = 0; q < WF_TOTALS; q++) out->slope[q] = (v[1][q] - v[0][q]) / r->step;
-    for (size_t i = 0; i < n; i++) {
-        side[i] = (side[i] - at[i]) / r->step;
-        out->gain[i] = single(side[i]);
+    if (r->step > 0.0) {
+        wf_totals_read(&r->at, v[0]);
+        wf_totals_read(&r->side, v[1]);
+        for (int q = 0; q < WF_TOTALS; q++) out->slope[q] = (v[1][q] - v[0][q]) / r->step;
     }
-    slopes_of_worst(t, side, out);
-    return WF_OK;
+    for (int c = 0; c < WF_NODE_COLUMNS && !s; c++)
+        if (c == WF_NODE_STRESS || wf_criterion_known(&wf_criteria[c], t, WF_SCOPE_TREE))
+            s = read_slope(t, r, c, a, scratch, out, e);
+    return s;
 }
 
 /* The track of another sequence, of stem or branches, whose last speed is near; NULL: none. */

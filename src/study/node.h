@@ -32,6 +32,10 @@ struct wf_solve_options wf_nodes_quick(const struct wf_solve_options *o);
 
 /* Columns of a node: utilisation by criterion, then the largest stress of each row [Pa]. */
 enum { WF_NODE_STRESS = WF_CRITERIA, WF_NODE_COLUMNS };
+/* Values of the rows and d value / d speed; 0: unknown. NULL: the resistance is known of no row. */
+struct wf_node_column {
+    float *value, *gain;
+};
 
 struct wf_node {
     struct wf_at_speed at;
@@ -40,7 +44,7 @@ struct wf_node {
     bool sloped;             /* what follows is known */
     bool irregular;          /* small parts are not stable or have snapped */
     double slope[WF_TOTALS]; /* d total / d speed */
-    float *value, *gain;     /* WF_NODE_COLUMNS times the rows: values and d value / d speed; 0: unknown */
+    struct wf_node_column column[WF_NODE_COLUMNS];
 };
 
 struct wf_nodes;

@@ -5,7 +5,6 @@
 #include "data/section.h"
 #include "data/species.h"
 #include "grow/grow.h"
-#include "solve/beam.h"
 #include "solve/firm.h"
 #include "solve/unload.h"
 #include <math.h>
@@ -183,32 +182,39 @@ static enum wf_status doubt(struct wf_analysis *an, const struct wf_response *r,
     return WF_OK;
 }
 
-/* Stresses by weight alone. */
-static enum wf_status doubt_shape(struct wf_analysis *an, const struct wf_solve_options *o,
-                                  struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+/* The state at rest, in `a`. */
+static enum wf_status find_still(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                                 struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct wf_loads weight = an->loads;
-    struct wf_response r;
-    struct wf_breakage b;
     struct wf_diag unsaid = { .arena = &scratch };
-    struct wf_tree then = an->tree; /* with what it carried on that day */
+    struct wf_tree then = an->tree;
+    struct wf_still *still = WF_TAKE(a, 1, struct wf_still);
+    if (!still) return wf_fail(e, WF_ENOMEM, "not enough memory for the state at rest");
     weight.wind = NULL;
-    then.burden0 = then.standing->burden0, then.burden1 = then.standing->burden1;
-    enum wf_status s = wf_solver_beam.solve(&then, &weight, o, &scratch, &r, &unsaid, e);
-    if (!s) s = wf_breakage_check(&then, &r, NULL, &scratch, &b, e);
-    if (!s) s = doubt(an, &r, &b, a, d, e);
+    if (then.standing) /* with what it carried on that day */
+        then.burden0 = then.standing->burden0, then.burden1 = then.standing->burden1;
+    enum wf_status s = an->solver->solve(&then, &weight, o, a, &still->response, &unsaid, e);
+    if (!s) s = wf_breakage_check(&then, &still->response, NULL, a, &still->breakage, e);
+    if (!s) an->still = still;
     wf_arena_free(&scratch);
     return s;
 }
 
-enum wf_status wf_rest_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
-                              struct wf_diag *d, struct wf_err *e)
+/* A tree whose shape, or its unloaded shape, is free of stress: the state at rest is needed where the weight
+ * is taken off the stresses. */
+static enum wf_status still_of_free(struct wf_analysis *an, const struct wf_solve_options *o,
+                                    struct wf_arena *a, struct wf_err *e)
+{
+    return an->scenario.weight_unstressed ? find_still(an, o, a, e) : WF_OK;
+}
+
+static enum wf_status set_up_shape(struct wf_analysis *an, const struct wf_solve_options *o,
+                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     enum wf_standing_shape shape = an->model->shape;
-    struct wf_solve_options own;
     if (shape == WF_SHAPE_STRESS_FREE || !(an->loads.gravity > 0.0)) return WF_OK;
-    if (!o) wf_solve_options_default(&own), o = &own;
     if (shape == WF_SHAPE_UNLOADED) return unload(an, o, a, d, e);
     if (!an->solver->stands && an->solver->as_printed) {
         wf_diag_warn(d, "not-at-rest", "%s: the solver '%s' takes the shape drawn as free of stress",
@@ -218,5 +224,23 @@ enum wf_status wf_rest_set_up(struct wf_analysis *an, const struct wf_solve_opti
     if (!an->solver->stands) return unload(an, o, a, d, e);
     enum wf_status s = stand(an, a, e);
     if (!s) s = make_firm(an, o, a, d, e);
-    return s ? s : doubt_shape(an, o, a, d, e);
+    if (!s) s = find_still(an, o, a, e);
+    return s ? s : doubt(an, &an->still->response, &an->still->breakage, a, d, e);
+}
+
+enum wf_status wf_rest_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
+                              struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_solve_options own;
+    if (!o) wf_solve_options_default(&own), o = &own;
+    an->still = NULL;
+    enum wf_status s = set_up_shape(an, o, a, d, e);
+    if (!s && !an->still) s = still_of_free(an, o, a, e);
+    if (!s && an->scenario.weight_unstressed)
+        wf_diag_warn(d, "weight-not-counted",
+                     "%s, %s: self weight not counted: unsafe for leaning trees and limbs. Stresses, safety "
+                     "and critical winds are those of the change from the state at rest, as strain gauges "
+                     "show it that were set to zero in place",
+                     an->model->name, an->species->name);
+    return s;
 }

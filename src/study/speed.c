@@ -226,15 +226,30 @@ static enum wf_status solve_sheltered(const struct wf_analysis *an, const struct
     return wf_sheltered_solve(&an->tree, l, &q, an->solver, o, a, out, r, d, e);
 }
 
+/* Stresses and criteria of the response, or of its change from the state at rest. */
+static enum wf_status fill_stresses(const struct wf_analysis *an, const struct wf_breakage *like,
+                                    struct wf_arena *a, struct wf_at_speed *out, struct wf_err *e)
+{
+    struct wf_response change;
+    const struct wf_response *r = &out->response;
+    enum wf_status s = WF_OK;
+    if (an->scenario.weight_unstressed) {
+        s = wf_response_change(&an->tree, &an->still->response, r, a, &change, e);
+        r = &change;
+    }
+    if (!s) s = wf_breakage_check(&an->tree, r, like, a, &out->breakage, e);
+    if (!s) wf_criteria_check(&an->tree, &out->response, &out->breakage, out->worst);
+    return s;
+}
+
 /* Compute stresses, criteria and figures from the response. */
 static enum wf_status fill_at_speed(const struct wf_analysis *an, const struct wf_loads *l,
-                                    const double *places, struct wf_arena *a, struct wf_at_speed *out,
-                                    struct wf_err *e)
+                                    const struct wf_breakage *like, struct wf_arena *a,
+                                    struct wf_at_speed *out, struct wf_err *e)
 {
     struct totals totals = { 0 };
-    enum wf_status s = wf_breakage_check(&an->tree, &out->response, places, a, &out->breakage, e);
+    enum wf_status s = fill_stresses(an, like, a, out, e);
     if (s) return s;
-    wf_criteria_check(&an->tree, &out->response, &out->breakage, out->worst);
     s = fill_figures(&an->tree, l, &out->response, an->wind.direction,
                      an->species->crown.drag_coefficient.value, a, &out->figures, &totals, e);
     size_t tip = wf_tip_row(&an->tree);
@@ -254,7 +269,7 @@ static double row_weight(const struct wf_tree *t, const struct wf_loads *l, size
 /* As fill_at_speed, without columns of figures: totals from the solver's own loads, of which the weight is
  * known. Vertical dead line loads cannot be told from lift in them. */
 static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_loads *l,
-                                  const double *places, struct wf_arena *a, struct wf_at_speed *out,
+                                  const struct wf_breakage *like, struct wf_arena *a, struct wf_at_speed *out,
                                   struct wf_err *e)
 {
     const struct wf_tree *t = &an->tree;
@@ -262,10 +277,9 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
     struct totals totals = { 0 };
     struct curve unloaded;
     size_t tip = wf_tip_row(t);
-    if (l->line) return fill_at_speed(an, l, places, a, out, e);
-    enum wf_status s = wf_breakage_check(t, r, places, a, &out->breakage, e);
+    if (l->line) return fill_at_speed(an, l, like, a, out, e);
+    enum wf_status s = fill_stresses(an, like, a, out, e);
     if (s) return s;
-    wf_criteria_check(t, r, &out->breakage, out->worst);
     for (size_t i = 0; i < t->n; i++) {
         double weight = row_weight(t, l, i);
         for (int k = 0; k < 3; k++) totals.air[k] += r->load[3 * i + (size_t)k];
@@ -370,6 +384,8 @@ static void take_row(const struct wf_breakage *from, size_t i, struct wf_breakag
                                      from->stress0,  from->stress1,   from->safety0,  from->safety1,
                                      from->peak,     from->peak_place };
     for (size_t k = 0; k < WF_COUNT(column); k++) to_column[k][i] = column[k][i];
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (to->use[c]) to->use[c][i] = from->use[c][i], to->use_place[c][i] = from->use_place[c][i];
 }
 
 /* The largest stress of stem and branches, from the columns. */
@@ -555,5 +571,5 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, s
     if (s || out->at.status || !t.sided) return s;
     out->step = share * speed;
     out->side.response = t.side;
-    return fill_totals(an, &side, out->at.breakage.peak_place, a, &out->side, e);
+    return fill_totals(an, &side, &out->at.breakage, a, &out->side, e);
 }

@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+struct wf_anchorage;
 struct wf_model;
 struct wf_peak;
 struct wf_species;
@@ -73,6 +74,7 @@ struct wf_search {
     double beyond; /* at least this many times the highest given speed is searched; 0: speed_max alone [-] */
     double
         seconds; /* processor time after which the search, and again the curves, end [s]; INFINITY: no end */
+    double branches_from; /* diameter from which branches are listed; thinner ones are twigs [m] */
     /* Called when the given speeds are solved and the searches have not begun; NULL: not called. */
     void (*solved)(const struct wf_analysis *an, void *context);
     void *context;
@@ -80,6 +82,12 @@ struct wf_search {
 /* Up to 60 m/s, no lower than any 10-min mean on record, or 1.2 times the highest given speed where that is
  * more; without a bound. */
 void wf_search_default(struct wf_search *s);
+
+/* A tree in still air, in its state at rest. */
+struct wf_still {
+    struct wf_response response;
+    struct wf_breakage breakage; /* stresses of its weight alone */
+};
 
 struct wf_directions;
 struct wf_wetted;
@@ -92,7 +100,11 @@ struct wf_analysis {
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
-    const struct wf_peak *peak; /* by study/sway.h; NULL: the load of the mean wind */
+    const struct wf_branch_strength *branch_strength; /* what branches bear (fail/fail.h) */
+    const struct wf_peak *peak;                       /* by study/sway.h; NULL: the load of the mean wind */
+    const struct wf_still *still; /* by study/rest.h: of a standing tree, and where the scenario takes the
+                                     weight off the stresses; NULL: not computed */
+    const struct wf_anchorage *anchorage; /* fail/anchorage.h; by wf_analysis_set_up */
     size_t n;
     struct wf_at_speed *at; /* results at the given speeds                     */
     size_t sweep_n;
