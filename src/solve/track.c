@@ -138,8 +138,8 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
     k->work = (struct wf_arena){ 0 };
     k->rested = k->led = k->solved = false;
     k->solutions = 1;
-    enum wf_status s = wf_beam_solve(k->tree, l, &k->options, from == &k->beam ? &own : from, &k->work,
-                                     &k->beam, &k->outcome, e);
+    if (from == &k->beam) from = &own;
+    enum wf_status s = wf_beam_solve(k->tree, l, &k->options, from, from, &k->work, &k->beam, &k->outcome, e);
     if (!s) s = take_forms(k, e);
     if (!s && rested) carry_rest(k, &own, &rest);
     wf_arena_free(&before);

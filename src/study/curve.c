@@ -348,8 +348,8 @@ static double compared(const struct span *s, const struct ends *q)
                              s->x * s->x);
 }
 
-/* The largest of a column in a scope, by both curves. Rows that cannot reach the smaller of the values at the
- * ends are passed over. */
+/* The largest of a column, by both curves: of the stress on all rows, else of those in a scope. Rows that
+ * cannot reach the smaller of the values at the ends are passed over. */
 static void largest(const struct wf_tree *t, const struct wf_node *low, const struct wf_node *high,
                     size_t column, enum wf_scope scope, const struct span *s, const double at_ends[2],
                     double out[2])
@@ -362,7 +362,7 @@ static void largest(const struct wf_tree *t, const struct wf_node *low, const st
         double top = fmax((double)y0[i], (double)y1[i]);
         if (!(top > 0.0) || top + (s->b - s->a) * (fabs((double)d0[i]) + fabs((double)d1[i])) < least)
             continue;
-        if (!wf_scope_holds(scope, t, i)) continue;
+        if (column != WF_NODE_STRESS && !wf_scope_holds(scope, t, i)) continue;
         struct ends q = { { (double)y0[i], (double)y1[i] }, { (double)d0[i], (double)d1[i] } };
         out[0] = fmax(out[0], drawn(s, &q));
         out[1] = fmax(out[1], compared(s, &q));

@@ -57,7 +57,7 @@ enum { TRACKS = 2 };
 
 /* Solutions by one mesh tolerance, each from the last. */
 struct sequence {
-    double tolerance, speed;
+    double tolerance, speed, branches_speed; /* of the last solutions; NAN: none */
     struct wf_solve_options options;
     struct wf_track *track;    /* at the peak of the load on the tree */
     struct wf_track *branches; /* and on branches; NULL: the same */
@@ -170,12 +170,15 @@ static enum wf_status sequence_for(struct wf_nodes *k, const struct wf_solve_opt
         *out = &k->sequence[0];
         close_tracks(*out);
     }
-    **out = (struct sequence){ .tolerance = o->mesh_tolerance, .speed = NAN, .options = *o };
+    **out = (struct sequence){
+        .tolerance = o->mesh_tolerance, .speed = NAN, .branches_speed = NAN, .options = *o
+    };
     const struct sequence *like = NULL;
     for (int i = 0; k->like && i < TRACKS; i++)
         if (k->like->sequence[i].track && k->like->sequence[i].tolerance == o->mesh_tolerance)
             like = &k->like->sequence[i];
     if (like) (*out)->speed = k->kin ? like->speed : 0.0;
+    if (like) (*out)->branches_speed = 0.0;
     enum wf_status s =
         wf_track_open(&k->an->tree, &(*out)->options, like ? like->track : NULL, &(*out)->track, e);
     if (!s && k->kin) wf_track_begin_at_last((*out)->track);
@@ -251,28 +254,40 @@ static enum wf_status read_slopes(const struct wf_tree *t, const struct wf_speed
     return s;
 }
 
-/* Another sequence whose last speed is near. */
-static const struct sequence *other_near(const struct wf_nodes *k, const struct sequence *q, double speed)
+/* The track of another sequence, of stem or branches, whose last speed is near; NULL: none. */
+static const struct wf_track *other_near(const struct wf_nodes *k, const struct sequence *q, double speed,
+                                         bool branches)
 {
     const double near = 0.2;
     for (int i = 0; i < TRACKS; i++) {
         const struct sequence *other = &k->sequence[i];
-        if (other != q && other->track && fabs(other->speed - speed) <= near * speed) return other;
+        double last = branches ? other->branches_speed : other->speed;
+        if (other != q && other->track && fabs(last - speed) <= near * speed)
+            return branches ? other->branches : other->track;
     }
     return NULL;
 }
 
-/* Stem and branches at a speed, each at the peak of its load. */
-static enum wf_status solve_states(const struct wf_nodes *k, const struct sequence *q, double speed,
+static enum wf_status solve_state(const struct wf_nodes *k, struct sequence *q, enum wf_part part,
+                                  double speed, struct wf_arena *a, struct wf_speed_answers *out,
+                                  struct wf_err *e)
+{
+    bool branches = part == WF_PART_BRANCHES;
+    double *last = branches ? &q->branches_speed : &q->speed;
+    enum wf_status s = wf_speed_track(k->an, part, branches ? q->branches : q->track, *last, speed,
+                                      other_near(k, q, speed, branches), a, out, e);
+    if (!s) *last = out->at.status ? NAN : speed;
+    return s;
+}
+
+/* Stem and branches at a speed, each at the peak of its load; or the stem alone. */
+static enum wf_status solve_states(const struct wf_nodes *k, struct sequence *q, double speed, bool stem,
                                    struct wf_arena *a, struct wf_speed_answers *out, struct wf_err *e)
 {
-    const struct sequence *other = other_near(k, q, speed);
     struct wf_speed_answers branches;
-    enum wf_status s = wf_speed_track(k->an, WF_PART_STEM, q->track, q->speed, speed,
-                                      other ? other->track : NULL, a, out, e);
-    if (s || !q->branches || out->at.status) return s;
-    s = wf_speed_track(k->an, WF_PART_BRANCHES, q->branches, q->speed, speed, other ? other->branches : NULL,
-                       a, &branches, e);
+    enum wf_status s = solve_state(k, q, WF_PART_STEM, speed, a, out, e);
+    if (s || stem || !q->branches || out->at.status) return s;
+    s = solve_state(k, q, WF_PART_BRANCHES, speed, a, &branches, e);
     if (s) return s;
     out->irregular = out->irregular || branches.irregular;
     if (!(branches.step > 0.0)) out->step = 0.0;
@@ -281,18 +296,17 @@ static enum wf_status solve_states(const struct wf_nodes *k, const struct sequen
     return WF_OK;
 }
 
-static enum wf_status solve_node(struct wf_nodes *k, struct sequence *q, double speed, struct wf_node *out,
-                                 struct wf_err *e)
+static enum wf_status solve_node(struct wf_nodes *k, struct sequence *q, double speed, bool stem,
+                                 struct wf_node *out, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
     *out = (struct wf_node){ .tolerance = q->tolerance, .used = true };
-    enum wf_status s = solve_states(k, q, speed, &scratch, &r, e);
+    enum wf_status s = solve_states(k, q, speed, stem, &scratch, &r, e);
     wf_stage_step(1);
     if (!s) {
         out->at = r.at;
         out->irregular = r.irregular;
-        q->speed = r.at.status ? NAN : speed;
         if (!r.at.status) s = read_slopes(&k->an->tree, &r, &k->arena, &scratch, out, e);
         wf_speed_drop_columns(&out->at);
     }
@@ -322,10 +336,25 @@ enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options 
     if (!s && !found && k->n == WF_NODES_MAX)
         s = wf_fail(e, WF_EINTERNAL, "too many wind speeds were solved");
     if (!s) s = sequence_for(k, o, &q, e);
-    if (!s) s = solve_node(k, q, speed, &node, e);
+    if (!s) s = solve_node(k, q, speed, false, &node, e);
     if (s) return s;
     if (!found) found = &k->node[k->n++];
     *found = node;
     *out = found;
     return WF_OK;
+}
+
+enum wf_status wf_nodes_solve_stem(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
+                                   struct wf_node *out, struct wf_err *e)
+{
+    struct sequence *q = NULL;
+    const struct wf_node *found = wf_nodes_find(k, speed, o->mesh_tolerance);
+    if (!found && wf_peak_branches(k->an->peak)) {
+        enum wf_status s = wf_nodes_ready(k, e);
+        if (!s) s = sequence_for(k, o, &q, e);
+        return s ? s : solve_node(k, q, speed, true, out, e);
+    }
+    enum wf_status s = wf_nodes_solve(k, o, speed, &found, e);
+    if (!s) *out = *found;
+    return s;
 }

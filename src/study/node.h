@@ -80,6 +80,11 @@ bool wf_nodes_tracked(const struct wf_analysis *an);
 enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
                               const struct wf_node **out, struct wf_err *e);
 
+/* The same for the stem alone: where branches have a peak of their own they are not solved, and the node is
+ * not kept; it says nothing about them. */
+enum wf_status wf_nodes_solve_stem(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
+                                   struct wf_node *out, struct wf_err *e);
+
 #ifdef __cplusplus
 }
 #endif

@@ -99,8 +99,10 @@ static enum wf_status polish_sloped(const struct search *q, struct wf_critical *
 {
     const double near = 2e-4; /* of the resistance */
     for (int k = 0;; k++) {
-        const struct wf_node *node;
-        enum wf_status s = wf_nodes_solve(q->nodes, q->o, c->speed, &node, e);
+        struct wf_node stem;
+        const struct wf_node *node = &stem;
+        enum wf_status s = q->scope == WF_SCOPE_STEM ? wf_nodes_solve_stem(q->nodes, q->o, c->speed, &stem, e)
+                                                     : wf_nodes_solve(q->nodes, q->o, c->speed, &node, e);
         c->evaluations++;
         if (s) return s;
         *at = node->at;

@@ -313,10 +313,43 @@ static enum wf_status note_status(enum wf_status s, const struct wf_err *why, st
     return WF_OK;
 }
 
-/* The tree in one of the states of a wind speed; otherwise as wf_speed_solve. */
+/* A solved beam and its memory. */
+struct kept {
+    struct wf_arena memory;
+    struct wf_beam beam;
+    bool solved;
+};
+
+/* As the solver 'beam'. Given: in *last the solution of another state of the tree, or none. Returned: also
+ * *last, this solution, where there is one. */
+static enum wf_status solve_beam(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                 const struct wf_loads *l, struct kept *last, struct wf_arena *a,
+                                 struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+{
+    struct kept now = { 0 };
+    struct wf_beam_outcome how = { 0 };
+    enum wf_status s = wf_response_alloc(r, an->tree.n, a, e);
+    if (!s) s = wf_solve_check(&an->tree, l, d, e);
+    if (s) return s;
+    s = wf_beam_solve(&an->tree, l, o, NULL, last->solved ? &last->beam : NULL, &now.memory, &now.beam, &how,
+                      e);
+    now.solved = !s;
+    r->load_factor = how.load_factor;
+    if (s) {
+        wf_arena_free(&now.memory);
+        return s;
+    }
+    wf_beam_read(&now.beam, r);
+    wf_beam_warn(&now.beam, &how, d);
+    wf_arena_free(&last->memory);
+    *last = now;
+    return WF_OK;
+}
+
+/* The tree in one of the states of a wind speed, near that in *last; otherwise as wf_speed_solve. */
 static enum wf_status solve_state(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  double speed, enum wf_part part, struct wf_arena *a, struct wf_diag *d,
-                                  struct wf_at_speed *out, struct wf_err *e)
+                                  double speed, enum wf_part part, struct kept *last, struct wf_arena *a,
+                                  struct wf_diag *d, struct wf_at_speed *out, struct wf_err *e)
 {
     struct wf_wind wind;
     struct wf_loads loads;
@@ -327,6 +360,8 @@ static enum wf_status solve_state(const struct wf_analysis *an, const struct wf_
     blow(an, speed, part, &wind, &loads);
     if (an->scenario.shelter && loads.wind)
         s = solve_sheltered(an, &loads, o, a, &sheltered, &out->response, d, &why);
+    else if (an->solver == &wf_solver_beam)
+        s = solve_beam(an, o, &loads, last, a, &out->response, d, &why);
     else
         s = an->solver->solve(&an->tree, &loads, o, a, &out->response, d, &why);
     s = note_status(s, &why, out, e);
@@ -399,17 +434,18 @@ enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solv
 {
     struct wf_arena scratch = { 0 };
     struct wf_diag quiet = { .arena = &scratch };
-    struct wf_at_speed other;
-    enum wf_status s = solve_state(an, o, speed, WF_PART_STEM, a, d, out, e);
-    if (!s) out->steady = steady_of(out);
-    if (!s && wf_peak_differs(an->peak)) {
-        s = solve_state(an, o, speed, WF_PART_MEAN, &scratch, &quiet, &other, e);
-        if (!s) out->steady = steady_of(&other);
-    }
+    struct wf_at_speed mean, branches;
+    struct kept last = { 0 };
+    enum wf_status s = WF_OK;
+    bool gusts = wf_peak_differs(an->peak);
+    if (gusts) s = solve_state(an, o, speed, WF_PART_MEAN, &last, &scratch, &quiet, &mean, e);
+    if (!s) s = solve_state(an, o, speed, WF_PART_STEM, &last, a, d, out, e);
+    if (!s) out->steady = steady_of(gusts ? &mean : out);
     if (!s && wf_peak_branches(an->peak)) {
-        s = solve_state(an, o, speed, WF_PART_BRANCHES, &scratch, &quiet, &other, e);
-        if (!s) wf_speed_take_branches(an, &other, out);
+        s = solve_state(an, o, speed, WF_PART_BRANCHES, &last, &scratch, &quiet, &branches, e);
+        if (!s) wf_speed_take_branches(an, &branches, out);
     }
+    wf_arena_free(&last.memory);
     wf_arena_free(&scratch);
     return s;
 }
