@@ -47,6 +47,7 @@ struct analyze_options {
     size_t samples, seed;           /* of the interval */
     const char *weight_stress;      /* "total" or "change"                        */
     double snow, snow_density, ice; /* [m], [kg m-3], [m]; NAN: not given        */
+    double winter_wind;             /* share of the wind named [-] */
     struct wf_water_asked water;
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
     double branches_from;            /* [m]                                       */
@@ -134,6 +135,13 @@ static bool snow_unused(const void *options, const struct wf_option *row, char *
     return wf_option_unused(isnan(((const struct analyze_options *)options)->snow), why, "without --snow");
 }
 
+static bool winter_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    (void)row;
+    return wf_option_unused(isnan(o->snow) && isnan(o->ice), why, "without --snow and --ice");
+}
+
 #define OPTIONS struct analyze_options
 const struct wf_option wf_analyze_options[] = {
     STUDY,
@@ -199,6 +207,8 @@ const struct wf_option wf_analyze_options[] = {
            "snow on the crown, on its area seen from above: added mass"),
     NUMBER("--snow-density", snow_density, "DENSITY", DENSITY, "kg/m3", 10, 917, "150",
            "of the snow; 150 kg/m3 as in ForestGALES", .unused = snow_unused),
+    NUMBER("--winter-wind", winter_wind, "SHARE", NONE, NULL, 0.1, 1, "1",
+           "share of the wind named that blows while snow or ice is on the tree", .unused = winter_unused),
     NUMBER("--ice", ice, "THICKNESS", LENGTH, "mm", 0, 200, NULL,
            "radial thickness of ice on all axes and leaves: added mass, and thicker axes in the wind"),
     WF_WATER_ROWS(water),
@@ -320,7 +330,9 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
         out->solve.root_stiffness[0] = out->solve.root_stiffness[1] = o->root_stiffness;
     out->solver = wf_solver_named(o->solver);
     status = read_directions(o, a, d, &out->directions, e);
-    return status ? status : read_exposure(o, a, s, &out->directions, e);
+    if (!status) status = read_exposure(o, a, s, &out->directions, e);
+    s->carried *= o->winter_wind;
+    return status;
 }
 
 /* ---- The run ---- */
