@@ -130,7 +130,8 @@
 <xsl:template name="caption">
   <xsl:param name="id"/><xsl:param name="a"/><xsl:param name="b"/><xsl:param name="c"/><xsl:param name="d"/>
   <caption><xsl:call-template name="say">
-    <xsl:with-param name="id" select="$id"/><xsl:with-param name="a" select="$a"/><xsl:with-param name="b" select="$b"/><xsl:with-param name="c" select="$c"/><xsl:with-param name="d" select="$d"/>
+    <xsl:with-param name="id" select="$id"/><xsl:with-param name="a" select="$a"/><xsl:with-param name="b" select="$b"/>
+      <xsl:with-param name="c" select="$c"/><xsl:with-param name="d" select="$d"/>
   </xsl:call-template></caption>
 </xsl:template>
 

@@ -119,12 +119,15 @@
   <table class="data">
     <xsl:call-template name="caption">
       <xsl:with-param name="id">rn.order</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="given"><xsl:with-param name="x" select="$r/order_N_m"/></xsl:call-template></xsl:with-param>
+      <xsl:with-param name="a">
+          <xsl:call-template name="given"><xsl:with-param name="x" select="$r/order_N_m"/></xsl:call-template>
+        </xsl:with-param>
     </xsl:call-template>
     <thead>
       <tr>
         <xsl:call-template name="heads">
-          <xsl:with-param name="of">c.rn.prisms:;c.rn.restoring:N/m;c.rn.sag:%;c.rn.fold:°;c.rn.strain:%;c.rn.back:s;c.rn.left:%</xsl:with-param>
+          <xsl:with-param name="of"
+                        select="'c.rn.prisms:;c.rn.restoring:N/m;c.rn.sag:%;c.rn.fold:°;c.rn.strain:%;c.rn.back:s;c.rn.left:%'"/>
         </xsl:call-template>
       </tr>
     </thead>
@@ -134,7 +137,8 @@
           <xsl:call-template name="count"><xsl:with-param name="x" select="prisms"/></xsl:call-template>
           <xsl:call-template name="count"><xsl:with-param name="x" select="restoring"/></xsl:call-template>
           <xsl:for-each select="sag_percent | fold_deg | strain_percent">
-            <xsl:sort select="string-length(substring-before('sag_percent fold_deg strain_percent ', concat(name(), ' ')))" data-type="number"/>
+            <xsl:sort data-type="number"
+                    select="string-length(substring-before('sag_percent fold_deg strain_percent ', concat(name(), ' ')))"/>
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="."/><xsl:with-param name="pattern">0.0</xsl:with-param>
             </xsl:call-template>

@@ -223,7 +223,8 @@
   <table class="data">
     <xsl:call-template name="caption"><xsl:with-param name="id">t.modes</xsl:with-param></xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">c.wt.tree;md.c.mode;c.frequency:Hz;md.c.moves;md.c.turn.along:%;md.c.turn.across:%;c.damping:</xsl:with-param>
+      <xsl:with-param name="of"
+                      select="'c.wt.tree;md.c.mode;c.frequency:Hz;md.c.moves;md.c.turn.along:%;md.c.turn.across:%;c.damping:'"/>
     </xsl:call-template></tr></thead>
     <tbody>
       <xsl:for-each select="$trees[modes]">
@@ -286,7 +287,9 @@
           <xsl:variable name="k" select="position()"/>
           <tr>
             <td><xsl:if test="$k = 1"><xsl:value-of select="$name"/></xsl:if></td>
-            <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('wt.state.', $of, '.', $k)"/></xsl:call-template></td>
+            <td>
+                <xsl:call-template name="say"><xsl:with-param name="id" select="concat('wt.state.', $of, '.', $k)"/></xsl:call-template>
+              </td>
             <xsl:call-template name="n"><xsl:with-param name="x" select="($k = 2) * $w/mass_kg"/></xsl:call-template>
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="."/><xsl:with-param name="pattern">0.0000</xsl:with-param>
@@ -303,7 +306,9 @@
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="$w/criticals_m_s/item[$k]"/><xsl:with-param name="pattern">0.00</xsl:with-param>
             </xsl:call-template>
-            <td class="r"><xsl:call-template name="gust"><xsl:with-param name="x" select="$w/criticals_m_s/item[$k]"/></xsl:call-template></td>
+            <td class="r">
+                <xsl:call-template name="gust"><xsl:with-param name="x" select="$w/criticals_m_s/item[$k]"/></xsl:call-template>
+              </td>
           </tr>
         </xsl:for-each>
       </xsl:for-each>

@@ -269,8 +269,8 @@ static void test_no_nan(void **state)
           "\"s#model: .*#model: $PWD/$T/c.yaml#\" $S >$T/f.yaml; sed -i 's#data/#'$PWD'/models/field/data/#' "
           "$T/f.yaml; "
           "case $T in /*) sed -i \"s#$PWD/$T#$T#\" $T/f.yaml;; esac; $W fit $T/f.yaml",
-          CODE_INPUT,
-          { "under_weight" } },
+          CODE_OK,
+          { "pull clino_root" } },
     };
     CHECK(rows);
 }
