@@ -268,6 +268,7 @@ static void changed_bytes(void **state)
     (void)state;
     const char *good = SVG("<g transform='translate(1,2)'><path id='crown' d='M0 0c0 5 10 5 10 10s-10 "
                            "5-10 10q-4-4-2-9t1-2A5 5 0 0 1 0 0z'/></g>");
+    static const char bytes[] = "09.-eEMmZzAaQqTtSs <>'/&\x01\xff";
     size_t n = strlen(good);
     unsigned seed = 7;
     for (int i = 0; i < 3000; i++) {
@@ -276,7 +277,7 @@ static void changed_bytes(void **state)
         memcpy(text, good, n + 1);
         for (int k = 0; k < 1 + i % 3; k++) {
             seed = seed * 1103515245u + 12345u;
-            text[(seed >> 8) % n] = "09.-eEMmZzAaQqTtSs <>'/&\x01\xff"[(seed >> 20) % 28];
+            text[(seed >> 8) % n] = bytes[(seed >> 20) % (sizeof bytes - 1)];
         }
         read_bytes(&r, text, n, 4, 12);
         assert_true(r.status == WF_OK || r.status == WF_EINPUT);
