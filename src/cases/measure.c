@@ -408,30 +408,13 @@ static enum wf_status prisms(const struct wf_measured *m, const struct wf_want *
     return wf_prism_cantilever(&rod, w->number, sum[0], sum[1], m->arena, out, e);
 }
 
-static enum wf_status measure_prism_tip(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                        struct wf_err *e)
+static enum wf_status measure_prism(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                    struct wf_err *e)
 {
     struct wf_prism_answer a = { 0 };
     enum wf_status s = prisms(m, w, &a, e);
-    out[0] = a.tip;
-    return s;
-}
-
-static enum wf_status measure_prism_twist(const struct wf_measured *m, const struct wf_want *w, double out[3],
-                                          struct wf_err *e)
-{
-    struct wf_prism_answer a = { 0 };
-    enum wf_status s = prisms(m, w, &a, e);
-    out[0] = a.turn;
-    return s;
-}
-
-static enum wf_status measure_prism_frequency(const struct wf_measured *m, const struct wf_want *w,
-                                              double out[3], struct wf_err *e)
-{
-    struct wf_prism_answer a = { 0 };
-    enum wf_status s = prisms(m, w, &a, e);
-    out[0] = a.frequency;
+    const char *name = w->quantity->name;
+    out[0] = !strcmp(name, "prism_deflection") ? a.tip : !strcmp(name, "prism_twist") ? a.turn : a.frequency;
     return s;
 }
 
@@ -468,9 +451,9 @@ const struct wf_quantity wf_quantities[] = {
     { "frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, measure_frequency },
     { "angular_frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, measure_angular_frequency },
     { "buckling_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_BUCKLING, measure_buckling },
-    { "prism_deflection", WF_DIM_LENGTH, false, WF_NEED_NUMBER, WF_BY_SETUP, measure_prism_tip },
-    { "prism_twist", WF_DIM_ANGLE, false, WF_NEED_NUMBER, WF_BY_SETUP, measure_prism_twist },
-    { "prism_frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_SETUP, measure_prism_frequency },
+    { "prism_deflection", WF_DIM_LENGTH, false, WF_NEED_NUMBER, WF_BY_SETUP, measure_prism },
+    { "prism_twist", WF_DIM_ANGLE, false, WF_NEED_NUMBER, WF_BY_SETUP, measure_prism },
+    { "prism_frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_SETUP, measure_prism },
     { "velocity", WF_DIM_SPEED, true, WF_NEED_POINT, WF_BY_FLOW, measure_velocity },
     { "pressure_coefficient", WF_DIM_NONE, false, WF_NEED_POINT, WF_BY_FLOW, measure_pressure_coefficient },
     { "gust_background", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },

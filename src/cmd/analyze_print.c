@@ -8,6 +8,7 @@
 #include "fail/anchorage.h"
 #include "grow/silhouette.h"
 #include "solve/solve.h"
+#include "out/tables.h"
 #include "study/analysis.h"
 #include "study/directions.h"
 #include "study/interval.h"
@@ -461,7 +462,7 @@ static void print_criterion(FILE *to, const struct wf_analysis *an, const struct
     else
         print_number(to, 14, 2, k->speed);
     print_number(to, 8, 1, wf_scenario_gust(&an->scenario, k->speed));
-    print_number(to, 8, 2, w->row < 0 ? NAN : wf_between(an->tree.z0[w->row], an->tree.z1[w->row], w->place));
+    print_number(to, 8, 2, wf_part_height(&an->tree, w->row, w->place));
     print_number(to, 10, 2, 1e-6 * resistance / w->safety);
     print_number(to, 10, 2, 1e-6 * resistance);
     fputc('\n', to);

@@ -108,6 +108,8 @@ struct wf_along {
 /* Value of an along-table at relative position s (clamped to its ends); `fallback` when empty. */
 double wf_along_at(const struct wf_along *a, double s, double fallback);
 
+#define WF_BREAST_HEIGHT 1.3 /* above the ground, where a stem is measured [m] */
+
 /* A part of a tree: the whole tree, the stem (level 0), everything but the stem. */
 enum wf_scope { WF_SCOPE_TREE, WF_SCOPE_STEM, WF_SCOPE_BRANCHES, WF_SCOPES };
 const char *wf_scope_name(enum wf_scope s); /* "tree", "stem", "branches" */

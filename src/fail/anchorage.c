@@ -33,11 +33,10 @@ static size_t stems(const struct wf_tree *t)
 /* Diameter 1.3 m from the ground along the stem [m]; NAN: the stem is shorter. */
 static double breast_diameter(const struct wf_tree *t)
 {
-    const double breast = 1.3;
     double along = 0;
     int32_t last = -1;
     for (size_t i = 0; i < t->n; i++) {
-        double length = wf_tree_length(t, i), share = (breast - along) / length;
+        double length = wf_tree_length(t, i), share = (WF_BREAST_HEIGHT - along) / length;
         if (t->level[i] != 0 || t->parent[i] != last) continue;
         if (share <= 1) return 2 * (t->r0[i] + share * (t->r1[i] - t->r0[i]));
         along += length;

@@ -118,12 +118,6 @@ static double measure_at(const struct row *w, const struct wf_section_rule *rule
     return measure(w, rule, place, &w->end[place >= 1]);
 }
 
-static double safety_factor(double strength, double stress)
-{
-    if (!(strength > 0)) return NAN;
-    return stress > 0 ? strength / stress : INFINITY;
-}
-
 static bool take_columns(const struct wf_tree *t, struct wf_breakage *b, struct wf_arena *a)
 {
     double **column[] = { &b->shear0,   &b->shear1,   &b->axial0,   &b->axial1,    &b->bending0,
@@ -152,8 +146,8 @@ static void check_row(struct row *w, const struct wf_breakage *like, struct wf_b
     b->bending0[i] = s0->bending, b->bending1[i] = s1->bending;
     b->torsion0[i] = s0->torsion, b->torsion1[i] = s1->torsion;
     b->stress0[i] = s0->stress, b->stress1[i] = s1->stress;
-    b->safety0[i] = safety_factor(w->t->strength[i], s0->stress);
-    b->safety1[i] = safety_factor(w->t->strength[i], s1->stress);
+    b->safety0[i] = wf_safety_factor(w->t->strength[i], s0->stress);
+    b->safety1[i] = wf_safety_factor(w->t->strength[i], s1->stress);
     if (like)
         b->peak[i] = measure_at(w, NULL, b->peak_place[i] = like->peak_place[i]);
     else
@@ -169,6 +163,12 @@ static void check_row(struct row *w, const struct wf_breakage *like, struct wf_b
         else
             b->use[c][i] = row_peak(w, rule, &b->use_place[c][i]);
     }
+}
+
+double wf_safety_factor(double strength, double stress)
+{
+    if (!(strength > 0)) return NAN;
+    return stress > 0 ? strength / stress : INFINITY;
 }
 
 enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r,

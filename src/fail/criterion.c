@@ -81,12 +81,6 @@ bool wf_criterion_knows(const struct wf_criterion *c, const struct wf_tree *t, s
     return c->section ? c->section->known(t, row) : c->known(t, row);
 }
 
-static double safety_of(double strength, double stress)
-{
-    if (!(strength > 0)) return NAN;
-    return stress > 0 ? strength / stress : INFINITY;
-}
-
 double wf_criterion_safety(const struct wf_criterion *c, const struct wf_tree *t, const struct wf_response *r,
                            const struct wf_breakage *b, size_t row, double *place)
 {
@@ -94,11 +88,11 @@ double wf_criterion_safety(const struct wf_criterion *c, const struct wf_tree *t
     if (!c->section) return c->safety(t, r, b, row, place);
     if (id == WF_BREAKAGE) {
         *place = b->peak_place[row];
-        return safety_of(t->strength[row], b->peak[row]);
+        return wf_safety_factor(t->strength[row], b->peak[row]);
     }
     if (!b->use[id] || isnan(b->use[id][row])) return NAN;
     *place = b->use_place[id][row];
-    return safety_of(1, b->use[id][row]);
+    return wf_safety_factor(1, b->use[id][row]);
 }
 
 double wf_criterion_resistance(const struct wf_criterion *c, const struct wf_tree *t,

@@ -77,6 +77,9 @@ enum wf_status wf_response_change(const struct wf_tree *t, const struct wf_respo
                                   const struct wf_response *r, struct wf_arena *a, struct wf_response *out,
                                   struct wf_err *e);
 
+/* Strength over stress [-]; INFINITY unstressed, NAN where the strength is not known. */
+double wf_safety_factor(double strength, double stress);
+
 /* ---- Criteria ---- */
 
 /* The place nearest to failure. Utilisation is 1 / safety. */

@@ -8,8 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const double breast = 1.3; /* height at which a stem is measured [m] */
-
 /* The thickest row of the stem at a height, and the place in it. Returned: -1 when the stem does not reach
  * it. */
 static int32_t stem_at(const struct wf_tree *t, double height, double *s)
@@ -31,7 +29,7 @@ static int32_t stem_at(const struct wf_tree *t, double height, double *s)
 static void say_bark(const struct wf_model *m, const struct wf_tree *t, bool measured, struct wf_diag *d)
 {
     double s = 0;
-    int32_t at = stem_at(t, breast, &s);
+    int32_t at = stem_at(t, WF_BREAST_HEIGHT, &s);
     size_t i = at < 0 ? 0 : (size_t)at;
     double outer = wf_between(t->r0[i], t->r1[i], s), wood = wf_wood_radius(t, i, s),
            left = pow(wood / outer, 3);
@@ -63,7 +61,7 @@ static enum wf_status bark_onto(const struct wf_model *m, const struct wf_specie
             "%s: bark 'species': the species table %s has no 'bark'; give a thickness, such as 15 mm", m->key,
             sp->key);
     double s = 0, share = 0;
-    int32_t at = stem_at(t, fmin(breast, wf_tree_height(t)), &s);
+    int32_t at = stem_at(t, fmin(WF_BREAST_HEIGHT, wf_tree_height(t)), &s);
     double radius = at < 0 ? t->r0[0] : wf_between(t->r0[at], t->r1[at], s);
     if (measured) share = m->bark.thickness / radius;
     if (share > 0.5)

@@ -423,7 +423,7 @@ static enum wf_status onto_area(const struct wf_model *m, const struct wf_specie
 /* Diameter of the stem at 1.3 m [m]; NAN where it ends below. */
 static double diameter_at_breast(const struct wf_tree *t)
 {
-    const double breast = 1.3;
+    const double breast = WF_BREAST_HEIGHT;
     for (size_t i = 0; i < t->n; i++)
         if (t->level[i] == 0 && t->z0[i] <= breast && breast < t->z1[i])
             return 2 * wf_between(t->r0[i], t->r1[i], (breast - t->z0[i]) / (t->z1[i] - t->z0[i]));
