@@ -2,15 +2,13 @@
 /* Criteria of failure by part of the tree, and what results.json says of them. */
 #include "close.h"
 #include "data/model.h"
-#include "data/out/folder.h"
+#include "data/out/document.h"
 #include "data/species.h"
 #include "fail/fail.h"
 #include "load/drag.h"
 #include "load/scene.h"
-#include "out/results.h"
 #include "solve/solve.h"
 #include "study/directions.h"
-#include <jansson.h>
 #include <string.h>
 
 struct made {
@@ -87,17 +85,6 @@ static void parts_make_the_tree(void **state)
     wf_arena_free(&m.arena);
 }
 
-static double number(const json_t *o, const char *key)
-{
-    const json_t *v = json_object_get(json_object_get(o, key), "value");
-    return json_is_number(v) ? json_number_value(v) : (double)NAN;
-}
-
-static const char *text(const json_t *o, const char *key)
-{
-    return json_string_value(json_object_get(o, key));
-}
-
 /* An entry against `critical` or `critical_stem`, and against the winds. */
 static void agrees(const json_t *tree, size_t entry, const char *scope, const char *critical)
 {
@@ -135,13 +122,8 @@ static void results_agree(void **state)
     static const char *const models[] = { "tests/data/limbs.yaml", "models/culm.yaml" };
     for (int k = 0; k < 2; k++) {
         struct made m;
-        struct folder folder;
-        json_error_t why;
         analyse(&m, models[k]);
-        struct wf_run run = { .command = "test", .version = "0", .date = "x", .n = 1, .analysis = &m.an };
-        assert_true(folder_make(&folder));
-        assert_int_equal(wf_results_write(&run, folder.path, &m.err), WF_OK);
-        json_t *o = json_load_file(folder_file(&folder, "results.json"), JSON_REJECT_DUPLICATES, &why);
+        json_t *o = document(&m.an);
         const json_t *tree = json_array_get(json_object_get(o, "trees"), 0), *d;
         size_t i;
         agrees(tree, 0, "tree", "critical");
@@ -160,7 +142,6 @@ static void results_agree(void **state)
             winds_agree(d);
         }
         json_decref(o);
-        folder_remove(&folder);
         wf_arena_free(&m.arena);
     }
 }

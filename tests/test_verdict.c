@@ -3,16 +3,14 @@
  * not assessed and what no field data verify, in the library, results.json and on the terminal. */
 #include "close.h"
 #include "data/model.h"
-#include "data/out/folder.h"
+#include "data/out/document.h"
 #include "data/species.h"
 #include "fail/anchorage.h"
 #include "grow/grow.h"
 #include "load/drag.h"
-#include "out/results.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/verdict.h"
-#include <jansson.h>
 #include <string.h>
 
 struct made {
@@ -219,37 +217,13 @@ static void unverified(void **state)
 
 /* ---- results.json ---- */
 
-static double number(const json_t *o, const char *key)
-{
-    const json_t *v = json_object_get(json_object_get(o, key), "value");
-    return json_is_number(v) ? json_number_value(v) : (double)NAN;
-}
-
-static const char *text(const json_t *o, const char *key)
-{
-    return json_string_value(json_object_get(o, key));
-}
-
-static json_t *document(struct made *m)
-{
-    struct folder folder;
-    json_error_t why;
-    struct wf_run run = { .command = "test", .version = "0", .date = "x", .n = 1, .analysis = &m->an };
-    assert_true(folder_make(&folder));
-    assert_int_equal(wf_results_write(&run, folder.path, &m->err), WF_OK);
-    json_t *o = json_load_file(folder_file(&folder, "results.json"), JSON_REJECT_DUPLICATES, &why);
-    assert_non_null(o);
-    folder_remove(&folder);
-    return o;
-}
-
 static void results(void **state)
 {
     (void)state;
     for (int pulled = 0; pulled < 2; pulled++) {
         struct made m;
         analyse(&m, "tests/data/limbs.yaml", pulled ? 250 : 0, 0.005);
-        json_t *o = document(&m);
+        json_t *o = document(&m.an);
         const json_t *tree = json_array_get(json_object_get(o, "trees"), 0),
                      *v = json_object_get(tree, "verdict"), *missing = json_object_get(v, "not_assessed"),
                      *winds_of = json_object_get(tree, "winds");
