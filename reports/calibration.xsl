@@ -413,6 +413,9 @@
             </xsl:with-param>
             <xsl:with-param name="d" select="segments"/>
           </xsl:call-template>
+          <xsl:if test="rest">
+            <xsl:call-template name="say"><xsl:with-param name="id" select="concat('ft.rest.', rest)"/></xsl:call-template>
+          </xsl:if>
         </xsl:for-each>
       </xsl:with-param>
     </xsl:call-template>

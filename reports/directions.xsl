@@ -34,6 +34,11 @@
         <xsl:with-param name="x" select="winds/item[last()]/base_moment/value div 1000"/>
       </xsl:call-template>
     </td>
+    <td class="r">
+      <xsl:call-template name="number">
+        <xsl:with-param name="x" select="winds/item[last()]/gust_load_factor/value"/>
+      </xsl:call-template>
+    </td>
     <xsl:call-template name="steady-cell">
       <xsl:with-param name="x" select="winds/item[last()]/tip_deflection/value"/>
       <xsl:with-param name="pattern">0.00</xsl:with-param>
@@ -48,7 +53,9 @@
     <xsl:call-template name="cell">
       <xsl:with-param name="x" select="critical/governing_section/height/value"/>
     </xsl:call-template>
-    <xsl:call-template name="cell"><xsl:with-param name="x" select="critical_stem/speed/value"/></xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value"/>
+    </xsl:call-template>
     <xsl:if test="$trees[1]/scenario/ground_file != ''">
       <xsl:call-template name="cell">
         <xsl:with-param name="x" select="speed_up/value"/><xsl:with-param name="pattern">0.00</xsl:with-param>
@@ -109,6 +116,9 @@
           <xsl:with-param name="id">c.moment</xsl:with-param><xsl:with-param name="unit">kN m</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="head">
+          <xsl:with-param name="id">c.gusts</xsl:with-param><xsl:with-param name="unit">–</xsl:with-param>
+        </xsl:call-template>
+        <xsl:call-template name="head">
           <xsl:with-param name="id">c.deflection</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="head">
@@ -124,7 +134,7 @@
           <xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="head">
-          <xsl:with-param name="id">c.stem</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
+          <xsl:with-param name="id">c.lost</xsl:with-param><xsl:with-param name="unit">m/s</xsl:with-param>
         </xsl:call-template>
         <xsl:if test="$ground">
           <xsl:call-template name="head">
@@ -143,13 +153,13 @@
     </thead>
     <xsl:for-each select="$trees">
       <tbody class="long">
-        <xsl:if test="count($trees) &gt; 1"><tr><td colspan="10"><b><xsl:call-template name="name"/></b></td></tr></xsl:if>
+        <xsl:if test="count($trees) &gt; 1"><tr><td colspan="11"><b><xsl:call-template name="name"/></b></td></tr></xsl:if>
         <xsl:for-each select="directions/directions/item">
           <xsl:call-template name="direction-row"><xsl:with-param name="climate" select="$climate"/></xsl:call-template>
         </xsl:for-each>
         <xsl:if test="$climate">
           <tr>
-            <td colspan="{7 + number($ground)}">
+            <td colspan="{9 + number($ground)}">
               <xsl:call-template name="say"><xsl:with-param name="id">t.around.all</xsl:with-param></xsl:call-template>
             </td>
             <xsl:call-template name="hours">

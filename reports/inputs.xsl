@@ -273,6 +273,31 @@
       <xsl:with-param name="id">in.crown</xsl:with-param>
       <xsl:with-param name="text">
         <xsl:choose>
+          <xsl:when test="outline_height/value &gt; 0">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">in.crown.outline</xsl:with-param>
+              <xsl:with-param name="a">
+                <xsl:call-template name="given"><xsl:with-param name="x" select="frontal_area/value"/></xsl:call-template>
+              </xsl:with-param>
+              <xsl:with-param name="b">
+                <xsl:call-template name="given"><xsl:with-param name="x" select="outline_centre/value"/></xsl:call-template>
+              </xsl:with-param>
+              <xsl:with-param name="c">
+                <xsl:call-template name="given"><xsl:with-param name="x" select="outline_breadth/value"/></xsl:call-template>
+              </xsl:with-param>
+              <xsl:with-param name="d">
+                <xsl:call-template name="given"><xsl:with-param name="x" select="outline_height/value"/></xsl:call-template>
+              </xsl:with-param>
+            </xsl:call-template>
+          </xsl:when>
+          <xsl:when test="frontal_area/value &gt; 0">
+            <xsl:call-template name="say">
+              <xsl:with-param name="id">in.crown.area</xsl:with-param>
+              <xsl:with-param name="a">
+                <xsl:call-template name="given"><xsl:with-param name="x" select="frontal_area/value"/></xsl:call-template>
+              </xsl:with-param>
+            </xsl:call-template>
+          </xsl:when>
           <xsl:when test="not(leaf_area/value &gt; 0)">
             <xsl:call-template name="say"><xsl:with-param name="id">in.crown.none</xsl:with-param></xsl:call-template>
           </xsl:when>

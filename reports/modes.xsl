@@ -33,6 +33,7 @@
   <table class="data">
     <caption>
       <xsl:call-template name="season"/>
+      <xsl:call-template name="film"/>
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:choose><xsl:when test="speed &gt; 0">md.wind</xsl:when><xsl:otherwise>md.still</xsl:otherwise></xsl:choose>
@@ -93,7 +94,7 @@
     <tbody>
       <xsl:for-each select="$r/blocks/item">
         <tr>
-          <td><xsl:call-template name="season"/></td>
+          <td><xsl:call-template name="season"/><xsl:call-template name="film"/></td>
           <td class="r"><xsl:call-template name="given"><xsl:with-param name="x" select="speed"/></xsl:call-template></td>
           <xsl:call-template name="n"><xsl:with-param name="x" select="tree_frequency"/></xsl:call-template>
           <xsl:call-template name="share"><xsl:with-param name="x" select="tree_share"/></xsl:call-template>
@@ -152,6 +153,7 @@
 <xsl:template match="/report" mode="body">
   <div class="summary">
     <p><xsl:call-template name="say"><xsl:with-param name="id">md.note</xsl:with-param></xsl:call-template></p>
+    <p><xsl:for-each select="$r/scenario[gust_over_mean/value]"><xsl:call-template name="site-line"/></xsl:for-each></p>
   </div>
   <xsl:call-template name="h2"><xsl:with-param name="id">md.h.sways</xsl:with-param></xsl:call-template>
   <xsl:call-template name="sways"/>
@@ -170,5 +172,14 @@
     </xsl:call-template>
   </xsl:for-each>
   <xsl:call-template name="findings"/>
+</xsl:template>
+
+<!-- Depth of the rain on the leaves, where there is some. -->
+<xsl:template name="film">
+  <xsl:if test="film_mm">
+    <xsl:text> (</xsl:text>
+    <xsl:call-template name="given"><xsl:with-param name="x" select="film_mm"/></xsl:call-template>
+    <xsl:text>&#160;mm)</xsl:text>
+  </xsl:if>
 </xsl:template>
 </xsl:stylesheet>

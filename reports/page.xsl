@@ -128,9 +128,10 @@
   </h2>
 </xsl:template>
 <xsl:template name="caption">
-  <xsl:param name="id"/><xsl:param name="a"/><xsl:param name="b"/>
+  <xsl:param name="id"/><xsl:param name="a"/><xsl:param name="b"/><xsl:param name="c"/><xsl:param name="d"/>
   <caption><xsl:call-template name="say">
     <xsl:with-param name="id" select="$id"/><xsl:with-param name="a" select="$a"/><xsl:with-param name="b" select="$b"/>
+      <xsl:with-param name="c" select="$c"/><xsl:with-param name="d" select="$d"/>
   </xsl:call-template></caption>
 </xsl:template>
 
@@ -199,6 +200,31 @@
       </xsl:for-each>
     </ul>
   </xsl:if>
+</xsl:template>
+
+<!-- Gusts, ground and site of a scenario, which is the node. -->
+<xsl:template name="site-line">
+  <xsl:call-template name="say">
+    <xsl:with-param name="id">tb.site</xsl:with-param>
+    <xsl:with-param name="a">
+      <xsl:call-template name="number"><xsl:with-param name="x" select="gust_over_mean/value"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="b">
+      <xsl:call-template name="given"><xsl:with-param name="x" select="wind_height/value"/></xsl:call-template>
+    </xsl:with-param>
+    <xsl:with-param name="c" select="wind_terrain"/><xsl:with-param name="d" select="terrain"/>
+    <xsl:with-param name="e">
+      <xsl:call-template name="say">
+        <xsl:with-param name="id" select="concat('tb.site.', terrain_from)"/>
+      </xsl:call-template>
+      <xsl:if test="site_kind != ''">, <xsl:value-of select="site_kind"/></xsl:if>
+    </xsl:with-param>
+    <xsl:with-param name="f">
+      <xsl:call-template name="number">
+        <xsl:with-param name="x" select="carried/value * speed_up/value"/>
+      </xsl:call-template>
+    </xsl:with-param>
+  </xsl:call-template>
 </xsl:template>
 
 <!-- How the page was made. Files: of calibrations. -->

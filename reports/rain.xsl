@@ -8,7 +8,14 @@
   <xsl:call-template name="say"><xsl:with-param name="id">rn.title</xsl:with-param></xsl:call-template>
 </xsl:template>
 <xsl:template match="/report" mode="sub">
-  <xsl:value-of select="concat($r/runs/item[1]/species, ', ', $r/runs/item[1]/form)"/>
+  <xsl:variable name="run" select="$r/runs/item[1]"/>
+  <xsl:choose>
+    <xsl:when test="$lang = 'zh' and $run/species_zh != ''"><xsl:value-of select="normalize-space($run/species_zh)"/>，</xsl:when>
+    <xsl:otherwise><xsl:value-of select="normalize-space($run/species)"/>, </xsl:otherwise>
+  </xsl:choose>
+  <xsl:call-template name="term">
+    <xsl:with-param name="id" select="concat('rn.form.', $run/form)"/><xsl:with-param name="otherwise" select="$run/form"/>
+  </xsl:call-template>
 </xsl:template>
 
 <xsl:template name="rain-runs">
@@ -44,6 +51,107 @@
       </xsl:for-each>
     </tbody>
   </table>
+</xsl:template>
+
+<!-- the first leaf as it was taken -->
+<xsl:template name="rain-leaf">
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">rn.leaf</xsl:with-param></xsl:call-template>
+    <thead>
+      <tr>
+        <xsl:call-template name="heads">
+          <xsl:with-param name="of">c.rn.run;c.rn.vein:mm;c.rn.area:cm²;c.rn.mass:mg;c.rn.petiole:mm;c.rn.thick:mm;
+            c.rn.modulus:GPa;c.rn.angle:°;c.rn.receding:°;c.rn.advancing:°;c.rn.hanging:mg</xsl:with-param>
+        </xsl:call-template>
+      </tr>
+    </thead>
+    <tbody>
+      <xsl:for-each select="$r/runs/item">
+        <tr>
+          <td><xsl:value-of select="position()"/></td>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="vein_mm"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="leaf_cm2"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="leaf_mg"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="petiole_mm"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="petiole_diameter_mm"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="petiole_GPa"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="contact_angle_deg"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="receding_deg"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="advancing_deg"/></xsl:call-template>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="hanging_mg"/></xsl:call-template>
+        </tr>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
+<!-- the four kinds of springs -->
+<xsl:template name="rain-springs">
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">rn.springs</xsl:with-param></xsl:call-template>
+    <thead>
+      <tr>
+        <xsl:call-template name="heads">
+          <xsl:with-param name="of">c.rn.run;c.rn.kind;c.rn.number:;c.rn.lowest:N/m;c.rn.highest:N/m</xsl:with-param>
+        </xsl:call-template>
+      </tr>
+    </thead>
+    <tbody>
+      <xsl:for-each select="$r/runs/item">
+        <xsl:variable name="n" select="position()"/>
+        <xsl:for-each select="spring_kinds/item">
+          <tr>
+            <td><xsl:value-of select="$n"/></td>
+            <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('rn.kind.', name)"/></xsl:call-template></td>
+            <xsl:call-template name="count"><xsl:with-param name="x" select="number"/></xsl:call-template>
+            <xsl:call-template name="n"><xsl:with-param name="x" select="low"/></xsl:call-template>
+            <xsl:call-template name="n"><xsl:with-param name="x" select="high"/></xsl:call-template>
+          </tr>
+        </xsl:for-each>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
+<!-- springs without a law for their constants -->
+<xsl:template name="rain-order">
+  <xsl:call-template name="h2"><xsl:with-param name="id">rn.order.h</xsl:with-param></xsl:call-template>
+  <table class="data">
+    <xsl:call-template name="caption">
+      <xsl:with-param name="id">rn.order</xsl:with-param>
+      <xsl:with-param name="a">
+          <xsl:call-template name="given"><xsl:with-param name="x" select="$r/order_N_m"/></xsl:call-template>
+        </xsl:with-param>
+    </xsl:call-template>
+    <thead>
+      <tr>
+        <xsl:call-template name="heads">
+          <xsl:with-param name="of"
+                        select="'c.rn.prisms:;c.rn.restoring:N/m;c.rn.sag:%;c.rn.fold:°;c.rn.strain:%;c.rn.back:s;c.rn.left:%'"/>
+        </xsl:call-template>
+      </tr>
+    </thead>
+    <tbody>
+      <xsl:for-each select="$r/order/item">
+        <tr>
+          <xsl:call-template name="count"><xsl:with-param name="x" select="prisms"/></xsl:call-template>
+          <xsl:call-template name="count"><xsl:with-param name="x" select="restoring"/></xsl:call-template>
+          <xsl:for-each select="sag_percent | fold_deg | strain_percent">
+            <xsl:sort data-type="number"
+                    select="string-length(substring-before('sag_percent fold_deg strain_percent ', concat(name(), ' ')))"/>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="."/><xsl:with-param name="pattern">0.0</xsl:with-param>
+            </xsl:call-template>
+          </xsl:for-each>
+          <xsl:call-template name="n"><xsl:with-param name="x" select="back"/></xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="left_percent"/><xsl:with-param name="pattern">0.0</xsl:with-param>
+          </xsl:call-template>
+        </tr>
+      </xsl:for-each>
+    </tbody>
+  </table>
+  <xsl:call-template name="figure"><xsl:with-param name="name">rain_order</xsl:with-param></xsl:call-template>
 </xsl:template>
 
 <xsl:template name="rain-run">
@@ -193,8 +301,11 @@
 
 <xsl:template match="/report" mode="body">
   <xsl:call-template name="rain-runs"/>
+  <xsl:call-template name="rain-leaf"/>
   <xsl:for-each select="$r/runs/item"><xsl:call-template name="rain-run"/></xsl:for-each>
   <xsl:call-template name="rain-prisms"/>
+  <xsl:call-template name="rain-springs"/>
+  <xsl:if test="$r/order/item"><xsl:call-template name="rain-order"/></xsl:if>
   <xsl:call-template name="figure"><xsl:with-param name="name">rain_falls</xsl:with-param></xsl:call-template>
   <xsl:if test="$r/clusters">
     <xsl:call-template name="figure">

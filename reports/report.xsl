@@ -5,9 +5,13 @@
 <xsl:stylesheet version="1.0" xmlns:xsl="http://www.w3.org/1999/XSL/Transform" xmlns:svg="http://www.w3.org/2000/svg"
                 exclude-result-prefixes="svg">
 <xsl:import href="page.xsl"/>
+<xsl:include href="verdict.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
+<xsl:include href="interval.xsl"/>
+<xsl:include href="criteria.xsl"/>
 <xsl:include href="directions.xsl"/>
+<xsl:include href="cavities.xsl"/>
 <xsl:include href="inputs.xsl"/>
 <xsl:include href="method.xsl"/>
 
@@ -112,29 +116,7 @@
           </xsl:if>
           <xsl:if test="$trees[1]/scenario/gust_over_mean/value">
             <br/>
-            <xsl:for-each select="$trees[1]/scenario">
-              <xsl:call-template name="say">
-                <xsl:with-param name="id">tb.site</xsl:with-param>
-                <xsl:with-param name="a">
-                  <xsl:call-template name="number"><xsl:with-param name="x" select="gust_over_mean/value"/></xsl:call-template>
-                </xsl:with-param>
-                <xsl:with-param name="b">
-                  <xsl:call-template name="given"><xsl:with-param name="x" select="wind_height/value"/></xsl:call-template>
-                </xsl:with-param>
-                <xsl:with-param name="c" select="wind_terrain"/><xsl:with-param name="d" select="terrain"/>
-                <xsl:with-param name="e">
-                  <xsl:call-template name="say">
-                    <xsl:with-param name="id" select="concat('tb.site.', terrain_from)"/>
-                  </xsl:call-template>
-                  <xsl:if test="site_kind != ''">, <xsl:value-of select="site_kind"/></xsl:if>
-                </xsl:with-param>
-                <xsl:with-param name="f">
-                  <xsl:call-template name="number">
-                    <xsl:with-param name="x" select="carried/value * speed_up/value"/>
-                  </xsl:call-template>
-                </xsl:with-param>
-              </xsl:call-template>
-            </xsl:for-each>
+            <xsl:for-each select="$trees[1]/scenario"><xsl:call-template name="site-line"/></xsl:for-each>
           </xsl:if>
           <xsl:if test="$trees[1]/scenario/speed_up/value != 1">
             <br/>
@@ -224,34 +206,96 @@
   </figure>
 </xsl:template>
 
-<!-- Trees with rain on their leaves beside the same trees dry. -->
+<!-- How sure the critical wind of each tree is. -->
+<xsl:template name="intervals">
+  <h3><xsl:call-template name="say"><xsl:with-param name="id">h.interval</xsl:with-param></xsl:call-template></h3>
+  <xsl:for-each select="$trees/interval">
+    <xsl:variable name="whose"><xsl:call-template name="name"><xsl:with-param name="tree" select=".."/></xsl:call-template></xsl:variable>
+    <p><xsl:call-template name="iv-words"><xsl:with-param name="name" select="$whose"/></xsl:call-template></p>
+    <xsl:call-template name="iv-safety"><xsl:with-param name="name" select="$whose"/></xsl:call-template>
+    <xsl:call-template name="iv-tornado"><xsl:with-param name="name" select="$whose"/></xsl:call-template>
+  </xsl:for-each>
+  <p><xsl:call-template name="say"><xsl:with-param name="id">iv.note</xsl:with-param></xsl:call-template></p>
+</xsl:template>
+
+<!-- The lowest modes of each tree in still air. -->
+<xsl:template name="modes-table">
+  <table class="data">
+    <xsl:call-template name="caption"><xsl:with-param name="id">t.modes</xsl:with-param></xsl:call-template>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of"
+                      select="'c.wt.tree;md.c.mode;c.frequency:Hz;md.c.moves;md.c.turn.along:%;md.c.turn.across:%;c.damping:'"/>
+    </xsl:call-template></tr></thead>
+    <tbody>
+      <xsl:for-each select="$trees[modes]">
+        <xsl:variable name="name"><xsl:call-template name="name"/></xsl:variable>
+        <xsl:for-each select="modes/item">
+          <tr>
+            <td><xsl:if test="position() = 1"><xsl:value-of select="$name"/></xsl:if></td>
+            <td><xsl:value-of select="number"/></td>
+            <xsl:call-template name="n"><xsl:with-param name="x" select="frequency"/></xsl:call-template>
+            <td>
+              <xsl:call-template name="term">
+                <xsl:with-param name="id" select="concat('md.d.', direction)"/><xsl:with-param name="otherwise" select="direction"/>
+              </xsl:call-template>
+            </td>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="100 * turn_along"/><xsl:with-param name="pattern">0.0</xsl:with-param>
+            </xsl:call-template>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="100 * turn_across"/><xsl:with-param name="pattern">0.0</xsl:with-param>
+            </xsl:call-template>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="damping"/><xsl:with-param name="pattern">0.000</xsl:with-param>
+            </xsl:call-template>
+          </tr>
+        </xsl:for-each>
+      </xsl:for-each>
+    </tbody>
+  </table>
+</xsl:template>
+
+<!-- Trees with rain on their leaves, or with snow and ice, beside the same trees without: "of" is "wetted" or "winter". -->
 <xsl:template name="wetted-table">
+  <xsl:param name="of"/>
+  <xsl:variable name="all" select="$trees/*[name() = $of]"/>
   <table class="data">
     <xsl:call-template name="caption">
-      <xsl:with-param name="id">wt.caption</xsl:with-param>
+      <xsl:with-param name="id" select="concat('wt.caption.', $of)"/>
       <xsl:with-param name="a">
-        <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[wetted][1]/wetted/film_mm"/></xsl:call-template>
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$all[1]/speed_m_s"/></xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="b">
-        <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[wetted][1]/wetted/speed_m_s"/></xsl:call-template>
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$all[1]/film_mm"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="$trees[1]/scenario/snow/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="d">
+        <xsl:call-template name="given"><xsl:with-param name="x" select="1000 * $trees[1]/scenario/ice/value"/></xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
-      <xsl:with-param name="of">c.wt.tree;c.wt.state;c.wt.water:kg;c.wt.sway:Hz;
-        c.wt.moment:kN m;c.wt.tip:m;c.wt.critical:m/s</xsl:with-param>
+      <xsl:with-param name="of">c.wt.tree;c.wt.state;c.wt.mass:kg;c.wt.sway:Hz;c.wt.drag:kN;
+        c.wt.moment:kN m;c.wt.tip:m;c.wt.critical:m/s;c.gust:m/s</xsl:with-param>
     </xsl:call-template></tr></thead>
     <tbody>
-      <xsl:for-each select="$trees[wetted]">
-        <xsl:variable name="w" select="wetted"/>
-        <xsl:variable name="name"><xsl:call-template name="name"/></xsl:variable>
+      <xsl:for-each select="$all">
+        <xsl:variable name="w" select="."/>
+        <xsl:variable name="name"><xsl:for-each select=".."><xsl:call-template name="name"/></xsl:for-each></xsl:variable>
         <xsl:for-each select="$w/frequencies_Hz/item">
           <xsl:variable name="k" select="position()"/>
           <tr>
             <td><xsl:if test="$k = 1"><xsl:value-of select="$name"/></xsl:if></td>
-            <td><xsl:call-template name="say"><xsl:with-param name="id" select="concat('wt.state.', $k)"/></xsl:call-template></td>
+            <td>
+                <xsl:call-template name="say"><xsl:with-param name="id" select="concat('wt.state.', $of, '.', $k)"/></xsl:call-template>
+              </td>
             <xsl:call-template name="n"><xsl:with-param name="x" select="($k = 2) * $w/mass_kg"/></xsl:call-template>
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="."/><xsl:with-param name="pattern">0.0000</xsl:with-param>
+            </xsl:call-template>
+            <xsl:call-template name="cell">
+              <xsl:with-param name="x" select="$w/drags_N/item[$k] div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
             </xsl:call-template>
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="$w/moments_N_m/item[$k] div 1000"/><xsl:with-param name="pattern">0.000</xsl:with-param>
@@ -262,6 +306,9 @@
             <xsl:call-template name="cell">
               <xsl:with-param name="x" select="$w/criticals_m_s/item[$k]"/><xsl:with-param name="pattern">0.00</xsl:with-param>
             </xsl:call-template>
+            <td class="r">
+                <xsl:call-template name="gust"><xsl:with-param name="x" select="$w/criticals_m_s/item[$k]"/></xsl:call-template>
+              </td>
           </tr>
         </xsl:for-each>
       </xsl:for-each>
@@ -288,7 +335,18 @@
           <xsl:with-param name="n" select="2"/><xsl:with-param name="id">h.table</xsl:with-param>
         </xsl:call-template>
         <xsl:call-template name="result-tables"/>
-        <xsl:if test="$trees/wetted"><xsl:call-template name="wetted-table"/></xsl:if>
+        <xsl:call-template name="criteria-table"/>
+        <xsl:for-each select="$trees"><xsl:call-template name="anchorage-note"/></xsl:for-each>
+        <xsl:if test="$trees/interval"><xsl:call-template name="intervals"/></xsl:if>
+        <xsl:if test="$trees/verdict/thicknesses/item"><xsl:call-template name="branch-table"/></xsl:if>
+        <xsl:if test="$trees/cavities/item"><xsl:call-template name="cavity-tables"/></xsl:if>
+        <xsl:if test="$trees/modes"><xsl:call-template name="modes-table"/></xsl:if>
+        <xsl:if test="$trees/winter">
+          <xsl:call-template name="wetted-table"><xsl:with-param name="of">winter</xsl:with-param></xsl:call-template>
+        </xsl:if>
+        <xsl:if test="$trees/wetted">
+          <xsl:call-template name="wetted-table"><xsl:with-param name="of">wetted</xsl:with-param></xsl:call-template>
+        </xsl:if>
         <xsl:if test="$trees[1]/directions/number">
           <xsl:call-template name="direction-table"><xsl:with-param name="n" select="3"/></xsl:call-template>
         </xsl:if>

@@ -23,6 +23,7 @@
             <xsl:call-template name="given"><xsl:with-param name="x" select="$r/reference_height_m"/></xsl:call-template>
           </xsl:with-param>
         </xsl:call-template>
+        <xsl:for-each select="$r/scenario[gust_over_mean/value]"><br/><xsl:call-template name="site-line"/></xsl:for-each>
       </xsl:with-param>
     </xsl:call-template>
     <xsl:call-template name="block-row">

@@ -77,18 +77,30 @@
 <!-- The first sentence: how it stands at the highest wind speed that has an answer. -->
 <xsl:template name="verdict">
   <xsl:variable name="last" select="winds/item[status = 'ok' and within_limits = 'true'][last()]"/>
-  <xsl:variable name="safety" select="$last/least_safety"/>
+  <xsl:variable name="stem" select="criteria/item[criterion = 'breakage' and scope = 'stem']/winds/item[speed/value =
+    $last/speed/value]/safety[not($last/loss_safety)]"/>
+  <xsl:variable name="safety" select="$last/loss_safety | $stem | $last[not(loss_safety or $stem)]/least_safety"/>
+  <xsl:variable name="rooted" select="verdict/criteria/item[criterion = 'overturning']"/>
+  <xsl:variable name="known" select="verdict/criteria/item[loses_tree = 'true'] or (not(verdict) and critical/outcome != 'no-strength')"/>
   <xsl:variable name="bent" select="($last/mean_state/tip_deflection_share |
     $last[not(mean_state)]/tip_deflection_share)/value"/>
   <xsl:call-template name="say">
     <xsl:with-param name="id">
       <xsl:choose>
         <xsl:when test="not($last)">sum.nothing</xsl:when>
-        <xsl:when test="critical/outcome = 'no-strength'">sum.unknown</xsl:when>
-        <xsl:when test="$safety/value = '' or $safety/value &gt; 3">sum.far</xsl:when>
-        <xsl:when test="$safety/value &gt; 1.5">sum.reserve</xsl:when>
-        <xsl:when test="$safety/value &gt; 1">sum.close</xsl:when>
-        <xsl:otherwise>sum.breaks</xsl:otherwise>
+        <xsl:when test="not($known)">sum.unknown</xsl:when>
+        <xsl:when test="$safety/value &lt;= 1 and verdict/safety_criterion = 'overturning'">sum.overturns</xsl:when>
+        <xsl:when test="$safety/value &lt;= 1 and verdict/safety_criterion = 'splitting'">sum.splits</xsl:when>
+        <xsl:when test="$safety/value &lt;= 1 and verdict/safety_criterion = 'ovalisation'">sum.flattens</xsl:when>
+        <xsl:when test="$safety/value &lt;= 1">sum.breaks</xsl:when>
+        <xsl:otherwise>
+          <xsl:choose>
+            <xsl:when test="$safety/value = '' or $safety/value &gt; 3">sum.far</xsl:when>
+            <xsl:when test="$safety/value &gt; 1.5">sum.reserve</xsl:when>
+            <xsl:otherwise>sum.close</xsl:otherwise>
+          </xsl:choose>
+          <xsl:if test="$rooted">.root</xsl:if>
+        </xsl:otherwise>
       </xsl:choose>
     </xsl:with-param>
     <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
@@ -145,12 +157,13 @@
 </xsl:template>
 
 <xsl:template name="strength">
-  <xsl:for-each select="winds/item[status = 'ok' and within_limits = 'true'][last()][least_safety/value != '']">
+  <xsl:variable name="last" select="winds/item[status = 'ok' and within_limits = 'true'][last()]"/>
+  <xsl:variable name="root" select="criteria/item[criterion = 'overturning']/winds/item[speed/value = $last/speed/value]"/>
+  <xsl:for-each select="criteria/item[criterion = 'breakage' and scope = 'stem']/winds/item[speed/value = $last/speed/value and
+    safety/value != '']">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
-      <xsl:with-param name="id">
-        <xsl:text>sum.stress</xsl:text><xsl:if test="governing_section/level &gt; 0">.part</xsl:if>
-      </xsl:with-param>
+      <xsl:with-param name="id">sum.stress</xsl:with-param>
       <xsl:with-param name="a">
         <xsl:call-template name="given"><xsl:with-param name="x" select="speed/value"/></xsl:call-template>
       </xsl:with-param>
@@ -162,71 +175,83 @@
       </xsl:with-param>
       <xsl:with-param name="c">
         <xsl:call-template name="fixed">
-          <xsl:with-param name="x" select="100 div least_safety/value"/><xsl:with-param name="pattern">0</xsl:with-param>
+          <xsl:with-param name="x" select="100 div safety/value"/><xsl:with-param name="pattern">0</xsl:with-param>
         </xsl:call-template>
       </xsl:with-param>
       <xsl:with-param name="d">
-        <xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template>
+        <xsl:call-template name="number"><xsl:with-param name="x" select="safety/value"/></xsl:call-template>
       </xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
+  <xsl:if test="$root/safety/value != ''">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.root</xsl:with-param>
+      <xsl:with-param name="a"><xsl:call-template name="fixed">
+        <xsl:with-param name="x" select="100 div $root/safety/value"/><xsl:with-param name="pattern">0</xsl:with-param>
+      </xsl:call-template></xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="$root/safety/value"/></xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:if>
   <xsl:value-of select="$gap"/>
   <xsl:choose>
-    <xsl:when test="critical/within_limits = 'false'">
+    <xsl:when test="critical_stem/within_limits = 'false' or verdict/within_limits = 'false'">
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:choose>
             <xsl:when test="winds/item/within_limits = 'false'">sum.void</xsl:when><xsl:otherwise>sum.void.alone</xsl:otherwise>
           </xsl:choose>
         </xsl:with-param>
-        <xsl:with-param name="a" select="format-number(critical/speed/value, '0.0')"/>
+        <xsl:with-param name="a" select="format-number((verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value, '0.0')"/>
         <xsl:with-param name="b">
           <xsl:for-each select="method/solver"><xsl:value-of select="name"/></xsl:for-each>
         </xsl:with-param>
       </xsl:call-template>
     </xsl:when>
-    <xsl:when test="critical/outcome = 'above' and winds/item/within_limits = 'false'"/>
+    <xsl:when test="critical_stem/outcome = 'above' and winds/item/within_limits = 'false'"/>
     <xsl:otherwise><xsl:call-template name="expected"/></xsl:otherwise>
   </xsl:choose>
 </xsl:template>
 
-<!-- At which wind it breaks, or why that is not known. -->
-<xsl:template name="expected">
+<!-- At which wind the stem breaks, or why that is not known. -->
+<xsl:template name="breaks-first">
   <xsl:call-template name="say">
-    <xsl:with-param name="id" select="concat('sum.', critical/outcome)"/>
+    <xsl:with-param name="id" select="concat('sum.', critical_stem/outcome)"/>
     <xsl:with-param name="a">
       <xsl:choose>
-        <xsl:when test="critical/outcome = 'found'">
-          <xsl:value-of select="format-number(critical/speed/value, '0.0')"/>
+        <xsl:when test="critical_stem/outcome = 'found'">
+          <xsl:value-of select="format-number(critical_stem/speed/value, '0.0')"/>
         </xsl:when>
-        <xsl:when test="critical/outcome = 'above'">
-          <xsl:call-template name="given"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template>
+        <xsl:when test="critical_stem/outcome = 'above'">
+          <xsl:call-template name="given"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template>
         </xsl:when>
         <xsl:otherwise>
-          <xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_low/value"/></xsl:call-template>
+          <xsl:call-template name="fixed"><xsl:with-param name="x" select="critical_stem/speed_low/value"/></xsl:call-template>
         </xsl:otherwise>
       </xsl:choose>
     </xsl:with-param>
     <xsl:with-param name="b">
       <xsl:choose>
-        <xsl:when test="critical/outcome = 'found'">
+        <xsl:when test="critical_stem/outcome = 'found'">
           <xsl:call-template name="place">
-            <xsl:with-param name="height" select="critical/governing_section/height/value"/>
-            <xsl:with-param name="section" select="critical/governing_section"/>
+            <xsl:with-param name="height" select="critical_stem/governing_section/height/value"/>
+            <xsl:with-param name="section" select="critical_stem/governing_section"/>
           </xsl:call-template>
         </xsl:when>
         <xsl:otherwise>
-          <xsl:call-template name="fixed"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template>
+          <xsl:call-template name="fixed"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template>
         </xsl:otherwise>
       </xsl:choose>
     </xsl:with-param>
     <xsl:with-param name="c">
       <xsl:choose>
-        <xsl:when test="critical/outcome = 'found'">
-          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+        <xsl:when test="critical_stem/outcome = 'found'">
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical_stem/speed/value"/></xsl:call-template>
         </xsl:when>
         <xsl:otherwise>
-          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed_high/value"/></xsl:call-template>
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical_stem/speed_high/value"/></xsl:call-template>
         </xsl:otherwise>
       </xsl:choose>
     </xsl:with-param>
@@ -235,6 +260,16 @@
     </xsl:with-param>
     <xsl:with-param name="e" select="$trees[1]/scenario/wind_terrain"/>
   </xsl:call-template>
+</xsl:template>
+
+<!-- At which wind it breaks, or why that is not known. -->
+<!-- At which wind the tree is lost; then what else fails. -->
+<xsl:template name="expected">
+  <xsl:choose>
+    <xsl:when test="verdict/criterion = 'overturning'"><xsl:call-template name="overturns-first"/></xsl:when>
+    <xsl:when test="verdict/criterion != 'breakage'"><xsl:call-template name="section-first"/></xsl:when>
+    <xsl:otherwise><xsl:call-template name="breaks-first"/></xsl:otherwise>
+  </xsl:choose>
   <xsl:if test="critical/outcome = 'self-weight' and critical/governing_section/diameter/value != ''">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
@@ -248,7 +283,7 @@
       <xsl:with-param name="c" select="format-number(critical/governing_section/height/value, '0.0')"/>
     </xsl:call-template>
   </xsl:if>
-  <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'found' and critical_stem/within_limits =
+  <xsl:if test="verdict/criterion != 'breakage' and critical_stem/outcome = 'found' and critical_stem/within_limits =
     'true'">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
@@ -265,7 +300,7 @@
       </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
-  <xsl:if test="critical/governing_section/level &gt; 0 and critical_stem/outcome = 'above'">
+  <xsl:if test="verdict/criterion != 'breakage' and critical_stem/outcome = 'above'">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
       <xsl:with-param name="id">sum.stem.above</xsl:with-param>
@@ -277,8 +312,11 @@
       </xsl:with-param>
     </xsl:call-template>
   </xsl:if>
-  <xsl:for-each select="directions/directions/item[critical/outcome = 'found' and critical/within_limits = 'true']">
-    <xsl:sort select="critical/speed/value" data-type="number"/>
+  <xsl:call-template name="overturns-too"/>
+  <xsl:call-template name="fails-first"/>
+  <xsl:for-each select="directions/directions/item[(loss | self::*[not(loss)]/critical_stem)/outcome = 'found' and
+    critical_stem/within_limits = 'true']">
+    <xsl:sort select="(loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value" data-type="number"/>
     <xsl:if test="position() = 1">
       <xsl:value-of select="$gap"/>
       <xsl:call-template name="say">
@@ -288,15 +326,16 @@
             <xsl:with-param name="x" select="$degrees * from/value"/><xsl:with-param name="pattern">0.#</xsl:with-param>
           </xsl:call-template>
         </xsl:with-param>
-        <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/>
+        <xsl:with-param name="b" select="format-number((loss/critical_speed | self::*[not(loss)]/critical_stem/speed)/value, '0.0')"/>
         <xsl:with-param name="c" select="../../number"/>
         <xsl:with-param name="d">
-          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="(loss/critical_speed |
+            self::*[not(loss)]/critical_stem/speed)/value"/></xsl:call-template>
         </xsl:with-param>
       </xsl:call-template>
     </xsl:if>
   </xsl:for-each>
-  <xsl:if test="critical/outcome = 'found' and critical/speed/value &gt; species/streamlining/speed_high/value">
+  <xsl:if test="(verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt; species/streamlining/speed_high/value">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">
       <xsl:with-param name="id">sum.extrapolated</xsl:with-param>
@@ -377,15 +416,16 @@
     </xsl:call-template>
     <xsl:value-of select="$gap"/>
   </xsl:if>
-  <xsl:for-each select="$trees[critical/outcome = 'found']">
-    <xsl:sort select="critical/speed/value" data-type="number"/>
+  <xsl:for-each select="$trees[(verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value != '']">
+    <xsl:sort select="(verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value" data-type="number"/>
     <xsl:if test="position() = 1">
       <xsl:call-template name="say">
         <xsl:with-param name="id">sum.first</xsl:with-param>
         <xsl:with-param name="a"><xsl:call-template name="name"/></xsl:with-param>
-        <xsl:with-param name="b" select="format-number(critical/speed/value, '0.0')"/>
+        <xsl:with-param name="b" select="format-number((verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value, '0.0')"/>
         <xsl:with-param name="c">
-          <xsl:call-template name="gust"><xsl:with-param name="x" select="critical/speed/value"/></xsl:call-template>
+          <xsl:call-template name="gust"><xsl:with-param name="x" select="(verdict/critical_speed |
+            self::*[not(verdict)]/critical_stem/speed)/value"/></xsl:call-template>
         </xsl:with-param>
       </xsl:call-template>
     </xsl:if>
@@ -395,8 +435,9 @@
 <xsl:template name="summary">
   <xsl:variable name="values" select="$trees/species/values/item[used = 'true' and value != '']"/>
   <xsl:variable name="doubtful" select="$values[status = 'assumed' or status = 'borrowed']"/>
-  <xsl:variable name="untested" select="$trees[critical/outcome = 'found' and critical/within_limits = 'true' and
-    not(method/solver/as_printed = 'true') and critical/speed/value &gt; species/streamlining/speed_high/value]"/>
+  <xsl:variable name="untested" select="$trees[critical_stem/within_limits = 'true' and
+    not(method/solver/as_printed = 'true') and (verdict/critical_speed | self::*[not(verdict)]/critical_stem/speed)/value &gt;
+    species/streamlining/speed_high/value]"/>
   <div class="summary">
     <p class="care">
       <xsl:call-template name="say">
@@ -446,10 +487,11 @@
               </xsl:call-template>
             </xsl:when>
             <xsl:when test="$small != ''"><xsl:value-of select="$small"/></xsl:when>
-            <xsl:otherwise><xsl:call-template name="verdict"/></xsl:otherwise>
+            <xsl:otherwise><xsl:call-template name="verdict"/><xsl:call-template name="unassessed"/></xsl:otherwise>
           </xsl:choose>
         </b>
-        <xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="voids"/>
+        <xsl:call-template name="tips"/><xsl:call-template name="strength"/><xsl:call-template name="iv-brief"/>
+        <xsl:call-template name="voids"/>
       </p>
     </xsl:for-each>
   </div>

@@ -42,10 +42,13 @@
         <xsl:call-template name="number"><xsl:with-param name="x" select="least_safety/value"/></xsl:call-template>
       </td>
       <xsl:call-template name="cell"><xsl:with-param name="x" select="governing_section/height/value"/></xsl:call-template>
+      <td class="r">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="loss_safety/value"/></xsl:call-template>
+      </td>
     </xsl:when>
     <xsl:otherwise>
       <td class="weak">
-        <xsl:attribute name="colspan"><xsl:value-of select="8 + boolean($gusts)"/></xsl:attribute>
+        <xsl:attribute name="colspan"><xsl:value-of select="9 + boolean($gusts)"/></xsl:attribute>
         <xsl:call-template name="say">
           <xsl:with-param name="id">no-answer</xsl:with-param>
           <xsl:with-param name="a">
@@ -72,7 +75,7 @@
           <xsl:value-of select="$gap"/>
           <xsl:call-template name="say"><xsl:with-param name="id">t.void</xsl:with-param></xsl:call-template>
         </xsl:if>
-        <xsl:if test="$trees/winds/item[status = 'ok' and least_safety/value &lt;= 1]">
+        <xsl:if test="$trees/winds/item[beyond_loss = 'true' or (not(beyond_loss) and status = 'ok' and least_safety/value &lt;= 1)]">
           <xsl:value-of select="$gap"/>
           <xsl:call-template name="say"><xsl:with-param name="id">t.broken</xsl:with-param></xsl:call-template>
         </xsl:if>
@@ -122,6 +125,9 @@
         <xsl:call-template name="head">
           <xsl:with-param name="id">c.height</xsl:with-param><xsl:with-param name="unit">m</xsl:with-param>
         </xsl:call-template>
+        <xsl:call-template name="head">
+          <xsl:with-param name="id">c.safety.tree</xsl:with-param><xsl:with-param name="unit">–</xsl:with-param>
+        </xsl:call-template>
       </tr>
     </thead>
     <xsl:choose>
@@ -129,7 +135,8 @@
         <tbody class="long">
           <xsl:for-each select="$trees/winds/item">
             <tr>
-              <xsl:if test="within_limits = 'false' or (status = 'ok' and least_safety/value &lt;= 1)">
+              <xsl:if test="within_limits = 'false' or beyond_loss = 'true' or (not(beyond_loss) and status = 'ok' and
+                least_safety/value &lt;= 1)">
                 <xsl:attribute name="class">void</xsl:attribute>
               </xsl:if>
               <td class="r">
@@ -146,7 +153,8 @@
           <tbody>
             <xsl:for-each select="$trees">
               <tr>
-                <xsl:if test="winds/item[$p][within_limits = 'false' or (status = 'ok' and least_safety/value &lt;= 1)]">
+                <xsl:if test="winds/item[$p][within_limits = 'false' or beyond_loss = 'true' or (not(beyond_loss) and status = 'ok' and
+                  least_safety/value &lt;= 1)]">
                   <xsl:attribute name="class">void</xsl:attribute>
                 </xsl:if>
                 <td class="r">
@@ -196,24 +204,25 @@
     </thead>
     <tbody>
       <xsl:for-each select="$trees">
-        <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical"/></xsl:call-template>
+        <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical_stem"/></xsl:call-template>
+        <xsl:call-template name="overturning-rows"/>
         <xsl:if test="critical/governing_section/level &gt; 0">
-          <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical_stem"/></xsl:call-template>
+          <xsl:call-template name="breaks"><xsl:with-param name="at" select="critical"/></xsl:call-template>
         </xsl:if>
       </xsl:for-each>
     </tbody>
   </table>
 </xsl:template>
 
-<!-- A row of the table of critical wind speeds: of the tree, or of its stem alone. -->
+<!-- A row of the table of critical wind speeds: of the stem, or of the part that breaks first. -->
 <xsl:template name="breaks">
   <xsl:param name="at"/>
   <tr>
     <xsl:if test="$at/within_limits = 'false'"><xsl:attribute name="class">void</xsl:attribute></xsl:if>
     <td>
       <xsl:choose>
-        <xsl:when test="name($at) = 'critical_stem'">
-          <xsl:call-template name="say"><xsl:with-param name="id">c.stem.alone</xsl:with-param></xsl:call-template>
+        <xsl:when test="name($at) = 'critical'">
+          <xsl:call-template name="say"><xsl:with-param name="id">c.first.part</xsl:with-param></xsl:call-template>
         </xsl:when>
         <xsl:otherwise><xsl:call-template name="name"/></xsl:otherwise>
       </xsl:choose>

@@ -2,11 +2,11 @@
 #ifndef WF_TESTS_FIT_CASE_H
 #define WF_TESTS_FIT_CASE_H
 /* Trees with sensors on them, for the tests of calibration. */
+#include "cases/build.h"
 #include "close.h"
 #include "fit/fit.h"
 #include "fit/predict.h"
 #include "grow/stem.h"
-#include "cases/build.h"
 #include <string.h>
 
 enum { MOST = 12 };
@@ -35,15 +35,15 @@ static inline void materials(struct set *s)
         l->drag_coefficient = (struct wf_value){ .value = 1, .low = .8, .high = 1.2, .given = true };
         l->knot_factor.value = 1;
     }
-    s->species = (struct wf_species){
-        .key = "wood",
-        .levels = 2,
-        .level = s->level,
-        .crown.drag_coefficient = { .value = 0.5, .given = true },
-        .crown.leaf_mass_per_area = { .value = 0.2 },
-        .crown.frontal_share = { .value = 0.4 },
-        .streamlining = { .law = "vogel", .parameter = { { .value = -0.7 }, { .value = 5 } } }
-    };
+    s->species =
+        (struct wf_species){ .key = "wood",
+                             .levels = 2,
+                             .level = s->level,
+                             .crown.drag_coefficient = { .value = 0.5, .given = true },
+                             .crown.leaf_mass_per_area = { .value = 0.2 },
+                             .crown.frontal_share = { .value = 0.4 },
+                             .streamlining = { .law = "vogel",
+                                               .parameter = { { .value = -0.7 }, { .value = 5 } } } };
 }
 
 /* Sensors about half a height, rows cut where they sit and to at most `length`. */
@@ -121,6 +121,57 @@ static inline void stem(struct set *s, enum wf_fit_load load)
     s->state[1].load = load == WF_FIT_PULL ? 900 : 22;
     sensors(s, 9, 0.3);
     s->tree.options.root_stiffness[0] = s->tree.options.root_stiffness[1] = 4e4;
+}
+
+/* A row of a tree made by hand, from the end of the row below or from the ground. */
+static inline int32_t row_onto(struct wf_tree *t, int32_t below, int32_t level, const double by[3], double r0,
+                               double r1)
+{
+    size_t i = t->n++;
+    t->parent[i] = below, t->level[i] = level;
+    t->x0[i] = below < 0 ? 0 : t->x1[below], t->x1[i] = t->x0[i] + by[0];
+    t->y0[i] = below < 0 ? 0 : t->y1[below], t->y1[i] = t->y0[i] + by[1];
+    t->z0[i] = below < 0 ? 0 : t->z1[below], t->z1[i] = t->z0[i] + by[2];
+    t->r0[i] = r0, t->r1[i] = r1, t->i0[i] = 0.2 * r0, t->i1[i] = 0.2 * r1;
+    t->youngs[i] = 9e9, t->shear[i] = 7e8, t->density[i] = 800, t->drag[i] = 1;
+    t->burden0[i] = t->burden1[i] = level ? 0.4 : 0;
+    return (int32_t)i;
+}
+
+/* A stem that leans and winds, as a scan shows it, with long branches that fork and hang over, pulled by a
+ * rope that follows it or in wind. */
+static inline void crooked(struct set *s, enum wf_fit_load load)
+{
+    enum { STEM = 16, BRANCH = 4 };
+    materials(s);
+    struct wf_tree *t = &s->tree.tree;
+    if (wf_tree_alloc(t, 16 + 7 * 2 * BRANCH, &s->arena, &s->err)) fail_msg("%s", s->err.text);
+    t->n = 0;
+    int32_t stem[STEM];
+    for (int32_t i = 0; i < STEM; i++) {
+        const double by[3] = { 0.1 + 0.12 * sin(0.9 * i), 0.12 * cos(1.3 * i), 0.7 };
+        stem[i] = row_onto(t, i ? stem[i - 1] : -1, 0, by, 0.16 - 0.008 * i, 0.152 - 0.008 * i);
+    }
+    for (int32_t i = 5; i < STEM - 4; i++) {
+        int32_t at = stem[i];
+        for (int k = 0; k < 2 * BRANCH; k++) {
+            double angle = 2.4 * i + 0.15 * k + (k >= BRANCH ? 0.8 : 0), r = 0.04 - 0.006 * (k % BRANCH);
+            const double by[3] = { 0.5 * cos(angle), 0.5 * sin(angle), 0.25 - 0.12 * (k % BRANCH) };
+            if (k == BRANCH) at = at - 2; /* forks */
+            at = row_onto(t, at, 1, by, r, r - 0.005);
+        }
+    }
+    wf_loads_default(&s->tree.loads);
+    s->test = (struct wf_fit_test){
+        .name = "crooked", .load = load, .states = 2, .anchored = true, .anchor = { 11, 3, -0.5 }
+    };
+    s->test.wind = (struct wf_wind){ .sample = wf_profile_named("power")->sample,
+                                     .direction = { 0.8, 0.6, 0 },
+                                     .reference_height = 10,
+                                     .exponent = 0.2 };
+    s->state[0].load = load == WF_FIT_PULL ? 1000 : 12;
+    s->state[1].load = load == WF_FIT_PULL ? 6000 : 30;
+    sensors(s, 10, 0.5);
 }
 
 /* The tree of 1000 rows in a steady wind of n speeds. */

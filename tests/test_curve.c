@@ -5,6 +5,7 @@
 #include "data/species.h"
 #include "load/drag.h"
 #include "study/analysis.h"
+#include "study/node.h"
 #include <string.h>
 
 struct made {
@@ -84,6 +85,26 @@ static void rows_agree_with_solutions(void **state)
     assert_true(sides[0] >= 40 && sides[1] >= 5);
 }
 
+/* The largest stress is that of all rows, also of those that are not credible and have no utilisation. */
+static void doubtful_rows_have_stress(void **state)
+{
+    (void)state;
+    struct made m;
+    struct wf_nodes *nodes;
+    size_t sides[2] = { 0 };
+    analyse(&m, "species/weeping_willow.yaml", "tests/data/limbs.yaml", NULL, 20, 1);
+    m.an.tree.doubtful = WF_TAKE(&m.arena, m.an.tree.n, bool);
+    for (size_t i = 0; i < m.an.tree.n; i++)
+        m.an.tree.doubtful[i] = m.an.at[0].breakage.peak[i] > 0.8 * m.an.at[0].breakage.largest_stress;
+    assert_non_null(nodes = wf_nodes_open(&m.an, NULL));
+    assert_int_equal(wf_analysis_breaks(&m.an, &m.options, nodes, m.an.breaks, &m.err), WF_OK);
+    assert_int_equal(wf_analysis_sweep(&m.an, &m.options, nodes, &m.arena, &m.diag, &m.err), WF_OK);
+    wf_nodes_close(nodes);
+    compare(&m, sides);
+    assert_true(sides[0] + sides[1] >= 5);
+    wf_arena_free(&m.arena);
+}
+
 static void threads_do_not_matter(void **state)
 {
     (void)state;
@@ -129,6 +150,7 @@ static void range_of_the_search(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = { cmocka_unit_test(rows_agree_with_solutions),
+                                        cmocka_unit_test(doubtful_rows_have_stress),
                                         cmocka_unit_test(threads_do_not_matter),
                                         cmocka_unit_test(range_of_the_search) };
     return cmocka_run_group_tests(tests, NULL, NULL);

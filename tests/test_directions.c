@@ -7,6 +7,7 @@
 #include "load/scene.h"
 #include "solve/solve.h"
 #include "study/directions.h"
+#include "study/peak.h"
 #include "wind/climate.h"
 #include <string.h>
 
@@ -172,6 +173,33 @@ static void hours_of_a_climate(void **state)
     wf_arena_free(&m.arena);
 }
 
+/* The factor of gusts is that of an analysis with the wind from there; in the mean wind it is 1. */
+static void gusts_of_each_direction(void **state)
+{
+    (void)state;
+    struct made m, one;
+    struct wf_directions mean, peak;
+    const struct wf_directions_request q = { .n = 4 };
+    start(&m, 0.2, 0.7);
+    analyse(&m, 0);
+    around(&m, &q, &mean);
+    m.scenario.peak.method = "en1991";
+    analyse(&m, 0);
+    around(&m, &q, &peak);
+    for (size_t k = 0; k < q.n; k++) {
+        start(&one, 0.2, 0.7);
+        one.scenario.peak.method = "en1991";
+        analyse(&one, wf_direction_azimuth(&q, peak.direction[k].from));
+        for (size_t w = 0; w < WINDS; w++) {
+            assert_close(mean.direction[k].gusts[w], 1, 1e-15);
+            assert_true(peak.direction[k].gusts[w] > 1.5);
+            assert_close(peak.direction[k].gusts[w], wf_peak_gusts(one.an.peak, winds[w]), 2e-3);
+        }
+        wf_arena_free(&one.arena);
+    }
+    wf_arena_free(&m.arena);
+}
+
 static void mistakes(void **state)
 {
     (void)state;
@@ -195,9 +223,10 @@ static void mistakes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(names_of_directions), cmocka_unit_test(each_direction_is_an_analysis),
-        cmocka_unit_test(the_tree_turned),     cmocka_unit_test(any_number_of_threads),
-        cmocka_unit_test(hours_of_a_climate),  cmocka_unit_test(mistakes)
+        cmocka_unit_test(names_of_directions),    cmocka_unit_test(each_direction_is_an_analysis),
+        cmocka_unit_test(the_tree_turned),        cmocka_unit_test(any_number_of_threads),
+        cmocka_unit_test(hours_of_a_climate),     cmocka_unit_test(mistakes),
+        cmocka_unit_test(gusts_of_each_direction)
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -173,7 +173,7 @@ static void stiffness_goes_with_the_air(void **unused)
         for (size_t i = 0; i < j.x.tree[0].tree.n; i++) j.x.tree[0].tree.drag[i] = 1;
         if (!k) {
             if (wf_fit_params(&j.calibration, NULL, &j.x, true, &j.arena, &p, &n, &j.err) ||
-                wf_fit_expect(&j.x, p, n, &j.arena, reading, NULL, &j.err))
+                wf_fit_expect(&j.x, p, n, &j.arena, reading, NULL, &j.diag, &j.err))
                 fail_msg("%s", j.err.text);
             memcpy(value, reading, sizeof value);
         }

@@ -101,6 +101,17 @@ static void commands(void **state)
           "same",
           CODE_OK,
           { "0", "same" } },
+        /* snow and ice beside the tree without: mass 917 pi b (d + b) of the axes and 2 b of the leaves */
+        { "$W analyze oak -m culm --wind 10 --ice 0.02mm --no-report -o $T/ice && grep -A1 winter "
+          "$T/ice/results.json",
+          CODE_OK,
+          { "snow and ice: 0.6", "without -> with: sways at 0.2", "at 10 m/s drag ", "\"mass_kg\": 0.6" } },
+        /* half the wind named while the ice is there: the moments are those of half the wind */
+        { "for w in '20 --winter-wind 0.5' 10; do $W analyze oak -m culm --wind $w --ice 0.02mm --samples 0 "
+          "--no-report -q -o $T/half; tail -1 $T/half/tables/summary.csv | cut -d, -f12; done | uniq | wc -l",
+          CODE_OK,
+          { "1\n" } },
+        { "$W analyze oak -m culm --wind 10 --winter-wind 0.5", CODE_INPUT, { "without --snow and --ice" } },
         { "$W analyze oak -m culm --wind 10 --season leaf_off --water-film 0.3mm --no-report -o $T/bare",
           CODE_INPUT,
           { "no leaves that could hold rain" } },

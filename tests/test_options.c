@@ -109,6 +109,50 @@ static void test_variants(void **state)
     CHECK(rows);
 }
 
+/* What is said of soil and root: one source, that can be used. */
+static void test_anchorage(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "$W analyze oak $M --wind 10 --soil clay",
+          CODE_INPUT,
+          { "--soil: 'clay' is none of mineral, gleyed" } },
+        { "$W analyze oak $M --wind 10 --pull-moment 0", CODE_INPUT, { "--pull-moment: 0 is outside" } },
+        { "$W analyze oak $M --wind 10 --pull-moment 12kg", CODE_INPUT, { "--pull-moment", "N m" } },
+        { "$W analyze oak $M --wind 10 --pull-moment 12 --root-secant 1e6",
+          CODE_INPUT,
+          { "give one of --pull-moment and --root-secant" } },
+        { "$W analyze oak $M --wind 10 --pull-moment 12 --anchorage size",
+          CODE_INPUT,
+          { "give one of --pull-moment and --anchorage" } },
+        { "$W analyze oak $M --wind 10 --anchorage root-stiffness",
+          CODE_INPUT,
+          { "needs --root-stiffness" } },
+        { "$W analyze oak $M --wind 10 --rooting deep",
+          CODE_INPUT,
+          { "--rooting: " NOT "without --anchorage-table" } },
+        { "printf 'phi_deg,moment_kNm\\n0,9\\n0.2,8\\n' >$T/c.csv; $W analyze oak $M --wind 10 "
+          "--tipping-curve $T/c.csv",
+          CODE_INPUT,
+          { "c.csv:3:5: error: moment_kNm: the curve falls before it rises" } },
+        { "printf 'study: a\\nspecies: oak\\nmodel: culm\\nwind: 10\\npull_moment: 12 kN m\\n' "
+          ">$T/s.yaml; "
+          "$W analyze $T/s.yaml -o $T/o --no-report",
+          CODE_OK,
+          { "anchorage 30 kN m: 2.5 x 12 kN m at 0.25 deg", "in saturated soil it overturns" } },
+        { "$W analyze oak $M --wind 10 -o $T/o --no-report",
+          CODE_OK,
+          { "overturning not assessed: soil and anchorage unknown" } },
+        { "$W analyze oak $M --wind 10 --soil peat -o $T/o --no-report",
+          CODE_OK,
+          { "32.9 kN m/m3 x d^2 h", "none of Quercus robur" } },
+        { "$W analyze moso_bamboo $M --wind 10 --soil peat -o $T/o --no-report",
+          CODE_OK,
+          { "overturning not assessed: no anchorage test of hollow culms" } },
+    };
+    CHECK(rows);
+}
+
 static void test_lists(void **state)
 {
     (void)state;
@@ -225,8 +269,8 @@ static void test_no_nan(void **state)
           "\"s#model: .*#model: $PWD/$T/c.yaml#\" $S >$T/f.yaml; sed -i 's#data/#'$PWD'/models/field/data/#' "
           "$T/f.yaml; "
           "case $T in /*) sed -i \"s#$PWD/$T#$T#\" $T/f.yaml;; esac; $W fit $T/f.yaml",
-          CODE_INPUT,
-          { "under_weight" } },
+          CODE_OK,
+          { "pull clino_root" } },
     };
     CHECK(rows);
 }
@@ -249,9 +293,9 @@ static void test_loss_slopes(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_profiles),    cmocka_unit_test(test_variants), cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_names),       cmocka_unit_test(test_pipes),    cmocka_unit_test(test_no_nan),
-        cmocka_unit_test(test_loss_slopes),
+        cmocka_unit_test(test_profiles), cmocka_unit_test(test_variants),    cmocka_unit_test(test_anchorage),
+        cmocka_unit_test(test_lists),    cmocka_unit_test(test_names),       cmocka_unit_test(test_pipes),
+        cmocka_unit_test(test_no_nan),   cmocka_unit_test(test_loss_slopes),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

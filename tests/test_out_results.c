@@ -212,7 +212,7 @@ static void table_values(void **state)
     const struct wf_analysis *a = &f->run.analysis[0];
     const struct wf_at_speed *speed = &a->at[1];
     size_t r = MOCK_SEGMENTS - 1;
-    assert_int_equal(n, 27);
+    assert_int_equal(n, 28);
     assert_close(cell[2], 15, 0);
     assert_close(cell[3], MOCK_SEGMENTS, 0);
     assert_close(cell[9], 2e3 * a->tree.r1[r], 1e-9);

@@ -23,6 +23,7 @@ static const struct {
     { "terrain", "terrain --size 4 --relief 20" },
     { "rain", "rain --staged --duration 2" },
     { "modes", "modes oak $M --wind 0,10" },
+    { "fragility", "fragility oak $M --samples 20" },
 };
 #define ROSE                                                                                                 \
     "{ echo direction_deg,frequency,weibull_scale_ms,weibull_shape; for d in 0 45 90 135 180 225 270 315; "  \

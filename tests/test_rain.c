@@ -280,7 +280,7 @@ static void lay(struct leaf *l, double slope, bool printed, double fold)
     l->w = WF_TAKE(&l->a, 1, struct wf_leaf_water);
     if (wf_leaf_water_make(&b, fold, 128, &l->a, l->w, &e)) fail_msg("%s", e.text);
     for (int i = 0; i < 2; i++) l->up[i][0] = -sin(slope), l->up[i][2] = cos(slope);
-    l->lie = (struct wf_leaf_lie){ 2, (const double(*)[3])l->up };
+    l->lie = (struct wf_leaf_lie){ 2, (const double(*)[3])l->up, NULL };
 }
 
 static void add(struct leaf *l, double mass, double x, double y)

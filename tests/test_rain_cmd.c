@@ -37,6 +37,30 @@ static void runs(void **state)
           "quiet",
           CODE_OK,
           { "quiet" } },
+        /* the stem's 12 segments are the prisms; its wood is that of a stem */
+        { "$W rain --tree docs/examples/scan.csv --species oak --leaves 2 --segment 3 --duration 0.05 "
+          "--no-report -o $T/r && grep -c ,branch, $T/r/tables/scene.csv; "
+          "awk -F, '$11 == 0' docs/examples/scan.csv | wc -l",
+          CODE_OK,
+          { "2 leaves", "12\n12\n" } },
+        /* leaf and petiole of the species, unless they are given; its angle only without the paper's preset
+         */
+        { "$W rain --species birch --duration 0.05 --no-report -q -o $T/r && grep -E "
+          "'\"(leaf_cm2|petiole_mm|petiole_diameter_mm|contact_angle_deg)\"' $T/r/results.json",
+          CODE_OK,
+          { "\"leaf_cm2\": 12", "\"petiole_mm\": 18", "\"petiole_diameter_mm\": 0.9",
+            "\"contact_angle_deg\": 100" } },
+        { "$W rain --species birch --petiole 25mm --leaf-length 5cm --preset yang2011 --duration 0.05 "
+          "--no-report -q -o $T/r && grep -E '\"(vein_mm|petiole_mm|contact_angle_deg)\"' "
+          "$T/r/results.json",
+          CODE_OK,
+          { "\"vein_mm\": 50", "\"petiole_mm\": 25", "\"contact_angle_deg\": 60" } },
+        /* a record of another frequency and speed is another rain; its own mean unless it is rescaled */
+        { "$W rain --gust record --file docs/examples/sonic.csv --duration 1 --no-report -q -o $T/r && "
+          "$W rain --gust record --file docs/examples/sonic.csv --set rescale=1 --wind 3 --duration 1 "
+          "--no-report -q -o $T/s && ! cmp -s $T/r/tables/air.csv $T/s/tables/air.csv && echo differ",
+          CODE_OK,
+          { "differ" } },
         { "$W papers list", CODE_OK, { "yang2011", "rain on branches and leaves" } },
         { "$W papers yang201", CODE_INPUT, { "did you mean 'yang2011'?" } },
     };
@@ -60,7 +84,20 @@ static void refused(void **state)
           CODE_INPUT,
           { "no segment with the id 99999" } },
         { "$W rain --model culm --branch 1m", CODE_INPUT, { "has no effect", "whose axis has its own" } },
-        { "$W rain --segment 3", CODE_INPUT, { "without --model" } },
+        { "$W rain --preset yang2011 --shaking", CODE_INPUT, { "has no effect", "yang2011" } },
+        { "$W rain --segment 3", CODE_INPUT, { "without --model or --tree" } },
+        { "$W rain --strict", CODE_INPUT, { "without --tree" } },
+        { "$W rain --model culm --tree docs/examples/scan.csv --no-report -o $T/r",
+          CODE_INPUT,
+          { "one of --model, --tree and --points" } },
+        { "$W rain --gust record --duration 1 --no-report -o $T/r",
+          CODE_INPUT,
+          { "needs the file of an anemometer" } },
+        { "$W rain --gust record --file docs/examples/sonic.csv --wind 5",
+          CODE_INPUT,
+          { "--wind: has no effect", "rescale=1" } },
+        { "$W rain --gust kaimal --no-report -o $T/r", CODE_INPUT, { "needs a mean wind above 0" } },
+        { "$W rain --gust kaimal --wind 3 --file x", CODE_INPUT, { "without --gust record" } },
         { "$W rain --adhesion 1e-4", CODE_INPUT, { "has no effect", "yang2011" } },
         { "$W rain --staged --drops 200", CODE_INPUT, { "has no effect" } },
         { "$W rain --drops 200 --intensity 10mm/h --no-report -o $T/r",
@@ -72,6 +109,19 @@ static void refused(void **state)
         { "printf '0 0 0\\n1 x 1\\n' >$T/p; $W rain --points $T/p --no-report -o $T/r",
           CODE_INPUT,
           { "p:2:1" } },
+        { "for i in 1 2 3 4 5 6; do echo 1 0 0; echo 2 0 0; done >$T/p; $W rain --points $T/p --clusters 4 "
+          "--no-report -o $T/r",
+          CODE_INPUT,
+          { "stays empty", "take fewer clusters" } },
+        { "sed '/^crown:/,$d' species/birch.yaml >$T/birch.yaml; $W rain --species $T/birch.yaml "
+          "--no-report -o $T/r",
+          CODE_INPUT,
+          { "has no leaves", "leaf_mass_per_area" } },
+        { "$W rain --leaf-length 0", CODE_INPUT, { "--leaf-length" } },
+        { "$W rain --petiole-diameter 0", CODE_INPUT, { "--petiole-diameter" } },
+        { "$W rain --receding 80deg --advancing 70deg --no-report -o $T/r",
+          CODE_INPUT,
+          { "receding contact angle" } },
         { "$W rain --species willow_feng1999 --form pinnate", CODE_INPUT, { "--form" } },
     };
     CHECK(rows);

@@ -1,11 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Rain on a branch, whole runs: budgets that close, the five effects, shelter, ringing, the printed preset.
  */
+#include "data/species.h"
 #include "base/num.h"
+#include "base/parallel.h"
+#include "base/vec3.h"
 #include "close.h"
 #include "load/load.h"
+#include "study/prism_check.h"
 #include "study/rain_departures.h"
 #include "study/rain_run.h"
+#include "study/rain_shake.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -109,6 +114,150 @@ static void random_rain(void **state)
     for (int k = 0; k < 2; k++) wf_arena_free(&c[k].a);
 }
 
+/* A leaf of the species' area, and its petiole; without them the defaults stay. */
+static void leaf_of_species(void **state)
+{
+    (void)state;
+    struct case_of c;
+    start(&c, false);
+    for (int given = 0; given < 2; given++) {
+        struct wf_scene_spec s = c.spec.scene;
+        c.sp.crown.leaf_area = (struct wf_value){ .value = 12e-4, .given = given };
+        c.sp.crown.petiole_length = (struct wf_value){ .value = 0.018, .given = given };
+        c.sp.crown.petiole_diameter = (struct wf_value){ .value = 9e-4, .given = given };
+        c.sp.crown.petiole_modulus = (struct wf_value){ .value = 7e8, .given = given };
+        wf_scene_spec_leaf(&s);
+        const struct wf_blade b = { s.form, s.leaf_length, s.leaf_length * s.form->breadth / 2 };
+        if (given) assert_close(wf_blade_area(&b), 12e-4, 1e-12);
+        assert_close(s.petiole, given ? 0.018 : c.spec.scene.petiole, 1e-12);
+        assert_close(s.petiole_radius, given ? 4.5e-4 : c.spec.scene.petiole_radius, 1e-12);
+        assert_close(s.petiole_youngs, given ? 7e8 : c.spec.scene.petiole_youngs, 1e-12);
+        assert_true(given || s.leaf_length == c.spec.scene.leaf_length);
+    }
+    wf_arena_free(&c.a);
+}
+
+/* Effective gravity: a leaf that gains speed upwards at 2 g presses with 3 g on its drops after some drop
+ * times; at rest, and through the jump of an impact, with 1. */
+static void effective_gravity(void **state)
+{
+    (void)state;
+    struct case_of c;
+    struct wf_err e = { 0 };
+    struct wf_shake k;
+    start(&c, false);
+    if (wf_scene_make(&c.spec.scene, 9.81, &c.a, &c.r.scene, &e)) fail_msg("%s", e.text);
+    const struct wf_rain_scene *s = &c.r.scene;
+    double *v = WF_TAKE(&c.a, 9 * s->prism.sections, double);
+    assert_int_equal(wf_shake_make(s, &c.a, &k, &e), WF_OK);
+    double area = 0; /* both halves of all strips are the blade */
+    for (size_t i = 0; i <= s->spec.vein_prisms; i++) area += 2 * k.area[i];
+    assert_close(area, wf_blade_area(&s->blade), 5e-3);
+    for (int step = 0; step < 60; step++) {
+        wf_shake_begin(&k, s, v);
+        for (size_t i = 2; i < 9 * s->prism.sections; i += 3) v[i] += 2 * 9.81 * 1e-3;
+        wf_shake_move(&k, s, s->rest, v, 1e-3, 9.81);
+    }
+    assert_close(k.pull[3], 3, 1e-6);
+    struct wf_leaf_lie lie = wf_shake_lie(&k, s, 1);
+    double size = sqrt(wf_dot(lie.up[3], lie.up[3]));
+    assert_close(size, 3, 1e-6);
+    for (int step = 0; step < 60; step++) {
+        for (size_t i = 2; i < 9 * s->prism.sections; i += 3) v[i] -= 0.3; /* struck */
+        wf_shake_begin(&k, s, v);
+        wf_shake_move(&k, s, s->rest, v, 1e-3, 9.81);
+    }
+    assert_close(k.pull[3], 1, 1e-6);
+    wf_arena_free(&c.a);
+}
+
+/* Push on blades in a wind: 1/2 rho Cd A un^2 along the normal of each half; its work over a small way. */
+static void push_of_wind(void **state)
+{
+    (void)state;
+    struct case_of c;
+    struct wf_err e = { 0 };
+    struct wf_shake k;
+    start(&c, false);
+    c.spec.scene.leaves = 1, c.spec.scene.fold = 0, c.spec.scene.droop = 0.5;
+    c.spec.scene.petiole_youngs = 1e12; /* it stays as drawn */
+    if (wf_scene_make(&c.spec.scene, 9.81, &c.a, &c.r.scene, &e)) fail_msg("%s", e.text);
+    const struct wf_rain_scene *s = &c.r.scene;
+    size_t n = 9 * s->prism.sections;
+    double *v = WF_TAKE(&c.a, n, double), *load = WF_TAKE(&c.a, n, double), *x = WF_TAKE(&c.a, n, double);
+    assert_int_equal(wf_shake_make(s, &c.a, &k, &e), WF_OK);
+    wf_shake_wind(&k, s, s->rest, v, (const double[]){ 4, 0 }, load);
+    double normal[3], sum[3] = { 0 }, work = 0;
+    wf_scene_normal(s, s->rest, 0, (const double[]){ 0.04, 0 }, normal);
+    double force = 0.5 * 1.2 * 1.2 * wf_blade_area(&s->blade) * pow(4 * normal[0], 2);
+    for (size_t i = 0; i < n; i++) sum[i % 3] += load[i];
+    assert_close(sqrt(wf_dot(sum, sum)), force, 0.02);
+    assert_true(sum[0] > 0);
+    for (size_t i = 0; i < n; i++)
+        x[i] = s->rest[i] + (i % 3 == 0 ? 1e-3 : 0), work += 1e-3 * load[i] * (i % 3 == 0);
+    assert_close(wf_shake_work(&k, s, x), work, 1e-9);
+    wf_arena_free(&c.a);
+}
+
+/* A steady wind moves the leaves downwind and its work is in the books; nothing of it as printed. Drops that
+ * feel the leaves' motion leave them sooner. */
+static void wind_on_leaves(void **state)
+{
+    (void)state;
+    double held[2], wind[2 * 802];
+    for (size_t i = 0; i < 802; i++) wind[2 * i] = 6, wind[2 * i + 1] = 0;
+    for (int k = 0; k < 3; k++) {
+        struct case_of c;
+        start(&c, k == 2);
+        c.spec.wind = wind, c.spec.shaken = k == 1, c.spec.duration = 0.8;
+        c.spec.drops = 0, c.spec.rain.intensity = 150 / 3.6e6;
+        go(&c);
+        assert_true(c.r.water.off <= 1e-12 && c.r.energy.off <= 1e-9);
+        if (k < 2) assert_true(c.r.energy.wind > 1e-6 && c.r.row[c.r.rows - 1].tip[0] > 1e-3);
+        if (k < 2) held[k] = c.r.water.held;
+        if (k == 2) assert_true(c.r.energy.wind == 0);
+        wf_rain_departures(&c.r, &c.d);
+        assert_int_equal(warned(&c.d, "leaf-drag"), k < 2);
+        assert_int_equal(warned(&c.d, "shaking"), k == 1);
+        wf_arena_free(&c.a);
+    }
+    assert_true(held[1] < 0.8 * held[0]);
+}
+
+struct pair {
+    struct case_of c[2];
+};
+static enum wf_status one_of(void *context, size_t k, struct wf_err *e)
+{
+    struct case_of *c = &((struct pair *)context)->c[k];
+    return wf_rain_run(&c->spec, &c->a, &c->d, &c->r, e);
+}
+
+/* Rain on one thread, and twice on two at once: the same bytes. */
+static void threads(void **state)
+{
+    (void)state;
+    static struct pair p[2];
+    for (int n = 1; n <= 2; n++) {
+        struct wf_err e = { 0 };
+        for (int k = 0; k < 2; k++) {
+            start(&p[n - 1].c[k], false);
+            p[n - 1].c[k].spec.drops = 200, p[n - 1].c[k].spec.duration = 0.8;
+        }
+        if (wf_parallel(2, (size_t)n, one_of, &p[n - 1], &e)) fail_msg("%s", e.text);
+    }
+    const struct wf_rain_result *first = &p[0].c[0].r;
+    assert_true(first->hits > 5);
+    for (int i = 1; i < 4; i++) {
+        const struct wf_rain_result *r = &p[i / 2].c[i % 2].r;
+        assert_int_equal(r->rows, first->rows);
+        assert_memory_equal(r->row, first->row, r->rows * sizeof *r->row);
+        assert_memory_equal(&r->water, &first->water, sizeof r->water);
+        assert_memory_equal(&r->energy, &first->energy, sizeof r->energy);
+    }
+    for (int i = 0; i < 4; i++) wf_arena_free(&p[i / 2].c[i % 2].a);
+}
+
 /* A leaf that no drop reaches stays dry: the staged drops fall on the first leaf alone. */
 static void dry_leaf(void **state)
 {
@@ -155,6 +304,29 @@ static void explicit_step(void **state)
     wf_arena_free(&c.a);
 }
 
+/* What the paper says of springs without a law: long branches fold and do not come back in time, short ones
+ * do; restoring springs bring all back as soon as the short ones. */
+static void disorder(void **state)
+{
+    (void)state;
+    struct wf_arena a = { 0 };
+    struct wf_err e = { 0 };
+    const struct wf_prism_rod rod = { 0.4, 3e-3, 2e9, 2e9 / 16, 900, 1 };
+    struct wf_prism_order o[WF_PRISM_ORDERS];
+    if (wf_prism_disorder(&rod, &a, o, &e)) fail_msg("%s", e.text);
+    struct wf_prism_answer one = { 0 };
+    assert_int_equal(wf_prism_cantilever(&rod, 8, 1e-3, 0, &a, &one, &e), WF_OK);
+    assert_true(one.tip > 0 && one.tip < 1e-3 && one.turn == 0); /* held by springs of 1 N/m */
+    for (size_t k = 0; k < WF_PRISM_ORDERS; k++) {
+        bool held = k >= WF_PRISM_CHECKS, folds = !held && o[k].prisms >= 32;
+        assert_int_equal(isnan(o[k].back), folds);
+        if (!folds) assert_true(o[k].back < 1.5 && o[k].left < 1e-4);
+        if (folds) assert_true(o[k].fold > 35 * WF_PI / 180 && o[k].left > 0.5);
+        if (held) assert_true(o[k].fold < 2 * WF_PI / 180 && o[k].sag < 0.02);
+    }
+    wf_arena_free(&a);
+}
+
 static void wrong_runs(void **state)
 {
     (void)state;
@@ -179,8 +351,10 @@ static void wrong_runs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(staged),  cmocka_unit_test(random_rain),   cmocka_unit_test(dry_leaf),
-        cmocka_unit_test(ringing), cmocka_unit_test(explicit_step), cmocka_unit_test(wrong_runs),
+        cmocka_unit_test(disorder),     cmocka_unit_test(staged),         cmocka_unit_test(effective_gravity),
+        cmocka_unit_test(push_of_wind), cmocka_unit_test(wind_on_leaves), cmocka_unit_test(leaf_of_species),
+        cmocka_unit_test(threads),      cmocka_unit_test(random_rain),    cmocka_unit_test(dry_leaf),
+        cmocka_unit_test(ringing),      cmocka_unit_test(explicit_step),  cmocka_unit_test(wrong_runs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -175,6 +175,43 @@ static void density_is_of_the_cone(void **state)
     wf_arena_free(&a);
 }
 
+static double burden(const struct wf_tree *t)
+{
+    double mass = 0;
+    for (size_t i = 0; i < t->n; i++) mass += 0.5 * (t->burden0[i] + t->burden1[i]) * wf_tree_length(t, i);
+    return mass;
+}
+
+/* A rule takes the outline's breadth and height, or the diameter at 1.3 m. */
+static void mass_by_rule(void **state)
+{
+    (void)state;
+    struct wf_arena a = { 0 };
+    struct wf_tree t;
+    struct wf_diag d;
+    struct wf_err e;
+    species.key = "sitka_spruce";
+    model.silhouette.points = 4, model.silhouette.x = trapezium_x, model.silhouette.z = trapezium_z;
+    model.silhouette.by = "forestgales";
+    assert_int_equal(grow(&t, &a, &d, &e), WF_OK);
+    assert_int_equal(d.warnings, 1);
+    assert_string_equal(d.first->code, "crown-mass-by");
+    assert_close(burden(&t), 2.5 * PI * 4 * 6 / 12, 1e-12);
+    model.silhouette.by = NULL, model.silhouette.density = 2.5;
+    assert_int_equal(grow(&t, &a, &d, &e), WF_OK);
+    assert_close(burden(&t), 2.5 * PI * 4 * 6 / 12, 1e-12);
+    model.silhouette.density = 0, model.silhouette.by = "wcc:oak";
+    assert_int_equal(grow(&t, &a, &d, &e), WF_OK);
+    assert_close(burden(&t), 1.68513e-2 / 0.45 * pow(20 * (1 - 0.8 * 1.3 / 14), 2.4767), 1e-12);
+    species.key = "sp", model.silhouette.by = "wcc";
+    assert_int_equal(grow(&t, &a, &d, &e), WF_EINPUT);
+    assert_non_null(strstr(e.text, "m: crown_mass_by: wcc has no kind for the species 'sp'"));
+    species.key = "oak", model.silhouette.points = 0;
+    assert_int_equal(grow(&t, &a, &d, &e), WF_EINPUT);
+    assert_non_null(strstr(e.text, "no crown to carry it"));
+    wf_arena_free(&a);
+}
+
 static bool warned(const struct wf_diag *d, const char *code)
 {
     for (const struct wf_finding *f = d->first; f; f = f->next)
@@ -282,6 +319,7 @@ static void what_is_refused(void **state)
     assert_refused((struct wf_silhouette){ .mass = 4, .density = 1, .width = 1, .depth = 1 },
                    "beside crown_mass");
     assert_refused((struct wf_silhouette){ .density = 1, .area = 3 }, "needs crown_width and crown_depth");
+    assert_refused((struct wf_silhouette){ .mass = 4, .by = "wcc", .area = 3 }, "beside crown_mass");
     assert_refused((struct wf_silhouette){ .points = 4, .x = x, .z = z },
                    "crosses itself: the side from point 1 to 2 and the side from point 3 to 4");
     assert_refused((struct wf_silhouette){ .points = 4, .x = x, .z = low },
@@ -330,6 +368,7 @@ int main(void)
         cmocka_unit_test_setup(outline_strips, set_up),
         cmocka_unit_test_setup(outline_on_a_stem, set_up),
         cmocka_unit_test_setup(density_is_of_the_cone, set_up),
+        cmocka_unit_test_setup(mass_by_rule, set_up),
         cmocka_unit_test_setup(area_with_leaves, set_up),
         cmocka_unit_test_setup(leafless, set_up),
         cmocka_unit_test_setup(on_branches, set_up),

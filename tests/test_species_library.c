@@ -89,6 +89,15 @@ static void check_crown(const char *key, const struct wf_species *s)
     check_value(key, &s->crown.drag_coefficient, 0.2, 1.2);
     check_value(key, &s->crown.leaf_mass_per_area, 0.05, 1.0);
     check_value(key, &s->crown.frontal_share, 0.1, 0.6);
+    if (s->crown.leaf_area.given) { /* all of a leaf, or nothing; a petiole is longer than thick */
+        check_value(key, &s->crown.leaf_area, 5e-4, 5e-2);
+        check_value(key, &s->crown.leaf_contact_angle, 0.5, 2.8);
+        check_value(key, &s->crown.petiole_length, 2e-3, 0.3);
+        check_value(key, &s->crown.petiole_diameter, 3e-4, 5e-3);
+        check_value(key, &s->crown.petiole_modulus, 5e7, 5e9);
+        assert_true(s->crown.petiole_length.value > 2 * s->crown.petiole_diameter.value);
+    } else
+        assert_false(s->crown.petiole_length.given);
     const struct wf_law_use *m = &s->streamlining;
     assert_string_equal(m->law, "vogel");
     check_value(key, &m->parameter[0], -1.3, -0.2);

@@ -74,7 +74,7 @@ static void scans_that_are_doubtful(void **state)
         { "$W analyze oak --tree " PUBLIC "thick_child.csv --rest stress-free " QUICK
           "&& grep -A3 '\"part\": \"branch of order 1\"' $T/out/results.json",
           0,
-          { "id 4, 66 mm on 5 mm", "(id 3, order 1, 5 mm thick) 6.00 m above the ground", "\"id\": 3" } },
+          { "id 4, 66 mm on 5 mm", "6.00 m above the ground (id 3, order 1, 5 mm thick)", "\"id\": 3" } },
         { "$W analyze oak --tree " PUBLIC "thick_child.csv " QUICK, 0, { "[stiffened]", "[not-credible]" } },
         { "$W analyze oak --tree " PUBLIC "thick_child.csv --cap-children " QUICK,
           0,

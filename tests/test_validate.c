@@ -65,6 +65,21 @@ static const struct {
     { MAST "fit x.yaml\n", 8, 1, "uses that of its study" },
     { MAST "want fitted_modulus E 1 GPa\n", 8, 1, "cannot be wanted of a structure" },
     { HEAD "fit x.yaml\nfree\nwant fitted_modulus E 1 GPa\n", 4, 5, "names of parameters" },
+    { HEAD "gust_rule en19\n", 3, 11, "did you mean 'en1991'" },
+    { HEAD "gust_rule asce7\nterrain V\n", 4, 9, "unknown terrain" },
+    { HEAD "gust_rule asce7\nterrain II\nheight 9 m\nwant gust_resonance 1\n", 6, 1, "breadth is missing" },
+    { HEAD "gust_rule asce7\nterrain II\nwant pressure_ratio 1\n", 5, 1, "height is missing" },
+    { HEAD "gust_rule asce7\nwant moment base y 1 N m\n", 4, 1, "cannot be wanted of a gust rule" },
+    { MAST "gust_rule asce7\n", 8, 1, "another structure" },
+    { MAST "want pressure_ratio 1\n", 8, 1, "cannot be wanted of a structure" },
+    { MAST "want critical_wind 1 m/s\n", 8, 1, "bending_strength is missing" },
+    { HEAD "node 0 0 0 0 m\nnode 1 0 0 1 m\nbranch 0 1 1 1 cm\nyoungs_modulus 1 Pa\npoisson 0\n"
+           "want critical_wind 1 m/s\n",
+      8, 1, "anything but a cantilever" },
+    { MAST "taper 0.5\ntaper_power 0.5\nwant moment base y 1 N m\n", 9, 1, "exclude each other" },
+    { MAST "crown_depth 1 m\nwant moment base y 1 N m\n", 1, 1, "crown_width, crown_drag and crown_mass" },
+    { MAST "crown_depth 3 m\ncrown_width 1 m\ncrown_drag 1\ncrown_mass 1 kg\nwant moment base y 1 N m\n", 8,
+      1, "longer than the stem" },
     { MAST "forse tip 1 0 0 N\n", 8, 1, "did you mean 'force'" },
     { MAST "force tipp 1 0 0 N\n", 8, 7, "did you mean 'tip'" },
     { MAST "force tip 1 0 0 kg\n", 8, 11, "not a unit of a force" },
@@ -92,7 +107,8 @@ static const struct {
     { MAST "order 4 2\n", 8, 9, "whole number in 5.." },
     { MAST "inner_radius 11 cm\nwant moment base y 1 N m\n", 1, 1, "smaller than radius" },
     { MAST "case one two\nwant moment base y 1 N m\n", 8, 10, "one word" },
-    { MAST "case a\nwant moment base y 1 N m\ncase a\nwant moment base y 1 N m\n", 10, 6, "defined on line 8" },
+    { MAST "case a\nwant moment base y 1 N m\ncase a\nwant moment base y 1 N m\n", 10, 6,
+      "defined on line 8" },
     { MAST, 1, 1, "a wanted value" },
     { ROD "force tip 1 0 0 N\n", 7, 17, "without units" },
     { ROD "taper 1.5\n", 7, 7, "outside the allowed range" },
@@ -305,20 +321,50 @@ static void test_every_shipped_case_reads(void **state)
     assert_true(files >= 40 && cases >= 150);
 }
 
-static void test_closed_forms_hold(void **state)
+static void test_quick_cases_hold(void **state)
 {
     (void)state;
     static const char *const path[] = { "validation/closed_form/chain_uniform.case",
+                                        "validation/closed_form/prism_cantilever.case",
                                         "validation/closed_form/uniform_cantilever_r0.05.case",
                                         "validation/closed_form/uniform_cantilever_r0.12.case",
                                         "validation/closed_form/tapered_cantilever_t0.5.case",
-                                        "validation/closed_form/tapered_cantilever_t1.case" };
+                                        "validation/closed_form/tapered_cantilever_t1.case",
+                                        "validation/gusts/codes.case",
+                                        "validation/gusts/gales.case" };
     for (size_t i = 0; i < sizeof path / sizeof *path; i++) {
         struct reading r;
         size_t values = 0;
         read_path(&r, path[i]);
         run_all(&r, path[i], &values);
         assert_true(values > 10);
+        done(&r);
+    }
+}
+
+/* A chain of prisms is a uniform cantilever with a force across and a moment about the axis at its tip. */
+static void test_prisms_of_what(void **state)
+{
+    (void)state;
+    static const char *const wrong[][2] = {
+        { "moment tip 0 1 0 N m\n", "a force across and a moment about the axis" },
+        { "force at 0.5 1 0 0 N\n", "at the tip" },
+        { "taper 0.5\n", "uniform solid cantilever" },
+        { "inner_radius 36 mm\n", "uniform solid cantilever" },
+    };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        struct reading r;
+        struct wf_verdict v;
+        char text[800];
+        snprintf(text, sizeof text,
+                 HEAD "cantilever 6 m\nradius 40 mm\nyoungs_modulus 70 GPa\npoisson 0.33\ndensity 900 "
+                      "kg/m3\n%swant prism_deflection 8 1 m\n",
+                 wrong[i][0]);
+        read_text(&r, text);
+        if (r.status) fail_msg("%s", r.diag.first ? r.diag.first->text : r.err.text);
+        assert_int_equal(wf_case_run(&r.list[0], 0, 1, &r.arena, &v, &r.err), WF_OK);
+        assert_int_equal(v.outcome, WF_FAILED);
+        assert_non_null(strstr(v.why, wrong[i][1]));
         done(&r);
     }
 }
@@ -378,8 +424,8 @@ int main(void)
         cmocka_unit_test(test_solver_error_fails), cmocka_unit_test(test_missing_tree_is_skipped),
         cmocka_unit_test(test_unknown_row),        cmocka_unit_test(test_parameters),
         cmocka_unit_test(test_split_arc),          cmocka_unit_test(test_every_shipped_case_reads),
-        cmocka_unit_test(test_closed_forms_hold),  cmocka_unit_test(test_order),
-        cmocka_unit_test(test_documentation),
+        cmocka_unit_test(test_quick_cases_hold),   cmocka_unit_test(test_order),
+        cmocka_unit_test(test_prisms_of_what),     cmocka_unit_test(test_documentation),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,6 +2,7 @@
 /* Where a tree's tip moves in a mean wind, and the mean wind whose gusts break it.
  * cc critical.c $(pkg-config --cflags --libs windfirm) -o critical
  * ./critical SPECIES.yaml MODEL.yaml SPEED_IN_M_PER_S */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <windfirm/windfirm.h>
@@ -29,8 +30,12 @@ int main(int argc, char **argv)
         wf_analyze(&species, model, &scenario, &search, wf_solver_named("beam"), &options, &speed, 1, &memory,
                    &findings, &tree, &why))
         return fprintf(stderr, "%s\n", why.text), 1;
-    printf("tip %.3f m, critical wind %.2f m/s\n", tree.at[0].steady.tip_deflection,
-           tree.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
+    double lost = INFINITY; /* the lowest wind at which the stem fails, or the root */
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_critical *at = &tree.breaks[c][WF_SCOPE_STEM].critical;
+        if (wf_criteria[c].loses_tree && at->outcome == WF_CRITICAL_FOUND) lost = fmin(lost, at->speed);
+    }
+    printf("tip %.3f m, critical wind %.2f m/s\n", tree.at[0].steady.tip_deflection, lost);
     wf_arena_free(&memory);
     return 0;
 }

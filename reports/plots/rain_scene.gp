@@ -10,13 +10,17 @@ SCENE = DIR.'/tables/scene.csv'; AIR = DIR.'/tables/air.csv'
 LOW_X = number('LOW_X', RUN); HIGH_X = number('HIGH_X', RUN); LOW_Z = number('LOW_Z', RUN); HIGH_Z = number('HIGH_Z', RUN)
 SPAN_X = HIGH_X - LOW_X; BOTTOM = LOW_Z - 0.06; TOP = HIGH_Z + 0.12
 WIDTH = 640.0; ACROSS = KEYS < 3 ? KEYS : 3; DOWN = ceil(KEYS/3.0)
-PANEL = 190.0; TALL = PANEL*(TOP - BOTTOM)/(1.06*SPAN_X); TALL = TALL > 260 ? 260.0 : TALL
+# true to scale: an upright branch has room beside it
+PANEL = 190.0; WIDE = 1.06*SPAN_X; WIDE = WIDE*260 < PANEL*(TOP - BOTTOM) ? PANEL*(TOP - BOTTOM)/260 : WIDE
+MIDDLE = 0.5*(LOW_X + HIGH_X); TALL = PANEL*(TOP - BOTTOM)/WIDE
 HEIGHT = DOWN*(TALL + 46.0) + 30.0
 load HERE.'start.gp'
 set multiplot
 unset key; unset grid; set border 3 lw 0.5
-set xrange [LOW_X-0.03*SPAN_X:HIGH_X+0.03*SPAN_X]; set yrange [BOTTOM:TOP]
-set xtics 0.2 font ',9'; set ytics 0.1 font ',9'; set format y "%.1f"; set format x "%.1f"
+set xrange [MIDDLE-0.5*WIDE:MIDDLE+0.5*WIDE]; set yrange [BOTTOM:TOP]
+step = 50.0
+do for [t in "20 10 5 2 1 0.5 0.2 0.1 0.05"] { step = real(t)*PANEL/WIDE >= 38 ? real(t) : step }
+set xtics step font ',9'; set ytics step font ',9'; set format x "%.4g"
 event(k) = L('RAIN_'.text_of(sprintf('EVENT_%d', RUN), k))
 here(k) = column("run") == RUN && column("key") == k
 is(what) = strcol("kind") eq what
@@ -26,7 +30,7 @@ do for [k=1:KEYS] {
     set lmargin at screen x0/WIDTH; set rmargin at screen (x0 + PANEL)/WIDTH
     set tmargin at screen 1 - y0/HEIGHT; set bmargin at screen 1 - (y0 + TALL)/HEIGHT
     set title sprintf('%s, %.3f s', event(k), number(sprintf('TIME_%d', RUN), k)) offset 0,-0.7 font ',9'
-    if (i == 0) { set format y "%.1f" } else { set format y "" }
+    if (i == 0) { set format y "%.4g" } else { set format y "" }
     if (j == DOWN - 1) { set xlabel L('RAIN_X') offset 0,0.6 } else { set xlabel "" }
     plot SCENE using (pick(here(k) && is("edge"), column("x0_m"))):(column("z0_m")):(column("x1_m")-column("x0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lt 3 dt 1 lw 0.9, \
          SCENE using (pick(here(k) && is("vein"), column("x0_m"))):(column("z0_m")):(column("x1_m")-column("x0_m")):(column("z1_m")-column("z0_m")) with vectors nohead lc rgb '#7fcfb8' dt 1 lw 0.7, \

@@ -150,6 +150,7 @@ static void unit_vector(const double in[3], double out[3])
 static enum wf_status single_axis(const struct wf_case *c, struct wf_arena *a, struct wf_setup *s,
                                   struct wf_tree *t, struct wf_err *e)
 {
+    const double least_top = 0.004; /* share of the length below the tip where a power taper ends */
     bool arc = c->shape == WF_SHAPE_ARC;
     double length = case_length(c), f[3], n[3] = { 0 }, curvature[3];
     size_t rows;
@@ -172,6 +173,7 @@ static enum wf_status single_axis(const struct wf_case *c, struct wf_arena *a, s
         for (size_t k = 0; k < 2; k++) {
             case_radius(c, r, q);
             double at = share[i + k], outer = wf_between(r[0], r[1], at), inner = wf_between(q[0], q[1], at);
+            if (!isnan(c->taper_power)) outer = r[0] * pow(fmax(1.0 - at, least_top), c->taper_power);
             (k ? t->r1 : t->r0)[i] = outer;
             (k ? t->i1 : t->i0)[i] = inner;
         }
@@ -232,6 +234,7 @@ static enum wf_status case_shape_build(const struct wf_case *c, struct wf_arena 
     case WF_SHAPE_TREE:
         return read_tree_file(c, a, t, e);
     case WF_SHAPE_FLOW:
+    case WF_SHAPE_GUST:
     case WF_SHAPE_FIT:
     case WF_SHAPE_NONE:
         break;
@@ -288,10 +291,17 @@ static void split_row(const struct wf_tree *t, const double *line, size_t i, siz
             pair[k][2][j] = wf_between(pair[k][0][i], pair[k][1][i], s0);
             pair[k][3][j] = wf_between(pair[k][0][i], pair[k][1][i], s1);
         }
-        double *const same[][2] = { { t->youngs, o->youngs },   { t->shear, o->shear },
-                                    { t->density, o->density }, { t->strength, o->strength },
-                                    { t->drag, o->drag },       { t->lift, o->lift },
-                                    { t->damping, o->damping } };
+        double *const same[][2] = { { t->youngs, o->youngs },
+                                    { t->shear, o->shear },
+                                    { t->density, o->density },
+                                    { t->strength, o->strength },
+                                    { t->drag, o->drag },
+                                    { t->lift, o->lift },
+                                    { t->damping, o->damping },
+                                    { t->compressive, o->compressive },
+                                    { t->shearing, o->shearing },
+                                    { t->tangential, o->tangential },
+                                    { t->transverse, o->transverse } };
         for (size_t k = 0; k < WF_COUNT(same); k++) same[k][1][j] = same[k][0][i];
         if (t->bend) memcpy(o->bend + 3 * j, t->bend + 3 * i, 3 * sizeof(double));
         if (t->stiff) memcpy(o->stiff + 4 * j, t->stiff + 4 * i, 4 * sizeof(double));
@@ -324,6 +334,30 @@ enum wf_status wf_tree_split(const struct wf_tree *t, const double *line, size_t
 
 /* Material, loads and options. */
 
+/* Breadth of the crown over its largest at a height z [m] of a stem of length l: a diamond from the side. */
+static double diamond(const struct wf_case_gust *g, double l, double z)
+{
+    double in = (z - (l - g->crown_depth)) / g->crown_depth;
+    return in > 0.0 && in < 1.0 ? 1.0 - fabs(2.0 * in - 1.0) : 0.0;
+}
+
+/* Drag area, mass and strength of the crown and wood of a cantilever that is a stem onto its rows. */
+static void case_crown(const struct wf_case *c, struct wf_tree *t)
+{
+    const struct wf_case_gust *g = &c->gust;
+    double profile = 0.0;
+    for (size_t i = 0; i < t->n; i++)
+        if (!isnan(g->strength)) t->strength[i] = g->strength;
+    if (isnan(g->crown_depth) || c->shape != WF_SHAPE_CANTILEVER) return;
+    for (size_t i = 0; i < t->n; i++) {
+        double b0 = diamond(g, c->length, t->z0[i]), b1 = diamond(g, c->length, t->z1[i]);
+        profile += 0.5 * (b0 + b1) * (t->z1[i] - t->z0[i]);
+        t->sail0[i] = b0 * g->crown_width * g->crown_drag, t->sail1[i] = b1 * g->crown_width * g->crown_drag;
+        t->burden0[i] = b0 * g->crown_mass, t->burden1[i] = b1 * g->crown_mass;
+    }
+    for (size_t i = 0; i < t->n; i++) t->burden0[i] /= profile, t->burden1[i] /= profile;
+}
+
 /* Section and material of every row. Returned: *ei, *mass: bending stiffness and mass per length at the base
  * of a single axis. */
 static enum wf_status case_material(const struct wf_case *c, struct wf_tree *t, struct wf_arena *a,
@@ -345,6 +379,7 @@ static enum wf_status case_material(const struct wf_case *c, struct wf_tree *t, 
         t->sail0[i] = t->sail1[i] = or_else(c->crown_area, 0.0);
         if (direct) memcpy(t->stiff + 4 * i, (double[]){ c->ea, c->ga, c->ei, c->gj }, 4 * sizeof(double));
     }
+    case_crown(c, t);
     return WF_OK;
 }
 

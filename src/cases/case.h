@@ -8,6 +8,7 @@
 #include "cases/words.h"
 #include "load/drag.h"
 #include "solve/solve.h"
+#include "wind/gust_factor.h"
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -82,10 +83,23 @@ enum wf_case_shape {
     WF_SHAPE_BRANCHES,
     WF_SHAPE_TREE,
     WF_SHAPE_FLOW,
-    WF_SHAPE_FIT /* a calibration, run by wf_case_fit */
+    WF_SHAPE_GUST, /* a code's gust factor, without a tree (cases/gusts.h) */
+    WF_SHAPE_FIT   /* a calibration, run by wf_case_fit */
 };
 enum wf_case_model { WF_MODEL_K, WF_MODEL_EB, WF_MODEL_SR };
-enum { WF_CASE_KEYS_MAX = 72, WF_CASE_SOLVERS_MAX = 6, WF_CASE_PIECES_MAX = 8 };
+enum { WF_CASE_KEYS_MAX = 96, WF_CASE_SOLVERS_MAX = 6, WF_CASE_PIECES_MAX = 8 };
+
+/* Gusts: of a code's factor, and of a stem in a stand. */
+struct wf_case_gust {
+    const struct wf_gust_rule *rule;
+    const struct wf_category *terrain;
+    double height, breadth, frequency, damping;              /* [m], [m], [Hz], of critical [-] */
+    double basic_wind, mean_wind;                            /* as in struct wf_gust_case: open, mean [m/s] */
+    double crown_depth, crown_width, crown_drag, crown_mass; /* [m], [m], [-], [kg] */
+    double strength;                                         /* [Pa] */
+    double displacement, roughness;                          /* of the stand [m] */
+    double spacing, edge_distance, gap;                      /* as in wf_stand_gust [m] */
+};
 
 /* One case; every number in SI (or consistent units when nondimensional), NAN = not given. */
 struct wf_case {
@@ -101,7 +115,7 @@ struct wf_case {
         arc_towards[3]; /* radius [m], angle [rad]; root tangent, direction it bends towards */
     const char *tree_file;
     struct wf_list nodes, branches;
-    double radius[2], inner[2], taper;
+    double radius[2], inner[2], taper, taper_power;
     double youngs, poisson, shear, density;
     double ea, ga, ei, gj, mass_per_length;
     double shear_factor, spring[2];
@@ -116,6 +130,7 @@ struct wf_case {
     const char *fit_free;        /* free parameters; NULL: those of the calibration */
     double data_sets,
         noise; /* number of synthetic data sets and their noise in sigmas; NAN: the calibration's data, 1 */
+    struct wf_case_gust gust;
     const char *flow;
     double flow_speed, flow_radius, flow_circulation, flow_strength, flow_segment[2];
     const struct wf_solver *solver[WF_CASE_SOLVERS_MAX];

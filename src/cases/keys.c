@@ -60,7 +60,8 @@ static bool set_case_shape(struct wf_words *w, struct wf_case *c, enum wf_case_s
 {
     if (c->shape != WF_SHAPE_NONE && c->shape != s)
         return wf_words_wrong(
-            w, 0, "the case already has another structure (cantilever, arc, node/branch, tree or flow)");
+            w, 0,
+            "the case already has another structure (cantilever, arc, node/branch, tree, flow or gust_rule)");
     c->shape = s;
     return true;
 }
@@ -255,6 +256,33 @@ static bool key_flow(struct wf_words *w, struct wf_case *c, const struct wf_case
     return true;
 }
 
+/* en1991 | gb50009 | asce7 */
+static bool key_gust_rule(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+{
+    enum { MOST = 8 };
+    const char *known[MOST];
+    size_t n = 0, rule;
+    (void)k;
+    while (n < MOST && wf_gust_rules[n].name) known[n] = wf_gust_rules[n].name, n++;
+    if (!set_case_shape(w, c, WF_SHAPE_GUST) || !wf_words_choice(w, "gust rule", known, n, &rule))
+        return false;
+    c->gust.rule = &wf_gust_rules[rule];
+    return wf_words_end(w);
+}
+
+/* 0 | I | II | III | IV */
+static bool key_terrain(struct wf_words *w, struct wf_case *c, const struct wf_case_key *k)
+{
+    enum { MOST = 8 };
+    const char *known[MOST];
+    size_t n = 0, category;
+    (void)k;
+    while (n < MOST && wf_categories[n].name) known[n] = wf_categories[n].name, n++;
+    if (!wf_words_choice(w, "terrain", known, n, &category)) return false;
+    c->gust.terrain = &wf_categories[category];
+    return wf_words_end(w);
+}
+
 /* Readers of keys: loads, solvers, fits and wanted values. */
 
 /* force|moment|follower PLACE X Y Z UNIT */
@@ -422,6 +450,7 @@ const struct wf_case_key wf_case_keys[] = {
     PAIR("radius", radius, WF_DIM_LENGTH, TINY, VAST),
     PAIR("inner_radius", inner, WF_DIM_LENGTH, 0, VAST),
     NUMBER("taper", taper, WF_DIM_NONE, TINY, 1),
+    NUMBER("taper_power", taper_power, WF_DIM_NONE, TINY, 10),
     NUMBER("youngs_modulus", youngs, WF_DIM_PRESSURE, TINY, VAST),
     NUMBER("poisson", poisson, WF_DIM_NONE, -0.999, 0.5),
     NUMBER("shear_modulus", shear, WF_DIM_PRESSURE, TINY, VAST),
@@ -458,6 +487,25 @@ const struct wf_case_key wf_case_keys[] = {
     NUMBER("circulation", flow_circulation, WF_DIM_VISCOSITY, -VAST, VAST),
     NUMBER("strength", flow_strength, WF_DIM_NONE, -VAST, VAST),
     { "segment", key_numbers, AT(flow_segment), WF_DIM_LENGTH, 2, 2, -VAST, VAST, NULL, false },
+    /* gusts */
+    SPECIAL("gust_rule", key_gust_rule, false),
+    SPECIAL("terrain", key_terrain, false),
+    NUMBER("height", gust.height, WF_DIM_LENGTH, TINY, VAST),
+    NUMBER("breadth", gust.breadth, WF_DIM_LENGTH, 0, VAST),
+    NUMBER("sway_frequency", gust.frequency, WF_DIM_FREQUENCY, TINY, VAST),
+    NUMBER("damping", gust.damping, WF_DIM_NONE, TINY, 1),
+    NUMBER("basic_wind", gust.basic_wind, WF_DIM_SPEED, TINY, VAST),
+    NUMBER("mean_wind", gust.mean_wind, WF_DIM_SPEED, TINY, VAST),
+    NUMBER("bending_strength", gust.strength, WF_DIM_PRESSURE, TINY, VAST),
+    NUMBER("crown_depth", gust.crown_depth, WF_DIM_LENGTH, TINY, VAST),
+    NUMBER("crown_width", gust.crown_width, WF_DIM_LENGTH, 0, VAST),
+    NUMBER("crown_drag", gust.crown_drag, WF_DIM_NONE, 0, 100),
+    NUMBER("crown_mass", gust.crown_mass, WF_DIM_MASS, 0, VAST),
+    NUMBER("displacement", gust.displacement, WF_DIM_LENGTH, 0, VAST),
+    NUMBER("roughness", gust.roughness, WF_DIM_LENGTH, TINY, VAST),
+    NUMBER("spacing", gust.spacing, WF_DIM_LENGTH, TINY, VAST),
+    NUMBER("edge_distance", gust.edge_distance, WF_DIM_LENGTH, 0, VAST),
+    NUMBER("gap", gust.gap, WF_DIM_LENGTH, 0, VAST),
     /* calibration */
     SPECIAL("fit", key_fit, false),
     SPECIAL("free", key_free, false),

@@ -2,7 +2,9 @@
 #include "cases/measure.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "cases/gusts.h"
 #include "data/section.h"
+#include "study/prism_check.h"
 #include "wind/shelter_laws.h"
 #include <math.h>
 #include <stdint.h>
@@ -380,6 +382,56 @@ static enum wf_status measure_buckling(const struct wf_measured *m, const struct
     return WF_OK;
 }
 
+/* A uniform cantilever as a chain of w->number prisms, under the forces and moments at its tip. */
+static enum wf_status prisms(const struct wf_measured *m, const struct wf_want *w,
+                             struct wf_prism_answer *out, struct wf_err *e)
+{
+    const struct wf_tree *t = &m->setup->tree;
+    const struct wf_case_load *load = m->of->loads.data;
+    const double axis[3] = { t->x1[0] - t->x0[0], t->y1[0] - t->y0[0], t->z1[0] - t->z0[0] };
+    struct wf_prism_rod rod = { .length = m->of->length, .radius = t->r0[0], .youngs = t->youngs[0] };
+    double sum[2] = { 0 }, length = sqrt(wf_dot(axis, axis));
+    rod.shear = t->shear[0], rod.density = t->density[0];
+    if (m->of->shape != WF_SHAPE_CANTILEVER || t->r1[t->n - 1] < t->r0[0] || t->i0[0] > 0 || t->stiff)
+        return wf_fail(e, WF_EINPUT, "%s:%zu: prisms are of a uniform solid cantilever", m->of->file,
+                       w->line);
+    for (size_t i = 0; i < m->of->loads.n; i++) {
+        double along = wf_dot(load[i].value, axis) / length;
+        double across = sqrt(fmax(0, wf_dot(load[i].value, load[i].value) - along * along));
+        if (load[i].at.kind != WF_PLACE_TIP ||
+            fabs(load[i].moment ? across : along) > 1e-12 * (across + along))
+            return wf_fail(e, WF_EINPUT,
+                           "%s:%zu: prisms take a force across and a moment about the axis, at the tip",
+                           m->of->file, load[i].line);
+        sum[load[i].moment] += load[i].moment ? along : across;
+    }
+    return wf_prism_cantilever(&rod, w->number, sum[0], sum[1], m->arena, out, e);
+}
+
+static enum wf_status measure_prism(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                    struct wf_err *e)
+{
+    struct wf_prism_answer a = { 0 };
+    enum wf_status s = prisms(m, w, &a, e);
+    const char *name = w->quantity->name;
+    out[0] = !strcmp(name, "prism_deflection") ? a.tip : !strcmp(name, "prism_twist") ? a.turn : a.frequency;
+    return s;
+}
+
+static enum wf_status measure_gust(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                   struct wf_err *e)
+{
+    (void)e;
+    wf_gust_answer(m->of, w->quantity->name, out);
+    return WF_OK;
+}
+
+static enum wf_status measure_stand(const struct wf_measured *m, const struct wf_want *w, double out[3],
+                                    struct wf_err *e)
+{
+    return wf_stand_answer(m->of, m->setup, w->quantity->name, m->arena, out, e);
+}
+
 const struct wf_quantity wf_quantities[] = {
     { "displacement", WF_DIM_LENGTH, true, WF_NEED_PLACE, WF_BY_SOLVER, measure_displacement },
     { "position", WF_DIM_LENGTH, true, WF_NEED_PLACE, WF_BY_SOLVER, measure_position },
@@ -399,8 +451,20 @@ const struct wf_quantity wf_quantities[] = {
     { "frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, measure_frequency },
     { "angular_frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_MODES, measure_angular_frequency },
     { "buckling_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_BUCKLING, measure_buckling },
+    { "prism_deflection", WF_DIM_LENGTH, false, WF_NEED_NUMBER, WF_BY_SETUP, measure_prism },
+    { "prism_twist", WF_DIM_ANGLE, false, WF_NEED_NUMBER, WF_BY_SETUP, measure_prism },
+    { "prism_frequency", WF_DIM_FREQUENCY, false, WF_NEED_NUMBER, WF_BY_SETUP, measure_prism },
     { "velocity", WF_DIM_SPEED, true, WF_NEED_POINT, WF_BY_FLOW, measure_velocity },
     { "pressure_coefficient", WF_DIM_NONE, false, WF_NEED_POINT, WF_BY_FLOW, measure_pressure_coefficient },
+    { "gust_background", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "gust_resonance", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "gust_peak_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "gust_load_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "structural_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "pressure_ratio", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_GUST, measure_gust },
+    { "critical_wind", WF_DIM_SPEED, false, WF_NEED_NOTHING, WF_BY_STAND, measure_stand },
+    { "stand_gust_factor", WF_DIM_NONE, false, WF_NEED_NOTHING, WF_BY_STAND, measure_stand },
+    { "peak_base_moment", WF_DIM_MOMENT, false, WF_NEED_NOTHING, WF_BY_STAND, measure_stand },
     { "fitted_modulus", WF_DIM_PRESSURE, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { "fitted_stiffness", WF_DIM_ROTATIONAL_STIFFNESS, false, WF_NEED_NAME, WF_BY_FIT, NULL },
     { "fitted_number", WF_DIM_NONE, false, WF_NEED_NAME, WF_BY_FIT, NULL },

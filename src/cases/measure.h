@@ -8,7 +8,16 @@
 #include "cases/words.h"
 
 enum wf_need { WF_NEED_NOTHING, WF_NEED_PLACE, WF_NEED_NUMBER, WF_NEED_POINT, WF_NEED_NAME };
-enum wf_answer { WF_BY_SOLVER, WF_BY_MODES, WF_BY_BUCKLING, WF_BY_FLOW, WF_BY_SETUP, WF_BY_FIT };
+enum wf_answer {
+    WF_BY_SOLVER,
+    WF_BY_MODES,
+    WF_BY_BUCKLING,
+    WF_BY_FLOW,
+    WF_BY_SETUP,
+    WF_BY_FIT,
+    WF_BY_GUST,
+    WF_BY_STAND
+};
 
 struct wf_measured {
     const struct wf_case *of;

@@ -4,6 +4,7 @@
 #include "base/file.h"
 #include "base/num.h"
 #include "base/text.h"
+#include "cases/gusts.h"
 #include "cases/keys.h"
 #include "cases/measure.h"
 #include "solve/solve.h"
@@ -111,20 +112,57 @@ static void check_place(struct case_checking *k, const struct wf_place *p, size_
         case_wrong(k, line, "nodes and rows belong to trees; use tip, base or at");
 }
 
+/* Can the case's structure answer the want? */
+static void check_answer(struct case_checking *k, const struct wf_want *w)
+{
+    static const struct {
+        enum wf_answer by;
+        enum wf_case_shape shape;
+        const char *text;
+    } own[] = { { WF_BY_FLOW, WF_SHAPE_FLOW, "a flow" },
+                { WF_BY_FIT, WF_SHAPE_FIT, "a fit" },
+                { WF_BY_GUST, WF_SHAPE_GUST, "a gust rule" } };
+    const struct wf_case *c = k->c;
+    enum wf_answer by = w->quantity->by;
+    const char *of = "a structure", *missing = NULL;
+    bool can = by != WF_BY_STAND || c->shape == WF_SHAPE_CANTILEVER;
+    if (!can) of = "anything but a cantilever";
+    for (size_t i = 0; i < WF_COUNT(own); i++) {
+        can &= (by == own[i].by) == (c->shape == own[i].shape);
+        if (c->shape == own[i].shape) of = own[i].text;
+    }
+    if (!can) case_wrong(k, w->line, "'%s' cannot be wanted of %s", w->quantity->name, of);
+    if (can && (by == WF_BY_GUST || by == WF_BY_STAND)) missing = wf_gust_missing(c, w->quantity->name);
+    if (missing) case_wrong(k, w->line, "%s is missing ('%s' is wanted)", missing, w->quantity->name);
+}
+
+/* Crown and taper of a cantilever that is a stem. */
+static void check_stem(struct case_checking *k)
+{
+    const struct wf_case *c = k->c;
+    bool crown = key_given(c, "crown_depth");
+    case_excludes(k, "taper", "taper_power");
+    case_excludes(k, "inner_radius", "taper_power");
+    case_excludes(k, "crown_area", "crown_depth");
+    if ((crown || key_given(c, "taper_power")) && c->shape != WF_SHAPE_CANTILEVER)
+        case_wrong(k, c->line, "taper_power and crown_depth apply only to a cantilever");
+    if (crown)
+        case_needs(k, key_given(c, "crown_width") && key_given(c, "crown_drag") && key_given(c, "crown_mass"),
+                   "crown_width, crown_drag and crown_mass (crown_depth)");
+    if (crown && c->shape == WF_SHAPE_CANTILEVER && c->gust.crown_depth > c->length)
+        case_wrong(k, c->given[wf_case_key_index("crown_depth")], "the crown is longer than the stem");
+}
+
 static void check_wants(struct case_checking *k)
 {
     struct wf_case *c = k->c;
     struct wf_want *w = c->wants.data;
-    bool by_flow = c->shape == WF_SHAPE_FLOW, by_fit = c->shape == WF_SHAPE_FIT, by_solver = false;
+    bool by_solver = false;
     case_needs(k, c->wants.n > 0, "a wanted value ('want ...')");
     for (size_t i = 0; i < c->wants.n; i++) {
         enum wf_answer by = w[i].quantity->by;
         by_solver |= by == WF_BY_SOLVER;
-        if ((by == WF_BY_FLOW) != by_flow || (by == WF_BY_FIT) != by_fit)
-            case_wrong(k, w[i].line, "'%s' cannot be wanted of %s", w[i].quantity->name,
-                       by_flow  ? "a flow"
-                       : by_fit ? "a fit"
-                                : "a structure");
+        check_answer(k, &w[i]);
         if (by == WF_BY_MODES || by == WF_BY_BUCKLING)
             if (!key_given(c, "density") && !key_given(c, "mass_per_length") &&
                 !key_given(c, "weight_parameter"))
@@ -154,13 +192,13 @@ static void case_check(struct wf_case *c, struct wf_diag *d)
     case_needs(&k, c->kind >= 0, "kind");
     case_needs(&k, c->source != NULL, "source");
     case_needs(&k, c->shape != WF_SHAPE_NONE,
-               "a structure (cantilever, arc, node and branch, tree, flow or fit)");
+               "a structure (cantilever, arc, node and branch, tree, flow, gust_rule or fit)");
     if (c->shape == WF_SHAPE_BRANCHES) case_needs(&k, c->branches.n > 0, "a branch");
     if (c->shape == WF_SHAPE_NONE) return;
     if (c->shape == WF_SHAPE_FLOW)
         case_needs(&k, !wf_flow_missing(c), wf_flow_missing(c));
-    else if (c->shape != WF_SHAPE_FIT)
-        check_section(&k), check_case_loads(&k);
+    else if (c->shape != WF_SHAPE_FIT && c->shape != WF_SHAPE_GUST)
+        check_section(&k), check_stem(&k), check_case_loads(&k);
     const struct wf_case_load *l = c->loads.data;
     for (size_t i = 0; i < c->loads.n; i++) check_place(&k, &l[i].at, l[i].line);
     const struct wf_case_mass *m = c->masses.data;

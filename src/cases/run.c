@@ -16,7 +16,7 @@ static bool wanted_by(const struct wf_case *c, enum wf_answer by, size_t *modes)
     bool any = false;
     for (size_t i = 0; i < c->wants.n; i++) {
         any |= w[i].quantity->by == by;
-        if (modes && w[i].number > *modes) *modes = w[i].number;
+        if (modes && w[i].quantity->by == by && w[i].number > *modes) *modes = w[i].number;
     }
     return any;
 }
@@ -126,9 +126,11 @@ static enum wf_status attempt_run(const struct wf_case *c, size_t k, size_t piec
     if (!m.solver && wanted_by(c, WF_BY_BUCKLING, NULL)) v->solver = "buckling";
     if (!m.solver && wanted_by(c, WF_BY_SETUP, NULL)) v->solver = "section";
     if (!m.solver && c->shape == WF_SHAPE_FLOW) v->solver = "flow";
+    if (c->shape == WF_SHAPE_GUST) v->solver = "gust";
+    if (!m.solver && wanted_by(c, WF_BY_STAND, NULL)) v->solver = "stand";
     v->check = WF_TAKE(a, 3 * c->wants.n, struct wf_check);
     if (!s || !v->check) return wf_fail(e, WF_ENOMEM, "no memory");
-    bool flow = c->shape == WF_SHAPE_FLOW; /* no tree, loads or mesh */
+    bool flow = c->shape == WF_SHAPE_FLOW || c->shape == WF_SHAPE_GUST; /* no tree, loads or mesh */
     enum wf_status status = WF_OK;
     if (c->shape == WF_SHAPE_FIT)
         status = wf_fail(&own, WF_EUSAGE, "a case with a fit is run by wf_case_fit");
@@ -215,7 +217,8 @@ static enum wf_status fit_made_up(struct trial *t, struct wf_arena *a, struct wf
     const double away = 1.2;
     double *reading = WF_TAKE(a, t->x.data, double), *truth = t->truth = WF_TAKE(a, t->params, double);
     if (!reading || !truth) return wf_fail(e, WF_ENOMEM, "no memory");
-    enum wf_status s = wf_fit_expect(&t->x, t->param, t->params, a, reading, NULL, e);
+    struct wf_diag unsaid = { .arena = a };
+    enum wf_status s = wf_fit_expect(&t->x, t->param, t->params, a, reading, NULL, &unsaid, e);
     for (size_t k = 0; k < t->params; k++) truth[k] = t->param[k].start;
     for (uint64_t seed = 1; !s && seed <= (uint64_t)t->of->data_sets; seed++) {
         wf_fit_make_up(&t->x, reading, seed, isnan(t->of->noise) ? 1 : t->of->noise);

@@ -2,12 +2,18 @@
 #include "cmd/analyze_print.h"
 #include "base/num.h"
 #include "cmd/option.h"
+#include "cmd/print_walls.h"
 #include "data/model.h"
 #include "data/species.h"
+#include "fail/anchorage.h"
+#include "grow/silhouette.h"
 #include "solve/solve.h"
+#include "out/tables.h"
 #include "study/analysis.h"
 #include "study/directions.h"
+#include "study/interval.h"
 #include "study/peak.h"
+#include "study/verdict.h"
 #include "study/wetted.h"
 #include "wind/category.h"
 #include "wind/climate.h"
@@ -29,11 +35,13 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
     const struct wf_at_speed *at = &d->at[an->n - 1];
     wf_show(to, "%8g", degrees(d->from));
     print_cell(to, 13, 3, at->base_moment / 1e3);
+    print_cell(to, 8, 2, d->gusts[an->n - 1]);
     print_cell(to, 11, 3, at->tip_deflection);
     print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
     print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
     print_cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
-    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_STEM].critical.speed);
+    struct wf_verdict v = wf_verdict_of(d->breaks);
+    print_cell(to, 12, 2, v.loss ? v.loss->critical.speed : (double)NAN);
     const struct wf_directions_request *q = &an->directions->request;
     if (q->speed_up) print_cell(to, 10, 3, q->speed_up[d - an->directions->direction]);
     if (q->rose) {
@@ -46,7 +54,7 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
 static void print_climate(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_directions *x = an->directions;
-    wf_show(to, "%-*s", x->request.speed_up ? 85 : 75, "     all, hours a year");
+    wf_show(to, "%-*s", x->request.speed_up ? 93 : 83, "     all, hours a year");
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
     wf_show(to,
@@ -55,7 +63,7 @@ static void print_climate(FILE *to, const struct wf_analysis *an)
             "it;\n  with a 10-min mean above it, %.3f of the hourly mean by the law '%s'. Climate: %s.\n",
             an->scenario.reference_height, x->gust, x->request.law, x->request.climate_file);
     if (x->above)
-        wf_show(to, "  '-': no breakage up to %.4g m/s; these directions count as 0 hours.\n",
+        wf_show(to, "  '-': not lost up to %.4g m/s; these directions count as 0 hours.\n",
                 an->search.speed_max);
 }
 
@@ -70,10 +78,11 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
         wf_show(to, "+y, east +x of the model\n");
     else
         wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
-    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "tip moves", "safety", "critical",
-            "breaks", "stem alone", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
-    wf_show(to, "%8s%13s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "m", "factor", "wind m/s", "at m", "m/s",
-            site ? "          " : "", rose ? "  above: mean      10 min" : "");
+    wf_show(to, "%8s%13s%8s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "gusts", "tip moves", "safety",
+            "critical", "breaks", "tree lost", site ? "  exposure" : "",
+            rose ? "  hours/year with wind" : "");
+    wf_show(to, "%8s%13s%8s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "x load", "m", "factor", "wind m/s",
+            "at m", "m/s", site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
     if (rose) print_climate(to, an);
     const struct wf_wind_place place = wf_scenario_place(&an->scenario);
@@ -93,7 +102,7 @@ static void print_number(FILE *to, int width, int digits, double value)
 }
 
 /* One row: the mean wind, and with a peak method the peak of the load. */
-static void print_speed(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at)
+static void print_speed(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at, bool lost)
 {
     const struct wf_steady *m = &at->steady;
     print_number(to, 10, fmod(at->speed, 1.0) == 0.0 ? 0 : 2, at->speed);
@@ -113,7 +122,8 @@ static void print_speed(FILE *to, const struct wf_analysis *an, const struct wf_
     }
     print_number(to, 12, 2, at->breakage.largest_stress / 1e6);
     print_number(to, 10, 2, at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
-    fputc('\n', to);
+    print_number(to, 10, 2, wf_verdict_safety(at, NULL));
+    wf_show(to, "%s\n", lost ? " *" : "");
 }
 
 /* The segment that fails: its id in the file of the tree, branching order, diameter. */
@@ -124,39 +134,39 @@ static void print_failing(FILE *to, const struct wf_analysis *an, int32_t row)
             2e3 * fmax(t->r0[row], t->r1[row]));
 }
 
-static void print_critical(FILE *to, const struct wf_analysis *an, const char *what, const struct wf_break *b)
+/* A critical wind, or what is known of it. */
+static void print_wind(FILE *to, const struct wf_analysis *an, const struct wf_critical *c)
 {
-    const struct wf_critical *c = &b->critical;
-    if (c->outcome == WF_CRITICAL_UNSEARCHED) {
-        wf_show(to, "  %s: not found in the time for the search; above %.4g m/s, %s %.4g m/s\n", what,
-                c->speed_low, c->speed_high < an->search.speed_max ? "below" : "not searched to",
-                c->speed_high);
+    switch (c->outcome) {
+    case WF_CRITICAL_FOUND:
+        wf_show(to, "%.2f m/s (%.0f km/h), 3-s gust %.1f m/s", c->speed, 3.6 * c->speed,
+                wf_scenario_gust(&an->scenario, c->speed));
+        break;
+    case WF_CRITICAL_ABOVE:
+        wf_show(to, "> %.4g m/s, the highest searched", c->speed_high);
+        break;
+    case WF_CRITICAL_UNSEARCHED:
+        wf_show(to, "not found in the time for the search; above %.4g m/s, %s %.4g m/s", c->speed_low,
+                c->speed_high < an->search.speed_max ? "below" : "not searched to", c->speed_high);
+        break;
+    default:
+        wf_show(to, "none; %s", wf_critical_text(c->outcome));
+    }
+}
+
+/* What happens, and where. */
+static void print_event(FILE *to, const struct wf_analysis *an, enum wf_criterion_id criterion,
+                        const struct wf_break *b)
+{
+    if (b->row < 0) return;
+    if (wf_criteria[criterion].whole) {
+        wf_show(to, "; the tree overturns");
         return;
     }
-    if (c->outcome == WF_CRITICAL_ABOVE) {
-        wf_show(to, "  %s > %.4g m/s, the highest searched\n", what, an->search.speed_max);
-        return;
-    }
-    if (c->outcome != WF_CRITICAL_FOUND) {
-        wf_show(to, "  %s: none; %s", what, wf_critical_text(c->outcome));
-        if (b->row >= 0) {
-            wf_show(to, ": the %s", wf_model_level_name(an->model, an->species, an->tree.level[b->row]));
-            print_failing(to, an, b->row);
-            wf_show(to, " %.2f m above the ground", b->height);
-        }
-        fputc('\n', to);
-        return;
-    }
-    const struct wf_wind_place at = wf_scenario_place(&an->scenario);
-    wf_show(to, "  %s %.2f m/s (%.0f km/h), 3-s gust %.1f m/s, at %.6g m over terrain %s", what, c->speed,
-            3.6 * c->speed, wf_scenario_gust(&an->scenario, c->speed), at.height, at.terrain->name);
-    if (b->row >= 0) {
-        wf_show(to, "; the %s breaks%s %.2f m above the ground",
-                wf_model_level_name(an->model, an->species, an->tree.level[b->row]),
-                b == &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE] ? " first" : "", b->height);
-        print_failing(to, an, b->row);
-    }
-    fputc('\n', to);
+    wf_show(to, "; the %s %s %.2f m above the ground",
+            wf_model_level_name(an->model, an->species, an->tree.level[b->row]), wf_criteria[criterion].event,
+            b->height);
+    print_failing(to, an, b->row);
 }
 
 /* Stress of the weight alone in the segment that breaks first. */
@@ -168,6 +178,117 @@ static void print_weight(FILE *to, const struct wf_analysis *an, const struct wf
             stress / 1e6, 100 * stress / strength,
             an->scenario.weight_unstressed ? ", which is not counted: unsafe for leaning trees and limbs"
                                            : "");
+}
+
+/* Breakage and overturning where they do not govern, and what was not assessed of them. The other criteria
+ * are in a table. */
+static void print_others(FILE *to, const struct wf_analysis *an, const struct wf_verdict *v)
+{
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_break *b = &an->breaks[c][WF_SCOPE_STEM];
+        const char *why = wf_verdict_unassessed(an, v, (enum wf_criterion_id)c);
+        if (c != WF_BREAKAGE && wf_criteria[c].section) continue;
+        if (why) wf_show(to, "  %s not assessed: %s\n", wf_criteria[c].name, why);
+        if (why || !wf_criteria[c].loses_tree || b == v->loss) continue;
+        wf_show(to, "  %s%s: ", wf_criteria[c].name, wf_criteria[c].whole ? "" : " of the stem");
+        print_wind(to, an, &b->critical);
+        print_event(to, an, (enum wf_criterion_id)c, b);
+        fputc('\n', to);
+        if (!wf_criteria[c].whole) print_weight(to, an, b);
+    }
+}
+
+static void print_anchorage(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_anchorage *q = an->anchorage;
+    if (!q || !q->method) return;
+    wf_show(to, "  in saturated soil it overturns at ");
+    print_wind(to, an, &an->breaks[WF_OVERTURNING_WETTEST][WF_SCOPE_STEM].critical);
+    wf_show(to, ", to ");
+    print_wind(to, an, &an->breaks[WF_OVERTURNING_WET][WF_SCOPE_STEM].critical);
+    wf_show(
+        to,
+        "\n  anchorage %.4g kN m: %s%s; %.2f to %.2f of it in saturated soil (camphor, one study). Static "
+        "result, an upper bound in a gale\n",
+        q->moment / 1e3, q->text, q->method->counts_self_weight ? ", weight included" : "", WF_SATURATED_LOW,
+        WF_SATURATED_HIGH);
+    const struct wf_at_speed *last = wf_verdict_wind(an);
+    if (last)
+        wf_show(to,
+                "  safety against overturning at %.6g m/s: %.2f as tested, %.2f to %.2f in saturated soil\n",
+                last->speed, last->worst[WF_OVERTURNING][WF_SCOPE_STEM].safety,
+                last->worst[WF_OVERTURNING_WETTEST][WF_SCOPE_STEM].safety,
+                last->worst[WF_OVERTURNING_WET][WF_SCOPE_STEM].safety);
+    if (q->scatter > 0)
+        wf_show(to, "  two of three such trees lie within a factor %.2f of that anchorage\n",
+                exp(q->scatter));
+}
+
+/* One class of branches: what is nearest to failing at the strongest given wind. */
+static void print_class(FILE *to, const struct wf_analysis *an, const struct wf_branch_class *k)
+{
+    char name[40];
+    (void)snprintf(name, sizeof name, isinf(k->to) ? "from %.3g cm" : "%.3g to %.3g cm", 100 * k->from,
+                   100 * k->to);
+    wf_show(to, "%18s%10zu", name, k->segments);
+    print_number(to, 10, 2, k->worst.safety);
+    print_number(to, 14, 2, k->fails);
+    if (k->worst.row >= 0) {
+        wf_show(to, "   %s, %.2f m above the ground", wf_criteria[k->criterion].name,
+                an->tree.z0[k->worst.row]);
+        print_failing(to, an, k->worst.row);
+    }
+    fputc('\n', to);
+}
+
+static void print_branches(FILE *to, const struct wf_analysis *an)
+{
+    struct wf_branch_class k[WF_BRANCH_CLASSES];
+    const struct wf_at_speed *at = wf_verdict_wind(an);
+    size_t n = at ? wf_branch_classes(an, k) : 0;
+    if (!n) return;
+    wf_show(
+        to, "\n  Branches from %.3g cm; thinner ones are twigs. Safety at %.6g m/s\n%18s%10s%10s%14s   %s\n",
+        100 * k[0].from, at->speed, "thickness", "segments", "safety", "fails at m/s", "nearest to failing");
+    for (size_t i = 0; i < n; i++)
+        if (k[i].segments) print_class(to, an, &k[i]);
+    wf_show(to, "  'fails at': the lowest of the given winds at which one of them fails\n");
+}
+
+/* The part that fails first, where it is not the stem; it does not make the headline. */
+static void print_first(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_break *b = &an->breaks[WF_BREAKAGE][WF_SCOPE_TREE];
+    const struct wf_tree *t = &an->tree;
+    if (b->row < 0 || t->level[b->row] == 0) return;
+    wf_show(to, "  the %s breaks first: ", wf_model_level_name(an->model, an->species, t->level[b->row]));
+    print_wind(to, an, &b->critical);
+    wf_show(to, "; %.2f m above the ground", b->height);
+    print_failing(to, an, b->row);
+    wf_show(to, "%s\n", 2 * fmax(t->r0[b->row], t->r1[b->row]) < an->search.branches_from ? ", a twig" : "");
+    print_weight(to, an, b);
+}
+
+/* The headline: at which wind the tree is lost. */
+static void print_verdict(FILE *to, const struct wf_analysis *an)
+{
+    struct wf_verdict v = wf_verdict_of(an->breaks);
+    const struct wf_wind_place at = wf_scenario_place(&an->scenario);
+    bool beyond = false;
+    for (size_t k = 0; k < an->n; k++) beyond = beyond || wf_verdict_lost(&v, &an->at[k]);
+    if (beyond)
+        wf_show(to, "  *: the tree is lost before; the row shows what a tree that cannot be lost would do\n");
+    wf_show(to, "  critical wind speed ");
+    if (v.loss) print_wind(to, an, &v.loss->critical);
+    if (v.loss &&
+        (v.loss->critical.outcome == WF_CRITICAL_FOUND || v.loss->critical.outcome == WF_CRITICAL_ABOVE))
+        wf_show(to, ", at %.6g m over terrain %s", at.height, at.terrain->name);
+    if (v.loss) print_event(to, an, v.criterion, v.loss);
+    fputc('\n', to);
+    if (v.loss && !wf_criteria[v.criterion].whole) print_weight(to, an, v.loss);
+    print_others(to, an, &v);
+    print_anchorage(to, an);
+    print_first(to, an);
 }
 
 void wf_print_site(FILE *to, const struct wf_scenario *s)
@@ -192,11 +313,21 @@ void wf_print_site(FILE *to, const struct wf_scenario *s)
     fputc('\n', to);
 }
 
+/* The crown's outline, so that a wrong scale is seen. */
+static void print_crown(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_outline_size seen = wf_silhouette_size(an->model, an->tallness);
+    if (isnan(seen.centre)) return;
+    wf_show(to, "Crown from the side: %.4g m2, its centre at %.4g m; %.4g m broad over %.4g m of height\n",
+            seen.area, seen.centre, seen.breadth, seen.height);
+}
+
 void wf_print_head(FILE *to, const struct wf_analysis *first)
 {
     const struct wf_scenario *s = &first->scenario;
     wf_show(to, "Model %s, %.6g m high; wind profile %s; air %.3f kg/m3; solver %s\n", first->model->key,
             first->tallness, s->profile, first->loads.air_density, first->solver->name);
+    print_crown(to, first);
     wf_print_site(to, s);
     wf_show(to, "Peak load: %s", first->peak ? first->peak->method->name : "mean");
     if (first->peak && first->peak->rule) wf_show(to, ", terrain %s", first->peak->rule->called(s->category));
@@ -210,11 +341,15 @@ void wf_print_speeds(FILE *to, const struct wf_analysis *an)
     if (peak) wf_show(to, "%19s%45s%45s\n", "", "in the mean wind", "at the peak of the load");
     wf_show(to, "%10s%9s%12s%10s%10s%13s", "wind", "gust", "tip moves", "", "tip turns", "base moment");
     if (peak) wf_show(to, "%11s%12s", "gusts", "moment");
-    wf_show(to, "%12s%10s\n%10s%9s%12s%10s%10s%13s", "stress", "safety", "m/s", "m/s", "m", "% height", "deg",
-            "kN m");
+    wf_show(to, "%12s%10s%10s\n%10s%9s%12s%10s%10s%13s", "stress", "least", "safety", "m/s", "m/s", "m",
+            "% height", "deg", "kN m");
     if (peak) wf_show(to, "%11s%12s", "x load", "kN m");
-    wf_show(to, "%12s%10s\n", "MPa", "factor");
-    for (size_t i = 0; i < an->n; i++) print_speed(to, an, &an->at[i]);
+    wf_show(to, "%12s%10s%10s\n", "MPa", "safety", "of tree");
+    bool lost = false;
+    for (size_t i = 0; i < an->n; i++) {
+        lost = lost || wf_verdict_safety(&an->at[i], NULL) <= 1;
+        print_speed(to, an, &an->at[i], lost);
+    }
 }
 
 /* A critical speed, or what is known of it. */
@@ -228,14 +363,82 @@ static void print_found(FILE *to, const struct wf_critical *c)
         wf_show(to, "%s", wf_critical_text(c->outcome));
 }
 
+static void print_speed_to(FILE *to, int digits, double x, double end, const char *before)
+{
+    if (isfinite(x))
+        wf_show(to, "%s%.*f", before, digits, x);
+    else
+        wf_show(to, "%sabove %.4g", before, end);
+}
+
+/* The values that move the critical wind most, each alone. */
+static void print_tornado(FILE *to, const struct wf_interval *i)
+{
+    enum { SHOWN = 3 };
+    bool shown[WF_VARIED_MAX] = { false };
+    wf_show(to, "  most of it by");
+    for (size_t n = 0; n < SHOWN && n < i->variation.n; n++) {
+        size_t best = 0;
+        double widest = -1.0;
+        for (size_t k = 0; k < i->variation.n; k++) {
+            double from = fmin(i->arm[k].at_low, i->searched_to),
+                   to_ = fmin(i->arm[k].at_high, i->searched_to);
+            if (!shown[k] && fabs(to_ - from) > widest) widest = fabs(to_ - from), best = k;
+        }
+        const struct wf_varied *v = &i->variation.varied[best];
+        shown[best] = true;
+        wf_show(to, "%s %s%s", n ? ";" : "", wf_varied_prefix(v), v->name);
+        print_speed_to(to, 0, fmin(i->arm[best].at_low, i->arm[best].at_high), i->searched_to, " (");
+        print_speed_to(to, 0, fmax(i->arm[best].at_low, i->arm[best].at_high), i->searched_to, " to ");
+        wf_show(to, ")");
+    }
+    wf_show(to, "\n");
+}
+
+static void print_safeties(FILE *to, const struct wf_interval *i, bool rooted)
+{
+    enum { SHOWN = 3 };
+    for (size_t k = 0; k < i->winds; k++) {
+        if (i->winds > SHOWN && k && k + 1 < i->winds) continue;
+        if (!k) wf_show(to, "  safety of the stem%s", rooted ? " and root" : "");
+        wf_show(to, "%s at %.4g m/s %.1f to %.1f", k ? ";" : "", i->at[k].speed, i->at[k].low, i->at[k].high);
+    }
+    wf_show(to, i->winds ? "\n" : "");
+}
+
+void wf_print_interval(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_interval *i = an->interval;
+    if (!i) return;
+    int digits = wf_interval_decimals(i->low, i->high);
+    double times = wf_scenario_gust(&an->scenario, 1.0);
+    bool rooted = wf_interval_rooted(an);
+    print_speed_to(to, digits, i->middle, i->searched_to,
+                   rooted ? "  how sure: the tree is lost at about "
+                          : "  how sure: the stem breaks at about ");
+    print_speed_to(to, digits, i->low, i->searched_to, " m/s mean, ");
+    print_speed_to(to, digits, i->high, i->searched_to, " to ");
+    wf_show(to, " (90 %% of %zu samples)", i->n);
+    print_speed_to(to, digits, times * i->middle, times * i->searched_to, "; 3-s gust ");
+    print_speed_to(to, digits, times * i->low, times * i->searched_to, ", ");
+    print_speed_to(to, digits, times * i->high, times * i->searched_to, " to ");
+    wf_show(to, "\n");
+    print_safeties(to, i, rooted);
+    print_tornado(to, i);
+}
+
 static void print_wetted(FILE *to, const struct wf_wetted *w)
 {
     if (!w) return;
-    wf_show(to, "  rain on the leaves: %.4g kg, %.3g mm on %.4g m2; dry -> wet: ", w->mass, w->film,
-            w->leaf_area);
+    if (w->film > 0)
+        wf_show(to, "  rain on the leaves: %.4g kg, %.3g mm on %.4g m2; dry -> wet: ", w->mass, w->film,
+                w->leaf_area);
+    else
+        wf_show(to, "  snow and ice: %.4g kg; without -> with: ", w->mass);
     wf_show(to, "sways at %.4f -> %.4f Hz, ", w->frequency[WF_DRY], w->frequency[WF_WET]);
     if (isfinite(w->speed))
-        wf_show(to, "base moment at %.4g m/s %.4g -> %.4g kN m, ", w->speed, w->moment[WF_DRY] / 1000,
+        wf_show(to, "at %.4g m/s drag %.4g -> %.4g kN, base moment %.4g -> %.4g kN m, ", w->speed,
+                w->drag[WF_DRY] / 1000, w->drag[WF_WET] / 1000, w->moment[WF_DRY] / 1000,
                 w->moment[WF_WET] / 1000);
     wf_show(to, "critical ");
     print_found(to, &w->critical[WF_DRY]);
@@ -244,21 +447,92 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
     wf_show(to, "\n");
 }
 
+/* The stem by one criterion: at a given wind, and the wind in which it is reached. */
+static void print_criterion(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at, int c)
+{
+    const struct wf_criterion *x = &wf_criteria[c];
+    const struct wf_worst *w = &at->worst[c][WF_SCOPE_STEM];
+    const struct wf_critical *k = &an->breaks[c][WF_SCOPE_STEM].critical;
+    double resistance = wf_criterion_resistance(x, &an->tree, w);
+    wf_show(to, "%18s", x->name);
+    print_number(to, 9, 2, w->safety);
+    wf_show(to, "%8.3g", fmax(1.0, x->required));
+    if (k->outcome == WF_CRITICAL_ABOVE)
+        wf_show(to, "%9s%-5.4g", "> ", k->speed_high);
+    else
+        print_number(to, 14, 2, k->speed);
+    print_number(to, 8, 1, wf_scenario_gust(&an->scenario, k->speed));
+    print_number(to, 8, 2, wf_part_height(&an->tree, w->row, w->place));
+    print_number(to, 10, 2, 1e-6 * resistance / w->safety);
+    print_number(to, 10, 2, 1e-6 * resistance);
+    fputc('\n', to);
+}
+
+/* Criteria that apply to the stem and want a value that the species table does not give. */
+static void print_unassessed(FILE *to, const struct wf_analysis *an)
+{
+    const char *before = "  not assessed: ";
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_criterion *x = &wf_criteria[c];
+        if (!x->section || wf_criterion_known(x, &an->tree, WF_SCOPE_STEM) ||
+            !wf_criterion_applies(x, &an->tree, WF_SCOPE_STEM))
+            continue;
+        wf_show(to, "%s%s (the species has no %s)", before, x->name, x->wants);
+        before = ", ";
+    }
+    if (*before == ',') fputc('\n', to);
+}
+
+/* Which limit of a thin wall is reached first, and what it is with the low end of the strength across the
+ * grain. */
+static void print_wall(FILE *to, const struct wf_analysis *an, const struct wf_at_speed *at)
+{
+    static const enum wf_criterion_id limit[] = { WF_BREAKAGE, WF_SPLITTING, WF_OVALISATION };
+    static const char *const does[] = { "breaks in bending", "splits", "flattens" };
+    const struct wf_value *strength = &an->species->level[0].tangential_strength;
+    double least = INFINITY;
+    size_t first = 0;
+    for (size_t k = 0; k < WF_COUNT(limit); k++) {
+        double safety = at->worst[limit[k]][WF_SCOPE_STEM].safety;
+        if (safety < least) least = safety, first = k;
+    }
+    if (!wf_criterion_known(&wf_criteria[WF_SPLITTING], &an->tree, WF_SCOPE_STEM) || isinf(least)) return;
+    const struct wf_critical *k = &an->breaks[limit[first]][WF_SCOPE_STEM].critical;
+    wf_show(to, "  of the three limits of the thin wall the least governs: it %s first", does[first]);
+    if (k->outcome == WF_CRITICAL_FOUND)
+        wf_show(to, ", at %.2f m/s, 3-s gust %.1f m/s", k->speed, wf_scenario_gust(&an->scenario, k->speed));
+    wf_show(to, "; splitting with the low end of tangential_strength, %.3g MPa: safety %.2f\n",
+            1e-6 * strength->low,
+            at->worst[WF_SPLITTING][WF_SCOPE_STEM].safety * sqrt(strength->low / strength->value));
+}
+
+/* Criteria of the stem, at the strongest given wind that has a solution. */
+static void print_criteria(FILE *to, const struct wf_analysis *an)
+{
+    const struct wf_branch_strength *b = an->branch_strength;
+    const struct wf_at_speed *at = wf_verdict_wind(an);
+    if (!at || !wf_criterion_known(&wf_criteria[WF_BREAKAGE], &an->tree, WF_SCOPE_STEM)) return;
+    wf_show(to,
+            "\n  Stem by criteria; safety, place and stresses at %.6g m/s\n%18s%9s%8s%14s%8s%8s%10s%10s\n",
+            at->speed, "", "safety", "wanted", "critical m/s", "gust", "at m", "stress", "bears MPa");
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (wf_criteria[c].section && wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_STEM))
+            print_criterion(to, an, at, c);
+    print_unassessed(to, an);
+    print_wall(to, an, at);
+    if (b && b->source && wf_criterion_known(&wf_criteria[WF_BREAKAGE], &an->tree, WF_SCOPE_BRANCHES))
+        wf_show(to, "  branches bear at most %.2f of the stem's clear wood: %s (%s)\n", b->factor, b->text,
+                b->source);
+}
+
 void wf_print_searched(FILE *to, const struct wf_analysis *an)
 {
-    const struct wf_break *b = an->breaks[WF_BREAKAGE];
-    bool beyond = false;
-    for (size_t i = 0; i < an->n; i++)
-        beyond = beyond || (!an->at[i].status && an->at[i].worst[WF_BREAKAGE][WF_SCOPE_TREE].safety <= 1.0);
-    if (beyond)
-        wf_show(
-            to,
-            "  safety of 1 or less: broken before; the row shows what a tree that cannot break would do\n");
-    print_critical(to, an, "critical wind speed", &b[WF_SCOPE_TREE]);
-    print_weight(to, an, &b[WF_SCOPE_TREE]);
-    if (b[WF_SCOPE_TREE].row >= 0 && an->tree.level[b[WF_SCOPE_TREE].row] > 0)
-        print_critical(to, an, "of the stem alone", &b[WF_SCOPE_STEM]),
-            print_weight(to, an, &b[WF_SCOPE_STEM]);
+    print_verdict(to, an);
+    print_criteria(to, an);
+    wf_print_interval(to, an);
+    print_branches(to, an);
+    wf_print_walls(to, an);
+    print_wetted(to, an->winter);
     print_wetted(to, an->wetted);
     print_directions(to, an);
 }

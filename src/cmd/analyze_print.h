@@ -16,4 +16,6 @@ void wf_print_speeds(FILE *to, const struct wf_analysis *an);
 /* Below it: critical wind speeds and the segments that fail; directions and hours a year where there are
  * some. */
 void wf_print_searched(FILE *to, const struct wf_analysis *an);
+/* How sure the critical wind is; nothing where an analysis has no interval. */
+void wf_print_interval(FILE *to, const struct wf_analysis *an);
 #endif

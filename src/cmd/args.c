@@ -166,7 +166,7 @@ static void complete(struct wf_reading *r)
  * The options of a command as keys of a YAML file, so that an analysis can be saved, shared and repeated. One
  * file serves several commands: each takes the keys that are options of its own and lists the others. */
 
-enum { KEYS_MAX = 150 };
+enum { KEYS_MAX = 200 };
 
 /* Commands that take a study file. */
 static const struct taker {
@@ -175,13 +175,10 @@ static const struct taker {
     const char *subject; /* key that stands for its operands; NULL: none */
     bool files;          /* operands may name files beside the study file */
 } takers[] = {
-    { "analyze", wf_analyze_options, "species", true },
-    { "compare", wf_analyze_options, "species", true },
-    { "explain", wf_explain_options, "species", true },
-    { "series", wf_series_options, "species", true },
-    { "shelter", wf_shelter_options, NULL, false },
-    { "wind", wf_wind_options, "gust", false },
-    { 0 },
+    { "analyze", wf_analyze_options, "species", true }, { "compare", wf_analyze_options, "species", true },
+    { "explain", wf_explain_options, "species", true }, { "modes", wf_modes_options, "species", true },
+    { "series", wf_series_options, "species", true },   { "shelter", wf_shelter_options, NULL, false },
+    { "wind", wf_wind_options, "gust", false },         { 0 },
 };
 
 /* The keys a study file may have: those of all commands that take one. */
@@ -246,7 +243,8 @@ static bool fill_keys(struct study_keys *b, struct wf_arena *a)
         { .key = "note", .kind = WF_YAML_TEXT, .doc = "in words, for the reader" },
         { .key = "species",
           .kind = WF_YAML_JOINED,
-          .doc = "species tables, files or names of shipped ones - analyze compare explain series shelter",
+          .doc =
+              "species tables, files or names of shipped ones - analyze compare explain modes series shelter",
           .example = "moso_bamboo" },
         { .key = "gust",
           .kind = WF_YAML_JOINED,

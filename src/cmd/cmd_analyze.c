@@ -12,11 +12,11 @@
 #include "cmd/wind_speed.h"
 #include "data/species.h"
 #include "load/drag.h"
-#include "load/interception.h"
 #include "out/results.h"
 #include "solve/solve.h"
 #include "study/analysis.h"
 #include "study/directions.h"
+#include "study/interval.h"
 #include "study/preset.h"
 #include "study/wetted.h"
 #include "wind/climate.h"
@@ -35,19 +35,22 @@ struct analyze_options {
     struct wf_averaging averaging;   /* with the climate */
     struct wf_profile_words profile; /* with the map of the ground */
     struct wf_peak_asked peak;
-    const char *output, *solver, *preset, *shelter;
+    struct wf_anchorage_asked anchorage;
+    const char *output, *solver, *preset, *shelter, *branch_strength;
     const char *directions, *at; /* NULL: not given                                */
     size_t threads;
-    double azimuth, north;           /* [rad]                                     */
-    double temperature, altitude;    /* [K], [m]                                  */
-    double air_density;              /* [kg m-3]; NAN: from the two above         */
-    double search_to, search_time;   /* [m/s], NAN: the library's default; [s]    */
-    double mesh_tolerance;           /* [-]                                       */
-    const char *storage;             /* row of wf_storages                         */
-    const char *weight_stress;       /* "total" or "change"                        */
-    double snow, snow_density, ice;  /* [m], [kg m-3], [m]; NAN: not given        */
-    double water_film, rain;         /* [m], [m/s]; NAN: not given                */
+    double azimuth, north;          /* [rad]                                     */
+    double temperature, altitude;   /* [K], [m]                                  */
+    double air_density;             /* [kg m-3]; NAN: from the two above         */
+    double search_to, search_time;  /* [m/s], NAN: the library's default; [s]    */
+    double mesh_tolerance;          /* [-]                                       */
+    size_t samples, seed;           /* of the interval */
+    const char *weight_stress;      /* "total" or "change"                        */
+    double snow, snow_density, ice; /* [m], [kg m-3], [m]; NAN: not given        */
+    double winter_wind;             /* share of the wind named [-] */
+    struct wf_water_asked water;
     double root_stiffness, speed_up; /* [N m rad-1]; [-]; NAN: not given          */
+    double branches_from;            /* [m]                                       */
     struct wf_pages pages;
 };
 
@@ -72,6 +75,18 @@ static bool mesh_unused(const void *options, const struct wf_option *row, char *
     (void)row;
     return s && wf_option_unused(s->unmeshed, why,
                                  "with the solver '%s', which takes the segments as they are", s->name);
+}
+
+static bool samples_unused(const void *options, const struct wf_option *row, char *why)
+{
+    const struct analyze_options *o = options;
+    const struct wf_solver *s = solver_used(options);
+    (void)row;
+    if (strcmp(o->preset, wf_presets[0].name) != 0)
+        return wf_option_unused(true, why, "with the preset '%s', which repeats a publication", o->preset);
+    if (s && !s->tracked)
+        return wf_option_unused(true, why, "with the solver '%s': its solutions have no slopes", s->name);
+    return wf_option_unused(o->shelter && strcmp(o->shelter, "none") != 0, why, "with --shelter");
 }
 
 static bool root_unused(const void *options, const struct wf_option *row, char *why)
@@ -114,25 +129,17 @@ static bool density_unused(const void *options, const struct wf_option *row, cha
                             p ? p->name : "");
 }
 
-static bool rain_unused(const void *options, const struct wf_option *row, char *why)
-{
-    (void)row;
-    return wf_option_unused(!isnan(((const struct analyze_options *)options)->water_film), why,
-                            "beside --water-film");
-}
-
-static const char *storage_word(size_t i) { return wf_storages[i].name; }
-
 static bool snow_unused(const void *options, const struct wf_option *row, char *why)
 {
     (void)row;
     return wf_option_unused(isnan(((const struct analyze_options *)options)->snow), why, "without --snow");
 }
 
-static bool storage_unused(const void *options, const struct wf_option *row, char *why)
+static bool winter_unused(const void *options, const struct wf_option *row, char *why)
 {
+    const struct analyze_options *o = options;
     (void)row;
-    return wf_option_unused(isnan(((const struct analyze_options *)options)->rain), why, "without --rain");
+    return wf_option_unused(isnan(o->snow) && isnan(o->ice), why, "without --snow and --ice");
 }
 
 #define OPTIONS struct analyze_options
@@ -152,6 +159,10 @@ const struct wf_option wf_analyze_options[] = {
          "a published method, its formula and constants as printed; warnings say where it is not physical"),
     WF_PROFILE_ROWS(profile),
     WF_PEAK_ROWS(peak),
+    WF_BRANCH_STRENGTH_ROW(branch_strength),
+    WF_ANCHORAGE_ROWS(anchorage),
+    NUMBER("--branches-from", branches_from, "DIAMETER", LENGTH, "cm", 0, 200, "5",
+           "branches from this thickness are listed by what fails first; thinner ones are twigs"),
     WF_AZIMUTH_ROW(azimuth),
     CHOICE("--directions", directions, "NUMBER", "8|12|16|36", NULL,
            "also compute winds from this many directions, evenly spaced"),
@@ -183,39 +194,35 @@ const struct wf_option wf_analyze_options[] = {
     NUMBER("--search-time", search_time, "TIME", TIME, "s", 1, 1e6, "120",
            "processor time for the search of a critical speed, and again for the curves; what it leaves out "
            "is said"),
+    WF_SAMPLE_ROWS(samples_unused),
     NUMBER("--mesh-tolerance", mesh_tolerance, "NUMBER", NONE, NULL, 0, 0.1, "1e-6",
            "relative error accepted from the mesh; 0 takes one element a segment", .unused = mesh_unused),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate; without it the stem is clamped", .unused = root_unused),
-    CHOICE("--weight-stress", weight_stress, "PART", "total|change", "total",
-           "total: stresses of weight and wind together; change: without those that the weight makes at rest, "
-           "which is unsafe for leaning trees and limbs"),
+    CHOICE(
+        "--weight-stress", weight_stress, "PART", "total|change", "total",
+        "total: stresses of weight and wind together; change: without those that the weight makes at rest, "
+        "which is unsafe for leaning trees and limbs"),
     NUMBER("--snow", snow, "DEPTH", LENGTH, "cm", 0, 500, NULL,
            "snow on the crown, on its area seen from above: added mass"),
     NUMBER("--snow-density", snow_density, "DENSITY", DENSITY, "kg/m3", 10, 917, "150",
            "of the snow; 150 kg/m3 as in ForestGALES", .unused = snow_unused),
+    NUMBER("--winter-wind", winter_wind, "SHARE", NONE, NULL, 0.1, 1, "1",
+           "share of the wind named that blows while snow or ice is on the tree", .unused = winter_unused),
     NUMBER("--ice", ice, "THICKNESS", LENGTH, "mm", 0, 200, NULL,
            "radial thickness of ice on all axes and leaves: added mass, and thicker axes in the wind"),
-    NUMBER("--water-film", water_film, "DEPTH", LENGTH, "mm", 0, 5, NULL,
-           "rain held by the leaves, per one-sided leaf area: added mass; the tree is compared with the dry "
-           "one"),
-    NUMBER("--rain", rain, "RATE", SPEED, "mm/h", 0, 3600, NULL,
-           "rain that has filled what leaves can hold, see --storage; heavier rain fills it sooner",
-           .unused = rain_unused),
-    WORD("--storage", storage, "NAME", storage_word, "watergap",
-         "water that leaves hold per one-sided area: watergap 0.3 mm, dipped 0.19 mm, simulator-least 0.51 "
-         "mm, "
-         "simulator-most 1.81 mm",
-         .unused = storage_unused),
+    WF_WATER_ROWS(water),
     WF_PAGE_ROWS("--no-report", pages, "write results and tables only"),
     WF_QUIET_ROW,
     { 0 },
 };
+_Static_assert(WF_COUNT(wf_analyze_options) <= WF_OPTIONS_MAX, "more options than a command can have");
 
 /* The options, converted to structs of the library. */
 struct request {
     struct wf_scenario scenario;
     struct wf_search search;
+    struct wf_interval_request interval; /* samples 0: none */
     struct wf_solve_options solve;
     const struct wf_solver *solver;
     const struct wf_preset *preset;
@@ -294,14 +301,14 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
     if (status) return status;
     out->preset = wf_preset_named(o->preset);
     status = wf_peak_asked_read(&o->peak, out->preset != wf_presets, a, d, s, e);
+    if (!status) status = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, s, e);
     if (status) return status;
     s->winds_said = o->args.winds_said;
     s->azimuth = o->azimuth;
     s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
     if (o->ice > 0) s->ice = o->ice;
-    if (o->rain > 0) s->water = wf_storage_named(o->storage)->film;
-    if (!isnan(o->water_film)) s->water = o->water_film * 1000; /* 1 mm over 1 m2 is 1 kg */
+    s->water = wf_water_asked_film(&o->water);
     s->temperature = o->temperature;
     s->altitude = o->altitude;
     s->air_density = o->air_density;
@@ -309,9 +316,13 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
         s->air_density = s->design->air; /* the code's pressure at its wind */
     if (!(s->gust_factor > 0.0)) s->gust_factor = o->averaging.gust;
     s->shelter = strcmp(o->shelter, "none") == 0 ? NULL : o->shelter;
+    s->branch_strength = o->branch_strength;
     wf_search_default(&out->search);
     if (!isnan(o->search_to)) out->search.speed_max = o->search_to, out->search.beyond = 0.0;
     out->search.seconds = o->search_time;
+    out->search.branches_from = o->branches_from;
+    out->interval = (struct wf_interval_request){ o->samples, o->seed, o->threads };
+    if ((status = wf_interval_check(&out->interval, e))) return status;
     wf_solve_options_default(&out->solve);
     out->solve.threads = o->threads;
     out->solve.mesh_tolerance = o->mesh_tolerance;
@@ -319,12 +330,16 @@ static enum wf_status read_request(const struct analyze_options *o, struct wf_ar
         out->solve.root_stiffness[0] = out->solve.root_stiffness[1] = o->root_stiffness;
     out->solver = wf_solver_named(o->solver);
     status = read_directions(o, a, d, &out->directions, e);
-    return status ? status : read_exposure(o, a, s, &out->directions, e);
+    if (!status) status = read_exposure(o, a, s, &out->directions, e);
+    s->carried *= o->winter_wind;
+    return status;
 }
 
 /* ---- The run ---- */
 
-enum { OTHER_FILES = 5 }; /* model, study, profile, climate, ground */
+enum {
+    OTHER_FILES = 6 + 2 * WF_CAVITIES_MAX
+}; /* model, study, profile, climate, ground, anchorage; of cavities */
 
 /* Everything of one run, in one arena. */
 struct work {
@@ -388,6 +403,24 @@ static void keep_climate_warnings(struct work *w, const struct wf_diag *d)
         if (f->code && !strcmp(f->code, "frequency-sum")) wf_diag_warn(&w->tree, f->code, "%s", f->text);
 }
 
+static const char *anchorage_file(const struct wf_anchorage_asked *q)
+{
+    return q->curve ? q->curve : q->table;
+}
+
+/* Files that say where cavities are, and their rays. */
+static enum wf_status note_cavities(struct work *w, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    const struct wf_cavity *c = w->model.cavity;
+    for (size_t k = 0; k < w->model.cavities && !s; k++) {
+        bool known = !c[k].line || !strcmp(c[k].file, w->model.file) || (k && c[k].file == c[k - 1].file);
+        if (!known) s = note_input(w, "cavities", c[k].file, e);
+        if (!s && c[k].rays_file) s = note_input(w, "rays", c[k].rays_file, e);
+    }
+    return s;
+}
+
 /* Model and species files; every mistake of every file is printed before the run is refused. */
 static enum wf_status read_inputs(struct work *w, struct wf_err *e)
 {
@@ -419,11 +452,15 @@ static enum wf_status read_inputs(struct work *w, struct wf_err *e)
         return wf_fail(e, worst, "%zu mistake%s in the input; nothing was computed", d.errors,
                        d.errors == 1 ? "" : "s");
     keep_climate_warnings(w, &d);
-    const char *const profile = w->request.scenario.profile_file, *const study = w->options.args.study,
+    const char *const profile = w->request.scenario.profile_file,
+                      *const roots = anchorage_file(&w->options.anchorage),
+                      *const study = w->options.args.study,
                       *const climate = w->request.directions.climate_file;
     enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
     if (!s && study) s = note_input(w, "study", study, e);
+    if (!s) s = note_cavities(w, e);
     if (!s && profile) s = note_input(w, "profile", profile, e);
+    if (!s && roots) s = note_input(w, "anchorage", roots, e);
     if (!s && w->request.scenario.site) s = note_input(w, "ground", w->request.scenario.site->file, e);
     return !s && climate ? note_input(w, "climate", climate, e) : s;
 }
@@ -445,26 +482,30 @@ static enum wf_status run_directions(struct work *w, struct wf_analysis *an, str
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
 }
 
-/* With rain on its leaves: the tree beside the dry one. */
-static enum wf_status run_dry(struct work *w, struct wf_analysis *an, struct wf_err *e)
+/* With rain on its leaves, or with snow or ice: the tree beside itself without. */
+static enum wf_status run_dry(struct work *w, struct wf_analysis *an, enum wf_burden burden, bool there,
+                              const struct wf_wetted **to, struct wf_err *e)
 {
-    if (!(an->scenario.water > 0) || wf_interrupted()) return WF_OK;
+    if (!there || wf_interrupted()) return WF_OK;
     struct wf_wetted *out = WF_TAKE(&w->arena, 1, struct wf_wetted);
     struct wf_err why = { 0 };
     if (!out) return wf_fail(e, WF_ENOMEM, "not enough memory for the dry tree");
-    enum wf_status s = wf_wetted_compare(an, &w->request.solve, &w->arena, out, &why);
+    enum wf_status s = wf_wetted_compare(an, burden, &w->request.solve, &w->arena, out, &why);
     if (s == WF_EINTERRUPTED) {
         wf_diag_warn(an->diag, "interrupted", "interrupted before the dry tree was computed");
         return WF_OK;
     }
-    if (!s) an->wetted = out;
-    if (!s && w->options.rain > 0)
-        wf_diag_warn(
-            an->diag, "water-storage",
-            "the leaves are taken to hold %.3g mm (%s); sources differ five- to tenfold, --storage and "
-            "--water-film try others",
-            out->film, wf_storage_named(w->options.storage)->source);
+    if (!s) *to = out;
     return s ? wf_fail(e, s, "%s", why.text) : WF_OK;
+}
+
+static enum wf_status run_burdens(struct work *w, struct wf_analysis *an, struct wf_err *e)
+{
+    const struct wf_scenario *s = &an->scenario;
+    if (run_dry(w, an, WF_BURDEN_WINTER, s->snow > 0 || s->ice > 0, &an->winter, e)) return e->code;
+    if (run_dry(w, an, WF_BURDEN_RAIN, s->water > 0, &an->wetted, e)) return e->code;
+    if (an->wetted) wf_water_asked_warn(&w->options.water, an->diag);
+    return WF_OK;
 }
 
 /* Was tree k interrupted? The first one is kept as far as it came; a later one has not what the first has and
@@ -495,7 +536,10 @@ static enum wf_status analyse(struct work *w, size_t *done, struct wf_err *e)
                                       w->request.solver, &w->request.solve, w->options.wind.speed,
                                       w->options.wind.n, &w->arena, &w->diag[k], &w->analysis[k], e);
         if (!s) s = run_directions(w, &w->analysis[k], e);
-        if (!s) s = run_dry(w, &w->analysis[k], e);
+        if (!s) s = run_burdens(w, &w->analysis[k], e);
+        if (!s && preset == wf_presets) /* others repeat a publication as printed */
+            s = wf_interval_take(&w->analysis[k], &w->request.solve, &w->request.interval,
+                                 WF_GIVEN(&w->options, samples), &w->arena, e);
         if (!s && w->solved == k) speeds_solved(&w->analysis[k], w); /* interrupted before */
         wf_progress_clear();
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);
@@ -619,7 +663,8 @@ int wf_cmd_analyze(int argc, char **argv)
 {
     static const char about[] =
         "SPECIES is a species table, a file or the name of a shipped one ('windfirm species list'). The tree "
-        "bends until its stiffness balances wind and weight, and the wind is taken on the bent shape: once in "
+        "bends until its stiffness balances wind and weight, and the wind is taken on the bent shape: once "
+        "in "
         "the mean wind, once at the peak of the load of gusts (--peak), which decides what breaks.\n"
         "\n"
         "  windfirm analyze species/moso_bamboo.yaml --model models/moso_culm.yaml --wind 5:40:1";

@@ -183,6 +183,7 @@ static enum wf_status explain(const struct explain_options *o, const struct wf_d
                                      .of = &x,
                                      .tree = &an.tree,
                                      .speed = o->wind,
+                                     .scenario = &an.scenario,
                                      .findings = &leaves };
     s = of.name ? wf_explain_write(&of, head, f.stage, e) : wf_fail(e, WF_ENOMEM, "no memory");
     if (!s) s = wf_results_end(&f, &o->pages, a, NULL, e);

@@ -142,6 +142,10 @@ static void print_fit(FILE *to, const struct wf_fit_results *of)
     wf_show(to, "%s\n%zu reading%s in %zu test%s, %zu parameter%s%s\n\n", of->calibration.name, f->x->data,
             f->x->data == 1 ? "" : "s", f->x->tests, f->x->tests == 1 ? "" : "s", f->params,
             f->params == 1 ? "" : "s", f->params > f->free ? " (offsets and drifts included)" : "");
+    for (size_t k = 0; k < of->x.trees; k++)
+        if (of->x.tree[k].tree.standing)
+            wf_show(to, "%s stands in its shape under its weight: readings count from there\n\n",
+                    of->x.tree[k].name);
     print_parameters(to, f);
     for (size_t k = 0; k < of->x.tests; k++)
         if (of->input[k].swung) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* windfirm modes: natural frequencies of a tree, how it moves in each, how it is damped. */
+#include "cmd/analyze_print.h"
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "cmd/option.h"
@@ -20,6 +21,7 @@ struct modes_options {
     struct wf_speeds wind;
     struct wf_averaging averaging;
     struct wf_profile_words profile;
+    struct wf_water_asked water;
     size_t count;
     const char *output;
     double azimuth;                 /* [rad] */
@@ -28,7 +30,8 @@ struct modes_options {
 };
 
 #define OPTIONS struct modes_options
-static const struct wf_option options[] = {
+const struct wf_option wf_modes_options[] = {
+    STUDY,
     WF_TREE_ROWS(tree),
     SPEEDS("--wind", wind, averaging, 0, 100,
            "mean winds at the reference height, in whose states the tree is; 0 is still air [0,10,20]",
@@ -39,6 +42,7 @@ static const struct wf_option options[] = {
            "structural damping of every mode, of critical [the species' by mass; else 0.05, assumed]"),
     NUMBER("--root-stiffness", root_stiffness, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e15, NULL,
            "rotational stiffness of the root plate [clamped]"),
+    WF_WATER_ROWS(water),
     WF_PROFILE_ROWS(profile),
     WF_AZIMUTH_ROW(azimuth),
     TEXT("--output", output, "FOLDER", "out/modes", "where tables, figures and page go", .letter = "-o"),
@@ -65,9 +69,16 @@ static void print_number(double x, const char *format, int width)
         wf_show(stdout, "%*s", width, "-");
 }
 
+static const char *leaves_said(const struct wf_mode_block *b)
+{
+    return b->water > 0 ? "with wet leaves" : b->season == WF_LEAF_ON ? "with leaves" : "without leaves";
+}
+
 static void print_block(const struct wf_mode_block *b)
 {
-    wf_show(stdout, "\n%s, ", b->season == WF_LEAF_ON ? "With leaves" : "Without leaves");
+    const char *leaves = leaves_said(b);
+    wf_show(stdout, "\nW%s, ", leaves + 1);
+    if (b->water > 0) wf_show(stdout, "%.3g mm of rain on them, ", b->water);
     if (b->speed > 0.0)
         wf_show(stdout, "mean wind %.4g m/s\n", b->speed);
     else
@@ -112,8 +123,7 @@ static void print_measured(const struct wf_mode_list *l)
         const struct wf_mode_block *b = &l->block[i];
         if (b->speed > 0.0 || !b->modes.count) continue;
         double f = b->modes.sway.frequency;
-        wf_show(stdout, "  %s, whole tree: %.3g Hz, %.2f times that\n",
-                b->season == WF_LEAF_ON ? "with leaves" : "without leaves", f, f / l->measured);
+        wf_show(stdout, "  %s, whole tree: %.3g Hz, %.2f times that\n", leaves_said(b), f, f / l->measured);
     }
     wf_show(stdout, "  source: %s\n", wf_sway_lines_source);
 }
@@ -124,6 +134,7 @@ static void print_list(const struct wf_mode_list *l)
             "Modes about the state in the mean wind. Shares of the tree's mass (along, across, up), of its "
             "overturning by inertia (along, across); mass where the stem's tip moves by 1; damping of "
             "critical, the total limited\n");
+    wf_print_site(stdout, l->scenario);
     for (size_t i = 0; i < l->blocks; i++) print_block(&l->block[i]);
     print_measured(l);
 }
@@ -136,6 +147,7 @@ static enum wf_status read_inputs(const struct modes_options *o, struct wf_speci
     wf_scenario_default(scenario);
     scenario->azimuth = o->azimuth;
     scenario->winds_said = o->args.winds_said;
+    scenario->water = wf_water_asked_film(&o->water);
     scenario->peak.damping = o->damping;
     enum wf_status s = wf_species_named(o->args.operand[0], a, sp, d, e);
     enum wf_status t = wf_tree_asked_read(&o->tree, NULL, a, m, &path, d, e);
@@ -165,6 +177,7 @@ static enum wf_status modes(void *work, struct wf_doc_head *head, struct wf_run_
     if (!s) s = wf_mode_list_run(&an, &m, &solve, &request, a, d, &list, e);
     wf_progress_clear();
     if (s) return s;
+    wf_water_asked_warn(&o->water, d);
     wf_limits_profile(&an.scenario, list.height, m.name, d);
     if (!o->args.quiet) print_list(&list);
     const char *name = wf_arena_print(a, "%s, %s", sp.name, m.name);
@@ -179,7 +192,7 @@ int wf_cmd_modes(int argc, char **argv)
 {
     struct wf_arena arena = { 0 };
     struct modes_options o = { 0 };
-    int code = wf_args_read(argc, argv, options, about, 1, 1, &arena, &o.args);
+    int code = wf_args_read(argc, argv, wf_modes_options, about, 1, 1, &arena, &o.args);
     if (code < 0) code = wf_tree_asked_check(&o.tree, "modes", NULL);
     if (code < 0) code = wf_command_perform(argc, argv, modes, &o, o.args.quiet, &arena);
     wf_arena_free(&arena);

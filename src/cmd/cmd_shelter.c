@@ -267,6 +267,7 @@ static enum wf_status shelter(void *work, struct wf_doc_head *head, struct wf_ru
     w->run.folder = f->stage;
     w->run.tree = &w->tree;
     w->run.species = w->species.name;
+    w->run.scenario = &w->scenario;
     w->run.tree_name = w->model.key ? w->model.name : o->tree;
     if ((s = compute(w, motion, a, d, e))) return s;
     if (!quiet) {

@@ -181,7 +181,7 @@ static enum wf_status simulate(struct plan *p, struct wf_diag *d, bool quiet, st
     p->reading = WF_TAKE(&p->arena, m, double), p->slope = WF_TAKE(&p->arena, m * n, double);
     if (!p->reading || !p->slope) return wf_fail(e, WF_ENOMEM, "not enough memory for the plan");
     for (size_t k = 0; k < n; k++) p->free += !wf_param_nuisance(&p->param[k]);
-    s = wf_fit_expect(&p->x, p->param, n, &p->arena, p->reading, p->slope, e);
+    s = wf_fit_expect(&p->x, p->param, n, &p->arena, p->reading, p->slope, d, e);
     if (!s) wf_fit_make_up(&p->x, p->reading, p->options.seed, 1);
     if (!s && !quiet) s = print_layouts(p, e);
     if (!s) s = wf_mkdirs(folder, e);

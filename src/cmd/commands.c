@@ -28,6 +28,8 @@ const struct wf_command wf_commands[] = {
     { "explain", "SPECIES --model MODEL [option...]",
       "How far each method, as printed and corrected, is from beam theory, branch by branch.",
       wf_cmd_explain },
+    { "fragility", "SPECIES --model MODEL | --tree FILE [option...]",
+      "How likely a tree is lost in which wind, by samples of what is not known exactly.", wf_cmd_fragility },
     { "import", "FILE... [-o FILE] [option...]",
       "Read measured trees from the files other programs write, repair them, write them in one form.",
       wf_cmd_import },

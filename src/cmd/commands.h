@@ -23,6 +23,7 @@ int wf_cmd_analyze(int argc, char **argv);
 int wf_cmd_compare(int argc, char **argv);
 int wf_cmd_fit(int argc, char **argv);
 int wf_cmd_explain(int argc, char **argv);
+int wf_cmd_fragility(int argc, char **argv);
 int wf_cmd_import(int argc, char **argv);
 int wf_cmd_modes(int argc, char **argv);
 int wf_cmd_papers(int argc, char **argv);
@@ -41,8 +42,8 @@ int wf_cmd_wind(int argc, char **argv);
 int wf_paper_yang2011(int argc, char **argv);
 
 /* Rows of the commands that take a study file; they end at name == NULL. */
-extern const struct wf_option wf_analyze_options[], wf_explain_options[], wf_series_options[],
-    wf_shelter_options[], wf_wind_options[];
+extern const struct wf_option wf_analyze_options[], wf_explain_options[], wf_modes_options[],
+    wf_series_options[], wf_shelter_options[], wf_wind_options[];
 
 /* The exit code for a status: 0, 1 (a run failed) or 2 (usage or input). */
 int wf_exit_code(enum wf_status s);

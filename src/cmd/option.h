@@ -54,7 +54,7 @@ struct wf_option {
     const char *help;
 };
 
-enum { WF_OPTIONS_MAX = 96, WF_WHY = 256 };
+enum { WF_OPTIONS_MAX = 144, WF_WHY = 256 };
 
 /* For `unused`: whether, and why: the text is made when `unused` is true. */
 bool wf_option_unused(bool unused, char why[static WF_WHY], const char *fmt, ...)

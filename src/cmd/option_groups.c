@@ -2,8 +2,13 @@
 #include "cmd/option_groups.h"
 #include "cmd/commands.h"
 #include "cmd/read_mat.h"
+#include "data/crown_mass.h"
+#include "fail/anchorage.h"
+#include "fail/fail.h"
 #include "grow/grow.h"
+#include "grow/outline_svg.h"
 #include "grow/silhouette.h"
+#include "load/interception.h"
 #include "solve/solve.h"
 #include "study/peak.h"
 #include "study/preset.h"
@@ -16,12 +21,38 @@
 
 const char *wf_solver_word(size_t i) { return wf_solvers[i] ? wf_solvers[i]->name : NULL; }
 const char *wf_preset_word(size_t i) { return wf_presets[i].name; }
+const char *wf_branch_strength_word(size_t i) { return wf_branch_strengths[i].name; }
 const char *wf_shelter_word(size_t i) { return i ? wf_shelter_laws[i - 1].name : "none"; }
 const char *wf_profile_word(size_t i) { return wf_profiles[i].name; }
 const char *wf_site_word(size_t i) { return wf_site_kinds[i].name; }
 const char *wf_design_word(size_t i) { return wf_designs[i].name; }
 const char *wf_peak_word(size_t i) { return wf_peak_methods[i].name; }
 const char *wf_import_word(size_t i) { return wf_import_formats[i].name; }
+const char *wf_storage_word(size_t i) { return wf_storages[i].name; }
+
+bool wf_water_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_water_asked *w = (const void *)((const char *)options + o->group);
+    if (o->member - o->group == offsetof(struct wf_water_asked, storage))
+        return wf_option_unused(isnan(w->rain), why, "without --rain");
+    return wf_option_unused(!isnan(w->film), why, "beside --water-film");
+}
+
+double wf_water_asked_film(const struct wf_water_asked *w)
+{
+    if (!isnan(w->film)) return w->film * 1000; /* 1 mm over 1 m2 is 1 kg */
+    return w->rain > 0 ? wf_storage_named(w->storage)->film : 0;
+}
+
+void wf_water_asked_warn(const struct wf_water_asked *w, struct wf_diag *d)
+{
+    if (!isnan(w->film) || !(w->rain > 0)) return;
+    const struct wf_storage *storage = wf_storage_named(w->storage);
+    wf_diag_warn(d, "water-storage",
+                 "the leaves are taken to hold %.3g mm (%s); sources differ five- to tenfold, --storage and "
+                 "--water-film try others",
+                 storage->film, storage->source);
+}
 
 bool wf_profile_row_unused(const void *options, const struct wf_option *o, char *why)
 {
@@ -41,10 +72,19 @@ bool wf_site_row_unused(const void *options, const struct wf_option *o, char *wh
     return wf_option_unused(at && !w->design.terrain && !w->site, why, "without --terrain or --site");
 }
 
+static bool is_svg(const char *path)
+{
+    size_t n = path ? strlen(path) : 0;
+    return n > 4 && !strcasecmp(path + n - 4, ".svg");
+}
+
 bool wf_tree_row_unused(const void *options, const struct wf_option *o, char *why)
 {
     const struct wf_tree_asked *t = (const void *)((const char *)options + o->group);
     size_t member = o->member - o->group;
+    if (member == offsetof(struct wf_tree_asked, outline_base) ||
+        member == offsetof(struct wf_tree_asked, outline_top))
+        return wf_option_unused(!is_svg(t->outline), why, "without an SVG file (--crown-outline FILE.svg)");
     if (member == offsetof(struct wf_tree_asked, joint) || member >= offsetof(struct wf_tree_asked, scan))
         return wf_option_unused(t->model && !t->file, why, "with --model; it is of a measured tree (--tree)");
     return wf_option_unused(t->file && isnan(t->leaf_area) && isnan(t->crown.area) && isnan(t->crown.width) &&
@@ -105,6 +145,57 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
     return s;
 }
 
+const char *wf_soil_word(size_t i) { return wf_soils[i].name; }
+
+bool wf_anchorage_row_unused(const void *options, const struct wf_option *o, char *why)
+{
+    const struct wf_anchorage_asked *q = (const void *)((const char *)options + o->group);
+    return wf_option_unused(!q->table, why, "without --anchorage-table");
+}
+
+/* Exactly one source of the anchorage, or none. */
+static enum wf_status check_sources(const struct wf_anchorage_asked *q, double root_stiffness,
+                                    struct wf_err *e)
+{
+    const struct {
+        const char *option;
+        bool given;
+    } source[] = { { "--pull-moment", !isnan(q->pull_moment) },
+                   { "--root-secant", !isnan(q->secant) },
+                   { "--tipping-curve", q->curve != NULL },
+                   { "--anchorage-table", q->table != NULL },
+                   { "--anchorage", q->method != NULL } };
+    const char *first = NULL;
+    for (size_t i = 0; i < WF_COUNT(source); i++) {
+        if (source[i].given && first)
+            return wf_fail(e, WF_EUSAGE, "give one of %s and %s, not both: each is an anchorage of its own",
+                           first, source[i].option);
+        if (source[i].given) first = source[i].option;
+    }
+    if (q->method && !strcmp(q->method, "root-stiffness") && isnan(root_stiffness))
+        return wf_fail(e, WF_EUSAGE, "--anchorage root-stiffness needs --root-stiffness, fitted at 0.25 deg");
+    return WF_OK;
+}
+
+enum wf_status wf_anchorage_asked_read(const struct wf_anchorage_asked *asked, double root_stiffness,
+                                       struct wf_arena *a, struct wf_diag *d, struct wf_scenario *out,
+                                       struct wf_err *e)
+{
+    bool spring = asked->method && !strcmp(asked->method, "root-stiffness");
+    struct wf_anchorage_request *q = WF_TAKE(a, 1, struct wf_anchorage_request);
+    if (!q) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
+    *q = (struct wf_anchorage_request){ .method = spring ? NULL : asked->method,
+                                        .soil = asked->soil,
+                                        .rooting = asked->rooting,
+                                        .pull_moment = asked->pull_moment,
+                                        .secant = spring ? root_stiffness : asked->secant };
+    out->anchorage = q;
+    enum wf_status s = check_sources(asked, root_stiffness, e);
+    if (!s && asked->curve) s = wf_tipping_curve_read(asked->curve, a, d, &q->curve, e);
+    if (!s && asked->table) s = wf_anchorage_table_read(asked->table, a, d, &q->table, e);
+    return s;
+}
+
 bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *why)
 {
     const struct wf_pages *p = (const void *)((const char *)options + o->group);
@@ -161,15 +252,31 @@ static enum wf_status take_crown(const struct wf_tree_asked *t, struct wf_arena 
     const struct wf_silhouette *c = &t->crown;
     bool area = c->area > 0 || c->width > 0 || c->depth > 0 || t->outline;
     if (area) out->area = c->area, out->width = c->width, out->depth = c->depth, out->points = 0;
-    if (c->mass > 0 || c->density > 0) out->mass = c->mass, out->density = c->density;
+    bool heavy = c->mass > 0 || c->density > 0 || c->by;
+    if (heavy) out->mass = c->mass, out->density = c->density, out->by = c->by;
+    if (c->by && wf_crown_rule_check(c->by, e)) return e->code;
     if (!isnan(c->leafless)) out->leafless = c->leafless;
     for (int k = 0; t->crown_form && wf_crown_form_words[k]; k++)
         if (!strcmp(t->crown_form, wf_crown_form_words[k])) out->form = (enum wf_crown_form)k;
-    enum wf_status s = t->outline ? wf_outline_read(t->outline, out, a, d, e) : WF_OK;
-    if (s || !(area || c->mass > 0 || c->density > 0)) return s;
+    enum wf_status s = WF_OK;
+    if (is_svg(t->outline))
+        s = wf_outline_svg_read(t->outline, t->outline_base, t->outline_top, out, a, e);
+    else if (t->outline)
+        s = wf_outline_read(t->outline, out, a, d, e);
+    if (s || !(area || heavy)) return s;
     if (t->crown_form && !(out->width > 0))
         return wf_fail(e, WF_EUSAGE, "--crown-form needs --crown-width and --crown-depth");
     return wf_silhouette_check(out, e);
+}
+
+/* Bark and cavities of the command line, in place of the model's. */
+static enum wf_status take_hollow(const struct wf_tree_asked *t, struct wf_arena *a, struct wf_model *out,
+                                  struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_err why = { 0 };
+    if (t->bark && !wf_bark_read(t->bark, &out->bark, &why))
+        return wf_fail(e, WF_EUSAGE, "--bark: %s", why.text);
+    return t->cavities ? wf_cavities_asked(t->cavities, a, &out->cavity, &out->cavities, d, e) : WF_OK;
 }
 
 enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *file, struct wf_arena *a,
@@ -206,5 +313,6 @@ enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *fil
         return wf_fail(e, WF_EUSAGE, "give one of --rest and --unload: --unload takes the stress-free shape");
     if (t->unload) out->shape = WF_SHAPE_UNLOADED;
     out->stands_strictly = t->strict;
-    return take_crown(t, a, &out->silhouette, d, e);
+    s = take_hollow(t, a, out, d, e);
+    return s ? s : take_crown(t, a, &out->silhouette, d, e);
 }

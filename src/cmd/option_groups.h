@@ -14,6 +14,13 @@
 const char *wf_solver_word(size_t i);
 const char *wf_preset_word(size_t i);
 const char *wf_shelter_word(size_t i);
+const char *wf_branch_strength_word(size_t i);
+/* Strength of branches; into a const char * (NULL: not given). */
+#define WF_BRANCH_STRENGTH_ROW(in)                                                                           \
+    WORD("--branch-strength", in, "HOW", wf_branch_strength_word, NULL,                                      \
+         "what branches bear at most, over the clear wood of the stem: full: what the species table says; "  \
+         "inside-bark 0.72; over-bark 0.55; over-bark-circle 0.40, where one diameter was measured "         \
+         "[over-bark, inside-bark where bark is taken off; full with the preset or the table of a paper]")
 const char *wf_profile_word(size_t i);
 const char *wf_site_word(size_t i);
 const char *wf_design_word(size_t i);
@@ -32,6 +39,14 @@ bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *w
 #define WF_AZIMUTH_ROW(m)                                                                                    \
     NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \
            "direction the wind blows towards, from +x towards +y")
+
+/* How many samples an interval has; into members samples and seed. `f`: when they have no effect. */
+#define WF_SAMPLE_ROWS(f)                                                                                    \
+    WHOLE("--samples", samples, 0, 4096, "256",                                                              \
+          "samples of what is not known exactly, for the interval of the critical wind: 0, none, or 20 and " \
+          "more. Where it is not given, none for trees of more than 65536 segments times samples",           \
+          .unused = f),                                                                                      \
+        WHOLE("--seed", seed, 0, 1000000000, "1", "of the samples", .unused = f)
 
 /* For the rows of a group: its struct, and when a row has no effect. */
 #define WF_UNUSED(in, f) .group = offsetof(OPTIONS, in), .unused = f
@@ -136,6 +151,64 @@ bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *wh
 enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset, struct wf_arena *a,
                                   struct wf_diag *d, struct wf_scenario *out, struct wf_err *e);
 
+/* Water that rain leaves on the leaves of a tree. */
+struct wf_water_asked {
+    const char *storage; /* row of wf_storages                */
+    double film, rain;   /* [m], [m/s]; NAN: not given        */
+};
+const char *wf_storage_word(size_t i);
+bool wf_water_row_unused(const void *options, const struct wf_option *o, char *why);
+#define WF_OF_WATER(in) WF_UNUSED(in, wf_water_row_unused)
+#define WF_WATER_ROWS(in)                                                                                    \
+    NUMBER("--water-film", in.film, "DEPTH", LENGTH, "mm", 0, 5, NULL,                                       \
+           "rain held by the leaves, per one-sided leaf area: added mass; the tree is compared with the "    \
+           "dry one"),                                                                                       \
+        NUMBER("--rain", in.rain, "RATE", SPEED, "mm/h", 0, 3600, NULL,                                      \
+               "rain that has filled what leaves can hold, see --storage; heavier rain fills it sooner",     \
+               WF_OF_WATER(in)),                                                                             \
+        WORD("--storage", in.storage, "NAME", wf_storage_word, "watergap",                                   \
+             "water that leaves hold per one-sided area: watergap 0.3 mm, dipped 0.19 mm, simulator-least "  \
+             "0.51 mm, simulator-most 1.81 mm",                                                              \
+             WF_OF_WATER(in))
+/* Water per one-sided leaf area that these words mean [kg m-2]; 0: dry. */
+double wf_water_asked_film(const struct wf_water_asked *w);
+/* Where it is a storage: a warning that says whose. */
+void wf_water_asked_warn(const struct wf_water_asked *w, struct wf_diag *d);
+
+/* What is said of soil and root. */
+struct wf_anchorage_asked {
+    const char *soil, *rooting, *method; /* NULL: not given */
+    const char *curve, *table;
+    double pull_moment, secant; /* [N m], [N m rad-1]; NAN: not given */
+};
+const char *wf_soil_word(size_t i);
+bool wf_anchorage_row_unused(const void *options, const struct wf_option *o, char *why);
+#define WF_ANCHORAGE_ROWS(in)                                                                                \
+    WORD("--soil", in.soil, "KIND", wf_soil_word, NULL,                                                      \
+         "ground that the roots are in: unless a test says more, anchorage is then taken by size, of trees " \
+         "in several soils, so that overturning is assessed; unknown: it is not"),                           \
+        CHOICE("--rooting", in.rooting, "DEPTH", "shallow|medium|deep", NULL,                                \
+               "depth of the roots, for rows of --anchorage-table: below 40 cm, 40 to 80 cm, above 80 cm",   \
+               WF_UNUSED(in, wf_anchorage_row_unused)),                                                      \
+        NUMBER("--pull-moment", in.pull_moment, "MOMENT", MOMENT, "kN m", 1e-3, 1e5, NULL,                   \
+               "anchorage by a pulling test: moment on the ground at 0.25 deg of the root plate; 2.5 times " \
+               "that overturns the tree"),                                                                   \
+        NUMBER("--root-secant", in.secant, "STIFFNESS", ROTATIONAL_STIFFNESS, "N m/rad", 1, 1e12, NULL,      \
+               "the same by the root's secant stiffness at 0.25 deg"),                                       \
+        PATH("--tipping-curve", in.curve, "FILE", NULL,                                                      \
+             "the same by a measured curve up to its largest moment, a CSV with columns phi_deg and "        \
+             "moment_kNm"),                                                                                  \
+        PATH("--anchorage-table", in.table, "FILE", NULL,                                                    \
+             "the same per mass of the stem: a CSV with columns species, soil, rooting and Nm_per_kg"),      \
+        CHOICE("--anchorage", in.method, "METHOD", "size|mass|root-stiffness", NULL,                         \
+               "the same without a test: by diameter and height; by the stem's mass, of four conifers of "   \
+               "British Columbia; or by --root-stiffness, where that was fitted at 0.25 deg")
+/* Put them into a scenario; the stiffness of --root-stiffness (NAN: none). Files are read; their mistakes are
+ * in `d`. */
+enum wf_status wf_anchorage_asked_read(const struct wf_anchorage_asked *asked, double root_stiffness,
+                                       struct wf_arena *a, struct wf_diag *d, struct wf_scenario *out,
+                                       struct wf_err *e);
+
 /* A gust model's parameters and file; into any struct with texts set, file (NULL: not given) and a struct
  * wf_record_words record. `f`: when they have no effect. */
 #define WF_GUST_ROWS(in, f)                                                                                  \
@@ -205,9 +278,11 @@ struct wf_tree_asked {
     const char *season;               /* "leaf_on" or "leaf_off"; NULL: the model's      */
     struct wf_silhouette crown;       /* in place of the model's; NAN: not given */
     const char *crown_form, *outline; /* NULL: not given                         */
+    double outline_base, outline_top; /* heights of an SVG's lowest and highest point [m]; NAN: not given */
     bool unload, strict;
     const char *rest;    /* "as-drawn" or "stress-free"; NULL: a measured tree as drawn, a model as it says */
     const char *scanned; /* "leaf_on" or "leaf_off"; NULL: as the season */
+    const char *bark, *cavities; /* NULL: the model's */
     struct wf_scan_asked scan;
 };
 #define WF_TREE_ROWS(in)                                                                                     \
@@ -246,15 +321,30 @@ struct wf_tree_asked {
         PATH(                                                                                                \
             "--crown-outline", in.outline, "FILE", NULL,                                                     \
             "the crown's outline on a photograph, in place of --frontal-area: a table with the columns x_m " \
-            "and z_m (height above the ground), a point a row"),                                             \
+            "and z_m (height above the ground), a point a row, or an SVG file with one closed path"),        \
+        NUMBER("--outline-base", in.outline_base, "HEIGHT", LENGTH, "m", 0, 150, NULL,                       \
+               "of the lowest point of an SVG's outline above the ground",                                   \
+               WF_UNUSED(in, wf_tree_row_unused)),                                                           \
+        NUMBER("--outline-top", in.outline_top, "HEIGHT", LENGTH, "m", 0.01, 150, NULL,                      \
+               "of its highest point: both scale the drawing", WF_UNUSED(in, wf_tree_row_unused)),           \
         NUMBER("--crown-mass", in.crown.mass, "MASS", MASS, "kg", 1e-6, 1e6, NULL,                           \
                "fresh mass of branches and leaves of a stem without branches"),                              \
         NUMBER("--crown-density", in.crown.density, "DENSITY", DENSITY, "kg/m3", 1e-3, 100, NULL,            \
-               "the same per volume of the cone of --crown-width and --crown-depth; ForestGALES: 2.5 most "  \
+               "the same per volume of the cone of crown width and depth; ForestGALES: 2.5 most "            \
                "conifers, 1.22 birch, 1.38 beech and oak"),                                                  \
+        TEXT("--crown-mass-by", in.crown.by, "RULE", NULL,                                                   \
+             "the same by a rule: forestgales, per volume of the cone, or wcc, by the diameter at 1.3 m; "   \
+             "the "                                                                                          \
+             "kind of the species, or RULE:KIND (forestgales:oak)"),                                         \
         NUMBER(                                                                                              \
             "--leaf-off-share", in.crown.leafless, "SHARE", NONE, NULL, 0, 1, NULL,                          \
             "share of the crown's load that is left in the season leaf_off [0.5 without branches, else 0]"), \
+        TEXT("--bark", in.bark, "THICKNESS", NULL,                                                           \
+             "bark of the stem, which is mass without strength or stiffness: a thickness at 1.3 m (15mm), "  \
+             "species, or none [by the species for a measured tree; the model's]"),                          \
+        TEXTS("--cavity", in.cavities, "AT:WALL|AT:FILE|FILE",                                               \
+              "cavities of the stem in place of the model's: height and sound wall (1.3m:80mm), height and " \
+              "a tomograph's CSV (angle_deg, outer_m, sound_m), or a YAML file with 'cavities'"),            \
         FLAG("--unload", in.unload,                                                                          \
              "find the stress-free shape of a tree that stands under its own weight, and take that"),        \
         WF_SCAN_ROWS(in.scan, WF_UNUSED(in, wf_tree_row_unused))

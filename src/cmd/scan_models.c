@@ -3,6 +3,7 @@
 #include "base/interrupt.h"
 #include "base/progress.h"
 #include "cmd/commands.h"
+#include "study/verdict.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -12,8 +13,12 @@ struct models_range {
     double speed[2], height[2]; /* least and most [m/s], [m] */
 };
 
-static void range_add(struct models_range *r, size_t number, double height, const struct wf_critical *c)
+/* The critical wind is that of the headline: the tree is lost. */
+static void range_add(struct models_range *r, size_t number, const struct wf_analysis *an)
 {
+    struct wf_verdict v = wf_verdict_of(an->breaks);
+    const struct wf_critical *c = &v.loss->critical;
+    double height = an->tallness;
     r->height[0] = r->n ? fmin(r->height[0], height) : height;
     r->height[1] = r->n ? fmax(r->height[1], height) : height;
     r->n++;
@@ -41,8 +46,7 @@ static enum wf_status analyse_model(const struct wf_scan_models *w, size_t numbe
         wf_stage_item(number, w->models);
         s = wf_analyze(&w->species[k], &model, w->scenario, w->search, w->solver, w->solve, w->wind->speed,
                        w->wind->n, &a, &d, &an, e);
-        if (!s && !wf_interrupted())
-            range_add(&range[k], number, an.tallness, &an.breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
+        if (!s && !wf_interrupted()) range_add(&range[k], number, &an);
     }
     wf_progress_clear();
     wf_arena_free(&a);
@@ -75,9 +79,7 @@ enum wf_status wf_scan_models_analyse(const struct wf_scan_models *w, struct wf_
 {
     struct models_range *range = WF_TAKE(a, w->n, struct models_range);
     if (!range) return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", w->n);
-    for (size_t k = 0; k < w->n; k++)
-        range_add(&range[k], 1, w->first[k].tallness,
-                  &w->first[k].breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical);
+    for (size_t k = 0; k < w->n; k++) range_add(&range[k], 1, &w->first[k]);
     for (size_t m = 2; m <= w->models && !wf_interrupted(); m++) {
         enum wf_status s = analyse_model(w, m, range, e);
         if (s) return s;

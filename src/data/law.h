@@ -28,6 +28,14 @@ struct wf_value {
     const char *note;   /* NULL when there is none */
 };
 
+/* Double bark of a species over its diameter. */
+struct wf_bark_law {
+    bool given;
+    size_t terms;          /* of `coefficient`; 3 */
+    double *coefficient;   /* a, b, c of a + b d + c d^2 [mm], d the diameter over bark [cm] */
+    struct wf_value share; /* thickness over that of the law [-]; 1, with its range */
+};
+
 /* A list of numbers. */
 struct wf_numbers {
     size_t n;

@@ -3,6 +3,7 @@
 #include "base/num.h"
 #include "base/yaml.h"
 #include "data/branching.h"
+#include "data/crown_mass.h"
 #include "data/species.h"
 #include <math.h>
 #include <stdio.h>
@@ -217,8 +218,10 @@ const char *wf_silhouette_wrong(const struct wf_silhouette *s, const char **why)
     if (wide != deep) return wide ? "crown_width" : "crown_depth";
     *why = "is not used beside crown_mass";
     if (s->mass > 0 && s->density > 0) return "crown_density";
-    *why = "needs crown_width and crown_depth: it is of their cone";
-    return s->density > 0 && !wide ? "crown_density" : NULL;
+    *why = "is not used beside crown_mass or crown_density";
+    if (s->by && (s->mass > 0 || s->density > 0)) return "crown_mass_by";
+    *why = "needs crown_width and crown_depth or an outline: it is of their cone";
+    return s->density > 0 && !wide && !s->points ? "crown_density" : NULL;
 }
 
 #define OUTLINE(k, member, from, text)                                                                       \
@@ -293,10 +296,22 @@ static const struct wf_yaml_row model_rows[] = {
                     "The same per volume of the cone of crown_width and crown_depth. ForestGALES: 2.5 most "
                     "conifers, 1.22 birch, 1.38 beech and oak.",
                     .absent = "not given", .example = "2.5 kg/m3"),
+    WF_KEY_TEXT(
+        "crown_mass_by", silhouette.by,
+        "The same by a rule: forestgales, mass per volume of the cone, or wcc, by the diameter at 1.3 m; "
+        "with the kind of the species, or as RULE:KIND.",
+        .absent = "not given", .example = "forestgales"),
     WF_KEY_NUMBER("leaf_off_share", silhouette.leafless, 0, 1,
                   "Share of the crown's load that is left in the season leaf_off.",
                   .absent = "0.5 without branches, else 0: the axes drawn have their own drag",
                   .example = "0.4"),
+    WF_KEY_TEXT(
+        "bark", bark_said,
+        "Bark on the stem, whose radii are over bark: a thickness at 1.3 m, or 'species' for the law of the "
+        "species. It is mass and surface, without stiffness or strength.",
+        .absent = "none: the radii are of wood", .example = "15 mm"),
+    WF_KEY_LIST("cavities", cavity, cavities, wf_cavity_table, "Cavities of the stem.",
+                .absent = "a sound stem"),
     WF_KEY_LIST("branches", branching, branchings, wf_branching_table,
                 "The branching levels above the stem: first the branches on the stem, then those on them.",
                 .absent = "needed by generator levels, refused by the others"),
@@ -321,7 +336,7 @@ static void check_piece(struct wf_yaml *y, const char *list, const char *key, si
 static void check_stem(struct wf_yaml *y, struct wf_model *m)
 {
     bool flat = wf_yaml_has(y, "stem.sections");
-    static const char *const round[] = { "stem.taper", "stem.base_radius", "crown" };
+    static const char *const round[] = { "stem.taper", "stem.base_radius", "crown", "bark", "cavities" };
     static const char *const own[] = { "stem.turn", "stem.masses" };
     if (!flat && wf_yaml_has(y, "stem") && !wf_yaml_has(y, "stem.taper"))
         wf_yaml_error(
@@ -431,8 +446,13 @@ static void model_finish(struct wf_yaml *y, void *model)
         m->leaf_area = wf_yaml_has(y, "leaves") ? m->foliage.area : 0;
     m->leaf_area_on = m->leaf_area;
     wf_model_set_season(m, m->season);
+    struct wf_err bad = { 0 };
+    if (m->bark_said && !wf_bark_read(m->bark_said, &m->bark, &bad)) wf_yaml_error(y, "bark", "%s", bad.text);
     const char *why, *wrong = wf_silhouette_wrong(&m->silhouette, &why);
     if (wrong) wf_yaml_error(y, wrong, "%s", why);
+    struct wf_err e = { WF_OK, "" };
+    if (m->silhouette.by && wf_crown_rule_check(m->silhouette.by, &e))
+        wf_yaml_error(y, "crown_mass_by", "%s", e.text);
 }
 
 const struct wf_yaml_table wf_model_table = {
@@ -494,7 +514,8 @@ enum wf_status wf_model_read(const char *path, struct wf_arena *a, struct wf_mod
 {
     *out = (struct wf_model){ .file = wf_arena_text(a, path) };
     if (!out->file) return wf_fail(e, WF_ENOMEM, "%s: no memory", path);
-    return wf_yaml_read(path, &wf_model_table, out, a, d, e);
+    enum wf_status s = wf_yaml_read(path, &wf_model_table, out, a, d, e);
+    return s ? s : wf_cavities_settle(path, out->cavity, out->cavities, a, d, e);
 }
 
 char *wf_model_schema(struct wf_arena *a, struct wf_err *e) { return wf_yaml_schema(&wf_model_table, a, e); }

@@ -6,7 +6,9 @@
 #include "base/arena.h"
 #include "base/err.h"
 #include "base/yaml.h"
+#include "data/bark.h"
 #include "data/branching.h"
+#include "data/cavity.h"
 #include "data/ifs.h"
 #include "data/section.h"
 #include "data/tree.h"
@@ -61,6 +63,7 @@ struct wf_silhouette {
     double *x, *z;   /* to the side and above the ground [m] */
     double mass;     /* of branches and leaves that are not drawn, in place of the leaves' [kg] */
     double density;  /* the same per volume of the cone of width and depth [kg m-3] */
+    const char *by;  /* the same by a rule of data/crown_mass.h; NULL: none */
     double leafless; /* share of the load that is left without leaves [-]; NAN: by the tree's kind */
 };
 
@@ -96,7 +99,11 @@ struct wf_model {
     size_t sections, masses;        /* generator stem; sections 0: round, by radius and taper             */
     struct wf_stem_section *section;
     struct wf_stem_mass *mass;
-    double turn; /* of the sections about the axis, right-handed [rad] */
+    double turn;           /* of the sections about the axis, right-handed [rad] */
+    const char *bark_said; /* as written; NULL: not given */
+    struct wf_bark_said bark;
+    size_t cavities;
+    struct wf_cavity *cavity;
 };
 
 /* Read a tree model. Given: path, arena for all that is kept. Returned: *out. Errors: WF_EINPUT with all

@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "base/text.h"
 #include "base/units.h"
+#include "data/bark.h"
 #include "data/law_schema.h"
 #include <math.h>
 #include <stdio.h>
@@ -34,16 +35,28 @@ const struct wf_level *wf_species_wood(const struct wf_species *sp, int32_t orde
  * two planes along the grain; 16 is near the middle. Bending hardly depends on it, torsion does. */
 static const double modulus_ratio = 16.0;
 
+/* Shear strength when it was not measured, over the modulus of rupture: ash branches broke in torsion at 11.2
+ * MPa and in bending at 75.5 MPa (Arboriculture & Urban Forestry 40(1):36, 2014). */
+static const double shear_ratio = 0.15;
+
+/* A value that follows from another one of the table. */
+static struct wf_value derived(const struct wf_value *v, double ratio, const char *note)
+{
+    return (struct wf_value){ .value = v->value * ratio,
+                              .low = v->low * ratio,
+                              .high = v->high * ratio,
+                              .standing = WF_ASSUMED,
+                              .note = note };
+}
+
 static void level_finish(struct wf_yaml *y, void *level)
 {
     struct wf_level *l = level;
     (void)y;
-    if (l->shear_modulus.given) return;
-    l->shear_modulus = (struct wf_value){ .value = l->youngs_modulus.value / modulus_ratio,
-                                          .low = l->youngs_modulus.low / modulus_ratio,
-                                          .high = l->youngs_modulus.high / modulus_ratio,
-                                          .standing = WF_ASSUMED,
-                                          .note = "youngs_modulus / 16" };
+    if (!l->shear_modulus.given)
+        l->shear_modulus = derived(&l->youngs_modulus, 1.0 / modulus_ratio, "youngs_modulus / 16");
+    if (!l->shear_strength.given && l->modulus_of_rupture.given)
+        l->shear_strength = derived(&l->modulus_of_rupture, shear_ratio, "0.15 times modulus_of_rupture");
 }
 
 static void wall_finish(struct wf_yaml *y, void *level)
@@ -105,7 +118,7 @@ struct property_row {
     size_t column;   /* of struct wf_tree; 0: none. Rows with one column follow each other           */
     bool factor;     /* multiplies what the row before put there                                     */
     bool on_links;   /* set on links too; else 0 there                                               */
-    bool optional;   /* not given: `absent` goes to the column                                       */
+    bool optional;   /* not given: `absent` goes to the column, as where a value follows from no other */
     double absent;
 };
 
@@ -133,6 +146,27 @@ static const struct property_row level_values[] = {
     { LEVEL(modulus_of_rupture, WF_DIM_PRESSURE, "MPa", 1e5, 2e9, .absent = "no breakage check of this level",
             .doc = "Bending strength along the grain, green, of clear wood.", .example = "60 MPa"),
       .acts = WF_ACTS_GIVEN, COLUMN(strength), ABSENT(0) },
+    { LEVEL(compressive_strength, WF_DIM_PRESSURE, "MPa", 1e5, 2e9,
+            .absent = "the elastic limit of this level is not assessed",
+            .doc = "Strength in compression along the grain, green.", .example = "25 MPa"),
+      .acts = WF_ACTS_GIVEN, COLUMN(compressive), ABSENT(0) },
+    { LEVEL(shear_strength, WF_DIM_PRESSURE, "MPa", 1e4, 2e9, .absent = "0.15 modulus_of_rupture, assumed",
+            .doc = "Strength in shear along the grain, green.", .example = "6 MPa"),
+      COLUMN(shearing) },
+    { LEVEL(tangential_strength, WF_DIM_PRESSURE, "MPa", 1e4, 2e9,
+            .absent = "splitting of hollow sections is not assessed",
+            .doc = "Strength in tension across the grain, along the rings, green.", .example = "2.5 MPa"),
+      .acts = WF_ACTS_GIVEN, COLUMN(tangential), ABSENT(0) },
+    { LEVEL(tangential_modulus, WF_DIM_PRESSURE, "GPa", 1e5, 100e9,
+            .absent = "ovalisation of hollow sections is not assessed",
+            .doc = "Young's modulus across the grain, along the rings, green.", .example = "0.4 GPa"),
+      .acts = WF_ACTS_GIVEN, COLUMN(transverse), ABSENT(0) },
+    { LEVEL(poisson_lt, WF_DIM_NONE, NULL, 0, 0.99, .initial = "0", .absent = "0, on the safe side",
+            .doc = "Poisson's ratio: strain along the rings by stress along the grain.", .example = "0.4"),
+      .acts = WF_ACTS_GIVEN },
+    { LEVEL(poisson_tl, WF_DIM_NONE, NULL, 0, 0.99, .initial = "0", .absent = "0, on the safe side",
+            .doc = "Poisson's ratio: strain along the grain by stress along the rings.", .example = "0.03"),
+      .acts = WF_ACTS_GIVEN },
     { LEVEL(radius, WF_DIM_LENGTH, "mm", 1e-5, 5, .required = true,
             .doc = "Typical outer radius at the base of the axis.", .example = "50 mm"),
       .acts = WF_ACTS_SIZE },
@@ -154,6 +188,15 @@ static const struct property_row level_values[] = {
 
 #define CROWN(k, ...)                                                                                        \
     .yaml = { .key = #k, WF_VALUE_ROW(struct wf_species, crown.k), .required = true, __VA_ARGS__ }
+#define LEAF(k, dim, u, from, to, without, ...)                                                              \
+    .yaml = { .key = #k,                                                                                     \
+              WF_VALUE_ROW(struct wf_species, crown.k),                                                      \
+              .dimension = dim,                                                                              \
+              .unit = u,                                                                                     \
+              .low = from,                                                                                   \
+              .high = to,                                                                                    \
+              .absent = without,                                                                             \
+              __VA_ARGS__ }
 static const struct property_row crown_values[] = {
     { CROWN(drag_coefficient, .low = 0, .high = 3,
             .doc = "Drag coefficient of the crown on its frontal area in still air.", .example = "0.5"),
@@ -163,6 +206,22 @@ static const struct property_row crown_values[] = {
     { CROWN(frontal_share, .low = 0, .high = 1,
             .doc = "Frontal area of the crown in still air over its one-sided leaf area.", .example = "0.3"),
       .was = "leaf_frontal_share" },
+    { LEAF(leaf_area, WF_DIM_AREA, "cm2", 1e-6, 2, "leaf as long as windfirm rain takes it",
+           .doc = "One-sided area of a typical leaf; its mass follows from leaf_mass_per_area.",
+           .example = "28 cm2"),
+      .acts = WF_ACTS_DROPS },
+    { LEAF(leaf_contact_angle, WF_DIM_ANGLE, "deg", 0.01, 3.14, "60 deg, assumed by windfirm rain",
+           .doc = "Contact angle of water on the upper side of the leaf.", .example = "100 deg"),
+      .acts = WF_ACTS_DROPS },
+    { LEAF(petiole_length, WF_DIM_LENGTH, "mm", 5e-4, 1, "3 cm, assumed by windfirm rain",
+           .doc = "Length of the petiole.", .example = "40 mm"),
+      .acts = WF_ACTS_DROPS },
+    { LEAF(petiole_diameter, WF_DIM_LENGTH, "mm", 1e-4, 0.05, "1.6 mm, assumed by windfirm rain",
+           .doc = "Mean diameter of the petiole.", .example = "1.6 mm"),
+      .acts = WF_ACTS_DROPS },
+    { LEAF(petiole_modulus, WF_DIM_PRESSURE, "GPa", 1e6, 2e10, "0.5 GPa, assumed by windfirm rain",
+           .doc = "Young's modulus of the petiole along its axis, green.", .example = "0.5 GPa"),
+      .acts = WF_ACTS_DROPS },
     { .yaml.key = NULL },
 };
 
@@ -223,8 +282,9 @@ void wf_level_onto(const struct wf_level *l, struct wf_tree *t, size_t i, bool l
         else if (link && !r->on_links)
             column[i] = 0;
         else
-            column[i] = r->optional && !v->given ? r->absent : v->value;
+            column[i] = (r->optional && !v->given) || isnan(v->value) ? r->absent : v->value;
     }
+    t->transverse[i] /= 1 - l->poisson_lt.value * l->poisson_tl.value;
 }
 
 #define TEXT(k, member) .key = k, .kind = WF_YAML_TEXT, .offset = offsetof(struct wf_species, member)
@@ -253,6 +313,13 @@ static const struct wf_yaml_row species_rows[] = {
       .count = offsetof(struct wf_species, sources),
       .doc = "Full citations by key; values refer to the keys.",
       .example = "{tang2012: \"Tang L. et al. 2012. Trans. Chin. Soc. Agric. Mach. 43(1):165-168\"}" },
+    { .key = "bark",
+      .kind = WF_YAML_TABLE,
+      .table = &wf_bark_table,
+      .offset = offsetof(struct wf_species, bark),
+      .given = 1 + offsetof(struct wf_species, bark.given),
+      .absent = "not known; the radii of a measured tree are then taken as wood",
+      .doc = "Thickness of the bark of the stem." },
     { .key = "levels",
       .kind = WF_YAML_LIST,
       .required = true,
@@ -324,6 +391,7 @@ static void species_finish(struct wf_yaml *y, void *species)
         source_exists(y, sp, sp->level[i].wall_note.source, place);
     }
     sources_of_rows(y, sp, crown_values, sp, "crown");
+    source_exists(y, sp, sp->bark.share.source, "bark.share.source");
     sources_of_law(y, sp, &sp->streamlining, "crown.streamlining");
     sources_of_law(y, sp, &sp->axis_drag, "axis_drag");
     wf_law_settle(&sp->streamlining);

@@ -18,19 +18,25 @@ extern "C" {
 struct wf_yaml_pair;
 
 struct wf_level {
-    const char *name;                   /* "culm", "branch", ... */
-    struct wf_value youngs_modulus;     /* longitudinal, green [Pa]             */
-    struct wf_value shear_modulus;      /* longitudinal-transverse; not given: E/16 [Pa] */
-    struct wf_value density;            /* green, as it stands [kg m-3]         */
-    struct wf_value modulus_of_rupture; /* green, bending [Pa]; not given: no breakage check */
-    struct wf_value radius;             /* typical outer radius at the axis' base [m] */
-    struct wf_value damping_ratio;      /* of critical, internal [-]            */
-    struct wf_value knot_factor;        /* strength of the stem / clear wood, 0..1 [-] */
-    struct wf_value drag_coefficient;   /* of the bare axis, cross-flow; not given: by its law [-] */
-    struct wf_value lift_coefficient;   /* across wind and axis, default 0 [-]  */
-    struct wf_along wall;               /* wall thickness / local outer radius, along the axis [-];
-                                           n == 0: solid                        */
-    struct wf_value wall_note;          /* source and standing of `wall`        */
+    const char *name;                     /* "culm", "branch", ... */
+    struct wf_value youngs_modulus;       /* longitudinal, green [Pa]             */
+    struct wf_value shear_modulus;        /* longitudinal-transverse; not given: E/16 [Pa] */
+    struct wf_value density;              /* green, as it stands [kg m-3]         */
+    struct wf_value modulus_of_rupture;   /* green, bending [Pa]; not given: no breakage check */
+    struct wf_value compressive_strength; /* green, along the grain [Pa]; not given: not assessed */
+    struct wf_value shear_strength; /* green, along the grain [Pa]; not given: 0.15 x modulus of rupture */
+    struct wf_value
+        tangential_strength;            /* green, in tension across the grain [Pa]; not given: not assessed */
+    struct wf_value tangential_modulus; /* Young's modulus across the grain [Pa]; not given: not assessed */
+    struct wf_value poisson_lt, poisson_tl; /* Poisson's ratios, default 0, on the safe side [-] */
+    struct wf_value radius;                 /* typical outer radius at the axis' base [m] */
+    struct wf_value damping_ratio;          /* of critical, internal [-]            */
+    struct wf_value knot_factor;            /* strength of the stem / clear wood, 0..1 [-] */
+    struct wf_value drag_coefficient;       /* of the bare axis, cross-flow; not given: by its law [-] */
+    struct wf_value lift_coefficient;       /* across wind and axis, default 0 [-]  */
+    struct wf_along wall;                   /* wall thickness / local outer radius, along the axis [-];
+                                               n == 0: solid                        */
+    struct wf_value wall_note;              /* source and standing of `wall`        */
 };
 
 /* The leaves in the wind; none of it given: a species without leaves. */
@@ -38,6 +44,9 @@ struct wf_crown {
     struct wf_value drag_coefficient;   /* on the frontal area in still air [-]                */
     struct wf_value leaf_mass_per_area; /* fresh leaf mass per one-sided leaf area [kg m-2]    */
     struct wf_value frontal_share;      /* still-air frontal area per one-sided leaf area [-]  */
+    /* of one leaf, for drops on it; not given where the table has none */
+    struct wf_value leaf_area, leaf_contact_angle;                     /* [m2], [rad]          */
+    struct wf_value petiole_length, petiole_diameter, petiole_modulus; /* [m], [m], [Pa]       */
 };
 
 struct wf_species {
@@ -45,6 +54,7 @@ struct wf_species {
     const char *preset; /* "corrected" or the paper whose numbers are printed */
     size_t levels;
     struct wf_level *level;
+    struct wf_bark_law bark;
     struct wf_crown crown;
     struct wf_law_use streamlining; /* frontal area times drag coefficient over its still-air value */
     struct wf_law_use axis_drag;    /* of axes without a drag_coefficient */
@@ -57,7 +67,8 @@ enum wf_acts {
     WF_ACTS_ALWAYS, /* all, also by its default where the table does not give it                    */
     WF_ACTS_GIVEN,  /* all, where the table gives it; its default has no effect                     */
     WF_ACTS_SIZE,   /* all, where the model gives no size                                           */
-    WF_ACTS_MOTION  /* those of a tree in motion, not those of a steady wind                        */
+    WF_ACTS_MOTION, /* those of a tree in motion, not those of a steady wind                        */
+    WF_ACTS_DROPS   /* those of drops on single leaves, not those of a whole tree                   */
 };
 
 /* One value of a species with its name, the same in files, results and messages. The rows of species.c are
@@ -82,9 +93,10 @@ bool wf_law_property(const struct wf_law *law, const struct wf_law_use *use, siz
                      struct wf_property *out);
 
 /* Put a level's values on row i of a tree: the columns youngs, shear, density, strength (modulus of rupture
- * times knot factor; 0 when not given), drag (NAN when not given: by the law of bare axes), lift and damping.
- * link: the row only joins two parts, with stiffness and damping, without mass, strength, drag and lift.
- * A factor that is 0, as in a level that was not read from a table, counts as 1. */
+ * times knot factor; 0 when not given), compressive, shearing, tangential, transverse (0 when not given),
+ * drag (NAN when not given: by the law of bare axes), lift and damping. link: the row only joins two parts,
+ * with stiffness and damping, without mass, strength, drag and lift. A factor that is 0, as in a level that
+ * was not read from a table, counts as 1. */
 void wf_level_onto(const struct wf_level *l, struct wf_tree *t, size_t i, bool link);
 
 /* Full citation of a source key of the table; NULL when there is none. */

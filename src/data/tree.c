@@ -9,11 +9,13 @@ enum { ROWS_LISTED = 100 };
 
 enum wf_status wf_tree_alloc(struct wf_tree *t, size_t n, struct wf_arena *a, struct wf_err *e)
 {
-    *t = (struct wf_tree){ .n = n };
-    double **column[] = { &t->x0,      &t->y0,       &t->z0,    &t->x1,      &t->y1,      &t->z1,
-                          &t->r0,      &t->r1,       &t->i0,    &t->i1,      &t->youngs,  &t->shear,
-                          &t->density, &t->strength, &t->drag,  &t->lift,    &t->damping, &t->sail0,
-                          &t->sail1,   &t->leaf0,    &t->leaf1, &t->burden0, &t->burden1 };
+    *t = (struct wf_tree){ .n = n, .anchorage = NAN };
+    double **column[] = { &t->x0,         &t->y0,        &t->z0,      &t->x1,          &t->y1,
+                          &t->z1,         &t->r0,        &t->r1,      &t->i0,          &t->i1,
+                          &t->youngs,     &t->shear,     &t->density, &t->strength,    &t->drag,
+                          &t->lift,       &t->damping,   &t->sail0,   &t->sail1,       &t->leaf0,
+                          &t->leaf1,      &t->burden0,   &t->burden1, &t->compressive, &t->shearing,
+                          &t->tangential, &t->transverse };
     t->parent = WF_TAKE(a, n, int32_t);
     t->level = WF_TAKE(a, n, int32_t);
     t->id = WF_TAKE(a, n, int64_t);
@@ -37,6 +39,96 @@ enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, str
     for (size_t k = 0; ok && k < WF_COUNT(column); k++)
         ok = (*column[k] = WF_TAKE(a, (k < 6 ? 1 : 3) * t->n, double)) != NULL;
     return ok ? WF_OK : wf_fail(e, WF_ENOMEM, "no memory for the sections of %zu segments", t->n);
+}
+
+static double part_of(double a, double b, double s) { return s <= 0 ? a : s >= 1 ? b : a + (b - a) * s; }
+
+static void copy_section(const struct wf_tree_sections *from, size_t i, double s0, double s1,
+                         struct wf_tree_sections *to, size_t at)
+{
+    double *const ends[][4] = {
+        { from->width0, from->width1, to->width0, to->width1 },
+        { from->height0, from->height1, to->height0, to->height1 },
+        { from->side0, from->side1, to->side0, to->side1 },
+    };
+    for (size_t k = 0; k < WF_COUNT(ends); k++) {
+        ends[k][2][at] = part_of(ends[k][0][i], ends[k][1][i], s0);
+        ends[k][3][at] = part_of(ends[k][0][i], ends[k][1][i], s1);
+    }
+    for (size_t k = 0; k < 3; k++) {
+        to->mix0[3 * at + k] = part_of(from->mix0[3 * i + k], from->mix1[3 * i + k], s0);
+        to->mix1[3 * at + k] = part_of(from->mix0[3 * i + k], from->mix1[3 * i + k], s1);
+        to->up[3 * at + k] = from->up[3 * i + k];
+    }
+    if (from->hollow) to->hollow[at] = from->hollow[i];
+    if (from->cavity) to->cavity[at] = from->cavity[i];
+}
+
+/* What the row carried on the day of the shape. */
+static void copy_standing(const struct wf_tree_standing *from, size_t i, double s0, double s1,
+                          struct wf_tree_standing *to, size_t at)
+{
+    to->burden0[at] = part_of(from->burden0[i], from->burden1[i], s0);
+    to->burden1[at] = part_of(from->burden0[i], from->burden1[i], s1);
+    if (!from->side0) return;
+    to->side0[at] = part_of(from->side0[i], from->side1[i], s0);
+    to->side1[at] = part_of(from->side0[i], from->side1[i], s1);
+}
+
+void wf_tree_copy_part(const struct wf_tree *from, size_t i, double s0, double s1, struct wf_tree *to,
+                       size_t at)
+{
+    double *const ends[][4] = {
+        { from->x0, from->x1, to->x0, to->x1 },
+        { from->y0, from->y1, to->y0, to->y1 },
+        { from->z0, from->z1, to->z0, to->z1 },
+        { from->r0, from->r1, to->r0, to->r1 },
+        { from->i0, from->i1, to->i0, to->i1 },
+        { from->sail0, from->sail1, to->sail0, to->sail1 },
+        { from->leaf0, from->leaf1, to->leaf0, to->leaf1 },
+        { from->burden0, from->burden1, to->burden0, to->burden1 },
+        { from->bark0, from->bark1, to->bark0, to->bark1 }, /* the last: there may be none */
+    };
+    double *const single[][2] = { { from->youngs, to->youngs },
+                                  { from->shear, to->shear },
+                                  { from->density, to->density },
+                                  { from->strength, to->strength },
+                                  { from->drag, to->drag },
+                                  { from->lift, to->lift },
+                                  { from->damping, to->damping },
+                                  { from->compressive, to->compressive },
+                                  { from->shearing, to->shearing },
+                                  { from->tangential, to->tangential },
+                                  { from->transverse, to->transverse } };
+    for (size_t k = 0; k < WF_COUNT(ends) - !from->bark0; k++) {
+        ends[k][2][at] = part_of(ends[k][0][i], ends[k][1][i], s0);
+        ends[k][3][at] = part_of(ends[k][0][i], ends[k][1][i], s1);
+    }
+    for (size_t k = 0; k < WF_COUNT(single); k++) single[k][1][at] = single[k][0][i];
+    to->level[at] = from->level[i];
+    to->id[at] = from->id[i];
+    if (from->section) copy_section(from->section, i, s0, s1, to->section, at);
+    if (from->standing && to->standing) copy_standing(from->standing, i, s0, s1, to->standing, at);
+}
+
+enum wf_status wf_tree_alloc_bark(struct wf_tree *t, struct wf_arena *a, struct wf_err *e)
+{
+    t->bark0 = WF_TAKE(a, t->n, double);
+    t->bark1 = WF_TAKE(a, t->n, double);
+    return t->bark0 && t->bark1 ? WF_OK
+                                : wf_fail(e, WF_ENOMEM, "no memory for the bark of %zu segments", t->n);
+}
+
+enum wf_status wf_tree_alloc_hollow(struct wf_tree *t, struct wf_arena *a, struct wf_err *e)
+{
+    enum wf_status s = t->section ? WF_OK : wf_tree_alloc_sections(t, a, e);
+    if (s) return s;
+    t->section->hollow = WF_TAKE(a, t->n, const struct wf_hollow *);
+    t->section->cavity = WF_TAKE(a, t->n, int32_t);
+    if (!t->section->hollow || !t->section->cavity)
+        return wf_fail(e, WF_ENOMEM, "no memory for the cavities of %zu segments", t->n);
+    for (size_t i = 0; i < t->n; i++) t->section->cavity[i] = -1;
+    return WF_OK;
 }
 
 static double *copy_column(const double *from, size_t n, struct wf_arena *a)
@@ -88,6 +180,7 @@ static const char *section_row_fault(const struct wf_tree *t, size_t i)
     const struct wf_tree_sections *c = t->section;
     const double *up = c->up + 3 * i, *m0 = c->mix0 + 3 * i, *m1 = c->mix1 + 3 * i;
     double axis[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] };
+    if (c->width0[i] == 0 && c->width1[i] == 0) return NULL; /* by its radii */
     double least = fmin(fmin(c->width0[i], c->width1[i]), fmin(c->height0[i], c->height1[i]));
     if (!(least > 0 && isfinite(c->width0[i] + c->width1[i] + c->height0[i] + c->height1[i])))
         return "a width or height of the section is not positive";
@@ -105,11 +198,13 @@ static const char *section_row_fault(const struct wf_tree *t, size_t i)
 /* What is wrong with row i; NULL: nothing. */
 static const char *row_fault(const struct wf_tree *t, size_t i)
 {
-    const double finite[] = { t->x0[i],      t->y0[i],     t->z0[i],      t->x1[i],       t->y1[i],
-                              t->z1[i],      t->r0[i],     t->r1[i],      t->i0[i],       t->i1[i],
-                              t->youngs[i],  t->shear[i],  t->density[i], t->strength[i], t->lift[i],
-                              t->damping[i], t->sail0[i],  t->sail1[i],   t->leaf0[i],    t->leaf1[i],
-                              t->burden0[i], t->burden1[i] };
+    const double finite[] = { t->x0[i],         t->y0[i],        t->z0[i],          t->x1[i],
+                              t->y1[i],         t->z1[i],        t->r0[i],          t->r1[i],
+                              t->i0[i],         t->i1[i],        t->youngs[i],      t->shear[i],
+                              t->density[i],    t->strength[i],  t->lift[i],        t->damping[i],
+                              t->sail0[i],      t->sail1[i],     t->leaf0[i],       t->leaf1[i],
+                              t->burden0[i],    t->burden1[i],   t->compressive[i], t->shearing[i],
+                              t->tangential[i], t->transverse[i] };
     for (size_t k = 0; k < WF_COUNT(finite); k++)
         if (!isfinite(finite[k])) return "a value is not a finite number";
     if (t->parent[i] < -1 || t->parent[i] >= (int32_t)i) return "the parent is not an earlier row";
@@ -117,6 +212,9 @@ static const char *row_fault(const struct wf_tree *t, size_t i)
     if (!(t->r0[i] > 0 && t->r1[i] > 0)) return "the outer radius is not positive";
     if (!(t->i0[i] >= 0 && t->i1[i] >= 0)) return "the inner radius is negative";
     if (!(t->i0[i] < t->r0[i] && t->i1[i] < t->r1[i])) return "the inner radius is not below the outer";
+    if (t->bark0 && !(t->bark0[i] >= 0 && t->bark1[i] >= 0)) return "the bark is not 0 or more";
+    if (t->bark0 && !(t->bark0[i] < t->r0[i] - t->i0[i] && t->bark1[i] < t->r1[i] - t->i1[i]))
+        return "the bark leaves no wood";
     if (!t->stiff && !(t->youngs[i] > 0 && t->shear[i] > 0)) return "a modulus is not positive";
     for (size_t k = 0; t->stiff && k < 4; k++)
         if (!(t->stiff[4 * i + k] > 0 && isfinite(t->stiff[4 * i + k])))
@@ -128,6 +226,8 @@ static const char *row_fault(const struct wf_tree *t, size_t i)
     if (!(t->sail0[i] >= 0 && t->sail1[i] >= 0 && t->leaf0[i] >= 0 && t->leaf1[i] >= 0))
         return "an area is negative";
     if (!(t->strength[i] >= 0 && t->damping[i] >= 0)) return "the strength or damping ratio is negative";
+    if (!(t->compressive[i] >= 0 && t->shearing[i] >= 0 && t->tangential[i] >= 0 && t->transverse[i] >= 0))
+        return "a strength, or the stiffness across the grain, is negative";
     if (t->bend) {
         const double *k = t->bend + 3 * i, curvature = hypot(hypot(k[0], k[1]), k[2]);
         double c[3] = { t->x1[i] - t->x0[i], t->y1[i] - t->y0[i], t->z1[i] - t->z0[i] };
@@ -154,6 +254,20 @@ enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct 
     if (bad > ROWS_LISTED)
         wf_diag_error(d, NULL, 0, 0, "%s: %zu more segments are wrong", name, bad - (size_t)ROWS_LISTED);
     return bad ? wf_fail(e, WF_EINPUT, "%s: %zu of %zu segments are wrong", name, bad, t->n) : WF_OK;
+}
+
+void wf_tree_scale(struct wf_tree *t, double length, double radius)
+{
+    double *const longer[] = { t->x0, t->y0, t->z0, t->x1, t->y1, t->z1 };
+    double *const thicker[] = { t->r0, t->r1, t->i0, t->i1 };
+    double *const thinner[] = { t->sail0, t->sail1, t->leaf0, t->leaf1, t->burden0, t->burden1 };
+    for (size_t i = 0; i < t->n; i++) {
+        for (size_t k = 0; k < WF_COUNT(longer); k++) longer[k][i] *= length;
+        for (size_t k = 0; k < WF_COUNT(thicker); k++) thicker[k][i] *= radius;
+        for (size_t k = 0; k < WF_COUNT(thinner); k++) thinner[k][i] /= length;
+        if (t->section && t->section->side0) t->section->side0[i] /= length, t->section->side1[i] /= length;
+        for (size_t k = 0; t->bend && k < 3; k++) t->bend[3 * i + k] /= length;
+    }
 }
 
 const char *wf_scope_name(enum wf_scope s)

@@ -23,23 +23,29 @@ struct wf_tree {
     double *x0, *y0, *z0; /* base [m]                                              */
     double *x1, *y1, *z1; /* end [m]                                               */
     double *bend;         /* 3n: initial curvature vector of the axis, global [1/m]; NULL = straight rows */
-    double *r0, *r1;      /* outer radius [m]                                      */
+    double *r0, *r1;      /* outer radius, over bark [m]                           */
     double *i0, *i1;      /* inner radius [m]; 0 = solid                           */
     double *youngs, *shear, *density, *strength; /* E, G [Pa], [kg m-3], MOR*knot factor [Pa] (0: unknown) */
-    double *drag;                                /* cross-flow drag coefficient; NAN = Reynolds law [-]   */
-    double *lift;                                /* lift coefficient [-]                                  */
-    double *damping;                             /* damping ratio [-]                                     */
+    double *compressive, *shearing;              /* strengths along the grain, green [Pa] (0: unknown) */
+    double *tangential;                          /* strength in tension along the rings [Pa] (0: unknown) */
+    double *transverse;        /* E_T / (1 - nu_LT nu_TL), stiffness along the rings [Pa] (0: unknown) */
+    double *drag;              /* cross-flow drag coefficient; NAN = Reynolds law [-]   */
+    double *lift;              /* lift coefficient [-]                                  */
+    double *damping;           /* damping ratio [-]                                     */
     double *sail0, *sail1;     /* still-air crown frontal area times crown Cd per axis length [m] */
     double *leaf0, *leaf1;     /* one-sided leaf area per axis length [m]               */
     double *burden0, *burden1; /* added mass per axis length: leaves, twigs not drawn, water, snow [kg/m] */
     double *mass1;             /* n: point mass at the row's end, without rotary inertia [kg]; NULL = none */
     double *stiff; /* 4n: EA, GA [N], EI, GJ [N m2] of a row, constant along it, instead of those computed
                     * from E, G and the radii (GA includes any shear factor); NULL = from the section */
-    struct wf_tree_sections *section;  /* solid sections that are not round; NULL = round rows */
+    double *bark0, *bark1; /* thickness of the bark [m]: mass and surface, without stiffness or strength;
+                            * NULL = the radii are of wood */
+    struct wf_tree_sections *section;  /* sections that are not rings; NULL = all rows are rings */
     struct wf_tree_standing *standing; /* the tree stands in this shape under its own weight; NULL = the shape
                                         * is free of stress */
-    bool *doubtful; /* n: rows that no scope holds, because their own weight would nearly break them
-                     * (study/rest.h); NULL = none */
+    double anchorage; /* largest moment on the ground that the root carries [N m]; NAN: not known */
+    bool *doubtful;   /* n: rows that no scope holds, because their own weight would nearly break them
+                       * (study/rest.h); NULL = none */
 };
 
 /* What a tree that stands in its shape carried when the shape was drawn or measured, beside its wood and the
@@ -49,11 +55,15 @@ struct wf_tree_standing {
     double *side0, *side1;     /* as struct wf_tree_sections; NULL = round rows */
 };
 
-/* Columns of sections that are not round. The radius columns then hold those of circles of the same area. */
+struct wf_hollow; /* data/hollow.h */
+/* Columns of sections that are not rings. A row has a width and a height, and its radius columns those of a
+ * circle of the same area; or it has a cavity; or neither, and is a ring by its radii. */
 struct wf_tree_sections {
     double *width0, *width1, *height0, *height1; /* [m]                                         */
-    double *mix0, *mix1;   /* 3n: shares of ellipse, rectangle and triangle in the shape; their sum is 1   */
-    double *up;            /* 3n: unit vector across the row along which the height is measured, global    */
+    double *mix0, *mix1; /* 3n: shares of ellipse, rectangle and triangle in the shape; their sum is 1   */
+    double *up;          /* 3n: unit vector across the row along which the height is measured, global    */
+    const struct wf_hollow **hollow; /* n: its section where it has a cavity, else NULL; NULL = no cavities */
+    int32_t *cavity;                 /* n: which of the model's cavities, -1 none; NULL = no cavities */
     double *side0, *side1; /* first moment of the burden about the axis, positive towards up x axis (left,
                             * seen from the base), per length [kg m/m] */
 };
@@ -72,8 +82,20 @@ enum wf_status wf_tree_check(const struct wf_tree *t, struct wf_diag *d, struct 
 enum wf_status wf_tree_stand(struct wf_tree *t, const struct wf_tree *worn, struct wf_arena *a,
                              struct wf_err *e);
 
+/* Copy row i between shares s0 and s1 of its length to row `at` of another tree, which has the same columns;
+ * the parent is the caller's. Of a row that is cut, a mass at its end and a curvature are not copied. */
+void wf_tree_copy_part(const struct wf_tree *from, size_t i, double s0, double s1, struct wf_tree *to,
+                       size_t at);
+
 /* Allocate columns of sections for the tree's n rows, zeroed. Errors: WF_ENOMEM. */
 enum wf_status wf_tree_alloc_sections(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);
+/* The same for the columns of bark, and for those of cavities. */
+enum wf_status wf_tree_alloc_bark(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);
+enum wf_status wf_tree_alloc_hollow(struct wf_tree *t, struct wf_arena *a, struct wf_err *e);
+
+/* Lengthen all axes about the origin and thicken them by factors; leaves, sail and burden stay the same in
+ * total. */
+void wf_tree_scale(struct wf_tree *t, double length, double radius);
 
 double wf_tree_height(const struct wf_tree *t);           /* highest point above the lowest base [m] */
 double wf_tree_length(const struct wf_tree *t, size_t i); /* arc length of row i [m] */
@@ -85,6 +107,8 @@ struct wf_along {
 };
 /* Value of an along-table at relative position s (clamped to its ends); `fallback` when empty. */
 double wf_along_at(const struct wf_along *a, double s, double fallback);
+
+#define WF_BREAST_HEIGHT 1.3 /* above the ground, where a stem is measured [m] */
 
 /* A part of a tree: the whole tree, the stem (level 0), everything but the stem. */
 enum wf_scope { WF_SCOPE_TREE, WF_SCOPE_STEM, WF_SCOPE_BRANCHES, WF_SCOPES };

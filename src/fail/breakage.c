@@ -2,28 +2,48 @@
 #include "base/vec3.h"
 #include "data/section.h"
 #include "fail/fail.h"
+#include "fail/fibre.h"
 #include <math.h>
 
-/* Forces and moments on a section, split along and across its axis, and its outer-fibre stress. */
-struct section_load {
-    double shear, axial, bending, torsion, stress;
-};
-
-static struct section_load section_load_at(const double force[3], const double moment[3],
-                                           const double axis[3], double outer, double inner)
+/* Load on the section at share `at` of row i. */
+static struct wf_section_load section_load_at(const struct wf_tree *t, const struct wf_response *r, size_t i,
+                                              double at, const double force[3], const double moment[3],
+                                              const double axis[3])
 {
-    struct section_load s = { .axial = wf_dot(force, axis), .torsion = wf_dot(moment, axis) };
+    struct wf_section_load s = { .axial = wf_dot(force, axis), .torsion = wf_dot(moment, axis) };
     double v[3], m[3];
     for (int k = 0; k < 3; k++) v[k] = force[k] - s.axial * axis[k], m[k] = moment[k] - s.torsion * axis[k];
     s.shear = sqrt(wf_dot(v, v));
     s.bending = sqrt(wf_dot(m, m));
-    s.stress = s.bending * outer / wf_ring_inertia(outer, inner) + fabs(s.axial) / wf_ring_area(outer, inner);
+    if (!wf_section_is_ring(t, i)) {
+        struct wf_fibre f = wf_fibre_stress(t, r, i, at, force, moment, axis);
+        s.stress = fmax(f.high, -f.low), s.compression = -f.low, s.twist = f.twist;
+        return s;
+    }
+    double outer = wf_wood_radius(t, i, at), inner = wf_between(t->i0[i], t->i1[i], at);
+    double inertia = wf_ring_inertia(outer, inner);
+    double bent = s.bending * outer / inertia, drawn = s.axial / wf_ring_area(outer, inner);
+    s.stress = bent + fabs(drawn);
+    s.compression = bent - drawn;
+    s.twist = 0.5 * fabs(s.torsion) * outer / inertia;
     return s;
 }
 
-/* Stress at s (0..1) of row i: moment by the cubic through both ends, the rest linear. */
-static double stress_inside(const struct wf_tree *t, const struct wf_response *r, size_t i, double s)
+/* A row of a solved tree, with the loads of its ends and, where they were computed, of places near them. */
+struct row {
+    const struct wf_tree *t;
+    const struct wf_response *r;
+    size_t i;
+    struct wf_section_load end[2], near[2];
+    bool have[2];
+};
+
+/* Load at s (0..1) of a row: moment by the cubic through both ends, the rest linear. */
+static struct wf_section_load load_inside(const struct row *w, double s)
 {
+    const struct wf_tree *t = w->t;
+    const struct wf_response *r = w->r;
+    size_t i = w->i;
     double length = wf_tree_length(t, i), left = 1 - s, force[3], moment[3], axis[3], slope0[3], slope1[3];
     const double *f0 = r->force0 + 3 * i, *f1 = r->force1 + 3 * i, *t0 = r->tangent0 + 3 * i,
                  *t1 = r->tangent1 + 3 * i;
@@ -37,84 +57,133 @@ static double stress_inside(const struct wf_tree *t, const struct wf_response *r
                     length * s * left * (left * slope0[k] - s * slope1[k]);
     }
     double size = sqrt(wf_dot(axis, axis));
-    if (!(size > 0)) return 0; /* the two end tangents cancel: only the ends of this row count */
+    /* the two end tangents cancel: only the ends of this row count */
+    if (!(size > 0)) return (struct wf_section_load){ 0 };
     for (int k = 0; k < 3; k++) axis[k] /= size;
-    return section_load_at(force, moment, axis, left * t->r0[i] + s * t->r1[i],
-                           left * t->i0[i] + s * t->i1[i])
-        .stress;
+    return section_load_at(t, r, i, s, force, moment, axis);
 }
 
-/* Largest stress of row i and its place: one of its ends, unless the stress rises inwards from both. In that
- * case a grid of sixteenths is refined three times around its best point. */
-static double row_peak(const struct wf_tree *t, const struct wf_response *r, size_t i, double stress0,
-                       double stress1, double *place)
+static void read_ends(const struct wf_tree *t, const struct wf_response *r, size_t i, struct row *w)
+{
+    *w = (struct row){ .t = t, .r = r, .i = i };
+    w->end[0] = section_load_at(t, r, i, 0, r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i);
+    w->end[1] = section_load_at(t, r, i, 1, r->force1 + 3 * i, r->moment1 + 3 * i, r->tangent1 + 3 * i);
+}
+
+/* What is compared between places of a row: the stress, or with a rule stress over resistance. */
+static double measure(const struct row *w, const struct wf_section_rule *rule, double s,
+                      const struct wf_section_load *l)
+{
+    return rule ? rule->stress(w->t, w->i, s, l) / rule->resistance(w->t, w->i, s) : l->stress;
+}
+
+static double measure_inside(const struct row *w, const struct wf_section_rule *rule, double s)
+{
+    const struct wf_section_load l = load_inside(w, s);
+    return measure(w, rule, s, &l);
+}
+
+/* The measure near an end. The load there serves all rules. */
+static double measure_near(struct row *w, const struct wf_section_rule *rule, int end)
+{
+    const double near = 1.0 / 64, s = end ? 1 - near : near;
+    if (!w->have[end]) w->near[end] = load_inside(w, s), w->have[end] = true;
+    return measure(w, rule, s, &w->near[end]);
+}
+
+/* Largest measure of a row and its place: one of its ends, unless it rises inwards from both. In that case a
+ * grid of sixteenths is refined three times around its best point. */
+static double row_peak(struct row *w, const struct wf_section_rule *rule, double *place)
 {
     enum { GRID = 16, ROUNDS = 4 };
-    const double near = 1.0 / 64;
-    double best = fmax(stress0, stress1), low = 0, high = 1;
-    *place = stress1 > stress0 ? 1 : 0;
-    if (!(stress_inside(t, r, i, near) > stress0 && stress_inside(t, r, i, 1 - near) > stress1)) return best;
+    double at0 = measure(w, rule, 0, &w->end[0]), at1 = measure(w, rule, 1, &w->end[1]);
+    double best = fmax(at0, at1), low = 0, high = 1;
+    *place = at1 > at0 ? 1 : 0;
+    if (!(measure_near(w, rule, 0) > at0 && measure_near(w, rule, 1) > at1)) return best;
     for (int round = 0; round < ROUNDS; round++) {
         double step = (high - low) / GRID;
         for (int k = 1; k < GRID; k++) {
-            double s = low + k * step, stress = stress_inside(t, r, i, s);
-            if (stress > best) best = stress, *place = s;
+            double s = low + k * step, x = measure_inside(w, rule, s);
+            if (x > best) best = x, *place = s;
         }
         low = fmax(0, *place - step), high = fmin(1, *place + step);
     }
     return best;
 }
 
-static double safety_factor(double strength, double stress)
+/* The measure at a place that is known. */
+static double measure_at(const struct row *w, const struct wf_section_rule *rule, double place)
+{
+    if (place > 0 && place < 1) return measure_inside(w, rule, place);
+    return measure(w, rule, place, &w->end[place >= 1]);
+}
+
+static bool take_columns(const struct wf_tree *t, struct wf_breakage *b, struct wf_arena *a)
+{
+    double **column[] = { &b->shear0,   &b->shear1,   &b->axial0,   &b->axial1,    &b->bending0,
+                          &b->bending1, &b->torsion0, &b->torsion1, &b->stress0,   &b->stress1,
+                          &b->safety0,  &b->safety1,  &b->peak,     &b->peak_place };
+    b->n = t->n;
+    for (size_t k = 0; k < sizeof column / sizeof *column; k++)
+        if (!(*column[k] = WF_TAKE(a, t->n, double))) return false;
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_criterion *x = &wf_criteria[c];
+        if (c == WF_BREAKAGE || !x->section || !wf_criterion_known(x, t, WF_SCOPE_TREE)) continue;
+        b->use[c] = WF_TAKE(a, t->n, double);
+        b->use_place[c] = WF_TAKE(a, t->n, double);
+        if (!b->use[c] || !b->use_place[c]) return false;
+    }
+    return true;
+}
+
+/* Stresses of a row at its ends and where they are largest. */
+static void check_row(struct row *w, const struct wf_breakage *like, struct wf_breakage *b)
+{
+    size_t i = w->i;
+    const struct wf_section_load *s0 = &w->end[0], *s1 = &w->end[1];
+    b->shear0[i] = s0->shear, b->shear1[i] = s1->shear;
+    b->axial0[i] = s0->axial, b->axial1[i] = s1->axial;
+    b->bending0[i] = s0->bending, b->bending1[i] = s1->bending;
+    b->torsion0[i] = s0->torsion, b->torsion1[i] = s1->torsion;
+    b->stress0[i] = s0->stress, b->stress1[i] = s1->stress;
+    b->safety0[i] = wf_safety_factor(w->t->strength[i], s0->stress);
+    b->safety1[i] = wf_safety_factor(w->t->strength[i], s1->stress);
+    if (like)
+        b->peak[i] = measure_at(w, NULL, b->peak_place[i] = like->peak_place[i]);
+    else
+        b->peak[i] = row_peak(w, NULL, &b->peak_place[i]);
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_section_rule *rule = wf_criteria[c].section;
+        if (!b->use[c]) continue;
+        b->use_place[c][i] = like ? like->use_place[c][i] : 0;
+        if (!rule->known(w->t, i))
+            b->use[c][i] = NAN;
+        else if (like)
+            b->use[c][i] = measure_at(w, rule, b->use_place[c][i]);
+        else
+            b->use[c][i] = row_peak(w, rule, &b->use_place[c][i]);
+    }
+}
+
+double wf_safety_factor(double strength, double stress)
 {
     if (!(strength > 0)) return NAN;
     return stress > 0 ? strength / stress : INFINITY;
 }
 
-static bool take_columns(struct wf_breakage *b, size_t n, struct wf_arena *a)
-{
-    double **column[] = { &b->shear0,   &b->shear1,   &b->axial0,   &b->axial1,    &b->bending0,
-                          &b->bending1, &b->torsion0, &b->torsion1, &b->stress0,   &b->stress1,
-                          &b->safety0,  &b->safety1,  &b->peak,     &b->peak_place };
-    b->n = n;
-    for (size_t k = 0; k < sizeof column / sizeof *column; k++)
-        if (!(*column[k] = WF_TAKE(a, n, double))) return false;
-    return true;
-}
-
-/* Stress at a place of row i that is known. */
-static double stress_at(const struct wf_tree *t, const struct wf_response *r, size_t i, double stress0,
-                        double stress1, double place)
-{
-    if (place <= 0) return stress0;
-    return place >= 1 ? stress1 : stress_inside(t, r, i, place);
-}
-
-enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, const double *places,
-                                 struct wf_arena *a, struct wf_breakage *b, struct wf_err *e)
+enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r,
+                                 const struct wf_breakage *like, struct wf_arena *a, struct wf_breakage *b,
+                                 struct wf_err *e)
 {
     *b = (struct wf_breakage){ .largest_stress_row = -1 };
     if (r->n != t->n)
         return wf_fail(e, WF_EINTERNAL, "breakage: the answer has %zu segments, the tree %zu", r->n, t->n);
-    if (!take_columns(b, t->n, a))
+    if (!take_columns(t, b, a))
         return wf_fail(e, WF_ENOMEM, "breakage: not enough memory for %zu segments", t->n);
     for (size_t i = 0; i < t->n; i++) {
-        struct section_load s0 =
-            section_load_at(r->force0 + 3 * i, r->moment0 + 3 * i, r->tangent0 + 3 * i, t->r0[i], t->i0[i]);
-        struct section_load s1 =
-            section_load_at(r->force1 + 3 * i, r->moment1 + 3 * i, r->tangent1 + 3 * i, t->r1[i], t->i1[i]);
-        b->shear0[i] = s0.shear, b->shear1[i] = s1.shear;
-        b->axial0[i] = s0.axial, b->axial1[i] = s1.axial;
-        b->bending0[i] = s0.bending, b->bending1[i] = s1.bending;
-        b->torsion0[i] = s0.torsion, b->torsion1[i] = s1.torsion;
-        b->stress0[i] = s0.stress, b->stress1[i] = s1.stress;
-        b->safety0[i] = safety_factor(t->strength[i], s0.stress);
-        b->safety1[i] = safety_factor(t->strength[i], s1.stress);
-
-        if (places)
-            b->peak[i] = stress_at(t, r, i, s0.stress, s1.stress, b->peak_place[i] = places[i]);
-        else
-            b->peak[i] = row_peak(t, r, i, s0.stress, s1.stress, &b->peak_place[i]);
+        struct row w;
+        read_ends(t, r, i, &w);
+        check_row(&w, like, b);
         if (b->largest_stress_row < 0 || b->peak[i] > b->largest_stress)
             b->largest_stress = b->peak[i], b->largest_stress_row = (int32_t)i;
     }
@@ -177,14 +246,4 @@ enum wf_status wf_response_change(const struct wf_tree *t, const struct wf_respo
         take_off(R, rest->moment1 + 3 * i, out->moment1 + 3 * i);
     }
     return WF_OK;
-}
-
-bool wf_breakage_known(const struct wf_tree *t, size_t row) { return t->strength[row] > 0; }
-
-double wf_breakage_safety(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
-                          size_t row, double *place)
-{
-    (void)r;
-    *place = b->peak_place[row];
-    return safety_factor(t->strength[row], b->peak[row]);
 }

@@ -165,7 +165,7 @@ const char *wf_critical_text(enum wf_critical_outcome o)
     case WF_CRITICAL_SELF_WEIGHT:
         return "fails under its own weight, without wind";
     case WF_CRITICAL_NO_STRENGTH:
-        return "no modulus of rupture known";
+        return "its resistance is not known";
     case WF_CRITICAL_UNSOLVED:
         return "no equilibrium found above the speed given";
     case WF_CRITICAL_UNSEARCHED:

@@ -14,10 +14,31 @@
 extern "C" {
 #endif
 
+/* Index in wf_criteria; the first is reported as `critical`. */
+enum wf_criterion_id {
+    WF_BREAKAGE,
+    WF_ELASTIC_LIMIT,
+    WF_TORSION,
+    WF_SPLITTING,
+    WF_OVALISATION,
+    WF_OVERTURNING,         /* with the anchorage as tested */
+    WF_OVERTURNING_WET,     /* in saturated soil, with the higher */
+    WF_OVERTURNING_WETTEST, /* and with the lower share of it */
+    WF_CRITERIA
+};
+
 /* ---- Forces and stresses in sections ---- */
 
 /* Breakage: outer-fibre stress against the modulus of rupture, at both ends of every row and, where the
  * stress has its maximum inside a row (a slender top does not break at its base), there too. */
+
+/* Forces and moments on a section, split along and across its axis, and its stresses. */
+struct wf_section_load {
+    double shear, axial, bending, torsion; /* [N], tension positive [N], [N m], [N m] */
+    double stress;                         /* |M| r / I + |N| / A [Pa] */
+    double compression;                    /* of the compressed side: |M| r / I - N / A [Pa] */
+    double twist; /* shear stress of torsion at the outer fibre, |T| r / (2 I) [Pa] */
+};
 
 struct wf_breakage {
     size_t n;
@@ -30,18 +51,22 @@ struct wf_breakage {
     double *peak, *peak_place;   /* largest stress in the row [Pa]; 0 = at its base, 1 = at its end */
     double largest_stress;       /* [Pa] */
     int32_t largest_stress_row;
+    /* By criterion of sections, stress over resistance at the place of each row where it is largest, and that
+     * place: NAN where the resistance is not known; NULL where it is known of no row. */
+    double *use[WF_CRITERIA], *use_place[WF_CRITERIA];
 };
-/* Section forces, stresses and safety factors of a solved tree. Given: tree and its response; places (n,
- * NULL: searched), where in each row the largest stress is taken: those of a neighbouring response give its
- * derivative without the steps of a search. Returned: *out
+/* Section forces, stresses and safety factors of a solved tree. Given: tree and its response; `like` (NULL:
+ * searched), whose places in each row are taken: those of a neighbouring response give its derivative without
+ * the steps of a search. Returned: *out
  * with arrays of n in the arena. peak, peak_place and largest_stress include the inside of each row;
  * safety0/1 are those of its two ends. Method: inside a row the moment is the cubic that fits moments and
  * forces at both ends (dM/ds = -t x F), force and radii are linear; where the stress rises inwards from both
  * ends its maximum is searched. Source: elementary bending, Timoshenko 1955, Strength of Materials I. Valid
- * for sound, round stems; shear stress and torsion are reported but do not enter the stress. Errors:
- * WF_ENOMEM, WF_EINTERNAL (response of another tree). */
-enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r, const double *places,
-                                 struct wf_arena *a, struct wf_breakage *out, struct wf_err *e);
+ * for sound, round stems; the stress is that of bending and axial force. The place of each criterion's
+ * largest use is searched in the same way. Errors: WF_ENOMEM, WF_EINTERNAL (response of another tree). */
+enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_response *r,
+                                 const struct wf_breakage *like, struct wf_arena *a, struct wf_breakage *out,
+                                 struct wf_err *e);
 
 /* Forces and moments of a response less those of the same tree at rest, turned with each section. Given: the
  * response and the state at rest. Returned: *out, in the arena; all but forces and moments of sections are
@@ -51,6 +76,9 @@ enum wf_status wf_breakage_check(const struct wf_tree *t, const struct wf_respon
 enum wf_status wf_response_change(const struct wf_tree *t, const struct wf_response *rest,
                                   const struct wf_response *r, struct wf_arena *a, struct wf_response *out,
                                   struct wf_err *e);
+
+/* Strength over stress [-]; INFINITY unstressed, NAN where the strength is not known. */
+double wf_safety_factor(double strength, double stress);
 
 /* ---- Criteria ---- */
 
@@ -65,23 +93,67 @@ struct wf_worst {
  * and the branches alone. A new criterion is a value of enum wf_criterion_id, a row in criterion.c and its
  * functions in a file of its own; search and results iterate over the rows. */
 
-enum wf_criterion_id {
-    WF_BREAKAGE,
-    WF_CRITERIA
-}; /* index in wf_criteria; the first is reported as `critical` */
+/* A criterion of a section: at place s of a row (0 = base, 1 = end) a stress is compared with a resistance.
+ */
+struct wf_section_rule {
+    bool (*applies)(const struct wf_tree *t, size_t row); /* NULL: to every row */
+    bool (*known)(const struct wf_tree *t, size_t row);   /* does it apply, with a known resistance? */
+    double (*stress)(const struct wf_tree *t, size_t row, double s, const struct wf_section_load *l);
+    double (*resistance)(const struct wf_tree *t, size_t row, double s);
+};
+enum wf_section_rule_id {
+    WF_RULE_BENDING,     /* stress against modulus of rupture */
+    WF_RULE_ELASTIC,     /* compression against compressive strength */
+    WF_RULE_TORSION,     /* equivalent bending stress of bending and torsion against modulus of rupture */
+    WF_RULE_SPLITTING,   /* nominal stress M / (pi R^2 t) of a thin wall against that which splits it */
+    WF_RULE_OVALISATION, /* the same against that which flattens it */
+    WF_SECTION_RULES
+};
+extern const struct wf_section_rule wf_section_rules[WF_SECTION_RULES];
+
+/* A wall of this share of its mean radius, or thicker, bends as a whole. */
+#define WF_THICK_WALL 0.3
+/* Wall over mean radius of a hollow row at place s [-]. */
+double wf_wall_share(const struct wf_tree *t, size_t row, double s);
+/* Nominal bending stress at which a thin wall splits, sqrt(2/3 E_L f_T t/R), and at which it flattens
+ * (Brazier), (2 sqrt 2 / 9) t/R sqrt(E_L E_T / (1 - nu_LT nu_TL)) [Pa]. Given: E_L, strength along the rings,
+ * stiffness along the rings E_T / (1 - nu_LT nu_TL) [Pa]; wall over mean radius [-]. Derivation:
+ * docs/failure.md. */
+double wf_wall_splits(double youngs, double tangential, double share);
+double wf_wall_flattens(double youngs, double transverse, double share);
 
 struct wf_criterion {
     const char *name, *source, *validity;
-    bool loses_tree; /* the tree is lost where the stem fails by it, so that it can make the headline */
-    /* Is the resistance of a row known? */
+    const char *event; /* what a part does that fails by it: "breaks" */
+    const char *wants; /* key of the species table by which the resistance is known; NULL: none */
+    bool loses_tree;   /* the tree is lost where the stem fails by it, so that it can make the headline */
+    double required;   /* safety that practice wants [-]; 0: 1 */
+    bool whole;        /* of the whole tree: it belongs to the row of its root */
+    const struct wf_section_rule *section; /* criterion of sections; NULL: of the whole tree */
+    /* Where `section` is NULL: is the resistance of a row known? Ask wf_criterion_knows. */
     bool (*known)(const struct wf_tree *t, size_t row);
-    /* Given: tree, its response, its section forces and stresses, a row. Returned: resistance over load at
+    /* The same for safety; ask wf_criterion_safety.
+     * Given: tree, its response, its section forces and stresses, a row. Returned: resistance over load at
      * the place of the row nearest to failure, and that place (0 = the row's base, 1 = its end); NAN: no
      * resistance is known. A criterion of the whole tree belongs to the row of its root. */
     double (*safety)(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
                      size_t row, double *place);
 };
 extern const struct wf_criterion wf_criteria[WF_CRITERIA];
+
+/* Is the resistance of a row known? */
+bool wf_criterion_knows(const struct wf_criterion *c, const struct wf_tree *t, size_t row);
+
+/* Resistance over load of a row, and the place in it, as in struct wf_criterion. */
+double wf_criterion_safety(const struct wf_criterion *c, const struct wf_tree *t, const struct wf_response *r,
+                           const struct wf_breakage *b, size_t row, double *place);
+
+/* Resistance at a place of a row: the stress that it bears [Pa]. NAN: of the whole tree, or no place. */
+double wf_criterion_resistance(const struct wf_criterion *c, const struct wf_tree *t,
+                               const struct wf_worst *at);
+
+/* Does it apply to a row of a scope? Splitting and ovalisation are of thin walls alone. */
+bool wf_criterion_applies(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope);
 
 /* Is the resistance of at least one row of a scope known? */
 bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, enum wf_scope scope);
@@ -91,11 +163,61 @@ bool wf_criterion_known(const struct wf_criterion *c, const struct wf_tree *t, e
 void wf_criteria_check(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
                        struct wf_worst (*worst)[WF_SCOPES]);
 
-/* Functions of the criterion 'breakage' in wf_criteria: is the modulus of rupture of a row known; modulus of
- * rupture over the largest stress of a row. */
-bool wf_breakage_known(const struct wf_tree *t, size_t row);
-double wf_breakage_safety(const struct wf_tree *t, const struct wf_response *r, const struct wf_breakage *b,
-                          size_t row, double *place);
+/* Functions of 'overturning', in fail/anchorage.c: is the anchorage known; the moment that the root carries
+ * over that on the ground, as tested, and with what is left of it in saturated soil. */
+bool wf_overturning_known(const struct wf_tree *t, size_t row);
+double wf_overturning_safety(const struct wf_tree *t, const struct wf_response *r,
+                             const struct wf_breakage *b, size_t row, double *place);
+double wf_overturning_safety_wet(const struct wf_tree *t, const struct wf_response *r,
+                                 const struct wf_breakage *b, size_t row, double *place);
+double wf_overturning_safety_wettest(const struct wf_tree *t, const struct wf_response *r,
+                                     const struct wf_breakage *b, size_t row, double *place);
+
+/* ---- Anchorage of the root: fail/anchorage.c ---- */
+
+struct wf_anchorage_method;
+struct wf_tipping_curve; /* base moment by the inclination of the root plate, read from a file */
+struct wf_anchorage_table;
+
+/* What is said of soil and root; NULL, NAN: not given. */
+struct wf_anchorage_request {
+    const char *method;  /* row of wf_anchorage_methods; NULL: by size where the soil is known */
+    const char *soil;    /* row of wf_soils */
+    const char *rooting; /* "shallow", "medium" or "deep"; of a table */
+    double pull_moment;  /* moment on the ground at 0.25 deg of the root plate [N m] */
+    double secant;       /* that moment over that angle [N m rad-1] */
+    const struct wf_tipping_curve *curve;
+    const struct wf_anchorage_table *table;
+};
+
+/* The reason where nothing is said of soil and root. */
+#define WF_ANCHORAGE_UNSAID "soil and anchorage unknown"
+
+/* The anchorage of one tree. */
+struct wf_anchorage {
+    const struct wf_anchorage_method *method; /* NULL: overturning is not assessed */
+    double moment;  /* largest moment on the ground that the root carries, as tested or by size [N m]; NAN */
+    double scatter; /* standard deviation of its logarithm; NAN: not known */
+    const char *text; /* what it was computed from; or why overturning is not assessed */
+};
+
+/* ---- Strength of branches ---- */
+
+/* What branches bear over the clear wood of their stem: all strengths along the grain of a branch are at most
+ * `factor` times those of clear stem wood. The modulus of rupture of the table stays where it is less, which
+ * holds for thin branches; the knot factor of the stem does not enter. */
+struct wf_branch_strength {
+    const char *name, *text, *source;
+    double factor; /* [-]; 1: as in the species table */
+};
+extern const struct wf_branch_strength wf_branch_strengths[]; /* end at name == NULL */
+
+struct wf_species;
+/* Limit the strength of the branches of a tree. Given: name of a row, NULL: over-bark, inside-bark
+ * where the tree's bark is taken off; full for a table or a
+ * preset that repeats a publication. Returned: the row used. */
+const struct wf_branch_strength *wf_branches_limit(const char *name, const struct wf_species *sp,
+                                                   struct wf_tree *t);
 
 /* ---- Critical wind speed ---- */
 

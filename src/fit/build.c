@@ -1,82 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/build.h"
-#include "base/file.h"
-#include "data/model.h"
-#include "data/species.h"
-#include "grow/clothe.h"
-#include "grow/import.h"
-#include "grow/qsm_model.h"
-#include "grow/stem.h"
-#include "load/drag.h"
+#include "fit/plant.h"
 #include "study/limits.h"
 #include "wind/terrain.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
-
-/* Path of a file named in the calibration, or of a shipped file given by its name alone. */
-static enum wf_status find(const struct wf_fit_build *b, const char *room, const char *name,
-                           struct wf_arena *a, const char **path, struct wf_err *e)
-{
-    if (strpbrk(name, "/.")) return wf_calibration_path(b->calibration, name, a, path, e);
-    return wf_shipped_path(b->share, room, name, a, path, e);
-}
-
-static enum wf_status measured(const struct wf_calibration_tree *s, const char *path, wf_import_reader *mat,
-                               const struct wf_species *sp, struct wf_arena *a, struct wf_diag *d,
-                               struct wf_tree *out, struct wf_err *e)
-{
-    struct wf_import_options o = wf_import_default();
-    o.mat = mat;
-    o.tree_id = s->tree_id;
-    o.force = s->force == 1;
-    o.cap_children = s->cap_children == 1;
-    struct wf_qsm q;
-    struct wf_qsm_model m;
-    enum wf_status status = wf_import_read(path, &o, a, &q, d, e);
-    enum wf_joint joint = s->joint && !strcmp(s->joint, "bridge") ? WF_JOINT_BRIDGE : WF_JOINT_AXIS;
-    if (!status) status = wf_qsm_to_tree(&q, joint, a, &m, e);
-    if (status) return status;
-    struct wf_clothing c = { .leaf_area = s->leaf_area, .kind = m.kind };
-    status = wf_clothe(&m.tree, sp, &c, a, e);
-    *out = m.tree;
-    return status;
-}
-
-/* A tree of the calibration: its species, its model or scan, its loads, and the options of its solution. */
-static enum wf_status fit_build_tree(const struct wf_fit_build *b, size_t index, struct wf_arena *a,
-                                     struct wf_diag *d, struct wf_fit_tree *out, struct wf_err *e)
-{
-    const struct wf_calibration_tree *s = &b->calibration->tree[index];
-    struct wf_species *sp = WF_TAKE(a, 1, struct wf_species);
-    struct wf_model m;
-    const char *path;
-    if (!sp) return wf_fail(e, WF_ENOMEM, "not enough memory for a species");
-    enum wf_status status = find(b, "species", s->species, a, &path, e);
-    if (!status) status = wf_species_read(path, &wf_laws, a, sp, d, e);
-    *out = (struct wf_fit_tree){ .name = s->name, .species = sp };
-    if (!status && s->qsm) status = wf_calibration_path(b->calibration, s->qsm, a, &path, e);
-    if (!status && !s->qsm) status = find(b, "models", s->model, a, &path, e);
-    if (!status) out->file = path;
-    if (!status && s->qsm) status = measured(s, path, b->mat, sp, a, d, &out->tree, e);
-    if (!status && !s->qsm) status = wf_model_read(path, a, &m, d, e);
-    if (!status && !s->qsm && m.shape == WF_SHAPE_UNDER_WEIGHT)
-        status = wf_fail(
-            e, WF_EINPUT,
-            "%s: tree %s: %s has 'shape: under_weight', whose stress-free shape would change with the "
-            "fitted stiffness; a fit takes a stress-free shape only",
-            b->calibration->file, s->name, path);
-    if (!status && !s->qsm) status = wf_grow_stem(&m, sp, a, &out->tree, e);
-    if (status) return status;
-    out->height = wf_tree_height(&out->tree);
-    out->size = s->qsm ? out->height : m.height;
-    if ((status = wf_scenario_still(sp, s->gravity, &out->loads, e))) return status;
-    wf_solve_options_default(&out->options);
-    out->options.tolerance = 1e-11; /* finite differences are taken of solutions: small residual */
-    if (!isnan(s->root_stiffness))
-        out->options.root_stiffness[0] = out->options.root_stiffness[1] = s->root_stiffness;
-    return WF_OK;
-}
 
 /* One test: its sensors, states and readings. */
 
@@ -98,6 +27,7 @@ static enum wf_status sensor(struct wf_units *u, const struct wf_calibration *ca
                                    .kind = s->kind,
                                    .height = isnan(s->along) ? s->height : s->along,
                                    .along = !isnan(s->along),
+                                   .lowest = s->mode && !strcmp(s->mode, "lowest"),
                                    .azimuth = isnan(s->azimuth) && !sway ? load : s->azimuth,
                                    .gauge = isnan(s->gauge) ? 0.1 : s->gauge,
                                    .sigma_share = isnan(s->sigma_share) ? 0 : s->sigma_share,
@@ -402,6 +332,7 @@ static enum wf_status from_sway(const struct wf_fit_build *b, const struct wf_ca
     t->sensor[0] = (struct wf_fit_sensor){ .name = "frequency",
                                            .kind = WF_SENSOR_FREQUENCY,
                                            .azimuth = s->sway.azimuth,
+                                           .lowest = s->sway.mode && !strcmp(s->sway.mode, "lowest"),
                                            .sigma = in->sway.frequency_sd,
                                            .row = -1,
                                            .low_row = -1 };
@@ -565,6 +496,22 @@ static enum wf_status cut(const struct wf_fit_build *b, struct wf_experiment *x,
     return status;
 }
 
+/* Weight alone does not bend a tree that stands in its shape with the leaves it had then. */
+static enum wf_status check_weight(const struct wf_fit_build *b, const struct wf_experiment *x, size_t index,
+                                   struct wf_err *e)
+{
+    const struct wf_fit_test *t = &x->test[index];
+    const struct wf_fit_tree *tree = &x->tree[t->tree];
+    bool read = false;
+    for (size_t k = 0; k < t->sensors; k++) read = read || t->sensor[k].kind != WF_SENSOR_MOMENT;
+    if (t->load != WF_FIT_WEIGHT || !read || !tree->props || !wf_fit_tree_unchanged(tree)) return WF_OK;
+    return wf_fail(e, WF_EINPUT,
+                   "%s: test %s: tree %s stands in its shape (rest: as-drawn), so its weight alone bends it "
+                   "no further and these readings tell nothing of its wood; 'rest: stress-free' takes the "
+                   "shape as unloaded",
+                   b->calibration->file, t->name, tree->name);
+}
+
 enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, struct wf_diag *d,
                             struct wf_experiment *x, struct wf_fit_input *in, struct wf_err *e)
 {
@@ -574,7 +521,8 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
     x->tree = WF_TAKE(a, s->trees, struct wf_fit_tree), x->test = WF_TAKE(a, s->tests, struct wf_fit_test);
     if (!x->tree || !x->test) return wf_fail(e, WF_ENOMEM, "%s: not enough memory", s->file);
     enum wf_status status = WF_OK;
-    for (size_t k = 0; k < s->trees && !status; k++) status = fit_build_tree(b, k, a, d, &x->tree[k], e);
+    for (size_t k = 0; k < s->trees && !status; k++)
+        status = wf_fit_tree_build(s, k, b->share, b->mat, a, d, &x->tree[k], e);
     for (size_t k = 0; k < s->tests && !status; k++) {
         const char *named = s->test[k].data;
         bool wants = s->test[k].along ||
@@ -605,6 +553,8 @@ enum wf_status wf_fit_build(const struct wf_fit_build *b, struct wf_arena *a, st
                        b->data[used], s->file);
     for (size_t k = 0; k < s->trees && !status; k++) status = cut(b, x, k, a, e);
     for (size_t k = 0; k < s->trees && !status; k++) status = wf_tree_check(&x->tree[k].tree, d, e);
+    for (size_t k = 0; k < s->trees && !status; k++) status = wf_fit_tree_prop(&x->tree[k], a, e);
+    for (size_t k = 0; k < s->tests && !status; k++) status = check_weight(b, x, k, e);
     return status;
 }
 

@@ -13,6 +13,8 @@ static const char *const no_yes[] = { "no", "yes", NULL };
 static const char *const signs[] = { "+", "-", NULL };
 static const char *const zeros[] = { "rest", "unloaded", NULL };
 static const char *const joints[] = { "axis", "bridge", NULL };
+static const char *const modes[] = { "sway", "lowest", NULL };
+static const char *const rests[] = { "as-drawn", "stress-free", NULL };
 static const char *const kinds[] = { "deflection",  "horizontal", "vertical", "tilt",
                                      "strain",      "extension",  "reach",    "rise",
                                      "base_moment", "frequency",  "damping",  NULL };
@@ -43,6 +45,12 @@ static const struct wf_yaml_row tree_rows[] = {
       .doc = "Thin measured branches that are thicker than what they grow on." },
     { QUANTITY(T, "leaf_area", leaf_area, WF_DIM_AREA, "m2", 0, 1e4), .initial = "0 m2",
       .doc = "One-sided leaf area of a measured tree; a model has its own." },
+    { QUANTITY(T, "scanned_leaf_area", scanned_leaf_area, WF_DIM_AREA, "m2", 0, 1e4), .absent = "leaf_area",
+      .doc = "The same on the day of the scan: what the tree has gained or lost since bends it." },
+    { ROW(T, "rest", WF_YAML_CHOICE, rest), .choices = rests,
+      .absent = "a measured tree as-drawn, a model as its 'shape' says",
+      .doc = "as-drawn: the shape is that of the tree under its weight, whose forces are in it; stress-free: "
+             "its weight bends it further." },
     { QUANTITY(T, "root_stiffness", root_stiffness, WF_DIM_ROTATIONAL_STIFFNESS, "kN m/rad", 1, 1e12),
       .absent = "clamped, unless it is a free parameter", .doc = "Rotational stiffness of the root plate." },
     { QUANTITY(T, "gravity", gravity, WF_DIM_ACCELERATION, "m/s2", 0, 100), .initial = "9.81 m/s2",
@@ -54,6 +62,13 @@ static const struct wf_yaml_table tree_table = {
 };
 #undef T
 
+#define MODE(T)                                                                                              \
+    ROW(T, "mode", WF_YAML_CHOICE, mode),                                                                    \
+        .choices = modes, .absent = "sway",                                                                  \
+        .doc = "Which mode a frequency is of: sway, the lowest that carries at least half as much of the "   \
+               "overturning by inertia (of that direction) as the one that carries most; lowest, which may " \
+               "be a "                                                                                       \
+               "branch's."
 #define T struct wf_calibration_sensor
 static const struct wf_yaml_row sensor_rows[] = {
     { ROW(T, "name", WF_YAML_NAME, name), .required = true, .doc = "Name of the sensor.",
@@ -82,6 +97,7 @@ static const struct wf_yaml_row sensor_rows[] = {
       .doc = "Direction measured, from +x towards +y; for strain the side of the stem, for a frequency the "
              "direction of "
              "sway." },
+    { MODE(T) },
     { QUANTITY(T, "gauge", gauge, WF_DIM_LENGTH, "mm", 1e-3, 10), .absent = "100 mm",
       .doc = "Length over which strain or extension is taken." },
     { ROW(T, "sign", WF_YAML_ENUM, sign), .choices = signs, .initial = "+",
@@ -244,7 +260,8 @@ static const struct wf_yaml_row sway_rows[] = {
     { ROW(T, "column", WF_YAML_TEXT, column), .required = true,
       .doc = "Column of a free oscillation after a release, in any unit; frequency and damping are fitted to "
              "it." },
-    { AZIMUTH(T), .absent = "the lowest mode", .doc = "Direction of sway." },
+    { AZIMUTH(T), .absent = "any direction", .doc = "Direction of sway." },
+    { MODE(T) },
     { 0 }
 };
 static const struct wf_yaml_table sway_table = { .title = "a free sway", .row = sway_rows, .doc = "" };
@@ -361,6 +378,8 @@ static void sensor_finish(struct wf_yaml *y, const struct wf_calibration_test *t
     if (!isnan(q->height) && !isnan(q->along)) wf_yaml_error(y, place, "has both 'height' and 'along'");
     if (t->along && !(isnan(q->height) && isnan(q->along)))
         wf_yaml_error(y, place, "has a place of its own beside the test's 'along'");
+    if (q->mode && q->kind != WF_SENSOR_FREQUENCY)
+        wf_yaml_error(y, place, "'mode' applies to a frequency, not to a %s", r->name);
     if (sway && (t->pull.given || t->wind.given || t->along))
         wf_yaml_error(y, place, "a %s is of free sway: give it a test of its own", r->name);
     if (absolute && t->zero == 0)
@@ -391,14 +410,28 @@ static void test_finish(struct wf_yaml *y, const struct wf_calibration *s, size_
     }
 }
 
+/* Report keys of a tree that have no effect beside others. */
+static void tree_finish(struct wf_yaml *y, const struct wf_calibration_tree *t, size_t i)
+{
+    char place[64];
+    bool drawn = t->rest && !strcmp(t->rest, "as-drawn"), free = t->rest && !drawn;
+    snprintf(place, sizeof place, "trees[%zu]", i);
+    if (!t->model == !t->qsm) wf_yaml_error(y, place, "needs either 'model' or 'qsm'");
+    snprintf(place, sizeof place, "trees[%zu].rest", i);
+    if (t->rest && t->gravity == 0)
+        wf_yaml_error(y, place, "has no effect beside 'gravity: 0': without weight every shape is at rest");
+    snprintf(place, sizeof place, "trees[%zu].scanned_leaf_area", i);
+    if (isnan(t->scanned_leaf_area)) return;
+    if (!t->qsm) wf_yaml_error(y, place, "applies only with 'qsm'; a model has 'scanned'");
+    if (free) wf_yaml_error(y, place, "has no effect beside 'rest: stress-free'");
+    if (t->gravity == 0) wf_yaml_error(y, place, "has no effect beside 'gravity: 0'");
+}
+
 static void finish(struct wf_yaml *y, void *calibration)
 {
     struct wf_calibration *s = calibration;
     char place[64];
-    for (size_t i = 0; s->tree && i < s->trees; i++) {
-        snprintf(place, sizeof place, "trees[%zu]", i);
-        if (!s->tree[i].model == !s->tree[i].qsm) wf_yaml_error(y, place, "needs either 'model' or 'qsm'");
-    }
+    for (size_t i = 0; s->tree && i < s->trees; i++) tree_finish(y, &s->tree[i], i);
     twice(y, "trees", s->tree, s->trees, sizeof *s->tree, offsetof(struct wf_calibration_tree, name));
     twice(y, "tests", s->test, s->tests, sizeof *s->test, offsetof(struct wf_calibration_test, name));
     for (size_t i = 0; s->test && i < s->tests; i++) {

@@ -12,9 +12,12 @@ struct wf_calibration_tree {
     const char *tree_id;                       /* of a table of several trees; NULL: not given */
     size_t force, cap_children;                /* index in no, yes: as the options of an import */
     double leaf_area, root_stiffness, gravity; /* [m2], [N m/rad]: NAN clamped, [m s-2] */
+    const char *rest; /* "as-drawn", "stress-free"; NULL: a measured tree as drawn, a model as it says */
+    double scanned_leaf_area; /* on the day of the scan [m2]; NAN: leaf_area */
 };
 struct wf_calibration_sensor {
     const char *name, *column, *unit, *sigma, *value, *group;
+    const char *mode; /* "sway", "lowest"; NULL: not given, sway */
     enum wf_sensor_kind kind;
     double height, along, azimuth, gauge, sigma_share; /* NAN: not given */
     size_t sign;                                       /* index in +, -  */
@@ -41,8 +44,8 @@ struct wf_calibration_wind {
     bool given;
 };
 struct wf_calibration_sway {
-    const char *column;
-    double azimuth; /* of the mode; NAN: the lowest */
+    const char *column, *mode; /* mode: as of a sensor */
+    double azimuth;            /* of the mode; NAN: any */
     bool given;
 };
 struct wf_calibration_test {

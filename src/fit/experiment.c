@@ -112,54 +112,6 @@ static size_t cuts_of(const struct wf_tree *t, const struct axis *axis, size_t i
     return m;
 }
 
-static double between(double a, double b, double s) { return s <= 0 ? a : s >= 1 ? b : a + (b - a) * s; }
-
-static void copy_part(const struct wf_tree *from, size_t i, double s0, double s1, struct wf_tree *to,
-                      size_t at)
-{
-    double *const ends[][4] = {
-        { from->x0, from->x1, to->x0, to->x1 },
-        { from->y0, from->y1, to->y0, to->y1 },
-        { from->z0, from->z1, to->z0, to->z1 },
-        { from->r0, from->r1, to->r0, to->r1 },
-        { from->i0, from->i1, to->i0, to->i1 },
-        { from->sail0, from->sail1, to->sail0, to->sail1 },
-        { from->leaf0, from->leaf1, to->leaf0, to->leaf1 },
-        { from->burden0, from->burden1, to->burden0, to->burden1 },
-    };
-    double *const single[][2] = { { from->youngs, to->youngs },   { from->shear, to->shear },
-                                  { from->density, to->density }, { from->strength, to->strength },
-                                  { from->drag, to->drag },       { from->lift, to->lift },
-                                  { from->damping, to->damping } };
-    for (size_t k = 0; k < WF_COUNT(ends); k++) {
-        ends[k][2][at] = between(ends[k][0][i], ends[k][1][i], s0);
-        ends[k][3][at] = between(ends[k][0][i], ends[k][1][i], s1);
-    }
-    for (size_t k = 0; k < WF_COUNT(single); k++) single[k][1][at] = single[k][0][i];
-    to->level[at] = from->level[i];
-    to->id[at] = from->id[i];
-}
-
-/* Copy the non-round section of row i between s0 and s1 (0..1). */
-static void copy_section(const struct wf_tree_sections *from, size_t i, double s0, double s1,
-                         struct wf_tree_sections *to, size_t at)
-{
-    double *const ends[][4] = {
-        { from->width0, from->width1, to->width0, to->width1 },
-        { from->height0, from->height1, to->height0, to->height1 },
-        { from->side0, from->side1, to->side0, to->side1 },
-    };
-    for (size_t k = 0; k < WF_COUNT(ends); k++) {
-        ends[k][2][at] = between(ends[k][0][i], ends[k][1][i], s0);
-        ends[k][3][at] = between(ends[k][0][i], ends[k][1][i], s1);
-    }
-    for (size_t k = 0; k < 3; k++) {
-        to->mix0[3 * at + k] = between(from->mix0[3 * i + k], from->mix1[3 * i + k], s0);
-        to->mix1[3 * at + k] = between(from->mix0[3 * i + k], from->mix1[3 * i + k], s1);
-        to->up[3 * at + k] = from->up[3 * i + k];
-    }
-}
-
 /* Find the rows whose ends are at the places. */
 static void find_rows(const struct wf_tree *t, const struct axis *axis, const struct wf_fit_place *place,
                       size_t n, int32_t *row)
@@ -198,13 +150,13 @@ enum wf_status wf_fit_divide(struct wf_tree *t, double length, const struct wf_f
     struct wf_tree out;
     status = wf_tree_alloc(&out, total, a, e);
     if (!status && t->section) status = wf_tree_alloc_sections(&out, a, e);
+    if (!status && t->standing) status = wf_tree_stand(&out, &out, a, e);
     if (status) return status;
     out.name = t->name;
     for (size_t i = 0, at = 0; i < t->n; i++) {
         size_t m = cuts_of(t, &axis, i, length, place, n, cut);
         for (size_t k = 0; k < m; k++, at++) {
-            copy_part(t, i, cut[k], cut[k + 1], &out, at);
-            if (t->section) copy_section(t->section, i, cut[k], cut[k + 1], out.section, at);
+            wf_tree_copy_part(t, i, cut[k], cut[k + 1], &out, at);
             out.parent[at] = k ? (int32_t)at - 1 : t->parent[i] < 0 ? -1 : last[t->parent[i]];
         }
         last[i] = (int32_t)at - 1;

@@ -5,6 +5,7 @@
 #include "base/units.h"
 #include "data/tree.h"
 #include "load/load.h"
+#include "solve/firm.h"
 #include "solve/solve.h"
 #include "wind/wind.h"
 #include <stdbool.h>
@@ -40,6 +41,7 @@ struct wf_fit_sensor {
     enum wf_sensor_kind kind;
     double height, azimuth, gauge; /* [m], [rad], [m]; NAN where the kind has none             */
     bool along;                    /* height counts along the axis from its base               */
+    bool lowest;                   /* a frequency is that of the lowest mode, not of the sway  */
     double sigma, sigma_share;     /* uncertainty: absolute [SI] and as a share of the value   */
     bool estimated;                /* sigma is not given: estimated from the residuals         */
     bool offset, drift;            /* has nuisance parameters: zero, its change with time      */
@@ -72,6 +74,14 @@ struct wf_fit_test {
     struct wf_fit_state *state;
 };
 
+/* Parts of a standing tree that were stiffened, because they would not stand with a wood or root that was
+ * tried. They stay so. */
+struct wf_fit_props {
+    double *raise;      /* per row: factor on E and G */
+    struct wf_firm all; /* all of them, with the smallest load factor found */
+    size_t times;       /* how often parts were stiffened */
+};
+
 struct wf_fit_tree {
     const char *name;
     const char *file; /* model or measured tree that it is made from; NULL: none */
@@ -79,6 +89,7 @@ struct wf_fit_tree {
     struct wf_tree tree; /* one element a row                                           */
     struct wf_loads loads;
     struct wf_solve_options options; /* include the root stiffness                      */
+    struct wf_fit_props *props;      /* NULL: the tree does not stand, or has no weight */
     double height, size;             /* vertical; length of a stem model's axis, else the height [m] */
 };
 

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "fit/fit.h"
+#include "fit/free_sway.h"
+#include "fit/plant.h"
 #include <math.h>
 #include <string.h>
 
@@ -88,8 +90,46 @@ static enum wf_status moves(struct wf_session *s, struct wf_err *e)
     return status;
 }
 
+/* How far the readings still pull the estimates, in standard deviations: the linear step to the least
+ * squares. Returned: also the parameter that it moves most. */
+static double pull_left(const struct wf_fit *f, size_t *which)
+{
+    double sum = 0, most = 0;
+    *which = 0;
+    for (size_t k = 0; k < f->params; k++) {
+        double step = 0, own = 0;
+        for (size_t j = 0; j < f->params; j++) {
+            double pull = 0;
+            for (size_t i = 0; i < f->x->data; i++)
+                pull += f->slope[i * f->params + j] / f->sigma[i] * f->residual[i];
+            step += f->covariance[k * f->params + j] * pull;
+            if (j == k) own = pull;
+        }
+        sum += own * step;
+        double far = fabs(step) / f->estimate[k].sd;
+        if (far > most) most = far, *which = k; /* not where sd is 0 or NAN: on a bound */
+    }
+    return sqrt(fmax(sum, 0));
+}
+
+/* A fit that ended on a step of the answers is not one. Robust losses and priors pull too and are left out.
+ */
+static void warn_of_pull(const struct wf_fit *f, const struct wf_fit_options *o, struct wf_diag *d)
+{
+    size_t which;
+    if (o->loss != WF_LOSS_NONE || o->priors || f->lsq.stopped || !(pull_left(f, &which) > 0.5)) return;
+    wf_diag_warn(
+        d, "not-converged",
+        "the fit ended where it is not the best: the readings still pull %s by %.2g standard deviations "
+        "or more, but the answers jump there, because another mode sways the tree or a part of it would "
+        "no longer stand. The estimates are not to be used; other starts, or a tree without the parts in "
+        "doubt, may lead further",
+        f->param[which].name, pull_left(f, &which));
+}
+
 static void warn(const struct wf_fit *f, struct wf_diag *d)
 {
+    for (size_t k = 0; k < f->x->trees; k++) wf_fit_tree_warn(&f->x->tree[k], d);
     for (size_t k = 0; k < f->free; k++) {
         const struct wf_estimate *q = &f->estimate[k];
         if (q->at_low || q->at_high)
@@ -170,6 +210,7 @@ enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p,
     if (!status) status = wf_fit_spread(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->starts > 1) status = wf_fit_restart(&s, out, a, e);
     if (!status) status = wf_fit_covariance(&s, out, a, e);
+    if (!status) wf_free_sway_warn(s.predictor, d);
     if (!status) memcpy(out->internal, s.internal, n * sizeof *out->internal);
     if (!status && !out->lsq.stopped && o->profile) status = wf_fit_profiles(&s, out, a, e);
     if (!status && !out->lsq.stopped && o->resamples) status = wf_fit_resample(&s, out, a, e);
@@ -179,5 +220,6 @@ enum wf_status wf_fit_run(struct wf_experiment *x, const struct wf_fit_param *p,
     out->stopped = s.stopped;
     if (!status) out->aicc = wf_fit_aicc(out, out);
     if (!status) warn(out, d);
+    if (!status) warn_of_pull(out, o, d);
     return status;
 }

@@ -148,6 +148,8 @@ void wf_param_apply(const struct wf_experiment *x, const struct wf_fit_param *p,
                  p[k].quantity != WF_FIT_FRAME)
             scale_rows(&p[k], t, into, v);
     }
+    for (size_t i = 0; i < t->tree.n && t->props; i++)
+        into->youngs[i] *= t->props->raise[i], into->shear[i] *= t->props->raise[i];
 }
 
 /* Parameters from their names. */

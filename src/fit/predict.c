@@ -3,130 +3,13 @@
 #include "base/num.h"
 #include "base/random.h"
 #include "base/vec3.h"
+#include "data/species.h"
+#include "fit/free_sway.h"
+#include "fit/plant.h"
 #include "fit/sensor.h"
 #include "solve/beam_small.h"
-#include "solve/modes.h"
 #include <math.h>
 #include <string.h>
-
-/* Natural frequencies and damping of free sway. */
-
-/* Apply the parameters to the tree, in still air. */
-static void stand(const struct wf_predictor *w, size_t tree, const double *internal, struct wf_loads *loads,
-                  struct wf_solve_options *options)
-{
-    wf_param_apply(w->x, w->p, w->params, internal, tree, &w->tree[tree], loads, options);
-    options->mesh_tolerance = 0;
-}
-
-/* The lowest mode that moves the tree's top within 45 degrees of an azimuth: its frequency and number. */
-static enum wf_status frequency(struct wf_predictor *w, size_t index, const struct wf_fit_sensor *s,
-                                const double *internal, struct wf_modes_kept *kept, size_t *number,
-                                double *out, struct wf_err *e)
-{
-    enum { MODES = 4 };
-    const struct wf_fit_test *t = &w->x->test[index];
-    struct wf_tree *tree = &w->tree[t->tree];
-    struct wf_loads loads;
-    struct wf_solve_options options;
-    double f[MODES];
-    size_t count = isnan(s->azimuth) ? 1 : MODES, top = 0;
-    stand(w, t->tree, internal, &loads, &options);
-    double *shape = WF_TAKE(&w->scratch, count * 3 * tree->n, double);
-    if (!shape) return wf_fail(e, WF_ENOMEM, "not enough memory for the modes");
-    enum wf_status status =
-        wf_modes_keep(tree, &loads, &options, count, &w->scratch, f, count > 1 ? shape : NULL, kept, e);
-    if (status) return status;
-    for (size_t i = 0; i < tree->n; i++)
-        if (!tree->level[i] && tree->z1[i] > tree->z1[top]) top = i;
-    *number = 0;
-    for (size_t k = count; k-- > 0 && count > 1;) {
-        const double *v = shape + 3 * tree->n * k + 3 * top;
-        double along = v[0] * cos(s->azimuth) + v[1] * sin(s->azimuth);
-        if (2 * along * along >= v[0] * v[0] + v[1] * v[1] && f[k] > 0) *number = k;
-    }
-    *out = f[*number];
-    if (!(*out > 0)) return wf_fail(e, WF_EUNSTABLE, "the tree has no equilibrium under its own weight");
-    return WF_OK;
-}
-
-/* Derivative of the frequency by each internal value: central difference of Rayleigh quotients with the mode
- * shape fixed. The equilibrium is solved again, so the effect of weight is included. */
-static enum wf_status by_parameter(struct wf_predictor *w, size_t tree, const double *internal,
-                                   const struct wf_modes_kept *kept, size_t number, double *row,
-                                   struct wf_err *e)
-{
-    const double step = 1e-4;
-    struct wf_loads loads;
-    struct wf_solve_options options;
-    double *x = WF_TAKE(&w->scratch, w->params, double), side[2];
-    if (!x) return wf_fail(e, WF_ENOMEM, "not enough memory for a prediction");
-    memcpy(x, internal, w->params * sizeof *x);
-    for (size_t p = 0; p < w->params; p++) {
-        row[p] = 0;
-        if (!wf_disturbs(&w->p[p], tree)) continue;
-        for (int k = 0; k < 2; k++) {
-            x[p] = internal[p] + (k ? step : -step);
-            stand(w, tree, x, &loads, &options);
-            enum wf_status status =
-                wf_modes_held(&w->tree[tree], &loads, &options, kept, number, &side[k], e);
-            if (status) return status;
-        }
-        x[p] = internal[p];
-        row[p] = (side[1] - side[0]) / (2 * step);
-    }
-    return WF_OK;
-}
-
-/* Index of an earlier datum of the same frequency of the same tree; `at` when there is none. */
-static size_t earlier(const struct wf_experiment *x, size_t at, double azimuth)
-{
-    const struct wf_fit_datum *d = x->datum;
-    for (size_t i = 0; i < at; i++) {
-        const struct wf_fit_test *t = &x->test[d[i].test];
-        const struct wf_fit_sensor *s = &t->sensor[d[i].sensor];
-        bool mode = s->azimuth == azimuth || (isnan(s->azimuth) && isnan(azimuth));
-        if (s->kind == WF_SENSOR_FREQUENCY && mode && t->tree == x->test[d[at].test].tree) return i;
-    }
-    return at;
-}
-
-static void damping(const struct wf_predictor *w, size_t tree, const double *internal, double *reading,
-                    double *row)
-{
-    *reading = 0;
-    for (size_t p = 0; p < w->params; p++) {
-        bool acts = w->p[p].quantity == WF_FIT_DAMPING && (w->p[p].tree < 0 || (size_t)w->p[p].tree == tree);
-        if (acts) *reading = exp(internal[p]);
-        if (row) row[p] = acts ? *reading : 0;
-    }
-}
-
-/* Readings of a test of free sway, from *at on; *at becomes the index of the first datum after them. */
-static enum wf_status sway_test(struct wf_predictor *w, size_t index, const double *internal, double *reading,
-                                double *slope, size_t *at, struct wf_err *e)
-{
-    const struct wf_fit_test *t = &w->x->test[index];
-    enum wf_status status = WF_OK;
-    for (; !status && *at < w->x->data && w->x->datum[*at].test == index; ++*at) {
-        const struct wf_fit_sensor *s = &t->sensor[w->x->datum[*at].sensor];
-        double *row = slope ? slope + *at * w->params : NULL;
-        if (s->kind == WF_SENSOR_DAMPING) {
-            damping(w, t->tree, internal, &reading[*at], row);
-            continue;
-        }
-        size_t same = earlier(w->x, *at, s->azimuth), number = 0;
-        if (same < *at) {
-            reading[*at] = reading[same];
-            if (row) memcpy(row, slope + same * w->params, w->params * sizeof *row);
-            continue;
-        }
-        struct wf_modes_kept kept;
-        status = frequency(w, index, s, internal, row ? &kept : NULL, &number, &reading[*at], e);
-        if (!status && row) status = by_parameter(w, t->tree, internal, &kept, number, row, e);
-    }
-    return status;
-}
 
 enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
                                  struct wf_arena *a, struct wf_predictor **out, struct wf_err *e)
@@ -135,6 +18,7 @@ enum wf_status wf_predictor_open(const struct wf_experiment *x, const struct wf_
     size_t states = 0, at = 0;
     for (size_t k = 0; k < x->tests; k++) states += x->test[k].states + 1;
     if (!w || !(w->tree = WF_TAKE(a, x->trees, struct wf_tree)) ||
+        !(w->sway = WF_TAKE(a, x->tests, struct wf_sway_found)) ||
         !(w->warm = WF_TAKE(a, states, struct wf_warm)) || !(w->first_state = WF_TAKE(a, x->tests, size_t)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the predictions");
     w->x = x, w->p = p, w->params = n;
@@ -187,6 +71,7 @@ struct bench {
     wf_four (*ends)[6], (*moved)[6]; /* motions of the ends */
     wf_four (*node)[6], (*root)[3];  /* wrenches on ends and root plates */
     double (*one)[6];                /* one side of `ends` */
+    struct wf_disturber *disturber;  /* per parameter */
 };
 
 /* A sensor with its row and azimuth in the current state. */
@@ -224,7 +109,9 @@ static enum wf_status settle(struct bench *k, bool near, struct wf_err *e)
     b->small = NULL;
     b->frozen = false;
     for (int pass = 0;; pass++) {
-        if (!(near || pass) || wf_beam_newton(b)) {
+        /* the shape of a standing tree is an equilibrium of any wood: the last one may no longer be stable */
+        bool found = (near || pass) && !wf_beam_newton(b) && (!b->mesh.standing || wf_beam_stable(b));
+        if (!found) {
             enum wf_status status = wf_beam_settle(b, &k->w->scratch, &outcome, e);
             if (status) return status;
         }
@@ -348,6 +235,8 @@ static void read_slopes(struct bench *k, const struct wf_beam_small_answer *x, s
                         double *slope)
 {
     struct wf_beam *b = &k->beam;
+    const struct wf_fit_param *q = &k->w->p[p];
+    size_t levels = k->w->x->tree[k->test->tree].species->levels;
     double ground[6];
     for (size_t c = 0; c < 6; c++) {
         ground[c] = x->ground[c][side], b->root_change[0][c] = b->root_moved[0][c][side];
@@ -357,20 +246,53 @@ static void read_slopes(struct bench *k, const struct wf_beam_small_answer *x, s
         struct wf_fit_sensor sensor = placed(k, s);
         double *to = &slope[s * k->w->params + p];
         *to = wf_sensor_change(&sensor, b, (const double(*)[6])k->one, ground);
-        if (k->w->p[p].quantity == WF_FIT_RADIUS) *to += wf_sensor_by_radius(&sensor, b);
+        if (q->quantity == WF_FIT_RADIUS) *to += wf_sensor_by_radius(&sensor, b, q->level, levels);
     }
 }
 
-/* Moments on the root plates of the test's tree by a unit change of their stiffness, or none. */
-static void root_moments(struct bench *k, bool root, size_t side)
+/* Moment on a root plate that its springs do not hold because the state at rest changed by `still`: the plate
+ * takes it in the axes of its tilt. */
+static void add_still_moment(const double tilt[3], const double still[3], size_t side, wf_four moment[3])
 {
-    const struct wf_beam *b = &k->beam;
-    for (size_t i = 0; i < b->mesh.tree->n; i++)
-        for (int c = 0; c < 2 && b->mesh.tree->parent[i] < 0; c++)
-            k->root[i][c][side] = root ? -b->options->root_stiffness[c] * b->tilt[i][c] : 0;
+    double x = wf_dot(tilt, tilt), inverse[9], m[3];
+    struct rotation o = rotation_of(x);
+    rotation_tangent_inverse(&o, tilt, x, inverse);
+    m3_apply_transposed(inverse, still, m);
+    for (int c = 0; c < 3; c++) moment[c][side] -= m[c];
 }
 
-static void slopes(struct bench *k, const double *internal, double *slope)
+/* Moments on the root plates of the test's tree: by a unit change of their stiffness, by the change of the
+ * state at rest. */
+static void root_moments(struct bench *k, const struct wf_disturber *x, size_t side)
+{
+    const struct wf_beam *b = &k->beam;
+    bool root = x->param->quantity == WF_FIT_ROOT;
+    for (size_t i = 0; i < b->mesh.tree->n; i++) {
+        if (b->mesh.tree->parent[i] >= 0) continue;
+        for (int c = 0; c < 3; c++)
+            k->root[i][c][side] = root && c < 2 ? -b->options->root_stiffness[c] * b->tilt[i][c] : 0;
+        if (x->rest_root) add_still_moment(b->tilt[i], x->rest_root[i], side, k->root[i]);
+    }
+}
+
+/* What each parameter disturbs in the test's tree. */
+static enum wf_status set_disturbers(struct bench *k, const double *internal, struct wf_err *e)
+{
+    const struct wf_predictor *w = k->w;
+    enum wf_status s = WF_OK;
+    k->disturber = WF_TAKE(&k->w->scratch, w->params, struct wf_disturber);
+    if (!k->disturber) return wf_fail(e, WF_ENOMEM, "not enough memory for a solution");
+    for (size_t p = 0; p < w->params && !s; p++) {
+        k->disturber[p] = (struct wf_disturber){ .tree = &w->x->tree[k->test->tree],
+                                                 .param = &w->p[p],
+                                                 .internal = internal[p] };
+        if (wf_disturbs(&w->p[p], k->test->tree))
+            s = wf_disturb_rest(&k->disturber[p], &k->beam, &k->w->scratch, e);
+    }
+    return s;
+}
+
+static void slopes(struct bench *k, double *slope)
 {
     const struct wf_predictor *w = k->w;
     double C[9], K[9];
@@ -382,9 +304,9 @@ static void slopes(struct bench *k, const double *internal, double *slope)
         for (; p < w->params && d.count < WF_BEAM_SIDES; p++) {
             frame_slopes(k, p, slope);
             if (!wf_disturbs(&w->p[p], k->test->tree)) continue;
-            root_moments(k, w->p[p].quantity == WF_FIT_ROOT, d.count);
+            root_moments(k, &k->disturber[p], d.count);
             param[d.count] = p;
-            d.side[d.count++] = (struct wf_disturber){ &w->x->tree[k->test->tree], &w->p[p], internal[p] };
+            d.side[d.count++] = k->disturber[p];
         }
         if (!d.count) break;
         wf_beam_answer_small(&k->beam, wf_disturb, &d, NULL, (const wf_four(*)[3])k->root, &x);
@@ -394,8 +316,7 @@ static void slopes(struct bench *k, const double *internal, double *slope)
 }
 
 /* Solve the state of the present loads, starting from its last solution. */
-static enum wf_status state(struct bench *k, size_t warm, const double *internal, double *reading,
-                            double *slope, struct wf_err *e)
+static enum wf_status state(struct bench *k, size_t warm, double *reading, double *slope, struct wf_err *e)
 {
     struct wf_beam *b = &k->beam;
     struct wf_warm *last = &k->w->warm[warm];
@@ -427,7 +348,7 @@ static enum wf_status state(struct bench *k, size_t warm, const double *internal
     }
     if (!slope) return WF_OK;
     memset(slope, 0, k->test->sensors * k->w->params * sizeof *slope);
-    slopes(k, internal, slope);
+    slopes(k, slope);
     return WF_OK;
 }
 
@@ -469,20 +390,19 @@ static enum wf_status static_test(struct wf_predictor *w, size_t index, const do
     k.one = wf_arena_take(&w->scratch, n, sizeof *k.one);
     if (!k.ends || !k.moved || !k.node || !k.root || !k.one)
         return wf_fail(e, WF_ENOMEM, "not enough memory for a solution");
+    if (slope && (status = set_disturbers(&k, internal, e))) return status;
     bool rest = t->from_rest && loads.gravity > 0;
     memset(w->rest, 0, t->sensors * sizeof *w->rest);
     memset(w->rest_slope, 0, t->sensors * m * sizeof *w->rest_slope);
     k.wind.speed = 0;
-    if (rest)
-        status =
-            state(&k, w->first_state[index] + t->states, internal, w->rest, slope ? w->rest_slope : NULL, e);
+    if (rest) status = state(&k, w->first_state[index] + t->states, w->rest, slope ? w->rest_slope : NULL, e);
     for (size_t i = 0; i < t->states && !status; i++) {
         double u[3];
         k.now = &t->state[i];
         k.force = t->load == WF_FIT_PULL ? t->state[i].load : 0;
         k.wind.speed = t->load == WF_FIT_WIND ? wind_met(t, i) : 0;
         if (t->load == WF_FIT_PULL) aim(&k, k.beam.pose[t->pull_row].r, u);
-        status = state(&k, w->first_state[index] + i, internal, w->other, slope ? w->other_slope : NULL, e);
+        status = state(&k, w->first_state[index] + i, w->other, slope ? w->other_slope : NULL, e);
         for (; !status && *at < w->x->data && w->x->datum[*at].test == index && w->x->datum[*at].state == i;
              ++*at) {
             size_t s = w->x->datum[*at].sensor;
@@ -528,6 +448,23 @@ static bool repeated(const struct wf_predictor *w, const double *internal, bool 
     return true;
 }
 
+/* Let the standing trees stand with the values given. A part that is stiffened makes another tree. */
+static enum wf_status stand_firm(struct wf_predictor *w, const double *internal, struct wf_err *e)
+{
+    enum wf_status s = WF_OK;
+    for (size_t k = 0; k < w->x->trees && !s; k++) {
+        const struct wf_fit_tree *t = &w->x->tree[k];
+        struct wf_loads loads;
+        struct wf_solve_options options;
+        if (!t->props) continue;
+        size_t before = t->props->times;
+        wf_param_apply(w->x, w->p, w->params, internal, k, &w->tree[k], &loads, &options);
+        s = wf_fit_tree_firm(t, &w->tree[k], &loads, &options, e);
+        if (t->props->times > before) w->same = false;
+    }
+    return s;
+}
+
 enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double *reading, double *slope,
                           struct wf_err *e)
 {
@@ -542,9 +479,10 @@ enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double
     if (slope) memset(slope, 0, m * n * sizeof *slope);
     w->same = repeated(w, internal, false);
     for (size_t p = 0; p < n; p++) w->solved[p] = NAN;
+    if (!w->same) status = stand_firm(w, internal, e);
     for (size_t k = 0; k < w->x->tests && !status; k++) {
         bool free = w->x->test[k].load == WF_FIT_FREE;
-        status = (free ? sway_test : static_test)(w, k, internal, reading, slope, &at, e);
+        status = (free ? wf_free_sway_test : static_test)(w, k, internal, reading, slope, &at, e);
         wf_arena_free(&w->scratch);
     }
     if (status) return status;
@@ -559,7 +497,8 @@ enum wf_status wf_predict(struct wf_predictor *w, const double *internal, double
 enum { NOISE = 43 }; /* stream of random numbers */
 
 enum wf_status wf_fit_expect(struct wf_experiment *x, const struct wf_fit_param *p, size_t n,
-                             struct wf_arena *a, double *reading, double *slope, struct wf_err *e)
+                             struct wf_arena *a, double *reading, double *slope, struct wf_diag *d,
+                             struct wf_err *e)
 {
     struct wf_predictor *w = NULL;
     double *at = WF_TAKE(a, n, double);
@@ -567,6 +506,8 @@ enum wf_status wf_fit_expect(struct wf_experiment *x, const struct wf_fit_param 
     for (size_t k = 0; k < n; k++) at[k] = wf_param_internal(&p[k], p[k].start);
     enum wf_status s = wf_predictor_open(x, p, n, a, &w, e);
     if (!s) s = wf_predict(w, at, reading, slope, e);
+    if (!s) wf_free_sway_warn(w, d);
+    for (size_t k = 0; k < x->trees && !s; k++) wf_fit_tree_warn(&x->tree[k], d);
     if (w) wf_predictor_close(w);
     for (size_t i = 0; i < x->data && !s; i++) {
         struct wf_fit_datum *q = &x->datum[i];

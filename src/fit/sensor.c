@@ -151,15 +151,24 @@ double wf_sensor_by_azimuth(const struct wf_fit_sensor *s, const struct wf_beam 
     return wf_sensor_read(&across, b);
 }
 
-double wf_sensor_by_radius(const struct wf_fit_sensor *s, const struct wf_beam *b)
+/* Is a row of that level, of a table with `levels`? */
+static bool row_on(const struct wf_beam *b, int32_t row, int32_t level, size_t levels)
+{
+    size_t own = (size_t)b->mesh.tree->level[row < 0 ? 0 : row];
+    return level < 0 || (own < levels ? own : levels - 1) == (size_t)level;
+}
+
+double wf_sensor_by_radius(const struct wf_fit_sensor *s, const struct wf_beam *b, int32_t level,
+                           size_t levels)
 {
     if (s->kind != WF_SENSOR_STRAIN && s->kind != WF_SENSOR_EXTENSION) return 0;
     struct gauge g;
-    double by[3], rest[3];
+    double by[3], rest[3], acts[2];
     gauge_of(s, b, &g);
+    acts[0] = row_on(b, s->low_row, level, levels), acts[1] = row_on(b, s->row, level, levels);
     for (int i = 0; i < 3; i++) {
-        by[i] = g.arm[1][i] - g.arm[0][i];
-        rest[i] = g.lever[1][i] - g.lever[0][i];
+        by[i] = acts[1] * g.arm[1][i] - acts[0] * g.arm[0][i];
+        rest[i] = acts[1] * g.lever[1][i] - acts[0] * g.lever[0][i];
     }
     double longer = wf_dot(g.bent, by) / g.bent_length, longer_rest = wf_dot(g.rest, rest) / g.rest_length;
     if (s->kind == WF_SENSOR_EXTENSION) return longer - longer_rest;
@@ -185,9 +194,29 @@ static void by_modulus(const struct wf_beam *b, size_t i, bool bending, bool tor
         double along = wf_dot(t, m[j]);
         for (int c = 0; c < 3; c++) {
             double twist = along * t[c], bend = m[j][c] - twist;
-            out->law[j][c][side] = factor * ((bending ? bend : 0) + (torsion ? twist : 0));
+            out->law[j][c][side] += factor * ((bending ? bend : 0) + (torsion ? twist : 0));
         }
     }
+}
+
+/* Derivative of the axis' strain by ln E, times `factor`; that of the state at rest moves with it, so that
+ * only the strain counted from there is changed. */
+static void by_stretch(const struct wf_beam *b, size_t i, double factor, size_t side,
+                       struct wf_beam_disturbance *out)
+{
+    const struct wf_beam_stage *g = &b->stage[i];
+    for (int j = 0; j < 2; j++)
+        for (int c = 0; c < 3; c++) out->stretch[j][c][side] -= factor * (g->rp[j][c] - g->t[j][c]);
+}
+
+/* Wood's mass per length at Gauss point j of an element [kg/m]. */
+static double wood_at(const struct wf_beam *b, size_t i, int j)
+{
+    const struct wf_tree *t = b->mesh.tree;
+    size_t row = (size_t)b->mesh.part[i].row;
+    double outer = t->r0[row] + (t->r1[row] - t->r0[row]) * gauss_place[j],
+           inner = t->i0[row] + (t->i1[row] - t->i0[row]) * gauss_place[j];
+    return t->density[row] * WF_PI * (outer * outer - inner * inner);
 }
 
 /* Wind and weight per length at Gauss point j of element i. */
@@ -206,12 +235,8 @@ static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_
 {
     const double step = 1e-4;
     const struct wf_beam_part *part = &b->mesh.part[i];
-    const struct wf_tree *t = b->mesh.tree;
-    size_t row = (size_t)part->row;
     for (int j = 0; j < 2; j++) {
-        double load[2][3], outer = t->r0[row] + (t->r1[row] - t->r0[row]) * gauss_place[j],
-                           inner = t->i0[row] + (t->i1[row] - t->i0[row]) * gauss_place[j];
-        double wood = t->density[row] * WF_PI * (outer * outer - inner * inner);
+        double load[2][3], wood = wood_at(b, i, j);
         for (int k = 0; k < 2; k++) {
             double up = k ? step : -step, factor = exp(up), *number;
             struct wf_loads l = b->loads;
@@ -239,22 +264,75 @@ static void by_load(const struct wf_disturber *x, const struct wf_beam *b, size_
     }
 }
 
+/* Does the parameter act on the element's level? Returned: *level. */
+static bool on_level(const struct wf_disturber *x, const struct wf_beam *b, size_t i, size_t *level)
+{
+    const struct wf_fit_tree *t = x->tree;
+    *level = (size_t)t->tree.level[b->mesh.part[i].row];
+    if (*level >= t->species->levels) *level = t->species->levels - 1;
+    return x->param->level < 0 || (size_t)x->param->level == *level;
+}
+
+/* Derivative of the mass per length at Gauss point j. */
+static double by_mass(const struct wf_disturber *x, const struct wf_beam *b, size_t i, int j)
+{
+    size_t level;
+    if (!on_level(x, b, i, &level)) return 0;
+    return (x->param->quantity == WF_FIT_RADIUS ? 2 : 1) * wood_at(b, i, j);
+}
+
+enum wf_status wf_disturb_rest(struct wf_disturber *x, const struct wf_beam *b, struct wf_arena *a,
+                               struct wf_err *e)
+{
+    bool heavier = x->param->quantity == WF_FIT_DENSITY || x->param->quantity == WF_FIT_RADIUS;
+    if (!b->mesh.standing || !heavier) return WF_OK;
+    struct wf_arena scratch = { 0 };
+    struct wf_beam_rest_part *part;
+    double(*root)[3], (*mass)[2] = wf_arena_take(&scratch, b->mesh.n, sizeof *mass);
+    if (!mass) return wf_fail(e, WF_ENOMEM, "not enough memory for the state at rest");
+    for (size_t i = 0; i < b->mesh.n; i++)
+        for (int j = 0; j < 2; j++) mass[i][j] = by_mass(x, b, i, j);
+    enum wf_status s =
+        wf_beam_rest_of(&b->mesh, mass, b->loads.gravity * b->loads.weight_scale, a, &part, &root, e);
+    wf_arena_free(&scratch);
+    if (s) return s;
+    x->rest = part, x->rest_root = (const double(*)[3])root;
+    return WF_OK;
+}
+
+/* Derivative by the state at rest: its moments and strains turn with the sections. */
+static void by_rest(const struct wf_disturber *x, const struct wf_beam *b, size_t i, size_t side,
+                    struct wf_beam_disturbance *out)
+{
+    double moment[2][3], strain[2][3];
+    if (!x->rest) return;
+    wf_beam_turn_along(b, i, x->rest[i].moment, moment);
+    wf_beam_turn_along(b, i, x->rest[i].strain, strain);
+    for (int j = 0; j < 2; j++)
+        for (int c = 0; c < 3; c++) {
+            out->law[j][c][side] += moment[j][c];
+            out->stretch[j][c][side] -= strain[j][c];
+        }
+}
+
 static void disturb_side(const struct wf_disturber *x, const struct wf_beam *b, size_t i, size_t side,
                          struct wf_beam_disturbance *out)
 {
     const struct wf_fit_tree *t = x->tree;
-    size_t row = (size_t)b->mesh.part[i].row, level = (size_t)t->tree.level[row];
-    if (level >= t->species->levels) level = t->species->levels - 1;
-    if (x->param->level >= 0 && (size_t)x->param->level != level) return;
+    size_t row = (size_t)b->mesh.part[i].row, level;
+    by_rest(x, b, i, side, out); /* of what is above, whatever its level */
+    if (!on_level(x, b, i, &level)) return;
     bool follows = !t->species->level[level].shear_modulus.given;
     switch (x->param->quantity) {
     case WF_FIT_YOUNGS:
         by_modulus(b, i, true, follows, 1, side, out);
+        by_stretch(b, i, 1, side, out);
         return;
     case WF_FIT_YOUNGS_TIP: {
         double s = 0.5 * (t->tree.z0[row] + t->tree.z1[row] - 2 * t->tree.z0[0]) / t->height;
         double q = exp(x->internal);
         by_modulus(b, i, true, follows, q * s / (1 + (q - 1) * s), side, out);
+        by_stretch(b, i, q * s / (1 + (q - 1) * s), side, out);
         return;
     }
     case WF_FIT_SHEAR:
@@ -264,6 +342,7 @@ static void disturb_side(const struct wf_disturber *x, const struct wf_beam *b, 
         return;
     case WF_FIT_RADIUS:
         by_modulus(b, i, true, true, 4, side, out);
+        by_stretch(b, i, 2, side, out);
         by_load(x, b, i, side, out);
         return;
     default:

@@ -162,9 +162,25 @@ static enum wf_status search(struct wf_session *s, struct wf_lsq_result *out, st
     return status;
 }
 
+/* How often parts of the trees were stiffened so far. */
+static size_t stiffened(const struct wf_session *s)
+{
+    size_t n = 0;
+    for (size_t k = 0; k < s->x->trees; k++)
+        if (s->x->tree[k].props) n += s->x->tree[k].props->times;
+    return n;
+}
+
 enum wf_status wf_session_solve(struct wf_session *s, struct wf_lsq_result *out, struct wf_err *e)
 {
+    enum { AGAIN = 8 };
+    size_t before = stiffened(s);
     enum wf_status status = search(s, out, e);
+    /* a part that was stiffened on the way made another tree: the least squares are those of one tree */
+    for (int k = 0; k < AGAIN && !status && !out->stopped && stiffened(s) > before; k++) {
+        before = stiffened(s);
+        status = search(s, out, e);
+    }
     return !status && s->fatal.code ? wf_fail(e, s->fatal.code, "%s", s->fatal.text) : status;
 }
 

@@ -4,6 +4,7 @@
 #include "data/species.h"
 #include "grow/branches.h"
 #include "grow/clothe.h"
+#include "grow/hollowed.h"
 #include "grow/import.h"
 #include "grow/qsm_model.h"
 #include "grow/silhouette.h"
@@ -187,11 +188,6 @@ static enum wf_status grow_measured(const struct wf_model *m, const struct wf_sp
 enum wf_status wf_grow(const struct wf_model *m, const struct wf_species *sp, struct wf_arena *a,
                        struct wf_tree *out, struct wf_diag *d, struct wf_err *e)
 {
-    if (m->sections)
-        return wf_fail(e, WF_EINPUT,
-                       "%s: stress in sections that are not round is not computed; 'windfirm fit' and "
-                       "'windfirm simulate-test' take a stem with 'sections'",
-                       m->key);
     enum wf_status s;
     if (!sp->levels) return wf_fail(e, WF_EINPUT, "%s: the species has no levels", sp->key);
     if (m->generator == WF_GENERATOR_STEM)
@@ -200,5 +196,6 @@ enum wf_status wf_grow(const struct wf_model *m, const struct wf_species *sp, st
         s = grow_measured(m, sp, a, out, e);
     else
         s = grow_branched(m, sp, a, out, d, e);
-    return s ? s : wf_silhouette_onto(m, sp, out, d, e);
+    if (!s) s = wf_silhouette_onto(m, sp, out, d, e);
+    return s ? s : wf_hollow_onto(m, sp, a, out, d, e);
 }

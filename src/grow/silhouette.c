@@ -2,6 +2,7 @@
 #include "grow/silhouette.h"
 #include "base/csv.h"
 #include "base/num.h"
+#include "data/crown_mass.h"
 #include "data/species.h"
 #include <math.h>
 
@@ -207,6 +208,27 @@ static enum wf_status find_outline(const struct wf_model *m, double height, stru
     return WF_OK;
 }
 
+struct wf_outline_size wf_silhouette_size(const struct wf_model *m, double height)
+{
+    const struct wf_silhouette *s = &m->silhouette;
+    struct wf_outline_size size = { wf_silhouette_area(s), NAN, NAN, NAN };
+    struct wf_arena scratch = { 0 };
+    struct wf_outline o;
+    double left = INFINITY, right = -INFINITY, base = INFINITY, top = -INFINITY, moment;
+    bool drawn = s->points || given(s->width);
+    if (drawn && !find_outline(m, height, &scratch, &o, NULL)) {
+        for (size_t i = 0; i < o.n; i++) {
+            left = fmin(left, o.x[i]), right = fmax(right, o.x[i]);
+            base = fmin(base, o.z[i]), top = fmax(top, o.z[i]);
+        }
+        double area = wf_outline_strip(&o, -INFINITY, INFINITY, &moment);
+        size.centre = moment / area, size.height = top - base;
+        size.breadth = s->points ? right - left : s->width;
+    }
+    wf_arena_free(&scratch);
+    return size;
+}
+
 /* ---- On the tree ---- */
 
 struct carriers {
@@ -398,20 +420,48 @@ static enum wf_status onto_area(const struct wf_model *m, const struct wf_specie
     return s;
 }
 
-static enum wf_status onto_mass(const struct wf_model *m, const struct carriers *c, struct wf_diag *d,
-                                struct wf_err *e)
+/* Diameter of the stem at 1.3 m [m]; NAN where it ends below. */
+static double diameter_at_breast(const struct wf_tree *t)
 {
-    const double cone = 3.14159265358979324 / 12;
+    const double breast = WF_BREAST_HEIGHT;
+    for (size_t i = 0; i < t->n; i++)
+        if (t->level[i] == 0 && t->z0[i] <= breast && breast < t->z1[i])
+            return 2 * wf_between(t->r0[i], t->r1[i], (breast - t->z0[i]) / (t->z1[i] - t->z0[i]));
+    return (double)NAN;
+}
+
+/* Mass of the crown as the model gives it [kg]; 0: it does not. */
+static enum wf_status crown_mass(const struct wf_model *m, const struct wf_species *sp,
+                                 const struct wf_tree *t, struct wf_arena *a, struct wf_diag *d, double *mass,
+                                 struct wf_err *e)
+{
     const struct wf_silhouette *s = &m->silhouette;
+    const struct wf_outline_size seen = wf_silhouette_size(m, wf_tree_height(t));
+    const struct wf_crown_size size = { diameter_at_breast(t), seen.breadth, seen.height,
+                                        m->season == WF_LEAF_ON };
+    struct wf_err why = { WF_OK, "" };
+    const char *said;
+    *mass = given(s->density) ? s->density * WF_PI / 12 * seen.breadth * seen.breadth * seen.height : s->mass;
+    if (!s->by) return WF_OK;
+    enum wf_status status = wf_crown_rule_mass(s->by, sp->key, &size, a, mass, &said, &why);
+    if (status) return wf_fail(e, status, "%s: crown_mass_by: %s", m->key, why.text);
+    wf_diag_warn(d, "crown-mass-by", "%s: branches and leaves are taken as %.4g kg by %s", m->name, *mass,
+                 said);
+    return WF_OK;
+}
+
+static enum wf_status onto_mass(const struct wf_model *m, const struct carriers *c, double mass,
+                                struct wf_diag *d, struct wf_err *e)
+{
     struct wf_tree *t = c->t;
-    double sail = sail_of(t),
-           mass = given(s->density) ? s->density * cone * s->width * s->width * s->depth : s->mass;
+    double sail = sail_of(t);
     if (!given(mass)) {
         if (c->stem && sail > 0)
-            wf_diag_warn(d, "crown-mass",
-                         "%s: the crown's mass is that of its leaves (%.4g m2) alone, without branch wood: "
-                         "sway is too fast and weight too low. crown_mass or crown_density gives it",
-                         m->name, m->leaf_area);
+            wf_diag_warn(
+                d, "crown-mass",
+                "%s: the crown's mass is that of its leaves (%.4g m2) alone, without branch wood: "
+                "sway is too fast and weight too low. crown_mass, crown_density or crown_mass_by gives it",
+                m->name, m->leaf_area);
         return WF_OK;
     }
     if (!c->stem)
@@ -433,14 +483,16 @@ enum wf_status wf_silhouette_onto(const struct wf_model *m, const struct wf_spec
     struct wf_arena scratch = { 0 };
     struct carriers c;
     bool area = !isnan(wf_silhouette_area(s));
-    if (!area && !given(s->mass) && !given(s->density)) return WF_OK;
+    double mass = 0;
+    if (!area && !given(s->mass) && !given(s->density) && !s->by) return WF_OK;
     enum wf_status status = wf_silhouette_check(s, e);
     if (!status && !sp->crown.drag_coefficient.given)
         status = wf_fail(e, WF_EINPUT, "%s: the model has a crown, but the species table %s has no 'crown'",
                          m->key, sp->key);
     if (!status) status = find_carriers(t, &scratch, &c, e);
     if (!status && area) status = onto_area(m, sp, &c, &scratch, d, e);
-    if (!status) status = onto_mass(m, &c, d, e);
+    if (!status) status = crown_mass(m, sp, t, &scratch, d, &mass, e);
+    if (!status) status = onto_mass(m, &c, mass, d, e);
     wf_arena_free(&scratch);
     return status;
 }

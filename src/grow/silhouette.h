@@ -31,6 +31,15 @@ enum wf_status wf_outline_read(const char *path, struct wf_silhouette *s, struct
 enum wf_status wf_silhouette_check(const struct wf_silhouette *s, struct wf_err *e);
 /* Frontal area with leaves [m2]; NAN when it is not given. */
 double wf_silhouette_area(const struct wf_silhouette *s);
+/* The crown's outline in numbers; NAN: not known. */
+struct wf_outline_size {
+    double area;    /* [m2] */
+    double centre;  /* of the area, above the ground [m] */
+    double breadth; /* largest, to the side [m] */
+    double height;  /* from its lowest to its highest point [m] */
+};
+/* Given: a model and the height of its tree [m]. Of an area alone nothing else is known. */
+struct wf_outline_size wf_silhouette_size(const struct wf_model *m, double height);
 /* Lowest and highest point along a stem of this height [m]. Returned: false when it does not say. */
 bool wf_silhouette_ends(const struct wf_silhouette *s, double height, double *base, double *top);
 
@@ -39,7 +48,7 @@ bool wf_silhouette_ends(const struct wf_silhouette *s, double height, double *ba
  * over the height, so that its centre is at the outline's: on the stem of a tree without branches; else on
  * the parts with leaves, or on the shoots above which there is a single tip. An area alone keeps the
  * distribution of the leaves. Crown mass takes the place of the mass of the leaves. Warnings in `d`:
- * crown-areas, crown-mass, crown-centre, leaf-off-share. Errors: WF_EINPUT, WF_ENOMEM. */
+ * crown-areas, crown-mass, crown-mass-by, crown-centre, leaf-off-share. Errors: WF_EINPUT, WF_ENOMEM. */
 enum wf_status wf_silhouette_onto(const struct wf_model *m, const struct wf_species *sp, struct wf_tree *t,
                                   struct wf_diag *d, struct wf_err *e);
 #endif

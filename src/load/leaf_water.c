@@ -323,7 +323,7 @@ static void let_fall(struct wf_leaf_water *w, size_t i)
 {
     w->fell += w->drop[i].mass;
     w->count[WF_WATER_FELL]++;
-    if (w->falls < WF_COUNT(w->fall)) w->fall[w->falls++] = w->drop[i];
+    w->fall[w->falls++] = w->drop[i];
     remove_drop(w, i);
 }
 
@@ -346,6 +346,15 @@ static bool leave_film(struct wf_leaf_water *w, const struct wf_water_law *law, 
     return true;
 }
 
+/* Mass of a drop that its edge, or the under side of its leaf, must hold: as heavy as in a leaf at rest. */
+static double hung_mass(const struct wf_water_law *law, const struct wf_leaf_lie *lie,
+                        const struct wf_leaf_water *w, const struct wf_leaf_drop *d, double press)
+{
+    if (!d->edge) return press < 0 ? d->mass * -press / law->gravity : 0;
+    size_t i = (size_t)(fmin(fmax(d->at[0] / w->blade.length, 0), 1) * (double)(lie->n - 1) + 0.5);
+    return d->mass * (lie->pull ? lie->pull[i] : 1);
+}
+
 /* Returned: false when the drop is gone. */
 static bool move_drop(struct wf_leaf_water *w, const struct wf_water_law *law, const struct wf_leaf_lie *lie,
                       size_t i, double time, double dt)
@@ -359,7 +368,7 @@ static bool move_drop(struct wf_leaf_water *w, const struct wf_water_law *law, c
         d->at[1] *= 0.999;
     }
     /* what hangs, at the edge or under a leaf that has turned over, is held up to the limit */
-    if ((d->edge || press < 0) && d->mass > wf_leaf_hanging(law)) {
+    if (hung_mass(law, lie, w, d, press) > wf_leaf_hanging(law) && w->falls < WF_COUNT(w->fall)) {
         let_fall(w, i);
         return false;
     }

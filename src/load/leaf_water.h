@@ -52,7 +52,8 @@ struct wf_leaf_drop {
  * of the upward unit vector along the vein, to the left and along the normal. */
 struct wf_leaf_lie {
     size_t n;
-    const double (*up)[3];
+    const double (*up)[3]; /* of a leaf in motion: of gravity less its acceleration, over gravity */
+    const double *pull;    /* size of that at each section; NULL: 1, a leaf at rest                 */
 };
 
 enum wf_water_event { WF_WATER_MERGED, WF_WATER_HUNG, WF_WATER_FELL, WF_WATER_RAN, WF_WATER_EVENTS };
@@ -70,7 +71,7 @@ struct wf_leaf_water {
     struct wf_leaf_drop drop[WF_LEAF_DROPS];
     double received, film, fell; /* mass since the start [kg]; received = drops + film + fell */
     size_t count[WF_WATER_EVENTS];
-    /* what fell in the last step */
+    /* what fell in the last step; more than there is room for falls in the next one */
     size_t falls;
     struct wf_leaf_drop fall[16];
 };

@@ -16,9 +16,10 @@ extern "C" {
 
 struct wf_species;
 
-struct wf_site;     /* wind/terrain.h */
-struct wf_category; /* wind/category.h */
-struct wf_design;   /* wind/design.h */
+struct wf_site;              /* wind/terrain.h */
+struct wf_category;          /* wind/category.h */
+struct wf_design;            /* wind/design.h */
+struct wf_anchorage_request; /* fail/anchorage.h */
 
 /* States of a tree in a wind: in the mean wind; at the peak of the load on the whole tree; at the peak of the
  * load on one branch, which a gust reaches at once. */
@@ -55,8 +56,9 @@ struct wf_scenario {
     double temperature, altitude;      /* [K], [m] */
     double air_density;                /* [kg m-3]; NAN: from temperature and altitude */
     double gravity;
-    double snow;            /* on the crown, per area seen from above [kg m-2]; 0: none */
-    double ice;             /* radial thickness on axes and leaves [m]; 0: none */
+    const char *branch_strength; /* name in wf_branch_strengths (fail/fail.h); NULL: by the bark */
+    double snow;                 /* on the crown, per area seen from above [kg m-2]; 0: none */
+    double ice;                  /* radial thickness on axes and leaves [m]; 0: none */
     bool weight_unstressed; /* stresses are those of the change from the state at rest: the weight's are left
                                out, which is unsafe for leaning trees and limbs */
     double water;           /* rain on the leaves, per one-sided leaf area [kg m-2]; 0: dry */
@@ -70,7 +72,8 @@ struct wf_scenario {
                            the exposure comes on top [-] */
     double gust_factor; /* 3-s gust over 10-min mean of the named winds; 0: by EN 1991-1-4 [-] */
     double least;       /* of the profile "code": height below which the wind is constant [m] */
-    struct wf_peak_request peak; /* how the peak load follows from the mean wind */
+    const struct wf_anchorage_request *anchorage; /* of the root (fail/anchorage.h); NULL: nothing is said */
+    struct wf_peak_request peak;                  /* how the peak load follows from the mean wind */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
                                conversion */
 };

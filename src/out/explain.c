@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/explain.h"
 #include "out/doc.h"
+#include "out/inputs.h"
 #include <math.h>
 
 static void row(FILE *f, const struct wf_explained *x, size_t b)
@@ -130,6 +131,7 @@ static enum wf_status document(const struct wf_explained *x, const struct wf_doc
 {
     struct wf_doc d = { 0 };
     json_t *o = wf_doc_begin(&d, "windfirm-explain", head);
+    wf_doc_put(&d, o, "scenario", wf_part_site(&d, x->scenario));
     json_t *list = wf_doc_put(&d, o, "explained", wf_doc_array(&d));
     wf_doc_add(&d, list, wf_explain_part(&d, x));
     wf_doc_warnings(&d, wf_doc_put(&d, o, "warnings", wf_doc_array(&d)), x->findings);

@@ -10,7 +10,8 @@ struct wf_explained {
     const char *name; /* of the tree and its wind, for the heading */
     const struct wf_explain *of;
     const struct wf_tree *tree;
-    double speed;                   /* [m/s] */
+    double speed;                       /* [m/s] */
+    const struct wf_scenario *scenario; /* of a document of its own */
     const struct wf_diag *findings; /* where printed methods depart from physics; NULL: reported elsewhere */
 };
 

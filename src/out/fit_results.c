@@ -233,6 +233,13 @@ static void fit_part(struct wf_doc *d, json_t *o, const struct wf_fit *f)
     }
 }
 
+/* What the shape of a tree was taken as. */
+static const char *rest_of(const struct wf_fit_tree *t)
+{
+    if (!(t->loads.gravity > 0)) return "weightless";
+    return t->tree.standing ? "as-drawn" : "stress-free";
+}
+
 static json_t *document(struct wf_doc *d, const struct wf_fit_results *of)
 {
     json_t *o = wf_doc_object(d), *schema = wf_doc_put(d, o, "schema", wf_doc_object(d));
@@ -257,6 +264,7 @@ static json_t *document(struct wf_doc *d, const struct wf_fit_results *of)
             wf_doc_text(d, t, "species", of->x.tree[k].species->name);
         wf_doc_number(d, t, "height", of->x.tree[k].height),
             wf_doc_count(d, t, "segments", of->x.tree[k].tree.n);
+        wf_doc_text(d, t, "rest", rest_of(&of->x.tree[k]));
     }
     wf_doc_count(d, o, "records", tests_with_data(of));
     json_t *sways = wf_doc_put(d, o, "sways", wf_doc_array(d));

@@ -131,7 +131,7 @@ json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a)
     }
     const bool leaves = a->model->leaf_area > 0 || !isnan(wf_silhouette_area(&a->model->silhouette));
     for (size_t k = 0; wf_crown_property(sp, k, &p); k++)
-        add_value(d, values, a, "crown", "crown.", &p, leaves);
+        if (p.acts != WF_ACTS_DROPS) add_value(d, values, a, "crown", "crown.", &p, leaves);
     add_law_values(d, values, a, "crown", "crown.streamlining.", wf_laws.streamlining, &sp->streamlining,
                    leaves);
     add_law_values(d, values, a, "axes", "axis_drag.", wf_laws.axis_drag, &sp->axis_drag, true);
@@ -176,7 +176,13 @@ json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m)
     wf_doc_quantity(d, o, "crown_base", m->crown_base, "m", "no crown");
     wf_doc_quantity(d, o, "crown_top", m->crown_top, "m", "no crown");
     wf_doc_quantity(d, o, "leaf_area", m->leaf_area, "m2", "no crown");
-    wf_doc_quantity(d, o, "frontal_area", wf_silhouette_area(&m->silhouette), "m2", "by the leaf area");
+    const struct wf_outline_size seen = wf_silhouette_size(m, m->height);
+    static const char no_outline[] = "no outline";
+    wf_doc_quantity(d, o, "frontal_area", seen.area, "m2", "by the leaf area");
+    wf_doc_quantity(d, o, "outline_centre", seen.centre, "m", no_outline);
+    wf_doc_quantity(d, o, "outline_breadth", seen.breadth, "m", no_outline);
+    wf_doc_quantity(d, o, "outline_height", seen.height, "m", no_outline);
+    wf_doc_text(d, o, "crown_mass_by", m->silhouette.by);
     return o;
 }
 
@@ -193,6 +199,14 @@ static void put_site(struct wf_doc *d, json_t *o, const struct wf_scenario *s)
     wf_doc_quantity(d, o, "wind_height", at.height, "m", NULL);
     wf_doc_quantity(d, o, "gust_over_mean", wf_scenario_gust(s, 1.0), "1", NULL);
     wf_doc_quantity(d, o, "carried", s->carried, "1", NULL);
+}
+
+json_t *wf_part_site(struct wf_doc *d, const struct wf_scenario *s)
+{
+    json_t *o = wf_doc_object(d);
+    put_site(d, o, s);
+    wf_doc_quantity(d, o, "speed_up", s->speed_up, "1", NULL);
+    return o;
 }
 
 json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
@@ -303,6 +317,15 @@ json_t *wf_part_steady(struct wf_doc *d, const struct wf_analysis *a, const stru
     return o;
 }
 
+static void put_branch_strength(struct wf_doc *d, json_t *method, const struct wf_branch_strength *b)
+{
+    json_t *o = wf_doc_put(d, method, "branch_strength", wf_doc_object(d));
+    wf_doc_text(d, o, "name", b->name);
+    wf_doc_quantity(d, o, "factor", b->factor, "1", NULL);
+    wf_doc_text(d, o, "source", b->source);
+    wf_doc_text(d, o, "validity", b->text);
+}
+
 json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
 {
     const struct wf_profile *profile = wf_profile_named(a->scenario.profile);
@@ -321,6 +344,7 @@ json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_text(d, wind, "validity", profile ? profile->validity : NULL);
     const struct wf_shelter_law *own = wf_shelter_law_named(a->scenario.shelter);
     put_peak_method(d, o, a);
+    if (a->branch_strength) put_branch_strength(d, o, a->branch_strength);
     json_t *shelter = wf_doc_put(d, o, "shelter", wf_doc_object(d));
     wf_doc_text(d, shelter, "name", own ? own->name : "none");
     wf_doc_text(d, shelter, "source", own ? own->source : NULL);
@@ -341,11 +365,12 @@ json_t *wf_part_wetted(struct wf_doc *d, const struct wf_wetted *w)
     double critical[2];
     for (int k = 0; k < 2; k++)
         critical[k] = w->critical[k].outcome == WF_CRITICAL_SELF_WEIGHT ? 0 : w->critical[k].speed;
-    wf_doc_number(d, o, "film_mm", w->film);
+    if (w->film > 0) wf_doc_number(d, o, "film_mm", w->film);
+    if (w->film > 0) wf_doc_number(d, o, "leaf_area_m2", w->leaf_area);
     wf_doc_number(d, o, "mass_kg", w->mass);
-    wf_doc_number(d, o, "leaf_area_m2", w->leaf_area);
     wf_doc_number(d, o, "speed_m_s", w->speed);
     wf_doc_numbers(d, o, "frequencies_Hz", w->frequency, 2);
+    wf_doc_numbers(d, o, "drags_N", w->drag, 2);
     wf_doc_numbers(d, o, "moments_N_m", w->moment, 2);
     wf_doc_numbers(d, o, "deflections_m", w->deflection, 2);
     wf_doc_numbers(d, o, "criticals_m_s", critical, 2);

@@ -9,6 +9,8 @@
 json_t *wf_part_species(struct wf_doc *d, const struct wf_analysis *a);
 json_t *wf_part_model(struct wf_doc *d, const struct wf_model *m);
 json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a);
+/* Of a scenario the ground, where its winds are measured and how they are carried to the site. */
+json_t *wf_part_site(struct wf_doc *d, const struct wf_scenario *s);
 json_t *wf_part_method(struct wf_doc *d, const struct wf_analysis *a);
 /* What the peak load at a speed was computed from; and the state in the mean wind alone. */
 json_t *wf_part_peak(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at);

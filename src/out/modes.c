@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/modes.h"
+#include "out/inputs.h"
 #include <math.h>
 #include <string.h>
 
@@ -8,7 +9,10 @@ enum {
     ROWS_DRAWN = 5000
 }; /* modes of a figure beside the sway of the tree; segments of a drawn tree */
 
-static const char *season_word(enum wf_season s) { return s == WF_LEAF_ON ? "leaf_on" : "leaf_off"; }
+static const char *leaves_word(const struct wf_mode_block *b)
+{
+    return b->water > 0 ? "leaf_wet" : b->season == WF_LEAF_ON ? "leaf_on" : "leaf_off";
+}
 
 static void number(FILE *f, double x) { isfinite(x) ? fprintf(f, ",%.6g", x) : fputc(',', f); }
 
@@ -17,7 +21,7 @@ static void mode_row(FILE *f, size_t run, const struct wf_mode_block *b, size_t 
     const struct wf_sway_mode *m = &b->modes.mode[k];
     const double x[] = { m->frequency, m->mass,    m->share[0],   m->share[1], m->share[2],
                          m->turn[0],   m->turn[1], m->structural, m->air,      m->damping };
-    fprintf(f, "%zu,%s,%.6g,%zu,%s", run, season_word(b->season), b->speed, k + 1, wf_mode_direction(m));
+    fprintf(f, "%zu,%s,%.6g,%zu,%s", run, leaves_word(b), b->speed, k + 1, wf_mode_direction(m));
     for (size_t i = 0; i < sizeof x / sizeof *x; i++) number(f, x[i]);
     fputc('\n', f);
 }
@@ -26,7 +30,7 @@ static void mode_row(FILE *f, size_t run, const struct wf_mode_block *b, size_t 
 static void sway_row(FILE *f, size_t run, const struct wf_mode_block *b)
 {
     const struct wf_sway *s = &b->modes.sway;
-    fprintf(f, "%zu,%s,%.6g,0,tree", run, season_word(b->season), b->speed);
+    fprintf(f, "%zu,%s,%.6g,0,tree", run, leaves_word(b), b->speed);
     number(f, s->frequency), number(f, s->mass);
     fputs(",,,", f);
     number(f, s->participation);
@@ -49,7 +53,8 @@ static void modes_table(FILE *f, const struct wf_mode_list *l)
 /* Is the block the one whose shapes are drawn: the first of its season? */
 static bool drawn(const struct wf_mode_list *l, size_t i)
 {
-    return l->block[i].modes.count && (i == 0 || l->block[i - 1].season != l->block[i].season);
+    return l->block[i].modes.count && (i == 0 || l->block[i - 1].season != l->block[i].season ||
+                                       l->block[i - 1].water != l->block[i].water);
 }
 
 /* Highest level of branches that is drawn. */
@@ -139,17 +144,24 @@ static json_t *mode_part(struct wf_doc *d, const struct wf_sway_mode *m, size_t 
     return o;
 }
 
+json_t *wf_part_modes(struct wf_doc *d, const struct wf_sway_modes *m)
+{
+    json_t *list = wf_doc_array(d);
+    for (size_t k = 0; k < m->count; k++) wf_doc_add(d, list, mode_part(d, &m->mode[k], k));
+    return list;
+}
+
 static json_t *block_part(struct wf_doc *d, const struct wf_mode_list *l, size_t i)
 {
     const struct wf_mode_block *b = &l->block[i];
     json_t *o = wf_doc_object(d);
     wf_doc_count(d, o, "run", i + 1);
-    wf_doc_text(d, o, "season", season_word(b->season));
+    wf_doc_text(d, o, "season", leaves_word(b));
+    if (b->water > 0) wf_doc_number(d, o, "film_mm", b->water);
     wf_doc_number(d, o, "speed", b->speed);
     wf_doc_text(d, o, "status", b->status ? wf_status_text(b->status) : "ok");
     wf_doc_flag(d, o, "damping_known", b->modes.damping_known);
-    json_t *list = wf_doc_put(d, o, "modes", wf_doc_array(d));
-    for (size_t k = 0; k < b->modes.count; k++) wf_doc_add(d, list, mode_part(d, &b->modes.mode[k], k));
+    wf_doc_put(d, o, "modes", wf_part_modes(d, &b->modes));
     if (!b->modes.count) return o;
     const struct wf_sway *sway = &b->modes.sway;
     wf_doc_number(d, o, "tree_frequency", sway->frequency);
@@ -168,6 +180,7 @@ static enum wf_status document(const struct wf_mode_list *l, const char *name, c
     char figure[32];
     json_t *o = wf_doc_begin(&d, "windfirm-modes", head);
     wf_doc_text(&d, o, "name", name);
+    wf_doc_put(&d, o, "scenario", wf_part_site(&d, l->scenario));
     json_t *line = wf_doc_put(&d, o, "measured", wf_doc_object(&d));
     wf_doc_flag(&d, line, "conifer", l->conifer);
     wf_doc_text(&d, line, "of", l->line->name);

@@ -5,6 +5,8 @@
 #include "out/doc.h"
 #include "study/mode_list.h"
 
+/* Modes as a part of a document: a list of objects. */
+json_t *wf_part_modes(struct wf_doc *d, const struct wf_sway_modes *m);
 /* Write tables/modes.csv, tables/mode_shapes.csv (of the lowest wind of each season), plots/run.csv and
  * results.json of a folder of its own. Given: name of the tree for the heading. Errors: WF_EOUTPUT,
  * WF_ENOMEM. */

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/rain_results.h"
 #include "base/num.h"
+#include "data/species.h"
 #include "load/drop_shape.h"
 #include <math.h>
 #include <string.h>
+
+static double degrees(double angle) { return angle * 180 / WF_PI; }
 
 /* ---- Tables ---- */
 
@@ -22,7 +25,7 @@ static void series(FILE *f, const struct wf_rain_page *p)
                     r + 1, w->time, w->air, w->state[WF_DROP_REST], w->state[WF_DROP_RUN],
                     w->state[WF_DROP_HANG], 1e6 * w->held, 1e6 * w->film, 1e6 * w->fell, 1e6 * w->ground,
                     1e3 * w->tip[0], 1e3 * w->tip[1], 1e3 * w->tip[2], 1e3 * w->branch_tip[2],
-                    w->twist * 180 / WF_PI, 1e3 * w->petiole_force, 1e3 * w->petiole_moment,
+                    degrees(w->twist), 1e3 * w->petiole_force, 1e3 * w->petiole_moment,
                     1e3 * w->branch_moment, 1e3 * w->energy, w->wetted);
         }
 }
@@ -156,22 +159,29 @@ struct term {
     const char *of, *name;
     double value; /* [mg], [uJ] */
 };
-enum { TERMS = 16 };
+enum { TERMS = 17 };
 
 static void terms_of(const struct wf_rain_result *r, struct term t[TERMS])
 {
     const struct wf_water_budget *w = &r->water;
     const struct wf_energy_budget *b = &r->energy;
-    const struct term all[TERMS] = {
-        { "water", "rain", 1e6 * w->rain },         { "water", "air", 1e6 * w->air },
-        { "water", "ground", 1e6 * w->ground },     { "water", "splash", 1e6 * w->splash },
-        { "water", "wood", 1e6 * w->wood },         { "water", "held", 1e6 * w->held },
-        { "water", "film", 1e6 * w->film },         { "energy", "drops", 1e6 * b->drops },
-        { "energy", "start", 1e6 * b->start },      { "energy", "weight", 1e6 * b->weight },
-        { "energy", "load", 1e6 * b->load },        { "energy", "push", 1e6 * b->push },
-        { "energy", "damping", -1e6 * b->damping }, { "energy", "solver", 1e6 * b->solver },
-        { "energy", "end", 1e6 * b->end },          { NULL, NULL, 0 }
-    };
+    const struct term all[TERMS] = { { "water", "rain", 1e6 * w->rain },
+                                     { "water", "air", 1e6 * w->air },
+                                     { "water", "ground", 1e6 * w->ground },
+                                     { "water", "splash", 1e6 * w->splash },
+                                     { "water", "wood", 1e6 * w->wood },
+                                     { "water", "held", 1e6 * w->held },
+                                     { "water", "film", 1e6 * w->film },
+                                     { "energy", "drops", 1e6 * b->drops },
+                                     { "energy", "start", 1e6 * b->start },
+                                     { "energy", "weight", 1e6 * b->weight },
+                                     { "energy", "load", 1e6 * b->load },
+                                     { "energy", "wind", 1e6 * b->wind },
+                                     { "energy", "push", 1e6 * b->push },
+                                     { "energy", "damping", -1e6 * b->damping },
+                                     { "energy", "solver", 1e6 * b->solver },
+                                     { "energy", "end", 1e6 * b->end },
+                                     { NULL, NULL, 0 } };
     memcpy(t, all, sizeof all);
 }
 
@@ -186,25 +196,55 @@ static void budget(FILE *f, const struct wf_rain_page *p)
     }
 }
 
-/* The four kinds of springs with the range of their constants. */
+/* How many springs of a kind there are, and the range of their constants; INFINITY, 0: there are none. */
+static size_t spring_range(const struct wf_prism *q, int32_t row, double *low, double *high)
+{
+    size_t n = 0;
+    *low = INFINITY, *high = 0;
+    for (size_t i = 0; i < q->springs; i++) {
+        if (q->spring[i].row != row) continue;
+        *low = fmin(*low, q->spring[i].k), *high = fmax(*high, q->spring[i].k), n++;
+    }
+    return n;
+}
+
 static void springs(FILE *f, const struct wf_rain_page *p)
 {
     fputs("run,row,joins,springs,lowest_N_m,highest_N_m\n", f);
     for (size_t r = 0; r < p->n; r++)
         for (int32_t k = 0; k < WF_PRISM_ROWS; k++) {
-            const struct wf_prism *q = &p->run[r].of->scene.prism;
-            double low = INFINITY, high = 0;
-            size_t n = 0;
-            for (size_t i = 0; i < q->springs; i++) {
-                if (q->spring[i].row != k) continue;
-                low = fmin(low, q->spring[i].k), high = fmax(high, q->spring[i].k), n++;
-            }
+            double low, high;
+            size_t n = spring_range(&p->run[r].of->scene.prism, k, &low, &high);
             fprintf(f, "%zu,%s,\"%s\",%zu,", r + 1, wf_prism_kinds[k].name, wf_prism_kinds[k].joins, n);
             if (n)
                 fprintf(f, "%.5g,%.5g\n", low, high);
             else
                 fputs(",\n", f);
         }
+}
+
+/* Springs without a law, without restoring springs and with them. */
+static void orders(FILE *f, const struct wf_rain_page *p)
+{
+    fputs("prisms,restoring_N_m,sag_over_length,fold_deg,strain,back_s,left_over_length\n", f);
+    for (size_t k = 0; k < WF_PRISM_ORDERS; k++) {
+        const struct wf_prism_order *o = &p->order[k];
+        fprintf(f, "%zu,%.4g,%.4g,%.4g,%.4g,", o->prisms, o->restoring, o->sag, degrees(o->fold), o->strain);
+        if (isfinite(o->back)) fprintf(f, "%.4g", o->back);
+        fprintf(f, ",%.4g\n", o->left);
+    }
+}
+
+/* Axes, side by side: loaded, and after the load was taken away. */
+static void order_lines(FILE *f, const struct wf_rain_page *p)
+{
+    fputs("prisms,restoring_N_m,state,x_m,z_m\n", f);
+    for (size_t k = 0; k < WF_PRISM_ORDERS; k++) {
+        const struct wf_prism_order *o = &p->order[k];
+        for (size_t i = 0; i < 2 * (o->prisms + 1); i++)
+            fprintf(f, "%zu,%.4g,%s,%.5g,%.5g\n", o->prisms, o->restoring, i > o->prisms ? "free" : "loaded",
+                    o->line[3 * i], o->line[3 * i + 2]);
+    }
 }
 
 static void prisms(FILE *f, const struct wf_rain_page *p)
@@ -234,11 +274,11 @@ static void falls(FILE *f, const struct wf_rain_page *p)
 
 static void speeds(FILE *f, const struct wf_rain_page *p)
 {
-    fputs("scene,leaves,vertices,facets,grid,drops,paper_frames_s,steps_s\n", f);
+    fputs("scene,leaves,vertices,facets,paper_vertices,paper_facets,grid,drops,paper_frames_s,steps_s\n", f);
     for (size_t i = 0; i < p->speeds; i++) {
         const struct wf_rain_speed *s = &p->speed[i];
-        fprintf(f, "%zu,%zu,%zu,%zu,%zu,%zu,%.4g,%.4g\n", s->scene, s->leaves, s->vertices, s->facets,
-                s->grid, s->drops, s->paper, s->steps);
+        fprintf(f, "%zu,%zu,%zu,%zu,%zu,%zu,%zu,%zu,%.4g,%.4g\n", s->scene, s->leaves, s->vertices, s->facets,
+                s->paper_vertices, s->paper_facets, s->grid, s->drops, s->paper, s->steps);
     }
 }
 
@@ -311,6 +351,54 @@ static enum wf_status plot_data(const struct wf_rain_page *page, const char *fol
 
 /* ---- The document ---- */
 
+static void run_numbers(struct wf_doc *d, json_t *o, const struct wf_rain_result *r)
+{
+    const struct wf_rain_spec *s = r->spec;
+    double area = wf_blade_area(&r->scene.blade);
+    const struct {
+        const char *key;
+        double x;
+    } number[] = { { "duration_s", s->duration },
+                   { "step_s", s->step },
+                   { "intensity_mm_h", s->rain.intensity * 3.6e6 },
+                   { "drops", (double)s->drops },
+                   { "diameter_mm", 1e3 * s->rain.diameter },
+                   { "steps_a_second", (double)r->steps / fmax(r->seconds, 1e-9) },
+                   { "vein_mm", 1e3 * s->scene.leaf_length },
+                   { "leaf_cm2", 1e4 * area },
+                   { "leaf_mg", 1e6 * area * s->scene.species->crown.leaf_mass_per_area.value },
+                   { "petiole_mm", 1e3 * s->scene.petiole },
+                   { "petiole_diameter_mm", 2e3 * s->scene.petiole_radius },
+                   { "petiole_GPa", 1e-9 * s->scene.petiole_youngs },
+                   { "contact_angle_deg", degrees(s->water.angle) },
+                   { "receding_deg", s->printed ? NAN : degrees(s->water.receding) },
+                   { "advancing_deg", s->printed ? NAN : degrees(s->water.advancing) },
+                   { "tests_a_way", (double)r->tests / fmax(1, (double)r->ways) },
+                   { "frequency_Hz", r->frequency },
+                   { "damping_ratio", s->damping },
+                   { "decrement", WF_TURN * s->damping / sqrt(1 - s->damping * s->damping) },
+                   { "ring_frequency_Hz", r->ring_frequency },
+                   { "ring_decrement", r->ring_decrement },
+                   { "fallen_at_s", r->fallen_at },
+                   { "euler_limit_s", r->euler_limit },
+                   { "hanging_mg", 1e6 * wf_leaf_hanging(&s->water) },
+                   { "water_off", r->water.off },
+                   { "energy_off", r->energy.off } };
+    for (size_t i = 0; i < WF_COUNT(number); i++) wf_doc_number(d, o, number[i].key, number[i].x);
+}
+
+static void spring_kinds(struct wf_doc *d, json_t *o, const struct wf_prism *p)
+{
+    json_t *kinds = wf_doc_put(d, o, "spring_kinds", wf_doc_array(d));
+    for (int32_t k = 0; k < WF_PRISM_ROWS; k++) {
+        double low, high;
+        size_t n = spring_range(p, k, &low, &high);
+        json_t *q = wf_doc_add(d, kinds, wf_doc_object(d));
+        wf_doc_text(d, q, "name", wf_prism_kinds[k].name), wf_doc_count(d, q, "number", n);
+        wf_doc_number(d, q, "low", n ? low : NAN), wf_doc_number(d, q, "high", n ? high : NAN);
+    }
+}
+
 static json_t *run_part(struct wf_doc *d, const struct wf_rain_page_run *run)
 {
     const struct wf_rain_result *r = run->of;
@@ -325,6 +413,7 @@ static json_t *run_part(struct wf_doc *d, const struct wf_rain_page_run *run)
     wf_doc_text(d, o, "name", run->name);
     wf_doc_text(d, o, "preset", s->printed ? "yang2011" : "corrected");
     wf_doc_text(d, o, "species", s->scene.species->name), wf_doc_text(d, o, "form", s->scene.form->name);
+    wf_doc_text(d, o, "species_zh", s->scene.species->name_zh);
     wf_doc_text(d, o, "stepping", s->method == WF_PRISM_EULER ? "euler" : "midpoint");
     wf_doc_flag(d, o, "staged", s->staged);
     wf_doc_count(d, o, "leaves", s->scene.leaves), wf_doc_count(d, o, "grid", s->grid);
@@ -333,27 +422,7 @@ static json_t *run_part(struct wf_doc *d, const struct wf_rain_page_run *run)
     wf_doc_count(d, o, "hits", r->hits), wf_doc_count(d, o, "wood_hits", r->wood_hits);
     wf_doc_count(d, o, "missed", r->missed);
     for (int k = 0; k < WF_WATER_EVENTS; k++) wf_doc_count(d, o, wf_water_events[k], count[k]);
-    const struct {
-        const char *key;
-        double x;
-    } number[] = { { "duration_s", s->duration },
-                   { "step_s", s->step },
-                   { "intensity_mm_h", s->rain.intensity * 3.6e6 },
-                   { "drops", (double)s->drops },
-                   { "diameter_mm", 1e3 * s->rain.diameter },
-                   { "steps_a_second", (double)r->steps / fmax(r->seconds, 1e-9) },
-                   { "tests_a_way", (double)r->tests / fmax(1, (double)r->ways) },
-                   { "frequency_Hz", r->frequency },
-                   { "damping_ratio", s->damping },
-                   { "decrement", WF_TURN * s->damping / sqrt(1 - s->damping * s->damping) },
-                   { "ring_frequency_Hz", r->ring_frequency },
-                   { "ring_decrement", r->ring_decrement },
-                   { "fallen_at_s", r->fallen_at },
-                   { "euler_limit_s", r->euler_limit },
-                   { "hanging_mg", 1e6 * wf_leaf_hanging(&s->water) },
-                   { "water_off", r->water.off },
-                   { "energy_off", r->energy.off } };
-    for (size_t i = 0; i < WF_COUNT(number); i++) wf_doc_number(d, o, number[i].key, number[i].x);
+    run_numbers(d, o, r), spring_kinds(d, o, &r->scene.prism);
     json_t *list = wf_doc_put(d, o, "budget", wf_doc_array(d));
     struct term t[TERMS];
     terms_of(r, t);
@@ -378,12 +447,26 @@ static void check_part(struct wf_doc *d, json_t *o, const struct wf_rain_page *p
         wf_doc_number(d, q, "frequency_with_restoring", p->check[k].quick);
     }
     wf_doc_number(d, o, "restoring_N_m", p->rod.restoring);
+    if (p->order) wf_doc_number(d, o, "order_N_m", p->order[0].constant);
+    list = wf_doc_put(d, o, "order", wf_doc_array(d));
+    for (size_t k = 0; p->order && k < WF_PRISM_ORDERS; k++) {
+        json_t *q = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_count(d, q, "prisms", p->order[k].prisms);
+        wf_doc_number(d, q, "restoring", p->order[k].restoring);
+        wf_doc_number(d, q, "sag_percent", 100 * p->order[k].sag);
+        wf_doc_number(d, q, "fold_deg", degrees(p->order[k].fold));
+        wf_doc_number(d, q, "strain_percent", 100 * p->order[k].strain);
+        wf_doc_number(d, q, "back", p->order[k].back);
+        wf_doc_number(d, q, "left_percent", 100 * p->order[k].left);
+    }
     list = wf_doc_put(d, o, "speeds", wf_doc_array(d));
     for (size_t i = 0; i < p->speeds; i++) {
         const struct wf_rain_speed *s = &p->speed[i];
         json_t *q = wf_doc_add(d, list, wf_doc_object(d));
         wf_doc_count(d, q, "scene", s->scene), wf_doc_count(d, q, "leaves", s->leaves);
         wf_doc_count(d, q, "vertices", s->vertices), wf_doc_count(d, q, "facets", s->facets);
+        wf_doc_count(d, q, "paper_vertices", s->paper_vertices);
+        wf_doc_count(d, q, "paper_facets", s->paper_facets);
         wf_doc_count(d, q, "grid", s->grid), wf_doc_count(d, q, "drops", s->drops);
         wf_doc_number(d, q, "paper", s->paper), wf_doc_number(d, q, "steps", s->steps);
     }
@@ -400,6 +483,7 @@ static void figures(struct wf_doc *d, json_t *list, const struct wf_rain_page *p
             wf_doc_figure(d, list, name, of_run[i], r + 1);
         }
     wf_doc_figure(d, list, "rain_prisms", "rain_prisms", 0);
+    if (p->order) wf_doc_figure(d, list, "rain_order", "rain_order", 0);
     wf_doc_figure(d, list, "rain_falls", "rain_falls", 0);
     if (p->clusters) wf_doc_figure(d, list, "rain_clusters", "rain_clusters", 0);
 }
@@ -430,15 +514,21 @@ enum wf_status wf_rain_results_write(const struct wf_rain_page *p, const struct 
         const char *name;
         void (*write)(FILE *f, const struct wf_rain_page *p);
         bool left_out;
-    } table[] = {
-        { "tables/series.csv", series, false },       { "tables/keys.csv", keys, false },
-        { "tables/scene.csv", scene, false },         { "tables/air.csv", air, false },
-        { "tables/drops.csv", drops, false },         { "tables/events.csv", events, false },
-        { "tables/budget.csv", budget, false },       { "tables/prisms.csv", prisms, false },
-        { "tables/springs.csv", springs, false },     { "tables/falls.csv", falls, false },
-        { "tables/speeds.csv", speeds, !p->speeds },  { "tables/clusters.csv", clusters, !p->clusters },
-        { "tables/points.csv", points, !p->clusters }
-    };
+    } table[] = { { "tables/series.csv", series, false },
+                  { "tables/keys.csv", keys, false },
+                  { "tables/scene.csv", scene, false },
+                  { "tables/air.csv", air, false },
+                  { "tables/drops.csv", drops, false },
+                  { "tables/events.csv", events, false },
+                  { "tables/budget.csv", budget, false },
+                  { "tables/prisms.csv", prisms, false },
+                  { "tables/springs.csv", springs, false },
+                  { "tables/falls.csv", falls, false },
+                  { "tables/speeds.csv", speeds, !p->speeds },
+                  { "tables/clusters.csv", clusters, !p->clusters },
+                  { "tables/points.csv", points, !p->clusters },
+                  { "tables/order.csv", orders, !p->order },
+                  { "tables/order_lines.csv", order_lines, !p->order } };
     enum wf_status s = wf_folder_make(folder, e);
     for (size_t i = 0; i < WF_COUNT(table) && !s; i++) {
         struct wf_file f = { 0 };

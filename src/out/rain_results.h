@@ -15,6 +15,7 @@ struct wf_rain_page_run {
 /* A row of the paper's Table 1 with the steps a second of this run. */
 struct wf_rain_speed {
     size_t scene, leaves, vertices, facets, grid, drops;
+    size_t paper_vertices, paper_facets;
     double paper; /* frames a second, drawing included */
     double steps; /* steps a second, without drawing   */
 };
@@ -23,14 +24,15 @@ struct wf_rain_page {
     const struct wf_rain_page_run *run;
     struct wf_prism_rod rod;
     struct wf_prism_check check[WF_PRISM_CHECKS];
+    const struct wf_prism_order *order; /* WF_PRISM_ORDERS; NULL: none */
     size_t speeds;
     const struct wf_rain_speed *speed;
     const struct wf_cloud *points; /* nodes were found from them; NULL: none */
     const struct wf_clusters *clusters;
 };
 /* Write
- * FOLDER/tables/{series,keys,scene,air,drops,map_RUN_KEY,events,budget,springs,prisms,falls,speeds,clusters,points}.csv
- * (the last three where there are any), plots/run.csv and results.json. Errors: WF_EOUTPUT, WF_ENOMEM. */
+ * FOLDER/tables/{series,keys,scene,air,drops,map_RUN_KEY,events,budget,springs,prisms,falls,speeds,clusters,points,order,order_lines}.csv
+ * (the last five where there are any), plots/run.csv and results.json. Errors: WF_EOUTPUT, WF_ENOMEM. */
 enum wf_status wf_rain_results_write(const struct wf_rain_page *p, const struct wf_doc_head *head,
                                      const char *folder, struct wf_err *e);
 #endif

@@ -21,21 +21,27 @@ static const struct {
 } rows[] = {
     { COUNT, "across answers axes branch_count columns cylinder evaluations frames freedom full hole "
              "iterations keys number passes readings records resampled rows run segment segments size "
-             "slit starts starts_same transmitting up facets fell grid hits hung leaves merged missed ran "
+             "censored decimals left_out lost_in_still_air samples slit starts starts_same transmitting up "
+             "facets fell grid hits hung leaves merged missed ran "
              "scene springs vertices wood_hits" },
     { COUNT | LIST, "branches levels prisms" },
     { COUNT | TEXT, "level seed version" },
-    { FLAG, "conifer damping_known staged as_printed converged energy estimated given nuisance priors "
-            "searched_to_the_end "
+    { FLAG, "open conifer damping_known staged as_printed converged energy estimated given nuisance priors "
+            "searched_to_the_end beyond_loss counts_self_weight loses_tree applies unsaid "
             "sigma_estimated small_deflection spectral stopped used within within_limits" },
-    { LIST, "at classes_m_s criteria figures files findings hours_a_year_above methods move_m "
+    { LIST, "cavities wall_limits least_walls_mm outline_x_mm outline_y_mm thicknesses not_assessed at "
+            "classes_m_s criteria figures files findings hours_a_year_above "
+            "methods move_m "
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
-            "blocks modes budget criticals_m_s deflections_m frequencies_Hz moments_N_m speeds sways swing_m "
-            "table_share "
+            "blocks modes budget criticals_m_s drags_N deflections_m frequencies_Hz moments_N_m speeds sways "
+            "swing_m "
+            "lost_by safeties varied table_share "
             "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
-    { NUMBER, "aicc arriving_ratio asked base_moment_open_N_m base_moment_own_N_m beam bootstrap_high "
+    { NUMBER, "at_m from_m to_m wood_radius_mm thinnest_wall_mm strength_loss worst_towards_deg "
+              "strength_loss_with_wind stiffness_loss safety_basic safety_present wall_share wall_safety "
+              "aicc arriving_ratio asked base_moment_open_N_m base_moment_own_N_m beam bootstrap_high "
               "bootstrap_low bound_high bound_low cell_m chi_square coherence_error components "
               "covered_m2 damping damping_sd deviation_m_s flux_ratio frequency frequency_sd from_deg "
               "front_m gain got gust_factor gust_period_s gust_periods gust_window_s "
@@ -50,20 +56,28 @@ static const struct {
               "euler_limit_s fallen_at_s "
               "frequency_Hz frequency_percent hanging_mg intensity_mm_h paper restoring_N_m "
               "ring_decrement ring_frequency_Hz spread_mm steps_a_second tests_a_way tip_percent "
+              "beta critical_at_high_m_s critical_at_low_m_s high_gust_m_s high_m_s low_gust_m_s low_m_s "
+              "median_m_s middle_gust_m_s middle_m_s searched_to_m_s "
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
-              "twist_percent water_off energy_off with_restoring frequency_with_restoring damping_ratio" },
+              "saturated_low saturated_high twist_percent water_off energy_off with_restoring "
+              "frequency_with_restoring damping_ratio" },
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
+      "branch_strength factor required_safety resistance stress "
+      "verdict anchorage moment branches_from critical_gust loss_safety thickness_low thickness_high "
+      "fails_at "
       "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
       "load_factor_branches "
       "sway_frequency participation modal_mass damping_total damping_air turbulence background resonance "
-      "peak_of_gusts carried gust_over_mean wind_height clusters wetted air_density all altitude attenuation "
+      "peak_of_gusts carried gust_over_mean wind_height clusters wetted winter gust_load_factor air_density "
+      "all altitude attenuation "
       "averaging_time axis_drag azimuth "
       "base_moment "
       "base_radius base_shear canopy_height critical critical_speed critical_stem crown_base "
       "crown_top displacement drag exponent fit from governing_section gradient gravity "
+      "interval lognormal "
       "hours_a_year hours_a_year_10_min imbalance largest_stress leaf_area lean lean_azimuth "
       "least_safety lift load_factor main_from method moved north position provenance "
       "reference_height reference_speed reynolds_high reynolds_low rival roughness safety "
@@ -72,15 +86,15 @@ static const struct {
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,
-      "form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
+      "wants form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
       "code command "
-      "criterion date differs direction file generator ground_file gust key kind latin loss meaning name "
+      "criterion date differs direction file generator ground_file gust key kind latin meaning name "
       "name_zh note outcome outcome_text part path preset profile profile_file program quantity "
       "reason reference role scope script season sensor sha256 source species_name status "
       "status_text taper terrain test text title tree unit validity winds_said terrain_text terrain_from "
-      "site_kind design "
+      "site_kind design safety_criterion "
       "wind_terrain" },
-    { TEXT | OBJECT, "law model shelter solver species" },
+    { TEXT | OBJECT, "law loss model shelter solver species" },
 };
 
 enum { DEPTH_MAX = 32, MISTAKES_MAX = 20 };

@@ -34,6 +34,7 @@ static const struct kind kinds[] = {
     { "windfirm-terrain", 1, "terrain", NULL },
     { "windfirm-rain", 1, "rain", NULL },
     { "windfirm-modes", 1, "modes", NULL },
+    { "windfirm-fragility", 1, "fragility", NULL },
 };
 
 struct job {

@@ -2,13 +2,16 @@
 #include "out/results.h"
 #include "base/file.h"
 #include "base/num.h"
-#include "data/species.h"
-#include "out/doc.h"
+#include "out/fragility.h"
 #include "out/inputs.h"
+#include "out/modes.h"
 #include "out/tree_picture.h"
+#include "out/verdict_part.h"
+#include "out/walls.h"
 #include "study/directions.h"
-#include "study/peak.h"
 #include "study/limits.h"
+#include "study/peak.h"
+#include "study/verdict.h"
 #include "study/wetted.h"
 #include "wind/climate.h"
 #include <errno.h>
@@ -20,29 +23,10 @@
 #include <time.h>
 #include <unistd.h>
 
-/* A section of the tree: its segment's number as in segments.csv, that of the row in the tree's file (a
- * model: the same), its thickness at its thicker end, and its place. */
-static json_t *section(struct wf_doc *d, const struct wf_analysis *a, int32_t row, double s, double height)
-{
-    const struct wf_tree *t = &a->tree;
-    if (row < 0 || (size_t)row >= t->n) return json_null();
-    json_t *o = wf_doc_object(d);
-    wf_doc_count(d, o, "segment", (size_t)row + 1);
-    wf_doc_count(d, o, "level", t->level[row] > 0 ? (size_t)t->level[row] : 0);
-    wf_doc_text(d, o, "part", wf_model_level_name(a->model, a->species, t->level[row]));
-    wf_doc_count(d, o, "id", t->id[row] > 0 ? (size_t)t->id[row] : 0);
-    wf_doc_quantity(d, o, "diameter", 2 * fmax(t->r0[row], t->r1[row]), "m", NULL);
-    wf_doc_quantity(d, o, "position", s, "1", "the segment as a whole is named");
-    wf_doc_quantity(d, o, "height", height, "m", NULL);
-    wf_doc_quantity(d, o, "weight_stress", a->still ? a->still->breakage.peak[row] : NAN, "Pa",
-                    "the state at rest was not computed");
-    return o;
-}
-
 static json_t *worst_section(struct wf_doc *d, const struct wf_analysis *a, const struct wf_worst *w)
 {
     if (!w) return json_null();
-    return section(d, a, w->row, w->place, wf_part_height(&a->tree, w->row, w->place));
+    return wf_part_section(d, a, w->row, w->place, wf_part_height(&a->tree, w->row, w->place));
 }
 
 static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)
@@ -79,6 +63,9 @@ static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const st
     wf_doc_quantity(d, o, "least_safety", solved ? worst->safety : NAN, "1", reason);
     wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? worst : NULL));
     if (at >= a->at && at < a->at + a->n) { /* of the main wind direction */
+        struct wf_verdict v = wf_verdict_of(a->breaks);
+        wf_doc_quantity(d, o, "loss_safety", wf_verdict_safety(at, NULL), "1", reason);
+        wf_doc_flag(d, o, "beyond_loss", wf_verdict_lost(&v, at));
         wf_doc_put(d, o, "mean_state", wf_part_steady(d, a, at));
         wf_doc_put(d, o, "peak", wf_part_peak(d, a, at));
     }
@@ -107,13 +94,13 @@ static json_t *critical_part(struct wf_doc *d, const struct wf_analysis *a, cons
     wf_doc_quantity(d, o, "tip_angle", found ? at->tip_angle : NAN, "rad", text);
     wf_doc_flag(d, o, "within_limits", !(found && wf_limits_small_passed(at)));
     wf_doc_count(d, o, "evaluations", c->evaluations);
-    wf_doc_put(d, o, "governing_section", section(d, a, b->row, NAN, b->height));
+    wf_doc_put(d, o, "governing_section", wf_part_section(d, a, b->row, NAN, b->height));
     return o;
 }
 
 /* How near a part of the tree is to failing by a criterion at a wind speed. */
 static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at,
-                           const struct wf_worst *w)
+                           const struct wf_criterion *c, const struct wf_worst *w)
 {
     bool solved = at->status == WF_OK;
     double safety = solved ? w->safety : NAN;
@@ -124,6 +111,9 @@ static json_t *utilisation(struct wf_doc *d, const struct wf_analysis *a, const 
     wf_doc_quantity(d, o, "speed", at->speed, "m/s", NULL);
     wf_doc_quantity(d, o, "safety", safety, "1", why);
     wf_doc_quantity(d, o, "utilisation", 1 / safety, "1", why);
+    double resistance = isnan(safety) ? NAN : wf_criterion_resistance(c, &a->tree, w);
+    wf_doc_quantity(d, o, "resistance", resistance, "Pa", why);
+    wf_doc_quantity(d, o, "stress", resistance / safety, "Pa", why);
     wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? w : NULL));
     return o;
 }
@@ -134,19 +124,27 @@ static json_t *criteria_part(struct wf_doc *d, const struct wf_analysis *a,
 {
     json_t *list = wf_doc_array(d);
     for (int c = 0; c < WF_CRITERIA; c++)
-        for (int s = 0; s < WF_SCOPES; s++) {
+        for (int s = 0; s < (wf_criteria[c].whole ? 1 : WF_SCOPES); s++) {
             const struct wf_break *b = &breaks[c][s];
             const char *text = wf_critical_text(b->critical.outcome);
             json_t *o = wf_doc_add(d, list, wf_doc_object(d));
             wf_doc_text(d, o, "criterion", wf_criteria[c].name);
+            if (breaks == a->breaks) { /* said once, not by direction */
+                wf_doc_text(d, o, "source", wf_criteria[c].source);
+                wf_doc_text(d, o, "validity", wf_criteria[c].validity);
+            }
+            wf_doc_flag(d, o, "applies", wf_criterion_applies(&wf_criteria[c], &a->tree, (enum wf_scope)s));
+            wf_doc_text(d, o, "wants", wf_criteria[c].wants);
+            wf_doc_flag(d, o, "loses_tree", wf_criteria[c].loses_tree);
+            wf_doc_quantity(d, o, "required_safety", fmax(1, wf_criteria[c].required), "1", NULL);
             wf_doc_text(d, o, "scope", wf_scope_name((enum wf_scope)s));
             wf_doc_text(d, o, "outcome", wf_part_outcome(b->critical.outcome));
             wf_doc_text(d, o, "outcome_text", text);
             wf_doc_quantity(d, o, "critical_speed", b->critical.speed, "m/s", text);
-            wf_doc_put(d, o, "governing_section", section(d, a, b->row, NAN, b->height));
+            wf_doc_put(d, o, "governing_section", wf_part_section(d, a, b->row, NAN, b->height));
             json_t *winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
             for (size_t k = 0; k < a->n; k++)
-                wf_doc_add(d, winds, utilisation(d, a, &at[k], &at[k].worst[c][s]));
+                wf_doc_add(d, winds, utilisation(d, a, &at[k], &wf_criteria[c], &at[k].worst[c][s]));
         }
     return list;
 }
@@ -174,9 +172,13 @@ static json_t *direction_part(struct wf_doc *d, const struct wf_analysis *a, con
     wf_doc_quantity(d, o, "speed_up", exposed ? exposed[x - a->directions->direction] : a->scenario.speed_up,
                     "1", NULL);
     winds = wf_doc_put(d, o, "winds", wf_doc_array(d));
-    for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wind_part(d, a, &x->at[k]));
+    for (size_t k = 0; k < a->n; k++) {
+        json_t *wind = wf_doc_add(d, winds, wind_part(d, a, &x->at[k]));
+        wf_doc_quantity(d, wind, "gust_load_factor", x->gusts[k], "1", NULL);
+    }
     wf_doc_put(d, o, "critical", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &x->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
+    wf_doc_put(d, o, "loss", wf_part_loss(d, a, x->breaks));
     wf_doc_put(d, o, "criteria", criteria_part(d, a, x->breaks, x->at));
     wf_doc_quantity(d, o, "hours_a_year", WF_HOURS_A_YEAR * x->hourly, "h", no_hours);
     wf_doc_quantity(d, o, "hours_a_year_10_min", WF_HOURS_A_YEAR * x->strongest, "h", no_hours);
@@ -268,10 +270,15 @@ static json_t *tree_part(struct wf_doc *d, const struct wf_run *run, size_t inde
     for (size_t k = 0; k < a->n; k++) wf_doc_add(d, winds, wind_part(d, a, &a->at[k]));
     wf_doc_put(d, o, "critical", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_TREE]));
     wf_doc_put(d, o, "critical_stem", critical_part(d, a, &a->breaks[WF_BREAKAGE][WF_SCOPE_STEM]));
+    wf_doc_put(d, o, "verdict", wf_part_verdict(d, a));
     wf_doc_put(d, o, "criteria", criteria_part(d, a, a->breaks, a->at));
+    if (a->modes) wf_doc_put(d, o, "modes", wf_part_modes(d, a->modes));
     double last = a->sweep_n ? a->sweep[a->sweep_n - 1].speed : NAN;
     wf_doc_put(d, o, "directions", directions_part(d, a));
+    if (a->interval) wf_doc_put(d, o, "interval", wf_part_interval(d, a));
+    if (a->tree.section && a->tree.section->cavity) wf_doc_put(d, o, "cavities", wf_part_walls(d, a));
     if (a->wetted) wf_doc_put(d, o, "wetted", wf_part_wetted(d, a->wetted));
+    if (a->winter) wf_doc_put(d, o, "winter", wf_part_wetted(d, a->winter));
     wf_doc_quantity(d, o, "sweep_speed_high", last, "m/s", "no sweep was made");
     wf_doc_put(d, o, "warnings", shared(run, index) ? wf_doc_array(d) : warnings_part(d, a->diag));
     return o;

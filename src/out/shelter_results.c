@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "out/shelter_results.h"
 #include "out/doc.h"
+#include "out/inputs.h"
 #include <math.h>
 
 enum { MAP = 64, CUT_LONG = 160, CUT_WIDE = 100 };
@@ -308,6 +309,7 @@ static enum wf_status document(const struct wf_shelter_run *r, const struct wf_d
     wf_doc_count(&d, o, "segments", r->tree->n);
     wf_doc_number(&d, o, "speed_m_s", r->speed);
     wf_doc_number(&d, o, "reference_height_m", s->base.reference_height);
+    wf_doc_put(&d, o, "scenario", wf_part_site(&d, r->scenario));
     law_part(&d, o, &s->request);
     wf_doc_numbers(&d, o, "step_m", s->step, 3);
     wf_doc_count(&d, o, "across", s->across), wf_doc_count(&d, o, "up", s->up);

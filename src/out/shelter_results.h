@@ -17,6 +17,7 @@ struct wf_shelter_run {
     const char *species, *tree_name; /* for the page */
     const struct wf_tree *tree;
     double speed;
+    const struct wf_scenario *scenario;
     struct wf_response open, own; /* without and with shelter */
     struct wf_sheltered *sheltered;
     struct wf_shelter still; /* of the unloaded shape: what maps and cuts show */

@@ -96,8 +96,7 @@ static size_t write_summary(const struct wf_run *run, FILE *f)
             for (size_t c = 0; c < WF_COUNT(total); c++) cell(f, at->status ? NAN : total[c]);
             break_cells(f, a->breaks);
             const double gusts[] = { at->steady.tip_deflection, degrees * at->steady.tip_angle,
-                                     at->steady.base_moment,
-                                     wf_peak_gusts(a->peak, at->speed) };
+                                     at->steady.base_moment, wf_peak_gusts(a->peak, at->speed) };
             cells(f, WF_COUNT(gusts), gusts);
             putc('\n', f);
         }
@@ -110,7 +109,8 @@ static size_t write_segments(const struct wf_run *run, FILE *f)
     size_t rows = 0;
     fputs("tree,species,wind_m_s,segment,parent,level,height0_m,height1_m,diameter0_mm,diameter1_mm,"
           "projected_area_m2,drag_N,lift_N,shear0_N,shear1_N,bending0_Nm,bending1_Nm,torsion0_Nm,torsion1_Nm,"
-          "axial0_N,axial1_N,stress0_MPa,stress1_MPa,safety0,safety1,deflection_m,slope_deg,weight_stress_MPa\n",
+          "axial0_N,axial1_N,stress0_MPa,stress1_MPa,safety0,safety1,deflection_m,slope_deg,weight_stress_"
+          "MPa\n",
           f);
     for (size_t i = 0; i < run->n; i++) {
         const struct wf_analysis *a = &run->analysis[i];
@@ -233,6 +233,7 @@ static void direction_row(const struct wf_run *run, size_t tree, size_t k, size_
     cell(f, WF_HOURS_A_YEAR * d->hourly);
     cell(f, WF_HOURS_A_YEAR * d->strongest);
     cell(f, x->request.speed_up ? x->request.speed_up[k] : a->scenario.speed_up);
+    cell(f, d->gusts[wind]);
     putc('\n', f);
 }
 
@@ -245,7 +246,7 @@ static size_t write_directions(const struct wf_run *run, FILE *f)
           "moment_Nm,"
           "largest_stress_MPa,least_safety,critical_wind_m_s,critical_outcome,critical_height_m,"
           "stem_critical_wind_m_s,stem_critical_outcome,stem_critical_height_m,frequency,weibull_scale_m_s,"
-          "weibull_shape,hours_a_year,hours_a_year_10_min,speed_up\n",
+          "weibull_shape,hours_a_year,hours_a_year_10_min,speed_up,gust_load_factor\n",
           f);
     for (size_t i = 0; i < run->n; i++)
         for (size_t wind = 0; wind < run->analysis[i].n; wind++)

@@ -346,19 +346,26 @@ static enum wf_status plot_data(const char *folder, const struct wf_tree_picture
     return wf_plot_data_end(&to, e);
 }
 
+/* Kinds of the rows; of a tree whose rows were cut at cavities, none: links are then drawn as wood. */
+static const uint8_t *kinds_of(const struct wf_tree_picture *p)
+{
+    const struct wf_model *m = p->model;
+    return m->measured && m->measured->n == p->tree->n ? m->measured_kind : NULL;
+}
+
 enum wf_status wf_tree_picture_write(const struct wf_tree_picture *p, const char *folder, struct wf_err *e)
 {
     const double pixels = 420; /* height of a view; segments thinner than one pixel become lines */
     char path[WF_PATH_MAX];
     struct wf_tree_summary s;
-    enum wf_status code = wf_tree_summarise(p->tree, p->model->measured_kind, &s, e);
+    enum wf_status code = wf_tree_summarise(p->tree, kinds_of(p), &s, e);
     if (code) return code;
     double size = fmax(s.high[2] - s.low[2], fmax(s.high[0] - s.low[0], s.high[1] - s.low[1]));
     struct wf_file f = { 0 };
     if (!code) code = wf_folder_path(folder, "plots/tree.dat", path, e);
     if (!code) code = wf_file_begin(&f, path, e);
     if (code) return code;
-    outlines(f.stream, p->tree, p->model->measured_kind, s.levels, size / pixels);
+    outlines(f.stream, p->tree, kinds_of(p), s.levels, size / pixels);
     code = wf_file_commit(&f, e);
     return code ? code : plot_data(folder, p, &s, e);
 }

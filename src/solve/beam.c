@@ -341,10 +341,28 @@ struct two_meshes {
     struct wf_arena before, shape, newton;
 };
 
+/* As wf_beam_settle; where Newton's method stalls, first from the shape of `near` (NULL: none). */
+static enum wf_status settle_near(struct wf_beam *b, const struct wf_beam *near, struct wf_arena *newton,
+                                  struct wf_beam_outcome *out, struct wf_err *e)
+{
+    enum { FOLLOW_ITERATIONS = 32 }; /* from a neighbour it converges soon or not at all */
+    const struct wf_solve_options *own = b->options;
+    struct wf_solve_options follow = *own;
+    *out = (struct wf_beam_outcome){ .load_factor = 1 };
+    if (wf_beam_rests(b)) return WF_OK;
+    if (!near) return wf_beam_step_to_rest(b, newton, out, e);
+    follow.iterations_max = FOLLOW_ITERATIONS;
+    wf_beam_carry(near, b);
+    b->options = &follow;
+    bool rests = wf_beam_rests(b) || wf_beam_settle_parts(b, newton);
+    b->options = own;
+    return rests ? WF_OK : wf_beam_step_to_rest(b, newton, out, e);
+}
+
 static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_loads *l,
                                       const struct wf_solve_options *o, const struct wf_beam *from,
-                                      struct wf_arena *work, struct two_meshes *m, struct wf_beam *b,
-                                      struct wf_beam_outcome *out, struct wf_err *e)
+                                      const struct wf_beam *near, struct wf_arena *work, struct two_meshes *m,
+                                      struct wf_beam *b, struct wf_beam_outcome *out, struct wf_err *e)
 {
     enum { MESHES = 6 };
     struct wf_beam_check check;
@@ -355,7 +373,7 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
 
     enum wf_status status = wf_beam_init(b, t, l, o, pieces, &m->shape, &m->newton, e);
     if (!status && from) wf_beam_carry(from, b);
-    if (!status) status = wf_beam_settle(b, &m->newton, out, e);
+    if (!status) status = settle_near(b, near, &m->newton, out, e);
     if (status || !(o->mesh_tolerance > 0)) return status;
 
     status = wf_beam_check_make(t, work, &check, e);
@@ -372,7 +390,7 @@ static enum wf_status solve_on_meshes(const struct wf_tree *t, const struct wf_l
         status = wf_beam_init(&fine, t, l, o, pieces, &m->shape, &m->newton, e);
         if (status) return status;
         wf_beam_carry(b, &fine);
-        status = wf_beam_settle(&fine, &m->newton, &again, e);
+        status = settle_near(&fine, near, &m->newton, &again, e);
         if (status || again.beyond_limit) *out = again;
         if (status) return status;
         fine.iterations += b->iterations, fine.steps += b->steps;
@@ -418,11 +436,11 @@ enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, boo
 
 enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
                              const struct wf_solve_options *o, const struct wf_beam *from,
-                             struct wf_arena *work, struct wf_beam *b, struct wf_beam_outcome *out,
-                             struct wf_err *e)
+                             const struct wf_beam *near, struct wf_arena *work, struct wf_beam *b,
+                             struct wf_beam_outcome *out, struct wf_err *e)
 {
     struct two_meshes m = { 0 };
-    enum wf_status status = solve_on_meshes(t, l, o, from, work, &m, b, out, e);
+    enum wf_status status = solve_on_meshes(t, l, o, from, near, work, &m, b, out, e);
     wf_arena_free(&m.before);
     wf_arena_join(work, &m.shape);
     wf_arena_join(work, &m.newton);
@@ -457,7 +475,7 @@ static enum wf_status beam_solve(const struct wf_tree *t, const struct wf_loads 
     enum wf_status status = wf_response_alloc(r, t->n, a, e);
     if (status) return status;
     status = wf_solve_check(t, l, d, e);
-    if (!status) status = wf_beam_solve(t, l, o, NULL, &work, &b, &out, e);
+    if (!status) status = wf_beam_solve(t, l, o, NULL, NULL, &work, &b, &out, e);
     if (!status) wf_beam_read(&b, r);
     r->load_factor = out.load_factor;
     if (!status) wf_beam_warn(&b, &out, d);

@@ -14,13 +14,14 @@ extern const struct wf_solver wf_solver_beam;   /* large deflections, loads on t
 extern const struct wf_solver wf_solver_linear; /* one linear step, loads on the undeformed shape */
 
 /* Equilibrium on a mesh that meets options->mesh_tolerance. Given: tree, loads, options; `from`, a solved
- * beam of the same tree whose shape the first mesh starts from (NULL: unloaded); the memory of *b is taken
+ * beam of the same tree whose shape the first mesh starts from (NULL: unloaded); `near` (NULL: none), one
+ * whose shape is tried where Newton's method stalls, before load steps; the memory of *b is taken
  * from `work`. Returned: as wf_beam_settle; *out tells how the full load was reached. Method: the
  * first meshes differ by a factor 2; each row is then refined by its own share of the estimated error. */
 enum wf_status wf_beam_solve(const struct wf_tree *t, const struct wf_loads *l,
                              const struct wf_solve_options *o, const struct wf_beam *from,
-                             struct wf_arena *work, struct wf_beam *b, struct wf_beam_outcome *out,
-                             struct wf_err *e);
+                             const struct wf_beam *near, struct wf_arena *work, struct wf_beam *b,
+                             struct wf_beam_outcome *out, struct wf_err *e);
 /* Does the mesh of a solved beam meet a tolerance? It is compared with a solution on a mesh twice as fine.
  * Returned: *meets. Errors: WF_ENOMEM. */
 enum wf_status wf_beam_mesh_meets(const struct wf_beam *b, double tolerance, bool *meets, struct wf_err *e);

@@ -51,19 +51,6 @@ struct row_stiffness {
     double across; /* bending stiffness about the width, of a section that is not round */
 };
 
-/* 5/6: the shear factor of a rectangle without lateral contraction, for all shapes */
-static struct row_stiffness flat_stiffness_at(const struct wf_tree *t, size_t i, double s,
-                                              double shear_factor)
-{
-    struct wf_section c;
-    wf_section_at(t, i, s, &c);
-    return (struct row_stiffness){ .ei = t->youngs[i] * c.lying,
-                                   .across = t->youngs[i] * c.upright,
-                                   .gj = t->shear[i] * c.torsion,
-                                   .ea = t->youngs[i] * c.area,
-                                   .ga = (shear_factor > 0 ? shear_factor : 5. / 6) * t->shear[i] * c.area };
-}
-
 WF_INLINE struct row_stiffness round_stiffness(double youngs, double shear, double shear_factor, double s,
                                                double r0, double r1, double i0, double i1)
 {
@@ -78,15 +65,31 @@ WF_INLINE struct row_stiffness round_stiffness(double youngs, double shear, doub
     };
 }
 
+/* 5/6: the shear factor of a rectangle without lateral contraction, for all shapes */
+static struct row_stiffness flat_stiffness_at(const struct wf_tree *t, size_t i, double s,
+                                              double shear_factor)
+{
+    struct wf_section c;
+    wf_section_at(t, i, s, &c);
+    return (struct row_stiffness){ .ei = t->youngs[i] * c.lying,
+                                   .across = t->youngs[i] * c.upright,
+                                   .gj = t->shear[i] * c.torsion,
+                                   .ea = t->youngs[i] * c.area,
+                                   .ga = (shear_factor > 0 ? shear_factor : 5. / 6) * t->shear[i] * c.area };
+}
+
 static struct row_stiffness stiffness_at(const struct wf_tree *t, size_t i, double s, double shear_factor)
 {
     if (t->stiff) {
         const double *k = t->stiff + 4 * i;
         return (struct row_stiffness){ .ea = k[0], .ga = k[1], .ei = k[2], .gj = k[3] };
     }
-    if (t->section) return flat_stiffness_at(t, i, s, shear_factor);
-    return round_stiffness(t->youngs[i], t->shear[i], shear_factor, s, t->r0[i], t->r1[i], t->i0[i],
-                           t->i1[i]);
+    if (!wf_section_is_ring(t, i)) return flat_stiffness_at(t, i, s, shear_factor);
+    struct row_stiffness round =
+        round_stiffness(t->youngs[i], t->shear[i], shear_factor, s, wf_wood_end(t, i, 0),
+                        wf_wood_end(t, i, 1), t->i0[i], t->i1[i]);
+    round.across = round.ei;
+    return round;
 }
 
 /* Compliances at the two Gauss points that reproduce the integrals of c and s c over the piece s0..s1 of the
@@ -104,8 +107,8 @@ WF_WIDE static void round_compliances(const struct wf_tree *t, size_t i, double 
                                       double shear_factor, double bend[8], double twist[8], double stretch[8],
                                       double slide[8])
 {
-    const double youngs = t->youngs[i], shear = t->shear[i], r0 = t->r0[i], r1 = t->r1[i], i0 = t->i0[i],
-                 i1 = t->i1[i];
+    const double youngs = t->youngs[i], shear = t->shear[i], r0 = wf_wood_end(t, i, 0),
+                 r1 = wf_wood_end(t, i, 1), i0 = t->i0[i], i1 = t->i1[i];
     for (int k = 0; k < 8; k++) {
         struct row_stiffness s =
             round_stiffness(youngs, shear, shear_factor, wf_between(s0, s1, gauss8[k]), r0, r1, i0, i1);
@@ -176,7 +179,7 @@ static void set_gauss_point(const struct wf_tree *t, const struct wf_loads *l, s
                                          .mass = t->density[i] * wf_tree_area(t, i, s) +
                                                  wf_between(t->burden0[i], t->burden1[i], s) };
     p->spin[j] = t->density[i] * 0.5 * WF_PI * (a * a * a * a - b * b * b * b);
-    if (t->section) {
+    if (t->section && t->section->width0[i] > 0) {
         struct wf_section c;
         wf_section_at(t, i, s, &c);
         p->spin[j] = t->density[i] * (c.upright + c.lying);

@@ -345,10 +345,16 @@ static bool newton_converged(const struct wf_beam *b)
 
 static enum wf_status newton(struct wf_beam *b, bool watch)
 {
+    enum { STALL = 16 }; /* where the square of the residual has not halved in so many, it seldom converges */
+    double before = INFINITY;
     b->misfit = (struct wf_beam_misfit){ .bending = 1, .energy = 1 };
     wf_beam_sweep_up(b);
     if (!wf_beam_sweep_down(b, true, NULL)) return WF_ENOCONV;
     for (size_t i = 0; i < b->options->iterations_max && !newton_converged(b); i++) {
+        if (i % STALL == 0) {
+            if (b->misfit.bending > 0.5 * before) return WF_ENOCONV;
+            before = b->misfit.bending;
+        }
         b->iterations++;
         if (!newton_step(b, watch)) return WF_ENOCONV;
     }
@@ -576,16 +582,22 @@ bool wf_beam_settle_parts(struct wf_beam *b, struct wf_arena *a)
     return false;
 }
 
-enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
-                              struct wf_err *e)
+enum wf_status wf_beam_step_to_rest(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
+                                    struct wf_err *e)
 {
     const struct wf_loads full = b->loads;
     struct fallback f = { 0 };
     *out = (struct wf_beam_outcome){ .load_factor = 1 };
-    if (wf_beam_rests(b)) return WF_OK;
     if (!take_fallback(b, a, &f)) return wf_fail(e, WF_ENOMEM, "not enough memory for load steps");
     if (step_and_creep(b, &full, &f, out)) return WF_OK;
     return wf_fail(e, WF_EUNSTABLE,
                    "no stable equilibrium found at full load; the last one is at %.4g of the load",
                    out->load_factor);
+}
+
+enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
+                              struct wf_err *e)
+{
+    *out = (struct wf_beam_outcome){ .load_factor = 1 };
+    return wf_beam_rests(b) ? WF_OK : wf_beam_step_to_rest(b, a, out, e);
 }

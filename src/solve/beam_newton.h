@@ -70,6 +70,10 @@ struct wf_beam_outcome {
 enum wf_status wf_beam_settle(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
                               struct wf_err *e);
 
+/* The same where Newton's method has failed already. */
+enum wf_status wf_beam_step_to_rest(struct wf_beam *b, struct wf_arena *a, struct wf_beam_outcome *out,
+                                    struct wf_err *e);
+
 /* Where Newton's method (wf_beam_rests) stalls because of a few twigs: load steps, or creep, of these alone,
  * the motion of their bases given; then Newton's method of the whole tree. Such a part carries at most a
  * fifth of the force on the ground. Given: the shape where it stalled; memory from `a`. Of several equilibria

@@ -10,4 +10,17 @@
  * and the weight of a unit mass [m/s2]. A load step that takes a share of the weight gives the same share
  * here, so that the given shape remains an equilibrium. No effect where the tree does not stand. */
 void wf_beam_rest(struct wf_beam_mesh *m, double weight);
+
+/* What an element bears in the given shape, in the axes of that shape, at its Gauss points. */
+struct wf_beam_rest_part {
+    double moment[2][3]; /* [N m] */
+    double strain[2][3]; /* stretch and shear [-] */
+};
+/* The same sum for any mass, of round sections: how the state at rest changes with the masses, in which it is
+ * linear. Given: mass per length at the Gauss points of every element [kg/m], the weight of a unit mass.
+ * Returned, from `a`: part, one an element; root, per row, for roots: moment on the ground [N m]. Errors:
+ * WF_ENOMEM. */
+enum wf_status wf_beam_rest_of(const struct wf_beam_mesh *m, double (*mass)[2], double weight,
+                               struct wf_arena *a, struct wf_beam_rest_part **part, double (**root)[3],
+                               struct wf_err *e);
 #endif

@@ -35,6 +35,16 @@ void wf_beam_law_moment(const struct wf_beam *b, size_t i, double moment[2][3])
     }
 }
 
+void wf_beam_turn_along(const struct wf_beam *b, size_t i, const double given[2][3], double turned[2][3])
+{
+    struct wf_beam_pose ground;
+    struct turns o;
+    double local[3];
+    turns_of(&b->shape[i], &o);
+    for (int j = 0; j < 2; j++)
+        turn_with_section(&b->shape[i], &o, wf_beam_base(b, i, &ground)->L, j, given[j], local, turned[j]);
+}
+
 _Static_assert(sizeof(wf_four) == WF_BEAM_SIDES * sizeof(double), "a side is a lane");
 
 /* y += A x */
@@ -80,6 +90,7 @@ WF_INLINE void turn_down(const struct wf_beam_part *p, const struct wf_beam_stag
     }
     section(p->cs[j], p->ca[j], g->t[j], n, stretch);
     section(p->cs[j], p->ca[j], g->t[j], own, give);
+    for (int i = 0; i < 3; i++) stretch[i] += x->stretch[j][i], give[i] += x->stretch[j][i];
     apply3(q->Vn[j], k, turn);
     add_cross(1, g->rp[j], own, turn);
     add_cross(-1, q->n[j], give, turn);

@@ -12,11 +12,12 @@ enum { WF_BEAM_SIDES = 4 };
 
 /* A disturbance of one element at its two Gauss points, at fixed shape, per unit of its cause. */
 struct wf_beam_disturbance {
-    wf_four force[2][3];  /* on the axis, per reference length [N/m] */
-    wf_four couple[2][3]; /* on the axis, per reference length [N m/m] */
-    wf_four law[2][3];    /* change of the material law's moment at the present curvature [N m];
-                                           for a    change of ln E of the element this is the moment itself:
-                                           wf_beam_law_moment */
+    wf_four force[2][3];   /* on the axis, per reference length [N/m] */
+    wf_four couple[2][3];  /* on the axis, per reference length [N m/m] */
+    wf_four law[2][3];     /* change of the material law's moment at the present curvature [N m];
+                                            for a    change of ln E of the element this is the moment itself:
+                                            wf_beam_law_moment */
+    wf_four stretch[2][3]; /* change of the strain of the axis at the present forces [-] */
 };
 
 /* Linearise about the present, solved state, which is not changed. frozen: wind acts as a dead load. Errors:
@@ -48,8 +49,13 @@ void wf_beam_answer_small(struct wf_beam *b,
                           const void *ctx, const wf_four (*node)[6], const wf_four (*root)[3],
                           struct wf_beam_small_answer *out);
 
-/* Moment by the material law at the Gauss points of element i, global axes [N m]. */
+/* Moment by the material law at the Gauss points of element i, global axes [N m]; of a standing tree the part
+ * of it that the change from the given shape makes. */
 void wf_beam_law_moment(const struct wf_beam *b, size_t i, double moment[2][3]);
+
+/* Turn vectors that are fixed to the section at the Gauss points of element i from the given shape to the
+ * present one. */
+void wf_beam_turn_along(const struct wf_beam *b, size_t i, const double given[2][3], double turned[2][3]);
 
 /* Small motions about a solved state (wf_beam_linearise, wind frozen): mass at the Gauss points, and the
  * tree's response to inertia there. */

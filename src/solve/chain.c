@@ -54,8 +54,7 @@ static void chain_rule_fill(struct chain_rule *g)
 /* Compliance in bending and torsion at fraction s of row i. */
 static void row_compliance(const struct wf_tree *t, size_t i, double s, double *bending, double *torsion)
 {
-    double outer = wf_between(t->r0[i], t->r1[i], s), inner = wf_between(t->i0[i], t->i1[i], s);
-    double inertia = wf_ring_inertia(outer, inner);
+    double inertia = wf_ring_inertia(wf_wood_radius(t, i, s), wf_between(t->i0[i], t->i1[i], s));
     double ei = t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia;
     double gj = t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia;
     *bending = 1 / ei;
@@ -93,7 +92,7 @@ struct panels {
 
 static struct panels panels_of(const struct wf_tree *t, size_t i)
 {
-    double r0 = t->r0[i], r1 = t->r1[i], w0 = r0 - t->i0[i], w1 = r1 - t->i1[i];
+    double r0 = wf_wood_end(t, i, 0), r1 = wf_wood_end(t, i, 1), w0 = r0 - t->i0[i], w1 = r1 - t->i1[i];
     struct panels p = { r0, r1, 1 };
     if (ratio_above_one(w0, w1) > ratio_above_one(r0, r1)) p.v0 = w0, p.v1 = w1;
     p.n += (int)floor(log(ratio_above_one(p.v0, p.v1)) / log(1.5));

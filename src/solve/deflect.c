@@ -13,7 +13,7 @@ static void describe_rod(const struct wf_tree *t, const struct wf_loads *l, size
 {
     const double base[3] = { t->x0[i], t->y0[i], t->z0[i] }, end[3] = { t->x1[i], t->y1[i], t->z1[i] };
     double x[3], du[9], r = mean_of_ends(t->r0[i], t->r1[i]), q = mean_of_ends(t->i0[i], t->i1[i]);
-    double inertia = wf_ring_inertia(r, q);
+    double inertia = wf_ring_inertia(mean_of_ends(wf_wood_end(t, i, 0), wf_wood_end(t, i, 1)), q);
     double half = 0.5 * l->air_density * l->wind_scale;
     o->parent = t->parent[i];
     for (int k = 0; k < 3; k++) o->axis[k] = end[k] - base[k], x[k] = mean_of_ends(base[k], end[k]);

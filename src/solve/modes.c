@@ -66,7 +66,8 @@ static enum wf_status keep_equilibrium(const struct wf_beam *b, const int32_t *p
     kept->shape = WF_TAKE(a, b->mesh.n, struct wf_beam_shape);
     kept->tilt = wf_arena_take(a, rows, sizeof *kept->tilt);
     kept->motion = WF_TAKE(a, count * kept->size, double);
-    if (!kept->pieces || !kept->shape || !kept->tilt || !kept->motion)
+    kept->turn = WF_TAKE(a, count * 2, double);
+    if (!kept->pieces || !kept->shape || !kept->tilt || !kept->motion || !kept->turn)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu modes", count);
     memcpy(kept->pieces, pieces, rows * sizeof *pieces);
     memcpy(kept->shape, b->shape, b->mesh.n * sizeof *b->shape);
@@ -84,6 +85,60 @@ static enum wf_status open_sway(struct sway *s, struct wf_beam *b, struct wf_are
         return wf_fail(e, WF_ENOMEM, "not enough memory for the motions of %zu elements", b->mesh.n);
     wf_beam_motion_mass(b, s->root);
     for (size_t i = 0; i < size; i++) s->root[i] = sqrt(s->root[i]);
+    return WF_OK;
+}
+
+static double dot(const double *a, const double *b, size_t n)
+{
+    double sum = 0;
+    for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
+    return sum;
+}
+
+/* Motion along `to` by 1, or where `turning` by the height above the ground, as in turning about the base by
+ * 1; times the square root of the mass; of unit norm. Returned: its square, the mass [kg] or the moment of
+ * inertia [kg m2]. */
+static double rigid_motion(const struct sway *s, const double to[3], bool turning, double *v)
+{
+    static const double gauss[2] = { 0.21132486540518712, 0.78867513459481288 };
+    const struct wf_beam_mesh *m = &s->beam->mesh;
+    const struct wf_tree *t = m->tree;
+    const size_t ends = 8 * m->n;
+    memset(v, 0, s->size * sizeof *v);
+    for (size_t row = 0; row < t->n; row++) {
+        double pieces = m->last[row] - m->first[row] + 1, low = t->z0[0], arm = 1;
+        for (int32_t e = m->first[row]; e <= m->last[row]; e++)
+            for (int k = 0; k < 3; k++) {
+                size_t at = 8 * (size_t)e + (size_t)k, end = ends + 3 * (size_t)e + (size_t)k;
+                double below = e - m->first[row];
+                for (size_t j = 0; j < 2; j++) {
+                    if (turning) arm = wf_between(t->z0[row], t->z1[row], (below + gauss[j]) / pieces) - low;
+                    v[at + 4 * j] = s->root[at + 4 * j] * to[k] * arm;
+                }
+                if (turning) arm = wf_between(t->z0[row], t->z1[row], (below + 1) / pieces) - low;
+                if (end < s->size) v[end] = s->root[end] * to[k] * arm;
+            }
+    }
+    double square = dot(v, v, s->size);
+    for (size_t i = 0; i < s->size && square > 0; i++) v[i] /= sqrt(square);
+    return square;
+}
+
+/* Overturning by the inertia of the modes, of unit norm, in `order`. */
+static enum wf_status keep_turns(const struct sway *s, const double *vector, const size_t *order,
+                                 size_t count, struct wf_arena *work, struct wf_modes_kept *kept,
+                                 struct wf_err *e)
+{
+    double *rigid = WF_TAKE(work, s->size, double);
+    if (!rigid) return wf_fail(e, WF_ENOMEM, "not enough memory for the overturning of the modes");
+    for (size_t d = 0; d < 2; d++) {
+        const double to[3] = { d == 0, d == 1, 0 };
+        (void)rigid_motion(s, to, true, rigid);
+        for (size_t i = 0; i < count; i++) {
+            const double *x = vector + order[i] * s->size;
+            kept->turn[2 * i + d] = dot(x, rigid, s->size) / sqrt(dot(x, x, s->size));
+        }
+    }
     return WF_OK;
 }
 
@@ -122,6 +177,7 @@ static enum wf_status modes_on(struct wf_beam *b, size_t count, double tolerance
     struct wf_lanczos l = { .size = size, .apply = sway, .ctx = &s, .wanted = count, .tolerance = tolerance };
     if ((status = wf_lanczos(&l, value, vector, work, e))) return status;
     order_by_frequency(value, order, count);
+    if (kept && (status = keep_turns(&s, vector, order, count, work, kept, e))) return status;
     for (size_t i = 0; i < count; i++) {
         size_t lane = i % BLOCK;
         const double *x = vector ? vector + order[i] * size : NULL;
@@ -246,42 +302,6 @@ struct ritz {
     double value[RITZ_MAX], Q[RITZ_MAX * RITZ_MAX];
     size_t n;
 };
-
-static double dot(const double *a, const double *b, size_t n)
-{
-    double sum = 0;
-    for (size_t i = 0; i < n; i++) sum += a[i] * b[i];
-    return sum;
-}
-
-/* Motion along `to` by 1, or where `turning` by the height above the ground, as in turning about the base by
- * 1; times the square root of the mass; of unit norm. Returned: its square, the mass [kg] or the moment of
- * inertia [kg m2]. */
-static double rigid_motion(const struct sway *s, const double to[3], bool turning, double *v)
-{
-    static const double gauss[2] = { 0.21132486540518712, 0.78867513459481288 };
-    const struct wf_beam_mesh *m = &s->beam->mesh;
-    const struct wf_tree *t = m->tree;
-    const size_t ends = 8 * m->n;
-    memset(v, 0, s->size * sizeof *v);
-    for (size_t row = 0; row < t->n; row++) {
-        double pieces = m->last[row] - m->first[row] + 1, low = t->z0[0], arm = 1;
-        for (int32_t e = m->first[row]; e <= m->last[row]; e++)
-            for (int k = 0; k < 3; k++) {
-                size_t at = 8 * (size_t)e + (size_t)k, end = ends + 3 * (size_t)e + (size_t)k;
-                double below = e - m->first[row];
-                for (size_t j = 0; j < 2; j++) {
-                    if (turning) arm = wf_between(t->z0[row], t->z1[row], (below + gauss[j]) / pieces) - low;
-                    v[at + 4 * j] = s->root[at + 4 * j] * to[k] * arm;
-                }
-                if (turning) arm = wf_between(t->z0[row], t->z1[row], (below + 1) / pieces) - low;
-                if (end < s->size) v[end] = s->root[end] * to[k] * arm;
-            }
-    }
-    double square = dot(v, v, s->size);
-    for (size_t i = 0; i < s->size && square > 0; i++) v[i] /= sqrt(square);
-    return square;
-}
 
 static void apply_once(struct sway *s, const double *in, double *out)
 {

@@ -26,6 +26,8 @@ struct wf_modes_kept {
     int32_t *pieces;             /* elements of each row */
     size_t size;                 /* length of a motion */
     double *motion;              /* count x size, as in solve/beam_small.h */
+    double *turn;                /* count x 2: signed roots of the shares of the tree's moment of inertia: how
+                                    much of the overturning by inertia along x and y each mode carries [-] */
     struct wf_beam_shape *shape; /* the equilibrium of the motions */
     double (*tilt)[3];
 };

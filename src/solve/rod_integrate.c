@@ -12,7 +12,7 @@ void wf_rod_section_at(const struct wf_tree *t, const struct wf_loads *l, size_t
                        struct wf_rod_section *out)
 {
     double a = wf_between(t->r0[i], t->r1[i], s), b = wf_between(t->i0[i], t->i1[i], s);
-    double inertia = wf_ring_inertia(a, b);
+    double inertia = wf_ring_inertia(wf_wood_radius(t, i, s), b);
     out->ei = t->stiff ? t->stiff[4 * i + 2] : t->youngs[i] * inertia;
     out->gj = t->stiff ? t->stiff[4 * i + 3] : t->shear[i] * 2 * inertia;
     out->line = (struct wf_line_point){ .diameter = 2 * a,

@@ -22,6 +22,7 @@ struct wf_track {
     struct wf_beam_outcome outcome;
     double speed;             /* of the wind of the last solution [m/s] */
     size_t solutions;         /* on this mesh */
+    bool at_last;             /* begin at the last form of `like` */
     bool solved, led, rested; /* there is a last form, a lead, a form at rest */
     struct form last, lead, rest;
 };
@@ -39,6 +40,8 @@ enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_opti
     *out = k;
     return WF_OK;
 }
+
+void wf_track_begin_at_last(struct wf_track *k) { k->at_last = true; }
 
 void wf_track_close(struct wf_track *k)
 {
@@ -101,13 +104,12 @@ static enum wf_status adopt(struct wf_track *k, const struct wf_loads *l, struct
 {
     enum wf_status s = take_beam(k, l, &k->like->beam.mesh, e);
     if (s) return s;
-    if (k->like->rested) {
-        copy_form(k, k->rest, k->like->rest);
-        put_back(k, k->rest);
-    }
-    k->rested = k->like->rested;
+    const struct form *from = k->at_last ? &k->like->last : k->like->rested ? &k->like->rest : NULL;
+    if (from) put_back(k, *from);
     keep(k, k->last);
-    k->speed = 0;
+    k->rested = k->like->rested && !k->at_last;
+    if (k->rested) keep(k, k->rest);
+    k->speed = k->at_last ? k->like->speed : 0;
     k->solved = true;
     return WF_OK;
 }
@@ -136,8 +138,8 @@ static enum wf_status remesh(struct wf_track *k, const struct wf_loads *l, const
     k->work = (struct wf_arena){ 0 };
     k->rested = k->led = k->solved = false;
     k->solutions = 1;
-    enum wf_status s = wf_beam_solve(k->tree, l, &k->options, from == &k->beam ? &own : from, &k->work,
-                                     &k->beam, &k->outcome, e);
+    if (from == &k->beam) from = &own;
+    enum wf_status s = wf_beam_solve(k->tree, l, &k->options, from, from, &k->work, &k->beam, &k->outcome, e);
     if (!s) s = take_forms(k, e);
     if (!s && rested) carry_rest(k, &own, &rest);
     wf_arena_free(&before);
@@ -242,7 +244,7 @@ static enum wf_status go_on(struct wf_track *k, const struct wf_loads *l, const 
     b->k0 = NULL;
     wf_arena_free(&scratch);
     b->loads = *l;
-    return s || ++k->solutions % CHECKED ? s : check_mesh(k, l, e);
+    return s || k->at_last || ++k->solutions % CHECKED ? s : check_mesh(k, l, e);
 }
 
 /* The answer, and that at the other loads: one Newton step further at each, of which the first takes away

@@ -12,6 +12,10 @@ struct wf_track;
  * same `like` may be used at the same time, but not that one. Returned: *out. Errors: WF_ENOMEM. */
 enum wf_status wf_track_open(const struct wf_tree *t, const struct wf_solve_options *o,
                              const struct wf_track *like, struct wf_track **out, struct wf_err *e);
+/* The rows of `like` are those of another tree that differs in their values: begin at the form of its last
+ * solution instead of that in still air, and
+ * keep to its mesh. Before the first solution. */
+void wf_track_begin_at_last(struct wf_track *k);
 /* NULL is allowed. */
 void wf_track_close(struct wf_track *k);
 

@@ -4,7 +4,9 @@
 #include "base/progress.h"
 #include "data/model.h"
 #include "data/species.h"
+#include "fail/anchorage.h"
 #include "grow/grow.h"
+#include "grow/silhouette.h"
 #include "load/interception.h"
 #include "load/winter.h"
 #include "study/node.h"
@@ -23,8 +25,8 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
     static const char *const together =
         "The given winds act together with it; a wind in which it stays on the tree is less than a design "
         "wind (snow falls off above about 9 m/s)";
-    const struct wf_silhouette *seen = &an->model->silhouette;
-    double area = wf_crown_projection(&an->tree, seen->width), mass = area * an->scenario.snow;
+    double width = wf_silhouette_size(an->model, wf_tree_height(&an->tree)).breadth;
+    double area = wf_crown_projection(&an->tree, isnan(width) ? 0 : width), mass = area * an->scenario.snow;
     if (an->scenario.snow > 0) {
         if (an->model->season == WF_LEAF_OFF || wf_crown_projection(&an->tree, 1) == 0)
             return wf_fail(
@@ -50,13 +52,26 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
     return WF_OK;
 }
 
+static enum wf_status anchor(struct wf_analysis *an, struct wf_arena *a, struct wf_err *e)
+{
+    struct wf_anchorage *found = WF_TAKE(a, 1, struct wf_anchorage);
+    if (!found) return wf_fail(e, WF_ENOMEM, "not enough memory for the anchorage");
+    enum wf_status s = wf_anchorage_find(an->scenario.anchorage, &an->tree, an->species, a, found, e);
+    an->anchorage = found;
+    an->tree.anchorage = found->moment;
+    return s;
+}
+
 enum wf_status wf_analysis_set_up(struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
 {
     enum wf_status s = wf_grow(an->model, an->species, a, &an->tree, d, e);
     if (s || (s = wf_tree_check(&an->tree, d, e))) return s;
+    if (an->misread) wf_tree_scale(&an->tree, an->misread->height, an->misread->radius);
     an->tallness = wf_tree_height(&an->tree);
     s = wf_scenario_loads(&an->scenario, an->species, &an->wind, &an->loads, e);
+    if (!s) s = anchor(an, a, e);
+    an->branch_strength = wf_branches_limit(an->scenario.branch_strength, an->species, &an->tree);
     if (!s) s = wf_rest_set_up(an, o, a, d, e);
     if (!s && an->scenario.water > 0) wf_intercept(&an->tree, an->scenario.water); /* it was drawn dry */
     if (!s) s = winter(an, d, e);
@@ -146,6 +161,18 @@ static enum wf_status keep_finished(struct wf_analysis *an, size_t speeds, bool 
     return WF_OK;
 }
 
+/* The lowest modes in still air, for the reader. NULL: the peak load does not need the sway, the tree has no
+ * state, or it is so large that they would take long. */
+static const struct wf_sway_modes *lowest_modes(const struct wf_analysis *an,
+                                                const struct wf_solve_options *o, struct wf_arena *a)
+{
+    enum { LOWEST = 4, LARGE = 20000 };
+    struct wf_err unsaid = { WF_OK, "" };
+    struct wf_sway_modes *out = WF_TAKE(a, 1, struct wf_sway_modes);
+    if (!out || !an->peak->method->sways || !an->peak->sways || an->tree.n > LARGE) return NULL;
+    return wf_sway_modes(an, o, 0.0, LOWEST, a, out, &unsaid) ? NULL : out;
+}
+
 enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m, const struct wf_scenario *sc,
                           const struct wf_search *search, const struct wf_solver *solver,
                           const struct wf_solve_options *o, const double *speeds, size_t n,
@@ -162,6 +189,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     };
     if ((s = wf_analysis_set_up(out, o, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if ((s = wf_sway_set_up(out, o, speeds, n, a, d, e))) return s;
+    out->modes = lowest_modes(out, o, a);
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
     struct wf_err why = { 0 };
@@ -184,5 +212,6 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
     if (s) return wf_fail(e, s, "%s", why.text);
     wf_limits_check(out, d);
+    wf_limits_root(out, o->root_stiffness, d);
     return WF_OK;
 }

@@ -47,6 +47,9 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
 /* The last step of an analysis, in limits.c: check it against the validity of its laws and methods.
  * Given: an analysis complete except for its warnings. Returned: the warnings added to `d`. */
 void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d);
+/* The root-linear warning: the plate turns beyond what a constant stiffness holds for at the strongest given
+ * wind. Given: the root's stiffness about x and y [N m rad-1]; 0: clamped. */
+void wf_limits_root(const struct wf_analysis *an, const double stiffness[2], struct wf_diag *d);
 
 #ifdef __cplusplus
 }

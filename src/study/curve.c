@@ -348,21 +348,21 @@ static double compared(const struct span *s, const struct ends *q)
                              s->x * s->x);
 }
 
-/* The largest of a column in a scope, by both curves. Rows that cannot reach the smaller of the values at the
- * ends are passed over. */
+/* The largest of a column, by both curves: of the stress on all rows, else of those in a scope. Rows that
+ * cannot reach the smaller of the values at the ends are passed over. */
 static void largest(const struct wf_tree *t, const struct wf_node *low, const struct wf_node *high,
                     size_t column, enum wf_scope scope, const struct span *s, const double at_ends[2],
                     double out[2])
 {
     const double least = 0.8 * fmin(at_ends[0], at_ends[1]);
-    const float *y0 = low->value + column * t->n, *y1 = high->value + column * t->n,
-                *d0 = low->gain + column * t->n, *d1 = high->gain + column * t->n;
+    const float *y0 = low->column[column].value, *y1 = high->column[column].value,
+                *d0 = low->column[column].gain, *d1 = high->column[column].gain;
     out[0] = out[1] = 0.0;
     for (size_t i = 0; i < t->n; i++) {
         double top = fmax((double)y0[i], (double)y1[i]);
         if (!(top > 0.0) || top + (s->b - s->a) * (fabs((double)d0[i]) + fabs((double)d1[i])) < least)
             continue;
-        if (!wf_scope_holds(scope, t, i)) continue;
+        if (column != WF_NODE_STRESS && !wf_scope_holds(scope, t, i)) continue;
         struct ends q = { { (double)y0[i], (double)y1[i] }, { (double)d0[i], (double)d1[i] } };
         out[0] = fmax(out[0], drawn(s, &q));
         out[1] = fmax(out[1], compared(s, &q));
@@ -382,11 +382,11 @@ static double yardstick(const double v[WF_TOTALS], const double size[WF_TOTALS],
 }
 
 /* Largest relative difference of two sets of totals. Given: size[WF_TOTALS], the largest value of each total
- * on the curve. */
+ * on the curve. Of the criteria the first counts, of which curves are drawn. */
 static double totals_apart(const double a[WF_TOTALS], const double b[WF_TOTALS], const double size[WF_TOTALS])
 {
     double worst = 0.0;
-    for (int k = 0; k < WF_TOTALS; k++) {
+    for (int k = 0; k < WF_TOTAL_UTILISATION + WF_SCOPES; k++) {
         double off = fabs(b[k] - a[k]) / yardstick(a, size, k);
         if (isfinite(a[k]) && size[k] > 0.0) worst = fmax(worst, isfinite(off) ? off : INFINITY);
     }
@@ -534,7 +534,14 @@ static void fill_sloped(const struct sloped *c, struct wf_at_speed *row)
     if (row->speed == speed) return;
     row->speed = speed;
     row->interpolated = true;
-    if (row->status || i + 1 == c->n) return;
+    if (row->status) return;
+    if (i + 1 == c->n) { /* the last row, which was left out, because this node is close below it */
+        const struct wf_node *last = c->node[i];
+        wf_totals_read(&last->at, v);
+        for (int q = 0; q < WF_TOTALS; q++) v[q] += (speed - last->at.speed) * last->slope[q];
+        wf_totals_write(v, c->an->tallness, row);
+        return;
+    }
     totals_between(&c->an->tree, c->node[i], c->node[i + 1], speed, v, other);
     wf_totals_write(v, c->an->tallness, row);
 }

@@ -6,6 +6,7 @@
 #include "solve/beam_many.h"
 #include "study/node.h"
 #include "study/sway.h"
+#include "study/verdict.h"
 #include "wind/climate.h"
 #include <math.h>
 
@@ -69,7 +70,10 @@ static enum wf_status solve_speeds(void *context, size_t b, struct wf_err *e)
     for (size_t i = 0; i < w->an->n && !s; i++) {
         for (size_t k = 0; k < some; k++) speed[k] = w->an->at[i].speed;
         s = wf_speed_totals_many(an, speed, some, w->o, at, e);
-        for (size_t k = 0; k < some && !s; k++) w->out->direction[from + k].at[i] = at[k];
+        for (size_t k = 0; k < some && !s; k++) {
+            w->out->direction[from + k].at[i] = at[k];
+            w->out->direction[from + k].gusts[i] = wf_peak_gusts(w->peak[from + k], speed[k]);
+        }
     }
     return s;
 }
@@ -119,7 +123,8 @@ static void add_climate(struct wf_directions *out)
     out->hourly = out->strongest = r ? 0.0 : NAN;
     for (size_t k = 0; k < out->request.n; k++) {
         struct wf_direction *d = &out->direction[k];
-        const struct wf_critical *c = &d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical;
+        const struct wf_direction *found = d;
+        const struct wf_critical *c = &wf_verdict_of(found->breaks).loss->critical;
         d->hourly = r ? share(r, k, c, 1.0) : NAN;
         d->strongest = r ? share(r, k, c, out->gust) : NAN;
         out->hourly += d->hourly, out->strongest += d->strongest;
@@ -152,12 +157,14 @@ enum wf_status wf_directions_run(const struct wf_analysis *an, const struct wf_s
     };
     struct wf_analysis first; /* outlives the nodes that the other directions take */
     struct wf_at_speed *at = WF_TAKE(a, q->n * an->n, struct wf_at_speed);
+    double *gusts = WF_TAKE(a, q->n * an->n, double);
     out->direction = WF_TAKE(a, q->n, struct wf_direction);
-    if (!out->direction || !at || !w.peak)
+    if (!out->direction || !at || !gusts || !w.peak)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu directions", q->n);
     for (size_t k = 0; k < q->n; k++) {
         out->direction[k].from = WF_TURN * (double)k / (double)q->n;
         out->direction[k].at = at + k * an->n;
+        out->direction[k].gusts = gusts + k * an->n;
     }
     wf_stage_begin(q->n * (an->n + WF_SEARCH_SOLUTIONS), true, "%zu directions", q->n);
     s = wf_parallel(q->n, o->threads, sway, &w, e);

@@ -26,10 +26,12 @@ struct wf_directions_request {
 struct wf_direction {
     double from;            /* where the wind comes from, clockwise from north [rad] */
     struct wf_at_speed *at; /* totals at the wind speeds of the analysis             */
+    double *gusts;          /* peak over mean load G at these speeds [-]             */
     struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
-    double hourly, strongest; /* share of all hours with wind from here whose mean, or whose strongest 10-min
-                                 mean, exceeds the critical wind speed [-]; 0 where there is none up to the
-                                 highest speed searched; NAN: without a climate or a critical speed */
+    double hourly,
+        strongest; /* share of all hours with wind from here whose mean, or whose strongest 10-min
+                      mean, exceeds the wind at which the tree is lost [-]; 0 where there is none up to
+                      the highest speed searched; NAN: without a climate or a critical speed */
 };
 struct wf_directions {
     struct wf_directions_request request;

@@ -5,6 +5,7 @@
 #include "data/species.h"
 #include "load/drag.h"
 #include "study/analysis.h"
+#include "study/verdict.h"
 #include "wind/category.h"
 #include "wind/terrain.h"
 #include <math.h>
@@ -162,6 +163,39 @@ static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
                      who, c->speed_low, c->speed_high);
 }
 
+/* Answers that nobody has seen come true. */
+static void check_unverified(const struct wf_analysis *an, struct wf_diag *d)
+{
+    const double safety_seen = 5.0, wind_seen = 60.0;
+    const struct wf_at_speed *at = wf_verdict_wind(an);
+    double safety = at ? wf_verdict_safety(at, NULL) : (double)NAN;
+    struct wf_verdict v = wf_verdict_of(an->breaks);
+    double bound = v.loss ? wf_verdict_bound(&v.loss->critical) : (double)NAN;
+    if (isfinite(safety) && safety > safety_seen)
+        wf_diag_warn(d, "unverified-safety",
+                     "%s: the safety against loss of the tree, %.3g at %.6g m/s, is above %g; no field data "
+                     "verify such values",
+                     an->species->name, safety, at->speed, safety_seen);
+    bool above = v.loss && v.loss->critical.outcome == WF_CRITICAL_ABOVE && bound >= wind_seen;
+    if (above || (isfinite(bound) && bound > wind_seen))
+        wf_diag_warn(d, "unverified-wind",
+                     "%s: the critical wind speed is above %g m/s; no field data verify such values",
+                     an->species->name, wind_seen);
+}
+
+void wf_limits_root(const struct wf_analysis *an, const double stiffness[2], struct wf_diag *d)
+{
+    const double linear = 0.25 / DEGREES;
+    const struct wf_at_speed *at = wf_verdict_wind(an);
+    double softest = fmin(stiffness[0], stiffness[1]);
+    double turn = at && softest > 0.0 ? at->base_moment / softest : 0.0;
+    if (turn > linear)
+        wf_diag_warn(d, "root-linear",
+                     "%s: at %.6g m/s the root plate turns by about %.2g deg. Its stiffness is taken as "
+                     "constant; roots soften beyond 0.25 deg, so that the tree leans further than computed",
+                     an->species->name, at->speed, turn * DEGREES);
+}
+
 static void check_as_printed(const struct wf_analysis *an, struct wf_diag *d)
 {
     if (an->solver->as_printed)
@@ -205,7 +239,7 @@ static void level_assumed(const struct wf_analysis *an, size_t level, struct ass
     struct wf_property p;
     to->part = NULL;
     for (size_t i = 0; wf_level_property(l, i, &p); i++)
-        if (p.acts == WF_ACTS_ALWAYS || (p.acts == WF_ACTS_GIVEN && p.value->given))
+        if ((p.acts == WF_ACTS_ALWAYS && p.value->value > 0) || (p.acts == WF_ACTS_GIVEN && p.value->given))
             add_assumed(to, l->name, "", &p);
     for (size_t i = 0; level == 0 && isnan(an->model->radius) && wf_level_property(l, i, &p); i++)
         if (p.acts == WF_ACTS_SIZE) add_assumed(to, l->name, "", &p);
@@ -226,7 +260,8 @@ static char *limits_assumed(const struct wf_analysis *an, char *buf, size_t size
     for (size_t i = 0; i < sp->levels; i++)
         if (wf_analysis_grown(an, i)) level_assumed(an, i, &to);
     if (!has_crown(&an->tree)) return buf;
-    for (size_t i = 0; wf_crown_property(sp, i, &p); i++) add_assumed(&to, "crown", "", &p);
+    for (size_t i = 0; wf_crown_property(sp, i, &p); i++)
+        if (p.acts != WF_ACTS_DROPS) add_assumed(&to, "crown", "", &p);
     for (size_t i = 0; wf_law_property(law, &sp->streamlining, i, &p); i++)
         add_assumed(&to, "crown", "streamlining.", &p);
     return buf;
@@ -248,6 +283,7 @@ void wf_limits_check(const struct wf_analysis *an, struct wf_diag *d)
     check_ground(an, d);
     limits_wind(an, d);
     check_critical(an, d);
+    check_unverified(an, d);
     check_as_printed(an, d);
     check_assumed(an, d);
 }

@@ -4,6 +4,7 @@
 #include "base/num.h"
 #include "base/progress.h"
 #include "data/species.h"
+#include "load/interception.h"
 #include "study/analysis.h"
 #include <math.h>
 #include <string.h>
@@ -74,7 +75,7 @@ static enum wf_status run_block(const struct wf_analysis *an, const struct wf_so
                                 struct wf_err *e)
 {
     const double least = 0.3; /* a rule of ours, as of the peak load */
-    const char *leaves = b->season == WF_LEAF_ON ? "leaf-on" : "leaf-off";
+    const char *leaves = b->water > 0 ? "leaf-on, wet" : b->season == WF_LEAF_ON ? "leaf-on" : "leaf-off";
     struct wf_err why = { 0 };
     b->tree = an->tree, b->height = an->tallness;
     b->direction[0] = an->wind.direction[0], b->direction[1] = an->wind.direction[1];
@@ -103,17 +104,22 @@ static enum wf_status run_block(const struct wf_analysis *an, const struct wf_so
 }
 
 static enum wf_status run_season(const struct wf_analysis *as, const struct wf_solve_options *o,
-                                 const struct wf_mode_request *r, enum wf_season season, struct wf_arena *a,
-                                 struct wf_diag *d, bool first, struct wf_mode_list *out, struct wf_err *e)
+                                 const struct wf_mode_request *r, enum wf_season season, double water,
+                                 struct wf_arena *a, struct wf_diag *d, struct wf_mode_list *out,
+                                 struct wf_err *e)
 {
     struct wf_diag again = { .arena = a };
     struct wf_analysis *an = WF_TAKE(a, 1, struct wf_analysis);
     if (!an) return wf_fail(e, WF_ENOMEM, "not enough memory for a tree");
     *an = *as;
-    enum wf_status s = wf_analysis_set_up(an, o, a, first ? d : &again, e);
+    an->scenario.water = water;
+    enum wf_status s = wf_analysis_set_up(an, o, a, out->blocks ? &again : d, e);
+    if (!s && water > 0 && !(wf_tree_leaf_area(&an->tree) > 0))
+        s = wf_fail(e, WF_EINPUT,
+                    "the tree has no leaves that could hold rain; give --leaf-area or a season with leaves");
     for (size_t i = 0; i < r->winds && !s; i++) {
         struct wf_mode_block *b = &out->block[out->blocks];
-        *b = (struct wf_mode_block){ .season = season, .speed = r->wind[i] };
+        *b = (struct wf_mode_block){ .season = season, .water = water, .speed = r->wind[i] };
         wf_stage_step(1);
         s = wf_interrupted() ? wf_fail(e, WF_EINTERRUPTED, "interrupted before all modes were computed")
                              : run_block(an, o, r->count, a, d, b, e);
@@ -128,18 +134,23 @@ enum wf_status wf_mode_list_run(const struct wf_analysis *as, struct wf_model *m
                                 struct wf_err *e)
 {
     const enum wf_season given = m->season;
-    enum wf_season season[2] = { given, given };
+    enum wf_season season[3];
+    double water[3] = { 0 };
+    size_t n = 0;
     bool sheds;
     (void)is_conifer(as->species, &sheds);
     bool both = r->seasons && m->leaf_area_on > 0.0 && sheds;
-    if (both) season[0] = WF_LEAF_ON, season[1] = WF_LEAF_OFF;
-    *out = (struct wf_mode_list){ .block = WF_TAKE(a, 2 * r->winds, struct wf_mode_block) };
+    season[n++] = both ? WF_LEAF_ON : given;
+    if (as->scenario.water > 0) water[n] = as->scenario.water, season[n] = season[0], n++;
+    if (both) season[n++] = WF_LEAF_OFF;
+    *out = (struct wf_mode_list){ .scenario = &as->scenario,
+                                  .block = WF_TAKE(a, n * r->winds, struct wf_mode_block) };
     if (!out->block) return wf_fail(e, WF_ENOMEM, "not enough memory for the modes");
     enum wf_status s = WF_OK;
-    wf_stage_begin((both ? 2 : 1) * r->winds, false, "modes");
-    for (size_t i = 0; i < (both ? 2u : 1u) && !s; i++) {
+    wf_stage_begin(n * r->winds, false, "modes");
+    for (size_t i = 0; i < n && !s; i++) {
         wf_model_set_season(m, season[i]);
-        s = run_season(as, o, r, season[i], a, d, i == 0, out, e);
+        s = run_season(as, o, r, season[i], water[i], a, d, out, e);
     }
     wf_model_set_season(m, given);
     if (!s) compare(as->species, &out->block[0], out);

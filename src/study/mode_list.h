@@ -16,6 +16,7 @@ extern const char wf_sway_lines_source[];
 
 struct wf_mode_block { /* one season in one wind */
     enum wf_season season;
+    double water;          /* rain on the leaves, per one-sided area [kg m-2]; 0: dry */
     double speed;          /* named mean wind [m/s] */
     enum wf_status status; /* WF_OK, or why there is no state: WF_EUNSTABLE, WF_ENOCONV */
     struct wf_tree tree;
@@ -24,6 +25,7 @@ struct wf_mode_block { /* one season in one wind */
     struct wf_sway_modes modes;
 };
 struct wf_mode_list {
+    const struct wf_scenario *scenario; /* of the analysis given */
     size_t blocks;
     struct wf_mode_block *block;
     bool conifer;
@@ -39,8 +41,9 @@ struct wf_mode_request {
     const double *wind; /* [m/s]; 0: still air */
 };
 /* Given: an analysis with species, model, scenario and solver, before wf_analysis_set_up; the model's season
- * is set to each one and then back. Returned: *out, blocks by season, then by wind; a block without a state
- * has a warning in `d`. Errors: WF_EINTERRUPTED; of wf_analysis_set_up and wf_sway_modes. */
+ * is set to each one and then back. Returned: *out, blocks by season, then by wind; where the scenario has
+ * water, the leaves are dry first, then wet. A block without a state has a warning in `d`. Errors: WF_EINPUT
+ * for water on a tree without leaves; WF_EINTERRUPTED; of wf_analysis_set_up and wf_sway_modes. */
 enum wf_status wf_mode_list_run(const struct wf_analysis *as, struct wf_model *m,
                                 const struct wf_solve_options *o, const struct wf_mode_request *r,
                                 struct wf_arena *a, struct wf_diag *d, struct wf_mode_list *out,

@@ -57,7 +57,7 @@ enum { TRACKS = 2 };
 
 /* Solutions by one mesh tolerance, each from the last. */
 struct sequence {
-    double tolerance, speed;
+    double tolerance, speed, branches_speed; /* of the last solutions; NAN: none */
     struct wf_solve_options options;
     struct wf_track *track;    /* at the peak of the load on the tree */
     struct wf_track *branches; /* and on branches; NULL: the same */
@@ -66,6 +66,7 @@ struct sequence {
 struct wf_nodes {
     const struct wf_analysis *an;
     const struct wf_nodes *like; /* of the same tree in another wind direction; NULL: none */
+    bool kin;                    /* `like` is of a tree with other values */
     struct wf_arena arena;
     double deadline; /* of the process's time [s] */
     bool late;
@@ -95,6 +96,13 @@ struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nod
     k->like = like;
     if (like) take_still(k);
     wf_nodes_deadline(k, an->search.seconds);
+    return k;
+}
+
+struct wf_nodes *wf_nodes_open_kin(const struct wf_analysis *an, const struct wf_nodes *like)
+{
+    struct wf_nodes *k = wf_nodes_open(an, NULL);
+    if (k) k->like = like, k->kin = true;
     return k;
 }
 
@@ -162,42 +170,69 @@ static enum wf_status sequence_for(struct wf_nodes *k, const struct wf_solve_opt
         *out = &k->sequence[0];
         close_tracks(*out);
     }
-    **out = (struct sequence){ .tolerance = o->mesh_tolerance, .speed = NAN, .options = *o };
+    **out = (struct sequence){
+        .tolerance = o->mesh_tolerance, .speed = NAN, .branches_speed = NAN, .options = *o
+    };
     const struct sequence *like = NULL;
     for (int i = 0; k->like && i < TRACKS; i++)
-        if (k->like->sequence[i].tolerance == o->mesh_tolerance) like = &k->like->sequence[i];
-    if (like) (*out)->speed = 0.0;
+        if (k->like->sequence[i].track && k->like->sequence[i].tolerance == o->mesh_tolerance)
+            like = &k->like->sequence[i];
+    if (like) (*out)->speed = k->kin ? like->speed : 0.0;
+    if (like) (*out)->branches_speed = 0.0;
     enum wf_status s =
         wf_track_open(&k->an->tree, &(*out)->options, like ? like->track : NULL, &(*out)->track, e);
+    if (!s && k->kin) wf_track_begin_at_last((*out)->track);
     if (s || !wf_peak_branches(k->an->peak)) return s;
     return wf_track_open(&k->an->tree, &(*out)->options, like ? like->branches : NULL, &(*out)->branches, e);
 }
 
 static float single(double x) { return isfinite(x) ? (float)x : 0.0F; }
 
-/* Utilisations and stresses of all rows. */
-static void read_columns(const struct wf_tree *t, const struct wf_at_speed *at, double *out)
+/* Utilisation or stress of all rows. */
+static void read_column(const struct wf_tree *t, const struct wf_at_speed *at, int column, double *out)
 {
-    for (size_t i = 0; i < t->n; i++) {
-        double place;
-        for (int c = 0; c < WF_CRITERIA; c++)
-            out[(size_t)c * t->n + i] =
-                1.0 / wf_criteria[c].safety(t, &at->response, &at->breakage, i, &place);
-        out[WF_NODE_STRESS * t->n + i] = at->breakage.peak[i];
-    }
+    double place;
+    for (size_t i = 0; i < t->n; i++)
+        out[i] = column == WF_NODE_STRESS ? at->breakage.peak[i]
+                                          : 1.0 / wf_criterion_safety(&wf_criteria[column], t, &at->response,
+                                                                      &at->breakage, i, &place);
 }
 
 /* Slopes of totals that are those of a governing row. */
-static void slopes_of_worst(const struct wf_tree *t, const double *gain, struct wf_node *out)
+static void slopes_of_worst(int column, const double *gain, struct wf_node *out)
 {
     int32_t row = out->at.breakage.largest_stress_row;
-    out->slope[WF_TOTAL_STRESS] = row < 0 ? NAN : gain[WF_NODE_STRESS * t->n + (size_t)row];
-    for (int c = 0; c < WF_CRITERIA; c++)
-        for (int s = 0; s < WF_SCOPES; s++) {
-            row = out->at.worst[c][s].row;
-            out->slope[WF_TOTAL_UTILISATION + c * WF_SCOPES + s] =
-                row < 0 ? NAN : gain[(size_t)c * t->n + (size_t)row];
-        }
+    if (column == WF_NODE_STRESS) {
+        out->slope[WF_TOTAL_STRESS] = row < 0 ? NAN : gain[row];
+        return;
+    }
+    for (int s = 0; s < WF_SCOPES; s++) {
+        row = out->at.worst[column][s].row;
+        out->slope[WF_TOTAL_UTILISATION + column * WF_SCOPES + s] = row < 0 ? NAN : gain[row];
+    }
+}
+
+/* A column, from the answers at the speed and at one a little higher. */
+static enum wf_status read_slope(const struct wf_tree *t, const struct wf_speed_answers *r, int column,
+                                 struct wf_arena *a, struct wf_arena *scratch, struct wf_node *out,
+                                 struct wf_err *e)
+{
+    struct wf_node_column *to = &out->column[column];
+    double *at = WF_TAKE(scratch, t->n, double), *side = WF_TAKE(scratch, t->n, double);
+    to->value = WF_TAKE(a, t->n, float);
+    to->gain = WF_TAKE(a, t->n, float);
+    if (!at || !side || !to->value || !to->gain)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the slopes of %zu segments", t->n);
+    read_column(t, &r->at, column, at);
+    for (size_t i = 0; i < t->n; i++) to->value[i] = single(at[i]);
+    if (!(r->step > 0.0)) return WF_OK;
+    read_column(t, &r->side, column, side);
+    for (size_t i = 0; i < t->n; i++) {
+        side[i] = (side[i] - at[i]) / r->step;
+        to->gain[i] = single(side[i]);
+    }
+    slopes_of_worst(column, side, out);
+    return WF_OK;
 }
 
 /* Values and slopes, from the answers at the speed and at one a little higher. */
@@ -205,50 +240,54 @@ static enum wf_status read_slopes(const struct wf_tree *t, const struct wf_speed
                                   struct wf_arena *a, struct wf_arena *scratch, struct wf_node *out,
                                   struct wf_err *e)
 {
-    size_t n = WF_NODE_COLUMNS * t->n;
-    double *at = WF_TAKE(scratch, n, double), *side = WF_TAKE(scratch, n, double), v[2][WF_TOTALS];
-    out->value = WF_TAKE(a, n, float);
-    out->gain = WF_TAKE(a, n, float);
-    if (!at || !side || !out->value || !out->gain)
-        return wf_fail(e, WF_ENOMEM, "not enough memory for the slopes of %zu segments", t->n);
-    read_columns(t, &r->at, at);
-    for (size_t i = 0; i < n; i++) out->value[i] = single(at[i]);
+    double v[2][WF_TOTALS];
+    enum wf_status s = WF_OK;
     out->sloped = r->step > 0.0 || r->at.speed == 0.0;
-    if (!(r->step > 0.0)) return WF_OK;
-    read_columns(t, &r->side, side);
-    wf_totals_read(&r->at, v[0]);
-    wf_totals_read(&r->side, v[1]);
-    for (int q = 0; q < WF_TOTALS; q++) out->slope[q] = (v[1][q] - v[0][q]) / r->step;
-    for (size_t i = 0; i < n; i++) {
-        side[i] = (side[i] - at[i]) / r->step;
-        out->gain[i] = single(side[i]);
+    if (r->step > 0.0) {
+        wf_totals_read(&r->at, v[0]);
+        wf_totals_read(&r->side, v[1]);
+        for (int q = 0; q < WF_TOTALS; q++) out->slope[q] = (v[1][q] - v[0][q]) / r->step;
     }
-    slopes_of_worst(t, side, out);
-    return WF_OK;
+    for (int c = 0; c < WF_NODE_COLUMNS && !s; c++)
+        if (c == WF_NODE_STRESS || wf_criterion_known(&wf_criteria[c], t, WF_SCOPE_TREE))
+            s = read_slope(t, r, c, a, scratch, out, e);
+    return s;
 }
 
-/* Another sequence whose last speed is near. */
-static const struct sequence *other_near(const struct wf_nodes *k, const struct sequence *q, double speed)
+/* The track of another sequence, of stem or branches, whose last speed is near; NULL: none. */
+static const struct wf_track *other_near(const struct wf_nodes *k, const struct sequence *q, double speed,
+                                         bool branches)
 {
     const double near = 0.2;
     for (int i = 0; i < TRACKS; i++) {
         const struct sequence *other = &k->sequence[i];
-        if (other != q && other->track && fabs(other->speed - speed) <= near * speed) return other;
+        double last = branches ? other->branches_speed : other->speed;
+        if (other != q && other->track && fabs(last - speed) <= near * speed)
+            return branches ? other->branches : other->track;
     }
     return NULL;
 }
 
-/* Stem and branches at a speed, each at the peak of its load. */
-static enum wf_status solve_states(const struct wf_nodes *k, const struct sequence *q, double speed,
+static enum wf_status solve_state(const struct wf_nodes *k, struct sequence *q, enum wf_part part,
+                                  double speed, struct wf_arena *a, struct wf_speed_answers *out,
+                                  struct wf_err *e)
+{
+    bool branches = part == WF_PART_BRANCHES;
+    double *last = branches ? &q->branches_speed : &q->speed;
+    enum wf_status s = wf_speed_track(k->an, part, branches ? q->branches : q->track, *last, speed,
+                                      other_near(k, q, speed, branches), a, out, e);
+    if (!s) *last = out->at.status ? NAN : speed;
+    return s;
+}
+
+/* Stem and branches at a speed, each at the peak of its load; or the stem alone. */
+static enum wf_status solve_states(const struct wf_nodes *k, struct sequence *q, double speed, bool stem,
                                    struct wf_arena *a, struct wf_speed_answers *out, struct wf_err *e)
 {
-    const struct sequence *other = other_near(k, q, speed);
     struct wf_speed_answers branches;
-    enum wf_status s = wf_speed_track(k->an, WF_PART_STEM, q->track, q->speed, speed,
-                                      other ? other->track : NULL, a, out, e);
-    if (s || !q->branches || out->at.status) return s;
-    s = wf_speed_track(k->an, WF_PART_BRANCHES, q->branches, q->speed, speed, other ? other->branches : NULL,
-                       a, &branches, e);
+    enum wf_status s = solve_state(k, q, WF_PART_STEM, speed, a, out, e);
+    if (s || stem || !q->branches || out->at.status) return s;
+    s = solve_state(k, q, WF_PART_BRANCHES, speed, a, &branches, e);
     if (s) return s;
     out->irregular = out->irregular || branches.irregular;
     if (!(branches.step > 0.0)) out->step = 0.0;
@@ -257,18 +296,17 @@ static enum wf_status solve_states(const struct wf_nodes *k, const struct sequen
     return WF_OK;
 }
 
-static enum wf_status solve_node(struct wf_nodes *k, struct sequence *q, double speed, struct wf_node *out,
-                                 struct wf_err *e)
+static enum wf_status solve_node(struct wf_nodes *k, struct sequence *q, double speed, bool stem,
+                                 struct wf_node *out, struct wf_err *e)
 {
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
     *out = (struct wf_node){ .tolerance = q->tolerance, .used = true };
-    enum wf_status s = solve_states(k, q, speed, &scratch, &r, e);
+    enum wf_status s = solve_states(k, q, speed, stem, &scratch, &r, e);
     wf_stage_step(1);
     if (!s) {
         out->at = r.at;
         out->irregular = r.irregular;
-        q->speed = r.at.status ? NAN : speed;
         if (!r.at.status) s = read_slopes(&k->an->tree, &r, &k->arena, &scratch, out, e);
         wf_speed_drop_columns(&out->at);
     }
@@ -298,10 +336,25 @@ enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options 
     if (!s && !found && k->n == WF_NODES_MAX)
         s = wf_fail(e, WF_EINTERNAL, "too many wind speeds were solved");
     if (!s) s = sequence_for(k, o, &q, e);
-    if (!s) s = solve_node(k, q, speed, &node, e);
+    if (!s) s = solve_node(k, q, speed, false, &node, e);
     if (s) return s;
     if (!found) found = &k->node[k->n++];
     *found = node;
     *out = found;
     return WF_OK;
+}
+
+enum wf_status wf_nodes_solve_stem(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
+                                   struct wf_node *out, struct wf_err *e)
+{
+    struct sequence *q = NULL;
+    const struct wf_node *found = wf_nodes_find(k, speed, o->mesh_tolerance);
+    if (!found && wf_peak_branches(k->an->peak)) {
+        enum wf_status s = wf_nodes_ready(k, e);
+        if (!s) s = sequence_for(k, o, &q, e);
+        return s ? s : solve_node(k, q, speed, true, out, e);
+    }
+    enum wf_status s = wf_nodes_solve(k, o, speed, &found, e);
+    if (!s) *out = *found;
+    return s;
 }

@@ -32,6 +32,10 @@ struct wf_solve_options wf_nodes_quick(const struct wf_solve_options *o);
 
 /* Columns of a node: utilisation by criterion, then the largest stress of each row [Pa]. */
 enum { WF_NODE_STRESS = WF_CRITERIA, WF_NODE_COLUMNS };
+/* Values of the rows and d value / d speed; 0: unknown. NULL: the resistance is known of no row. */
+struct wf_node_column {
+    float *value, *gain;
+};
 
 struct wf_node {
     struct wf_at_speed at;
@@ -40,7 +44,7 @@ struct wf_node {
     bool sloped;             /* what follows is known */
     bool irregular;          /* small parts are not stable or have snapped */
     double slope[WF_TOTALS]; /* d total / d speed */
-    float *value, *gain;     /* WF_NODE_COLUMNS times the rows: values and d value / d speed; 0: unknown */
+    struct wf_node_column column[WF_NODE_COLUMNS];
 };
 
 struct wf_nodes;
@@ -50,6 +54,9 @@ enum { WF_NODES_MAX = 240 };
  * which outlive these and are not used meanwhile: their solutions in still air and their meshes are taken.
  * Errors: NULL, not enough memory. */
 struct wf_nodes *wf_nodes_open(const struct wf_analysis *an, const struct wf_nodes *like);
+/* The same for a tree whose rows differ from those of `like` in their values alone: the meshes are taken, and
+ * solutions start at its last one. */
+struct wf_nodes *wf_nodes_open_kin(const struct wf_analysis *an, const struct wf_nodes *like);
 void wf_nodes_close(struct wf_nodes *k);                    /* NULL is allowed */
 void wf_nodes_deadline(struct wf_nodes *k, double seconds); /* from now */
 bool wf_nodes_late(const struct wf_nodes *k); /* the deadline has passed: it stays so once said */
@@ -72,6 +79,11 @@ bool wf_nodes_tracked(const struct wf_analysis *an);
  * Errors: as wf_speed_totals; WF_EINTERRUPTED; WF_EINTERNAL with wf_nodes_late where the time is used up. */
 enum wf_status wf_nodes_solve(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
                               const struct wf_node **out, struct wf_err *e);
+
+/* The same for the stem alone: where branches have a peak of their own they are not solved, and the node is
+ * not kept; it says nothing about them. */
+enum wf_status wf_nodes_solve_stem(struct wf_nodes *k, const struct wf_solve_options *o, double speed,
+                                   struct wf_node *out, struct wf_err *e);
 
 #ifdef __cplusplus
 }

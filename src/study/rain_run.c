@@ -6,6 +6,7 @@
 #include "base/vec3.h"
 #include "load/drop_shape.h"
 #include "solve/prism_rest.h"
+#include "study/rain_shake.h"
 #include <math.h>
 #include <string.h>
 #include <time.h>
@@ -34,6 +35,7 @@ struct run {
     double wind[2];
     bool seen[8];   /* kinds of events that have a key */
     double rebound; /* time of the key after the first fall; INFINITY: not yet */
+    struct wf_shake shake;
     struct wf_arena *a;
 };
 
@@ -120,6 +122,9 @@ static enum wf_status place_rain(struct run *r, struct wf_rain *rain, struct wf_
     return wf_rain_make(rain, e);
 }
 
+/* Does the wind push the leaves? As printed it slants the fall alone. */
+static bool pushed(const struct wf_rain_spec *s) { return s->wind && !s->printed; }
+
 static enum wf_status start(struct run *r, struct wf_rain *rain, struct wf_err *e)
 {
     const struct wf_rain_spec *s = r->s;
@@ -150,7 +155,7 @@ static enum wf_status start(struct run *r, struct wf_rain *rain, struct wf_err *
                                      .gravity = r->law.gravity };
     if ((status = wf_prism_begin(&r->m, sc->rest, r->a, e))) return status;
     out->energy.start = r->m.spring;
-    return WF_OK;
+    return s->shaken || pushed(s) ? wf_shake_make(sc, r->a, &r->shake, e) : WF_OK;
 }
 
 /* ---- Events and keys ---- */
@@ -169,7 +174,7 @@ static void map_leaf(const struct run *r, size_t leaf, struct wf_rain_key *k)
 {
     const struct wf_leaf_water *w = &r->out->leaf[leaf];
     wf_scene_lie(&r->out->scene, r->m.x, leaf, r->up);
-    const struct wf_leaf_lie lie = { r->s->scene.vein_prisms + 1, (const double(*)[3])r->up };
+    const struct wf_leaf_lie lie = { r->s->scene.vein_prisms + 1, (const double(*)[3])r->up, NULL };
     for (size_t i = 0; i < WF_RAIN_MAP; i++)
         for (size_t j = 0; j < WF_RAIN_MAP; j++) {
             const double at[2] = { ((double)i + 0.5) / WF_RAIN_MAP * w->blade.length,
@@ -222,7 +227,7 @@ static void put_in_air(struct run *r, struct falling d)
     if (r->airs < AIR_MOST)
         r->air[r->airs++] = d;
     else
-        r->out->water.ground += d.mass; /* counted, not followed */
+        r->out->water.ground += d.mass, r->out->uncounted++; /* not followed */
 }
 
 static void emit(struct run *r, const struct wf_rain *rain, uint64_t step)
@@ -404,6 +409,7 @@ static void load_by(struct run *r, size_t k, const struct wf_leaf_drop *d, const
 static enum wf_status wet(struct run *r, struct wf_err *e)
 {
     enum wf_status status = WF_OK;
+    if (r->s->shaken) wf_shake_move(&r->shake, &r->out->scene, r->m.x, r->m.v, r->s->step, r->law.gravity);
     memset(r->m.load, 0, 9 * r->m.p->sections * sizeof *r->m.load);
     for (size_t k = 0; k < r->s->scene.leaves && !status; k++) {
         struct wf_leaf_water *w = &r->out->leaf[k];
@@ -411,11 +417,13 @@ static enum wf_status wet(struct run *r, struct wf_err *e)
         if (!w->drops) continue;
         memcpy(before, w->count, sizeof before);
         wf_scene_lie(&r->out->scene, r->m.x, k, r->up);
-        const struct wf_leaf_lie lie = { r->s->scene.vein_prisms + 1, (const double(*)[3])r->up };
-        wf_leaf_water_step(w, &r->law, &lie, r->m.time, r->s->step);
+        const struct wf_leaf_lie lie = { r->s->scene.vein_prisms + 1, (const double(*)[3])r->up, NULL };
+        const struct wf_leaf_lie moving = r->s->shaken ? wf_shake_lie(&r->shake, &r->out->scene, k) : lie;
+        wf_leaf_water_step(w, &r->law, &moving, r->m.time, r->s->step);
         for (size_t i = 0; i < w->drops; i++) load_by(r, k, &w->drop[i], &lie);
         status = leaf_events(r, k, before, e);
     }
+    if (pushed(r->s)) wf_shake_wind(&r->shake, &r->out->scene, r->m.x, r->m.v, r->wind, r->m.load);
     wf_prism_pass(r->m.p, r->m.load);
     return status;
 }
@@ -536,10 +544,33 @@ static void close_budgets(struct run *r)
     double out = w->air + w->ground + w->splash + w->wood + w->held + w->film;
     w->off = w->rain > 0 ? fabs(w->rain - out) / w->rain : 0;
     b->end = r->m.kinetic + r->m.spring;
-    b->weight = r->m.work.weight, b->load = r->m.work.load, b->push = r->m.work.push;
+    b->weight = r->m.work.weight, b->load = r->m.work.load - b->wind, b->push = r->m.work.push;
     b->damping = r->m.work.damping, b->solver = r->m.work.solver;
     double most = fmax(fmax(fabs(b->weight), fabs(b->load)), fmax(fmax(b->push, b->damping), b->start));
-    b->off = fabs(b->end - b->start - b->weight - b->load - b->push + b->damping) / most;
+    most = fmax(most, fabs(b->wind));
+    b->off = fabs(b->end - b->start - b->weight - b->load - b->wind - b->push + b->damping) / most;
+}
+
+/* What would make the answer wrong without being seen. */
+static void say_limits(const struct wf_rain_result *o, struct wf_diag *d)
+{
+    const double water = 1e-12, energy = 1e-7;
+    if (o->uncounted)
+        wf_diag_warn(
+            d, "drops-not-followed",
+            "%zu drops were not followed and are counted as fallen on the ground: more than %d in the "
+            "air at once; less rain, a smaller area or a shorter fall (--fall) keeps all",
+            o->uncounted, AIR_MOST);
+    if (o->events_all > o->events)
+        wf_diag_warn(d, "events-left-out", "tables/events.csv has the first %zu of %zu events", o->events,
+                     o->events_all);
+    bool kept = o->spec->method == WF_PRISM_EULER || o->energy.off <= energy; /* Euler's own is listed */
+    if (!(o->water.off <= water) || !kept)
+        wf_diag_warn(
+            d, "budget-open",
+            "the budgets do not close: %.2g of the water (at most %.0e), %.2g of the energy (at most "
+            "%.0e); a shorter --step may help",
+            o->water.off, water, o->energy.off, energy);
 }
 
 static enum wf_status one_step(struct run *r, const struct wf_rain *rain, uint64_t step, struct wf_err *e)
@@ -550,9 +581,12 @@ static enum wf_status one_step(struct run *r, const struct wf_rain *rain, uint64
     else
         emit(r, rain, step);
     if (r->airs) wf_scene_follow(&r->out->scene, r->m.x);
+    if (r->s->shaken) wf_shake_move(&r->shake, &r->out->scene, r->m.x, r->m.v, r->s->step, r->law.gravity);
     enum wf_status s = fall(r, e);
+    if (r->s->shaken) wf_shake_begin(&r->shake, &r->out->scene, r->m.v);
     if (!s) s = wet(r, e);
     if (!s) s = wf_prism_advance(&r->m, e);
+    if (pushed(r->s)) r->out->energy.wind += wf_shake_work(&r->shake, &r->out->scene, r->m.x);
     if (!s && r->m.time >= r->rebound) r->rebound = INFINITY, s = keep_key(r, "rebound", 0, e);
     return s;
 }
@@ -586,5 +620,6 @@ enum wf_status wf_rain_run(const struct wf_rain_spec *s, struct wf_arena *a, str
     out->seconds = (double)(clock() - begun) / CLOCKS_PER_SEC;
     out->iterations = r.m.iterations, out->factors = r.m.factors;
     close_budgets(&r);
+    say_limits(out, d);
     return ring_down(out, a, e);
 }

@@ -24,6 +24,7 @@ struct wf_rain_spec {
     enum wf_prism_method method;
     double damping; /* ratio at the lowest frequency [-]                             */
     bool staged;    /* drops on the first leaf by a plan, in place of rain           */
+    bool shaken;    /* drops on a leaf feel its acceleration: an upper bound of what falls off */
 };
 
 /* A state of the scene that is kept. */
@@ -62,8 +63,8 @@ struct wf_water_budget {
     double rain, air, ground, splash, wood, held, film, off; /* off: what is left over, over rain [-] */
 };
 struct wf_energy_budget {
-    double start, end; /* kinetic and of springs [J] */
-    double weight, load, push, damping, solver;
+    double start, end;                                /* kinetic and of springs [J] */
+    double weight, load, wind, push, damping, solver; /* load: of the water */
     double drops; /* kinetic energy that drops arrived with, relative to what they hit [J] */
     double off;   /* what is left over, over the largest part [-] */
 };
@@ -78,6 +79,7 @@ struct wf_rain_result {
     struct wf_water_budget water;
     struct wf_energy_budget energy;
     size_t hits, wood_hits, missed, tests, ways; /* tests: bodies tried; ways: of drops */
+    size_t uncounted;                            /* drops beyond those that are followed: `ground` */
     double frequency, damping;                   /* lowest, at rest [Hz]; c [1/s] */
     double euler_limit;                          /* largest stable explicit step [s] */
     double fallen_at, struck_at; /* times of the last drop that fell off, and of the last hit; NAN, 0: none */

@@ -2,6 +2,7 @@
 #include "study/rain_scene.h"
 #include "base/num.h"
 #include "base/vec3.h"
+#include "data/species.h"
 #include "solve/prism_rest.h"
 #include <math.h>
 #include <string.h>
@@ -26,6 +27,16 @@ void wf_scene_spec_default(struct wf_scene_spec *s)
                                  .petiole_prisms = 4,
                                  .vein_prisms = 6,
                                  .mesh = { 24, 10 } };
+}
+
+void wf_scene_spec_leaf(struct wf_scene_spec *s)
+{
+    const struct wf_crown *c = &s->species->crown;
+    const struct wf_blade unit = { s->form, 1, s->form->breadth / 2 };
+    if (c->leaf_area.given) s->leaf_length = sqrt(c->leaf_area.value / wf_blade_area(&unit));
+    if (c->petiole_length.given) s->petiole = c->petiole_length.value;
+    if (c->petiole_diameter.given) s->petiole_radius = c->petiole_diameter.value / 2;
+    if (c->petiole_modulus.given) s->petiole_youngs = c->petiole_modulus.value;
 }
 
 /* ---- An axis of a tree ---- */
@@ -80,17 +91,21 @@ enum wf_status wf_scene_axis(const struct wf_tree *t, int64_t id, struct wf_scen
     if (rows * cuts > MOST)
         return wf_fail(e, WF_EINPUT, "the axis has %zu segments; at most %d are taken", rows, MOST);
     double *nodes = WF_TAKE(a, 3 * (rows * cuts + 1), double);
-    if (!nodes) return wf_fail(e, WF_ENOMEM, "not enough memory for the branch");
+    double *thick = WF_TAKE(a, rows * cuts + 1, double);
+    if (!nodes || !thick) return wf_fail(e, WF_ENOMEM, "not enough memory for the branch");
     const double foot[3] = { t->x0[base], t->y0[base], 0 };
     s->radius[0] = t->r0[base], s->height = t->z0[base];
     for (size_t i = base; i < t->n; i = row_after(t, i)) {
         const double low[3] = { t->x0[i], t->y0[i], t->z0[i] }, high[3] = { t->x1[i], t->y1[i], t->z1[i] };
-        for (size_t k = n ? 1 : 0; k <= cuts; k++, n++)
-            for (size_t c = 0; c < 3; c++)
-                nodes[3 * n + c] = wf_between(low[c], high[c], (double)k / (double)cuts) - foot[c];
+        for (size_t k = n ? 1 : 0; k <= cuts; k++, n++) {
+            double share = (double)k / (double)cuts;
+            for (size_t c = 0; c < 3; c++) nodes[3 * n + c] = wf_between(low[c], high[c], share) - foot[c];
+            thick[n] = wf_between(t->r0[i], t->r1[i], share);
+        }
         s->radius[1] = t->r1[i];
     }
-    s->nodes = nodes, s->node_count = n;
+    s->nodes = nodes, s->thick = thick, s->node_count = n;
+    s->wood = wf_species_wood(s->species, t->level[base], t->r0[base]);
     return WF_OK;
 }
 
@@ -126,7 +141,7 @@ static void set_segment(struct wf_prism_axis *x, size_t i, double r, double h, d
 static enum wf_status make_branch(const struct wf_scene_spec *s, struct wf_arena *a, struct wf_prism_axis *x,
                                   struct wf_err *e)
 {
-    const struct wf_level *wood = wf_species_level(s->species, (int32_t)s->species->levels - 1);
+    const struct wf_level *wood = s->wood;
     size_t n = s->nodes ? s->node_count - 1 : s->prisms;
     enum wf_status status = open_axis(x, n, a, e);
     double *place = (double *)x->place, length = 0, done = 0;
@@ -145,7 +160,8 @@ static enum wf_status make_branch(const struct wf_scene_spec *s, struct wf_arena
                 length += h;
                 continue;
             }
-            double r = wf_between(s->radius[0], s->radius[1], (done + h / 2) / length);
+            double r = s->thick ? (s->thick[i] + s->thick[i + 1]) / 2
+                                : wf_between(s->radius[0], s->radius[1], (done + h / 2) / length);
             double shear =
                 wood->shear_modulus.given ? wood->shear_modulus.value : wood->youngs_modulus.value / 16;
             set_segment(x, i, r, h, wood->youngs_modulus.value, shear, wood->density.value);
@@ -240,6 +256,7 @@ void wf_scene_wood_point(size_t section, double share, struct wf_prism_point *ou
 static double wood_radius(const struct wf_rain_scene *s, size_t axis, size_t node, size_t nodes)
 {
     if (axis) return s->spec.petiole_radius;
+    if (s->spec.thick) return s->spec.thick[node];
     return wf_between(s->spec.radius[0], s->spec.radius[1], (double)node / (double)(nodes - 1));
 }
 
@@ -311,6 +328,8 @@ enum wf_status wf_scene_make(const struct wf_scene_spec *spec, double gravity, s
     if (status) return status;
     *out = (struct wf_rain_scene){ .spec = *spec };
     struct wf_rain_scene *s = out;
+    if (!s->spec.wood) s->spec.wood = wf_species_level(spec->species, (int32_t)spec->species->levels - 1);
+    spec = &s->spec;
     s->blade =
         (struct wf_blade){ spec->form, spec->leaf_length, spec->leaf_length * spec->form->breadth / 2 };
     if ((status = wf_blade_mesh_make(&s->blade, spec->mesh[0], spec->mesh[1], a, &s->mesh, e))) return status;

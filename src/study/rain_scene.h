@@ -2,14 +2,16 @@
 #ifndef WF_STUDY_RAIN_SCENE_H
 #define WF_STUDY_RAIN_SCENE_H
 /* A branch with leaves on petioles as prisms, with blades that drops hit: the scene of Yang & Wu 2011. */
-#include "data/species.h"
+struct wf_species;
+struct wf_level;
+struct wf_tree;
 #include "grow/leaf_blade.h"
 #include "load/hits.h"
 #include "load/leaf_water.h"
 #include "solve/prism_step.h"
 
 struct wf_scene_spec {
-    const struct wf_species *species; /* its last level of wood; its leaf mass per area                  */
+    const struct wf_species *species; /* its wood; its leaf mass per area                                */
     const struct wf_leaf_form *form;
     size_t leaves;
     double leaf_length, petiole; /* of the main vein; of the petiole [m]                            */
@@ -24,15 +26,21 @@ struct wf_scene_spec {
     double restoring;    /* [N/m]                                                           */
     bool diagonal;       /* mass as printed                                                 */
     const double *nodes; /* of the branch, 3 each, root first; NULL: straight               */
+    const double *thick; /* its radius at each of them [m]; NULL: linear by `radius`        */
     size_t node_count;
+    const struct wf_level *wood; /* of the branch; NULL: the species' last level            */
 };
 /* Defaults: five ovate leaves of 8 cm on a branch of 40 cm; the assumed values are listed in docs/rain.md. */
 void wf_scene_spec_default(struct wf_scene_spec *s);
 
+/* Leaf and petiole of s->species, in place of the defaults where its table gives them; the vein is that of a
+ * leaf of s->form with the area. */
+void wf_scene_spec_leaf(struct wf_scene_spec *s);
+
 /* Take an axis of a tree as the branch: its segments become prisms, cut so that there are at least eight;
- * radii at base and tip, and the height of its base. id: of a segment on it; 0: the longest axis of the
- * highest level. Returned: nodes, node_count, radius, height, branch of *s. Errors: WF_EINPUT for an id that
- * is not there and an axis of more than 256 prisms, WF_ENOMEM. */
+ * their radii, and the height of its base. id: of a segment on it; 0: the longest axis of the highest level.
+ * Given: s->species. Returned: nodes, thick, node_count, wood, radius, height, branch of *s. Errors:
+ * WF_EINPUT for an id that is not there and an axis of more than 256 prisms, WF_ENOMEM. */
 enum wf_status wf_scene_axis(const struct wf_tree *t, int64_t id, struct wf_scene_spec *s, struct wf_arena *a,
                              struct wf_err *e);
 
@@ -44,7 +52,7 @@ struct wf_scene_leaf {
     double length, arm; /* of the vein; of its prisms [m] */
 };
 struct wf_rain_scene {
-    struct wf_scene_spec spec;
+    struct wf_scene_spec spec; /* its wood is set */
     struct wf_prism prism;
     struct wf_blade blade;
     struct wf_blade_mesh mesh;

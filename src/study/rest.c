@@ -70,37 +70,36 @@ static enum wf_status stand(struct wf_analysis *an, struct wf_arena *a, struct w
     return s;
 }
 
-static void warn_of_parts(const struct wf_analysis *an, const struct wf_firm *f, struct wf_diag *d)
+void wf_rest_warn_of_parts(const char *who, const struct wf_tree *t, const struct wf_firm *f,
+                           struct wf_diag *d)
 {
     struct listing l = { .text = "" };
     for (size_t i = 0; i < f->n; i++) {
         const struct wf_firm_part *p = &f->part[i];
         list(&l,
              "segment %lld and above (%.3g kg, %.2g m up): carries %.2g of its own weight, E and G x %.3g",
-             (long long)an->tree.id[p->row], p->mass, an->tree.z0[p->row] - an->tree.z0[0], p->factor,
-             p->raise);
+             (long long)t->id[p->row], p->mass, t->z0[p->row] - t->z0[0], p->factor, p->raise);
     }
-    wf_diag_warn(
-        d, "stiffened",
-        "%s, %s: %zu part%s under %g %% of the tree's mass would not stand in the shape drawn with this "
-        "wood, and %s stiffened to %g times its own weight (a rule): %s%s",
-        an->model->name, an->species->name, f->n, f->n == 1 ? "" : "s", 100 * WF_REST_SMALL,
-        f->n == 1 ? "was" : "were", WF_REST_FIRM, l.text, f->n > LISTED ? "; ..." : "");
+    wf_diag_warn(d, "stiffened",
+                 "%s: %zu part%s under %g %% of the tree's mass would not stand in the shape drawn with this "
+                 "wood, and %s stiffened to %g times its own weight (a rule): %s%s",
+                 who, f->n, f->n == 1 ? "" : "s", 100 * WF_REST_SMALL, f->n == 1 ? "was" : "were",
+                 WF_REST_FIRM, l.text, f->n > LISTED ? "; ..." : "");
 }
 
-static enum wf_status refuse(const struct wf_analysis *an, const struct wf_firm *f, struct wf_err *e)
+enum wf_status wf_rest_refuse(const char *who, const char *else_say, const struct wf_tree *t,
+                              const struct wf_firm *f, struct wf_err *e)
 {
-    const struct wf_tree *t = &an->tree;
     if (f->refused < 0)
-        return wf_fail(e, WF_EUNSTABLE, "%s, %s: does not stand with this wood or root%s", an->model->name,
-                       an->species->name, f->root ? ": the root plate is too soft for its weight" : "");
+        return wf_fail(e, WF_EUNSTABLE, "%s: does not stand with this wood or root%s", who,
+                       f->root ? ": the root plate is too soft for its weight" : "");
     return wf_fail(
         e, WF_EUNSTABLE,
-        "%s, %s: does not stand with this wood or root: from segment %lld (%s, %.3g m up) on, the part "
+        "%s: does not stand with this wood or root: from segment %lld (%s, %.3g m up) on, the part "
         "drawn would fall over under its own weight. Check the units of the radii, the wood and the "
-        "leaf area; --rest stress-free takes the shape as free of stress",
-        an->model->name, an->species->name, (long long)t->id[f->refused],
-        t->level[f->refused] ? "branch" : "stem", t->z0[f->refused] - t->z0[0]);
+        "leaf area; %s",
+        who, (long long)t->id[f->refused], t->level[f->refused] ? "branch" : "stem",
+        t->z0[f->refused] - t->z0[0], else_say);
 }
 
 /* Stiffen what would not stand. */
@@ -108,10 +107,13 @@ static enum wf_status make_firm(struct wf_analysis *an, const struct wf_solve_op
                                 struct wf_diag *d, struct wf_err *e)
 {
     struct wf_firm f;
+    const char *who = wf_arena_print(a, "%s, %s", an->model->name, an->species->name);
+    if (!who) return wf_fail(e, WF_ENOMEM, "not enough memory for the state at rest");
     enum wf_status s = wf_firm(&an->tree, &an->loads, o, WF_REST_SMALL, WF_REST_FIRM, a, &f, e);
     if (s) return s;
-    if (f.gave_up) return refuse(an, &f, e);
-    if (f.n) warn_of_parts(an, &f, d);
+    if (f.gave_up)
+        return wf_rest_refuse(who, "--rest stress-free takes the shape as free of stress", &an->tree, &f, e);
+    if (f.n) wf_rest_warn_of_parts(who, &an->tree, &f, d);
     if (f.n && an->model->stands_strictly)
         return wf_fail(
             e, WF_EUNSTABLE,
@@ -176,8 +178,10 @@ static enum wf_status doubt(struct wf_analysis *an, const struct wf_response *r,
         "of the strength of the wood: %s%s. The radius, the wood or the leaf area is in doubt there. %s%s",
         an->model->name, an->species->name, n, n == 1 ? "" : "s", 100 * WF_REST_CREDIBLE, l.text,
         n > LISTED ? "; ..." : "",
-        n > kept ? "They stay in the tables, but no safety factor and no critical wind speed is theirs"
-                 : "They decide like all others, because the stem carries the tree",
+        n == 1 && kept ? "It decides like all others, because the stem carries the tree"
+        : n == 1 ? "It stays in the tables, but no safety factor and no critical wind speed is taken from it"
+        : n > kept ? "They stay in the tables, but no safety factor and no critical wind speed is theirs"
+                   : "They decide like all others, because the stem carries the tree",
         kept && n > kept ? "; those of the stem that carry the tree decide all the same" : "");
     return WF_OK;
 }
@@ -224,8 +228,9 @@ static enum wf_status set_up_shape(struct wf_analysis *an, const struct wf_solve
     if (!an->solver->stands) return unload(an, o, a, d, e);
     enum wf_status s = stand(an, a, e);
     if (!s) s = make_firm(an, o, a, d, e);
-    if (!s) s = find_still(an, o, a, e);
-    return s ? s : doubt(an, &an->still->response, &an->still->breakage, a, d, e);
+    if (an->misread) an->tree.doubtful = an->misread->doubtful;
+    if (!s && (!an->misread || an->scenario.weight_unstressed)) s = find_still(an, o, a, e);
+    return s || an->misread ? s : doubt(an, &an->still->response, &an->still->breakage, a, d, e);
 }
 
 enum wf_status wf_rest_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,

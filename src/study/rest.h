@@ -3,6 +3,7 @@
 #define WF_STUDY_REST_H
 /* The state of a tree at rest: what the shape of its model means, and what follows from it before any wind.
  */
+#include "solve/firm.h"
 #include "study/speed.h"
 
 /* Rules of this program, not of a publication. */
@@ -21,4 +22,12 @@
  * to be stiffened. */
 enum wf_status wf_rest_set_up(struct wf_analysis *an, const struct wf_solve_options *o, struct wf_arena *a,
                               struct wf_diag *d, struct wf_err *e);
+
+/* Say of `who` which parts of a standing tree were stiffened: the warning 'stiffened'. */
+void wf_rest_warn_of_parts(const char *who, const struct wf_tree *t, const struct wf_firm *f,
+                           struct wf_diag *d);
+/* Refuse a tree that does not stand (gave_up). else_say: what the user can do otherwise. Returned:
+ * WF_EUNSTABLE. */
+enum wf_status wf_rest_refuse(const char *who, const char *else_say, const struct wf_tree *t,
+                              const struct wf_firm *f, struct wf_err *e);
 #endif

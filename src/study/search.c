@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Critical wind speeds of an analysis, by criterion and part of the tree; declared in analysis.h. */
 #include "base/parallel.h"
-#include "data/species.h"
 #include "fail/crossing.h"
 #include "study/analysis.h"
 #include "study/node.h"
@@ -78,12 +77,12 @@ static void move_totals(const struct search *q, const struct wf_node *node, doub
 /* Newton's step to the lowest crossing: that of the governing row, unless another row reaches 1 before. */
 static double step_to_crossing(const struct search *q, const struct wf_node *node, double *slope)
 {
-    size_t n = q->an->tree.n, column = (size_t)q->criterion * n;
+    const struct wf_node_column *column = &node->column[q->criterion];
     double excess = 1.0 / safety(q, &node->at) - 1.0, step;
     *slope = node->slope[WF_TOTAL_UTILISATION + (int)q->criterion * WF_SCOPES + (int)q->scope];
     step = -excess / *slope;
-    for (size_t i = 0; i < n; i++) {
-        double value = (double)node->value[column + i], gain = (double)node->gain[column + i];
+    for (size_t i = 0; i < q->an->tree.n; i++) {
+        double value = (double)column->value[i], gain = (double)column->gain[i];
         double own = (1.0 - value) / gain;
         if (!(gain > 0.0 && own < step - 1e-7 * node->at.speed) || !wf_scope_holds(q->scope, &q->an->tree, i))
             continue;
@@ -100,8 +99,10 @@ static enum wf_status polish_sloped(const struct search *q, struct wf_critical *
 {
     const double near = 2e-4; /* of the resistance */
     for (int k = 0;; k++) {
-        const struct wf_node *node;
-        enum wf_status s = wf_nodes_solve(q->nodes, q->o, c->speed, &node, e);
+        struct wf_node stem;
+        const struct wf_node *node = &stem;
+        enum wf_status s = q->scope == WF_SCOPE_STEM ? wf_nodes_solve_stem(q->nodes, q->o, c->speed, &stem, e)
+                                                     : wf_nodes_solve(q->nodes, q->o, c->speed, &node, e);
         c->evaluations++;
         if (s) return s;
         *at = node->at;
@@ -234,15 +235,15 @@ static int by_speed(const void *a, const void *b)
 static size_t gather(const struct search *q, struct wf_crossing_node *out)
 {
     const double loose_stem = 0.95, loose = 0.6;
-    size_t n = 0, column = (size_t)q->criterion * q->an->tree.n;
+    size_t n = 0;
     for (size_t i = 0; i < wf_nodes_count(q->nodes); i++) {
         const struct wf_node *node = wf_nodes_at(q->nodes, i);
         if (node->tolerance != q->o->mesh_tolerance || !(node->sloped || node->at.status)) continue;
         if (node->at.speed > q->speed_max) continue;
         bool solved = !node->at.status;
-        out[n++] =
-            (struct wf_crossing_node){ node->at.speed, solved, 1.0, solved ? node->value + column : NULL,
-                                       solved ? node->gain + column : NULL };
+        out[n++] = (struct wf_crossing_node){ node->at.speed, solved, 1.0,
+                                              solved ? node->column[q->criterion].value : NULL,
+                                              solved ? node->column[q->criterion].gain : NULL };
         if (node->irregular) out[n - 1].trusted = q->scope == WF_SCOPE_STEM ? loose_stem : loose;
     }
     qsort(out, n, sizeof *out, by_speed);
@@ -253,7 +254,8 @@ static size_t rows_of(const struct search *q, size_t *item)
 {
     size_t n = 0;
     for (size_t i = 0; i < q->an->tree.n; i++)
-        if (wf_scope_holds(q->scope, &q->an->tree, i) && wf_criteria[q->criterion].known(&q->an->tree, i))
+        if (wf_scope_holds(q->scope, &q->an->tree, i) &&
+            wf_criterion_knows(&wf_criteria[q->criterion], &q->an->tree, i))
             item[n++] = i;
     return n;
 }
@@ -380,5 +382,5 @@ enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_
 
 void wf_search_default(struct wf_search *s)
 {
-    *s = (struct wf_search){ .speed_max = 60.0, .beyond = 1.2, .seconds = INFINITY };
+    *s = (struct wf_search){ .speed_max = 60.0, .beyond = 1.2, .seconds = INFINITY, .branches_from = 0.05 };
 }

@@ -227,8 +227,8 @@ static enum wf_status solve_sheltered(const struct wf_analysis *an, const struct
 }
 
 /* Stresses and criteria of the response, or of its change from the state at rest. */
-static enum wf_status fill_stresses(const struct wf_analysis *an, const double *places, struct wf_arena *a,
-                                    struct wf_at_speed *out, struct wf_err *e)
+static enum wf_status fill_stresses(const struct wf_analysis *an, const struct wf_breakage *like,
+                                    struct wf_arena *a, struct wf_at_speed *out, struct wf_err *e)
 {
     struct wf_response change;
     const struct wf_response *r = &out->response;
@@ -237,18 +237,18 @@ static enum wf_status fill_stresses(const struct wf_analysis *an, const double *
         s = wf_response_change(&an->tree, &an->still->response, r, a, &change, e);
         r = &change;
     }
-    if (!s) s = wf_breakage_check(&an->tree, r, places, a, &out->breakage, e);
+    if (!s) s = wf_breakage_check(&an->tree, r, like, a, &out->breakage, e);
     if (!s) wf_criteria_check(&an->tree, &out->response, &out->breakage, out->worst);
     return s;
 }
 
 /* Compute stresses, criteria and figures from the response. */
 static enum wf_status fill_at_speed(const struct wf_analysis *an, const struct wf_loads *l,
-                                    const double *places, struct wf_arena *a, struct wf_at_speed *out,
-                                    struct wf_err *e)
+                                    const struct wf_breakage *like, struct wf_arena *a,
+                                    struct wf_at_speed *out, struct wf_err *e)
 {
     struct totals totals = { 0 };
-    enum wf_status s = fill_stresses(an, places, a, out, e);
+    enum wf_status s = fill_stresses(an, like, a, out, e);
     if (s) return s;
     s = fill_figures(&an->tree, l, &out->response, an->wind.direction,
                      an->species->crown.drag_coefficient.value, a, &out->figures, &totals, e);
@@ -269,7 +269,7 @@ static double row_weight(const struct wf_tree *t, const struct wf_loads *l, size
 /* As fill_at_speed, without columns of figures: totals from the solver's own loads, of which the weight is
  * known. Vertical dead line loads cannot be told from lift in them. */
 static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_loads *l,
-                                  const double *places, struct wf_arena *a, struct wf_at_speed *out,
+                                  const struct wf_breakage *like, struct wf_arena *a, struct wf_at_speed *out,
                                   struct wf_err *e)
 {
     const struct wf_tree *t = &an->tree;
@@ -277,8 +277,8 @@ static enum wf_status fill_totals(const struct wf_analysis *an, const struct wf_
     struct totals totals = { 0 };
     struct curve unloaded;
     size_t tip = wf_tip_row(t);
-    if (l->line) return fill_at_speed(an, l, places, a, out, e);
-    enum wf_status s = fill_stresses(an, places, a, out, e);
+    if (l->line) return fill_at_speed(an, l, like, a, out, e);
+    enum wf_status s = fill_stresses(an, like, a, out, e);
     if (s) return s;
     for (size_t i = 0; i < t->n; i++) {
         double weight = row_weight(t, l, i);
@@ -313,10 +313,43 @@ static enum wf_status note_status(enum wf_status s, const struct wf_err *why, st
     return WF_OK;
 }
 
-/* The tree in one of the states of a wind speed; otherwise as wf_speed_solve. */
+/* A solved beam and its memory. */
+struct kept {
+    struct wf_arena memory;
+    struct wf_beam beam;
+    bool solved;
+};
+
+/* As the solver 'beam'. Given: in *last the solution of another state of the tree, or none. Returned: also
+ * *last, this solution, where there is one. */
+static enum wf_status solve_beam(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                 const struct wf_loads *l, struct kept *last, struct wf_arena *a,
+                                 struct wf_response *r, struct wf_diag *d, struct wf_err *e)
+{
+    struct kept now = { 0 };
+    struct wf_beam_outcome how = { 0 };
+    enum wf_status s = wf_response_alloc(r, an->tree.n, a, e);
+    if (!s) s = wf_solve_check(&an->tree, l, d, e);
+    if (s) return s;
+    s = wf_beam_solve(&an->tree, l, o, NULL, last->solved ? &last->beam : NULL, &now.memory, &now.beam, &how,
+                      e);
+    now.solved = !s;
+    r->load_factor = how.load_factor;
+    if (s) {
+        wf_arena_free(&now.memory);
+        return s;
+    }
+    wf_beam_read(&now.beam, r);
+    wf_beam_warn(&now.beam, &how, d);
+    wf_arena_free(&last->memory);
+    *last = now;
+    return WF_OK;
+}
+
+/* The tree in one of the states of a wind speed, near that in *last; otherwise as wf_speed_solve. */
 static enum wf_status solve_state(const struct wf_analysis *an, const struct wf_solve_options *o,
-                                  double speed, enum wf_part part, struct wf_arena *a, struct wf_diag *d,
-                                  struct wf_at_speed *out, struct wf_err *e)
+                                  double speed, enum wf_part part, struct kept *last, struct wf_arena *a,
+                                  struct wf_diag *d, struct wf_at_speed *out, struct wf_err *e)
 {
     struct wf_wind wind;
     struct wf_loads loads;
@@ -327,6 +360,8 @@ static enum wf_status solve_state(const struct wf_analysis *an, const struct wf_
     blow(an, speed, part, &wind, &loads);
     if (an->scenario.shelter && loads.wind)
         s = solve_sheltered(an, &loads, o, a, &sheltered, &out->response, d, &why);
+    else if (an->solver == &wf_solver_beam)
+        s = solve_beam(an, o, &loads, last, a, &out->response, d, &why);
     else
         s = an->solver->solve(&an->tree, &loads, o, a, &out->response, d, &why);
     s = note_status(s, &why, out, e);
@@ -349,6 +384,8 @@ static void take_row(const struct wf_breakage *from, size_t i, struct wf_breakag
                                      from->stress0,  from->stress1,   from->safety0,  from->safety1,
                                      from->peak,     from->peak_place };
     for (size_t k = 0; k < WF_COUNT(column); k++) to_column[k][i] = column[k][i];
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (to->use[c]) to->use[c][i] = from->use[c][i], to->use_place[c][i] = from->use_place[c][i];
 }
 
 /* The largest stress of stem and branches, from the columns. */
@@ -397,17 +434,18 @@ enum wf_status wf_speed_solve(const struct wf_analysis *an, const struct wf_solv
 {
     struct wf_arena scratch = { 0 };
     struct wf_diag quiet = { .arena = &scratch };
-    struct wf_at_speed other;
-    enum wf_status s = solve_state(an, o, speed, WF_PART_STEM, a, d, out, e);
-    if (!s) out->steady = steady_of(out);
-    if (!s && wf_peak_differs(an->peak)) {
-        s = solve_state(an, o, speed, WF_PART_MEAN, &scratch, &quiet, &other, e);
-        if (!s) out->steady = steady_of(&other);
-    }
+    struct wf_at_speed mean, branches;
+    struct kept last = { 0 };
+    enum wf_status s = WF_OK;
+    bool gusts = wf_peak_differs(an->peak);
+    if (gusts) s = solve_state(an, o, speed, WF_PART_MEAN, &last, &scratch, &quiet, &mean, e);
+    if (!s) s = solve_state(an, o, speed, WF_PART_STEM, &last, a, d, out, e);
+    if (!s) out->steady = steady_of(gusts ? &mean : out);
     if (!s && wf_peak_branches(an->peak)) {
-        s = solve_state(an, o, speed, WF_PART_BRANCHES, &scratch, &quiet, &other, e);
-        if (!s) wf_speed_take_branches(an, &other, out);
+        s = solve_state(an, o, speed, WF_PART_BRANCHES, &last, &scratch, &quiet, &branches, e);
+        if (!s) wf_speed_take_branches(an, &branches, out);
     }
+    wf_arena_free(&last.memory);
     wf_arena_free(&scratch);
     return s;
 }
@@ -533,5 +571,5 @@ enum wf_status wf_speed_track(const struct wf_analysis *an, enum wf_part part, s
     if (s || out->at.status || !t.sided) return s;
     out->step = share * speed;
     out->side.response = t.side;
-    return fill_totals(an, &side, out->at.breakage.peak_place, a, &out->side, e);
+    return fill_totals(an, &side, &out->at.breakage, a, &out->side, e);
 }

@@ -16,6 +16,7 @@
 extern "C" {
 #endif
 
+struct wf_anchorage;
 struct wf_model;
 struct wf_peak;
 struct wf_species;
@@ -73,6 +74,7 @@ struct wf_search {
     double beyond; /* at least this many times the highest given speed is searched; 0: speed_max alone [-] */
     double
         seconds; /* processor time after which the search, and again the curves, end [s]; INFINITY: no end */
+    double branches_from; /* diameter from which branches are listed; thinner ones are twigs [m] */
     /* Called when the given speeds are solved and the searches have not begun; NULL: not called. */
     void (*solved)(const struct wf_analysis *an, void *context);
     void *context;
@@ -89,18 +91,29 @@ struct wf_still {
 
 struct wf_directions;
 struct wf_wetted;
+struct wf_sway_modes;
+struct wf_interval;
+/* How a sample of a tree differs from the tree as measured. */
+struct wf_misread {
+    double radius, height; /* factors on all its radii; on all its lengths [-] */
+    bool *doubtful;        /* rows in doubt of the tree as measured (struct wf_tree), also of the sample */
+};
 struct wf_analysis {
     const struct wf_species *species;
     const struct wf_model *model;
     const struct wf_solver *solver;
     struct wf_scenario scenario;
-    struct wf_search search; /* of critical speeds, also of those by direction */
+    struct wf_search search;          /* of critical speeds, also of those by direction */
+    const struct wf_misread *misread; /* of the tree that is grown; NULL: none */
     struct wf_tree tree;
     struct wf_loads loads;
     struct wf_wind wind;
-    const struct wf_peak *peak;   /* by study/sway.h; NULL: the load of the mean wind */
+    const struct wf_branch_strength *branch_strength; /* what branches bear (fail/fail.h) */
+    const struct wf_peak *peak;                       /* by study/sway.h; NULL: the load of the mean wind */
     const struct wf_still *still; /* by study/rest.h: of a standing tree, and where the scenario takes the
                                      weight off the stresses; NULL: not computed */
+    const struct wf_sway_modes *modes;    /* the lowest in still air (study/sway.h); NULL: not computed */
+    const struct wf_anchorage *anchorage; /* fail/anchorage.h; by wf_analysis_set_up */
     size_t n;
     struct wf_at_speed *at; /* results at the given speeds                     */
     size_t sweep_n;
@@ -108,7 +121,9 @@ struct wf_analysis {
                                   speeds alone where the time for them was used up */
     struct wf_break breaks[WF_CRITERIA][WF_SCOPES];
     const struct wf_wetted *wetted;         /* beside the dry tree (study/wetted.h); NULL: no water    */
+    const struct wf_wetted *winter;         /* the same of snow and ice; NULL: none                    */
     const struct wf_directions *directions; /* results by wind direction; NULL: not computed */
+    const struct wf_interval *interval;     /* how sure (study/interval.h); NULL: not computed */
     double tallness;                        /* height [m] */
     struct wf_diag *diag;                   /* validity warnings                               */
 };

@@ -3,6 +3,7 @@
 #include "base/arena.h"
 #include "base/interrupt.h"
 #include "base/num.h"
+#include "data/section.h"
 #include "data/species.h"
 #include "solve/beam.h"
 #include "solve/modes.h"
@@ -174,13 +175,10 @@ static double profile_at(const struct wf_analysis *an, double z)
 
 /* Sways at speeds in rising order, until there is no state in the mean wind. */
 static enum wf_status find_sways(const struct wf_analysis *an, struct wf_peak *p,
-                                 const struct wf_solve_options *o, const double *speeds, size_t n,
-                                 struct wf_err *e)
+                                 const struct wf_solve_options *o, double *at, size_t k, struct wf_err *e)
 {
     struct wf_solve_options coarse = *o;
     struct wf_track *track;
-    double at[WF_PEAK_SWAYS];
-    size_t k = pick_speeds(an, speeds, n, at);
     qsort(at, k, sizeof *at, wf_ascending);
     if (o->mesh_tolerance > 0.0) coarse.mesh_tolerance = fmax(o->mesh_tolerance, 1e-3);
     enum wf_status s = wf_track_open(&an->tree, &coarse, NULL, &track, e);
@@ -240,12 +238,13 @@ static void note_limits(const struct wf_analysis *an, const struct wf_peak *p, d
             name);
 }
 
-enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
-                              size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+/* All of a peak but its sways. */
+static enum wf_status begin(struct wf_analysis *an, struct wf_arena *a, struct wf_peak **out,
+                            struct wf_err *e)
 {
     const struct wf_peak_method *method;
     const struct wf_peak_request *r = &an->scenario.peak;
-    struct wf_peak *p = WF_TAKE(a, 1, struct wf_peak);
+    struct wf_peak *p = *out = WF_TAKE(a, 1, struct wf_peak);
     an->peak = NULL;
     if (!p) return wf_fail(e, WF_ENOMEM, "not enough memory for the peak load");
     enum wf_status s = check_request(&an->scenario, r, &method, e);
@@ -268,11 +267,77 @@ enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_opti
     if (method->sways) {
         p->profile = profile_at(an, p->rule->at(p->tree.terrain, p->tree.height));
         p->branches = has_branches(&an->tree);
-        s = find_sways(an, p, o, speeds, n, e);
     }
+    return WF_OK;
+}
+
+enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
+                              size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e)
+{
+    struct wf_peak *p;
+    double at[WF_PEAK_SWAYS];
+    size_t k = pick_speeds(an, speeds, n, at);
+    enum wf_status s = begin(an, a, &p, e);
+    if (s) return s;
+    if (p->method->sways) s = find_sways(an, p, o, at, k, e);
     an->peak = p;
-    if (!s && d && method->sways) note_limits(an, p, speeds[n - 1], d);
+    if (!s && d && p->method->sways) note_limits(an, p, speeds[n - 1], d);
     return s;
+}
+
+/* What the sway of a whole tree depends on, by a shape that grows with the square of the height. */
+struct swing {
+    double compliance; /* of the stem at its top, bending alone [m/N] */
+    double mass;       /* of all rows by the square of the shape [kg] */
+    double drag;       /* drag area by the square of the shape [m2] */
+};
+
+static struct swing swing_of(const struct wf_analysis *an, double speed)
+{
+    const struct wf_tree *t = &an->tree;
+    const struct wf_loads *l = &an->loads;
+    double unused, top = t->z0[0] + an->tallness;
+    double share =
+        l->streamline ? wf_streamline_share(l->streamline, &l->streamline_par, speed, &unused) : 1.0;
+    struct swing out = { 0 };
+    for (size_t i = 0; i < t->n; i++) {
+        double z = 0.5 * (t->z0[i] + t->z1[i]), length = wf_tree_length(t, i), arm = top - z;
+        double moves = pow((z - t->z0[0]) / an->tallness, 4.0);
+        double r = 0.5 * (t->r0[i] + t->r1[i]), hole = 0.5 * (t->i0[i] + t->i1[i]);
+        if (t->level[i] == 0)
+            out.compliance += length * arm * arm / (t->youngs[i] * wf_ring_inertia(r, hole));
+        out.mass += moves * length * wf_line_point_of(t, i, 0.5).mass;
+        out.drag += moves * length * (2.0 * r + 0.5 * share * (t->sail0[i] + t->sail1[i]));
+    }
+    out.drag *= l->wind_scale;
+    return out;
+}
+
+/* The sways of another tree, by the ratios of what they depend on. */
+static void take_alike(struct wf_peak *p, const struct wf_peak *like, const struct swing *own,
+                       const struct swing *other)
+{
+    double mass = own->mass / other->mass;
+    double frequency = sqrt(other->compliance / own->compliance / mass);
+    double air = own->drag / other->drag / (mass * frequency);
+    p->sways = like->sways;
+    p->tree.breadth = like->tree.breadth;
+    for (size_t i = 0; i < p->sways; i++) {
+        p->sway[i] = like->sway[i];
+        p->sway[i].frequency *= frequency, p->sway[i].mass *= mass, p->sway[i].air *= air;
+    }
+    wf_peak_sways_take(p);
+}
+
+enum wf_status wf_sway_alike(struct wf_analysis *an, const struct wf_analysis *like, double speed,
+                             struct wf_arena *a, struct wf_peak **out, struct wf_err *e)
+{
+    enum wf_status s = begin(an, a, out, e);
+    if (s) return s;
+    const struct swing own = swing_of(an, speed), other = swing_of(like, speed);
+    if ((*out)->method->sways) take_alike(*out, like->peak, &own, &other);
+    an->peak = *out;
+    return WF_OK;
 }
 
 /* ---- Modes ---- */

@@ -17,6 +17,14 @@ extern "C" {
 enum wf_status wf_sway_set_up(struct wf_analysis *an, const struct wf_solve_options *o, const double *speeds,
                               size_t n, struct wf_arena *a, struct wf_diag *d, struct wf_err *e);
 
+/* The same without a solution, for a tree that differs from another, `like`, in the values of its rows: the
+ * other's sways with frequency, modal mass and damping of the air by the ratios of the stem's compliance at
+ * its top, of the mass and of the drag area in the crown's wind `speed` [m/s], for a shape that grows with
+ * the square of the height. Exact where all rows change by one factor and weight does not bend the tree.
+ * Returned: also *out, which is an->peak. */
+enum wf_status wf_sway_alike(struct wf_analysis *an, const struct wf_analysis *like, double speed,
+                             struct wf_arena *a, struct wf_peak **out, struct wf_err *e);
+
 /* A mode of a tree about its state in a mean wind. */
 struct wf_sway_mode {
     double frequency; /* [Hz]; -f: the state is unstable, this motion grows (solve/modes.h) */

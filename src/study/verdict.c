@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "study/verdict.h"
+#include "fail/anchorage.h"
 #include <math.h>
 
 double wf_verdict_bound(const struct wf_critical *c)
@@ -21,6 +22,10 @@ double wf_verdict_bound(const struct wf_critical *c)
     return INFINITY;
 }
 
+/* Closer than this, the earlier row of wf_criteria governs: a stem that is hardly twisted breaks by bending.
+ */
+static const double same = 1e-6;
+
 struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES])
 {
     struct wf_verdict v = { .loss = NULL };
@@ -30,8 +35,109 @@ struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES])
         const struct wf_break *b = &breaks[c][WF_SCOPE_STEM];
         double bound = wf_verdict_bound(&b->critical);
         v.assessed[c] = b->critical.outcome != WF_CRITICAL_NO_STRENGTH;
-        if (v.loss && !(bound < lowest)) continue;
+        if (v.loss && !(bound < lowest * (1 - same))) continue;
         v.loss = b, v.criterion = (enum wf_criterion_id)c, lowest = bound;
     }
     return v;
+}
+
+double wf_verdict_safety(const struct wf_at_speed *at, enum wf_criterion_id *criterion)
+{
+    double least = NAN;
+    for (int c = 0; c < WF_CRITERIA && !at->status; c++) {
+        double safety = at->worst[c][WF_SCOPE_STEM].safety;
+        if (!wf_criteria[c].loses_tree || isnan(safety) || least <= safety) continue;
+        if (criterion && !(safety >= least * (1 - same))) *criterion = (enum wf_criterion_id)c;
+        least = safety;
+    }
+    return least;
+}
+
+const struct wf_at_speed *wf_verdict_wind(const struct wf_analysis *an)
+{
+    for (size_t k = an->n; k-- > 0;)
+        if (!an->at[k].status) return &an->at[k];
+    return NULL;
+}
+
+bool wf_verdict_lost(const struct wf_verdict *v, const struct wf_at_speed *at)
+{
+    enum wf_critical_outcome how = v->loss ? v->loss->critical.outcome : WF_CRITICAL_NO_STRENGTH;
+    bool known = how == WF_CRITICAL_FOUND || how == WF_CRITICAL_SELF_WEIGHT;
+    return (known && at->speed > wf_verdict_bound(&v->loss->critical)) || wf_verdict_safety(at, NULL) <= 1;
+}
+
+const char *wf_verdict_unassessed(const struct wf_analysis *an, const struct wf_verdict *v,
+                                  enum wf_criterion_id c)
+{
+    const struct wf_criterion *x = &wf_criteria[c];
+    if (!x->loses_tree || v->assessed[c]) return NULL;
+    if (c != WF_BREAKAGE && x->section)
+        return c != WF_TORSION && wf_criterion_applies(x, &an->tree, WF_SCOPE_STEM) ? x->wants : NULL;
+    if (c == WF_OVERTURNING && !an->anchorage) return WF_ANCHORAGE_UNSAID;
+    if (c == WF_OVERTURNING && !an->anchorage->method) return an->anchorage->text;
+    return wf_criteria[c].whole ? "the root's row is not credible as drawn" : "strength unknown";
+}
+
+/* ---- Branches ---- */
+
+static double thickness(const struct wf_tree *t, size_t i) { return 2 * fmax(t->r0[i], t->r1[i]); }
+
+static size_t class_of(double from, double diameter)
+{
+    size_t k = 0;
+    for (double to = 2 * from; k + 1 < WF_BRANCH_CLASSES && diameter >= to; to *= 2) k++;
+    return k;
+}
+
+/* The criterion nearest to its limit in a row at a wind. */
+static struct wf_worst worst_of_row(const struct wf_tree *t, const struct wf_at_speed *at, size_t i,
+                                    enum wf_criterion_id *criterion)
+{
+    struct wf_worst worst = { .safety = NAN, .row = -1 };
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_criterion *x = &wf_criteria[c];
+        if (!x->loses_tree) continue;
+        double place = 0, safety = wf_criterion_safety(x, t, &at->response, &at->breakage, i, &place);
+        if (isnan(safety) || worst.safety <= safety) continue;
+        worst = (struct wf_worst){ .safety = safety, .row = (int32_t)i, .place = place };
+        *criterion = (enum wf_criterion_id)c;
+    }
+    return worst;
+}
+
+static void add_row(const struct wf_analysis *an, size_t i, struct wf_branch_class *k)
+{
+    const struct wf_at_speed *last = wf_verdict_wind(an);
+    k->segments++;
+    for (size_t w = 0; w < an->n; w++) {
+        const struct wf_at_speed *at = &an->at[w];
+        enum wf_criterion_id c = WF_BREAKAGE;
+        if (at->status || at->breakage.n != an->tree.n) continue;
+        struct wf_worst worst = worst_of_row(&an->tree, at, i, &c);
+        if (worst.safety <= 1 && !(k->fails <= at->speed)) k->fails = at->speed;
+        if (at == last && worst.row >= 0 && !(k->worst.safety <= worst.safety))
+            k->worst = worst, k->criterion = c;
+    }
+}
+
+size_t wf_branch_classes(const struct wf_analysis *an, struct wf_branch_class out[WF_BRANCH_CLASSES])
+{
+    const double thinnest = 1e-3;
+    const struct wf_tree *t = &an->tree;
+    double from = fmax(an->search.branches_from, thinnest);
+    size_t n = 0;
+    for (size_t k = 0; k < WF_BRANCH_CLASSES; k++)
+        out[k] =
+            (struct wf_branch_class){ .from = ldexp(from, (int)k),
+                                      .to = k + 1 < WF_BRANCH_CLASSES ? ldexp(from, (int)k + 1) : INFINITY,
+                                      .worst = { .safety = NAN, .row = -1 },
+                                      .fails = NAN };
+    for (size_t i = 0; i < t->n; i++) {
+        if (thickness(t, i) < from || !wf_scope_holds(WF_SCOPE_BRANCHES, t, i)) continue;
+        size_t k = class_of(from, thickness(t, i));
+        add_row(an, i, &out[k]);
+        if (k >= n) n = k + 1;
+    }
+    return n;
 }

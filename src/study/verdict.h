@@ -2,7 +2,7 @@
 #ifndef WF_STUDY_VERDICT_H
 #define WF_STUDY_VERDICT_H
 /* Loss of the tree: the stem breaks or the tree overturns. The criterion that governs makes the headline;
- * branches do not. */
+ * branches do not. docs/failure.md explains the rule. */
 #include "study/speed.h"
 
 struct wf_verdict {
@@ -19,4 +19,28 @@ struct wf_verdict wf_verdict_of(const struct wf_break (*breaks)[WF_SCOPES]);
 /* The lowest speed at which the criterion may be reached [m/s]: the critical speed, 0 by self-weight, the
  * end of the search where it is not reached; INFINITY: not known. */
 double wf_verdict_bound(const struct wf_critical *c);
+
+/* The least safety against loss of the tree at a wind [-]; NAN: nothing is assessed, or no equilibrium.
+ * Returned: *criterion, which it is of; NULL is allowed. */
+double wf_verdict_safety(const struct wf_at_speed *at, enum wf_criterion_id *criterion);
+/* The strongest given wind that has a solution; NULL: none. */
+const struct wf_at_speed *wf_verdict_wind(const struct wf_analysis *an);
+/* Is the tree lost below this wind? */
+bool wf_verdict_lost(const struct wf_verdict *v, const struct wf_at_speed *at);
+/* Why a criterion that loses the tree was not assessed; of a section, the key that the species table lacks.
+ * NULL: it was, or there is nothing that it applies to. */
+const char *wf_verdict_unassessed(const struct wf_analysis *an, const struct wf_verdict *v,
+                                  enum wf_criterion_id c);
+
+/* Branches by thickness, from an->search.branches_from on, each class twice as thick as the one before. */
+enum { WF_BRANCH_CLASSES = 6 };
+struct wf_branch_class {
+    double from, to; /* diameter of the segment [m]; INFINITY: the last */
+    size_t segments;
+    struct wf_worst worst; /* the segment nearest to failing at wf_verdict_wind; row -1: none is known */
+    enum wf_criterion_id criterion; /* by which */
+    double fails; /* lowest given wind at which a segment of the class fails [m/s]; NAN: at none */
+};
+/* Returned: the number of classes up to the thickest branch. */
+size_t wf_branch_classes(const struct wf_analysis *an, struct wf_branch_class out[WF_BRANCH_CLASSES]);
 #endif

@@ -104,9 +104,12 @@ static inline void mock_tree(struct wf_analysis *an, const struct mock_kind *kin
     t->parent = WF_TAKE(a, n, int32_t);
     t->level = WF_TAKE(a, n, int32_t);
     t->id = WF_TAKE(a, n, int64_t);
-    double **column[] = { &t->x0, &t->y0, &t->z0, &t->x1, &t->y1, &t->z1, &t->r0, &t->r1, &t->i0, &t->i1 };
+    double **column[] = { &t->x0,       &t->y0,          &t->z0,       &t->x1,         &t->y1,
+                          &t->z1,       &t->r0,          &t->r1,       &t->i0,         &t->i1,
+                          &t->strength, &t->compressive, &t->shearing, &t->tangential, &t->transverse };
     for (size_t c = 0; c < sizeof column / sizeof *column; c++) *column[c] = mock_column(a, n);
     for (size_t i = 0; i < n; i++) {
+        t->strength[i] = kind->strength;
         double s0 = (double)i / (double)n, s1 = (double)(i + 1) / (double)n;
         t->parent[i] = (int32_t)i - 1;
         t->id[i] = (int64_t)i + 1;
@@ -136,6 +139,8 @@ static inline void mock_speed(const struct wf_analysis *an, const struct mock_ki
     at->response.load_factor = 1, at->response.iterations = 12, at->response.steps = 2,
     at->response.imbalance = 3e-12;
     struct wf_worst *worst = &at->worst[WF_BREAKAGE][WF_SCOPE_TREE];
+    for (int c = WF_BREAKAGE + 1; c < WF_CRITERIA; c++) /* not known */
+        for (int s = 0; s < WF_SCOPES; s++) at->worst[c][s] = (struct wf_worst){ .safety = NAN, .row = -1 };
     b->n = n, worst->row = -1, worst->safety = INFINITY;
     for (size_t i = 0; i < n; i++) {
         for (int end = 0; end < 2; end++) {
@@ -168,6 +173,29 @@ static inline void mock_speed(const struct wf_analysis *an, const struct mock_ki
         (struct wf_steady){ at->drag, at->tip_deflection, at->tip_angle, at->base_shear, at->base_moment };
     if (isinf(worst->safety)) worst->row = -1;
     if (!rows) memset(g, 0, sizeof *g);
+}
+
+static inline void mock_settle_worst(struct wf_worst (*worst)[WF_SCOPES])
+{
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int k = 0; k < WF_SCOPES; k++)
+            if (c != WF_BREAKAGE || k == WF_SCOPE_BRANCHES)
+                worst[c][k] = (struct wf_worst){ .safety = NAN, .row = -1 };
+    worst[WF_BREAKAGE][WF_SCOPE_STEM] = worst[WF_BREAKAGE][WF_SCOPE_TREE];
+}
+
+/* The tree is its stem, and breakage is all that is known: after a change of the whole tree's breakage. */
+static inline void mock_settle(struct wf_analysis *an)
+{
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int k = 0; k < WF_SCOPES; k++)
+            if (c != WF_BREAKAGE || k == WF_SCOPE_BRANCHES)
+                an->breaks[c][k] = (struct wf_break){
+                    .critical = { .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN }, .row = -1, .height = NAN
+                };
+    an->breaks[WF_BREAKAGE][WF_SCOPE_STEM] = an->breaks[WF_BREAKAGE][WF_SCOPE_TREE];
+    for (size_t k = 0; k < an->n; k++) mock_settle_worst(an->at[k].worst);
+    for (size_t k = 0; k < an->sweep_n; k++) mock_settle_worst(an->sweep[k].worst);
 }
 
 static inline void mock_analysis(const struct mock_kind *kind, const double *speed, size_t n,
@@ -214,6 +242,11 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
     for (size_t k = 0; k < n; k++) mock_speed(out, kind, speed[k], true, &out->at[k], a);
     out->sweep_n = MOCK_SWEEP;
     out->sweep = WF_TAKE(a, MOCK_SWEEP, struct wf_at_speed);
+    for (int c = WF_BREAKAGE + 1; c < WF_CRITERIA; c++)
+        for (int s = 0; s < WF_SCOPES; s++)
+            out->breaks[c][s] = (struct wf_break){
+                .critical = { .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN }, .row = -1, .height = NAN
+            };
     out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical = (struct wf_critical){
         .outcome = WF_CRITICAL_ABOVE, .speed = NAN, .speed_low = 0, .speed_high = 60, .evaluations = 31
     };
@@ -234,6 +267,7 @@ static inline void mock_analysis(const struct mock_kind *kind, const double *spe
                 out->tree.z0[out->breaks[WF_BREAKAGE][WF_SCOPE_TREE].row];
         }
     }
+    mock_settle(out);
     out->diag = WF_TAKE(a, 1, struct wf_diag);
     out->diag->arena = a;
     wf_diag_warn(out->diag, "streamlining-range",

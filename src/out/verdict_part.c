@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "out/verdict_part.h"
+#include "data/model.h"
+#include "fail/anchorage.h"
+#include "out/tables.h"
+#include "study/limits.h"
+#include "study/verdict.h"
+#include <math.h>
+#include <string.h>
+
+json_t *wf_part_section(struct wf_doc *d, const struct wf_analysis *a, int32_t row, double s, double height)
+{
+    const struct wf_tree *t = &a->tree;
+    if (row < 0 || (size_t)row >= t->n) return json_null();
+    json_t *o = wf_doc_object(d);
+    wf_doc_count(d, o, "segment", (size_t)row + 1);
+    wf_doc_count(d, o, "level", t->level[row] > 0 ? (size_t)t->level[row] : 0);
+    wf_doc_text(d, o, "part", wf_model_level_name(a->model, a->species, t->level[row]));
+    wf_doc_count(d, o, "id", t->id[row] > 0 ? (size_t)t->id[row] : 0);
+    wf_doc_quantity(d, o, "diameter", 2 * fmax(t->r0[row], t->r1[row]), "m", NULL);
+    wf_doc_quantity(d, o, "position", s, "1", "the segment as a whole is named");
+    wf_doc_quantity(d, o, "height", height, "m", NULL);
+    wf_doc_quantity(d, o, "weight_stress", a->still ? a->still->breakage.peak[row] : NAN, "Pa",
+                    "the state at rest was not computed");
+    return o;
+}
+
+/* Outcome, mean and gust of a critical wind, and where it fails. */
+static void put_critical(struct wf_doc *d, json_t *o, const struct wf_analysis *a, const struct wf_break *b)
+{
+    const struct wf_critical *c = &b->critical;
+    const char *text = wf_critical_text(c->outcome);
+    wf_doc_text(d, o, "outcome", wf_part_outcome(c->outcome));
+    wf_doc_text(d, o, "outcome_text", text);
+    wf_doc_quantity(d, o, "critical_speed", c->speed, "m/s", text);
+    wf_doc_quantity(d, o, "critical_gust", wf_scenario_gust(&a->scenario, c->speed), "m/s", text);
+    wf_doc_flag(d, o, "within_limits", !(c->outcome == WF_CRITICAL_FOUND && wf_limits_small_passed(&b->at)));
+    wf_doc_quantity(d, o, "speed_low", c->speed_low, "m/s", text);
+    wf_doc_quantity(d, o, "speed_high", c->speed_high, "m/s", text);
+}
+
+json_t *wf_part_loss(struct wf_doc *d, const struct wf_analysis *a,
+                     const struct wf_break (*breaks)[WF_SCOPES])
+{
+    struct wf_verdict v = wf_verdict_of(breaks);
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "criterion", v.loss ? wf_criteria[v.criterion].name : NULL);
+    if (v.loss) put_critical(d, o, a, v.loss);
+    return o;
+}
+
+static double stem_safety(const struct wf_at_speed *at, int criterion)
+{
+    return at ? at->worst[criterion][WF_SCOPE_STEM].safety : (double)NAN;
+}
+
+/* The criteria that lose the tree, and those that bound them, each with its result for the stem. */
+static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a)
+{
+    json_t *list = wf_doc_array(d);
+    const struct wf_at_speed *at = wf_verdict_wind(a);
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const struct wf_break *b = &a->breaks[c][WF_SCOPE_STEM];
+        if (!(wf_criteria[c].loses_tree || wf_criteria[c].whole) ||
+            b->critical.outcome == WF_CRITICAL_NO_STRENGTH)
+            continue;
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, o, "criterion", wf_criteria[c].name);
+        wf_doc_flag(d, o, "loses_tree", wf_criteria[c].loses_tree);
+        put_critical(d, o, a, b);
+        wf_doc_quantity(d, o, "height", b->height, "m", "no place is known");
+        wf_doc_quantity(d, o, "safety", stem_safety(at, c), "1", "unloaded, or no equilibrium was found");
+        wf_doc_text(d, o, "source", wf_criteria[c].source);
+        wf_doc_text(d, o, "validity", wf_criteria[c].validity);
+    }
+    return list;
+}
+
+static json_t *not_assessed(struct wf_doc *d, const struct wf_analysis *a, const struct wf_verdict *v)
+{
+    json_t *list = wf_doc_array(d);
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        const char *why = wf_verdict_unassessed(a, v, (enum wf_criterion_id)c);
+        if (!why) continue;
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, o, "criterion", wf_criteria[c].name);
+        wf_doc_text(d, o, "reason", why);
+        bool unsaid = c == WF_OVERTURNING && !strcmp(why, WF_ANCHORAGE_UNSAID);
+        wf_doc_flag(d, o, "unsaid", unsaid);
+    }
+    return list;
+}
+
+static json_t *anchorage(struct wf_doc *d, const struct wf_anchorage *q)
+{
+    if (!q || !q->method) return json_null();
+    json_t *o = wf_doc_object(d);
+    wf_doc_text(d, o, "name", q->method->name);
+    wf_doc_text(d, o, "title", q->method->title);
+    wf_doc_text(d, o, "source", q->method->source);
+    wf_doc_text(d, o, "validity", q->method->validity);
+    wf_doc_text(d, o, "text", q->text);
+    wf_doc_flag(d, o, "counts_self_weight", q->method->counts_self_weight);
+    wf_doc_quantity(d, o, "moment", q->moment, "N m", NULL);
+    wf_doc_number(d, o, "scatter", q->scatter);
+    wf_doc_number(d, o, "saturated_low", WF_SATURATED_LOW);
+    wf_doc_number(d, o, "saturated_high", WF_SATURATED_HIGH);
+    return o;
+}
+
+static json_t *branches(struct wf_doc *d, const struct wf_analysis *a)
+{
+    struct wf_branch_class k[WF_BRANCH_CLASSES];
+    const struct wf_at_speed *at = wf_verdict_wind(a);
+    json_t *list = wf_doc_array(d);
+    for (size_t i = 0, n = wf_branch_classes(a, k); i < n; i++) {
+        if (!k[i].segments) continue;
+        const struct wf_worst *w = &k[i].worst;
+        json_t *o = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_quantity(d, o, "thickness_low", k[i].from, "m", NULL);
+        wf_doc_quantity(d, o, "thickness_high", k[i].to, "m", "no bound");
+        wf_doc_count(d, o, "segments", k[i].segments);
+        wf_doc_text(d, o, "criterion", w->row < 0 ? NULL : wf_criteria[k[i].criterion].name);
+        wf_doc_quantity(d, o, "safety", at ? w->safety : (double)NAN, "1",
+                        "no strength is known, or unloaded");
+        wf_doc_quantity(d, o, "fails_at", k[i].fails, "m/s", "it stands the given winds");
+        wf_doc_put(d, o, "governing_section",
+                   wf_part_section(d, a, w->row, w->place, wf_part_height(&a->tree, w->row, w->place)));
+    }
+    return list;
+}
+
+json_t *wf_part_verdict(struct wf_doc *d, const struct wf_analysis *a)
+{
+    struct wf_verdict v = wf_verdict_of(a->breaks);
+    const struct wf_at_speed *at = wf_verdict_wind(a);
+    enum wf_criterion_id nearest = v.criterion;
+    json_t *o = wf_part_loss(d, a, a->breaks);
+    double safety = at ? wf_verdict_safety(at, &nearest) : (double)NAN;
+    wf_doc_quantity(d, o, "speed", at ? at->speed : (double)NAN, "m/s", "no given wind has a solution");
+    wf_doc_quantity(d, o, "safety", safety, "1", "no resistance is known, or nothing is loaded");
+    wf_doc_text(d, o, "safety_criterion", isnan(safety) ? NULL : wf_criteria[nearest].name);
+    wf_doc_put(d, o, "criteria", criteria(d, a));
+    wf_doc_put(d, o, "not_assessed", not_assessed(d, a, &v));
+    wf_doc_put(d, o, "anchorage", anchorage(d, a->anchorage));
+    wf_doc_quantity(d, o, "branches_from", a->search.branches_from, "m", NULL);
+    wf_doc_put(d, o, "thicknesses", branches(d, a));
+    return o;
+}
