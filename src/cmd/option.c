@@ -91,7 +91,8 @@ bool wf_option_unused(bool unused, char why[static WF_WHY], const char *fmt, ...
     return true;
 }
 
-void wf_sink_add(struct wf_sink *s, const char *name, const char *text)
+/* Add a mistake to the text, as far as there is room. */
+static void sink_add(struct wf_sink *s, const char *name, const char *text)
 {
     size_t used = strlen(s->text);
     snprintf(s->text + used, sizeof s->text - used, "%s%s%s%s", s->n++ ? "; " : "", name, *name ? ": " : "",
@@ -108,7 +109,7 @@ void wf_option_mistake(struct wf_reading *r, const char *key, const char *name, 
     if (key && r->yaml)
         wf_yaml_error(r->yaml, key, "%s", text);
     else if (r->sink)
-        wf_sink_add(r->sink, name, text);
+        sink_add(r->sink, name, text);
     else
         wf_show(stderr, "windfirm %s: %s%s%s\n", r->command, name, *name ? ": " : "", text);
     r->mistakes++;

@@ -128,7 +128,6 @@ struct wf_sink {
     size_t n;
     char text[600];
 };
-void wf_sink_add(struct wf_sink *s, const char *name, const char *text);
 
 /* One command line being read, with its study file. Every mistake is reported where it is found and counted;
  * reading goes on, so that all are reported at once. */

@@ -9,7 +9,8 @@
 #define NORDIC                                                                                               \
     "Laasasenaho J. 1982. Commun. Inst. For. Fenn. 108, taper curves, as coded in dmela/Laasasenaho"
 
-const struct wf_stem_form wf_stem_forms[] = {
+/* Ends at name == NULL; the last row is for all genera. */
+static const struct wf_stem_form stem_forms[] = {
     { .name = "pine",
       .genus = "Pinus",
       .c = { 2.1288, -0.63157, -1.6082, 2.4886, -2.4147, 2.3619, -1.7539, 1.0817 },
@@ -35,7 +36,15 @@ const struct wf_stem_form wf_stem_forms[] = {
     "regression on street and park trees of the United Kingdom (OpenBARD, data of Fennell 2024, Zenodo "     \
     "15593688)"
 
-const struct wf_allometry wf_allometries[] = {
+/* dbh of trees of this height and crown width by regression: is the card credible? The last row is for all
+ * genera. */
+struct allometry {
+    const char *genus; /* NULL: all others */
+    double a, b, c;    /* dbh [cm] = a height^b width^c [m] */
+    double sd;         /* of ln dbh */
+    const char *source;
+};
+static const struct allometry allometries[] = {
     { "Quercus", 3.453, 0.4406, 0.6786, 0.367, OPENBARD },
     { "Fraxinus", 3.510, 0.3615, 0.6656, 0.371, OPENBARD },
     { "Acer", 2.644, 0.6005, 0.5278, 0.368, OPENBARD },
@@ -58,14 +67,14 @@ static bool is_genus(const char *latin, const char *genus)
 
 const struct wf_stem_form *wf_stem_form_of(const char *latin)
 {
-    const struct wf_stem_form *f = wf_stem_forms;
+    const struct wf_stem_form *f = stem_forms;
     while (f->genus && !is_genus(latin, f->genus)) f++;
     return f;
 }
 
-const struct wf_allometry *wf_allometry_of(const char *latin)
+static const struct allometry *allometry_of(const char *latin)
 {
-    const struct wf_allometry *r = wf_allometries;
+    const struct allometry *r = allometries;
     while (r->genus && !is_genus(latin, r->genus)) r++;
     return r;
 }
@@ -88,7 +97,7 @@ double wf_stem_form_share(const struct wf_stem_form *f, double height, double at
 
 /* ---- Is the card possible, is it usual? ---- */
 
-double wf_card_dbh(const struct wf_card *c) { return c->dbh > 0 ? c->dbh : c->girth / WF_PI; }
+static double card_dbh(const struct wf_card *c) { return c->dbh > 0 ? c->dbh : c->girth / WF_PI; }
 
 struct limit {
     const char *name;
@@ -126,19 +135,19 @@ static void check_relations(const struct wf_card *c, struct wf_diag *d)
                       c->crown_base, c->height);
     if (c->crown_base < 0)
         wf_diag_error(d, NULL, 0, 0, "crown base: %.4g m is below the ground", c->crown_base);
-    if (wf_card_dbh(c) > 0.25 * c->height)
+    if (card_dbh(c) > 0.25 * c->height)
         wf_diag_error(
             d, NULL, 0, 0,
             "the stem is %.4g m thick and the tree %.4g m high: no stem is thicker than a quarter of the "
             "height. Is the girth given as dbh?",
-            wf_card_dbh(c), c->height);
+            card_dbh(c), c->height);
 }
 
 static void compare_usual(const struct wf_card *c, const char *latin, struct wf_diag *d)
 {
-    const struct wf_allometry *r = wf_allometry_of(latin);
+    const struct allometry *r = allometry_of(latin);
     if (!(c->crown_width > 0)) return;
-    double usual = 0.01 * r->a * pow(c->height, r->b) * pow(c->crown_width, r->c), dbh = wf_card_dbh(c);
+    double usual = 0.01 * r->a * pow(c->height, r->b) * pow(c->crown_width, r->c), dbh = card_dbh(c);
     double spread = exp(2 * r->sd);
     if (dbh < usual * spread && dbh > usual / spread) return;
     wf_diag_warn(
@@ -163,7 +172,7 @@ enum wf_status wf_card_check(const struct wf_card *c, const char *latin, struct 
 
 /* ---- The card as a model ---- */
 
-enum { PLACES = 14, SEGMENTS = 16 };
+enum { PLACES = 24, SEGMENTS = 16 };
 
 static bool place_stem(const struct wf_stem_form *f, const struct wf_card *c, struct wf_arena *a,
                        struct wf_along *out)
@@ -186,14 +195,14 @@ enum wf_status wf_card_model(const struct wf_card *c, const char *latin, struct 
 {
     *out = (struct wf_model){
         .key = "card",
-        .name = wf_arena_print(a, "%.4g m high, dbh %.3g cm", c->height, 100 * wf_card_dbh(c)),
+        .name = wf_arena_print(a, "%.4g m high, dbh %.3g cm", c->height, 100 * card_dbh(c)),
         .source = "measured on the tree card",
         .generator = WF_GENERATOR_STEM,
         .seed = 1,
         .height = c->height / cos(c->lean),
         .lean = c->lean,
         .lean_azimuth = c->lean_azimuth,
-        .radius = wf_card_dbh(c) / 2,
+        .radius = card_dbh(c) / 2,
         .taper = WF_TAPER_TABLE,
         .segments = SEGMENTS,
         .crown_base = c->crown_base / cos(c->lean),

@@ -15,7 +15,6 @@ struct wf_card {
     enum wf_crown_form form;   /* of the crown seen from the side */
     double lean, lean_azimuth; /* [rad] */
 };
-#define WF_BREAST_HEIGHT 1.3 /* [m] */
 
 /* Radius of the stem above breast height over that at breast height. Rows, by genus. */
 struct wf_stem_form {
@@ -27,24 +26,10 @@ struct wf_stem_form {
     double power, power_low, power_high; /* of the power law; its range [-] */
     const char *source, *validity;
 };
-extern const struct wf_stem_form wf_stem_forms[]; /* ends at name == NULL; the last row is for all genera */
 const struct wf_stem_form *wf_stem_form_of(const char *latin);
 /* Given: form, height of the tree and above the ground [m]. Returned: radius over that at breast height,
  * 1 below it, falling to 0 at the top [-]. */
 double wf_stem_form_share(const struct wf_stem_form *f, double height, double at);
-
-/* Girth over dbh of trees of this height and crown width by regression: is the card credible? */
-struct wf_allometry {
-    const char *genus; /* NULL: all others */
-    double a, b, c;    /* dbh [cm] = a height^b width^c [m] */
-    double sd;         /* of ln dbh */
-    const char *source;
-};
-extern const struct wf_allometry wf_allometries[]; /* the last row is for all genera */
-const struct wf_allometry *wf_allometry_of(const char *latin);
-
-/* dbh of a card, from what it gives [m]. */
-double wf_card_dbh(const struct wf_card *c);
 
 /* Given: a card; its species' Latin name (NULL: unknown). Errors: WF_EINPUT with each mistake in `d`: a
  * number that is missing or beyond any known tree, a crown base above the top, girth and dbh that disagree.
