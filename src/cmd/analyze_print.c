@@ -322,6 +322,17 @@ static void print_crown(FILE *to, const struct wf_analysis *an)
             seen.area, seen.centre, seen.breadth, seen.height);
 }
 
+/* The stand whose trees share the wind. */
+static void print_stand(FILE *to, const struct wf_stand *s)
+{
+    wf_show(to, ", stand of %.4g m height and %.4g m spacing", s->height, s->spacing);
+    if (isfinite(s->edge))
+        wf_show(to, ", %.4g m behind its edge", s->edge);
+    else
+        wf_show(to, ", well inside");
+    if (isfinite(s->gap)) wf_show(to, ", a gap of %.4g m before the edge", s->gap);
+}
+
 void wf_print_head(FILE *to, const struct wf_analysis *first)
 {
     const struct wf_scenario *s = &first->scenario;
@@ -330,6 +341,7 @@ void wf_print_head(FILE *to, const struct wf_analysis *first)
     print_crown(to, first);
     wf_print_site(to, s);
     wf_show(to, "Peak load: %s", first->peak ? first->peak->method->name : "mean");
+    if (first->peak && first->peak->method->mean) print_stand(to, &first->peak->request.stand);
     if (first->peak && first->peak->rule) wf_show(to, ", terrain %s", first->peak->rule->called(s->category));
     wf_show(to, "%s\n", wf_peak_differs(first->peak) ? "" : ", a steady wind without gusts");
 }

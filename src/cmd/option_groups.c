@@ -124,6 +124,8 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
                                   struct wf_diag *d, struct wf_scenario *out, struct wf_err *e)
 {
     struct wf_peak_table *table = NULL;
+    const struct wf_site_kind *kind = wf_site_kind_named(out->site_kind);
+    double edge = kind && kind->edge ? 0.0 : INFINITY;
     enum wf_status s = WF_OK;
     if (asked->table && !(table = WF_TAKE(a, 1, struct wf_peak_table)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
@@ -139,7 +141,7 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
         .table = table,
         .stand = { .height = given_or(asked->stand_height, 0.0),
                    .spacing = given_or(asked->spacing, 0.0),
-                   .edge = given_or(asked->edge, INFINITY),
+                   .edge = given_or(asked->edge, edge),
                    .gap = given_or(asked->gap, INFINITY) },
     };
     return s;

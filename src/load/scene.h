@@ -71,6 +71,7 @@ struct wf_scenario {
     double carried;     /* mean wind of the site's terrain over the named wind, at the reference height;
                            the exposure comes on top [-] */
     double gust_factor; /* 3-s gust over 10-min mean of the named winds; 0: by EN 1991-1-4 [-] */
+    double squall;      /* the same of the design wind at the site at 10 m; 0: no design wind [-] */
     double least;       /* of the profile "code": height below which the wind is constant [m] */
     const struct wf_anchorage_request *anchorage; /* of the root (fail/anchorage.h); NULL: nothing is said */
     struct wf_peak_request peak;                  /* how the peak load follows from the mean wind */
@@ -169,6 +170,9 @@ void wf_scenario_wind(const struct wf_scenario *s, struct wf_wind *out);
 double wf_scenario_speed(const struct wf_scenario *s, double named);
 /* The 3-s gust of a named 10-min mean, in the place where it is measured [m/s]. */
 double wf_scenario_gust(const struct wf_scenario *s, double named);
+/* 3-s gust over 10-min mean at the site at a height [m]: that of the named winds, changed as EN 1991-1-4
+ * changes it with terrain and height; of a design wind the code's [-]. */
+double wf_scenario_squall(const struct wf_scenario *s, double height);
 /* Where the named winds are measured; by words, and of a scenario. The words are right. */
 struct wf_wind_place wf_profile_place(const struct wf_profile_words *w);
 struct wf_wind_place wf_scenario_place(const struct wf_scenario *s);

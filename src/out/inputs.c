@@ -258,6 +258,14 @@ static void put_axis_drag(struct wf_doc *d, json_t *method, const struct wf_law 
     wf_doc_quantity(d, o, "reynolds_high", law->high, "1", "no limit is known");
 }
 
+static void put_stand(struct wf_doc *d, json_t *peak, const struct wf_stand *s)
+{
+    wf_doc_quantity(d, peak, "stand_spacing", s->spacing, "m", NULL);
+    wf_doc_quantity(d, peak, "stand_height", s->height, "m", NULL);
+    wf_doc_quantity(d, peak, "edge_distance", s->edge, "m", "well inside the stand");
+    wf_doc_quantity(d, peak, "gap", s->gap, "m", "10 heights of the stand or more");
+}
+
 static void put_peak_method(struct wf_doc *d, json_t *o, const struct wf_analysis *a)
 {
     const struct wf_peak *p = a->peak;
@@ -272,6 +280,7 @@ static void put_peak_method(struct wf_doc *d, json_t *o, const struct wf_analysi
     wf_doc_quantity(d, peak, "structural_damping", rule ? p->damping : NAN, "1", "the method has none");
     wf_doc_flag(d, peak, "damping_known", p && p->damping_known);
     wf_doc_quantity(d, peak, "load_breadth", rule ? p->tree.breadth : NAN, "m", "the method has none");
+    if (p && m->mean) put_stand(d, peak, &p->request.stand);
 }
 
 json_t *wf_part_peak(struct wf_doc *d, const struct wf_analysis *a, const struct wf_at_speed *at)
