@@ -144,6 +144,12 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
                    .edge = given_or(asked->edge, edge),
                    .gap = given_or(asked->gap, INFINITY) },
     };
+    if (!s && !isnan(asked->spacing) && strcmp(out->peak.method, "gales") != 0)
+        return wf_fail(
+            e, WF_EUSAGE,
+            "--spacing has no effect with --peak %s; it is of --peak gales, which is taken with --site "
+            "in-stand and forest-edge unless a method, a design wind or a preset says otherwise",
+            out->peak.method);
     return s;
 }
 

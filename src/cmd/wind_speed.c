@@ -19,7 +19,8 @@ bool wf_averaging_row_unused(const void *options, const struct wf_option *o, cha
 {
     const struct wf_averaging *g = (const void *)((const char *)options + o->group);
     if (o->member - o->group == offsetof(struct wf_averaging, time))
-        return wf_option_unused(!g->time_used, why, "on grades of a scale, which have their own");
+        return wf_option_unused(!g->time_used, why,
+                                "on grades of a scale and design winds, which have their own");
     return wf_option_unused(!g->law_used && !g->climate, why, "where the winds are 10-min means already");
 }
 
@@ -31,9 +32,12 @@ struct winds {
     struct wf_averaging *beside;
     const char *law; /* specified; NULL: durst, or that of a scale    */
     double time;     /* plain speeds are averaged over [s]            */
+    bool worded;     /* by a word before them                         */
     double share;    /* 10-min mean over a plain speed as typed       */
     size_t n;
     double *speed;                       /* SPEEDS_MAX + 1 [m/s] */
+    size_t plain;                        /* of these, without grades */
+    double *typed;                       /* as typed [m/s] */
     const struct wf_profile_words *site; /* NULL: the command has none */
     struct wf_wind_place at;             /* where the winds are measured */
 };
@@ -66,6 +70,11 @@ static const struct wf_wind_scale *read_grade(struct winds *w, const char *text)
     struct wf_err e = { 0 };
     double *speed = &w->speed[w->n++];
     char range[48];
+    if (w->worded) {
+        winds_mistake(w, "'%.60s': a grade has its averaging time; write it without the word before the list",
+                      text);
+        return NULL;
+    }
     if (wf_wind_scale_parse(text, &g, &e)) {
         winds_mistake(w, "%s", e.text);
         return NULL;
@@ -157,6 +166,7 @@ static double read_speed(struct winds *w, char *item, const char *unit)
         read_range(w, item, unit);
     else if (wf_option_quantity(w->r, w->k, item, unit, w->o->low, &w->speed[w->n]))
         w->speed[w->n++] *= w->share;
+    for (size_t k = from; k < w->n; k++) w->typed[w->plain++] = w->speed[k] / w->share;
     w->beside->time_used = true;
     w->beside->law_used |= w->time != WF_MEAN_TIME;
     return w->n > from ? w->speed[from] : (double)NAN;
@@ -234,19 +244,23 @@ static void take_time(struct winds *w, const char **text)
         if (strncmp(*text, times[i].word, n) != 0) continue;
         if (w->beside->time != WF_MEAN_TIME)
             winds_mistake(w, "'%.100s': the averaging time is given twice (--averaging-time)", *text);
+        if (w->worded) winds_mistake(w, "'%.100s': one word of an averaging time is taken", *text);
         w->time = times[i].time;
+        w->worded = true;
         *text += n;
     }
 }
 
-/* "30, 36 m/s", or "5 to 40 m/s" where there are many. Given: what the speeds are multiplied by. */
+/* The plain speeds: "30, 36 m/s", or "5 to 40 m/s" where there are many. Given: what they are multiplied by.
+ */
 static const char *list_text(const struct winds *w, double share)
 {
     enum { SHOWN = 8 };
-    const char *text = w->n ? wf_arena_print(w->r->arena, "%.4g", share * w->speed[0]) : "";
-    if (w->n > SHOWN) return wf_arena_print(w->r->arena, "%s to %.4g m/s", text, share * w->speed[w->n - 1]);
-    for (size_t k = 1; k < w->n && text; k++)
-        text = wf_arena_print(w->r->arena, "%s, %.4g", text, share * w->speed[k]);
+    const size_t n = w->plain;
+    const char *text = n ? wf_arena_print(w->r->arena, "%.4g", share * w->typed[0]) : "";
+    if (n > SHOWN) return wf_arena_print(w->r->arena, "%s to %.4g m/s", text, share * w->typed[n - 1]);
+    for (size_t k = 1; k < n && text; k++)
+        text = wf_arena_print(w->r->arena, "%s, %.4g", text, share * w->typed[k]);
     return text ? wf_arena_print(w->r->arena, "%s m/s", text) : NULL;
 }
 
@@ -255,7 +269,7 @@ static void say_typed(struct winds *w)
 {
     char what[64], by[512];
     const char *law = w->law ? w->law : wf_averaging_usual(w->time);
-    const char *typed = list_text(w, 1.0 / w->share), *means = list_text(w, 1.0);
+    const char *typed = list_text(w, 1.0), *means = list_text(w, w->share);
     snprintf(what, sizeof what, "means over %g s", w->time);
     for (size_t i = 0; i < WF_COUNT(times); i++)
         if (times[i].time == w->time) snprintf(what, sizeof what, "%s", times[i].plural);
@@ -331,7 +345,9 @@ static void read_wind(struct winds *w, const char *whole)
 {
     const char *text = whole;
     void *member = wf_option_member(w->r, w->k);
-    if (!(w->speed = WF_TAKE(w->r->arena, SPEEDS_MAX + 1, double))) {
+    w->speed = WF_TAKE(w->r->arena, SPEEDS_MAX + 1, double);
+    w->typed = WF_TAKE(w->r->arena, SPEEDS_MAX + 1, double);
+    if (!w->speed || !w->typed) {
         winds_mistake(w, "out of memory");
         return;
     }
