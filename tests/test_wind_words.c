@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Winds as they are typed: averaging times, grades, gusts of the peak load, trees in stands. */
+#include "close.h"
+#include "shell.h"
+
+#define A "$W analyze oak --model oak_20m --samples 0 --no-report -o $T/w "
+
+static void test_words(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { A "--wind gust:mean:20", CODE_INPUT, { "'mean:20': one word of an averaging time" } },
+        { A "--wind gust:beaufort:8", CODE_INPUT, { "'beaufort:8': a grade has its averaging time" } },
+        { A "--wind gust:20,beaufort:8", CODE_INPUT, { "'beaufort:8': a grade has its averaging time" } },
+        { A "--wind 20,beaufort:8 --averaging-time 3s",
+          CODE_OK,
+          { "3-s gusts of 20 m/s at 10 m", "10-min means of 13.13 m/s", "taken as 19.0 m/s" } },
+        { A "--design en1991 --basic-wind 25 --averaging-time 3s",
+          CODE_INPUT,
+          { "--averaging-time: has no effect on grades of a scale and design winds" } },
+        { A "--wind 20 --spacing 3", CODE_INPUT, { "--spacing has no effect with --peak en1991" } },
+        { A "--design sia261 --basic-pressure 0.9 --site in-stand --spacing 3",
+          CODE_INPUT,
+          { "--spacing has no effect with --peak en1991" } },
+    };
+    CHECK(rows);
+}
+
+/* A gust that is named is the gust at the peak, however it was converted: 1/2 rho 36^2 in each. */
+static void test_gusts(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { A "--peak gust --wind gust:36", CODE_OK, { "620.360 " } },
+        { A "--peak gust --wind gust:36 --gust-factor 1.7", CODE_OK, { "620.360 " } },
+        { A "--peak gust --wind gust:36 --averaging in-land", CODE_OK, { "620.360 " } },
+    };
+    CHECK(rows);
+}
+
+/* The edge of a stand is not its inside; bare trees meet wind in it. */
+static void test_stands(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { A "--wind 20 --spacing 6 --site forest-edge", CODE_OK, { "6 m spacing, 0 m behind its edge" } },
+        { A "--wind 20 --spacing 6 --site in-stand", CODE_OK, { "6 m spacing, well inside" } },
+        { "$W analyze oak --tree docs/examples/scan.csv --wind 40 --spacing 4 --site in-stand --samples 0 "
+          "--no-report -o $T/w && awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i } NR == 2 { print "
+          "($c[\"mean_tip_deflection_m\"] > 0.001 ? \"moves\" : \"stands still\") }' $T/w/tables/summary.csv",
+          CODE_OK,
+          { "moves" } },
+    };
+    CHECK(rows);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_words),
+        cmocka_unit_test(test_gusts),
+        cmocka_unit_test(test_stands),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
