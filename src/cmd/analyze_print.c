@@ -304,6 +304,7 @@ void wf_print_site(FILE *to, const struct wf_scenario *s)
         wf_show(to, "exposure %.4g, from the map of the ground", s->speed_up);
     else
         wf_show(to, s->speed_up != 1.0 ? "exposure %.4g" : "level ground", s->speed_up);
+    if (s->winter != 1.0) wf_show(to, "; %.4g of the wind while snow or ice is on the tree", s->winter);
     double ratio = wf_scenario_speed(s, 1.0);
     if (ratio != 1.0)
         wf_show(to,
@@ -447,12 +448,14 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
                 w->leaf_area);
     else
         wf_show(to, "  snow and ice: %.4g kg; without -> with: ", w->mass);
-    wf_show(to, "sways at %.4f -> %.4f Hz, ", w->frequency[WF_DRY], w->frequency[WF_WET]);
+    wf_show(to, isfinite(w->frequency[WF_DRY]) ? "sways at %.4f Hz -> " : "does not stand -> ",
+            w->frequency[WF_DRY]);
+    wf_show(to, isfinite(w->frequency[WF_WET]) ? "%.4f Hz, " : "does not stand, ", w->frequency[WF_WET]);
     if (isfinite(w->speed))
         wf_show(to, "at %.4g m/s drag %.4g -> %.4g kN, base moment %.4g -> %.4g kN m, ", w->speed,
                 w->drag[WF_DRY] / 1000, w->drag[WF_WET] / 1000, w->moment[WF_DRY] / 1000,
                 w->moment[WF_WET] / 1000);
-    wf_show(to, "critical ");
+    wf_show(to, "lost at ");
     print_found(to, &w->critical[WF_DRY]);
     wf_show(to, " -> ");
     print_found(to, &w->critical[WF_WET]);

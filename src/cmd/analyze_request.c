@@ -272,6 +272,6 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     out->solver = wf_solver_named(o->solver);
     status = read_directions(o, a, d, &out->directions, e);
     if (!status) status = read_exposure(o, a, s, &out->directions, e);
-    s->carried *= o->winter_wind;
+    s->winter = o->winter_wind, s->carried *= s->winter;
     return status;
 }

@@ -31,6 +31,7 @@ void wf_scenario_default(struct wf_scenario *s)
         .category = wf_category_open(),
         .named = { wf_category_open(), 0.0 },
         .carried = 1.0,
+        .winter = 1.0,
         .peak = { .method = "en1991", .damping = NAN },
     };
 }

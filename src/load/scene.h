@@ -70,6 +70,8 @@ struct wf_scenario {
     struct wf_wind_place named; /* where the named winds are measured; height 0: the reference height */
     double carried;     /* mean wind of the site's terrain over the named wind, at the reference height;
                            the exposure comes on top [-] */
+    double winter;      /* share of the named wind that blows while snow or ice is on the tree; in `carried`
+                           [-] */
     double gust_factor; /* 3-s gust over 10-min mean of the named winds; 0: by EN 1991-1-4 [-] */
     double squall;      /* the same of the design wind at the site at 10 m; 0: no design wind [-] */
     double least;       /* of the profile "code": height below which the wind is constant [m] */
@@ -91,6 +93,8 @@ struct wf_profile_words {
     const char *ground; /* map of the ground, whose speed-up takes the roughness too; NULL: none */
     const char *site;   /* row of wf_site_kinds */
     const char *at;     /* "open": the winds are of open country, carried to the site's terrain; "site" */
+    double winter;      /* share of the named wind that blows while snow or ice is on the tree; in `carried`
+                           [-] */
     double gust_factor; /* 3-s gust over 10-min mean where the winds are measured */
     struct wf_design_words design; /* also the terrain of the site */
 };

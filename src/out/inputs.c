@@ -242,6 +242,7 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_text(d, o, "air_density_from", isnan(s->air_density) ? "temperature and altitude" : "given");
     wf_doc_quantity(d, o, "snow", s->snow, "kg/m2", NULL);
     wf_doc_quantity(d, o, "ice", s->ice, "m", NULL);
+    wf_doc_quantity(d, o, "winter_wind", s->winter, "1", NULL);
     wf_doc_quantity(d, o, "gravity", s->gravity, "m/s2", NULL);
     wf_doc_text(d, o, "shelter", s->shelter ? s->shelter : "none");
     return o;

@@ -69,7 +69,7 @@ static const struct {
       "verdict anchorage moment branches_from critical_gust loss_safety thickness_low thickness_high "
       "fails_at "
       "measured mean_state peak peak_method structural_damping load_breadth load_factor_gusts "
-      "stand_spacing stand_height edge_distance gap "
+      "stand_spacing stand_height edge_distance gap winter_wind "
       "load_factor_branches "
       "sway_frequency participation modal_mass damping_total damping_air turbulence background resonance "
       "peak_of_gusts carried gust_over_mean wind_height clusters wetted winter gust_load_factor air_density "

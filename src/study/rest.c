@@ -82,7 +82,7 @@ void wf_rest_warn_of_parts(const char *who, const struct wf_tree *t, const struc
     }
     wf_diag_warn(d, "stiffened",
                  "%s: %zu part%s under %g %% of the tree's mass would not stand in the shape drawn with this "
-                 "wood, and %s stiffened to %g times its own weight (a rule): %s%s",
+                 "wood, and %s stiffened to carry %g times the own weight (a rule): %s%s",
                  who, f->n, f->n == 1 ? "" : "s", 100 * WF_REST_SMALL, f->n == 1 ? "was" : "were",
                  WF_REST_FIRM, l.text, f->n > LISTED ? "; ..." : "");
 }
