@@ -54,12 +54,37 @@ static void test_stands(void **state)
     CHECK(rows);
 }
 
+/* Where the evidence of a crown's law ends is said though the species table does not say it; so is that the
+ * day of a scan is assumed. */
+static void test_evidence(void **state)
+{
+    (void)state;
+    static const struct row rows[] = {
+        { "sed 's/, valid_from: 10 m.s, valid_to: 20 m.s//' species/oak.yaml >$T/oak.yaml; $W analyze "
+          "$T/oak.yaml --model "
+          "oak_20m --samples 0 --no-report -o $T/w --wind 30",
+          CODE_OK,
+          { "the evidence for its streamlining law 'vogel' ends at 20 m/s" } },
+        { "$W analyze oak --tree docs/examples/scan.csv --leaf-area 20 --wind 10 --samples 0 --no-report -o "
+          "$T/w",
+          CODE_OK,
+          { "[scan-season]" } },
+        { "! $W analyze oak --tree docs/examples/scan.csv --leaf-area 20 --scanned leaf_off --wind 10 "
+          "--samples 0 "
+          "--no-report -o $T/w 2>&1 | grep scan-season && echo none",
+          CODE_OK,
+          { "none" } },
+    };
+    CHECK(rows);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_words),
         cmocka_unit_test(test_gusts),
         cmocka_unit_test(test_stands),
+        cmocka_unit_test(test_evidence),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
