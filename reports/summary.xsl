@@ -484,7 +484,7 @@
           <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
         </xsl:call-template>
         <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
-        <xsl:value-of select="text"/>
+        <xsl:call-template name="warning"/>
       </p>
     </xsl:for-each>
     <!-- no ranking out of answers that are not valid -->

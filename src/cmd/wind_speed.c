@@ -56,6 +56,24 @@ __attribute__((format(printf, 2, 3))) static void say(struct winds *w, const cha
         wf_arena_print(w->r->arena, "%s%s%s", before ? before : "", before ? "; " : "", line);
 }
 
+/* With that many decimals, or as many digits as it has. */
+static const char *number_text(const struct winds *w, double x, int decimals)
+{
+    return decimals < 0 ? wf_arena_print(w->r->arena, "%.4g", x)
+                        : wf_arena_print(w->r->arena, "%.*f", decimals, x);
+}
+
+/* The same by parts. Given: parts, NULL after the last. */
+static void note(struct winds *w, const char *kind, const char *const *part)
+{
+    struct wf_wind_note **end = &w->r->args->wind_notes, *made = WF_TAKE(w->r->arena, 1, struct wf_wind_note);
+    if (!made) return;
+    *made = (struct wf_wind_note){ .kind = kind };
+    for (size_t k = 0; k < WF_WIND_PARTS && part[k]; k++) made->part[k] = part[k];
+    while (*end) end = (struct wf_wind_note **)&(*end)->next;
+    *end = made;
+}
+
 static const char *source_of(const char *law)
 {
     const struct wf_averaging_law *l = wf_averaging_laws;
@@ -96,6 +114,10 @@ static const struct wf_wind_scale *read_grade(struct winds *w, const char *text)
             source_of(law));
     else
         say(w, "taken as %.1f m/s", *speed);
+    note(w, "grade",
+         (const char *[]){ text, g.grade->text, number_text(w, g.grade->low, 1),
+                           isfinite(g.grade->high) ? number_text(w, g.grade->high, 1) : "",
+                           number_text(w, g.scale->averaging / 60.0, -1), number_text(w, *speed, 1), NULL });
     return g.scale;
 }
 
@@ -282,6 +304,11 @@ static void say_typed(struct winds *w)
         w->time < WF_MEAN_TIME ? "10-min mean in which they are the strongest"
                                : "strongest 10-min mean within that time",
         by);
+    bool factor = !w->law && w->time == WF_GUST_TIME && w->site && w->site->gust_factor > 0.0;
+    note(w, "typed",
+         (const char *[]){ number_text(w, w->time, -1), typed, number_text(w, w->at.height, -1),
+                           w->at.terrain->name, means, number_text(w, w->share, -1), factor ? "given" : law,
+                           NULL });
 }
 
 /* 10-min mean over a plain speed. */
@@ -315,6 +342,21 @@ static void read_speeds(struct winds *w, const char *whole, const char *text)
         read_list(w, copy, unit, whole);
 }
 
+/* What the basic wind is: as the code says, or once in the years that were specified. */
+static void design_words(const struct wf_design_words *words, const struct wf_design_wind *found, char *out,
+                         size_t size)
+{
+    if (isnan(words->years))
+        snprintf(out, size, "%s", found->code->basic);
+    else if (words->region)
+        snprintf(out, size, "regional gust at 10 m over TC2 of region %.20s, once in %.6g years",
+                 words->region, words->years);
+    else
+        snprintf(out, size, "once in %.6g years; from %.4g m/s, %s", words->years,
+                 isnan(words->basic) ? sqrt(2.0 * words->pressure / found->code->air) : words->basic,
+                 found->code->basic);
+}
+
 /* The wind of a design code, which stands for the winds that are not typed. */
 static void take_design(struct winds *w)
 {
@@ -330,14 +372,21 @@ static void take_design(struct winds *w)
     } else if (wf_design_find(&words, &found, &e)) {
         wf_option_mistake(w->r, w->r->key[k], "--design", "%s", e.text);
     } else {
+        char rare[256];
+        design_words(&words, &found, rare, sizeof rare);
         w->speed[w->n++] = found.open;
         say(w,
             "design wind of %s: basic wind %.4g m/s (%s); terrain %s%s: 10-min mean %.4g m/s and gust %.4g "
             "m/s "
             "at %s (10-min mean in open country: %.4g m/s; %s)",
-            found.code->title, found.basic, found.code->basic, found.terrain->name,
+            found.code->title, found.basic, rare, found.terrain->name,
             words.terrain || !found.code->terrain[1].name ? "" : " (assumed)", found.mean, found.gust,
             strcmp(found.code->name, "arborist") ? "10 m" : "the tree", found.open, found.code->source);
+        note(w, "design",
+             (const char *[]){ found.code->name, number_text(w, found.basic, -1), found.terrain->name,
+                               number_text(w, found.mean, -1), number_text(w, found.gust, -1),
+                               number_text(w, found.open, -1),
+                               isnan(words.years) ? NULL : number_text(w, words.years, -1), NULL });
     }
 }
 

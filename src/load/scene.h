@@ -41,6 +41,14 @@ struct wf_peak_request {
     const struct wf_peak_table *table; /* of the method 'table' */
     struct wf_stand stand;             /* of the method 'gales' */
 };
+/* How a wind was named, by parts, so that pages say it in their language: a kind of `ws.KIND` of
+ * reports/strings.xml, and its parts in that order. */
+enum { WF_WIND_PARTS = 8 };
+struct wf_wind_note {
+    const char *kind;
+    const char *part[WF_WIND_PARTS]; /* NULL after the last */
+    const struct wf_wind_note *next; /* NULL: the last */
+};
 struct wf_scenario {
     const char *profile;                        /* row of wf_profiles */
     const struct wf_measured_profile *measured; /* data of the profile "measured" */
@@ -77,6 +85,7 @@ struct wf_scenario {
     double least;       /* of the profile "code": height below which the wind is constant [m] */
     const struct wf_anchorage_request *anchorage; /* of the root (fail/anchorage.h); NULL: nothing is said */
     struct wf_peak_request peak;                  /* how the peak load follows from the mean wind */
+    const struct wf_wind_note *wind_notes;        /* the same by parts; NULL: none */
     const char *winds_said; /* in words, how the given wind speeds were converted to 10-min means; NULL: no
                                conversion */
 };

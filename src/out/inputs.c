@@ -209,6 +209,18 @@ json_t *wf_part_site(struct wf_doc *d, const struct wf_scenario *s)
     return o;
 }
 
+static void put_notes(struct wf_doc *d, json_t *o, const struct wf_wind_note *note)
+{
+    json_t *list = wf_doc_put(d, o, "wind_notes", wf_doc_array(d));
+    for (; note; note = note->next) {
+        json_t *item = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, item, "kind", note->kind);
+        json_t *parts = wf_doc_put(d, item, "parts", wf_doc_array(d));
+        for (size_t k = 0; k < WF_WIND_PARTS && note->part[k]; k++)
+            wf_doc_text(d, wf_doc_add(d, parts, wf_doc_object(d)), "text", note->part[k]);
+    }
+}
+
 json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
 {
     const struct wf_scenario *s = &a->scenario;
@@ -222,6 +234,7 @@ json_t *wf_part_scenario(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "reference_height", s->reference_height, "m", NULL);
     wf_doc_quantity(d, o, "averaging_time", WF_MEAN_TIME, "s", NULL);
     wf_doc_text(d, o, "winds_said", s->winds_said);
+    put_notes(d, o, s->wind_notes);
     put_site(d, o, s);
     wf_doc_quantity(d, o, "speed_up", s->speed_up, "1", NULL);
     static const char given[] = "no map of the ground";

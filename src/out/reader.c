@@ -35,7 +35,7 @@ static const struct {
             "not_determined parameters ratios run_files runs sectors sensors share slabs statistics step_m "
             "blocks modes budget criticals_m_s drags_N deflections_m frequencies_Hz moments_N_m speeds sways "
             "swing_m "
-            "lost_by safeties varied table_share "
+            "lost_by safeties varied table_share wind_notes parts "
             "table_speed_m_s tables taper_at taper_share thirds trees "
             "values walls warnings wind_m_s winds" },
     { LIST | OBJECT, "directions" },
