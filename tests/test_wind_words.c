@@ -24,10 +24,19 @@ static void test_words(void **state)
         { A "--design asnzs1170 --region A2 --return-period 500 --terrain TC3",
           CODE_OK,
           { "regional gust at 10 m over TC2 of region A2, once in 500 years" } },
-        { "$W analyze oak --model oak_20m --samples 0 --no-pdf --lang zh -q -o $T/z --wind gust:36 && cat "
-          "$T/z/report.html",
+        { "$W analyze oak --model oak_20m --samples 0 --no-pdf --lang zh -q -o $T/z --wind gust:36 && grep "
+          "-o "
+          "'3 s 阵风 36 m.s（[^：]*' $T/z/report.html",
           CODE_OK,
           { "3 s 阵风 36 m/s（换算为 10 min 平均 23.63 m/s" } },
+        { "$W analyze oak --model oak_20m --samples 24 --no-pdf -o $T/z --wind 20 --snow 5cm --winter-wind "
+          "0.5 && grep -o "
+          "'95 % of 24 samples: above 60 .*mean wind (3-s gust 91 ' $T/z/report.html; grep -o 'Only 0.5.* of "
+          "these winds "
+          "acts' $T/z/report.html",
+          CODE_OK,
+          { "in more than 95 % of 24 samples; 3-s gust above 91.41", "(3-s gust 91 ",
+            "of these winds acts" } },
         { A "--wind 20 --spacing 3", CODE_INPUT, { "--spacing has no effect with --peak en1991" } },
         { A "--design sia261 --basic-pressure 0.9 --site in-stand --spacing 3",
           CODE_INPUT,

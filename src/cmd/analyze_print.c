@@ -426,9 +426,18 @@ void wf_print_interval(FILE *to, const struct wf_analysis *an)
     int digits = wf_interval_decimals(i->low, i->high);
     double times = wf_scenario_gust(&an->scenario, 1.0);
     bool rooted = wf_interval_rooted(an);
-    print_speed_to(to, digits, i->middle, i->searched_to,
-                   rooted ? "  how sure: the tree is lost at about "
-                          : "  how sure: the stem breaks at about ");
+    const char *who = rooted ? "the tree is lost" : "the stem breaks";
+    wf_show(to, "  how sure: ");
+    if (!isfinite(i->low)) {
+        wf_show(to, "%s above %.4g m/s mean in more than 95 %% of %zu samples; 3-s gust above %.4g\n", who,
+                i->searched_to, i->n, times * i->searched_to);
+        print_safeties(to, i, rooted);
+        return;
+    }
+    if (isfinite(i->middle))
+        wf_show(to, "%s at about %.*f", who, digits, i->middle);
+    else
+        wf_show(to, "%s above %.4g", who, i->searched_to);
     print_speed_to(to, digits, i->low, i->searched_to, " m/s mean, ");
     print_speed_to(to, digits, i->high, i->searched_to, " to ");
     wf_show(to, " (90 %% of %zu samples)", i->n);

@@ -56,7 +56,7 @@ static const struct {
               "euler_limit_s fallen_at_s "
               "frequency_Hz frequency_percent hanging_mg intensity_mm_h paper restoring_N_m "
               "ring_decrement ring_frequency_Hz spread_mm steps_a_second tests_a_way tip_percent "
-              "beta critical_at_high_m_s critical_at_low_m_s high_gust_m_s high_m_s low_gust_m_s low_m_s "
+              "beta searched_to_gust_m_s critical_at_high_m_s critical_at_low_m_s high_gust_m_s high_m_s low_gust_m_s low_m_s "
               "median_m_s middle_gust_m_s middle_m_s searched_to_m_s "
               "air diameter_m line_first_Hz line_slope_Hz_m mass_across mass_along mass_up "
               "ratio_to_measured structural tree_frequency tree_share turn_across turn_along "
