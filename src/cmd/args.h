@@ -12,6 +12,7 @@
  * row. Order: what is typed, then keys of the study file that were not typed, then defaults, then winds. */
 int wf_args_read(int argc, char **argv, const struct wf_option *option, const char *about, size_t low,
                  size_t high, struct wf_arena *a, struct wf_args *out);
-/* Every key a study file may have, as text. NULL: no memory. */
-char *wf_args_study_schema(struct wf_arena *a, struct wf_err *e);
+/* The rows of a study file: every option of the commands that take one as a key. NULL: no memory. */
+struct wf_yaml_table;
+const struct wf_yaml_table *wf_args_study_table(struct wf_arena *a);
 #endif
