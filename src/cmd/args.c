@@ -360,6 +360,10 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     check_operands(&r, low, high);
     complete(&r);
     wf_units_close(r.units);
+    if ((out->text = WF_TAKE(a, r.options + 1, const char *)))
+        memcpy(out->text, r.text, r.options * sizeof *r.text);
+    r.no_memory = r.no_memory || !out->text;
+    if (!out->text) wf_option_mistake(&r, NULL, "", "out of memory");
     if (!r.mistakes) {
         if (out->winds_said && !out->quiet) wf_show(stderr, "%s\n", out->winds_said);
         wf_progress_start(out->quiet);
@@ -368,4 +372,29 @@ int wf_args_read(int argc, char **argv, const struct wf_option *rows, const char
     if (r.no_memory) return wf_exit_code(WF_ENOMEM);
     wf_show(stderr, "'windfirm %s --help' shows how it is used\n", argv[0]);
     return 2;
+}
+
+bool wf_args_read_cells(const struct wf_args *line, const char *command, const size_t *option,
+                        const char *const *cell, size_t n, struct wf_units *units, struct wf_arena *a,
+                        struct wf_args *out, struct wf_sink *sink)
+{
+    struct wf_reading r = { .args = out, .arena = a, .command = command, .units = units, .sink = sink };
+    *sink = (struct wf_sink){ 0 };
+    *out = (struct wf_args){ .option = line->option, .quiet = true };
+    while (line->option[r.options].name) r.options++;
+    wf_option_clear(&r);
+    for (size_t i = 0; i < n; i++) {
+        if (!*cell[i]) continue;
+        if (out->given[option[i]])
+            wf_option_mistake(&r, NULL, line->option[option[i]].name, "has two columns");
+        out->given[option[i]] = true;
+        wf_option_take(&r, option[i], cell[i]);
+    }
+    for (size_t k = 0; k < r.options; k++)
+        if (!out->given[k] && line->given[k]) {
+            out->given[k] = true;
+            wf_option_take(&r, k, line->text[k]);
+        }
+    complete(&r);
+    return !r.mistakes;
 }

@@ -89,6 +89,14 @@ bool wf_option_unused(bool unused, char why[static WF_WHY], const char *fmt, ...
     return true;
 }
 
+/* Add a mistake to the text, as far as there is room. */
+static void sink_add(struct wf_sink *s, const char *name, const char *text)
+{
+    size_t used = strlen(s->text);
+    snprintf(s->text + used, sizeof s->text - used, "%s%s%s%s", s->n++ ? "; " : "", name, *name ? ": " : "",
+             text);
+}
+
 void wf_option_mistake(struct wf_reading *r, const char *key, const char *name, const char *fmt, ...)
 {
     va_list list;
@@ -98,6 +106,8 @@ void wf_option_mistake(struct wf_reading *r, const char *key, const char *name, 
     va_end(list);
     if (key && r->yaml)
         wf_yaml_error(r->yaml, key, "%s", text);
+    else if (r->sink)
+        sink_add(r->sink, name, text);
     else
         wf_show(stderr, "windfirm %s: %s%s%s\n", r->command, name, *name ? ": " : "", text);
     r->mistakes++;
