@@ -264,6 +264,7 @@ static void take_whole(struct wf_reading *r, size_t k, const char *text)
 void wf_option_take(struct wf_reading *r, size_t k, const char *text)
 {
     const struct wf_option *o = &r->args->option[k];
+    const size_t before = r->mistakes;
     r->text[k] = text;
     switch (o->kind) {
     case WF_OPTION_FLAG:
@@ -289,6 +290,7 @@ void wf_option_take(struct wf_reading *r, size_t k, const char *text)
     case WF_OPTION_SPEEDS:
         break;
     }
+    r->failed[k] = r->mistakes > before;
 }
 
 void wf_option_text(const struct wf_option *o, FILE *to)
