@@ -8,11 +8,26 @@
   <xsl:param name="id"/><xsl:param name="now"/><xsl:param name="sound"/><xsl:param name="low"/><xsl:param name="high"/>
   <tr>
     <td><xsl:call-template name="say"><xsl:with-param name="id" select="$id"/></xsl:call-template></td>
-    <xsl:call-template name="cell"><xsl:with-param name="x" select="$now"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
-    <xsl:call-template name="cell"><xsl:with-param name="x" select="$sound"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
-    <xsl:call-template name="cell"><xsl:with-param name="x" select="assessment/required"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
-    <xsl:call-template name="cell"><xsl:with-param name="x" select="$low"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
-    <xsl:call-template name="cell"><xsl:with-param name="x" select="$high"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="$now"/>
+      <xsl:with-param name="pattern">0.00</xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="$sound"/>
+      <xsl:with-param name="pattern">0.00</xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="assessment/required"/>
+      <xsl:with-param name="pattern">0.00</xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="$low"/>
+      <xsl:with-param name="pattern">0.00</xsl:with-param>
+    </xsl:call-template>
+    <xsl:call-template name="cell">
+      <xsl:with-param name="x" select="$high"/>
+      <xsl:with-param name="pattern">0.00</xsl:with-param>
+    </xsl:call-template>
   </tr>
 </xsl:template>
 
@@ -27,20 +42,33 @@
         </xsl:with-param>
       </xsl:call-template>
     </xsl:when>
-    <xsl:otherwise><xsl:call-template name="say"><xsl:with-param name="id">as.years.unknown</xsl:with-param></xsl:call-template></xsl:otherwise>
+    <xsl:otherwise><xsl:call-template name="say">
+      <xsl:with-param name="id">as.years.unknown</xsl:with-param>
+    </xsl:call-template></xsl:otherwise>
   </xsl:choose>
 </xsl:template>
 
 <xsl:template name="as-directions">
   <table class="data">
     <xsl:call-template name="caption"><xsl:with-param name="id">as.t.directions</xsl:with-param></xsl:call-template>
-    <thead><tr><xsl:call-template name="heads"><xsl:with-param name="of" select="'as.c.from:°;as.breakage:;as.overturning:'"/></xsl:call-template></tr></thead>
+    <thead><tr><xsl:call-template name="heads">
+      <xsl:with-param name="of" select="'as.c.from:°;as.breakage:;as.overturning:'"/>
+    </xsl:call-template></tr></thead>
     <tbody>
       <xsl:for-each select="assessment/directions/item">
         <tr>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="$degrees * from/value"/><xsl:with-param name="pattern">0</xsl:with-param></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="breakage/value"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
-          <xsl:call-template name="cell"><xsl:with-param name="x" select="overturning/value"/><xsl:with-param name="pattern">0.00</xsl:with-param></xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="$degrees * from/value"/>
+            <xsl:with-param name="pattern">0</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="breakage/value"/>
+            <xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
+          <xsl:call-template name="cell">
+            <xsl:with-param name="x" select="overturning/value"/>
+            <xsl:with-param name="pattern">0.00</xsl:with-param>
+          </xsl:call-template>
         </tr>
       </xsl:for-each>
     </tbody>
@@ -56,12 +84,16 @@
       <xsl:call-template name="say"><xsl:with-param name="id" select="concat('as.because.', reason)"/></xsl:call-template>
     </xsl:for-each>
     <xsl:value-of select="$gap"/><xsl:call-template name="as-years"/>
-    <xsl:value-of select="$gap"/><xsl:call-template name="say"><xsl:with-param name="id">as.missing</xsl:with-param></xsl:call-template>
+    <xsl:value-of select="$gap"/><xsl:call-template name="say">
+      <xsl:with-param name="id">as.missing</xsl:with-param>
+    </xsl:call-template>
   </p>
   <table class="data">
     <xsl:call-template name="caption">
       <xsl:with-param name="id">as.t.safety</xsl:with-param>
-      <xsl:with-param name="a"><xsl:call-template name="number"><xsl:with-param name="x" select="$a/speed/value"/></xsl:call-template></xsl:with-param>
+      
+        <xsl:with-param name="a"><xsl:call-template name="number"><xsl:with-param name="x" select="$a/speed/value"/>
+      </xsl:call-template></xsl:with-param>
     </xsl:call-template>
     <thead><tr><xsl:call-template name="heads">
       <xsl:with-param name="of" select="'as.c.against;as.c.now:;as.c.sound:;as.c.required:;as.c.low:;as.c.high:'"/>
@@ -72,7 +104,9 @@
         <xsl:with-param name="sound" select="$a/sound/value"/>
       </xsl:call-template>
       <xsl:call-template name="as-row">
-        <xsl:with-param name="id">as.overturning</xsl:with-param><xsl:with-param name="now" select="$a/overturning/safety/value"/>
+        
+          <xsl:with-param name="id">as.overturning</xsl:with-param>
+          <xsl:with-param name="now" select="$a/overturning/safety/value"/>
       </xsl:call-template>
       <xsl:call-template name="as-row">
         <xsl:with-param name="id">as.saturated</xsl:with-param><xsl:with-param name="now" select="$a/saturated_low"/>

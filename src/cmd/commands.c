@@ -36,6 +36,8 @@ const struct wf_command wf_commands[] = {
     { "import", "FILE... [-o FILE] [option...]",
       "Read measured trees from the files other programs write, repair them, write them in one form.",
       wf_cmd_import },
+    { "init", "KIND NAME [-o FILE]",
+      "Begin a species table, a model or a study: a commented file with the keys that matter.", wf_cmd_init },
     { "modes", "SPECIES --model MODEL | --tree FILE [option...]",
       "Natural frequencies of a tree in still air and in wind: how it moves in each, and its damping.",
       wf_cmd_modes },
@@ -47,7 +49,7 @@ const struct wf_command wf_commands[] = {
       wf_cmd_rain },
     { "report", "FOLDER... [option...]",
       "Draw plots and pages again from the results.json and tables of earlier runs.", wf_cmd_report },
-    { "schema", "species|model|fit|study",
+    { "schema", "species|model|fit|study [--json-schema]",
       "Every key of a species table, a tree model, a calibration study or a file of options, with range and "
       "default.",
       wf_cmd_schema },

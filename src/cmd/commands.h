@@ -26,6 +26,7 @@ int wf_cmd_fit(int argc, char **argv);
 int wf_cmd_explain(int argc, char **argv);
 int wf_cmd_fragility(int argc, char **argv);
 int wf_cmd_import(int argc, char **argv);
+int wf_cmd_init(int argc, char **argv);
 int wf_cmd_modes(int argc, char **argv);
 int wf_cmd_papers(int argc, char **argv);
 int wf_cmd_rain(int argc, char **argv);

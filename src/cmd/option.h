@@ -123,8 +123,13 @@ bool wf_option_given(const struct wf_args *args, size_t member);
            "precedence",                                                                                     \
            .value = "FILE")
 
-/* Help, allowed values and default of an option as one paragraph. */
-void wf_option_text(const struct wf_option *o, FILE *to);
+/* Help, allowed values and default of an option as one paragraph; empty without memory. */
+enum { WF_OPTION_DOC = 1024 };
+void wf_option_text(const struct wf_option *o, char text[static WF_OPTION_DOC]);
+/* The words that a choice may be. Returned: how many; `list` holds those of `choices`. */
+enum { WF_OPTION_CHOICES = 32 };
+size_t wf_option_choices(const struct wf_option *o, const char *word[static WF_OPTION_CHOICES], char *list,
+                         size_t size);
 
 /* Mistakes as one text, separated by semicolons and cut where it is full. */
 struct wf_sink {

@@ -136,8 +136,5 @@ const char *wf_model_level_name(const struct wf_model *m, const struct wf_specie
 /* Outer radius of the stem over its base radius, at relative height s in 0..1 [-]. */
 double wf_model_taper(const struct wf_model *m, double s);
 
-/* The model's schema as text (wf_yaml_schema). Returned: NULL with an error in `e`. */
-char *wf_model_schema(struct wf_arena *a, struct wf_err *e);
-
 extern const struct wf_yaml_table wf_model_table; /* struct wf_model */
 #endif
