@@ -71,7 +71,7 @@ const struct wf_command wf_commands[] = {
       wf_cmd_tree },
     { "validate", "[PATH...] [option...]", "Run validation cases and compare with their sources.",
       wf_cmd_validate },
-    { "wind", "MODEL | list | rose [option...]",
+    { "wind", "MODEL | list | rose | extremes [option...]",
       "A gusty wind by one of the gust models, compared with what was specified, written and drawn.",
       wf_cmd_wind },
     { 0 },

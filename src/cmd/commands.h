@@ -40,6 +40,7 @@ int wf_cmd_tree(int argc, char **argv);
 int wf_cmd_terrain(int argc, char **argv);
 int wf_cmd_validate(int argc, char **argv);
 int wf_cmd_wind(int argc, char **argv);
+int wf_wind_extremes(int argc, char **argv); /* windfirm wind extremes */
 /* `windfirm papers yang2011`, whose runs are no trees in wind. */
 int wf_paper_yang2011(int argc, char **argv);
 
