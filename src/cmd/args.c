@@ -83,6 +83,16 @@ static void refuse_unused(struct wf_reading *r)
     }
 }
 
+static void refuse_wrong(struct wf_reading *r)
+{
+    char why[WF_WHY];
+    for (size_t k = 0; k < r->options; k++) {
+        const struct wf_option *o = &r->args->option[k];
+        if (o->wrong && !r->failed[k] && o->wrong(r->args, o, why))
+            wf_option_mistake(r, r->key[k], o->name, "%s", why);
+    }
+}
+
 /* Defaults of what was not given, then the winds, which depend on other options. Called by the study file's
  * reader while mistakes about keys still know their line, else at the end; a second call does nothing. */
 static void complete(struct wf_reading *r)
@@ -93,6 +103,7 @@ static void complete(struct wf_reading *r)
     for (size_t k = 0; k < r->options; k++)
         if (!out->given[k] && out->option[k].initial) wf_option_take(r, k, out->option[k].initial);
     wf_winds_read(r);
+    refuse_wrong(r);
     if (!r->mistakes) refuse_unused(r);
 }
 
@@ -115,10 +126,11 @@ static const struct taker {
     { "wind", wf_wind_options, "gust", false },         { 0 },
 };
 
-/* The keys a study file may have: those of all commands that take one. */
+/* The keys a study file may have: those of all commands that take one; or a card, those of `assess` alone. */
 struct study_keys {
     struct wf_reading *reading;
     const struct taker *taker;
+    struct taker own[2]; /* of a command that is not in the list; ends at command == NULL */
     const char *file;
     size_t keys;
     struct wf_yaml_row row[KEYS_MAX + 1]; /* ends at key == NULL */
@@ -182,8 +194,8 @@ static bool fill_keys(struct study_keys *b, struct wf_arena *a)
           .doc = "gust model, a name from 'windfirm wind list' - series wind",
           .example = "kaimal" },
     };
-    for (size_t i = 0; i < sizeof first / sizeof *first; i++) add_key(b, first[i]);
-    for (const struct taker *c = takers; c->command; c++)
+    for (size_t i = 0; i < sizeof first / sizeof *first && b->taker != b->own; i++) add_key(b, first[i]);
+    for (const struct taker *c = b->taker == b->own ? b->own : takers; c->command; c++)
         for (const struct wf_option *o = c->option; o->name; o++) {
             const char *key = key_of(o, a), *doc = b->reading ? o->help : doc_of(o, a);
             if (!key || !doc) return false;
@@ -257,10 +269,13 @@ static struct study_keys *open_study_keys(struct wf_reading *r, struct wf_arena 
     struct study_keys *b = WF_TAKE(a, 1, struct study_keys);
     if (!b) return NULL;
     b->reading = r;
-    if (!fill_keys(b, a)) return NULL;
     b->taker = takers;
     while (r && b->taker->command && strcmp(b->taker->command, r->command) != 0) b->taker++;
-    return b;
+    if (!b->taker->command) {
+        b->own[0] = (struct taker){ .command = r->command, .option = r->args->option };
+        b->taker = b->own;
+    }
+    return fill_keys(b, a) ? b : NULL;
 }
 
 static const struct wf_yaml_table study_table = {
@@ -281,7 +296,8 @@ static const char *study_named(struct wf_reading *r)
     size_t k = 0;
     while (k < r->options && out->option[k].kind != WF_OPTION_STUDY) k++;
     if (k == r->options) return NULL;
-    if (!out->study && out->n == 1 && wf_begins_with_key(out->operand[0], "study:", r->arena)) {
+    const char *first = strcmp(r->command, "assess") ? "study:" : "card:";
+    if (!out->study && out->n == 1 && wf_begins_with_key(out->operand[0], first, r->arena)) {
         out->study = out->operand[0];
         out->given[k] = true;
         out->n = 0;

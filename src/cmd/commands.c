@@ -21,6 +21,9 @@ const struct wf_command wf_commands[] = {
       "What the wind does to one species on one tree model: loads, bending, stress, safety, critical wind "
       "speed.",
       wf_cmd_analyze },
+    { "assess", "[CARD] [option...]",
+      "One tree as it is measured with a tape: is it safe enough in a given wind, and how sure is that?",
+      wf_cmd_assess },
     { "compare", "SPECIES SPECIES... --model MODEL --wind SPEEDS [option...]",
       "The same for several species on the same tree model, side by side.", wf_cmd_compare },
     { "fit", "STUDY [--data FILE] [--free NAMES] [option...]",

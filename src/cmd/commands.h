@@ -20,6 +20,7 @@ struct wf_command {
 extern const struct wf_command wf_commands[]; /* ends at name == NULL */
 
 int wf_cmd_analyze(int argc, char **argv);
+int wf_cmd_assess(int argc, char **argv);
 int wf_cmd_compare(int argc, char **argv);
 int wf_cmd_fit(int argc, char **argv);
 int wf_cmd_explain(int argc, char **argv);

@@ -262,6 +262,7 @@ static void take_whole(struct wf_reading *r, size_t k, const char *text)
 void wf_option_take(struct wf_reading *r, size_t k, const char *text)
 {
     const struct wf_option *o = &r->args->option[k];
+    const size_t before = r->mistakes;
     r->text[k] = text;
     switch (o->kind) {
     case WF_OPTION_FLAG:
@@ -287,6 +288,7 @@ void wf_option_take(struct wf_reading *r, size_t k, const char *text)
     case WF_OPTION_SPEEDS:
         break;
     }
+    r->failed[k] = r->mistakes > before;
 }
 
 void wf_option_text(const struct wf_option *o, char text[static WF_OPTION_DOC])

@@ -51,6 +51,9 @@ struct wf_option {
     /* Whether the option has no effect with the others as they are; asked when it is given and all are read.
      * Returned in `why`: the words behind "has no effect". NULL: it always has one. */
     bool (*unused)(const void *options, const struct wf_option *o, char *why);
+    /* Whether its value is missing or contradicts the others; asked of every row when all are read. Returned
+     * in `why`: the words behind the option's name. NULL: never. */
+    bool (*wrong)(const void *options, const struct wf_option *o, char *why);
     const char *help;
 };
 
@@ -146,6 +149,7 @@ struct wf_reading {
     struct wf_yaml *yaml;             /* the study file while it is open; else NULL                        */
     const char *text[WF_OPTIONS_MAX]; /* by row: as typed, else as in the study file, else the default     */
     const char *key[WF_OPTIONS_MAX];  /* by row: key of the study file that gave the text; NULL: no key    */
+    bool failed[WF_OPTIONS_MAX];      /* by row: its text was a mistake                                    */
     struct wf_sink *sink;             /* takes the mistakes; NULL: they are printed                        */
     bool complete;
     bool no_memory; /* it ended while an option was read: no mistake of the user */
