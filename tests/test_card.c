@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tree cards: form of the stem, what is refused, what is unusual, the model. */
 #include "close.h"
+#include "data/species.h"
 #include "grow/card.h"
 #include <string.h>
 
@@ -80,7 +81,7 @@ static void checked(void **state)
     c = oak(), c.girth = 250, c.height = 2000;
     expect(c, WF_EINPUT, 2, "height");
     c = oak(), c.girth = NAN;
-    expect(c, WF_EINPUT, 1, "neither girth nor dbh");
+    expect(c, WF_EINPUT, 1, "girth: is needed, or the dbh");
     c = oak(), c.crown_base = 20;
     expect(c, WF_EINPUT, 1, "not below the top");
     c = oak(), c.girth = 18;
@@ -99,11 +100,13 @@ static void model(void **state)
     (void)state;
     struct wf_card c = oak();
     struct wf_model m;
+    const struct wf_species sp = { .key = "oak", .name = "Oak", .latin = "Quercus robur" };
     c.lean = 0.2;
-    assert_int_equal(wf_card_model(&c, "Quercus robur", &arena, &m, &err), WF_OK);
+    assert_int_equal(wf_card_model(&c, &sp, &arena, &m, &err), WF_OK);
     assert_close(m.radius, 2.5 / PI / 2, 1e-12);
     assert_close(m.height * cos(0.2), 20, 1e-12);
     assert_close(m.crown_base * cos(0.2), 4, 1e-12);
+    assert_close(m.judged_to * cos(0.2), 12, 1e-12);
     assert_close(m.silhouette.depth * cos(0.2), 16, 1e-12);
     assert_close(wf_model_taper(&m, 1.3 / 20), 1, 1e-12);
     /* between two places of the table a straight line: within 1 % of the law below nine tenths */

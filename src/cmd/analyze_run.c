@@ -17,7 +17,7 @@ static void speeds_solved(const struct wf_analysis *an, void *work)
 {
     struct wf_analyze_work *w = work;
     size_t before = w->solved++;
-    if (w->options.args.quiet) return;
+    if (w->options.args.quiet || w->hooks) return;
     wf_progress_clear();
     if (!before) wf_print_head(stdout, an);
     wf_print_speeds(stdout, an);
@@ -82,7 +82,8 @@ static enum wf_status read_inputs(struct wf_analyze_work *w, struct wf_err *e)
     const char *model = NULL;
     struct wf_err first = { 0 }, next = { 0 };
     enum wf_status worst =
-        wf_tree_asked_read(&w->options.tree, NULL, &w->arena, &w->model, &model, &d, &first);
+        w->hooks ? w->hooks->tree(w, &d, &first)
+                 : wf_tree_asked_read(&w->options.tree, NULL, &w->arena, &w->model, &model, &d, &first);
     take_warnings(&w->tree, &d);
     size_t found = d.errors;
     enum wf_status asked = wf_analyze_request_read(&w->options, &w->arena, &d, &w->request, &next);
@@ -109,8 +110,8 @@ static enum wf_status read_inputs(struct wf_analyze_work *w, struct wf_err *e)
                       *const roots = anchorage_file(&w->options.anchorage),
                       *const study = w->options.args.study,
                       *const climate = w->request.directions.climate_file;
-    enum wf_status s = wf_input_file_note("model", model, &w->arena, &w->input[0], e);
-    if (!s && study) s = note_input(w, "study", study, e);
+    enum wf_status s = model ? wf_input_file_note("model", model, &w->arena, &w->input[0], e) : WF_OK;
+    if (!s && study) s = note_input(w, w->hooks ? "card" : "study", study, e);
     if (!s) s = note_cavities(w, e);
     if (!s && profile) s = note_input(w, "profile", profile, e);
     if (!s && roots) s = note_input(w, "anchorage", roots, e);
@@ -197,7 +198,8 @@ static enum wf_status analyse(struct wf_analyze_work *w, size_t *done, struct wf
         wf_progress_clear();
         if (s) wf_print_findings(&w->diag[k], w->options.args.quiet);
         if (s) return s;
-        if (!w->options.args.quiet) wf_print_searched(stdout, &w->analysis[k]);
+        if (w->hooks && w->hooks->after(w, &w->analysis[k], e)) return e->code;
+        if (!w->options.args.quiet && !w->hooks) wf_print_searched(stdout, &w->analysis[k]);
         wf_preset_warn(preset, &w->analysis[k], &w->diag[k]);
         if ((*done = end_early(w, k))) return WF_OK;
     }
@@ -256,12 +258,15 @@ enum wf_status wf_analyze_run(struct wf_analyze_work *w, int argc, char **argv, 
     if (!w->species || !w->analysis || !w->input || !w->diag || !run.command || !run.date)
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu species", n);
     enum wf_status s = read_inputs(w, e);
-    run.inputs = w->inputs;
+    size_t none = !w->input[0].path; /* the tree is of no file */
+    run.input += none, run.inputs = w->inputs - none;
     bool pages = !w->options.pages.none, whole = false;
-    if (!s) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);
+    if (!s && w->hooks) s = w->hooks->before(w, e);
+    if (!s && w->folder) s = wf_results_begin(&w->results, w->folder, pages ? "report" : NULL, e);
     if (s || (s = analyse(w, &run.n, e)) || (s = analyse_models(w, run.n, e))) return s;
     fflush(stdout); /* so that warnings appear below the table where both streams go to one place */
     for (size_t k = 0; k < run.n; k++) wf_print_findings(&w->diag[k], w->options.args.quiet);
+    if (!w->folder) return WF_OK;
     put_tree_first(w);
     if ((s = wf_results_write(&run, w->results.stage, e))) return s;
     s = wf_results_end(&w->results, &w->options.pages, &w->arena, &whole, e);

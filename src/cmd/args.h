@@ -20,6 +20,7 @@ int wf_args_read(int argc, char **argv, const struct wf_option *option, const ch
 bool wf_args_read_cells(const struct wf_args *line, const char *command, const size_t *option,
                         const char *const *cell, size_t n, struct wf_units *units, struct wf_arena *a,
                         struct wf_args *out, struct wf_sink *sink);
-/* Every key a study file may have, as text. NULL: no memory. */
-char *wf_args_study_schema(struct wf_arena *a, struct wf_err *e);
+/* The rows of a study file: every option of the commands that take one as a key. NULL: no memory. */
+struct wf_yaml_table;
+const struct wf_yaml_table *wf_args_study_table(struct wf_arena *a);
 #endif

@@ -78,7 +78,7 @@ static enum wf_status search(const struct wf_analysis *wet, const struct wf_anal
     if (s) return s;
     out->critical[WF_DRY] = wf_verdict_of((const struct wf_break(*)[WF_SCOPES])breaks).loss->critical;
     out->critical[WF_WET] = wf_verdict_of(wet->breaks).loss->critical;
-    return s;
+    return WF_OK;
 }
 
 enum wf_status wf_wetted_compare(const struct wf_analysis *wet, enum wf_burden burden,

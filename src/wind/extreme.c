@@ -262,3 +262,21 @@ enum wf_status wf_extreme_band(const struct wf_extreme *x, enum wf_extreme_metho
     wf_arena_free(&scratch);
     return s;
 }
+
+enum wf_status wf_extreme_levels_make(struct wf_extreme_levels *l, struct wf_arena *a, struct wf_err *e)
+{
+    l->speed = WF_TAKE(a, l->count, double);
+    l->low = WF_TAKE(a, l->count, double);
+    l->high = WF_TAKE(a, l->count, double);
+    if (!l->speed || !l->low || !l->high)
+        return wf_fail(e, WF_ENOMEM, "not enough memory for the return periods");
+    for (size_t i = 0; i < l->count; i++) {
+        if (!(l->years[i] > 1))
+            return wf_fail(e, WF_EUSAGE, "return period %g: it must be above 1 year", l->years[i]);
+        l->speed[i] = wf_extreme_speed(&l->x, l->years[i]);
+        l->low[i] = l->high[i] = NAN;
+    }
+    if (!l->n) return WF_OK;
+    return wf_extreme_band(&l->x, l->method, l->n, l->years, l->count, 0.9, WF_EXTREME_SETS, WF_EXTREME_SEED,
+                           l->low, l->high, e);
+}

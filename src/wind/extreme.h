@@ -66,4 +66,19 @@ double wf_extreme_speed(const struct wf_extreme *x, double years);
 enum wf_status wf_extreme_band(const struct wf_extreme *x, enum wf_extreme_method method, size_t n,
                                const double *years, size_t count, double share, size_t sets, uint64_t seed,
                                double *low, double *high, struct wf_err *e);
+
+/* A distribution with the speeds of some return periods. */
+struct wf_extreme_levels {
+    enum wf_extreme_method method; /* of a fit                                                       */
+    struct wf_extreme x;
+    size_t n;                   /* annual maxima that it was fitted to; 0: it is not of a sample      */
+    size_t count;               /* return periods                                                     */
+    const double *years;        /* count, each above 1                                                */
+    double *speed, *low, *high; /* count [m/s]; the band of 90 % is NAN where n is 0                  */
+};
+/* Sets of the band's bootstrap, and its seed: the same data give the same band. */
+enum { WF_EXTREME_SETS = 2000, WF_EXTREME_SEED = 1 };
+/* Fill speed, low, high. Given: the members before them. Errors: WF_ENOMEM; WF_EUSAGE for a return period
+ * that is not above 1. */
+enum wf_status wf_extreme_levels_make(struct wf_extreme_levels *l, struct wf_arena *a, struct wf_err *e);
 #endif
