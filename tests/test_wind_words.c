@@ -65,6 +65,7 @@ static void test_stands(void **state)
     (void)state;
     static const struct row rows[] = {
         { A "--wind 20 --spacing 6 --site forest-edge", CODE_OK, { "6 m spacing, 0 m behind its edge" } },
+        { A "--wind 20 --spacing 3 --site in-stand", CODE_OK, { "[stand-crowded]" } },
         { A "--wind 20 --spacing 6 --site in-stand", CODE_OK, { "6 m spacing, well inside" } },
         { "$W analyze oak --tree docs/examples/scan.csv --wind 40 --spacing 4 --site in-stand --samples 0 "
           "--no-report -o $T/w && awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i } NR == 2 { print "
