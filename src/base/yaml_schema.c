@@ -84,6 +84,9 @@ static void row_kind(const struct schema_page *p, const struct wf_yaml_row *r, c
     case WF_YAML_TEXTS:
         (void)snprintf(buf, size, "a mapping of names to texts");
         break;
+    case WF_YAML_WORDS:
+        (void)snprintf(buf, size, "a list [..] of texts");
+        break;
     case WF_YAML_LIST:
         (void)snprintf(buf, size, "a list, each item with the keys below");
         break;
