@@ -6,6 +6,7 @@
                 exclude-result-prefixes="svg">
 <xsl:import href="page.xsl"/>
 <xsl:include href="verdict.xsl"/>
+<xsl:include href="assessment.xsl"/>
 <xsl:include href="summary.xsl"/>
 <xsl:include href="tables.xsl"/>
 <xsl:include href="interval.xsl"/>
@@ -328,6 +329,7 @@
         <xsl:call-template name="heading">
           <xsl:with-param name="n" select="1"/><xsl:with-param name="id">h.summary</xsl:with-param>
         </xsl:call-template>
+        <xsl:for-each select="$trees[assessment]"><xsl:call-template name="assessment"/></xsl:for-each>
         <xsl:call-template name="summary"/>
       </section>
       <section>

@@ -354,6 +354,10 @@ enum wf_joint wf_joint_named(const char *word);
 /* Is exactly one tree specified? Returned: -1 to go on, 2 after saying what is missing. `file`: a tree file
  * given otherwise than by --tree; NULL: none. */
 int wf_tree_asked_check(const struct wf_tree_asked *t, const char *command, const char *file);
+/* Put what is specified beside the tree itself on a model: season, state at rest, bark, cavities, crown.
+ * `imported`: it is a measured tree. Errors: as below. */
+enum wf_status wf_tree_asked_onto(const struct wf_tree_asked *t, bool imported, struct wf_arena *a,
+                                  struct wf_model *out, struct wf_diag *d, struct wf_err *e);
 /* Read the specified tree, or `file`, in the specified season. Returned: *out; *path, the file it was read
  * from. Errors: mistakes of a file are findings in `d`; any other error is in `e`. */
 enum wf_status wf_tree_asked_read(const struct wf_tree_asked *t, const char *file, struct wf_arena *a,

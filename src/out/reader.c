@@ -65,6 +65,7 @@ static const struct {
     { NUMBER | LIST, "correlation explained" },
     { NUMBER | OBJECT, "height height_m profile_high profile_low speed" },
     { OBJECT,
+      "assessment breakage overturning sound return_period "
       "branch_strength factor required_safety resistance stress "
       "verdict anchorage moment branches_from critical_gust loss_safety thickness_low thickness_high "
       "fails_at "
@@ -86,6 +87,7 @@ static const struct {
       "tip_deflection tip_deflection_share tip_share topex_deg utilisation weight wind_factor "
       "wind_profile" },
     { TEXT,
+      "word return_period_bound "
       "wants form of stepping term air_density_from averaging_law beaufort beaufort_text bound climate_file "
       "code command "
       "criterion date differs direction file generator ground_file gust key kind latin meaning name "

@@ -189,7 +189,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     };
     if ((s = wf_analysis_set_up(out, o, a, d, e)) || (s = check_memory(out, n, e))) return s;
     if ((s = wf_sway_set_up(out, o, speeds, n, a, d, e))) return s;
-    out->modes = lowest_modes(out, o, a);
+    if (!q.bare) out->modes = lowest_modes(out, o, a);
     if (!(out->at = WF_TAKE(a, n, struct wf_at_speed)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for %zu speeds", n);
     struct wf_err why = { 0 };
@@ -207,7 +207,7 @@ enum wf_status wf_analyze(const struct wf_species *sp, const struct wf_model *m,
     if (!s) s = wf_analysis_breaks(out, o, nodes, out->breaks, &why);
     searched = !s;
     wf_stage_begin(CURVE_SOLUTIONS, true, "%s: curves", sp->name);
-    if (!s) s = wf_analysis_sweep(out, o, nodes, a, d, &why);
+    if (!s && !q.bare) s = wf_analysis_sweep(out, o, nodes, a, d, &why);
     wf_nodes_close(nodes);
     if (s == WF_EINTERRUPTED && k) s = keep_finished(out, k, searched, a, d, &why);
     if (s) return wf_fail(e, s, "%s", why.text);
