@@ -116,6 +116,22 @@ static void names_find_tables(void **state)
     wf_arena_free(&a);
 }
 
+static void near_tables_are_few_and_in_order(void **state)
+{
+    (void)state;
+    struct wf_arena a = { 0 };
+    struct wf_species_library l = read_all(&a);
+    const struct wf_species *near[2];
+    assert_int_equal(wf_species_near(&l, "Acer campestre", &a, near, 2), 2);
+    assert_string_equal(near[0]->key, "norway_maple");
+    assert_string_equal(near[1]->key, "silver_maple");
+    assert_int_equal(wf_species_near(&l, "European black poplar of the garden", &a, near, 2), 1);
+    assert_string_equal(near[0]->key, "poplar");
+    assert_int_equal(wf_species_near(&l, "qqqqq", &a, near, 2), 0);
+    assert_int_equal(wf_species_near(&l, "", &a, near, 2), 0);
+    wf_arena_free(&a);
+}
+
 static void unknown_names_have_near_ones(void **state)
 {
     (void)state;
@@ -185,6 +201,7 @@ int main(void)
         cmocka_unit_test(distances_count_characters),
         cmocka_unit_test(every_name_means_one_table),
         cmocka_unit_test(names_find_tables),
+        cmocka_unit_test(near_tables_are_few_and_in_order),
         cmocka_unit_test(unknown_names_have_near_ones),
         cmocka_unit_test(species_are_searched),
         cmocka_unit_test(names_are_a_list_of_texts),
