@@ -182,11 +182,16 @@
       <xsl:call-template name="say">
         <xsl:with-param name="id">
           <xsl:text>f.</xsl:text><xsl:value-of select="@name"/>
-          <xsl:if test="@name = 'safety' and not($trees/winds/item/least_safety/value != '')">.none</xsl:if>
+          <xsl:if test="@name = 'safety'">
+            <xsl:choose>
+              <xsl:when test="not($trees/winds/item/*[self::least_safety or self::loss_safety]/value != '')">.none</xsl:when>
+              <xsl:when test="not($trees/verdict/criteria/item[governs = 'true'])">.old</xsl:when>
+            </xsl:choose>
+          </xsl:if>
         </xsl:with-param>
         <xsl:with-param name="a"><xsl:call-template name="drawn-winds"/></xsl:with-param>
       </xsl:call-template>
-      <xsl:if test="@name = 'safety' and $trees/critical[within_limits = 'true']/outcome = 'found'">
+      <xsl:if test="@name = 'safety' and $trees/verdict[within_limits = 'true' and criteria/item[governs = 'true']]/outcome = 'found'">
         <xsl:value-of select="$gap"/>
         <xsl:call-template name="say"><xsl:with-param name="id">f.safety.circles</xsl:with-param></xsl:call-template>
       </xsl:if>

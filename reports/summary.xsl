@@ -183,6 +183,29 @@
       </xsl:with-param>
     </xsl:call-template>
   </xsl:for-each>
+  <xsl:variable name="by" select="verdict/safety_criterion"/>
+  <xsl:for-each select="criteria/item[criterion = $by and $by != 'breakage' and scope = 'stem' and wants != '']/winds/item[speed/value =
+    $last/speed/value and safety/value != '']">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.stress.by</xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="place">
+          <xsl:with-param name="height" select="governing_section/height/value"/>
+          <xsl:with-param name="section" select="governing_section"/>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="fixed">
+          <xsl:with-param name="x" select="100 div safety/value"/><xsl:with-param name="pattern">0</xsl:with-param>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="d">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="safety/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="e"><xsl:for-each select="../.."><xsl:call-template name="criterion-name"/></xsl:for-each></xsl:with-param>
+    </xsl:call-template>
+  </xsl:for-each>
   <xsl:if test="$root/safety/value != ''">
     <xsl:value-of select="$gap"/>
     <xsl:call-template name="say">

@@ -29,6 +29,12 @@ static void print_cell(FILE *to, int width, int digits, double x)
         wf_show(to, "%*s", width, "-");
 }
 
+/* 0: it fails without wind. */
+static double critical_speed(const struct wf_critical *c)
+{
+    return c->outcome == WF_CRITICAL_SELF_WEIGHT ? 0.0 : c->speed;
+}
+
 /* At the strongest specified wind. */
 static void print_direction(FILE *to, const struct wf_analysis *an, const struct wf_direction *d)
 {
@@ -37,11 +43,13 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
     print_cell(to, 13, 3, at->base_moment / 1e3);
     print_cell(to, 8, 2, d->gusts[an->n - 1]);
     print_cell(to, 11, 3, at->tip_deflection);
-    print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
-    print_cell(to, 12, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical.speed);
-    print_cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
     struct wf_verdict v = wf_verdict_of(d->breaks);
-    print_cell(to, 12, 2, v.loss ? v.loss->critical.speed : (double)NAN);
+    print_cell(to, 9, 2, wf_verdict_safety(at, NULL));
+    print_cell(to, 12, 2, critical_speed(&v.loss->critical));
+    wf_show(to, "  %-11s", isfinite(critical_speed(&v.loss->critical)) ? wf_criteria[v.criterion].name : "-");
+    print_cell(to, 9, 2, at->status ? NAN : at->worst[WF_BREAKAGE][WF_SCOPE_TREE].safety);
+    print_cell(to, 12, 2, critical_speed(&d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].critical));
+    print_cell(to, 10, 2, d->breaks[WF_BREAKAGE][WF_SCOPE_TREE].height);
     const struct wf_directions_request *q = &an->directions->request;
     if (q->speed_up) print_cell(to, 10, 3, q->speed_up[d - an->directions->direction]);
     if (q->rose) {
@@ -54,7 +62,7 @@ static void print_direction(FILE *to, const struct wf_analysis *an, const struct
 static void print_climate(FILE *to, const struct wf_analysis *an)
 {
     const struct wf_directions *x = an->directions;
-    wf_show(to, "%-*s", x->request.speed_up ? 93 : 83, "     all, hours a year");
+    wf_show(to, "%-*s", x->request.speed_up ? 115 : 105, "     all, hours a year");
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->hourly);
     print_cell(to, 12, 3, WF_HOURS_A_YEAR * x->strongest);
     wf_show(to,
@@ -78,19 +86,19 @@ static void print_directions(FILE *to, const struct wf_analysis *an)
         wf_show(to, "+y, east +x of the model\n");
     else
         wf_show(to, "%g deg clockwise from +y of the model\n", degrees(x->request.north));
-    wf_show(to, "%8s%13s%8s%11s%9s%12s%10s%12s%s%s\n", "from", "base moment", "gusts", "tip moves", "safety",
-            "critical", "breaks", "tree lost", site ? "  exposure" : "",
-            rose ? "  hours/year with wind" : "");
-    wf_show(to, "%8s%13s%8s%11s%9s%12s%10s%12s%s%s\n", "deg", "kN m", "x load", "m", "factor", "wind m/s",
-            "at m", "m/s", site ? "          " : "", rose ? "  above: mean      10 min" : "");
+    static const char heads[] = "%8s%13s%8s%11s%9s%12s  %-11s%9s%12s%10s%s%s\n";
+    wf_show(to, heads, "from", "base moment", "gusts", "tip moves", "safety", "tree lost", "by", "least",
+            "part breaks", "breaks", site ? "  exposure" : "", rose ? "  hours/year with wind" : "");
+    wf_show(to, heads, "deg", "kN m", "x load", "m", "of tree", "wind m/s", "", "safety", "wind m/s", "at m",
+            site ? "          " : "", rose ? "  above: mean      10 min" : "");
     for (size_t k = 0; k < x->request.n; k++) print_direction(to, an, &x->direction[k]);
     if (rose) print_climate(to, an);
     const struct wf_wind_place place = wf_scenario_place(&an->scenario);
-    wf_show(
-        to,
-        "  Moment, movement and safety at %.6g m/s. Critical winds are 10-min means at %.6g m over terrain "
-        "%s; their 3-s gusts are %.4g times as fast.\n",
-        an->at[an->n - 1].speed, place.height, place.terrain->name, wf_scenario_gust(&an->scenario, 1.0));
+    wf_show(to,
+            "  Moment, movement and safety at %.6g m/s; 'least safety' is that of breakage anywhere. Winds "
+            "are 10-min means at %.6g m over terrain "
+            "%s; their 3-s gusts are %.4g times as fast.\n",
+            an->at[an->n - 1].speed, place.height, place.terrain->name, wf_scenario_gust(&an->scenario, 1.0));
 }
 
 static void print_number(FILE *to, int width, int digits, double value)
@@ -415,7 +423,7 @@ void wf_print_interval(FILE *to, const struct wf_analysis *an)
     bool rooted = wf_interval_rooted(an);
     print_speed_to(to, digits, i->middle, i->searched_to,
                    rooted ? "  how sure: the tree is lost at about "
-                          : "  how sure: the stem breaks at about ");
+                          : "  how sure: the stem is lost at about ");
     print_speed_to(to, digits, i->low, i->searched_to, " m/s mean, ");
     print_speed_to(to, digits, i->high, i->searched_to, " to ");
     wf_show(to, " (90 %% of %zu samples)", i->n);
@@ -465,7 +473,7 @@ static void print_criterion(FILE *to, const struct wf_analysis *an, const struct
     print_number(to, 8, 2, wf_part_height(&an->tree, w->row, w->place));
     print_number(to, 10, 2, 1e-6 * resistance / w->safety);
     print_number(to, 10, 2, 1e-6 * resistance);
-    fputc('\n', to);
+    wf_show(to, "%s\n", (int)wf_verdict_of(an->breaks).criterion == c ? "  governs" : "");
 }
 
 /* Criteria that apply to the stem and want a value that the species table does not give. */

@@ -34,7 +34,9 @@ bool wf_pages_row_unused(const void *options, const struct wf_option *o, char *w
 #define WF_NO_PDF_ROW(in)                                                                                    \
     FLAG("--no-pdf", in.no_pdf, "leave out the PDF of the page; 'windfirm report' prints it later",          \
          .group = WF_MEMBER(in, struct wf_pages), .unused = wf_pages_row_unused)
-#define WF_PAGE_ROWS(no, in, help) FLAG(no, in.none, help), WF_NO_PDF_ROW(in), WF_LANGUAGE_ROW(in.lang)
+#define WF_XLSX_ROW(in) FLAG("--xlsx", in.xlsx, "write the tables also as one workbook, tables/tables.xlsx")
+#define WF_PAGE_ROWS(no, in, help)                                                                           \
+    FLAG(no, in.none, help), WF_NO_PDF_ROW(in), WF_XLSX_ROW(in), WF_LANGUAGE_ROW(in.lang)
 
 #define WF_AZIMUTH_ROW(m)                                                                                    \
     NUMBER("--azimuth", m, "ANGLE", ANGLE, "deg", -360, 360, "0",                                            \
