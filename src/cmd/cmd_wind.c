@@ -351,7 +351,9 @@ static enum wf_status show_wind(const struct wind_options *o, const struct wf_gu
     bool plots = !o->pages.none && !s && r->stats[0].high > r->stats[0].low;
     if (!s && !o->pages.none && !plots)
         wf_diag_warn(d, "wind-constant", "the wind does not change: no spectrum and no gust to draw");
-    if (!s) s = wf_results_end(&f, plots ? &o->pages : NULL, a, NULL, e);
+    struct wf_pages pages = o->pages;
+    pages.none = !plots;
+    if (!s) s = wf_results_end(&f, &pages, a, NULL, e);
     wf_run_abandon(&f);
     if (!s && !quiet) wf_show(stdout, "\nTables%s: %s\n", plots ? ", plots and page" : "", folder);
     return s;

@@ -9,6 +9,7 @@
 #include "out/printer.h"
 #include "out/report.h"
 #include "out/results.h"
+#include "out/workbook.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -265,6 +266,7 @@ enum wf_status wf_results_end(struct wf_run_folder *r, const struct wf_pages *pa
     bool drawing = pages && !pages->none;
     enum wf_status drawn = WF_OK;
     enum wf_status s = wf_interrupted() ? wf_run_mark(r, "interrupted", e) : WF_OK;
+    if (!s && pages && pages->xlsx) s = wf_workbook_make(r->stage, &d, e);
     if (!s && drawing) drawn = wf_results_draw(r, pages, &printer, &d, &why);
     wf_printer_close(&printer);
     wf_print_findings(&d, false);

@@ -84,6 +84,7 @@ void wf_print_findings(const struct wf_diag *d, bool quiet);
 struct wf_pages {
     const char *lang; /* "en" or "zh"                                                  */
     bool none;        /* neither is made                                               */
+    bool xlsx;        /* tables also as a workbook                                     */
     bool no_pdf;      /* the page is made for the screen alone; it can be printed later */
 };
 

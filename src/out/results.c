@@ -62,9 +62,9 @@ static json_t *wind_part(struct wf_doc *d, const struct wf_analysis *a, const st
                                                 : "no section is stressed";
     wf_doc_quantity(d, o, "least_safety", solved ? worst->safety : NAN, "1", reason);
     wf_doc_put(d, o, "governing_section", worst_section(d, a, solved ? worst : NULL));
+    wf_doc_quantity(d, o, "loss_safety", wf_verdict_safety(at, NULL), "1", reason);
     if (at >= a->at && at < a->at + a->n) { /* of the main wind direction */
         struct wf_verdict v = wf_verdict_of(a->breaks);
-        wf_doc_quantity(d, o, "loss_safety", wf_verdict_safety(at, NULL), "1", reason);
         wf_doc_flag(d, o, "beyond_loss", wf_verdict_lost(&v, at));
         wf_doc_put(d, o, "mean_state", wf_part_steady(d, a, at));
         wf_doc_put(d, o, "peak", wf_part_peak(d, a, at));

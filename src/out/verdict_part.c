@@ -56,7 +56,7 @@ static double stem_safety(const struct wf_at_speed *at, int criterion)
 }
 
 /* The criteria that lose the tree, and those that bound them, each with its result for the stem. */
-static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a)
+static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a, const struct wf_verdict *v)
 {
     json_t *list = wf_doc_array(d);
     const struct wf_at_speed *at = wf_verdict_wind(a);
@@ -68,6 +68,7 @@ static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a)
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
         wf_doc_text(d, o, "criterion", wf_criteria[c].name);
         wf_doc_flag(d, o, "loses_tree", wf_criteria[c].loses_tree);
+        wf_doc_flag(d, o, "governs", b == v->loss);
         put_critical(d, o, a, b);
         wf_doc_quantity(d, o, "height", b->height, "m", "no place is known");
         wf_doc_quantity(d, o, "safety", stem_safety(at, c), "1", "unloaded, or no equilibrium was found");
@@ -141,7 +142,7 @@ json_t *wf_part_verdict(struct wf_doc *d, const struct wf_analysis *a)
     wf_doc_quantity(d, o, "speed", at ? at->speed : (double)NAN, "m/s", "no given wind has a solution");
     wf_doc_quantity(d, o, "safety", safety, "1", "no resistance is known, or nothing is loaded");
     wf_doc_text(d, o, "safety_criterion", isnan(safety) ? NULL : wf_criteria[nearest].name);
-    wf_doc_put(d, o, "criteria", criteria(d, a));
+    wf_doc_put(d, o, "criteria", criteria(d, a, &v));
     wf_doc_put(d, o, "not_assessed", not_assessed(d, a, &v));
     wf_doc_put(d, o, "anchorage", anchorage(d, a->anchorage));
     wf_doc_quantity(d, o, "branches_from", a->search.branches_from, "m", NULL);

@@ -19,6 +19,13 @@
 
 /* ---- Set up ---- */
 
+static bool has_branches(const struct wf_tree *t)
+{
+    for (size_t i = 0; i < t->n; i++)
+        if (t->level[i] > 0) return true;
+    return false;
+}
+
 /* Snow and ice, which came after the tree was drawn. */
 static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct wf_err *e)
 {
@@ -49,6 +56,13 @@ static enum wf_status winter(struct wf_analysis *an, struct wf_diag *d, struct w
         "%s: %.4g kg of ice, %.3g mm thick on all axes and both sides of the leaves (917 kg/m3); the "
         "wind finds the axes by twice that thicker, the leaves as they are. %s",
         an->model->name, mass, 1e3 * an->scenario.ice, together);
+    if (!has_branches(&an->tree) && wf_crown_projection(&an->tree, 1) > 0)
+        wf_diag_warn(
+            d, "ice-undrawn",
+            "%s: the crown's branches are not drawn, so no ice is on them%s: the mass of ice, the wind's "
+            "load and the sway's period are too low. A tree with branches gives them",
+            an->model->name,
+            wf_tree_leaf_area(&an->tree) > 0 ? "" : ", nor on leaves, whose area is not known");
     return WF_OK;
 }
 
