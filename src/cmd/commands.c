@@ -22,7 +22,7 @@ const struct wf_command wf_commands[] = {
       "What the wind does to one species on one tree model: loads, bending, stress, safety, critical wind "
       "speed.",
       wf_cmd_analyze },
-    { "assess", "[CARD] [option...]",
+    { "assess", "[CARD | TABLE] [option...]",
       "One tree as it is measured with a tape: is it safe enough in a given wind, and how sure is that?",
       wf_cmd_assess },
     { "compare", "SPECIES SPECIES... --model MODEL --wind SPEEDS [option...]",
