@@ -504,8 +504,9 @@ static void room_is_used_up(void **state)
     c.loads.gravity = 9.81;
     open_analysis(&c, &an);
     for (int run = 0; run < 3; run++) {
-        an.tree.room =
-            (struct wf_room){ .corridor = 3, .towards = { run == 2 ? -1 : 1, 0 }, .tip_angle = 0.5 };
+        an.scenario.corridor = 3, an.scenario.corridor_towards = run == 2 ? PI : NAN;
+        an.scenario.tip_angle = 0.5;
+        wf_analysis_room(&an);
         an.solver = run == 1 ? wf_solver_named("rod") : &wf_solver_beam;
         struct wf_nodes *nodes = wf_nodes_open(&an, NULL);
         if (wf_analysis_breaks(&an, &c.options, nodes, out, &c.err)) fail_msg("%s", c.err.text);
