@@ -65,14 +65,14 @@ static void what_governs_is_said(void **state)
         { "$W analyze oak $M --wind 10 --corridor 0m --tip-angle-limit 200deg --samples 0 --no-report -o "
           "$T/a",
           CODE_INPUT,
-          { "--corridor: '0m' is outside 0.01..200 m",
-            "--tip-angle-limit: '200deg' is outside 0.1..179 deg" } },
+          { "--corridor: 0m is outside 0.01..200 m",
+            "--tip-angle-limit: 200deg is outside 0.1..179 deg" } },
         { "$W analyze oak $M --wind 10 --corridor-towards 90 --samples 0 --no-report -o $T/a",
           CODE_INPUT,
           { "--corridor-towards: has no effect without --corridor" } },
         { "$W analyze oak $M --wind 10 --corridor 3kg --samples 0 --no-report -o $T/a",
           CODE_INPUT,
-          { "'kg' is not a unit of a length" } },
+          { "'3kg': 'kg' is not a unit of a length" } },
     };
     CHECK(rows);
 }
