@@ -259,6 +259,7 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     if (!status) status = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, s, e);
     if (status) return status;
     s->winds_said = o->args.winds_said;
+    s->wind_notes = o->args.wind_notes;
     s->azimuth = o->azimuth;
     if (o->corridor > 0) s->corridor = o->corridor, s->corridor_towards = o->corridor_towards;
     if (o->tip_angle > 0) s->tip_angle = o->tip_angle;
@@ -288,6 +289,6 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     out->solver = wf_solver_named(o->solver);
     status = read_directions(o, a, d, &out->directions, e);
     if (!status) status = read_exposure(o, a, s, &out->directions, e);
-    s->carried *= o->winter_wind;
+    s->winter = o->winter_wind, s->carried *= s->winter;
     return status;
 }
