@@ -248,11 +248,39 @@ static void arborists(void **state)
 
 /* ---- Made-up cards ---- */
 
-static const char *const trees[] = {
-    "ash",           "beech",        "birch",         "chinese_fir", "douglas_fir",   "japanese_larch",
-    "maritime_pine", "masson_pine",  "norway_spruce", "oak",         "poplar",        "radiata_pine",
-    "scots_pine",    "sitka_spruce", "sugi",          "sycamore",    "weeping_willow"
-};
+static const char *const trees[] = { "ash",
+                                     "beech",
+                                     "birch",
+                                     "cedar",
+                                     "chinese_fir",
+                                     "douglas_fir",
+                                     "elm",
+                                     "eucalypt",
+                                     "hornbeam",
+                                     "horse_chestnut",
+                                     "japanese_larch",
+                                     "lime",
+                                     "loblolly_pine",
+                                     "lodgepole_pine",
+                                     "maritime_pine",
+                                     "masson_pine",
+                                     "norway_maple",
+                                     "norway_spruce",
+                                     "oak",
+                                     "plane",
+                                     "poplar",
+                                     "radiata_pine",
+                                     "robinia",
+                                     "scots_pine",
+                                     "silver_maple",
+                                     "sitka_spruce",
+                                     "sugi",
+                                     "sycamore",
+                                     "tulip_tree",
+                                     "weeping_willow",
+                                     "western_hemlock",
+                                     "white_willow",
+                                     "wych_elm" };
 
 static double uniform(uint64_t *at) { return wf_random_uniform(7, 1, (*at)++); }
 
@@ -278,7 +306,7 @@ static void made_up(void **state)
     (void)state;
     uint64_t r = 0;
     const char *many = getenv("CARDS");
-    size_t n = many ? (size_t)atoi(many) : 102, out = 0;
+    size_t n = many ? (size_t)atoi(many) : 4 * sizeof trees / sizeof *trees, out = 0;
     for (size_t k = 0; k < n; k++) {
         struct tree t;
         struct wf_card c = draw(&r);

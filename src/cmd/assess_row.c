@@ -7,6 +7,7 @@
 #include "cmd/args.h"
 #include "cmd/commands.h"
 #include "data/species.h"
+#include "data/species_names.h"
 #include "load/drag.h"
 #include "study/verdict.h"
 #include <ctype.h>
@@ -53,7 +54,8 @@ static const struct known {
 
 enum { SPECIES_KEPT = 256 };
 struct kept_species {
-    const char *path;
+    const char *name; /* as a cell or the command line has it */
+    bool cell;
     struct wf_species species;
 };
 
@@ -359,14 +361,15 @@ static const struct wf_species *species_of(struct wf_tree_columns *c, const char
     struct wf_err why = { WF_OK, "" };
     struct wf_diag d = { .arena = &row->arena };
     const char *path = name;
-    enum wf_status s = cell ? wf_shipped_path(wf_share(), "species", name, &row->arena, &path, &why)
+    for (size_t k = 0; k < c->kept; k++)
+        if (c->keep[k].cell == cell && !strcmp(c->keep[k].name, name)) return &c->keep[k].species;
+    enum wf_status s = cell ? wf_species_path(wf_share(), name, &wf_laws, &row->arena, &path, &why)
                             : wf_shipped("species", name, &row->arena, &path, &d, &why);
-    for (size_t k = 0; k < c->kept && !s; k++)
-        if (!strcmp(c->keep[k].path, path)) return &c->keep[k].species;
     if (!s && c->kept == SPECIES_KEPT) s = wf_fail(&why, WF_EINPUT, "more than %d species", SPECIES_KEPT);
     struct kept_species *k = &c->keep[c->kept];
     if (!s) s = wf_species_read(path, &wf_laws, &c->arena, &k->species, &d, &why);
-    if (!s && (k->path = wf_arena_text(&c->arena, path))) {
+    if (!s && (k->name = wf_arena_text(&c->arena, name))) {
+        k->cell = cell;
         c->kept++;
         return &k->species;
     }
