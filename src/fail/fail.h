@@ -188,6 +188,8 @@ struct wf_anchorage_request {
     double secant;       /* that moment over that angle [N m rad-1] */
     const struct wf_tipping_curve *curve;
     const struct wf_anchorage_table *table;
+    double grown; /* height that the roots grew with, before the top was cut [m]; 0: the tree's */
+    double lost;  /* share of the anchorage that is lost since [-] */
 };
 
 /* The reason where nothing is said of soil and root. */

@@ -172,6 +172,24 @@ static json_t *reasons_part(struct wf_doc *d, unsigned because)
     return list;
 }
 
+static void put_scenarios(struct wf_doc *d, json_t *o, const struct wf_assessment *x)
+{
+    json_t *list = wf_doc_put(d, o, "scenarios", wf_doc_array(d));
+    for (size_t k = 0; k < x->scenarios; k++) {
+        const struct wf_assess_scenario *q = &x->scenario[k];
+        json_t *at = wf_doc_add(d, list, wf_doc_object(d));
+        wf_doc_text(d, at, "name", q->name);
+        wf_doc_number(d, at, "cut", q->cut);
+        wf_doc_flag(d, at, "flagged", q->cut > WF_ASSESS_CUT_FLAGGED);
+        wf_doc_quantity(d, at, "breakage", q->breakage, "1", "not assessed");
+        wf_doc_quantity(d, at, "overturning", q->overturning, "1", "not assessed");
+        wf_doc_quantity(d, at, "critical_speed", q->critical, "m/s", "not found");
+        wf_doc_text(d, at, "word", wf_assess_rows[q->word].name);
+    }
+    wf_doc_number(d, o, "least_reduction", x->reduction);
+    wf_doc_number(d, o, "least_reduction_cut", isfinite(x->reduction) ? x->reduction_cut : (double)NAN);
+}
+
 json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
 {
     json_t *o = wf_doc_object(d);
@@ -199,5 +217,6 @@ json_t *wf_part_assessment(struct wf_doc *d, const struct wf_assessment *x)
         wf_doc_quantity(d, at, "breakage", x->direction[k].breakage, "1", "not assessed");
         wf_doc_quantity(d, at, "overturning", x->direction[k].overturning, "1", "not assessed");
     }
+    put_scenarios(d, o, x);
     return o;
 }

@@ -145,7 +145,7 @@ static void check_critical(const struct wf_analysis *an, struct wf_diag *d)
             "%s: the tree fails at a given wind speed above %.6g m/s, the highest speed to be searched; "
             "the search went on to that wind speed",
             who, an->search.speed_max);
-    if (c->outcome == WF_CRITICAL_UNSEARCHED)
+    if (c->outcome == WF_CRITICAL_UNSEARCHED && !an->search.bare)
         wf_diag_warn(
             d, "search-ended",
             "%s: the search for the critical wind speed ended after %.4g s of processor time: it stands "
