@@ -130,9 +130,7 @@
           <xsl:with-param name="a"><xsl:call-template name="winds-text"/></xsl:with-param>
           <xsl:with-param name="b" select="$reference"/>
         </xsl:call-template>
-        <xsl:if test="$trees[1]/scenario/winds_said != ''">
-          <br/><xsl:value-of select="$trees[1]/scenario/winds_said"/>
-        </xsl:if>
+        <xsl:for-each select="$trees[1]/scenario"><xsl:call-template name="wind-notes"/></xsl:for-each>
         <xsl:if test="$trees[1]/scenario/gust_over_mean/value">
           <br/>
           <xsl:for-each select="$trees[1]/scenario"><xsl:call-template name="site-line"/></xsl:for-each>

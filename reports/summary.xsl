@@ -122,6 +122,25 @@
       <xsl:call-template name="gust"><xsl:with-param name="x" select="$last/speed/value"/></xsl:call-template>
     </xsl:with-param>
   </xsl:call-template>
+  <xsl:if test="$last and scenario/winter_wind/value &lt; 1">
+    <xsl:value-of select="$gap"/>
+    <xsl:call-template name="say">
+      <xsl:with-param name="id">sum.winter</xsl:with-param>
+      <xsl:with-param name="a">
+        <xsl:call-template name="number"><xsl:with-param name="x" select="scenario/winter_wind/value"/></xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="b">
+        <xsl:call-template name="number">
+          <xsl:with-param name="x" select="scenario/winter_wind/value * $last/speed/value"/>
+        </xsl:call-template>
+      </xsl:with-param>
+      <xsl:with-param name="c">
+        <xsl:call-template name="gust">
+          <xsl:with-param name="x" select="scenario/winter_wind/value * $last/speed/value"/>
+        </xsl:call-template>
+      </xsl:with-param>
+    </xsl:call-template>
+  </xsl:if>
 </xsl:template>
 
 <!-- How far the tip moves: at every wind speed up to three, else the first, the middle and the last. -->
@@ -508,7 +527,7 @@
         <xsl:with-param name="id" select="concat('warn.', code)"/><xsl:with-param name="otherwise" select="code"/>
       </xsl:call-template>
       <xsl:call-template name="say"><xsl:with-param name="id">colon</xsl:with-param></xsl:call-template>
-      <xsl:value-of select="text"/>
+      <xsl:call-template name="warning"/>
     </p>
   </xsl:for-each>
 </xsl:template>

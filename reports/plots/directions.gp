@@ -36,7 +36,9 @@ do for [p=1:2] {
     set lmargin at screen 0.01 + 0.5*(p - 1); set rmargin at screen 0.49 + 0.5*(p - 1)
     set tmargin at screen 1 - 40.0/HEIGHT; set bmargin at screen (KEY + 4)/HEIGHT
     set title TITLE[p] offset 0,0.2
-    do for [j=1:RINGS] {
+    FOUND = p == 1 || C_max > 0 || S_max > 0
+    if (!FOUND) { RINGS = 1; STEP = E; set label L('AROUND_NONE') at 0,0 center front }
+    do for [j=1:(FOUND ? RINGS : 0)] {
         set label sprintf('%g', j*STEP) at first 0.38*j*STEP, 0.92*j*STEP front textcolor rgb '#606060'
     }
     do for [k=1:4] {

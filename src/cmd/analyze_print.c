@@ -312,6 +312,7 @@ void wf_print_site(FILE *to, const struct wf_scenario *s)
         wf_show(to, "exposure %.4g, from the map of the ground", s->speed_up);
     else
         wf_show(to, s->speed_up != 1.0 ? "exposure %.4g" : "level ground", s->speed_up);
+    if (s->winter != 1.0) wf_show(to, "; %.4g of the wind while snow or ice is on the tree", s->winter);
     double ratio = wf_scenario_speed(s, 1.0);
     if (ratio != 1.0)
         wf_show(to,
@@ -330,6 +331,17 @@ static void print_crown(FILE *to, const struct wf_analysis *an)
             seen.area, seen.centre, seen.breadth, seen.height);
 }
 
+/* The stand whose trees share the wind. */
+static void print_stand(FILE *to, const struct wf_stand *s)
+{
+    wf_show(to, ", stand of %.4g m height and %.4g m spacing", s->height, s->spacing);
+    if (isfinite(s->edge))
+        wf_show(to, ", %.4g m behind its edge", s->edge);
+    else
+        wf_show(to, ", well inside");
+    if (isfinite(s->gap)) wf_show(to, ", a gap of %.4g m before the edge", s->gap);
+}
+
 void wf_print_head(FILE *to, const struct wf_analysis *first)
 {
     const struct wf_scenario *s = &first->scenario;
@@ -338,6 +350,7 @@ void wf_print_head(FILE *to, const struct wf_analysis *first)
     print_crown(to, first);
     wf_print_site(to, s);
     wf_show(to, "Peak load: %s", first->peak ? first->peak->method->name : "mean");
+    if (first->peak && first->peak->method->mean) print_stand(to, &first->peak->request.stand);
     if (first->peak && first->peak->rule) wf_show(to, ", terrain %s", first->peak->rule->called(s->category));
     wf_show(to, "%s\n", wf_peak_differs(first->peak) ? "" : ", a steady wind without gusts");
 }
@@ -421,9 +434,18 @@ void wf_print_interval(FILE *to, const struct wf_analysis *an)
     int digits = wf_interval_decimals(i->low, i->high);
     double times = wf_scenario_gust(&an->scenario, 1.0);
     bool rooted = wf_interval_rooted(an);
-    print_speed_to(to, digits, i->middle, i->searched_to,
-                   rooted ? "  how sure: the tree is lost at about "
-                          : "  how sure: the stem is lost at about ");
+    const char *who = rooted ? "the tree is lost" : "the stem is lost";
+    wf_show(to, "  how sure: ");
+    if (!isfinite(i->low)) {
+        wf_show(to, "%s above %.4g m/s mean in more than 95 %% of %zu samples; 3-s gust above %.4g\n", who,
+                i->searched_to, i->n, times * i->searched_to);
+        print_safeties(to, i, rooted);
+        return;
+    }
+    if (isfinite(i->middle))
+        wf_show(to, "%s at about %.*f", who, digits, i->middle);
+    else
+        wf_show(to, "%s above %.4g", who, i->searched_to);
     print_speed_to(to, digits, i->low, i->searched_to, " m/s mean, ");
     print_speed_to(to, digits, i->high, i->searched_to, " to ");
     wf_show(to, " (90 %% of %zu samples)", i->n);
@@ -443,12 +465,14 @@ static void print_wetted(FILE *to, const struct wf_wetted *w)
                 w->leaf_area);
     else
         wf_show(to, "  snow and ice: %.4g kg; without -> with: ", w->mass);
-    wf_show(to, "sways at %.4f -> %.4f Hz, ", w->frequency[WF_DRY], w->frequency[WF_WET]);
+    wf_show(to, isfinite(w->frequency[WF_DRY]) ? "sways at %.4f Hz -> " : "does not stand -> ",
+            w->frequency[WF_DRY]);
+    wf_show(to, isfinite(w->frequency[WF_WET]) ? "%.4f Hz, " : "does not stand, ", w->frequency[WF_WET]);
     if (isfinite(w->speed))
         wf_show(to, "at %.4g m/s drag %.4g -> %.4g kN, base moment %.4g -> %.4g kN m, ", w->speed,
                 w->drag[WF_DRY] / 1000, w->drag[WF_WET] / 1000, w->moment[WF_DRY] / 1000,
                 w->moment[WF_WET] / 1000);
-    wf_show(to, "critical ");
+    wf_show(to, "lost at ");
     print_found(to, &w->critical[WF_DRY]);
     wf_show(to, " -> ");
     print_found(to, &w->critical[WF_WET]);

@@ -245,6 +245,7 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     if (!status) status = wf_anchorage_asked_read(&o->anchorage, o->root_stiffness, a, d, s, e);
     if (status) return status;
     s->winds_said = o->args.winds_said;
+    s->wind_notes = o->args.wind_notes;
     s->azimuth = o->azimuth;
     s->weight_unstressed = !strcmp(o->weight_stress, "change");
     if (o->snow > 0) s->snow = o->snow * o->snow_density;
@@ -272,6 +273,6 @@ enum wf_status wf_analyze_request_read(const struct wf_analyze_options *o, struc
     out->solver = wf_solver_named(o->solver);
     status = read_directions(o, a, d, &out->directions, e);
     if (!status) status = read_exposure(o, a, s, &out->directions, e);
-    s->carried *= o->winter_wind;
+    s->winter = o->winter_wind, s->carried *= s->winter;
     return status;
 }

@@ -24,10 +24,13 @@ static struct wf_card card_of(const struct wf_assess_options *o)
     return c;
 }
 
+/* Are the options those of a command line with a table, whose rows say the rest? */
+static bool of_table(const void *options) { return ((const struct wf_args *)options)->n > 0; }
+
 static bool wrong_value(const void *options, enum wf_card_value v, char *why)
 {
     struct wf_card c = card_of(options);
-    return wf_card_wrong(&c, v, why, WF_WHY);
+    return !of_table(options) && wf_card_wrong(&c, v, why, WF_WHY);
 }
 
 static bool height_wrong(const void *options, const struct wf_option *row, char *why)
@@ -63,6 +66,7 @@ static bool base_wrong(const void *options, const struct wf_option *row, char *w
 static bool width_wrong(const void *options, const struct wf_option *row, char *why)
 {
     const struct wf_tree_asked *t = &((const struct wf_assess_options *)options)->run.tree;
+    if (of_table(options)) return false;
     int given = !isnan(t->crown.width) + !isnan(t->crown.area) + (t->outline != NULL);
     (void)row;
     if (wf_option_unused(!given, why, "is needed, or --frontal-area or --photo-outline")) return true;
@@ -80,7 +84,8 @@ static bool species_wrong(const void *options, const struct wf_option *row, char
     struct wf_diag unsaid = { .arena = &scratch };
     struct wf_err e = { WF_OK, "" };
     (void)row;
-    bool wrong = !name || wf_shipped("species", name, &scratch, &path, &unsaid, &e);
+    bool wrong =
+        (!name && !of_table(options)) || (name && wf_shipped("species", name, &scratch, &path, &unsaid, &e));
     (void)wf_option_unused(wrong, why, "%s",
                            name ? e.text : "is needed: a species table ('windfirm species list' shows them)");
     wf_arena_free(&scratch);
@@ -126,8 +131,10 @@ static const struct wf_option card_rows[] = {
          "ground), a point a row, or an SVG file with one closed path"),
     NUMBER("--required-safety", required, "NUMBER", NONE, NULL, 1, 10, "1.5",
            "safety that is required, of arborists' practice"),
-    TEXT("--output", run.output, "FOLDER", NULL,
-         "write results, tables, plots and pages there, as 'windfirm analyze' does [the terminal alone]",
+    TEXT("--output", run.output, "PATH", NULL,
+         "write results, tables, plots and pages there, as 'windfirm analyze' does [the terminal alone]; of "
+         "a table "
+         "of trees: the table to be written",
          .letter = "-o"),
 };
 

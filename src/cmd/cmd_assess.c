@@ -5,6 +5,7 @@
 #include "cmd/args.h"
 #include "cmd/assess_card.h"
 #include "cmd/assess_print.h"
+#include "cmd/assess_table.h"
 #include "data/species.h"
 #include "study/assessment.h"
 #include <math.h>
@@ -68,7 +69,12 @@ static const char about[] =
     "\n"
     "  windfirm assess --species oak --height 20m --girth 2.5m --crown-width 14m \\\n"
     "      --crown-base 4m --soil mineral --design en1991 --basic-wind 25 --terrain III\n"
-    "  windfirm assess models/cards/oak.yaml -o out/oak";
+    "  windfirm assess models/cards/oak.yaml -o out/oak\n"
+    "\n"
+    "Or by a table, a tree a row: its columns are recognised by their names, and the same table is written "
+    "with the assessments behind. Options then hold for all rows.\n"
+    "\n"
+    "  windfirm assess trees.csv -o assessed.csv --design en1991 --basic-wind 25";
 
 int wf_cmd_assess(int argc, char **argv)
 {
@@ -76,8 +82,20 @@ int wf_cmd_assess(int argc, char **argv)
     struct wf_err e = { 0 };
     struct wf_analyze_work *run = &w.run;
     (void)clock_gettime(CLOCK_REALTIME, &run->started);
-    int code = wf_args_read(argc, argv, wf_assess_options_of(&w.options), about, 0, 0, &run->arena,
+    int code = wf_args_read(argc, argv, wf_assess_options_of(&w.options), about, 0, 1, &run->arena,
                             &w.options.run.args);
+    if (code < 0 && w.options.run.args.n) {
+        const char *table = w.options.run.args.operand[0], *ending = strrchr(table, '.');
+        if (ending && (!strcmp(ending, ".yaml") || !strcmp(ending, ".yml"))) {
+            wf_show(stderr, "windfirm assess: %s: a card begins with 'card:' and the name of the tree\n",
+                    table);
+            code = 2;
+        }
+    }
+    if (code < 0 && w.options.run.args.n) {
+        const char *command = wf_command_line(argc, argv, &run->arena);
+        code = command ? wf_assess_table(w.options.run.args.operand[0], &w.options, command) : 1;
+    }
     if (code < 0) {
         const char **species = WF_TAKE(&run->arena, 1, const char *);
         run->options = w.options.run;

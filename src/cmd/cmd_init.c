@@ -30,6 +30,25 @@ static const char *named(const char *starter, const char *name, struct wf_arena 
     return NULL;
 }
 
+/* Before a starter the line by which editors find its schema, where that is installed. NULL: no memory. */
+static const char *with_schema(const char *kind, const char *text, struct wf_arena *a)
+{
+    static const struct {
+        const char *kind, *room;
+    } rooms[] = { { "species", "species" },
+                  { "model", "models" },
+                  { "study", "models/studies" },
+                  { "fit", "models/field" } };
+    for (size_t k = 0; k < sizeof rooms / sizeof *rooms; k++) {
+        if (strcmp(rooms[k].kind, kind) != 0) continue;
+        const char *path = wf_arena_print(a, "%s/%s/schema.json", wf_share(), rooms[k].room);
+        if (!path) return NULL;
+        if (wf_file_is_there(path))
+            return wf_arena_print(a, "# yaml-language-server: $schema=%s\n%s", path, text);
+    }
+    return text;
+}
+
 static enum wf_status write_new(const char *path, const char *text, struct wf_err *e)
 {
     struct wf_file f;
@@ -69,8 +88,11 @@ static enum wf_status init(const char *kind, const char *name, const char *outpu
     const char *text = named(starter.data, name, a),
                *to = output ? output : wf_arena_print(a, "%s.yaml", name);
     if (!text || !to) return wf_fail(e, WF_ENOMEM, "no memory");
+    text = with_schema(kind, text, a);
+    if (!text) return wf_fail(e, WF_ENOMEM, "no memory");
     if (strcmp(to, "-") == 0) return (void)wf_show_text(stdout, text), WF_OK;
-    if (!(s = write_new(to, text, e))) wf_show(stdout, "%s written: edit its values; its first lines say how it is used\n", to);
+    if (!(s = write_new(to, text, e)))
+        wf_show(stdout, "%s written: edit its values; its first lines say how it is used\n", to);
     return s;
 }
 

@@ -93,6 +93,7 @@ bool wf_option_unused(bool unused, char why[static WF_WHY], const char *fmt, ...
 static void sink_add(struct wf_sink *s, const char *name, const char *text)
 {
     size_t used = strlen(s->text);
+    name += strspn(name, "-"); /* a cell is no option */
     snprintf(s->text + used, sizeof s->text - used, "%s%s%s%s", s->n++ ? "; " : "", name, *name ? ": " : "",
              text);
 }

@@ -68,9 +68,10 @@ struct wf_args {
     const struct wf_option *option; /* rows, end at name == NULL                                            */
     size_t n;                       /* operands                                                             */
     const char **operand;
-    bool quiet;                 /* row QUIET                                                            */
-    const char *study;          /* row STUDY: name of the study file; NULL: none                        */
-    const char *winds_said;     /* how winds were converted to 10-min means; NULL: nothing was converted */
+    bool quiet;             /* row QUIET                                                            */
+    const char *study;      /* row STUDY: name of the study file; NULL: none                        */
+    const char *winds_said; /* how winds were converted to 10-min means; NULL: nothing was converted */
+    struct wf_wind_note *wind_notes; /* the same by parts (load/scene.h); NULL: none */
     const char **text;          /* by row: as typed, in the study file or the default; NULL: none        */
     bool given[WF_OPTIONS_MAX]; /* by row: typed or in the study file; ask with WF_GIVEN                */
 };

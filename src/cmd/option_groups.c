@@ -124,6 +124,8 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
                                   struct wf_diag *d, struct wf_scenario *out, struct wf_err *e)
 {
     struct wf_peak_table *table = NULL;
+    const struct wf_site_kind *kind = wf_site_kind_named(out->site_kind);
+    double edge = kind && kind->edge ? 0.0 : INFINITY;
     enum wf_status s = WF_OK;
     if (asked->table && !(table = WF_TAKE(a, 1, struct wf_peak_table)))
         return wf_fail(e, WF_ENOMEM, "not enough memory for a table");
@@ -139,9 +141,15 @@ enum wf_status wf_peak_asked_read(const struct wf_peak_asked *asked, bool preset
         .table = table,
         .stand = { .height = given_or(asked->stand_height, 0.0),
                    .spacing = given_or(asked->spacing, 0.0),
-                   .edge = given_or(asked->edge, INFINITY),
+                   .edge = given_or(asked->edge, edge),
                    .gap = given_or(asked->gap, INFINITY) },
     };
+    if (!s && !isnan(asked->spacing) && strcmp(out->peak.method, "gales") != 0)
+        return wf_fail(
+            e, WF_EUSAGE,
+            "--spacing has no effect with --peak %s; it is of --peak gales, which is taken with --site "
+            "in-stand and forest-edge unless a method, a design wind or a preset says otherwise",
+            out->peak.method);
     return s;
 }
 

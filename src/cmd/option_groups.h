@@ -143,8 +143,8 @@ bool wf_peak_row_unused(const void *options, const struct wf_option *o, char *wh
         NUMBER("--stand-height", in.stand_height, "LENGTH", LENGTH, "m", 1, 120, NULL,                       \
                "height of the stand [that of the tree]; of --peak gales", WF_OF_PEAK(in)),                   \
         NUMBER("--edge-distance", in.edge, "LENGTH", LENGTH, "m", 0, 1e5, NULL,                              \
-               "distance of the tree from the upwind edge of the stand [9 heights: well inside]; of --peak " \
-               "gales",                                                                                      \
+               "distance of the tree from the upwind edge of the stand [9 heights: well inside; 0 with "     \
+               "--site forest-edge]; of --peak gales",                                                       \
                WF_OF_PEAK(in)),                                                                              \
         NUMBER("--gap", in.gap, "LENGTH", LENGTH, "m", 0, 1e5, NULL,                                         \
                "length of the open ground before that edge [10 heights]; of --peak gales", WF_OF_PEAK(in))

@@ -205,7 +205,7 @@ enum wf_status wf_card_check(const struct wf_card *c, const char *latin, struct 
 
 /* ---- The card as a model ---- */
 
-enum { PLACES = 24, SEGMENTS = 16 };
+enum { PLACES = 24, SEGMENTS = 10 };
 
 static bool place_stem(const struct wf_stem_form *f, const struct wf_card *c, struct wf_arena *a,
                        struct wf_along *out)

@@ -16,6 +16,7 @@ struct search {
     enum wf_scope scope;
     struct wf_nodes *nodes;
     double speed_max; /* [m/s] */
+    double enough;    /* crossings above are of no interest [m/s]; INFINITY: all are */
 };
 
 static enum wf_status search_totals(const struct search *q, double speed, struct wf_at_speed *at,
@@ -312,6 +313,7 @@ static enum wf_status search_break(struct search *search, const struct wf_solve_
     enum wf_status s = search_crossing(search, c, e);
     if (s || (c->outcome != WF_CRITICAL_FOUND && c->outcome != WF_CRITICAL_SELF_WEIGHT)) return s;
     search->o = fine;
+    if (c->outcome == WF_CRITICAL_FOUND && quick->mesh_tolerance == fine->mesh_tolerance) return WF_OK;
     if (c->outcome != WF_CRITICAL_FOUND)
         s = search_totals(search, 0.0, &at, e);
     else if (wf_nodes_tracked(search->an))
@@ -337,7 +339,8 @@ static enum wf_status find_break(struct search search, struct wf_break *out, str
             (struct wf_critical){ .outcome = WF_CRITICAL_NO_STRENGTH, .speed = NAN, .gradient = NAN };
         return WF_OK;
     }
-    search.speed_max = search_top(&search);
+    if (search.an->search.bare && fine->mesh_tolerance == 0.0) quick.mesh_tolerance = 0.0;
+    search.speed_max = fmin(search_top(&search), search.enough);
     enum wf_status s = search_break(&search, &quick, fine, out, &why);
     if (!s) return WF_OK;
     if (!wf_nodes_late(search.nodes)) return wf_fail(e, s, "%s", why.text);
@@ -362,13 +365,60 @@ static void branches(const struct wf_analysis *an, const struct wf_criterion *c,
     out->critical.speed_high = an->search.speed_max;
 }
 
+/* Criteria that lose the tree, the nearest to its limit at the strongest given wind first. Returned: how
+ * many.
+ */
+static size_t by_nearness(const struct wf_analysis *an, enum wf_criterion_id order[WF_CRITERIA])
+{
+    const struct wf_at_speed *at = an->at && an->n ? &an->at[an->n - 1] : NULL;
+    size_t n = 0;
+    for (int c = 0; c < WF_CRITERIA; c++) {
+        if (!wf_criteria[c].loses_tree) continue;
+        size_t k = n++;
+        for (; k && at && at->worst[c][WF_SCOPE_STEM].safety < at->worst[order[k - 1]][WF_SCOPE_STEM].safety;
+             k--)
+            order[k] = order[k - 1];
+        order[k] = (enum wf_criterion_id)c;
+    }
+    return n;
+}
+
+/* The lowest wind in which the stem is lost: each criterion is searched below what was found alone. */
+static enum wf_status bare_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
+                                  struct wf_nodes *nodes, struct wf_break (*out)[WF_SCOPES], struct wf_err *e)
+{
+    enum wf_criterion_id order[WF_CRITERIA];
+    double lowest = INFINITY;
+    enum wf_status s = WF_OK;
+    for (int c = 0; c < WF_CRITERIA; c++)
+        for (int scope = 0; scope < WF_SCOPES; scope++) {
+            bool known = wf_criterion_known(&wf_criteria[c], &an->tree, (enum wf_scope)scope);
+            out[c][scope] = (struct wf_break){ .at = { .speed = NAN }, .row = -1, .height = NAN };
+            out[c][scope].critical =
+                (struct wf_critical){ .outcome = known ? WF_CRITICAL_UNSEARCHED : WF_CRITICAL_NO_STRENGTH,
+                                      .speed = NAN,
+                                      .speed_high = an->search.speed_max,
+                                      .gradient = NAN };
+        }
+    for (size_t k = 0, n = by_nearness(an, order); k < n && !s; k++) {
+        struct search search = { an, o, order[k], WF_SCOPE_STEM, nodes, NAN, lowest };
+        struct wf_break *b = &out[order[k]][WF_SCOPE_STEM];
+        s = find_break(search, b, e);
+        if (!s && b->critical.outcome == WF_CRITICAL_SELF_WEIGHT) lowest = 0;
+        if (!s && b->critical.outcome == WF_CRITICAL_FOUND) lowest = fmin(lowest, b->critical.speed);
+        if (!(lowest > 0)) break;
+    }
+    return s;
+}
+
 enum wf_status wf_analysis_breaks(const struct wf_analysis *an, const struct wf_solve_options *o,
                                   struct wf_nodes *nodes, struct wf_break (*out)[WF_SCOPES], struct wf_err *e)
 {
     enum wf_status s = WF_OK;
     wf_nodes_deadline(nodes, an->search.seconds);
+    if (an->search.bare) return bare_breaks(an, o, nodes, out, e);
     for (int c = 0; c < WF_CRITERIA && !s; c++) {
-        struct search search = { an, o, (enum wf_criterion_id)c, WF_SCOPE_TREE, nodes, NAN };
+        struct search search = { an, o, (enum wf_criterion_id)c, WF_SCOPE_TREE, nodes, NAN, INFINITY };
         s = find_break(search, &out[c][WF_SCOPE_TREE], e);
         if (s) break;
         out[c][WF_SCOPE_STEM] = out[c][WF_SCOPE_TREE];

@@ -75,7 +75,8 @@ struct wf_search {
     double
         seconds; /* processor time after which the search, and again the curves, end [s]; INFINITY: no end */
     double branches_from; /* diameter from which branches are listed; thinner ones are twigs [m] */
-    bool bare;            /* neither curves nor modes in still air are computed */
+    bool bare; /* of the stem alone the given winds, and the lowest in which it is lost: other criteria are then
+                  WF_CRITICAL_UNSEARCHED; there are neither curves nor modes, nor columns of the given winds */
     /* Called when the given speeds are solved and the searches have not begun; NULL: not called. */
     void (*solved)(const struct wf_analysis *an, void *context);
     void *context;

@@ -18,7 +18,7 @@ static enum wf_status sway(const struct wf_analysis *an, const struct wf_solve_o
     still.wind = NULL;
     enum wf_status s = wf_modes(&an->tree, &still, o, 1, a, frequency, NULL, &why);
     if (s == WF_ENOMEM || s == WF_EINTERRUPTED) return wf_fail(e, s, "%s", why.text);
-    if (s) *frequency = NAN;
+    if (s || *frequency < 0.0) *frequency = NAN; /* it does not stand */
     return WF_OK;
 }
 
