@@ -408,6 +408,9 @@ static enum wf_status bare_breaks(const struct wf_analysis *an, const struct wf_
         if (!s && b->critical.outcome == WF_CRITICAL_FOUND) lowest = fmin(lowest, b->critical.speed);
         if (!(lowest > 0)) break;
     }
+    for (int c = 0; c < WF_CRITERIA; c++)
+        if (!wf_criterion_known(&wf_criteria[c], &an->tree, WF_SCOPE_BRANCHES))
+            out[c][WF_SCOPE_TREE] = out[c][WF_SCOPE_STEM];
     return s;
 }
 
