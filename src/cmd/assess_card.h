@@ -15,7 +15,7 @@ struct wf_assess_options {
     const char *reduce;                    /* "20 %" or "3 m"; NULL: not given */
     double thin, cavity_growth, root_loss; /* [-], [m], [-]; NAN: not given */
     bool leaf_off;
-    const char *scenarios; /* NULL: none */
+    const char *scenarios, *from; /* NULL: none */
 };
 
 /* Set the options that are not rows of assess, and give its rows; they end at name == NULL. */
