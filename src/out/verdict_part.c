@@ -50,19 +50,19 @@ json_t *wf_part_loss(struct wf_doc *d, const struct wf_analysis *a,
     return o;
 }
 
-static double stem_safety(const struct wf_at_speed *at, int criterion)
+static double own_safety(const struct wf_at_speed *at, int criterion)
 {
-    return at ? at->worst[criterion][WF_SCOPE_STEM].safety : (double)NAN;
+    return at ? at->worst[criterion][wf_criterion_scope(&wf_criteria[criterion])].safety : (double)NAN;
 }
 
-/* The criteria that lose the tree, and those that bound them, each with its result for the stem. */
+/* The criteria that lose the tree, those that bound them and those of its movement, each with its result. */
 static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a, const struct wf_verdict *v)
 {
     json_t *list = wf_doc_array(d);
     const struct wf_at_speed *at = wf_verdict_wind(a);
     for (int c = 0; c < WF_CRITERIA; c++) {
-        const struct wf_break *b = &a->breaks[c][WF_SCOPE_STEM];
-        if (!(wf_criteria[c].loses_tree || wf_criteria[c].whole) ||
+        const struct wf_break *b = &a->breaks[c][wf_criterion_scope(&wf_criteria[c])];
+        if (!(wf_criteria[c].loses_tree || !wf_criteria[c].section) ||
             b->critical.outcome == WF_CRITICAL_NO_STRENGTH)
             continue;
         json_t *o = wf_doc_add(d, list, wf_doc_object(d));
@@ -71,7 +71,7 @@ static json_t *criteria(struct wf_doc *d, const struct wf_analysis *a, const str
         wf_doc_flag(d, o, "governs", b == v->loss);
         put_critical(d, o, a, b);
         wf_doc_quantity(d, o, "height", b->height, "m", "no place is known");
-        wf_doc_quantity(d, o, "safety", stem_safety(at, c), "1", "unloaded, or no equilibrium was found");
+        wf_doc_quantity(d, o, "safety", own_safety(at, c), "1", "unloaded, or no equilibrium was found");
         wf_doc_text(d, o, "source", wf_criteria[c].source);
         wf_doc_text(d, o, "validity", wf_criteria[c].validity);
     }
