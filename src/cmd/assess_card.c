@@ -159,6 +159,13 @@ static bool change_unused(const void *options, const struct wf_option *row, char
     return wf_option_unused(elsewhere(options), why, "with a table of trees or a fit; a card has it");
 }
 
+static bool reports_unused(const void *options, const struct wf_option *row, char *why)
+{
+    (void)row;
+    return wf_option_unused(!((const struct wf_args *)options)->n, why,
+                            "without a table; -o FOLDER is of a card");
+}
+
 /* ---- The rows ---- */
 
 #define OPTIONS struct wf_assess_options
@@ -196,6 +203,9 @@ static const struct wf_option card_rows[] = {
     NUMBER("--root-loss", root_loss, "SHARE", NONE, NULL, 0, 0.95, NULL,
            "share of the anchorage that is lost with roots, the same from all sides: a rule of ours",
            .unused = change_unused),
+    TEXT("--reports", reports, "FOLDER", NULL,
+         "of a table: also results, tables, plots and pages of each tree, in a folder by the line of its row",
+         .unused = reports_unused),
     PATH("--from", from, "FOLDER", NULL,
          "in place of a card: the tree of a pulling test, a results folder of 'windfirm fit'"),
     TEXTS(
@@ -306,8 +316,9 @@ enum wf_status wf_assess_case_read(struct wf_assess_case *c, struct wf_arena *a,
 {
     enum wf_status s = wf_assess_model(&c->options, c->species, a, &c->model, d, e);
     if (!s) s = wf_analyze_request_read(&c->options.run, a, d, &c->request, e);
-    c->request.search.bare = true;
-    if (!WF_GIVEN(&c->options.run, mesh_tolerance)) { /* as for the samples of an interval */
+    c->request.search.bare = !c->options.reports;
+    if (c->request.search.bare &&
+        !WF_GIVEN(&c->options.run, mesh_tolerance)) { /* as for the samples of an interval */
         c->request.solve.mesh_tolerance = 0.0;
         c->request.solve.tolerance = fmax(c->request.solve.tolerance, 1e-2); /* its square is left */
     }
