@@ -50,6 +50,11 @@ static void pages(void **state)
     CHECK(rows);
 }
 
+/* The words of the first page of $T/out, a row of a table a line. */
+#define FRONT                                                                                                \
+    "sed 's/<h2.*//; s/<tr/\\n<tr/g; s/<figure/\\n<figure/g' $T/out/report.html | sed '/<svg/d; "            \
+    "s/<[^>]*>/ /g' | tr -s ' '"
+
 static void cards(void **state)
 {
     (void)state;
@@ -67,6 +72,14 @@ static void cards(void **state)
           "'结论：损毁' $T/out/report.html",
           CODE_OK,
           { "1\n" } },
+        { "$W assess models/cards/oak.yaml --no-pdf -o $T/out -q; " FRONT,
+          CODE_OK,
+          { "elastic limit) 2.14 1.5 ", "bending strength) 4.58 1.5 ", "overturning (roots) 0.84 1.5 ",
+            "soil 0.42–0.55 1.5 " } },
+        { "$W assess models/cards/oak.yaml --no-pdf -o $T/out -q; " FRONT,
+          CODE_OK,
+          { "Tree is lost at 23.0 m/", "15 to 41 m/", "once in 11.6 years",
+            "Not assessed Limbs, forks and unions" } },
     };
     CHECK(rows);
 }
