@@ -601,6 +601,46 @@ static void carry(const struct wf_lanes *coarse, struct wf_lanes *fine)
     }
 }
 
-const struct wf_lanes_kernel NAMED(WF_WIDTH) = {
-    .width = WF_WIDTH, .newton = newton, .iterate = iterate, .read = read_all, .carry = carry
-};
+/* ---- Loads at many points of one state ---- */
+
+static void take_points(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p,
+                        struct real_point *q)
+{
+    for (size_t k = 0; k < WF_WIDTH; k++) {
+        const struct wf_lanes_point *from = &p[k < n ? k : n - 1]; /* lanes to spare repeat the last */
+        const struct wf_line_point *line = from->line;
+        for (int i = 0; i < 3; i++) real_lane(q->x[i], k) = from->x[i], real_lane(q->t[i], k) = from->t[i];
+        real_lane(q->diameter, k) = line->diameter, real_lane(q->drag, k) = line->drag;
+        real_lane(q->lift, k) = line->lift, real_lane(q->sail, k) = line->sail;
+        real_lane(q->weight, k) = -line->mass * l->gravity * l->weight_scale;
+    }
+}
+
+static void loads(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p, struct wf_line_load *out)
+{
+    const struct wf_loads *all[WF_WIDTH];
+    struct air air;
+    for (int k = 0; k < WF_WIDTH; k++) all[k] = l;
+    set_air(all, &air);
+    for (size_t from = 0; from < n; from += WF_WIDTH) {
+        struct real_point point;
+        struct real_load q;
+        size_t some = n - from < WF_WIDTH ? n - from : WF_WIDTH;
+        take_points(l, some, p + from, &point);
+        load_points(&air, &point, &q);
+        for (size_t k = 0; k < some; k++) {
+            struct wf_line_load *to = &out[from + k];
+            for (int i = 0; i < 3; i++)
+                to->force[i] = real_lane(q.force[i], k) + l->point_scale * p[from + k].dead[i];
+            for (int i = 0; i < 9; i++)
+                to->by_place[i] = real_lane(q.by_place[i], k), to->by_turn[i] = real_lane(q.by_turn[i], k);
+        }
+    }
+}
+
+const struct wf_lanes_kernel NAMED(WF_WIDTH) = { .width = WF_WIDTH,
+                                                 .loads = loads,
+                                                 .newton = newton,
+                                                 .iterate = iterate,
+                                                 .read = read_all,
+                                                 .carry = carry };

@@ -50,8 +50,17 @@ struct wf_lanes {
     size_t loose[WF_LANES_MOST]; /* directions in which small parts are not stable */
 };
 
+/* A point of an axis in one state. */
+struct wf_lanes_point {
+    const double *x, *t, *dead; /* position, unit tangent, dead load per length [N/m] */
+    const struct wf_line_point *line;
+};
+
 struct wf_lanes_kernel {
     size_t width;
+    /* Loads at n points of one state, at least 1, as wf_beam_load gives them. */
+    void (*loads)(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p,
+                  struct wf_line_load *out);
     /* Newton's method from the present shape. */
     void (*newton)(struct wf_lanes *x);
     /* One iteration from the present shape, for measurements. */
