@@ -369,24 +369,39 @@ static void largest(const struct wf_tree *t, const struct wf_node *low, const st
     }
 }
 
+/* The moment on the ground, by two curves of its parts: of a tree that is blown upright it passes zero, near
+ * which its size has a corner. */
+static void moment_between(const struct wf_node *low, const struct wf_node *high, const struct span *s,
+                           double out[2])
+{
+    const double *a = low->at.response.base_moment, *b = high->at.response.base_moment;
+    double part[2][2];
+    for (int k = 0; k < 2; k++) {
+        const struct ends q = { { a[k], b[k] }, { low->turning[k], high->turning[k] } };
+        bool still = !(s->a > 0.0);
+        part[0][k] = still ? drawn(s, &q) : compared(s, &q);
+        part[1][k] = wf_crossing_cubic(s->a, s->b, q.y[0], q.y[1], q.slope[0], q.slope[1], s->x);
+    }
+    for (int k = 0; k < 2; k++) out[k] = hypot(part[k][0], part[k][1]);
+}
+
 /* What an error of a total is compared with: its value, but at least a thousandth of its largest value; a
- * fiftieth where it is the size of a vector that may vanish (a leaning tree is blown upright); for the force
- * across the wind also a tenth of the drag. */
+ * fiftieth where it is the size of a vector that may vanish (a leaning tree is blown upright). */
 static double yardstick(const double v[WF_TOTALS], const double size[WF_TOTALS], int k)
 {
-    bool vector =
-        k == WF_TOTAL_LIFT || k == WF_TOTAL_DEFLECTION || k == WF_TOTAL_ANGLE || k == WF_TOTAL_MOMENT;
+    bool vector = k == WF_TOTAL_DEFLECTION || k == WF_TOTAL_ANGLE || k == WF_TOTAL_MOMENT;
     double least = (vector ? 0.02 : 1e-3) * size[k];
-    if (k == WF_TOTAL_LIFT) least = fmax(least, 0.1 * fabs(v[WF_TOTAL_DRAG]));
     return fmax(fabs(v[k]), least);
 }
 
 /* Largest relative difference of two sets of totals. Given: size[WF_TOTALS], the largest value of each total
- * on the curve. Of the criteria the first counts, of which curves are drawn. */
+ * on the curve. What no curve is drawn of does not count: lift,
+ * and criteria but the first. */
 static double totals_apart(const double a[WF_TOTALS], const double b[WF_TOTALS], const double size[WF_TOTALS])
 {
     double worst = 0.0;
     for (int k = 0; k < WF_TOTAL_UTILISATION + WF_SCOPES; k++) {
+        if (k == WF_TOTAL_LIFT) continue;
         double off = fabs(b[k] - a[k]) / yardstick(a, size, k);
         if (isfinite(a[k]) && size[k] > 0.0) worst = fmax(worst, isfinite(off) ? off : INFINITY);
     }
@@ -410,6 +425,7 @@ static void totals_between(const struct wf_tree *t, const struct wf_node *low, c
         const struct ends q = { { ends[0][k], ends[1][k] }, { low->slope[k], high->slope[k] } };
         int part = k - WF_TOTAL_UTILISATION;
         double by[2] = { drawn(&s, &q), compared(&s, &q) };
+        if (k == WF_TOTAL_MOMENT) moment_between(low, high, &s, by);
         if (isfinite(q.y[0]) && isfinite(q.y[1]) && k == WF_TOTAL_STRESS)
             largest(t, low, high, WF_NODE_STRESS, WF_SCOPE_TREE, &s, q.y, by);
         else if (isfinite(q.y[0]) && isfinite(q.y[1]) && part >= 0)
@@ -458,7 +474,6 @@ static void order_nodes(struct sloped *c)
         for (int q = 0; q < WF_TOTALS && !c->node[k]->at.status; q++)
             if (isfinite(v[q])) c->size[q] = fmax(c->size[q], fabs(v[q]));
     }
-    c->size[WF_TOTAL_LIFT] = fmax(c->size[WF_TOTAL_LIFT], c->size[WF_TOTAL_DRAG]);
 }
 
 static bool positive(const struct sloped *c, size_t i)
@@ -497,6 +512,22 @@ static bool drawn_between(const struct sloped *c, size_t i)
     return true;
 }
 
+/* A speed between two nodes at which the state of the stem, or of the branches, is known, not near either: half
+ * a solution makes it a node. Else that of the row. */
+static double half_solved(const struct sloped *c, const struct wf_solve_options *o, size_t i, double row)
+{
+    const double margin = 0.25;
+    double low = c->node[i]->at.speed, high = c->node[i + 1]->at.speed;
+    for (size_t k = 0; k < wf_nodes_count(c->nodes) && low > 0.0; k++) {
+        const struct wf_node *node = wf_nodes_at(c->nodes, k);
+        double place = log(node->at.speed / low) / log(high / low);
+        if (!node->whole && !node->at.status && node->tolerance == o->mesh_tolerance && place >= margin &&
+            place <= 1.0 - margin)
+            return node->at.speed;
+    }
+    return row;
+}
+
 /* Solve the first two rows and the last, then rows in the middle of what is not known, from the lowest speed
  * up. */
 static enum wf_status refine_sloped(struct sloped *c, const struct wf_solve_options *o, struct wf_err *e)
@@ -519,7 +550,7 @@ static enum wf_status refine_sloped(struct sloped *c, const struct wf_solve_opti
             /* a row that was solved and left out, because another node is close, brings nothing new */
             if (row >= 0 && !drawn_between(c, i) &&
                 !wf_nodes_find(c->nodes, an->sweep[row].speed, o->mesh_tolerance))
-                pick[picked++] = an->sweep[row].speed;
+                pick[picked++] = half_solved(c, o, i, an->sweep[row].speed);
         }
         if (!picked) return WF_OK;
     }

@@ -288,6 +288,8 @@ static enum wf_status read_state(struct wf_nodes *k, enum wf_node_part part, str
         wf_totals_read(&r->at, v[0]);
         wf_totals_read(&r->side, v[1]);
         for (int q = 0; q < WF_TOTAL_STRESS; q++) node->slope[q] = (v[1][q] - v[0][q]) / r->step;
+        const double *at = r->at.response.base_moment, *side = r->side.response.base_moment;
+        for (int q = 0; q < 2; q++) node->turning[q] = (side[q] - at[q]) / r->step;
     }
     own_stress(k->an, part, &r->at.breakage);
     return WF_OK;

@@ -55,6 +55,7 @@ struct wf_node {
     bool whole;              /* both states are known */
     bool sloped;             /* and so are all slopes */
     double slope[WF_TOTALS]; /* d total / d speed; NAN: of a state that is not known */
+    double turning[2];       /* d (moment on the ground about x, y) / d speed [N m s/m] */
     struct wf_node_column column[WF_NODE_COLUMNS]; /* rows of a state that is not known: 0 */
     struct wf_node_state state[WF_NODE_PARTS];
 };
