@@ -211,6 +211,7 @@ bool wf_beam_sweep_down(struct wf_beam *b, bool tangent, struct wf_beam_stabilit
         struct wf_beam_reaction root = { { { 0 } }, { 0 } };
         bool grounded = p->parent < 0, cut = on_held(b, i);
         double before = b->misfit.bending;
+        for (int j = 0; j < 2; j++) memcpy(b->load[i][j], load[j].force, sizeof b->load[i][j]);
         wf_beam_balance(p->h, &b->stage[i], flat, load, &b->wrench[i], at, &down);
         wf_beam_misfit_add(p, &b->shape[i], base->L, creep, &b->stage[i], flat, at, &b->misfit);
         size_t unstable = count ? count->negative : 0;
@@ -263,12 +264,13 @@ enum wf_status wf_beam_init(struct wf_beam *b, const struct wf_tree *t, const st
     b->stage = WF_TAKE(newton, n, struct wf_beam_stage);
     if (b->mesh.flat) b->flat = WF_TAKE(a, n, struct wf_beam_flat);
     b->wrench = WF_TAKE(newton, n, struct wf_beam_wrench);
+    b->load = wf_arena_take(newton, n, sizeof *b->load);
     b->node = WF_TAKE(newton, n, struct wf_beam_reaction);
     b->answer = WF_TAKE(newton, n, struct wf_beam_answer);
     b->change = wf_arena_take(newton, n, sizeof *b->change);
     b->dv = wf_arena_take(newton, n, sizeof *b->dv);
     if (!b->tilt || !b->root_step || !b->root_change || !b->root_give || !b->root_hold || !b->shape ||
-        !b->pose || !b->stage || !b->wrench || !b->node || !b->answer || !b->change || !b->dv ||
+        !b->pose || !b->stage || !b->wrench || !b->load || !b->node || !b->answer || !b->change || !b->dv ||
         (b->mesh.flat && !b->flat))
         return wf_fail(e, WF_ENOMEM, "not enough memory for the state of %zu beam elements", n);
     return WF_OK;
