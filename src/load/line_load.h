@@ -52,8 +52,9 @@ WF_INLINE void flow_past(const real t[3], struct axis_flow *f)
     f->speed = split_direction(f->u, f->e);
 }
 
-/* Forces by coefficients. Given: diameter, lift and sail of the point; half the air's density; drag coefficient
- * of the axis and share of the crown's drag area, with their derivatives by speed; *f after flow_past. */
+/* Forces by coefficients. Given: diameter, lift and sail of the point; half the air's density; drag
+ * coefficient of the axis and share of the crown's drag area, with their derivatives by speed; *f after
+ * flow_past. */
 WF_INLINE void flow_forces(real diameter, real lift, real sail, real half, real cd, real cd_slope, real share,
                            real share_slope, struct axis_flow *f)
 {
@@ -228,7 +229,8 @@ static __attribute__((noinline, unused)) void drag_each(const struct air *a, con
     for (int k = 0; k < WF_WIDTH; k++) {
         const struct wf_loads *l = a->loads[k];
         double by = 0, at = real_lane(*speed, k);
-        real_lane(*cd, k) = l->axis_drag->coefficient(&l->axis_drag_par, at, real_lane(*diameter, k), l->air_viscosity, &by);
+        real_lane(*cd, k) =
+            l->axis_drag->coefficient(&l->axis_drag_par, at, real_lane(*diameter, k), l->air_viscosity, &by);
         real_lane(*slope, k) = by;
     }
 }

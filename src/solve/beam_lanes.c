@@ -4,6 +4,8 @@
 #include "load/line_load.h"
 #include "solve/beam_condense.h"
 #include <float.h>
+#include <stdbool.h>
+#include <stdlib.h>
 
 #define NAMED(width) NAMED_(width)
 #define NAMED_(width) wf_lanes_##width
@@ -616,7 +618,8 @@ static void take_points(const struct wf_loads *l, size_t n, const struct wf_lane
     }
 }
 
-static void loads(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p, struct wf_line_load *out)
+static void loads(const struct wf_loads *l, size_t n, const struct wf_lanes_point *p,
+                  struct wf_line_load *out)
 {
     const struct wf_loads *all[WF_WIDTH];
     struct air air;
@@ -638,9 +641,32 @@ static void loads(const struct wf_loads *l, size_t n, const struct wf_lanes_poin
     }
 }
 
-const struct wf_lanes_kernel NAMED(WF_WIDTH) = { .width = WF_WIDTH,
-                                                 .loads = loads,
-                                                 .newton = newton,
-                                                 .iterate = iterate,
-                                                 .read = read_all,
-                                                 .carry = carry };
+const struct wf_lanes_kernel NAMED(WF_WIDTH) = {
+    .width = WF_WIDTH, .loads = loads, .newton = newton, .iterate = iterate, .read = read_all, .carry = carry
+};
+
+#if WF_WIDTH == 1 /* once */
+
+static bool has_width(size_t width)
+{
+#ifdef __x86_64__
+    if (width == 4) return __builtin_cpu_supports("avx2");
+    if (width == 8) return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq");
+#endif
+    return true;
+}
+
+const struct wf_lanes_kernel *wf_lanes_kernel(size_t n)
+{
+#ifdef __x86_64__
+    size_t width = n > 4 && has_width(8) ? 8 : 4;
+#else
+    size_t width = 4;
+#endif
+    const char *named = getenv("WINDFIRM_LANES");
+    if (named && strlen(named) == 1 && strchr("148", *named)) width = (size_t)(*named - '0');
+    if (width == 8 && has_width(8)) return &wf_lanes_8;
+    return width >= 4 && has_width(4) ? &wf_lanes_4 : &wf_lanes_1;
+}
+
+#endif

@@ -71,4 +71,7 @@ struct wf_lanes_kernel {
     void (*carry)(const struct wf_lanes *coarse, struct wf_lanes *fine);
 };
 extern const struct wf_lanes_kernel wf_lanes_1, wf_lanes_4, wf_lanes_8;
+/* Kernel for n states on this processor; where the environment's WINDFIRM_LANES is 1, 4 or 8, that width if
+ * the processor has it. */
+const struct wf_lanes_kernel *wf_lanes_kernel(size_t n);
 #endif

@@ -2,7 +2,7 @@
 #include "solve/beam_newton.h"
 #include "base/vec3.h"
 #include "solve/beam_eliminate.h"
-#include "solve/beam_many.h"
+#include "solve/beam_lanes.h"
 #include "solve/beam_rest.h"
 #include <float.h>
 

@@ -323,9 +323,9 @@ static bool approach(struct wf_track *k, const struct wf_loads *l, double from, 
     return false;
 }
 
-/* Put the unknowns where Newton's method is to start: at the nearest solution, moved along its derivative where
- * it is near. The shape moves with the power 1.5 of the speed, between stiff trees (2) and streamlined ones.
- * Returned: the wind speed of k->last, which it starts from. */
+/* Put the unknowns where Newton's method is to start: at the nearest solution, moved along its derivative
+ * where it is near. The shape moves with the power 1.5 of the speed, between stiff trees (2) and streamlined
+ * ones. Returned: the wind speed of k->last, which it starts from. */
 static double put_start(struct wf_track *k, const struct wf_loads *l, const struct wf_track_start *start)
 {
     const double power = 1.5, to = wind_of(l);

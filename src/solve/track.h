@@ -26,8 +26,8 @@ struct wf_tracked {
     bool irregular; /* small parts are not stable, or a limit point lies on the way to the full load */
 };
 
-/* Where Newton's method starts: from the solution whose wind speed is nearest, of this track or, where none is
- * near, of another. */
+/* Where Newton's method starts: from the solution whose wind speed is nearest, of this track or, where none
+ * is near, of another. */
 struct wf_track_start {
     double share;           /* `side` are the loads of a wind that is faster by this share [-] */
     struct wf_track *other; /* a track of the same tree, whose last solution may become another of its own

@@ -437,11 +437,11 @@ static double totals_apart(const double a[WF_TOTALS], const double b[WF_TOTALS],
 
 /* Given: tree; two nodes with slopes, low below high; a speed between them [m/s]. Returned: v[WF_TOTALS]; and
  * other[WF_TOTALS], by a second curve with the same values and slopes: their difference bounds the error
- * where it is small. Method: what the wind adds to the value at rest is a cubic of logarithms of value and speed
- * where it follows a power of the speed at both ends, compared with a cubic of the speed's square; where it does
- * not, that cubic, compared with one of the speed. From speed 0 a power of the speed beside the value there.
- * Utilisation and largest stress are the largest of
- * those of the rows, so that a curve may pass from one governing row to another. */
+ * where it is small. Method: what the wind adds to the value at rest is a cubic of logarithms of value and
+ * speed where it follows a power of the speed at both ends, compared with a cubic of the speed's square;
+ * where it does not, that cubic, compared with one of the speed. From speed 0 a power of the speed beside the
+ * value there. Utilisation and largest stress are the largest of those of the rows, so that a curve may pass
+ * from one governing row to another. */
 static void totals_between(const struct between *n, double speed, double v[WF_TOTALS],
                            double other[WF_TOTALS])
 {
@@ -550,8 +550,8 @@ static bool drawn_between(const struct sloped *c, size_t i)
     return true;
 }
 
-/* A speed between two nodes at which the state of the stem, or of the branches, is known, not near either: half
- * a solution makes it a node. Else that of the row. */
+/* A speed between two nodes at which the state of the stem, or of the branches, is known, not near either:
+ * half a solution makes it a node. Else that of the row. */
 static double half_solved(const struct sloped *c, const struct wf_solve_options *o, size_t i, double row)
 {
     const double margin = 0.25;

@@ -246,7 +246,8 @@ static void slopes_of_worst(const struct wf_tree *t, struct wf_node *node)
     for (int c = 0; c < WF_NODE_COLUMNS; c++)
         for (int s = 0; s < (c == WF_NODE_STRESS ? 1 : WF_SCOPES); s++) {
             int total = c == WF_NODE_STRESS ? (int)WF_TOTAL_STRESS : WF_TOTAL_UTILISATION + c * WF_SCOPES + s;
-            int32_t row = c == WF_NODE_STRESS ? node->at.breakage.largest_stress_row : node->at.worst[c][s].row;
+            int32_t row =
+                c == WF_NODE_STRESS ? node->at.breakage.largest_stress_row : node->at.worst[c][s].row;
             node->slope[total] = NAN;
             if (row < 0 || !node->column[c].gain) continue;
             if (node->state[t->level[row] > 0 ? WF_NODE_BRANCHES : WF_NODE_STEM].sloped)
@@ -296,7 +297,8 @@ static enum wf_status read_state(struct wf_nodes *k, enum wf_node_part part, str
 }
 
 /* The track of the coarsest other sequence, which has solutions at most speeds; NULL: none. */
-static struct wf_track *other_track(const struct wf_nodes *k, const struct sequence *q, enum wf_node_part part)
+static struct wf_track *other_track(const struct wf_nodes *k, const struct sequence *q,
+                                    enum wf_node_part part)
 {
     const struct sequence *out = NULL;
     for (int i = 0; i < TRACKS; i++) {
@@ -306,15 +308,15 @@ static struct wf_track *other_track(const struct wf_nodes *k, const struct seque
     return out ? out->track[part] : NULL;
 }
 
-static enum wf_status solve_state(struct wf_nodes *k, struct sequence *q, enum wf_node_part part, double speed,
-                                  struct wf_node *node, struct wf_err *e)
+static enum wf_status solve_state(struct wf_nodes *k, struct sequence *q, enum wf_node_part part,
+                                  double speed, struct wf_node *node, struct wf_err *e)
 {
     static const enum wf_part load[] = { WF_PART_STEM, WF_PART_BRANCHES };
     struct wf_arena scratch = { 0 };
     struct wf_speed_answers r;
     struct wf_node_state *to = &node->state[part];
-    enum wf_status s = wf_speed_track(k->an, load[part], q->track[part], speed, other_track(k, q, part),
-                                      &scratch, &r, e);
+    enum wf_status s =
+        wf_speed_track(k->an, load[part], q->track[part], speed, other_track(k, q, part), &scratch, &r, e);
     wf_stage_step(1);
     if (!s && !r.at.status) s = read_state(k, part, &r, &scratch, node, e);
     if (!s) {

@@ -37,8 +37,8 @@ struct wf_node_column {
     float *value, *gain;
 };
 
-/* The two states of a node: at the peak of the load on the tree, of which stem, root and totals are taken, and
- * at that of branches. They are one where branches have no peak of their own. */
+/* The two states of a node: at the peak of the load on the tree, of which stem, root and totals are taken,
+ * and at that of branches. They are one where branches have no peak of their own. */
 enum wf_node_part { WF_NODE_STEM, WF_NODE_BRANCHES, WF_NODE_PARTS };
 
 struct wf_node_state {

@@ -116,7 +116,8 @@ static double step_to_crossing(const struct search *q, const struct wf_node *nod
     for (size_t i = 0; i < q->an->tree.n; i++) {
         double at = (double)column->value[i], gain = (double)column->gain[i];
         double own = (1.0 - at) / gain;
-        if (!(gain > 0.0 && own < first - 1e-7 * node->at.speed) || !wf_scope_holds(q->scope, &q->an->tree, i))
+        if (!(gain > 0.0 && own < first - 1e-7 * node->at.speed) ||
+            !wf_scope_holds(q->scope, &q->an->tree, i))
             continue;
         first = own, value = at, *slope = gain;
     }
@@ -142,8 +143,8 @@ static enum wf_status node_near(const struct search *q, double speed, const stru
 /* Refine the critical speed found on a coarse mesh to the mesh tolerance of the options by Newton's method in
  * logarithms. Returned: c->speed, and the node it was taken from, with *step from it, the errors of which are
  * those of a power law over so short a step; *step NAN: none was taken. */
-static enum wf_status polish_sloped(const struct search *q, struct wf_critical *c, const struct wf_node **node,
-                                    double *step, struct wf_err *e)
+static enum wf_status polish_sloped(const struct search *q, struct wf_critical *c,
+                                    const struct wf_node **node, double *step, struct wf_err *e)
 {
     const double near = 5e-4; /* of the resistance */
     for (int k = 0;; k++) {
@@ -256,7 +257,8 @@ static void bracket(const struct search *q, struct wf_critical *c)
     *c = (struct wf_critical){ WF_CRITICAL_UNSEARCHED, NAN, 0.0, q->speed_max, NAN, 0 };
     for (size_t i = 0; i < wf_nodes_count(q->nodes); i++) {
         const struct wf_node *node = wf_nodes_at(q->nodes, i);
-        if (knows(q, node) && falls(q, state_of(q, node))) c->speed_high = fmin(c->speed_high, node->at.speed);
+        if (knows(q, node) && falls(q, state_of(q, node)))
+            c->speed_high = fmin(c->speed_high, node->at.speed);
     }
     for (size_t i = 0; i < wf_nodes_count(q->nodes); i++) {
         const struct wf_node *node = wf_nodes_at(q->nodes, i);
@@ -406,8 +408,8 @@ static enum wf_status descend(struct search *list, size_t n, struct wf_err *e)
     return s;
 }
 
-/* Totals at the critical speed. Where branches have a peak of their own, a node of theirs has no totals of the
- * tree: those of breakage are solved on the same mesh, of other criteria on that of the search. */
+/* Totals at the critical speed. Where branches have a peak of their own, a node of theirs has no totals of
+ * the tree: those of breakage are solved on the same mesh, of other criteria on that of the search. */
 static enum wf_status totals_there(const struct search *q, const struct wf_solve_options *quick,
                                    const struct wf_node *node, double step, struct wf_err *e)
 {
@@ -423,9 +425,9 @@ static enum wf_status totals_there(const struct search *q, const struct wf_solve
     return WF_OK;
 }
 
-/* Is the stem's crossing on a mesh ten times as coarse as specified good enough? Its errors are loads summed over
- * all branches: it moves with the tolerance of the mesh or faster, and by what it moved from the mesh of the
- * search the rest is bounded. */
+/* Is the stem's crossing on a mesh ten times as coarse as specified good enough? Its errors are loads summed
+ * over all branches: it moves with the tolerance of the mesh or faster, and by what it moved from the mesh of
+ * the search the rest is bounded. */
 static bool settled(const struct search *q, const struct wf_solve_options *quick,
                     const struct wf_solve_options *fine, double before, double now)
 {
@@ -443,7 +445,8 @@ static enum wf_status finish(struct search *q, const struct wf_solve_options *qu
     const struct wf_node *node;
     double step = 0.0, before = c->speed;
     between.mesh_tolerance *= coarser;
-    bool between_first = q->scope == WF_SCOPE_STEM && coarser * between.mesh_tolerance <= quick->mesh_tolerance;
+    bool between_first =
+        q->scope == WF_SCOPE_STEM && coarser * between.mesh_tolerance <= quick->mesh_tolerance;
     q->o = between_first ? &between : fine;
     enum wf_status s = polish_sloped(q, c, &node, &step, e);
     if (!s && between_first && !settled(q, quick, fine, before, c->speed)) {
@@ -492,8 +495,8 @@ static enum wf_status search_part(struct search *list, size_t n, const struct wf
 /* The lowest speed at which a search may have a crossing. */
 static double bound(const struct wf_break *b) { return wf_verdict_bound(&b->critical); }
 
-/* Result of the whole tree from those of its stem and its branches, of which the latter were searched up to the
- * former. */
+/* Result of the whole tree from those of its stem and its branches, of which the latter were searched up to
+ * the former. */
 static void join(const struct wf_break *stem, const struct wf_break *branches, struct wf_break *out)
 {
     *out = bound(branches) < bound(stem) ? *branches : *stem;
@@ -504,8 +507,8 @@ static void join(const struct wf_break *stem, const struct wf_break *branches, s
 }
 
 /* Result of the branches as far as it follows from that of the whole tree. */
-static void branches_of(const struct wf_analysis *an, const struct wf_criterion *c, const struct wf_break *tree,
-                        struct wf_break *out)
+static void branches_of(const struct wf_analysis *an, const struct wf_criterion *c,
+                        const struct wf_break *tree, struct wf_break *out)
 {
     bool known = wf_criterion_known(c, &an->tree, WF_SCOPE_BRANCHES);
     *out = *tree;
